@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: MIT
+# Language, optimisation and warnings, the same for every target of the tree.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE RelWithDebInfo)
+endif()
+
+# Development builds keep assert(); layers that simulate hours of heat ask for -O2 themselves (layer.cmake).
+set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O1 -g1")
+set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
+add_compile_definitions($<$<CONFIG:RelWithDebInfo,Debug>:_GLIBCXX_ASSERTIONS>)
+
+# A replay must be bit for bit, so no fused multiply-add may appear where the source has none.
+add_compile_options(-ffp-contract=off)
+include_directories(${PROJECT_SOURCE_DIR})
+add_compile_definitions(HEDGEHOG_VERSION="${PROJECT_VERSION}")
+
+add_library(hedgehog_warnings INTERFACE)
+target_compile_options(hedgehog_warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)

@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: MIT
+// Owns the precompiled test headers. GoogleTest must come first: RapidCheck's glue looks for it.
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
