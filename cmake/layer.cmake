@@ -52,6 +52,7 @@ endfunction()
 function(hedgehog_reuse_pch target owner)
   if(HEDGEHOG_PCH AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
     target_precompile_headers(${target} REUSE_FROM ${owner})
+    target_compile_options(${target} PRIVATE -fpch-preprocess)
   endif()
 endfunction()
 
