@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// What io asks of the control thread, with ranges and ownership already checked. Trivially
+// copyable; travels by spsc queue. Stopping never queues: see StopBoard in mailbox.h.
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+#include <variant>
+
+#include "model/coils.h"
+#include "model/effect.h"
+#include "model/limits.h"
+
+namespace hedgehog::control {
+
+/// Number of an effect: never used twice while the daemon runs, 0 is none.
+using EffectId = std::uint32_t;
+
+/// Places for effects in the mixer. io hands out at most 64 to playing effects; the rest serves
+/// those that were replaced or have ended and wait for io to take their last state.
+inline constexpr int kEffectPlaces = 128;
+inline constexpr int kMaxEffects = 64;
+inline constexpr int kMaxCommandsPerTick = 64;
+
+struct StartEffect {
+  EffectId effect = 0;
+  /// The place that io chose: free until `effect_ended` of its last holder was taken.
+  std::uint8_t place = 0;
+  /// This effect ends as `replaced` in the same tick (0: none), its phase is kept when method and
+  /// waveform are the same.
+  EffectId replaces = 0;
+  std::uint8_t replaces_place = 0;
+  model::EffectSpec spec;
+};
+
+/// New parameters for a playing effect: phase kept, lease renewed. Ignored when it has ended
+/// meanwhile.
+struct UpdateEffect {
+  EffectId effect = 0;
+  std::uint8_t place = 0;
+  model::EffectSpec spec;
+};
+
+struct Arm {};
+
+/// The front points at `azimuth_deg` now.
+struct Recenter {
+  double azimuth_deg = 0.0;
+};
+
+struct SetGain {
+  double gain = 1.0;
+};
+
+struct SetLimits {
+  model::Limits limits;
+};
+
+/// Only accepted while nothing is armed.
+struct SetCoils {
+  model::CoilModel coils;
+};
+
+struct Command {
+  /// Rises by one with each command; a status whose `applied_seq` has reached it shows its
+  /// consequence.
+  std::uint64_t seq = 0;
+  std::variant<StartEffect, UpdateEffect, Arm, Recenter, SetGain, SetLimits, SetCoils> what;
+};
+
+static_assert(std::is_trivially_copyable_v<Command>);
+
+}  // namespace hedgehog::control

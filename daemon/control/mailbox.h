@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// The only way between io and the control thread: a queue for new work, a stop board that never
+// queues, the latest status, and a queue of events.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <boost/lockfree/spsc_queue.hpp>
+#include <cstdint>
+
+#include "daemon/control/command.h"
+#include "daemon/control/event.h"
+#include "daemon/control/snapshot.h"
+#include "daemon/control/step_inputs.h"
+#include "daemon/device/orientation.h"
+#include "model/triple_buffer.h"
+
+namespace hedgehog::control {
+
+/// Stop requests, one word an effect place: overwriting, never full, seen at the next tick.
+class StopBoard {
+ public:
+  /// io thread. Ends `effect` in `place`; also when its start is still queued.
+  void request(EffectId effect, std::uint8_t place, EndReason reason) noexcept {
+    words_[place].store(effect | (static_cast<std::uint64_t>(reason) << 32),
+                        std::memory_order_release);
+    changed_[place / 64].fetch_or(std::uint64_t{1} << (place % 64), std::memory_order_acq_rel);
+  }
+
+  /// Control thread, real-time safe: puts what changed since the last call into `inputs`.
+  void collect(StepInputs& inputs) noexcept {
+    inputs.stop_count = 0;
+    for (int half = 0; half < 2; ++half) {
+      std::uint64_t mask = changed_[half].exchange(0, std::memory_order_acq_rel);
+      for (; mask != 0; mask &= mask - 1) {
+        const auto place = static_cast<std::uint8_t>(half * 64 + __builtin_ctzll(mask));
+        const std::uint64_t word = words_[place].load(std::memory_order_acquire);
+        inputs.stops[inputs.stop_count++] = {static_cast<EffectId>(word), place,
+                                             static_cast<EndReason>(word >> 32)};
+      }
+    }
+  }
+
+ private:
+  std::array<std::atomic<std::uint64_t>, kEffectPlaces> words_{};
+  std::array<std::atomic<std::uint64_t>, 2> changed_{};
+};
+
+static_assert(kEffectPlaces == 128, "StopBoard keeps its change flags in two words");
+
+struct Mailbox {
+  static constexpr std::size_t kCommands = 512;
+  static constexpr std::size_t kEvents = 8192;
+
+  /// io -> control. `push` fails when full: answer `busy`, never wait.
+  boost::lockfree::spsc_queue<Command, boost::lockfree::capacity<kCommands>> commands;
+  StopBoard stops;
+  /// io -> control: add one for device.emergency_stop.
+  std::atomic<std::uint32_t> emergency_generation{0};
+  /// The orientation sensor's reader (or io, for `external` and the simulator) -> control.
+  model::TripleBuffer<device::OrientationSample> orientation;
+
+  /// control -> io.
+  boost::lockfree::spsc_queue<Event, boost::lockfree::capacity<kEvents>> events;
+  model::TripleBuffer<StatusSnapshot> status;
+};
+
+}  // namespace hedgehog::control

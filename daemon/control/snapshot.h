@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// The state of everything after a tick, for io: `device.status`, telemetry, admission. Trivially
+// copyable; control -> io by triple buffer.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <type_traits>
+
+#include "daemon/control/command.h"
+#include "daemon/control/state.h"
+#include "daemon/device/board_io.h"
+#include "model/quaternion.h"
+#include "model/thermal_observer.h"
+#include "model/tick.h"
+
+namespace hedgehog::control {
+
+struct EffectStatus {
+  EffectId effect = 0;  // 0: the place is free
+  /// False while delayed or masked by a higher priority.
+  bool playing = false;
+  /// Ticks until it ends by itself.
+  model::Tick remaining = 0;
+  /// Its own share of what is driven now, A (0 while masked).
+  double current_a = 0.0;
+};
+
+struct LoopStatistics {
+  double rate_hz = 0.0;
+  std::uint64_t ticks = 0;
+  std::uint64_t skipped = 0;
+  double lateness_p50_us = 0.0;
+  double lateness_p99_us = 0.0;
+  double lateness_max_us = 0.0;
+};
+
+struct Trip {
+  Reason reason = Reason::kNone;
+  model::Tick tick = -1;
+  double temperature_c = 0.0;
+  double current_a = 0.0;
+};
+
+struct StatusSnapshot {
+  model::Tick tick = 0;
+  State state = State::kAbsent;
+  Reason reason = Reason::kNoBoard;
+  model::Tick since = 0;
+  /// Reason of a trip that would come back at once if armed now (kNone: arming is possible).
+  Reason arm_refusal = Reason::kNone;
+  /// The latch that must survive a restart (kNone: none).
+  Reason latch = Reason::kNone;
+
+  bool board_present = false;
+  device::BoardTelemetry board;
+  model::Tick board_age = 0;
+  /// The thermistor reading as judged by the watchdog: usable or not.
+  bool sensor_valid = false;
+
+  model::ThermalEstimate thermal;
+  double limit_a = 0.0;   // allowed now
+  bool derating = false;  // an effect is being reduced now
+
+  model::Vec3 demand_a;   // after mixing, device frame
+  model::Vec3 limited_a;  // winding currents passed by the limiter
+  double gain = 1.0;      // the owner's comfort setting
+
+  bool orientation_present = false;
+  bool orientation_fresh = false;  // not older than 100 ms
+  model::Quaternion orientation;   // device -> world, recentred
+  model::Vec3 orientation_rate_deg_s;
+  model::Tick orientation_age = 0;
+  double yaw_offset_deg = 0.0;
+
+  std::array<EffectStatus, kEffectPlaces> effects{};
+  std::uint64_t applied_seq = 0;
+  LoopStatistics loop;
+  device::LinkCounters link;
+  Trip last_trip;
+};
+
+static_assert(std::is_trivially_copyable_v<StatusSnapshot>);
+
+}  // namespace hedgehog::control

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Everything that one tick of the controller sees. One trivially copyable value: the flight
+// recorder stores it, and the same values from the same state give the same outputs bit for bit.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <type_traits>
+
+#include "daemon/control/command.h"
+#include "daemon/control/event.h"
+#include "daemon/device/board_io.h"
+#include "daemon/device/orientation.h"
+#include "model/tick.h"
+
+namespace hedgehog::control {
+
+/// "End this effect": by its owner (kStopped) or because its connection ended (kDisconnected).
+struct StopRequest {
+  EffectId effect = 0;
+  std::uint8_t place = 0;
+  EndReason reason = EndReason::kStopped;
+};
+
+struct StepInputs {
+  model::Tick tick = 0;
+  /// Ticks between the last step and this one that were never run (the thread was late).
+  std::uint32_t skipped = 0;
+  /// A change means: device.emergency_stop.
+  std::uint32_t emergency_generation = 0;
+
+  bool board_present = false;
+  /// True in the tick in which `board` is new.
+  bool board_fresh = false;
+  device::BoardTelemetry board;
+  device::OrientationSample orientation;
+
+  std::uint16_t stop_count = 0;
+  std::uint16_t command_count = 0;
+  std::array<StopRequest, kEffectPlaces> stops{};
+  std::array<Command, kMaxCommandsPerTick> commands{};
+};
+
+static_assert(std::is_trivially_copyable_v<StepInputs>);
+
+}  // namespace hedgehog::control

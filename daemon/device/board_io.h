@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// What goes to the driver board and what comes back, as values. The byte layout is board_codec.h;
+// README.md beside it documents every byte.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "model/limited_currents.h"
+#include "model/vec3.h"
+
+namespace hedgehog::device {
+
+/// Faults that the board itself has found: bits of BoardTelemetry::faults. Latched on the board
+/// until armed.
+enum BoardFault : std::uint16_t {
+  kFaultDeadMan = 1u << 0,      // no valid set-point for 100 ms
+  kFaultOverCurrent = 1u << 1,  // |I| > 16.5 A for 50 ms
+  kFaultOverHeat = 1u << 2,     // sensor above the board's own limit, 75 C
+  kFaultHeatBudget = 1u << 3,   // the board's own I^2 t
+  kFaultBridge = 1u << 4,       // a bridge signals FLT
+  kFaultSensorOpen = 1u << 5,   // thermistor line at the rail
+  kFaultSensorShort = 1u << 6,  // thermistor line at ground
+  kFaultStuckBridge = 1u << 7,  // |I| > 0.5 A for 20 ms after the safe state: supply switch opened
+  kFaultSupply = 1u << 8,       // supply voltage out of 6.5..30 V
+};
+
+/// Mode of the board core.
+enum class BoardMode : std::uint8_t { kSafe = 0, kReady = 1, kDriving = 2, kLatched = 3 };
+
+/// One set-point. Duties other than zero exist only for `LimitedCurrents`. Trivially copyable.
+class BoardCommand {
+ public:
+  /// Bridges asleep, duty 0. Always allowed.
+  constexpr BoardCommand() noexcept = default;
+
+  /// Drives `currents`: the voltage for each winding is R I + L (I - I_now) / tick, within the
+  /// supply. `resistance_ohm` and `now_a` are the estimates of the moment; `supply_v` the measured
+  /// supply (> 0).
+  static BoardCommand drive(const model::LimitedCurrents& currents,
+                            const std::array<double, model::kCoils>& resistance_ohm,
+                            double inductance_h, const model::Vec3& now_a,
+                            double supply_v) noexcept;
+
+  constexpr bool enable() const noexcept { return enable_; }
+  /// Bridge duty per winding in 1/32767 of the supply, sign = direction.
+  constexpr const std::array<std::int16_t, model::kCoils>& duty_q15() const noexcept {
+    return duty_q15_;
+  }
+  model::Vec3 duty() const noexcept {
+    return {duty_q15_[0] / 32767.0, duty_q15_[1] / 32767.0, duty_q15_[2] / 32767.0};
+  }
+
+  /// Fan duty 0..255.
+  std::uint8_t fan = 0;
+  /// A change of this number asks the board to clear its latch and arm; set-points never do.
+  std::uint8_t arm_count = 0;
+
+ private:
+  bool enable_ = false;
+  std::array<std::int16_t, model::kCoils> duty_q15_{};
+};
+
+/// What the board measured, as of its last frame. Trivially copyable.
+struct BoardTelemetry {
+  /// Number of the frame, and of the set-point it answers.
+  std::uint32_t sequence = 0;
+  std::uint32_t set_point_sequence = 0;
+  /// The board's own clock, ms.
+  std::uint32_t board_ms = 0;
+  model::Vec3 current_a;
+  /// Duty as applied at the bridges over the last millisecond, -1..1; zero when they sleep.
+  model::Vec3 duty;
+  double supply_v = 0.0;
+  /// The thermistor; meaningless when kFaultSensorOpen or kFaultSensorShort is set.
+  double sensor_c = 0.0;
+  double fan_rpm = 0.0;
+  double fan_duty = 0.0;
+  BoardMode mode = BoardMode::kSafe;
+  bool supply_switch_closed = true;
+  bool bridges_awake = false;
+  std::uint8_t arm_count = 0;
+  /// Bits of BoardFault, live and latched.
+  std::uint16_t faults = 0;
+  /// Thermistor conversions so far, mod 256: stands still when the sensor is not read any more.
+  std::uint8_t sensor_conversions = 0;
+  std::uint16_t protocol_version = 1;
+};
+
+/// Counters of the link since the start.
+struct LinkCounters {
+  std::uint64_t frames_out = 0;
+  std::uint64_t frames_in = 0;
+  std::uint64_t lost = 0;     // gaps in the board's sequence
+  std::uint64_t errors = 0;   // frames with a wrong length, CRC or version
+  std::uint64_t overdue = 0;  // times the link went safe because no fresh set-point came for 20 ms
+};
+
+}  // namespace hedgehog::device

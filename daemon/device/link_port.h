@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// What passes between the control thread and the link: the latest set-point down, the latest
+// telemetry up, and, with the simulated board only, what the simulated world shall be like.
+#pragma once
+
+#include <cstdint>
+
+#include "daemon/device/board_io.h"
+#include "daemon/device/simulator_settings.h"
+#include "model/triple_buffer.h"
+
+namespace hedgehog::device {
+
+/// control -> link, one a tick. `count` rises with each, so that the link can tell a fresh
+/// set-point from an old one.
+struct LinkCommand {
+  std::uint64_t count = 0;
+  BoardCommand board;
+};
+
+/// link -> control.
+struct LinkReport {
+  /// A board is connected and speaks our protocol version.
+  bool present = false;
+  /// The last telemetry; `telemetry_count` rises with each valid frame.
+  BoardTelemetry telemetry;
+  std::uint64_t telemetry_count = 0;
+  LinkCounters counters;
+};
+
+struct LinkPort {
+  model::TripleBuffer<LinkCommand> commands;
+  model::TripleBuffer<LinkReport> reports;
+  /// io -> link; used by the simulated board only.
+  model::TripleBuffer<SimulatorSettings> simulator;
+};
+
+}  // namespace hedgehog::device

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// A haptic effect as a value: where the pins push (trajectory, frame), how strongly (strength,
+// gain, waveform, envelope) and for how long. All ranges are checked before a spec is made
+// (protocol, server); the functions below trust them. Source: DESIGN section 4; thesis sections 3.2
+// (circular pattern, 2 cm pitch) and 4.1 (pulse, vibration).
+#pragma once
+
+#include <cstdint>
+
+#include "model/tick.h"
+#include "model/vec3.h"
+
+namespace hedgehog::model {
+
+enum class EffectMethod : std::uint8_t { kPulse, kCircle, kVibrate, kHold };
+enum class Path : std::uint8_t { kFixed, kCircle };
+enum class Frame : std::uint8_t { kDevice, kWorld, kCoil };
+enum class Waveform : std::uint8_t { kConstant, kSine, kSquare, kTriangle, kSawtooth, kNoise };
+
+/// Where the field points over time. Unit vectors, in the effect's frame.
+struct Trajectory {
+  Path path = Path::kFixed;
+  /// kFixed: the direction in which the pins push out.
+  Vec3 direction{1, 0, 0};
+  /// kCircle: the axis, the angle from it (0..180 degrees), pin pitches a second (0.1..100), and
+  /// the sense.
+  Vec3 axis{0, 0, 1};
+  double ring_deg = 90.0;
+  double speed_pins_s = 10.0;
+  bool clockwise = false;
+  /// false: the field jumps from pin to pin ("pin"); true: it glides ("smooth").
+  bool smooth = false;
+};
+
+/// Linear rise and fall inside the duration, in ticks; levels are fractions of the strength (0..1).
+struct Envelope {
+  Tick attack = 0;
+  Tick fade = 0;
+  double attack_level = 0.0;
+  double fade_level = 0.0;
+};
+
+/// Trivially copyable; travels from io to control by value.
+struct EffectSpec {
+  EffectMethod method = EffectMethod::kPulse;
+  Frame frame = Frame::kDevice;
+  Waveform waveform = Waveform::kConstant;
+  /// 0..9; only the highest active priority is felt.
+  std::uint8_t priority = 5;
+  /// A timed effect plays out (2 s at most) when its connection ends, instead of stopping.
+  bool finish_on_close = false;
+  Trajectory trajectory;
+  /// Peak current in ampere-equivalents before `gain`, 0..15.
+  double strength_a = 5.0;
+  /// 0..1.
+  double gain = 1.0;
+  /// 0.5..250; used by every waveform but kConstant.
+  double frequency_hz = 60.0;
+  /// 0.05..0.95, the part of a period that kSquare is on.
+  double on_fraction = 0.5;
+  Envelope envelope;
+  /// Absolute tick of the onset, or -1: `delay` ticks after it was applied.
+  Tick start_at = -1;
+  Tick delay = 0;
+  /// Exactly one of them is positive: the effect ends after `duration` ticks of playing, or `lease`
+  /// ticks after the last start or update. Both at most 10 000.
+  Tick duration = 150;
+  Tick lease = 0;
+};
+
+/// How far a playing effect has come. Phases are accumulated, not computed from time, so that an
+/// update of frequency or speed never makes them jump. Trivially copyable.
+struct EffectPhase {
+  /// Ticks since the onset.
+  Tick elapsed = 0;
+  /// Position in the waveform's period, 0..1.
+  double wave = 0.0;
+  /// Steps walked along the trajectory; circles wrap at their number of steps.
+  double steps = 0.0;
+  /// State of the noise generator.
+  std::uint32_t noise = 0x9e3779b9u;
+};
+
+/// Equal steps in one turn of a circle `ring_deg` from its axis: round(360 sin(ring_deg) / 23.5),
+/// at least 1. The pitch of 23.5 degrees is the thesis' 2 cm between pins, 15 at the equator.
+int circle_steps(double ring_deg) noexcept;
+
+/// The direction of `trajectory` at `phase`: a unit vector in the effect's frame. The first step of
+/// a circle is at the front
+/// (+x), or, when the axis is along x, at the top.
+Vec3 direction_at(const Trajectory& trajectory, const EffectPhase& phase) noexcept;
+
+/// Envelope times waveform at `phase`, 0..1. A leased effect has no fade (nobody knows its end).
+double level_at(const EffectSpec& spec, const EffectPhase& phase) noexcept;
+
+/// `phase` one tick later.
+EffectPhase advanced(const EffectSpec& spec, EffectPhase phase) noexcept;
+
+/// Root mean square over one period of the waveform, as a fraction of the peak (square with
+/// on_fraction f: sqrt(f)).
+double rms_fraction(const EffectSpec& spec) noexcept;
+
+}  // namespace hedgehog::model

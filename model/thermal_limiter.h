@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// The law that keeps the ball cool: how much current may flow at a temperature. DESIGN section 6,
+// "Limiter".
+#pragma once
+
+#include "model/limited_currents.h"
+#include "model/limits.h"
+#include "model/thermal_observer.h"
+
+namespace hedgehog::model {
+
+/// The law itself: the current that may flow at `hottest`. 15 A up to 60 C; I^2 falls linearly to
+/// 25 at 67 C, then to zero at 69 C (numbers from `limits`). Not a number or infinite: zero.
+Amps allowed_current(const Limits& limits, Celsius hottest) noexcept;
+
+/// Real-time safe; trivially copyable.
+class ThermalLimiter {
+ public:
+  ThermalLimiter() noexcept = default;
+  explicit ThermalLimiter(const Limits& limits) noexcept : limits_(limits) {}
+
+  /// New limits; they take effect at the next `limit`.
+  void set_limits(const Limits& limits) noexcept { limits_ = limits; }
+  /// The current allowed now, low-pass filtered downwards noise excepted.
+  Amps allowed() const noexcept { return allowed_; }
+  /// True when the last `limit` had to replace a number that was not finite or absurd (> 1000 A) by
+  /// zero.
+  bool rejected() const noexcept { return rejected_; }
+
+  /// `wanted` scaled as a whole (its direction stays) to what is allowed at `estimate`; zero when
+  /// it is not finite. Windings not yet measured after a restart hold themselves to
+  /// `limits.continuous_a`.
+  LimitedCurrents limit(const CoilCurrents& wanted, const ThermalEstimate& estimate) noexcept;
+
+ private:
+  Limits limits_;
+  Amps allowed_{0.0};
+  double filtered_c_ = 0.0;
+  bool started_ = false;
+  bool rejected_ = false;
+};
+
+}  // namespace hedgehog::model

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The heat of the ball as four lumped nodes: three windings around one core, the core cooled by the
+// fan. Constants: DESIGN section 3 (chosen so that 15 A along one coil warms it from 25 to 70 C
+// in 29.6 s, thesis section 3.1.1).
+#pragma once
+
+#include <array>
+
+#include "model/coils.h"
+
+namespace hedgehog::model {
+
+/// Heat capacities in J/K and thermal resistances in K/W of one ball. Trivially copyable.
+struct ThermalModel {
+  double winding_j_k = 58.81;
+  double core_j_k = 84.4;
+  double winding_to_core_k_w = 1.0;
+  double core_to_room_fan_k_w = 1.8;
+  double core_to_room_still_k_w = 5.0;
+  /// On which winding (0..2) the thermistor sits, and how it lags, seconds (first order).
+  int sensor_winding = 0;
+  double sensor_lag_s = 2.0;
+};
+
+/// Temperatures of the four nodes, degrees Celsius.
+struct ThermalState {
+  std::array<double, kCoils> winding_c{25.0, 25.0, 25.0};
+  double core_c = 25.0;
+};
+
+}  // namespace hedgehog::model

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// The clock of the product: control ticks of one millisecond of device time. Durations and leases
+// count ticks; nothing in the control path reads another clock (DESIGN section 3, "pure steps,
+// device time").
+#pragma once
+
+#include <cstdint>
+
+namespace hedgehog::model {
+
+/// A number of ticks since the daemon started, or a difference of two.
+using Tick = std::int64_t;
+
+inline constexpr Tick kTicksPerSecond = 1000;
+inline constexpr std::int64_t kNanosecondsPerTick = 1'000'000;
+inline constexpr double kTickSeconds = 1e-3;
+
+}  // namespace hedgehog::model

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Physical quantities as types, so that amperes never stand where degrees are meant. On the wire,
+// in configuration and in logs the unit is a suffix of the name instead (`current_a`,
+// `temperature_c`). Vectors and tables of constants carry the suffix in their field names too.
+#pragma once
+
+#include <compare>
+
+namespace hedgehog::model {
+
+template <class Unit>
+struct Quantity {
+  double value = 0.0;
+
+  constexpr Quantity() noexcept = default;
+  constexpr explicit Quantity(double v) noexcept : value(v) {}
+
+  friend constexpr auto operator<=>(const Quantity&, const Quantity&) noexcept = default;
+  friend constexpr Quantity operator+(Quantity a, Quantity b) noexcept {
+    return Quantity(a.value + b.value);
+  }
+  friend constexpr Quantity operator-(Quantity a, Quantity b) noexcept {
+    return Quantity(a.value - b.value);
+  }
+  friend constexpr Quantity operator-(Quantity a) noexcept { return Quantity(-a.value); }
+  friend constexpr Quantity operator*(double k, Quantity a) noexcept {
+    return Quantity(k * a.value);
+  }
+  friend constexpr Quantity operator*(Quantity a, double k) noexcept {
+    return Quantity(k * a.value);
+  }
+  friend constexpr Quantity operator/(Quantity a, double k) noexcept {
+    return Quantity(a.value / k);
+  }
+  friend constexpr double operator/(Quantity a, Quantity b) noexcept { return a.value / b.value; }
+};
+
+using Amps = Quantity<struct AmpsUnit>;
+using Volts = Quantity<struct VoltsUnit>;
+using Ohms = Quantity<struct OhmsUnit>;
+using Newtons = Quantity<struct NewtonsUnit>;
+using Seconds = Quantity<struct SecondsUnit>;
+/// A temperature, or a difference of two (then in kelvins).
+using Celsius = Quantity<struct CelsiusUnit>;
+
+}  // namespace hedgehog::model
