@@ -85,16 +85,38 @@ struct EffectPhase {
 /// at least 1. The pitch of 23.5 degrees is the thesis' 2 cm between pins, 15 at the equator.
 int circle_steps(double ring_deg) noexcept;
 
+/// A trajectory with its trigonometry done, for the control loop. `along + cos(a) front +
+/// sin(a) side` runs through the directions; a fixed direction is `along` alone.
+struct Ring {
+  Vec3 along{1, 0, 0};
+  Vec3 front{0, 0, 0};
+  Vec3 side{0, 0, 0};
+  /// Steps in a turn; 0 for a fixed direction.
+  int steps = 0;
+  bool smooth = false;
+};
+Ring ring_of(const Trajectory& trajectory) noexcept;
+Vec3 direction_at(const Ring& ring, const EffectPhase& phase) noexcept;
+
 /// The direction of `trajectory` at `phase`: a unit vector in the effect's frame. The first step of
-/// a circle is at the front
-/// (+x), or, when the axis is along x, at the top.
+/// a circle is at the front (+x), or, when the axis is along x, at the top. Counter-clockwise is
+/// seen from outside, looking against the axis.
 Vec3 direction_at(const Trajectory& trajectory, const EffectPhase& phase) noexcept;
 
 /// Envelope times waveform at `phase`, 0..1. A leased effect has no fade (nobody knows its end).
+/// Every waveform runs between 0 and 1 and, but for kSquare and kNoise, starts at 0; noise glides
+/// between `frequency_hz` random levels a second.
 double level_at(const EffectSpec& spec, const EffectPhase& phase) noexcept;
 
+/// `phase` so many ticks (>= 0) later. `ring` is `ring_of(spec.trajectory)`.
+EffectPhase advanced(const EffectSpec& spec, const Ring& ring, EffectPhase phase,
+                     Tick ticks) noexcept;
 /// `phase` one tick later.
 EffectPhase advanced(const EffectSpec& spec, EffectPhase phase) noexcept;
+
+/// `phase` of an effect whose spec changes from `from` to `to`: the field stays at the same angle
+/// of the circle although the number of steps or the sense may change.
+EffectPhase carried(const EffectSpec& from, const EffectSpec& to, EffectPhase phase) noexcept;
 
 /// Root mean square over one period of the waveform, as a fraction of the peak (square with
 /// on_fraction f: sqrt(f)).
