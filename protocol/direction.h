@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// A direction as a client says it: where the pins push out, never where a force comes from. Kept as
+// it was said; `resolve` turns it into a unit vector of the effect's frame (x forward, y left, z
+// up).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <variant>
+
+#include "model/vec3.h"
+#include "protocol/error.h"
+
+namespace hedgehog::protocol {
+
+/// Degrees. Azimuth anticlockwise seen from above (0 front, 90 left), -360..360; elevation -90
+/// (down) .. 90 (up).
+struct Angles {
+  double azimuth_deg = 0.0;
+  double elevation_deg = 0.0;
+  friend constexpr bool operator==(const Angles&, const Angles&) noexcept = default;
+};
+
+/// The pin with this number; numbers run ring by ring from the top, anticlockwise from the front.
+struct PinNumber {
+  std::int64_t pin = 0;
+  friend constexpr bool operator==(const PinNumber&, const PinNumber&) noexcept = default;
+};
+
+enum class Word : std::uint8_t { kUp, kDown, kLeft, kRight, kFront, kBack };
+std::string_view name(Word word) noexcept;
+
+/// Vec3: any non-zero finite length.
+using Direction = std::variant<model::Vec3, Angles, PinNumber, Word>;
+
+/// The unit vector of `direction`; `pins` are the positions of the ball's pins by number. An error
+/// names `field` when there is no such pin.
+Result<model::Vec3> resolve(const Direction& direction, std::span<const model::Vec3> pins,
+                            std::string_view field = "direction");
+
+}  // namespace hedgehog::protocol

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// The parameters of the methods that play (DESIGN section 4, "Parameters common to all effects"),
+// as they were said: what was left out is nullopt. Decoding checks every range that does not depend
+// on the ball; the server checks the rest: current_a and force_n against limits.current_a, role
+// `operate` for priority 8 and 9 and for frame "coil", the kind of end and the circle's parameters
+// in `effect.update`, pins that do not exist.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "model/effect.h"
+#include "protocol/direction.h"
+#include "protocol/method.h"
+
+namespace hedgehog::protocol {
+
+enum class OnClose : std::uint8_t { kStop, kFinish };
+enum class IfLimited : std::uint8_t { kReduce, kRefuse };
+enum class Sense : std::uint8_t { kCounterClockwise, kClockwise };
+enum class Stepping : std::uint8_t { kPin, kSmooth };
+
+/// Times are milliseconds; fractions were rounded to whole control ticks.
+struct EffectParams {
+  std::optional<Direction> direction{};
+  std::optional<model::Frame> frame{};
+
+  /// At most one of the three. level 0..1 of limits.current_a; the others are not negative.
+  std::optional<double> level{};
+  std::optional<double> current_a{};
+  std::optional<double> force_n{};
+  std::optional<double> gain{};  // 0..1
+
+  /// At most one of the two: device time, or 0..10 000 ms from now.
+  std::optional<std::int64_t> start_at_ns{};
+  std::optional<std::int64_t> delay_ms{};
+  std::optional<std::int64_t> attack_ms{};  // 0..10 000
+  std::optional<std::int64_t> fade_ms{};    // 0..10 000; never with lease_ms
+  std::optional<double> attack_level{};     // 0..1
+  std::optional<double> fade_level{};       // 0..1
+  std::optional<model::Waveform> waveform{};
+  std::optional<double> frequency_hz{};  // 0.5..250
+  std::optional<double> on_fraction{};   // 0.05..0.95
+
+  /// At most one of the two: 1..10 000 ms, or 100..10 000 ms.
+  std::optional<std::int64_t> duration_ms{};
+  std::optional<std::int64_t> lease_ms{};
+  std::optional<OnClose> on_close{};  // kFinish only with duration_ms <= 2000
+
+  std::optional<std::string> slot{};       // 1..32 characters
+  std::optional<std::int64_t> priority{};  // 0..9
+  std::optional<IfLimited> if_limited{};
+
+  /// effect.circle, and effect.update of one.
+  std::optional<Direction> axis{};
+  std::optional<double> ring_deg{};      // 0..180
+  std::optional<double> speed_pins_s{};  // 0.1..100
+  std::optional<Sense> sense{};
+  std::optional<Stepping> stepping{};
+
+  friend bool operator==(const EffectParams&, const EffectParams&) = default;
+};
+
+inline constexpr std::int64_t kMaxDurationMs = 10'000;
+inline constexpr std::int64_t kMinLeaseMs = 100;
+inline constexpr std::int64_t kMaxLeaseMs = 10'000;
+inline constexpr std::int64_t kMaxFinishMs = 2'000;
+inline constexpr std::int64_t kMaxSlotCharacters = 32;
+
+/// `params` with everything filled in that `method` has a default for. Still open afterwards: the
+/// strength (none = limits.continuous_a), the start, the slot, and `direction` of pulse and hold
+/// (decoding refuses them without one). Vibrate and circle end after 1000 ms when neither
+/// duration_ms nor lease_ms is said.
+/// REQUIRES: method is one of effect.pulse, circle, vibrate, hold.
+EffectParams with_defaults(Method method, EffectParams params);
+
+/// The effect that `method` plays; nullopt for methods that play nothing.
+std::optional<model::EffectMethod> effect_of(Method method) noexcept;
+Method method_of(model::EffectMethod effect) noexcept;
+
+/// Wire names.
+std::string_view name(model::Frame frame) noexcept;
+std::string_view name(model::Waveform waveform) noexcept;
+
+}  // namespace hedgehog::protocol

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// The id that pairs an answer with its request.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace hedgehog::protocol {
+
+/// A string, a number or null, kept as its JSON text, so that it comes back as it was sent.
+struct Id {
+  std::string json{"null"};
+
+  static Id number(std::int64_t value) { return {std::to_string(value)}; }
+  friend bool operator==(const Id&, const Id&) = default;
+};
+
+}  // namespace hedgehog::protocol

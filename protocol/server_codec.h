@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// The daemon's side of the wire: a line becomes requests, answers become lines. Lines are without
+// their LF. Nothing here throws or keeps anything; any thread.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "protocol/error.h"
+#include "protocol/event.h"
+#include "protocol/id.h"
+#include "protocol/requests.h"
+#include "protocol/results.h"
+
+namespace hedgehog::protocol {
+
+inline constexpr std::size_t kMaxLineBytes = 65'536;
+inline constexpr std::size_t kMaxBatch = 64;
+inline constexpr std::size_t kMaxNesting = 32;
+
+struct Item {
+  /// nullopt: a notification, carried out and never answered, not even with an error.
+  std::optional<Id> id{};
+  /// Known also when its parameters are wrong; nullopt: no such method, or not a request.
+  std::optional<Method> method{};
+  Result<Request> request;
+};
+
+/// What one line holds. Not a batch: exactly one item. A batch: 1..64 items, to be carried out in
+/// order within one tick.
+struct Incoming {
+  bool batch = false;
+  std::vector<Item> items{};
+};
+
+/// Never fails: what cannot be understood is an item with the error to answer (id null). The 64 KiB
+/// limit of a line is the caller's; `line_too_long` is its error.
+Incoming decode_line(std::string_view line);
+RpcError line_too_long();
+
+std::string encode_result(const Id& id, const ResultValue& result);
+std::string encode_error(const Id& id, const RpcError& error);
+/// The answers to a batch, as one line; empty when there is none to give (all were notifications).
+std::string encode_batch(const std::vector<std::string>& answers);
+
+/// Notifications to the client.
+std::string encode_telemetry(const Telemetry& telemetry);
+std::string encode_event(const Event& event);
+
+}  // namespace hedgehog::protocol
