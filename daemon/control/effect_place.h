@@ -68,7 +68,7 @@ class EffectPlace {
   model::Ring ring_;
   Delivery delivery_;
   double delivered_sum_ = 0.0;
-  model::Tick felt_ = 0;  // ticks that count in `delivered`
+  model::Tick counted_ = 0;  // ticks in `delivered_sum_`
 };
 
 static_assert(std::is_trivially_copyable_v<EffectPlace>);

@@ -104,8 +104,8 @@ class Mixer {
     double faded = 1.0;  // 0..1, the world fade or 1
   };
 
-  bool holds(std::uint8_t place, EffectId effect) const noexcept;
-  void end(std::uint8_t place, EndReason reason, model::Tick now, EventList& events) noexcept;
+  bool holds(std::size_t place, EffectId effect) const noexcept;
+  void end(std::size_t place, EndReason reason, model::Tick now, EventList& events) noexcept;
   void follow_orientation(const MixInputs& inputs, model::Tick ticks) noexcept;
   /// Advances all, returns the highest active priority (-1: none).
   int advance(const MixInputs& inputs, model::Tick ticks, EventList& events) noexcept;
@@ -124,6 +124,7 @@ class Mixer {
   model::Tick lost_for_ = 0;
   model::Tick now_ = 0;
   bool mixed_before_ = false;
+  bool oriented_before_ = false;
 };
 
 static_assert(std::is_trivially_copyable_v<Mixer>);

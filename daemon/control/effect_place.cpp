@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/control/effect_place.h"
+
+#include <algorithm>
+
+#include "daemon/control/mixer.h"
+
+namespace hedgehog::control {
+namespace {
+
+using model::EffectSpec;
+using model::Tick;
+
+Tick onset_of(const EffectSpec& spec, Tick applied) noexcept {
+  return spec.start_at >= 0 ? spec.start_at : applied + spec.delay;
+}
+
+}  // namespace
+
+void EffectPlace::begin(EffectId effect, const EffectSpec& spec, Tick now) noexcept {
+  *this = EffectPlace{};
+  effect_ = effect;
+  spec_ = spec;
+  ring_ = model::ring_of(spec.trajectory);
+  applied_ = now;
+  onset_ = std::max(now, onset_of(spec, now));
+  lease_end_ = onset_ + spec.lease;
+}
+
+void EffectPlace::continue_from(const EffectPlace& previous) noexcept {
+  if (!previous.playing_ || previous.spec_.method != spec_.method ||
+      previous.spec_.waveform != spec_.waveform) {
+    return;
+  }
+  phase_ = model::carried(previous.spec_, spec_, previous.phase_);
+  if (spec_.lease <= 0 || previous.spec_.lease <= 0) phase_.elapsed = 0;
+}
+
+void EffectPlace::update(const EffectSpec& spec, Tick now) noexcept {
+  phase_ = model::carried(spec_, spec, phase_);
+  spec_ = spec;
+  ring_ = model::ring_of(spec.trajectory);
+  if (!playing_) onset_ = std::max(now, onset_of(spec, applied_));
+  lease_end_ = std::max(now, onset_) + spec.lease;
+}
+
+bool EffectPlace::advance(Tick now, Tick ticks) noexcept {
+  if (playing_) {
+    phase_ = model::advanced(spec_, ring_, phase_, ticks);
+  } else if (now >= onset_) {
+    playing_ = true;
+    delivery_.onset = now;
+  } else {
+    return true;
+  }
+  return spec_.duration > 0 ? phase_.elapsed < spec_.duration : now < lease_end_;
+}
+
+EndReason EffectPlace::natural_end() const noexcept {
+  if (counted_ == 0 && delivery_.masked > 0) return EndReason::kPreempted;
+  return spec_.duration > 0 ? EndReason::kCompleted : EndReason::kExpired;
+}
+
+bool EffectPlace::finishes_on_close() const noexcept {
+  return spec_.finish_on_close && spec_.duration > 0 && spec_.duration <= Mixer::kLongestFinish;
+}
+
+double EffectPlace::asked_a() const noexcept {
+  return spec_.strength_a * spec_.gain * model::level_at(spec_, phase_);
+}
+
+model::Vec3 EffectPlace::direction() const noexcept { return model::direction_at(ring_, phase_); }
+
+void EffectPlace::note_delivered(double fraction, bool mixed) noexcept {
+  delivery_.min = std::min(delivery_.min, fraction);
+  delivered_sum_ += fraction;
+  ++counted_;
+  if (mixed) ++delivery_.mixed;
+}
+
+Delivery EffectPlace::delivery(Tick now) const noexcept {
+  Delivery result = delivery_;
+  result.offset = now;
+  if (counted_ == 0) {
+    result.min = 0.0;
+    result.mean = 0.0;
+  } else {
+    result.mean = delivered_sum_ / static_cast<double>(counted_);
+  }
+  return result;
+}
+
+Tick EffectPlace::remaining(Tick now) const noexcept {
+  if (spec_.duration <= 0) return std::max<Tick>(0, lease_end_ - now);
+  if (!playing_) return std::max<Tick>(0, onset_ - now) + spec_.duration;
+  return std::max<Tick>(0, spec_.duration - phase_.elapsed);
+}
+
+}  // namespace hedgehog::control
