@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <regex>
+#include <string_view>
+
+#include "tests/structure/rules.h"
+
+namespace hedgehog::structure {
+namespace {
+
+bool contains(const std::vector<std::string>& sorted, const std::string& value) {
+  return std::binary_search(sorted.begin(), sorted.end(), value);
+}
+
+bool is_code(std::string_view path) { return path.ends_with(".h") || path.ends_with(".cpp"); }
+
+bool is_cmake(std::string_view path) {
+  return path.ends_with("CMakeLists.txt") || path.ends_with(".cmake");
+}
+
+bool is_script(std::string_view path) { return path.ends_with(".sh"); }
+
+std::string file_name(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
+
+bool has_licence(const SourceFile& file) {
+  static constexpr std::string_view kLicence = "SPDX-License-Identifier: MIT";
+  // A script has its interpreter first.
+  const std::size_t looked_at =
+      std::min<std::size_t>(file.lines.size(), is_script(file.path) ? 2 : 1);
+  return std::any_of(
+      file.lines.begin(), file.lines.begin() + static_cast<std::ptrdiff_t>(looked_at),
+      [](const std::string& line) { return line.find(kLicence) != std::string::npos; });
+}
+
+}  // namespace
+
+Violations check_file_shape(const SourceFile& file) {
+  Violations violations;
+  const auto broken = [&](const std::string& reason) {
+    violations.push_back(file.path + ": " + reason);
+  };
+  if (is_code(file.path) || is_cmake(file.path) || is_script(file.path)) {
+    if (!has_licence(file)) broken("does not begin with the SPDX licence line");
+  }
+  if (!is_code(file.path)) return violations;
+  if (file.lines.size() > kMaxLines) {
+    broken("has " + std::to_string(file.lines.size()) + " lines, more than " +
+           std::to_string(kMaxLines) + ": it holds two things");
+  }
+  static const std::regex kSnakeCase("[a-z][a-z0-9_]*\\.(h|cpp)");
+  if (!std::regex_match(file_name(file.path), kSnakeCase)) broken("name is not snake_case");
+  if (file.path.ends_with(".h") &&
+      std::find(file.lines.begin(), file.lines.end(), "#pragma once") == file.lines.end()) {
+    broken("has no #pragma once");
+  }
+  return violations;
+}
+
+Violations check_machine_paths(const SourceFile& file) {
+  // Spelt in two parts, so that this file passes its own rule.
+  static const std::array<std::string, 4> kMachinePaths{
+      std::string("/wo") + "rk/", std::string("/ho") + "me/", std::string("/ro") + "ot/",
+      std::string("/Use") + "rs/"};
+  Violations violations;
+  for (std::size_t i = 0; i < file.lines.size(); ++i) {
+    for (const std::string& path : kMachinePaths) {
+      const std::size_t found = file.lines[i].find(path);
+      if (found == std::string::npos) continue;
+      // Only where a path starts: "rules/home/" or "network/" is none.
+      const char before = found == 0 ? ' ' : file.lines[i][found - 1];
+      const bool starts = std::string_view(" \t\"'`(=:<>,@").find(before) != std::string_view::npos;
+      if (starts) {
+        violations.push_back(file.path + ":" + std::to_string(i + 1) + ": path of a machine, " +
+                             path);
+      }
+    }
+  }
+  return violations;
+}
+
+Violations check_links(const SourceFile& file, const SourceTree& tree) {
+  static const std::regex kLink(R"(\]\(([^)#\s]+)(#[^)]*)?\))");
+  Violations violations;
+  if (!file.path.ends_with(".md")) return violations;
+  bool fenced = false;
+  for (std::size_t i = 0; i < file.lines.size(); ++i) {
+    const std::string& line = file.lines[i];
+    if (line.starts_with("```")) fenced = !fenced;
+    if (fenced) continue;
+    for (std::sregex_iterator it(line.begin(), line.end(), kLink), end; it != end; ++it) {
+      const std::string target = (*it)[1];
+      if (target.find("://") != std::string::npos || target.starts_with("mailto:")) continue;
+      std::string path = (std::filesystem::path(folder_of(file.path)) / target)
+                             .lexically_normal()
+                             .generic_string();
+      while (path.ends_with('/')) path.pop_back();
+      if (path == "." || contains(tree.names, path) || contains(tree.folders, path)) continue;
+      violations.push_back(file.path + ":" + std::to_string(i + 1) + ": link to " + target +
+                           " leads nowhere");
+    }
+  }
+  return violations;
+}
+
+Violations check_readmes(const SourceTree& tree) {
+  Violations violations;
+  for (const std::string& folder : tree.folders) {
+    const bool hidden = folder.front() == '.';
+    const bool top_level = folder.find('/') == std::string::npos;
+    const bool layer = contains(tree.names, folder + "/CMakeLists.txt");
+    // The folders of tests/ are told in tests/README.md.
+    const bool inside_tests = folder.starts_with("tests/");
+    if (hidden || inside_tests || !(top_level || layer)) continue;
+    if (!contains(tree.names, folder + "/README.md"))
+      violations.push_back(folder + ": no README.md");
+  }
+  return violations;
+}
+
+}  // namespace hedgehog::structure

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "tests/structure/rules.h"
+
+namespace hedgehog::structure {
+namespace {
+
+struct Layer {
+  std::string_view folder;
+  std::vector<std::string_view> may_include;   // besides itself
+  std::vector<std::string_view> may_not_know;  // prefixes of library headers
+};
+
+constexpr std::string_view kAsio = "boost/asio";
+constexpr std::string_view kBeast = "boost/beast";
+constexpr std::string_view kJson = "nlohmann/";
+constexpr std::string_view kSpdlog = "spdlog/";
+constexpr std::string_view kCli = "CLI/";
+constexpr std::string_view kSystemd = "systemd/";
+
+// The longest matching folder decides, so board_core is stricter than the device layer around it.
+const std::vector<Layer>& layers() {
+  static const std::vector<Layer> kLayers{
+      {"model", {}, {kAsio, kBeast, kJson, kSpdlog, kCli, kSystemd, "sys/", "unistd.h", "thread"}},
+      {"protocol", {"model"}, {kAsio, kBeast, kSpdlog, kCli, kSystemd}},
+      {"daemon/device/board_core", {}, {}},
+      {"daemon/device",
+       {"model", "daemon/device/board_core"},
+       {kAsio, kBeast, kJson, kSpdlog, kCli, kSystemd}},
+      {"daemon/control",
+       {"model", "daemon/device"},
+       {kAsio, kBeast, kJson, kSpdlog, kCli, kSystemd}},
+      {"daemon/config",
+       {"model", "daemon/device", "daemon/control"},
+       {kAsio, kBeast, kSpdlog, kCli, kSystemd}},
+      {"daemon/server",
+       {"model", "protocol", "daemon/device", "daemon/control", "daemon/config"},
+       {kCli}},
+      {"daemon", {"model", "protocol", "daemon"}, {}},
+      {"clients/lib", {"model", "protocol"}, {kSpdlog, kCli, kSystemd}},
+      {"clients", {"model", "protocol", "clients/lib"}, {}},
+      {"tests/rig",
+       {"model", "daemon/device", "daemon/control"},
+       {kAsio, kBeast, kJson, kSpdlog, kCli, kSystemd}},
+      {"tests", {"model", "protocol", "daemon", "clients"}, {}},
+  };
+  return kLayers;
+}
+
+bool is_inside(std::string_view path, std::string_view folder) {
+  return path.size() > folder.size() && path.starts_with(folder) && path[folder.size()] == '/';
+}
+
+const Layer* layer_of(std::string_view path) {
+  const Layer* best = nullptr;
+  for (const Layer& layer : layers()) {
+    if (!is_inside(path, layer.folder)) continue;
+    if (best == nullptr || layer.folder.size() > best->folder.size()) best = &layer;
+  }
+  return best;
+}
+
+bool is_cpp(std::string_view path) { return path.ends_with(".h") || path.ends_with(".cpp"); }
+
+struct Include {
+  std::string header;
+  bool quoted = false;
+};
+
+std::optional<Include> parse_include(std::string_view line) {
+  const auto skip_blanks = [&line] {
+    while (!line.empty() && (line.front() == ' ' || line.front() == '\t')) line.remove_prefix(1);
+  };
+  skip_blanks();
+  if (!line.starts_with('#')) return std::nullopt;
+  line.remove_prefix(1);
+  skip_blanks();
+  if (!line.starts_with("include")) return std::nullopt;
+  line.remove_prefix(7);
+  skip_blanks();
+  if (line.empty() || (line.front() != '"' && line.front() != '<')) return std::nullopt;
+  const bool quoted = line.front() == '"';
+  line.remove_prefix(1);
+  const std::size_t end = line.find(quoted ? '"' : '>');
+  if (end == std::string_view::npos) return std::nullopt;
+  return Include{std::string(line.substr(0, end)), quoted};
+}
+
+std::string at(const SourceFile& file, std::size_t index, const std::string& reason) {
+  return file.path + ":" + std::to_string(index + 1) + ": " + reason;
+}
+
+// Programs over the client library do not know each other: "clients/ctl" may include "clients/ctl".
+std::string_view own_folder(std::string_view path, const Layer& layer) {
+  if (layer.folder != "clients") return layer.folder;
+  const std::size_t second = path.find('/', layer.folder.size() + 1);
+  return second == std::string_view::npos ? layer.folder : path.substr(0, second);
+}
+
+bool may_include(const SourceFile& file, const Layer& layer, std::string_view header) {
+  if (is_inside(header, own_folder(file.path, layer))) return true;
+  return std::any_of(layer.may_include.begin(), layer.may_include.end(),
+                     [header](std::string_view folder) { return is_inside(header, folder); });
+}
+
+std::string library_reason(const SourceFile& file, const Layer& layer, const std::string& header) {
+  if (layer.folder == "daemon/device/board_core") {
+    const bool allowed = header == "stdint.h" || header == "stddef.h";
+    return allowed ? "" : "the board core is freestanding: <stdint.h> and <stddef.h> only";
+  }
+  if (file.path.ends_with(".h") && header.starts_with(kJson) && !is_inside(file.path, "tests")) {
+    return "nlohmann/json belongs into .cpp files";
+  }
+  for (std::string_view prefix : layer.may_not_know) {
+    const bool whole_name = !prefix.ends_with('/') && prefix.find('/') == std::string_view::npos;
+    if (whole_name ? header == prefix : header.starts_with(prefix)) {
+      return "<" + header + "> has no business in " + std::string(layer.folder);
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
+Violations check_layer_includes(const SourceFile& file) {
+  Violations violations;
+  const Layer* layer = layer_of(file.path);
+  if (!is_cpp(file.path) || layer == nullptr) return violations;
+  for (std::size_t i = 0; i < file.lines.size(); ++i) {
+    const std::optional<Include> include = parse_include(file.lines[i]);
+    if (!include) continue;
+    if (!include->quoted) {
+      if (layer_of(include->header) != nullptr) {
+        violations.push_back(at(file, i, "own headers are included with quotes"));
+      }
+    } else if (layer_of(include->header) == nullptr) {
+      violations.push_back(
+          at(file, i, "\"" + include->header + "\" does not start at the repository root"));
+    } else if (!may_include(file, *layer, include->header)) {
+      violations.push_back(
+          at(file, i, std::string(layer->folder) + " may not include \"" + include->header + "\""));
+    }
+  }
+  return violations;
+}
+
+Violations check_library_includes(const SourceFile& file) {
+  Violations violations;
+  const Layer* layer = layer_of(file.path);
+  if (!is_cpp(file.path) || layer == nullptr) return violations;
+  for (std::size_t i = 0; i < file.lines.size(); ++i) {
+    const std::optional<Include> include = parse_include(file.lines[i]);
+    if (!include || include->quoted) continue;
+    const std::string reason = library_reason(file, *layer, include->header);
+    if (!reason.empty()) violations.push_back(at(file, i, reason));
+  }
+  return violations;
+}
+
+}  // namespace hedgehog::structure

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tests/structure/source_tree.h"
+
+namespace hedgehog::structure {
+
+// Each rule returns what breaks it, as "path:line: reason" (or "path: reason"); empty when all is
+// well.
+using Violations = std::vector<std::string>;
+
+// Where an include may point to: the arrows of the layer picture in README.md.
+Violations check_layer_includes(const SourceFile& file);
+
+// Which libraries a layer may see: no JSON in any header, no JSON, Asio or spdlog in the control
+// path.
+Violations check_library_includes(const SourceFile& file);
+
+// Licence line, #pragma once, snake_case name, at most kMaxLines lines.
+inline constexpr std::size_t kMaxLines = 300;
+Violations check_file_shape(const SourceFile& file);
+
+// No path of somebody's machine.
+Violations check_machine_paths(const SourceFile& file);
+
+// Relative links of a Markdown file lead somewhere.
+Violations check_links(const SourceFile& file, const SourceTree& tree);
+
+// Every top-level folder and every layer says in a README what lives there.
+Violations check_readmes(const SourceTree& tree);
+
+}  // namespace hedgehog::structure

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// The rules themselves: each must let good files pass and name the bad ones.
+#include "tests/structure/rules.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace hedgehog::structure {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+SourceFile including(std::string path, const std::string& what) {
+  return {std::move(path), {"// SPDX-License-Identifier: MIT", "#include " + what}};
+}
+
+Violations layer(const std::string& path, const std::string& what) {
+  return check_layer_includes(including(path, what));
+}
+
+Violations library(const std::string& path, const std::string& what) {
+  return check_library_includes(including(path, what));
+}
+
+TEST(LayerRule, FollowsTheArrows) {
+  EXPECT_THAT(layer("model/a.h", "\"model/b.h\""), IsEmpty());
+  EXPECT_THAT(layer("protocol/a.h", "\"model/b.h\""), IsEmpty());
+  EXPECT_THAT(layer("daemon/control/a.h", "\"daemon/device/b.h\""), IsEmpty());
+  EXPECT_THAT(layer("daemon/server/x/a.cpp", "\"daemon/config/b.h\""), IsEmpty());
+  EXPECT_THAT(layer("daemon/main.cpp", "\"daemon/server/b.h\""), IsEmpty());
+  EXPECT_THAT(layer("clients/ctl/a.cpp", "\"clients/lib/b.h\""), IsEmpty());
+  EXPECT_THAT(layer("tests/e2e/a.cpp", "\"clients/lib/b.h\""), IsEmpty());
+}
+
+TEST(LayerRule, RefusesAnArrowBackwards) {
+  EXPECT_THAT(layer("model/a.h", "\"protocol/b.h\""),
+              ElementsAre("model/a.h:2: model may not include \"protocol/b.h\""));
+  EXPECT_THAT(layer("daemon/device/a.h", "\"daemon/control/b.h\""), testing::SizeIs(1));
+  EXPECT_THAT(layer("daemon/control/a.h", "\"protocol/b.h\""), testing::SizeIs(1));
+  EXPECT_THAT(layer("daemon/config/a.h", "\"protocol/b.h\""), testing::SizeIs(1));
+  EXPECT_THAT(layer("protocol/a.h", "\"daemon/control/b.h\""), testing::SizeIs(1));
+  EXPECT_THAT(layer("clients/lib/a.h", "\"daemon/control/b.h\""), testing::SizeIs(1));
+  EXPECT_THAT(layer("clients/ctl/a.h", "\"clients/orientation/b.h\""), testing::SizeIs(1));
+  EXPECT_THAT(layer("daemon/device/board_core/a.h", "\"model/b.h\""), testing::SizeIs(1));
+  EXPECT_THAT(layer("model/a.h", "\"tests/rig/b.h\""), testing::SizeIs(1));
+}
+
+TEST(LayerRule, WantsIncludesFromTheRoot) {
+  EXPECT_THAT(layer("model/a.cpp", "\"a.h\""), ElementsAre(HasSubstr("repository root")));
+  EXPECT_THAT(layer("model/a.cpp", "\"../protocol/a.h\""), testing::SizeIs(1));
+  EXPECT_THAT(layer("model/a.cpp", "<model/a.h>"), ElementsAre(HasSubstr("quotes")));
+}
+
+TEST(LibraryRule, KeepsJsonOutOfHeaders) {
+  EXPECT_THAT(library("protocol/a.h", "<nlohmann/json.hpp>"), testing::SizeIs(1));
+  EXPECT_THAT(library("clients/lib/a.h", "<nlohmann/json_fwd.hpp>"), testing::SizeIs(1));
+  EXPECT_THAT(library("protocol/a.cpp", "<nlohmann/json.hpp>"), IsEmpty());
+}
+
+TEST(LibraryRule, KeepsTheControlPathPure) {
+  for (const char* folder : {"model", "daemon/device", "daemon/control", "tests/rig"}) {
+    for (const char* header :
+         {"<nlohmann/json.hpp>", "<boost/asio.hpp>", "<boost/asio/io_context.hpp>",
+          "<spdlog/spdlog.h>", "<boost/beast/http.hpp>"}) {
+      EXPECT_THAT(library(std::string(folder) + "/a.cpp", header), testing::SizeIs(1))
+          << folder << " " << header;
+    }
+  }
+  EXPECT_THAT(library("daemon/control/a.cpp", "<boost/lockfree/spsc_queue.hpp>"), IsEmpty());
+  EXPECT_THAT(library("model/a.cpp", "<thread>"), testing::SizeIs(1));
+}
+
+TEST(LibraryRule, KeepsTheBoardCoreFreestanding) {
+  EXPECT_THAT(library("daemon/device/board_core/a.h", "<stdint.h>"), IsEmpty());
+  EXPECT_THAT(library("daemon/device/board_core/a.h", "<cstdint>"), testing::SizeIs(1));
+  EXPECT_THAT(library("daemon/device/board_core/a.cpp", "<string.h>"), testing::SizeIs(1));
+}
+
+TEST(ShapeRule, WantsLicenceGuardNameAndBrevity) {
+  SourceFile file{"model/a.h", {"// SPDX-License-Identifier: MIT", "#pragma once"}};
+  EXPECT_THAT(check_file_shape(file), IsEmpty());
+  file.lines.resize(kMaxLines);
+  EXPECT_THAT(check_file_shape(file), IsEmpty());
+  file.lines.resize(kMaxLines + 1);
+  EXPECT_THAT(check_file_shape(file), ElementsAre(HasSubstr("301 lines")));
+  EXPECT_THAT(check_file_shape({"model/a.h", {"#pragma once"}}), ElementsAre(HasSubstr("SPDX")));
+  EXPECT_THAT(check_file_shape({"model/a.h", {"// SPDX-License-Identifier: MIT"}}),
+              ElementsAre(HasSubstr("#pragma once")));
+  EXPECT_THAT(check_file_shape({"model/ThermalModel.cpp", {"// SPDX-License-Identifier: MIT"}}),
+              ElementsAre(HasSubstr("snake_case")));
+  EXPECT_THAT(check_file_shape({"x.sh", {"#!/bin/sh", "# SPDX-License-Identifier: MIT"}}),
+              IsEmpty());
+}
+
+TEST(MachinePathRule, FindsOnlyWherePathsStart) {
+  const std::string home = std::string("/ho") + "me/anna";
+  EXPECT_THAT(check_machine_paths({"a.md", {"see " + home}}), testing::SizeIs(1));
+  EXPECT_THAT(check_machine_paths({"a.cpp", {"\"" + home + "\""}}), testing::SizeIs(1));
+  EXPECT_THAT(check_machine_paths({"a.md", {"see docs" + home, "/etc/hedgehog/"}}), IsEmpty());
+}
+
+TEST(LinkRule, ResolvesRelativeToTheFile) {
+  const SourceTree tree{{}, {"protocol"}, {"protocol/README.md"}};
+  EXPECT_THAT(check_links({"README.md", {"[p](protocol/README.md#errors) [f](protocol/)"}}, tree),
+              IsEmpty());
+  EXPECT_THAT(check_links({"model/README.md", {"[p](../protocol/README.md)"}}, tree), IsEmpty());
+  EXPECT_THAT(check_links({"model/README.md", {"[p](protocol/README.md)"}}, tree),
+              ElementsAre(HasSubstr("leads nowhere")));
+  EXPECT_THAT(check_links({"README.md", {"```", "[p](nowhere)", "```"}}, tree), IsEmpty());
+}
+
+TEST(ReadmeRule, LooksAtTopLevelFoldersAndLayers) {
+  const SourceTree tree{{},
+                        {"cmake", "cmake/apt", "daemon", "daemon/device", "tests", "tests/bench"},
+                        {"daemon/README.md", "daemon/device/CMakeLists.txt", "tests/README.md",
+                         "tests/bench/CMakeLists.txt"}};
+  EXPECT_THAT(check_readmes(tree),
+              ElementsAre("cmake: no README.md", "daemon/device: no README.md"));
+}
+
+}  // namespace
+}  // namespace hedgehog::structure
