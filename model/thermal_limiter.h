@@ -21,7 +21,8 @@ class ThermalLimiter {
 
   /// New limits; they take effect at the next `limit`.
   void set_limits(const Limits& limits) noexcept { limits_ = limits; }
-  /// The current allowed now, low-pass filtered downwards noise excepted.
+  const Limits& limits() const noexcept { return limits_; }
+  /// The norm allowed at the last `limit`, ampere: the law at the low-pass filtered temperature.
   Amps allowed() const noexcept { return allowed_; }
   /// True when the last `limit` had to replace a number that was not finite or absurd (> 1000 A) by
   /// zero.
@@ -29,8 +30,10 @@ class ThermalLimiter {
 
   /// `wanted` scaled as a whole (its direction stays) to what is allowed at `estimate`; zero when
   /// it is not finite. Windings not yet measured after a restart hold themselves to
-  /// `limits.continuous_a`.
-  LimitedCurrents limit(const CoilCurrents& wanted, const ThermalEstimate& estimate) noexcept;
+  /// `limits.continuous_a`; those that are not driven hold nobody back. Call it once every `dt_s`,
+  /// with zero too: the temperature is low-pass filtered here against noise.
+  LimitedCurrents limit(const CoilCurrents& wanted, const ThermalEstimate& estimate,
+                        double dt_s = kTickSeconds) noexcept;
 
  private:
   Limits limits_;

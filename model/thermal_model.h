@@ -22,6 +22,11 @@ struct ThermalModel {
   double sensor_lag_s = 2.0;
 };
 
+/// An undriven winding is never thought cooler than it is: it cools towards the core at this
+/// fraction of the nominal rate (windings and their joints scatter by 20 %). Shared by observer and
+/// forecast, so that a recovery is foretold as the limiter will see it.
+inline constexpr double kUndrivenCooling = 0.8;
+
 /// Temperatures of the four nodes, degrees Celsius.
 struct ThermalState {
   std::array<double, kCoils> winding_c{25.0, 25.0, 25.0};

@@ -8,6 +8,8 @@
 
 #include "model/coils.h"
 #include "model/thermal_model.h"
+#include "model/thermal_winding_meter.h"
+#include "model/tick.h"
 
 namespace hedgehog::model {
 
@@ -29,16 +31,19 @@ struct ThermalMeasurement {
 struct ThermalEstimate {
   ThermalState nodes;
   /// max(windings, sensor with 2 s lead): what the limiter must use. Infinity when nothing can be
-  /// trusted.
+  /// trusted: the thermistor has said nothing valid for 100 ms (before that, its last value stays).
   double hottest_c = 25.0;
   /// The thermistor with its lead, and what it ought to show by the estimate of its own winding.
   double sensor_lead_c = 25.0;
   double expected_sensor_c = 25.0;
-  /// Estimated room temperature.
+  /// Estimated room temperature. "As felt": a core that is cooled worse than nominal looks like a
+  /// warmer room.
   double room_c = 25.0;
   /// Which windings have been measured by their own V/I since the start (after a restart without
   /// saved temperatures a winding is held to continuous_a until then).
   std::array<bool, kCoils> measured{};
+  /// Which windings are being measured by their own V/I at this tick.
+  std::array<bool, kCoils> measuring{};
   /// Estimated resistance of each winding now, ohm; for the bridge voltage.
   std::array<double, kCoils> resistance_ohm{0.45, 0.45, 0.45};
 };
@@ -46,25 +51,38 @@ struct ThermalEstimate {
 /// Real-time safe; trivially copyable, so that the flight recorder can keep it.
 class ThermalObserver {
  public:
-  ThermalObserver() noexcept = default;
+  ThermalObserver() noexcept : ThermalObserver(CoilModel{}, ThermalModel{}, ThermalState{}) {}
+  /// The room is taken for the coolest node of `start` when that is below 35 C, else for 25 C.
   ThermalObserver(const CoilModel& coils, const ThermalModel& thermal,
                   const ThermalState& start) noexcept;
 
-  /// One tick later, with what was measured in it.
-  void step(const ThermalMeasurement& measurement) noexcept;
+  /// `dt_s` later (a tick; campaigns take up to 20 ms), with what was measured in it. Numbers that
+  /// are not finite, or currents above 100 A, count as not measured.
+  void step(const ThermalMeasurement& measurement, double dt_s = kTickSeconds) noexcept;
   const ThermalEstimate& estimate() const noexcept { return estimate_; }
   /// The start values were measured by the sensor, not guessed: marks windings as not needing the 5
   /// A hold.
   void trust_start() noexcept { estimate_.measured = {true, true, true}; }
+  /// The room as saved before a restart.
+  void set_room(double room_c) noexcept { estimate_.room_c = room_c; }
 
  private:
+  void predict(const ThermalMeasurement& measurement, double dt_s) noexcept;
+  void correct_by_resistance(const ThermalMeasurement& measurement, bool electrical_valid,
+                             double dt_s) noexcept;
+  void correct_by_sensor(double dt_s) noexcept;
+  void follow_sensor(const ThermalMeasurement& measurement, double dt_s) noexcept;
+  void correct_core(double core_error_k, double core_tau_s, double dt_s) noexcept;
+
   CoilModel coils_;
   ThermalModel thermal_;
   ThermalEstimate estimate_;
-  std::array<double, kCoils> filtered_resistance_{};
-  std::array<double, kCoils> filter_weight_{};
-  double sensor_filtered_c_ = 25.0;
+  std::array<WindingMeter, kCoils> meter_;
+  /// Mean squares of the winding currents over the last step, A^2; kept while unknown.
+  Vec3 mean_square_a2_;
+  double sensor_fast_c_ = 25.0;
   double sensor_slow_c_ = 25.0;
+  double sensor_silent_s_ = 0.0;
   bool sensor_seen_ = false;
 };
 

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// A winding as its own thermometer: its resistance from bridge voltage and current.
+#pragma once
+
+namespace hedgehog::model {
+
+/// Exponentially forgotten least squares of V = R I + L dI/dt. The inductance is fitted too,
+/// around its nominal value, so that a transient does not pass for heat when L is off by 20 %.
+/// Heavy currents weigh by their square. Real-time safe, trivially copyable.
+class WindingMeter {
+ public:
+  /// Below this current V/I says nothing (DESIGN section 6).
+  static constexpr double kLeastCurrentA = 1.5;
+  /// How long a tick is remembered.
+  static constexpr double kMemoryS = 0.05;
+
+  constexpr WindingMeter() noexcept = default;
+  explicit WindingMeter(double inductance_h) noexcept : nominal_h_(inductance_h) {}
+
+  /// One step with the mean bridge voltage over it and the currents at its start and end. A step
+  /// that was not measured (`measured` false) only forgets.
+  void step(double voltage_v, double before_a, double after_a, bool measured, double dt_s) noexcept;
+
+  /// True while enough current has flowed lately: about 10 ms at 5 A, 45 ms at 1.5 A.
+  bool valid() const noexcept { return valid_; }
+  /// The resistance, ohm; the last valid one while not valid, 0 before the first.
+  double resistance_ohm() const noexcept { return resistance_ohm_; }
+
+ private:
+  double nominal_h_ = 1.5e-3;
+  double ii_ = 0.0;
+  double id_ = 0.0;
+  double dd_ = 0.0;
+  double vi_ = 0.0;
+  double vd_ = 0.0;
+  double driven_s_ = 0.0;
+  double resistance_ohm_ = 0.0;
+  bool valid_ = false;
+};
+
+}  // namespace hedgehog::model
