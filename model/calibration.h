@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// How much dipole and how much pin force an ampere makes. The thesis has two answers which differ
+// by 2.1: its finite-element simulation (Fig. 2.9) and its measurement (Table 3.1). Both are kept;
+// what a ball uses is `force_slope_n_a` of its device file.
+#pragma once
+
+#include <string_view>
+
+#include "model/units.h"
+
+namespace hedgehog::model {
+
+/// An axially magnetised rod that moves along a radius of the ball.
+struct PinMagnet {
+  double remanence_t = 0.0;
+  double radius_m = 0.0;
+  double length_m = 0.0;
+  /// From the centre of the ball to the near face, pin at rest.
+  double inner_face_m = 0.0;
+};
+
+/// N45, 8 mm across, 10 mm long, on the 35 mm sphere (thesis sections 2.3 and 2.4, Table 2.2).
+inline constexpr PinMagnet kThesisPin{1.37, 4e-3, 10e-3, 35e-3};
+
+/// Force on a rod whose axis points at a dipole of 1 A m^2 which points back at it, N per A m^2;
+/// exact for the point dipole: (Br a^2 / 2) ((a^2 + z1^2)^-3/2 - (a^2 + z2^2)^-3/2) with the faces
+/// at z1 and z2. `extension_m`: how far the pin is out.
+double force_per_moment(const PinMagnet& pin, double extension_m = 0.0) noexcept;
+
+struct FieldCalibration {
+  std::string_view name;
+  /// Dipole moment per ampere-equivalent, A m^2 / A.
+  double moment_per_ampere = 0.0;
+  /// Outward force on a pin at rest that the field aims at, N / A.
+  double force_slope_n_a = 0.0;
+};
+
+/// 0.4 N at 15 A (thesis Fig. 2.9, finite elements).
+inline constexpr FieldCalibration kFeaCalibration{"fea", 0.2023, 0.02667};
+/// The median of the three measured slopes (thesis Table 3.1). The default of every ball.
+inline constexpr FieldCalibration kMeasuredCalibration{"measured", 0.0956, 0.0126};
+
+}  // namespace hedgehog::model

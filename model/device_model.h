@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// One ball as data: what its device file (config/devices.d/*.json) says. Read and checked by
+// daemon/config; nobody changes it while a ball is armed.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "model/calibration.h"
+#include "model/coils.h"
+#include "model/limits.h"
+#include "model/thermal_model.h"
+
+namespace hedgehog::model {
+
+struct UsbId {
+  std::uint16_t vendor = 0;
+  std::uint16_t product = 0;
+  friend constexpr bool operator==(const UsbId&, const UsbId&) noexcept = default;
+};
+
+struct DeviceModel {
+  /// What people call this ball ("ball-7"); the metrics' label `device`.
+  std::string name = "ball";
+  /// The kind of ball; the name of its device file.
+  std::string model = "hedgehog-86";
+  /// Which pins it has; `hedgehog_86()` is the only one so far.
+  std::string arrangement = "tkD-86";
+  /// The pin on whose meridian the arrow on the casing is. Numbering begins at the front, so for
+  /// tkD-86 this is 1, the first pin of ring 1; other arrangements have other first pins.
+  int front_pin = 1;
+  CoilModel coils;
+  ThermalModel thermal;
+  double force_slope_n_a = kMeasuredCalibration.force_slope_n_a;
+  /// Configuration may only tighten these.
+  Limits limits;
+  /// Boards that drive this kind of ball.
+  std::vector<UsbId> usb{{0x1209, 0x0001}};
+};
+
+}  // namespace hedgehog::model

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// Where the pins of a ball are. Frame: x towards the front (the arrow on the casing), y left, z up,
+// right-handed.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "model/vec3.h"
+
+namespace hedgehog::model {
+
+struct Pin {
+  /// Its place in PinArray::pins.
+  int id = 0;
+  /// 0 is the top pin; each further ring touches the one above it.
+  int ring = 0;
+  /// From the centre of the ball outwards, length 1: the way in which the pin moves.
+  Vec3 position;
+};
+
+struct NearestPin {
+  int id = 0;
+  /// Cosine of the angle between the pin and what was asked for: its part of the force.
+  double cosine = 0.0;
+};
+
+/// Immutable after start-up; any thread.
+struct PinArray {
+  /// As device files and `device.describe` call it.
+  std::string arrangement;
+  /// Ring by ring from the top; in each ring anticlockwise seen from above, beginning at the front.
+  std::vector<Pin> pins;
+  /// ring_start[r] is the first id of ring r; one more entry than there are rings.
+  std::vector<std::size_t> ring_start;
+
+  std::size_t rings() const noexcept { return ring_start.size() - 1; }
+  /// REQUIRES: r < rings().
+  std::span<const Pin> ring(std::size_t r) const noexcept {
+    return std::span(pins).subspan(ring_start[r], ring_start[r + 1] - ring_start[r]);
+  }
+  /// nullptr when there is no such pin.
+  const Pin* find(long long id) const noexcept {
+    return id >= 0 && static_cast<std::size_t>(id) < pins.size()
+               ? &pins[static_cast<std::size_t>(id)]
+               : nullptr;
+  }
+};
+
+/// The ball of the thesis (section 2.3): the tkD array, the canonical GP(3,0) of 92 faces with a
+/// pentagon on top, less the pentagon at the bottom and its five hexagons, where the fan is. 86
+/// pins, 0..85 in rings of 1, 5, 10, 15, 15, 15, 15 and 10. The front is the meridian of pin 1, of
+/// ring 1. Computed by the first call (some 10 ms, allocates): make it at start-up.
+const PinArray& hedgehog_86();
+
+/// The pin that a field along `direction` (any length but 0) pushes most; of equals the one of the
+/// lowest id. Straight down there is none, and the nearest are at a cosine of about 0.79. RT-safe.
+NearestPin nearest_pin(const PinArray& array, const Vec3& direction) noexcept;
+
+}  // namespace hedgehog::model

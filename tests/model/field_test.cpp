@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "model/field.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+
+#include "model/calibration.h"
+
+namespace hedgehog::model {
+namespace {
+
+constexpr double kSlope = kMeasuredCalibration.force_slope_n_a;
+constexpr double kFelt = 0.03;
+
+// One of the 60 hexagons beside a pentagon, far enough from the hole at the bottom.
+constexpr std::size_t kHexagon = 17;
+
+FieldDemand aimed_at(std::size_t pin, double current_a) {
+  return {current_a * hedgehog_86().pins[pin].position};
+}
+
+// Reference: physics.md section 5.
+TEST(Field, ForcePerMomentOfTheThesisPin) {
+  EXPECT_NEAR(force_per_moment(kThesisPin), 0.131836, 1e-6);
+  EXPECT_LT(force_per_moment(kThesisPin, 1e-3), force_per_moment(kThesisPin));
+}
+
+// The law itself against a brute-force sum over the poles of the rod's two faces: the charge of a
+// ring of the face in the dipole's potential gradient.
+TEST(Field, ForcePerMomentAndCosineAgreeWithAQuadratureOverTheFaces) {
+  const double mu0_4pi = 1e-7;
+  const double charge = kThesisPin.remanence_t / (4e-7 * std::numbers::pi);  // A/m
+  for (const double tilt : {0.0, 0.3, 1.0, std::numbers::pi / 2, 2.5}) {
+    const Vec3 moment{std::sin(tilt), 0.0, std::cos(tilt)};
+    double force = 0.0;
+    for (const double sign : {-1.0, 1.0}) {
+      const double z = kThesisPin.inner_face_m + (sign > 0 ? kThesisPin.length_m : 0.0);
+      constexpr int kRadial = 200;
+      constexpr int kAround = 64;
+      for (int i = 0; i < kRadial; ++i) {
+        const double rho = kThesisPin.radius_m * std::sqrt((i + 0.5) / kRadial);
+        for (int j = 0; j < kAround; ++j) {
+          const double phi = 2.0 * std::numbers::pi * j / kAround;
+          const Vec3 r{rho * std::cos(phi), rho * std::sin(phi), z};
+          const double d = norm(r);
+          const double field_z =
+              mu0_4pi * (3.0 * dot(moment, r) * r.z / std::pow(d, 5) - moment.z / std::pow(d, 3));
+          const double area =
+              std::numbers::pi * kThesisPin.radius_m * kThesisPin.radius_m / (kRadial * kAround);
+          force += sign * charge * field_z * area;
+        }
+      }
+    }
+    // The rod's near face carries the pole that the dipole's near end repels.
+    EXPECT_NEAR(-force, force_per_moment(kThesisPin) * std::cos(tilt), 1e-6) << tilt;
+  }
+}
+
+TEST(Field, BothCalibrationsFollowFromTheLaw) {
+  for (const FieldCalibration& c : {kFeaCalibration, kMeasuredCalibration}) {
+    EXPECT_NEAR(c.moment_per_ampere * force_per_moment(kThesisPin) / c.force_slope_n_a, 1.0, 1e-3)
+        << c.name;
+  }
+  EXPECT_NEAR(15.0 * kFeaCalibration.force_slope_n_a, 0.4, 1e-3);
+}
+
+TEST(Field, TheAimedPinGets63MillinewtonAt5AmpereAnd189At15) {
+  const Vec3& pin = hedgehog_86().pins[kHexagon].position;
+  EXPECT_NEAR(force_on_pin(aimed_at(kHexagon, 5.0), pin, kSlope), 0.063, 1e-9);
+  EXPECT_NEAR(force_on_pin(aimed_at(kHexagon, 15.0), pin, kSlope), 0.189, 1e-9);
+  EXPECT_NEAR(current_for_force(0.063, kSlope), 5.0, 1e-9);
+}
+
+// Reference: physics.md section 5, aiming at a hexagon beside a pentagon.
+TEST(Field, FractionsAroundTheAimedPin) {
+  std::array<double, 86> forces{};
+  pin_forces(hedgehog_86(), aimed_at(kHexagon, 1.0), 1.0, forces);
+  std::sort(forces.rbegin(), forces.rend());
+  const double wanted[] = {1.0, 0.941, 0.921, 0.921, 0.915, 0.914, 0.914, 0.792};
+  for (std::size_t i = 0; i < std::size(wanted); ++i) EXPECT_NEAR(forces[i], wanted[i], 6e-4) << i;
+}
+
+TEST(Field, SpreadOf86Pins) {
+  const FieldSpread at_5 = spread_of(hedgehog_86(), aimed_at(kHexagon, 5.0), kSlope, kFelt);
+  EXPECT_EQ(at_5.pins_90, 7);
+  EXPECT_EQ(at_5.pins_50, 21);
+  EXPECT_EQ(at_5.pins_inward, 40);
+  EXPECT_EQ(at_5.pins_above, 25);
+  EXPECT_EQ(spread_of(hedgehog_86(), aimed_at(kHexagon, 15.0), kSlope, kFelt).pins_above, 39);
+}
+
+TEST(Field, NoFieldPushesNothing) {
+  const FieldSpread none = spread_of(hedgehog_86(), {}, kSlope, kFelt);
+  EXPECT_EQ(none.pins_90 + none.pins_50 + none.pins_inward + none.pins_above, 0);
+}
+
+RC_GTEST_PROP(Field, TheOppositePinIsPulledAsMuch, (int x, int y, int z)) {
+  const FieldDemand field{{x * 1e-3, y * 1e-3, z * 1e-3}};
+  const Vec3 pin = hedgehog_86().pins[*rc::gen::inRange<std::size_t>(0, 86)].position;
+  const double out = force_on_pin(field, pin, kSlope);
+  RC_ASSERT(force_on_pin(field, -pin, kSlope) == -out);
+  RC_ASSERT(std::abs(out) <= kSlope * norm(field.a) * (1.0 + 1e-12));
+}
+
+}  // namespace
+}  // namespace hedgehog::model
