@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "clients/ctl/screen/ball.h"
+
+#include <algorithm>
+#include <array>
+
+#include "clients/ctl/screen/bar.h"
+#include "clients/ctl/screen/words.h"
+
+namespace hedgehog::client {
+
+namespace {
+
+// From a cool room to a little above the trip.
+constexpr double kScaleLowC = 22.0;
+constexpr double kScaleAboveTripC = 8.0;
+
+}  // namespace
+
+std::string effect_words(const protocol::EffectStatus& effect) {
+  if (effect.slot) {
+    return *effect.slot;
+  }
+  const std::size_t dot = effect.method.find('.');
+  return dot == std::string::npos ? effect.method : effect.method.substr(dot + 1);
+}
+
+double current_norm_a(const protocol::Status& status) { return norm(status.current_a); }
+
+std::string temperature_line(const Ball& ball, std::string_view behind, bool ascii) {
+  const auto& temperature = ball.status.temperature_c;
+  const std::optional<double> shown = temperature.sensor ? temperature.sensor : temperature.model;
+  const protocol::LimitsDescription& limits = ball.description.limits;
+  const std::array marks{limits.derate_from_c, limits.trip_c};
+  const double hottest =
+      std::max(shown.value_or(kScaleLowC), temperature.model.value_or(kScaleLowC));
+  const std::string value =
+      shown ? fixed(*shown, 1) + (ascii ? " C" : " °C") : std::string("unknown");
+  return row("temperature", value,
+             bar(hottest, kScaleLowC, limits.trip_c + kScaleAboveTripC, marks, ascii) + "  " +
+                 std::string(behind));
+}
+
+std::string current_line(const Ball& ball, std::string_view behind, bool ascii) {
+  const double current = current_norm_a(ball.status);
+  return row(
+      "current", fixed(current, 1) + " A",
+      bar(current, 0.0, ball.hello.limits.current_a, {}, ascii) + "  " + std::string(behind));
+}
+
+}  // namespace hedgehog::client

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// What a screen knows of the ball that it shows.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "protocol/description.h"
+#include "protocol/results.h"
+#include "protocol/status.h"
+
+namespace hedgehog::client {
+
+struct Ball {
+  protocol::HelloResult hello;
+  protocol::Description description;
+  protocol::Status status;
+};
+
+/// "pulse" of "effect.pulse"; a slot's name where there is one.
+std::string effect_words(const protocol::EffectStatus& effect);
+
+/// "  temperature    41.2 °C  ━━━━━━─────┊───  <behind>".
+std::string temperature_line(const Ball& ball, std::string_view behind, bool ascii);
+/// "  current          5.0 A  ━━━━──────────  <behind>".
+std::string current_line(const Ball& ball, std::string_view behind, bool ascii);
+
+/// Length of the measured currents.
+double current_norm_a(const protocol::Status& status);
+
+}  // namespace hedgehog::client

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// A horizontal gauge of 26 columns for a terminal.
+#pragma once
+
+#include <span>
+#include <string>
+
+namespace hedgehog::client {
+
+inline constexpr int kBarColumns = 26;
+
+/// `value` on the scale `low`..`high` as a thick line, the rest thin; `marks` are drawn across it.
+/// With `ascii`: = - |.
+std::string bar(double value, double low, double high, std::span<const double> marks, bool ascii);
+
+/// The last `values` as eight-step blocks, scaled between their own extremes (at least `least_span`
+/// apart).
+std::string sparkline(std::span<const double> values, double least_span, bool ascii);
+
+}  // namespace hedgehog::client

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// `hedgehogctl status`: one look at the ball, 80 columns.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "clients/ctl/screen/ball.h"
+
+namespace hedgehog::client {
+
+struct ScreenStyle {
+  bool colour = false;
+  bool ascii = false;
+};
+
+/// "ball-7 · armed", green, amber or red where colours are wanted.
+std::string state_words(const protocol::Status& status, const ScreenStyle& style);
+
+std::vector<std::string> status_screen(const Ball& ball, const ScreenStyle& style);
+
+}  // namespace hedgehog::client

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "clients/ctl/screen/watch_screen.h"
+
+#include <algorithm>
+
+#include "clients/ctl/screen/ball_map.h"
+#include "clients/ctl/screen/bar.h"
+#include "clients/ctl/screen/words.h"
+#include "model/direction.h"
+
+namespace hedgehog::client {
+
+namespace {
+
+constexpr std::size_t kMinuteColumns = kBarColumns;
+constexpr std::int64_t kSampleNs = 60'000'000'000 / static_cast<std::int64_t>(kMinuteColumns);
+constexpr std::size_t kHappenings = 3;
+
+std::string push_words(const protocol::Status& status) {
+  return status.pin ? fixed(current_norm_a(status), 1) + " A, " + fixed(status.force_n, 3) +
+                          " N at pin " + std::to_string(*status.pin)
+                    : "nothing pushes";
+}
+
+std::string headroom_words_of(const Ball& ball) {
+  const protocol::Status& status = ball.status;
+  std::string behind = status.derating ? "derated now" : "at this current";
+  if (status.burst_s) {
+    behind +=
+        "; " + fixed(ball.hello.limits.current_a, 0) + " A for " + time_words(*status.burst_s);
+  }
+  return row("headroom", headroom_words(status.headroom_s), behind);
+}
+
+std::string loop_words_of(const protocol::Status& status) {
+  const protocol::LoopStatus& loop = status.loop;
+  return row("loop", grouped(loop.rate_hz) + " /s",
+             "late by " + fixed(loop.lateness_us.p99, 0) + " µs at p99, " +
+                 (loop.skipped == 0 ? "none" : grouped(static_cast<double>(loop.skipped))) +
+                 " skipped;  fan " +
+                 (status.fan.speed_rpm ? grouped(*status.fan.speed_rpm) + " /min" : "unknown"));
+}
+
+}  // namespace
+
+void WatchScreen::take(const protocol::Status& status) {
+  const auto& temperature = status.temperature_c;
+  const std::optional<double> shown = temperature.sensor ? temperature.sensor : temperature.model;
+  if (!shown || status.time_ns < next_sample_ns_) {
+    return;
+  }
+  next_sample_ns_ = status.time_ns + kSampleNs;
+  minute_c_.push_back(*shown);
+  if (minute_c_.size() > kMinuteColumns) {
+    minute_c_.pop_front();
+  }
+}
+
+void WatchScreen::take(const protocol::Event& event, const std::string& clock) {
+  happened_.push_front("  " + clock + "  " + event_words(event));
+  if (happened_.size() > kHappenings) {
+    happened_.pop_back();
+  }
+}
+
+std::string WatchScreen::minute_line() const {
+  if (minute_c_.empty()) {
+    return row("last minute", "", "");
+  }
+  const std::vector<double> values(minute_c_.begin(), minute_c_.end());
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  return row("last minute", "",
+             left(sparkline(values, 4.0, style_.ascii), kMinuteColumns) + "  " + fixed(*least, 0) +
+                 " to " + fixed(*most, 0) + (style_.ascii ? " C" : " °C"));
+}
+
+std::vector<std::string> WatchScreen::lines(const Ball& ball) const {
+  const protocol::Status& status = ball.status;
+  const std::string_view dot = style_.ascii ? " - " : " · ";
+  const std::string allowed = std::string(dot) + fixed(status.limit_a, 1) + " A allowed";
+  const std::string keys = "SPACE stops   q quits";
+  const std::string plain = state_words(status, {.colour = false, .ascii = style_.ascii}) + allowed;
+  const std::size_t gap =
+      columns(plain) + columns(keys) < 77 ? 77 - columns(plain) - columns(keys) : std::size_t{2};
+
+  std::vector<std::string> lines{" " + state_words(status, style_) + allowed +
+                                 std::string(gap, ' ') + keys};
+  std::optional<model::Vec3> up;
+  if (status.orientation) {
+    up = status.orientation->up;
+  }
+  for (std::string& line : ball_map(status.pins, {.ascii = style_.ascii, .room_up = up})) {
+    lines.push_back(std::move(line));
+  }
+  lines.push_back("    " + left(ball_map_legend(style_.ascii), 44) + push_words(status));
+  lines.push_back(status.remedy ? "  " + *status.remedy : "");
+  const auto& temperature = status.temperature_c;
+  lines.push_back(
+      temperature_line(ball,
+                       (temperature.sensor ? "sensor; model " : "model; no sensor ") +
+                           (temperature.model ? fixed(*temperature.model, 1) : "unknown") +
+                           (style_.ascii ? " C" : " °C"),
+                       style_.ascii));
+  lines.push_back(minute_line());
+  lines.push_back(current_line(ball,
+                               "x " + fixed_signed(status.current_a.x, 1) + "  y " +
+                                   fixed_signed(status.current_a.y, 1) + "  z " +
+                                   fixed_signed(status.current_a.z, 1),
+                               style_.ascii));
+  lines.push_back(headroom_words_of(ball));
+  lines.push_back(loop_words_of(status));
+  lines.emplace_back();
+  lines.insert(lines.end(), happened_.begin(), happened_.end());
+  return lines;
+}
+
+std::string event_words(const protocol::Event& event) {
+  std::string words = event.type;
+  if (event.effect) {
+    words += "  #" + std::to_string(*event.effect) + (event.slot ? " " + *event.slot : "");
+  }
+  if (event.state) {
+    words += "  " + *event.state;
+  }
+  if (event.reason) {
+    words += (event.state ? ": " : "  ") + *event.reason;
+  }
+  if (event.onset_ns && event.offset_ns) {
+    words += ", " + std::to_string((*event.offset_ns - *event.onset_ns) / 1'000'000) + " ms";
+  }
+  if (event.delivered && event.delivered->mean < 0.995) {
+    words += ", " + fixed(100.0 * event.delivered->mean, 0) + " % of its strength";
+  }
+  if (event.limit_a) {
+    words += "  " + fixed(*event.limit_a, 1) + " A allowed";
+  }
+  if (event.temperature_c) {
+    words += " at " + fixed(*event.temperature_c, 1) + " °C";
+  }
+  if (event.device) {
+    words += "  " + *event.device;
+  }
+  if (event.skipped) {
+    words += "  " + std::to_string(*event.skipped) + " ticks skipped";
+  }
+  return words;
+}
+
+}  // namespace hedgehog::client

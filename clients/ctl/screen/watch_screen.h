@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// `hedgehogctl watch`: the ball as it lives, in 80x24.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "clients/ctl/screen/ball.h"
+#include "clients/ctl/screen/status_screen.h"
+#include "protocol/event.h"
+
+namespace hedgehog::client {
+
+/// Remembers the last minute of temperature and the newest events. One thread.
+class WatchScreen {
+ public:
+  explicit WatchScreen(ScreenStyle style) : style_(style) {}
+
+  void take(const protocol::Status& status);
+  /// `clock` is the person's time of day, "14:03:21".
+  void take(const protocol::Event& event, const std::string& clock);
+
+  std::vector<std::string> lines(const Ball& ball) const;
+
+ private:
+  std::string minute_line() const;
+
+  ScreenStyle style_;
+  std::deque<double> minute_c_;
+  std::int64_t next_sample_ns_ = 0;
+  std::deque<std::string> happened_;
+};
+
+/// One event in words: "#431 ended: stopped, 9.8 A ..."; for `watch` and `events`.
+std::string event_words(const protocol::Event& event);
+
+}  // namespace hedgehog::client
