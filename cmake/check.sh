@@ -1,0 +1,46 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Format, lint and shell checks over the whole tree. Needs `cmake --preset tidy` to have run. Exit: 0 clean, 1 not.
+# check.sh [format|shell|tidy]...; default all. JOBS: how many linters at once.
+set -u
+
+cd "$(dirname -- "$0")/.." || exit 1
+jobs=${JOBS:-2}
+failed=0
+
+sources() { # suffixes are .cpp, and .h unless told otherwise
+  find model protocol daemon clients tests cmake -name '*.cpp' -o -name "${1:-*.h}" | sort
+}
+
+check_format() {
+  sources | xargs clang-format --dry-run -Werror ||
+    { echo "check: run clang-format -i on the files above"; failed=1; }
+}
+
+check_shell() {
+  # Whatever begins with a shell's name, wherever it lives.
+  find . -path ./build -prune -o -path ./.git -prune -o -type f -size -200k -print |
+    xargs grep -lE -m1 '^#!.*(/| )(ba)?sh$' | xargs shellcheck || failed=1
+}
+
+check_tidy() {
+  sources '' | xargs -n 1 -P "$jobs" clang-tidy -p build/tidy --quiet 2>&1 |
+    grep -vE '^([0-9]+ warnings?( and [0-9]+ errors?)? (generated|treated)|Suppressed |Use -header-filter)' \
+      >build/tidy/findings
+  if [ -s build/tidy/findings ]; then
+    cat build/tidy/findings
+    failed=1
+  fi
+}
+
+[ $# -gt 0 ] || set -- format shell tidy
+for check in "$@"; do
+  echo "check: $check"
+  case $check in
+    format) check_format ;;
+    shell) check_shell ;;
+    tidy) check_tidy ;;
+    *) echo "check.sh [format|shell|tidy]..." >&2; exit 64 ;;
+  esac
+done
+exit "$failed"
