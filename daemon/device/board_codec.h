@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Frames of board_core/frame.h <-> the values of board_io.h, in SI units. Pure functions, any
+// thread, real-time safe.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "daemon/device/board_core/frame.h"
+#include "daemon/device/board_io.h"
+#include "daemon/device/simulator_settings.h"
+
+namespace hedgehog::device {
+
+using Frame = std::array<std::uint8_t, board::kFrameSize>;
+
+/// Tighter limits for the board itself (board_core/limits.h has its own). Values above the board's
+/// own change nothing.
+struct BoardLimits {
+  double sensor_c = 75.0;
+  double current_a = 16.5;
+  /// Share of the board's own I^2 t budgets, 0..1.
+  double heat = 1.0;
+};
+
+Frame encode_set_point(const BoardCommand& command, std::uint32_t sequence) noexcept;
+Frame encode_arm(std::uint8_t count, std::uint32_t sequence) noexcept;
+Frame encode_limits(const BoardLimits& limits, std::uint32_t sequence) noexcept;
+Frame encode_simulator(const SimulatorSettings& settings, std::uint32_t sequence) noexcept;
+
+/// What one packet from the board holds. `telemetry` is valid when `error` is kNone.
+struct DecodedTelemetry {
+  board::FrameError error = board::FrameError::kNone;
+  BoardTelemetry telemetry;
+};
+
+/// Any bytes. A well-formed frame of another type counts as kType.
+DecodedTelemetry decode_telemetry(std::span<const std::uint8_t> packet) noexcept;
+
+/// For the simulated board.
+SimulatorSettings decode_simulator(std::span<const std::uint8_t, board::kFrameSize> frame) noexcept;
+
+}  // namespace hedgehog::device

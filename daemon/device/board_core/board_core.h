@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// The rules that a driver board keeps by itself, whatever its host does. Freestanding and fixed
+// point, so that firmware and the simulated board run the same lines. DESIGN section 6.
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "daemon/device/board_core/frame.h"
+#include "daemon/device/board_core/heat_budget.h"
+#include "daemon/device/board_core/limits.h"
+#include "daemon/device/board_core/persistence.h"
+
+namespace hedgehog::board {
+
+/// Bits as in device::BoardFault.
+enum Fault : uint16_t {
+  kDeadMan = 1u << 0,
+  kOverCurrent = 1u << 1,
+  kOverHeat = 1u << 2,
+  kHeatBudget = 1u << 3,
+  kBridge = 1u << 4,
+  kSensorOpen = 1u << 5,
+  kSensorShort = 1u << 6,
+  kStuckBridge = 1u << 7,
+  kSupply = 1u << 8,
+};
+
+/// Values as in device::BoardMode.
+enum class Mode : uint8_t {
+  kSafe = 0,     // since power-up: never armed
+  kReady = 1,    // armed, bridges asleep
+  kDriving = 2,  // armed, bridges awake
+  kLatched = 3,  // a fault: bridges asleep until armed
+};
+
+/// What the board measured in this millisecond.
+struct BoardInputs {
+  int16_t current_ma[kWindings] = {};
+  uint16_t supply_mv = 0;  // before the supply switch
+  int16_t sensor_cc = 0;   // ignored when open or short
+  bool sensor_open = false;
+  bool sensor_short = false;
+  /// A new conversion of the thermistor is in `sensor_cc`.
+  bool sensor_converted = false;
+  /// Bit k: bridge k signals FLT.
+  uint8_t bridge_faults = 0;
+  uint16_t fan_rpm = 0;
+};
+
+/// What the board does until the next millisecond.
+struct BoardOutputs {
+  int16_t duty_q15[kWindings] = {};
+  /// SLP of all bridges. When false every duty is 0.
+  bool awake = false;
+  bool supply_switch_closed = true;
+  uint8_t fan = 0;
+};
+
+/// No thread of its own: firmware calls it from one place. Nothing in it waits or allocates.
+class BoardCore {
+ public:
+  BoardCore() noexcept = default;
+  explicit BoardCore(const BoardLimits& limits) noexcept : limits_(limits), full_(limits) {}
+
+  /// One packet from the host, any bytes. What it asks for is done by the next `step`.
+  void receive(const uint8_t* bytes, size_t length) noexcept;
+
+  /// One millisecond.
+  BoardOutputs step(const BoardInputs& inputs) noexcept;
+
+  /// The telemetry of the last `step`, 64 bytes.
+  void write_telemetry(uint8_t* frame) noexcept;
+
+  Mode mode() const noexcept { return mode_; }
+  /// Latched and live.
+  uint16_t faults() const noexcept { return static_cast<uint16_t>(latched_ | live_); }
+  uint32_t now_ms() const noexcept { return now_ms_; }
+  /// Since the last valid set-point; UINT32_MAX before the first.
+  uint32_t set_point_age_ms() const noexcept { return set_point_age_ms_; }
+  const BoardOutputs& outputs() const noexcept { return outputs_; }
+  const BoardLimits& limits() const noexcept { return limits_; }
+
+ private:
+  void accept(const FrameHeader& header, const uint8_t* frame) noexcept;
+  void tighten(const LimitsFrame& frame) noexcept;
+  void take_set_point() noexcept;
+  void judge(const BoardInputs& inputs) noexcept;
+  void judge_current(const BoardInputs& inputs) noexcept;
+  void judge_sensor(const BoardInputs& inputs) noexcept;
+  void judge_dead_man() noexcept;
+  void answer_arm() noexcept;
+  void set(Fault fault, bool live) noexcept;
+  void decide() noexcept;
+  uint8_t fan(const BoardInputs& inputs) const noexcept;
+
+  BoardLimits limits_;
+  BoardLimits full_;  // as built; the budgets tighten by a share of these
+  Mode mode_ = Mode::kSafe;
+  uint16_t latched_ = 0;
+  uint16_t live_ = 0;
+  uint32_t now_ms_ = 0;
+
+  bool any_received_ = false;
+  uint32_t received_sequence_ = 0;
+  uint16_t refused_ = 0;
+
+  SetPointFrame set_point_;
+  bool set_point_new_ = false;
+  uint32_t set_point_age_ms_ = UINT32_MAX;
+  /// Since armed or fed, whichever came later.
+  uint32_t unfed_ms_ = 0;
+
+  bool arm_asked_ = false;
+  uint8_t arm_asked_count_ = 0;
+  uint8_t arm_count_ = 0;
+
+  Persistence over_current_{kOverCurrentMs};
+  Persistence sensor_hot_{kSensorHotMs};
+  Persistence sensor_open_{kSensorBrokenMs};
+  Persistence sensor_short_{kSensorBrokenMs};
+  Persistence supply_{kSupplyMs};
+  Persistence bridge_{kBridgeFaultMs};
+  Persistence stuck_{kStuckMs};
+  HeatBudget winding_heat_[kWindings] = {HeatBudget(kWindingTauShift), HeatBudget(kWindingTauShift),
+                                         HeatBudget(kWindingTauShift)};
+  HeatBudget device_heat_{kDeviceTauShift};
+
+  BoardInputs inputs_;
+  BoardOutputs outputs_;
+  /// The outputs before: what the bridges did during the millisecond that was measured.
+  BoardOutputs before_;
+  uint8_t sensor_conversions_ = 0;
+  uint32_t telemetry_sequence_ = 0;
+};
+
+}  // namespace hedgehog::board

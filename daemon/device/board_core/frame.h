@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+// The frames between host and board: 64 bytes, little endian, the same code on both sides. Byte
+// tables: ../README.md.
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+namespace hedgehog::board {
+
+inline constexpr size_t kFrameSize = 64;
+inline constexpr uint8_t kFrameMagic = 0x48;
+/// Byte 1 of every frame; also what BoardTelemetry::protocol_version says.
+inline constexpr uint8_t kProtocolVersion = 1;
+inline constexpr int kWindings = 3;
+
+enum class FrameType : uint8_t {
+  kSetPoint = 0x01,
+  kArm = 0x02,
+  kLimits = 0x03,
+  kSimulator = 0x7F,  // a real board ignores it
+  kTelemetry = 0x81,
+};
+
+/// Why a frame was not accepted.
+enum class FrameError : uint8_t { kNone, kLength, kMagic, kCrc, kVersion, kType };
+
+struct FrameHeader {
+  FrameType type = FrameType::kSetPoint;
+  uint32_t sequence = 0;
+};
+
+/// Host to board, every millisecond; the only frame that feeds the dead-man.
+struct SetPointFrame {
+  uint32_t sequence = 0;
+  /// Bridges awake. When false the duties are ignored.
+  bool enable = false;
+  /// 1/32767 of the supply, sign = direction.
+  int16_t duty_q15[kWindings] = {};
+  uint8_t fan = 0;
+};
+
+/// Host to board: clear the latch and arm. Carried out once for each new `count`.
+struct ArmFrame {
+  uint32_t sequence = 0;
+  uint8_t count = 0;
+};
+
+/// Host to board: tighter limits. A value above the one in force changes nothing.
+struct LimitsFrame {
+  uint32_t sequence = 0;
+  int16_t sensor_cc = 0;       // hundredths of a degree Celsius
+  uint16_t current_ma = 0;     // Euclidean norm
+  uint16_t heat_permille = 0;  // of the device's own I^2 t budgets
+};
+
+/// Host to simulated board only.
+struct SimulatorFrame {
+  uint32_t sequence = 0;
+  int16_t ambient_cc = 2500;
+  uint16_t faults = 0;
+  uint8_t coil = 0;
+};
+
+/// Board to host, every millisecond.
+struct TelemetryFrame {
+  uint32_t sequence = 0;
+  /// Of the last frame of any type that was accepted, and of the last set-point.
+  uint32_t received_sequence = 0;
+  uint32_t set_point_sequence = 0;
+  uint32_t board_ms = 0;
+  int16_t current_ma[kWindings] = {};
+  /// As applied at the bridges during the millisecond that ends now.
+  int16_t duty_q15[kWindings] = {};
+  uint16_t supply_mv = 0;
+  int16_t sensor_cc = 0;
+  uint16_t fan_rpm = 0;
+  uint8_t fan = 0;
+  uint8_t mode = 0;
+  bool supply_switch_closed = true;
+  bool bridges_awake = false;
+  uint8_t arm_count = 0;
+  uint16_t faults = 0;
+  uint8_t sensor_conversions = 0;
+  /// Since the last valid set-point, ms; 255 stands for 255 or more.
+  uint8_t set_point_age_ms = 255;
+  /// The limits in force, and how full the I^2 t budgets are: the fullest winding, the whole
+  /// device.
+  int16_t sensor_limit_cc = 0;
+  uint16_t current_limit_ma = 0;
+  uint16_t winding_heat_permille = 0;
+  uint16_t device_heat_permille = 0;
+  /// Frames refused so far for any reason, mod 65536.
+  uint16_t refused = 0;
+};
+
+/// Checks length, magic, CRC and version, in this order, then that the type is a known one.
+FrameError read_header(const uint8_t* bytes, size_t length, FrameHeader& header) noexcept;
+
+/// REQUIRES: `read_header` found no error and said this type.
+SetPointFrame read_set_point(const uint8_t* frame) noexcept;
+ArmFrame read_arm(const uint8_t* frame) noexcept;
+LimitsFrame read_limits(const uint8_t* frame) noexcept;
+SimulatorFrame read_simulator(const uint8_t* frame) noexcept;
+TelemetryFrame read_telemetry(const uint8_t* frame) noexcept;
+
+/// Fill all 64 bytes of `frame`, CRC included.
+void write_frame(const SetPointFrame& values, uint8_t* frame) noexcept;
+void write_frame(const ArmFrame& values, uint8_t* frame) noexcept;
+void write_frame(const LimitsFrame& values, uint8_t* frame) noexcept;
+void write_frame(const SimulatorFrame& values, uint8_t* frame) noexcept;
+void write_frame(const TelemetryFrame& values, uint8_t* frame) noexcept;
+
+/// True when `sequence` comes after `last`, counted around 2^32.
+constexpr bool is_newer(uint32_t sequence, uint32_t last) noexcept {
+  return sequence != last && sequence - last < 0x80000000u;
+}
+
+}  // namespace hedgehog::board

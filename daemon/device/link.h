@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// The host's end of the wire as a pure step: what to send in this millisecond, and what the packets
+// that arrived say.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "daemon/device/board_codec.h"
+#include "daemon/device/link_port.h"
+
+namespace hedgehog::device {
+
+/// What goes to the board in one millisecond: always a set-point, and rarely one frame of another
+/// kind, to be sent after it.
+struct LinkFrames {
+  Frame set_point{};
+  std::optional<Frame> other;
+};
+
+/// Real-time safe: no allocation, lock, clock or syscall. One thread (the link thread, or the test
+/// rig).
+///
+/// A set-point that is not renewed is repeated for 19 ticks; from the 20th on the safe command goes
+/// out instead. While no board is present nothing but the safe command goes out.
+///
+/// A change of BoardCommand::arm_count becomes an arm request, repeated until the board confirms it
+/// or 50 ticks are over; a board that appears later is never armed by an old request.
+class Link {
+ public:
+  static constexpr int kOverdueTicks = 20;
+  static constexpr int kAbsentTicks = 100;
+
+  Link() noexcept = default;
+  /// `limits` are sent whenever a board appears, until it has them in force.
+  explicit Link(const BoardLimits& limits) noexcept : limits_(limits) {}
+
+  /// One packet as it arrived, any bytes; any number of them before each `step`.
+  void receive(std::span<const std::uint8_t> packet) noexcept;
+
+  /// The next millisecond. `command` is the latest of the control thread: new when its count
+  /// differs from the last one's.
+  LinkFrames step(const LinkCommand& command) noexcept;
+  /// Also tells the simulated board what its world shall be like.
+  LinkFrames step(const LinkCommand& command, const SimulatorSettings& simulator) noexcept;
+
+  /// As of the last `step`. Its telemetry's arm_count is the caller's own number of the last
+  /// request that the board has carried out.
+  const LinkReport& report() const noexcept { return report_; }
+
+ private:
+  void note_presence() noexcept;
+  BoardCommand choose(const LinkCommand& command) noexcept;
+  std::optional<Frame> next_other(const BoardCommand& latest,
+                                  const SimulatorSettings* simulator) noexcept;
+  std::optional<Frame> next_arm(std::uint8_t wanted) noexcept;
+  std::uint32_t next_sequence() noexcept { return ++sequence_; }
+
+  std::optional<BoardLimits> limits_;
+  LinkReport report_;
+  std::uint32_t sequence_ = 0;
+  std::uint64_t last_count_ = 0;
+  int ticks_without_command_ = kOverdueTicks;
+  int ticks_without_telemetry_ = kAbsentTicks;
+  bool telemetry_seen_ = false;
+
+  std::uint8_t requested_arm_ = 0;
+  std::uint8_t confirmed_arm_ = 0;
+  std::uint8_t board_arm_ = 0;
+  std::uint8_t arm_on_wire_ = 0;
+  int arm_tries_left_ = 0;
+
+  int limits_due_ = 0;
+  int simulator_due_ = 0;
+  std::optional<SimulatorSettings> simulator_sent_;
+};
+
+}  // namespace hedgehog::device
