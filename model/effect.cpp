@@ -16,9 +16,8 @@ double whole(double x) noexcept { return std::floor(x + kRounding); }
 
 /// `x` wrapped into 0..`period`; tells whether it went round.
 bool wrap(double& x, double period) noexcept {
-  const double turns = whole(x / period);
-  if (turns < 1.0) return false;
-  x = std::max(0.0, x - turns * period);
+  if (x < period - kRounding) return false;
+  x = std::max(0.0, x - whole(x / period) * period);
   return true;
 }
 
@@ -91,7 +90,8 @@ Ring ring_of(const Trajectory& trajectory) noexcept {
 
 Vec3 direction_at(const Ring& ring, const EffectPhase& phase) noexcept {
   if (ring.steps == 0) return ring.along;
-  const double steps = ring.smooth ? phase.steps : whole(phase.steps);
+  const double steps =
+      ring.smooth ? phase.steps : static_cast<double>(static_cast<int>(phase.steps + kRounding));
   const double angle = 2.0 * kPi * steps / ring.steps;
   return ring.along + std::cos(angle) * ring.front + std::sin(angle) * ring.side;
 }

@@ -28,12 +28,14 @@ void EffectPlace::begin(EffectId effect, const EffectSpec& spec, Tick now) noexc
 }
 
 void EffectPlace::continue_from(const EffectPlace& previous) noexcept {
-  if (!previous.playing_ || previous.spec_.method != spec_.method ||
+  const bool has_phase = previous.playing_ || previous.continues_;
+  if (!has_phase || previous.spec_.method != spec_.method ||
       previous.spec_.waveform != spec_.waveform) {
     return;
   }
   phase_ = model::carried(previous.spec_, spec_, previous.phase_);
-  if (spec_.lease <= 0 || previous.spec_.lease <= 0) phase_.elapsed = 0;
+  continues_ = true;
+  continues_attack_ = spec_.lease > 0 && previous.spec_.lease > 0;
 }
 
 void EffectPlace::update(const EffectSpec& spec, Tick now) noexcept {
@@ -45,13 +47,12 @@ void EffectPlace::update(const EffectSpec& spec, Tick now) noexcept {
 }
 
 bool EffectPlace::advance(Tick now, Tick ticks) noexcept {
-  if (playing_) {
-    phase_ = model::advanced(spec_, ring_, phase_, ticks);
-  } else if (now >= onset_) {
+  if (!playing_ && now < onset_) return true;
+  if (playing_ || continues_) phase_ = model::advanced(spec_, ring_, phase_, ticks);
+  if (!playing_) {
     playing_ = true;
     delivery_.onset = now;
-  } else {
-    return true;
+    if (!continues_attack_) phase_.elapsed = 0;
   }
   return spec_.duration > 0 ? phase_.elapsed < spec_.duration : now < lease_end_;
 }

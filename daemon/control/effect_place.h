@@ -60,6 +60,9 @@ class EffectPlace {
  private:
   EffectId effect_ = 0;
   bool playing_ = false;
+  /// Takes over the phase of the effect that it replaced; and its attack.
+  bool continues_ = false;
+  bool continues_attack_ = false;
   model::Tick applied_ = 0;
   model::Tick onset_ = 0;
   model::Tick lease_end_ = 0;

@@ -41,7 +41,7 @@ struct MixInputs {
   /// An orientation not older than 100 ms is known.
   bool orientation_usable = false;
   /// The last one known, recentred; also used while the world effects fade out.
-  model::Quaternion device_to_world;
+  model::Quaternion device_to_world{};
   /// The owner's comfort setting, 0..1; scales everything.
   double gain = 1.0;
 };
