@@ -28,7 +28,7 @@ struct MixerSumTest : testing::Test, MixerHarness {
 TEST_F(MixerSumTest, EffectsOfOnePriorityAddAsVectors) {
   start(hold({1, 0, 0}, 3));
   start(hold({0, 1, 0}, 4));
-  EXPECT_EQ(tick(), Vec3(3, 4, 0));
+  EXPECT_EQ(tick(), (Vec3{3, 4, 0}));
 }
 
 TEST_F(MixerSumTest, OppositeOnesCancel) {
@@ -48,8 +48,8 @@ TEST_F(MixerSumTest, OnlyTheHighestPriorityIsFeltAndTheOthersComeBackInTime) {
   run(10);
   const auto crash = start(with_priority(pulse({0, 1, 0}, 9, 100), 7));
   const auto demand = run(101);
-  EXPECT_EQ(demand[0], Vec3(0, 9, 0));
-  EXPECT_EQ(demand[100], Vec3(3, 0, 0));
+  EXPECT_EQ(demand[0], (Vec3{0, 9, 0}));
+  EXPECT_EQ(demand[100], (Vec3{3, 0, 0}));
   run(1000);
   EXPECT_EQ(reason_of(crash), EndReason::kCompleted);
   EXPECT_EQ(reason_of(engine), EndReason::kExpired);
@@ -73,7 +73,7 @@ TEST_F(MixerSumTest, AWaitingEffectMasksNobody) {
   auto later = with_priority(pulse({0, 1, 0}), 7);
   later.delay = 50;
   start(later);
-  EXPECT_EQ(tick(), Vec3(5, 0, 0));
+  EXPECT_EQ(tick(), (Vec3{5, 0, 0}));
 }
 
 TEST_F(MixerSumTest, WhoEndsWithoutATickFeltWasPreempted) {
@@ -193,17 +193,17 @@ TEST_F(MixerSumTest, ASilencedWorldEffectMasksNobody) {
   start(with_priority(in(model::Frame::kWorld, hold({0, 0, 1}, 5, 10'000)), 7));
   start(hold({1, 0, 0}, 4, 10'000));
   inputs.orientation_usable = true;
-  EXPECT_EQ(tick(), Vec3(0, 0, 5));
+  EXPECT_EQ(tick(), (Vec3{0, 0, 5}));
   inputs.orientation_usable = false;
-  EXPECT_EQ(run(200)[199], Vec3(4, 0, 0));
+  EXPECT_EQ(run(200)[199], (Vec3{4, 0, 0}));
 }
 
 TEST_F(MixerSumTest, CoilEffectsNameWindingsAndPassTheMatrixBy) {
   start(in(model::Frame::kCoil, hold({0, 1, 0}, 4)));
   start(hold({1, 0, 0}, 3));
   inputs.device_to_world = model::axis_angle({0, 0, 1}, 90);
-  EXPECT_EQ(tick(), Vec3(3, 0, 0));
-  EXPECT_EQ(last.coil_a, Vec3(0, 4, 0));
+  EXPECT_EQ(tick(), (Vec3{3, 0, 0}));
+  EXPECT_EQ(last.coil_a, (Vec3{0, 4, 0}));
 }
 
 }  // namespace

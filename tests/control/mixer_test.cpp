@@ -32,8 +32,8 @@ TEST_F(MixerTest, NothingPlaysAndNothingIsAsked) {
 TEST_F(MixerTest, APulseIsFeltInTheTickOfItsStartForItsDuration) {
   const auto effect = start(pulse({0, 1, 0}, 7, 150));
   const auto demand = run(151);
-  EXPECT_EQ(demand[0], Vec3(0, 7, 0));
-  EXPECT_EQ(demand[149], Vec3(0, 7, 0));
+  EXPECT_EQ(demand[0], (Vec3{0, 7, 0}));
+  EXPECT_EQ(demand[149], (Vec3{0, 7, 0}));
   EXPECT_EQ(demand[150], Vec3());
   expect_end(effect, EndReason::kCompleted, 1150);
   EXPECT_EQ(end_of(effect)->delivery.onset, 1000);
@@ -86,7 +86,7 @@ TEST_F(MixerTest, ALeaseRunsOutUnlessItIsRenewed) {
   const auto effect = start(hold({1, 0, 0}, 5, 100));
   run(80);
   update(effect, hold({0, 1, 0}, 3, 100));
-  EXPECT_EQ(tick(), Vec3(0, 3, 0));
+  EXPECT_EQ(tick(), (Vec3{0, 3, 0}));
   run(200);
   expect_end(effect, EndReason::kExpired, 1180);
 }
