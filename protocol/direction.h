@@ -5,10 +5,10 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <string_view>
 #include <variant>
 
+#include "model/pin_array.h"
 #include "model/vec3.h"
 #include "protocol/error.h"
 
@@ -34,9 +34,8 @@ std::string_view name(Word word) noexcept;
 /// Vec3: any non-zero finite length.
 using Direction = std::variant<model::Vec3, Angles, PinNumber, Word>;
 
-/// The unit vector of `direction`; `pins` are the positions of the ball's pins by number. An error
-/// names `field` when there is no such pin.
-Result<model::Vec3> resolve(const Direction& direction, std::span<const model::Vec3> pins,
+/// The unit vector of `direction`. An error names `field` when the ball has no such pin.
+Result<model::Vec3> resolve(const Direction& direction, const model::PinArray& pins,
                             std::string_view field = "direction");
 
 }  // namespace hedgehog::protocol

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <initializer_list>
+#include <utility>
+
+#include "protocol/describe.h"
+
+namespace hedgehog::protocol {
+namespace {
+
+constexpr Spec kFraction{.min = 0, .max = 1};
+constexpr Spec kNotNegative{.min = 0};
+constexpr Spec kUpToTenSeconds{.min = 0, .max = kMaxDurationMs, .rounded = true};
+constexpr Spec kDuration{.min = 1, .max = kMaxDurationMs, .rounded = true};
+constexpr Spec kLease{.min = kMinLeaseMs, .max = kMaxLeaseMs, .rounded = true};
+
+/// Refuses when more than one of them was said; `names` reads "level, current_a and force_n".
+void at_most_one(Fields& f, std::string_view names,
+                 std::initializer_list<std::pair<std::string_view, bool>> said) {
+  std::string_view first;
+  for (const auto& [name, is_said] : said) {
+    if (is_said && !first.empty()) {
+      f.fail(invalid_params(
+          name, std::string(first) + " is said too; say only one of " + std::string(names)));
+      return;
+    }
+    first = is_said ? name : first;
+  }
+}
+
+void check_end(Fields& f, const EffectParams& v, std::optional<std::int64_t> duration) {
+  at_most_one(f, "duration_ms and lease_ms",
+              {{"duration_ms", v.duration_ms.has_value()}, {"lease_ms", v.lease_ms.has_value()}});
+  if (v.lease_ms && v.fade_ms.value_or(0) > 0) {
+    f.fail(invalid_params("fade_ms", "an effect with lease_ms has no known end to fade to"));
+  }
+  if (v.lease_ms && v.on_close == OnClose::kFinish) {
+    f.fail(invalid_params("on_close", "only an effect with duration_ms can finish"));
+  }
+  if (!duration) {
+    return;
+  }
+  const std::int64_t attack = v.attack_ms.value_or(0);
+  const std::int64_t fade = v.fade_ms.value_or(0);
+  if (attack + fade > *duration) {
+    const bool by_fade = v.fade_ms.has_value();
+    RpcError error =
+        invalid_params(by_fade ? "fade_ms" : "attack_ms",
+                       "attack and fade are " + std::to_string(attack + fade) +
+                           " ms together, longer than duration_ms " + std::to_string(*duration));
+    error.limit = *duration - (by_fade ? attack : 0);
+    error.value = by_fade ? fade : attack;
+    f.fail(std::move(error));
+  }
+  if (v.on_close == OnClose::kFinish && *duration > kMaxFinishMs) {
+    RpcError error = invalid_params(
+        "duration_ms", std::to_string(*duration) + " is above " + std::to_string(kMaxFinishMs) +
+                           ", the most that on_close \"finish\" allows");
+    error.limit = kMaxFinishMs;
+    error.value = *duration;
+    f.fail(std::move(error));
+  }
+}
+
+void check(Fields& f, const EffectParams& v, Method method) {
+  at_most_one(f, "level, current_a and force_n",
+              {{"level", v.level.has_value()},
+               {"current_a", v.current_a.has_value()},
+               {"force_n", v.force_n.has_value()}});
+  at_most_one(f, "start_at_ns and delay_ms",
+              {{"start_at_ns", v.start_at_ns.has_value()}, {"delay_ms", v.delay_ms.has_value()}});
+  const bool starts = method != Method::kEffectUpdate;
+  const bool defaulted = starts && !v.duration_ms && !v.lease_ms;
+  check_end(f, v, defaulted ? with_defaults(method, {}).duration_ms : v.duration_ms);
+  if ((method == Method::kEffectPulse || method == Method::kEffectHold) && !v.direction) {
+    f.fail(invalid_params("direction", "is missing; for example \"direction\":\"left\""));
+  }
+}
+
+}  // namespace
+
+void describe(Fields& f, EffectParams& v, Method method) {
+  const bool circle = method == Method::kEffectCircle;
+  const bool update = method == Method::kEffectUpdate;
+  if (!circle) {
+    f.optional("direction", v.direction);
+  }
+  if (circle || update) {
+    f.optional("axis", v.axis);
+    f.optional("ring_deg", v.ring_deg, {.min = 0, .max = 180});
+    f.optional("speed_pins_s", v.speed_pins_s, {.min = 0.1, .max = 100});
+    f.optional("sense", v.sense);
+    f.optional("stepping", v.stepping);
+  }
+  f.optional("frame", v.frame);
+  f.optional("level", v.level, kFraction);
+  f.optional("current_a", v.current_a, kNotNegative);
+  f.optional("force_n", v.force_n, kNotNegative);
+  f.optional("gain", v.gain, kFraction);
+  f.optional("start_at_ns", v.start_at_ns, kNotNegative);
+  f.optional("delay_ms", v.delay_ms, kUpToTenSeconds);
+  f.optional("attack_ms", v.attack_ms, kUpToTenSeconds);
+  f.optional("fade_ms", v.fade_ms, kUpToTenSeconds);
+  f.optional("attack_level", v.attack_level, kFraction);
+  f.optional("fade_level", v.fade_level, kFraction);
+  f.optional("waveform", v.waveform);
+  f.optional("frequency_hz", v.frequency_hz, {.min = 0.5, .max = 250});
+  f.optional("on_fraction", v.on_fraction, {.min = 0.05, .max = 0.95});
+  f.optional("duration_ms", v.duration_ms, kDuration);
+  f.optional("lease_ms", v.lease_ms, kLease);
+  f.optional("on_close", v.on_close);
+  f.optional("slot", v.slot, {.min = 1, .max = kMaxSlotCharacters});
+  f.optional("priority", v.priority, {.min = 0, .max = 9});
+  f.optional("if_limited", v.if_limited);
+  if (f.checks()) {
+    check(f, v, method);
+  }
+}
+
+EffectParams with_defaults(Method method, EffectParams params) {
+  const auto fill = [](auto& field, auto value) {
+    if (!field) {
+      field = value;
+    }
+  };
+  const bool circle = method == Method::kEffectCircle;
+  const bool vibrate = method == Method::kEffectVibrate;
+  if (circle) {
+    fill(params.axis, Direction{Word::kUp});
+    fill(params.ring_deg, 90.0);
+    fill(params.speed_pins_s, 10.0);
+    fill(params.sense, Sense::kCounterClockwise);
+    fill(params.stepping, Stepping::kPin);
+  }
+  if (vibrate) {
+    fill(params.direction, Direction{Word::kDown});
+  }
+  fill(params.frame, model::Frame::kDevice);
+  fill(params.gain, 1.0);
+  fill(params.attack_ms, std::int64_t{0});
+  fill(params.fade_ms, std::int64_t{0});
+  fill(params.attack_level, 0.0);
+  fill(params.fade_level, 0.0);
+  fill(params.waveform, vibrate ? model::Waveform::kSquare : model::Waveform::kConstant);
+  fill(params.frequency_hz, 60.0);
+  fill(params.on_fraction, 0.5);
+  if (!params.duration_ms && !params.lease_ms) {
+    constexpr std::int64_t kPulseMs = 150;
+    constexpr std::int64_t kSecondMs = 1000;
+    if (method == Method::kEffectHold) {
+      params.lease_ms = kSecondMs;
+    } else {
+      params.duration_ms = method == Method::kEffectPulse ? kPulseMs : kSecondMs;
+    }
+  }
+  fill(params.on_close, OnClose::kStop);
+  fill(params.priority, std::int64_t{5});
+  fill(params.if_limited, IfLimited::kReduce);
+  return params;
+}
+
+std::optional<model::EffectMethod> effect_of(Method method) noexcept {
+  switch (method) {
+    case Method::kEffectPulse:
+      return model::EffectMethod::kPulse;
+    case Method::kEffectCircle:
+      return model::EffectMethod::kCircle;
+    case Method::kEffectVibrate:
+      return model::EffectMethod::kVibrate;
+    case Method::kEffectHold:
+      return model::EffectMethod::kHold;
+    default:
+      return std::nullopt;
+  }
+}
+
+Method method_of(model::EffectMethod effect) noexcept {
+  switch (effect) {
+    case model::EffectMethod::kCircle:
+      return Method::kEffectCircle;
+    case model::EffectMethod::kVibrate:
+      return Method::kEffectVibrate;
+    case model::EffectMethod::kHold:
+      return Method::kEffectHold;
+    case model::EffectMethod::kPulse:
+      break;
+  }
+  return Method::kEffectPulse;
+}
+
+}  // namespace hedgehog::protocol

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "protocol/fields.h"
+
+#include "protocol/describe.h"
+
+namespace hedgehog::protocol {
+
+void describe(Fields& f, Angles& v) {
+  f.defaulted("azimuth_deg", v.azimuth_deg, {.min = -360, .max = 360});
+  f.defaulted("elevation_deg", v.elevation_deg, {.min = -90, .max = 90});
+}
+
+void describe(Fields& f, PinNumber& v) { f.required("pin", v.pin, {.min = 0}); }
+
+void Fields::direction(Direction& v) {
+  if (reads()) {
+    switch (kind()) {
+      case Kind::kList:
+        v = model::Vec3{};
+        break;
+      case Kind::kObject:
+        if (has("pin")) {
+          v = PinNumber{};
+        } else if (has("azimuth_deg") || has("elevation_deg")) {
+          v = Angles{};
+        } else {
+          fail(invalid_params(path(),
+                              "an object here is {\"azimuth_deg\", \"elevation_deg\"} or "
+                              "{\"pin\"}"));
+          return;
+        }
+        break;
+      case Kind::kString:
+        v = Word{};
+        break;
+      default:
+        fail(invalid_params(path(),
+                            "must be a word such as \"left\", a vector [x,y,z], {\"azimuth_deg\", "
+                            "\"elevation_deg\"} or {\"pin\"}"));
+        return;
+    }
+  }
+  std::visit([&](auto& said) { value(said); }, v);
+  const auto* vector = std::get_if<model::Vec3>(&v);
+  if (checks() && vector != nullptr && *vector == model::Vec3{}) {
+    fail(invalid_params(path(), "[0,0,0] points nowhere"));
+  }
+}
+
+}  // namespace hedgehog::protocol

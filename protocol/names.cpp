@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "protocol/names.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <vector>
+
+#include "protocol/event.h"
+
+namespace hedgehog::protocol {
+namespace {
+
+constexpr std::array<std::string_view, 3> kRoles{"observe", "play", "operate"};
+constexpr std::array<std::string_view, 6> kWords{"up", "down", "left", "right", "front", "back"};
+constexpr std::array<std::string_view, 2> kScopes{"mine", "all"};
+constexpr std::array<std::string_view, 2> kOnClose{"stop", "finish"};
+constexpr std::array<std::string_view, 2> kIfLimited{"reduce", "refuse"};
+constexpr std::array<std::string_view, 2> kSenses{"ccw", "cw"};
+constexpr std::array<std::string_view, 2> kSteppings{"pin", "smooth"};
+constexpr std::array<std::string_view, 3> kFrames{"device", "world", "coil"};
+constexpr std::array<std::string_view, 6> kWaveforms{"constant", "sine",     "square",
+                                                     "triangle", "sawtooth", "noise"};
+constexpr std::array<std::string_view, 4> kEffectMethods{"effect.pulse", "effect.circle",
+                                                         "effect.vibrate", "effect.hold"};
+
+template <class E>
+std::optional<E> named(std::string_view text, Names names) noexcept {
+  const auto found = std::find(names.begin(), names.end(), text);
+  if (found == names.end()) {
+    return std::nullopt;
+  }
+  return static_cast<E>(found - names.begin());
+}
+
+/// Insertions, deletions and replacements between the two (Levenshtein).
+std::size_t distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+/// What the rest of the field calls it (SDL, evdev, OpenXR, CoreHaptics, W3C).
+constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kElsewhere{{
+    {"amplitude", "level"},
+    {"intensity", "level"},
+    {"magnitude", "level"},
+    {"strength", "level"},
+    {"direction", "axis"},
+    {"duty", "on_fraction"},
+    {"length", "duration_ms"},
+    {"speed", "speed_pins_s"},
+    {"id", "effect"},
+}};
+
+}  // namespace
+
+Names names_of(Role) noexcept { return kRoles; }
+Names names_of(Word) noexcept { return kWords; }
+Names names_of(Scope) noexcept { return kScopes; }
+Names names_of(OnClose) noexcept { return kOnClose; }
+Names names_of(IfLimited) noexcept { return kIfLimited; }
+Names names_of(Sense) noexcept { return kSenses; }
+Names names_of(Stepping) noexcept { return kSteppings; }
+Names names_of(StatusKey) noexcept { return kStatusKeyNames; }
+Names names_of(model::Frame) noexcept { return kFrames; }
+Names names_of(model::Waveform) noexcept { return kWaveforms; }
+Names names_of(model::EffectMethod) noexcept { return kEffectMethods; }
+
+std::string_view name(Role role) noexcept { return kRoles[static_cast<std::size_t>(role)]; }
+std::string_view name(Word word) noexcept { return kWords[static_cast<std::size_t>(word)]; }
+std::string_view name(model::Frame frame) noexcept {
+  return kFrames[static_cast<std::size_t>(frame)];
+}
+std::string_view name(model::Waveform waveform) noexcept {
+  return kWaveforms[static_cast<std::size_t>(waveform)];
+}
+
+std::optional<Role> role_named(std::string_view text) noexcept { return named<Role>(text, kRoles); }
+std::optional<StatusKey> status_key_named(std::string_view text) noexcept {
+  return named<StatusKey>(text, kStatusKeyNames);
+}
+
+std::optional<Method> method_named(std::string_view text) noexcept {
+  const auto found = std::lower_bound(
+      kMethods.begin(), kMethods.end(), text,
+      [](const MethodInfo& row, std::string_view wanted) { return row.name < wanted; });
+  if (found == kMethods.end() || found->name != text) {
+    return std::nullopt;
+  }
+  return found->method;
+}
+
+std::string_view nearest(std::string_view text, Names names) {
+  constexpr std::size_t kLongest = 64;
+  if (text.size() > kLongest || text.empty()) {
+    return {};
+  }
+  for (const auto& [theirs, ours] : kElsewhere) {
+    if (theirs == text && std::find(names.begin(), names.end(), ours) != names.end()) {
+      return ours;
+    }
+  }
+  std::string_view best;
+  std::size_t least = std::max<std::size_t>(2, text.size() / 3) + 1;
+  for (const std::string_view candidate : names) {
+    // "duration" for "duration_ms": only the unit was forgotten.
+    const bool forgot_unit = candidate.size() > text.size() && candidate.starts_with(text) &&
+                             (candidate[text.size()] == '_' || candidate[text.size()] == '.');
+    const std::size_t apart = forgot_unit ? 0 : distance(text, candidate);
+    if (apart < least) {
+      least = apart;
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+std::string hint(std::string_view text, Names names) {
+  if (const std::string_view meant = nearest(text, names); !meant.empty()) {
+    return "; did you mean '" + std::string(meant) + "'?";
+  }
+  constexpr std::size_t kFew = 8;
+  if (names.empty() || names.size() > kFew) {
+    return {};
+  }
+  std::string list = "; there is ";
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    list += i == 0 ? "" : i + 1 == names.size() ? " and " : ", ";
+    list += names[i];
+  }
+  return list;
+}
+
+}  // namespace hedgehog::protocol

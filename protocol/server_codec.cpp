@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+#include "protocol/server_codec.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "protocol/describe.h"
+#include "protocol/json.h"
+#include "protocol/reader.h"
+#include "protocol/writer.h"
+
+namespace hedgehog::protocol {
+namespace {
+
+RpcError invalid_request(std::string what) {
+  return error(ErrorCode::kInvalidRequest, "invalid_request: " + std::move(what));
+}
+
+/// The id, when it may be one: a string, a number that a double holds exactly, or null.
+std::optional<Id> read_id(const Json& json) {
+  if (const auto* number = json.as<double>()) {
+    constexpr double kExact = 9'007'199'254'740'992.0;
+    if (std::fabs(*number) > kExact) {
+      return std::nullopt;
+    }
+  } else if (json.as<std::nullptr_t>() == nullptr && json.as<std::int64_t>() == nullptr &&
+             json.as<std::string>() == nullptr) {
+    return std::nullopt;
+  }
+  return Id{to_text(json)};
+}
+
+RpcError no_such_method(const std::string& method) {
+  std::vector<std::string_view> names;
+  for (const MethodInfo& row : kMethods) {
+    names.push_back(row.name);
+  }
+  constexpr std::size_t kShown = 64;
+  const std::string shown = method.substr(0, kShown);
+  RpcError made = error(ErrorCode::kMethodNotFound, "method_not_found: there is no method '" +
+                                                        shown + "'" + hint(method, names));
+  made.field = "method";
+  made.value = shown;
+  return made;
+}
+
+Result<Request> read_params(Method method, const Json* params) {
+  static const Json kNone{Json::Object{}};
+  if (params != nullptr && params->as<Json::Object>() == nullptr) {
+    return invalid_params(
+        "params", "must be an object with parameters by name, not " + std::string(params->kind()));
+  }
+  Request request = empty_request(method);
+  Reader reader(params == nullptr ? kNone : *params, Reader::Manner::kStrict, name(method));
+  describe(reader, request);
+  if (reader.error()) {
+    return *reader.error();
+  }
+  return request;
+}
+
+Item refused(std::optional<Id> id, RpcError error) {
+  return {std::move(id), std::nullopt, std::move(error)};
+}
+
+Item read_item(const Json& json) {
+  if (json.as<Json::Object>() == nullptr) {
+    return refused(Id{},
+                   invalid_request("a request is an object, not " + std::string(json.kind())));
+  }
+  std::optional<Id> id;
+  if (const Json* said = json.find("id")) {
+    id = read_id(*said);
+    if (!id) {
+      return refused(Id{}, invalid_request("id must be a string, a number or null"));
+    }
+  }
+  // Whoever cannot be recognised as a notification is answered, as JSON-RPC 2.0 section 5 asks.
+  const Id answer_to = id.value_or(Id{});
+  const Json* version = json.find("jsonrpc");
+  const auto* version_text = version == nullptr ? nullptr : version->as<std::string>();
+  if (version_text == nullptr || *version_text != "2.0") {
+    return refused(answer_to, invalid_request("\"jsonrpc\":\"2.0\" is missing"));
+  }
+  const Json* called = json.find("method");
+  const auto* method_text = called == nullptr ? nullptr : called->as<std::string>();
+  if (method_text == nullptr) {
+    return refused(answer_to, invalid_request("method is missing or not a string"));
+  }
+  const std::optional<Method> method = method_named(*method_text);
+  if (!method) {
+    return refused(std::move(id), no_such_method(*method_text));
+  }
+  return {std::move(id), method, read_params(*method, json.find("params"))};
+}
+
+void append_value(std::string& out, const ErrorValue& value) {
+  std::visit([&](const auto& v) { append(out, v); }, value);
+}
+
+void append_data(std::string& out, const RpcError& error) {
+  out += "{\"name\":";
+  append_string(out, name(error.code));
+  const auto field = [&](std::string_view key, const auto& value) {
+    if (value) {
+      out += ",\"";
+      out += key;
+      out += "\":";
+      append(out, *value);
+    }
+  };
+  const auto scalar = [&](std::string_view key, const std::optional<ErrorValue>& value) {
+    if (value) {
+      out += ",\"";
+      out += key;
+      out += "\":";
+      append_value(out, *value);
+    }
+  };
+  field("field", error.field);
+  scalar("limit", error.limit);
+  scalar("value", error.value);
+  field("state", error.state);
+  field("reason", error.reason);
+  field("remedy", error.remedy);
+  field("role_needed", error.role_needed);
+  field("retry_after_ms", error.retry_after_ms);
+  field("device", error.device);
+  field("limit_a", error.limit_a);
+  out += '}';
+}
+
+template <class T>
+std::string notification(std::string_view method, const T& params) {
+  std::string out = "{\"jsonrpc\":\"2.0\",\"method\":";
+  append_string(out, method);
+  out += ",\"params\":";
+  append(out, params);
+  out += '}';
+  return out;
+}
+
+std::string answer(const Id& id) { return "{\"jsonrpc\":\"2.0\",\"id\":" + id.json; }
+
+}  // namespace
+
+RpcError line_too_long() {
+  RpcError made =
+      invalid_request("the line is longer than " + std::to_string(kMaxLineBytes) + " bytes");
+  made.limit = static_cast<std::int64_t>(kMaxLineBytes);
+  return made;
+}
+
+Incoming decode_line(std::string_view line) {
+  Incoming incoming;
+  Result<Json> parsed = parse_json(line, kMaxNesting);
+  if (!parsed) {
+    incoming.items.push_back(refused(Id{}, parsed.error()));
+    return incoming;
+  }
+  const auto* batch = parsed->as<Json::List>();
+  if (batch == nullptr) {
+    incoming.items.push_back(read_item(*parsed));
+  } else if (batch->empty()) {
+    incoming.items.push_back(refused(Id{}, invalid_request("the batch is empty")));
+  } else if (batch->size() > kMaxBatch) {
+    RpcError error = invalid_request("the batch has " + std::to_string(batch->size()) +
+                                     " requests, more than " + std::to_string(kMaxBatch));
+    error.limit = static_cast<std::int64_t>(kMaxBatch);
+    error.value = static_cast<std::int64_t>(batch->size());
+    incoming.items.push_back(refused(Id{}, std::move(error)));
+  } else {
+    incoming.batch = true;
+    incoming.items.reserve(batch->size());
+    std::transform(batch->begin(), batch->end(), std::back_inserter(incoming.items), read_item);
+  }
+  return incoming;
+}
+
+std::string encode_result(const Id& id, const ResultValue& result) {
+  std::string out = answer(id) + ",\"result\":";
+  if (const auto* hello = std::get_if<HelloResult>(&result); hello && hello->methods.empty()) {
+    HelloResult filled = *hello;
+    for (const MethodInfo& row : kMethods) {
+      filled.methods.emplace_back(row.name);
+    }
+    append(out, filled);
+  } else {
+    std::visit([&](const auto& value) { append(out, value); }, result);
+  }
+  out += '}';
+  return out;
+}
+
+std::string encode_error(const Id& id, const RpcError& error) {
+  std::string out = answer(id) + ",\"error\":{\"code\":";
+  out += std::to_string(static_cast<int>(error.code));
+  out += ",\"message\":";
+  append_string(out, error.message);
+  out += ",\"data\":";
+  append_data(out, error);
+  out += "}}";
+  return out;
+}
+
+std::string encode_batch(const std::vector<std::string>& answers) {
+  std::string out;
+  for (const std::string& one : answers) {
+    out += out.empty() ? '[' : ',';
+    out += one;
+  }
+  if (!out.empty()) {
+    out += ']';
+  }
+  return out;
+}
+
+std::string encode_telemetry(const Telemetry& telemetry) {
+  return notification("telemetry", telemetry);
+}
+
+std::string encode_event(const Event& event) { return notification("event", event); }
+
+}  // namespace hedgehog::protocol
