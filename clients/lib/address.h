@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Where a daemon may listen, and where to look for it.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "clients/lib/client_error.h"
+
+namespace hedgehog::client {
+
+inline constexpr std::uint16_t kDefaultPort = 7586;
+/// The daemon's socket in its runtime directory.
+inline constexpr std::string_view kSocketName = "hedgehogd.sock";
+
+/// A Unix socket, or a TCP host and port.
+struct Address {
+  std::string path{};  // not empty: a Unix socket
+  std::string host{};
+  std::uint16_t port = kDefaultPort;
+  friend bool operator==(const Address&, const Address&) = default;
+};
+
+/// "/path", "unix:/path", "host", "host:port", "[::1]:port", "tcp:host:port".
+Outcome<Address> parse_address(std::string_view text);
+/// As `parse_address` reads it: "/run/hedgehog/hedgehogd.sock", "127.0.0.1:7586", "[::1]:7586".
+std::string to_string(const Address& address);
+
+/// The value of an environment variable; nullopt when it is not set.
+using Environment = std::function<std::optional<std::string>(const std::string&)>;
+std::optional<std::string> process_environment(const std::string& name);
+
+/// The places to try, in order. `given` (a command-line flag) or else HEDGEHOG_ADDRESS is the only
+/// one when there is one. Otherwise: the socket in RUNTIME_DIRECTORY, in /run/hedgehog, in
+/// XDG_RUNTIME_DIR/hedgehog, and 127.0.0.1:7586.
+Outcome<std::vector<Address>> daemon_addresses(
+    const std::optional<std::string>& given = std::nullopt,
+    const Environment& environment = process_environment);
+
+}  // namespace hedgehog::client

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// How long to wait before the next attempt to reconnect: 0.1 s, doubled each time, at most 5 s.
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+
+namespace hedgehog::client {
+
+class Backoff {
+ public:
+  using Milliseconds = std::chrono::milliseconds;
+  static constexpr Milliseconds kFirst{100};
+  static constexpr Milliseconds kMost{5000};
+
+  /// The pause before the next attempt.
+  Milliseconds next() noexcept {
+    const Milliseconds pause = pause_;
+    pause_ = std::min(2 * pause_, kMost);
+    return pause;
+  }
+  /// After a success.
+  void reset() noexcept { pause_ = kFirst; }
+
+ private:
+  Milliseconds pause_ = kFirst;
+};
+
+}  // namespace hedgehog::client

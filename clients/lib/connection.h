@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// A conversation with the daemon: blocking calls with deadlines, and a queue of what it tells
+// unasked.
+//
+//   auto ball = Connection::open(daemon_addresses().value()).value();
+//   EffectParams push{.direction = Word::kLeft, .level = 0.6, .duration_ms = 180};
+//   auto felt = ball.call(EffectStart{Method::kEffectPulse, push});
+//   if (!felt) puts(felt.error().message.c_str());
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "clients/lib/address.h"
+#include "clients/lib/backoff.h"
+#include "clients/lib/client_error.h"
+#include "clients/lib/line_socket.h"
+#include "clients/lib/result_of.h"
+#include "protocol/client_codec.h"
+
+namespace hedgehog::client {
+
+using Notification = std::variant<protocol::EventMessage, protocol::TelemetryMessage>;
+
+/// One thread at a time. Movable. When it goes away the connection ends, and with it its effects.
+class Connection {
+ public:
+  static constexpr Milliseconds kPatience{2000};
+  /// Telemetry beyond this many unread notifications loses the oldest; events are never lost.
+  static constexpr std::size_t kMaxTelemetry = 256;
+
+  /// Connects to the first of `addresses` that answers. kNoDaemon: "no daemon answers at A or B".
+  static Outcome<Connection> open(const std::vector<Address>& addresses,
+                                  Milliseconds patience = kPatience);
+  /// The same again and again, with the pauses of `Backoff`, until `patience` is over.
+  static Outcome<Connection> reopen(const std::vector<Address>& addresses, Milliseconds patience);
+
+  /// Sends one of the requests of protocol/requests.h and waits for its answer.
+  template <class Request>
+  Outcome<ResultOf<Request>> call(const Request& request, Milliseconds patience = kPatience) {
+    return decoded<ResultOf<Request>>(call_text(request, patience));
+  }
+  /// The same, with the result as the JSON text that the daemon sent.
+  Outcome<std::string> call_text(const protocol::Request& request,
+                                 Milliseconds patience = kPatience);
+  /// The same for any method; `params_json` is an object or empty.
+  Outcome<std::string> call_raw(std::string_view method, std::string_view params_json,
+                                Milliseconds patience = kPatience);
+
+  /// Sends a request that is carried out and never answered.
+  Outcome<void> notify(const protocol::Request& request, Milliseconds patience = kPatience);
+
+  /// Introduces `client` ("Racer/1.2"). Optional.
+  Outcome<protocol::HelloResult> hello(std::string client, std::optional<std::string> token = {},
+                                       Milliseconds patience = kPatience);
+
+  /// The oldest event or telemetry not yet taken; nullopt when none came within `patience` (0: only
+  /// what is already there).
+  Outcome<std::optional<Notification>> next(Milliseconds patience);
+
+  const Address& address() const noexcept { return address_; }
+
+ private:
+  Connection(LineSocket socket, Address address);
+
+  template <class T>
+  static Outcome<T> decoded(const Outcome<std::string>& json) {
+    if (!json) return json.error();
+    auto value = protocol::decode_result<T>(*json);
+    if (!value) return ClientError{Failure::kProtocol, value.error().message, {}};
+    return *std::move(value);
+  }
+  Outcome<std::string> exchange(const protocol::Id& id, const std::string& line,
+                                Milliseconds patience);
+  /// Queues what a line tells; the answer to `id` when it is among it.
+  Outcome<std::optional<protocol::Reply>> take(const std::string& line, const protocol::Id& id);
+  void queue(Notification notification);
+
+  LineSocket socket_;
+  Address address_;
+  std::int64_t last_id_ = 0;
+  std::deque<Notification> waiting_;
+  std::size_t telemetry_waiting_ = 0;
+};
+
+}  // namespace hedgehog::client

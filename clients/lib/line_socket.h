@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// A connected socket that carries lines, and never waits longer than it is told.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "clients/lib/address.h"
+#include "clients/lib/client_error.h"
+
+namespace hedgehog::client {
+
+using Clock = std::chrono::steady_clock;
+using Milliseconds = std::chrono::milliseconds;
+
+/// One thread at a time. Movable. Closes when it goes away.
+class LineSocket {
+ public:
+  /// Longest line that is taken from the daemon; a longer one ends the connection.
+  static constexpr std::size_t kMaxIncomingLine = std::size_t{4} << 20;
+
+  /// With TCP_NODELAY. kNoDaemon when nobody answers in time; the message is the reason alone
+  /// ("connection refused").
+  static Outcome<LineSocket> connect(const Address& address, Clock::time_point deadline);
+
+  ~LineSocket();
+  LineSocket(LineSocket&&) noexcept;
+  LineSocket& operator=(LineSocket&&) noexcept;
+
+  /// Sends `line` and LF. A line that could not be sent whole in time ends the connection.
+  Outcome<void> write(std::string_view line, Clock::time_point deadline);
+  /// The next line without its LF or CRLF; nullopt when `deadline` has passed before it was whole
+  /// (nothing is lost). A deadline in the past still takes what is already there.
+  Outcome<std::optional<std::string>> read(Clock::time_point deadline);
+
+ private:
+  struct Impl;
+  explicit LineSocket(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace hedgehog::client
