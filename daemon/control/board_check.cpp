@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/control/board_check.h"
+
+#include <algorithm>
+
+namespace hedgehog::control {
+
+Reason reason_of_faults(std::uint16_t faults) noexcept {
+  using namespace device;
+  if ((faults & kFaultStuckBridge) != 0) return Reason::kBoardStuckBridge;
+  if ((faults & kFaultBridge) != 0) return Reason::kBridgeFault;
+  if ((faults & kFaultOverCurrent) != 0) return Reason::kBoardOverCurrent;
+  if ((faults & kFaultOverHeat) != 0) return Reason::kBoardOverHeat;
+  if ((faults & kFaultHeatBudget) != 0) return Reason::kBoardHeatBudget;
+  if ((faults & kFaultSupply) != 0) return Reason::kBoardSupply;
+  if ((faults & kFaultDeadMan) != 0) return Reason::kBoardDeadMan;
+  return Reason::kNone;
+}
+
+void BoardCheck::step(bool present, bool fresh, const device::BoardTelemetry& board,
+                      model::Tick ticks) noexcept {
+  age_ = fresh ? 0 : std::min<model::Tick>(age_ + ticks, 1'000'000);
+  alive_ = present && age_ < kSilence;
+  if (!fresh) return;
+  fault_ = reason_of_faults(board.faults);
+  const bool armed =
+      board.mode == device::BoardMode::kReady || board.mode == device::BoardMode::kDriving;
+  idle_ = armed ? 0 : std::min(idle_ + ticks, kRestart);
+}
+
+}  // namespace hedgehog::control

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// What the controller is told once, before its first tick. Trivially copyable.
+#pragma once
+
+#include <type_traits>
+
+#include "daemon/control/state.h"
+#include "model/coils.h"
+#include "model/limits.h"
+#include "model/thermal_model.h"
+
+namespace hedgehog::control {
+
+struct ControlSettings {
+  model::CoilModel coils;
+  model::ThermalModel thermal;
+  /// As configured, and what the device file allows at most (`SetLimits` beyond it is ignored).
+  model::Limits limits;
+  model::Limits ceiling;
+  /// The owner's comfort setting, 0..1.
+  double gain = 1.0;
+
+  /// Arm as soon as a sane board is seen for the first time (`arm_at_start` and how the last run
+  /// ended, already weighed by main; always true for the simulator). A saved latch wins.
+  bool arm_at_start = false;
+  /// Why the ball is disarmed at its first sight otherwise: kNeverArmed or kUncleanStop.
+  Reason start_reason = Reason::kNeverArmed;
+  /// The latch saved by the last run; kNone: none.
+  Reason latch = Reason::kNone;
+
+  /// `start` was read from a good file: each node then starts at max(`start`, thermistor), and the
+  /// windings count as known. False: every node starts at the thermistor's reading, and a driven
+  /// winding is held to `continuous_a` until its own V/I has measured.
+  bool start_known = false;
+  model::ThermalState start;
+  /// Saved room temperature, used when `start_known`; NaN or infinite: unknown.
+  double start_room_c = 25.0;
+};
+
+static_assert(std::is_trivially_copyable_v<ControlSettings>);
+
+}  // namespace hedgehog::control

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/control/controller.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/tick.h"
+
+namespace hedgehog::control {
+namespace {
+
+using model::kTickSeconds;
+using model::Tick;
+using model::Vec3;
+
+// The link makes the board safe after 20 ms without a set-point, so no more than that was heated.
+constexpr Tick kLongestGap = 20;
+// How often the same complaint is worth an event.
+constexpr Tick kComplaintEvery = model::kTicksPerSecond;
+constexpr double kAbsurdHoldS = 0.05;
+constexpr double kRearmAboveRoomK = 10.0;
+
+}  // namespace
+
+Controller::Controller(const ControlSettings& settings) noexcept
+    : settings_(settings),
+      observer_(settings.coils, settings.thermal, settings.start),
+      limiter_(settings.limits),
+      watchdog_(settings.coils, settings.thermal.sensor_winding),
+      states_(settings) {}
+
+device::BoardCommand Controller::step(const StepInputs& inputs, EventList& events) noexcept {
+  events.clear();
+  now_ = inputs.tick;
+  const Tick ticks = 1 + static_cast<Tick>(inputs.skipped);
+  const double dt_s = kTickSeconds * static_cast<double>(std::min(ticks, kLongestGap));
+  say_overrun(inputs.skipped, events);
+
+  const Reason found = sense(inputs, dt_s);
+  follow_board(found, inputs.board_present, inputs.board_fresh);
+
+  for (int i = 0; i < inputs.stop_count; ++i) {
+    mixer_.stop(inputs.stops[static_cast<std::size_t>(i)], now_, events);
+  }
+  for (int i = 0; i < inputs.command_count; ++i) {
+    take(inputs.commands[static_cast<std::size_t>(i)], events);
+  }
+  // After the commands, so that no arming of the same tick survives it.
+  if (inputs.emergency_generation != emergency_generation_) states_.emergency_stop(now_);
+  emergency_generation_ = inputs.emergency_generation;
+
+  const bool was_armed = states_.armed();
+  states_.step(board_, inputs.board_fresh, arm_refusal(), now_);
+  if (!was_armed && states_.armed()) watchdog_.begin_armed();
+
+  push(dt_s, events);
+  command_ = drive(dt_s);
+  predict_flow();
+  say_changes(events);
+  started_ = true;
+  return command_;
+}
+
+Reason Controller::sense(const StepInputs& inputs, double dt_s) noexcept {
+  if (inputs.board_fresh) board_ = inputs.board;
+  pair_.step(inputs.board_fresh, inputs.board);
+  const Reason found =
+      watchdog_.step({inputs.board_present, inputs.board_fresh, board_, pair_, command_,
+                      settings_.limits.trip_c, 1 + static_cast<Tick>(inputs.skipped)});
+  heading_.step(inputs.orientation, now_);
+  observe(dt_s);
+  return found;
+}
+
+void Controller::start_observer(double sensor_c) noexcept {
+  model::ThermalState start;
+  start.winding_c.fill(sensor_c);
+  start.core_c = sensor_c;
+  if (settings_.start_known) {
+    for (std::size_t i = 0; i < model::kCoils; ++i) {
+      start.winding_c[i] = std::max(settings_.start.winding_c[i], sensor_c);
+    }
+    start.core_c = std::max(settings_.start.core_c, sensor_c);
+  }
+  observer_ = model::ThermalObserver(settings_.coils, settings_.thermal, start);
+  if (settings_.start_known) {
+    observer_.trust_start();
+    if (std::isfinite(settings_.start_room_c)) observer_.set_room(settings_.start_room_c);
+  }
+  observing_ = true;
+}
+
+void Controller::observe(double dt_s) noexcept {
+  const bool usable = watchdog_.sensor().usable();
+  if (!observing_) {
+    if (!usable) return;
+    start_observer(board_.sensor_c);
+  }
+  model::ThermalMeasurement m;
+  m.electrical_valid = pair_.electrical();
+  m.voltage_v = pair_.voltage_v();
+  m.current_before_a = pair_.fresh() ? pair_.before_a() : flowing_a_;
+  m.current_a = pair_.fresh() ? pair_.after_a() : flowing_a_;
+  m.sensor_c = board_.sensor_c;
+  m.sensor_valid = usable;
+  m.fan_running = board_.fan_rpm >= FanCheck::kLeastRpm;
+  observer_.step(m, m.electrical_valid ? kTickSeconds : dt_s);
+}
+
+void Controller::follow_board(Reason found, bool present, bool fresh) noexcept {
+  const BoardCheck& board = watchdog_.board();
+  if (!board.alive()) {
+    const bool silent = !present || fresh ? board.age() >= BoardCheck::kSilence / 2 : true;
+    const Reason gone = silent ? Reason::kTelemetryLost : Reason::kNoBoard;
+    if (states_.armed()) note_trip(gone);
+    states_.board_gone(gone, now_);
+    return;
+  }
+  states_.board_alive(board_, now_);
+  if (found != Reason::kNone && (states_.armed() || stops_unarmed(found))) {
+    if (states_.state() != State::kTripped) note_trip(found);
+    states_.trip(found, now_);
+  } else if (board.restarted()) {
+    states_.board_restarted(now_);
+  }
+}
+
+void Controller::take(const Command& command, EventList& events) noexcept {
+  applied_seq_ = command.seq;
+  if (const auto* start = std::get_if<StartEffect>(&command.what)) {
+    mixer_.start(*start, command.seq, now_, events);
+  } else if (const auto* update = std::get_if<UpdateEffect>(&command.what)) {
+    mixer_.update(*update, now_);
+  } else if (std::get_if<Arm>(&command.what) != nullptr) {
+    states_.arm(arm_refusal(), now_);
+  } else if (const auto* recenter = std::get_if<Recenter>(&command.what)) {
+    heading_.recenter(recenter->azimuth_deg);
+  } else if (const auto* gain = std::get_if<SetGain>(&command.what)) {
+    if (gain->gain >= 0.0 && gain->gain <= 1.0) settings_.gain = gain->gain;
+  } else if (const auto* limits = std::get_if<SetLimits>(&command.what)) {
+    if (is_within(limits->limits, settings_.ceiling)) {
+      settings_.limits = limits->limits;
+      limiter_.set_limits(limits->limits);
+    }
+  } else if (const auto* coils = std::get_if<SetCoils>(&command.what)) {
+    if (!states_.armed()) set_coils(coils->coils);
+  }
+}
+
+void Controller::set_coils(const model::CoilModel& coils) noexcept {
+  settings_.coils = coils;
+  const model::ThermalEstimate before = observer_.estimate();
+  observer_ = model::ThermalObserver(coils, settings_.thermal, before.nodes);
+  observer_.set_room(before.room_c);
+  if (before.measured[0] && before.measured[1] && before.measured[2]) observer_.trust_start();
+  watchdog_ = Watchdog(coils, settings_.thermal.sensor_winding);
+}
+
+Reason Controller::arm_refusal() const noexcept {
+  const Reason doubt = watchdog_.doubt();
+  if (doubt != Reason::kNone) return doubt;
+  const Reason why = states_.reason();
+  const bool by_heat = why == Reason::kOverheated || why == Reason::kBoardOverHeat ||
+                       why == Reason::kBoardHeatBudget;
+  const model::ThermalEstimate& thermal = observer_.estimate();
+  const double cool_c = std::max(settings_.limits.rearm_c, thermal.room_c + kRearmAboveRoomK);
+  if (by_heat && !(thermal.hottest_c < cool_c)) return why;
+  if (why == Reason::kFanStopped && watchdog_.fan().standing()) return why;
+  return Reason::kNone;
+}
+
+void Controller::push(double dt_s, EventList& events) noexcept {
+  const MixResult mix = mixer_.mix(
+      {now_, states_.armed(), heading_.fresh(), heading_.device_to_world(), settings_.gain},
+      events);
+  const Vec3 wanted = currents_for(mix.field, settings_.coils).a + mix.coil_a;
+  demand_a_ = mix.field.a + field_of({mix.coil_a}, settings_.coils).a;
+  passed_ = limiter_.limit({wanted}, observer_.estimate(), dt_s);
+  if (!states_.armed()) passed_ = model::LimitedCurrents();  // the watchdog's gate
+
+  const double asked_a = norm(wanted);
+  mixer_.account(asked_a > 0.0 ? norm(passed_.a()) / asked_a : 1.0);
+  derating_.step(mix.any ? std::min(asked_a, settings_.limits.current_a) : 0.0,
+                 limiter_.allowed().value, now_);
+  reject(dt_s, events);
+}
+
+void Controller::reject(double dt_s, EventList& events) noexcept {
+  const bool rejected = limiter_.rejected();
+  if (rejected) demand_a_ = {};
+  if (rejected && now_ - rejected_said_ >= kComplaintEvery) {
+    rejected_said_ = now_;
+    say(EventType::kRejectedNumber, events);
+  }
+  if (absurd_.step(rejected, dt_s, kAbsurdHoldS) && states_.armed()) {
+    note_trip(Reason::kInternal);
+    states_.trip(Reason::kInternal, now_);
+  }
+}
+
+device::BoardCommand Controller::drive(double dt_s) noexcept {
+  device::BoardCommand command;
+  // Without effects the bridges sleep: duty 0 alone would be a brake that keeps them awake.
+  if (states_.armed() && !mixer_.empty()) {
+    command =
+        device::BoardCommand::drive(passed_, observer_.estimate().resistance_ohm,
+                                    settings_.coils.inductance_h, flowing_a_, board_.supply_v);
+  }
+  command.fan = fan_.step(observer_.estimate().hottest_c, norm(pair_.after_a()), dt_s);
+  if (states_.state() == State::kTripped) command.fan = 255;
+  command.arm_count = states_.arm_count();
+  return command;
+}
+
+void Controller::predict_flow() noexcept {
+  const Vec3 voltage = board_.supply_v * command_.duty();
+  for (int coil = 0; coil < model::kCoils; ++coil) {
+    const double r = observer_.estimate().resistance_ohm[static_cast<std::size_t>(coil)];
+    const double goal = voltage[coil] / r;
+    const double keep = std::exp(-r * kTickSeconds / settings_.coils.inductance_h);
+    flowing_a_[coil] = goal + keep * (flowing_a_[coil] - goal);
+  }
+}
+
+void Controller::note_trip(Reason reason) noexcept {
+  last_trip_ = {reason, now_, observer_.estimate().hottest_c, norm(pair_.after_a())};
+}
+
+}  // namespace hedgehog::control

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// What the controller tells: events of a tick, and the snapshot.
+#include <algorithm>
+
+#include "daemon/control/controller.h"
+
+namespace hedgehog::control {
+
+void Controller::end_all(EndReason reason, EventList& events) noexcept {
+  events.clear();
+  mixer_.end_all(reason, now_, events);
+}
+
+void Controller::say(EventType type, EventList& events, std::uint64_t count) const noexcept {
+  Event event;
+  event.type = type;
+  event.state = states_.state();
+  event.reason = states_.reason();
+  event.tick = now_;
+  event.limit_a = limiter_.allowed().value;
+  event.temperature_c = observer_.estimate().hottest_c;
+  event.count = count;
+  events.push(event);
+}
+
+void Controller::say_overrun(std::uint32_t skipped, EventList& events) noexcept {
+  constexpr model::Tick kEvery = model::kTicksPerSecond;
+  overrun_unsaid_ += started_ ? skipped : 0;
+  if (overrun_unsaid_ == 0 || now_ - overrun_said_ < kEvery) return;
+  say(EventType::kOverrun, events, overrun_unsaid_);
+  overrun_said_ = now_;
+  overrun_unsaid_ = 0;
+}
+
+void Controller::say_changes(EventList& events) noexcept {
+  const bool attached = watchdog_.board().alive();
+  if (attached != said_.attached) {
+    say(attached ? EventType::kDeviceAttached : EventType::kDeviceDetached, events);
+  }
+  if (states_.state() != said_.state || states_.reason() != said_.reason) {
+    say(EventType::kStateChanged, events);
+  }
+  if (heading_.present() && heading_.fresh() != said_.oriented) {
+    say(heading_.fresh() ? EventType::kOrientationRestored : EventType::kOrientationLost, events);
+  }
+  if (derating_.active() != said_.derating) {
+    say(derating_.active() ? EventType::kDeratingStarted : EventType::kDeratingEnded, events);
+  }
+  said_ = {states_.state(), states_.reason(), attached, heading_.fresh(), derating_.active()};
+}
+
+void Controller::fill(StatusSnapshot& s) const noexcept {
+  s.tick = now_;
+  s.state = states_.state();
+  s.reason = states_.reason();
+  s.since = states_.since();
+  s.arm_refusal = arm_refusal();
+  s.latch = states_.latch();
+
+  s.board_present = watchdog_.board().alive();
+  s.board = board_;
+  s.board_age = watchdog_.board().age();
+  s.sensor_valid = s.board_present && watchdog_.sensor().usable();
+
+  s.thermal = observer_.estimate();
+  s.limit_a = limiter_.allowed().value;
+  s.derating = derating_.active();
+
+  s.demand_a = demand_a_;
+  s.limited_a = passed_.a();
+  s.gain = settings_.gain;
+
+  s.orientation_present = heading_.present();
+  s.orientation_fresh = heading_.fresh();
+  s.orientation = heading_.device_to_world();
+  s.orientation_rate_deg_s = heading_.rate_deg_s();
+  s.orientation_age = heading_.age();
+  s.yaw_offset_deg = heading_.yaw_offset_deg();
+
+  mixer_.fill(s.effects);
+  s.applied_seq = applied_seq_;
+  s.last_trip = last_trip_;
+}
+
+}  // namespace hedgehog::control

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// Do the windings carry what they were told to carry? Compares measured currents with what R and L
+// let one expect, once from the duty that the board says it applied, and once from our own commands
+// (DESIGN section 6: "coil driven when nothing was asked; measured current != what L/R lets one
+// expect").
+#pragma once
+
+#include <array>
+
+#include "daemon/control/debounce.h"
+#include "daemon/control/state.h"
+#include "model/coils.h"
+#include "model/vec3.h"
+
+namespace hedgehog::control {
+
+/// One tick of what the check sees. Trivially copyable.
+struct CurrentReading {
+  /// New telemetry arrived in this tick, from the frame right after the last one.
+  bool consecutive = false;
+  model::Vec3 current_a;
+  /// Voltage that the board says it applied over the last millisecond, V.
+  model::Vec3 applied_v;
+  /// Voltage of our own last command, V; zero when it was the safe one.
+  model::Vec3 commanded_v;
+};
+
+/// Control thread; real-time safe, trivially copyable. Works at the control tick only.
+class CurrentCheck {
+ public:
+  /// Faults must last this long; transport delays and edges do not. Shorter than the board's own
+  /// 20 ms, so that the reason is named here first.
+  static constexpr double kHoldS = 0.015;
+  /// What may flow in a winding of which nothing was asked, A.
+  static constexpr double kIdleA = 0.5;
+  /// Tolerance of the comparisons: noise, and R between 0 and 75 C; L +-20 % moves only edges.
+  static constexpr double kOffsetA = 1.0;
+  static constexpr double kShare = 0.2;
+
+  CurrentCheck() noexcept = default;
+  explicit CurrentCheck(const model::CoilModel& coils) noexcept;
+
+  /// One tick later. kUnexpectedCurrent, kCurrentMismatch or kNone.
+  Reason step(const CurrentReading& reading) noexcept;
+  /// Something was wrong in the last ticks.
+  bool suspicious() const noexcept;
+  /// What our own commands should have made flow by now, A.
+  const model::Vec3& commanded_a() const noexcept { return commanded_a_; }
+  /// Ticks were skipped: what happened to our commands meanwhile is not known, so nothing between
+  /// them and zero is wrong until the edge has passed.
+  void excuse() noexcept;
+
+ private:
+  struct Winding {
+    Debounce unexpected, mismatch;
+    double conductance_s = 1.0 / 0.45;
+    double keep = 0.74;  // exp(-R dt / L)
+    double by_duty_a = 0.0;
+    double peak_a = 0.0;       // decaying peak of what is expected by duty
+    double low_a = 0.0;        // between them the current should be, allowing for some
+    double high_a = 0.0;       // milliseconds on the way to the board and back
+    double idle_peak_a = 0.0;  // decaying peak of |command|, for the rule of the idle winding
+  };
+
+  std::array<Winding, model::kCoils> windings_{};
+  model::Vec3 commanded_a_;
+  bool by_duty_known_ = false;
+};
+
+}  // namespace hedgehog::control

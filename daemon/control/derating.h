@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Is an effect being reduced because the ball is warm? With patience, so that a vibration does not
+// begin and end a derating in each of its periods.
+#pragma once
+
+#include "model/tick.h"
+
+namespace hedgehog::control {
+
+/// Control thread; real-time safe, trivially copyable.
+class Derating {
+ public:
+  /// It ends when nothing was reduced for this long.
+  static constexpr model::Tick kPatience = 500;
+  /// Less than this is not worth saying.
+  static constexpr double kNoticeable = 0.995;
+
+  /// The tick's norms: what was asked (already within the configured limit) and what heat allows.
+  void step(double asked_a, double allowed_a, model::Tick now) noexcept {
+    if (asked_a > 0.0 && allowed_a < kNoticeable * asked_a) {
+      reduced_ = now;
+      active_ = true;
+    } else if (now - reduced_ > kPatience) {
+      active_ = false;
+    }
+  }
+  bool active() const noexcept { return active_; }
+
+ private:
+  model::Tick reduced_ = 0;
+  bool active_ = false;
+};
+
+}  // namespace hedgehog::control

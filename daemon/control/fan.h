@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// When the fan turns (DESIGN section 6, "Fan"): full if any winding is above 40 C or the 30 s mean
+// of |I| above 3 A, off below 35 C.
+#pragma once
+
+#include <cstdint>
+
+namespace hedgehog::control {
+
+/// Control thread; real-time safe, trivially copyable.
+class Fan {
+ public:
+  static constexpr double kOnAboveC = 40.0;
+  static constexpr double kOffBelowC = 35.0;
+  static constexpr double kOnAboveA = 3.0;
+  static constexpr double kMeanS = 30.0;
+
+  /// `dt_s` later, with the hottest temperature known (infinite: nothing is known) and |I|. The
+  /// duty to command, 0..255.
+  std::uint8_t step(double hottest_c, double current_a, double dt_s) noexcept;
+  double mean_a() const noexcept { return mean_a_; }
+
+ private:
+  double mean_a_ = 0.0;
+  bool on_ = false;
+};
+
+}  // namespace hedgehog::control

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/control/heat_check.h"
+
+namespace hedgehog::control {
+
+HeatCheck::HeatCheck(const model::CoilModel& coils) noexcept : r25_ohm_(coils.r25_ohm) {
+  meters_.fill(model::WindingMeter(coils.inductance_h));
+}
+
+Reason HeatCheck::step(const HeatReading& reading, double trip_c, double dt_s) noexcept {
+  bool hot = sensor_hot_.step(reading.sensor && reading.sensor_c >= trip_c, dt_s, kHoldS);
+  for (int coil = 0; coil < model::kCoils; ++coil) {
+    const auto i = static_cast<std::size_t>(coil);
+    meters_[i].step(reading.voltage_v[coil], reading.before_a[coil], reading.after_a[coil],
+                    reading.electrical, dt_s);
+    hot |= hot_[i].step(measuring(coil) && winding_c(coil) >= trip_c, dt_s, kHoldS);
+  }
+  return hot ? Reason::kOverheated : Reason::kNone;
+}
+
+bool HeatCheck::measuring(int coil) const noexcept {
+  return meters_[static_cast<std::size_t>(coil)].valid();
+}
+
+double HeatCheck::winding_c(int coil) const noexcept {
+  const auto i = static_cast<std::size_t>(coil);
+  return temperature_at(model::Ohms(r25_ohm_[i]), model::Ohms(meters_[i].resistance_ohm())).value;
+}
+
+}  // namespace hedgehog::control

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// Is any witness of heat at the trip temperature? The thermistor's raw reading, and each winding by
+// the watchdog's own V/I.
+#pragma once
+
+#include <array>
+
+#include "daemon/control/debounce.h"
+#include "daemon/control/state.h"
+#include "model/coils.h"
+#include "model/thermal_winding_meter.h"
+#include "model/vec3.h"
+
+namespace hedgehog::control {
+
+/// One tick of what the check sees. Trivially copyable.
+struct HeatReading {
+  /// Telemetry is new in this tick and follows the last: V, I before and I after belong together.
+  bool electrical = false;
+  model::Vec3 voltage_v;
+  model::Vec3 before_a;
+  model::Vec3 after_a;
+  /// New reading of a thermistor that is not obviously broken.
+  bool sensor = false;
+  double sensor_c = 25.0;
+};
+
+/// Control thread; real-time safe, trivially copyable.
+class HeatCheck {
+ public:
+  static constexpr double kHoldS = 0.05;
+
+  HeatCheck() noexcept : HeatCheck(model::CoilModel{}) {}
+  explicit HeatCheck(const model::CoilModel& coils) noexcept;
+
+  /// `dt_s` later. kOverheated when a witness has been at or above `trip_c` for 50 ms.
+  Reason step(const HeatReading& reading, double trip_c, double dt_s) noexcept;
+
+  /// Winding `coil` (0..2) is being measured by its V/I, and its temperature by that.
+  bool measuring(int coil) const noexcept;
+  double winding_c(int coil) const noexcept;
+
+ private:
+  std::array<double, model::kCoils> r25_ohm_{};
+  std::array<model::WindingMeter, model::kCoils> meters_{};
+  std::array<Debounce, model::kCoils> hot_{};
+  Debounce sensor_hot_;
+};
+
+}  // namespace hedgehog::control

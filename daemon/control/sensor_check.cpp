@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/control/sensor_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hedgehog::control {
+namespace {
+
+constexpr double kQuickLagS = 1.0;
+constexpr double kSlowLagS = 3.0;
+// Between pulses the winding's last V/I stands for this long; then the thermistor itself is the
+// only witness, and the lags go to it.
+constexpr double kPauseS = 2.0;
+constexpr double kRelaxS = 3.0;
+
+void pull(double& value, double goal, double dt_s, double tau_s) noexcept {
+  value += (goal - value) * std::min(1.0, dt_s / tau_s);
+}
+
+}  // namespace
+
+Reason SensorCheck::step(const SensorReading& reading, double dt_s) noexcept {
+  still_s_ += dt_s;
+  believed_age_s_ += dt_s;
+  if (!reading.fresh) {
+    if (still_s_ > kUnusedAfterS) usable_ = false;
+    return Reason::kNone;  // no telemetry is the link's fault, not the thermistor's
+  }
+  const bool wire = reading.open || reading.shorted;
+  const bool impossible = !wire && !(reading.sensor_c >= kLowestC && reading.sensor_c <= kHighestC);
+  const bool good = !wire && !impossible;
+  if (!seen_ || reading.conversions != conversions_) still_s_ = 0.0;
+  conversions_ = reading.conversions;
+  if (!seen_ && good) {
+    seen_ = true;
+    believed_c_ = winding_c_ = quick_c_ = slow_c_ = reading.sensor_c;
+    moved_sensor_c_ = moved_quick_c_ = moved_slow_c_ = reading.sensor_c;
+  }
+  const bool jump = good && jumped(reading, dt_s);
+  if (good) follow_winding(reading, dt_s);
+  const bool stands = good && reading.measuring && frozen(reading);
+  const bool odd = good && reading.measuring && disagreement_k(reading.sensor_c) > kDisagreeK;
+
+  Reason trip = Reason::kNone;
+  doubt_ = Reason::kNone;
+  const auto judge = [&](Debounce& debounce, bool wrong, double hold_s, Reason reason) noexcept {
+    const bool due = debounce.step(wrong, dt_s, hold_s);
+    if (trip == Reason::kNone && due) trip = reason;
+    if (doubt_ == Reason::kNone && debounce.suspicious()) doubt_ = reason;
+  };
+  judge(open_, reading.open, kWireHoldS, Reason::kSensorOpen);
+  judge(short_, reading.shorted, kWireHoldS, Reason::kSensorShort);
+  judge(implausible_, impossible, kJumpHoldS, Reason::kSensorImplausible);
+  judge(jump_, jump, kJumpHoldS, Reason::kSensorJump);
+  if (still_s_ >= kStaleAfterS && trip == Reason::kNone) trip = Reason::kSensorStale;
+  if (still_s_ > kUnusedAfterS && doubt_ == Reason::kNone) doubt_ = Reason::kSensorStale;
+  judge(frozen_, stands, kFrozenHoldS, Reason::kSensorFrozen);
+  judge(disagrees_, odd, kDisagreeHoldS, Reason::kSensorDisagrees);
+  usable_ = good && !jump && still_s_ <= kUnusedAfterS;
+  return trip;
+}
+
+bool SensorCheck::jumped(const SensorReading& reading, double dt_s) noexcept {
+  const double most = kJumpK + kSlewK_s * (believed_age_s_ - dt_s);
+  if (std::abs(reading.sensor_c - believed_c_) > most) return true;
+  believed_c_ = reading.sensor_c;
+  believed_age_s_ = 0.0;
+  return false;
+}
+
+void SensorCheck::follow_winding(const SensorReading& reading, double dt_s) noexcept {
+  unmeasured_s_ = reading.measuring ? 0.0 : unmeasured_s_ + dt_s;
+  if (reading.measuring) winding_c_ = reading.winding_c;
+  if (unmeasured_s_ > kPauseS) {
+    pull(winding_c_, reading.sensor_c, dt_s, kRelaxS);
+    pull(quick_c_, reading.sensor_c, dt_s, kRelaxS);
+    pull(slow_c_, reading.sensor_c, dt_s, kRelaxS);
+  } else {
+    pull(quick_c_, winding_c_, dt_s, kQuickLagS);
+    pull(slow_c_, winding_c_, dt_s, kSlowLagS);
+  }
+  if (unmeasured_s_ > kPauseS || std::abs(reading.sensor_c - moved_sensor_c_) >= kStillK) {
+    moved_sensor_c_ = reading.sensor_c;
+    moved_quick_c_ = quick_c_;
+    moved_slow_c_ = slow_c_;
+  }
+}
+
+bool SensorCheck::frozen(const SensorReading& reading) noexcept {
+  if (std::abs(reading.sensor_c - moved_sensor_c_) >= kStillK) return false;
+  return std::min(std::abs(quick_c_ - moved_quick_c_), std::abs(slow_c_ - moved_slow_c_)) >=
+         kFrozenK;
+}
+
+double SensorCheck::disagreement_k(double sensor_c) const noexcept {
+  const auto [low, high] = std::minmax(quick_c_, slow_c_);
+  return std::max({low - sensor_c, sensor_c - high, 0.0});
+}
+
+}  // namespace hedgehog::control
