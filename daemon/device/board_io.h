@@ -66,6 +66,8 @@ struct BoardTelemetry {
   /// Number of the frame, and of the set-point it answers.
   std::uint32_t sequence = 0;
   std::uint32_t set_point_sequence = 0;
+  /// Number of the last frame of any kind that the board accepted.
+  std::uint32_t received_sequence = 0;
   /// The board's own clock, ms.
   std::uint32_t board_ms = 0;
   model::Vec3 current_a;
@@ -85,6 +87,10 @@ struct BoardTelemetry {
   /// Thermistor conversions so far, mod 256: stands still when the sensor is not read any more.
   std::uint8_t sensor_conversions = 0;
   std::uint16_t protocol_version = 1;
+  /// The board's own limits in force, and how full the fuller of its I^2 t budgets is (1 = trip).
+  double limit_sensor_c = 75.0;
+  double limit_current_a = 16.5;
+  double heat_used = 0.0;
 };
 
 /// Counters of the link since the start.

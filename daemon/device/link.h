@@ -41,21 +41,23 @@ class Link {
 
   /// The next millisecond. `command` is the latest of the control thread: new when its count
   /// differs from the last one's.
-  LinkFrames step(const LinkCommand& command) noexcept;
+  LinkFrames step(const LinkCommand& command) noexcept { return step(command, nullptr); }
   /// Also tells the simulated board what its world shall be like.
-  LinkFrames step(const LinkCommand& command, const SimulatorSettings& simulator) noexcept;
+  LinkFrames step(const LinkCommand& command, const SimulatorSettings& simulator) noexcept {
+    return step(command, &simulator);
+  }
 
   /// As of the last `step`. Its telemetry's arm_count is the caller's own number of the last
   /// request that the board has carried out.
   const LinkReport& report() const noexcept { return report_; }
 
  private:
+  LinkFrames step(const LinkCommand& command, const SimulatorSettings* simulator) noexcept;
+  void note_telemetry(const BoardTelemetry& telemetry) noexcept;
   void note_presence() noexcept;
   BoardCommand choose(const LinkCommand& command) noexcept;
-  std::optional<Frame> next_other(const BoardCommand& latest,
-                                  const SimulatorSettings* simulator) noexcept;
-  std::optional<Frame> next_arm(std::uint8_t wanted) noexcept;
-  std::uint32_t next_sequence() noexcept { return ++sequence_; }
+  void note_arm(std::uint8_t wanted) noexcept;
+  std::optional<Frame> next_other(const SimulatorSettings* simulator) noexcept;
 
   std::optional<BoardLimits> limits_;
   LinkReport report_;
@@ -65,14 +67,16 @@ class Link {
   int ticks_without_telemetry_ = kAbsentTicks;
   bool telemetry_seen_ = false;
 
+  // The caller counts its arm requests from its own start, the board from its power-up, so a
+  // request goes out as the number after the board's own.
   std::uint8_t requested_arm_ = 0;
   std::uint8_t confirmed_arm_ = 0;
   std::uint8_t board_arm_ = 0;
   std::uint8_t arm_on_wire_ = 0;
   int arm_tries_left_ = 0;
 
-  int limits_due_ = 0;
-  int simulator_due_ = 0;
+  int limits_due_ticks_ = 0;
+  int simulator_due_ticks_ = 0;
   std::optional<SimulatorSettings> simulator_sent_;
 };
 

@@ -33,6 +33,8 @@ struct SimulatorSettings {
   std::uint16_t faults = 0;
   /// Which winding the faults of one winding touch, 0..2.
   std::uint8_t coil = 0;
+  friend constexpr bool operator==(const SimulatorSettings&,
+                                   const SimulatorSettings&) noexcept = default;
 };
 
 }  // namespace hedgehog::device

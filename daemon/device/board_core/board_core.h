@@ -58,10 +58,13 @@ struct BoardOutputs {
 };
 
 /// No thread of its own: firmware calls it from one place. Nothing in it waits or allocates.
+///
+/// Armed is only what an Arm frame with a new count makes so, while set-points arrive and no fault
+/// is there; the next set-point after it is the first that is obeyed. Each fault latches.
 class BoardCore {
  public:
   BoardCore() noexcept = default;
-  explicit BoardCore(const BoardLimits& limits) noexcept : limits_(limits), full_(limits) {}
+  explicit BoardCore(const BoardLimits& limits) noexcept : full_(limits), limits_(limits) {}
 
   /// One packet from the host, any bytes. What it asks for is done by the next `step`.
   void receive(const uint8_t* bytes, size_t length) noexcept;
@@ -82,20 +85,20 @@ class BoardCore {
   const BoardLimits& limits() const noexcept { return limits_; }
 
  private:
-  void accept(const FrameHeader& header, const uint8_t* frame) noexcept;
   void tighten(const LimitsFrame& frame) noexcept;
-  void take_set_point() noexcept;
+  void age_set_point() noexcept;
   void judge(const BoardInputs& inputs) noexcept;
   void judge_current(const BoardInputs& inputs) noexcept;
   void judge_sensor(const BoardInputs& inputs) noexcept;
   void judge_dead_man() noexcept;
   void answer_arm() noexcept;
-  void set(Fault fault, bool live) noexcept;
   void decide() noexcept;
-  uint8_t fan(const BoardInputs& inputs) const noexcept;
+  uint8_t fan() const noexcept;
+  bool armed() const noexcept { return mode_ == Mode::kReady || mode_ == Mode::kDriving; }
+  bool fed() const noexcept { return set_point_age_ms_ < kDeadManMs; }
 
-  BoardLimits limits_;
-  BoardLimits full_;  // as built; the budgets tighten by a share of these
+  BoardLimits full_;    // as built: the budgets tighten by a share of these
+  BoardLimits limits_;  // in force
   Mode mode_ = Mode::kSafe;
   uint16_t latched_ = 0;
   uint16_t live_ = 0;
@@ -108,8 +111,6 @@ class BoardCore {
   SetPointFrame set_point_;
   bool set_point_new_ = false;
   uint32_t set_point_age_ms_ = UINT32_MAX;
-  /// Since armed or fed, whichever came later.
-  uint32_t unfed_ms_ = 0;
 
   bool arm_asked_ = false;
   uint8_t arm_asked_count_ = 0;
@@ -131,6 +132,7 @@ class BoardCore {
   /// The outputs before: what the bridges did during the millisecond that was measured.
   BoardOutputs before_;
   uint8_t sensor_conversions_ = 0;
+  bool sensor_known_ = false;
   uint32_t telemetry_sequence_ = 0;
 };
 

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/device/board_core/board_core.h"
+
+namespace hedgehog::board {
+namespace {
+
+uint32_t square(int16_t value) noexcept {
+  const int32_t wide = value;
+  return static_cast<uint32_t>(wide * wide);
+}
+uint32_t square(uint16_t value) noexcept { return static_cast<uint32_t>(value) * value; }
+
+}  // namespace
+
+void BoardCore::receive(const uint8_t* bytes, size_t length) noexcept {
+  FrameHeader header;
+  const bool valid = read_header(bytes, length, header) == FrameError::kNone &&
+                     header.type != FrameType::kTelemetry &&
+                     (!any_received_ || is_newer(header.sequence, received_sequence_));
+  if (!valid) {
+    ++refused_;
+    return;
+  }
+  any_received_ = true;
+  received_sequence_ = header.sequence;
+  switch (header.type) {
+    case FrameType::kSetPoint:
+      set_point_ = read_set_point(bytes);
+      set_point_new_ = true;
+      break;
+    case FrameType::kArm:
+      arm_asked_ = true;
+      arm_asked_count_ = read_arm(bytes).count;
+      break;
+    case FrameType::kLimits:
+      tighten(read_limits(bytes));
+      break;
+    case FrameType::kSimulator:
+    case FrameType::kTelemetry:
+      break;
+  }
+}
+
+void BoardCore::tighten(const LimitsFrame& frame) noexcept {
+  if (frame.sensor_cc < limits_.sensor_cc) limits_.sensor_cc = frame.sensor_cc;
+  if (frame.current_ma < limits_.current_ma) limits_.current_ma = frame.current_ma;
+  const uint32_t winding = full_.winding_a2s * uint32_t{frame.heat_permille} / 1000u;
+  const uint32_t device = full_.device_a2s * uint32_t{frame.heat_permille} / 1000u;
+  if (winding < limits_.winding_a2s) limits_.winding_a2s = winding;
+  if (device < limits_.device_a2s) limits_.device_a2s = device;
+}
+
+BoardOutputs BoardCore::step(const BoardInputs& inputs) noexcept {
+  ++now_ms_;
+  inputs_ = inputs;
+  before_ = outputs_;
+  if (inputs.sensor_converted) {
+    ++sensor_conversions_;
+    sensor_known_ = true;
+  }
+  age_set_point();
+  judge(inputs);
+  answer_arm();
+  decide();
+  return outputs_;
+}
+
+void BoardCore::age_set_point() noexcept {
+  if (set_point_new_)
+    set_point_age_ms_ = 0;
+  else if (set_point_age_ms_ != UINT32_MAX)
+    ++set_point_age_ms_;
+  set_point_new_ = false;
+}
+
+void BoardCore::judge(const BoardInputs& inputs) noexcept {
+  live_ = 0;
+  judge_current(inputs);
+  judge_sensor(inputs);
+  const bool supply_bad =
+      inputs.supply_mv < limits_.supply_min_mv || inputs.supply_mv > limits_.supply_max_mv;
+  if (supply_.step(supply_bad)) live_ |= kSupply;
+  if (bridge_.step(inputs.bridge_faults != 0)) live_ |= kBridge;
+  latched_ |= live_;
+  judge_dead_man();
+  if (latched_ != 0) mode_ = Mode::kLatched;
+}
+
+void BoardCore::judge_current(const BoardInputs& inputs) noexcept {
+  uint32_t norm_squared = 0;
+  bool budget_spent = false;
+  for (int k = 0; k < kWindings; ++k) {
+    const uint32_t squared = square(inputs.current_ma[k]);
+    norm_squared += squared;  // three times 32768^2 still fits
+    winding_heat_[k].step(squared);
+    budget_spent |= winding_heat_[k].exceeded(limits_.winding_a2s);
+  }
+  device_heat_.step(norm_squared);
+  budget_spent |= device_heat_.exceeded(limits_.device_a2s);
+
+  if (budget_spent) live_ |= kHeatBudget;
+  if (over_current_.step(norm_squared > square(limits_.current_ma))) live_ |= kOverCurrent;
+  if (stuck_.step(!before_.awake && norm_squared > kStuckMa * kStuckMa)) live_ |= kStuckBridge;
+}
+
+void BoardCore::judge_sensor(const BoardInputs& inputs) noexcept {
+  if (sensor_open_.step(inputs.sensor_open)) live_ |= kSensorOpen;
+  if (sensor_short_.step(inputs.sensor_short)) live_ |= kSensorShort;
+  const bool hot =
+      !inputs.sensor_open && !inputs.sensor_short && inputs.sensor_cc > limits_.sensor_cc;
+  if (sensor_hot_.step(hot)) live_ |= kOverHeat;
+}
+
+void BoardCore::judge_dead_man() noexcept {
+  if (armed() && !fed()) latched_ |= kDeadMan;
+}
+
+void BoardCore::answer_arm() noexcept {
+  const bool asked = arm_asked_ && arm_asked_count_ != arm_count_;
+  arm_asked_ = false;
+  if (!asked) return;
+  arm_count_ = arm_asked_count_;
+  if (armed() || live_ != 0 || !fed()) return;
+  latched_ = 0;
+  mode_ = Mode::kReady;
+  // A set-point from before the arming must not be what drives after it.
+  set_point_.enable = false;
+}
+
+void BoardCore::decide() noexcept {
+  outputs_ = BoardOutputs{};
+  if (armed()) {
+    mode_ = set_point_.enable ? Mode::kDriving : Mode::kReady;
+    if (mode_ == Mode::kDriving) {
+      outputs_.awake = true;
+      for (int k = 0; k < kWindings; ++k) outputs_.duty_q15[k] = set_point_.duty_q15[k];
+    }
+  }
+  outputs_.supply_switch_closed = (latched_ & kStuckBridge) == 0;
+  outputs_.fan = fan();
+}
+
+uint8_t BoardCore::fan() const noexcept {
+  if (mode_ == Mode::kLatched) return 255;
+  if (fed()) return set_point_.fan;
+  const bool cool = sensor_known_ && !inputs_.sensor_open && !inputs_.sensor_short &&
+                    inputs_.sensor_cc < kFanFromCc;
+  return cool ? 0 : 255;
+}
+
+void BoardCore::write_telemetry(uint8_t* frame) noexcept {
+  TelemetryFrame out;
+  out.sequence = ++telemetry_sequence_;
+  out.received_sequence = received_sequence_;
+  out.set_point_sequence = set_point_.sequence;
+  out.board_ms = now_ms_;
+  uint16_t fullest = 0;
+  for (int k = 0; k < kWindings; ++k) {
+    out.current_ma[k] = inputs_.current_ma[k];
+    out.duty_q15[k] = before_.duty_q15[k];
+    const uint16_t share = winding_heat_[k].permille(limits_.winding_a2s);
+    if (share > fullest) fullest = share;
+  }
+  out.supply_mv = inputs_.supply_mv;
+  out.sensor_cc = inputs_.sensor_cc;
+  out.fan_rpm = inputs_.fan_rpm;
+  out.fan = outputs_.fan;
+  out.mode = static_cast<uint8_t>(mode_);
+  out.supply_switch_closed = outputs_.supply_switch_closed;
+  out.bridges_awake = outputs_.awake;
+  out.arm_count = arm_count_;
+  out.faults = faults();
+  out.sensor_conversions = sensor_conversions_;
+  out.set_point_age_ms =
+      set_point_age_ms_ > 255u ? uint8_t{255} : static_cast<uint8_t>(set_point_age_ms_);
+  out.sensor_limit_cc = limits_.sensor_cc;
+  out.current_limit_ma = limits_.current_ma;
+  out.winding_heat_permille = fullest;
+  out.device_heat_permille = device_heat_.permille(limits_.device_a2s);
+  out.refused = refused_;
+  write_frame(out, frame);
+}
+
+}  // namespace hedgehog::board

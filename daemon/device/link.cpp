@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/device/link.h"
+
+#include <algorithm>
+
+namespace hedgehog::device {
+namespace {
+
+constexpr int kArmTries = 50;
+// Frames that say what holds for long are repeated, in case one was lost.
+constexpr int kLimitsEveryTicks = 1000;
+constexpr int kSimulatorEveryTicks = 100;
+
+}  // namespace
+
+void Link::receive(std::span<const std::uint8_t> packet) noexcept {
+  const DecodedTelemetry decoded = decode_telemetry(packet);
+  if (decoded.error == board::FrameError::kNone) {
+    note_telemetry(decoded.telemetry);
+    return;
+  }
+  ++report_.counters.errors;
+  if (decoded.error == board::FrameError::kVersion) ticks_without_telemetry_ = kAbsentTicks;
+}
+
+void Link::note_telemetry(const BoardTelemetry& telemetry) noexcept {
+  const BoardTelemetry& last = report_.telemetry;
+  if (telemetry_seen_) {
+    const bool newer = board::is_newer(telemetry.sequence, last.sequence);
+    const bool restarted = !newer && telemetry.board_ms < last.board_ms;
+    if (!newer && !restarted) {
+      ++report_.counters.errors;
+      return;
+    }
+    if (newer) report_.counters.lost += telemetry.sequence - last.sequence - 1;
+    // A board that started anew must not be armed by what was asked of it before.
+    if (restarted) arm_tries_left_ = 0;
+  }
+  telemetry_seen_ = true;
+  ticks_without_telemetry_ = 0;
+  ++report_.counters.frames_in;
+  ++report_.telemetry_count;
+
+  // The board has heard a host before us: go on from its number, or it refuses ours as stale.
+  if (board::is_newer(telemetry.received_sequence, sequence_))
+    sequence_ = telemetry.received_sequence;
+
+  board_arm_ = telemetry.arm_count;
+  if (arm_tries_left_ > 0 && board_arm_ == arm_on_wire_) {
+    arm_tries_left_ = 0;
+    confirmed_arm_ = requested_arm_;
+  }
+  report_.telemetry = telemetry;
+  report_.telemetry.arm_count = confirmed_arm_;
+}
+
+LinkFrames Link::step(const LinkCommand& command, const SimulatorSettings* simulator) noexcept {
+  note_presence();
+  const BoardCommand chosen = choose(command);
+  note_arm(command.board.arm_count);
+
+  LinkFrames frames;
+  frames.set_point = encode_set_point(chosen, ++sequence_);
+  frames.other = next_other(simulator);
+  report_.counters.frames_out += frames.other ? 2 : 1;
+  return frames;
+}
+
+void Link::note_presence() noexcept {
+  const bool present = ticks_without_telemetry_ < kAbsentTicks;
+  if (present && !report_.present) limits_due_ticks_ = 0;
+  if (!present) arm_tries_left_ = 0;
+  report_.present = present;
+  ticks_without_telemetry_ = std::min(ticks_without_telemetry_ + 1, kAbsentTicks);
+}
+
+BoardCommand Link::choose(const LinkCommand& command) noexcept {
+  if (command.count != last_count_) {
+    last_count_ = command.count;
+    ticks_without_command_ = 0;
+  } else if (ticks_without_command_ < kOverdueTicks) {
+    if (++ticks_without_command_ == kOverdueTicks) ++report_.counters.overdue;
+  }
+  if (ticks_without_command_ < kOverdueTicks && report_.present) return command.board;
+
+  BoardCommand safe;
+  const bool control_is_stuck = ticks_without_command_ >= kOverdueTicks && last_count_ != 0;
+  safe.fan = control_is_stuck ? std::uint8_t{255} : command.board.fan;
+  return safe;
+}
+
+void Link::note_arm(std::uint8_t wanted) noexcept {
+  if (wanted == requested_arm_) return;
+  requested_arm_ = wanted;
+  if (!report_.present) return;
+  arm_on_wire_ = static_cast<std::uint8_t>(board_arm_ + 1);
+  arm_tries_left_ = kArmTries;
+}
+
+std::optional<Frame> Link::next_other(const SimulatorSettings* simulator) noexcept {
+  --limits_due_ticks_;
+  --simulator_due_ticks_;
+  if (arm_tries_left_ > 0) {
+    --arm_tries_left_;
+    return encode_arm(arm_on_wire_, ++sequence_);
+  }
+  if (limits_ && report_.present && limits_due_ticks_ < 0) {
+    limits_due_ticks_ = kLimitsEveryTicks;
+    return encode_limits(*limits_, ++sequence_);
+  }
+  if (simulator != nullptr && (simulator_sent_ != *simulator || simulator_due_ticks_ < 0)) {
+    simulator_due_ticks_ = kSimulatorEveryTicks;
+    simulator_sent_ = *simulator;
+    return encode_simulator(*simulator, ++sequence_);
+  }
+  return std::nullopt;
+}
+
+}  // namespace hedgehog::device

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// The beat of a real-time thread: absolute sleeps on CLOCK_MONOTONIC, and the scheduling that goes
+// with them.
+#pragma once
+
+#include <cstdint>
+
+namespace hedgehog::device {
+
+/// One thread. A late thread is never made to catch up in a burst: what it missed by more than
+/// `kCatchUp` ticks is left out and counted.
+class TickClock {
+ public:
+  static constexpr std::int64_t kCatchUp = 3;
+
+  explicit TickClock(std::int64_t period_ns = 1'000'000) noexcept;
+
+  /// Sleeps until the next tick is due. Returns how many ticks before it were left out.
+  std::uint64_t wait() noexcept;
+  /// How late the last `wait` woke, nanoseconds.
+  std::int64_t lateness_ns() const noexcept { return lateness_ns_; }
+
+ private:
+  std::int64_t period_ns_;
+  std::int64_t due_ns_;
+  std::int64_t lateness_ns_ = 0;
+};
+
+/// CLOCK_MONOTONIC, nanoseconds.
+std::int64_t monotonic_ns() noexcept;
+
+/// Priorities of SCHED_FIFO (DESIGN section 3, thread table).
+inline constexpr int kControlPriority = 50;
+inline constexpr int kLinkPriority = 49;
+inline constexpr int kSimulatedBoardPriority = 48;
+
+/// The calling thread becomes SCHED_FIFO; false (and unchanged) when the system does not allow it.
+bool use_fifo(int priority) noexcept;
+
+/// Signals are for the io thread: blocks all of them in the calling thread, so that threads it
+/// starts inherit that, and restores the mask when it goes.
+class SignalsBlocked {
+ public:
+  SignalsBlocked() noexcept;
+  SignalsBlocked(const SignalsBlocked&) = delete;
+  SignalsBlocked& operator=(const SignalsBlocked&) = delete;
+  ~SignalsBlocked();
+
+ private:
+  unsigned char saved_[128];  // a sigset_t; its header stays out of ours
+};
+
+}  // namespace hedgehog::device
