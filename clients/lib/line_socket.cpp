@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include "clients/lib/line_socket.h"
+
+#include <array>
+#include <boost/asio.hpp>
+#include <utility>
+#include <vector>
+
+namespace hedgehog::client {
+
+namespace asio = boost::asio;
+using boost::system::error_code;
+using Stream = asio::generic::stream_protocol;
+
+struct LineSocket::Impl {
+  asio::io_context io{1};
+  Stream::socket socket{io};
+  std::array<char, 16 * 1024> chunk{};
+  std::string buffer;
+  std::size_t begin = 0;    // of the line that is not whole yet
+  std::size_t scanned = 0;  // no LF before here
+
+  struct Finished {
+    error_code error = asio::error::timed_out;
+    std::size_t bytes = 0;
+  };
+
+  /// Runs one operation until it is done or `deadline` has passed; then it is cancelled.
+  template <class Start>
+  Finished await(Clock::time_point deadline, Start start) {
+    Finished finished;
+    bool done = false;
+    start([&](const error_code& error, std::size_t bytes) {
+      done = true;
+      finished = {error, bytes};
+    });
+    io.restart();
+    io.poll();
+    if (!done) {
+      io.restart();
+      io.run_until(deadline);
+    }
+    if (!done) {
+      error_code ignored;
+      socket.cancel(ignored);
+      io.restart();
+      io.run();
+      if (finished.error == asio::error::operation_aborted) finished.error = asio::error::timed_out;
+    }
+    return finished;
+  }
+
+  error_code connect(const Stream::endpoint& endpoint, Clock::time_point deadline) {
+    error_code ignored;
+    socket.close(ignored);
+    return await(deadline,
+                 [&](auto done) {
+                   socket.async_connect(endpoint,
+                                        [done](const error_code& error) { done(error, 0); });
+                 })
+        .error;
+  }
+
+  std::optional<std::string> take_line() {
+    const std::size_t end = buffer.find('\n', scanned);
+    if (end == std::string::npos) {
+      scanned = buffer.size();
+      return std::nullopt;
+    }
+    std::string line = buffer.substr(begin, end - begin);
+    if (line.ends_with('\r')) line.pop_back();
+    begin = scanned = end + 1;
+    return line;
+  }
+
+  void forget_taken_lines() {
+    buffer.erase(0, begin);
+    scanned -= begin;
+    begin = 0;
+  }
+};
+
+namespace {
+
+/// Where to go for `address`; empty with an error when its name is not known or too long.
+std::vector<Stream::endpoint> endpoints_of(const Address& address, asio::io_context& io,
+                                           error_code& error) {
+  std::vector<Stream::endpoint> all;
+  if (!address.path.empty()) {
+    try {
+      all.emplace_back(asio::local::stream_protocol::endpoint(address.path));
+    } catch (const boost::system::system_error& too_long) {
+      error = too_long.code();
+    }
+    return all;
+  }
+  asio::ip::tcp::resolver resolver(io);
+  const auto found = resolver.resolve(address.host, std::to_string(address.port), error);
+  for (const auto& entry : found) all.emplace_back(entry.endpoint());
+  return all;
+}
+
+std::string reason(const error_code& error) {
+  std::string text = error.message();
+  if (!text.empty() && text[0] >= 'A' && text[0] <= 'Z') text[0] += 'a' - 'A';
+  return text;
+}
+
+ClientError ended(const error_code& error) {
+  if (error == asio::error::eof || error == asio::error::connection_reset ||
+      error == asio::error::broken_pipe) {
+    return {Failure::kClosed, "the daemon closed the connection", {}};
+  }
+  return {Failure::kClosed, "the connection to the daemon is lost: " + reason(error), {}};
+}
+
+}  // namespace
+
+LineSocket::LineSocket(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+LineSocket::~LineSocket() = default;
+LineSocket::LineSocket(LineSocket&&) noexcept = default;
+LineSocket& LineSocket::operator=(LineSocket&&) noexcept = default;
+
+Outcome<LineSocket> LineSocket::connect(const Address& address, Clock::time_point deadline) {
+  auto impl = std::make_unique<Impl>();
+  error_code error;
+  for (const auto& endpoint : endpoints_of(address, impl->io, error)) {
+    error = impl->connect(endpoint, deadline);
+    if (error) continue;
+    // A game's small lines must not wait for each other's acknowledgement.
+    if (address.path.empty()) impl->socket.set_option(asio::ip::tcp::no_delay(true), error);
+    return LineSocket(std::move(impl));
+  }
+  return ClientError{Failure::kNoDaemon, reason(error), {}};
+}
+
+Outcome<void> LineSocket::write(std::string_view line, Clock::time_point deadline) {
+  if (!impl_->socket.is_open()) return ended(asio::error::eof);
+  std::string bytes(line);
+  bytes += '\n';
+  const auto finished = impl_->await(
+      deadline, [&](auto done) { asio::async_write(impl_->socket, asio::buffer(bytes), done); });
+  if (!finished.error) return {};
+  error_code ignored;
+  impl_->socket.close(ignored);
+  if (finished.error == asio::error::timed_out) {
+    return ClientError{Failure::kClosed, "the daemon does not read what it is sent", {}};
+  }
+  return ended(finished.error);
+}
+
+Outcome<std::optional<std::string>> LineSocket::read(Clock::time_point deadline) {
+  for (;;) {
+    if (auto line = impl_->take_line()) return line;
+    impl_->forget_taken_lines();
+    if (impl_->buffer.size() > kMaxIncomingLine) {
+      error_code ignored;
+      impl_->socket.close(ignored);
+      return ClientError{Failure::kProtocol, "the daemon sent a line that does not end", {}};
+    }
+    if (!impl_->socket.is_open()) return ended(asio::error::eof);
+    const auto finished = impl_->await(deadline, [&](auto done) {
+      impl_->socket.async_read_some(asio::buffer(impl_->chunk), done);
+    });
+    impl_->buffer.append(impl_->chunk.data(), finished.bytes);
+    if (finished.bytes > 0) continue;
+    if (finished.error == asio::error::timed_out) return std::optional<std::string>();
+    error_code ignored;
+    impl_->socket.close(ignored);
+    return ended(finished.error);
+  }
+}
+
+}  // namespace hedgehog::client

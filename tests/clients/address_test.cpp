@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// Where clients look for the daemon.
+#include "clients/lib/address.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+
+namespace hedgehog::client {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+Environment with(std::map<std::string, std::string> variables) {
+  return [variables = std::move(variables)](const std::string& name) {
+    const auto found = variables.find(name);
+    return found == variables.end() ? std::nullopt : std::optional<std::string>(found->second);
+  };
+}
+
+std::vector<std::string> places(const std::optional<std::string>& flag, const Environment& env) {
+  std::vector<std::string> all;
+  for (const Address& address : daemon_addresses(flag, env).value()) {
+    all.push_back(to_string(address));
+  }
+  return all;
+}
+
+TEST(Address, IsReadInTheWaysThatPeopleWriteIt) {
+  const std::map<std::string, std::string> cases{
+      {"127.0.0.1:7586", "127.0.0.1:7586"},
+      {"ball-host", "ball-host:7586"},
+      {"tcp:ball-host:80", "ball-host:80"},
+      {"[::1]:7587", "[::1]:7587"},
+      {"[::1]", "[::1]:7586"},
+      {"::1", "[::1]:7586"},
+      {"/run/hedgehog/hedgehogd.sock", "/run/hedgehog/hedgehogd.sock"},
+      {"unix:ball.sock", "ball.sock"},
+  };
+  for (const auto& [text, meant] : cases) {
+    const auto address = parse_address(text);
+    ASSERT_TRUE(address.has_value()) << text;
+    EXPECT_EQ(to_string(*address), meant);
+  }
+}
+
+TEST(Address, ThatIsNoneIsNamed) {
+  for (const char* text : {"", ":7586", "unix:", "host:", "host:0", "host:65536", "host:75x6",
+                           "[::1", "[::1]7586", "tcp:"}) {
+    const auto address = parse_address(text);
+    ASSERT_FALSE(address.has_value()) << text;
+    EXPECT_EQ(address.error().failure, Failure::kBadAddress);
+    EXPECT_THAT(address.error().message, HasSubstr("'" + std::string(text) + "'"));
+  }
+}
+
+TEST(Daemon, IsFirstLookedForInItsRuntimeDirectoriesThenOnTcp) {
+  EXPECT_THAT(places({}, with({})), ElementsAre("/run/hedgehog/hedgehogd.sock", "127.0.0.1:7586"));
+  EXPECT_THAT(places({}, with({{"XDG_RUNTIME_DIR", "/run/user/7"}})),
+              ElementsAre("/run/hedgehog/hedgehogd.sock", "/run/user/7/hedgehog/hedgehogd.sock",
+                          "127.0.0.1:7586"));
+  EXPECT_THAT(places({}, with({{"RUNTIME_DIRECTORY", "/run/hedgehog-7:/run/other"}})),
+              ElementsAre("/run/hedgehog-7/hedgehogd.sock", "/run/hedgehog/hedgehogd.sock",
+                          "127.0.0.1:7586"));
+  EXPECT_THAT(places({}, with({{"RUNTIME_DIRECTORY", "/run/hedgehog"}})),
+              ElementsAre("/run/hedgehog/hedgehogd.sock", "127.0.0.1:7586"));
+}
+
+TEST(Daemon, IsOnlyWhereTheFlagOrElseTheVariableSays) {
+  const auto environment = with({{"HEDGEHOG_ADDRESS", "[::1]:9"}, {"XDG_RUNTIME_DIR", "/run/u"}});
+  EXPECT_THAT(places({}, environment), ElementsAre("[::1]:9"));
+  EXPECT_THAT(places("/tmp/a.sock", environment), ElementsAre("/tmp/a.sock"));
+  EXPECT_THAT(places({}, with({{"HEDGEHOG_ADDRESS", ""}})), testing::SizeIs(2)) << "empty is unset";
+}
+
+TEST(Daemon, IsNotLookedForElsewhereWhenTheAddressIsWrong) {
+  const auto none = daemon_addresses({}, with({{"HEDGEHOG_ADDRESS", "host:x"}}));
+  ASSERT_FALSE(none.has_value());
+  EXPECT_EQ(none.error().failure, Failure::kBadAddress);
+}
+
+}  // namespace
+}  // namespace hedgehog::client

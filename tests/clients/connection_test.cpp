@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: MIT
+// The C++ client against a daemon that says what each test wants it to.
+#include "clients/lib/connection.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "tests/clients/fake_daemon.h"
+
+namespace hedgehog::client {
+namespace {
+
+using namespace std::chrono_literals;
+using testing::HasSubstr;
+
+constexpr Milliseconds kLong{20'000};
+constexpr const char* kPong = R"({"jsonrpc":"2.0","id":1,"result":{"time_ns":42}})";
+constexpr const char* kShutdown =
+    R"({"jsonrpc":"2.0","method":"event","params":{"type":"shutting_down","time_ns":7}})";
+
+std::string telemetry(int time_ns) {
+  return R"({"jsonrpc":"2.0","method":"telemetry","params":{"time_ns":)" + std::to_string(time_ns) +
+         "}}";
+}
+
+Connection connect(const FakeDaemon& daemon) {
+  return Connection::open({daemon.address()}, kLong).value();
+}
+
+std::int64_t time_of(const Notification& notification) {
+  if (const auto* event = std::get_if<protocol::EventMessage>(&notification)) {
+    return event->event.time_ns;
+  }
+  return std::get<protocol::TelemetryMessage>(notification).telemetry.status.time_ns;
+}
+
+TEST(Open, SaysWhereItLooked) {
+  const Address tcp = FakeDaemon::nobody();
+  const auto none = Connection::open({{.path = "/nowhere/hedgehogd.sock"}, tcp}, 200ms);
+  ASSERT_FALSE(none.has_value());
+  EXPECT_EQ(none.error().failure, Failure::kNoDaemon);
+  EXPECT_EQ(none.error().message,
+            "no daemon answers at /nowhere/hedgehogd.sock or " + to_string(tcp));
+}
+
+TEST(Open, SaysWhatElseIsWrong) {
+  const auto none = Connection::open({{.path = std::string(200, 'x')}}, 200ms);
+  EXPECT_THAT(none.error().message, HasSubstr("x (file name too long)"));
+}
+
+TEST(Open, TakesTheFirstThatAnswers) {
+  FakeDaemon daemon([](FakePeer& peer) { peer.read(); });
+  auto ball = Connection::open({FakeDaemon::nobody(), daemon.address()}, kLong);
+  ASSERT_TRUE(ball.has_value());
+  EXPECT_EQ(ball->address(), daemon.address());
+}
+
+TEST(Open, SpeaksOverAUnixSocketToo) {
+  const auto path = std::filesystem::temp_directory_path() /
+                    ("hedgehog-client-" + std::to_string(::getpid()) + ".sock");
+  std::filesystem::remove(path);
+  FakeDaemon daemon(path.string(), [](FakePeer& peer) {
+    peer.read();
+    peer.say(kPong);
+  });
+  auto ball = Connection::open({{.path = path.string()}}, kLong);
+  ASSERT_TRUE(ball.has_value());
+  EXPECT_EQ(ball->call(protocol::Ping{}, kLong).value().time_ns, 42);
+  std::filesystem::remove(path);
+}
+
+TEST(Reopen, GivesUpWhenItsPatienceIsOver) {
+  const auto none = Connection::reopen({FakeDaemon::nobody()}, 250ms);
+  ASSERT_FALSE(none.has_value());
+  EXPECT_EQ(none.error().failure, Failure::kNoDaemon);
+}
+
+TEST(Reopen, ComesBackWhenTheDaemonDoes) {
+  boost::asio::io_context io;
+  boost::asio::ip::tcp::acceptor acceptor(io, boost::asio::ip::tcp::v4());
+  acceptor.bind({boost::asio::ip::address_v4::loopback(), 0});
+  const Address address{.host = "127.0.0.1", .port = acceptor.local_endpoint().port()};
+  ASSERT_FALSE(Connection::open({address}, 200ms).has_value());
+  std::thread later([&] {
+    std::this_thread::sleep_for(150ms);
+    acceptor.listen();
+  });
+  EXPECT_TRUE(Connection::reopen({address}, kLong).has_value());
+  later.join();
+}
+
+TEST(Backoff, DoublesFromATenthOfASecondToFive) {
+  Backoff backoff;
+  for (const int expected : {100, 200, 400, 800, 1600, 3200, 5000, 5000}) {
+    EXPECT_EQ(backoff.next(), Milliseconds(expected));
+  }
+  backoff.reset();
+  EXPECT_EQ(backoff.next(), 100ms);
+}
+
+TEST(Call, SendsOneLineAndReturnsTheTypedAnswer) {
+  std::string line;
+  FakeDaemon daemon([&](FakePeer& peer) {
+    line = peer.read();
+    peer.say(
+        R"({"jsonrpc":"2.0","id":1,"result":{"effect":41,"accepted":true,"limited_by":null,"current_a":9.3,"force_n":0.115,"pin":34,"headroom_s":21.4,"seq":9120,"new_field":1}})");
+  });
+  auto ball = connect(daemon);
+  const protocol::EffectParams push{
+      .direction = protocol::Word::kLeft, .level = 0.62, .duration_ms = 180};
+  const auto felt =
+      ball.call(protocol::EffectStart{protocol::Method::kEffectPulse, push}, kLong).value();
+  EXPECT_EQ(felt.effect, 41U);
+  EXPECT_EQ(felt.current_a, 9.3);
+  EXPECT_EQ(felt.headroom_s, 21.4);
+  EXPECT_EQ(line, R"({"jsonrpc":"2.0","id":1,"method":"effect.pulse","params":)"
+                  R"({"direction":"left","level":0.62,"duration_ms":180}})");
+}
+
+TEST(Call, ReadsAnswersHoweverTheyArrive) {
+  FakeDaemon daemon([](FakePeer& peer) {
+    peer.read();
+    for (const char byte : std::string(kPong) + "\r\n") peer.send({&byte, 1});
+    peer.read();
+    peer.send(telemetry(1) + "\n" + telemetry(2) + "\n" +
+              R"({"jsonrpc":"2.0","id":2,"result":{"time_ns":43}})" + "\n" + telemetry(3) + "\n");
+  });
+  auto ball = connect(daemon);
+  EXPECT_EQ(ball.call(protocol::Ping{}, kLong).value().time_ns, 42);
+  EXPECT_EQ(ball.call(protocol::Ping{}, kLong).value().time_ns, 43);
+  for (const int expected : {1, 2, 3}) {
+    EXPECT_EQ(time_of(ball.next(kLong).value().value()), expected);
+  }
+}
+
+TEST(Call, ReturnsWhatTheDaemonRefuses) {
+  FakeDaemon daemon([](FakePeer& peer) {
+    peer.read();
+    peer.say(
+        R"({"jsonrpc":"2.0","id":1,"error":{"code":-32602,"message":"gain: 1.4 is above 1","data":{"name":"invalid_params","field":"gain","limit":1,"value":1.4}}})");
+  });
+  auto ball = connect(daemon);
+  const auto refused = ball.call(protocol::OutputSetGain{1.4}, kLong);
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().failure, Failure::kRefused);
+  EXPECT_EQ(refused.error().message, "gain: 1.4 is above 1");
+  ASSERT_TRUE(refused.error().refusal.has_value());
+  EXPECT_EQ(refused.error().refusal->code, protocol::ErrorCode::kInvalidParams);
+  EXPECT_EQ(refused.error().refusal->field, "gain");
+}
+
+TEST(Call, TakesAnErrorWithoutIdAsItsOwn) {
+  FakeDaemon daemon([](FakePeer& peer) {
+    peer.read();
+    peer.say(
+        R"({"jsonrpc":"2.0","id":null,"error":{"code":-32001,"message":"busy: too many connections","data":{"name":"busy"}}})");
+  });
+  auto ball = connect(daemon);
+  EXPECT_EQ(ball.call(protocol::Ping{}, kLong).error().message, "busy: too many connections");
+}
+
+TEST(Call, PassesOnWhatAPersonTyped) {
+  std::string line;
+  FakeDaemon daemon([&](FakePeer& peer) {
+    line = peer.read();
+    peer.say(R"({"jsonrpc":"2.0","id":1,"result":{"b":1,"a":[2]}})");
+  });
+  auto ball = connect(daemon);
+  EXPECT_EQ(ball.call_raw("future.method", R"({"x":1})", kLong).value(), R"({"b":1,"a":[2]})");
+  EXPECT_EQ(line, R"({"jsonrpc":"2.0","id":1,"method":"future.method","params":{"x":1}})");
+}
+
+TEST(Call, ThatIsNotAnsweredInTimeLeavesTheConnectionUsable) {
+  FakeDaemon daemon([](FakePeer& peer) {
+    peer.read();
+    peer.read();
+    peer.say(kPong);
+    peer.say(R"({"jsonrpc":"2.0","id":2,"result":{"time_ns":43}})");
+  });
+  auto ball = connect(daemon);
+  const auto late = ball.call(protocol::Ping{}, 20ms);
+  ASSERT_FALSE(late.has_value());
+  EXPECT_EQ(late.error().failure, Failure::kTimeout);
+  EXPECT_EQ(late.error().message, "the daemon has not answered within 20 ms");
+  EXPECT_EQ(ball.call(protocol::Ping{}, kLong).value().time_ns, 43);
+}
+
+TEST(Call, SaysWhenTheDaemonHasGoneAndKeepsItsLastWords) {
+  FakeDaemon daemon([](FakePeer& peer) {
+    peer.read();
+    peer.say(kShutdown);
+  });
+  auto ball = connect(daemon);
+  for (int i = 0; i < 2; ++i) {
+    const auto gone = ball.call(protocol::Ping{}, kLong);
+    ASSERT_FALSE(gone.has_value());
+    EXPECT_EQ(gone.error().failure, Failure::kClosed);
+  }
+  const auto words = ball.next(kLong).value().value();
+  EXPECT_EQ(std::get<protocol::EventMessage>(words).event.type, "shutting_down");
+  EXPECT_EQ(ball.next(kLong).error().failure, Failure::kClosed);
+}
+
+TEST(Call, DoesNotTakeNonsenseForAnAnswer) {
+  FakeDaemon daemon([](FakePeer& peer) {
+    peer.read();
+    peer.say("HTTP/1.1 400 Bad Request");
+    peer.read();
+  });
+  auto ball = connect(daemon);
+  EXPECT_EQ(ball.call(protocol::Ping{}, kLong).error().failure, Failure::kProtocol);
+}
+
+TEST(Call, GivesUpOnALineThatNeverEnds) {
+  FakeDaemon daemon([](FakePeer& peer) {
+    peer.read();
+    peer.send(std::string(LineSocket::kMaxIncomingLine + 65'536, 'x'));
+    peer.read();
+  });
+  auto ball = connect(daemon);
+  EXPECT_EQ(ball.call(protocol::Ping{}, kLong).error().failure, Failure::kProtocol);
+}
+
+TEST(Call, NeverSendsALineThatTheDaemonWouldRefuse) {
+  std::string line;
+  FakeDaemon daemon([&](FakePeer& peer) { line = peer.read(); });
+  {
+    auto ball = connect(daemon);
+    const auto failed = ball.call_raw("x", "{\"y\":\"" + std::string(70'000, 'y') + "\"}", kLong);
+    EXPECT_EQ(failed.error().failure, Failure::kProtocol);
+    EXPECT_TRUE(ball.notify(protocol::DeviceEmergencyStop{}, kLong).has_value());
+  }
+  EXPECT_THAT(line, HasSubstr("device.emergency_stop"));
+}
+
+TEST(Notify, SendsNoId) {
+  std::string line;
+  {
+    FakeDaemon daemon([&](FakePeer& peer) { line = peer.read(); });
+    EXPECT_TRUE(connect(daemon).notify(protocol::EffectStopAll{}, kLong).has_value());
+  }
+  EXPECT_EQ(line, R"({"jsonrpc":"2.0","method":"effect.stop_all"})");
+}
+
+TEST(Next, WithoutPatienceTakesOnlyWhatIsThere) {
+  FakeDaemon daemon([](FakePeer& peer) {
+    peer.read();
+    peer.send(telemetry(1) + "\n" + telemetry(2) + "\n" + kPong + "\n" + R"({"jsonrpc":)");
+    peer.read();
+  });
+  auto ball = connect(daemon);
+  EXPECT_EQ(ball.next(0ms).value(), std::nullopt);
+  ASSERT_TRUE(ball.call(protocol::Ping{}, kLong).has_value());
+  EXPECT_EQ(time_of(ball.next(0ms).value().value()), 1);
+  EXPECT_EQ(time_of(ball.next(0ms).value().value()), 2);
+  EXPECT_EQ(ball.next(10ms).value(), std::nullopt) << "half a line is no line";
+}
+
+TEST(Next, LosesOldTelemetryButNoEvent) {
+  FakeDaemon daemon([](FakePeer& peer) {
+    peer.read();
+    peer.say(kShutdown);
+    for (int i = 1; i <= 300; ++i) peer.say(telemetry(1000 + i));
+    peer.say(kPong);
+    peer.read();
+  });
+  auto ball = connect(daemon);
+  ASSERT_TRUE(ball.call(protocol::Ping{}, kLong).has_value());
+  EXPECT_EQ(time_of(ball.next(0ms).value().value()), 7);
+  for (int i = 45; i <= 300; ++i) EXPECT_EQ(time_of(ball.next(0ms).value().value()), 1000 + i);
+  EXPECT_EQ(ball.next(0ms).value(), std::nullopt);
+}
+
+}  // namespace
+}  // namespace hedgehog::client

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// A daemon that says what a test tells it to: one conversation, on a thread of its own.
+#pragma once
+
+#include <boost/asio.hpp>
+#include <functional>
+#include <istream>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <utility>
+
+#include "clients/lib/address.h"
+
+namespace hedgehog::client {
+
+/// The daemon's end of the conversation.
+class FakePeer {
+ public:
+  using Socket = boost::asio::generic::stream_protocol::socket;
+  explicit FakePeer(Socket socket) : socket_(std::move(socket)) {}
+
+  /// The next line from the client; empty at its end.
+  std::string read() {
+    boost::system::error_code error;
+    boost::asio::read_until(socket_, buffer_, '\n', error);
+    std::istream stream(&buffer_);
+    std::string line;
+    std::getline(stream, line);
+    return line;
+  }
+  void send(std::string_view bytes) {
+    boost::system::error_code ignored;
+    boost::asio::write(socket_, boost::asio::buffer(bytes), ignored);
+  }
+  void say(std::string_view line) { send(std::string(line) + "\n"); }
+
+ private:
+  Socket socket_;
+  boost::asio::streambuf buffer_;
+};
+
+/// Listens at once; `conversation` runs when a client has come, and then the connection ends.
+class FakeDaemon {
+ public:
+  using Conversation = std::function<void(FakePeer&)>;
+
+  explicit FakeDaemon(Conversation conversation)
+      : FakeDaemon(boost::asio::ip::tcp::endpoint(boost::asio::ip::address_v4::loopback(), 0),
+                   std::move(conversation)) {}
+  FakeDaemon(const std::string& path, Conversation conversation)
+      : FakeDaemon(boost::asio::local::stream_protocol::endpoint(path), std::move(conversation)) {}
+  ~FakeDaemon() { thread_.join(); }
+  FakeDaemon(const FakeDaemon&) = delete;
+  FakeDaemon& operator=(const FakeDaemon&) = delete;
+
+  /// REQUIRES: it listens on TCP.
+  Address address() const { return {.host = "127.0.0.1", .port = port_}; }
+
+  /// A port where nobody listens.
+  static Address nobody() {
+    boost::asio::io_context io;
+    boost::asio::ip::tcp::acceptor acceptor(
+        io, {boost::asio::ip::address_v4::loopback(), std::uint16_t{0}});
+    return {.host = "127.0.0.1", .port = acceptor.local_endpoint().port()};
+  }
+
+ private:
+  template <class Endpoint>
+  FakeDaemon(const Endpoint& endpoint, Conversation conversation) {
+    using Protocol = typename Endpoint::protocol_type;
+    auto acceptor = std::make_shared<typename Protocol::acceptor>(io_, endpoint);
+    if constexpr (requires { acceptor->local_endpoint().port(); }) {
+      port_ = acceptor->local_endpoint().port();
+    }
+    thread_ = std::thread([acceptor, conversation = std::move(conversation)] {
+      FakePeer peer{FakePeer::Socket(acceptor->accept())};
+      conversation(peer);
+    });
+  }
+
+  boost::asio::io_context io_{1};
+  std::uint16_t port_ = 0;
+  std::thread thread_;
+};
+
+}  // namespace hedgehog::client
