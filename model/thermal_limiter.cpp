@@ -8,7 +8,7 @@ namespace hedgehog::model {
 namespace {
 
 // Short against the 0.5 s that 15 A need for one kelvin, long against a tick of sensor noise.
-constexpr double kFilterS = 0.1;
+constexpr double kFilterS = 0.05;
 constexpr double kAbsurdA = 1000.0;
 
 }  // namespace

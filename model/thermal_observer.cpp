@@ -5,11 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "model/thermal_flow.h"
+
 namespace hedgehog::model {
 namespace {
 
 // A winding that is hotter than thought is believed at once, a cooler one after half a second.
-constexpr double kWarmerS = 0.1;
+constexpr double kWarmerS = 0.05;
 constexpr double kCoolerS = 0.5;
 // A winding this far below the room measures a fault, not a temperature.
 constexpr double kImpossiblyColdK = 20.0;
@@ -46,7 +48,7 @@ ThermalObserver::ThermalObserver(const CoilModel& coils, const ThermalModel& the
   const double coolest = std::min({w[0], w[1], w[2], start.core_c});
   estimate_.nodes = start;
   estimate_.room_c = coolest < kWarmRoomC ? coolest : 25.0;
-  estimate_.hottest_c = std::max({w[0], w[1], w[2]});
+  estimate_.hottest_c = hottest_winding(start);
   const double at = w[static_cast<std::size_t>(thermal.sensor_winding)];
   estimate_.sensor_lead_c = at;
   estimate_.expected_sensor_c = at;
@@ -81,20 +83,14 @@ void ThermalObserver::step(const ThermalMeasurement& m, double dt_s) noexcept {
 }
 
 void ThermalObserver::predict(const ThermalMeasurement& m, double dt_s) noexcept {
-  ThermalState& nodes = estimate_.nodes;
-  const double to_room_k_w =
-      m.fan_running ? thermal_.core_to_room_fan_k_w : thermal_.core_to_room_still_k_w;
-  double into_core_w = (estimate_.room_c - nodes.core_c) / to_room_k_w;
+  HeatLoad load;
+  load.room_c = estimate_.room_c;
+  load.fan_running = m.fan_running;
   for (std::size_t i = 0; i < kCoils; ++i) {
-    const double mean_square = mean_square_a2_[static_cast<int>(i)];
-    const double to_core_w = (nodes.winding_c[i] - nodes.core_c) / thermal_.winding_to_core_k_w;
-    into_core_w += to_core_w;
-    const bool guessed = to_core_w > 0.0 && !meter_[i].valid();
-    const double loss_w = estimate_.resistance_ohm[i] * mean_square;
-    nodes.winding_c[i] +=
-        (loss_w - (guessed ? kUndrivenCooling : 1.0) * to_core_w) * dt_s / thermal_.winding_j_k;
+    load.loss_w[i] = estimate_.resistance_ohm[i] * mean_square_a2_[static_cast<int>(i)];
+    load.guessed[i] = !estimate_.measuring[i];
   }
-  nodes.core_c += into_core_w * dt_s / thermal_.core_j_k;
+  estimate_.nodes = advanced(estimate_.nodes, heating_rates(thermal_, estimate_.nodes, load), dt_s);
 }
 
 void ThermalObserver::correct_by_resistance(const ThermalMeasurement& m, bool electrical_valid,

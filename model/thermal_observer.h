@@ -15,7 +15,9 @@ namespace hedgehog::model {
 
 /// One tick of measurements. Trivially copyable.
 struct ThermalMeasurement {
-  /// Mean bridge voltages over the tick (duty x supply), and currents at its start and end.
+  /// Mean bridge voltages over the tick (duty x supply), and currents at its start and end. They
+  /// must belong together: a voltage that is one tick off reads as tens of kelvins while the
+  /// current changes. After a lost frame say `electrical_valid` false.
   Vec3 voltage_v;
   Vec3 current_before_a;
   Vec3 current_a;

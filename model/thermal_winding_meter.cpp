@@ -11,7 +11,7 @@ namespace {
 // pretend (10 mA a tick: 5), far below what a real step shows (4 A a tick: 16 000).
 constexpr double kInductanceFirmness = 100.0;
 // Before this much was seen, a winding counts as not measured.
-constexpr double kLeastDrivenS = 0.01;
+constexpr double kLeastDrivenS = 0.004;
 constexpr double kLeastChargeA2S =
     0.6 * WindingMeter::kMemoryS * WindingMeter::kLeastCurrentA * WindingMeter::kLeastCurrentA;
 

@@ -21,7 +21,8 @@ class WindingMeter {
   /// that was not measured (`measured` false) only forgets.
   void step(double voltage_v, double before_a, double after_a, bool measured, double dt_s) noexcept;
 
-  /// True while enough current has flowed lately: about 10 ms at 5 A, 45 ms at 1.5 A.
+  /// True while enough current has flowed lately: about 5 ms at 5 A, 45 ms at 1.5 A, and in
+  /// a pulse train above 5 A with 8 % on.
   bool valid() const noexcept { return valid_; }
   /// The resistance, ohm; the last valid one while not valid, 0 before the first.
   double resistance_ohm() const noexcept { return resistance_ohm_; }

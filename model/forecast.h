@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// How long a current can flow, by the nominal model of the ball. What `thermal.forecast`,
+// `headroom_s`, `burst_s` and every admission say.
+#pragma once
+
+#include <optional>
+
+#include "model/limits.h"
+#include "model/thermal_flow.h"
+
+namespace hedgehog::model {
+
+/// From what a forecast starts: the observer's estimate and the fan. Trivially copyable.
+struct ForecastStart {
+  ThermalState nodes;
+  double room_c = 25.0;
+  /// The fan as it is, and whether it can run at all (false: dead, foretold without it).
+  bool fan_running = false;
+  bool fan_works = true;
+  /// The 30 s mean of |I| now, A; above 3 A it keeps the fan running.
+  double mean_current_a = 0.0;
+};
+
+/// What is asked: the rms current of each winding, and the highest norm that occurs in the pattern.
+struct AskedCurrents {
+  Vec3 rms_a;
+  double peak_a = 0.0;
+
+  /// A constant current.
+  static AskedCurrents constant(const Vec3& a) noexcept { return {a, norm(a)}; }
+};
+
+/// Seconds from now; none = never (within 4 h).
+struct Forecast {
+  /// Until the law first allows less than the asked peak.
+  std::optional<double> seconds_to_derating;
+  /// Until a winding would be at `Limits::trip_c` (70 C), if nothing were reduced.
+  std::optional<double> seconds_to_limit;
+  /// Scaled to this peak (for a constant current: this norm) it can flow for ever unreduced, A;
+  /// at most `Limits::current_a`.
+  double sustainable_a = 0.0;
+  /// Coils off from now on: until the full `Limits::current_a` is allowed again.
+  std::optional<double> recovery_s;
+};
+
+/// The fan as the controller runs it: on above 40 C or a 30 s mean above 3 A, off below 35 C.
+inline constexpr double kFanOnC = 40.0;
+inline constexpr double kFanOffC = 35.0;
+inline constexpr double kFanOnA = 3.0;
+inline constexpr double kFanMeanS = 30.0;
+
+/// The temperature above which less than `peak_a` is allowed: the inverse of `allowed_current`. A
+/// peak above `limits.current_a` counts as that.
+Celsius derating_temperature(const Limits& limits, Amps peak) noexcept;
+
+/// One ball with its limits. Immutable; any thread, allocates nothing, at most 2 ms a question.
+class Forecaster {
+ public:
+  Forecaster(const CoilModel& coils, const ThermalModel& thermal, const Limits& limits) noexcept
+      : coils_(coils), thermal_(thermal), limits_(limits) {}
+
+  /// All answers about `asked`. When nothing is asked (zero): about `asked.peak_a` = 0 nothing is
+  /// ever reduced, and `sustainable_a` is that of the worst coil.
+  Forecast forecast(const ForecastStart& start, const AskedCurrents& asked) const noexcept;
+  /// `current_a` without a direction: each answer for the coil where it is worst.
+  Forecast forecast_worst_coil(const ForecastStart& start, double current_a) const noexcept;
+
+  /// `headroom_s`: until `asked` is first derated.
+  std::optional<double> seconds_to_derating(const ForecastStart& start,
+                                            const AskedCurrents& asked) const noexcept;
+  /// `burst_s`: how long the full `Limits::current_a` could flow from now (worst coil). None only
+  /// for limits that low that it never ends.
+  std::optional<double> burst_s(const ForecastStart& start) const noexcept;
+  std::optional<double> recovery_s(const ForecastStart& start) const noexcept;
+  double sustainable_a(const ForecastStart& start, const AskedCurrents& asked) const noexcept;
+
+ private:
+  CoilModel coils_;
+  ThermalModel thermal_;
+  Limits limits_;
+};
+
+}  // namespace hedgehog::model

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// How fast the four nodes warm, by the nominal model: what observer and forecast share.
+#pragma once
+
+#include <array>
+
+#include "model/thermal_model.h"
+
+namespace hedgehog::model {
+
+/// What acts on the nodes. Trivially copyable.
+struct HeatLoad {
+  /// Copper loss of each winding, W.
+  std::array<double, kCoils> loss_w{};
+  /// Windings whose temperature nobody measures now: they cool at `kUndrivenCooling`.
+  std::array<bool, kCoils> guessed{};
+  double room_c = 25.0;
+  bool fan_running = false;
+};
+
+/// Kelvins per second of each node.
+constexpr ThermalState heating_rates(const ThermalModel& model, const ThermalState& nodes,
+                                     const HeatLoad& load) noexcept {
+  ThermalState rates;
+  const double to_room_k_w =
+      load.fan_running ? model.core_to_room_fan_k_w : model.core_to_room_still_k_w;
+  double into_core_w = (load.room_c - nodes.core_c) / to_room_k_w;
+  for (std::size_t i = 0; i < kCoils; ++i) {
+    const double to_core_w = (nodes.winding_c[i] - nodes.core_c) / model.winding_to_core_k_w;
+    into_core_w += to_core_w;
+    const double share = load.guessed[i] && to_core_w > 0.0 ? kUndrivenCooling : 1.0;
+    rates.winding_c[i] = (load.loss_w[i] - share * to_core_w) / model.winding_j_k;
+  }
+  rates.core_c = into_core_w / model.core_j_k;
+  return rates;
+}
+
+/// `nodes` after `dt_s` at constant `rates`.
+constexpr ThermalState advanced(ThermalState nodes, const ThermalState& rates,
+                                double dt_s) noexcept {
+  for (std::size_t i = 0; i < kCoils; ++i) nodes.winding_c[i] += dt_s * rates.winding_c[i];
+  nodes.core_c += dt_s * rates.core_c;
+  return nodes;
+}
+
+/// The hottest of the three windings, degrees Celsius.
+constexpr double hottest_winding(const ThermalState& nodes) noexcept {
+  const auto& w = nodes.winding_c;
+  const double xy = w[0] > w[1] ? w[0] : w[1];
+  return xy > w[2] ? xy : w[2];
+}
+
+}  // namespace hedgehog::model

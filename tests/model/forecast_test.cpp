@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// What is foretold against what the plant then does.
+#include "model/forecast.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+
+#include "tests/model/thermal_loop.h"
+
+namespace hedgehog::model {
+namespace {
+
+const Forecaster kNominal{CoilModel{}, ThermalModel{}, Limits{}};
+
+ForecastStart cold() { return {}; }
+
+/// The whole ball at `celsius` in a room of 25 C.
+ForecastStart warm(double celsius) {
+  ForecastStart start;
+  start.nodes = {{celsius, celsius, celsius}, celsius};
+  start.fan_running = celsius > kFanOnC;
+  return start;
+}
+
+/// Seconds until the limiter first takes something away in the closed loop; -1: not in 4 h.
+double loop_seconds_to_derating(const ForecastStart& start, const Vec3& wanted) {
+  ThermalLoop loop(PlantParameters{}, start.room_c);
+  loop.start_at(start.nodes);
+  loop.observer.set_room(start.room_c);
+  for (int tick = 1; tick < 4 * 3600 * 1000; ++tick) {
+    loop.tick(wanted);
+    if (norm(loop.driven) < norm(wanted) - 1e-6) return tick * 1e-3;
+  }
+  return -1.0;
+}
+
+TEST(Forecast, AgreesWithThePlantWithin5PercentFromColdAndWarm) {
+  for (const double celsius : {25.0, 45.0}) {
+    const ForecastStart start = warm(celsius);
+    for (const double current : {6.0, 8.0, 10.0, 12.0, 15.0}) {
+      const auto foretold =
+          kNominal.seconds_to_derating(start, AskedCurrents::constant({0, current, 0}));
+      ASSERT_TRUE(foretold.has_value());
+      const double real = loop_seconds_to_derating(start, {0, current, 0});
+      EXPECT_NEAR(*foretold, real, 0.05 * real) << current << " A from " << celsius << " C";
+    }
+  }
+}
+
+TEST(Forecast, SecondsToLimitAreThoseOfTheUnlimitedPlant) {
+  for (const double current : {8.0, 10.0, 12.0, 15.0}) {
+    ThermalLoop loop(PlantParameters{}, 25.0);
+    loop.unlimited = true;
+    double real = 0.0;
+    while (loop.plant.hottest_winding_c() < 70.0) {
+      loop.tick({current, 0, 0});
+      real += 1e-3;
+    }
+    const Forecast f = kNominal.forecast(cold(), AskedCurrents::constant({current, 0, 0}));
+    ASSERT_TRUE(f.seconds_to_limit.has_value());
+    EXPECT_NEAR(*f.seconds_to_limit, real, 0.05 * real);
+  }
+  const auto at15 = kNominal.forecast(cold(), AskedCurrents::constant({15, 0, 0}));
+  EXPECT_NEAR(*at15.seconds_to_limit, 29.6, 0.5);
+  EXPECT_NEAR(*at15.seconds_to_derating, 22.0, 1.0);
+}
+
+TEST(Forecast, FiveAmpereFlowForEver) {
+  for (const Vec3& wanted : {Vec3{5, 0, 0}, Vec3{0, -5, 0}, Vec3{0, 0, 5}, Vec3{3, 4, 0}}) {
+    const Forecast f = kNominal.forecast(cold(), AskedCurrents::constant(wanted));
+    EXPECT_FALSE(f.seconds_to_derating.has_value());
+    EXPECT_FALSE(f.seconds_to_limit.has_value());
+    EXPECT_GT(f.sustainable_a, 5.0);
+  }
+}
+
+TEST(Forecast, TheIndicatorsPulsesFlowForEver) {
+  const AskedCurrents pulses{{0, 0, 12.0 * std::sqrt(0.15)}, 12.0};
+  const Forecast f = kNominal.forecast(cold(), pulses);
+  EXPECT_FALSE(f.seconds_to_derating.has_value());
+  EXPECT_GT(f.sustainable_a, 12.0);
+}
+
+TEST(Forecast, SustainableIsTheEdge) {
+  const Vec3 directions[] = {{1, 0, 0}, {0.6, 0.8, 0}, {0.577, 0.577, -0.577}};
+  for (const Vec3& direction : directions) {
+    const Vec3 u = unit_or(direction, {1, 0, 0});
+    const double edge = kNominal.sustainable_a(cold(), AskedCurrents::constant(u));
+    EXPECT_FALSE(
+        kNominal.seconds_to_derating(cold(), AskedCurrents::constant(0.99 * edge * u)).has_value());
+    EXPECT_TRUE(
+        kNominal.seconds_to_derating(cold(), AskedCurrents::constant(1.03 * edge * u)).has_value());
+  }
+  const double one = kNominal.sustainable_a(cold(), AskedCurrents::constant({1, 0, 0}));
+  const double shared = kNominal.sustainable_a(cold(), AskedCurrents::constant({1, 1, 1}));
+  EXPECT_GT(shared, one) << "three windings share the heat";
+}
+
+TEST(Forecast, RecoveryIsWhatTheLimiterThenAllows) {
+  ThermalLoop loop(PlantParameters{}, 25.0);
+  for (int tick = 0; tick < 60'000; ++tick) loop.tick({15, 0, 0});
+  ASSERT_LT(loop.limiter.allowed().value, 15.0);
+  ForecastStart start;
+  start.nodes = loop.observer.estimate().nodes;
+  start.room_c = loop.observer.estimate().room_c;
+  start.fan_running = true;
+  start.mean_current_a = 10.0;
+  const auto foretold = kNominal.recovery_s(start);
+  ASSERT_TRUE(foretold.has_value());
+  double real = 0.0;
+  while (loop.limiter.allowed().value < 15.0 && real < 600.0) {
+    loop.tick({});
+    real += 1e-3;
+  }
+  EXPECT_NEAR(*foretold, real, 0.1 * real);
+  EXPECT_EQ(kNominal.recovery_s(cold()), 0.0);
+  ForecastStart desert = warm(65.0);
+  desert.room_c = 62.0;
+  EXPECT_FALSE(kNominal.recovery_s(desert).has_value());
+}
+
+TEST(Forecast, BurstIsThatOfTheWorstCoil) {
+  CoilModel uneven;
+  uneven.r25_ohm = {0.40, 0.45, 0.55};
+  const Forecaster forecaster(uneven, ThermalModel{}, Limits{});
+  const auto burst = forecaster.burst_s(cold());
+  ASSERT_TRUE(burst.has_value());
+  EXPECT_EQ(burst, forecaster.seconds_to_derating(cold(), AskedCurrents::constant({0, 0, 15})));
+  EXPECT_EQ(forecaster.forecast_worst_coil(cold(), 15.0).seconds_to_derating, burst);
+  EXPECT_NEAR(*kNominal.burst_s(cold()), 22.5, 0.5);
+  ForecastStart hot = warm(40.0);
+  hot.nodes.winding_c[1] = 60.5;
+  EXPECT_EQ(kNominal.burst_s(hot), 0.0);
+}
+
+TEST(Forecast, ADeadFanShortensEverything) {
+  ForecastStart dead = cold();
+  dead.fan_works = false;
+  EXPECT_TRUE(kNominal.seconds_to_derating(dead, AskedCurrents::constant({5, 0, 0})).has_value());
+  EXPECT_LT(kNominal.forecast_worst_coil(dead, 5.0).sustainable_a, 4.0);
+}
+
+TEST(Forecast, NothingAskedIsNeverReduced) {
+  const Forecast f = kNominal.forecast(cold(), AskedCurrents{});
+  EXPECT_FALSE(f.seconds_to_derating.has_value());
+  EXPECT_FALSE(f.seconds_to_limit.has_value());
+  EXPECT_GT(f.sustainable_a, 5.0);
+}
+
+RC_GTEST_PROP(Forecast, MoreCurrentOrAWarmerBallIsNeverForetoldLonger, ()) {
+  const auto between = [](double low, double high) {
+    return low + (high - low) * *rc::gen::inRange(0, 100'001) * 1e-5;
+  };
+  const double current = between(4.0, 14.0);
+  const double celsius = between(18.0, 58.0);
+  const auto seconds = [](double a, double c) {
+    return kNominal.seconds_to_derating(warm(c), AskedCurrents::constant({a, 0, 0})).value_or(1e9);
+  };
+  const double base = seconds(current, celsius);
+  RC_ASSERT(seconds(current + between(0.1, 1.0), celsius) <= base);
+  RC_ASSERT(seconds(current, celsius + between(0.1, 5.0)) <= base * 1.02 + 0.1);
+}
+
+}  // namespace
+}  // namespace hedgehog::model
