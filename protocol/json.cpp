@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "protocol/names.h"
+
 namespace hedgehog::protocol {
 namespace {
 
@@ -36,7 +38,7 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
   bool key(string_t& name) override {
     Level& level = levels_.back();
     if (!level.names.insert(name).second) {
-      problem_ = "the name '" + name + "' stands twice in one object";
+      problem_ = "the name '" + shortened(name) + "' stands twice in one object";
       return false;
     }
     std::get<Json::Object>(level.json.value).emplace_back(std::move(name), Json{});

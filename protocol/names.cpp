@@ -125,6 +125,18 @@ std::string_view nearest(std::string_view text, Names names) {
   return best;
 }
 
+std::string shortened(std::string_view text) {
+  constexpr std::size_t kShown = 64;
+  if (text.size() <= kShown) {
+    return std::string(text);
+  }
+  std::size_t end = kShown;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u) {
+    --end;
+  }
+  return std::string(text.substr(0, end)) + "…";
+}
+
 std::string hint(std::string_view text, Names names) {
   if (const std::string_view meant = nearest(text, names); !meant.empty()) {
     return "; did you mean '" + std::string(meant) + "'?";

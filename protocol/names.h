@@ -27,6 +27,8 @@ Names names_of(model::EffectMethod) noexcept;
 
 /// The one of `names` that was probably meant by `text`; empty when none is near.
 std::string_view nearest(std::string_view text, Names names);
+/// What a message repeats of something long that was sent: its first 64 bytes at most, and "…".
+std::string shortened(std::string_view text);
 /// "; did you mean 'x'?", or the names there are when they are few, or nothing.
 std::string hint(std::string_view text, Names names);
 

@@ -113,8 +113,8 @@ void Reader::end_object() {
   for (const auto& [name, member] : *place.json->as<Json::Object>()) {
     if (std::find(place.known.begin(), place.known.end(), name) == place.known.end()) {
       const std::string of = places_.size() > 1 ? path() : std::string(what_);
-      RpcError error =
-          invalid_params(path_of(name), "is not a parameter of " + of + hint(name, place.known));
+      RpcError error = invalid_params(path_of(shortened(name)),
+                                      "is not a parameter of " + of + hint(name, place.known));
       error.value = as_value(member);
       fail(std::move(error));
       return;
@@ -182,7 +182,9 @@ void Reader::whole(std::int64_t& v, const Spec& spec) {
   const double rounded = std::round(*value);
   constexpr double kExact = 9'223'372'036'854'774'784.0;  // the largest double below 2^63
   if ((!spec.rounded && rounded != *value) || std::fabs(rounded) > kExact) {
-    wrong_type("a whole number");
+    RpcError error = invalid_params(path(), "must be a whole number");
+    error.value = *value;
+    fail(std::move(error));
     return;
   }
   v = static_cast<std::int64_t>(rounded);
@@ -202,8 +204,12 @@ void Reader::text(std::string& v, const Spec& spec) {
   }
   const auto length = static_cast<double>(characters(*text));
   if (length < spec.min || length > spec.max) {
-    RpcError error = out_of_range(path(), length > spec.max ? spec.max : spec.min, length);
-    error.message += " characters";
+    const bool longer = length > spec.max;
+    const double limit = longer ? spec.max : spec.min;
+    RpcError error = out_of_range(path(), limit, length);
+    error.message = path() + ": has " + std::to_string(characters(*text)) + " characters, " +
+                    (longer ? "more" : "fewer") + " than " +
+                    std::to_string(static_cast<int>(limit));
     fail(std::move(error));
     return;
   }
@@ -222,7 +228,8 @@ void Reader::word(std::size_t& index, std::span<const std::string_view> names) {
     return;
   }
   if (strict_) {
-    RpcError error = invalid_params(path(), "there is no '" + *text + "'" + hint(*text, names));
+    RpcError error =
+        invalid_params(path(), "there is no '" + shortened(*text) + "'" + hint(*text, names));
     error.value = as_value(here());
     fail(std::move(error));
   }

@@ -37,9 +37,9 @@ void check_known(Fields& f, const std::vector<std::string>& types) {
   const Names known = kEventTypes;
   for (const std::string& type : types) {
     if (std::find(known.begin(), known.end(), type) == known.end()) {
-      RpcError error =
-          invalid_params("types", "there is no event '" + type + "'" + hint(type, known));
-      error.value = type;
+      RpcError error = invalid_params(
+          "types", "there is no event '" + shortened(type) + "'" + hint(type, known));
+      error.value = shortened(type);
       f.fail(std::move(error));
     }
   }
@@ -118,13 +118,13 @@ void describe(Fields& f, ThermalForecast& v) {
     v.start.emplace(EffectStart{.method = method_of(*method)});
   }
   const bool has_params = f.has("params");
+  if (f.checks() && !method && has_params) {
+    f.fail(invalid_params("method", "is missing beside params"));
+  }
   f.optional("params", v.start);
   f.optional("effect", v.effect, kEffectNumber);
   if (!f.checks()) {
     return;
-  }
-  if (!method && has_params) {
-    f.fail(invalid_params("method", "is missing beside params"));
   }
   if (v.start && !has_params) {
     f.fail(invalid_params("params", "is missing beside method"));

@@ -35,8 +35,7 @@ RpcError no_such_method(const std::string& method) {
   for (const MethodInfo& row : kMethods) {
     names.push_back(row.name);
   }
-  constexpr std::size_t kShown = 64;
-  const std::string shown = method.substr(0, kShown);
+  const std::string shown = shortened(method);
   RpcError made = error(ErrorCode::kMethodNotFound, "method_not_found: there is no method '" +
                                                         shown + "'" + hint(method, names));
   made.field = "method";

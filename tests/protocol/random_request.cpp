@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+#include "tests/protocol/random_request.h"
+
+#include "protocol/describe.h"
+#include "tests/protocol/schema.h"
+
+namespace hedgehog::protocol {
+namespace {
+
+bool coin() { return *rc::gen::inRange(0, 2) == 1; }
+
+std::int64_t whole(std::int64_t low, std::int64_t high) {
+  return *rc::gen::inRange(low, high + 1);
+}
+
+double between(double low, double high) {
+  constexpr int kSteps = 1'000'000;
+  return low + (high - low) * *rc::gen::inRange(0, kSteps + 1) / kSteps;
+}
+
+template <class E>
+E word() {
+  const auto count = static_cast<int>(names_of(E{}).size());
+  return static_cast<E>(*rc::gen::inRange(0, count));
+}
+
+template <class T, class Make>
+void maybe(std::optional<T>& field, Make make) {
+  if (coin()) {
+    field = make();
+  }
+}
+
+std::string slot() {
+  return *rc::gen::elementOf(
+      std::vector<std::string>{"engine", "skid", "a \"quoted\" one", "Bäume", "\n", "🦔"});
+}
+
+Direction direction() {
+  switch (*rc::gen::inRange(0, 4)) {
+    case 0:
+      return model::Vec3{between(-9, 9), between(-9, 9), between(0.1, 9)};
+    case 1:
+      return Angles{between(-360, 360), between(-90, 90)};
+    case 2:
+      return PinNumber{whole(0, 85)};
+    default:
+      return word<Word>();
+  }
+}
+
+model::Quaternion quaternion() {
+  return model::axis_angle({0, 0, 1}, 0) == model::Quaternion{} && coin()
+             ? model::Quaternion{}
+             : model::Quaternion{0, coin() ? 1.0 : -1.0, 0, 0};
+}
+
+void fill_end(EffectParams& p, std::int64_t default_ms) {
+  const int kind = *rc::gen::inRange(0, 3);
+  if (kind == 1) {
+    p.lease_ms = whole(kMinLeaseMs, kMaxLeaseMs);
+    maybe(p.attack_ms, [] { return whole(0, 10'000); });
+    return;
+  }
+  if (kind == 2) {
+    p.duration_ms = whole(1, kMaxDurationMs);
+  }
+  const std::int64_t duration = p.duration_ms.value_or(default_ms);
+  maybe(p.attack_ms, [&] { return whole(0, duration); });
+  maybe(p.fade_ms, [&] { return whole(0, duration - p.attack_ms.value_or(0)); });
+  maybe(p.on_close,
+        [&] { return coin() && duration <= kMaxFinishMs ? OnClose::kFinish : OnClose::kStop; });
+}
+
+EffectParams effect_params(Method method) {
+  EffectParams p;
+  const bool circle = method == Method::kEffectCircle;
+  const bool update = method == Method::kEffectUpdate;
+  if (method == Method::kEffectPulse || method == Method::kEffectHold) {
+    p.direction = direction();
+  } else if (!circle) {
+    maybe(p.direction, direction);
+  }
+  if (circle || update) {
+    maybe(p.axis, direction);
+    maybe(p.ring_deg, [] { return between(0, 180); });
+    maybe(p.speed_pins_s, [] { return between(0.1, 100); });
+    maybe(p.sense, word<Sense>);
+    maybe(p.stepping, word<Stepping>);
+  }
+  switch (*rc::gen::inRange(0, 4)) {
+    case 0:
+      p.level = between(0, 1);
+      break;
+    case 1:
+      p.current_a = between(0, 15);
+      break;
+    case 2:
+      p.force_n = between(0, 0.2);
+      break;
+    default:
+      break;
+  }
+  maybe(p.frame, word<model::Frame>);
+  maybe(p.gain, [] { return between(0, 1); });
+  if (coin()) {
+    maybe(p.start_at_ns, [] { return whole(0, std::int64_t{1} << 60); });
+  } else {
+    maybe(p.delay_ms, [] { return whole(0, 10'000); });
+  }
+  maybe(p.attack_level, [] { return between(0, 1); });
+  maybe(p.fade_level, [] { return between(0, 1); });
+  maybe(p.waveform, word<model::Waveform>);
+  maybe(p.frequency_hz, [] { return between(0.5, 250); });
+  maybe(p.on_fraction, [] { return between(0.05, 0.95); });
+  if (method == Method::kEffectHold) {
+    p.lease_ms = whole(kMinLeaseMs, kMaxLeaseMs);
+  } else {
+    fill_end(p, method == Method::kEffectPulse ? 150 : 1000);
+  }
+  maybe(p.priority, [] { return whole(0, 9); });
+  maybe(p.if_limited, word<IfLimited>);
+  return p;
+}
+
+EffectStart start() {
+  const Method method = method_of(word<model::EffectMethod>());
+  EffectStart made{method, effect_params(method)};
+  maybe(made.params.slot, slot);
+  return made;
+}
+
+EffectNumber number() { return static_cast<EffectNumber>(whole(1, 4'294'967'295)); }
+
+ThermalForecast forecast() {
+  ThermalForecast made;
+  switch (*rc::gen::inRange(0, 3)) {
+    case 0:
+      made.current_a = between(0, 15);
+      maybe(made.direction, direction);
+      break;
+    case 1:
+      made.start = start();
+      break;
+    default:
+      made.effect = number();
+  }
+  return made;
+}
+
+TelemetrySubscribe telemetry() {
+  TelemetrySubscribe made;
+  made.rate_hz = between(0.1, 200);
+  if (coin()) {
+    made.fields = {};
+    made.fields.add(word<StatusKey>());
+    made.fields.add(word<StatusKey>());
+  }
+  return made;
+}
+
+SimSet sim_set() {
+  SimSet made;
+  maybe(made.orientation, quaternion);
+  maybe(made.ambient_c, [] { return between(-20, 60); });
+  maybe(made.fault, [] { return SimFault{{"fan_stopped", "sensor_open"}, whole(0, 2)}; });
+  return made;
+}
+
+Request filled(Request request) {
+  if (auto* hello = std::get_if<Hello>(&request)) {
+    hello->client = slot();
+    hello->protocol = coin() ? "1.0" : "";
+    maybe(hello->token, slot);
+  } else if (auto* update = std::get_if<EffectUpdate>(&request)) {
+    update->params = effect_params(Method::kEffectUpdate);
+    if (coin()) {
+      update->effect = number();
+    } else {
+      update->params.slot = slot();
+    }
+  } else if (auto* stop = std::get_if<EffectStop>(&request)) {
+    coin() ? void(stop->effect = number()) : void(stop->slot = slot());
+  } else if (auto* all = std::get_if<EffectStopAll>(&request)) {
+    all->scope = word<Scope>();
+  } else if (auto* claim = std::get_if<DeviceClaim>(&request)) {
+    claim->lease_ms = whole(kMinLeaseMs, kMaxLeaseMs);
+  } else if (auto* gain = std::get_if<OutputSetGain>(&request)) {
+    gain->gain = between(0, 1);
+  } else if (auto* orientation = std::get_if<OrientationSet>(&request)) {
+    orientation->quaternion = quaternion();
+  } else if (auto* recenter = std::get_if<OrientationRecenter>(&request)) {
+    recenter->azimuth_deg = between(-360, 360);
+  } else if (auto* events = std::get_if<EventsSubscribe>(&request)) {
+    events->types = coin() ? std::vector<std::string>{"overrun"} : std::vector<std::string>{};
+    events->scope = word<Scope>();
+  } else if (std::holds_alternative<EffectStart>(request)) {
+    request = start();
+  } else if (std::holds_alternative<ThermalForecast>(request)) {
+    request = forecast();
+  } else if (std::holds_alternative<TelemetrySubscribe>(request)) {
+    request = telemetry();
+  } else if (std::holds_alternative<SimSet>(request)) {
+    request = sim_set();
+  }
+  return request;
+}
+
+}  // namespace
+
+rc::Gen<Request> random_request() {
+  return rc::gen::exec([] {
+    return filled(empty_request(
+        static_cast<Method>(*rc::gen::inRange(0, static_cast<int>(kMethods.size())))));
+  });
+}
+
+std::vector<std::string> parameter_names(Method method) {
+  const Json schema = schema_of_params(method);
+  std::vector<std::string> names;
+  for (const auto& [name, property] : *schema.find("properties")->as<Json::Object>()) {
+    names.push_back(name);
+  }
+  return names;
+}
+
+}  // namespace hedgehog::protocol

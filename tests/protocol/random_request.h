@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Generators of requests that obey every rule of the protocol.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <rapidcheck.h>
+
+#include "protocol/requests.h"
+
+namespace hedgehog::protocol {
+
+rc::Gen<Request> random_request();
+
+/// The names of the parameters that decoding knows for `method`.
+std::vector<std::string> parameter_names(Method method);
+
+}  // namespace hedgehog::protocol

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// Laws: what a client encodes the daemon decodes to the same value, and nothing that arrives can
+// do more than be refused with a documented error.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "protocol/client_codec.h"
+#include "protocol/server_codec.h"
+#include "tests/protocol/random_request.h"
+
+namespace hedgehog::protocol {
+namespace {
+
+RC_GTEST_PROP(Laws, EveryValidRequestArrivesAsItWasMeant, ()) {
+  const Request request = *random_request();
+  const Id id = Id::number(*rc::gen::arbitrary<int>());
+  const std::string line = encode_request(id, request);
+  RC_LOG() << line;
+  const Incoming incoming = decode_line(line);
+  RC_ASSERT(incoming.items.size() == 1u);
+  const Item& item = incoming.items.front();
+  RC_ASSERT(item.id == id);
+  if (!item.request) {
+    RC_FAIL(item.request.error().message);
+  }
+  RC_ASSERT(*item.request == request);
+  RC_ASSERT(item.method == method_of(request));
+}
+
+RC_GTEST_PROP(Laws, WhatWasReadOnceReadsTheSameAgain, ()) {
+  const std::string line = encode_request(std::nullopt, *random_request());
+  const Incoming first = decode_line(line);
+  RC_ASSERT(encode_request(std::nullopt, *first.items.front().request) == line);
+}
+
+void check_answerable(const Incoming& incoming) {
+  RC_ASSERT(!incoming.items.empty());
+  RC_ASSERT(incoming.items.size() <= kMaxBatch);
+  for (const Item& item : incoming.items) {
+    if (item.request) {
+      continue;
+    }
+    const RpcError& error = item.request.error();
+    RC_ASSERT(name(error.code) != "server_error");
+    RC_ASSERT(!error.message.empty());
+    RC_ASSERT(error.message.size() < 600u);
+    const auto answer = decode_messages(encode_error(item.id.value_or(Id{}), error));
+    RC_ASSERT(answer.has_value());
+    const Reply& reply = std::get<Reply>(answer->at(0));
+    RC_ASSERT(!reply.result.has_value());
+    RC_ASSERT(reply.result.error() == error);
+  }
+}
+
+RC_GTEST_PROP(Laws, ArbitraryBytesAreAnswered, (const std::string& bytes)) {
+  check_answerable(decode_line(bytes));
+}
+
+RC_GTEST_PROP(Laws, ADamagedRequestIsAnswered, ()) {
+  std::string line = encode_request(Id::number(1), *random_request());
+  const int damages = *rc::gen::inRange(1, 5);
+  for (int i = 0; i < damages; ++i) {
+    const auto at = static_cast<std::size_t>(*rc::gen::inRange(0, static_cast<int>(line.size())));
+    switch (*rc::gen::inRange(0, 3)) {
+      case 0:
+        line[at] = *rc::gen::arbitrary<char>();
+        break;
+      case 1:
+        line.erase(at, 1);
+        break;
+      default:
+        line.insert(at, *rc::gen::elementOf(std::vector<std::string>{
+                            "{", "}", "[", "]", "\"", ",", ":", "1e308", "-", "null", "\\u0000"}));
+    }
+  }
+  check_answerable(decode_line(line));
+}
+
+/// A random JSON value, not too deep.
+std::string random_json(int depth) {
+  switch (*rc::gen::inRange(0, depth > 0 ? 7 : 5)) {
+    case 0:
+      return "null";
+    case 1:
+      return "true";
+    case 2:
+      return std::to_string(*rc::gen::arbitrary<double>());
+    case 3:
+      return std::to_string(*rc::gen::arbitrary<std::int64_t>());
+    case 4:
+      return "\"" + *rc::gen::container<std::string>(rc::gen::inRange('a', 'z')) + "\"";
+    case 5:
+      return "[" + random_json(depth - 1) + "," + random_json(depth - 1) + "]";
+    default:
+      return "{\"pin\":" + random_json(depth - 1) + ",\"w\":" + random_json(depth - 1) + "}";
+  }
+}
+
+RC_GTEST_PROP(Laws, AnyValueForAnyParameterIsAnswered, ()) {
+  const MethodInfo& row = *rc::gen::elementOf(kMethods);
+  std::string params = "{";
+  for (const std::string& parameter : parameter_names(row.method)) {
+    if (*rc::gen::inRange(0, 4) == 0) {
+      params += params.size() > 1 ? "," : "";
+      params += "\"" + parameter + "\":" + random_json(3);
+    }
+  }
+  const std::string line = R"({"jsonrpc":"2.0","id":1,"method":")" + std::string(row.name) +
+                           R"(","params":)" + params + "}}";
+  const Incoming incoming = decode_line(line);
+  RC_ASSERT(incoming.items.front().method == row.method);
+  check_answerable(incoming);
+}
+
+}  // namespace
+}  // namespace hedgehog::protocol
