@@ -170,6 +170,7 @@ TEST(Call, PassesOnWhatAPersonTyped) {
   });
   auto ball = connect(daemon);
   EXPECT_EQ(ball.call_raw("future.method", R"({"x":1})", kLong).value(), R"({"b":1,"a":[2]})");
+  daemon.finish();
   EXPECT_EQ(line, R"({"jsonrpc":"2.0","id":1,"method":"future.method","params":{"x":1}})");
 }
 
@@ -227,22 +228,20 @@ TEST(Call, GivesUpOnALineThatNeverEnds) {
 TEST(Call, NeverSendsALineThatTheDaemonWouldRefuse) {
   std::string line;
   FakeDaemon daemon([&](FakePeer& peer) { line = peer.read(); });
-  {
-    auto ball = connect(daemon);
-    const auto failed = ball.call_raw("x", "{\"y\":\"" + std::string(70'000, 'y') + "\"}", kLong);
-    EXPECT_EQ(failed.error().failure, Failure::kProtocol);
-    EXPECT_TRUE(ball.notify(protocol::DeviceEmergencyStop{}, kLong).has_value());
-  }
+  auto ball = connect(daemon);
+  const auto failed = ball.call_raw("x", "{\"y\":\"" + std::string(70'000, 'y') + "\"}", kLong);
+  EXPECT_EQ(failed.error().failure, Failure::kProtocol);
+  EXPECT_TRUE(ball.notify(protocol::DeviceEmergencyStop{}, kLong).has_value());
+  daemon.finish();
   EXPECT_THAT(line, HasSubstr("device.emergency_stop"));
 }
 
 TEST(Notify, SendsNoId) {
   std::string line;
-  {
-    FakeDaemon daemon([&](FakePeer& peer) { line = peer.read(); });
-    EXPECT_TRUE(connect(daemon).notify(protocol::EffectStopAll{}, kLong).has_value());
-  }
-  EXPECT_EQ(line, R"({"jsonrpc":"2.0","method":"effect.stop_all"})");
+  FakeDaemon daemon([&](FakePeer& peer) { line = peer.read(); });
+  EXPECT_TRUE(connect(daemon).notify(protocol::EffectStop{.effect = 41}, kLong).has_value());
+  daemon.finish();
+  EXPECT_EQ(line, R"({"jsonrpc":"2.0","method":"effect.stop","params":{"effect":41}})");
 }
 
 TEST(Next, WithoutPatienceTakesOnlyWhatIsThere) {

@@ -5,6 +5,7 @@
 #include <boost/asio.hpp>
 #include <functional>
 #include <istream>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -50,9 +51,14 @@ class FakeDaemon {
                    std::move(conversation)) {}
   FakeDaemon(const std::string& path, Conversation conversation)
       : FakeDaemon(boost::asio::local::stream_protocol::endpoint(path), std::move(conversation)) {}
-  ~FakeDaemon() { thread_.join(); }
+  ~FakeDaemon() { finish(); }
   FakeDaemon(const FakeDaemon&) = delete;
   FakeDaemon& operator=(const FakeDaemon&) = delete;
+
+  /// Waits for the end of the conversation; afterwards the test may look at what it wrote down.
+  void finish() {
+    if (thread_.joinable()) thread_.join();
+  }
 
   /// REQUIRES: it listens on TCP.
   Address address() const { return {.host = "127.0.0.1", .port = port_}; }
