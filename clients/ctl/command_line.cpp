@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+#include "clients/ctl/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "clients/ctl/demo/demo.h"
+#include "clients/ctl/verbs/act_verbs.h"
+#include "clients/ctl/verbs/follow_verbs.h"
+#include "clients/ctl/verbs/look_verbs.h"
+#include "clients/ctl/verbs/play_verbs.h"
+
+namespace hedgehog::client {
+
+namespace {
+
+/// A parameter of the protocol as an option: `duration_ms` is `--duration-ms`.
+struct ParameterHelp {
+  const char* name;
+  const char* help;
+};
+
+constexpr std::array kPlayParameters{
+    ParameterHelp{"level", "strength, 0..1 of the ball's limit"},
+    ParameterHelp{"current_a", "strength in ampere (5 for ever, 15 for about 22 s)"},
+    ParameterHelp{"force_n", "strength in newton at the nearest pin"},
+    ParameterHelp{"gain", "0..1"},
+    ParameterHelp{"frame", "device, world, or coil"},
+    ParameterHelp{"delay_ms", "waits first, 0..10000"},
+    ParameterHelp{"attack_ms", "rises for so long"},
+    ParameterHelp{"fade_ms", "falls for so long at the end"},
+    ParameterHelp{"waveform", "constant, sine, square, triangle, sawtooth, noise"},
+    ParameterHelp{"frequency_hz", "of the waveform, 0.5..250"},
+    ParameterHelp{"on_fraction", "of a square wave, 0.05..0.95"},
+    ParameterHelp{"priority", "0..7; the highest is felt alone (8, 9: operate)"},
+    ParameterHelp{"if_limited", "reduce, or refuse when it is too warm"},
+    ParameterHelp{"slot", "a name for it; the next one of that name replaces it"},
+};
+constexpr std::array kTimedParameters{
+    ParameterHelp{"duration_ms", "ends by itself after, 1..10000"},
+};
+constexpr std::array kCircleParameters{
+    ParameterHelp{"axis", "what it goes round: up, or any direction word"},
+    ParameterHelp{"ring_deg", "angle from the axis, 0..180"},
+    ParameterHelp{"speed_pins_s", "steps a second, 0.1..100"},
+    ParameterHelp{"sense", "ccw or cw, seen from outside along the axis"},
+    ParameterHelp{"stepping", "pin by pin, or smooth"},
+};
+
+std::string flag_of(std::string name) {
+  std::replace(name.begin(), name.end(), '_', '-');
+  return "--" + name;
+}
+
+class CommandLine {
+ public:
+  CommandLine() {
+    app_.require_subcommand(1);
+    app_.fallthrough();
+    app_.set_version_flag("--version", std::string("hedgehogctl " HEDGEHOG_VERSION));
+    app_.add_option("--address", common_.address,
+                    "where the daemon listens: host:port or a socket's path (HEDGEHOG_ADDRESS)");
+    app_.add_flag("--json", common_.json, "answers as JSON, for programs");
+    app_.footer(
+        "Exit: 0 done, 1 the effect ended otherwise than completed, 64 usage, 69 no daemon,"
+        " no ball or not armed,\n75 try later, 77 the role does not suffice, 130 interrupted.");
+    add_looking();
+    add_playing();
+    add_acting();
+    add_following();
+    add_alone();
+  }
+
+  int run(int argc, char** argv) {
+    try {
+      app_.parse(argc, argv);
+    } catch (const CLI::Success& done) {
+      return app_.exit(done);
+    } catch (const CLI::ParseError& error) {
+      app_.exit(error);
+      return kUsage;
+    }
+    return verb_();
+  }
+
+ private:
+  using Verb = std::function<int(Session&)>;
+
+  /// A verb that needs a connection.
+  CLI::App* verb(const std::string& name, const std::string& help, Verb run) {
+    CLI::App* command = app_.add_subcommand(name, help);
+    command->callback([this, run = std::move(run)] {
+      verb_ = [this, run] {
+        auto session = open_session(common_);
+        return session ? run(*session) : static_cast<int>(complain(session.error()));
+      };
+    });
+    return command;
+  }
+
+  void add_looking() {
+    verb("status", "the ball at one look", run_status);
+    verb("pins", "the ball unrolled: which pins push now", run_pins);
+    verb("clients", "who is connected and what they play", run_clients);
+    CLI::App* forecast = verb("forecast", "how long a current can flow", [this](Session& session) {
+      return run_forecast(session, forecast_);
+    });
+    forecast->add_option("current_a", forecast_.current_a, "ampere")->capture_default_str();
+    forecast->add_option("direction", forecast_.direction, "left, 34, 90,20 or 0,1,0.5");
+  }
+
+  template <class Parameters>
+  void add_parameters(CLI::App* command, const Parameters& parameters) {
+    for (const ParameterHelp& parameter : parameters) {
+      const std::string name = parameter.name;
+      command->add_option_function<std::string>(
+          flag_of(name),
+          [this, name](const std::string& text) { play_.params.emplace_back(name, text); },
+          parameter.help);
+    }
+  }
+
+  CLI::App* add_effect(const std::string& name, const std::string& help) {
+    CLI::App* command = verb(name, help, [this, name](Session& session) {
+      play_.method = "effect." + name;
+      return run_play(session, play_);
+    });
+    add_parameters(command, kPlayParameters);
+    return command;
+  }
+
+  void add_playing() {
+    const char* towards =
+        "where the pins push out: left, 34 (a pin), 90,20 (azimuth, elevation) "
+        "or 0,1,0.5";
+    CLI::App* pulse = add_effect("pulse", "one push");
+    pulse->add_option("direction", play_.direction, towards)->required();
+    add_parameters(pulse, kTimedParameters);
+    CLI::App* circle = add_effect("circle", "a push that walks round the ball");
+    add_parameters(circle, kTimedParameters);
+    add_parameters(circle, kCircleParameters);
+    CLI::App* vibrate = add_effect("vibrate", "many pushes a second");
+    vibrate->add_option("direction", play_.direction, towards);
+    add_parameters(vibrate, kTimedParameters);
+    CLI::App* hold = add_effect("hold", "a push that stays, until Ctrl-C");
+    hold->add_option("direction", play_.direction, towards)->required();
+    hold->add_option("--for", play_.hold_s, "seconds; then it ends");
+  }
+
+  void add_acting() {
+    verb("stop", "EMERGENCY STOP: coils off until `arm`", run_stop);
+    verb("arm", "lets the ball play again", run_arm);
+    CLI::App* gain = verb("gain", "the owner's comfort setting",
+                          [this](Session& session) { return run_gain(session, gain_); });
+    gain->add_option("gain", gain_, "0..1; nothing: say it");
+  }
+
+  void add_following() {
+    verb("watch", "the ball as it lives; SPACE stops it, q quits", run_watch);
+    CLI::App* events = verb("events", "what happens, a line each",
+                            [this](Session& session) { return run_events(session, events_); });
+    events->add_option("--types", events_.types, "only these, with commas")->delimiter(',');
+    events->add_flag("--all", events_.all, "everybody's effects, not only one's own");
+    CLI::App* telemetry =
+        verb("telemetry", "the status again and again, one JSON object a line",
+             [this](Session& session) { return run_telemetry(session, telemetry_); });
+    telemetry->add_option("--rate-hz", telemetry_.rate_hz, "0.1..200")->capture_default_str();
+    telemetry->add_option("--fields", telemetry_.fields, "keys of the status, with commas")
+        ->delimiter(',');
+    telemetry->add_option("--count", telemetry_.count, "ends after so many");
+  }
+
+  /// The verbs that open their own connection.
+  void add_alone() {
+    CLI::App* check = app_.add_subcommand(
+        "check", "one line for monitoring: 0 ok, 1 warning, 2 critical, 3 unknown");
+    check->callback([this] { verb_ = [this] { return run_check(common_); }; });
+    CLI::App* demo = app_.add_subcommand("demo", "a tour of 40 seconds");
+    demo->add_flag("--private", demo_.private_daemon,
+                   "on a daemon of its own with a simulated ball");
+    demo->add_flag("--yes", demo_.confirmed, "on a real ball, do not ask first");
+    demo->callback([this] { verb_ = [this] { return run_demo(common_, demo_); }; });
+  }
+
+  CLI::App app_{"hedgehogctl: look at the ball, play on it, stop it", "hedgehogctl"};
+  CommonOptions common_;
+  ForecastOptions forecast_;
+  PlayOptions play_;
+  EventsOptions events_;
+  TelemetryOptions telemetry_;
+  DemoOptions demo_;
+  std::optional<double> gain_;
+  std::function<int()> verb_;
+};
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+  watch_interrupts();
+  return CommandLine().run(argc, argv);
+}
+
+}  // namespace hedgehog::client

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "clients/ctl/demo/demo.h"
+
+#include <cstdio>
+#include <memory>
+
+#include "clients/ctl/demo/private_daemon.h"
+#include "clients/ctl/demo/tour_player.h"
+#include "clients/ctl/screen/terminal.h"
+#include "clients/ctl/screen/words.h"
+
+namespace hedgehog::client {
+
+namespace {
+
+/// "A ball in mid-game": from here a 15 A push reaches the derating within the tour.
+constexpr double kWarmStartC = 53.0;
+
+bool ask_holder(const Ball& ball) {
+  std::printf(
+      "%s is a real ball. Up to 15 A will flow for some seconds: hold it with both hands.\n"
+      "Enter plays the tour, Ctrl-C leaves it. ",
+      ball.status.device.c_str());
+  std::fflush(stdout);
+  const int key = std::getchar();
+  return key == '\n' && !interrupted();
+}
+
+void say_summary(const TourRecord& record, const protocol::Status& last, double seconds) {
+  std::printf("\n %s s: 6 pulses, a circle, a skid, a compass, one long push. All coils are off.\n",
+              fixed(seconds, 0).c_str());
+  std::printf(" Hottest %s °C (trips at 70). The long push was derated to %s A, never cut.\n",
+              fixed(record.hottest_c(), 1).c_str(), fixed(record.least_limit_a(), 1).c_str());
+  const protocol::LoopStatus& loop = last.loop;
+  std::printf(" %s ticks, %s skipped, latest %s ms.\n\n",
+              grouped(static_cast<double>(loop.ticks)).c_str(),
+              loop.skipped == 0 ? "none" : grouped(static_cast<double>(loop.skipped)).c_str(),
+              fixed(loop.lateness_us.max / 1000.0, 2).c_str());
+}
+
+void say_next() {
+  std::puts("   make run                  the daemon on a simulated ball, 127.0.0.1:7586");
+  std::puts("   hedgehogctl pulse left    push the left palm yourself");
+  std::puts("   clients/README.md         ten lines in C++, and in other languages");
+}
+
+int play(Session& session, const DemoOptions& options) {
+  auto ball = look(session.connection);
+  if (!ball) {
+    return complain(ball.error());
+  }
+  if (!ball->status.simulated && !options.confirmed && !ask_holder(*ball)) {
+    return kInterrupted;
+  }
+  TourPlayer player(session.connection, *ball, session.style);
+  const auto outcome = player.play();
+  if (!outcome) {
+    return complain(outcome.error());
+  }
+  if (interrupted()) {
+    std::fputs("hedgehogctl: interrupted; the coils are off\n", stderr);
+    return kInterrupted;
+  }
+  const auto last = session.connection.call(protocol::DeviceStatus{});
+  if (!last) {
+    return complain(last.error());
+  }
+  const std::vector<std::string> failures = player.record().failures(*last);
+  for (const std::string& failure : failures) {
+    std::fprintf(stderr, "hedgehogctl: demo: %s\n", failure.c_str());
+  }
+  if (!failures.empty()) {
+    return kEndedOtherwise;
+  }
+  say_summary(player.record(), *last, player.seconds());
+  say_next();
+  return kDone;
+}
+
+}  // namespace
+
+int run_demo(const CommonOptions& common, const DemoOptions& options) {
+  CommonOptions chosen = common;
+  std::unique_ptr<PrivateDaemon> daemon;
+  if (options.private_daemon) {
+    auto started = PrivateDaemon::start(kWarmStartC);
+    if (!started) {
+      std::fprintf(stderr, "hedgehogctl: %s\n", started.error().message.c_str());
+      return kUnavailable;
+    }
+    daemon = std::make_unique<PrivateDaemon>(*std::move(started));
+    chosen.address = daemon->socket();
+  }
+  int code = kUnavailable;
+  {
+    auto session = open_session(chosen);
+    code = session ? play(*session, options) : static_cast<int>(complain(session.error()));
+  }
+  if (daemon != nullptr && daemon->stop() != 0 && code == kDone) {
+    std::fputs("hedgehogctl: demo: its daemon did not end cleanly\n", stderr);
+    code = kEndedOtherwise;
+  }
+  return code;
+}
+
+}  // namespace hedgehog::client

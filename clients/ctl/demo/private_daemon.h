@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// A hedgehogd of one's own: a simulated ball, a Unix socket in a temporary folder, no port. It
+// never touches a daemon that runs already.
+#pragma once
+
+#include <sys/types.h>
+
+#include <string>
+
+#include "clients/lib/client_error.h"
+
+namespace hedgehog::client {
+
+/// One thread. The destructor ends the daemon (SIGTERM, and it waits) and removes the folder.
+class PrivateDaemon {
+ public:
+  /// Starts hedgehogd, which is looked for beside this program, in the build folder, then in PATH,
+  /// and waits until it listens. The ball starts at `start_temperature_c`.
+  static Outcome<PrivateDaemon> start(double start_temperature_c);
+
+  PrivateDaemon(PrivateDaemon&& other) noexcept;
+  PrivateDaemon& operator=(PrivateDaemon&&) = delete;
+  ~PrivateDaemon();
+
+  /// Its socket, for `--address`.
+  const std::string& socket() const noexcept { return socket_; }
+  /// Ends it; its exit code, -1 when it was killed by a signal.
+  int stop();
+
+ private:
+  PrivateDaemon() = default;
+
+  std::string folder_;
+  std::string socket_;
+  pid_t process_ = -1;
+};
+
+}  // namespace hedgehog::client

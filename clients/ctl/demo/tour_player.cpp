@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include "clients/ctl/demo/tour_player.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "clients/ctl/demo/demo_screen.h"
+#include "clients/ctl/screen/ball_map.h"
+#include "clients/ctl/screen/words.h"
+#include "clients/ctl/verbs/session.h"
+
+namespace hedgehog::client {
+
+namespace {
+
+constexpr double kPictureHz = 25.0;
+constexpr std::size_t kPinsShown = 4;
+
+long felt_pins(const protocol::Status& status) {
+  return std::count_if(status.pins.begin(), status.pins.end(),
+                       [](double force_n) { return force_n >= kFeltN; });
+}
+
+}  // namespace
+
+TourPlayer::TourPlayer(Connection& connection, Ball ball, const ScreenStyle& style)
+    : connection_(connection),
+      ball_(std::move(ball)),
+      style_(style),
+      picture_(terminal_traits().picture),
+      chapters_(tour(ball_.status.simulated)) {}
+
+Outcome<void> TourPlayer::play() {
+  if (auto subscribed = subscribe(); !subscribed) {
+    return subscribed.error();
+  }
+  if (picture_) {
+    canvas_ = std::make_unique<Canvas>();
+  }
+  start_ = Clock::now();
+  Outcome<void> outcome;
+  for (const TourChapter& chapter : chapters_) {
+    outcome = play_chapter(chapter);
+    if (!outcome || interrupted()) {
+      break;
+    }
+  }
+  seconds_ = now_s();
+  canvas_.reset();
+  if (interrupted()) {
+    const auto stopped = connection_.call(protocol::EffectStopAll{});
+    return stopped ? Outcome<void>() : Outcome<void>(stopped.error());
+  }
+  return outcome;
+}
+
+Outcome<void> TourPlayer::subscribe() {
+  const auto telemetry =
+      connection_.call(protocol::TelemetrySubscribe{kPictureHz, protocol::kEveryStatusKey});
+  if (!telemetry) {
+    return telemetry.error();
+  }
+  const auto events = connection_.call(protocol::EventsSubscribe{});
+  return events ? Outcome<void>() : Outcome<void>(events.error());
+}
+
+Outcome<void> TourPlayer::play_chapter(const TourChapter& chapter) {
+  playing_ = nullptr;
+  const TourStep* unsaid = nullptr;
+  for (const TourStep& step : chapter.steps) {
+    if (auto waited = wait_until(step.at, chapter); !waited || interrupted()) {
+      return waited;
+    }
+    if (step.shown) {
+      if (unsaid != nullptr) {
+        say_played(*unsaid);
+      }
+      unsaid = playing_ = &step;
+      record_.take_pins();
+      record_.take_strongest();
+    }
+    if (auto sent = send(step); !sent) {
+      return sent;
+    }
+  }
+  auto waited = wait_until(chapter.to, chapter);
+  if (unsaid != nullptr) {
+    say_played(*unsaid);
+  } else if (&chapter == &chapters_.back()) {
+    say_rest(chapter);
+  }
+  return waited;
+}
+
+Outcome<void> TourPlayer::wait_until(Milliseconds at, const TourChapter& chapter) {
+  const Clock::time_point end = start_ + at;
+  while (!interrupted()) {
+    const auto left = std::chrono::ceil<Milliseconds>(end - Clock::now());
+    if (left.count() <= 0) {
+      break;
+    }
+    auto told = connection_.next(std::min(left, Milliseconds{100}));
+    if (!told) {
+      return told.error();
+    }
+    if (*told) {
+      take(**told, chapter);
+    }
+  }
+  return {};
+}
+
+void TourPlayer::take(const Notification& told, const TourChapter& chapter) {
+  if (const auto* event = std::get_if<protocol::EventMessage>(&told)) {
+    record_.take(event->event);
+    say_derating(event->event);
+    return;
+  }
+  ball_.status = std::get<protocol::TelemetryMessage>(told).telemetry.status;
+  record_.take(ball_.status);
+  draw(chapter);
+}
+
+Outcome<void> TourPlayer::send(const TourStep& step) {
+  const auto answer = connection_.call_raw(step.method, step.params);
+  if (answer) {
+    return {};
+  }
+  if (answer.error().failure != Failure::kRefused) {
+    return answer.error();
+  }
+  record_.refused(step.method + ": " + answer.error().message);
+  return {};
+}
+
+void TourPlayer::draw(const TourChapter& chapter) {
+  if (canvas_ != nullptr) {
+    canvas_->draw(demo_screen(ball_, chapter, playing_, style_));
+  }
+}
+
+void TourPlayer::say_played(const TourStep& step) {
+  const auto strongest = record_.take_strongest();
+  const std::vector<std::int64_t> pins = record_.take_pins();
+  if (picture_ || !strongest) {
+    return;
+  }
+  std::string felt = std::to_string(felt_pins(*strongest)) + " pins felt";
+  if (step.method == "effect.circle") {
+    felt = "pins";
+    for (std::size_t i = 0; i < std::min(pins.size(), kPinsShown); ++i) {
+      felt += " " + std::to_string(pins[i]);
+    }
+    felt += " … (" + std::to_string(pins.size()) + " passed)";
+  }
+  std::printf("%5.1f s  %s %s A   %s   %s °C\n", static_cast<double>(step.at.count()) / 1000.0,
+              left(step.words, 17).c_str(), right(fixed(current_norm_a(*strongest), 1), 5).c_str(),
+              felt.c_str(), fixed(strongest->temperature_c.model.value_or(0.0), 1).c_str());
+  std::fflush(stdout);
+}
+
+void TourPlayer::say_derating(const protocol::Event& event) {
+  if (picture_ || event.type != "derating_started") {
+    return;
+  }
+  std::printf("%5.1f s  %s %s A allowed   %s °C\n", now_s(), left("derating", 17).c_str(),
+              right(fixed(event.limit_a.value_or(0.0), 1), 5).c_str(),
+              fixed(event.temperature_c.value_or(0.0), 1).c_str());
+  std::fflush(stdout);
+}
+
+void TourPlayer::say_rest(const TourChapter& chapter) {
+  if (picture_) {
+    return;
+  }
+  const protocol::Status& status = ball_.status;
+  std::printf("%5.1f s  %s %s A allowed   %s °C\n",
+              static_cast<double>(chapter.to.count()) / 1000.0, left(chapter.title, 17).c_str(),
+              right(fixed(status.limit_a, 1), 5).c_str(),
+              fixed(status.temperature_c.model.value_or(0.0), 1).c_str());
+  std::fflush(stdout);
+}
+
+double TourPlayer::now_s() const {
+  return std::chrono::duration<double>(Clock::now() - start_).count();
+}
+
+}  // namespace hedgehog::client

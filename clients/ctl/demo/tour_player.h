@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// Plays the tour in real time on a daemon and shows it: as a picture on a terminal, else a line a
+// happening.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <vector>
+
+#include "clients/ctl/demo/tour.h"
+#include "clients/ctl/demo/tour_record.h"
+#include "clients/ctl/screen/ball.h"
+#include "clients/ctl/screen/status_screen.h"
+#include "clients/ctl/screen/terminal.h"
+#include "clients/lib/connection.h"
+
+namespace hedgehog::client {
+
+/// One thread. Ends early when the person interrupts; the effects then end with `stop_all`.
+class TourPlayer {
+ public:
+  TourPlayer(Connection& connection, Ball ball, const ScreenStyle& style);
+
+  Outcome<void> play();
+
+  const TourRecord& record() const noexcept { return record_; }
+  /// How long it took.
+  double seconds() const noexcept { return seconds_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  Outcome<void> subscribe();
+  Outcome<void> play_chapter(const TourChapter& chapter);
+  /// Until `at` after the start: takes what the daemon says, and draws.
+  Outcome<void> wait_until(Milliseconds at, const TourChapter& chapter);
+  void take(const Notification& told, const TourChapter& chapter);
+  Outcome<void> send(const TourStep& step);
+  void draw(const TourChapter& chapter);
+  /// Lines for a pipe: the step that has just been played, or a derating.
+  void say_played(const TourStep& step);
+  void say_derating(const protocol::Event& event);
+  void say_rest(const TourChapter& chapter);
+  double now_s() const;
+
+  Connection& connection_;
+  Ball ball_;
+  ScreenStyle style_;
+  bool picture_;
+  std::vector<TourChapter> chapters_;
+  std::unique_ptr<Canvas> canvas_;
+  TourRecord record_;
+  const TourStep* playing_ = nullptr;
+  Clock::time_point start_{};
+  double seconds_ = 0.0;
+};
+
+}  // namespace hedgehog::client

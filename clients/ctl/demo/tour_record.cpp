@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "clients/ctl/demo/tour_record.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "clients/ctl/screen/ball.h"
+#include "clients/ctl/screen/words.h"
+
+namespace hedgehog::client {
+
+namespace {
+
+constexpr double kZeroA = 0.1;
+
+}  // namespace
+
+void TourRecord::take(const protocol::Status& status) {
+  const auto& temperature = status.temperature_c;
+  hottest_c_ =
+      std::max({hottest_c_, temperature.model.value_or(0.0), temperature.sensor.value_or(0.0)});
+  least_limit_a_ = std::min(least_limit_a_, status.limit_a);
+  if (status.pin && (pins_.empty() || pins_.back() != *status.pin)) {
+    pins_.push_back(*status.pin);
+  }
+  if (!strongest_ || current_norm_a(status) > current_norm_a(*strongest_)) {
+    strongest_ = status;
+  }
+}
+
+void TourRecord::take(const protocol::Event& event) {
+  if (event.type == "state_changed" && event.state != "armed") {
+    failures_.push_back("the ball is " + event.state.value_or("?") + ": " +
+                        event.reason.value_or(""));
+  }
+  if (event.type == "effect_ended" && event.reason != "completed" && event.reason != "stopped") {
+    failures_.push_back("an effect ended " + event.reason.value_or("?"));
+  }
+}
+
+std::vector<std::int64_t> TourRecord::take_pins() { return std::exchange(pins_, {}); }
+
+std::optional<protocol::Status> TourRecord::take_strongest() {
+  return std::exchange(strongest_, std::nullopt);
+}
+
+std::vector<std::string> TourRecord::failures(const protocol::Status& last) const {
+  std::vector<std::string> found = failures_;
+  if (last.last_trip) {
+    found.push_back("tripped: " + last.last_trip->reason);
+  }
+  if (current_norm_a(last) > kZeroA) {
+    found.push_back(fixed(current_norm_a(last), 2) + " A flow after the end");
+  }
+  return found;
+}
+
+}  // namespace hedgehog::client

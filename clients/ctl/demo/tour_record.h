@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// What the daemon said while the tour played: the figures of the summary, and whether the tour may
+// be called a success.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "protocol/event.h"
+#include "protocol/status.h"
+
+namespace hedgehog::client {
+
+/// One thread. Every number in it came from the daemon.
+class TourRecord {
+ public:
+  void take(const protocol::Status& status);
+  void take(const protocol::Event& event);
+  /// A request of the tour was refused.
+  void refused(const std::string& message) { failures_.push_back(message); }
+
+  /// The pins that the field pointed at since the last call, each once in a row.
+  std::vector<std::int64_t> take_pins();
+  /// The status with the most current since the last call; nothing when none came.
+  std::optional<protocol::Status> take_strongest();
+
+  double hottest_c() const noexcept { return hottest_c_; }
+  double least_limit_a() const noexcept { return least_limit_a_; }
+  /// What went wrong, a line each; empty: all is well. `last` is the status after the end.
+  std::vector<std::string> failures(const protocol::Status& last) const;
+
+ private:
+  double hottest_c_ = 0.0;
+  double least_limit_a_ = 1e9;
+  std::vector<std::int64_t> pins_;
+  std::optional<protocol::Status> strongest_;
+  std::vector<std::string> failures_;
+};
+
+}  // namespace hedgehog::client

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// A direction as typed on a command line.
+#pragma once
+
+#include <string>
+
+#include "clients/lib/client_error.h"
+
+namespace hedgehog::client {
+
+/// The JSON of the protocol for a word ("left"), a pin ("34"), azimuth and elevation in degrees
+/// ("90,20") or a vector
+/// ("0,1,0.5"). Words pass as they are: the daemon knows them and names the ones it knows.
+Outcome<std::string> direction_json(const std::string& text);
+
+}  // namespace hedgehog::client

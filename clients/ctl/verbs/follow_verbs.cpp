@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "clients/ctl/verbs/follow_verbs.h"
+
+#include <cstdio>
+#include <ctime>
+
+#include "clients/ctl/screen/terminal.h"
+#include "clients/ctl/screen/watch_screen.h"
+
+namespace hedgehog::client {
+
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr milliseconds kGlance{50};
+constexpr double kRedrawHz = 10.0;
+
+std::string time_of_day() {
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  localtime_r(&now, &local);
+  char text[16];
+  std::strftime(text, sizeof text, "%H:%M:%S", &local);
+  return text;
+}
+
+/// Calls `take` with each notification until Ctrl-C, until `take` returns false, or until the
+/// connection fails.
+template <class Take>
+int follow(Session& session, Take take) {
+  while (!interrupted()) {
+    auto told = session.connection.next(kGlance);
+    if (!told) {
+      return complain(told.error());
+    }
+    if (*told && !take(**told)) {
+      return kDone;
+    }
+  }
+  return kInterrupted;
+}
+
+/// Everybody's effects where the role allows it, else one's own.
+Outcome<void> subscribe_events(Connection& connection) {
+  auto all = connection.call(protocol::EventsSubscribe{{}, protocol::Scope::kAll});
+  if (all) {
+    return {};
+  }
+  auto mine = connection.call(protocol::EventsSubscribe{});
+  return mine ? Outcome<void>() : Outcome<void>(mine.error());
+}
+
+/// False: the person wants to leave.
+bool press(char key, Session& session) {
+  if (key == ' ') {
+    // Unanswered: the stop must not wait behind whatever the socket still holds.
+    (void)session.connection.notify(protocol::DeviceEmergencyStop{});
+  }
+  return key != 'q';
+}
+
+int watch_loop(Session& session, Ball& ball) {
+  WatchScreen screen(session.style);
+  Canvas canvas;
+  while (!interrupted()) {
+    auto told = session.connection.next(milliseconds{20});
+    if (!told) {
+      return exit_code_of(told.error());
+    }
+    if (*told) {
+      if (auto* telemetry = std::get_if<protocol::TelemetryMessage>(&**told)) {
+        ball.status = std::move(telemetry->telemetry.status);
+        screen.take(ball.status);
+        canvas.draw(screen.lines(ball));
+      } else {
+        screen.take(std::get<protocol::EventMessage>(**told).event, time_of_day());
+      }
+    }
+    if (const auto key = canvas.key(milliseconds{0}); key && !press(*key, session)) {
+      return kDone;
+    }
+  }
+  return kInterrupted;
+}
+
+}  // namespace
+
+int run_watch(Session& session) {
+  if (!terminal_traits().picture) {
+    std::fputs(
+        "hedgehogctl: watch draws a picture: it needs a terminal of 80 columns and 22 rows\n",
+        stderr);
+    return kUsage;
+  }
+  auto ball = look(session.connection);
+  if (!ball) {
+    return complain(ball.error());
+  }
+  if (auto events = subscribe_events(session.connection); !events) {
+    return complain(events.error());
+  }
+  auto telemetry =
+      session.connection.call(protocol::TelemetrySubscribe{kRedrawHz, protocol::kEveryStatusKey});
+  if (!telemetry) {
+    return complain(telemetry.error());
+  }
+  const int code = watch_loop(session, *ball);
+  if (code == kUnavailable) {
+    std::fputs("hedgehogctl: the daemon ended the connection\n", stderr);
+  }
+  return code;
+}
+
+int run_events(Session& session, const EventsOptions& options) {
+  const protocol::EventsSubscribe request{
+      options.types, options.all ? protocol::Scope::kAll : protocol::Scope::kMine};
+  if (auto subscribed = session.connection.call(request); !subscribed) {
+    return complain(subscribed.error());
+  }
+  return follow(session, [&](const Notification& told) {
+    if (const auto* event = std::get_if<protocol::EventMessage>(&told)) {
+      std::puts(session.json ? event->json.c_str()
+                             : ("  " + time_of_day() + "  " + event_words(event->event)).c_str());
+      std::fflush(stdout);
+    }
+    return true;
+  });
+}
+
+int run_telemetry(Session& session, const TelemetryOptions& options) {
+  protocol::TelemetrySubscribe request{options.rate_hz, protocol::kTelemetryDefault};
+  if (!options.fields.empty()) {
+    request.fields = {};
+    for (const std::string& field : options.fields) {
+      const auto key = protocol::status_key_named(field);
+      if (!key) {
+        std::fprintf(stderr, "hedgehogctl: fields: the status has no '%s'\n", field.c_str());
+        return kUsage;
+      }
+      request.fields.add(*key);
+    }
+  }
+  if (auto subscribed = session.connection.call(request); !subscribed) {
+    return complain(subscribed.error());
+  }
+  std::int64_t count = 0;
+  return follow(session, [&](const Notification& told) {
+    if (const auto* telemetry = std::get_if<protocol::TelemetryMessage>(&told)) {
+      std::puts(telemetry->json.c_str());
+      std::fflush(stdout);
+      ++count;
+    }
+    return options.count == 0 || count < options.count;
+  });
+}
+
+}  // namespace hedgehog::client

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// The verbs that look: status, pins, clients, forecast, check. Each returns the exit code.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "clients/ctl/verbs/session.h"
+
+namespace hedgehog::client {
+
+int run_status(Session& session);
+/// The ball unrolled, once.
+int run_pins(Session& session);
+int run_clients(Session& session);
+
+struct ForecastOptions {
+  double current_a = 15.0;
+  /// As `direction_json` reads it; empty: the worst coil.
+  std::string direction;
+};
+int run_forecast(Session& session, const ForecastOptions& options);
+
+/// Speaks the monitoring plug-ins' language: one line, 0 ok, 1 warning, 2 critical, 3 unknown.
+/// Opens its own connection, because no daemon is an answer too.
+int run_check(const CommonOptions& options);
+
+}  // namespace hedgehog::client

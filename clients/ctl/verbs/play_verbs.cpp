@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#include "clients/ctl/verbs/play_verbs.h"
+
+#include <chrono>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "clients/ctl/screen/words.h"
+#include "clients/ctl/verbs/direction_argument.h"
+#include "model/direction.h"
+#include "protocol/results.h"
+
+namespace hedgehog::client {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using nlohmann::json;
+using std::chrono::milliseconds;
+
+constexpr milliseconds kGlance{50};
+constexpr milliseconds kRenewal{400};
+constexpr int kHoldLeaseMs = 1000;
+
+/// A parameter as typed: a number where it reads as one, else a word.
+json typed(const std::string& text) {
+  const json number = json::parse(text, nullptr, false);
+  return number.is_number() || number.is_boolean() ? number : json(text);
+}
+
+std::string verb_of(const std::string& method) { return method.substr(method.find('.') + 1); }
+
+/// Waits for the end of `effect`, renewing its lease when it is held; nothing when the person
+/// interrupts.
+class Stay {
+ public:
+  Stay(Session& session, std::uint32_t effect, const PlayOptions& options)
+      : session_(session),
+        effect_(effect),
+        held_(options.method == "effect.hold"),
+        until_(options.hold_s ? Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                                   std::chrono::duration<double>(*options.hold_s))
+                              : Clock::time_point::max()) {}
+
+  Outcome<std::optional<protocol::EventMessage>> wait() {
+    while (!interrupted()) {
+      if (auto renewed = keep_going(); !renewed) {
+        return renewed.error();
+      }
+      auto told = session_.connection.next(kGlance);
+      if (!told) {
+        return told.error();
+      }
+      if (!*told) {
+        continue;
+      }
+      const auto* event = std::get_if<protocol::EventMessage>(&**told);
+      if (event != nullptr && event->event.type == "effect_ended" &&
+          event->event.effect == effect_) {
+        return std::optional(*event);
+      }
+    }
+    return std::optional<protocol::EventMessage>{};
+  }
+
+  /// A hold that was stopped because its time was over has done what was asked.
+  bool stopped_in_time() const noexcept { return stopped_; }
+
+ private:
+  Outcome<void> keep_going() {
+    if (!held_ || stopped_) {
+      return {};
+    }
+    if (Clock::now() >= until_) {
+      stopped_ = true;
+      return session_.connection.notify(protocol::EffectStop{effect_, std::nullopt});
+    }
+    if (Clock::now() - renewed_ >= kRenewal) {
+      renewed_ = Clock::now();
+      return session_.connection.notify(protocol::EffectUpdate{effect_, {}});
+    }
+    return {};
+  }
+
+  Session& session_;
+  std::uint32_t effect_;
+  bool held_;
+  bool stopped_ = false;
+  Clock::time_point until_;
+  Clock::time_point renewed_ = Clock::now();
+};
+
+void say_start(const PlayOptions& options, const protocol::Admission& admission) {
+  const std::string direction = options.direction.empty() ? "" : " " + options.direction;
+  std::printf("%s   %s A   %s N at pin %lld", left(verb_of(options.method) + direction, 10).c_str(),
+              fixed(admission.current_a, 1).c_str(), fixed(admission.force_n, 3).c_str(),
+              static_cast<long long>(admission.pin));
+  if (admission.limited_by) {
+    std::printf("   limited by %s", admission.limited_by->c_str());
+  }
+  std::fflush(stdout);
+}
+
+void say_end(const protocol::Event& event, const std::string& reason) {
+  std::int64_t played_ms = 0;
+  if (event.onset_ns && event.offset_ns) {
+    played_ms = (*event.offset_ns - *event.onset_ns) / 1'000'000;
+  }
+  std::printf("   %lld ms   %s", static_cast<long long>(played_ms), reason.c_str());
+  if (event.delivered && event.delivered->mean < 0.995) {
+    std::printf(", %s %% of its strength", fixed(100.0 * event.delivered->mean, 0).c_str());
+  }
+  std::puts("");
+}
+
+}  // namespace
+
+Outcome<std::string> play_params(const PlayOptions& options) {
+  json params = json::object();
+  if (!options.direction.empty()) {
+    auto direction = direction_json(options.direction);
+    if (!direction) {
+      return direction.error();
+    }
+    params["direction"] = json::parse(*direction);
+  }
+  if (options.method == "effect.hold") {
+    params["lease_ms"] = kHoldLeaseMs;
+  }
+  for (const auto& [name, text] : options.params) {
+    params[name] = typed(text);
+  }
+  return params.dump();
+}
+
+int run_play(Session& session, const PlayOptions& options) {
+  const auto params = play_params(options);
+  if (!params) {
+    return complain(params.error());
+  }
+  if (auto hello = session.connection.hello("hedgehogctl"); !hello) {
+    return complain(hello.error());
+  }
+  if (auto events = session.connection.call(protocol::EventsSubscribe{{"effect_ended"}}); !events) {
+    return complain(events.error());
+  }
+  const auto answer = session.connection.call_raw(options.method, *params);
+  if (!answer) {
+    return complain(answer.error());
+  }
+  const auto admission = protocol::decode_result<protocol::Admission>(*answer);
+  if (!admission) {
+    return complain({Failure::kProtocol, admission.error().message, {}});
+  }
+  if (session.json) {
+    std::puts(answer->c_str());
+    std::fflush(stdout);
+  } else {
+    say_start(options, *admission);
+  }
+
+  Stay stay(session, admission->effect, options);
+  const auto ended = stay.wait();
+  if (!ended) {
+    std::puts("");
+    return complain(ended.error());
+  }
+  if (!*ended) {
+    if (!session.json) {
+      std::puts("   interrupted");
+    }
+    return kInterrupted;
+  }
+  const bool complete = (*ended)->event.reason == "completed" || stay.stopped_in_time();
+  if (session.json) {
+    std::puts((*ended)->json.c_str());
+  } else {
+    say_end((*ended)->event,
+            stay.stopped_in_time() ? "completed" : (*ended)->event.reason.value_or(""));
+  }
+  return complete ? kDone : kEndedOtherwise;
+}
+
+}  // namespace hedgehog::client
