@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "clients/orientation/indicator.h"
+
+#include <algorithm>
+
+namespace hedgehog::client {
+
+namespace {
+
+using protocol::EffectParams;
+using std::chrono::milliseconds;
+
+constexpr const char* kSlot = "orientation";
+constexpr std::int64_t kLeaseMs = 500;
+constexpr milliseconds kRenewal{200};
+constexpr milliseconds kReportEvery{1000};
+constexpr double kFollowHz = 100.0;
+constexpr double kReportHz = 10.0;
+// As old as the daemon lets a world-frame effect play on.
+constexpr std::int64_t kStaleMs = 100;
+
+protocol::EffectStart effect_of(Style style) {
+  EffectParams params;
+  params.slot = kSlot;
+  params.direction = protocol::Word::kUp;
+  params.lease_ms = kLeaseMs;
+  if (style == Style::kSteady) {
+    params.current_a = 5.0;
+    return {protocol::Method::kEffectHold, params};
+  }
+  params.waveform = model::Waveform::kSquare;
+  params.frequency_hz = 2.0;
+  params.on_fraction = 0.15;
+  params.current_a = 12.0;
+  return {protocol::Method::kEffectVibrate, params};
+}
+
+protocol::StatusKeys followed_keys() {
+  protocol::StatusKeys keys;
+  for (const auto key : {protocol::StatusKey::kOrientation, protocol::StatusKey::kPin,
+                         protocol::StatusKey::kForceN, protocol::StatusKey::kTemperatureC}) {
+    keys.add(key);
+  }
+  return keys;
+}
+
+}  // namespace
+
+Indicator::Indicator(Connection& connection, const IndicatorOptions& options)
+    : connection_(connection), options_(options) {}
+
+Outcome<void> Indicator::run(const std::function<bool()>& stop,
+                             const std::function<void(const IndicatorReport&)>& report) {
+  if (auto started = start(); !started) {
+    return started;
+  }
+  while (!stop()) {
+    if (options_.duration && Clock::now() - started_at_ >= *options_.duration) {
+      break;
+    }
+    auto told = connection_.next(milliseconds{50});
+    if (!told) {
+      return told.error();
+    }
+    if (*told) {
+      if (auto taken = take(**told, report); !taken) {
+        return taken;
+      }
+    }
+    if (auto renewed = renew(); !renewed) {
+      return renewed;
+    }
+  }
+  const auto stopped = connection_.call(protocol::EffectStopAll{});
+  return stopped ? Outcome<void>() : Outcome<void>(stopped.error());
+}
+
+Outcome<void> Indicator::start() {
+  protocol::EffectStart effect = effect_of(options_.style);
+  if (options_.loop == Loop::kDaemon) {
+    effect.params.frame = model::Frame::kWorld;
+  }
+  if (auto admitted = connection_.call(effect); !admitted) {
+    return admitted.error();
+  }
+  const double rate_hz = options_.loop == Loop::kClient ? kFollowHz : kReportHz;
+  if (auto telemetry = connection_.call(protocol::TelemetrySubscribe{rate_hz, followed_keys()});
+      !telemetry) {
+    return telemetry.error();
+  }
+  started_at_ = renewed_ = Clock::now();
+  return {};
+}
+
+Outcome<void> Indicator::take(const Notification& told,
+                              const std::function<void(const IndicatorReport&)>& report) {
+  const auto* message = std::get_if<protocol::TelemetryMessage>(&told);
+  if (message == nullptr) {
+    return {};
+  }
+  const protocol::Status& status = message->telemetry.status;
+  if (Clock::now() - reported_ >= kReportEvery) {
+    reported_ = Clock::now();
+    IndicatorReport now;
+    if (status.orientation && status.orientation->age_ms <= kStaleMs) {
+      now.up = status.orientation->up;
+    }
+    now.pin = status.pin;
+    now.force_n = status.force_n;
+    now.temperature_c = status.temperature_c.model.value_or(0.0);
+    report(now);
+  }
+  return options_.loop == Loop::kClient ? follow(status) : Outcome<void>();
+}
+
+Outcome<void> Indicator::follow(const protocol::Status& status) {
+  if (!status.orientation || status.orientation->age_ms > kStaleMs) {
+    // Not renewed either: what points at an up that nobody knows ends by its lease.
+    return {};
+  }
+  EffectParams params;
+  params.slot = kSlot;
+  params.direction = status.orientation->up;
+  renewed_ = Clock::now();
+  return connection_.notify(protocol::EffectUpdate{std::nullopt, params});
+}
+
+Outcome<void> Indicator::renew() {
+  if (options_.loop == Loop::kClient || Clock::now() - renewed_ < kRenewal) {
+    return {};
+  }
+  renewed_ = Clock::now();
+  EffectParams params;
+  params.slot = kSlot;
+  return connection_.notify(protocol::EffectUpdate{std::nullopt, params});
+}
+
+}  // namespace hedgehog::client

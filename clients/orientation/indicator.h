@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// The orientation indicator of the thesis (section 4.2): the pins on the upper side come out,
+// however the ball is turned.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "clients/lib/connection.h"
+#include "model/vec3.h"
+
+namespace hedgehog::client {
+
+/// Who keeps the push upwards: this program over the network, or the daemon by a world-frame
+/// effect.
+enum class Loop : std::uint8_t { kClient, kDaemon };
+
+/// `pulse`: 12 A in 15 % of the time, twice a second: 4.65 A rms, which can flow for ever and is
+/// felt better than `steady`: 5 A all the time, of which the thesis found that the direction is
+/// hard to tell (section 4.2).
+enum class Style : std::uint8_t { kPulse, kSteady };
+
+struct IndicatorOptions {
+  Loop loop = Loop::kDaemon;
+  Style style = Style::kPulse;
+  /// How long; nothing: until the person interrupts.
+  std::optional<std::chrono::milliseconds> duration;
+};
+
+/// What the indicator tells while it runs, about once a second.
+struct IndicatorReport {
+  /// Against gravity, in the device frame; nothing: the orientation is not known.
+  std::optional<model::Vec3> up;
+  /// The pin that the field points at, and the force there; nothing while it does not push.
+  std::optional<std::int64_t> pin;
+  double force_n = 0.0;
+  double temperature_c = 0.0;
+};
+
+/// One thread. Its effect ends when it does, at the latest with its connection.
+class Indicator {
+ public:
+  Indicator(Connection& connection, const IndicatorOptions& options);
+
+  /// Until `stop` says so, the duration is over, or the daemon is gone (then an error).
+  Outcome<void> run(const std::function<bool()>& stop,
+                    const std::function<void(const IndicatorReport&)>& report);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  Outcome<void> start();
+  Outcome<void> take(const Notification& told,
+                     const std::function<void(const IndicatorReport&)>& report);
+  Outcome<void> renew();
+  Outcome<void> follow(const protocol::Status& status);
+
+  Connection& connection_;
+  IndicatorOptions options_;
+  Clock::time_point started_at_{};
+  Clock::time_point renewed_{};
+  Clock::time_point reported_{};
+};
+
+}  // namespace hedgehog::client

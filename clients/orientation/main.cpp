@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+#include <map>
+#include <string>
+
+#include "clients/lib/connection.h"
+#include "clients/orientation/indicator.h"
+#include "model/direction.h"
+
+namespace {
+
+using namespace hedgehog::client;
+using std::chrono::milliseconds;
+
+constexpr int kUsage = 64;
+constexpr int kUnavailable = 69;
+constexpr int kInterrupted = 130;
+
+volatile std::sig_atomic_t interrupt_seen = 0;
+
+void note_interrupt(int) { interrupt_seen = 1; }
+
+bool interrupted() { return interrupt_seen != 0; }
+
+void say(const IndicatorReport& report) {
+  if (!report.up) {
+    std::puts("up is not known: the orientation sensor is silent");
+  } else {
+    const std::string side(hedgehog::model::side_name(*report.up));
+    if (report.pin) {
+      std::printf("up is %-5s   %.3f N at pin %lld   %.1f °C\n", side.c_str(), report.force_n,
+                  static_cast<long long>(*report.pin), report.temperature_c);
+    } else {
+      std::printf("up is %-5s   at rest between two pulses   %.1f °C\n", side.c_str(),
+                  report.temperature_c);
+    }
+  }
+  std::fflush(stdout);
+}
+
+/// Refused is final; a daemon that went away may come back.
+bool is_final(const ClientError& error) { return error.failure == Failure::kRefused; }
+
+int run(const std::vector<Address>& addresses, const IndicatorOptions& options, bool wait) {
+  auto connection = Connection::open(addresses);
+  while (true) {
+    if (connection) {
+      (void)connection->hello("hedgehog-orientation/" HEDGEHOG_VERSION);
+      const auto outcome = Indicator(*connection, options).run(interrupted, say);
+      if (interrupted()) {
+        return kInterrupted;
+      }
+      if (outcome) {
+        return 0;
+      }
+      std::fprintf(stderr, "hedgehog-orientation: %s\n", outcome.error().message.c_str());
+      if (is_final(outcome.error())) {
+        return kUnavailable;
+      }
+    } else {
+      std::fprintf(stderr, "hedgehog-orientation: %s\n", connection.error().message.c_str());
+    }
+    if (!wait || interrupted()) {
+      return interrupted() ? kInterrupted : kUnavailable;
+    }
+    std::fputs("hedgehog-orientation: waiting for the daemon\n", stderr);
+    do {
+      connection = Connection::reopen(addresses, milliseconds{1000});
+    } while (!connection && !interrupted());
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Pins point up however the ball is turned.", "hedgehog-orientation"};
+  IndicatorOptions options;
+  std::optional<std::string> address;
+  std::optional<double> seconds;
+  bool once = false;
+  app.set_version_flag("--version", std::string("hedgehog-orientation " HEDGEHOG_VERSION));
+  app.add_option("--loop", options.loop, "who follows the turning: client or daemon")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, Loop>{{"client", Loop::kClient}, {"daemon", Loop::kDaemon}}))
+      ->default_str("daemon");
+  app.add_option("--style", options.style, "pulse (felt better) or steady (5 A)")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, Style>{{"pulse", Style::kPulse}, {"steady", Style::kSteady}}))
+      ->default_str("pulse");
+  app.add_option("--address", address, "host:port or a socket's path (HEDGEHOG_ADDRESS)");
+  app.add_option("--seconds", seconds, "ends after; else at Ctrl-C")->check(CLI::PositiveNumber);
+  app.add_flag("--once", once, "ends when the daemon goes, instead of waiting for it");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& done) {
+    return app.exit(done);
+  } catch (const CLI::ParseError& error) {
+    app.exit(error);
+    return kUsage;
+  }
+  if (seconds) {
+    options.duration = milliseconds(static_cast<std::int64_t>(*seconds * 1000.0));
+  }
+  std::signal(SIGINT, note_interrupt);
+  std::signal(SIGTERM, note_interrupt);
+  const auto addresses = daemon_addresses(address);
+  if (!addresses) {
+    std::fprintf(stderr, "hedgehog-orientation: %s\n", addresses.error().message.c_str());
+    return kUsage;
+  }
+  return run(*addresses, options, !once);
+}
