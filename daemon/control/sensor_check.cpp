@@ -51,7 +51,7 @@ Reason SensorCheck::step(const SensorReading& reading, double dt_s) noexcept {
   };
   judge(open_, reading.open, kWireHoldS, Reason::kSensorOpen);
   judge(short_, reading.shorted, kWireHoldS, Reason::kSensorShort);
-  judge(implausible_, impossible, kJumpHoldS, Reason::kSensorImplausible);
+  judge(implausible_, impossible, kImplausibleHoldS, Reason::kSensorImplausible);
   judge(jump_, jump, kJumpHoldS, Reason::kSensorJump);
   if (still_s_ >= kStaleAfterS && trip == Reason::kNone) trip = Reason::kSensorStale;
   if (still_s_ > kUnusedAfterS && doubt_ == Reason::kNone) doubt_ = Reason::kSensorStale;

@@ -33,6 +33,8 @@ class SensorCheck {
   /// Outside of this nothing near a hand can be.
   static constexpr double kLowestC = -20.0;
   static constexpr double kHighestC = 125.0;
+  /// Longer than the board needs to say that the wire is broken, which also reads impossibly.
+  static constexpr double kImplausibleHoldS = 0.04;
   /// No winding can push its thermistor by this much between two conversions, plus per second: 15 A
   /// warm a winding by 2.4 K/s at most, noise is 0.15 K.
   static constexpr double kJumpK = 4.0;

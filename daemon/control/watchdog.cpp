@@ -32,7 +32,8 @@ Reason Watchdog::step(const WatchdogInputs& in) noexcept {
   reading.winding_c = heat_.winding_c(sensor_winding_);
   const Reason sensor = sensor_.step(reading, kTickSeconds);
 
-  const bool readable = in.fresh && !reading.open && !reading.shorted;
+  const bool readable =
+      in.fresh && !reading.open && !reading.shorted && board.sensor_c <= SensorCheck::kHighestC;
   const Reason heat = heat_.step({in.pair.electrical(), in.pair.voltage_v(), in.pair.before_a(),
                                   in.pair.after_a(), readable, board.sensor_c},
                                  in.trip_c, kTickSeconds);

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/control/flight_recorder.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "daemon/control/recording.h"
+#include "daemon/control/tick_outputs.h"
+
+namespace hedgehog::control {
+
+FlightRecorder::FlightRecorder(std::size_t bytes)
+    : ring_(bytes), states_(kKeyFrames, Controller(ControlSettings{})) {}
+
+void FlightRecorder::write(const void* from, std::size_t bytes) noexcept {
+  const auto* source = static_cast<const std::byte*>(from);
+  const std::size_t at = static_cast<std::size_t>(written_ % ring_.size());
+  const std::size_t first = std::min(bytes, ring_.size() - at);
+  if (first > 0) std::memcpy(ring_.data() + at, source, first);
+  if (bytes > first) std::memcpy(ring_.data(), source + first, bytes - first);
+  written_ += bytes;
+}
+
+void FlightRecorder::key_frame(const Controller& controller) noexcept {
+  states_[next_frame_] = controller;
+  frames_[next_frame_] = {true, written_};
+  next_frame_ = (next_frame_ + 1) % kKeyFrames;
+  since_key_ = 0;
+}
+
+void FlightRecorder::before(const Controller& controller, const StepInputs& inputs) noexcept {
+  const Phase phase = phase_.load(std::memory_order_acquire);
+  recording_ = phase != Phase::kFrozen;
+  if (!recording_) return;
+  if (phase == Phase::kStarting) {
+    frames_ = {};
+    written_ = 0;
+    since_key_ = kKeyFrameEvery;
+    was_tripped_ = controller.state() == State::kTripped;
+    phase_.store(Phase::kRecording, std::memory_order_relaxed);
+  }
+  if (since_key_ >= kKeyFrameEvery) key_frame(controller);
+  ++since_key_;
+  const RecordHead head = head_of(inputs);
+  write(&head, sizeof(head));
+  write(inputs.stops.data(), sizeof(StopRequest) * inputs.stop_count);
+  write(inputs.commands.data(), sizeof(Command) * inputs.command_count);
+}
+
+void FlightRecorder::after(const Controller& controller, const device::BoardCommand& board,
+                           const EventList& events) noexcept {
+  const bool tripped = controller.state() == State::kTripped;
+  const bool freeze =
+      (tripped && !was_tripped_) || requested_.exchange(false, std::memory_order_relaxed);
+  was_tripped_ = tripped;
+  if (!recording_) return;
+  const TickOutputs outputs = outputs_of(controller, board, events);
+  write(&outputs, sizeof(outputs));
+  if (freeze) phase_.store(Phase::kFrozen, std::memory_order_release);
+}
+
+bool FlightRecorder::intact(const KeyFrame& frame) const noexcept {
+  return frame.used && written_ - frame.position <= ring_.size();
+}
+
+std::vector<std::byte> FlightRecorder::take() const {
+  const KeyFrame* oldest = nullptr;
+  std::size_t index = 0;
+  for (std::size_t i = 0; i < kKeyFrames; ++i) {
+    const KeyFrame& frame = frames_[i];
+    if (intact(frame) && (oldest == nullptr || frame.position < oldest->position)) {
+      oldest = &frame;
+      index = i;
+    }
+  }
+  if (oldest == nullptr) return {};
+  std::vector<std::byte> bytes = begin_recording(states_[index]);
+  const std::size_t length = static_cast<std::size_t>(written_ - oldest->position);
+  const std::size_t start = static_cast<std::size_t>(oldest->position % ring_.size());
+  const std::size_t first = std::min(length, ring_.size() - start);
+  const auto begin = ring_.begin() + static_cast<std::ptrdiff_t>(start);
+  bytes.insert(bytes.end(), begin, begin + static_cast<std::ptrdiff_t>(first));
+  bytes.insert(bytes.end(), ring_.begin(),
+               ring_.begin() + static_cast<std::ptrdiff_t>(length - first));
+  return bytes;
+}
+
+}  // namespace hedgehog::control

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// The controller, the link and the simulated board in lock-step: one call is one millisecond of all
+// three, as fast as the machine can. Tests and campaigns start effects, break things and read the
+// plant's truth.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "daemon/control/controller.h"
+#include "daemon/control/flight_recorder.h"
+#include "daemon/device/link.h"
+#include "daemon/device/simulated_board.h"
+#include "model/random_stream.h"
+
+namespace hedgehog::rig {
+
+struct RigOptions {
+  control::ControlSettings control = armed_at_start();
+  device::SimulatedBoardOptions board;
+
+  static control::ControlSettings armed_at_start() noexcept {
+    control::ControlSettings settings;
+    settings.arm_at_start = true;
+    settings.start_known = true;
+    return settings;
+  }
+};
+
+/// A ball that differs from its device file by up to 20 % in every capacity, thermal resistance and
+/// inductance, in a room of 18..32 C, with a thermistor that lags 1..3 s and 0.15 K of noise.
+device::SimulatedBoardOptions random_board(model::RandomStream& random) noexcept;
+
+class Rig {
+ public:
+  explicit Rig(const RigOptions& options = {});
+
+  /// One millisecond; so many; so many seconds.
+  void tick();
+  void run(model::Tick ticks);
+  void run_s(double seconds) { run(static_cast<model::Tick>(seconds * 1000.0 + 0.5)); }
+  /// Ticks until `done()`, at most `most`. False when it did not happen.
+  template <class Done>
+  bool run_until(Done done, model::Tick most) {
+    for (model::Tick i = 0; i < most; ++i) {
+      if (done()) return true;
+      tick();
+    }
+    return done();
+  }
+  /// Runs until armed. REQUIRES: nothing speaks against it.
+  void run_until_armed();
+  /// The control thread sleeps through `ticks`, the rest goes on; the next tick knows it.
+  void skip_control(model::Tick ticks);
+  /// Control and link sleep; only the board's own clock goes on.
+  void freeze_host(model::Tick ticks);
+
+  /// What clients ask; applied at the next tick.
+  control::EffectId start(const model::EffectSpec& spec, control::EffectId replaces = 0);
+  void update(control::EffectId effect, const model::EffectSpec& spec);
+  void stop(control::EffectId effect,
+            control::EndReason reason = control::EndReason::kStopped) noexcept;
+  template <class What>
+  void command(const What& what) {
+    push({++seq_, what});
+  }
+  void arm() { command(control::Arm{}); }
+  void emergency_stop() noexcept { ++inputs_.emergency_generation; }
+  /// Breaks (or mends) the simulated hardware now.
+  void set_faults(std::uint16_t faults, int coil = 0);
+  void set_room(double room_c);
+  /// The next `frames` telemetry frames are lost on the way.
+  void lose_telemetry(int frames) noexcept { lose_ = frames; }
+  /// Orientation told each tick, with a fresh stamp, while `live`.
+  void orient(const model::Quaternion& device_to_world, bool live = true) noexcept;
+
+  model::Tick now() const noexcept { return inputs_.tick; }
+  const control::Controller& controller() const noexcept { return controller_; }
+  device::SimulatedBoard& board() noexcept { return board_; }
+  const model::Plant& plant() const noexcept { return board_.plant(); }
+  const device::Link& link() const noexcept { return link_; }
+  const device::BoardCommand& last_command() const noexcept { return command_.board; }
+  const control::StepInputs& last_inputs() const noexcept { return inputs_; }
+  control::StatusSnapshot snapshot() const noexcept;
+  bool playing(control::EffectId effect) const noexcept;
+  /// |I| in the windings, in truth.
+  double current_a() const noexcept { return norm(board_.plant().current_a()); }
+
+  /// Everything that was told since the start, or since `forget_events`.
+  const std::vector<control::Event>& events() const noexcept { return log_; }
+  void forget_events() noexcept { log_.clear(); }
+  int count(control::EventType type) const noexcept;
+  const control::Event* last(control::EventType type) const noexcept;
+
+  /// Every tick goes there too, when set.
+  control::FlightRecorder* recorder = nullptr;
+
+ private:
+  void push(const control::Command& command);
+  void step_control();
+  void step_link_and_board();
+
+  control::Controller controller_;
+  device::Link link_;
+  device::SimulatedBoard board_;
+  control::StepInputs inputs_;
+  control::EventList events_;
+  device::LinkCommand command_;
+  std::vector<control::Command> queue_;
+  std::vector<control::Event> log_;
+  std::array<control::EffectId, control::kEffectPlaces> places_{};
+  control::EffectId effects_ = 0;
+  std::uint64_t seq_ = 0;
+  std::uint64_t telemetry_count_ = 0;
+  std::uint32_t skipped_ = 0;
+  int lose_ = 0;
+  bool orientation_live_ = false;
+};
+
+/// Shorthands for the specs that tests use most.
+model::EffectSpec hold(const model::Vec3& direction, double current_a, model::Tick lease = 10'000);
+model::EffectSpec pulse(const model::Vec3& direction, double current_a, model::Tick duration);
+
+}  // namespace hedgehog::rig
