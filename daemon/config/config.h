@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// Everything that configuration decides, read, checked and complete: no optional means "look
+// elsewhere" any more. What each value does for the user stands in config/hedgehogd.json. A plain
+// value; any thread.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "daemon/config/listen_address.h"
+#include "model/device_model.h"
+#include "model/limits.h"
+
+namespace hedgehog::config {
+
+enum class Backend : std::uint8_t { kSimulator, kUsb };
+enum class ArmAtStart : std::uint8_t { kAfterCleanStop, kNever };
+enum class ImuType : std::uint8_t { kNone, kSimulator, kExternal };
+enum class LogLevel : std::uint8_t { kDebug, kInfo, kWarning, kError };
+
+struct ListenSettings {
+  std::vector<ListenAddress> tcp{{"127.0.0.1", 7586}, {"::1", 7586}};
+  /// Absolute path; empty: no Unix socket.
+  std::string unix_socket = "hedgehogd.sock";
+  friend bool operator==(const ListenSettings&, const ListenSettings&) = default;
+};
+
+struct HttpSettings {
+  std::optional<ListenAddress> listen{{"127.0.0.1", 7587}};
+  /// Origins of web pages that may connect besides those of this machine, "https://host[:port]".
+  std::vector<std::string> allow_origins;
+  friend bool operator==(const HttpSettings&, const HttpSettings&) = default;
+};
+
+struct SimulatorSettings {
+  double ambient_c = 25.0;
+  /// The whole ball at start; nullopt: as the state directory remembers it, else the room.
+  std::optional<double> start_temperature_c;
+  /// The simulated board is the process `hedgehog-simboard` instead of a thread.
+  bool process = false;
+  std::uint32_t seed = 1;
+  friend bool operator==(const SimulatorSettings&, const SimulatorSettings&) = default;
+};
+
+struct ConnectionSettings {
+  std::size_t max = 64;
+  /// Unsent bytes of one connection: telemetry is dropped at half of it, the connection at all of
+  /// it.
+  std::size_t queue_bytes = 1u << 20;
+  friend bool operator==(const ConnectionSettings&, const ConnectionSettings&) = default;
+};
+
+struct Config {
+  Backend backend = Backend::kSimulator;
+  /// Name of the device file, or its path when it has a slash.
+  std::string device_file = "hedgehog-86";
+  /// What that file says.
+  model::DeviceModel device;
+  /// The device's limits as tightened here; is_within(limits, device.limits).
+  model::Limits limits;
+  ArmAtStart arm_at_start = ArmAtStart::kAfterCleanStop;
+  ImuType imu = ImuType::kSimulator;
+  /// Comfort setting at the first start, 0..1; `output.set_gain` changes and stores it.
+  double gain = 1.0;
+  ListenSettings listen;
+  HttpSettings http;
+  ConnectionSettings connections;
+  /// The most that `telemetry.subscribe` grants, 1..200.
+  int telemetry_max_rate_hz = 200;
+  LogLevel log_level = LogLevel::kInfo;
+  SimulatorSettings simulator;
+  /// Absolute paths.
+  std::string state_directory;
+  std::string runtime_directory;
+
+  /// The files that were read, in order; not part of what is printed. `configured` is false when
+  /// nobody configured anything (defaults only): the daemon then says that it simulates.
+  std::vector<std::string> files;
+  bool configured = false;
+};
+
+}  // namespace hedgehog::config

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/config/device_keys.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <string_view>
+
+#include "daemon/config/json_text.h"
+#include "daemon/config/key_tree.h"
+#include "daemon/config/limit_keys.h"
+#include "model/pin_array.h"
+
+namespace hedgehog::config {
+namespace {
+
+using model::DeviceModel;
+
+Reason read_three(const Value& value, double min, double max, std::array<double, 3>& out,
+                  const std::string& what) {
+  if (value.kind != Value::Kind::kArray || value.elements.size() != 3) return must_be(what, value);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Reason reason = read_number(value.elements[i], min, max, out[i]);
+    if (!reason.empty()) return "number " + std::to_string(i + 1) + " " + reason;
+  }
+  return {};
+}
+
+Value three(double a, double b, double c) {
+  return Value::array({Value::of(a), Value::of(b), Value::of(c)});
+}
+
+Reason read_matrix(DeviceModel& device, const Value& value) {
+  const std::string shape =
+      "three rows of three numbers, such as [[1, 0, 0], [0, 1, 0], [0, 0, 1]]";
+  if (value.kind != Value::Kind::kArray || value.elements.size() != 3) return must_be(shape, value);
+  model::Mat3 matrix;
+  for (std::size_t r = 0; r < 3; ++r) {
+    std::array<double, 3> row{};
+    const Reason reason = read_three(value.elements[r], -10.0, 10.0, row, shape);
+    if (!reason.empty()) return "row " + std::to_string(r + 1) + ": " + reason;
+    matrix.row[r] = {row[0], row[1], row[2]};
+  }
+  // A calibrated matrix is near a permutation with signs, so that its determinant is near 1 or -1.
+  if (const double det = model::determinant(matrix); !(std::abs(det) >= 0.001)) {
+    return "must have a determinant other than 0: these rows leave directions without a field";
+  }
+  device.coils.matrix = matrix;
+  return {};
+}
+
+Value write_matrix(const DeviceModel& device) {
+  std::vector<Value> rows;
+  for (const model::Vec3& row : device.coils.matrix.row) rows.push_back(three(row.x, row.y, row.z));
+  return Value::array(std::move(rows));
+}
+
+bool parse_hex4(std::string_view digits, std::uint16_t& out) {
+  const char* end = digits.data() + digits.size();
+  const auto [stop, error] = std::from_chars(digits.data(), end, out, 16);
+  return digits.size() == 4 && error == std::errc() && stop == end;
+}
+
+Reason read_usb(DeviceModel& device, const Value& value) {
+  const std::string shape = R"(a list of "vendor:product" in hexadecimal, such as ["1209:0001"])";
+  if (value.kind != Value::Kind::kArray) return must_be(shape, value);
+  std::vector<model::UsbId> ids;
+  for (const Value& element : value.elements) {
+    model::UsbId id;
+    const std::string_view text = element.text;
+    if (element.kind != Value::Kind::kText || text.size() != 9 || text[4] != ':' ||
+        !parse_hex4(text.substr(0, 4), id.vendor) || !parse_hex4(text.substr(5), id.product)) {
+      return must_be(shape, element);
+    }
+    ids.push_back(id);
+  }
+  device.usb = std::move(ids);
+  return {};
+}
+
+Value write_usb(const DeviceModel& device) {
+  std::vector<Value> ids;
+  for (const model::UsbId& id : device.usb) {
+    std::array<char, 10> text{};
+    std::snprintf(text.data(), text.size(), "%04x:%04x", unsigned{id.vendor}, unsigned{id.product});
+    ids.push_back(Value::of(std::string(text.data())));
+  }
+  return Value::array(std::move(ids));
+}
+
+Reason read_arrangement(DeviceModel& device, const Value& value) {
+  const std::string& known = model::hedgehog_86().arrangement;
+  if (value.kind != Value::Kind::kText || value.text != known) {
+    return must_be('"' + known + '"', value);
+  }
+  device.arrangement = value.text;
+  return {};
+}
+
+std::vector<Key<DeviceModel>> make_device_keys() {
+  using D = DeviceModel;
+  std::vector<Key<D>> keys;
+  keys.push_back(name_key<D>(
+      "name", [](auto& d) -> auto& { return d.name; }));
+  keys.push_back(name_key<D>(
+      "model", [](auto& d) -> auto& { return d.model; }));
+  keys.push_back(
+      {"arrangement", read_arrangement, [](const D& d) { return Value::of(d.arrangement); }});
+  // Numbering begins at the front, and ring 1 has a pin there.
+  keys.push_back(integer_key<D>(
+      "front_pin", 1, 1, [](auto& d) -> auto& { return d.front_pin; }));
+  keys.push_back({"coil_matrix", read_matrix, write_matrix});
+  keys.push_back({"r25_ohm",
+                  [](D& d, const Value& v) {
+                    return read_three(v, 0.05, 10.0, d.coils.r25_ohm,
+                                      "three resistances, 0.05 to 10");
+                  },
+                  [](const D& d) {
+                    return three(d.coils.r25_ohm[0], d.coils.r25_ohm[1], d.coils.r25_ohm[2]);
+                  }});
+  const auto number = [&](const char* path, double min, double max, auto get) {
+    keys.push_back(number_key<D>(path, min, max, get));
+  };
+  number(
+      "inductance_h", 1e-5, 0.1, [](auto& d) -> auto& { return d.coils.inductance_h; });
+  number(
+      "supply_v", 5.0, 24.0, [](auto& d) -> auto& { return d.coils.supply_v; });
+  number(
+      "force_slope_n_a", 0.001, 0.1, [](auto& d) -> auto& { return d.force_slope_n_a; });
+  number(
+      "thermal.winding_j_k", 1, 10000, [](auto& d) -> auto& { return d.thermal.winding_j_k; });
+  number(
+      "thermal.core_j_k", 1, 10000, [](auto& d) -> auto& { return d.thermal.core_j_k; });
+  number(
+      "thermal.winding_to_core_k_w", 0.01, 100,
+      [](auto& d) -> auto& { return d.thermal.winding_to_core_k_w; });
+  number(
+      "thermal.core_to_room_fan_k_w", 0.01, 100,
+      [](auto& d) -> auto& { return d.thermal.core_to_room_fan_k_w; });
+  number(
+      "thermal.core_to_room_still_k_w", 0.01, 100,
+      [](auto& d) -> auto& { return d.thermal.core_to_room_still_k_w; });
+  keys.push_back(integer_key<D>(
+      "thermal.sensor_winding", 0, 2, [](auto& d) -> auto& { return d.thermal.sensor_winding; }));
+  number(
+      "thermal.sensor_lag_s", 0, 10, [](auto& d) -> auto& { return d.thermal.sensor_lag_s; });
+  for (const LimitField& field : kLimitFields) {
+    const auto member = field.member;
+    keys.push_back(number_key<D>(
+        "limits." + std::string(field.name), field.min,
+        field.max, [member](auto& d) -> auto& { return d.limits.*member; }));
+  }
+  keys.push_back({"usb", read_usb, write_usb});
+  return keys;
+}
+
+}  // namespace
+
+const std::vector<Key<DeviceModel>>& device_keys() {
+  static const std::vector<Key<DeviceModel>> keys = make_device_keys();
+  return keys;
+}
+
+DeviceModel read_device(const Value& root, const std::string& file, ConfigErrors& errors) {
+  DeviceModel device;
+  Origins origins;
+  const std::size_t before = errors.size();
+  read_keys(root, file, device_keys(), device, origins, errors);
+  // Numbers that are wrong by themselves need no second complaint.
+  if (errors.size() == before) check_order(device.limits, origins, file, errors);
+  return device;
+}
+
+std::string print_device(const DeviceModel& device) {
+  return to_json(write_keys(device_keys(), device));
+}
+
+}  // namespace hedgehog::config

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/config/listen_address.h"
+
+#include <arpa/inet.h>
+
+#include <algorithm>
+#include <charconv>
+
+namespace hedgehog::config {
+namespace {
+
+enum class Reach : std::uint8_t { kNotAnAddress, kThisMachine, kOthers };
+
+Reach reach_of(const std::string& host, bool bracketed) {
+  if (bracketed) {
+    in6_addr v6{};
+    if (inet_pton(AF_INET6, host.c_str(), &v6) != 1) return Reach::kNotAnAddress;
+    return IN6_IS_ADDR_LOOPBACK(&v6) ? Reach::kThisMachine : Reach::kOthers;
+  }
+  in_addr v4{};
+  if (inet_pton(AF_INET, host.c_str(), &v4) != 1) return Reach::kNotAnAddress;
+  return ntohl(v4.s_addr) >> 24 == 127 ? Reach::kThisMachine : Reach::kOthers;
+}
+
+}  // namespace
+
+boost::system::result<ListenAddress, AddressError> parse_listen_address(std::string_view text) {
+  const AddressError shape{"must be an address and a port, such as 127.0.0.1:7586 or [::1]:7586"};
+  const std::size_t colon = text.rfind(':');
+  if (colon == std::string_view::npos) return shape;
+  std::string_view host = text.substr(0, colon);
+  const std::string_view digits = text.substr(colon + 1);
+  const bool bracketed = host.size() > 2 && host.front() == '[' && host.back() == ']';
+  if (bracketed) host = host.substr(1, host.size() - 2);
+
+  ListenAddress address{std::string(host), 0};
+  const auto [end, error] =
+      std::from_chars(digits.data(), digits.data() + digits.size(), address.port);
+  if (error == std::errc::result_out_of_range) return AddressError{"the port must be 0 to 65535"};
+  if (error != std::errc() || end != digits.data() + digits.size()) return shape;
+  // inet_pton would read up to an embedded NUL and ignore the rest.
+  if (std::find(host.begin(), host.end(), '\0') != host.end()) return shape;
+  switch (reach_of(address.host, bracketed)) {
+    case Reach::kNotAnAddress:
+      return shape;
+    case Reach::kOthers:
+      return AddressError{
+          "refused until tokens and TLS are configured: other machines could reach " +
+          std::string(text) + "; use 127.0.0.1 or [::1], and ssh -L from elsewhere"};
+    case Reach::kThisMachine:
+      break;
+  }
+  return address;
+}
+
+std::string to_string(const ListenAddress& address) {
+  const bool v6 = address.host.find(':') != std::string::npos;
+  return (v6 ? "[" + address.host + "]" : address.host) + ":" + std::to_string(address.port);
+}
+
+}  // namespace hedgehog::config

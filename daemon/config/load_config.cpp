@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/config/load_config.h"
+
+#include <filesystem>
+#include <utility>
+
+#include "daemon/config/config_keys.h"
+#include "daemon/config/device_keys.h"
+#include "daemon/config/json_text.h"
+#include "daemon/config/key_tree.h"
+
+namespace hedgehog::config {
+namespace {
+
+using boost::system::error_code;
+
+bool is_missing(const error_code& error) {
+  return error == boost::system::errc::no_such_file_or_directory ||
+         error == boost::system::errc::not_a_directory;
+}
+
+class Loader {
+ public:
+  Loader(const Paths& paths, const FileReader& reader) : paths_(paths), reader_(reader) {}
+
+  void read_files() {
+    read(paths_.defaults_file, false);
+    draft_.config.configured = read(paths_.config_file, paths_.config_file_required);
+  }
+
+  void apply(const Overrides& overrides) {
+    Config& config = draft_.config;
+    if (overrides.simulate) config.backend = Backend::kSimulator;
+    if (!overrides.listen.empty()) {
+      std::vector<Value> addresses;
+      for (const std::string& text : overrides.listen) addresses.push_back(Value::of(text));
+      option("--listen", "listen.tcp", Value::array(std::move(addresses)));
+      const auto http = origins_.find("http.listen");
+      const bool chosen = http != origins_.end() && http->second.file == paths_.config_file;
+      if (!chosen && config.http.listen) config.http.listen->port = 0;
+    }
+    if (overrides.log_level) {
+      option("--log-level", "log.level", Value::of(*overrides.log_level));
+    }
+  }
+
+  void settle() {
+    settle_device();
+    settle_imu();
+    settle_places();
+  }
+
+  boost::system::result<Config, ConfigErrors> finish() {
+    if (!errors_.empty()) return std::move(errors_);
+    return std::move(draft_.config);
+  }
+
+ private:
+  /// False when there is no such file.
+  bool read(const std::string& file, bool required) {
+    if (file.empty()) return false;
+    const auto text = reader_(file);
+    if (!text) {
+      if (required || !is_missing(text.error())) {
+        errors_.push_back({file, 0, "", text.error().message()});
+      }
+      return false;
+    }
+    draft_.config.files.push_back(file);
+    auto root = parse_json(*text, file);
+    if (!root) {
+      errors_.push_back(root.error());
+    } else {
+      read_keys(*root, file, config_keys(), draft_, origins_, errors_);
+    }
+    return true;
+  }
+
+  void option(const std::string& name, const std::string& path, const Value& value) {
+    for (const Key<Draft>& key : config_keys()) {
+      if (key.path != path) continue;
+      const Reason reason = key.read(draft_, value);
+      if (!reason.empty()) errors_.push_back({name, 0, "", reason});
+    }
+  }
+
+  std::vector<std::string> device_candidates() const {
+    const std::filesystem::path beside = std::filesystem::path(paths_.config_file).parent_path();
+    const std::string& name = draft_.config.device_file;
+    if (name.find('/') != std::string::npos) return {(beside / name).lexically_normal()};
+    std::vector<std::string> files{beside / "devices.d" / (name + ".json")};
+    for (const std::string& directory : paths_.device_directories) {
+      files.push_back(std::filesystem::path(directory) / (name + ".json"));
+    }
+    return files;
+  }
+
+  void settle_device() {
+    Config& config = draft_.config;
+    const std::size_t before = errors_.size();
+    config.device = find_device();
+    // What a broken device file allows is not known, so nothing can be said about tightening.
+    if (errors_.size() != before) return;
+    config.limits = tightened(config.device.limits, draft_.limits, origins_, errors_);
+    if (errors_.size() == before) {
+      check_order(config.limits, origins_, paths_.config_file, errors_);
+    }
+  }
+
+  model::DeviceModel find_device() {
+    Config& config = draft_.config;
+    std::string tried;
+    for (const std::string& file : device_candidates()) {
+      const auto text = reader_(file);
+      if (!text && is_missing(text.error())) {
+        tried += (tried.empty() ? "" : " or ") + file;
+        continue;
+      }
+      if (!text) {
+        errors_.push_back({file, 0, "", text.error().message()});
+        return {};
+      }
+      config.files.push_back(file);
+      const auto root = parse_json(*text, file);
+      if (root) return read_device(*root, file, errors_);
+      errors_.push_back(root.error());
+      return {};
+    }
+    // The ball of the thesis is built in, so that a bare executable runs.
+    if (config.device_file != model::DeviceModel{}.model) {
+      errors_.push_back(error_at(origins_, "device", "there is no " + tried, paths_.config_file));
+    }
+    return {};
+  }
+
+  void settle_imu() {
+    Config& config = draft_.config;
+    const bool simulator = config.backend == Backend::kSimulator;
+    config.imu = draft_.imu.value_or(simulator ? ImuType::kSimulator : ImuType::kNone);
+    if (!simulator && config.imu == ImuType::kSimulator) {
+      errors_.push_back(error_at(origins_, "imu.type",
+                                 "\"simulator\" goes with backend \"simulator\" only",
+                                 paths_.config_file));
+    }
+  }
+
+  void settle_places() {
+    Config& config = draft_.config;
+    if (config.state_directory.empty()) config.state_directory = paths_.state_directory;
+    if (config.runtime_directory.empty()) config.runtime_directory = paths_.runtime_directory;
+    std::string& socket = config.listen.unix_socket;
+    if (!socket.empty() && socket.front() != '/') {
+      socket = std::filesystem::path(config.runtime_directory) / socket;
+    }
+    // sockaddr_un has 108 bytes with the closing zero.
+    if (socket.size() > 107) {
+      errors_.push_back(error_at(origins_, "listen.unix",
+                                 "the path is longer than the 107 bytes of a socket: " + socket,
+                                 paths_.config_file));
+    }
+    if (config.listen.tcp.empty() && socket.empty()) {
+      errors_.push_back(error_at(origins_, "listen.tcp",
+                                 "nobody could reach the daemon: listen.unix is null too",
+                                 paths_.config_file));
+    }
+  }
+
+  const Paths& paths_;
+  const FileReader& reader_;
+  Draft draft_;
+  Origins origins_;
+  ConfigErrors errors_;
+};
+
+}  // namespace
+
+boost::system::result<Config, ConfigErrors> load_config(const Paths& paths,
+                                                        const Overrides& overrides,
+                                                        const FileReader& reader) {
+  Loader loader(paths, reader);
+  loader.read_files();
+  loader.apply(overrides);
+  loader.settle();
+  return loader.finish();
+}
+
+std::string print_config(const Config& config) {
+  Draft draft{config, {}, config.imu};
+  for (std::size_t i = 0; i < kLimitFields.size(); ++i) {
+    draft.limits[i] = config.limits.*kLimitFields[i].member;
+  }
+  return to_json(write_keys(config_keys(), draft));
+}
+
+}  // namespace hedgehog::config

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// From files and options to a Config. Layers, the later wins: built-in defaults, the defaults file,
+// the configuration file, the command line.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <boost/system/error_code.hpp>
+#include <boost/system/result.hpp>
+
+#include "daemon/config/config.h"
+#include "daemon/config/config_error.h"
+#include "daemon/config/paths.h"
+
+namespace hedgehog::config {
+
+/// What the command line says.
+struct Overrides {
+  /// --simulate: the simulator, whatever the files say.
+  bool simulate = false;
+  /// --listen A:P, once or more: replaces listen.tcp; the HTTP listener then takes port 0 unless
+  /// the configuration file has http.listen.
+  std::vector<std::string> listen;
+  /// --log-level
+  std::optional<std::string> log_level;
+};
+
+/// The text of a file, or why there is none.
+using FileReader = std::function<boost::system::result<std::string>(const std::string& path)>;
+
+/// At most 1 MiB; larger files are an error.
+boost::system::result<std::string> read_file(const std::string& path);
+
+/// All that is wrong comes back at once. Backend "usb" loads; whether it can be started is the
+/// daemon's affair. Blocks on the disk; start-up and reload only.
+boost::system::result<Config, ConfigErrors> load_config(const Paths& paths,
+                                                        const Overrides& overrides,
+                                                        const FileReader& reader = read_file);
+
+/// JSON with every key and its value in effect; loaded as a configuration file it gives the same
+/// Config.
+std::string print_config(const Config& config);
+
+}  // namespace hedgehog::config

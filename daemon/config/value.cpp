@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/config/value.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <utility>
+
+namespace hedgehog::config {
+
+Value Value::of(bool b) {
+  Value value;
+  value.kind = Kind::kBoolean;
+  value.boolean = b;
+  return value;
+}
+
+Value Value::of(double n) {
+  Value value;
+  value.kind = Kind::kNumber;
+  value.number = n;
+  return value;
+}
+
+Value Value::of(std::string s) {
+  Value value;
+  value.kind = Kind::kText;
+  value.text = std::move(s);
+  return value;
+}
+
+Value Value::array(std::vector<Value> elements) {
+  Value value;
+  value.kind = Kind::kArray;
+  value.elements = std::move(elements);
+  return value;
+}
+
+Value Value::object() {
+  Value value;
+  value.kind = Kind::kObject;
+  return value;
+}
+
+void Value::put(const std::string& path, Value value) {
+  const std::size_t dot = path.find('.');
+  const std::string key = path.substr(0, dot);
+  auto found = std::find(keys.begin(), keys.end(), key);
+  if (found == keys.end()) {
+    keys.push_back(key);
+    elements.push_back(object());
+    found = keys.end() - 1;
+  }
+  Value& place = elements[static_cast<std::size_t>(found - keys.begin())];
+  if (dot == std::string::npos) {
+    place = std::move(value);
+  } else {
+    place.put(path.substr(dot + 1), std::move(value));
+  }
+}
+
+std::string describe(const Value& value) {
+  constexpr std::size_t kShown = 40;
+  switch (value.kind) {
+    case Value::Kind::kNull:
+      return "null";
+    case Value::Kind::kBoolean:
+      return value.boolean ? "true" : "false";
+    case Value::Kind::kNumber: {
+      std::array<char, 32> digits{};
+      const auto end = std::to_chars(digits.begin(), digits.end(), value.number).ptr;
+      return {digits.begin(), end};
+    }
+    case Value::Kind::kText: {
+      if (value.text.size() <= kShown) return '"' + value.text + '"';
+      // A cut inside a UTF-8 sequence would spoil the line.
+      std::size_t cut = kShown;
+      while (cut > 0 && (static_cast<unsigned char>(value.text[cut]) & 0xC0u) == 0x80u) --cut;
+      return '"' + value.text.substr(0, cut) + "…\"";
+    }
+    case Value::Kind::kArray:
+      return "a list";
+    case Value::Kind::kObject:
+      return "an object";
+  }
+  return {};
+}
+
+}  // namespace hedgehog::config

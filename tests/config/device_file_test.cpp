@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "daemon/config/device_keys.h"
+#include "daemon/config/json_text.h"
+#include "tests/config/fake_files.h"
+
+namespace hedgehog::config {
+namespace {
+
+const std::string kDevice = "/etc/hedgehog/devices.d/mine.json";
+
+std::string wrong(const std::string& text) { return FakeFiles::with_device(text).errors(); }
+
+TEST(DeviceFile, EveryKeyArrives) {
+  const FakeFiles fake = FakeFiles::with_device(R"({
+    "name": "ball-7", "model": "hedgehog-86b", "arrangement": "tkD-86", "front_pin": 1,
+    "coil_matrix": [[0, 1, 0], [-1.02, 0, 0.01], [0, 0, 0.98]], "r25_ohm": [0.612, 0.598, 0.641],
+    "inductance_h": 0.002, "supply_v": 15, "force_slope_n_a": 0.0127,
+    "thermal": {"winding_j_k": 60, "core_j_k": 90, "winding_to_core_k_w": 1.1,
+                "core_to_room_fan_k_w": 1.9, "core_to_room_still_k_w": 5.5, "sensor_winding": 2,
+                "sensor_lag_s": 1.5},
+    "limits": {"current_a": 12, "continuous_a": 4, "felt_a": 2, "derate_from_c": 55,
+               "sustain_c": 60, "zero_c": 62, "trip_c": 64, "rearm_c": 40},
+    "usb": ["1209:0001", "CAFE:4011"]})");
+  ASSERT_EQ(fake.errors(), "");
+  const model::DeviceModel d = fake.load()->device;
+  EXPECT_EQ(d.name, "ball-7");
+  EXPECT_EQ(d.model, "hedgehog-86b");
+  EXPECT_EQ(d.coils.matrix, (model::Mat3{{{0, 1, 0}, {-1.02, 0, 0.01}, {0, 0, 0.98}}}));
+  EXPECT_EQ(d.coils.r25_ohm, (std::array<double, 3>{0.612, 0.598, 0.641}));
+  EXPECT_EQ(d.coils.inductance_h, 0.002);
+  EXPECT_EQ(d.coils.supply_v, 15);
+  EXPECT_EQ(d.force_slope_n_a, 0.0127);
+  EXPECT_EQ(d.thermal.winding_j_k, 60);
+  EXPECT_EQ(d.thermal.core_j_k, 90);
+  EXPECT_EQ(d.thermal.winding_to_core_k_w, 1.1);
+  EXPECT_EQ(d.thermal.core_to_room_fan_k_w, 1.9);
+  EXPECT_EQ(d.thermal.core_to_room_still_k_w, 5.5);
+  EXPECT_EQ(d.thermal.sensor_winding, 2);
+  EXPECT_EQ(d.thermal.sensor_lag_s, 1.5);
+  EXPECT_EQ(d.limits, (model::Limits{12, 4, 2, 55, 60, 62, 64, 40}));
+  EXPECT_EQ(d.usb, (std::vector<model::UsbId>{{0x1209, 1}, {0xcafe, 0x4011}}));
+  // Nobody tightened anything, so the ball's own limits hold.
+  EXPECT_EQ(fake.load()->limits, d.limits);
+
+  FakeFiles again = FakeFiles::with_device(print_device(d));
+  ASSERT_EQ(again.errors(), "");
+  EXPECT_EQ(print_device(again.load()->device), print_device(d));
+}
+
+TEST(DeviceFile, AMatrixMustReachEveryDirection) {
+  EXPECT_EQ(wrong("{\n\"coil_matrix\": [[1, 0, 0], [0, 1, 0], [1, 1, 0]]}"),
+            kDevice + ":2: coil_matrix: must have a determinant other than 0: these rows leave " +
+                "directions without a field\n");
+  EXPECT_EQ(wrong("{\"coil_matrix\": [[1, 0, 0], [0, 1], [0, 0, 1]]}"),
+            kDevice + ":1: coil_matrix: row 2: must be three rows of three numbers, such as " +
+                "[[1, 0, 0], [0, 1, 0], [0, 0, 1]], not a list\n");
+  EXPECT_EQ(wrong("{\"coil_matrix\": [[1, 0, 0], [0, 1, 0], [0, 0, 11]]}"),
+            kDevice + ":1: coil_matrix: row 3: number 3 must be -10 to 10, not 11\n");
+}
+
+TEST(DeviceFile, WrongValuesAreNamed) {
+  EXPECT_EQ(wrong("{\"r25_ohm\": [0.45, 0, 0.45]}"),
+            kDevice + ":1: r25_ohm: number 2 must be 0.05 to 10, not 0\n");
+  EXPECT_EQ(wrong("{\"thermal\": {\"sensor_winding\": 3}}"),
+            kDevice + ":1: thermal.sensor_winding: must be 0 to 2, not 3\n");
+  EXPECT_EQ(wrong("{\"arrangement\": \"cD-42\"}"),
+            kDevice + ":1: arrangement: must be \"tkD-86\", not \"cD-42\"\n");
+  EXPECT_EQ(wrong("{\"limits\": {\"trip_c\": 90}}"),
+            kDevice + ":1: limits.trip_c: must be 30 to 75, not 90\n");
+  EXPECT_EQ(wrong("{\"name\": \"my ball\"}"),
+            kDevice + ":1: name: must be a name of 1 to 32 letters, digits, \"-\", \"_\" or " +
+                "\".\", not \"my ball\"\n");
+  EXPECT_EQ(wrong("{\"resistance_ohm\": 1}"), kDevice + ":1: resistance_ohm: unknown key\n");
+}
+
+TEST(DeviceFile, UsbIdsAreHexadecimalPairs) {
+  for (const std::string id : {"1209", "1209:1", "1209-0001", "12g9:0001", "+209:0001", ""}) {
+    EXPECT_EQ(wrong("{\"usb\": [\"" + id + "\"]}"),
+              kDevice + ":1: usb: must be a list of \"vendor:product\" in hexadecimal, such as " +
+                  "[\"1209:0001\"], not \"" + id + "\"\n");
+  }
+}
+
+RC_GTEST_PROP(DeviceFile, WhateverLoadsCanBeInverted, ()) {
+  std::string rows;
+  for (int r = 0; r < 3; ++r) {
+    rows += (r > 0 ? ",[" : "[");
+    for (int c = 0; c < 3; ++c) {
+      rows += (c > 0 ? "," : "") + std::to_string(*rc::gen::inRange(-12, 13));
+    }
+    rows += "]";
+  }
+  const auto loaded = FakeFiles::with_device("{\"coil_matrix\": [" + rows + "]}").load();
+  RC_PRE(loaded.has_value());
+  const model::CoilModel& coils = loaded->device.coils;
+  const model::Vec3 field{1.0, -2.0, 3.0};
+  const model::Vec3 back = model::field_of(model::currents_for({field}, coils), coils).a;
+  RC_ASSERT(model::norm(back - field) < 1e-6);
+}
+
+}  // namespace
+}  // namespace hedgehog::config

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Configuration files that exist in memory only.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "daemon/config/load_config.h"
+
+namespace hedgehog::config {
+
+struct FakeFiles {
+  std::map<std::string, std::string> files;
+  Overrides overrides;
+  Paths paths{.defaults_file = "/usr/share/hedgehog/hedgehogd.json",
+              .config_file = "/etc/hedgehog/hedgehogd.json",
+              .config_file_required = false,
+              .device_directories = {"/usr/share/hedgehog/devices.d"},
+              .state_directory = "/var/lib/hedgehog",
+              .runtime_directory = "/run/hedgehog"};
+
+  boost::system::result<Config, ConfigErrors> load() const {
+    const FileReader reader =
+        [this](const std::string& path) -> boost::system::result<std::string> {
+      const auto found = files.find(path);
+      if (found != files.end()) return found->second;
+      return make_error_code(boost::system::errc::no_such_file_or_directory);
+    };
+    return load_config(paths, overrides, reader);
+  }
+
+  /// With `text` as the configuration file.
+  static FakeFiles with(const std::string& text) {
+    FakeFiles fake;
+    fake.files["/etc/hedgehog/hedgehogd.json"] = text;
+    return fake;
+  }
+
+  /// With `text` as the device file in use.
+  static FakeFiles with_device(const std::string& text) {
+    FakeFiles fake = with(R"({"device": "mine"})");
+    fake.files["/etc/hedgehog/devices.d/mine.json"] = text;
+    return fake;
+  }
+
+  /// What is wrong, one a line; "" when nothing is.
+  std::string errors() const {
+    const auto loaded = load();
+    return loaded ? "" : to_string(loaded.error());
+  }
+};
+
+}  // namespace hedgehog::config

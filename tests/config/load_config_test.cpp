@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/config/load_config.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <set>
+
+#include "daemon/config/config_keys.h"
+#include "daemon/config/device_keys.h"
+#include "daemon/config/json_text.h"
+#include "tests/config/fake_files.h"
+
+namespace hedgehog::config {
+namespace {
+
+std::string shipped(const std::string& name) {
+  const auto text = read_file(std::string(HEDGEHOG_SOURCE_DIR) + "/config/" + name);
+  EXPECT_TRUE(text.has_value()) << name;
+  return text ? *text : "";
+}
+
+void collect_paths(const Value& section, const std::string& prefix, std::set<std::string>& paths) {
+  for (std::size_t i = 0; i < section.keys.size(); ++i) {
+    const std::string path = prefix + section.keys[i];
+    if (section.elements[i].kind == Value::Kind::kObject) {
+      collect_paths(section.elements[i], path + ".", paths);
+    } else {
+      paths.insert(path);
+    }
+  }
+}
+
+std::set<std::string> paths_in(const std::string& text) {
+  const auto root = parse_json(text, "shipped");
+  EXPECT_TRUE(root.has_value());
+  std::set<std::string> paths;
+  if (root) collect_paths(*root, "", paths);
+  return paths;
+}
+
+template <class Target>
+std::set<std::string> paths_of(const std::vector<Key<Target>>& keys) {
+  std::set<std::string> paths;
+  for (const auto& key : keys) paths.insert(key.path);
+  return paths;
+}
+
+TEST(LoadConfig, WithoutFilesItRunsOnTheSimulatorAndKnowsThatNobodySaidSo) {
+  const auto config = FakeFiles{}.load();
+  ASSERT_TRUE(config.has_value());
+  EXPECT_EQ(config->backend, Backend::kSimulator);
+  EXPECT_FALSE(config->configured);
+  EXPECT_THAT(config->files, testing::IsEmpty());
+  EXPECT_EQ(config->listen.tcp, (std::vector<ListenAddress>{{"127.0.0.1", 7586}, {"::1", 7586}}));
+  EXPECT_EQ(config->listen.unix_socket, "/run/hedgehog/hedgehogd.sock");
+  EXPECT_EQ(config->http.listen, (ListenAddress{"127.0.0.1", 7587}));
+  EXPECT_EQ(config->limits, model::Limits{});
+  EXPECT_EQ(config->imu, ImuType::kSimulator);
+  EXPECT_EQ(config->state_directory, "/var/lib/hedgehog");
+}
+
+TEST(LoadConfig, TheShippedFilesDocumentEveryKeyAndChangeNothing) {
+  FakeFiles fake;
+  const std::string built_in = print_config(*fake.load());
+  const std::string built_in_device = print_device(fake.load()->device);
+  fake.files["/usr/share/hedgehog/hedgehogd.json"] = shipped("hedgehogd.json");
+  fake.files["/usr/share/hedgehog/devices.d/hedgehog-86.json"] =
+      shipped("devices.d/hedgehog-86.json");
+  EXPECT_EQ(fake.errors(), "");
+  EXPECT_EQ(print_config(*fake.load()), built_in);
+  EXPECT_EQ(print_device(fake.load()->device), built_in_device);
+  EXPECT_EQ(fake.load()->files.size(), 2u);
+  EXPECT_FALSE(fake.load()->configured);
+  EXPECT_EQ(paths_in(shipped("hedgehogd.json")), paths_of(config_keys()));
+  EXPECT_EQ(paths_in(shipped("devices.d/hedgehog-86.json")), paths_of(device_keys()));
+}
+
+// Every key of the documented file, each with a value that is not its default.
+constexpr const char* kEverythingElse = R"({
+  "backend": "simulator", "device": "mine", "arm_at_start": "never",
+  "limits": {"current_a": 12, "continuous_a": 4.5, "felt_a": 2, "derate_from_c": 50,
+             "sustain_c": 60, "zero_c": 62, "trip_c": 65, "rearm_c": 40},
+  "output": {"gain": 0.5}, "imu": {"type": "external"},
+  "listen": {"tcp": ["127.0.0.2:0"], "unix": "/tmp/ball.sock"},
+  "http": {"listen": null, "allow_origins": ["https://game.example:8443"]},
+  "connections": {"max": 8, "queue_bytes": 65536}, "telemetry": {"max_rate_hz": 50},
+  "log": {"level": "debug"}, "state_directory": "/srv/state", "runtime_directory": "/srv/run",
+  "simulator": {"ambient_c": 18, "start_temperature_c": 53, "process": true, "seed": 4294967295}
+})";
+
+FakeFiles everything_else() {
+  FakeFiles fake = FakeFiles::with(kEverythingElse);
+  fake.files["/etc/hedgehog/devices.d/mine.json"] = R"({"name": "ball-7"})";
+  return fake;
+}
+
+TEST(LoadConfig, EveryKeyArrives) {
+  ASSERT_EQ(paths_in(kEverythingElse), paths_of(config_keys()));
+  ASSERT_EQ(everything_else().errors(), "");
+  const Config c = *everything_else().load();
+  EXPECT_TRUE(c.configured);
+  EXPECT_EQ(c.device_file, "mine");
+  EXPECT_EQ(c.device.name, "ball-7");
+  EXPECT_EQ(c.arm_at_start, ArmAtStart::kNever);
+  EXPECT_EQ(c.limits, (model::Limits{12, 4.5, 2, 50, 60, 62, 65, 40}));
+  EXPECT_EQ(c.gain, 0.5);
+  EXPECT_EQ(c.imu, ImuType::kExternal);
+  EXPECT_EQ(c.listen, (ListenSettings{{{"127.0.0.2", 0}}, "/tmp/ball.sock"}));
+  EXPECT_EQ(c.http, (HttpSettings{std::nullopt, {"https://game.example:8443"}}));
+  EXPECT_EQ(c.connections, (ConnectionSettings{8, 65536}));
+  EXPECT_EQ(c.telemetry_max_rate_hz, 50);
+  EXPECT_EQ(c.log_level, LogLevel::kDebug);
+  EXPECT_EQ(c.state_directory, "/srv/state");
+  EXPECT_EQ(c.runtime_directory, "/srv/run");
+  EXPECT_EQ(c.simulator, (SimulatorSettings{18, 53, true, 4294967295u}));
+}
+
+TEST(LoadConfig, WhatIsPrintedLoadsBackToTheSame) {
+  FakeFiles fake = everything_else();
+  const std::string printed = print_config(*fake.load());
+  EXPECT_EQ(paths_in(printed), paths_of(config_keys()));
+  fake.files["/etc/hedgehog/hedgehogd.json"] = printed;
+  ASSERT_EQ(fake.errors(), "");
+  EXPECT_EQ(print_config(*fake.load()), printed);
+  EXPECT_EQ(fake.load()->listen.unix_socket, "/tmp/ball.sock");
+  EXPECT_EQ(fake.load()->limits, everything_else().load()->limits);
+}
+
+TEST(LoadConfig, LaterLayersWinKeyByKey) {
+  FakeFiles fake = FakeFiles::with(R"({"simulator": {"seed": 3}, "log": {"level": "error"}})");
+  fake.files[fake.paths.defaults_file] = R"({"simulator": {"seed": 2, "ambient_c": 19}})";
+  fake.overrides.log_level = "debug";
+  const Config c = *fake.load();
+  EXPECT_EQ(c.simulator.seed, 3u);
+  EXPECT_EQ(c.simulator.ambient_c, 19);
+  EXPECT_EQ(c.log_level, LogLevel::kDebug);
+  EXPECT_THAT(c.files, testing::ElementsAre(fake.paths.defaults_file, fake.paths.config_file));
+}
+
+TEST(LoadConfig, SimulateAndListenOverrideTheFiles) {
+  FakeFiles fake = FakeFiles::with(R"({"backend": "usb"})");
+  EXPECT_EQ(fake.load()->backend, Backend::kUsb);
+  EXPECT_EQ(fake.load()->imu, ImuType::kNone);
+  fake.overrides.simulate = true;
+  fake.overrides.listen = {"127.0.0.1:0"};
+  EXPECT_EQ(fake.load()->backend, Backend::kSimulator);
+  EXPECT_EQ(fake.load()->imu, ImuType::kSimulator);
+  EXPECT_EQ(fake.load()->listen.tcp, (std::vector<ListenAddress>{{"127.0.0.1", 0}}));
+  EXPECT_EQ(fake.load()->http.listen, (ListenAddress{"127.0.0.1", 0}));
+}
+
+TEST(LoadConfig, ListenLeavesAConfiguredHttpListenerAlone) {
+  FakeFiles fake = FakeFiles::with(R"({"http": {"listen": "127.0.0.1:8080"}})");
+  fake.overrides.listen = {"127.0.0.1:0"};
+  EXPECT_EQ(fake.load()->http.listen, (ListenAddress{"127.0.0.1", 8080}));
+  // The defaults file is nobody's choice.
+  fake.files[fake.paths.defaults_file] = fake.files[fake.paths.config_file];
+  fake.files.erase(fake.paths.config_file);
+  EXPECT_EQ(fake.load()->http.listen, (ListenAddress{"127.0.0.1", 0}));
+}
+
+TEST(LoadConfig, WrongOptionsNameTheOption) {
+  FakeFiles fake;
+  fake.overrides.listen = {"127.0.0.1:0", "8080"};
+  fake.overrides.log_level = "loud";
+  EXPECT_EQ(fake.errors(),
+            "--listen: \"8080\": must be an address and a port, such as 127.0.0.1:7586 or "
+            "[::1]:7586\n"
+            "--log-level: must be \"debug\", \"info\", \"warning\" or \"error\", not \"loud\"\n");
+}
+
+TEST(LoadConfig, AFileAskedForMustExist) {
+  FakeFiles fake;
+  fake.paths.config_file = "/nowhere.json";
+  fake.paths.config_file_required = true;
+  EXPECT_EQ(fake.errors(), "/nowhere.json: No such file or directory\n");
+}
+
+TEST(LoadConfig, DeviceFilesAreLookedForBesideTheConfigurationFirst) {
+  FakeFiles fake = FakeFiles::with(R"({"device": "mine"})");
+  EXPECT_EQ(fake.errors(),
+            "/etc/hedgehog/hedgehogd.json:1: device: there is no "
+            "/etc/hedgehog/devices.d/mine.json or /usr/share/hedgehog/devices.d/mine.json\n");
+  fake.files["/usr/share/hedgehog/devices.d/mine.json"] = R"({"name": "theirs"})";
+  EXPECT_EQ(fake.load()->device.name, "theirs");
+  fake.files["/etc/hedgehog/devices.d/mine.json"] = R"({"name": "ours"})";
+  EXPECT_EQ(fake.load()->device.name, "ours");
+  fake.files["/etc/hedgehog/hedgehogd.json"] = R"({"device": "../balls/mine.json"})";
+  fake.files["/etc/balls/mine.json"] = R"({"name": "elsewhere"})";
+  EXPECT_EQ(fake.load()->device.name, "elsewhere");
+}
+
+TEST(LoadConfig, ReadFileTellsMissingFromBroken) {
+  EXPECT_EQ(read_file("/nowhere/at/all").error(), boost::system::errc::no_such_file_or_directory);
+  EXPECT_EQ(read_file("/").error(), boost::system::errc::is_a_directory);
+  EXPECT_EQ(read_file("/dev/zero").error(), boost::system::errc::file_too_large);
+}
+
+// A configuration that is nearly right: known keys with values of any kind.
+rc::Gen<std::string> any_json(int depth) {
+  const auto leaf = rc::gen::element<std::string>(
+      "null", "true", "-1", "0", "1", "15", "1e300", "0.5", "\"usb\"", "\"\"", "\"/x\"",
+      "\"127.0.0.1:1\"", "\"\\u0000\"", "[]", "{}", "[[[1]]]", "NaN", "'", "\xff", "// c\n1");
+  if (depth == 0) return leaf;
+  const auto key = rc::gen::element<std::string>(
+      "backend", "device", "limits", "current_a", "listen", "tcp", "unix", "http", "simulator",
+      "seed", "imu", "type", "", ".", "limits.current_a", "curent_a", "coil_matrix", "usb");
+  const auto member = rc::gen::map(rc::gen::pair(key, any_json(depth - 1)),
+                                   [](auto kv) { return '"' + kv.first + "\":" + kv.second; });
+  return rc::gen::oneOf(
+      leaf, rc::gen::map(rc::gen::container<std::vector<std::string>>(member), [](auto members) {
+        std::string text = "{";
+        for (const auto& m : members) text += (text.size() > 1 ? ",\n" : "") + m;
+        return text + "}";
+      }));
+}
+
+RC_GTEST_PROP(LoadConfig, NoTextCrashesItAndEveryErrorNamesItsFile, ()) {
+  const std::string text = *rc::gen::oneOf(any_json(3), rc::gen::arbitrary<std::string>());
+  for (const FakeFiles& fake : {FakeFiles::with(text), FakeFiles::with_device(text)}) {
+    const auto loaded = fake.load();
+    if (loaded) {
+      RC_ASSERT(model::is_within(loaded->limits, loaded->device.limits));
+      continue;
+    }
+    RC_ASSERT(!loaded.error().empty());
+    for (const ConfigError& error : loaded.error()) {
+      RC_ASSERT(error.file.starts_with("/etc/hedgehog/"));
+      RC_ASSERT(!error.reason.empty());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hedgehog::config

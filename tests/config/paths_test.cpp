@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/config/paths.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <map>
+
+namespace hedgehog::config {
+namespace {
+
+Environment variables(std::map<std::string, std::string> set) {
+  return [set = std::move(set)](const char* name) -> std::optional<std::string> {
+    const auto found = set.find(name);
+    if (found == set.end()) return std::nullopt;
+    return found->second;
+  };
+}
+
+TEST(Paths, UnderSystemd) {
+  const Paths paths = find_paths(variables({{"RUNTIME_DIRECTORY", "/run/hedgehog"},
+                                            {"STATE_DIRECTORY", "/var/lib/hedgehog:/var/lib/b"},
+                                            {"HOME", "/nonexistent"}}),
+                                 std::nullopt);
+  EXPECT_EQ(paths.config_file, "/etc/hedgehog/hedgehogd.json");
+  EXPECT_EQ(paths.runtime_directory, "/run/hedgehog");
+  EXPECT_EQ(paths.state_directory, "/var/lib/hedgehog");
+  EXPECT_FALSE(paths.config_file_required);
+}
+
+TEST(Paths, ByHandAsXdgSays) {
+  const Paths paths = find_paths(variables({{"HOME", "/people/ada"},
+                                            {"XDG_RUNTIME_DIR", "/run/user/1000"},
+                                            {"XDG_CONFIG_HOME", "relative/is/ignored"}}),
+                                 std::nullopt);
+  EXPECT_EQ(paths.config_file, "/people/ada/.config/hedgehog/hedgehogd.json");
+  EXPECT_EQ(paths.state_directory, "/people/ada/.local/state/hedgehog");
+  EXPECT_EQ(paths.runtime_directory, "/run/user/1000/hedgehog");
+
+  const Paths moved =
+      find_paths(variables({{"XDG_STATE_HOME", "/s"}, {"XDG_CONFIG_HOME", "/c"}, {"HOME", "/h"}}),
+                 std::nullopt);
+  EXPECT_EQ(moved.config_file, "/c/hedgehog/hedgehogd.json");
+  EXPECT_EQ(moved.state_directory, "/s/hedgehog");
+  EXPECT_EQ(moved.runtime_directory, "/tmp/hedgehog-" + std::to_string(getuid()));
+}
+
+TEST(Paths, TheOptionReplacesTheFileAndMustExist) {
+  const Paths paths = find_paths(variables({{"HOME", "/h"}}), "mine.json");
+  EXPECT_EQ(paths.config_file, "mine.json");
+  EXPECT_TRUE(paths.config_file_required);
+  EXPECT_EQ(paths.state_directory, "/h/.local/state/hedgehog");
+}
+
+}  // namespace
+}  // namespace hedgehog::config
