@@ -29,10 +29,12 @@ constexpr double kSettledErrorK = 0.05;
 constexpr double kCoreByResistanceS = 60.0;
 constexpr double kCoreBySensorS = 30.0;
 constexpr double kRoomPerCore = 0.05;
+constexpr double kRoomBySensorS = 30.0;
+constexpr double kRoomFastestK_s = 0.001;
 constexpr double kCoreFastestK_s = 0.05;
 constexpr double kRoomLowC = 0.0;
 constexpr double kRoomHighC = 45.0;
-constexpr double kSensorWarmerS = 2.0;
+constexpr double kSensorWarmerS = 6.0;
 constexpr double kSensorCoolerK_s = 0.02;
 
 constexpr double kWarmRoomC = 35.0;
@@ -148,13 +150,18 @@ void ThermalObserver::correct_by_sensor(double dt_s) noexcept {
   const double pull = error_k * std::min(1.0, dt_s / kSensorWarmerS);
   estimate_.nodes.winding_c[own] += std::max(pull, -kSensorCoolerK_s * dt_s);
   correct_core(error_k, kCoreBySensorS, dt_s);
+  correct_room(error_k / kRoomBySensorS, dt_s);
 }
 
 void ThermalObserver::correct_core(double core_error_k, double core_tau_s, double dt_s) noexcept {
-  const double step_k =
-      std::clamp(core_error_k / core_tau_s, -kCoreFastestK_s, kCoreFastestK_s) * dt_s;
-  estimate_.nodes.core_c += step_k;
-  estimate_.room_c = std::clamp(estimate_.room_c + kRoomPerCore * step_k, kRoomLowC, kRoomHighC);
+  const double rate_k_s = std::clamp(core_error_k / core_tau_s, -kCoreFastestK_s, kCoreFastestK_s);
+  estimate_.nodes.core_c += rate_k_s * dt_s;
+  correct_room(kRoomPerCore * rate_k_s, dt_s);
+}
+
+void ThermalObserver::correct_room(double rate_k_s, double dt_s) noexcept {
+  const double step_k = std::clamp(rate_k_s, -kRoomFastestK_s, kRoomFastestK_s) * dt_s;
+  estimate_.room_c = std::clamp(estimate_.room_c + step_k, kRoomLowC, kRoomHighC);
 }
 
 }  // namespace hedgehog::model

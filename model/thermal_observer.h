@@ -75,6 +75,7 @@ class ThermalObserver {
   void correct_by_sensor(double dt_s) noexcept;
   void follow_sensor(const ThermalMeasurement& measurement, double dt_s) noexcept;
   void correct_core(double core_error_k, double core_tau_s, double dt_s) noexcept;
+  void correct_room(double rate_k_s, double dt_s) noexcept;
 
   CoilModel coils_;
   ThermalModel thermal_;

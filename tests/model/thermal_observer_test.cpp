@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+// What the observer says of windings that nobody can touch, on balls that are not the one in the
+// book.
+#include "model/thermal_observer.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "tests/model/thermal_loop.h"
+
+namespace hedgehog::model {
+namespace {
+
+ThermalMeasurement quiet(double sensor_c) {
+  ThermalMeasurement m;
+  m.electrical_valid = true;
+  m.sensor_c = sensor_c;
+  m.sensor_valid = true;
+  return m;
+}
+
+/// The measurement when winding `coil` of 0.45 ohm at 25 C carries `current` at `celsius`.
+ThermalMeasurement carrying(int coil, double current, double celsius, double sensor_c) {
+  ThermalMeasurement m = quiet(sensor_c);
+  m.current_before_a[coil] = current;
+  m.current_a[coil] = current;
+  m.voltage_v[coil] = current * resistance_at(Ohms(0.45), Celsius(celsius)).value;
+  m.fan_running = true;
+  return m;
+}
+
+TEST(ThermalObserver, FindsAWindingThatBurnsWhileTheThermistorStaysCool) {
+  ThermalObserver observer;
+  for (int tick = 0; tick < 500; ++tick) observer.step(carrying(2, 5.0, 65.0, 25.0));
+  EXPECT_NEAR(observer.estimate().nodes.winding_c[2], 65.0, 0.5);
+  EXPECT_NEAR(observer.estimate().hottest_c, 65.0, 0.5);
+  EXPECT_NEAR(observer.estimate().resistance_ohm[2], resistance_at(Ohms(0.45), Celsius(65.0)).value,
+              0.001);
+}
+
+TEST(ThermalObserver, MarksAWindingMeasuredWithinTensOfMillisecondsAndOnlyThatOne) {
+  ThermalObserver observer;
+  EXPECT_EQ(observer.estimate().measured, (std::array<bool, kCoils>{}));
+  for (int tick = 0; tick < 50; ++tick) observer.step(carrying(1, 5.0, 40.0, 40.0));
+  EXPECT_EQ(observer.estimate().measured, (std::array<bool, kCoils>{false, true, false}));
+  for (int tick = 0; tick < 1000; ++tick) observer.step(carrying(0, 1.0, 40.0, 40.0));
+  EXPECT_EQ(observer.estimate().measured, (std::array<bool, kCoils>{false, true, false}))
+      << "below 1.5 A V/I says nothing; what was measured stays measured";
+  EXPECT_EQ(observer.estimate().measuring, (std::array<bool, kCoils>{}));
+}
+
+TEST(ThermalObserver, TheThermistorCountsWithALeadOfTwoSeconds) {
+  ThermalObserver observer(CoilModel{}, ThermalModel{}, {{30, 30, 30}, 30});
+  double body_c = 30.0;
+  for (int tick = 0; tick < 10'000; ++tick) {
+    body_c += 1.5e-3;  // 1.5 K/s
+    observer.step(quiet(body_c));
+  }
+  EXPECT_NEAR(observer.estimate().sensor_lead_c, body_c + 3.0, 0.1);
+  EXPECT_GE(observer.estimate().hottest_c, observer.estimate().sensor_lead_c);
+}
+
+TEST(ThermalObserver, ASilentThermistorNeverMakesItCoolerAndSoonCountsAsHot) {
+  ThermalObserver observer(CoilModel{}, ThermalModel{}, {{50, 50, 50}, 50});
+  for (int tick = 0; tick < 3000; ++tick) observer.step(quiet(58.0));
+  const double before = observer.estimate().hottest_c;
+  ThermalMeasurement silent = quiet(20.0);
+  silent.sensor_valid = false;
+  for (int tick = 0; tick < 90; ++tick) {
+    observer.step(silent);
+    EXPECT_GE(observer.estimate().hottest_c, before - 0.05);
+  }
+  for (int tick = 0; tick < 20; ++tick) observer.step(silent);
+  EXPECT_TRUE(std::isinf(observer.estimate().hottest_c));
+  for (int tick = 0; tick < 10; ++tick) observer.step(quiet(57.0));
+  EXPECT_NEAR(observer.estimate().hottest_c, 57.5, 1.0) << "and it comes back";
+}
+
+TEST(ThermalObserver, WithoutAnyThermistorFromTheStartNothingIsTrusted) {
+  ThermalObserver observer;
+  ThermalMeasurement silent;
+  for (int tick = 0; tick < 200; ++tick) observer.step(silent);
+  EXPECT_TRUE(std::isinf(observer.estimate().hottest_c));
+}
+
+TEST(ThermalObserver, NumbersThatAreNotFiniteLeaveTheEstimateFinite) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  ThermalObserver observer;
+  for (int tick = 0; tick < 200; ++tick) observer.step(carrying(0, 5.0, 45.0, 44.0));
+  for (const double bad : {kNan, kInfinity, -kInfinity, 1e200}) {
+    ThermalMeasurement m = carrying(0, 5.0, 45.0, 44.0);
+    m.current_a.x = bad;
+    observer.step(m);
+    m = carrying(0, 5.0, 45.0, 44.0);
+    m.voltage_v.y = bad == 1e200 ? kNan : bad;
+    observer.step(m);
+    m = carrying(0, 5.0, 45.0, 44.0);
+    m.sensor_c = bad == 1e200 ? kNan : bad;
+    observer.step(m);
+  }
+  for (int tick = 0; tick < 200; ++tick) observer.step(carrying(0, 5.0, 45.0, 44.0));
+  EXPECT_NEAR(observer.estimate().nodes.winding_c[0], 45.0, 0.5);
+  EXPECT_TRUE(std::isfinite(observer.estimate().hottest_c));
+  EXPECT_TRUE(std::isfinite(observer.estimate().room_c));
+}
+
+TEST(ThermalObserver, ALooseThermistorCoolsItsWindingOnlySlowly) {
+  ThermalObserver observer(CoilModel{}, ThermalModel{}, {{60, 60, 60}, 60});
+  ThermalObserver without = observer;
+  for (int tick = 0; tick < 10'000; ++tick) {
+    observer.step(quiet(25.0));
+    without.step(quiet(without.estimate().expected_sensor_c));
+  }
+  EXPECT_GT(observer.estimate().nodes.winding_c[0], without.estimate().nodes.winding_c[0] - 0.5);
+}
+
+TEST(ThermalObserver, LearnsARoomThatWasGuessedWrong) {
+  Plant plant(PlantParameters{}, 31.0);
+  ThermalObserver observer(CoilModel{}, ThermalModel{}, ThermalState{});
+  for (int step = 0; step < 3 * 3600 * 50; ++step) {
+    plant.step_thermal({}, 0.0, 20e-3);
+    observer.step(quiet(plant.sensor_c()), 20e-3);
+  }
+  EXPECT_NEAR(observer.estimate().room_c, 31.0, 1.0);
+  EXPECT_NEAR(observer.estimate().nodes.core_c, 31.0, 1.0);
+}
+
+TEST(ThermalObserver, AtRestWithFiveAmpereCoreAndRoomStayRight) {
+  ThermalLoop loop(PlantParameters{}, 25.0);
+  for (int step = 0; step < 3600 * 50; ++step) loop.coarse_tick({0, 0, 5});
+  EXPECT_NEAR(loop.observer.estimate().nodes.core_c, loop.plant.heat().core_c, 0.5);
+  EXPECT_NEAR(loop.observer.estimate().room_c, 25.0, 0.5);
+}
+
+/// Ten minutes of random currents on a random ball. `worst_k` is the largest error of a winding
+/// that has been driven above 1.5 A for a second, `lowest_k` the worst underestimate of any other.
+struct Errors {
+  double worst_k = 0.0;
+  double lowest_k = 0.0;
+};
+
+Errors observe_random_ball(std::uint64_t seed) {
+  RandomStream random(seed);
+  const PlantParameters real = random_plant(random.bits());
+  ThermalLoop loop(real, random.uniform(18.0, 32.0), device_file_of(real));
+  Errors errors;
+  std::array<double, kCoils> driven_s{};
+  Vec3 wanted;
+  double until_s = 0.0;
+  for (int step = 0; step < 600 * 50; ++step) {
+    if (step * 20e-3 >= until_s) {
+      until_s += random.uniform(0.5, 30.0);
+      wanted = {random.uniform(-10, 10), random.uniform(-10, 10), random.uniform(-10, 10)};
+      for (int coil = 0; coil < kCoils; ++coil)
+        if (random.uniform(0, 1) < 0.4) wanted[coil] = 0.0;
+    }
+    loop.coarse_tick(wanted);
+    for (int coil = 0; coil < kCoils; ++coil) {
+      const auto i = static_cast<std::size_t>(coil);
+      driven_s[i] = std::abs(loop.driven[coil]) > 1.5 ? driven_s[i] + 20e-3 : 0.0;
+      const double error_k =
+          loop.observer.estimate().nodes.winding_c[i] - loop.plant.heat().winding_c[i];
+      if (driven_s[i] > 1.0)
+        errors.worst_k = std::max(errors.worst_k, std::abs(error_k));
+      else
+        errors.lowest_k = std::min(errors.lowest_k, error_k);
+    }
+  }
+  return errors;
+}
+
+RC_GTEST_PROP(ThermalObserver, IsWithinOneKelvinOfADrivenWindingOnAnyBall, ()) {
+  const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+  const Errors errors = observe_random_ball(seed);
+  RC_ASSERT(errors.worst_k < 1.0);
+  RC_ASSERT(errors.lowest_k > -6.0);
+}
+
+}  // namespace
+}  // namespace hedgehog::model
