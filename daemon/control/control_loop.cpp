@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/control/control_loop.h"
 
-#include "daemon/control/absolute_clock.h"
+#include <pthread.h>
+
+#include "daemon/control/absolute_sleep.h"
+#include "daemon/device/tick_clock.h"
 
 namespace hedgehog::control {
 namespace {
 
+using device::monotonic_ns;
 using model::kNanosecondsPerTick;
 using model::Tick;
 
@@ -21,9 +25,15 @@ ControlLoop::ControlLoop(const ControlSettings& settings, Mailbox& mailbox, devi
 ControlLoop::~ControlLoop() { stop(); }
 
 void ControlLoop::start() {
-  thread_ = std::thread([this] { run(); });
-  name_thread(thread_, "control");
-  realtime_ = make_realtime(thread_, kPriority);
+  const device::SignalsBlocked blocked;
+  thread_ = std::thread([this] {
+    pthread_setname_np(pthread_self(), "control");
+    realtime_ = device::use_fifo(device::kControlPriority);
+    started_.store(true, std::memory_order_release);
+    started_.notify_one();
+    run();
+  });
+  started_.wait(false, std::memory_order_acquire);
 }
 
 bool ControlLoop::stop() noexcept {

@@ -16,9 +16,6 @@ namespace hedgehog::control {
 /// is told how many were skipped.
 class ControlLoop final : public Loop {
  public:
-  /// Priority of the control thread; the link's is one below.
-  static constexpr int kPriority = 60;
-
   ControlLoop(const ControlSettings& settings, Mailbox& mailbox, device::LinkPort& port,
               FlightRecorder* recorder);
   ~ControlLoop() override;
@@ -43,6 +40,7 @@ class ControlLoop final : public Loop {
   std::thread thread_;
   bool realtime_ = false;
   bool confirmed_ = false;
+  std::atomic<bool> started_{false};
   std::atomic<bool> stopping_{false};
   std::atomic<std::uint64_t> heartbeat_{0};
   std::atomic<model::Tick> now_{0};

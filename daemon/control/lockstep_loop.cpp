@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/control/lockstep_loop.h"
 
+#include <pthread.h>
+
 #include <algorithm>
 
-#include "daemon/control/absolute_clock.h"
+#include "daemon/control/absolute_sleep.h"
+#include "daemon/device/tick_clock.h"
 
 namespace hedgehog::control {
 namespace {
 
+using device::monotonic_ns;
 using model::kNanosecondsPerTick;
 using model::Tick;
 
@@ -20,34 +24,25 @@ constexpr int kFastest = 100;
 LockstepLoop::LockstepLoop(const ControlSettings& settings, Mailbox& mailbox,
                            device::LinkPort& port, FlightRecorder* recorder,
                            const device::SimulatedBoardOptions& board, int speed)
-    : port_(port),
-      speed_(std::clamp(speed, kSlowest, kFastest)),
+    : speed_(std::clamp(speed, kSlowest, kFastest)),
       tick_(settings, mailbox, port, recorder, speed_),
-      board_(board),
+      world_(port, board),
       origin_ns_(monotonic_ns()) {}
 
 LockstepLoop::~LockstepLoop() { stop(); }
 
 void LockstepLoop::start() {
-  thread_ = std::thread([this] { run(); });
-  name_thread(thread_, "lockstep");
+  const device::SignalsBlocked blocked;
+  thread_ = std::thread([this] {
+    pthread_setname_np(pthread_self(), "control");
+    run();
+  });
 }
 
 bool LockstepLoop::stop() noexcept {
   stopping_.store(true, std::memory_order_release);
   if (thread_.joinable()) thread_.join();
   return confirmed_;
-}
-
-void LockstepLoop::step_world() noexcept {
-  const device::SimulatorSettings& wanted = port_.simulator.read();
-  told_world_ = told_world_ || port_.simulator.was_fresh();
-  const device::LinkCommand& command = port_.commands.read();
-  const device::LinkFrames frames = told_world_ ? link_.step(command, wanted) : link_.step(command);
-  board_.receive(frames.set_point);
-  if (frames.other) board_.receive(*frames.other);
-  if (const auto telemetry = board_.step()) link_.receive(*telemetry);
-  port_.reports.write(link_.report());
 }
 
 void LockstepLoop::run() noexcept {
@@ -74,7 +69,7 @@ void LockstepLoop::run() noexcept {
     for (int i = 0; i < speed_; ++i) {
       ++statistics_.ticks;
       tick_.run(++tick, 0, statistics_);
-      step_world();
+      world_.step();
       now_.store(tick, std::memory_order_relaxed);
     }
     heartbeat_.fetch_add(static_cast<std::uint64_t>(speed_), std::memory_order_relaxed);
@@ -82,7 +77,7 @@ void LockstepLoop::run() noexcept {
   tick_.shut_down();
   for (int i = 0; i < kSafePatienceTicks && !confirmed_; ++i) {
     confirmed_ = tick_.run_safe();
-    step_world();
+    world_.step();
   }
 }
 

@@ -10,7 +10,7 @@
 #include "daemon/control/control_tick.h"
 #include "daemon/control/lateness.h"
 #include "daemon/control/loop.h"
-#include "daemon/device/link.h"
+#include "daemon/device/lock_step.h"
 #include "daemon/device/simulated_board.h"
 
 namespace hedgehog::control {
@@ -35,17 +35,13 @@ class LockstepLoop final : public Loop {
 
  private:
   void run() noexcept;
-  void step_world() noexcept;
 
-  device::LinkPort& port_;
   int speed_;
   ControlTick tick_;
-  device::Link link_;
-  device::SimulatedBoard board_;
+  device::LockStep world_;
   Lateness lateness_;
   LoopStatistics statistics_;
   std::int64_t origin_ns_;
-  bool told_world_ = false;
   std::thread thread_;
   bool confirmed_ = false;
   std::atomic<bool> stopping_{false};
