@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/server/admission.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "daemon/server/status_view.h"
+
+namespace hedgehog::server {
+namespace {
+
+/// Rounding is no reduction.
+constexpr double kEpsilonA = 1e-6;
+
+bool sounds(const Machine& machine, const Effect& e) {
+  const control::EffectStatus& live = machine.now().effects[e.place];
+  if (live.effect == e.id) {
+    return live.playing;
+  }
+  return e.spec.delay == 0 && e.spec.start_at <= machine.now().tick;
+}
+
+std::string text(const char* format, double a, double b) {
+  char buffer[160];
+  std::snprintf(buffer, sizeof buffer, format, a, b);
+  return buffer;
+}
+
+}  // namespace
+
+Felt felt_now(const Machine& machine, EffectRegistry& effects, const Effect* except) {
+  Felt felt;
+  for (const Effect* e : effects.playing()) {
+    const int priority = e->spec.priority;
+    if (e == except || priority < felt.priority || !sounds(machine, *e)) {
+      continue;
+    }
+    const Load load = load_of(e->spec, machine.config().device.coils, machine.now().orientation);
+    felt.load = priority > felt.priority ? load : felt.load + load;
+    felt.priority = priority;
+  }
+  return felt;
+}
+
+protocol::Admission admission(const Machine& machine, EffectRegistry& effects,
+                              const model::EffectSpec& spec, const Effect* replaced) {
+  const control::StatusSnapshot& now = machine.now();
+  const config::Config& config = machine.config();
+  protocol::Admission out;
+  const model::Vec3 direction = onset_direction(spec, config.device.coils, now.orientation);
+  const model::NearestPin nearest = model::nearest_pin(machine.array(), direction);
+  out.pin = nearest.id;
+  if (spec.trajectory.path == model::Path::kCircle) {
+    out.period_ms =
+        1000.0 * model::circle_steps(spec.trajectory.ring_deg) / spec.trajectory.speed_pins_s;
+  }
+
+  const Felt others = felt_now(machine, effects, replaced);
+  if (others.priority > spec.priority) {
+    out.limited_by = "priority";
+    return out;
+  }
+  const Load own = load_of(spec, config.device.coils, now.orientation);
+  const Load asked = others.priority == spec.priority ? others.load + own : own;
+  double factor = now.gain;
+  if (now.gain < 1.0) {
+    out.limited_by = "configuration";
+  }
+  double flowing_a = asked.peak_a() * now.gain;
+  if (flowing_a > config.limits.current_a + kEpsilonA) {
+    out.limited_by = "mix";
+    factor *= config.limits.current_a / flowing_a;
+    flowing_a = config.limits.current_a;
+  }
+  out.headroom_s = machine.forecaster().seconds_to_derating(machine.forecast_start(),
+                                                            scaled(asked, factor).asked());
+  if (flowing_a > now.limit_a + kEpsilonA) {
+    out.limited_by = "thermal";
+    factor *= std::max(0.0, now.limit_a) / flowing_a;
+    out.headroom_s = 0.0;
+  }
+  out.current_a = spec.strength_a * spec.gain * factor;
+  out.force_n = out.current_a * config.device.force_slope_n_a * nearest.cosine;
+  return out;
+}
+
+std::optional<protocol::RpcError> thermal_refusal(const Machine& machine,
+                                                  const model::EffectSpec& spec,
+                                                  const protocol::EffectParams& params,
+                                                  const protocol::Admission& admitted) {
+  if (!admitted.headroom_s) {
+    return std::nullopt;
+  }
+  const double needed_s =
+      static_cast<double>(spec.lease > 0 ? spec.lease : spec.duration) * model::kTickSeconds;
+  const double asked_a = spec.strength_a * spec.gain;
+  const bool now = admitted.limited_by == "thermal";
+  if (!now && *admitted.headroom_s >= needed_s) {
+    return std::nullopt;
+  }
+  protocol::RpcError e;
+  e.code = protocol::ErrorCode::kRefusedThermal;
+  const double current_limit = machine.limits().current_a;
+  e.limit_a = now ? admitted.current_a : machine.now().limit_a;
+  if (now) {
+    e.message =
+        "refused_thermal: " + text("%.1f A asked, %.1f A allowed at ", asked_a, *e.limit_a) +
+        text("%.1f °C", hottest_c(machine), 0);
+    e.field = params.level ? "level" : params.force_n ? "force_n" : "current_a";
+    const double per_ampere = params.level     ? 1.0 / current_limit
+                              : params.force_n ? machine.config().device.force_slope_n_a
+                                               : 1.0;
+    e.limit = *e.limit_a * per_ampere;
+    e.value = spec.strength_a * per_ampere;
+  } else {
+    e.message = "refused_thermal: " +
+                text("%.1f A can flow for %.1f s from ", asked_a, *admitted.headroom_s) +
+                text("%.1f °C, %.1f s asked", hottest_c(machine), needed_s);
+    e.field = spec.lease > 0 ? "lease_ms" : "duration_ms";
+    e.limit = static_cast<std::int64_t>(*admitted.headroom_s * 1000.0);
+    e.value = static_cast<std::int64_t>(spec.lease > 0 ? spec.lease : spec.duration);
+  }
+  const auto recovery_s = machine.forecaster().recovery_s(machine.forecast_start());
+  if (recovery_s) {
+    e.retry_after_ms = static_cast<std::int64_t>(std::ceil(*recovery_s * 1000.0));
+  }
+  return e;
+}
+
+}  // namespace hedgehog::server

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// Who plays what: the numbers, places and slots of all effects that were started and whose end has
+// not been reported yet.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "daemon/control/command.h"
+#include "daemon/server/session.h"
+#include "model/effect.h"
+#include "protocol/effect_params.h"
+#include "protocol/method.h"
+
+namespace hedgehog::server {
+
+struct Effect {
+  control::EffectId id = 0;  // 0: the place is free
+  std::uint8_t place = 0;
+  /// 0 when its connection has ended.
+  ConnectionId owner = 0;
+  std::string client;
+  std::optional<std::string> slot;
+  protocol::Method method = protocol::Method::kEffectPulse;
+  /// Everything that was said, defaults filled in; updates are merged into it.
+  protocol::EffectParams params;
+  model::EffectSpec spec;
+  /// Its end was asked for (stopped, replaced); nobody can address it any more.
+  bool ending = false;
+};
+
+/// io thread only.
+class EffectRegistry {
+ public:
+  static constexpr int kMaxEach = 32;
+
+  enum class Room : std::uint8_t { kYes, kConnectionFull, kDeviceFull, kPlacesFull };
+  /// Whether `owner` may start one more; `replacing`: it takes the place of one of its own.
+  Room room(ConnectionId owner, bool replacing) const noexcept;
+
+  /// A free place and a new number. The reference is good until the effect ends. REQUIRES: room()
+  /// is kYes.
+  Effect& add(ConnectionId owner);
+  /// Takes back an `add` whose command found no room.
+  void drop(const Effect& effect) noexcept { places_[effect.place] = {}; }
+
+  /// nullptr: there is none of this owner that still can be addressed.
+  Effect* find(ConnectionId owner, control::EffectId id) noexcept;
+  Effect* find(ConnectionId owner, std::string_view slot) noexcept;
+  /// nullptr: unknown, or ended and reported.
+  const Effect* at(std::uint8_t place, control::EffectId id) const noexcept;
+  const Effect* any(control::EffectId id) const noexcept;
+
+  /// All that can still be addressed; owner 0: of everybody.
+  std::vector<Effect*> playing(ConnectionId owner = 0);
+  /// The connection has ended: its effects belong to nobody, and are returned.
+  std::vector<Effect*> disown(ConnectionId owner);
+
+  /// `effect_ended` was taken: frees the place and returns what was there.
+  std::optional<Effect> ended(std::uint8_t place, control::EffectId id);
+
+ private:
+  std::array<Effect, control::kEffectPlaces> places_{};
+  control::EffectId last_id_ = 0;
+};
+
+}  // namespace hedgehog::server

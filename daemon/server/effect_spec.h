@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// From what a client said to what the control thread plays, with the ranges that depend on the ball
+// and on the client's role.
+#pragma once
+
+#include <cstdint>
+
+#include "model/effect.h"
+#include "model/limits.h"
+#include "model/pin_array.h"
+#include "model/tick.h"
+#include "protocol/effect_params.h"
+#include "protocol/error.h"
+#include "protocol/role.h"
+
+namespace hedgehog::server {
+
+/// What the ranges depend on.
+struct SpecFacts {
+  model::Limits limits;
+  double force_slope_n_a = 0.0126;
+  const model::PinArray& pins;
+  protocol::Role role = protocol::Role::kObserve;
+  /// Device time of tick 0, and now.
+  std::int64_t epoch_ns = 0;
+  model::Tick now = 0;
+};
+
+/// REQUIRES: `params` went through protocol::with_defaults.
+protocol::Result<model::EffectSpec> make_spec(model::EffectMethod method,
+                                              const protocol::EffectParams& params,
+                                              const SpecFacts& facts);
+
+/// `update` laid over `base`. An error when it would change the kind of end, or says what the
+/// effect's method does not have.
+protocol::Result<protocol::EffectParams> merged(model::EffectMethod method,
+                                                protocol::EffectParams base,
+                                                const protocol::EffectParams& update);
+
+}  // namespace hedgehog::server

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+// device.*, output.set_gain
+#include <string>
+#include <utility>
+
+#include "daemon/server/handlers.h"
+
+namespace hedgehog::server {
+namespace {
+
+/// The board has 300 ticks to answer an arm request (control::StateMachine::kArmPatience).
+constexpr model::Tick kArmPatience = 400;
+
+protocol::StateResult state_result(const Machine& machine, std::uint64_t seq) {
+  const control::StatusSnapshot& now = machine.now();
+  return {std::string(control::name(now.state)), reason_name(now.reason), machine.remedy_now(),
+          seq};
+}
+
+protocol::RpcError control_stuck() {
+  return protocol::busy("the control loop does not answer", 1000);
+}
+
+protocol::RpcError arm_refused(const Machine& machine) {
+  const control::StatusSnapshot& now = machine.now();
+  const control::Reason why =
+      now.arm_refusal != control::Reason::kNone ? now.arm_refusal : now.reason;
+  return protocol::not_armed(
+      control::name(now.state), control::name(why),
+      remedy(control::State::kTripped, why, machine.remedy_facts()).value_or(""));
+}
+
+}  // namespace
+
+Outcome device_describe(Call& call, const protocol::DeviceDescribe&) {
+  const Machine& machine = call.machine();
+  const config::Config& config = machine.config();
+  const model::DeviceModel& device = config.device;
+  const model::Limits& l = machine.limits();
+  protocol::Description d;
+  d.name = device.name;
+  d.model = device.model;
+  d.simulated = machine.simulated();
+  d.arrangement = machine.array().arrangement;
+  for (const model::Pin& pin : machine.array().pins) {
+    d.pins.push_back({pin.id, pin.position, pin.ring});
+  }
+  for (std::size_t row = 0; row < d.coils.matrix.size(); ++row) {
+    d.coils.matrix[row] = device.coils.matrix.row[row];
+  }
+  d.coils.r25_ohm = device.coils.r25_ohm;
+  d.coils.inductance_h = device.coils.inductance_h;
+  d.coils.supply_v = device.coils.supply_v;
+  d.limits = {l.current_a, l.continuous_a, l.felt_a, l.derate_from_c,
+              l.sustain_c, l.zero_c,       l.trip_c, l.rearm_c};
+  d.calibration.force_n_per_a = device.force_slope_n_a;
+  d.gain = machine.now().gain;
+  d.board.backend = d.simulated ? "simulator" : "usb";
+  d.board.present = machine.now().board_present;
+  switch (config.imu) {
+    case config::ImuType::kNone:
+      d.imu.type = "none";
+      break;
+    case config::ImuType::kSimulator:
+      d.imu.type = "simulator";
+      break;
+    case config::ImuType::kExternal:
+      d.imu.type = "external";
+      break;
+  }
+  d.imu.present = machine.now().orientation_present;
+  return Answer(std::move(d));
+}
+
+Outcome device_status(Call& call, const protocol::DeviceStatus&) {
+  return Answer(call.services.status.status(false));
+}
+
+Outcome device_arm(Call& call, const protocol::DeviceArm&) {
+  Machine& machine = call.machine();
+  if (machine.now().state == control::State::kArmed) {
+    return Answer(state_result(machine, machine.outbox().last_seq()));
+  }
+  if (machine.now().state == control::State::kAbsent) {
+    return Answer(*not_playable(machine));
+  }
+  const auto seq = machine.outbox().add(call.session.id, control::Arm{});
+  if (!seq) {
+    return Answer(queue_full());
+  }
+  return Deferred{[seq = *seq, since = model::Tick{-1}](
+                      Services& services, bool give_up) mutable -> std::optional<Answer> {
+    const control::StatusSnapshot& now = services.machine.now();
+    if (give_up) {
+      return Answer(control_stuck());
+    }
+    if (now.applied_seq < seq) {
+      return std::nullopt;
+    }
+    if (now.state == control::State::kArmed) {
+      return Answer(state_result(services.machine, seq));
+    }
+    since = since < 0 ? now.tick : since;
+    const bool refused = now.arm_refusal != control::Reason::kNone;
+    if (!refused && now.tick - since < kArmPatience) {
+      return std::nullopt;
+    }
+    return Answer(arm_refused(services.machine));
+  }};
+}
+
+Outcome device_emergency_stop(Call& call, const protocol::DeviceEmergencyStop&) {
+  Machine& machine = call.machine();
+  machine.mailbox().emergency_generation.fetch_add(1, std::memory_order_acq_rel);
+  call.services.memory.remember_latch(control::Reason::kEmergencyStop);
+  // The snapshot may already be a tick older than the request.
+  const model::Tick seen = machine.now().tick + 2;
+  return Deferred{[seen](Services& services, bool give_up) -> std::optional<Answer> {
+    const control::StatusSnapshot& now = services.machine.now();
+    if (give_up) {
+      return Answer(control_stuck());
+    }
+    if (now.tick < seen || now.state == control::State::kArmed) {
+      return std::nullopt;
+    }
+    return Answer(state_result(services.machine, services.machine.outbox().last_seq()));
+  }};
+}
+
+Outcome device_claim(Call& call, const protocol::DeviceClaim& request) {
+  Services& services = call.services;
+  const model::Tick now = call.machine().now().tick;
+  if (services.claim.excludes(call.session.id, now)) {
+    protocol::RpcError e = protocol::error(protocol::ErrorCode::kClaimed,
+                                           "claimed: another client has the ball for itself");
+    e.retry_after_ms = services.claim.remaining(now);
+    return Answer(std::move(e));
+  }
+  services.claim.take(call.session.id, now, request.lease_ms);
+  for (Effect* effect : services.effects.playing()) {
+    if (effect->owner != call.session.id) {
+      call.machine().mailbox().stops.request(effect->id, effect->place,
+                                             control::EndReason::kStopped);
+      effect->ending = true;
+    }
+  }
+  return Answer(protocol::ClaimResult{request.lease_ms});
+}
+
+Outcome device_release(Call& call, const protocol::DeviceRelease&) {
+  call.services.claim.release(call.session.id);
+  return Answer(protocol::Done{});
+}
+
+Outcome output_set_gain(Call& call, const protocol::OutputSetGain& request) {
+  const auto seq = call.machine().outbox().add(call.session.id, control::SetGain{request.gain});
+  if (!seq) {
+    return Answer(queue_full());
+  }
+  call.services.memory.remember_gain(request.gain);
+  return Answer(protocol::GainResult{request.gain, *seq});
+}
+
+}  // namespace hedgehog::server

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// The ball as io sees it: the latest snapshot, the way to ask the control thread for something, and
+// what is fixed about the device.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "daemon/config/config.h"
+#include "daemon/control/mailbox.h"
+#include "daemon/control/snapshot.h"
+#include "daemon/device/link_port.h"
+#include "daemon/server/outbox.h"
+#include "daemon/server/remedy.h"
+#include "model/forecast.h"
+#include "model/pin_array.h"
+
+namespace hedgehog::server {
+
+/// io thread only.
+class Machine {
+ public:
+  /// `epoch_ns`: device time of tick 0. The references must outlive the machine.
+  Machine(const config::Config& config, control::Mailbox& mailbox, device::LinkPort& link,
+          std::int64_t epoch_ns);
+
+  /// Takes the latest snapshot.
+  void refresh();
+  const control::StatusSnapshot& now() const noexcept { return snapshot_; }
+  std::int64_t time_ns(model::Tick tick) const noexcept {
+    return epoch_ns_ + tick * model::kNanosecondsPerTick;
+  }
+  std::int64_t epoch_ns() const noexcept { return epoch_ns_; }
+
+  const config::Config& config() const noexcept { return config_; }
+  /// After a reload: limits and what a client may see of the configuration.
+  void set_config(const config::Config& config);
+  const model::Limits& limits() const noexcept { return config_.limits; }
+  bool simulated() const noexcept { return config_.backend == config::Backend::kSimulator; }
+  const model::PinArray& array() const noexcept { return array_; }
+  const model::Forecaster& forecaster() const noexcept { return forecaster_; }
+  model::ForecastStart forecast_start() const noexcept;
+  RemedyFacts remedy_facts() const noexcept;
+  /// Why the ball is not armed, as a sentence; nullopt when it is.
+  std::optional<std::string> remedy_now() const;
+
+  Outbox& outbox() noexcept { return outbox_; }
+  control::Mailbox& mailbox() noexcept { return mailbox_; }
+
+  /// Orientation from outside: an external feeder, or `sim.set`. Kept fresh for the simulator.
+  void set_orientation(const model::Quaternion& quaternion);
+  const device::SimulatorSettings& simulator() const noexcept { return simulator_; }
+  void set_simulator(const device::SimulatorSettings& settings);
+
+ private:
+  void keep_orientation_fresh();
+
+  config::Config config_;
+  control::Mailbox& mailbox_;
+  device::LinkPort& link_;
+  std::int64_t epoch_ns_;
+  const model::PinArray& array_;
+  model::Forecaster forecaster_;
+  Outbox outbox_;
+  control::StatusSnapshot snapshot_;
+  device::SimulatorSettings simulator_;
+  device::OrientationSample orientation_;
+  double mean_current_a_ = 0.0;
+};
+
+}  // namespace hedgehog::server

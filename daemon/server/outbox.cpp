@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/server/outbox.h"
+
+#include <array>
+#include <utility>
+
+namespace hedgehog::server {
+
+std::optional<std::uint64_t> Outbox::add(ConnectionId owner, const What& what) {
+  if (waiting_ >= kMaxWaiting || open_.size() >= control::kMaxCommandsPerTick) {
+    return std::nullopt;
+  }
+  std::size_t& each = waiting_each_[owner];
+  if (each >= kMaxWaitingEach) {
+    return std::nullopt;
+  }
+  ++each;
+  ++waiting_;
+  open_.push_back({owner, {++last_seq_, what}});
+  return last_seq_;
+}
+
+void Outbox::commit() {
+  if (!open_.empty()) {
+    groups_.push_back(std::exchange(open_, {}));
+  }
+  flush();
+}
+
+void Outbox::flush() {
+  if (groups_.empty()) {
+    return;
+  }
+  const std::size_t queued = control::Mailbox::kCommands - mailbox_.commands.write_available();
+  std::array<control::Command, control::kMaxCommandsPerTick> ready{};
+  std::size_t count = 0;
+  while (!groups_.empty() && queued + count + groups_.front().size() <= ready.size()) {
+    for (const Owned& owned : groups_.front()) {
+      ready[count++] = owned.command;
+      const auto each = waiting_each_.find(owned.owner);
+      if (--each->second == 0) {
+        waiting_each_.erase(each);
+      }
+    }
+    groups_.pop_front();
+  }
+  waiting_ -= count;
+  // One push: the control thread sees all of it or nothing.
+  mailbox_.commands.push(ready.data(), count);
+}
+
+}  // namespace hedgehog::server

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/server/remedy.h"
+
+#include <cmath>
+
+namespace hedgehog::server {
+namespace {
+
+using control::Reason;
+
+/// What to do before arming; empty: just arm.
+std::string first_step(Reason reason, const RemedyFacts& facts) {
+  switch (reason) {
+    case Reason::kOverheated:
+      return "Let the ball cool below " + std::to_string(std::lround(facts.rearm_c)) + " °C";
+    case Reason::kBoardOverHeat:
+    case Reason::kBoardHeatBudget:
+      return "Let the ball cool";
+    case Reason::kSensorOpen:
+    case Reason::kSensorShort:
+    case Reason::kSensorStale:
+    case Reason::kSensorFrozen:
+    case Reason::kSensorJump:
+    case Reason::kSensorImplausible:
+      return "Check the coil thermometer's plug and wire";
+    case Reason::kSensorDisagrees:
+      return "Check that the thermometer sits tight on its winding";
+    case Reason::kUnexpectedCurrent:
+    case Reason::kBoardStuckBridge:
+    case Reason::kBridgeFault:
+      return "Unplug the ball and have the bridges of its board checked";
+    case Reason::kCurrentMismatch:
+      return "Check the plugs of the three coils";
+    case Reason::kBoardOverCurrent:
+      return "Check the coils for a short";
+    case Reason::kFanStopped:
+      return "Free the fan and check its plug";
+    case Reason::kBoardSupply:
+      return "Check the 12 V supply";
+    case Reason::kTelemetryLost:
+      return "Check the USB cable";
+    case Reason::kInternal:
+      return "Restart hedgehogd";
+    case Reason::kNone:
+    case Reason::kNeverArmed:
+    case Reason::kUncleanStop:
+    case Reason::kHotPlug:
+    case Reason::kEmergencyStop:
+    case Reason::kNoBoard:
+    case Reason::kBoardDeadMan:
+      break;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::optional<std::string> remedy(control::State state, Reason reason, const RemedyFacts& facts) {
+  if (state == control::State::kArmed) {
+    return std::nullopt;
+  }
+  if (state == control::State::kAbsent) {
+    return facts.simulated
+               ? "The simulated board does not answer: hedgehogctl status shows its faults."
+               : "Plug in the ball, or run without one: hedgehogd --simulate";
+  }
+  const std::string step = first_step(reason, facts);
+  return step.empty() ? "Run: hedgehogctl arm" : step + ", then run: hedgehogctl arm";
+}
+
+std::optional<std::string> reason_name(Reason reason) {
+  if (reason == Reason::kNone) {
+    return std::nullopt;
+  }
+  return std::string(control::name(reason));
+}
+
+}  // namespace hedgehog::server

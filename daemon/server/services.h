@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// What handlers work with. Made by the server, one of each.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "daemon/server/claim.h"
+#include "daemon/server/effect_registry.h"
+#include "daemon/server/machine.h"
+#include "daemon/server/session.h"
+#include "daemon/server/status_view.h"
+#include "protocol/error.h"
+#include "protocol/results.h"
+
+namespace hedgehog::server {
+
+/// What a restart must not forget. Called on the io thread; writes on the disk thread.
+class Memory {
+ public:
+  virtual ~Memory() = default;
+  /// The owner's gain, or a latch that the control thread has not confirmed yet.
+  virtual void remember_gain(double gain) = 0;
+  virtual void remember_latch(control::Reason latch) = 0;
+};
+
+struct Services {
+  Machine& machine;
+  EffectRegistry& effects;
+  Claim& claim;
+  StatusView& status;
+  Memory& memory;
+  std::map<ConnectionId, Session*> sessions{};
+  /// Who feeds the orientation when `imu.type` is `external`; 0: nobody yet.
+  ConnectionId orientation_feeder = 0;
+};
+
+/// One request being carried out.
+struct Call {
+  Services& services;
+  Session& session;
+  /// Nobody reads the answer: what only it needs may be left out.
+  bool answered = true;
+
+  Machine& machine() const noexcept { return services.machine; }
+};
+
+using Answer = protocol::Result<protocol::ResultValue>;
+
+/// The answer depends on ticks to come; asked again after each until it has one. `give_up`: the
+/// control thread does not run.
+struct Deferred {
+  std::function<std::optional<Answer>(Services&, bool give_up)> poll;
+};
+
+using Outcome = std::variant<Answer, Deferred>;
+
+}  // namespace hedgehog::server

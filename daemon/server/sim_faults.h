@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// The wire names of the faults that the simulated board can show (`sim.set`).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hedgehog::server {
+
+/// A bit of device::SimFault; nullopt: there is no such fault.
+std::optional<std::uint16_t> sim_fault_named(std::string_view name) noexcept;
+/// Every name of `bits`, in the order of device::SimFault.
+std::vector<std::string> sim_fault_names(std::uint16_t bits);
+
+}  // namespace hedgehog::server

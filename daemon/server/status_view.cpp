@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/server/status_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "daemon/server/admission.h"
+#include "model/field.h"
+#include "model/thermal_flow.h"
+
+namespace hedgehog::server {
+namespace {
+
+using control::StatusSnapshot;
+
+constexpr model::Tick kForecastPeriod = 50;
+/// Below this the direction of what flows is only noise.
+constexpr double kFlowsA = 0.05;
+
+std::optional<double> finite(double value) {
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+protocol::TemperatureStatus temperature(const StatusSnapshot& s) {
+  protocol::TemperatureStatus t;
+  if (s.sensor_valid) {
+    t.sensor = finite(s.board.sensor_c);
+  }
+  t.model = finite(model::hottest_winding(s.thermal.nodes));
+  t.coils = s.thermal.nodes.winding_c;
+  if (s.board_present) {
+    t.age_ms = s.board_age;
+  }
+  return t;
+}
+
+protocol::OrientationStatus orientation(const StatusSnapshot& s) {
+  protocol::OrientationStatus o;
+  o.quaternion = s.orientation;
+  o.up = model::rotate(model::conjugate(s.orientation), {0, 0, 1});
+  o.rate_deg_s = s.orientation_rate_deg_s;
+  o.age_ms = s.orientation_age;
+  return o;
+}
+
+protocol::LoopStatus loop(const control::LoopStatistics& l) {
+  return {l.rate_hz, l.ticks, l.skipped, {l.lateness_p50_us, l.lateness_p99_us, l.lateness_max_us}};
+}
+
+}  // namespace
+
+model::Vec3 field_now(const Machine& machine) {
+  return model::field_of({machine.now().limited_a}, machine.config().device.coils).a;
+}
+
+double hottest_c(const Machine& machine) {
+  return model::hottest_winding(machine.now().thermal.nodes);
+}
+
+protocol::EffectStatus StatusView::effect(const Effect& effect) const {
+  protocol::EffectStatus e;
+  e.effect = effect.id;
+  e.slot = effect.slot;
+  e.method = std::string(protocol::name(effect.method));
+  e.connection = effect.owner;
+  if (!effect.client.empty()) {
+    e.client = effect.client;
+  }
+  e.priority = effect.spec.priority;
+  const control::EffectStatus& live = machine_.now().effects[effect.place];
+  if (live.effect == effect.id) {
+    e.playing = live.playing;
+    e.remaining_ms = live.remaining;
+    e.current_a = live.current_a;
+  }
+  return e;
+}
+
+void StatusView::refresh_forecast() {
+  const StatusSnapshot& s = machine_.now();
+  if (s.tick - forecast_tick_ < kForecastPeriod) {
+    return;
+  }
+  forecast_tick_ = s.tick;
+  const model::ForecastStart start = machine_.forecast_start();
+  headroom_s_ =
+      machine_.forecaster().seconds_to_derating(start, model::AskedCurrents::constant(s.limited_a));
+  burst_s_ = machine_.forecaster().burst_s(start);
+}
+
+protocol::Status StatusView::status(bool with_pins) {
+  refresh_forecast();
+  const StatusSnapshot& s = machine_.now();
+  const config::Config& config = machine_.config();
+  protocol::Status out;
+  out.device = config.device.name;
+  out.simulated = machine_.simulated();
+  out.time_ns = machine_.time_ns(s.tick);
+  out.state = std::string(control::name(s.state));
+  out.reason = reason_name(s.reason);
+  out.since_s = static_cast<double>(s.tick - s.since) * model::kTickSeconds;
+  out.remedy = machine_.remedy_now();
+  out.temperature_c = temperature(s);
+  out.limit_a = s.limit_a;
+  out.headroom_s = headroom_s_;
+  out.burst_s = burst_s_;
+  out.derating = s.derating;
+  out.current_a = s.board.current_a;
+  out.duty = s.board.duty;
+
+  const model::Vec3 field = field_now(machine_);
+  const double flowing_a = model::norm(field);
+  if (flowing_a > kFlowsA) {
+    const model::NearestPin nearest = model::nearest_pin(machine_.array(), field);
+    out.field = (1.0 / flowing_a) * field;
+    out.pin = nearest.id;
+    out.force_n = config.device.force_slope_n_a * flowing_a * nearest.cosine;
+  }
+  if (s.board_present) {
+    out.fan.speed_rpm = s.board.fan_rpm;
+  }
+  out.fan.duty = s.board.fan_duty;
+  if (s.orientation_present) {
+    out.orientation = orientation(s);
+  }
+  for (std::uint8_t place = 0; place < control::kEffectPlaces; ++place) {
+    if (const Effect* e = effects_.at(place, s.effects[place].effect)) {
+      out.effects.push_back(effect(*e));
+    }
+  }
+  std::sort(out.effects.begin(), out.effects.end(),
+            [](const auto& a, const auto& b) { return a.effect < b.effect; });
+  out.loop = loop(s.loop);
+  out.link = {s.link.frames_out, s.link.lost, s.link.errors};
+  out.applied_seq = s.applied_seq;
+  if (s.last_trip.reason != control::Reason::kNone) {
+    const control::Trip& trip = s.last_trip;
+    out.last_trip =
+        protocol::TripStatus{std::string(control::name(trip.reason)), machine_.time_ns(trip.tick),
+                             finite(trip.temperature_c), trip.current_a};
+  }
+  if (with_pins) {
+    out.pins.resize(machine_.array().pins.size());
+    model::pin_forces(machine_.array(), {field}, config.device.force_slope_n_a, out.pins);
+  }
+  return out;
+}
+
+}  // namespace hedgehog::server

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// The status object of the protocol from the control thread's snapshot.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "daemon/server/effect_registry.h"
+#include "daemon/server/machine.h"
+#include "protocol/status.h"
+
+namespace hedgehog::server {
+
+/// io thread only. Forecasts cost up to milliseconds, so they are kept for a twentieth of a second
+/// of device time.
+class StatusView {
+ public:
+  StatusView(const Machine& machine, EffectRegistry& effects)
+      : machine_(machine), effects_(effects) {}
+
+  /// `with_pins`: fill in the force at every pin.
+  protocol::Status status(bool with_pins);
+  protocol::EffectStatus effect(const Effect& effect) const;
+
+ private:
+  void refresh_forecast();
+
+  const Machine& machine_;
+  EffectRegistry& effects_;
+  model::Tick forecast_tick_ = -1'000'000;
+  std::optional<double> headroom_s_;
+  std::optional<double> burst_s_;
+};
+
+/// The field that flows, A, device frame.
+model::Vec3 field_now(const Machine& machine);
+/// The ball's temperature as people are told it: the hottest estimate.
+double hottest_c(const Machine& machine);
+
+}  // namespace hedgehog::server
