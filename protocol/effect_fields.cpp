@@ -28,7 +28,8 @@ void at_most_one(Fields& f, std::string_view names,
   }
 }
 
-void check_end(Fields& f, const EffectParams& v, std::optional<std::int64_t> duration) {
+/// `v` with the defaults of its method filled in, unless it is an update.
+void check_end(Fields& f, const EffectParams& v) {
   at_most_one(f, "duration_ms and lease_ms",
               {{"duration_ms", v.duration_ms.has_value()}, {"lease_ms", v.lease_ms.has_value()}});
   if (v.lease_ms && v.fade_ms.value_or(0) > 0) {
@@ -37,13 +38,14 @@ void check_end(Fields& f, const EffectParams& v, std::optional<std::int64_t> dur
   if (v.lease_ms && v.on_close == OnClose::kFinish) {
     f.fail(invalid_params("on_close", "only an effect with duration_ms can finish"));
   }
+  const std::optional<std::int64_t>& duration = v.duration_ms;
   if (!duration) {
     return;
   }
   const std::int64_t attack = v.attack_ms.value_or(0);
   const std::int64_t fade = v.fade_ms.value_or(0);
   if (attack + fade > *duration) {
-    const bool by_fade = v.fade_ms.has_value();
+    const bool by_fade = fade > 0;
     RpcError error =
         invalid_params(by_fade ? "fade_ms" : "attack_ms",
                        "attack and fade are " + std::to_string(attack + fade) +
@@ -69,9 +71,7 @@ void check(Fields& f, const EffectParams& v, Method method) {
                {"force_n", v.force_n.has_value()}});
   at_most_one(f, "start_at_ns and delay_ms",
               {{"start_at_ns", v.start_at_ns.has_value()}, {"delay_ms", v.delay_ms.has_value()}});
-  const bool starts = method != Method::kEffectUpdate;
-  const bool defaulted = starts && !v.duration_ms && !v.lease_ms;
-  check_end(f, v, defaulted ? with_defaults(method, {}).duration_ms : v.duration_ms);
+  check_end(f, method == Method::kEffectUpdate ? v : with_defaults(method, v));
   if ((method == Method::kEffectPulse || method == Method::kEffectHold) && !v.direction) {
     f.fail(invalid_params("direction", "is missing; for example \"direction\":\"left\""));
   }

@@ -148,6 +148,8 @@ TEST(EffectParams, AttackAndFadeFitIntoTheDuration) {
   EXPECT_EQ(no_pulse(R"("duration_ms":100,"attack_ms":41,"fade_ms":60)").field, "fade_ms");
   EXPECT_EQ(no_pulse(R"("attack_ms":151)").field, "attack_ms") << "the default is 150 ms";
   EXPECT_EQ(no_pulse(R"("lease_ms":1000,"fade_ms":60)").field, "fade_ms");
+  EXPECT_EQ(refused("effect.hold", R"({"direction":"up","fade_ms":60})").field, "fade_ms")
+      << "a hold is leased";
   EXPECT_EQ(pulse(R"("lease_ms":1000,"attack_ms":60)").attack_ms, 60);
 }
 

@@ -38,12 +38,21 @@ TEST(Errors, TheOthers) {
 }
 
 TEST(Errors, EveryCodeHasItsNameAndNumber) {
-  const std::vector<std::pair<int, std::string>> documented{
-      {-32700, "parse_error"},    {-32600, "invalid_request"}, {-32601, "method_not_found"},
-      {-32602, "invalid_params"}, {-32603, "internal_error"},  {-32000, "not_armed"},
-      {-32001, "busy"},           {-32002, "no_such_effect"},  {-32003, "unauthorized"},
-      {-32004, "forbidden"},      {-32005, "device_absent"},   {-32006, "unsupported"},
-      {-32007, "refused_thermal"}, {-32008, "no_such_pattern"}, {-32009, "claimed"}};
+  const std::vector<std::pair<int, std::string>> documented{{-32700, "parse_error"},
+                                                            {-32600, "invalid_request"},
+                                                            {-32601, "method_not_found"},
+                                                            {-32602, "invalid_params"},
+                                                            {-32603, "internal_error"},
+                                                            {-32000, "not_armed"},
+                                                            {-32001, "busy"},
+                                                            {-32002, "no_such_effect"},
+                                                            {-32003, "unauthorized"},
+                                                            {-32004, "forbidden"},
+                                                            {-32005, "device_absent"},
+                                                            {-32006, "unsupported"},
+                                                            {-32007, "refused_thermal"},
+                                                            {-32008, "no_such_pattern"},
+                                                            {-32009, "claimed"}};
   for (const auto& [code, text] : documented) {
     EXPECT_EQ(name(static_cast<ErrorCode>(code)), text);
   }

@@ -9,9 +9,7 @@ namespace {
 
 bool coin() { return *rc::gen::inRange(0, 2) == 1; }
 
-std::int64_t whole(std::int64_t low, std::int64_t high) {
-  return *rc::gen::inRange(low, high + 1);
-}
+std::int64_t whole(std::int64_t low, std::int64_t high) { return *rc::gen::inRange(low, high + 1); }
 
 double between(double low, double high) {
   constexpr int kSteps = 1'000'000;

@@ -24,8 +24,8 @@ Status example_status() {
   s.force_n = 0.062;
   s.pin = 34;
   s.fan = {7180.0, 1.0};
-  s.orientation = OrientationStatus{
-      {0.994, -0.105, 0.035, 0}, {-0.069, -0.208, 0.976}, {0.1, 0, 0}, 3};
+  s.orientation =
+      OrientationStatus{{0.994, -0.105, 0.035, 0}, {-0.069, -0.208, 0.976}, {0.1, 0, 0}, 3};
   s.effects = {{412, std::nullopt, "effect.circle", 7, "Racer/1.2", 5, true, 4400, 4.99}};
   s.loop = {1000, 273'600'000, 0, {12, 61, 240}};
   s.link = {273'600'000, 0, 0};
@@ -177,10 +177,9 @@ TEST(Notifications, TelemetryHasTheKeysAskedForAndTheTime) {
   Telemetry t{{}, example_status()};
   t.keys.add(StatusKey::kOrientation);
   const std::string line = encode_telemetry(t);
-  EXPECT_EQ(line,
-            R"({"jsonrpc":"2.0","method":"telemetry","params":{"time_ns":273660123456789,)"
-            R"("orientation":{"quaternion":{"w":0.994,"x":-0.105,"y":0.035,"z":0},)"
-            R"("up":[-0.069,-0.208,0.976],"rate_deg_s":[0.1,0,0],"age_ms":3}}})");
+  EXPECT_EQ(line, R"({"jsonrpc":"2.0","method":"telemetry","params":{"time_ns":273660123456789,)"
+                  R"("orientation":{"quaternion":{"w":0.994,"x":-0.105,"y":0.035,"z":0},)"
+                  R"("up":[-0.069,-0.208,0.976],"rate_deg_s":[0.1,0,0],"age_ms":3}}})");
   const auto messages = *decode_messages(line);
   const auto& read = std::get<TelemetryMessage>(messages.at(0)).telemetry;
   EXPECT_TRUE(read.keys.contains(StatusKey::kOrientation));
@@ -221,8 +220,9 @@ TEST(Notifications, EventsCarryOnlyTheirOwnFields) {
             R"("state":"armed","reason":null,"remedy":null}})");
   Event lost;
   lost.type = "orientation_lost";
-  EXPECT_EQ(encode_event(lost),
-            R"({"jsonrpc":"2.0","method":"event","params":{"type":"orientation_lost","time_ns":0}})");
+  EXPECT_EQ(
+      encode_event(lost),
+      R"({"jsonrpc":"2.0","method":"event","params":{"type":"orientation_lost","time_ns":0}})");
   for (const Event& event : {started, ended, state, lost}) {
     const auto messages = *decode_messages(encode_event(event));
     EXPECT_EQ(std::get<EventMessage>(messages.at(0)).event, event) << event.type;

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+#include "tests/protocol/schema.h"
+
+#include <algorithm>
+
+#include "protocol/event.h"
+#include "tests/protocol/schema_fields.h"
+#include "tests/protocol/schema_text.h"
+
+namespace hedgehog::protocol {
+namespace {
+
+Json::Object& members(Json& json) { return std::get<Json::Object>(json.value); }
+
+Json* member(Json& json, std::string_view name) {
+  return const_cast<Json*>(std::as_const(json).find(name));
+}
+
+Json type(std::string_view name) { return object({{"type", text_json(name)}}); }
+Json ref(const std::string& name) { return object({{"$ref", text_json("#/$defs/" + name)}}); }
+Json constant(std::string_view text) { return object({{"const", text_json(text)}}); }
+
+Json list(std::initializer_list<std::string_view> texts) {
+  Json::List items;
+  for (const std::string_view text : texts) {
+    items.push_back(text_json(text));
+  }
+  return {std::move(items)};
+}
+
+/// What a client may rely on in every message; everything else depends on the case.
+void require_only(Json& schema, std::initializer_list<std::string_view> names) {
+  *member(schema, "required") = list(names);
+}
+
+Json direction_schema() {
+  Json word = SchemaFields::of(Word{}, true);
+  Json vector = SchemaFields::of(model::Vec3{}, true);
+  Json pin = SchemaFields::of(PinNumber{}, true);
+  Json angles = SchemaFields::of(Angles{}, true);
+  return object({{"anyOf", {Json::List{word, vector, pin, angles}}}});
+}
+
+Json error_schema() {
+  Json data =
+      object({{"type", text_json("object")},
+              {"properties",
+               object({{"name", type("string")},
+                       {"field", type("string")},
+                       {"limit", object({})},
+                       {"value", object({})},
+                       {"state", type("string")},
+                       {"reason", type("string")},
+                       {"remedy", type("string")},
+                       {"role_needed", object({{"enum", list({"observe", "play", "operate"})}})},
+                       {"retry_after_ms", type("integer")},
+                       {"device", object({{"enum", list({"board", "imu"})}})},
+                       {"limit_a", type("number")}})},
+              {"required", list({"name"})}});
+  return object({{"type", text_json("object")},
+                 {"properties", object({{"code", type("integer")},
+                                        {"message", type("string")},
+                                        {"data", std::move(data)}})},
+                 {"required", list({"code", "message", "data"})}});
+}
+
+Json request_schema(const MethodInfo& row) {
+  return object(
+      {{"type", text_json("object")},
+       {"properties", object({{"jsonrpc", constant("2.0")},
+                              {"id", object({{"type", list({"string", "number", "null"})}})},
+                              {"method", constant(row.name)},
+                              {"params", schema_of_params(row.method)}})},
+       {"required", list({"jsonrpc", "method"})}});
+}
+
+Json notification_schema(std::string_view method, const std::string& params) {
+  return object({{"type", text_json("object")},
+                 {"properties", object({{"jsonrpc", constant("2.0")},
+                                        {"method", constant(method)},
+                                        {"params", ref(params)}})},
+                 {"required", list({"jsonrpc", "method", "params"})}});
+}
+
+Json event_schema() {
+  Json schema = SchemaFields::of(Event{}, false);
+  require_only(schema, {"type", "time_ns"});
+  Json::List names;
+  for (const std::string_view name : kEventTypes) {
+    names.push_back(text_json(name));
+  }
+  // Examples, not an enum: clients must bear types that are not known yet.
+  members(*member(*member(schema, "properties"), "type")).emplace_back("examples", Json{names});
+  return schema;
+}
+
+}  // namespace
+
+Json schema_of_params(Method method) {
+  Request request = empty_request(method);
+  Json schema =
+      std::visit([](const auto& value) { return SchemaFields::of(value, true); }, request);
+  for (auto& [name, property] : members(*member(schema, "properties"))) {
+    if (method == Method::kThermalForecast && name == "params") {
+      property = type("object");
+    }
+    if (const std::string_view meaning = meaning_of(name); !meaning.empty()) {
+      members(property).emplace_back("description", text_json(meaning));
+    }
+  }
+  if (method == Method::kEffectPulse || method == Method::kEffectHold) {
+    members(schema).emplace_back("required", list({"direction"}));
+  }
+  return schema;
+}
+
+std::string result_name(Method method) {
+  switch (method) {
+    case Method::kConnectionList:
+      return "Connections";
+    case Method::kDeviceArm:
+    case Method::kDeviceEmergencyStop:
+      return "State";
+    case Method::kDeviceClaim:
+      return "Claim";
+    case Method::kDeviceDescribe:
+      return "Description";
+    case Method::kDeviceStatus:
+      return "Status";
+    case Method::kEffectCircle:
+    case Method::kEffectHold:
+    case Method::kEffectPulse:
+    case Method::kEffectUpdate:
+    case Method::kEffectVibrate:
+      return "Admission";
+    case Method::kEffectStop:
+    case Method::kEffectStopAll:
+      return "Stopped";
+    case Method::kEventsSubscribe:
+      return "EventsSubscription";
+    case Method::kHello:
+      return "Hello";
+    case Method::kOrientationRecenter:
+      return "Recentered";
+    case Method::kOutputSetGain:
+      return "Gain";
+    case Method::kPing:
+      return "Ping";
+    case Method::kSimSet:
+      return "SimulatedWorld";
+    case Method::kTelemetrySubscribe:
+      return "TelemetrySubscription";
+    case Method::kThermalForecast:
+      return "Forecast";
+    case Method::kDeviceRelease:
+    case Method::kEventsUnsubscribe:
+    case Method::kOrientationSet:
+    case Method::kTelemetryUnsubscribe:
+      break;
+  }
+  return "Done";
+}
+
+Json messages_schema() {
+  Json status = SchemaFields::of(Status{}, false);
+  auto& required = std::get<Json::List>(member(status, "required")->value);
+  std::erase_if(required, [](const Json& name) { return *name.as<std::string>() == "pins"; });
+  Json telemetry = SchemaFields::of(Telemetry{kEveryStatusKey, {}}, false);
+  require_only(telemetry, {"time_ns"});
+  Json::List requests;
+  for (const MethodInfo& row : kMethods) {
+    requests.push_back(request_schema(row));
+  }
+  Json defs = object({
+      {"Direction", direction_schema()},
+      {"Admission", SchemaFields::of(Admission{}, false)},
+      {"Claim", SchemaFields::of(ClaimResult{}, false)},
+      {"Connections", SchemaFields::of(ConnectionsResult{}, false)},
+      {"Description", SchemaFields::of(Description{}, false)},
+      {"Done", type("object")},
+      {"EventsSubscription", SchemaFields::of(EventsResult{}, false)},
+      {"Forecast", SchemaFields::of(ForecastResult{}, false)},
+      {"Gain", SchemaFields::of(GainResult{}, false)},
+      {"Hello", SchemaFields::of(HelloResult{}, false)},
+      {"Ping", SchemaFields::of(PingResult{}, false)},
+      {"Recentered", SchemaFields::of(RecenterResult{}, false)},
+      {"SimulatedWorld", SchemaFields::of(SimResult{}, false)},
+      {"State", SchemaFields::of(StateResult{}, false)},
+      {"Status", std::move(status)},
+      {"Stopped", SchemaFields::of(StopResult{}, false)},
+      {"TelemetrySubscription", SchemaFields::of(TelemetryResult{}, false)},
+      {"Telemetry", std::move(telemetry)},
+      {"Event", event_schema()},
+      {"Error", error_schema()},
+      {"Request", object({{"anyOf", {std::move(requests)}}})},
+      {"Notification", object({{"anyOf",
+                                {Json::List{notification_schema("telemetry", "Telemetry"),
+                                            notification_schema("event", "Event")}}}})},
+  });
+  return object({{"$schema", text_json("https://json-schema.org/draft/2020-12/schema")},
+                 {"title", text_json("Hedgehog protocol 1.0: every message")},
+                 {"$defs", std::move(defs)}});
+}
+
+Json openrpc_document() {
+  Json::List methods;
+  for (const MethodInfo& row : kMethods) {
+    const Json schema = schema_of_params(row.method);
+    const Json* needed = schema.find("required");
+    Json::List params;
+    for (const auto& [name, property] : *schema.find("properties")->as<Json::Object>()) {
+      const bool must =
+          needed != nullptr &&
+          std::any_of(needed->as<Json::List>()->begin(), needed->as<Json::List>()->end(),
+                      [&](const Json& n) { return *n.as<std::string>() == name; });
+      Json described = property;
+      if (Json* direction = member(described, "$ref")) {
+        *direction = text_json("messages.schema.json#/$defs/Direction");
+      }
+      params.push_back(object(
+          {{"name", text_json(name)}, {"required", {must}}, {"schema", std::move(described)}}));
+    }
+    const std::string result = result_name(row.method);
+    methods.push_back(object(
+        {{"name", text_json(row.name)},
+         {"summary", text_json(summary_of(row.method))},
+         {"paramStructure", text_json("by-name")},
+         {"x-role", row.role ? text_json(name(*row.role)) : Json{}},
+         {"params", {std::move(params)}},
+         {"result", object({{"name", text_json(result)},
+                            {"schema", object({{"$ref", text_json("messages.schema.json#/$defs/" +
+                                                                  result)}})}})}}));
+  }
+  return object(
+      {{"openrpc", text_json("1.3.2")},
+       {"info", object({{"title", text_json("Hedgehog")}, {"version", text_json("1.0")}})},
+       {"methods", {std::move(methods)}}});
+}
+
+}  // namespace hedgehog::protocol
