@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// What the README tells people to type is what the daemon understands.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+
+#include "protocol/server_codec.h"
+
+namespace hedgehog::client {
+namespace {
+
+TEST(Readme, ShowsOnlyLinesThatTheDaemonTakes) {
+  std::ifstream readme(std::string(HEDGEHOG_SOURCE_DIR) + "/clients/README.md");
+  ASSERT_TRUE(readme.is_open());
+  int seen = 0;
+  for (std::string line; std::getline(readme, line);) {
+    const auto begin = line.find("{\"jsonrpc\"");
+    const auto end = line.rfind("}}");
+    if (begin == std::string::npos || end == std::string::npos) continue;
+    const auto incoming = protocol::decode_line(line.substr(begin, end + 2 - begin));
+    if (incoming.items.at(0).method == std::nullopt) continue;  // assembled by a program
+    EXPECT_TRUE(incoming.items.at(0).request.has_value())
+        << line << "\n"
+        << incoming.items.at(0).request.error().message;
+    ++seen;
+  }
+  EXPECT_GE(seen, 2);
+}
+
+}  // namespace
+}  // namespace hedgehog::client
