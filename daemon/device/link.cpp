@@ -45,13 +45,8 @@ void Link::note_telemetry(const BoardTelemetry& telemetry) noexcept {
   if (board::is_newer(telemetry.received_sequence, sequence_))
     sequence_ = telemetry.received_sequence;
 
-  board_arm_ = telemetry.arm_count;
-  if (arm_tries_left_ > 0 && board_arm_ == arm_on_wire_) {
-    arm_tries_left_ = 0;
-    confirmed_arm_ = requested_arm_;
-  }
+  if (telemetry.arm_count == requested_arm_) arm_tries_left_ = 0;
   report_.telemetry = telemetry;
-  report_.telemetry.arm_count = confirmed_arm_;
 }
 
 LinkFrames Link::step(const LinkCommand& command, const SimulatorSettings* simulator) noexcept {
@@ -92,9 +87,8 @@ BoardCommand Link::choose(const LinkCommand& command) noexcept {
 void Link::note_arm(std::uint8_t wanted) noexcept {
   if (wanted == requested_arm_) return;
   requested_arm_ = wanted;
-  if (!report_.present) return;
-  arm_on_wire_ = static_cast<std::uint8_t>(board_arm_ + 1);
-  arm_tries_left_ = kArmTries;
+  const bool is_request = report_.present && wanted != report_.telemetry.arm_count;
+  arm_tries_left_ = is_request ? kArmTries : 0;
 }
 
 std::optional<Frame> Link::next_other(const SimulatorSettings* simulator) noexcept {
@@ -102,7 +96,7 @@ std::optional<Frame> Link::next_other(const SimulatorSettings* simulator) noexce
   --simulator_due_ticks_;
   if (arm_tries_left_ > 0) {
     --arm_tries_left_;
-    return encode_arm(arm_on_wire_, ++sequence_);
+    return encode_arm(requested_arm_, ++sequence_);
   }
   if (limits_ && report_.present && limits_due_ticks_ < 0) {
     limits_due_ticks_ = kLimitsEveryTicks;

@@ -25,8 +25,10 @@ struct LinkFrames {
 /// A set-point that is not renewed is repeated for 19 ticks; from the 20th on the safe command goes
 /// out instead. While no board is present nothing but the safe command goes out.
 ///
-/// A change of BoardCommand::arm_count becomes an arm request, repeated until the board confirms it
-/// or 50 ticks are over; a board that appears later is never armed by an old request.
+/// A change of BoardCommand::arm_count to something else than the board's own count becomes an arm
+/// request, repeated until the board confirms it or 50 ticks are over; a board that appears or
+/// restarts later is never armed by an old request. Start from the board's count, since another
+/// host may have armed it before.
 class Link {
  public:
   static constexpr int kOverdueTicks = 20;
@@ -47,8 +49,7 @@ class Link {
     return step(command, &simulator);
   }
 
-  /// As of the last `step`. Its telemetry's arm_count is the caller's own number of the last
-  /// request that the board has carried out.
+  /// What has arrived so far; presence and the counters of what was sent as of the last `step`.
   const LinkReport& report() const noexcept { return report_; }
 
  private:
@@ -67,12 +68,7 @@ class Link {
   int ticks_without_telemetry_ = kAbsentTicks;
   bool telemetry_seen_ = false;
 
-  // The caller counts its arm requests from its own start, the board from its power-up, so a
-  // request goes out as the number after the board's own.
   std::uint8_t requested_arm_ = 0;
-  std::uint8_t confirmed_arm_ = 0;
-  std::uint8_t board_arm_ = 0;
-  std::uint8_t arm_on_wire_ = 0;
   int arm_tries_left_ = 0;
 
   int limits_due_ticks_ = 0;

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// Laws that hold for any host: whatever arrives, in whatever order.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <vector>
+
+#include "tests/device/core_bench.h"
+
+namespace hedgehog::board {
+namespace {
+
+enum class Act : std::uint8_t {
+  kFeed,
+  kFeedDisabled,
+  kArm,
+  kRepeat,
+  kOld,
+  kGarbage,
+  kFlipped,
+  kLimits,
+  kNothing,
+  kSilence,
+  kFault,
+};
+
+struct Play {
+  CoreBench bench;
+  bool fresh_set_point = false;
+  bool arm_with_new_count = false;
+  int unfed_ms = 1'000'000;
+  bool latched = false;
+
+  void act(Act what, std::uint32_t noise) {
+    std::array<std::uint8_t, kFrameSize> frame{};
+    switch (what) {
+      case Act::kFeed:
+      case Act::kFeedDisabled:
+        bench.set_point.enable = what == Act::kFeed;
+        bench.set_point.duty_q15[noise % 3] = static_cast<std::int16_t>(noise);
+        bench.feed();
+        fresh_set_point = true;
+        break;
+      case Act::kArm:
+        bench.ask_to_arm();
+        arm_with_new_count = true;
+        break;
+      case Act::kRepeat:
+      case Act::kOld:
+        bench.set_point.sequence = bench.sequence - (what == Act::kOld ? noise % 1000 : 0);
+        write_frame(bench.set_point, frame.data());
+        // Nothing was ever sent: then any number is the first, and a valid one.
+        if (bench.sequence == 0) break;
+        bench.core.receive(frame.data(), frame.size());
+        break;
+      case Act::kGarbage:
+        for (std::uint8_t& byte : frame)
+          byte = static_cast<std::uint8_t>(noise = noise * 69069 + 1);
+        bench.core.receive(frame.data(), noise % (kFrameSize + 1));
+        break;
+      case Act::kFlipped:
+        bench.set_point.sequence = bench.sequence + 1;
+        write_frame(bench.set_point, frame.data());
+        frame[noise % kFrameSize] ^= static_cast<std::uint8_t>(1u << (noise >> 8) % 8);
+        bench.core.receive(frame.data(), frame.size());
+        break;
+      case Act::kLimits:
+        bench.send(LimitsFrame{0, 7000, 16000, 900});
+        break;
+      case Act::kFault:
+        bench.inputs.bridge_faults ^= 1;
+        break;
+      case Act::kNothing:
+      case Act::kSilence:
+        break;
+    }
+  }
+
+  void step() {
+    unfed_ms = fresh_set_point ? 0 : unfed_ms + 1;
+    const bool was_latched = bench.core.mode() == Mode::kLatched;
+    bench.step();
+    latched = was_latched && !arm_with_new_count;
+    fresh_set_point = arm_with_new_count = false;
+  }
+};
+
+RC_GTEST_PROP(BoardCoreLaws, NeverDrivesUnfedNorOutOfALatchNorHalfAsleep, ()) {
+  const auto acts = *rc::gen::container<std::vector<std::pair<Act, std::uint32_t>>>(
+      rc::gen::pair(rc::gen::weightedElement<Act>({{12, Act::kFeed},
+                                                   {2, Act::kFeedDisabled},
+                                                   {4, Act::kArm},
+                                                   {2, Act::kRepeat},
+                                                   {2, Act::kOld},
+                                                   {2, Act::kGarbage},
+                                                   {2, Act::kFlipped},
+                                                   {1, Act::kLimits},
+                                                   {4, Act::kNothing},
+                                                   {2, Act::kSilence},
+                                                   {1, Act::kFault}}),
+                    rc::gen::arbitrary<std::uint32_t>()));
+  Play play;
+  bool drove = false;
+  for (const auto& [what, noise] : acts) {
+    play.act(what, noise);
+    const int ms = what == Act::kSilence ? static_cast<int>(noise % 250) : 1;
+    for (int i = 0; i < ms; ++i) {
+      play.step();
+      const CoreBench& bench = play.bench;
+      drove |= bench.drives();
+      if (play.unfed_ms >= 100) RC_ASSERT(!bench.drives());
+      if (play.latched) RC_ASSERT(!bench.drives());
+      if (bench.core.mode() == Mode::kLatched) RC_ASSERT(bench.outputs.fan == 255);
+      if (bench.core.faults() != 0) RC_ASSERT(!bench.drives());
+      const bool duty = bench.outputs.duty_q15[0] != 0 || bench.outputs.duty_q15[1] != 0 ||
+                        bench.outputs.duty_q15[2] != 0;
+      RC_ASSERT(!duty || bench.outputs.awake);
+      RC_ASSERT(bench.outputs.awake == (bench.core.mode() == Mode::kDriving));
+    }
+  }
+  RC_CLASSIFY(drove, "drove at some time");
+}
+
+RC_GTEST_PROP(BoardCoreLaws, RandomPacketsDoNothing,
+              (const std::vector<std::vector<std::uint8_t>>& packets)) {
+  CoreBench bench;
+  bench.arm_and_drive();
+  bench.feeding = false;
+  for (const std::vector<std::uint8_t>& packet : packets)
+    bench.core.receive(packet.data(), packet.size());
+  bench.run(100);
+  RC_ASSERT(bench.latched_by(kDeadMan));
+  RC_ASSERT(bench.telemetry().refused == packets.size());
+}
+
+}  // namespace
+}  // namespace hedgehog::board

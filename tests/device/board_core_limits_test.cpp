@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+// The board's own limits: each latches at its own boundary and not a millisecond before.
+#include <gtest/gtest.h>
+
+#include "tests/device/core_bench.h"
+
+namespace hedgehog::board {
+namespace {
+
+struct Limit : testing::Test {
+  CoreBench bench;
+  void SetUp() override {
+    bench.arm_and_drive();
+    ASSERT_TRUE(bench.drives());
+  }
+  // Latches by `fault` in exactly the `ms`-th millisecond from now.
+  void expect_latch_after(int ms, Fault fault) {
+    bench.run(ms - 1);
+    EXPECT_TRUE(bench.drives()) << "too early";
+    bench.run(1);
+    EXPECT_TRUE(bench.latched_by(fault));
+  }
+};
+
+TEST_F(Limit, OverCurrentLatchesAfterFiftyMilliseconds) {
+  bench.inputs.current_ma[0] = 16501;
+  expect_latch_after(50, kOverCurrent);
+}
+
+TEST_F(Limit, OverCurrentIsTheNormOfTheThree) {
+  // 9527 * sqrt(3) = 16501.2; each alone is far below the limit.
+  for (std::int16_t& current : bench.inputs.current_ma) current = -9527;
+  expect_latch_after(50, kOverCurrent);
+}
+
+TEST_F(Limit, ExactlyTheLimitMayFlow) {
+  bench.inputs.current_ma[2] = 16500;
+  bench.run(500);
+  EXPECT_TRUE(bench.drives());
+}
+
+TEST_F(Limit, AGapInTheOverCurrentStartsTheCountAnew) {
+  for (int burst = 0; burst < 3; ++burst) {
+    bench.inputs.current_ma[0] = 20000;
+    bench.run(49);
+    bench.inputs.current_ma[0] = 1000;
+    bench.run(1);
+  }
+  EXPECT_TRUE(bench.drives());
+}
+
+TEST_F(Limit, TheLargestReadingsDoNotOverflow) {
+  for (std::int16_t& current : bench.inputs.current_ma) current = INT16_MIN;
+  expect_latch_after(50, kOverCurrent);
+}
+
+TEST_F(Limit, ASensorAboveSeventyFiveDegreesLatches) {
+  bench.inputs.sensor_cc = 7500;
+  bench.run(500);
+  EXPECT_TRUE(bench.drives());
+  bench.inputs.sensor_cc = 7501;
+  expect_latch_after(50, kOverHeat);
+}
+
+TEST_F(Limit, AnOpenSensorLatches) {
+  bench.inputs.sensor_open = true;
+  expect_latch_after(20, kSensorOpen);
+}
+
+TEST_F(Limit, AShortedSensorLatches) {
+  bench.inputs.sensor_short = true;
+  expect_latch_after(20, kSensorShort);
+}
+
+TEST_F(Limit, TheReadingOfABrokenSensorIsNoTemperature) {
+  bench.inputs.sensor_open = true;
+  bench.inputs.sensor_cc = 30000;
+  bench.run(1000);
+  EXPECT_FALSE(bench.has(kOverHeat));
+}
+
+TEST_F(Limit, EachBridgeCanReportAFault) {
+  for (int bridge = 0; bridge < kWindings; ++bridge) {
+    CoreBench one;
+    one.arm_and_drive();
+    one.inputs.bridge_faults = static_cast<std::uint8_t>(1u << bridge);
+    one.run(2);
+    EXPECT_TRUE(one.drives());
+    one.run(1);
+    EXPECT_TRUE(one.latched_by(kBridge));
+  }
+}
+
+TEST_F(Limit, TheSupplyMustBeInTheBridgesRange) {
+  bench.inputs.supply_mv = 6500;
+  bench.run(100);
+  bench.inputs.supply_mv = 30000;
+  bench.run(100);
+  EXPECT_TRUE(bench.drives());
+  bench.inputs.supply_mv = 30001;
+  expect_latch_after(10, kSupply);
+  CoreBench low;
+  low.arm_and_drive();
+  low.inputs.supply_mv = 6499;
+  low.run(9);
+  EXPECT_TRUE(low.drives());
+  low.run(1);
+  EXPECT_TRUE(low.latched_by(kSupply));
+}
+
+TEST_F(Limit, ANamedFaultIsKeptBesideTheDeadMan) {
+  bench.inputs.sensor_short = true;
+  bench.run(20);
+  bench.inputs.sensor_short = false;
+  bench.feeding = false;
+  bench.run(500);
+  EXPECT_TRUE(bench.latched_by(kSensorShort));
+  EXPECT_FALSE(bench.has(kDeadMan)) << "a board that is not armed has nobody to miss";
+}
+
+// -- supply switch ------------------------------------------------------------------------------
+
+struct SupplySwitch : testing::Test {
+  CoreBench bench;
+  void SetUp() override {
+    bench.arm_and_drive();
+    bench.inputs.current_ma[1] = 501;
+    bench.set_point.enable = false;
+    bench.run(1);  // asleep from here on
+    ASSERT_FALSE(bench.drives());
+  }
+};
+
+TEST_F(SupplySwitch, OpensWhenCurrentFlowsTwentyMillisecondsIntoSleep) {
+  bench.run(19);
+  EXPECT_TRUE(bench.outputs.supply_switch_closed);
+  bench.run(1);
+  EXPECT_FALSE(bench.outputs.supply_switch_closed);
+  EXPECT_TRUE(bench.latched_by(kStuckBridge));
+}
+
+TEST_F(SupplySwitch, HalfAnAmpereIsAllowed) {
+  bench.inputs.current_ma[1] = 500;
+  bench.run(1000);
+  EXPECT_TRUE(bench.outputs.supply_switch_closed);
+}
+
+TEST_F(SupplySwitch, CurrentWhileDrivingIsNotStuck) {
+  bench.set_point.enable = true;
+  bench.inputs.current_ma[1] = 15000;
+  bench.run(1000);
+  EXPECT_TRUE(bench.outputs.supply_switch_closed);
+  EXPECT_TRUE(bench.drives());
+}
+
+TEST_F(SupplySwitch, StaysOpenUntilArmed) {
+  bench.run(20);
+  bench.inputs.current_ma[1] = 0;
+  bench.run(1000);
+  EXPECT_FALSE(bench.outputs.supply_switch_closed);
+  bench.arm_and_drive();
+  EXPECT_TRUE(bench.outputs.supply_switch_closed);
+}
+
+// -- tightening ---------------------------------------------------------------------------------
+
+TEST_F(Limit, CanBeTightened) {
+  bench.send(LimitsFrame{0, 6000, 8000, 500});
+  bench.run(1);
+  const TelemetryFrame telemetry = bench.telemetry();
+  EXPECT_EQ(telemetry.sensor_limit_cc, 6000);
+  EXPECT_EQ(telemetry.current_limit_ma, 8000);
+  EXPECT_EQ(bench.core.limits().winding_a2s, BoardLimits{}.winding_a2s / 2);
+  bench.inputs.current_ma[0] = 8001;
+  expect_latch_after(50, kOverCurrent);
+}
+
+TEST_F(Limit, CanNeverBeLoosened) {
+  bench.send(LimitsFrame{0, 6000, 8000, 500});
+  bench.send(LimitsFrame{0, INT16_MAX, UINT16_MAX, UINT16_MAX});
+  bench.run(1);
+  EXPECT_EQ(bench.core.limits().sensor_cc, 6000);
+  EXPECT_EQ(bench.core.limits().current_ma, 8000);
+  EXPECT_EQ(bench.core.limits().winding_a2s, BoardLimits{}.winding_a2s / 2);
+  EXPECT_EQ(bench.core.limits().device_a2s, BoardLimits{}.device_a2s / 2);
+  bench.inputs.sensor_cc = 6001;
+  expect_latch_after(50, kOverHeat);
+}
+
+}  // namespace
+}  // namespace hedgehog::board

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Currents as only the limiter can make them, of a cold ball whose windings are all measured.
+#pragma once
+
+#include "model/thermal_limiter.h"
+
+namespace hedgehog::device {
+
+inline model::LimitedCurrents limited(const model::Vec3& wanted_a) {
+  model::ThermalEstimate cold;
+  cold.measured = {true, true, true};
+  return model::ThermalLimiter().limit({wanted_a}, cold);
+}
+
+inline constexpr std::array<double, model::kCoils> kColdOhm{0.45, 0.45, 0.45};
+
+}  // namespace hedgehog::device

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+// The threads for real: link thread, socket pair and a simulated board on its own clock. Nothing
+// here asserts a wall time; whatever is waited for has minutes.
+#include "daemon/device/link_thread.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "daemon/device/simulated_board_process.h"
+#include "daemon/device/simulated_board_runner.h"
+#include "daemon/device/socket_transport.h"
+#include "daemon/device/tick_clock.h"
+#include "tests/device/limited.h"
+
+namespace hedgehog::device {
+namespace {
+
+std::unique_ptr<Transport> wrap(FileDescriptor socket) {
+  return std::make_unique<SocketTransport>(std::move(socket));
+}
+
+// Control, once a millisecond, until `done`; false when that did not happen in two minutes.
+template <class Done>
+bool drive_until(LinkPort& port, LinkCommand& command, bool driving, Done done) {
+  for (int ms = 0; ms < 120'000; ++ms) {
+    const LinkReport& report = port.reports.read();
+    if (done(report)) return true;
+    const std::uint8_t arm_count = command.board.arm_count;
+    command.board = driving
+                        ? BoardCommand::drive(limited({5, 0, 0}), kColdOhm, 1.5e-3, {5, 0, 0}, 12.0)
+                        : BoardCommand{};
+    command.board.arm_count = arm_count;
+    ++command.count;
+    port.commands.write(command);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return false;
+}
+
+bool arm_and_drive(LinkPort& port, LinkCommand& command) {
+  if (!drive_until(port, command, false, [](const LinkReport& r) { return r.present; }))
+    return false;
+  ++command.board.arm_count;
+  return drive_until(port, command, true,
+                     [](const LinkReport& r) { return r.telemetry.current_a.x > 4.0; });
+}
+
+std::vector<std::string> lines_of(const std::string& path) {
+  std::vector<std::string> lines;
+  std::FILE* file = std::fopen(path.c_str(), "r");
+  if (file == nullptr) return lines;
+  std::string line;
+  for (int c = 0; (c = std::fgetc(file)) != EOF;) {
+    line += static_cast<char>(c);
+    if (c != '\n') continue;
+    lines.push_back(line);
+    line.clear();
+  }
+  std::fclose(file);
+  return lines;
+}
+
+// The value of `key` in a line of the trace.
+std::string value_of(const std::string& line, const std::string& key) {
+  const std::size_t at = line.find("\"" + key + "\": ");
+  if (at == std::string::npos) return {};
+  const std::size_t from = at + key.size() + 4;
+  return line.substr(from, line.find_first_of(",}", from) - from);
+}
+
+struct Trace {
+  std::string path =
+      testing::TempDir() + "hedgehog_trace_" + std::to_string(monotonic_ns()) + ".jsonl";
+  ~Trace() { std::remove(path.c_str()); }
+  // The last line with this event and, when given, mode.
+  std::string line(const std::string& event, const std::string& mode = {}) const {
+    std::string found;
+    for (const std::string& one : lines_of(path)) {
+      if (value_of(one, "event") == "\"" + event + "\"" &&
+          (mode.empty() || value_of(one, "mode") == "\"" + mode + "\""))
+        found = one;
+    }
+    return found;
+  }
+};
+
+// Safe 100 ms + 1 frame after the last valid set-point by the board's own clock, and without
+// current 5 L/R later.
+void expect_made_itself_safe(const Trace& trace) {
+  const std::string latched = trace.line("mode", "latched");
+  ASSERT_FALSE(latched.empty());
+  EXPECT_LE(std::stoi(value_of(latched, "set_point_age_ms")), 101);
+  EXPECT_EQ(value_of(latched, "faults"), "1");
+  EXPECT_EQ(value_of(latched, "awake"), "false");
+  EXPECT_EQ(std::stod(value_of(latched, "duty")), 0.0);
+  const std::string zero = trace.line("zero");
+  ASSERT_FALSE(zero.empty());
+  EXPECT_LE(std::stoi(value_of(zero, "board_ms")), std::stoi(value_of(latched, "board_ms")) + 17);
+  const std::string exit = trace.line("exit");
+  ASSERT_FALSE(exit.empty());
+  EXPECT_LT(std::stod(value_of(exit, "current_a")), 0.1);
+}
+
+TEST(LinkThreads, DriveAnArmedSimulatedBoard) {
+  auto [host, board] = make_socket_pair();
+  SimulatedBoardThread simulated({}, wrap(std::move(board)));
+  LinkPort port;
+  LinkThread link(port, wrap(std::move(host)));
+  LinkCommand command;
+  ASSERT_TRUE(arm_and_drive(port, command));
+  const LinkReport report = port.reports.read();
+  EXPECT_EQ(report.telemetry.mode, BoardMode::kDriving);
+  EXPECT_GT(report.counters.frames_out, 0u);
+  EXPECT_EQ(report.counters.errors, 0u);
+}
+
+TEST(LinkThreads, SimulatorSettingsReachTheBoard) {
+  auto [host, board] = make_socket_pair();
+  SimulatedBoardThread simulated({}, wrap(std::move(board)));
+  LinkPort port;
+  LinkThread link(port, wrap(std::move(host)));
+  LinkCommand command;
+  SimulatorSettings settings;
+  settings.faults = kSimSensorOpen;
+  port.simulator.write(settings);
+  EXPECT_TRUE(drive_until(port, command, false, [](const LinkReport& r) {
+    return (r.telemetry.faults & kFaultSensorOpen) != 0;
+  }));
+}
+
+TEST(LinkThreads, TheBoardGoesSafeByItselfWhenTheHostCloses) {
+  const Trace trace;
+  auto [host, board] = make_socket_pair();
+  std::FILE* file = std::fopen(trace.path.c_str(), "w");
+  ASSERT_NE(file, nullptr);
+  SimulatedBoardRunner runner({}, wrap(std::move(board)), file);
+  const std::atomic<bool> never{false};
+  std::thread thread([&] { runner.run(never); });
+  std::unique_ptr<Transport> transport = wrap(std::move(host));
+  // A host that drives and then is gone without a word.
+  Link link;
+  LinkCommand command;
+  for (int ms = 0; ms < 120'000 && !(link.report().telemetry.current_a.x > 4.0); ++ms) {
+    Frame packet;
+    while (transport->receive(packet) != 0) link.receive(packet);
+    if (link.report().present) {
+      command.board = BoardCommand::drive(limited({5, 0, 0}), kColdOhm, 1.5e-3, {5, 0, 0}, 12.0);
+      command.board.arm_count = 1;
+    }
+    ++command.count;
+    const LinkFrames frames = link.step(command);
+    transport->send(frames.set_point);
+    if (frames.other) transport->send(*frames.other);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  ASSERT_GT(link.report().telemetry.current_a.x, 4.0);
+  transport.reset();
+  thread.join();
+  std::fclose(file);
+  expect_made_itself_safe(trace);
+  EXPECT_FALSE(trace.line("closed").empty());
+}
+
+#ifdef HEDGEHOG_SIMBOARD_PATH
+TEST(SimulatedBoardProcesses, MakeThemselvesSafeWhenTheirHostIsGone) {
+  const Trace trace;
+  SimulatedBoardProcessOptions options;
+  options.program = HEDGEHOG_SIMBOARD_PATH;
+  options.trace = trace.path;
+  options.start_c = 30.0;
+  {
+    SimulatedBoardProcess process(options);
+    LinkPort port;
+    LinkThread link(port, process.take_transport());
+    LinkCommand command;
+    ASSERT_TRUE(arm_and_drive(port, command));
+    EXPECT_NEAR(port.reports.read().telemetry.sensor_c, 30.0, 3.0);
+  }
+  expect_made_itself_safe(trace);
+}
+
+TEST(SimulatedBoardProcesses, AProgramThatIsMissingIsAnError) {
+  SimulatedBoardProcessOptions options;
+  options.program = testing::TempDir() + "no_such_program";
+  EXPECT_THROW(SimulatedBoardProcess{options}, std::system_error);
+}
+#endif
+
+TEST(TickClock, LeavesOutWhatItMissedInsteadOfCatchingUp) {
+  TickClock clock(1'000'000);
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  const std::uint64_t skipped = clock.wait();
+  EXPECT_GE(skipped, 40u);
+  EXPECT_GE(clock.lateness_ns(), 0);
+}
+
+TEST(SocketTransport, KeepsLengthsAndNoticesTheEnd) {
+  auto [one, other] = make_socket_pair();
+  SocketTransport near(std::move(one));
+  Frame frame{};
+  frame[5] = 42;
+  {
+    SocketTransport far(std::move(other));
+    EXPECT_TRUE(near.send(frame));
+    std::array<std::uint8_t, 128> packet{};
+    EXPECT_EQ(far.receive(packet), 64u);
+    EXPECT_EQ(packet[5], 42);
+    EXPECT_EQ(far.receive(packet), 0u);
+    EXPECT_TRUE(far.open());
+  }
+  std::array<std::uint8_t, 128> packet{};
+  EXPECT_EQ(near.receive(packet), 0u);
+  EXPECT_FALSE(near.open());
+  EXPECT_FALSE(near.send(frame));
+}
+
+TEST(SocketTransport, AFullSocketDropsInsteadOfWaiting) {
+  auto [one, other] = make_socket_pair();
+  SocketTransport near(std::move(one));
+  const Frame frame{};
+  int taken = 0;
+  while (taken < 100'000 && near.send(frame)) ++taken;
+  EXPECT_LT(taken, 200) << "old set-points must not pile up";
+  EXPECT_TRUE(near.open());
+}
+
+}  // namespace
+}  // namespace hedgehog::device
