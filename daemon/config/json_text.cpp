@@ -121,7 +121,8 @@ class Builder final : public Json::json_sax_t {
   bool close() {
     Value value = std::move(open_.back().value);
     open_.pop_back();
-    return add(std::move(value), value.line);
+    const int line = value.line;
+    return add(std::move(value), line);
   }
 
   const Place& place_;

@@ -33,6 +33,7 @@ template <class Target>
 void read_keys(const Value& root, const std::string& file, const std::vector<Key<Target>>& keys,
                Target& target, Origins& origins, ConfigErrors& errors) {
   std::vector<std::string> paths;
+  paths.reserve(keys.size());
   for (const Key<Target>& key : keys) paths.push_back(key.path);
   match_keys(
       root, file, paths,

@@ -3,7 +3,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "daemon/config/device_keys.h"
-#include "daemon/config/json_text.h"
+#include "daemon/config/limit_keys.h"
 #include "tests/config/fake_files.h"
 
 namespace hedgehog::config {
@@ -84,21 +84,47 @@ TEST(DeviceFile, UsbIdsAreHexadecimalPairs) {
   }
 }
 
-RC_GTEST_PROP(DeviceFile, WhateverLoadsCanBeInverted, ()) {
+RC_GTEST_PROP(DeviceFile, AMatrixLoadsExactlyWhenItCanBeInverted, ()) {
+  model::Mat3 matrix;
   std::string rows;
+  bool in_range = true;
   for (int r = 0; r < 3; ++r) {
     rows += (r > 0 ? ",[" : "[");
     for (int c = 0; c < 3; ++c) {
-      rows += (c > 0 ? "," : "") + std::to_string(*rc::gen::inRange(-12, 13));
+      const int number = *rc::gen::inRange(-11, 12);
+      in_range = in_range && number >= -10 && number <= 10;
+      matrix.row[r][c] = number;
+      rows += (c > 0 ? "," : "") + std::to_string(number);
     }
     rows += "]";
   }
   const auto loaded = FakeFiles::with_device("{\"coil_matrix\": [" + rows + "]}").load();
-  RC_PRE(loaded.has_value());
+  RC_ASSERT(loaded.has_value() == (in_range && model::determinant(matrix) != 0.0));
+  if (!loaded) return;
   const model::CoilModel& coils = loaded->device.coils;
   const model::Vec3 field{1.0, -2.0, 3.0};
   const model::Vec3 back = model::field_of(model::currents_for({field}, coils), coils).a;
   RC_ASSERT(model::norm(back - field) < 1e-6);
+}
+
+// Overrides a little above and below what the ball bears: what loads is within it.
+RC_GTEST_PROP(DeviceFile, ConfigurationNeverLoosens, ()) {
+  constexpr int kAbsent = -100;
+  std::string members;
+  for (const LimitField& field : kLimitFields) {
+    const int tenths = *rc::gen::element(kAbsent, kAbsent, -7, -3, 0, 1);
+    if (tenths == kAbsent) continue;
+    const double value = model::Limits{}.*field.member + 0.1 * tenths;
+    members +=
+        (members.empty() ? "\"" : ",\"") + std::string(field.name) + "\":" + std::to_string(value);
+  }
+  const FakeFiles fake = FakeFiles::with("{\"limits\": {" + members + "}}");
+  const auto loaded = fake.load();
+  RC_CLASSIFY(loaded.has_value());
+  if (!loaded) return;
+  RC_ASSERT(model::is_within(loaded->limits, loaded->device.limits));
+  RC_ASSERT(loaded->limits.zero_c < loaded->limits.trip_c);
+  RC_ASSERT(loaded->limits.continuous_a <= loaded->limits.current_a);
 }
 
 }  // namespace
