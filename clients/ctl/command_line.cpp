@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <cstdio>
 #include <functional>
 #include <string>
 #include <vector>
@@ -80,6 +81,12 @@ class CommandLine {
     } catch (const CLI::Success& done) {
       return app_.exit(done);
     } catch (const CLI::ParseError& error) {
+      const std::vector<std::string> unknown = app_.remaining();
+      if (app_.get_subcommands().empty() && !unknown.empty()) {
+        std::fprintf(stderr, "hedgehogctl: there is no '%s'; hedgehogctl --help lists the verbs\n",
+                     unknown.front().c_str());
+        return kUsage;
+      }
       app_.exit(error);
       return kUsage;
     }

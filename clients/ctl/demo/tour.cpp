@@ -96,7 +96,7 @@ TourChapter compass(bool simulated) {
       milliseconds{25500},
       4,
       "up stays up",
-      simulated ? "The ball is being turned. The triangle is up in the room; the push stays there."
+      simulated ? "The ball is turned. The triangle is up in the room; the push stays there."
                 : "Turn the ball. The triangle is up in the room; the push stays there.",
       {}};
   hold(chapter, "compass", R"("direction":"up","frame":"world","current_a":5)", "hold up");

@@ -49,8 +49,8 @@ std::string coils_line(const Status& status) {
   std::string line = "  coils                ";
   for (int coil = 0; coil < 3; ++coil) {
     const double percent = 100.0 * status.duty[coil];
-    line += std::string(1, "xyz"[coil]) + " " + right(fixed_signed(status.current_a[coil], 1), 6) +
-            " A " + right(fixed_signed(percent, 0), 3) + " %" + (coil < 2 ? "     " : "");
+    line += std::string(1, "xyz"[coil]) + " " + right(fixed_signed(status.current_a[coil], 1), 5) +
+            " A " + right(fixed_signed(percent, 0), 3) + " %" + (coil < 2 ? "    " : "");
   }
   return line;
 }

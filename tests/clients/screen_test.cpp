@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+// What a person sees of the ball, to the column.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+#include "clients/ctl/demo/demo_screen.h"
+#include "clients/ctl/screen/ball_map.h"
+#include "clients/ctl/screen/bar.h"
+#include "clients/ctl/screen/status_screen.h"
+#include "clients/ctl/screen/watch_screen.h"
+#include "clients/ctl/screen/words.h"
+#include "model/field.h"
+#include "model/pin_array.h"
+
+namespace hedgehog::client {
+namespace {
+
+using testing::ElementsAre;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+std::vector<double> forces_of(const model::Vec3& demand_a) {
+  std::vector<double> forces(model::hedgehog_86().pins.size());
+  model::pin_forces(model::hedgehog_86(), {demand_a}, 0.0126, forces);
+  return forces;
+}
+
+std::size_t marks(const std::vector<std::string>& lines, const std::string& mark) {
+  std::size_t count = 0;
+  for (std::size_t row = 1; row + 1 < lines.size(); ++row) {
+    for (std::size_t at = lines[row].find(mark); at != std::string::npos;
+         at = lines[row].find(mark, at + mark.size())) {
+      ++count;
+    }
+  }
+  return count;
+}
+
+Ball warm_ball() {
+  Ball ball;
+  ball.hello.version = "1.0.0";
+  ball.description.limits.derate_from_c = 60;
+  ball.description.limits.trip_c = 70;
+  protocol::Status& status = ball.status;
+  status.device = "ball-7";
+  status.state = "armed";
+  status.temperature_c = {.sensor = 41.2, .model = 41.6, .coils = {41.0, 41.6, 40.9}, .age_ms = 3};
+  status.limit_a = 15;
+  status.burst_s = 11.0;
+  status.current_a = {0, 4.99, 0.12};
+  status.duty = {0, 0.199, 0.005};
+  status.field = {0, 0.9997, 0.024};
+  status.force_n = 0.062;
+  status.pin = 33;
+  status.fan = {4310, 0.6};
+  status.orientation =
+      protocol::OrientationStatus{{0.994, -0.105, 0.035, 0}, {-0.069, -0.208, 0.976}, {}, 3};
+  status.loop = {1000, 273'600'000, 0, {12, 61, 240}};
+  status.pins = forces_of({0, 5, 0});
+  protocol::EffectStatus circle;
+  circle.effect = 412;
+  circle.method = "effect.circle";
+  circle.client = "Racer 1.2";
+  circle.playing = true;
+  circle.remaining_ms = 12'000;
+  circle.current_a = 4.99;
+  status.effects.push_back(circle);
+  return ball;
+}
+
+TEST(BallMap, HasARowARingAndAMarkAPin) {
+  const auto lines = ball_map(forces_of({}), {});
+  ASSERT_EQ(lines.size(), 10u);
+  EXPECT_EQ(marks(lines, "·"), 86u);
+}
+
+TEST(BallMap, ShowsAPushToTheLeftOnTheLeft) {
+  const auto lines = ball_map(forces_of({0, 15, 0}), {true, std::nullopt});
+  for (std::size_t row = 2; row < 9; ++row) {
+    const std::size_t strongest = lines[row].find('@');
+    if (strongest != std::string::npos) {
+      EXPECT_LT(lines[row].rfind('@'), 39u) << lines[row];
+    }
+  }
+  EXPECT_GT(marks(lines, "@"), 10u);
+}
+
+TEST(BallMap, ShowsAPushUpOnTop) {
+  const auto lines = ball_map(forces_of({0, 0, 15}), {true, std::nullopt});
+  EXPECT_EQ(lines[1], std::string(39, ' ') + "@");
+  EXPECT_EQ(marks({"", lines[8], ""}, "@"), 0u);
+}
+
+TEST(BallMap, MarksWhatIsUpInTheRoom) {
+  const auto lines = ball_map(forces_of({}), {true, model::Vec3{1, 0, 0}});
+  EXPECT_EQ(marks(lines, "^"), 1u);
+}
+
+RC_GTEST_PROP(BallMap, NeverLeavesEightyColumns, ()) {
+  const auto part = [] { return *rc::gen::inRange(-150, 151) / 10.0; };
+  const auto lines = ball_map(forces_of({part(), part(), part()}), {});
+  for (const std::string& line : lines) {
+    RC_ASSERT(columns(line) <= 79u);
+  }
+}
+
+TEST(Bar, FillsFromTheLeft) {
+  EXPECT_EQ(bar(0.0, 0.0, 26.0, {}, true), std::string(26, '-'));
+  EXPECT_EQ(bar(13.0, 0.0, 26.0, {}, true), std::string(13, '=') + std::string(13, '-'));
+  EXPECT_EQ(bar(99.0, 0.0, 26.0, {}, true), std::string(26, '='));
+}
+
+TEST(Bar, ShowsItsMarksFilledOrNot) {
+  const std::array marks{10.0};
+  EXPECT_EQ(bar(0.0, 0.0, 26.0, marks, true)[9], '|');
+  EXPECT_EQ(columns(bar(26.0, 0.0, 26.0, marks, false)), 26u);
+}
+
+TEST(Words, SayNumbersAsPeopleReadThem) {
+  EXPECT_EQ(fixed(-0.04, 1), "0.0");
+  EXPECT_EQ(fixed_signed(4.96, 1), "+5.0");
+  EXPECT_EQ(grouped(4310), "4 310");
+  EXPECT_EQ(grouped(1234567), "1 234 567");
+  EXPECT_EQ(time_words(1.5), "1.5 s");
+  EXPECT_EQ(time_words(12.3), "12 s");
+  EXPECT_EQ(time_words(200), "3 min 20 s");
+  EXPECT_EQ(time_words(33'120), "9 h 12 min");
+  EXPECT_EQ(time_words(273'600), "3 d 4 h");
+  EXPECT_EQ(headroom_words(std::nullopt), "for ever");
+}
+
+TEST(Words, CutByCharactersNotBytes) {
+  EXPECT_EQ(cut("°°°°", 4), "°°°°");
+  EXPECT_EQ(cut("°°°°", 3), "°°…");
+}
+
+TEST(StatusScreen, SaysEverythingInEightyColumns) {
+  const auto lines = status_screen(warm_ball(), {});
+  for (const std::string& line : lines) {
+    EXPECT_LE(columns(line), 80u) << line;
+  }
+  EXPECT_THAT(lines[0], StartsWith("  ball-7 · armed"));
+  EXPECT_THAT(lines[0], EndsWith("hedgehogd 1.0.0, up 3 d 4 h, USB"));
+  EXPECT_THAT(lines, testing::Contains(StartsWith("  temperature    41.2 °C  ━━━━━━━━━")));
+  EXPECT_THAT(lines, testing::Contains(EndsWith("of 15.0 A allowed")));
+  EXPECT_THAT(lines, testing::Contains("  force          0.062 N  at pin 33, left"));
+  EXPECT_THAT(lines, testing::Contains(
+                         "  headroom      for ever  at this current; 15 A for 11 s, then less"));
+  EXPECT_THAT(lines, testing::Contains(
+                         "  orientation   3 ms old  tilted 12° left, 4° forward, heading 0°"));
+}
+
+TEST(StatusScreen, SaysWhyItIsTrippedAndWhatToDo) {
+  Ball ball = warm_ball();
+  ball.status.state = "tripped";
+  ball.status.reason = "sensor_frozen";
+  ball.status.remedy = "Mend the thermometer's plug, then run: hedgehogctl arm";
+  const auto lines = status_screen(ball, {});
+  EXPECT_THAT(lines[0], HasSubstr("TRIPPED: sensor_frozen"));
+  EXPECT_THAT(lines[2], HasSubstr("hedgehogctl arm"));
+}
+
+TEST(StatusScreen, NeverInventsATemperature) {
+  Ball ball = warm_ball();
+  ball.status.temperature_c = {};
+  EXPECT_THAT(status_screen(ball, {}), testing::Contains(HasSubstr("unknown")));
+}
+
+TEST(WatchScreen, FitsATerminalOf24Rows) {
+  WatchScreen screen({});
+  Ball ball = warm_ball();
+  screen.take(ball.status);
+  protocol::Event started;
+  started.type = "effect_started";
+  started.effect = 431;
+  for (int i = 0; i < 9; ++i) {
+    screen.take(started, "14:03:21");
+  }
+  const auto lines = screen.lines(ball);
+  EXPECT_LE(lines.size(), 24u);
+  for (const std::string& line : lines) {
+    EXPECT_LE(columns(line), 80u) << line;
+  }
+  EXPECT_THAT(lines[0], HasSubstr("SPACE stops   q quits"));
+  EXPECT_EQ(lines.back(), "  14:03:21  effect_started  #431");
+}
+
+TEST(DemoScreen, FitsATerminalOf22Rows) {
+  for (const TourChapter& chapter : tour(true)) {
+    const TourStep* playing = chapter.steps.empty() ? nullptr : &chapter.steps.front();
+    const auto lines = demo_screen(warm_ball(), chapter, playing, {});
+    EXPECT_LE(lines.size(), 22u);
+    for (const std::string& line : lines) {
+      EXPECT_LE(columns(line), 80u) << line;
+    }
+  }
+}
+
+TEST(Tour, LastsAtMostFortySecondsAndNeverGoesBack) {
+  const auto chapters = tour(true);
+  EXPECT_LE(chapters.back().to, std::chrono::seconds(40));
+  Milliseconds before{0};
+  int numbered = 0;
+  for (const TourChapter& chapter : chapters) {
+    EXPECT_EQ(chapter.from, before);
+    before = chapter.to;
+    numbered += chapter.number > 0 ? 1 : 0;
+    EXPECT_TRUE(std::is_sorted(chapter.steps.begin(), chapter.steps.end(),
+                               [](const auto& a, const auto& b) { return a.at < b.at; }));
+    for (const TourStep& step : chapter.steps) {
+      EXPECT_GE(step.at, chapter.from);
+      EXPECT_LT(step.at, chapter.to);
+    }
+  }
+  EXPECT_EQ(numbered, kTourChapters);
+}
+
+TEST(Tour, TurnsOnlyASimulatedBall) {
+  for (const TourChapter& chapter : tour(false)) {
+    for (const TourStep& step : chapter.steps) {
+      EXPECT_NE(step.method, "sim.set");
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hedgehog::client
