@@ -13,6 +13,8 @@ Reason reason_of_faults(std::uint16_t faults) noexcept {
   if ((faults & kFaultOverHeat) != 0) return Reason::kBoardOverHeat;
   if ((faults & kFaultHeatBudget) != 0) return Reason::kBoardHeatBudget;
   if ((faults & kFaultSupply) != 0) return Reason::kBoardSupply;
+  if ((faults & kFaultSensorOpen) != 0) return Reason::kSensorOpen;
+  if ((faults & kFaultSensorShort) != 0) return Reason::kSensorShort;
   if ((faults & kFaultDeadMan) != 0) return Reason::kBoardDeadMan;
   return Reason::kNone;
 }

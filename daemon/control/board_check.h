@@ -10,8 +10,7 @@
 
 namespace hedgehog::control {
 
-/// The reason for a fault that the board has found, the gravest first; kNone for none. The
-/// thermistor's wire faults are judged by SensorCheck.
+/// The reason for a fault that the board has found, the gravest first; kNone for none.
 Reason reason_of_faults(std::uint16_t faults) noexcept;
 
 /// Control thread; real-time safe, trivially copyable.

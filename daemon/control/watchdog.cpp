@@ -12,6 +12,10 @@ bool obeys(const device::BoardTelemetry& board) noexcept {
   return board.mode == device::BoardMode::kReady || board.mode == device::BoardMode::kDriving;
 }
 
+bool is_possible(double sensor_c) noexcept {
+  return sensor_c >= SensorCheck::kLowestC && sensor_c <= SensorCheck::kHighestC;
+}
+
 }  // namespace
 
 Watchdog::Watchdog(const model::CoilModel& coils, int sensor_winding) noexcept
@@ -24,9 +28,11 @@ Reason Watchdog::step(const WatchdogInputs& in) noexcept {
 
   SensorReading reading;
   reading.fresh = in.fresh;
-  reading.open = (board.faults & device::kFaultSensorOpen) != 0;
-  reading.shorted = (board.faults & device::kFaultSensorShort) != 0;
   reading.sensor_c = board.sensor_c;
+  // A latched board also tells of a wire that was broken; whether it still is, the reading shows.
+  const bool live = board.mode != device::BoardMode::kLatched || !is_possible(board.sensor_c);
+  reading.open = live && (board.faults & device::kFaultSensorOpen) != 0;
+  reading.shorted = live && (board.faults & device::kFaultSensorShort) != 0;
   reading.conversions = board.sensor_conversions;
   reading.measuring = heat_.measuring(sensor_winding_);
   reading.winding_c = heat_.winding_c(sensor_winding_);

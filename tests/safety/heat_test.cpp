@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+// Too hot: the limiter's law, and the watchdog when the limiter is wrong.
+#include <limits>
+
+#include "daemon/device/simulator_settings.h"
+#include "tests/safety/safe.h"
+
+namespace hedgehog::safety {
+namespace {
+
+using control::Reason;
+
+/// A limiter that limits nothing: only the watchdog and the board are left.
+rig::RigOptions without_limiter(double trip_c = 70.0) {
+  rig::RigOptions options;
+  model::Limits& limits = options.control.limits;
+  limits.derate_from_c = 300.0;
+  limits.sustain_c = 310.0;
+  limits.zero_c = 320.0;
+  limits.trip_c = trip_c;
+  options.control.ceiling = limits;
+  return options;
+}
+
+/// Holds `current_a` along `axis` until the ball is not armed any more; how hot it was at most.
+double hottest_until_stopped(rig::Rig& rig, const model::Vec3& axis, double current_a,
+                             double most_s) {
+  double hottest = 0.0;
+  const auto effect = rig.start(rig::hold(axis, current_a));
+  for (double t = 0.0; t < most_s; t += 1.0) {
+    rig.update(effect, rig::hold(axis, current_a));
+    for (int i = 0; i < 1000; ++i) {
+      rig.tick();
+      hottest = std::max(hottest, rig.plant().hottest_winding_c());
+    }
+    if (rig.controller().state() != control::State::kArmed) break;
+  }
+  return hottest;
+}
+
+class WithoutLimiter : public ::testing::TestWithParam<int> {};
+
+TEST_P(WithoutLimiter, TheWatchdogTripsAtSeventyByTheWindingsOwnResistance) {
+  rig::Rig rig(without_limiter());
+  rig.run_until_armed();
+  model::Vec3 axis;
+  axis[GetParam()] = 1.0;
+  const double hottest = hottest_until_stopped(rig, axis, 15.0, 40.0);
+  EXPECT_TRUE(asleep(rig));
+  EXPECT_LT(rig.current_a(), kZeroA);
+  expect_tripped(rig, Reason::kOverheated);
+  EXPECT_GT(hottest, 69.5);
+  EXPECT_LT(hottest, 70.5);
+}
+
+INSTANTIATE_TEST_SUITE_P(EachWinding, WithoutLimiter, ::testing::Values(0, 1, 2));
+
+TEST(TooHot, TheRawThermistorTripsWithoutAnyCurrent) {
+  rig::RigOptions options;
+  options.board.start_c = 69.0;
+  options.board.ambient_c = 120.0;
+  options.board.plant.sensor_noise_k = 0.0;
+  rig::Rig warm(options);
+  warm.run_until_armed();
+  ASSERT_TRUE(warm.run_until([&] { return warm.plant().sensor_c() >= 70.0; }, 1000));
+  ASSERT_TRUE(warm.run_until([&] { return warm.plant().sensor_c() >= 69.99; }, 60'000));
+  EXPECT_EQ(name(warm.controller().state()), "armed") << name(warm.controller().reason());
+  ASSERT_TRUE(warm.run_until([&] { return warm.plant().sensor_c() >= 70.0; }, 1000));
+  ASSERT_TRUE(warm.run_until([&] { return warm.controller().state() == control::State::kTripped; },
+                             50 + 12));
+  expect_zero(warm, 2);
+  expect_tripped(warm, Reason::kOverheated);
+}
+
+TEST(TooHot, ArmingWaitsUntilItIsCool) {
+  rig::Rig rig(without_limiter());
+  rig.run_until_armed();
+  hottest_until_stopped(rig, {1, 0, 0}, 15.0, 40.0);
+  expect_tripped(rig, Reason::kOverheated);
+  rig.arm();
+  rig.run(400);
+  EXPECT_EQ(name(rig.controller().state()), "tripped");
+  EXPECT_EQ(name(rig.snapshot().arm_refusal), "overheated");
+  // below max(45 C, room + 10 K)
+  ASSERT_TRUE(rig.run_until([&] { return rig.snapshot().arm_refusal == Reason::kNone; }, 300'000));
+  EXPECT_LT(rig.plant().hottest_winding_c(), 45.5);
+  EXPECT_GT(rig.plant().hottest_winding_c(), 42.0);
+  rig.arm();
+  rig.run(400);
+  EXPECT_EQ(name(rig.controller().state()), "armed");
+}
+
+// Everything above the board wrong: no limiter, no watchdog at 70 C.
+TEST(BoardsOwnLimits, ThermistorAboveSeventyFive) {
+  rig::Rig rig(without_limiter(300.0));
+  rig.run_until_armed();
+  hottest_until_stopped(rig, {1, 0, 0}, 9.0, 300.0);
+  EXPECT_TRUE(asleep(rig));
+  EXPECT_LT(rig.current_a(), kZeroA);
+  expect_tripped(rig, Reason::kBoardOverHeat);
+  EXPECT_LT(rig.plant().hottest_winding_c(), 80.0);
+}
+
+TEST(BoardsOwnLimits, HeatBudgetOfAWindingWithoutThermistor) {
+  rig::Rig rig(without_limiter(300.0));
+  rig.run_until_armed();
+  hottest_until_stopped(rig, {0, 1, 0}, 14.0, 300.0);
+  EXPECT_TRUE(asleep(rig));
+  EXPECT_LT(rig.current_a(), kZeroA);
+  expect_tripped(rig, Reason::kBoardHeatBudget);
+}
+
+TEST(BoardsOwnLimits, OverCurrentForFiftyMilliseconds) {
+  rig::RigOptions options = without_limiter();
+  options.control.limits.current_a = 20.0;
+  options.control.ceiling = options.control.limits;
+  rig::Rig rig(options);
+  rig.run_until_armed();
+  rig.start(rig::hold({1, 1, 1}, 18.0));
+  rig.run(3);
+  expect_zero(rig, 50 + 12);
+  expect_tripped(rig, Reason::kBoardOverCurrent);
+}
+
+TEST(AbsurdNumber, IsZeroForThatTickAndTold) {
+  rig::Rig rig;
+  rig.run_until_armed();
+  rig.start(rig::hold({1, 0, 0}, 5.0));
+  rig.run(100);
+  const auto bad = rig.start(rig::hold({1, 0, 0}, std::numeric_limits<double>::quiet_NaN()));
+  rig.tick();
+  EXPECT_EQ(rig.last_command().duty_q15()[0] <= 0, true) << "nothing is pushed in that tick";
+  EXPECT_EQ(norm(rig.snapshot().limited_a), 0.0);
+  EXPECT_EQ(rig.count(control::EventType::kRejectedNumber), 1);
+  rig.stop(bad);
+  rig.run(30);
+  EXPECT_EQ(name(rig.controller().state()), "armed");
+  EXPECT_NEAR(rig.current_a(), 5.0, 0.05) << "the other effect never noticed";
+}
+
+TEST(AbsurdNumber, AgainAndAgainTrips) {
+  rig::Rig rig;
+  rig.run_until_armed();
+  rig.start(rig::hold({1, 0, 0}, std::numeric_limits<double>::infinity()));
+  rig.run(50);
+  expect_zero(rig, 5);
+  expect_tripped(rig, Reason::kInternal);
+}
+
+TEST(Restart, UnknownWindingsAreHeldToFiveAmpereUntilMeasured) {
+  rig::RigOptions options;
+  options.control.start_known = false;
+  rig::Rig rig(options);
+  rig.run_until_armed();
+  rig.start(rig::hold({0, 0, 1}, 15.0));
+  rig.run(2);
+  EXPECT_NEAR(rig.snapshot().limited_a.z, 5.0, 1e-9);
+  ASSERT_TRUE(rig.run_until([&] { return norm(rig.snapshot().limited_a) > 14.9; }, 100));
+  EXPECT_TRUE(rig.snapshot().thermal.measured[2]);
+  EXPECT_FALSE(rig.snapshot().thermal.measured[0]) << "the undriven ones do not hold it back";
+}
+
+TEST(Restart, EachNodeStartsAtTheHotterOfSavedAndSensor) {
+  rig::RigOptions options;
+  options.control.start = {{50.0, 20.0, 40.0}, 45.0};
+  options.board.start_c = 30.0;
+  options.board.plant.sensor_noise_k = 0.0;
+  rig::Rig rig(options);
+  rig.run(10);
+  const auto& nodes = rig.controller().thermal().nodes;
+  EXPECT_NEAR(nodes.winding_c[0], 50.0, 0.2);
+  EXPECT_NEAR(nodes.winding_c[1], 30.0, 0.2);
+  EXPECT_NEAR(nodes.winding_c[2], 40.0, 0.2);
+  EXPECT_NEAR(nodes.core_c, 45.0, 0.2);
+}
+
+TEST(Restart, LatchesPersist) {
+  for (const Reason latch : {Reason::kOverheated, Reason::kEmergencyStop}) {
+    rig::RigOptions options;
+    options.control.latch = latch;
+    rig::Rig rig(options);
+    rig.run(1000);
+    EXPECT_EQ(name(rig.controller().reason()), name(latch));
+    EXPECT_NE(name(rig.controller().state()), "armed") << "arm_at_start does not clear a latch";
+    rig.start(rig::hold({1, 0, 0}, 5.0));
+    rig.run(50);
+    EXPECT_EQ(rig.current_a(), 0.0);
+    rig.arm();
+    rig.run(100);
+    EXPECT_EQ(name(rig.controller().state()), "armed");
+    EXPECT_EQ(name(rig.snapshot().latch), "none");
+  }
+}
+
+}  // namespace
+}  // namespace hedgehog::safety

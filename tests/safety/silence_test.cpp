@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+// Somebody falls silent: a client, io, control, the link, the whole host, the board, the
+// orientation sensor.
+#include "daemon/device/simulator_settings.h"
+#include "tests/safety/safe.h"
+
+namespace hedgehog::safety {
+namespace {
+
+using control::EndReason;
+using control::EventType;
+using control::Reason;
+
+TEST(ClientGone, ItsEffectsEndAtTheNextTickAndOthersPlayOn) {
+  rig::Rig rig;
+  rig.run_until_armed();
+  const auto gone = rig.start(rig::hold({1, 0, 0}, 5.0));
+  const auto stays = rig.start(rig::hold({0, 1, 0}, 4.0));
+  rig.run(100);
+  rig.stop(gone, EndReason::kDisconnected);
+  rig.tick();
+  EXPECT_FALSE(rig.playing(gone));
+  ASSERT_NE(rig.last(EventType::kEffectEnded), nullptr);
+  EXPECT_EQ(rig.last(EventType::kEffectEnded)->end_reason, EndReason::kDisconnected);
+  EXPECT_EQ(rig.snapshot().limited_a.x, 0.0);
+  EXPECT_TRUE(rig.playing(stays));
+  rig.run(kDecay);
+  EXPECT_LT(std::abs(rig.plant().current_a().x), kZeroA);
+  EXPECT_NEAR(rig.plant().current_a().y, 4.0, 0.05);
+}
+
+TEST(ClientSilent, ItsLeaseRunsOut) {
+  rig::Rig rig;
+  rig.run_until_armed();
+  const auto effect = rig.start(rig::hold({1, 0, 0}, 5.0, 1000));
+  rig.run(1000);
+  EXPECT_TRUE(rig.playing(effect));
+  expect_zero(rig, 2);
+  EXPECT_EQ(rig.last(EventType::kEffectEnded)->end_reason, EndReason::kExpired);
+}
+
+TEST(IoStuck, EveryEffectRunsOutByItselfAndStoppingStillWorks) {
+  rig::Rig rig;
+  rig.run_until_armed();
+  rig.start(rig::hold({1, 0, 0}, 5.0, 10'000));
+  rig.start(rig::pulse({0, 1, 0}, 5.0, 10'000));
+  rig.run(9990);
+  EXPECT_GT(rig.current_a(), 4.0);
+  expect_zero(rig, 15);
+  EXPECT_TRUE(rig.controller().effects_empty());
+}
+
+TEST(EmergencyStop, CoilsOffAtTheNextTickDisarmedAndLatched) {
+  rig::Rig rig;
+  rig.run_until_armed();
+  rig.start(rig::hold({1, 1, 1}, 15.0));
+  rig.run(200);
+  rig.emergency_stop();
+  rig.arm();  // an arming of the same tick does not survive it
+  rig.tick();
+  EXPECT_FALSE(rig.last_command().enable());
+  expect_zero(rig, 0);
+  EXPECT_EQ(name(rig.controller().state()), "disarmed");
+  EXPECT_EQ(name(rig.snapshot().latch), "emergency_stop");
+  EXPECT_EQ(rig.last(EventType::kEffectEnded)->end_reason, EndReason::kTripped);
+  rig.start(rig::hold({1, 0, 0}, 5.0));
+  rig.run(100);
+  EXPECT_LT(rig.current_a(), kZeroA);
+  rig.arm();
+  rig.run(20);
+  EXPECT_EQ(name(rig.controller().state()), "armed");
+}
+
+TEST(ControlLate, TheLinkIsSafeAfterTwentyMilliseconds) {
+  rig::Rig rig;
+  rig.run_until_armed();
+  rig.start(rig::hold({1, 0, 0}, 5.0));
+  rig.run(100);
+  rig.skip_control(19);
+  EXPECT_FALSE(asleep(rig));
+  rig.skip_control(1);
+  EXPECT_TRUE(asleep(rig));
+  rig.skip_control(kDecay);
+  EXPECT_LT(rig.current_a(), kZeroA);
+  // It comes back in one step, not in a burst, and says what it missed.
+  rig.forget_events();
+  rig.tick();
+  EXPECT_EQ(rig.last_inputs().skipped, 20u + kDecay);
+  ASSERT_EQ(rig.count(EventType::kOverrun), 1);
+  EXPECT_EQ(rig.last(EventType::kOverrun)->count, 20u + kDecay);
+  rig.run(100);
+  EXPECT_EQ(name(rig.controller().state()), "armed") << "being late is no fault of the ball";
+  EXPECT_NEAR(rig.current_a(), 5.0, 0.05);
+}
+
+TEST(HostFrozen, TheBoardIsSafeAHundredMillisecondsAfterTheLastSetPoint) {
+  rig::Rig rig;
+  rig.run_until_armed();
+  rig.start(rig::hold({1, 0, 0}, 5.0));
+  rig.run(100);
+  rig.freeze_host(99);
+  EXPECT_FALSE(asleep(rig));
+  rig.freeze_host(1 + 1);
+  EXPECT_TRUE(asleep(rig));
+  EXPECT_EQ(rig.board().core().outputs().fan, 255);
+  rig.freeze_host(kDecay);
+  EXPECT_LT(rig.current_a(), kZeroA);
+  EXPECT_EQ(rig.board().core().mode(), board::Mode::kLatched);
+  // The host wakes up: set-points alone do not bring the coils back.
+  rig.run(50);
+  EXPECT_LT(rig.current_a(), kZeroA);
+  expect_tripped(rig, Reason::kBoardDeadMan);
+  rig.arm();
+  rig.run(20);
+  EXPECT_EQ(name(rig.controller().state()), "armed");
+}
+
+TEST(BoardSilent, AbsentAfterAHundredMillisecondsThenDisarmed) {
+  rig::Rig rig;
+  rig.run_until_armed();
+  const auto effect = rig.start(rig::hold({1, 0, 0}, 5.0));
+  rig.run(100);
+  rig.forget_events();
+  rig.set_faults(device::kSimSilent);  // the cable, in both directions
+  rig.run(99);
+  EXPECT_EQ(name(rig.controller().state()), "armed");
+  expect_zero(rig, 5);
+  rig.tick();
+  EXPECT_EQ(name(rig.controller().state()), "absent");
+  EXPECT_EQ(name(rig.controller().reason()), "telemetry_lost");
+  EXPECT_FALSE(rig.last_command().enable());
+  EXPECT_FALSE(rig.playing(effect));
+  EXPECT_EQ(rig.count(EventType::kDeviceDetached), 1);
+  EXPECT_EQ(name(rig.snapshot().last_trip.reason), "telemetry_lost");
+
+  rig.set_faults(0);
+  rig.run(300);
+  EXPECT_EQ(name(rig.controller().state()), "disarmed");
+  EXPECT_EQ(name(rig.controller().reason()), "hot_plug");
+  EXPECT_EQ(rig.count(EventType::kDeviceAttached), 1);
+  EXPECT_LT(rig.current_a(), kZeroA);
+  rig.arm();
+  rig.run(20);
+  EXPECT_EQ(name(rig.controller().state()), "armed");
+}
+
+TEST(BoardSilent, SomeLostFramesAreNothing) {
+  rig::Rig rig;
+  rig.run_until_armed();
+  rig.start(rig::hold({1, 0, 0}, 8.0));
+  for (int i = 0; i < 100; ++i) {
+    rig.lose_telemetry(i % 40);
+    rig.run(90);
+  }
+  EXPECT_EQ(name(rig.controller().state()), "armed");
+  EXPECT_NEAR(rig.current_a(), 8.0, 0.1);
+}
+
+TEST(BoardSilent, ALatchOutlivesTheCable) {
+  rig::Rig rig;
+  rig.run_until_armed();
+  rig.set_faults(device::kSimSensorOpen);
+  rig.run(100);
+  expect_tripped(rig, Reason::kSensorOpen);
+  rig.set_faults(device::kSimSilent);
+  rig.run(300);
+  EXPECT_EQ(name(rig.controller().state()), "absent");
+  EXPECT_EQ(name(rig.snapshot().latch), "sensor_open");
+  rig.set_faults(0);
+  rig.run(300);
+  EXPECT_EQ(name(rig.controller().state()), "tripped");
+  EXPECT_EQ(name(rig.controller().reason()), "sensor_open");
+}
+
+TEST(OrientationStale, WorldEffectsFadeInTwoHundredMillisecondsAndEndLost) {
+  rig::Rig rig;
+  rig.orient({});
+  rig.run_until_armed();
+  model::EffectSpec spec = rig::hold({1, 0, 0}, 5.0);
+  spec.frame = model::Frame::kWorld;
+  const auto effect = rig.start(spec);
+  rig.run(300);
+  ASSERT_NEAR(rig.current_a(), 5.0, 0.05);
+  rig.orient({}, false);
+  rig.run(100);
+  EXPECT_NEAR(rig.current_a(), 5.0, 0.05) << "100 ms old is still fresh";
+  EXPECT_EQ(rig.count(EventType::kOrientationLost), 0);
+  rig.run(100);
+  EXPECT_EQ(rig.count(EventType::kOrientationLost), 1);
+  EXPECT_NEAR(rig.current_a(), 2.5, 0.2);
+  rig.run(100 + 2 + kDecay);
+  EXPECT_LT(rig.current_a(), kZeroA);
+  EXPECT_TRUE(rig.playing(effect));
+  rig.run(2000);
+  EXPECT_FALSE(rig.playing(effect));
+  EXPECT_EQ(rig.last(EventType::kEffectEnded)->end_reason, EndReason::kOrientationLost);
+  EXPECT_TRUE(asleep(rig));
+}
+
+}  // namespace
+}  // namespace hedgehog::safety
