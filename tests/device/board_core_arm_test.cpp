@@ -64,8 +64,11 @@ TEST(Arming, IsRefusedWhileTheFaultIsStillThere) {
   bench.inputs.sensor_open = true;
   bench.run(kSensorBrokenMs);
   ASSERT_TRUE(bench.latched_by(kSensorOpen));
-  bench.arm_and_drive();
-  EXPECT_TRUE(bench.latched_by(kSensorOpen));
+  bench.feed();
+  bench.ask_to_arm();
+  bench.step();
+  EXPECT_TRUE(bench.latched_by(kSensorOpen)) << "not armed for a single millisecond";
+  EXPECT_EQ(bench.telemetry().arm_count, bench.arm_count) << "refused, but answered";
   bench.inputs.sensor_open = false;
   bench.run(10);
   EXPECT_TRUE(bench.latched_by(kSensorOpen)) << "a fault that is gone stays latched";

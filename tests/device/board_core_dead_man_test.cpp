@@ -2,6 +2,7 @@
 // Only valid set-points feed the dead-man; without one for 100 ms the board is safe and latched.
 #include <gtest/gtest.h>
 
+#include "daemon/device/board_core/crc32.h"
 #include "tests/device/core_bench.h"
 
 namespace hedgehog::board {
@@ -103,26 +104,47 @@ TEST_F(DeadMan, LateFramesDoNotFeed) {
   EXPECT_TRUE(bench.latched_by(kDeadMan));
 }
 
-TEST_F(DeadMan, FramesOfAnotherVersionOrLengthOrWithABrokenCrcDoNotFeed) {
+TEST_F(DeadMan, FramesOfAnotherVersionTypeOrLengthOrWithABrokenCrcDoNotFeed) {
   for (int ms = 0; ms < 100; ++ms) {
     std::array<std::uint8_t, kFrameSize + 1> frame{};
     bench.set_point.sequence = ++bench.sequence;
     write_frame(bench.set_point, frame.data());
-    if (ms % 3 == 0) {
-      bench.core.receive(frame.data(), kFrameSize + 1);
-    } else if (ms % 3 == 1) {
-      bench.core.receive(frame.data(), kFrameSize - 1);
-    } else {
-      frame[63] ^= 1;
-      bench.core.receive(frame.data(), kFrameSize);
+    std::size_t length = kFrameSize;
+    const auto with_good_crc = [&](std::size_t at, std::uint8_t value) {
+      frame[at] = value;
+      const std::uint32_t crc = crc32(frame.data(), kFrameSize - 4);
+      for (std::size_t i = 0; i < 4; ++i)
+        frame[kFrameSize - 4 + i] = static_cast<std::uint8_t>(crc >> (8 * i));
+    };
+    switch (ms % 6) {
+      case 0:
+        length = kFrameSize + 1;
+        break;
+      case 1:
+        length = kFrameSize - 1;
+        break;
+      case 2:
+        frame[63] ^= 1;
+        break;
+      case 3:
+        with_good_crc(0, kFrameMagic + 1);
+        break;
+      case 4:
+        with_good_crc(1, kProtocolVersion + 1);
+        break;
+      case 5:
+        with_good_crc(2, 0x04);
+        break;
     }
+    bench.core.receive(frame.data(), length);
     bench.step();
   }
   EXPECT_TRUE(bench.latched_by(kDeadMan));
 }
 
 TEST_F(DeadMan, TheSequenceMayWrapAround) {
-  for (const std::uint32_t jump : {0x70000000u, 0xE0000000u, 0xFFFFFF00u}) {  // never further than half around
+  for (const std::uint32_t jump :
+       {0x70000000u, 0xE0000000u, 0xFFFFFF00u}) {  // never further than half around
     bench.sequence = jump - 1;
     bench.feed();
     bench.run(1);

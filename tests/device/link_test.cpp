@@ -26,6 +26,14 @@ struct LinkBench : testing::Test {
     board::write_frame(values, frame.data());
     link.receive(frame);
   }
+  void send_of_another_version() {
+    Frame frame;
+    board::write_frame(board, frame.data());
+    frame[1] = board::kProtocolVersion + 1;
+    const std::uint32_t crc = board::crc32(frame.data(), 60);
+    for (std::size_t i = 0; i < 4; ++i) frame[60 + i] = static_cast<std::uint8_t>(crc >> (8 * i));
+    link.receive(frame);
+  }
   // A new command from control, driving.
   void renew() {
     ++command.count;
@@ -138,12 +146,7 @@ TEST_F(LinkBench, TelemetryThatComesTwiceIsNotNew) {
 TEST_F(LinkBench, AnotherProtocolVersionIsAnAbsentBoard) {
   tick();
   ASSERT_TRUE(link.report().present);
-  Frame frame;
-  board::write_frame(board, frame.data());
-  frame[1] = board::kProtocolVersion + 1;
-  const std::uint32_t crc = board::crc32(frame.data(), 60);
-  for (std::size_t i = 0; i < 4; ++i) frame[60 + i] = static_cast<std::uint8_t>(crc >> (8 * i));
-  link.receive(frame);
+  send_of_another_version();
   renew();
   step();
   EXPECT_FALSE(link.report().present);
@@ -190,6 +193,19 @@ TEST_F(LinkBench, ABoardThatAppearsLaterIsNotArmedByAnOldRequest) {
     tick();
     ASSERT_EQ(arm_request(), std::nullopt);
   }
+}
+
+TEST_F(LinkBench, ARequestEndsWithTheBoardItWasMeantFor) {
+  tick();
+  command.board.arm_count = 1;
+  tick();
+  ASSERT_TRUE(arm_request());
+  send_of_another_version();
+  step();
+  ASSERT_FALSE(link.report().present);
+  tick();
+  EXPECT_TRUE(link.report().present);
+  EXPECT_EQ(arm_request(), std::nullopt);
 }
 
 TEST_F(LinkBench, ABoardThatRestartsIsNotArmedByAnOldRequest) {
