@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// Arbitrary bytes as a line from a client and as a line from a server. What decodes must come back
+// the same from what it encodes to; what does not must have an error that can be sent.
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+#include "protocol/client_codec.h"
+#include "protocol/server_codec.h"
+
+namespace {
+
+using namespace hedgehog::protocol;
+
+void require(bool condition) {
+  if (!condition) {
+    std::abort();
+  }
+}
+
+void check(const Item& item) {
+  if (!item.request) {
+    const std::string line = encode_error(item.id.value_or(Id{}), item.request.error());
+    require(line.find('\n') == std::string::npos);
+    const auto messages = decode_messages(line);
+    require(messages.has_value() && messages->size() == 1);
+    return;
+  }
+  const std::string line = encode_request(item.id, *item.request);
+  const Incoming again = decode_line(line);
+  require(again.items.size() == 1 && again.items.front().request.has_value());
+  require(again.items.front().id == item.id);
+  // Quaternions are normalised while they are read, so it is the second reading that is stable.
+  const std::string stable = encode_request(item.id, *again.items.front().request);
+  require(stable == encode_request(item.id, *decode_line(stable).items.front().request));
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view line(reinterpret_cast<const char*>(data), size);
+  for (const Item& item : decode_line(line).items) {
+    check(item);
+  }
+  (void)decode_messages(line);
+  (void)decode_result<Status>(line);
+  (void)decode_result<Description>(line);
+  return 0;
+}

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// protocol/README.md against the code, without a daemon: every request decodes as its answer says,
+// every answer obeys its schema, everything there is has its place in the document.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "protocol/event.h"
+#include "protocol/server_codec.h"
+#include "tests/protocol/example_file.h"
+#include "tests/protocol/random_request.h"
+#include "tests/protocol/schema.h"
+
+namespace hedgehog::protocol {
+namespace {
+
+std::string readme() {
+  std::ifstream in(std::string(HEDGEHOG_SOURCE_DIR) + "/protocol/README.md");
+  std::stringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+class Readme : public testing::Test {
+ protected:
+  std::vector<Example> examples_ = protocol_examples(HEDGEHOG_SOURCE_DIR);
+  Json messages_ = messages_schema();
+};
+
+TEST_F(Readme, HasExamplesThatSayBothSides) {
+  EXPECT_GE(examples_.size(), 20u);
+  for (const Example& example : examples_) {
+    ASSERT_FALSE(example.lines.empty());
+    EXPECT_TRUE(example.lines.front().sent) << "line " << example.lines.front().number;
+  }
+}
+
+TEST_F(Readme, EveryMethodHasAnExampleAndEveryParameterIsNamed) {
+  const std::string text = readme();
+  std::set<Method> shown;
+  for (const Example& example : examples_) {
+    for (const ExampleLine& line : example.lines) {
+      for (const Item& item : line.sent ? decode_line(line.text).items : std::vector<Item>{}) {
+        if (item.method) {
+          shown.insert(*item.method);
+        }
+      }
+    }
+  }
+  for (const MethodInfo& row : kMethods) {
+    EXPECT_TRUE(shown.contains(row.method)) << row.name;
+    for (const std::string& parameter : parameter_names(row.method)) {
+      EXPECT_NE(text.find("`" + parameter + "`"), std::string::npos) << row.name << parameter;
+    }
+  }
+  for (const std::string_view type : kEventTypes) {
+    EXPECT_NE(text.find("`" + std::string(type) + "`"), std::string::npos) << type;
+  }
+  for (const std::string_view key : kStatusKeyNames) {
+    EXPECT_NE(text.find("`" + std::string(key) + "`"), std::string::npos) << key;
+  }
+}
+
+/// What an answer must be, by the text of its id.
+void check_answer(const Json& messages, const Json& answer,
+                  const std::map<std::string, Item>& asked, int line) {
+  const Json* id = answer.find("id");
+  ASSERT_NE(id, nullptr) << line;
+  const auto found = asked.find(to_text(*id));
+  ASSERT_NE(found, asked.end()) << "nobody asked, line " << line;
+  const Item& item = found->second;
+  if (const Json* error = answer.find("error")) {
+    EXPECT_EQ(violation(messages, "Error", *error), "") << line;
+    if (!item.request) {
+      EXPECT_EQ(mismatch(to_text(answer), encode_error(*item.id, item.request.error())), "")
+          << line;
+    }
+    return;
+  }
+  ASSERT_TRUE(item.request.has_value()) << line << ": " << item.request.error().message;
+  EXPECT_EQ(violation(messages, result_name(*item.method), *answer.find("result")), "") << line;
+}
+
+TEST_F(Readme, AnswersAreWhatTheCodeAndTheSchemaSay) {
+  for (const Example& example : examples_) {
+    std::map<std::string, Item> asked;
+    for (const ExampleLine& line : example.lines) {
+      if (line.sent) {
+        for (Item& item : decode_line(line.text).items) {
+          if (item.request && item.id) {
+            const auto json = parse_json(line.text, kMaxNesting);
+            const bool batch = json->as<Json::List>() != nullptr;
+            EXPECT_EQ(batch ? "" : violation(messages_, "Request", *json), "") << line.number;
+          }
+          if (item.id) {
+            asked.insert_or_assign(item.id->json, std::move(item));
+          } else {
+            EXPECT_TRUE(item.request.has_value()) << "line " << line.number;
+          }
+        }
+        continue;
+      }
+      const Result<Json> json = parse_json(line.text, 64);
+      ASSERT_TRUE(json.has_value()) << "line " << line.number;
+      if (json->find("method") != nullptr) {
+        EXPECT_EQ(violation(messages_, "Notification", *json), "") << line.number;
+      } else if (const auto* batch = json->as<Json::List>()) {
+        for (const Json& one : *batch) {
+          check_answer(messages_, one, asked, line.number);
+        }
+      } else {
+        check_answer(messages_, *json, asked, line.number);
+      }
+    }
+  }
+}
+
+TEST(ExampleMatching, WildcardsStandForAnythingAndNothingElseDoes) {
+  EXPECT_EQ(mismatch(R"({"a":"…","b":1})", R"({"b":1.0,"a":[{}]})"), "");
+  EXPECT_EQ(mismatch(R"({"a":1,"…":"…"})", R"({"a":1,"b":2})"), "");
+  EXPECT_EQ(mismatch(R"([1,"…"])", "[1,2,3]"), "");
+  EXPECT_EQ(mismatch(R"(["…","…"])", "[1,2]"), "");
+  EXPECT_EQ(mismatch("0.0616", "0.0616"), "");
+  EXPECT_NE(mismatch(R"({"a":1})", R"({"a":1,"b":2})"), "");
+  EXPECT_NE(mismatch(R"({"a":1,"…":"…"})", R"({"b":2})"), "");
+  EXPECT_NE(mismatch(R"(["…","…"])", "[1,2,3]"), "");
+  EXPECT_NE(mismatch("1", "2"), "");
+  EXPECT_NE(mismatch("null", "0"), "");
+  EXPECT_NE(mismatch(R"("x")", R"("y")"), "");
+  EXPECT_NE(mismatch("true", "false"), "");
+  EXPECT_NE(mismatch("{}", "{"), "");
+}
+
+TEST(ExampleMatching, OnlyMarkedBlocksAreRead) {
+  const auto examples = read_examples(
+      "→ no\n```\n→ no\n```\ntext\n```hedgehog\n→ {\"a\":1}\ncomment\n← {}\n```\n→ no\n");
+  ASSERT_EQ(examples.size(), 1u);
+  ASSERT_EQ(examples[0].lines.size(), 2u);
+  EXPECT_TRUE(examples[0].lines[0].sent);
+  EXPECT_EQ(examples[0].lines[0].text, "{\"a\":1}");
+  EXPECT_FALSE(examples[0].lines[1].sent);
+  EXPECT_EQ(examples[0].lines[1].number, 9);
+}
+
+}  // namespace
+}  // namespace hedgehog::protocol
