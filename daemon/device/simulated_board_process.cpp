@@ -74,6 +74,7 @@ SimulatedBoardProcess::SimulatedBoardProcess(const SimulatedBoardProcessOptions&
   };
   if (!options.trace.empty()) words.insert(words.end(), {"--trace", options.trace});
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
 

@@ -69,7 +69,7 @@ SetPointFrame read_set_point(const uint8_t* frame) noexcept {
   SetPointFrame values;
   values.sequence = get_u32(frame + 4);
   values.enable = (frame[3] & kFlagEnable) != 0;
-  for (int k = 0; k < kWindings; ++k) {
+  for (size_t k = 0; k < kWindings; ++k) {
     const int16_t duty = get_i16(frame + 8 + 2 * k);
     values.duty_q15[k] = duty == INT16_MIN ? static_cast<int16_t>(-INT16_MAX) : duty;
   }
@@ -108,7 +108,7 @@ TelemetryFrame read_telemetry(const uint8_t* frame) noexcept {
   values.received_sequence = get_u32(frame + 8);
   values.set_point_sequence = get_u32(frame + 12);
   values.board_ms = get_u32(frame + 16);
-  for (int k = 0; k < kWindings; ++k) {
+  for (size_t k = 0; k < kWindings; ++k) {
     values.current_ma[k] = get_i16(frame + 20 + 2 * k);
     values.duty_q15[k] = get_i16(frame + 26 + 2 * k);
   }
@@ -133,7 +133,7 @@ TelemetryFrame read_telemetry(const uint8_t* frame) noexcept {
 
 void write_frame(const SetPointFrame& values, uint8_t* frame) noexcept {
   begin(frame, FrameType::kSetPoint, values.enable ? kFlagEnable : uint8_t{0}, values.sequence);
-  for (int k = 0; k < kWindings; ++k) put_i16(frame + 8 + 2 * k, values.duty_q15[k]);
+  for (size_t k = 0; k < kWindings; ++k) put_i16(frame + 8 + 2 * k, values.duty_q15[k]);
   frame[14] = values.fan;
   finish(frame);
 }
@@ -167,7 +167,7 @@ void write_frame(const TelemetryFrame& values, uint8_t* frame) noexcept {
   put_u32(frame + 8, values.received_sequence);
   put_u32(frame + 12, values.set_point_sequence);
   put_u32(frame + 16, values.board_ms);
-  for (int k = 0; k < kWindings; ++k) {
+  for (size_t k = 0; k < kWindings; ++k) {
     put_i16(frame + 20 + 2 * k, values.current_ma[k]);
     put_i16(frame + 26 + 2 * k, values.duty_q15[k]);
   }
