@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// From a line to its answer: decodes, carries out what it asks in order, hands the commands of the
+// whole line over together, and answers, at once or when the ticks have come that the answer needs.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "daemon/server/services.h"
+#include "protocol/server_codec.h"
+
+namespace hedgehog::server {
+
+/// io thread only.
+class Dispatcher {
+ public:
+  /// The control thread has this long, on the wall, to make an answer possible.
+  static constexpr std::chrono::seconds kPatience{2};
+
+  explicit Dispatcher(Services& services) : services_(services) {}
+
+  /// One line of `session`, without its LF.
+  void line(Session& session, std::string_view text);
+  void line_too_long(Session& session);
+
+  /// After every new snapshot.
+  void poll();
+  bool waiting() const noexcept { return !waiting_.empty(); }
+  /// The session is gone; nobody waits for its answers.
+  void forget(ConnectionId session);
+
+ private:
+  /// The answers to one line, until all are there.
+  struct Reply {
+    ConnectionId session = 0;
+    bool batch = false;
+    std::vector<std::string> answers;
+    int open = 0;
+  };
+  struct Waiting {
+    std::shared_ptr<Reply> reply;
+    std::size_t index = 0;
+    protocol::Id id;
+    Deferred deferred;
+    std::chrono::steady_clock::time_point since;
+  };
+
+  void item(Session& session, protocol::Item& item, const std::shared_ptr<Reply>& reply);
+  void send_if_complete(const Reply& reply);
+
+  Services& services_;
+  std::vector<Waiting> waiting_;
+};
+
+}  // namespace hedgehog::server

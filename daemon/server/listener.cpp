@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/server/listener.h"
+
+#include <spdlog/spdlog.h>
+#include <sys/stat.h>
+
+#include <boost/asio/buffer.hpp>
+#include <boost/asio/co_spawn.hpp>
+#include <boost/asio/detached.hpp>
+#include <boost/asio/redirect_error.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/asio/use_awaitable.hpp>
+#include <chrono>
+#include <stdexcept>
+#include <utility>
+
+#include "daemon/config/listen_address.h"
+#include "daemon/server/unix_path.h"
+#include "protocol/server_codec.h"
+
+namespace hedgehog::server {
+namespace {
+
+namespace asio = boost::asio;
+using boost::system::error_code;
+using Tcp = asio::ip::tcp;
+using Local = asio::local::stream_protocol;
+
+/// What the kernel may hold for a slow reader, so that telemetry does not age there.
+constexpr int kSendBufferBytes = 256 * 1024;
+
+std::string text(const Tcp::endpoint& endpoint) {
+  return config::to_string({endpoint.address().to_string(), endpoint.port()});
+}
+
+Session session_of(Tcp::socket& socket) {
+  error_code ignored;
+  socket.set_option(Tcp::no_delay(true), ignored);
+  Session session;
+  session.transport = "tcp";
+  session.role = protocol::Role::kPlay;
+  const Tcp::endpoint peer = socket.remote_endpoint(ignored);
+  session.address = text(peer);
+  return session;
+}
+
+Session session_of(Local::socket&) {
+  Session session;
+  session.transport = "unix";
+  session.role = protocol::Role::kOperate;
+  return session;
+}
+
+}  // namespace
+
+Listener::Listener(asio::io_context& io, const config::Config& config)
+    : io_(io),
+      settings_(config.connections),
+      simulated_(config.backend == config::Backend::kSimulator) {}
+
+Listener::~Listener() { remove_if_ours(unix_path_, unix_inode_); }
+
+void Listener::open(const config::ListenSettings& listen) {
+  for (const config::ListenAddress& address : listen.tcp) {
+    open_tcp(address);
+  }
+  if (!listen.unix_socket.empty()) {
+    open_unix(listen.unix_socket);
+  }
+}
+
+void Listener::open_tcp(const config::ListenAddress& wanted) {
+  const std::string name = config::to_string(wanted);
+  error_code ec;
+  const auto address = asio::ip::make_address(wanted.host, ec);
+  if (ec || !address.is_loopback()) {
+    throw std::runtime_error(
+        name +
+        ": refused: other machines could reach it, and there are no tokens and no TLS yet; "
+        "use 127.0.0.1 or [::1], and ssh -L from elsewhere");
+  }
+  Tcp::acceptor acceptor(io_);
+  const Tcp::endpoint endpoint(address, wanted.port);
+  acceptor.open(endpoint.protocol(), ec);
+  if (address.is_v6() && (ec == asio::error::address_family_not_supported)) {
+    spdlog::warn("{}: this machine has no IPv6; left out", name);
+    return;
+  }
+  if (!ec) {
+    acceptor.set_option(Tcp::acceptor::reuse_address(true), ec);
+  }
+  if (!ec && address.is_v6()) {
+    acceptor.set_option(asio::ip::v6_only(true), ec);
+  }
+  if (!ec) {
+    acceptor.bind(endpoint, ec);
+  }
+  if (address.is_v6() && ec == boost::system::errc::address_not_available) {
+    spdlog::warn("{}: this machine has no IPv6 loopback; left out", name);
+    return;
+  }
+  if (!ec) {
+    acceptor.listen(asio::socket_base::max_listen_connections, ec);
+  }
+  if (ec) {
+    throw std::runtime_error(name + ": " + ec.message());
+  }
+  addresses_.push_back(text(acceptor.local_endpoint()));
+  tcp_.push_back(std::move(acceptor));
+}
+
+void Listener::open_unix(const std::string& path) {
+  make_room_for_socket(path);
+  const mode_t before = ::umask(0117);  // 0660 from its first moment
+  unix_.emplace(io_);
+  error_code ec;
+  unix_->open(Local(), ec);
+  if (!ec) {
+    unix_->bind(Local::endpoint(path), ec);
+  }
+  ::umask(before);
+  if (!ec) {
+    unix_path_ = path;
+    unix_inode_ = inode_of(path);
+    unix_->listen(asio::socket_base::max_listen_connections, ec);
+  }
+  if (ec) {
+    throw std::runtime_error(path + ": " + ec.message());
+  }
+  addresses_.push_back(path);
+}
+
+void Listener::start(Server& server) {
+  for (Tcp::acceptor& acceptor : tcp_) {
+    asio::co_spawn(io_, accept(acceptor, server), asio::detached);
+  }
+  if (unix_) {
+    asio::co_spawn(io_, accept(*unix_, server), asio::detached);
+  }
+}
+
+template <class Acceptor>
+asio::awaitable<void> Listener::accept(Acceptor& acceptor, Server& server) {
+  while (acceptor.is_open()) {
+    error_code ec;
+    auto socket = co_await acceptor.async_accept(asio::redirect_error(asio::use_awaitable, ec));
+    if (!ec) {
+      Session session = session_of(socket);
+      let_in(Connection::Socket(std::move(socket)), std::move(session), server);
+    } else if (acceptor.is_open()) {
+      // Out of file descriptors, as a rule: those who are there stay served.
+      spdlog::warn("cannot let a client in: {}", ec.message());
+      asio::steady_timer pause(io_, std::chrono::milliseconds(100));
+      co_await pause.async_wait(asio::redirect_error(asio::use_awaitable, ec));
+    }
+  }
+}
+
+void Listener::let_in(Connection::Socket socket, Session session, Server& server) {
+  error_code ignored;
+  socket.set_option(asio::socket_base::send_buffer_size(kSendBufferBytes), ignored);
+  connections_.remove_if([](const auto& c) { return c.expired(); });
+  if (server.connections() >= settings_.max) {
+    spdlog::warn("a client from {} is turned away: {} are connected already",
+                 session.address.value_or(session.transport), settings_.max);
+    const std::string line =
+        protocol::encode_error({}, protocol::busy("too many clients are connected", 1000)) + "\n";
+    socket.non_blocking(true, ignored);
+    socket.send(asio::buffer(line), 0, ignored);
+    return;
+  }
+  if (simulated_) {
+    session.role = protocol::Role::kOperate;
+  }
+  const auto connection = std::make_shared<Connection>(std::move(socket), server,
+                                                       std::move(session), settings_.queue_bytes);
+  connections_.push_back(connection);
+  connection->start();
+}
+
+void Listener::close() {
+  for (Tcp::acceptor& acceptor : tcp_) {
+    error_code ignored;
+    acceptor.close(ignored);
+  }
+  if (unix_) {
+    error_code ignored;
+    unix_->close(ignored);
+  }
+  remove_if_ours(unix_path_, unix_inode_);
+  for (const auto& weak : connections_) {
+    if (const auto connection = weak.lock()) {
+      connection->finish();
+    }
+  }
+}
+
+bool Listener::empty() const noexcept {
+  for (const auto& weak : connections_) {
+    if (!weak.expired()) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace hedgehog::server
