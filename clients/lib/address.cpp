@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "clients/lib/address.h"
 
+#include <unistd.h>
+
 #include <charconv>
 #include <cstdlib>
 
@@ -101,6 +103,9 @@ Outcome<std::vector<Address>> daemon_addresses(const std::optional<std::string>&
   add(unix_socket(in_folder("/run/hedgehog")));
   if (const auto runtime = variable("XDG_RUNTIME_DIR")) {
     add(unix_socket(in_folder(*runtime + "/hedgehog")));
+  } else if (!variable("RUNTIME_DIRECTORY")) {
+    // Where a daemon that was started by hand without XDG_RUNTIME_DIR puts it.
+    add(unix_socket(in_folder("/tmp/hedgehog-" + std::to_string(getuid()))));
   }
   add({.host = "127.0.0.1"});
   return all;

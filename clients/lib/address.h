@@ -36,7 +36,7 @@ std::optional<std::string> process_environment(const std::string& name);
 
 /// The places to try, in order. `given` (a command-line flag) or else HEDGEHOG_ADDRESS is the only
 /// one when there is one. Otherwise: the socket in RUNTIME_DIRECTORY, in /run/hedgehog, in
-/// XDG_RUNTIME_DIR/hedgehog, and 127.0.0.1:7586.
+/// XDG_RUNTIME_DIR/hedgehog (without that variable: /tmp/hedgehog-UID), and 127.0.0.1:7586.
 Outcome<std::vector<Address>> daemon_addresses(
     const std::optional<std::string>& given = std::nullopt,
     const Environment& environment = process_environment);

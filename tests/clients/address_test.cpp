@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <map>
 
@@ -57,7 +58,10 @@ TEST(Address, ThatIsNoneIsNamed) {
 }
 
 TEST(Daemon, IsFirstLookedForInItsRuntimeDirectoriesThenOnTcp) {
-  EXPECT_THAT(places({}, with({})), ElementsAre("/run/hedgehog/hedgehogd.sock", "127.0.0.1:7586"));
+  EXPECT_THAT(places({}, with({})),
+              ElementsAre("/run/hedgehog/hedgehogd.sock",
+                          "/tmp/hedgehog-" + std::to_string(getuid()) + "/hedgehogd.sock",
+                          "127.0.0.1:7586"));
   EXPECT_THAT(places({}, with({{"XDG_RUNTIME_DIR", "/run/user/7"}})),
               ElementsAre("/run/hedgehog/hedgehogd.sock", "/run/user/7/hedgehog/hedgehogd.sock",
                           "127.0.0.1:7586"));
@@ -72,7 +76,7 @@ TEST(Daemon, IsOnlyWhereTheFlagOrElseTheVariableSays) {
   const auto environment = with({{"HEDGEHOG_ADDRESS", "[::1]:9"}, {"XDG_RUNTIME_DIR", "/run/u"}});
   EXPECT_THAT(places({}, environment), ElementsAre("[::1]:9"));
   EXPECT_THAT(places("/tmp/a.sock", environment), ElementsAre("/tmp/a.sock"));
-  EXPECT_THAT(places({}, with({{"HEDGEHOG_ADDRESS", ""}})), testing::SizeIs(2)) << "empty is unset";
+  EXPECT_THAT(places({}, with({{"HEDGEHOG_ADDRESS", ""}})), testing::SizeIs(3)) << "empty is unset";
 }
 
 TEST(Daemon, IsNotLookedForElsewhereWhenTheAddressIsWrong) {
