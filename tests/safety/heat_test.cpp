@@ -62,7 +62,6 @@ TEST(TooHot, TheRawThermistorTripsWithoutAnyCurrent) {
   options.board.plant.sensor_noise_k = 0.0;
   rig::Rig warm(options);
   warm.run_until_armed();
-  ASSERT_TRUE(warm.run_until([&] { return warm.plant().sensor_c() >= 70.0; }, 1000));
   ASSERT_TRUE(warm.run_until([&] { return warm.plant().sensor_c() >= 69.99; }, 60'000));
   EXPECT_EQ(name(warm.controller().state()), "armed") << name(warm.controller().reason());
   ASSERT_TRUE(warm.run_until([&] { return warm.plant().sensor_c() >= 70.0; }, 1000));

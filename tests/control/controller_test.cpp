@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: MIT
+// The controller as a whole: arming, following, telling, never allocating.
+#include <gtest/gtest.h>
+
+#include "daemon/device/simulator_settings.h"
+#include "tests/rig/allocation_guard.h"
+#include "tests/rig/rig.h"
+
+namespace hedgehog::control {
+namespace {
+
+TEST(Arming, TheSimulatorIsArmedWithinMillisecondsOfItsFirstSight) {
+  rig::Rig rig;
+  rig.run(10);
+  EXPECT_EQ(name(rig.controller().state()), "armed");
+  EXPECT_EQ(rig.board().core().mode(), board::Mode::kReady);
+  EXPECT_FALSE(rig.last_command().enable()) << "armed and asked nothing: the bridges sleep";
+}
+
+TEST(Arming, NeverArmsByItselfWhenToldSo) {
+  rig::RigOptions options;
+  options.control.arm_at_start = false;
+  rig::Rig rig(options);
+  const auto effect = rig.start(rig::hold({1, 0, 0}, 5.0));
+  rig.run(500);
+  EXPECT_EQ(name(rig.controller().state()), "disarmed");
+  EXPECT_EQ(name(rig.controller().reason()), "never_armed");
+  EXPECT_FALSE(rig.playing(effect));
+  EXPECT_EQ(rig.board().core().mode(), board::Mode::kSafe) << "set-points never arm";
+  rig.arm();
+  rig.run(10);
+  EXPECT_EQ(name(rig.controller().state()), "armed");
+}
+
+TEST(Arming, SaysWhyNotAndWaitsForASaneSensor) {
+  rig::RigOptions options;
+  options.control.arm_at_start = false;
+  rig::Rig rig(options);
+  rig.set_faults(device::kSimSensorOpen);
+  rig.run(100);
+  EXPECT_EQ(name(rig.controller().state()), "disarmed")
+      << "a broken sensor trips an armed ball only";
+  EXPECT_EQ(name(rig.snapshot().arm_refusal), "sensor_open");
+  EXPECT_FALSE(rig.snapshot().sensor_valid);
+  rig.arm();
+  rig.run(400);
+  EXPECT_EQ(name(rig.controller().state()), "disarmed");
+  rig.set_faults(0);
+  rig.run(100);
+  EXPECT_EQ(name(rig.snapshot().arm_refusal), "none");
+  rig.arm();
+  rig.run(20);
+  EXPECT_EQ(name(rig.controller().state()), "armed");
+}
+
+TEST(Arming, ABoardThatRestartsIsDisarmed) {
+  rig::Rig rig;
+  rig.run_until_armed();
+  rig.start(rig::hold({1, 0, 0}, 5.0));
+  rig.run(50);
+  rig.board() = device::SimulatedBoard();
+  rig.run(200);
+  EXPECT_EQ(name(rig.controller().state()), "disarmed");
+  EXPECT_EQ(name(rig.controller().reason()), "hot_plug");
+  EXPECT_EQ(rig.current_a(), 0.0);
+}
+
+TEST(Currents, FollowTheCoilMatrixAndTheStrengthExactly) {
+  rig::RigOptions options;
+  options.control.coils.matrix = {{{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}};
+  rig::Rig rig(options);
+  rig.run_until_armed();
+  rig.start(rig::hold({1, 0, 0}, 6.0));
+  rig.run(300);
+  EXPECT_NEAR(rig.plant().current_a().y, -6.0, 0.01);
+  EXPECT_NEAR(rig.plant().current_a().x, 0.0, 0.01);
+  EXPECT_NEAR(rig.snapshot().demand_a.x, 6.0, 1e-9);
+}
+
+TEST(Currents, RawCoilAxesSkipTheMatrix) {
+  rig::RigOptions options;
+  options.control.coils.matrix = {{{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}};
+  rig::Rig rig(options);
+  rig.run_until_armed();
+  model::EffectSpec spec = rig::hold({1, 0, 0}, 3.0);
+  spec.frame = model::Frame::kCoil;
+  rig.start(spec);
+  rig.run(300);
+  EXPECT_NEAR(rig.plant().current_a().x, 3.0, 0.01);
+  EXPECT_NEAR(rig.snapshot().demand_a.y, 3.0, 1e-9);
+}
+
+TEST(Currents, ASleepingBridgeFollowsTheLastEffect) {
+  rig::Rig rig;
+  rig.run_until_armed();
+  rig.start(rig::pulse({0, 0, 1}, 15.0, 150));
+  rig.run(151);
+  EXPECT_FALSE(rig.last_command().enable());
+  rig.run(17);
+  EXPECT_EQ(rig.current_a(), 0.0);
+}
+
+TEST(Commands, AppliedSequenceGainAndLimits) {
+  rig::Rig rig;
+  rig.run_until_armed();
+  rig.command(SetGain{0.5});
+  rig.start(rig::hold({1, 0, 0}, 8.0));
+  rig.run(300);
+  EXPECT_EQ(rig.snapshot().applied_seq, 2u);
+  EXPECT_EQ(rig.snapshot().gain, 0.5);
+  EXPECT_NEAR(rig.current_a(), 4.0, 0.02);
+  rig.command(SetGain{1.5});
+  rig.command(SetGain{-1.0});
+  model::Limits limits;
+  limits.current_a = 3.0;
+  limits.continuous_a = 3.0;
+  rig.command(SetLimits{limits});
+  rig.run(300);
+  EXPECT_EQ(rig.snapshot().gain, 0.5);
+  EXPECT_NEAR(rig.current_a(), 3.0, 0.02);
+  limits.trip_c = 90.0;  // beyond the device file
+  limits.current_a = 10.0;
+  rig.command(SetLimits{limits});
+  rig.run(50);
+  EXPECT_NEAR(rig.current_a(), 3.0, 0.02);
+}
+
+TEST(Commands, TheCoilMatrixChangesOnlyWhileDisarmed) {
+  model::CoilModel coils;
+  coils.matrix = {{{-1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  rig::Rig rig;
+  rig.run_until_armed();
+  rig.command(SetCoils{coils});
+  rig.start(rig::hold({1, 0, 0}, 5.0));
+  rig.run(300);
+  EXPECT_NEAR(rig.plant().current_a().x, 5.0, 0.05);
+  rig.emergency_stop();
+  rig.run(50);
+  rig.command(SetCoils{coils});
+  rig.run(50);
+  rig.arm();
+  rig.run(50);
+  rig.start(rig::hold({1, 0, 0}, 5.0));
+  rig.run(300);
+  EXPECT_NEAR(rig.plant().current_a().x, -5.0, 0.05);
+}
+
+TEST(Derating, IsToldWhenItBeginsAndWhenItEnds) {
+  rig::RigOptions options;
+  options.board.start_c = 58.0;
+  rig::Rig rig(options);
+  rig.run_until_armed();
+  const auto effect = rig.start(rig::hold({1, 0, 0}, 15.0));
+  ASSERT_TRUE(rig.run_until([&] { return rig.snapshot().derating; }, 10'000));
+  EXPECT_EQ(rig.count(EventType::kDeratingStarted), 1);
+  EXPECT_GT(rig.last(EventType::kDeratingStarted)->temperature_c, 59.9);
+  rig.run(3000);
+  EXPECT_EQ(rig.count(EventType::kDeratingStarted), 1);
+  rig.stop(effect);
+  rig.run(600);
+  EXPECT_EQ(rig.count(EventType::kDeratingEnded), 1);
+  const Event* end = rig.last(EventType::kEffectEnded);
+  ASSERT_NE(end, nullptr);
+  EXPECT_LT(end->delivery.min, 0.99);
+}
+
+TEST(Derating, AStrengthBeyondTheConfiguredLimitIsNone) {
+  rig::Rig rig;
+  rig.run_until_armed();
+  rig.start(rig::hold({1, 0, 0}, 15.0));
+  rig.start(rig::hold({0, 1, 0}, 15.0));  // together 21 A: mixed, not hot
+  rig.run(2000);
+  EXPECT_FALSE(rig.snapshot().derating);
+  EXPECT_EQ(rig.count(EventType::kDeratingStarted), 0);
+}
+
+TEST(Circle, TenPinsASecondAreTenStepsASecond) {
+  rig::Rig rig;
+  rig.run_until_armed();
+  model::EffectSpec spec;
+  spec.method = model::EffectMethod::kCircle;
+  spec.trajectory.path = model::Path::kCircle;
+  spec.trajectory.speed_pins_s = 10.0;
+  spec.duration = 10'000;
+  rig.start(spec);
+  rig.tick();
+  model::Vec3 last = rig.snapshot().demand_a;
+  EXPECT_NEAR(last.x, 5.0, 1e-9) << "the first step is at the front";
+  int steps = 0;
+  model::Tick last_step = rig.now();
+  for (int i = 0; i < 9999; ++i) {
+    rig.tick();
+    const model::Vec3 now = rig.snapshot().demand_a;
+    if (norm(now - last) > 0.1) {
+      ++steps;
+      EXPECT_NEAR(static_cast<double>(rig.now() - last_step), 100.0, 1.0);
+      EXPECT_NEAR(std::acos(dot(now, last) / 25.0) * 57.29578, 24.0, 0.01) << "15 steps a turn";
+      last_step = rig.now();
+    }
+    last = now;
+  }
+  EXPECT_EQ(steps, 99) << "100 positions in 10 s";
+}
+
+TEST(Heading, RecentreTurnsWorldEffects) {
+  rig::Rig rig;
+  const model::Quaternion left = model::axis_angle({0, 0, 1}, 90.0);
+  rig.orient(left);
+  rig.run_until_armed();
+  model::EffectSpec spec = rig::hold({1, 0, 0}, 5.0);
+  spec.frame = model::Frame::kWorld;
+  rig.start(spec);
+  rig.run(300);
+  EXPECT_NEAR(rig.plant().current_a().y, -5.0, 0.05) << "world x is to the right of the front";
+  rig.command(Recenter{0.0});
+  rig.run(100);
+  EXPECT_NEAR(rig.plant().current_a().x, 5.0, 0.05);
+  rig.command(Recenter{90.0});
+  rig.run(100);
+  EXPECT_NEAR(rig.plant().current_a().y, -5.0, 0.05);
+  EXPECT_NEAR(rig.snapshot().yaw_offset_deg, 0.0, 1e-9);
+}
+
+TEST(Step, AllocatesNothing) {
+  if (!rig::can_count_allocations()) GTEST_SKIP() << "the sanitizer has its own malloc";
+  const std::uint64_t at_first = rig::allocations();
+  const auto kept = std::make_unique<std::array<int, 100>>();
+  ASSERT_NE(kept, nullptr);
+  ASSERT_GT(rig::allocations(), at_first) << "the guard counts";
+
+  auto controller = std::make_unique<Controller>(rig::RigOptions::armed_at_start());
+  auto inputs = std::make_unique<StepInputs>();
+  auto events = std::make_unique<EventList>();
+  auto snapshot = std::make_unique<StatusSnapshot>();
+  device::Link link;
+  device::SimulatedBoard board;
+  std::uint64_t seen = 0;
+  device::LinkCommand command;
+  const std::uint64_t before = rig::allocations();
+  for (model::Tick tick = 1; tick < 3000; ++tick) {
+    inputs->tick = tick;
+    inputs->board_present = link.report().present;
+    inputs->board_fresh = link.report().telemetry_count != seen;
+    seen = link.report().telemetry_count;
+    inputs->board = link.report().telemetry;
+    inputs->command_count = 0;
+    inputs->stop_count = 0;
+    if (tick % 20 == 0) {
+      // A whole batch, then a stop for every place, then a trip.
+      for (std::uint8_t i = 0; i < kMaxCommandsPerTick; ++i) {
+        StartEffect start;
+        start.effect = static_cast<EffectId>(tick * 100 + i);
+        start.place = i;
+        start.spec = rig::pulse({1, 0, 0}, 1.0, 100);
+        inputs->commands[i] = {static_cast<std::uint64_t>(tick), start};
+        inputs->stops[i] = {start.effect - 2000, i, EndReason::kDisconnected};
+      }
+      inputs->command_count = kMaxCommandsPerTick;
+      inputs->stop_count = kMaxCommandsPerTick;
+    }
+    if (tick == 2500) board.apply({25.0, device::kSimSensorOpen, 0});
+    command = {command.count + 1, controller->step(*inputs, *events)};
+    controller->fill(*snapshot);
+    const device::LinkFrames frames = link.step(command);
+    board.receive(frames.set_point);
+    if (frames.other) board.receive(*frames.other);
+    if (const auto telemetry = board.step()) link.receive(*telemetry);
+  }
+  EXPECT_EQ(rig::allocations(), before);
+  EXPECT_EQ(name(controller->state()), "tripped") << "the way of a trip was walked too";
+}
+
+}  // namespace
+}  // namespace hedgehog::control

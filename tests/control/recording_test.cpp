@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// A recording replays bit for bit, and only then.
+#include "daemon/control/recording.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "daemon/device/simulator_settings.h"
+#include "tests/rig/rig.h"
+
+namespace hedgehog::control {
+namespace {
+
+/// Ten busy seconds that end in a trip.
+std::vector<std::byte> recorded_trip(FlightRecorder& recorder) {
+  rig::Rig rig;
+  rig.recorder = &recorder;
+  rig.orient(model::axis_angle({0, 1, 0}, 20.0));
+  rig.run_until_armed();
+  model::RandomStream random(7);
+  for (int i = 0; i < 100; ++i) {
+    model::EffectSpec spec = rig::pulse({random.uniform(-1, 1), random.uniform(-1, 1), 0.5},
+                                        random.uniform(0.0, 15.0), 50 + i);
+    spec.waveform = i % 2 == 0 ? model::Waveform::kNoise : model::Waveform::kSine;
+    spec.frame = i % 3 == 0 ? model::Frame::kWorld : model::Frame::kDevice;
+    const auto effect = rig.start(spec);
+    rig.run(60);
+    if (i % 5 == 0) rig.stop(effect);
+    if (i % 10 == 0) rig.skip_control(3);
+    rig.run(40);
+  }
+  rig.set_faults(device::kSimSensorOpen);
+  rig.run(100);
+  EXPECT_TRUE(recorder.frozen());
+  return recorder.take();
+}
+
+TEST(Replay, GivesTheSameBitsForAtLeastSixSecondsBeforeATrip) {
+  FlightRecorder recorder;
+  const auto bytes = recorded_trip(recorder);
+  State last = State::kArmed;
+  const ReplayResult result = replay(bytes, [&](const ReplayedTick& tick) {
+    EXPECT_TRUE(tick.same) << "tick " << tick.inputs.tick;
+    last = tick.replayed.state;
+  });
+  EXPECT_EQ(result.error, ReplayError::kNone);
+  EXPECT_EQ(result.different, 0u);
+  EXPECT_GE(result.ticks, 6000u);
+  EXPECT_EQ(name(last), "tripped") << "the tick of the trip is the last one";
+}
+
+TEST(Replay, NoticesOneBit) {
+  FlightRecorder recorder;
+  auto bytes = recorded_trip(recorder);
+  const std::size_t start = begin_recording(Controller(ControlSettings{})).size();
+  // The first record's thermistor reading, far below what a person would notice.
+  const std::size_t at =
+      start + offsetof(RecordHead, board) + offsetof(device::BoardTelemetry, sensor_c);
+  bytes[at] ^= std::byte{1};
+  EXPECT_GT(replay(bytes, {}).different, 0u);
+}
+
+TEST(Replay, RefusesWhatIsNoRecordingOrOfAnotherBuild) {
+  FlightRecorder recorder;
+  auto bytes = recorded_trip(recorder);
+  EXPECT_EQ(replay({}, {}).error, ReplayError::kNotARecording);
+  EXPECT_EQ(replay(std::span(bytes).first(bytes.size() - 1), {}).error,
+            ReplayError::kNotARecording);
+  bytes[9] ^= std::byte{1};  // in the build id
+  EXPECT_EQ(replay(bytes, {}).error, ReplayError::kOtherBuild);
+  bytes[0] ^= std::byte{1};
+  EXPECT_EQ(replay(bytes, {}).error, ReplayError::kNotARecording);
+  EXPECT_EQ(replay_recording("/no/such/file", {}).error, ReplayError::kUnreadable);
+}
+
+TEST(Replay, ReadsFiles) {
+  FlightRecorder recorder;
+  const auto bytes = recorded_trip(recorder);
+  const auto path = std::filesystem::temp_directory_path() /
+                    ("hedgehog-recording-test-" + std::to_string(getpid()));
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()),
+             static_cast<std::streamsize>(bytes.size()));
+  const ReplayResult result = replay_recording(path.string(), {});
+  std::filesystem::remove(path);
+  EXPECT_EQ(result.error, ReplayError::kNone);
+  EXPECT_EQ(result.different, 0u);
+  EXPECT_EQ(result.written_by, build_id());
+}
+
+TEST(Recorder, AFloodOfCommandsShortensItButKeepsItWhole) {
+  FlightRecorder recorder(std::size_t{1} << 20);
+  rig::Rig rig;
+  rig.recorder = &recorder;
+  rig.run_until_armed();
+  for (int i = 0; i < 4000; ++i) {
+    for (int k = 0; k < 3; ++k) rig.command(SetGain{1.0});
+    rig.tick();
+  }
+  recorder.request();
+  rig.tick();
+  ASSERT_TRUE(recorder.frozen());
+  const auto bytes = recorder.take();
+  const ReplayResult result = replay(bytes, {});
+  EXPECT_EQ(result.error, ReplayError::kNone);
+  EXPECT_EQ(result.different, 0u);
+  EXPECT_GT(result.ticks, 100u);
+  EXPECT_LT(bytes.size(), (std::size_t{1} << 20) + 2 * sizeof(Controller));
+}
+
+TEST(Recorder, GoesOnAfterItWasTaken) {
+  FlightRecorder recorder;
+  rig::Rig rig;
+  rig.recorder = &recorder;
+  rig.run_until_armed();
+  recorder.request();
+  rig.run(5);
+  ASSERT_TRUE(recorder.frozen());
+  rig.run(100);
+  recorder.resume();
+  rig.run(50);
+  EXPECT_FALSE(recorder.frozen());
+  recorder.request();
+  rig.tick();
+  ASSERT_TRUE(recorder.frozen());
+  const ReplayResult result = replay(recorder.take(), {});
+  EXPECT_EQ(result.ticks, 51u);
+  EXPECT_EQ(result.different, 0u);
+}
+
+}  // namespace
+}  // namespace hedgehog::control
