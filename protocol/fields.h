@@ -4,6 +4,7 @@
 // protocol and its tests only.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>

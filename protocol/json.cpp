@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <unordered_set>
+#include <set>
 
 #include "protocol/names.h"
 
@@ -62,7 +62,7 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
  private:
   struct Level {
     Json json;
-    std::unordered_set<std::string> names{};
+    std::set<std::string, std::less<>> names{};
   };
 
   bool open(Json&& json) {

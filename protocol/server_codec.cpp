@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "protocol/describe.h"
 #include "protocol/json.h"

@@ -3,11 +3,15 @@
 // every answer obeys its schema, everything there is has its place in the document.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <fstream>
+#include <functional>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 
+#include "model/direction.h"
 #include "protocol/event.h"
 #include "protocol/server_codec.h"
 #include "tests/protocol/example_file.h"
@@ -115,6 +119,53 @@ TEST_F(Readme, AnswersAreWhatTheCodeAndTheSchemaSay) {
         check_answer(messages_, *json, asked, line.number);
       }
     }
+  }
+}
+
+/// One row of the table of equivalents: "(1, 0, 0) → [0, -1, 0] right".
+TEST_F(Readme, EquivalentsPointWhereTheirTestVectorsSay) {
+  using Vector = std::array<double, 3>;
+  using Formula = std::function<Vector(const Vector&)>;
+  const std::map<std::string, Formula> formulas{{"[z, -x, y]",
+                                                 [](const Vector& v) {
+                                                   return Vector{v[2], -v[0], v[1]};
+                                                 }},
+                                                {"[-z, -x, y]",
+                                                 [](const Vector& v) {
+                                                   return Vector{-v[2], -v[0], v[1]};
+                                                 }},
+                                                {"[x, -y, z]",
+                                                 [](const Vector& v) {
+                                                   return Vector{v[0], -v[1], v[2]};
+                                                 }},
+                                                {"[x, y, z]", [](const Vector& v) { return v; }},
+                                                {"[-y, -x, 0]", [](const Vector& v) {
+                                                   return Vector{-v[1], -v[0], 0.0};
+                                                 }}};
+  const std::regex row(R"(\| `(\[[-xyz0, ]+\])` \| \((.*)\) → (\[.*\]) (\w+) \|)");
+  const std::string text = readme();
+  int rows = 0;
+  for (std::sregex_iterator it(text.begin(), text.end(), row), end; it != end; ++it, ++rows) {
+    const std::smatch& match = *it;
+    const auto theirs = parse_json("[" + match[2].str() + "]", 2)->value;
+    Vector from{};
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      from[i] = static_cast<double>(*std::get<Json::List>(theirs)[i].as<std::int64_t>());
+    }
+    const Vector to = formulas.at(match[1].str())(from);
+    std::string written = "[";
+    for (const double part : to) {
+      written += written.size() > 1 ? ", " : "";
+      append_number(written, part);
+    }
+    EXPECT_EQ(written + "]", match[3].str()) << match[0];
+    EXPECT_EQ(model::direction_named(match[4].str()), (model::Vec3{to[0], to[1], to[2]}))
+        << match[0];
+  }
+  EXPECT_EQ(rows, 5);
+  for (const double azimuth_deg : {-9000 / 100.0, -0x4000 * 360.0 / 65536, -90.0}) {
+    const model::Vec3 right = model::vector_of({azimuth_deg, 0});
+    EXPECT_NEAR(right.y, -1.0, 1e-12) << "SDL's east, evdev's 0x4000 and the compass' 90";
   }
 }
 
