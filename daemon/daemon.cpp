@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/daemon.h"
+
+#include <spdlog/spdlog.h>
+#include <sysexits.h>
+
+#include <boost/asio/co_spawn.hpp>
+#include <boost/asio/detached.hpp>
+#include <boost/asio/redirect_error.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/asio/use_awaitable.hpp>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <iostream>
+#include <utility>
+
+#include "daemon/logging.h"
+#include "daemon/server/remedy.h"
+#include "daemon/server/status_view.h"
+
+namespace hedgehog::daemon {
+namespace {
+
+namespace asio = boost::asio;
+using boost::system::error_code;
+
+constexpr std::chrono::milliseconds kBusyPause{1};
+constexpr std::chrono::milliseconds kIdlePause{5};
+constexpr std::chrono::milliseconds kFarewell{1500};
+
+double wall_time_s() {
+  using Seconds = std::chrono::duration<double>;
+  return Seconds(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+Daemon::Daemon(const Options& options, const config::Paths& paths, const config::Config& config)
+    : options_(options),
+      paths_(paths),
+      config_(config),
+      signals_(io_, SIGINT, SIGTERM, SIGHUP),
+      listener_(io_, config),
+      saved_(server::load_saved_state(config.state_directory)),
+      machinery_([&]() -> Machinery {
+        // The doors first: a second daemon must not touch the board of the first.
+        listener_.open(config.listen);
+        const StartState start = start_state(config, saved_, wall_time_s());
+        return {config, start.settings, start.simulated_c, options.speed};
+      }()),
+      machine_(config, machinery_.mailbox(), machinery_.port(), machinery_.loop().origin_ns()),
+      keeper_(config.state_directory, disk_, machine_, saved_),
+      recordings_(config.state_directory, disk_, machinery_.recorder()),
+      server_(machine_, keeper_,
+              [this](const control::Event& e, const server::Effect* x) { heard(e, x); }) {}
+
+int Daemon::run() {
+  machinery_.loop().start();
+  introduce();
+  listener_.start(server_);
+  asio::co_spawn(io_, pump(), asio::detached);
+  asio::co_spawn(io_, obey_signals(), asio::detached);
+  io_.run();
+  return EX_OK;
+}
+
+void Daemon::introduce() {
+  const bool simulated = config_.backend == config::Backend::kSimulator;
+  if (simulated) {
+    spdlog::warn("hedgehogd {} on the SIMULATOR{}: nothing real moves{}", HEDGEHOG_VERSION,
+                 options_.speed > 1 ? fmt::format(", {} times as fast", options_.speed) : "",
+                 config_.configured || options_.overrides.simulate
+                     ? ""
+                     : "; no configuration file says otherwise");
+  } else {
+    spdlog::info("hedgehogd {}", HEDGEHOG_VERSION);
+  }
+  for (const std::string& file : config_.files) {
+    spdlog::info("configured by {}", file);
+  }
+  spdlog::info("{} ({}), limits {} A, {} A for ever; state in {}", config_.device.name,
+               config_.device.model, config_.limits.current_a, config_.limits.continuous_a,
+               config_.state_directory);
+  if (saved_ && saved_->latch != control::Reason::kNone) {
+    spdlog::warn("the last run ended with a latch: {}", control::name(saved_->latch));
+  }
+  if (options_.speed == 1 && !machinery_.loop().realtime()) {
+    spdlog::warn("no real-time scheduling (LimitRTPRIO, ulimit -r); a busy machine may skip ticks");
+  }
+  for (const std::string& address : listener_.addresses()) {
+    spdlog::info("listening on {}", address);
+    std::cout << "listening on " << address << '\n';
+  }
+  std::cout.flush();
+}
+
+asio::awaitable<void> Daemon::pump() {
+  asio::steady_timer timer(io_);
+  while (!leaving_) {
+    server_.pump();
+    keeper_.pump();
+    const std::uint64_t heartbeat = machinery_.loop().heartbeat();
+    manager_.alive(heartbeat);
+    if (!ready_ && heartbeat > 0) {
+      ready_ = true;
+      manager_.ready(status_line());
+    } else if (ready_) {
+      manager_.status(status_line());
+    }
+    timer.expires_after(server_.busy() ? kBusyPause : kIdlePause);
+    error_code ignored;
+    co_await timer.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+  }
+}
+
+asio::awaitable<void> Daemon::obey_signals() {
+  for (;;) {
+    error_code ec;
+    const int signal = co_await signals_.async_wait(asio::redirect_error(asio::use_awaitable, ec));
+    if (ec) {
+      co_return;
+    }
+    if (signal == SIGHUP) {
+      reload();
+    } else if (!leaving_) {
+      asio::co_spawn(io_, leave(signal == SIGINT ? "interrupted" : "stop"), asio::detached);
+    } else if (signal == SIGINT) {
+      // The coils have been safe since the first signal.
+      std::_Exit(EXIT_FAILURE);
+    }
+  }
+}
+
+asio::awaitable<void> Daemon::leave(std::string reason) {
+  leaving_ = true;
+  manager_.stopping();
+  const bool confirmed = machinery_.loop().stop();
+  if (confirmed) {
+    spdlog::info("coils off, {:.1f} °C remembered", server::hottest_c(machine_));
+  } else {
+    spdlog::warn("the board has not confirmed that the coils are off; its dead-man does it");
+  }
+  server_.pump();
+  server_.say_shutting_down(std::move(reason));
+  keeper_.stopped_cleanly();
+  listener_.close();
+  const auto until = std::chrono::steady_clock::now() + kFarewell;
+  asio::steady_timer timer(io_);
+  while (!listener_.empty() && std::chrono::steady_clock::now() < until) {
+    timer.expires_after(kIdlePause);
+    error_code ignored;
+    co_await timer.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+  }
+  io_.stop();
+}
+
+void Daemon::reload() {
+  manager_.reloading();
+  const auto fresh = config::load_config(paths_, options_.overrides);
+  if (fresh.has_error()) {
+    spdlog::error("the new configuration is wrong; the old one stays:\n{}",
+                  config::to_string(fresh.error()));
+    manager_.ready(status_line());
+    return;
+  }
+  config::Config next = config_;
+  next.limits = fresh->limits;
+  next.log_level = fresh->log_level;
+  next.telemetry_max_rate_hz = fresh->telemetry_max_rate_hz;
+  next.connections = fresh->connections;
+  const bool restart = fresh->backend != next.backend || fresh->device_file != next.device_file ||
+                       fresh->imu != next.imu || !(fresh->listen == next.listen) ||
+                       !(fresh->http == next.http) || !(fresh->simulator == next.simulator) ||
+                       fresh->state_directory != next.state_directory ||
+                       !model::is_within(next.limits, next.device.limits);
+  if (!model::is_within(next.limits, next.device.limits)) {
+    next.limits = config_.limits;
+  }
+  if (!(next.limits == config_.limits) &&
+      !machine_.outbox().add(0, control::SetLimits{next.limits})) {
+    spdlog::error("busy; the new limits were not taken, reload again");
+    next.limits = config_.limits;
+  }
+  machine_.outbox().commit();
+  config_ = next;
+  machine_.set_config(next);
+  listener_.set_config(next);
+  set_log_level(next.log_level);
+  spdlog::info("configuration reloaded{}",
+               restart ? "; some of it takes effect at the next start only" : "");
+  manager_.ready(status_line());
+}
+
+void Daemon::heard(const control::Event& event, const server::Effect*) {
+  using control::EventType;
+  switch (event.type) {
+    case EventType::kStateChanged: {
+      const auto remedy = server::remedy(event.state, event.reason, machine_.remedy_facts());
+      const auto level = event.state == control::State::kTripped ? spdlog::level::err
+                         : event.state == control::State::kArmed ? spdlog::level::info
+                                                                 : spdlog::level::warn;
+      spdlog::log(level, "{}{}{}", control::name(event.state),
+                  event.reason == control::Reason::kNone
+                      ? ""
+                      : fmt::format(": {}", control::name(event.reason)),
+                  remedy ? ". " + *remedy : "");
+      keeper_.state_changed();
+      if (event.state == control::State::kTripped) {
+        recordings_.tripped();
+      }
+      return;
+    }
+    case EventType::kDeratingStarted:
+    case EventType::kDeratingEnded:
+      spdlog::info("{}: {:.1f} A allowed at {:.1f} °C", control::name(event.type), event.limit_a,
+                   event.temperature_c);
+      return;
+    case EventType::kOverrun:
+      spdlog::warn("the control loop was late: {} ticks skipped", event.count);
+      return;
+    case EventType::kRejectedNumber:
+      spdlog::error("a number that cannot be was replaced by zero current");
+      return;
+    case EventType::kEffectStarted:
+    case EventType::kEffectEnded:
+      return;
+    default:
+      spdlog::info("{}", control::name(event.type));
+  }
+}
+
+std::string Daemon::status_line() const {
+  const control::StatusSnapshot& now = machine_.now();
+  std::string line = machine_.simulated() ? "SIMULATOR: " : "";
+  line += std::string(control::name(now.state));
+  if (now.reason != control::Reason::kNone) {
+    line += " (" + std::string(control::name(now.reason)) + ")";
+  }
+  if (const auto remedy = machine_.remedy_now()) {
+    line += ". " + *remedy;
+  }
+  return line;
+}
+
+}  // namespace hedgehog::daemon

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// Where log lines go: to the journal when systemd reads our stderr, else to stderr, in colour on a
+// terminal. io and disk threads only; the real-time threads never log.
+#pragma once
+
+#include "daemon/config/config.h"
+
+namespace hedgehog::daemon {
+
+void start_logging(config::LogLevel level);
+void set_log_level(config::LogLevel level);
+
+}  // namespace hedgehog::daemon

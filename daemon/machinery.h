@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// The threads below io: control, link and, when the ball is simulated, the board. Which of them
+// there are depends on the backend and on --speed.
+#pragma once
+
+#include <memory>
+
+#include "daemon/config/config.h"
+#include "daemon/control/control_settings.h"
+#include "daemon/control/flight_recorder.h"
+#include "daemon/control/loop.h"
+#include "daemon/control/mailbox.h"
+#include "daemon/device/link_port.h"
+#include "daemon/device/link_thread.h"
+#include "daemon/device/simulated_board_process.h"
+#include "daemon/device/simulated_board_runner.h"
+
+namespace hedgehog::daemon {
+
+/// Made, started and stopped by one thread. Board and link run from the constructor on, the control
+/// loop from `loop().start()`.
+class Machinery {
+ public:
+  /// `start_c`: of the simulated ball. Throws std::system_error.
+  Machinery(const config::Config& config, const control::ControlSettings& settings, double start_c,
+            int speed);
+
+  control::Loop& loop() noexcept { return *loop_; }
+  control::Mailbox& mailbox() noexcept { return *mailbox_; }
+  device::LinkPort& port() noexcept { return *port_; }
+  control::FlightRecorder& recorder() noexcept { return recorder_; }
+
+ private:
+  std::unique_ptr<control::Mailbox> mailbox_;
+  std::unique_ptr<device::LinkPort> port_;
+  control::FlightRecorder recorder_;
+  // Destroyed from the last to the first: the link says goodbye to a board that still listens.
+  std::unique_ptr<device::SimulatedBoardProcess> board_process_;
+  std::unique_ptr<device::SimulatedBoardThread> board_thread_;
+  std::unique_ptr<device::LinkThread> link_;
+  std::unique_ptr<control::Loop> loop_;
+};
+
+}  // namespace hedgehog::daemon

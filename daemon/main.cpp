@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// hedgehogd: owns the hardware of one ball.
+#include <spdlog/spdlog.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sysexits.h>
+
+#include <csignal>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+
+#include "daemon/config/load_config.h"
+#include "daemon/daemon.h"
+#include "daemon/logging.h"
+#include "daemon/options.h"
+#include "daemon/replay.h"
+
+namespace {
+
+namespace config = hedgehog::config;
+
+/// Enough for every stack and heap of ours.
+constexpr rlim_t kLockedBytes = 256u << 20;
+
+/// A page that has to be fetched from disk is a late tick.
+void lock_memory() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_MEMLOCK, &limit) != 0 ||
+      (limit.rlim_cur != RLIM_INFINITY && limit.rlim_cur < kLockedBytes) ||
+      mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) != 0) {
+    spdlog::info("memory is not locked (LimitMEMLOCK, ulimit -l)");
+  }
+}
+
+void make_state_directory(const std::string& path) {
+  std::error_code ec;
+  std::filesystem::create_directories(path, ec);
+  if (ec) {
+    throw std::runtime_error(path + ": " + ec.message());
+  }
+}
+
+int serve(const hedgehog::daemon::Options& options, const config::Paths& paths,
+          const config::Config& settings) {
+  hedgehog::daemon::start_logging(settings.log_level);
+  if (settings.backend != config::Backend::kSimulator) {
+    spdlog::error("this version cannot drive a real board yet; try: hedgehogd --simulate");
+    return EX_UNAVAILABLE;
+  }
+  std::signal(SIGPIPE, SIG_IGN);
+  try {
+    make_state_directory(settings.state_directory);
+    if (options.speed == 1) {
+      lock_memory();
+    }
+    return hedgehog::daemon::Daemon(options, paths, settings).run();
+  } catch (const std::exception& e) {
+    spdlog::error("{}", e.what());
+    return EX_CANTCREAT;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const auto parsed = hedgehog::daemon::parse_options(argc, argv);
+  if (const int* code = std::get_if<int>(&parsed)) {
+    return *code;
+  }
+  const auto& options = std::get<hedgehog::daemon::Options>(parsed);
+  if (options.replay) {
+    return hedgehog::daemon::replay(*options.replay, std::cout, std::cerr);
+  }
+  const config::Paths paths =
+      config::find_paths(config::process_environment(), options.config_file);
+  const auto settings = config::load_config(paths, options.overrides);
+  if (settings.has_error()) {
+    std::cerr << config::to_string(settings.error()) << '\n';
+    return EX_CONFIG;
+  }
+  if (options.print_config) {
+    std::cout << config::print_config(*settings);
+  }
+  if (options.print_config || options.check_config) {
+    return EX_OK;
+  }
+  return serve(options, paths, *settings);
+}

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/options.h"
+
+#include <sysexits.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+namespace hedgehog::daemon {
+namespace {
+
+constexpr const char* kAbout =
+    "hedgehogd owns one Hedgehog ball: clients tell it by JSON-RPC what shall be felt, and it "
+    "keeps\n"
+    "the coils cool. Runs in the foreground. Without a configuration file it simulates a ball.";
+constexpr const char* kVersion = "hedgehogd " HEDGEHOG_VERSION ", protocol 1.0";
+constexpr int kFastest = 100;
+
+}  // namespace
+
+std::variant<Options, int> parse_options(int argc, const char* const* argv) {
+  Options options;
+  config::Overrides& overrides = options.overrides;
+  CLI::App app(kAbout, "hedgehogd");
+  app.add_option("--config", options.config_file, "read this configuration file")
+      ->type_name("F")
+      ->envname("HEDGEHOG_CONFIG");
+  app.add_flag("--check-config", options.check_config, "say what is wrong with it (exit 78), or 0");
+  app.add_flag("--print-config", options.print_config, "print every key and its value in effect");
+  app.add_option("--replay", options.replay,
+                 "run a recording through the controller once more; JSON lines out")
+      ->type_name("F");
+  app.add_flag("--simulate", overrides.simulate, "a simulated ball, whatever the files say");
+  app.add_option("--speed", options.speed, "with --simulate: so many times as fast, 1 to 100")
+      ->type_name("N")
+      ->check(CLI::Range(1, kFastest));
+  app.add_option("--listen", overrides.listen,
+                 "instead of 127.0.0.1:7586 and [::1]:7586; port 0 takes a free one and prints it")
+      ->type_name("A:P")
+      ->take_all()
+      ->expected(1);
+  app.add_option("--log-level", overrides.log_level, "debug, info, warning or error")
+      ->type_name("LEVEL")
+      ->envname("HEDGEHOG_LOG_LEVEL");
+  app.set_version_flag("--version", kVersion);
+  try {
+    app.parse(argc, argv);
+    if (options.speed > 1 && !overrides.simulate) {
+      throw CLI::ValidationError("--speed", "only with --simulate: a real ball keeps real time");
+    }
+  } catch (const CLI::Success& e) {
+    return app.exit(e);
+  } catch (const CLI::ParseError& e) {
+    app.exit(e, std::cerr, std::cerr);
+    return EX_USAGE;
+  }
+  return options;
+}
+
+}  // namespace hedgehog::daemon

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// The command line of hedgehogd.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "daemon/config/load_config.h"
+
+namespace hedgehog::daemon {
+
+struct Options {
+  std::optional<std::string> config_file;
+  bool check_config = false;
+  bool print_config = false;
+  std::optional<std::string> replay;
+  /// Ticks of device time a millisecond; more than 1 only with --simulate.
+  int speed = 1;
+  config::Overrides overrides;
+};
+
+/// The options, or the exit code of what has been done already (--help, --version, a mistake).
+std::variant<Options, int> parse_options(int argc, const char* const* argv);
+
+}  // namespace hedgehog::daemon

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Keeps `state.json` true: every second while the ball is warm, and at once when something latches
+// or the owner changes the gain.
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+
+#include "daemon/server/disk_thread.h"
+#include "daemon/server/machine.h"
+#include "daemon/server/saved_state.h"
+#include "daemon/server/services.h"
+
+namespace hedgehog::server {
+
+/// The state file in `directory`; nullopt: missing, unreadable or impossible. Start-up only.
+std::optional<SavedState> load_saved_state(const std::string& directory);
+
+/// io thread only; the writing is done by the disk thread.
+class StateKeeper final : public Memory {
+ public:
+  /// `last`: as loaded at the start.
+  StateKeeper(const std::string& directory, DiskThread& disk, const Machine& machine,
+              const std::optional<SavedState>& last);
+
+  /// After every pump.
+  void pump();
+  void state_changed() { due_ = true; }
+  /// The last word. REQUIRES: the control loop has stopped.
+  void stopped_cleanly();
+
+  void remember_gain(double gain) override;
+  void remember_latch(control::Reason latch) override;
+
+ private:
+  SavedState current() const;
+  void write();
+
+  std::string path_;
+  DiskThread& disk_;
+  const Machine& machine_;
+  SavedState saved_;
+  std::chrono::steady_clock::time_point written_{};
+  bool due_ = false;
+  bool was_warm_ = false;
+  /// Asked for, not yet seen in a snapshot.
+  control::Reason asked_latch_ = control::Reason::kNone;
+  model::Tick asked_at_ = 0;
+};
+
+}  // namespace hedgehog::server

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/daemon.h"
+#include "model/thermal_flow.h"
+
+namespace hedgehog::daemon {
+
+StartState start_state(const config::Config& config, const std::optional<server::SavedState>& saved,
+                       double wall_time_s) {
+  const bool simulated = config.backend == config::Backend::kSimulator;
+  StartState start;
+  control::ControlSettings& s = start.settings;
+  s.coils = config.device.coils;
+  s.thermal = config.device.thermal;
+  s.limits = config.limits;
+  s.ceiling = config.device.limits;
+  s.gain = saved && saved->gain ? *saved->gain : config.gain;
+  s.latch = saved ? saved->latch : control::Reason::kNone;
+  const bool clean = saved && saved->clean_stop;
+  s.arm_at_start =
+      simulated || (config.arm_at_start == config::ArmAtStart::kAfterCleanStop && clean);
+  s.start_reason = saved && !clean && config.arm_at_start == config::ArmAtStart::kAfterCleanStop
+                       ? control::Reason::kUncleanStop
+                       : control::Reason::kNeverArmed;
+
+  start.simulated_c = config.simulator.ambient_c;
+  if (simulated && config.simulator.start_temperature_c) {
+    // Nobody has to measure a ball that was made at this temperature.
+    start.simulated_c = *config.simulator.start_temperature_c;
+    s.start_known = true;
+    s.start.winding_c.fill(start.simulated_c);
+    s.start.core_c = start.simulated_c;
+    s.start_room_c = config.simulator.ambient_c;
+  } else if (saved && saved->heat_known) {
+    s.start_known = true;
+    s.start = server::decayed(config.device.thermal, saved->heat, saved->room_c,
+                              wall_time_s - saved->wall_time_s);
+    s.start_room_c = saved->room_c;
+    if (simulated) {
+      start.simulated_c = model::hottest_winding(s.start);
+    }
+  }
+  return start;
+}
+
+}  // namespace hedgehog::daemon
