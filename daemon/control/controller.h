@@ -40,6 +40,8 @@ class Controller {
   State state() const noexcept { return states_.state(); }
   Reason reason() const noexcept { return states_.reason(); }
   bool effects_empty() const noexcept { return mixer_.empty(); }
+  /// An effect is being reduced because the ball is warm.
+  bool derating() const noexcept { return derating_.active(); }
   const model::ThermalEstimate& thermal() const noexcept { return observer_.estimate(); }
   const model::LimitedCurrents& passed() const noexcept { return passed_; }
   const Trip& last_trip() const noexcept { return last_trip_; }

@@ -13,7 +13,7 @@ class Debounce {
   /// `dt_s` later. True when `wrong` has held for `hold_s` (more when it came and went).
   constexpr bool step(bool wrong, double dt_s, double hold_s) noexcept {
     held_s_ = wrong ? std::min(held_s_ + dt_s, hold_s) : std::max(0.0, held_s_ - dt_s);
-    return held_s_ >= hold_s - 0.5 * dt_s;
+    return held_s_ > 0.0 && held_s_ >= hold_s - 0.5 * dt_s;
   }
   /// Something was wrong lately.
   constexpr bool suspicious() const noexcept { return held_s_ > 0.0; }
