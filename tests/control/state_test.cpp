@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+// States and their names, fan, heading and the lateness statistics.
+#include "daemon/control/state.h"
+
+#include <gtest/gtest.h>
+
+#include "daemon/control/fan.h"
+#include "daemon/control/heading.h"
+#include "daemon/control/lateness.h"
+#include "daemon/control/state_machine.h"
+
+namespace hedgehog::control {
+namespace {
+
+device::BoardTelemetry ready(std::uint8_t arm_count) {
+  device::BoardTelemetry board;
+  board.mode = device::BoardMode::kReady;
+  board.arm_count = arm_count;
+  return board;
+}
+
+TEST(Names, EveryReasonHasOneAndComesBackByIt) {
+  for (int i = 0; i <= static_cast<int>(Reason::kInternal); ++i) {
+    const auto reason = static_cast<Reason>(i);
+    EXPECT_EQ(reason_named(name(reason)), reason);
+  }
+  EXPECT_EQ(name(Reason::kSensorFrozen), "sensor_frozen");
+  EXPECT_EQ(reason_named("nonsense"), Reason::kNone);
+}
+
+TEST(StateMachine, ArmsOnlyWhenTheBoardSaysSoWithOurCount) {
+  StateMachine states{ControlSettings{}};
+  EXPECT_EQ(states.state(), State::kAbsent);
+  states.board_alive(ready(41), 1);
+  EXPECT_EQ(states.state(), State::kDisarmed);
+  EXPECT_EQ(states.arm_count(), 41) << "the first set-point must arm nothing";
+  states.arm(Reason::kNone, 2);
+  EXPECT_EQ(states.arm_count(), 42);
+  states.step(ready(41), true, Reason::kNone, 3);
+  EXPECT_FALSE(states.armed());
+  states.step(ready(42), false, Reason::kNone, 4);
+  EXPECT_FALSE(states.armed()) << "old news";
+  states.step(ready(42), true, Reason::kNone, 5);
+  EXPECT_TRUE(states.armed());
+  EXPECT_EQ(states.since(), 5);
+}
+
+TEST(StateMachine, ABoardThatNeverAnswersIsNotArmed) {
+  StateMachine states{ControlSettings{}};
+  states.board_alive(ready(0), 1);
+  states.arm(Reason::kNone, 2);
+  device::BoardTelemetry latched;
+  latched.mode = device::BoardMode::kLatched;
+  latched.faults = device::kFaultBridge;
+  for (model::Tick t = 3; t < 1000; ++t) states.step(latched, true, Reason::kNone, t);
+  EXPECT_EQ(states.state(), State::kTripped);
+  EXPECT_EQ(states.reason(), Reason::kBridgeFault);
+  states.step(ready(1), true, Reason::kNone, 1001);
+  EXPECT_FALSE(states.armed()) << "the arming is over";
+}
+
+TEST(StateMachine, RefusalsAreRespected) {
+  StateMachine states{ControlSettings{}};
+  states.board_alive(ready(0), 1);
+  states.arm(Reason::kSensorOpen, 2);
+  EXPECT_EQ(states.arm_count(), 0);
+}
+
+TEST(StateMachine, TheFirstTripOfAnEpisodeStays) {
+  StateMachine states{ControlSettings{}};
+  states.board_alive(ready(0), 1);
+  states.trip(Reason::kOverheated, 2);
+  states.trip(Reason::kSensorOpen, 3);
+  EXPECT_EQ(states.reason(), Reason::kOverheated);
+  EXPECT_EQ(states.since(), 2);
+  states.emergency_stop(4);
+  EXPECT_EQ(states.state(), State::kTripped) << "an emergency stop does not loosen a trip";
+  EXPECT_EQ(states.latch(), Reason::kOverheated);
+}
+
+TEST(StateMachine, AnEmergencyStopWhileAbsentIsRemembered) {
+  ControlSettings settings;
+  settings.arm_at_start = true;
+  StateMachine states{settings};
+  states.emergency_stop(1);
+  EXPECT_EQ(states.state(), State::kAbsent);
+  states.board_alive(ready(0), 2);
+  states.step(ready(0), true, Reason::kNone, 3);
+  EXPECT_EQ(states.state(), State::kDisarmed);
+  EXPECT_EQ(states.reason(), Reason::kEmergencyStop);
+}
+
+TEST(StateMachine, SecondSightIsAHotPlug) {
+  ControlSettings settings;
+  settings.arm_at_start = true;
+  StateMachine states{settings};
+  states.board_alive(ready(0), 1);
+  states.board_gone(Reason::kNoBoard, 2);
+  states.board_gone(Reason::kTelemetryLost, 3);
+  EXPECT_EQ(states.reason(), Reason::kNoBoard);
+  states.board_alive(ready(0), 4);
+  states.step(ready(0), true, Reason::kNone, 5);
+  EXPECT_EQ(states.state(), State::kDisarmed);
+  EXPECT_EQ(states.reason(), Reason::kHotPlug);
+  EXPECT_EQ(states.latch(), Reason::kNone);
+}
+
+TEST(Fan, FullAboveFortyOffBelowThirtyFive) {
+  Fan fan;
+  EXPECT_EQ(fan.step(40.0, 0.0, 1e-3), 0);
+  EXPECT_EQ(fan.step(40.1, 0.0, 1e-3), 255);
+  EXPECT_EQ(fan.step(35.0, 0.0, 1e-3), 255);
+  EXPECT_EQ(fan.step(34.9, 0.0, 1e-3), 0);
+  EXPECT_EQ(fan.step(39.9, 0.0, 1e-3), 0);
+  EXPECT_EQ(fan.step(std::numeric_limits<double>::infinity(), 0.0, 1e-3), 255);
+  EXPECT_EQ(Fan().step(std::numeric_limits<double>::quiet_NaN(), 0.0, 1e-3), 255);
+}
+
+TEST(Fan, FullWhenTheMeanOfHalfAMinuteIsAboveThreeAmpere) {
+  Fan fan;
+  int ticks = 0;
+  while (fan.step(25.0, 5.0, 1e-3) == 0 && ticks < 100'000) ++ticks;
+  EXPECT_NEAR(ticks * 1e-3, 30.0 * std::log(5.0 / 2.0), 0.1);
+  EXPECT_NEAR(fan.mean_a(), 3.0, 1e-3);
+  while (fan.step(25.0, 2.9, 1e-3) == 255 && ticks < 1'000'000) ++ticks;
+  EXPECT_LT(fan.mean_a(), 3.0);
+}
+
+TEST(Heading, FreshForAHundredTicksAndRefusesWhatIsNoRotation) {
+  Heading heading;
+  device::OrientationSample sample;
+  heading.step(sample, 5);
+  EXPECT_FALSE(heading.present());
+  sample.present = true;
+  sample.quaternion = {0.0, 0.0, 0.0, 0.0};
+  sample.stamp = 10;
+  heading.step(sample, 10);
+  EXPECT_FALSE(heading.present());
+  sample.quaternion = model::axis_angle({0, 0, 1}, 30.0);
+  heading.step(sample, 110);
+  EXPECT_TRUE(heading.fresh());
+  heading.step(sample, 111);
+  EXPECT_FALSE(heading.fresh());
+  EXPECT_TRUE(heading.present());
+  EXPECT_EQ(heading.age(), 101);
+}
+
+TEST(Heading, RecentreKeepsUpAndTurnsTheFront) {
+  Heading heading;
+  device::OrientationSample sample;
+  sample.present = true;
+  sample.quaternion = model::axis_angle({0, 0, 1}, 70.0) * model::axis_angle({0, 1, 0}, 40.0);
+  heading.step(sample, 0);
+  const model::Vec3 up = rotate(heading.device_to_world(), {0, 0, 1});
+  heading.recenter(0.0);
+  const model::Vec3 front = rotate(heading.device_to_world(), {1, 0, 0});
+  EXPECT_NEAR(std::atan2(front.y, front.x), 0.0, 1e-12);
+  EXPECT_NEAR(rotate(heading.device_to_world(), {0, 0, 1}).z, up.z, 1e-12);
+  EXPECT_NEAR(heading.yaw_offset_deg(), -70.0, 1e-9);
+}
+
+TEST(Lateness, Quantiles) {
+  Lateness lateness;
+  EXPECT_EQ(lateness.summary().p50_us, 0.0);
+  for (int i = 0; i < 1000; ++i) lateness.add(i < 990 ? 10'500 : 400'500);
+  lateness.add(3'000'000);
+  const Lateness::Summary summary = lateness.summary();
+  EXPECT_EQ(summary.p50_us, 11.0);
+  EXPECT_EQ(summary.p99_us, 401.0);
+  EXPECT_EQ(summary.max_us, 3000.0);
+}
+
+}  // namespace
+}  // namespace hedgehog::control
