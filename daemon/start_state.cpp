@@ -23,9 +23,9 @@ StartState start_state(const config::Config& config, const std::optional<server:
                        : control::Reason::kNeverArmed;
 
   start.simulated_c = config.simulator.ambient_c;
-  if (simulated && config.simulator.start_temperature_c) {
+  if (simulated && (config.simulator.start_temperature_c || !saved)) {
     // Nobody has to measure a ball that was made at this temperature.
-    start.simulated_c = *config.simulator.start_temperature_c;
+    start.simulated_c = config.simulator.start_temperature_c.value_or(config.simulator.ambient_c);
     s.start_known = true;
     s.start.winding_c.fill(start.simulated_c);
     s.start.core_c = start.simulated_c;

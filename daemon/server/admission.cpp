@@ -28,6 +28,25 @@ std::string text(const char* format, double a, double b) {
   return buffer;
 }
 
+model::Vec3 winding_direction(const model::EffectSpec& spec, const model::Vec3& direction,
+                              const model::CoilModel& coils) {
+  return spec.frame == model::Frame::kCoil ? spec.trajectory.direction : coils.matrix * direction;
+}
+
+/// After a restart without saved heat a winding is held to continuous_a until it has been measured:
+/// what that leaves of `current_a`, 0..1.
+double unmeasured_share(const Machine& machine, const model::Vec3& current_a) {
+  double share = 1.0;
+  for (int coil = 0; coil < model::kCoils; ++coil) {
+    const double asked_a = std::abs(current_a[coil]);
+    if (!machine.now().thermal.measured[static_cast<std::size_t>(coil)] &&
+        asked_a > machine.limits().continuous_a + kEpsilonA) {
+      share = std::min(share, machine.limits().continuous_a / asked_a);
+    }
+  }
+  return share;
+}
+
 }  // namespace
 
 Felt felt_now(const Machine& machine, EffectRegistry& effects, const Effect* except) {
@@ -80,6 +99,14 @@ protocol::Admission admission(const Machine& machine, EffectRegistry& effects,
     out.limited_by = "thermal";
     factor *= std::max(0.0, now.limit_a) / flowing_a;
     out.headroom_s = 0.0;
+  }
+  const double unmeasured =
+      unmeasured_share(machine, factor * spec.strength_a * spec.gain *
+                                    winding_direction(spec, direction, config.device.coils));
+  if (unmeasured < 1.0) {
+    out.limited_by = "thermal";
+    out.headroom_s = 0.0;
+    factor *= unmeasured;
   }
   out.current_a = spec.strength_a * spec.gain * factor;
   out.force_n = out.current_a * config.device.force_slope_n_a * nearest.cosine;

@@ -39,11 +39,11 @@ std::optional<SavedState> load_saved_state(const std::string& directory) {
     return std::nullopt;
   }
   const std::string text{std::istreambuf_iterator<char>(file), {}};
-  auto state = decode_saved_state(text);
+  const auto state = decode_saved_state(text);
   if (!state) {
     spdlog::warn("{}: damaged; the ball counts as never measured", path);
   }
-  return state;
+  return state.value_or(SavedState{});
 }
 
 StateKeeper::StateKeeper(const std::string& directory, DiskThread& disk, const Machine& machine,

@@ -14,7 +14,8 @@
 
 namespace hedgehog::server {
 
-/// The state file in `directory`; nullopt: missing, unreadable or impossible. Start-up only.
+/// The state file in `directory`; nullopt: there is none. One that is damaged or impossible counts
+/// as heat not known. Start-up only.
 std::optional<SavedState> load_saved_state(const std::string& directory);
 
 /// io thread only; the writing is done by the disk thread.
