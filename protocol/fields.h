@@ -72,7 +72,7 @@ class Fields {
   virtual Kind kind() const noexcept { return Kind::kNull; }
   virtual bool has(std::string_view) const noexcept { return false; }
   /// Refuses what was read; only the first refusal counts.
-  virtual void fail(RpcError) {}
+  virtual void fail(RpcError&&) {}
   /// The dotted name of what is being read.
   virtual std::string path() const { return {}; }
 

@@ -46,7 +46,7 @@ Kind Reader::kind() const noexcept {
 
 bool Reader::has(std::string_view name) const noexcept { return here().find(name) != nullptr; }
 
-void Reader::fail(RpcError error) {
+void Reader::fail(RpcError&& error) {
   if (!error_) {
     error_ = std::move(error);
   }

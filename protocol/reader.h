@@ -27,7 +27,7 @@ class Reader final : public Fields {
   bool reads() const noexcept override { return true; }
   Kind kind() const noexcept override;
   bool has(std::string_view name) const noexcept override;
-  void fail(RpcError error) override;
+  void fail(RpcError&& error) override;
   std::string path() const override;
 
  private:

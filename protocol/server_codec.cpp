@@ -33,6 +33,7 @@ std::optional<Id> read_id(const Json& json) {
 
 RpcError no_such_method(const std::string& method) {
   std::vector<std::string_view> names;
+  names.reserve(kMethods.size());
   for (const MethodInfo& row : kMethods) {
     names.push_back(row.name);
   }

@@ -29,23 +29,30 @@ std::optional<double> number_of(const Json& json) {
 
 std::string compare(const Json& expected, const Json& actual, const std::string& path);
 
+std::string child(std::string path, std::string_view name) {
+  path += '.';
+  path += name;
+  return path;
+}
+
 std::string compare_objects(const Json& expected, const Json& actual, const std::string& path) {
   const bool open = expected.find(kAnything) != nullptr;
   for (const auto& [name, value] : *expected.as<Json::Object>()) {
     if (name == kAnything) {
       continue;
     }
+    const std::string at = child(path, name);
     const Json* other = actual.find(name);
     if (other == nullptr) {
-      return path + "." + name + " is missing";
+      return at + " is missing";
     }
-    if (std::string different = compare(value, *other, path + "." + name); !different.empty()) {
+    if (std::string different = compare(value, *other, at); !different.empty()) {
       return different;
     }
   }
   for (const auto& [name, value] : *actual.as<Json::Object>()) {
     if (!open && expected.find(name) == nullptr) {
-      return path + "." + name + " is not expected";
+      return child(path, name) + " is not expected";
     }
   }
   return {};
@@ -73,7 +80,7 @@ std::string compare(const Json& expected, const Json& actual, const std::string&
   if (is_anything(expected)) {
     return {};
   }
-  const std::string differs = path + " is " + to_text(actual) + ", not " + to_text(expected);
+  std::string differs = path + " is " + to_text(actual) + ", not " + to_text(expected);
   const auto wanted = number_of(expected);
   const auto got = number_of(actual);
   if (wanted && got) {

@@ -212,7 +212,7 @@ Json openrpc_document() {
       const bool must =
           needed != nullptr &&
           std::any_of(needed->as<Json::List>()->begin(), needed->as<Json::List>()->end(),
-                      [&](const Json& n) { return *n.as<std::string>() == name; });
+                      [&wanted = name](const Json& n) { return *n.as<std::string>() == wanted; });
       Json described = property;
       if (Json* direction = member(described, "$ref")) {
         *direction = text_json("messages.schema.json#/$defs/Direction");

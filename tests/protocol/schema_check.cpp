@@ -25,6 +25,12 @@ double as_number(const Json& value) {
   return whole != nullptr ? static_cast<double>(*whole) : number != nullptr ? *number : 0.0;
 }
 
+std::string child(std::string path, std::string_view name) {
+  path += '.';
+  path += name;
+  return path;
+}
+
 class Validator {
  public:
   explicit Validator(const Json& root) : root_(root) {}
@@ -99,7 +105,7 @@ class Validator {
     if (keyword == "required" && value.find("…") == nullptr) {
       for (const Json& name : *rule.as<Json::List>()) {
         if (value.find(*name.as<std::string>()) == nullptr) {
-          return path + "." + *name.as<std::string>() + ": required";
+          return child(path, *name.as<std::string>()) + ": required";
         }
       }
     }
@@ -112,10 +118,10 @@ class Validator {
     for (const auto& [name, member] : *value.as<Json::Object>()) {
       const Json* property = rule.find(name);
       if (property == nullptr && closed) {
-        return path + "." + name + ": unknown";
+        return child(path, name) + ": unknown";
       }
       if (property != nullptr) {
-        if (std::string broken = check(*property, member, path + "." + name); !broken.empty()) {
+        if (std::string broken = check(*property, member, child(path, name)); !broken.empty()) {
           return broken;
         }
       }
