@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// The threads that turn the controller, through the mailbox as io sees it. Waits for what must
+// happen, never for how long it takes.
+#include "daemon/control/loop.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <thread>
+
+#include "daemon/control/control_loop.h"
+#include "daemon/control/lockstep_loop.h"
+#include "tests/rig/rig.h"
+
+namespace hedgehog::control {
+namespace {
+
+/// io's side: a mailbox, and patience.
+class Io {
+ public:
+  bool wait(const std::function<bool()>& done) {
+    const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (std::chrono::steady_clock::now() < until) {
+      status = mailbox->status.read();
+      mailbox->events.consume_all([&](const Event& event) { events.push_back(event); });
+      if (done()) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return false;
+  }
+  bool armed() {
+    return wait([&] { return status.state == State::kArmed; });
+  }
+  void start(std::uint8_t place, const model::EffectSpec& spec) {
+    StartEffect start;
+    start.effect = place + 1000u;
+    start.place = place;
+    start.spec = spec;
+    ASSERT_TRUE(mailbox->commands.push({++seq, start}));
+  }
+
+  std::unique_ptr<Mailbox> mailbox = std::make_unique<Mailbox>();
+  std::unique_ptr<device::LinkPort> port = std::make_unique<device::LinkPort>();
+  FlightRecorder recorder{std::size_t{1} << 20};
+  StatusSnapshot status;
+  std::vector<Event> events;
+  std::uint64_t seq = 0;
+};
+
+TEST(LockstepLoop, PlaysEffectsAndStopsSafely) {
+  Io io;
+  LockstepLoop loop(rig::RigOptions::armed_at_start(), *io.mailbox, *io.port, &io.recorder, {}, 20);
+  loop.start();
+  ASSERT_TRUE(io.armed());
+  io.start(3, rig::hold({1, 0, 0}, 5.0));
+  ASSERT_TRUE(
+      io.wait([&] { return io.status.applied_seq == 1 && io.status.board.current_a.x > 4.9; }));
+  EXPECT_EQ(io.status.effects[3].effect, 1003u);
+  EXPECT_GT(loop.heartbeat(), 0u);
+  EXPECT_GE(loop.now(), io.status.tick - 100);
+  EXPECT_TRUE(loop.stop()) << "the board has confirmed that its bridges sleep";
+  EXPECT_TRUE(loop.stop());
+  ASSERT_TRUE(io.wait(
+      [&] { return !io.events.empty() && io.events.back().type == EventType::kEffectEnded; }));
+  EXPECT_EQ(io.events.back().end_reason, EndReason::kStopped);
+  EXPECT_FALSE(io.port->reports.read().telemetry.bridges_awake);
+}
+
+TEST(LockstepLoop, RunsMinutesOfHeatInSeconds) {
+  Io io;
+  device::SimulatedBoardOptions board;
+  board.start_c = 58.0;
+  LockstepLoop loop(rig::RigOptions::armed_at_start(), *io.mailbox, *io.port, nullptr, board, 100);
+  loop.start();
+  ASSERT_TRUE(io.armed());
+  io.start(0, rig::hold({1, 0, 0}, 15.0));
+  ASSERT_TRUE(io.wait([&] { return io.status.derating; }));
+  EXPECT_GT(io.status.thermal.hottest_c, 59.0);
+}
+
+TEST(LockstepLoop, AnEmergencyStopWorksWithAFullQueue) {
+  Io io;
+  LockstepLoop loop(rig::RigOptions::armed_at_start(), *io.mailbox, *io.port, nullptr, {}, 10);
+  loop.start();
+  ASSERT_TRUE(io.armed());
+  io.start(0, rig::hold({1, 0, 0}, 5.0));
+  ASSERT_TRUE(io.wait([&] { return io.status.limited_a.x > 4.9; }));
+  while (io.mailbox->commands.push({++io.seq, SetGain{1.0}})) {
+  }
+  io.mailbox->emergency_generation.fetch_add(1);
+  ASSERT_TRUE(io.wait([&] { return io.status.state == State::kDisarmed; }));
+  EXPECT_EQ(io.status.latch, Reason::kEmergencyStop);
+}
+
+TEST(LockstepLoop, NoEndedEventIsLostWhenNobodyReadsThem) {
+  Io io;
+  LockstepLoop loop(rig::RigOptions::armed_at_start(), *io.mailbox, *io.port, nullptr, {}, 50);
+  // The queue is full before anything has happened.
+  while (io.mailbox->events.push(Event{})) {
+  }
+  loop.start();
+  // Filled places' effects are started and end; io takes nothing.
+  const auto applied = [&](std::uint64_t seq) {
+    const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (io.mailbox->status.read().applied_seq < seq && std::chrono::steady_clock::now() < until)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  };
+  while (io.mailbox->status.read().state != State::kArmed)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  for (std::uint8_t place = 0; place < kMaxEffects; ++place)
+    io.start(place, rig::pulse({1, 0, 0}, 1.0, 5));
+  applied(kMaxEffects);
+  int ended = 0;
+  ASSERT_TRUE(io.wait([&] {
+    ended = 0;
+    for (const Event& event : io.events) ended += event.type == EventType::kEffectEnded ? 1 : 0;
+    return ended == kMaxEffects;
+  }));
+}
+
+TEST(ControlLoop, ReportsAnAbsentBoardAndKeepsTicking) {
+  Io io;
+  ControlLoop loop(ControlSettings{}, *io.mailbox, *io.port, nullptr);
+  loop.start();
+  ASSERT_TRUE(io.wait([&] { return io.status.tick > 20; }));
+  EXPECT_EQ(io.status.state, State::kAbsent);
+  EXPECT_GT(loop.heartbeat(), 0u);
+  EXPECT_GT(io.port->commands.read().count, 0u);
+  EXPECT_FALSE(io.port->commands.read().board.enable());
+  EXPECT_FALSE(loop.stop()) << "nobody has confirmed anything";
+}
+
+TEST(ControlLoop, CountsEveryTickOfTheGridOnce) {
+  Io io;
+  ControlLoop loop(ControlSettings{}, *io.mailbox, *io.port, nullptr);
+  loop.start();
+  ASSERT_TRUE(io.wait([&] { return io.status.loop.ticks > 100; }));
+  loop.stop();
+  io.status = io.mailbox->status.read();
+  const auto grid = static_cast<std::uint64_t>(io.status.tick);
+  const std::uint64_t counted = io.status.loop.ticks + io.status.loop.skipped;
+  EXPECT_LE(grid - counted, 3u) << "but for the ticks before the thread began";
+}
+
+}  // namespace
+}  // namespace hedgehog::control
