@@ -19,7 +19,8 @@ bool sounds(const Machine& machine, const Effect& e) {
   if (live.effect == e.id) {
     return live.playing;
   }
-  return e.spec.delay == 0 && e.spec.start_at <= machine.now().tick;
+  // Not there yet; one whose connection has ended is gone already.
+  return e.owner != 0 && e.spec.delay == 0 && e.spec.start_at <= machine.now().tick;
 }
 
 std::string text(const char* format, double a, double b) {
