@@ -15,8 +15,10 @@ EffectRegistry::Room EffectRegistry::room(ConnectionId owner, bool replacing) co
   int used = 0;
   int playing = replacing ? -1 : 0;
   int own = playing;
+  int own_ending = 0;
   for (const Effect& e : places_) {
     used += e.id != 0 ? 1 : 0;
+    own_ending += e.id != 0 && e.ending && e.owner == owner ? 1 : 0;
     playing += addressable(e) ? 1 : 0;
     own += addressable(e) && e.owner == owner ? 1 : 0;
   }
@@ -26,7 +28,10 @@ EffectRegistry::Room EffectRegistry::room(ConnectionId owner, bool replacing) co
   if (playing >= control::kMaxEffects) {
     return Room::kDeviceFull;
   }
-  return used < control::kEffectPlaces ? Room::kYes : Room::kPlacesFull;
+  // Who replaces its effects faster than they can end must leave places to the others.
+  const int most_ending = used < kScarce ? kMaxEach : kMaxEndingWhenScarce;
+  return used < control::kEffectPlaces && own_ending < most_ending ? Room::kYes
+                                                                   : Room::kPlacesFull;
 }
 
 Effect& EffectRegistry::add(ConnectionId owner) {

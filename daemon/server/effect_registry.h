@@ -36,6 +36,9 @@ struct Effect {
 class EffectRegistry {
  public:
   static constexpr int kMaxEach = 32;
+  /// From so many used places on a connection may have only so many that are ending.
+  static constexpr int kScarce = 96;
+  static constexpr int kMaxEndingWhenScarce = 8;
 
   enum class Room : std::uint8_t { kYes, kConnectionFull, kDeviceFull, kPlacesFull };
   /// Whether `owner` may start one more; `replacing`: it takes the place of one of its own.

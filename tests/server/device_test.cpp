@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+// The ball itself: arming, faults, forecasts, orientation, status, telemetry, remedies.
+#include <gtest/gtest.h>
+
+#include "daemon/server/remedy.h"
+#include "tests/server/server_rig.h"
+
+namespace hedgehog::server {
+namespace {
+
+TEST(Device, HelloSaysWhatAGameNeedsFirst) {
+  ServerRig rig;
+  FakeClient& game = rig.connect(protocol::Role::kPlay);
+  const Json hello = rig.call(game, "hello", {{"client", "Racer/1.2"}, {"protocol", "1.0"}});
+  EXPECT_EQ(hello["server"], "hedgehogd");
+  EXPECT_EQ(hello["role"], "play");
+  EXPECT_EQ(hello["state"], "armed");
+  EXPECT_EQ(hello["device"]["simulated"], true);
+  EXPECT_EQ(hello["limits"]["felt_a"], 2.1);
+  EXPECT_EQ(rig.call(game, "hello", {{"protocol", "2.0"}})["code"], -32006);
+  EXPECT_EQ(rig.call(game, "hello", {{"token", "x"}})["code"], -32003);
+  FakeClient& owner = rig.connect();
+  const Json list = rig.call(owner, "connection.list")["connections"];
+  ASSERT_EQ(list.size(), 2u);
+  EXPECT_EQ(list[0]["client"], "Racer/1.2");
+  EXPECT_EQ(list[1]["client"], nullptr);
+}
+
+TEST(Device, AFaultTripsWithItsNameAndArmingSaysWhyNot) {
+  ServerRig rig;
+  FakeClient& owner = rig.connect();
+  rig.call(owner, "events.subscribe");
+  const Json set = rig.call(owner, "sim.set", {{"fault", {{"faults", {"sensor_open"}}}}});
+  EXPECT_EQ(set["faults"], Json({"sensor_open"}));
+  rig.run(500);
+  const Json status = rig.call(owner, "device.status");
+  EXPECT_EQ(status["state"], "tripped");
+  EXPECT_EQ(status["reason"], "sensor_open");
+  EXPECT_EQ(status["temperature_c"]["sensor"], nullptr);
+  EXPECT_EQ(status["last_trip"]["reason"], "sensor_open");
+  EXPECT_NE(status["remedy"].get<std::string>().find("hedgehogctl arm"), std::string::npos);
+  const Json refused = rig.call(owner, "device.arm");
+  EXPECT_EQ(refused["code"], -32000);
+  EXPECT_EQ(refused["data"]["reason"], "sensor_open");
+  const auto events = rig.heard(owner);
+  ASSERT_FALSE(events.empty());
+  EXPECT_EQ(events[0]["type"], "state_changed");
+  EXPECT_EQ(events[0]["reason"], "sensor_open");
+  rig.call(owner, "sim.set", {{"fault", {{"faults", Json::array()}}}});
+  rig.run(500);
+  EXPECT_EQ(rig.call(owner, "device.arm")["state"], "armed");
+  EXPECT_EQ(rig.call(owner, "sim.set", {{"fault", {{"faults", {"gremlins"}}}}})["code"], -32602);
+}
+
+TEST(Device, ABallThatIsGoneIsAbsent) {
+  ServerRig rig;
+  FakeClient& owner = rig.connect();
+  rig.call(owner, "sim.set", {{"fault", {{"faults", {"silent"}}}}});
+  rig.run(500);
+  EXPECT_EQ(rig.call(owner, "device.status")["state"], "absent");
+  const Json refused = rig.call(owner, "effect.hold", {{"direction", "up"}});
+  EXPECT_EQ(refused["code"], -32005);
+  EXPECT_EQ(refused["data"]["device"], "board");
+  EXPECT_EQ(rig.call(owner, "device.arm")["code"], -32005);
+}
+
+TEST(Device, TheForecastKnowsCurrentsMethodsAndEffects) {
+  ServerRig rig;
+  FakeClient& game = rig.connect(protocol::Role::kPlay);
+  const Json fifteen =
+      rig.call(game, "thermal.forecast", {{"current_a", 15}, {"direction", "left"}});
+  EXPECT_NEAR(fifteen["seconds_to_limit"].get<double>(), 29.6, 1.5);
+  EXPECT_NEAR(fifteen["seconds_to_derating"].get<double>(), 22.0, 1.5);
+  const Json five = rig.call(game, "thermal.forecast", {{"current_a", 5}});
+  EXPECT_EQ(five["seconds_to_derating"], nullptr);
+  EXPECT_GT(five["sustainable_a"].get<double>(), 5.0);
+  // 12 A at 15 % of the time is 4.65 A rms: for ever.
+  const Json cue{{"direction", "left"},
+                 {"current_a", 12},
+                 {"frequency_hz", 2},
+                 {"on_fraction", 0.15},
+                 {"lease_ms", 2000}};
+  EXPECT_EQ(rig.call(game, "thermal.forecast",
+                     {{"method", "effect.vibrate"}, {"params", cue}})["seconds_to_derating"],
+            nullptr);
+  const Json playing = rig.call(game, "effect.vibrate", cue);
+  EXPECT_EQ(playing["headroom_s"], nullptr);
+  EXPECT_EQ(
+      rig.call(game, "thermal.forecast", {{"effect", playing["effect"]}})["seconds_to_derating"],
+      nullptr);
+  EXPECT_EQ(rig.call(game, "thermal.forecast", {{"current_a", 16}})["data"]["limit"], 15);
+  EXPECT_EQ(rig.call(game, "thermal.forecast", {{"effect", 999}})["code"], -32002);
+}
+
+TEST(Device, AHotBallReducesAndRefusesWhoWouldRatherNot) {
+  ServerRig rig;
+  FakeClient& game = rig.connect();
+  rig.call(game, "events.subscribe");
+  const Json hold{{"direction", "left"}, {"current_a", 15}, {"lease_ms", 10000}, {"slot", "s"}};
+  for (int i = 0; i < 6; ++i) {
+    rig.call(game, "effect.hold", hold);
+    rig.run(5000);
+  }
+  const Json reduced = rig.call(game, "effect.hold", hold);
+  EXPECT_EQ(reduced["limited_by"], "thermal");
+  EXPECT_LT(reduced["current_a"].get<double>(), 14.0);
+  EXPECT_EQ(reduced["headroom_s"], 0);
+  Json careful = hold;
+  careful["if_limited"] = "refuse";
+  const Json refused = rig.call(game, "effect.hold", careful);
+  EXPECT_EQ(refused["code"], -32007);
+  EXPECT_EQ(refused["data"]["field"], "current_a");
+  EXPECT_EQ(refused["data"]["value"], 15);
+  EXPECT_GT(refused["data"]["retry_after_ms"].get<int>(), 0);
+  bool said = false;
+  for (const Json& event : rig.heard(game)) {
+    said = said || event["type"] == "derating_started";
+  }
+  EXPECT_TRUE(said);
+  EXPECT_EQ(rig.call(game, "device.status")["derating"], true);
+}
+
+TEST(Device, RefusalLooksAheadOverTheDuration) {
+  ServerRig rig;
+  FakeClient& game = rig.connect();
+  rig.run(100);
+  for (int i = 0; i < 3; ++i) {
+    rig.call(game, "effect.hold",
+             {{"direction", "left"}, {"current_a", 15}, {"lease_ms", 10000}, {"slot", "s"}});
+    rig.run(5000);
+  }
+  rig.call(game, "effect.stop_all");
+  rig.run(10);
+  const Json shorter{
+      {"direction", "left"}, {"current_a", 15}, {"duration_ms", 1000}, {"if_limited", "refuse"}};
+  EXPECT_TRUE(rig.call(game, "effect.pulse", shorter).contains("effect"));
+  rig.call(game, "effect.stop_all");
+  rig.run(10);
+  Json longer = shorter;
+  longer["duration_ms"] = 10000;
+  const Json refused = rig.call(game, "effect.pulse", longer);
+  EXPECT_EQ(refused["code"], -32007);
+  EXPECT_EQ(refused["data"]["field"], "duration_ms");
+}
+
+TEST(Device, MixAndPriorityAreSaid) {
+  ServerRig rig;
+  FakeClient& game = rig.connect();
+  rig.call(game, "effect.hold", {{"direction", "left"}, {"current_a", 12}});
+  const Json mixed = rig.call(game, "effect.hold", {{"direction", "left"}, {"current_a", 12}});
+  EXPECT_EQ(mixed["limited_by"], "mix");
+  EXPECT_NEAR(mixed["current_a"].get<double>(), 7.5, 1e-6);
+  const Json below =
+      rig.call(game, "effect.hold", {{"direction", "up"}, {"current_a", 3}, {"priority", 2}});
+  EXPECT_EQ(below["limited_by"], "priority");
+  EXPECT_EQ(below["current_a"], 0);
+  rig.call(game, "effect.stop_all");
+  EXPECT_EQ(rig.call(game, "output.set_gain", {{"gain", 0.5}})["gain"], 0.5);
+  EXPECT_EQ(rig.memory.gain, 0.5);
+  rig.run(5);
+  const Json soft = rig.call(game, "effect.pulse", {{"direction", "up"}, {"current_a", 10}});
+  EXPECT_EQ(soft["limited_by"], "configuration");
+  EXPECT_NEAR(soft["current_a"].get<double>(), 5.0, 1e-6);
+}
+
+TEST(Device, TurningTheBallTurnsWorldEffects) {
+  ServerRig rig;
+  FakeClient& game = rig.connect();
+  // Turned to the left by 90 degrees: the front looks where left was.
+  const double h = std::sqrt(0.5);
+  rig.call(game, "sim.set", {{"orientation", {{"w", h}, {"x", 0}, {"y", 0}, {"z", h}}}});
+  rig.run(20);
+  const Json a = rig.call(game, "effect.hold", {{"direction", "left"}, {"frame", "world"}});
+  EXPECT_EQ(a["pin"], rig.call(game, "effect.hold", {{"direction", "front"}})["pin"]);
+  const Json recentred = rig.call(game, "orientation.recenter", {{"azimuth_deg", 0}});
+  EXPECT_NEAR(std::abs(recentred["yaw_offset_deg"].get<double>()), 90.0, 1e-3);
+  EXPECT_EQ(rig.call(game, "orientation.set",
+                     {{"quaternion", {{"w", 1}, {"x", 0}, {"y", 0}, {"z", 0}}}})["code"],
+            -32006);
+}
+
+TEST(Device, TheFirstFeederOwnsAnExternalOrientation) {
+  config::Config config;
+  config.imu = config::ImuType::kExternal;
+  ServerRig rig(config);
+  FakeClient& feeder = rig.connect();
+  FakeClient& other = rig.connect();
+  const Json flat{{"quaternion", {{"w", 1}, {"x", 0}, {"y", 0}, {"z", 0}}}};
+  EXPECT_EQ(rig.call(other, "orientation.recenter")["code"], -32005);
+  EXPECT_EQ(rig.call(feeder, "orientation.set", flat), Json::object());
+  EXPECT_EQ(rig.call(other, "orientation.set", flat)["code"], -32009);
+  rig.disconnect(feeder);
+  EXPECT_EQ(rig.call(other, "orientation.set", flat), Json::object());
+}
+
+TEST(Device, TelemetryKeepsItsRateInDeviceTime) {
+  ServerRig rig;
+  FakeClient& game = rig.connect(protocol::Role::kObserve);
+  EXPECT_EQ(rig.call(game, "telemetry.subscribe", {{"rate_hz", 500}})["data"]["limit"], 200);
+  rig.call(game, "telemetry.subscribe", {{"rate_hz", 200}, {"fields", {"orientation"}}});
+  rig.run(1000);
+  const auto heard = rig.heard(game, LineKind::kTelemetry);
+  EXPECT_NEAR(static_cast<double>(heard.size()), 200.0, 1.0);
+  EXPECT_EQ(heard[0].size(), 2u);  // time_ns and what was asked for
+  EXPECT_TRUE(heard[0].contains("time_ns"));
+  rig.call(game, "telemetry.subscribe", {{"rate_hz", 10}, {"fields", {"pins", "pin"}}});
+  rig.call(game, "effect.pulse", {{"direction", "left"}});
+  rig.run(100);
+  const auto whole = rig.heard(game, LineKind::kTelemetry);
+  ASSERT_FALSE(whole.empty());
+  EXPECT_EQ(whole.back()["pins"].size(), 86u);
+  rig.call(game, "telemetry.unsubscribe");
+  rig.heard(game, LineKind::kTelemetry);
+  rig.run(200);
+  EXPECT_TRUE(rig.heard(game, LineKind::kTelemetry).empty());
+}
+
+TEST(Device, EveryReasonHasARemedyWithACommand) {
+  using control::Reason;
+  for (int i = 0; i <= static_cast<int>(Reason::kInternal); ++i) {
+    const auto reason = static_cast<Reason>(i);
+    const auto text = remedy(control::State::kTripped, reason, {});
+    ASSERT_TRUE(text) << control::name(reason);
+    EXPECT_NE(text->find("hedgehogctl arm"), std::string::npos) << *text;
+  }
+  EXPECT_FALSE(remedy(control::State::kArmed, Reason::kNone, {}));
+  EXPECT_NE(remedy(control::State::kAbsent, Reason::kNoBoard, {})->find("hedgehogd --simulate"),
+            std::string::npos);
+  EXPECT_NE(remedy(control::State::kTripped, Reason::kOverheated, {45.0, false})->find("45 °C"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace hedgehog::server

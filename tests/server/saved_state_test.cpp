@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/server/saved_state.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include "daemon/daemon.h"
+#include "daemon/server/disk_thread.h"
+#include "daemon/server/trip_recordings.h"
+
+namespace hedgehog::server {
+namespace {
+
+namespace fs = std::filesystem;
+
+SavedState hot() {
+  SavedState s;
+  s.wall_time_s = 1000.0;
+  s.heat = {{50.0, 60.0, 55.0}, 45.0};
+  s.room_c = 25.0;
+  s.heat_known = true;
+  s.latch = control::Reason::kSensorFrozen;
+  s.gain = 0.5;
+  return s;
+}
+
+class Folder {
+ public:
+  Folder() {
+    std::string pattern = (fs::temp_directory_path() / "hedgehog-test-XXXXXX").string();
+    path_ = mkdtemp(pattern.data());
+  }
+  ~Folder() { fs::remove_all(path_); }
+  std::string path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+TEST(SavedState, ComesBackAsItWas) {
+  const auto read = decode_saved_state(encode(hot()));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->heat.winding_c, hot().heat.winding_c);
+  EXPECT_EQ(read->latch, control::Reason::kSensorFrozen);
+  EXPECT_EQ(read->gain, 0.5);
+  EXPECT_TRUE(read->heat_known);
+}
+
+TEST(SavedState, WhatCannotBeIsNotBelieved) {
+  EXPECT_FALSE(decode_saved_state(""));
+  EXPECT_FALSE(decode_saved_state("{}"));
+  EXPECT_FALSE(decode_saved_state(encode(hot()).substr(0, 60)));
+  SavedState impossible = hot();
+  impossible.heat.winding_c[1] = 900.0;
+  EXPECT_FALSE(decode_saved_state(encode(impossible)));
+  impossible = hot();
+  impossible.gain = 7.0;
+  EXPECT_FALSE(decode_saved_state(encode(impossible)));
+}
+
+TEST(SavedState, CoolsWhileTheDaemonIsAwayAndNeverBelowTheRoom) {
+  const model::ThermalModel ball;
+  const auto soon = decayed(ball, hot().heat, 25.0, 10.0);
+  EXPECT_LT(soon.winding_c[1], 60.0);
+  EXPECT_GT(soon.winding_c[1], 55.0);
+  const auto later = decayed(ball, hot().heat, 25.0, 3600.0 * 24);
+  EXPECT_NEAR(later.winding_c[1], 25.0, 0.01);
+  EXPECT_EQ(decayed(ball, hot().heat, 25.0, -5.0).winding_c, hot().heat.winding_c);
+}
+
+TEST(StartState, AFileThatIsMissingOrDamagedIsNotTrusted) {
+  config::Config real;
+  real.backend = config::Backend::kUsb;
+  EXPECT_FALSE(daemon::start_state(real, std::nullopt, 1000.0).settings.start_known);
+  EXPECT_FALSE(daemon::start_state(real, SavedState{}, 1000.0).settings.start_known);
+  config::Config simulator;
+  EXPECT_FALSE(daemon::start_state(simulator, SavedState{}, 1000.0).settings.start_known);
+  EXPECT_TRUE(daemon::start_state(simulator, std::nullopt, 1000.0).settings.start_known);
+  const auto warm = daemon::start_state(real, hot(), 1010.0).settings;
+  EXPECT_TRUE(warm.start_known);
+  EXPECT_GT(warm.start.winding_c[1], 55.0);
+}
+
+TEST(StartState, ArmsARealBallOnlyAfterACleanStop) {
+  config::Config real;
+  real.backend = config::Backend::kUsb;
+  SavedState last = hot();
+  last.latch = control::Reason::kNone;
+  EXPECT_FALSE(daemon::start_state(real, std::nullopt, 0.0).settings.arm_at_start);
+  EXPECT_EQ(daemon::start_state(real, std::nullopt, 0.0).settings.start_reason,
+            control::Reason::kNeverArmed);
+  EXPECT_FALSE(daemon::start_state(real, last, 0.0).settings.arm_at_start);
+  EXPECT_EQ(daemon::start_state(real, last, 0.0).settings.start_reason,
+            control::Reason::kUncleanStop);
+  last.clean_stop = true;
+  EXPECT_TRUE(daemon::start_state(real, last, 0.0).settings.arm_at_start);
+  real.arm_at_start = config::ArmAtStart::kNever;
+  EXPECT_FALSE(daemon::start_state(real, last, 0.0).settings.arm_at_start);
+  EXPECT_EQ(daemon::start_state(real, hot(), 0.0).settings.latch, control::Reason::kSensorFrozen);
+}
+
+TEST(Disk, AFileIsTheOldOneOrTheNewOne) {
+  const Folder folder;
+  const std::string path = folder.path() + "/state.json";
+  EXPECT_EQ(write_file_atomically(path, "one"), "");
+  EXPECT_EQ(write_file_atomically(path, "two"), "");
+  std::string text;
+  std::getline(std::ifstream(path), text);
+  EXPECT_EQ(text, "two");
+  EXPECT_FALSE(fs::exists(path + ".new"));
+  EXPECT_NE(write_file_atomically(folder.path() + "/no/such/folder", "x"), "");
+}
+
+TEST(Disk, TheThreadDoesWhatIsQueuedBeforeItEnds) {
+  int done = 0;
+  {
+    DiskThread disk;
+    for (int i = 0; i < 10; ++i) {
+      EXPECT_TRUE(disk.post([&done] { ++done; }));
+    }
+  }
+  EXPECT_EQ(done, 10);
+}
+
+TEST(TripRecordings, AreNumberedOnAndTheOldestGo) {
+  const Folder folder;
+  const auto make = [&](const char* name, int bytes) {
+    std::ofstream(folder.path() + "/" + name) << std::string(static_cast<std::size_t>(bytes), 'x');
+  };
+  EXPECT_EQ(next_recording(folder.path()), folder.path() + "/trip-0001.hhr");
+  make("trip-0007.hhr", 10);
+  make("trip-0008.hhr", 10);
+  make("trip-0009.hhr", 10);
+  make("other.hhr", 1000);
+  EXPECT_EQ(next_recording(folder.path()), folder.path() + "/trip-0010.hhr");
+  prune_recordings(folder.path(), 2, 1000);
+  EXPECT_FALSE(fs::exists(folder.path() + "/trip-0007.hhr"));
+  EXPECT_TRUE(fs::exists(folder.path() + "/trip-0008.hhr"));
+  prune_recordings(folder.path(), 50, 15);
+  EXPECT_FALSE(fs::exists(folder.path() + "/trip-0008.hhr"));
+  EXPECT_TRUE(fs::exists(folder.path() + "/trip-0009.hhr"));
+  EXPECT_TRUE(fs::exists(folder.path() + "/other.hhr"));
+}
+
+}  // namespace
+}  // namespace hedgehog::server

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "tests/server/server_rig.h"
+
+#include <gtest/gtest.h>
+
+namespace hedgehog::server {
+namespace {
+
+constexpr std::int64_t kEpochNs = 5'000'000'000;
+constexpr model::Tick kPatience = 1000;
+
+control::ControlSettings armed_settings(const config::Config& config) {
+  control::ControlSettings s;
+  s.coils = config.device.coils;
+  s.thermal = config.device.thermal;
+  s.limits = config.limits;
+  s.ceiling = config.device.limits;
+  s.arm_at_start = true;
+  s.start_known = true;
+  return s;
+}
+
+}  // namespace
+
+ServerRig::ServerRig(config::Config settings) : config(std::move(settings)) {
+  control =
+      std::make_unique<control::ControlTick>(armed_settings(config), *mailbox, *port, nullptr);
+  machine = std::make_unique<Machine>(config, *mailbox, *port, kEpochNs);
+  server = std::make_unique<Server>(
+      *machine, memory,
+      [this](const control::Event& event, const Effect*) { events.push_back(event); });
+  run(200);
+  EXPECT_EQ(machine->now().state, control::State::kArmed);
+}
+
+FakeClient& ServerRig::connect(protocol::Role role) {
+  FakeClient& client = clients_.emplace_back();
+  client.session.role = role;
+  client.session.transport = "tcp";
+  client.session.sink = &client;
+  server->open(client.session);
+  return client;
+}
+
+void ServerRig::disconnect(FakeClient& client) { server->close(client.session); }
+
+void ServerRig::run(model::Tick ticks) {
+  for (model::Tick i = 0; i < ticks; ++i) {
+    control->run(++tick_, 0, {});
+    world.step();
+    server->pump();
+  }
+}
+
+Json ServerRig::say(FakeClient& client, const std::string& line) {
+  server->line(client.session, line);
+  for (model::Tick i = 0; i < kPatience; ++i) {
+    for (auto it = client.lines.begin(); it != client.lines.end(); ++it) {
+      if (it->kind == LineKind::kAnswer) {
+        const Json answer = Json::parse(it->text);
+        client.lines.erase(it);
+        return answer;
+      }
+    }
+    run(1);
+  }
+  ADD_FAILURE() << "no answer to " << line;
+  return {};
+}
+
+Json ServerRig::call(FakeClient& client, const std::string& method, const Json& params) {
+  const Json request{
+      {"jsonrpc", "2.0"}, {"id", ++next_id_}, {"method", method}, {"params", params}};
+  const Json answer = say(client, request.dump());
+  EXPECT_EQ(answer.value("id", -1), next_id_);
+  return answer.contains("result") ? answer["result"] : answer.value("error", Json::object());
+}
+
+std::vector<Json> ServerRig::heard(FakeClient& client, LineKind kind) {
+  std::vector<Json> found;
+  std::deque<FakeClient::Line> rest;
+  for (FakeClient::Line& line : client.lines) {
+    if (line.kind == kind) {
+      found.push_back(Json::parse(line.text)["params"]);
+    } else {
+      rest.push_back(std::move(line));
+    }
+  }
+  client.lines.swap(rest);
+  return found;
+}
+
+}  // namespace hedgehog::server

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// The server in front of the real controller, link and simulated board, in lock-step and virtual
+// time: no socket, no thread.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "daemon/config/config.h"
+#include "daemon/control/control_tick.h"
+#include "daemon/device/lock_step.h"
+#include "daemon/server/server.h"
+
+namespace hedgehog::server {
+
+using Json = nlohmann::json;
+
+class FakeMemory final : public Memory {
+ public:
+  void remember_gain(double value) override { gain = value; }
+  void remember_latch(control::Reason reason) override { latch = reason; }
+  double gain = -1.0;
+  control::Reason latch = control::Reason::kNone;
+};
+
+/// A client whose socket is a list.
+class FakeClient final : public Sink {
+ public:
+  void send(std::string line, LineKind kind) override { lines.push_back({std::move(line), kind}); }
+
+  struct Line {
+    std::string text;
+    LineKind kind;
+  };
+  std::deque<Line> lines;
+  Session session;
+};
+
+class ServerRig {
+ public:
+  explicit ServerRig(config::Config settings = {});
+
+  FakeClient& connect(protocol::Role role = protocol::Role::kOperate);
+  void disconnect(FakeClient& client);
+
+  /// `ticks` milliseconds of everything; the server pumps after each.
+  void run(model::Tick ticks);
+  /// Sends `method` with `params` and runs until the answer is there; its result, or its error.
+  Json call(FakeClient& client, const std::string& method, const Json& params = Json::object());
+  /// The same for a line of any kind; the whole answer.
+  Json say(FakeClient& client, const std::string& line);
+  /// Everything of `kind` that came since the last call.
+  std::vector<Json> heard(FakeClient& client, LineKind kind = LineKind::kEvent);
+  double plant_current_a() { return model::norm(world.board().plant().current_a()); }
+
+  config::Config config;
+  std::unique_ptr<control::Mailbox> mailbox = std::make_unique<control::Mailbox>();
+  std::unique_ptr<device::LinkPort> port = std::make_unique<device::LinkPort>();
+  FakeMemory memory;
+  std::unique_ptr<control::ControlTick> control;
+  device::LockStep world{*port};
+  std::unique_ptr<Machine> machine;
+  std::unique_ptr<Server> server;
+  std::vector<control::Event> events;
+
+ private:
+  model::Tick tick_ = 0;
+  int next_id_ = 0;
+  std::deque<FakeClient> clients_;
+};
+
+}  // namespace hedgehog::server
