@@ -19,6 +19,8 @@ struct Fault {
   model::Tick within;  // ticks from the fault to the safe command at the bridge
 };
 
+void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
+
 // Where two ticks are added, one is the telemetry's way up and one the command's way down.
 const Fault kFaults[] = {
     {"SensorOpen", device::kSimSensorOpen, 0, {1, 0, 0}, 5.0, Reason::kSensorOpen, 25 + 2},

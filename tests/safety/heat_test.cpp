@@ -89,6 +89,31 @@ TEST(TooHot, ArmingWaitsUntilItIsCool) {
   EXPECT_EQ(name(rig.controller().state()), "armed");
 }
 
+/// Any single fault of the thermistor, while clients want all they can get.
+class SensorFaultWhileHot : public ::testing::TestWithParam<int> {};
+
+TEST_P(SensorFaultWhileHot, NoWindingPassesSeventyThree) {
+  model::RandomStream random(static_cast<std::uint64_t>(GetParam()) + 100);
+  const auto fault = static_cast<std::uint16_t>(1 << (GetParam() % 6));
+  for (int coil = 0; coil < model::kCoils; ++coil) {
+    rig::RigOptions options;
+    options.board = rig::random_board(random);
+    options.control.start.winding_c.fill(options.board.start_c);
+    options.control.start.core_c = options.board.start_c;
+    rig::Rig rig(options);
+    rig.run_until_armed();
+    model::Vec3 along;
+    along[coil] = 1.0;
+    rig.start(rig::hold(along, 15.0));
+    rig.run_s(random.uniform(1.0, 9.0));
+    rig.set_faults(fault);
+    const double hottest = hottest_until_stopped(rig, along, 15.0, 180.0);
+    EXPECT_LE(hottest, 73.1) << "winding " << coil << ", fault " << fault;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, SensorFaultWhileHot, ::testing::Range(0, 12));
+
 // Everything above the board wrong: no limiter, no watchdog at 70 C.
 TEST(BoardsOwnLimits, ThermistorAboveSeventyFive) {
   rig::Rig rig(without_limiter(300.0));
