@@ -78,6 +78,25 @@ TEST(StateMachine, TheFirstTripOfAnEpisodeStays) {
   EXPECT_EQ(states.latch(), Reason::kOverheated);
 }
 
+TEST(StateMachine, AnEmergencyStopEndsAnArmingThatIsUnderWay) {
+  StateMachine states{ControlSettings{}};
+  states.board_alive(ready(0), 1);
+  states.arm(Reason::kNone, 2);
+  states.emergency_stop(2);
+  for (model::Tick t = 3; t < 10; ++t) states.step(ready(1), true, Reason::kNone, t);
+  EXPECT_EQ(states.state(), State::kDisarmed);
+  EXPECT_EQ(states.latch(), Reason::kEmergencyStop);
+}
+
+TEST(StateMachine, ATripEndsAnArmingThatIsUnderWay) {
+  StateMachine states{ControlSettings{}};
+  states.board_alive(ready(0), 1);
+  states.arm(Reason::kNone, 2);
+  states.trip(Reason::kUnexpectedCurrent, 2);
+  for (model::Tick t = 3; t < 10; ++t) states.step(ready(1), true, Reason::kNone, t);
+  EXPECT_EQ(states.state(), State::kTripped);
+}
+
 TEST(StateMachine, AnEmergencyStopWhileAbsentIsRemembered) {
   ControlSettings settings;
   settings.arm_at_start = true;

@@ -62,6 +62,7 @@ TEST(EmergencyStop, CoilsOffAtTheNextTickDisarmedAndLatched) {
   expect_zero(rig, 0);
   EXPECT_EQ(name(rig.controller().state()), "disarmed");
   EXPECT_EQ(name(rig.snapshot().latch), "emergency_stop");
+  ASSERT_NE(rig.last(EventType::kEffectEnded), nullptr);
   EXPECT_EQ(rig.last(EventType::kEffectEnded)->end_reason, EndReason::kTripped);
   rig.start(rig::hold({1, 0, 0}, 5.0));
   rig.run(100);
@@ -69,6 +70,18 @@ TEST(EmergencyStop, CoilsOffAtTheNextTickDisarmedAndLatched) {
   rig.arm();
   rig.run(20);
   EXPECT_EQ(name(rig.controller().state()), "armed");
+}
+
+TEST(EmergencyStop, OutlivesAnArmingOfTheSameTick) {
+  rig::RigOptions options;
+  options.control.arm_at_start = false;
+  rig::Rig rig(options);
+  rig.run(50);
+  rig.arm();
+  rig.emergency_stop();
+  rig.run(400);
+  EXPECT_EQ(name(rig.controller().state()), "disarmed");
+  EXPECT_EQ(name(rig.controller().reason()), "emergency_stop");
 }
 
 TEST(ControlLate, TheLinkIsSafeAfterTwentyMilliseconds) {
