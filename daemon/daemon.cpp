@@ -28,6 +28,8 @@ using boost::system::error_code;
 constexpr std::chrono::milliseconds kBusyPause{1};
 constexpr std::chrono::milliseconds kIdlePause{5};
 constexpr std::chrono::milliseconds kFarewell{1500};
+/// The first client should not find a ball that is about to be armed.
+constexpr std::chrono::milliseconds kFirstSight{500};
 
 double wall_time_s() {
   using Seconds = std::chrono::duration<double>;
@@ -58,7 +60,6 @@ Daemon::Daemon(const Options& options, const config::Paths& paths, const config:
 int Daemon::run() {
   machinery_.loop().start();
   introduce();
-  listener_.start(server_);
   asio::co_spawn(io_, pump(), asio::detached);
   asio::co_spawn(io_, obey_signals(), asio::detached);
   io_.run();
@@ -88,25 +89,31 @@ void Daemon::introduce() {
   if (options_.speed == 1 && !machinery_.loop().realtime()) {
     spdlog::warn("no real-time scheduling (LimitRTPRIO, ulimit -r); a busy machine may skip ticks");
   }
+}
+
+void Daemon::open_doors() {
+  ready_ = true;
+  listener_.start(server_);
   for (const std::string& address : listener_.addresses()) {
     spdlog::info("listening on {}", address);
     std::cout << "listening on " << address << '\n';
   }
   std::cout.flush();
+  manager_.ready(status_line());
 }
 
 asio::awaitable<void> Daemon::pump() {
   asio::steady_timer timer(io_);
+  const auto patience = std::chrono::steady_clock::now() + kFirstSight;
   while (!leaving_) {
     server_.pump();
     keeper_.pump();
-    const std::uint64_t heartbeat = machinery_.loop().heartbeat();
-    manager_.alive(heartbeat);
-    if (!ready_ && heartbeat > 0) {
-      ready_ = true;
-      manager_.ready(status_line());
-    } else if (ready_) {
+    manager_.alive(machinery_.loop().heartbeat());
+    if (ready_) {
       manager_.status(status_line());
+    } else if (machine_.now().state == control::State::kArmed ||
+               std::chrono::steady_clock::now() > patience) {
+      open_doors();
     }
     timer.expires_after(server_.busy() ? kBusyPause : kIdlePause);
     error_code ignored;

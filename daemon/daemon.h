@@ -39,6 +39,7 @@ class Daemon {
   void reload();
   void heard(const control::Event& event, const server::Effect* effect);
   void introduce();
+  void open_doors();
   std::string status_line() const;
 
   Options options_;

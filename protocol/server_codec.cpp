@@ -146,8 +146,8 @@ std::string answer(const Id& id) { return "{\"jsonrpc\":\"2.0\",\"id\":" + id.js
 }  // namespace
 
 RpcError line_too_long() {
-  RpcError made =
-      invalid_request("the line is longer than " + std::to_string(kMaxLineBytes) + " bytes");
+  RpcError made = error(ErrorCode::kParseError, "parse_error: the line is longer than " +
+                                                    std::to_string(kMaxLineBytes) + " bytes");
   made.limit = static_cast<std::int64_t>(kMaxLineBytes);
   return made;
 }

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "tests/e2e/daemon_process.h"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <thread>
+
+namespace hedgehog::e2e {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::chrono::seconds kPatience{30};
+constexpr std::chrono::milliseconds kStep{5};
+
+template <class Done>
+bool wait_until(Done done) {
+  const auto until = std::chrono::steady_clock::now() + kPatience;
+  while (!done()) {
+    if (std::chrono::steady_clock::now() > until) {
+      return false;
+    }
+    std::this_thread::sleep_for(kStep);
+  }
+  return true;
+}
+
+pid_t spawn(const Home& home, std::vector<std::string> words, const std::string& out,
+            const std::string& log) {
+  home.write(out, "");
+  home.write(log, "");
+  words.insert(words.begin(), HEDGEHOGD_PATH);
+  std::vector<std::string> environment = home.environment();
+  std::vector<char*> argv;
+  std::vector<char*> envp;
+  for (std::string& word : words) {
+    argv.push_back(word.data());
+  }
+  argv.push_back(nullptr);
+  for (std::string& variable : environment) {
+    envp.push_back(variable.data());
+  }
+  envp.push_back(nullptr);
+  const std::string out_path = home.path(out);
+  const std::string log_path = home.path(log);
+  const pid_t pid = ::fork();
+  if (pid == 0) {
+    ::dup2(::open(out_path.c_str(), O_WRONLY | O_APPEND), STDOUT_FILENO);
+    ::dup2(::open(log_path.c_str(), O_WRONLY | O_APPEND), STDERR_FILENO);
+    ::execve(HEDGEHOGD_PATH, argv.data(), envp.data());
+    ::_exit(127);
+  }
+  return pid;
+}
+
+int wait_for(pid_t pid) {
+  int status = 0;
+  const bool ended = wait_until([&] { return ::waitpid(pid, &status, WNOHANG) == pid; });
+  if (!ended) {
+    ::kill(pid, SIGKILL);
+    ::waitpid(pid, &status, 0);
+    return -1;
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+}  // namespace
+
+Home::Home() {
+  std::string pattern = (fs::temp_directory_path() / "hedgehog-e2e-XXXXXX").string();
+  path_ = ::mkdtemp(pattern.data());
+  fs::create_directories(path("config/hedgehog"));
+  fs::create_directories(path("run"));
+}
+
+Home::~Home() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+std::string Home::read(const std::string& below) const {
+  std::ifstream file(path(below), std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void Home::write(const std::string& below, const std::string& text) const {
+  fs::create_directories(fs::path(path(below)).parent_path());
+  std::ofstream(path(below), std::ios::binary) << text;
+}
+
+std::vector<std::string> Home::environment() const {
+  std::vector<std::string> variables{"XDG_RUNTIME_DIR=" + path("run"),
+                                     "XDG_STATE_HOME=" + path("state"),
+                                     "XDG_CONFIG_HOME=" + path("config"), "HOME=" + path_,
+                                     "HEDGEHOG_SIMBOARD_TRACE=" + path("trace")};
+  for (const char* name : {"PATH", "ASAN_OPTIONS", "TSAN_OPTIONS", "UBSAN_OPTIONS"}) {
+    if (const char* value = std::getenv(name)) {
+      variables.push_back(std::string(name) + "=" + value);
+    }
+  }
+  return variables;
+}
+
+Ended run_daemon(const Home& home, const std::vector<std::string>& arguments) {
+  const int code = wait_for(spawn(home, arguments, "once.out", "once.log"));
+  return {code, home.read("once.out"), home.read("once.log")};
+}
+
+DaemonProcess::DaemonProcess(const Home& home, const std::vector<std::string>& more) : home_(home) {
+  std::vector<std::string> words{"--simulate", "--listen", "127.0.0.1:0"};
+  words.insert(words.end(), more.begin(), more.end());
+  pid_ = spawn(home, words, "out", "log");
+  const std::string tcp = "listening on 127.0.0.1:";
+  const std::string local = "listening on /";
+  std::string out;
+  const bool listens = wait_until([&] {
+    out = home.read("out");
+    const auto at = out.find(local);
+    return (at != std::string::npos && out.find('\n', at) != std::string::npos) ||
+           ::waitpid(pid_, nullptr, WNOHANG) == pid_;
+  });
+  if (!listens || out.find(tcp) == std::string::npos) {
+    throw std::runtime_error("hedgehogd does not start:\n" + log());
+  }
+  port_ = std::stoi(out.substr(out.find(tcp) + tcp.size()));
+  const auto begin = out.find(local) + local.size() - 1;
+  socket_ = out.substr(begin, out.find('\n', begin) - begin);
+}
+
+DaemonProcess::~DaemonProcess() {
+  if (pid_ > 0) {
+    ::kill(pid_, SIGKILL);
+    ::waitpid(pid_, nullptr, 0);
+  }
+}
+
+int DaemonProcess::stop(int number) {
+  signal(number);
+  const int code = wait_for(pid_);
+  pid_ = -1;
+  return code;
+}
+
+bool DaemonProcess::logs(const std::string& text) const {
+  return wait_until([&] { return log().find(text) != std::string::npos; });
+}
+
+}  // namespace hedgehog::e2e

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// A real hedgehogd as a process, with folders of its own.
+#pragma once
+
+#include <sys/types.h>
+
+#include <csignal>
+#include <string>
+#include <vector>
+
+namespace hedgehog::e2e {
+
+/// Runtime, state and configuration of one daemon; outlives its restarts. Removed at the end.
+class Home {
+ public:
+  Home();
+  Home(const Home&) = delete;
+  Home& operator=(const Home&) = delete;
+  ~Home();
+
+  std::string path(const std::string& below) const { return path_ + "/" + below; }
+  std::string state_file() const { return path("state/hedgehog/state.json"); }
+  std::string read(const std::string& below) const;
+  void write(const std::string& below, const std::string& text) const;
+  /// The daemon's configuration file.
+  void configure(const std::string& json) const { write("config/hedgehog/hedgehogd.json", json); }
+  /// NAME=VALUE for the children.
+  std::vector<std::string> environment() const;
+
+ private:
+  std::string path_;
+};
+
+struct Ended {
+  int exit_code = -1;  // -1: by a signal
+  std::string out;
+  std::string err;
+};
+
+/// Runs hedgehogd to its end.
+Ended run_daemon(const Home& home, const std::vector<std::string>& arguments);
+
+class DaemonProcess {
+ public:
+  /// Starts `hedgehogd --simulate --listen 127.0.0.1:0` and `more`, and waits until it listens.
+  explicit DaemonProcess(const Home& home, const std::vector<std::string>& more = {});
+  DaemonProcess(const DaemonProcess&) = delete;
+  DaemonProcess& operator=(const DaemonProcess&) = delete;
+  /// Kills it if it still runs.
+  ~DaemonProcess();
+
+  int port() const noexcept { return port_; }
+  const std::string& socket() const noexcept { return socket_; }
+  pid_t pid() const noexcept { return pid_; }
+  void signal(int number) const { ::kill(pid_, number); }
+  /// Sends `number` and waits for the end; the exit code, -1 when a signal ended it.
+  int stop(int number = SIGTERM);
+  /// Everything on stderr so far.
+  std::string log() const { return home_.read("log"); }
+  /// Waits until the log has `text`.
+  bool logs(const std::string& text) const;
+
+ private:
+  const Home& home_;
+  pid_t pid_ = -1;
+  int port_ = 0;
+  std::string socket_;
+};
+
+}  // namespace hedgehog::e2e

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// Whatever arrives on a socket gets its documented answer, and nobody else notices.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/e2e/daemon_process.h"
+#include "tests/e2e/raw_client.h"
+
+namespace hedgehog::e2e {
+namespace {
+
+constexpr std::size_t kLine = 65'536;
+
+/// A request of exactly `bytes` bytes.
+std::string padded_ping(std::size_t bytes) {
+  const std::string head = R"({"jsonrpc":"2.0","id":1,"method":"ping"})";
+  return head + std::string(bytes - head.size(), ' ');
+}
+
+/// One daemon for all; beside each garbage client a game plays on.
+class Garbage : public testing::Test {
+ protected:
+  void SetUp() override {
+    game_.call("events.subscribe");
+    effect_ = game_.call("effect.hold", {{"direction", "up"}, {"lease_ms", 10000}})["effect"];
+  }
+  void TearDown() override {
+    // Nothing was lost for the game: its effect still plays, and its next answer is the right one.
+    EXPECT_EQ(game_.call("effect.update", {{"effect", effect_}})["effect"], effect_);
+    EXPECT_EQ(game_.notification("event")["type"], "effect_started");
+    EXPECT_EQ(game_.call("effect.stop", {{"effect", effect_}})["stopped"], 1);
+    const Json ended = game_.notification("event");
+    EXPECT_EQ(ended["type"], "effect_ended");
+    EXPECT_EQ(ended["reason"], "stopped");
+  }
+
+  int code(std::string_view line) {
+    EXPECT_TRUE(client_.send(line));
+    EXPECT_TRUE(client_.send("\n"));
+    const Json answer = client_.answer();
+    return answer.contains("error") ? answer["error"]["code"].get<int>() : 0;
+  }
+  void expect_alive() { EXPECT_TRUE(client_.call("ping").contains("time_ns")); }
+
+  Home home_;
+  DaemonProcess daemon_{home_};
+  RawClient game_{daemon_.port()};
+  RawClient client_{daemon_.port()};
+  Json effect_;
+};
+
+TEST_F(Garbage, ALineOf64KiBIsServedAndALongerOneIsNot) {
+  EXPECT_EQ(code(padded_ping(kLine)), 0);
+  EXPECT_EQ(code(padded_ping(kLine) + "\r"), 0);
+  EXPECT_EQ(code(padded_ping(kLine + 1)), -32700);
+  expect_alive();
+}
+
+TEST_F(Garbage, AMegabyteWithoutALineEndIsToldOnce) {
+  EXPECT_TRUE(client_.send("{" + std::string(1 << 20, 'x')));
+  EXPECT_EQ(client_.answer()["error"]["code"], -32700);
+  EXPECT_TRUE(client_.send("\n"));
+  expect_alive();
+}
+
+TEST_F(Garbage, HalfALineIsForgottenWithItsConnection) {
+  EXPECT_TRUE(client_.send(R"({"jsonrpc":"2.0","id":1,"method":"pi)"));
+  client_.half_close();
+  EXPECT_TRUE(client_.closed_by_daemon());
+}
+
+TEST_F(Garbage, WhatIsNoJsonIsAParseError) {
+  EXPECT_EQ(code("{"), -32700);
+  EXPECT_EQ(code(""), -32700);
+  EXPECT_EQ(code("{\"jsonrpc\":\"2.0\",\"id\":1,\"method\":\"\xff\xfe\"}"), -32700);
+  EXPECT_EQ(code(std::string(30'000, '[')), -32700);
+  EXPECT_EQ(code(std::string(30'000, '[') + std::string(30'000, ']')), -32700);
+  EXPECT_EQ(code(R"({"jsonrpc":"2.0","id":1,"method":"ping","x":1e999})"), -32700);
+  EXPECT_EQ(code("hello"), -32700);  // not the first line any more
+  expect_alive();
+}
+
+TEST_F(Garbage, WhatIsNoRequestIsInvalid) {
+  EXPECT_EQ(code("{}"), -32600);
+  EXPECT_EQ(code("[]"), -32600);
+  EXPECT_EQ(code("[" +
+                 [] {
+                   std::string items = "1";
+                   for (int i = 0; i < 64; ++i) {
+                     items += ",1";
+                   }
+                   return items;
+                 }() +
+                 "]"),
+            -32600);
+  EXPECT_EQ(code(R"({"jsonrpc":"2.0","id":1,"method":"no.such"})"), -32601);
+  EXPECT_EQ(code(R"({"jsonrpc":"2.0","id":1,"method":"effect.pulse","params":{"direction":7}})"),
+            -32602);
+  EXPECT_EQ(code(R"({"jsonrpc":"2.0","id":1,"method":"effect.pulse",)"
+                 R"("params":{"direction":"up","duration_ms":1e300}})"),
+            -32602);
+  EXPECT_EQ(code(R"({"jsonrpc":"2.0","id":1,"method":"effect.pulse","params":["up"]})"), -32602);
+  expect_alive();
+}
+
+TEST_F(Garbage, ABatchWithEverythingAnswersEachInOrder) {
+  EXPECT_TRUE(client_.send(
+      R"([{"jsonrpc":"2.0","id":1,"method":"ping"},7,{"jsonrpc":"2.0","method":"no.such"},)"
+      R"({"jsonrpc":"2.0","id":2,"method":"no.such"},{"jsonrpc":"2.0","id":3,)"
+      R"("method":"effect.pulse","params":{"direction":"sideways"}},)"
+      R"({"jsonrpc":"2.0","id":4,"method":"ping"}])"
+      "\n"));
+  const Json answers = client_.answer();
+  ASSERT_EQ(answers.size(), 5u);
+  EXPECT_TRUE(answers[0].contains("result"));
+  EXPECT_EQ(answers[1]["error"]["code"], -32600);
+  EXPECT_EQ(answers[1]["id"], nullptr);
+  EXPECT_EQ(answers[2]["error"]["code"], -32601);
+  EXPECT_EQ(answers[3]["error"]["code"], -32602);
+  EXPECT_EQ(answers[4]["id"], 4);
+}
+
+TEST_F(Garbage, ABrowserGetsNowhere) {
+  RawClient browser(daemon_.port());
+  browser.send(
+      "POST / HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: 60\r\n\r\n"
+      R"({"jsonrpc":"2.0","method":"device.emergency_stop"})"
+      "\n");
+  EXPECT_TRUE(browser.closed_by_daemon());
+  EXPECT_EQ(game_.call("device.status")["state"], "armed");
+}
+
+TEST_F(Garbage, WhoFloodsWithoutReadingIsCutOffAndEndsWithItsEffects) {
+  RawClient watcher(daemon_.port());
+  watcher.call("events.subscribe", {{"scope", "all"}, {"types", {"effect_ended"}}});
+  RawClient flood(daemon_.port());
+  flood.send(
+      R"({"jsonrpc":"2.0","method":"effect.hold","params":{"direction":"up","lease_ms":10000}})"
+      "\n");
+  const std::string line = R"({"jsonrpc":"2.0","id":1,"method":"device.describe"})"
+                           "\n";
+  std::string lines;
+  for (int i = 0; i < 100; ++i) {
+    lines += line;
+  }
+  bool open = true;
+  for (int i = 0; i < 10'000 && open; ++i) {
+    open = flood.send(lines);
+  }
+  EXPECT_FALSE(open);
+  EXPECT_EQ(watcher.notification("event")["reason"], "disconnected");
+  EXPECT_TRUE(daemon_.logs("does not read"));
+}
+
+}  // namespace
+}  // namespace hedgehog::e2e

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+// How the daemon starts, listens, reloads, ends, and what it remembers.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <string>
+
+#include "tests/e2e/daemon_process.h"
+#include "tests/e2e/raw_client.h"
+
+namespace hedgehog::e2e {
+namespace {
+
+constexpr int kUsage = 64;
+constexpr int kCannotCreate = 73;
+constexpr int kConfig = 78;
+
+TEST(Start, SaysThatItSimulatesAndWhereItListens) {
+  const Home home;
+  DaemonProcess daemon(home);
+  EXPECT_NE(daemon.log().find("SIMULATOR"), std::string::npos);
+  struct stat s {};
+  ASSERT_EQ(::stat(daemon.socket().c_str(), &s), 0);
+  EXPECT_TRUE(S_ISSOCK(s.st_mode));
+  EXPECT_EQ(s.st_mode & 0777, 0660u);
+  RawClient unix_client(daemon.socket());
+  EXPECT_EQ(unix_client.call("hello")["role"], "operate");
+  EXPECT_EQ(unix_client.call("device.status")["simulated"], true);
+  EXPECT_EQ(daemon.stop(), 0);
+  EXPECT_NE(::stat(daemon.socket().c_str(), &s), 0);
+}
+
+TEST(Start, ADeadSocketIsTakenOverAndALivingOneIsNot) {
+  const Home home;
+  DaemonProcess killed(home);
+  EXPECT_EQ(killed.stop(SIGKILL), -1);
+  DaemonProcess daemon(home);
+  const Ended second = run_daemon(home, {"--simulate", "--listen", "127.0.0.1:0"});
+  EXPECT_EQ(second.exit_code, kCannotCreate);
+  EXPECT_NE(second.err.find("another hedgehogd is running"), std::string::npos);
+  EXPECT_EQ(RawClient(daemon.socket()).call("device.status")["state"], "armed");
+}
+
+TEST(Start, AddressesThatOthersCanReachAreRefused) {
+  const Home home;
+  const Ended ended = run_daemon(home, {"--simulate", "--listen", "0.0.0.0:0"});
+  EXPECT_EQ(ended.exit_code, kConfig);
+  EXPECT_NE(ended.err.find("other machines could reach"), std::string::npos) << ended.err;
+}
+
+TEST(Start, MistakesHaveTheirExitCodes) {
+  const Home home;
+  EXPECT_EQ(run_daemon(home, {"--nonsense"}).exit_code, kUsage);
+  EXPECT_EQ(run_daemon(home, {"--speed", "10"}).exit_code, kUsage);
+  EXPECT_EQ(run_daemon(home, {"--simulate", "--speed", "1000"}).exit_code, kUsage);
+  EXPECT_EQ(run_daemon(home, {"--check-config"}).exit_code, 0);
+  EXPECT_EQ(run_daemon(home, {"--replay", "/no/such/file"}).exit_code, 66);
+  const Ended version = run_daemon(home, {"--version"});
+  EXPECT_EQ(version.exit_code, 0);
+  EXPECT_NE(version.out.find("hedgehogd"), std::string::npos);
+  const Ended printed = run_daemon(home, {"--print-config"});
+  EXPECT_TRUE(Json::parse(printed.out, nullptr, true, true).contains("limits"));
+  home.configure("{\n  \"limits\": {\"curent_a\": 3}\n}\n");
+  const Ended wrong = run_daemon(home, {"--check-config"});
+  EXPECT_EQ(wrong.exit_code, kConfig);
+  EXPECT_NE(wrong.err.find("hedgehogd.json:2: limits.curent_a"), std::string::npos) << wrong.err;
+  home.configure(R"({"backend": "usb"})");
+  EXPECT_EQ(run_daemon(home, {}).exit_code, 69);
+}
+
+TEST(End, SigtermMakesTheCoilsSafeTellsEverybodyAndExitsWith0) {
+  const Home home;
+  DaemonProcess daemon(home);
+  RawClient game(daemon.port());
+  game.call("events.subscribe");
+  game.call("effect.hold", {{"direction", "up"}, {"lease_ms", 10000}});
+  game.notification("event", "effect_started");
+  EXPECT_EQ(daemon.stop(SIGTERM), 0);
+  EXPECT_EQ(game.notification("event", "effect_ended")["reason"], "stopped");
+  EXPECT_EQ(game.notification("event", "shutting_down")["reason"], "stop");
+  EXPECT_TRUE(game.closed_by_daemon());
+  EXPECT_NE(daemon.log().find("coils off"), std::string::npos);
+  EXPECT_EQ(Json::parse(home.read("state/hedgehog/state.json"))["clean_stop"], true);
+}
+
+TEST(End, SigintIsAnOrderlyStopToo) {
+  const Home home;
+  DaemonProcess daemon(home);
+  EXPECT_EQ(daemon.stop(SIGINT), 0);
+}
+
+TEST(Reload, TakesNewLimitsAndKeepsTheOldOnesWhenTheFileIsWrong) {
+  const Home home;
+  home.configure("{}");
+  DaemonProcess daemon(home);
+  RawClient game(daemon.port());
+  EXPECT_EQ(game.call("hello")["limits"]["current_a"], 15);
+  home.configure(R"({"limits": {"current_a": 8}})");
+  daemon.signal(SIGHUP);
+  EXPECT_TRUE(daemon.logs("configuration reloaded"));
+  EXPECT_EQ(game.call("hello")["limits"]["current_a"], 8);
+  game.call("effect.pulse", {{"direction", "up"}});
+  EXPECT_EQ(game.call("effect.pulse", {{"direction", "up"}, {"current_a", 9}})["code"], -32602);
+  EXPECT_EQ(game.call("device.status")["limit_a"], 8);
+  home.configure(R"({"limits": {"current_a": "much"}})");
+  daemon.signal(SIGHUP);
+  EXPECT_TRUE(daemon.logs("the old one stays"));
+  EXPECT_EQ(game.call("hello")["limits"]["current_a"], 8);
+}
+
+TEST(Memory, AnEmergencyStopOutlivesEvenAKill) {
+  const Home home;
+  {
+    DaemonProcess daemon(home);
+    EXPECT_EQ(RawClient(daemon.port()).call("device.emergency_stop")["state"], "disarmed");
+    // The answer may come before the disk is done.
+    while (home.read("state/hedgehog/state.json").find("emergency_stop") == std::string::npos) {
+    }
+    daemon.stop(SIGKILL);
+  }
+  {
+    DaemonProcess daemon(home);
+    RawClient owner(daemon.port());
+    const Json hello = owner.call("hello");
+    EXPECT_EQ(hello["state"], "disarmed");
+    EXPECT_EQ(hello["reason"], "emergency_stop");
+    EXPECT_NE(hello["remedy"].get<std::string>().find("hedgehogctl arm"), std::string::npos);
+    EXPECT_EQ(daemon.stop(), 0);  // an orderly stop does not clear it
+  }
+  DaemonProcess daemon(home);
+  RawClient owner(daemon.port());
+  EXPECT_EQ(owner.call("hello")["reason"], "emergency_stop");
+  EXPECT_EQ(owner.call("device.arm")["state"], "armed");
+  EXPECT_EQ(daemon.stop(), 0);
+  DaemonProcess again(home);
+  EXPECT_EQ(RawClient(again.port()).call("hello")["state"], "armed");
+}
+
+TEST(Memory, ATripIsRecordedReplayableAndOutlivesARestart) {
+  const Home home;
+  {
+    DaemonProcess daemon(home);
+    RawClient owner(daemon.port());
+    owner.call("events.subscribe");
+    owner.call("sim.set", {{"fault", {{"faults", {"sensor_open"}}}}});
+    EXPECT_EQ(owner.notification("event", "state_changed")["reason"], "sensor_open");
+    EXPECT_TRUE(daemon.logs("trip-0001.hhr"));
+    daemon.stop(SIGKILL);
+  }
+  const Ended replayed = run_daemon(home, {"--replay", home.path("state/hedgehog/trip-0001.hhr")});
+  EXPECT_EQ(replayed.exit_code, 0) << replayed.err;
+  EXPECT_NE(replayed.out.find(R"("reason":"sensor_open")"), std::string::npos);
+  EXPECT_NE(replayed.out.find(R"("different":0)"), std::string::npos);
+  DaemonProcess daemon(home);
+  const Json hello = RawClient(daemon.port()).call("hello");
+  EXPECT_EQ(hello["state"], "tripped");
+  EXPECT_EQ(hello["reason"], "sensor_open");
+}
+
+TEST(Memory, AHotBallIsHotAfterARestart) {
+  const Home home;
+  double before_c = 0.0;
+  {
+    DaemonProcess daemon(home, {"--speed", "20"});
+    RawClient game(daemon.port());
+    game.call("telemetry.subscribe", {{"rate_hz", 10}, {"fields", {"temperature_c"}}});
+    while (before_c < 50.0) {
+      game.call("effect.hold",
+                {{"direction", "left"}, {"current_a", 15}, {"lease_ms", 10000}, {"slot", "heat"}});
+      before_c = game.notification("telemetry")["temperature_c"]["model"];
+    }
+    game.call("effect.stop_all");
+    EXPECT_EQ(daemon.stop(), 0);
+  }
+  DaemonProcess daemon(home);
+  const Json status = RawClient(daemon.port()).call("device.status");
+  EXPECT_GT(status["temperature_c"]["model"].get<double>(), 40.0);
+  daemon.stop();
+  home.write("state/hedgehog/state.json", R"({"version":1,"winding_c":[1e9)");
+  DaemonProcess damaged(home);
+  EXPECT_TRUE(damaged.logs("damaged"));
+  const Json held =
+      RawClient(damaged.port()).call("effect.pulse", {{"direction", "left"}, {"current_a", 15}});
+  EXPECT_EQ(held["limited_by"], "thermal");
+  EXPECT_NEAR(held["current_a"].get<double>(), 5.0, 1e-6);
+}
+
+TEST(Memory, TheGainIsTheOwners) {
+  const Home home;
+  {
+    DaemonProcess daemon(home);
+    EXPECT_EQ(RawClient(daemon.port()).call("output.set_gain", {{"gain", 0.5}})["gain"], 0.5);
+    EXPECT_EQ(daemon.stop(), 0);
+  }
+  DaemonProcess daemon(home);
+  EXPECT_EQ(RawClient(daemon.port()).call("device.describe")["gain"], 0.5);
+}
+
+}  // namespace
+}  // namespace hedgehog::e2e

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+// Clients as processes see the daemon: the protocol document's examples, clients that vanish,
+// clients that only pipe, and a daemon that is stopped or killed in front of a board of its own.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/e2e/daemon_process.h"
+#include "tests/e2e/raw_client.h"
+#include "tests/protocol/example_file.h"
+
+namespace hedgehog::e2e {
+namespace {
+
+/// Replays one block of protocol/README.md; what went wrong, or empty.
+std::string replay(const protocol::Example& example, RawClient& client) {
+  for (const protocol::ExampleLine& line : example.lines) {
+    const std::string where = "protocol/README.md:" + std::to_string(line.number) + ": ";
+    if (line.sent) {
+      client.send(line.text + "\n");
+      continue;
+    }
+    for (;;) {
+      const auto got = client.line();
+      if (!got) {
+        return where + "the daemon closed";
+      }
+      const std::string difference = protocol::mismatch(line.text, *got);
+      if (difference.empty()) {
+        break;
+      }
+      const Json message = Json::parse(*got);
+      if (message.is_array() || !message.contains("method")) {
+        return where + difference + "\n  got " + *got;
+      }
+    }
+  }
+  return {};
+}
+
+TEST(Play, TheExamplesOfTheProtocolAreTrue) {
+  const auto examples = protocol::protocol_examples(HEDGEHOG_SOURCE_DIR);
+  ASSERT_GE(examples.size(), 20u);
+  for (const protocol::Example& example : examples) {
+    const Home home;
+    DaemonProcess daemon(home);
+    RawClient client(daemon.port());
+    EXPECT_EQ(replay(example, client), "");
+  }
+}
+
+TEST(Play, APulseThroughAPipeIsFelt) {
+  const Home home;
+  DaemonProcess daemon(home);
+  RawClient watcher(daemon.port());
+  watcher.call("events.subscribe", {{"scope", "all"}, {"types", {"effect_ended"}}});
+  RawClient pipe(daemon.port());
+  pipe.send(R"({"jsonrpc":"2.0","id":1,"method":"effect.pulse",)"
+            R"("params":{"direction":"left","on_close":"finish"}})"
+            "\n");
+  pipe.half_close();
+  EXPECT_EQ(pipe.answer()["result"]["accepted"], true);
+  EXPECT_TRUE(pipe.closed_by_daemon());
+  EXPECT_EQ(watcher.notification("event")["reason"], "completed");
+
+  RawClient other(daemon.port());
+  other.call("effect.pulse", {{"direction", "left"}, {"duration_ms", 5000}});
+  other.half_close();
+  EXPECT_EQ(watcher.notification("event")["reason"], "disconnected");
+}
+
+TEST(Play, AClientThatIsGoneTakesItsEffectsWithIt) {
+  const Home home;
+  DaemonProcess daemon(home);
+  RawClient watcher(daemon.socket());
+  watcher.call("events.subscribe", {{"scope", "all"}});
+  const Json own = watcher.call("effect.hold", {{"direction", "up"}, {"lease_ms", 10000}});
+  watcher.notification("event", "effect_started");
+  {
+    RawClient game(daemon.port());
+    game.call("hello", {{"client", "Racer/1.2"}});
+    game.call("effect.hold", {{"direction", "left"}, {"lease_ms", 10000}});
+    EXPECT_EQ(watcher.call("connection.list")["connections"][1]["client"], "Racer/1.2");
+  }
+  const Json ended = watcher.notification("event", "effect_ended");
+  EXPECT_EQ(ended["reason"], "disconnected");
+  const Json status = watcher.call("device.status");
+  ASSERT_EQ(status["effects"].size(), 1u);
+  EXPECT_EQ(status["effects"][0]["effect"], own["effect"]);
+}
+
+TEST(Play, ACircleStepsTenTimesASecond) {
+  const Home home;
+  DaemonProcess daemon(home, {"--speed", "10"});
+  RawClient game(daemon.port());
+  game.call("events.subscribe");
+  const Json circle = game.call("effect.circle", {{"duration_ms", 3000}});
+  EXPECT_EQ(circle["period_ms"], 1500);
+  const Json ended = game.notification("event", "effect_ended");
+  EXPECT_EQ(ended["reason"], "completed");
+  EXPECT_EQ(ended["offset_ns"].get<std::int64_t>() - ended["onset_ns"].get<std::int64_t>(),
+            3'000'000'000);
+}
+
+TEST(Play, MoreClientsThanAllowedAreTurnedAwayWithASentence) {
+  const Home home;
+  home.configure(R"({"connections": {"max": 2}})");
+  DaemonProcess daemon(home);
+  RawClient first(daemon.port());
+  RawClient second(daemon.port());
+  first.call("ping");
+  second.call("ping");
+  RawClient third(daemon.port());
+  EXPECT_EQ(third.answer()["error"]["code"], -32001);
+  EXPECT_TRUE(third.closed_by_daemon());
+  second.close();
+  first.call("ping");
+  RawClient fourth(daemon.port());
+  fourth.call("ping");
+}
+
+/// What the board of its own wrote down, one object a line.
+std::vector<Json> trace(const Home& home) {
+  std::vector<Json> lines;
+  std::istringstream text(home.read("trace"));
+  for (std::string line; std::getline(text, line);) {
+    lines.push_back(Json::parse(line));
+  }
+  return lines;
+}
+
+/// The board's own account of how it became safe.
+void expect_safe_after_dead_man(const Home& home) {
+  const auto wait_for_quiet = [&] {
+    for (int i = 0; i < 6000; ++i) {
+      for (const Json& line : trace(home)) {
+        if (line["event"] == "quiet" || line["event"] == "zero" || line["event"] == "end") {
+          return;
+        }
+      }
+      usleep(5000);
+    }
+  };
+  wait_for_quiet();
+  bool drove = false;
+  bool latched = false;
+  for (const Json& line : trace(home)) {
+    drove = drove || line["mode"] == "driving";
+    if (line["mode"] == "latched" && !latched) {
+      latched = true;
+      EXPECT_EQ(line["awake"], false) << line;
+      EXPECT_EQ(line["duty"], 0) << line;
+      // 100 ms of its own clock, and one frame.
+      EXPECT_GE(line["set_point_age_ms"].get<int>(), 100) << line;
+      EXPECT_LE(line["set_point_age_ms"].get<int>(), 101) << line;
+    }
+  }
+  EXPECT_TRUE(drove) << home.read("trace");
+  EXPECT_TRUE(latched) << home.read("trace");
+}
+
+class OwnBoard : public testing::Test {
+ protected:
+  OwnBoard() { home_.configure(R"({"simulator": {"process": true}})"); }
+  void drive(DaemonProcess& daemon, RawClient& game) {
+    game.call("events.subscribe");
+    game.call("effect.hold", {{"direction", "left"}, {"current_a", 10}, {"lease_ms", 10000}});
+    game.notification("event", "effect_started");
+    game.call("telemetry.subscribe", {{"rate_hz", 100}, {"fields", {"current_a"}}});
+    while (std::abs(game.notification("telemetry")["current_a"][1].get<double>()) < 8.0) {
+    }
+    (void)daemon;
+  }
+  Home home_;
+};
+
+TEST_F(OwnBoard, IsSafe100MsAfterTheDaemonIsKilled) {
+  DaemonProcess daemon(home_);
+  RawClient game(daemon.port());
+  drive(daemon, game);
+  daemon.stop(SIGKILL);
+  expect_safe_after_dead_man(home_);
+}
+
+TEST_F(OwnBoard, IsSafe100MsAfterTheDaemonFreezesAndStaysSoUntilArmed) {
+  DaemonProcess daemon(home_);
+  RawClient game(daemon.port());
+  drive(daemon, game);
+  daemon.signal(SIGSTOP);
+  expect_safe_after_dead_man(home_);
+  daemon.signal(SIGCONT);
+  game.call("telemetry.unsubscribe");
+  const Json changed = game.notification("event", "state_changed");
+  EXPECT_NE(changed["state"], "armed");
+  const Json armed = game.call("device.arm");
+  EXPECT_EQ(armed.value("state", ""), "armed") << changed << armed << daemon.log() << home_.read("trace");
+}
+
+}  // namespace
+}  // namespace hedgehog::e2e
