@@ -16,7 +16,6 @@ constexpr model::Celsius kTypical{40.0};
 // How long an edge excuses a difference: L/R is 3.3 ms, set-points are up to 5 ms on their way.
 constexpr double kEdgeS = 0.01;
 constexpr double kIdleEdgeS = 0.005;
-constexpr double kExcusedA = 15.0;
 const double kEdgeKeep = std::exp(-kTickSeconds / kEdgeS);
 const double kIdleKeep = std::exp(-kTickSeconds / kIdleEdgeS);
 
@@ -27,15 +26,6 @@ CurrentCheck::CurrentCheck(const model::CoilModel& coils) noexcept {
     const double r = resistance_at(model::Ohms(coils.r25_ohm[i]), kTypical).value;
     windings_[i].conductance_s = 1.0 / r;
     windings_[i].keep = std::exp(-r * kTickSeconds / coils.inductance_h);
-  }
-}
-
-void CurrentCheck::excuse() noexcept {
-  by_duty_known_ = false;
-  for (Winding& w : windings_) {
-    w.low_a = std::min(w.low_a, 0.0);
-    w.high_a = std::max(w.high_a, 0.0);
-    w.idle_peak_a = kExcusedA;
   }
 }
 

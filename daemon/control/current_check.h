@@ -46,9 +46,6 @@ class CurrentCheck {
   bool suspicious() const noexcept;
   /// What our own commands should have made flow by now, A.
   const model::Vec3& commanded_a() const noexcept { return commanded_a_; }
-  /// Ticks were skipped: what happened to our commands meanwhile is not known, so nothing between
-  /// them and zero is wrong until the edge has passed.
-  void excuse() noexcept;
 
  private:
   struct Winding {

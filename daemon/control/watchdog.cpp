@@ -24,7 +24,6 @@ Watchdog::Watchdog(const model::CoilModel& coils, int sensor_winding) noexcept
 Reason Watchdog::step(const WatchdogInputs& in) noexcept {
   const device::BoardTelemetry& board = in.board;
   board_.step(in.board_present, in.fresh, board, in.ticks);
-  if (in.ticks > 1) current_.excuse();
 
   SensorReading reading;
   reading.fresh = in.fresh;

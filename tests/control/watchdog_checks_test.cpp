@@ -219,6 +219,42 @@ TEST(CurrentCheck, AHalvedMeasurementIsAMismatch) {
   EXPECT_LT(ticks, 60);
 }
 
+// A vibration hides half a measurement from the comparison with what was commanded lately; the
+// duty that was applied in that very millisecond shows it.
+TEST(CurrentCheck, AHalvedMeasurementOfAVibrationIsAMismatch) {
+  CurrentCheck check{model::CoilModel{}};
+  CurrentReading reading;
+  reading.consecutive = true;
+  Reason reason = Reason::kNone;
+  double current = 0.0;
+  for (int tick = 0; reason == Reason::kNone && tick < 2000; ++tick) {
+    reading.applied_v.x = reading.commanded_v.x = tick % 10 < 5 ? 5.0 : 0.0;
+    current = 0.728 * current + 0.272 * reading.applied_v.x / 0.476;
+    reading.current_a.x = 0.5 * current;
+    reason = check.step(reading);
+  }
+  EXPECT_EQ(name(reason), "current_mismatch");
+}
+
+// A board that does something else than it is told, and says so truly.
+TEST(CurrentCheck, ADutyThatWasNeverCommandedIsAMismatch) {
+  CurrentCheck check{model::CoilModel{}};
+  CurrentReading reading;
+  reading.consecutive = true;
+  reading.commanded_v = {2.25, 0, 0};
+  reading.applied_v = {6.75, 0, 0};
+  Reason reason = Reason::kNone;
+  double current = 0.0;
+  int ticks = 0;
+  for (; reason == Reason::kNone && ticks < 200; ++ticks) {
+    current = 0.728 * current + 0.272 * reading.applied_v.x / 0.476;
+    reading.current_a.x = current;
+    reason = check.step(reading);
+  }
+  EXPECT_EQ(name(reason), "current_mismatch");
+  EXPECT_LT(ticks, 30);
+}
+
 TEST(HeatCheck, AWindingAtSeventyForFiftyMilliseconds) {
   for (int coil = 0; coil < model::kCoils; ++coil) {
     HeatCheck check;
