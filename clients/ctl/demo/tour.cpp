@@ -66,7 +66,7 @@ TourChapter skid() {
 void hold(TourChapter& chapter, const std::string& slot, const std::string& params,
           const std::string& words) {
   chapter.steps.push_back(
-      {chapter.from, "effect.hold", R"({"slot":")" + slot + R"(",)" + params + "}", words});
+      {chapter.from, "effect.hold", "{" + params + R"(,"slot":")" + slot + R"("})", words});
   const std::string slot_only = R"({"slot":")" + slot + R"("})";
   for (milliseconds at = chapter.from + kRenewal; at < chapter.to - kRenewal; at += kRenewal) {
     chapter.steps.push_back({at, "effect.update", slot_only, "", false});
@@ -99,7 +99,7 @@ TourChapter compass(bool simulated) {
       simulated ? "The ball is turned. The triangle is up in the room; the push stays there."
                 : "Turn the ball. The triangle is up in the room; the push stays there.",
       {}};
-  hold(chapter, "compass", R"("direction":"up","frame":"world","current_a":5)", "hold up");
+  hold(chapter, "up", R"("direction":"up","frame":"world","current_a":5)", "hold up");
   if (simulated) {
     roll(chapter);
   }
@@ -113,7 +113,7 @@ TourChapter heat() {
                       "heat",
                       "15 A asked for 9 s. It is derated as it gets warm, and never cut off.",
                       {}};
-  hold(chapter, "long push", R"("direction":"up","current_a":15)", "hold up");
+  hold(chapter, "push", R"("direction":"up","current_a":15)", "hold up");
   return chapter;
 }
 

@@ -85,7 +85,8 @@ std::string cut(std::string_view text, std::size_t width) {
 }
 
 std::string row(std::string_view name, std::string_view value, std::string_view behind) {
-  return "  " + left(name, 11) + right(value, 11) + "  " + std::string(behind);
+  const std::string line = "  " + left(name, 11) + right(value, 11);
+  return behind.empty() ? line : line + "  " + std::string(behind);
 }
 
 std::string time_words(double seconds) {

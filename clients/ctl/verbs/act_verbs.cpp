@@ -41,22 +41,22 @@ int run_arm(Session& session) {
 }
 
 int run_gain(Session& session, std::optional<double> gain) {
+  double set = 1.0;
   if (gain) {
-    const auto text = session.connection.call_text(protocol::OutputSetGain{*gain});
-    if (!text) {
-      return complain(text.error());
+    const auto result = session.connection.call(protocol::OutputSetGain{*gain});
+    if (!result) {
+      return complain(result.error());
     }
-    if (session.json) {
-      std::puts(text->c_str());
-      return kDone;
+    set = result->gain;
+  } else {
+    const auto description = session.connection.call(protocol::DeviceDescribe{});
+    if (!description) {
+      return complain(description.error());
     }
-  }
-  const auto description = session.connection.call(protocol::DeviceDescribe{});
-  if (!description) {
-    return complain(description.error());
+    set = description->gain;
   }
   std::printf(session.json ? "{\"gain\":%s}\n" : "gain %s: every effect is scaled by it\n",
-              fixed(description->gain, 2).c_str());
+              fixed(set, 2).c_str());
   return kDone;
 }
 
