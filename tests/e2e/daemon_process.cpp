@@ -34,11 +34,12 @@ bool wait_until(Done done) {
 }
 
 pid_t spawn(const Home& home, std::vector<std::string> words, const std::string& out,
-            const std::string& log) {
+            const std::string& log, const std::vector<std::string>& variables = {}) {
   home.write(out, "");
   home.write(log, "");
   words.insert(words.begin(), HEDGEHOGD_PATH);
   std::vector<std::string> environment = home.environment();
+  environment.insert(environment.end(), variables.begin(), variables.end());
   std::vector<char*> argv;
   std::vector<char*> envp;
   for (std::string& word : words) {
@@ -114,10 +115,12 @@ Ended run_daemon(const Home& home, const std::vector<std::string>& arguments) {
   return {code, home.read("once.out"), home.read("once.log")};
 }
 
-DaemonProcess::DaemonProcess(const Home& home, const std::vector<std::string>& more) : home_(home) {
+DaemonProcess::DaemonProcess(const Home& home, const std::vector<std::string>& more,
+                             const std::vector<std::string>& variables)
+    : home_(home) {
   std::vector<std::string> words{"--simulate", "--listen", "127.0.0.1:0"};
   words.insert(words.end(), more.begin(), more.end());
-  pid_ = spawn(home, words, "out", "log");
+  pid_ = spawn(home, words, "out", "log", variables);
   const std::string tcp = "listening on 127.0.0.1:";
   const std::string local = "listening on /";
   std::string out;

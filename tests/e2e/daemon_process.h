@@ -43,7 +43,9 @@ Ended run_daemon(const Home& home, const std::vector<std::string>& arguments);
 class DaemonProcess {
  public:
   /// Starts `hedgehogd --simulate --listen 127.0.0.1:0` and `more`, and waits until it listens.
-  explicit DaemonProcess(const Home& home, const std::vector<std::string>& more = {});
+  /// `variables`: NAME=VALUE on top of the home's.
+  explicit DaemonProcess(const Home& home, const std::vector<std::string>& more = {},
+                         const std::vector<std::string>& variables = {});
   DaemonProcess(const DaemonProcess&) = delete;
   DaemonProcess& operator=(const DaemonProcess&) = delete;
   /// Kills it if it still runs.

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// The units as systemd sees them, and what the daemon tells systemd.
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "tests/e2e/daemon_process.h"
+#include "tests/e2e/raw_client.h"
+
+namespace hedgehog::e2e {
+namespace {
+
+struct Said {
+  int exit_code = -1;
+  std::string text;
+};
+
+Said run(const std::string& command) {
+  Said said;
+  std::FILE* pipe = ::popen((command + " 2>&1").c_str(), "r");
+  std::array<char, 4096> buffer{};
+  for (std::size_t n = 0; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) {
+    said.text.append(buffer.data(), n);
+  }
+  said.exit_code = WEXITSTATUS(::pclose(pipe));
+  return said;
+}
+
+class Unit : public testing::TestWithParam<const char*> {
+ protected:
+  /// A copy whose ExecStart is the program that was just built.
+  std::string installed() {
+    const std::string name = GetParam();
+    std::ifstream in(std::string(HEDGEHOG_SOURCE_DIR) + "/systemd/" + name);
+    std::string text{std::istreambuf_iterator<char>(in), {}};
+    const std::string program = "/usr/bin/hedgehogd";
+    for (auto at = text.find(program); at != std::string::npos; at = text.find(program, at + 1)) {
+      text.replace(at, program.size(), HEDGEHOGD_PATH);
+    }
+    home_.write("units/" + name, text);
+    std::string unit = name;
+    if (const auto at = unit.find("@."); at != std::string::npos) {
+      unit.insert(at + 1, "ball-7");
+    }
+    return home_.path("units/" + unit);
+  }
+  Home home_;
+};
+
+// systemd-analyze prints an unknown key and still exits with 0, so any word of it is a failure.
+TEST_P(Unit, HasNothingThatSystemdDoesNotKnow) {
+  const Said said = run("systemd-analyze verify --man=no " + installed());
+  EXPECT_EQ(said.text, "");
+  EXPECT_EQ(said.exit_code, 0);
+}
+
+TEST_P(Unit, IsShutInTight) {
+  const Said said = run("systemd-analyze security --offline=yes --threshold=20 " + installed());
+  EXPECT_EQ(said.exit_code, 0) << said.text;
+}
+
+INSTANTIATE_TEST_SUITE_P(Systemd, Unit, testing::Values("hedgehogd.service", "hedgehogd@.service"),
+                         [](const auto& unit) {
+                           return std::string(unit.param).find('@') == std::string::npos
+                                      ? "Single"
+                                      : "Instance";
+                         });
+
+/// systemd's end of sd_notify.
+class NotifySocket {
+ public:
+  explicit NotifySocket(const std::string& path)
+      : fd_(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    path.copy(address.sun_path, sizeof address.sun_path - 1);
+    EXPECT_EQ(::bind(fd_, reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
+    const timeval patience{30, 0};
+    ::setsockopt(fd_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+  }
+  ~NotifySocket() { ::close(fd_); }
+
+  /// Waits for a message with `word`.
+  std::string wait_for(const std::string& word) {
+    for (;;) {
+      std::array<char, 4096> buffer{};
+      const ssize_t count = ::recv(fd_, buffer.data(), buffer.size(), 0);
+      if (count <= 0) {
+        return {};
+      }
+      const std::string text(buffer.data(), static_cast<std::size_t>(count));
+      if (text.find(word) != std::string::npos) {
+        return text;
+      }
+    }
+  }
+
+ private:
+  int fd_;
+};
+
+TEST(Systemd, IsToldOfReadinessStatusReloadsLifeAndTheEnd) {
+  const Home home;
+  NotifySocket systemd(home.path("notify"));
+  DaemonProcess daemon(home, {}, {"NOTIFY_SOCKET=" + home.path("notify"), "WATCHDOG_USEC=40000"});
+  EXPECT_NE(systemd.wait_for("READY=1").find("STATUS=SIMULATOR: armed"), std::string::npos);
+  EXPECT_NE(systemd.wait_for("WATCHDOG=1"), "");
+  RawClient(daemon.port()).call("device.emergency_stop");
+  EXPECT_NE(systemd.wait_for("emergency_stop"), "");
+  daemon.signal(SIGHUP);
+  EXPECT_NE(systemd.wait_for("RELOADING=1").find("MONOTONIC_USEC="), std::string::npos);
+  EXPECT_NE(systemd.wait_for("READY=1"), "");
+  daemon.signal(SIGTERM);
+  EXPECT_NE(systemd.wait_for("STOPPING=1"), "");
+}
+
+}  // namespace
+}  // namespace hedgehog::e2e
