@@ -2,6 +2,7 @@
 #include "clients/ctl/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <functional>
@@ -87,14 +88,36 @@ class CommandLine {
                      unknown.front().c_str());
         return kUsage;
       }
-      app_.exit(error);
-      return kUsage;
+      return say_usage(error);
     }
     return verb_();
   }
 
  private:
   using Verb = std::function<int(Session&)>;
+
+  /// What is wrong, in the words of every other complaint, and where to read on.
+  int say_usage(const CLI::ParseError& error) const {
+    const auto verbs = app_.get_subcommands();
+    const std::string verb = verbs.empty() ? "" : " " + verbs.front()->get_name();
+    std::string what = error.what();
+    if (error.get_name() == "ExtrasError") {
+      what = "'" + extra_word() + "' is not understood";
+    } else if (verbs.empty() && error.get_name() == "RequiredError") {
+      what = "a verb is missing";
+    }
+    std::fprintf(stderr, "hedgehogctl%s: %s; hedgehogctl%s --help says more\n", verb.c_str(),
+                 what.c_str(), verb.c_str());
+    return kUsage;
+  }
+
+  /// The first word that nothing takes; an unknown option rather than the value behind it.
+  std::string extra_word() const {
+    std::vector<std::string> words = app_.remaining(true);
+    const auto option = std::find_if(
+        words.begin(), words.end(), [](const std::string& word) { return word.starts_with("--"); });
+    return option != words.end() ? *option : words.empty() ? std::string() : words.front();
+  }
 
   /// A verb that needs a connection.
   CLI::App* verb(const std::string& name, const std::string& help, Verb run) {

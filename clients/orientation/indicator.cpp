@@ -16,6 +16,8 @@ constexpr milliseconds kRenewal{200};
 constexpr milliseconds kReportEvery{1000};
 constexpr double kFollowHz = 100.0;
 constexpr double kReportHz = 10.0;
+// A daemon that leaves ends the effects first, and then the connection.
+constexpr milliseconds kFarewell{1000};
 // As old as the daemon lets a world-frame effect play on.
 constexpr std::int64_t kStaleMs = 100;
 
@@ -70,34 +72,55 @@ Outcome<void> Indicator::run(const std::function<bool()>& stop,
     if (auto renewed = renew(); !renewed) {
       return renewed;
     }
+    if (auto ended = check_ended(); !ended) {
+      return ended;
+    }
   }
   const auto stopped = connection_.call(protocol::EffectStopAll{});
   return stopped ? Outcome<void>() : Outcome<void>(stopped.error());
 }
 
 Outcome<void> Indicator::start() {
-  protocol::EffectStart effect = effect_of(options_.style);
-  if (options_.loop == Loop::kDaemon) {
-    effect.params.frame = model::Frame::kWorld;
+  if (auto events = connection_.call(protocol::EventsSubscribe{{"effect_ended"}}); !events) {
+    return events.error();
   }
-  if (auto admitted = connection_.call(effect); !admitted) {
-    return admitted.error();
+  if (auto played = play({}); !played) {
+    return played;
   }
   const double rate_hz = options_.loop == Loop::kClient ? kFollowHz : kReportHz;
   if (auto telemetry = connection_.call(protocol::TelemetrySubscribe{rate_hz, followed_keys()});
       !telemetry) {
     return telemetry.error();
   }
-  started_at_ = renewed_ = Clock::now();
+  started_at_ = Clock::now();
+  return {};
+}
+
+Outcome<void> Indicator::play(const std::optional<model::Vec3>& direction) {
+  protocol::EffectStart effect = effect_of(options_.style);
+  if (direction) {
+    effect.params.direction = *direction;
+  }
+  if (options_.loop == Loop::kDaemon) {
+    effect.params.frame = model::Frame::kWorld;
+  }
+  const auto admitted = connection_.call(effect);
+  if (!admitted) {
+    return admitted.error();
+  }
+  effect_ = admitted->effect;
+  lapsed_ = false;
+  renewed_ = Clock::now();
   return {};
 }
 
 Outcome<void> Indicator::take(const Notification& told,
                               const std::function<void(const IndicatorReport&)>& report) {
-  const auto* message = std::get_if<protocol::TelemetryMessage>(&told);
-  if (message == nullptr) {
+  if (const auto* event = std::get_if<protocol::EventMessage>(&told)) {
+    take(event->event);
     return {};
   }
+  const auto* message = std::get_if<protocol::TelemetryMessage>(&told);
   const protocol::Status& status = message->telemetry.status;
   if (Clock::now() - reported_ >= kReportEvery) {
     reported_ = Clock::now();
@@ -110,13 +133,36 @@ Outcome<void> Indicator::take(const Notification& told,
     now.temperature_c = status.temperature_c.model.value_or(0.0);
     report(now);
   }
-  return options_.loop == Loop::kClient ? follow(status) : Outcome<void>();
+  return options_.loop == Loop::kClient && !ended_ ? follow(status) : Outcome<void>();
+}
+
+void Indicator::take(const protocol::Event& event) {
+  if (event.type != "effect_ended" || event.effect != effect_) {
+    return;
+  }
+  // The lease ran out: up was not known, or this program was held up. It goes on when it can.
+  if (event.reason == "expired" || event.reason == "orientation_lost") {
+    lapsed_ = true;
+  } else {
+    ended_ = event.reason.value_or("");
+    ended_at_ = Clock::now();
+  }
+}
+
+Outcome<void> Indicator::check_ended() const {
+  if (!ended_ || Clock::now() - ended_at_ < kFarewell) {
+    return {};
+  }
+  return ClientError{Failure::kRefused, "somebody ended the push: " + *ended_, {}};
 }
 
 Outcome<void> Indicator::follow(const protocol::Status& status) {
   if (!status.orientation || status.orientation->age_ms > kStaleMs) {
     // Not renewed either: what points at an up that nobody knows ends by its lease.
     return {};
+  }
+  if (lapsed_) {
+    return play(status.orientation->up);
   }
   EffectParams params;
   params.slot = kSlot;
@@ -126,8 +172,11 @@ Outcome<void> Indicator::follow(const protocol::Status& status) {
 }
 
 Outcome<void> Indicator::renew() {
-  if (options_.loop == Loop::kClient || Clock::now() - renewed_ < kRenewal) {
+  if (options_.loop == Loop::kClient || ended_ || Clock::now() - renewed_ < kRenewal) {
     return {};
+  }
+  if (lapsed_) {
+    return play({});
   }
   renewed_ = Clock::now();
   EffectParams params;

@@ -44,7 +44,8 @@ class Indicator {
  public:
   Indicator(Connection& connection, const IndicatorOptions& options);
 
-  /// Until `stop` says so, the duration is over, or the daemon is gone (then an error).
+  /// Until `stop` says so or the duration is over; an error when the daemon is gone, or when
+  /// somebody ended the push (kRefused).
   Outcome<void> run(const std::function<bool()>& stop,
                     const std::function<void(const IndicatorReport&)>& report);
 
@@ -52,13 +53,21 @@ class Indicator {
   using Clock = std::chrono::steady_clock;
 
   Outcome<void> start();
+  Outcome<void> play(const std::optional<model::Vec3>& direction);
   Outcome<void> take(const Notification& told,
                      const std::function<void(const IndicatorReport&)>& report);
   Outcome<void> renew();
+  void take(const protocol::Event& event);
   Outcome<void> follow(const protocol::Status& status);
+  /// An error once the effect was ended by somebody else and the daemon is still there.
+  Outcome<void> check_ended() const;
 
   Connection& connection_;
   IndicatorOptions options_;
+  std::uint32_t effect_ = 0;
+  bool lapsed_ = false;
+  std::optional<std::string> ended_;
+  Clock::time_point ended_at_{};
   Clock::time_point started_at_{};
   Clock::time_point renewed_{};
   Clock::time_point reported_{};

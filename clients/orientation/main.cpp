@@ -105,6 +105,7 @@ int main(int argc, char** argv) {
   }
   std::signal(SIGINT, note_interrupt);
   std::signal(SIGTERM, note_interrupt);
+  std::signal(SIGHUP, note_interrupt);
   const auto addresses = daemon_addresses(address);
   if (!addresses) {
     std::fprintf(stderr, "hedgehog-orientation: %s\n", addresses.error().message.c_str());

@@ -2,7 +2,7 @@
 #include "clients/ctl/demo/private_daemon.h"
 
 #include <fcntl.h>
-#include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -16,8 +16,6 @@
 
 #include "clients/lib/connection.h"
 
-extern char** environ;
-
 namespace hedgehog::client {
 
 namespace {
@@ -27,6 +25,7 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds kOneTry{300};
 constexpr int kTries = 40;
+constexpr int kCannotRun = 127;
 
 ClientError cannot_start(const std::string& why) {
   return {Failure::kNoDaemon, "the demo's own daemon did not start: " + why, {}};
@@ -55,28 +54,31 @@ bool write_config(const fs::path& folder, double start_temperature_c) {
   return file.good();
 }
 
-/// Its output goes to a file: the terminal belongs to the picture.
+/// In the child: never returns. Its output goes to a file, for the terminal belongs to the picture.
+[[noreturn]] void become(const std::string& program, const fs::path& folder, pid_t parent) {
+  // A group of its own: Ctrl-C in the terminal is ours to handle, coils first. But it never
+  // outlives us.
+  setpgid(0, 0);
+  prctl(PR_SET_PDEATHSIG, SIGTERM);
+  if (getppid() != parent) {
+    _exit(kCannotRun);
+  }
+  const int log = open((folder / "log").c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
+  if (log < 0 || dup2(log, STDOUT_FILENO) < 0 || dup2(log, STDERR_FILENO) < 0) {
+    _exit(kCannotRun);
+  }
+  const std::string config = (folder / "hedgehogd.json").string();
+  execlp(program.c_str(), program.c_str(), "--config", config.c_str(), nullptr);
+  _exit(kCannotRun);
+}
+
 pid_t spawn(const std::string& program, const fs::path& folder) {
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  const std::string log = (folder / "log").string();
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(),
-                                   O_WRONLY | O_CREAT | O_APPEND, 0600);
-  posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-  std::string name = program;
-  std::string option = "--config";
-  std::string config = (folder / "hedgehogd.json").string();
-  char* arguments[] = {name.data(), option.data(), config.data(), nullptr};
-  // A group of its own: Ctrl-C in the terminal is ours to handle, coils first.
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-  pid_t process = -1;
-  const int failed =
-      posix_spawnp(&process, program.c_str(), &actions, &attributes, arguments, environ);
-  posix_spawnattr_destroy(&attributes);
-  posix_spawn_file_actions_destroy(&actions);
-  return failed == 0 ? process : -1;
+  const pid_t parent = getpid();
+  const pid_t process = fork();
+  if (process == 0) {
+    become(program, folder, parent);
+  }
+  return process;
 }
 
 std::string log_of(const fs::path& folder) {
@@ -103,7 +105,7 @@ Outcome<PrivateDaemon> PrivateDaemon::start(double start_temperature_c) {
   const std::string program = daemon_program();
   daemon.process_ = spawn(program, pattern);
   if (daemon.process_ < 0) {
-    return cannot_start(program + " cannot be run");
+    return cannot_start("no process can be made");
   }
   for (int i = 0; i < kTries; ++i) {
     if (Connection::reopen({Address{.path = daemon.socket_, .host = {}}}, kOneTry)) {
@@ -115,7 +117,8 @@ Outcome<PrivateDaemon> PrivateDaemon::start(double start_temperature_c) {
       break;
     }
   }
-  return cannot_start(log_of(pattern));
+  const std::string log = log_of(pattern);
+  return cannot_start(log.empty() ? program + " cannot be run" : log);
 }
 
 PrivateDaemon::PrivateDaemon(PrivateDaemon&& other) noexcept

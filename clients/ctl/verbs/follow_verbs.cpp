@@ -6,6 +6,7 @@
 
 #include "clients/ctl/screen/terminal.h"
 #include "clients/ctl/screen/watch_screen.h"
+#include "clients/ctl/screen/words.h"
 
 namespace hedgehog::client {
 
@@ -39,6 +40,13 @@ int follow(Session& session, Take take) {
     }
   }
   return kInterrupted;
+}
+
+/// From where the events go on, so that a quiet ball is not taken for a deaf program.
+void say_now(const protocol::EventsResult& now) {
+  std::printf("  %s  %s%s, %s A allowed\n", time_of_day().c_str(), now.state.c_str(),
+              now.reason ? (": " + *now.reason).c_str() : "", fixed(now.limit_a, 1).c_str());
+  std::fflush(stdout);
 }
 
 /// Everybody's effects where the role allows it, else one's own.
@@ -115,8 +123,15 @@ int run_watch(Session& session) {
 int run_events(Session& session, const EventsOptions& options) {
   const protocol::EventsSubscribe request{
       options.types, options.all ? protocol::Scope::kAll : protocol::Scope::kMine};
-  if (auto subscribed = session.connection.call(request); !subscribed) {
+  if (auto hello = session.connection.hello("hedgehogctl"); !hello) {
+    return complain(hello.error());
+  }
+  const auto subscribed = session.connection.call(request);
+  if (!subscribed) {
     return complain(subscribed.error());
+  }
+  if (!session.json) {
+    say_now(*subscribed);
   }
   return follow(session, [&](const Notification& told) {
     if (const auto* event = std::get_if<protocol::EventMessage>(&told)) {
@@ -140,6 +155,9 @@ int run_telemetry(Session& session, const TelemetryOptions& options) {
       }
       request.fields.add(*key);
     }
+  }
+  if (auto hello = session.connection.hello("hedgehogctl"); !hello) {
+    return complain(hello.error());
   }
   if (auto subscribed = session.connection.call(request); !subscribed) {
     return complain(subscribed.error());

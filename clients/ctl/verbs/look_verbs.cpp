@@ -105,16 +105,20 @@ int run_pins(Session& session) {
     up = status.orientation->up;
   }
   print(ball_map(status.pins, {.ascii = session.style.ascii, .room_up = up}));
-  std::printf("    %s", left(ball_map_legend(session.style.ascii), 44).c_str());
+  const std::string legend = ball_map_legend(session.style.ascii);
   if (status.pin) {
-    std::printf("%s N at pin %lld", fixed(status.force_n, 3).c_str(),
-                static_cast<long long>(*status.pin));
+    std::printf("    %s%s N at pin %lld\n", left(legend, 44).c_str(),
+                fixed(status.force_n, 3).c_str(), static_cast<long long>(*status.pin));
+  } else {
+    std::printf("    %s\n", legend.c_str());
   }
-  std::puts("");
   return kDone;
 }
 
 int run_clients(Session& session) {
+  if (auto hello = session.connection.hello("hedgehogctl"); !hello) {
+    return complain(hello.error());
+  }
   const auto text = session.connection.call_text(protocol::ConnectionList{});
   if (!text) {
     return complain(text.error());

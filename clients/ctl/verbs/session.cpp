@@ -57,6 +57,8 @@ void watch_interrupts() {
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  // The terminal went away.
+  sigaction(SIGHUP, &action, nullptr);
 }
 
 }  // namespace hedgehog::client

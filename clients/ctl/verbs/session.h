@@ -32,7 +32,8 @@ Outcome<Session> open_session(const CommonOptions& options);
 /// hello, device.describe and device.status in one.
 Outcome<Ball> look(Connection& connection);
 
-/// True from the first SIGINT or SIGTERM on; `watch_interrupts` must have been called at the start.
+/// True from the first SIGINT, SIGTERM or SIGHUP on; `watch_interrupts` must have been called at
+/// the start.
 bool interrupted() noexcept;
 void watch_interrupts();
 
