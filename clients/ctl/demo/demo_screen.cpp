@@ -46,7 +46,6 @@ std::string caption_line(const TourChapter& chapter, const TourStep* playing) {
 std::vector<std::string> demo_screen(const Ball& ball, const TourChapter& chapter,
                                      const TourStep* playing, const ScreenStyle& style) {
   const protocol::Status& status = ball.status;
-  const protocol::LimitsDescription& limits = ball.description.limits;
   std::optional<model::Vec3> up;
   if (chapter.number == 4 && status.orientation) {
     up = status.orientation->up;
@@ -59,11 +58,8 @@ std::vector<std::string> demo_screen(const Ball& ball, const TourChapter& chapte
   lines.push_back(caption_line(chapter, playing));
   lines.push_back(cut(request_line(status, playing), kColumns));
   lines.emplace_back();
-  lines.push_back(temperature_line(
-      ball,
-      "derates at " + fixed(limits.derate_from_c, 0) + ", trips at " + fixed(limits.trip_c, 0),
-      style.ascii));
-  lines.push_back(current_line(ball, "of " + fixed(status.limit_a, 1) + " A allowed", style.ascii));
+  lines.push_back(temperature_line(ball, thresholds_words(ball), style.ascii));
+  lines.push_back(current_line(ball, allowed_words(ball), style.ascii));
   lines.emplace_back();
   lines.push_back(spread("   " + ball_map_legend(style.ascii), "Ctrl-C: coils off, end"));
   return lines;

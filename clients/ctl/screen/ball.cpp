@@ -25,6 +25,15 @@ std::string effect_words(const protocol::EffectStatus& effect) {
   return dot == std::string::npos ? effect.method : effect.method.substr(dot + 1);
 }
 
+std::string thresholds_words(const Ball& ball) {
+  const protocol::LimitsDescription& limits = ball.description.limits;
+  return "derates at " + fixed(limits.derate_from_c, 0) + ", trips at " + fixed(limits.trip_c, 0);
+}
+
+std::string allowed_words(const Ball& ball) {
+  return "of " + fixed(ball.status.limit_a, 1) + " A allowed";
+}
+
 double current_norm_a(const protocol::Status& status) { return norm(status.current_a); }
 
 std::string temperature_line(const Ball& ball, std::string_view behind, bool ascii) {

@@ -123,18 +123,14 @@ std::string state_words(const Status& status, const ScreenStyle& style) {
 
 std::vector<std::string> status_screen(const Ball& ball, const ScreenStyle& style) {
   const Status& status = ball.status;
-  const protocol::LimitsDescription& limits = ball.description.limits;
   std::vector<std::string> lines{title_line(ball, style), ""};
   if (status.remedy) {
     lines.push_back("  " + *status.remedy);
     lines.push_back("  " + time_words(status.since_s) + " ago. The coils are off and stay off.");
     lines.emplace_back();
   }
-  lines.push_back(temperature_line(
-      ball,
-      "derates at " + fixed(limits.derate_from_c, 0) + ", trips at " + fixed(limits.trip_c, 0),
-      style.ascii));
-  lines.push_back(current_line(ball, "of " + fixed(status.limit_a, 1) + " A allowed", style.ascii));
+  lines.push_back(temperature_line(ball, thresholds_words(ball), style.ascii));
+  lines.push_back(current_line(ball, allowed_words(ball), style.ascii));
   lines.push_back(force_line(status));
   lines.push_back(headroom_line(ball));
   lines.emplace_back();
