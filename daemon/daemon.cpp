@@ -212,8 +212,10 @@ void Daemon::heard(const control::Event& event, const server::Effect*) {
                       ? ""
                       : fmt::format(": {}", control::name(event.reason)),
                   remedy ? ". " + *remedy : "");
-      keeper_.state_changed();
+      keeper_.state_changed(event.state);
       if (event.state == control::State::kTripped) {
+        // The latch goes to disk before anything that takes longer.
+        keeper_.remember_latch(event.reason);
         recordings_.tripped();
       }
       return;

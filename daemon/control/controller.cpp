@@ -36,6 +36,7 @@ device::BoardCommand Controller::step(const StepInputs& inputs, EventList& event
   const double dt_s = kTickSeconds * static_cast<double>(std::min(ticks, kLongestGap));
   say_overrun(inputs.skipped, events);
 
+  hold_flow(inputs.skipped);
   const Reason found = sense(inputs, dt_s);
   follow_board(found, inputs.board_present, inputs.board_fresh);
 
@@ -212,12 +213,22 @@ device::BoardCommand Controller::drive(double dt_s) noexcept {
   return command;
 }
 
-void Controller::predict_flow() noexcept {
-  const Vec3 voltage = board_.supply_v * command_.duty();
+void Controller::predict_flow() noexcept { let_flow(board_.supply_v * command_.first_duty(), 1); }
+
+void Controller::hold_flow(Tick skipped) noexcept {
+  if (skipped == 0) return;
+  const Tick held = std::min(skipped, kLongestGap - 1);
+  let_flow(board_.supply_v * command_.duty(), held);
+  // Asleep since then. The diodes end the current sooner than this, so no boost gets too large.
+  let_flow({}, skipped - held);
+}
+
+void Controller::let_flow(const Vec3& voltage, Tick ticks) noexcept {
   for (int coil = 0; coil < model::kCoils; ++coil) {
     const double r = observer_.estimate().resistance_ohm[static_cast<std::size_t>(coil)];
     const double goal = voltage[coil] / r;
-    const double keep = std::exp(-r * kTickSeconds / settings_.coils.inductance_h);
+    const double keep =
+        std::exp(-r * kTickSeconds * static_cast<double>(ticks) / settings_.coils.inductance_h);
     flowing_a_[coil] = goal + keep * (flowing_a_[coil] - goal);
   }
 }

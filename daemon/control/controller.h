@@ -58,6 +58,9 @@ class Controller {
   void push(double dt_s, EventList& events) noexcept;
   device::BoardCommand drive(double dt_s) noexcept;
   void predict_flow() noexcept;
+  /// Without new set-points the board holds the last one, until the link makes it safe.
+  void hold_flow(model::Tick skipped) noexcept;
+  void let_flow(const model::Vec3& voltage, model::Tick ticks) noexcept;
   void note_trip(Reason reason) noexcept;
   void reject(double dt_s, EventList& events) noexcept;
   void say(EventType type, EventList& events, std::uint64_t count = 0) const noexcept;

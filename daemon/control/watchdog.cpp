@@ -48,7 +48,7 @@ Reason Watchdog::step(const WatchdogInputs& in) noexcept {
   currents.current_a = in.pair.after_a();
   currents.applied_v = in.pair.voltage_v();
   if (in.commanded.enable() && obeys(board)) {
-    currents.commanded_v = board.supply_v * in.commanded.duty();
+    currents.commanded_v = board.supply_v * in.commanded.first_duty();
   }
   const Reason current = current_.step(currents);
   const Reason fan =

@@ -51,6 +51,7 @@ Frame encode_set_point(const BoardCommand& command, std::uint32_t sequence) noex
   values.sequence = sequence;
   values.enable = command.enable();
   std::copy(command.duty_q15().begin(), command.duty_q15().end(), values.duty_q15);
+  std::copy(command.boost_q15().begin(), command.boost_q15().end(), values.boost_q15);
   values.fan = command.fan;
   return written(values);
 }

@@ -10,6 +10,11 @@ namespace hedgehog::device {
 namespace {
 
 constexpr double kFullDuty = 32767.0;
+constexpr int kFull = 32767;
+
+int q15(double voltage, double supply_v) noexcept {
+  return static_cast<int>(std::lround(std::clamp(voltage / supply_v, -1.0, 1.0) * kFullDuty));
+}
 
 }  // namespace
 
@@ -22,14 +27,27 @@ BoardCommand BoardCommand::drive(const model::LimitedCurrents& currents,
   for (int k = 0; k < model::kCoils; ++k) {
     const auto i = static_cast<std::size_t>(k);
     const double wanted = currents.a()[k];
-    const double voltage =
-        resistance_ohm[i] * wanted + inductance_h * (wanted - now_a[k]) / model::kTickSeconds;
-    if (!std::isfinite(voltage)) return {};
-    const double duty = std::clamp(voltage / supply_v, -1.0, 1.0);
-    command.duty_q15_[i] = static_cast<std::int16_t>(std::lround(duty * kFullDuty));
+    const double exponent = -resistance_ohm[i] * model::kTickSeconds / inductance_h;
+    const double holding_v = resistance_ohm[i] * wanted;
+    const double first_v =
+        resistance_ohm[i] * (wanted - now_a[k] * std::exp(exponent)) / -std::expm1(exponent);
+    if (!std::isfinite(holding_v) || !std::isfinite(first_v)) return {};
+    const int holding = q15(holding_v, supply_v);
+    const int boost = std::clamp(q15(first_v, supply_v) - holding, -kFull, kFull);
+    command.duty_q15_[i] = static_cast<std::int16_t>(holding);
+    command.boost_q15_[i] = static_cast<std::int16_t>(boost);
   }
   command.enable_ = true;
   return command;
+}
+
+model::Vec3 BoardCommand::first_duty() const noexcept {
+  model::Vec3 duty;
+  for (int k = 0; k < model::kCoils; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    duty[k] = std::clamp(duty_q15_[i] + boost_q15_[i], -kFull, kFull) / kFullDuty;
+  }
+  return duty;
 }
 
 }  // namespace hedgehog::device

@@ -29,27 +29,46 @@ enum BoardFault : std::uint16_t {
 enum class BoardMode : std::uint8_t { kSafe = 0, kReady = 1, kDriving = 2, kLatched = 3 };
 
 /// One set-point. Duties other than zero exist only for `LimitedCurrents`. Trivially copyable.
+///
+/// Each winding has two duties. The holding duty keeps the wanted current, so it may be applied for
+/// as long as the set-point is not renewed: a late host cannot make more flow than was asked for.
+/// The boost brings the current there; it is right for one millisecond only, and the board adds it
+/// in no other than the one in which a new set-point arrived.
 class BoardCommand {
  public:
   /// Bridges asleep, duty 0. Always allowed.
   constexpr BoardCommand() noexcept = default;
 
-  /// Drives `currents`: the voltage for each winding is R I + L (I - I_now) / tick, within the
-  /// supply. `resistance_ohm` and `now_a` are the estimates of the moment; `supply_v` the measured
-  /// supply (> 0).
+  /// Drives `currents`. Holding: R I. With the boost: what takes I_now to I in one tick T, exact
+  /// for a winding of R and L, V = R (I - I_now e) / (1 - e) with e = exp(-R T / L). Both within
+  /// the supply. `resistance_ohm` and `now_a` are the estimates of the moment; `supply_v` the
+  /// measured supply (> 0). The safe command when anything in it is not a number.
   static BoardCommand drive(const model::LimitedCurrents& currents,
                             const std::array<double, model::kCoils>& resistance_ohm,
                             double inductance_h, const model::Vec3& now_a,
                             double supply_v) noexcept;
 
   constexpr bool enable() const noexcept { return enable_; }
-  /// Bridge duty per winding in 1/32767 of the supply, sign = direction.
+  /// The same without the boost, for sending it again.
+  constexpr BoardCommand held() const noexcept {
+    BoardCommand command = *this;
+    command.boost_q15_ = {};
+    return command;
+  }
+  /// Holding duty of each bridge in 1/32767 of the supply, sign = direction.
   constexpr const std::array<std::int16_t, model::kCoils>& duty_q15() const noexcept {
     return duty_q15_;
   }
+  /// Added to it in the first millisecond.
+  constexpr const std::array<std::int16_t, model::kCoils>& boost_q15() const noexcept {
+    return boost_q15_;
+  }
+  /// Holding duty, -1..1.
   model::Vec3 duty() const noexcept {
     return {duty_q15_[0] / 32767.0, duty_q15_[1] / 32767.0, duty_q15_[2] / 32767.0};
   }
+  /// What the board applies in the first millisecond: holding and boost, -1..1.
+  model::Vec3 first_duty() const noexcept;
 
   /// Fan duty 0..255.
   std::uint8_t fan = 0;
@@ -59,6 +78,7 @@ class BoardCommand {
  private:
   bool enable_ = false;
   std::array<std::int16_t, model::kCoils> duty_q15_{};
+  std::array<std::int16_t, model::kCoils> boost_q15_{};
 };
 
 /// What the board measured, as of its last frame. Trivially copyable.

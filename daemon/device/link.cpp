@@ -70,13 +70,16 @@ void Link::note_presence() noexcept {
 }
 
 BoardCommand Link::choose(const LinkCommand& command) noexcept {
-  if (command.count != last_count_) {
+  const bool fresh = command.count != last_count_;
+  if (fresh) {
     last_count_ = command.count;
     ticks_without_command_ = 0;
   } else if (ticks_without_command_ < kOverdueTicks) {
     if (++ticks_without_command_ == kOverdueTicks) ++report_.counters.overdue;
   }
-  if (ticks_without_command_ < kOverdueTicks && report_.present) return command.board;
+  if (ticks_without_command_ < kOverdueTicks && report_.present) {
+    return fresh ? command.board : command.board.held();
+  }
 
   BoardCommand safe;
   const bool control_is_stuck = ticks_without_command_ >= kOverdueTicks && last_count_ != 0;

@@ -22,8 +22,8 @@ struct LinkFrames {
 /// Real-time safe: no allocation, lock, clock or syscall. One thread (the link thread, or the test
 /// rig).
 ///
-/// A set-point that is not renewed is repeated for 19 ticks; from the 20th on the safe command goes
-/// out instead. While no board is present nothing but the safe command goes out.
+/// A set-point that is not renewed is repeated without its boost for 19 ticks; from the 20th on the
+/// safe command goes out instead. While no board is present nothing but the safe command goes out.
 ///
 /// A change of BoardCommand::arm_count to something else than the board's own count becomes an arm
 /// request, repeated until the board confirms it or 50 ticks are over; a board that appears or

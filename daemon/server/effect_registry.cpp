@@ -30,8 +30,7 @@ EffectRegistry::Room EffectRegistry::room(ConnectionId owner, bool replacing) co
   }
   // Who replaces its effects faster than they can end must leave places to the others.
   const int most_ending = used < kScarce ? kMaxEach : kMaxEndingWhenScarce;
-  return used < control::kEffectPlaces && own_ending < most_ending ? Room::kYes
-                                                                   : Room::kPlacesFull;
+  return used < control::kEffectPlaces && own_ending < most_ending ? Room::kYes : Room::kPlacesFull;
 }
 
 Effect& EffectRegistry::add(ConnectionId owner) {

@@ -20,6 +20,8 @@ constexpr const char* kFile = "state.json";
 constexpr std::chrono::seconds kPeriod{1};
 /// A ball this much above its room has heat worth remembering.
 constexpr double kWarmK = 2.0;
+/// By then the snapshot has every latch that an event or a request has told of.
+constexpr model::Tick kLatchSeen = 200;
 
 double wall_time_s() {
   using Seconds = std::chrono::duration<double>;
@@ -81,7 +83,7 @@ void StateKeeper::pump() {
   if (now.tick <= 0) {
     return;  // the control thread has said nothing yet
   }
-  if (asked_latch_ != control::Reason::kNone && now.tick >= asked_at_ + 2) {
+  if (asked_latch_ != control::Reason::kNone && now.tick >= asked_at_ + kLatchSeen) {
     asked_latch_ = control::Reason::kNone;
     due_ = true;
   }
@@ -95,6 +97,13 @@ void StateKeeper::pump() {
   written_ = time;
   due_ = false;
   write();
+}
+
+void StateKeeper::state_changed(control::State state) noexcept {
+  due_ = true;
+  if (state == control::State::kArmed) {
+    asked_latch_ = control::Reason::kNone;
+  }
 }
 
 void StateKeeper::write() {

@@ -27,7 +27,7 @@ class StateKeeper final : public Memory {
 
   /// After every pump.
   void pump();
-  void state_changed() { due_ = true; }
+  void state_changed(control::State state) noexcept;
   /// The last word. REQUIRES: the control loop has stopped.
   void stopped_cleanly();
 

@@ -10,6 +10,13 @@ uint32_t square(int16_t value) noexcept {
 }
 uint32_t square(uint16_t value) noexcept { return static_cast<uint32_t>(value) * value; }
 
+int16_t saturated_sum(int16_t a, int16_t b) noexcept {
+  const int32_t sum = int32_t{a} + b;
+  if (sum > INT16_MAX) return INT16_MAX;
+  if (sum < -INT16_MAX) return -INT16_MAX;
+  return static_cast<int16_t>(sum);
+}
+
 }  // namespace
 
 void BoardCore::receive(const uint8_t* bytes, size_t length) noexcept {
@@ -70,6 +77,7 @@ void BoardCore::age_set_point() noexcept {
     set_point_age_ms_ = 0;
   else if (set_point_age_ms_ != UINT32_MAX)
     ++set_point_age_ms_;
+  boosting_ = set_point_new_;
   set_point_new_ = false;
 }
 
@@ -133,7 +141,10 @@ void BoardCore::decide() noexcept {
     mode_ = set_point_.enable ? Mode::kDriving : Mode::kReady;
     if (mode_ == Mode::kDriving) {
       outputs_.awake = true;
-      for (int k = 0; k < kWindings; ++k) outputs_.duty_q15[k] = set_point_.duty_q15[k];
+      for (int k = 0; k < kWindings; ++k) {
+        const int16_t boost = boosting_ ? set_point_.boost_q15[k] : int16_t{0};
+        outputs_.duty_q15[k] = saturated_sum(set_point_.duty_q15[k], boost);
+      }
     }
   }
   outputs_.supply_switch_closed = (latched_ & kStuckBridge) == 0;

@@ -110,6 +110,8 @@ class BoardCore {
 
   SetPointFrame set_point_;
   bool set_point_new_ = false;
+  /// A new set-point arrived in this millisecond: its boost counts.
+  bool boosting_ = false;
   uint32_t set_point_age_ms_ = UINT32_MAX;
 
   bool arm_asked_ = false;

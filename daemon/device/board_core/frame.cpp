@@ -72,6 +72,7 @@ SetPointFrame read_set_point(const uint8_t* frame) noexcept {
   for (size_t k = 0; k < kWindings; ++k) {
     const int16_t duty = get_i16(frame + 8 + 2 * k);
     values.duty_q15[k] = duty == INT16_MIN ? static_cast<int16_t>(-INT16_MAX) : duty;
+    values.boost_q15[k] = get_i16(frame + 16 + 2 * k);
   }
   values.fan = frame[14];
   return values;
@@ -133,7 +134,10 @@ TelemetryFrame read_telemetry(const uint8_t* frame) noexcept {
 
 void write_frame(const SetPointFrame& values, uint8_t* frame) noexcept {
   begin(frame, FrameType::kSetPoint, values.enable ? kFlagEnable : uint8_t{0}, values.sequence);
-  for (size_t k = 0; k < kWindings; ++k) put_i16(frame + 8 + 2 * k, values.duty_q15[k]);
+  for (size_t k = 0; k < kWindings; ++k) {
+    put_i16(frame + 8 + 2 * k, values.duty_q15[k]);
+    put_i16(frame + 16 + 2 * k, values.boost_q15[k]);
+  }
   frame[14] = values.fan;
   finish(frame);
 }

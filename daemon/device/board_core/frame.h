@@ -35,8 +35,10 @@ struct SetPointFrame {
   uint32_t sequence = 0;
   /// Bridges awake. When false the duties are ignored.
   bool enable = false;
-  /// 1/32767 of the supply, sign = direction.
+  /// 1/32767 of the supply, sign = direction. Applied until the next set-point.
   int16_t duty_q15[kWindings] = {};
+  /// Added to it in the millisecond in which this frame arrived, and in no later one.
+  int16_t boost_q15[kWindings] = {};
   uint8_t fan = 0;
 };
 
