@@ -50,9 +50,11 @@ void StateMachine::trip(Reason reason, model::Tick now) noexcept {
 void StateMachine::emergency_stop(model::Tick now) noexcept {
   arming_ = false;
   arm_when_sane_ = false;
-  if (state_ == State::kTripped) return;  // that latch is the stricter one
-  latch_ = Reason::kEmergencyStop;
-  if (state_ != State::kAbsent) enter(State::kDisarmed, latch_, now);
+  // The latch of a trip is the stricter one, also while its board is gone.
+  if (latch_ == Reason::kNone) latch_ = Reason::kEmergencyStop;
+  if (state_ != State::kAbsent && state_ != State::kTripped) {
+    enter(State::kDisarmed, latch_, now);
+  }
 }
 
 void StateMachine::board_restarted(model::Tick now) noexcept {

@@ -26,6 +26,8 @@ using boost::system::error_code;
 
 constexpr std::size_t kReadBytes = 16 * 1024;
 constexpr std::chrono::seconds kFarewell{1};
+/// So long one client is served before the others get their turn.
+constexpr std::chrono::milliseconds kTurn{1};
 
 }  // namespace
 
@@ -98,18 +100,23 @@ void Connection::abort() noexcept {
   wake_.cancel();
 }
 
-bool Connection::take_lines(LineReader& reader) {
+asio::awaitable<bool> Connection::take_lines(LineReader& reader) {
+  auto turn_ends = std::chrono::steady_clock::now() + kTurn;
   while (const auto line = reader.next()) {
     if (aborted_) {
-      return false;
+      co_return false;
     }
     if (line->too_long) {
       server_.line_too_long(session_);
     } else {
       server_.line(session_, line->text);
     }
+    if (std::chrono::steady_clock::now() > turn_ends) {
+      co_await asio::post(socket_.get_executor(), asio::use_awaitable);
+      turn_ends = std::chrono::steady_clock::now() + kTurn;
+    }
   }
-  return true;
+  co_return true;
 }
 
 asio::awaitable<void> Connection::read() {
@@ -132,7 +139,7 @@ asio::awaitable<void> Connection::read() {
         co_return;
       }
     }
-    if (!take_lines(reader)) {
+    if (!co_await take_lines(reader)) {
       co_return;
     }
   }

@@ -34,8 +34,8 @@ class Connection final : public Sink, public std::enable_shared_from_this<Connec
  private:
   boost::asio::awaitable<void> read();
   boost::asio::awaitable<void> write();
-  /// False: not a client of ours, or it has to go.
-  bool take_lines(class LineReader& reader);
+  /// Carries out what has arrived; lets the others have their turn in between. False: it has to go.
+  boost::asio::awaitable<bool> take_lines(class LineReader& reader);
   void abort() noexcept;
 
   Socket socket_;

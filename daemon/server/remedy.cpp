@@ -60,9 +60,8 @@ std::optional<std::string> remedy(control::State state, Reason reason, const Rem
     return std::nullopt;
   }
   if (state == control::State::kAbsent) {
-    return facts.simulated
-               ? "The simulated board does not answer: hedgehogctl status shows its faults."
-               : "Plug in the ball, or run without one: hedgehogd --simulate";
+    return facts.simulated ? "Let the simulated board answer again: sim.set with an empty fault"
+                           : "Plug in the ball, or run without one: hedgehogd --simulate";
   }
   const std::string step = first_step(reason, facts);
   return step.empty() ? "Run: hedgehogctl arm" : step + ", then run: hedgehogctl arm";

@@ -106,9 +106,8 @@ void StateKeeper::state_changed(control::State state) noexcept {
   }
 }
 
-void StateKeeper::write() {
-  saved_ = current();
-  const bool taken = disk_.post([path = path_, text = encode(saved_)] {
+bool StateKeeper::hand_over() {
+  return disk_.post([path = path_, text = encode(saved_)] {
     static bool failing = false;  // disk thread only; one line an episode
     const std::string problem = write_file_atomically(path, text);
     if (!problem.empty() && !failing) {
@@ -116,13 +115,20 @@ void StateKeeper::write() {
     }
     failing = !problem.empty();
   });
-  due_ = due_ || !taken;
+}
+
+void StateKeeper::write() {
+  saved_ = current();
+  due_ = !hand_over() || due_;
 }
 
 void StateKeeper::stopped_cleanly() {
   saved_ = current();
   saved_.clean_stop = saved_.latch == control::Reason::kNone;
-  write_file_atomically(path_, encode(saved_));
+  // Behind what still waits, so that nothing older is written after it or at the same time.
+  if (!hand_over()) {
+    write_file_atomically(path_, encode(saved_));
+  }
 }
 
 void StateKeeper::remember_gain(double gain) {
