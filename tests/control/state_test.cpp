@@ -109,6 +109,18 @@ TEST(StateMachine, AnEmergencyStopWhileAbsentIsRemembered) {
   EXPECT_EQ(states.reason(), Reason::kEmergencyStop);
 }
 
+TEST(StateMachine, AnEmergencyStopWhileAbsentDoesNotLoosenATrip) {
+  StateMachine states{ControlSettings{}};
+  states.board_alive(ready(0), 1);
+  states.trip(Reason::kOverheated, 2);
+  states.board_gone(Reason::kTelemetryLost, 3);
+  states.emergency_stop(4);
+  EXPECT_EQ(states.latch(), Reason::kOverheated);
+  states.board_alive(ready(0), 5);
+  EXPECT_EQ(states.state(), State::kTripped);
+  EXPECT_EQ(states.reason(), Reason::kOverheated) << "arming still waits until it is cool";
+}
+
 TEST(StateMachine, SecondSightIsAHotPlug) {
   ControlSettings settings;
   settings.arm_at_start = true;

@@ -94,6 +94,26 @@ TEST_P(HardwareFault, ArmingWorksAgainWhenItIsMendedAndCool) {
 INSTANTIATE_TEST_SUITE_P(Each, HardwareFault, ::testing::ValuesIn(kFaults),
                          [](const auto& fault) { return fault.param.name; });
 
+// A thermistor that drifts away while no winding carries enough to be compared with it: nothing
+// speaks against it until it says what cannot be.
+TEST(SensorImpossible, BelowMinusTwentyIsMadeSafeAndNamed) {
+  rig::Rig rig;
+  rig.run_until_armed();
+  const auto effect = rig.start(rig::hold({0, 1, 0}, 1.0));
+  rig.set_faults(device::kSimSensorOffset);
+  const auto reading_c = [&] { return rig.snapshot().board.sensor_c; };
+  while (reading_c() >= -19.0 && rig.now() < 100'000) {
+    rig.update(effect, rig::hold({0, 1, 0}, 1.0));
+    rig.run(500);
+  }
+  ASSERT_EQ(name(rig.controller().state()), "armed") << name(rig.controller().reason());
+  ASSERT_NEAR(rig.current_a(), 1.0, 0.05);
+  // From 0.15 K of noise above to as much below, then 40 ms of impossible readings.
+  ASSERT_TRUE(rig.run_until([&] { return reading_c() < -20.0; }, 2500));
+  expect_zero(rig, 1200);
+  expect_tripped(rig, Reason::kSensorImplausible);
+}
+
 TEST(FanFault, NoTachometerForThreeSecondsTrips) {
   rig::Rig rig;
   rig.run_until_armed();
