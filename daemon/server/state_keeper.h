@@ -28,7 +28,8 @@ class StateKeeper final : public Memory {
   /// After every pump.
   void pump();
   void state_changed(control::State state) noexcept;
-  /// The last word. REQUIRES: the control loop has stopped.
+  /// The last word; on disk at the latest when the disk thread has ended. REQUIRES: the control
+  /// loop has stopped.
   void stopped_cleanly();
 
   void remember_gain(double gain) override;
@@ -36,6 +37,8 @@ class StateKeeper final : public Memory {
 
  private:
   SavedState current() const;
+  /// `saved_`, to the disk thread; false: it has no room.
+  bool hand_over();
   void write();
 
   std::string path_;
