@@ -13,6 +13,20 @@ std::size_t characters(std::string_view text) noexcept {
   }));
 }
 
+/// C0, DEL or C1 (U+0080..U+009F), which would write into a log or move a terminal's cursor.
+bool has_control_character(std::string_view text) noexcept {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    if (byte < 0x20u || byte == 0x7fu) {
+      return true;
+    }
+    if (byte == 0xc2u && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xa0u) {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// What was said, as far as it may stand in `data.value`.
 std::optional<ErrorValue> as_value(const Json& json) {
   if (const auto* flag = json.as<bool>()) {
@@ -213,6 +227,10 @@ void Reader::text(std::string& v, const Spec& spec) {
     fail(std::move(error));
     return;
   }
+  if (strict_ && has_control_character(*text)) {
+    fail(invalid_params(path(), "has a control character"));
+    return;
+  }
   v = *text;
 }
 
@@ -237,8 +255,13 @@ void Reader::word(std::size_t& index, std::span<const std::string_view> names) {
 
 void Reader::numbers(std::span<double> v, const Spec& spec) {
   const auto* list = here().as<Json::List>();
-  if (list == nullptr || list->size() != v.size()) {
-    wrong_type("a list of " + std::to_string(v.size()) + " numbers");
+  const std::string wanted = "a list of " + std::to_string(v.size()) + " numbers";
+  if (list == nullptr) {
+    wrong_type(wanted);
+    return;
+  }
+  if (list->size() != v.size()) {
+    fail(invalid_params(path(), "must be " + wanted + ", not of " + std::to_string(list->size())));
     return;
   }
   for (std::size_t i = 0; i < v.size(); ++i) {

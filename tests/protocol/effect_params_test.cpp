@@ -180,6 +180,12 @@ TEST(EffectParams, SlotHasOneToThirtyTwoCharacters) {
   EXPECT_EQ(no_pulse("\"slot\":\"" + umlauts + "u\"").message,
             "slot: has 33 characters, more than 32");
   EXPECT_EQ(no_pulse(R"("slot":"")").field, "slot");
+  for (const char* unprintable :
+       {R"("slot":"a\nb")", R"("slot":"\u001b[31m")", R"("slot":"\u0000")", R"("slot":"\u007f")",
+        R"("slot":"\u0085")"}) {
+    EXPECT_EQ(no_pulse(unprintable).message, "slot: has a control character");
+  }
+  EXPECT_EQ(pulse(R"("slot":"\u00a0")").slot, "\u00a0");
   EXPECT_EQ(no_pulse(R"("slot":5)").message, "slot: must be a string, not a number");
 }
 

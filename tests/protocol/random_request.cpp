@@ -31,7 +31,7 @@ void maybe(std::optional<T>& field, Make make) {
 
 std::string slot() {
   return *rc::gen::elementOf(
-      std::vector<std::string>{"engine", "skid", "a \"quoted\" one", "Bäume", "\n", "🦔"});
+      std::vector<std::string>{"engine", "skid", "a \"quoted\" one", "Bäume", "\\", "🦔"});
 }
 
 Direction direction() {
