@@ -101,7 +101,7 @@ class CommandLine {
     const auto verbs = app_.get_subcommands();
     const std::string verb = verbs.empty() ? "" : " " + verbs.front()->get_name();
     std::string what = error.what();
-    if (error.get_name() == "ExtrasError") {
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError)) {
       what = "'" + extra_word() + "' is not understood";
     } else if (verbs.empty() && error.get_name() == "RequiredError") {
       what = "a verb is missing";
@@ -193,7 +193,7 @@ class CommandLine {
     CLI::App* events = verb("events", "what happens, a line each",
                             [this](Session& session) { return run_events(session, events_); });
     events->add_option("--types", events_.types, "only these, with commas")->delimiter(',');
-    events->add_flag("--all", events_.all, "everybody's effects, not only one's own");
+    events->add_flag("--all")->description("everybody's effects: always so")->group("");
     CLI::App* telemetry =
         verb("telemetry", "the status again and again, one JSON object a line",
              [this](Session& session) { return run_telemetry(session, telemetry_); });

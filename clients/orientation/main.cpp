@@ -2,7 +2,6 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
-#include <map>
 #include <string>
 
 #include "clients/lib/connection.h"
@@ -81,14 +80,14 @@ int main(int argc, char** argv) {
   std::optional<double> seconds;
   bool once = false;
   app.set_version_flag("--version", std::string("hedgehog-orientation " HEDGEHOG_VERSION));
-  app.add_option("--loop", options.loop, "who follows the turning: client or daemon")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Loop>{{"client", Loop::kClient}, {"daemon", Loop::kDaemon}}))
-      ->default_str("daemon");
-  app.add_option("--style", options.style, "pulse (felt better) or steady (5 A)")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Style>{{"pulse", Style::kPulse}, {"steady", Style::kSteady}}))
-      ->default_str("pulse");
+  std::string loop = "daemon";
+  std::string style = "pulse";
+  app.add_option("--loop", loop, "who follows the turning: client or daemon")
+      ->check(CLI::IsMember({"client", "daemon"}))
+      ->capture_default_str();
+  app.add_option("--style", style, "pulse (felt better) or steady (5 A)")
+      ->check(CLI::IsMember({"pulse", "steady"}))
+      ->capture_default_str();
   app.add_option("--address", address, "host:port or a socket's path (HEDGEHOG_ADDRESS)");
   app.add_option("--seconds", seconds, "ends after; else at Ctrl-C")->check(CLI::PositiveNumber);
   app.add_flag("--once", once, "ends when the daemon goes, instead of waiting for it");
@@ -100,6 +99,8 @@ int main(int argc, char** argv) {
     app.exit(error);
     return kUsage;
   }
+  options.loop = loop == "client" ? Loop::kClient : Loop::kDaemon;
+  options.style = style == "steady" ? Style::kSteady : Style::kPulse;
   if (seconds) {
     options.duration = milliseconds(static_cast<std::int64_t>(*seconds * 1000.0));
   }

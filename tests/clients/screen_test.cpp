@@ -163,6 +163,8 @@ TEST(StatusScreen, SaysWhyItIsTrippedAndWhatToDo) {
   const auto lines = status_screen(ball, {});
   EXPECT_THAT(lines[0], HasSubstr("TRIPPED: sensor_frozen"));
   EXPECT_THAT(lines[2], HasSubstr("hedgehogctl arm"));
+  EXPECT_THAT(lines, testing::Contains(EndsWith("of 0.0 A allowed")));
+  EXPECT_THAT(lines, testing::Contains("  headroom          none  nothing may flow"));
 }
 
 TEST(StatusScreen, NeverInventsATemperature) {

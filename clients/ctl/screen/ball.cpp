@@ -30,8 +30,12 @@ std::string thresholds_words(const Ball& ball) {
   return "derates at " + fixed(limits.derate_from_c, 0) + ", trips at " + fixed(limits.trip_c, 0);
 }
 
+double allowed_a(const protocol::Status& status) {
+  return status.state == "armed" ? status.limit_a : 0.0;
+}
+
 std::string allowed_words(const Ball& ball) {
-  return "of " + fixed(ball.status.limit_a, 1) + " A allowed";
+  return "of " + fixed(allowed_a(ball.status), 1) + " A allowed";
 }
 
 double current_norm_a(const protocol::Status& status) { return norm(status.current_a); }

@@ -25,6 +25,9 @@ std::string temperature_line(const Ball& ball, std::string_view behind, bool asc
 /// "  current          5.0 A  ━━━━──────────  <behind>".
 std::string current_line(const Ball& ball, std::string_view behind, bool ascii);
 
+/// What may flow now: the limit by heat, and nothing while the ball is not armed.
+double allowed_a(const protocol::Status& status);
+
 /// "derates at 60, trips at 70" and "of 15.0 A allowed": what stands behind the two gauges.
 std::string thresholds_words(const Ball& ball);
 std::string allowed_words(const Ball& ball);

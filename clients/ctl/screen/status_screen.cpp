@@ -37,6 +37,9 @@ std::string force_line(const Status& status) {
 
 std::string headroom_line(const Ball& ball) {
   const Status& status = ball.status;
+  if (status.state != "armed") {
+    return row("headroom", "none", "nothing may flow");
+  }
   std::string behind = "at this current";
   if (status.burst_s) {
     behind += "; " + fixed(ball.hello.limits.current_a, 0) + " A for " +

@@ -24,6 +24,9 @@ std::string push_words(const protocol::Status& status) {
 
 std::string headroom_words_of(const Ball& ball) {
   const protocol::Status& status = ball.status;
+  if (status.state != "armed") {
+    return row("headroom", "none", "nothing may flow");
+  }
   std::string behind = status.derating ? "derated now" : "at this current";
   if (status.burst_s) {
     behind +=
@@ -77,7 +80,7 @@ std::string WatchScreen::minute_line() const {
 std::vector<std::string> WatchScreen::lines(const Ball& ball) const {
   const protocol::Status& status = ball.status;
   const std::string_view dot = style_.ascii ? " - " : " · ";
-  const std::string allowed = std::string(dot) + fixed(status.limit_a, 1) + " A allowed";
+  const std::string allowed = std::string(dot) + fixed(allowed_a(status), 1) + " A allowed";
   const std::string keys = "SPACE stops   q quits";
   const std::string plain = state_words(status, {.colour = false, .ascii = style_.ascii}) + allowed;
   const std::size_t gap =

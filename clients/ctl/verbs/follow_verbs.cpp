@@ -49,16 +49,6 @@ void say_now(const protocol::EventsResult& now) {
   std::fflush(stdout);
 }
 
-/// Everybody's effects where the role allows it, else one's own.
-Outcome<void> subscribe_events(Connection& connection) {
-  auto all = connection.call(protocol::EventsSubscribe{{}, protocol::Scope::kAll});
-  if (all) {
-    return {};
-  }
-  auto mine = connection.call(protocol::EventsSubscribe{});
-  return mine ? Outcome<void>() : Outcome<void>(mine.error());
-}
-
 /// False: the person wants to leave.
 bool press(char key, Session& session) {
   if (key == ' ') {
@@ -105,7 +95,8 @@ int run_watch(Session& session) {
   if (!ball) {
     return complain(ball.error());
   }
-  if (auto events = subscribe_events(session.connection); !events) {
+  const protocol::EventsSubscribe everything{{}, protocol::Scope::kAll};
+  if (auto events = session.connection.call(everything); !events) {
     return complain(events.error());
   }
   auto telemetry =
@@ -121,8 +112,8 @@ int run_watch(Session& session) {
 }
 
 int run_events(Session& session, const EventsOptions& options) {
-  const protocol::EventsSubscribe request{
-      options.types, options.all ? protocol::Scope::kAll : protocol::Scope::kMine};
+  // This program plays nothing, so effects of its own there are none.
+  const protocol::EventsSubscribe request{options.types, protocol::Scope::kAll};
   if (auto hello = session.connection.hello("hedgehogctl"); !hello) {
     return complain(hello.error());
   }

@@ -16,7 +16,6 @@ int run_watch(Session& session);
 
 struct EventsOptions {
   std::vector<std::string> types;
-  bool all = false;
 };
 int run_events(Session& session, const EventsOptions& options);
 

@@ -196,14 +196,14 @@ int run_check(const CommonOptions& options) {
   if (shown) {
     std::printf(", %s C", fixed(*shown, 1).c_str());
   }
-  std::printf(", %s A allowed | ", fixed(status.limit_a, 1).c_str());
+  std::printf(", %s A allowed | ", fixed(allowed_a(status), 1).c_str());
   if (shown) {
     const protocol::LimitsDescription& limits = ball->description.limits;
     std::printf("temperature=%s;%s;%s ", fixed(*shown, 1).c_str(),
                 fixed(limits.derate_from_c, 0).c_str(), fixed(limits.trip_c, 0).c_str());
   }
   std::printf("current=%s limit=%s effects=%zu\n", fixed(current_norm_a(status), 1).c_str(),
-              fixed(status.limit_a, 1).c_str(), status.effects.size());
+              fixed(allowed_a(status), 1).c_str(), status.effects.size());
   return health.code;
 }
 

@@ -128,7 +128,7 @@ Outcome<std::string> play_params(const PlayOptions& options) {
     params["lease_ms"] = kHoldLeaseMs;
   }
   for (const auto& [name, text] : options.params) {
-    params[name] = typed(text);
+    params[name] = name == "slot" ? json(text) : typed(text);
   }
   return params.dump();
 }
