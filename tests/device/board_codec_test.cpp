@@ -72,6 +72,15 @@ TEST(GoldenFrame, SetPoint) {
             "0000000000000000 0000000000000000 00000000b0f193d8");
 }
 
+TEST(GoldenFrame, SetPointWithABoost) {
+  BoardCommand command =
+      BoardCommand::drive(limited({5, 0, -3}), kColdOhm, 1.5e-3, {4, 0, 12}, 12.0);
+  command.fan = 128;
+  EXPECT_EQ(hex(encode_set_point(command, 0x01020304)),
+            "4801010104030201 001800009af18000 b80d0000678e0000 0000000000000000 0000000000000000 "
+            "0000000000000000 0000000000000000 00000000c8ae574d");
+}
+
 TEST(GoldenFrame, SafeSetPoint) {
   EXPECT_EQ(hex(encode_set_point(BoardCommand{}, 1)),
             "4801010001000000 0000000000000000 0000000000000000 0000000000000000 0000000000000000 "

@@ -98,6 +98,21 @@ TEST_F(LinkBench, ASetPointIsRepeatedForNineteenTicksAndThenReplacedByTheSafeCom
   EXPECT_TRUE(set_point().enable);
 }
 
+TEST_F(LinkBench, ARepeatedSetPointHasNoBoost) {
+  telemetry();
+  renew();
+  command.board = BoardCommand::drive(limited({5, 0, 0}), kColdOhm, 1.5e-3, {0, 0, 0}, 12.0);
+  step();
+  ASSERT_GT(command.board.boost_q15()[0], 0);
+  EXPECT_EQ(set_point().boost_q15[0], command.board.boost_q15()[0]);
+  for (int i = 1; i < Link::kOverdueTicks; ++i) {
+    telemetry();
+    step();
+    ASSERT_EQ(set_point().boost_q15[0], 0) << i;
+    ASSERT_EQ(set_point().duty_q15[0], command.board.duty_q15()[0]) << i;
+  }
+}
+
 TEST_F(LinkBench, WithoutABoardOnlyTheSafeCommandGoesOut) {
   renew();
   step();

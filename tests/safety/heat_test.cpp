@@ -153,7 +153,7 @@ TEST(AbsurdNumber, IsZeroForThatTickAndTold) {
   rig.run(100);
   const auto bad = rig.start(rig::hold({1, 0, 0}, std::numeric_limits<double>::quiet_NaN()));
   rig.tick();
-  EXPECT_EQ(rig.last_command().duty_q15()[0] <= 0, true) << "nothing is pushed in that tick";
+  EXPECT_LE(rig.last_command().first_duty().x, 0.0) << "nothing is pushed in that tick";
   EXPECT_EQ(norm(rig.snapshot().limited_a), 0.0);
   EXPECT_EQ(rig.count(control::EventType::kRejectedNumber), 1);
   rig.stop(bad);

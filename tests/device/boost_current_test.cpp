@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// What a step of the set-point makes flow, when the host goes on and when it is late.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "daemon/device/lock_step.h"
+#include "tests/device/limited.h"
+
+namespace hedgehog::device {
+namespace {
+
+struct StepOfCurrent : testing::Test {
+  LinkPort port;
+  LockStep both{port};
+  LinkCommand command;
+
+  double current() { return both.board().plant().current_a().x; }
+  bool awake() { return both.board().core().outputs().awake; }
+
+  // A new set-point that wants `wanted` while `now` flows.
+  void renew(double wanted, double now) {
+    const std::uint8_t arm_count = command.board.arm_count;
+    command.board =
+        BoardCommand::drive(limited({wanted, 0, 0}), kColdOhm, 1.5e-3, {now, 0, 0}, 12.0);
+    command.board.arm_count = arm_count;
+    ++command.count;
+  }
+  void step() {
+    port.commands.write(command);
+    both.step();
+  }
+  void SetUp() override {
+    for (int ms = 0; ms < 6; ++ms) {
+      renew(0, 0);
+      if (ms == 2) ++command.board.arm_count;
+      step();
+    }
+    ASSERT_TRUE(awake());
+  }
+  // The most that flows from one set-point, until the link has made the board safe.
+  double peak_of_one(double wanted) {
+    renew(wanted, 0.0);
+    double peak = 0.0;
+    int ms = 0;
+    for (; ms < 100 && (ms == 0 || awake()); ++ms) {
+      step();
+      peak = std::max(peak, current());
+    }
+    EXPECT_EQ(ms, Link::kOverdueTicks + 1);
+    return peak;
+  }
+};
+
+TEST_F(StepOfCurrent, EightAmperesNeverRenewedStayEight) {
+  const double peak = peak_of_one(8.0);
+  EXPECT_LT(peak, 8.2);
+  EXPECT_GT(peak, 7.9);
+}
+
+TEST_F(StepOfCurrent, FifteenAmperesNeverRenewedStayFifteen) {
+  const double peak = peak_of_one(15.0);
+  EXPECT_LT(peak, 15.3);
+  EXPECT_GT(peak, 14.8);
+}
+
+TEST_F(StepOfCurrent, RenewedEachMillisecondItIsThereInTwo) {
+  for (const double wanted : {8.0, -8.0, 3.0, 8.0, 0.0}) {
+    double peak = 0.0;
+    const double from = current();
+    for (int ms = 1; ms <= 20; ++ms) {
+      renew(wanted, current());
+      step();
+      // 12 V move the current by up to 6.9 A in the first millisecond: from 8 to -8 takes three.
+      if (ms >= (std::abs(wanted - from) > 12.0 ? 3 : 2)) {
+        ASSERT_NEAR(current(), wanted, 0.02 * 8.0) << ms;
+      }
+      peak = std::max(peak, std::abs(current() - from));
+    }
+    EXPECT_LT(peak, 1.02 * std::abs(wanted - from)) << wanted;
+  }
+}
+
+}  // namespace
+}  // namespace hedgehog::device
