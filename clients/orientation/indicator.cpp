@@ -12,7 +12,6 @@ using std::chrono::milliseconds;
 
 constexpr const char* kSlot = "orientation";
 constexpr std::int64_t kLeaseMs = 500;
-constexpr milliseconds kRenewal{200};
 constexpr milliseconds kReportEvery{1000};
 constexpr double kFollowHz = 100.0;
 constexpr double kReportHz = 10.0;
@@ -69,9 +68,6 @@ Outcome<void> Indicator::run(const std::function<bool()>& stop,
         return taken;
       }
     }
-    if (auto renewed = renew(); !renewed) {
-      return renewed;
-    }
     if (auto ended = check_ended(); !ended) {
       return ended;
     }
@@ -110,7 +106,6 @@ Outcome<void> Indicator::play(const std::optional<model::Vec3>& direction) {
   }
   effect_ = admitted->effect;
   lapsed_ = false;
-  renewed_ = Clock::now();
   return {};
 }
 
@@ -133,7 +128,10 @@ Outcome<void> Indicator::take(const Notification& told,
     now.temperature_c = status.temperature_c.model.value_or(0.0);
     report(now);
   }
-  return options_.loop == Loop::kClient && !ended_ ? follow(status) : Outcome<void>();
+  if (ended_) {
+    return {};
+  }
+  return options_.loop == Loop::kClient ? follow(status) : renew();
 }
 
 void Indicator::take(const protocol::Event& event) {
@@ -167,18 +165,13 @@ Outcome<void> Indicator::follow(const protocol::Status& status) {
   EffectParams params;
   params.slot = kSlot;
   params.direction = status.orientation->up;
-  renewed_ = Clock::now();
   return connection_.notify(protocol::EffectUpdate{std::nullopt, params});
 }
 
 Outcome<void> Indicator::renew() {
-  if (options_.loop == Loop::kClient || ended_ || Clock::now() - renewed_ < kRenewal) {
-    return {};
-  }
   if (lapsed_) {
     return play({});
   }
-  renewed_ = Clock::now();
   EffectParams params;
   params.slot = kSlot;
   return connection_.notify(protocol::EffectUpdate{std::nullopt, params});

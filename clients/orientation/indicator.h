@@ -56,6 +56,7 @@ class Indicator {
   Outcome<void> play(const std::optional<model::Vec3>& direction);
   Outcome<void> take(const Notification& told,
                      const std::function<void(const IndicatorReport&)>& report);
+  /// With each telemetry: its rate, like the lease, counts the device's time.
   Outcome<void> renew();
   void take(const protocol::Event& event);
   Outcome<void> follow(const protocol::Status& status);
@@ -69,7 +70,6 @@ class Indicator {
   std::optional<std::string> ended_;
   Clock::time_point ended_at_{};
   Clock::time_point started_at_{};
-  Clock::time_point renewed_{};
   Clock::time_point reported_{};
 };
 

@@ -14,12 +14,12 @@ namespace hedgehog::client {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using nlohmann::json;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kGlance{50};
-constexpr milliseconds kRenewal{400};
+// Telemetry tells when to renew: its rate, like the lease, counts the device's time (--speed).
+constexpr double kRenewalHz = 20.0;
 constexpr int kHoldLeaseMs = 1000;
 
 /// A parameter as typed: a number where it reads as one, else a word.
@@ -38,15 +38,13 @@ class Stay {
       : session_(session),
         effect_(effect),
         held_(options.method == "effect.hold"),
-        until_(options.hold_s ? Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                                   std::chrono::duration<double>(*options.hold_s))
-                              : Clock::time_point::max()) {}
+        hold_s_(options.hold_s) {}
 
   Outcome<std::optional<protocol::EventMessage>> wait() {
+    if (auto asked = ask_for_time(); !asked) {
+      return asked.error();
+    }
     while (!interrupted()) {
-      if (auto renewed = keep_going(); !renewed) {
-        return renewed.error();
-      }
       auto told = session_.connection.next(kGlance);
       if (!told) {
         return told.error();
@@ -54,10 +52,12 @@ class Stay {
       if (!*told) {
         continue;
       }
-      const auto* event = std::get_if<protocol::EventMessage>(&**told);
-      if (event != nullptr && event->event.type == "effect_ended" &&
-          event->event.effect == effect_) {
-        return std::optional(*event);
+      if (const auto* event = std::get_if<protocol::EventMessage>(&**told)) {
+        if (event->event.type == "effect_ended" && event->event.effect == effect_) {
+          return std::optional(*event);
+        }
+      } else if (auto kept = keep_going(std::get<protocol::TelemetryMessage>(**told)); !kept) {
+        return kept.error();
       }
     }
     return std::optional<protocol::EventMessage>{};
@@ -67,27 +67,36 @@ class Stay {
   bool stopped_in_time() const noexcept { return stopped_; }
 
  private:
-  Outcome<void> keep_going() {
-    if (!held_ || stopped_) {
+  Outcome<void> ask_for_time() {
+    if (!held_) {
       return {};
     }
-    if (Clock::now() >= until_) {
+    protocol::StatusKeys only_time;
+    only_time.add(protocol::StatusKey::kTimeNs);
+    const auto asked =
+        session_.connection.call(protocol::TelemetrySubscribe{kRenewalHz, only_time});
+    return asked ? Outcome<void>() : Outcome<void>(asked.error());
+  }
+
+  Outcome<void> keep_going(const protocol::TelemetryMessage& message) {
+    const std::int64_t now_ns = message.telemetry.status.time_ns;
+    start_ns_ = start_ns_.value_or(now_ns);
+    if (stopped_) {
+      return {};
+    }
+    if (hold_s_ && static_cast<double>(now_ns - *start_ns_) * 1e-9 >= *hold_s_) {
       stopped_ = true;
       return session_.connection.notify(protocol::EffectStop{effect_, std::nullopt});
     }
-    if (Clock::now() - renewed_ >= kRenewal) {
-      renewed_ = Clock::now();
-      return session_.connection.notify(protocol::EffectUpdate{effect_, {}});
-    }
-    return {};
+    return session_.connection.notify(protocol::EffectUpdate{effect_, {}});
   }
 
   Session& session_;
   std::uint32_t effect_;
   bool held_;
   bool stopped_ = false;
-  Clock::time_point until_;
-  Clock::time_point renewed_ = Clock::now();
+  std::optional<double> hold_s_;
+  std::optional<std::int64_t> start_ns_;
 };
 
 void say_start(const PlayOptions& options, const protocol::Admission& admission) {
