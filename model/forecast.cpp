@@ -4,15 +4,26 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace hedgehog::model {
 namespace {
 
 constexpr double kHorizonS = 4.0 * 3600.0;
-// Slower than this nothing will be crossed any more: 0.15 K in the 4 h.
-constexpr double kSettledK_s = 1e-5;
+// Slower than this nothing will be crossed any more: what is still to come is this times the time
+// constant of the whole ball, 0.05 K with its fan and 0.13 K without.
+constexpr double kSettledK_s = 1e-4;
 // A winding that carries less is not measured by its own resistance (see WindingMeter).
 constexpr double kMeasuredA = 1.5;
+
+// A step is as long as the nodes stay within this (crossings are interpolated linearly) and the
+// integration is stable and exact to a hundredth of a kelvin, but at least a tick.
+constexpr double kStepK = 0.5;
+constexpr double kShortestS = 1e-3;
+constexpr double kLongestWhileFanIsOpenS = 2.0;
+// A device file may describe a ball so light that this ends before the horizon; an ordinary one
+// needs a third of it.
+constexpr int kMostSteps = 4000;
 
 /// The ball under a constant load, with its fan.
 class Course {
@@ -29,27 +40,47 @@ class Course {
       squares_a2_[i] = rms_a[coil] * rms_a[coil];
       load_.guessed[i] = std::abs(rms_a[coil]) < kMeasuredA;
     }
+    // Gershgorin: no eigenvalue of the four nodes is beyond twice the diagonal of its row.
+    const double to_room_k_w =
+        std::min(thermal.core_to_room_fan_k_w, thermal.core_to_room_still_k_w);
+    const double core =
+        (2.0 * kCoils / thermal.winding_to_core_k_w + 1.0 / to_room_k_w) / thermal.core_j_k;
+    const double winding = 2.0 / (thermal.winding_to_core_k_w * thermal.winding_j_k);
+    longest_s_ = 1.0 / std::max(core, winding);
   }
 
   /// One step; false once nothing moves any more or the horizon is reached.
   bool step() noexcept {
     run_fan();
-    const double dt_s = time_s_ < 60.0 ? 0.1 : time_s_ < 600.0 ? 0.5 : 2.0;
-    const ThermalState half = advanced(nodes_, rates(nodes_), 0.5 * dt_s);
-    const ThermalState rate = rates(half);
-    nodes_ = advanced(nodes_, rate, dt_s);
-    time_s_ += dt_s;
-    mean_a_ += (norm_a_ - mean_a_) * std::min(1.0, dt_s / kFanMeanS);
-    double fastest = std::abs(rate.core_c);
-    for (const double r : rate.winding_c) fastest = std::max(fastest, std::abs(r));
+    const ThermalState k1 = rates(nodes_);
     const bool mean_settled = std::abs(norm_a_ - mean_a_) < 0.01;
-    return time_s_ < kHorizonS && (fastest > kSettledK_s || !mean_settled);
+    const double fastest = steepest(k1);
+    if (fastest <= kSettledK_s && mean_settled) return false;
+    double dt_s = mean_settled ? longest_s_ : std::min(longest_s_, kLongestWhileFanIsOpenS);
+    dt_s = std::max(kShortestS, std::min(dt_s, kStepK / fastest));
+    const ThermalState k2 = rates(advanced(nodes_, k1, 0.5 * dt_s));
+    const ThermalState k3 = rates(advanced(nodes_, k2, 0.5 * dt_s));
+    const ThermalState k4 = rates(advanced(nodes_, k3, dt_s));
+    for (std::size_t i = 0; i < kCoils; ++i)
+      nodes_.winding_c[i] +=
+          dt_s / 6.0 *
+          (k1.winding_c[i] + 2.0 * (k2.winding_c[i] + k3.winding_c[i]) + k4.winding_c[i]);
+    nodes_.core_c += dt_s / 6.0 * (k1.core_c + 2.0 * (k2.core_c + k3.core_c) + k4.core_c);
+    time_s_ += dt_s;
+    mean_a_ += (norm_a_ - mean_a_) * (1.0 - std::exp(-dt_s / kFanMeanS));
+    return time_s_ < kHorizonS && ++steps_ < kMostSteps;
   }
 
   double hottest_c() const noexcept { return hottest_winding(nodes_); }
   double time_s() const noexcept { return time_s_; }
 
  private:
+  static double steepest(const ThermalState& rate) noexcept {
+    double fastest = std::abs(rate.core_c);
+    for (const double r : rate.winding_c) fastest = std::max(fastest, std::abs(r));
+    return fastest;
+  }
+
   void run_fan() noexcept {
     const double hottest = hottest_c();
     if (hottest > kFanOnC || mean_a_ > kFanOnA) load_.fan_running = fan_works_;
@@ -71,26 +102,54 @@ class Course {
   double norm_a_ = 0.0;
   double mean_a_ = 0.0;
   double time_s_ = 0.0;
+  double longest_s_ = 1.0;
+  int steps_ = 0;
   bool fan_works_ = true;
 };
 
-/// When the hottest winding first rises to `goal_c` (`rising`) or has fallen to it.
-std::optional<double> time_to(Course course, double goal_c, bool rising) noexcept {
-  const auto reached = [goal_c, rising](double t) { return rising ? t >= goal_c : t <= goal_c; };
+/// A temperature that is awaited on a course.
+struct Crossing {
+  double goal_c = 0.0;
+  bool rising = true;
+  std::optional<double> at_s{};
+
+  bool reached(double t) const noexcept { return rising ? t >= goal_c : t <= goal_c; }
+};
+
+/// When the hottest winding first is at each of `crossings`; runs until the last of them.
+void await(Course course, std::span<Crossing> crossings) noexcept {
   double before_c = course.hottest_c();
-  if (reached(before_c)) return 0.0;
-  for (bool more = true; more;) {
+  bool open = false;
+  for (Crossing& c : crossings) {
+    if (c.reached(before_c)) c.at_s = 0.0;
+    open = open || !c.at_s;
+  }
+  for (bool more = true; more && open;) {
     const double before_s = course.time_s();
     more = course.step();
     const double now_c = course.hottest_c();
-    if (!std::isfinite(now_c)) return rising ? std::optional(before_s) : std::nullopt;
-    if (reached(now_c)) {
-      const double share = (goal_c - before_c) / (now_c - before_c);
-      return before_s + share * (course.time_s() - before_s);
+    open = false;
+    for (Crossing& c : crossings) {
+      if (c.at_s) continue;
+      if (!std::isfinite(now_c)) {
+        if (c.rising) c.at_s = before_s;
+        continue;
+      }
+      if (c.reached(now_c)) {
+        const double share = (c.goal_c - before_c) / (now_c - before_c);
+        c.at_s = before_s + share * (course.time_s() - before_s);
+      } else {
+        open = true;
+      }
     }
     before_c = now_c;
   }
-  return std::nullopt;
+}
+
+std::optional<double> time_to(const Course& course, double goal_c, bool rising) noexcept {
+  Crossing crossing{goal_c, rising};
+  await(course, {&crossing, 1});
+  return crossing.at_s;
 }
 
 /// The hottest winding when all has settled with `rms_a`, by the fixed point in closed form;
@@ -188,26 +247,37 @@ double Forecaster::sustainable_a(const ForecastStart& start,
   return low;
 }
 
+Forecast Forecaster::under_load(const ForecastStart& start,
+                                const AskedCurrents& asked) const noexcept {
+  std::array<Crossing, 2> rise;
+  rise[0].goal_c = limits_.trip_c;
+  rise[1].goal_c = derating_temperature(limits_, Amps(asked.peak_a)).value;
+  const bool derates = asked.peak_a > 0.0;
+  await(Course(coils_, thermal_, start, asked.rms_a), std::span(rise).first(derates ? 2 : 1));
+  Forecast f;
+  f.seconds_to_limit = rise[0].at_s;
+  f.seconds_to_derating = rise[1].at_s;
+  f.sustainable_a = sustainable_a(start, asked);
+  return f;
+}
+
 Forecast Forecaster::forecast(const ForecastStart& start,
                               const AskedCurrents& asked) const noexcept {
-  Forecast f;
-  f.seconds_to_derating = seconds_to_derating(start, asked);
-  f.seconds_to_limit = time_to(Course(coils_, thermal_, start, asked.rms_a), limits_.trip_c, true);
-  f.sustainable_a = sustainable_a(start, asked);
+  Forecast f = under_load(start, asked);
   f.recovery_s = recovery_s(start);
   return f;
 }
 
 Forecast Forecaster::forecast_worst_coil(const ForecastStart& start,
                                          double current_a) const noexcept {
-  Forecast worst = forecast(start, AskedCurrents::constant(along(0, current_a)));
+  Forecast worst = under_load(start, AskedCurrents::constant(along(0, current_a)));
   for (int coil = 1; coil < kCoils; ++coil) {
-    const AskedCurrents asked = AskedCurrents::constant(along(coil, current_a));
-    const Forecast one = forecast(start, asked);
+    const Forecast one = under_load(start, AskedCurrents::constant(along(coil, current_a)));
     worst.seconds_to_derating = sooner(worst.seconds_to_derating, one.seconds_to_derating);
     worst.seconds_to_limit = sooner(worst.seconds_to_limit, one.seconds_to_limit);
     worst.sustainable_a = std::min(worst.sustainable_a, one.sustainable_a);
   }
+  worst.recovery_s = recovery_s(start);
   return worst;
 }
 

@@ -53,7 +53,7 @@ inline constexpr double kFanMeanS = 30.0;
 /// peak above `limits.current_a` counts as that.
 Celsius derating_temperature(const Limits& limits, Amps peak) noexcept;
 
-/// One ball with its limits. Immutable; any thread, allocates nothing, at most 2 ms a question.
+/// One ball with its limits. Immutable; any thread, allocates nothing, at most 0.5 ms a question.
 class Forecaster {
  public:
   Forecaster(const CoilModel& coils, const ThermalModel& thermal, const Limits& limits) noexcept
@@ -75,6 +75,9 @@ class Forecaster {
   double sustainable_a(const ForecastStart& start, const AskedCurrents& asked) const noexcept;
 
  private:
+  /// All but the recovery, which depends on `start` alone.
+  Forecast under_load(const ForecastStart& start, const AskedCurrents& asked) const noexcept;
+
   CoilModel coils_;
   ThermalModel thermal_;
   Limits limits_;

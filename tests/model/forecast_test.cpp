@@ -49,6 +49,40 @@ TEST(Forecast, AgreesWithThePlantWithin5PercentFromColdAndWarm) {
   }
 }
 
+TEST(Forecast, AgreesWithThePlantWhereItTakesLong) {
+  const double edge = kNominal.sustainable_a(cold(), AskedCurrents::constant({0, 0, 1}));
+  for (const double current : {1.03 * edge, 1.1 * edge}) {
+    const auto foretold =
+        kNominal.seconds_to_derating(cold(), AskedCurrents::constant({0, 0, current}));
+    ASSERT_TRUE(foretold.has_value());
+    EXPECT_GT(*foretold, 300.0);
+    const double real = loop_seconds_to_derating(cold(), {0, 0, current});
+    EXPECT_NEAR(*foretold, real, 0.05 * real) << current << " A";
+  }
+}
+
+TEST(Forecast, AllAnswersAtOnceAreThoseAskedOneByOne) {
+  for (const double current : {2.4, 5.0, 5.6, 9.0, 15.0}) {
+    ForecastStart start = warm(62.0);
+    start.nodes.winding_c = {61.0, 64.0, 62.0};
+    start.mean_current_a = 4.0;
+    const Forecast worst = kNominal.forecast_worst_coil(start, current);
+    EXPECT_EQ(worst.recovery_s, kNominal.recovery_s(start));
+    ASSERT_TRUE(worst.recovery_s.has_value());
+    EXPECT_GT(*worst.recovery_s, 0.0);
+    std::optional<double> first;
+    for (const Vec3& along : {Vec3{current, 0, 0}, Vec3{0, current, 0}, Vec3{0, 0, current}}) {
+      const AskedCurrents asked = AskedCurrents::constant(along);
+      const Forecast one = kNominal.forecast(start, asked);
+      EXPECT_EQ(one.seconds_to_derating, kNominal.seconds_to_derating(start, asked));
+      EXPECT_EQ(one.recovery_s, worst.recovery_s);
+      EXPECT_LE(one.seconds_to_derating.value_or(1e9), one.seconds_to_limit.value_or(1e9));
+      if (one.seconds_to_derating) first = std::min(first.value_or(1e9), *one.seconds_to_derating);
+    }
+    EXPECT_EQ(worst.seconds_to_derating, first) << current << " A";
+  }
+}
+
 TEST(Forecast, SecondsToLimitAreThoseOfTheUnlimitedPlant) {
   for (const double current : {8.0, 10.0, 12.0, 15.0}) {
     ThermalLoop loop(PlantParameters{}, 25.0);
