@@ -41,7 +41,12 @@ struct UpdateEffect {
   model::EffectSpec spec;
 };
 
-struct Arm {};
+/// Ignored once an emergency stop was asked for that it does not know of: it waited in a queue, the
+/// stop did not.
+struct Arm {
+  /// `Mailbox::emergency_generation` when the arming was asked for.
+  std::uint32_t generation = 0;
+};
 
 /// The front points at `azimuth_deg` now.
 struct Recenter {

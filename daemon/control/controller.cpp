@@ -40,6 +40,8 @@ device::BoardCommand Controller::step(const StepInputs& inputs, EventList& event
   const Reason found = sense(inputs, dt_s);
   follow_board(found, inputs.board_present, inputs.board_fresh);
 
+  const bool emergency = inputs.emergency_generation != emergency_generation_;
+  emergency_generation_ = inputs.emergency_generation;
   for (int i = 0; i < inputs.stop_count; ++i) {
     mixer_.stop(inputs.stops[static_cast<std::size_t>(i)], now_, events);
   }
@@ -47,8 +49,7 @@ device::BoardCommand Controller::step(const StepInputs& inputs, EventList& event
     take(inputs.commands[static_cast<std::size_t>(i)], events);
   }
   // After the commands, so that no arming of the same tick survives it.
-  if (inputs.emergency_generation != emergency_generation_) states_.emergency_stop(now_);
-  emergency_generation_ = inputs.emergency_generation;
+  if (emergency) states_.emergency_stop(now_);
 
   const bool was_armed = states_.armed();
   states_.step(board_, inputs.board_fresh, arm_refusal(), now_);
@@ -132,8 +133,8 @@ void Controller::take(const Command& command, EventList& events) noexcept {
     mixer_.start(*start, command.seq, now_, events);
   } else if (const auto* update = std::get_if<UpdateEffect>(&command.what)) {
     mixer_.update(*update, now_);
-  } else if (std::get_if<Arm>(&command.what) != nullptr) {
-    states_.arm(arm_refusal(), now_);
+  } else if (const auto* arm = std::get_if<Arm>(&command.what)) {
+    if (arm->generation == emergency_generation_) states_.arm(arm_refusal(), now_);
   } else if (const auto* recenter = std::get_if<Recenter>(&command.what)) {
     heading_.recenter(recenter->azimuth_deg);
   } else if (const auto* gain = std::get_if<SetGain>(&command.what)) {

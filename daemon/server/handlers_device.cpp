@@ -84,7 +84,9 @@ Outcome device_arm(Call& call, const protocol::DeviceArm&) {
   if (machine.now().state == control::State::kAbsent) {
     return Answer(*not_playable(machine));
   }
-  const auto seq = machine.outbox().add(call.session.id, control::Arm{});
+  const auto seq = machine.outbox().add(
+      call.session.id,
+      control::Arm{machine.mailbox().emergency_generation.load(std::memory_order_acquire)});
   if (!seq) {
     return Answer(queue_full());
   }

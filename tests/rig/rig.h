@@ -65,7 +65,7 @@ class Rig {
   void command(const What& what) {
     push({++seq_, what});
   }
-  void arm() { command(control::Arm{}); }
+  void arm() { command(control::Arm{inputs_.emergency_generation}); }
   void emergency_stop() noexcept { ++inputs_.emergency_generation; }
   /// Breaks (or mends) the simulated hardware now.
   void set_faults(std::uint16_t faults, int coil = 0);

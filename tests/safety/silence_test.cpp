@@ -84,6 +84,22 @@ TEST(EmergencyStop, OutlivesAnArmingOfTheSameTick) {
   EXPECT_EQ(name(rig.controller().reason()), "emergency_stop");
 }
 
+TEST(EmergencyStop, OutlivesAnOlderArmingThatStillWaitsInTheQueue) {
+  rig::RigOptions options;
+  options.control.arm_at_start = false;
+  rig::Rig rig(options);
+  rig.run(50);
+  for (int i = 0; i < control::kMaxCommandsPerTick + 6; ++i) rig.command(control::SetGain{1.0});
+  rig.arm();
+  rig.emergency_stop();  // seen at the next tick, the arming one later
+  rig.run(400);
+  EXPECT_EQ(name(rig.controller().state()), "disarmed");
+  EXPECT_EQ(name(rig.snapshot().latch), "emergency_stop");
+  rig.arm();
+  rig.run(20);
+  EXPECT_EQ(name(rig.controller().state()), "armed") << "one that came after the stop works";
+}
+
 TEST(ControlLate, TheLinkIsSafeAfterTwentyMilliseconds) {
   rig::Rig rig;
   rig.run_until_armed();
