@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 #include "clients/ctl/demo/demo_screen.h"
 #include "clients/ctl/screen/ball_map.h"
@@ -15,11 +16,6 @@ namespace {
 
 constexpr double kPictureHz = 25.0;
 constexpr std::size_t kPinsShown = 4;
-
-long felt_pins(const protocol::Status& status) {
-  return std::count_if(status.pins.begin(), status.pins.end(),
-                       [](double force_n) { return force_n >= kFeltN; });
-}
 
 }  // namespace
 
@@ -66,27 +62,24 @@ Outcome<void> TourPlayer::subscribe() {
 
 Outcome<void> TourPlayer::play_chapter(const TourChapter& chapter) {
   playing_ = nullptr;
-  const TourStep* unsaid = nullptr;
   for (const TourStep& step : chapter.steps) {
     if (auto waited = wait_until(step.at, chapter); !waited || interrupted()) {
       return waited;
     }
     if (step.shown) {
-      if (unsaid != nullptr) {
-        say_played(*unsaid);
-      }
-      unsaid = playing_ = &step;
+      say_played();
+      unsaid_ = playing_ = &step;
       record_.take_pins();
       record_.take_strongest();
+      record_.take_most_felt();
     }
     if (auto sent = send(step); !sent) {
       return sent;
     }
   }
   auto waited = wait_until(chapter.to, chapter);
-  if (unsaid != nullptr) {
-    say_played(*unsaid);
-  } else if (&chapter == &chapters_.back()) {
+  say_played();
+  if (&chapter == &chapters_.back()) {
     say_rest(chapter);
   }
   return waited;
@@ -139,13 +132,17 @@ void TourPlayer::draw(const TourChapter& chapter) {
   }
 }
 
-void TourPlayer::say_played(const TourStep& step) {
+void TourPlayer::say_played() {
+  if (unsaid_ == nullptr) {
+    return;
+  }
+  const TourStep& step = *std::exchange(unsaid_, nullptr);
   const auto strongest = record_.take_strongest();
   const std::vector<std::int64_t> pins = record_.take_pins();
   if (picture_ || !strongest) {
     return;
   }
-  std::string felt = std::to_string(felt_pins(*strongest)) + " pins felt";
+  std::string felt = std::to_string(record_.take_most_felt()) + " pins felt";
   if (step.method == "effect.circle") {
     felt = "pins";
     for (std::size_t i = 0; i < std::min(pins.size(), kPinsShown); ++i) {
@@ -163,6 +160,7 @@ void TourPlayer::say_derating(const protocol::Event& event) {
   if (picture_ || event.type != "derating_started") {
     return;
   }
+  say_played();
   std::printf("%5.1f s  %s %s A allowed   %s °C\n", now_s(), left("derating", 17).c_str(),
               right(fixed(event.limit_a.value_or(0.0), 1), 5).c_str(),
               fixed(event.temperature_c.value_or(0.0), 1).c_str());

@@ -38,7 +38,8 @@ class TourPlayer {
   Outcome<void> send(const TourStep& step);
   void draw(const TourChapter& chapter);
   /// Lines for a pipe: the step that has just been played, or a derating.
-  void say_played(const TourStep& step);
+  /// The line of the step that has not got one yet, with what it reached so far.
+  void say_played();
   void say_derating(const protocol::Event& event);
   void say_rest(const TourChapter& chapter);
   double now_s() const;
@@ -51,6 +52,7 @@ class TourPlayer {
   std::unique_ptr<Canvas> canvas_;
   TourRecord record_;
   const TourStep* playing_ = nullptr;
+  const TourStep* unsaid_ = nullptr;
   Clock::time_point start_{};
   double seconds_ = 0.0;
 };

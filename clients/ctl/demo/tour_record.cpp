@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "clients/ctl/screen/ball.h"
+#include "clients/ctl/screen/ball_map.h"
 #include "clients/ctl/screen/words.h"
 
 namespace hedgehog::client {
@@ -12,6 +13,11 @@ namespace hedgehog::client {
 namespace {
 
 constexpr double kZeroA = 0.1;
+
+long felt_pins(const protocol::Status& status) {
+  return std::count_if(status.pins.begin(), status.pins.end(),
+                       [](double force_n) { return force_n >= kFeltN; });
+}
 
 }  // namespace
 
@@ -23,6 +29,7 @@ void TourRecord::take(const protocol::Status& status) {
   if (status.pin && (pins_.empty() || pins_.back() != *status.pin)) {
     pins_.push_back(*status.pin);
   }
+  most_felt_ = std::max(most_felt_, felt_pins(status));
   if (!strongest_ || current_norm_a(status) > current_norm_a(*strongest_)) {
     strongest_ = status;
   }
@@ -43,6 +50,8 @@ std::vector<std::int64_t> TourRecord::take_pins() { return std::exchange(pins_, 
 std::optional<protocol::Status> TourRecord::take_strongest() {
   return std::exchange(strongest_, std::nullopt);
 }
+
+long TourRecord::take_most_felt() { return std::exchange(most_felt_, 0); }
 
 std::vector<std::string> TourRecord::failures(const protocol::Status& last) const {
   std::vector<std::string> found = failures_;

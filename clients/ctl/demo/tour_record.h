@@ -24,6 +24,9 @@ class TourRecord {
   std::vector<std::int64_t> take_pins();
   /// The status with the most current since the last call; nothing when none came.
   std::optional<protocol::Status> take_strongest();
+  /// The most pins that were felt at once since the last call. Not those of the strongest status:
+  /// in a vibration the current still flows when the push of this tick is over.
+  long take_most_felt();
 
   double hottest_c() const noexcept { return hottest_c_; }
   double least_limit_a() const noexcept { return least_limit_a_; }
@@ -35,6 +38,7 @@ class TourRecord {
   double least_limit_a_ = 1e9;
   std::vector<std::int64_t> pins_;
   std::optional<protocol::Status> strongest_;
+  long most_felt_ = 0;
   std::vector<std::string> failures_;
 };
 

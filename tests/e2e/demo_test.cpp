@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// The tour, on a simulated ball of its own: what it promises in words is what its lines show.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "tests/e2e/daemon_process.h"
+#include "tests/e2e/program.h"
+
+namespace hedgehog::e2e {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Demo : public testing::Test {
+ protected:
+  Demo() { fs::create_directories(home_.path("tmp")); }
+
+  std::vector<std::string> variables() const { return {"TMPDIR=" + home_.path("tmp")}; }
+  /// What the demo has put among the temporary files.
+  std::vector<fs::path> left_behind() const {
+    const fs::directory_iterator folder(home_.path("tmp"));
+    return {begin(folder), end(folder)};
+  }
+  /// How many processes were told of a file in this test's folder: the demo's daemon was.
+  int processes() const {
+    int count = 0;
+    for (const auto& entry : fs::directory_iterator("/proc")) {
+      std::ifstream file(entry.path() / "cmdline", std::ios::binary);
+      const std::string words{std::istreambuf_iterator<char>(file), {}};
+      count += words.find(home_.path("tmp")) != std::string::npos ? 1 : 0;
+    }
+    return count;
+  }
+
+  Home home_;
+};
+
+/// The first capture of each match of `pattern`, line by line.
+std::vector<std::string> captures(const std::string& text, const std::string& pattern) {
+  const std::regex regex(pattern);
+  std::vector<std::string> found;
+  for (std::sregex_iterator at(text.begin(), text.end(), regex), end; at != end; ++at) {
+    found.push_back((*at)[1]);
+  }
+  return found;
+}
+
+TEST_F(Demo, PlaysEveryChapterAndKeepsItsPromises) {
+  Program demo(home_, HEDGEHOGCTL_PATH, {"demo", "--private"}, variables());
+  const Ended ended = demo.wait();
+  ASSERT_EQ(ended.exit_code, 0) << ended.out << ended.err;
+  EXPECT_EQ(ended.err, "");
+  EXPECT_EQ(ended.out.find('\033'), std::string::npos);
+
+  EXPECT_THAT(captures(ended.out, R"( s  pulse (\w+) +10\.0 A   \d\d pins felt)"),
+              testing::ElementsAre("left", "right", "front", "back", "up", "down"));
+  const auto passed = captures(ended.out, R"(circle 10 pins/s +5\.0 A   pins [\d ]+ … \((\d+) )");
+  ASSERT_EQ(passed.size(), 1u) << ended.out;
+  EXPECT_GE(std::stoi(passed[0]), 55);
+  EXPECT_THAT(ended.out, testing::ContainsRegex("vibrate down +8\\.0 A"));
+  EXPECT_THAT(ended.out, testing::ContainsRegex("hold up +5\\.0 A"));
+  EXPECT_THAT(ended.out, testing::ContainsRegex("hold up +15\\.0 A"));
+  EXPECT_EQ(captures(ended.out, R"( s  (derating) +1\d\.\d A allowed)").size(), 1u) << ended.out;
+  EXPECT_THAT(ended.out, testing::ContainsRegex("rest +[0-9]+\\.[0-9] A allowed"));
+
+  const auto hottest = captures(ended.out, R"(Hottest (\d+\.\d) )");
+  ASSERT_EQ(hottest.size(), 1u) << ended.out;
+  EXPECT_GT(std::stod(hottest[0]), 60.0);
+  EXPECT_LT(std::stod(hottest[0]), 70.0);
+  const auto derated = captures(ended.out, R"(derated to (\d+\.\d) A, never cut)");
+  ASSERT_EQ(derated.size(), 1u) << ended.out;
+  EXPECT_GT(std::stod(derated[0]), 5.0);
+  EXPECT_LT(std::stod(derated[0]), 15.0);
+  EXPECT_THAT(ended.out, testing::HasSubstr("All coils are off."));
+  EXPECT_THAT(ended.out, testing::HasSubstr("hedgehogctl pulse left"));
+
+  EXPECT_THAT(left_behind(), testing::IsEmpty());
+  EXPECT_EQ(processes(), 0);
+}
+
+TEST_F(Demo, CtrlCEndsItsDaemonToo) {
+  Program demo(home_, HEDGEHOGCTL_PATH, {"demo", "--private"}, variables());
+  ASSERT_TRUE(demo.says("pulse left"));
+  EXPECT_EQ(processes(), 1);
+  EXPECT_EQ(left_behind().size(), 1u);
+  demo.signal(SIGINT);
+  const Ended ended = demo.wait();
+  EXPECT_EQ(ended.exit_code, 130);
+  EXPECT_THAT(ended.err, testing::HasSubstr("the coils are off"));
+  EXPECT_THAT(left_behind(), testing::IsEmpty());
+  EXPECT_EQ(processes(), 0);
+}
+
+TEST_F(Demo, OnATerminalItDrawsAndCtrlCGivesTheTerminalBack) {
+  TerminalProgram demo(home_, HEDGEHOGCTL_PATH, {"demo", "--private"}, variables());
+  ASSERT_TRUE(demo.shows("\033[?1049h"));
+  EXPECT_TRUE(demo.shows("a push has a side"));
+  EXPECT_TRUE(demo.shows(R"("direction":"left","current_a":10,"duration_ms":400)"));
+  EXPECT_TRUE(demo.shows("●"));
+  demo.type("\x03");
+  EXPECT_EQ(demo.wait(), 130);
+  EXPECT_THAT(demo.shown(), testing::HasSubstr("\033[?25h\033[?1049l"));
+  EXPECT_TRUE(demo.is_as_a_shell_leaves_it());
+  EXPECT_THAT(left_behind(), testing::IsEmpty());
+  EXPECT_EQ(processes(), 0);
+}
+
+}  // namespace
+}  // namespace hedgehog::e2e

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+// hedgehog-orientation against a ball that is turned: the push stays up in the room, within the
+// pin pitch, and what nobody knows is not shown.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "model/quaternion.h"
+#include "model/vec3.h"
+#include "tests/e2e/daemon_process.h"
+#include "tests/e2e/program.h"
+#include "tests/e2e/raw_client.h"
+
+namespace hedgehog::e2e {
+namespace {
+
+using model::Quaternion;
+using model::Vec3;
+using testing::HasSubstr;
+
+constexpr double kPinPitchDeg = 23.5;
+constexpr double kDegrees = 180.0 / 3.14159265358979323846;
+constexpr int kSamples = 30;
+
+Vec3 vector_of(const Json& xyz) { return {xyz[0], xyz[1], xyz[2]}; }
+
+Json json_of(const Quaternion& q) { return {{"w", q.w}, {"x", q.x}, {"y", q.y}, {"z", q.z}}; }
+
+/// A ball that others turn, and what flows in it.
+class World {
+ public:
+  explicit World(const DaemonProcess& daemon) : observer_(daemon.port()), hand_(daemon.port()) {
+    observer_.call("telemetry.subscribe",
+                   {{"rate_hz", 100}, {"fields", {"current_a", "field", "orientation"}}});
+  }
+  Json turn(const Quaternion& q) { return hand_.call("sim.set", {{"orientation", json_of(q)}}); }
+  Json feed(const Quaternion& q) {
+    return hand_.call("orientation.set", {{"quaternion", json_of(q)}});
+  }
+  RawClient& hand() { return hand_; }
+
+  /// Takes the next telemetry.
+  void look() { now_ = observer_.notification("telemetry"); }
+  double current_a() const { return norm(vector_of(now_["current_a"])); }
+  /// How far the field is from up in the room when the ball is turned by `q`, in degrees.
+  double from_up_deg(const Quaternion& q) const {
+    const Vec3 field = vector_of(now_["field"]);
+    const double up = rotate(q, field).z / std::max(norm(field), 1e-9);
+    return std::acos(std::clamp(up, -1.0, 1.0)) * kDegrees;
+  }
+  /// Pushes with at least `current_a` now, upwards for a ball turned by `q`.
+  bool pushes_up(const Quaternion& q, double current_a) const {
+    return this->current_a() >= current_a && from_up_deg(q) < kPinPitchDeg;
+  }
+
+ private:
+  RawClient observer_;
+  RawClient hand_;
+  Json now_;
+};
+
+const std::vector<Quaternion>& turns() {
+  static const std::vector<Quaternion> all{
+      model::axis_angle({1, 0, 0}, 90), model::axis_angle({0, 1, 0}, -70),
+      model::axis_angle({0.6, 0, 0.8}, 150), model::axis_angle({1, 0, 0}, 0)};
+  return all;
+}
+
+struct Case {
+  const char* loop;
+  const char* style;
+  double flows_a;  // what a push has at least, in ampere
+};
+
+class Indicator : public testing::TestWithParam<Case> {
+ protected:
+  std::vector<std::string> variables(const DaemonProcess& daemon) const {
+    return {"HEDGEHOG_ADDRESS=" + daemon.socket()};
+  }
+  std::vector<std::string> words(const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> all{"--loop", GetParam().loop, "--style", GetParam().style};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+  Home home_;
+};
+
+TEST_P(Indicator, PointsUpInTheRoomHoweverTheBallIsTurned) {
+  DaemonProcess daemon(home_);
+  World world(daemon);
+  Program program(home_, HEDGEHOG_ORIENTATION_PATH, words(), variables(daemon));
+  for (const Quaternion& q : turns()) {
+    ASSERT_FALSE(world.turn(q).contains("code"));
+    ASSERT_TRUE(eventually([&] {
+      world.look();
+      return world.pushes_up(q, GetParam().flows_a);
+    })) << "never up at w "
+        << q.w;
+    // And it stays: no sample with a current in it strays as far as the next pin.
+    int pushing = 0;
+    ASSERT_TRUE(eventually([&] {
+      world.look();
+      if (world.current_a() >= GetParam().flows_a) {
+        ++pushing;
+        EXPECT_LT(world.from_up_deg(q), kPinPitchDeg);
+      }
+      return pushing == kSamples;
+    }));
+  }
+  EXPECT_TRUE(program.says("up is up"));
+  program.signal(SIGTERM);
+  EXPECT_EQ(program.wait().exit_code, 130);
+  EXPECT_TRUE(eventually([&] {
+    world.look();
+    return world.current_a() < 0.05;
+  }));
+}
+
+TEST_P(Indicator, ASilentSensorEndsThePushAndItComesBackWithTheSensor) {
+  home_.configure(R"({"imu": {"type": "external"}})");
+  DaemonProcess daemon(home_);
+  World world(daemon);
+  const Quaternion q = model::axis_angle({1, 0, 0}, 90);
+  // A ball whose orientation nobody has ever told has no sensor, and the indicator is refused.
+  ASSERT_TRUE(eventually([&] {
+    world.feed(q);
+    return world.hand().call("device.status")["orientation"].is_object();
+  }));
+  Program program(home_, HEDGEHOG_ORIENTATION_PATH, words(), variables(daemon));
+  const auto fed_until_it_pushes_up = [&] {
+    return eventually([&] {
+      world.feed(q);
+      world.look();
+      return world.pushes_up(q, GetParam().flows_a);
+    });
+  };
+  ASSERT_TRUE(fed_until_it_pushes_up()) << program.out() << world.hand().call("device.status");
+  // The pulse rests for 425 ms between two pushes; a whole second without current is silence.
+  int quiet = 0;
+  ASSERT_TRUE(eventually([&] {
+    world.look();
+    quiet = world.current_a() < 0.05 ? quiet + 1 : 0;
+    return quiet == 100;
+  }));
+  EXPECT_TRUE(program.says("up is not known"));
+  EXPECT_TRUE(fed_until_it_pushes_up());
+  program.signal(SIGINT);
+  EXPECT_EQ(program.wait().exit_code, 130);
+}
+
+TEST_P(Indicator, EndsAfterItsSecondsWith0AndNothingFlows) {
+  DaemonProcess daemon(home_);
+  World world(daemon);
+  Program program(home_, HEDGEHOG_ORIENTATION_PATH, words({"--seconds", "0.5"}), variables(daemon));
+  const Ended ended = program.wait();
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_TRUE(eventually([&] {
+    world.look();
+    return world.current_a() < 0.05;
+  }));
+  EXPECT_TRUE(world.hand().call("device.status")["effects"].empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Loops, Indicator,
+    testing::Values(Case{"daemon", "steady", 4.5}, Case{"client", "steady", 4.5},
+                    Case{"daemon", "pulse", 10.0}, Case{"client", "pulse", 10.0}),
+    [](const auto& each) { return std::string(each.param.loop) + "_" + each.param.style; });
+
+TEST(IndicatorAlone, OnceEndsWith69WhenTheDaemonGoes) {
+  const Home home;
+  DaemonProcess daemon(home);
+  Program program(home, HEDGEHOG_ORIENTATION_PATH, {"--once"},
+                  {"HEDGEHOG_ADDRESS=" + daemon.socket()});
+  ASSERT_TRUE(program.says("up is up"));
+  EXPECT_EQ(daemon.stop(), 0);
+  const Ended ended = program.wait();
+  EXPECT_EQ(ended.exit_code, 69);
+  EXPECT_THAT(ended.err, HasSubstr("hedgehog-orientation: "));
+  const Ended again = Program(home, HEDGEHOG_ORIENTATION_PATH, {"--once"},
+                              {"HEDGEHOG_ADDRESS=" + home.path("nobody.sock")})
+                          .wait();
+  EXPECT_EQ(again.exit_code, 69);
+  EXPECT_THAT(again.err, HasSubstr("no daemon answers at " + home.path("nobody.sock")));
+}
+
+TEST(IndicatorAlone, WaitsForADaemonThatComesBack) {
+  const Home home;
+  auto daemon = std::make_unique<DaemonProcess>(home);
+  Program program(home, HEDGEHOG_ORIENTATION_PATH, {"--style", "steady"},
+                  {"HEDGEHOG_ADDRESS=" + daemon->socket()});
+  ASSERT_TRUE(program.says("up is up"));
+  EXPECT_EQ(daemon->stop(), 0);
+  daemon = std::make_unique<DaemonProcess>(home);
+  World world(*daemon);
+  EXPECT_TRUE(eventually([&] {
+    world.look();
+    return world.pushes_up({}, 4.5);
+  }));
+  program.signal(SIGTERM);
+  const Ended ended = program.wait();
+  EXPECT_EQ(ended.exit_code, 130);
+  EXPECT_THAT(ended.err, HasSubstr("waiting for the daemon"));
+}
+
+TEST(IndicatorAlone, DoesNotPushAgainstAnEmergencyStop) {
+  const Home home;
+  DaemonProcess daemon(home);
+  RawClient other(daemon.port());
+  Program program(home, HEDGEHOG_ORIENTATION_PATH, {}, {"HEDGEHOG_ADDRESS=" + daemon.socket()});
+  ASSERT_TRUE(program.says("up is up"));
+  other.call("device.emergency_stop");
+  const Ended stopped = program.wait();
+  EXPECT_EQ(stopped.exit_code, 69);
+  EXPECT_THAT(stopped.err, HasSubstr("somebody ended the push: tripped"));
+  const Ended refused =
+      Program(home, HEDGEHOG_ORIENTATION_PATH, {}, {"HEDGEHOG_ADDRESS=" + daemon.socket()}).wait();
+  EXPECT_EQ(refused.exit_code, 69);
+  EXPECT_THAT(refused.err, HasSubstr("hedgehogctl arm"));
+}
+
+TEST(IndicatorAlone, MistakesAreUsage) {
+  const Home home;
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"--loop", "sideways"},
+                                                {"--seconds", "-1"},
+                                                {"--loud"},
+                                                {"--address", "foo:bar"}}) {
+    EXPECT_EQ(Program(home, HEDGEHOG_ORIENTATION_PATH, words).wait().exit_code, 64);
+  }
+}
+
+}  // namespace
+}  // namespace hedgehog::e2e

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// The client programs as processes: with their output in files, or on a terminal.
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <csignal>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tests/e2e/daemon_process.h"
+
+namespace hedgehog::e2e {
+
+/// Looks again and again until `done`, for up to a minute; false when it never was.
+bool eventually(const std::function<bool()>& done);
+
+/// One process, stdin empty. Killed at the end of the test if it still runs.
+class Program {
+ public:
+  /// Starts `path`. `variables`: NAME=VALUE on top of the home's; the last of a name counts.
+  Program(const Home& home, const std::string& path, std::vector<std::string> arguments,
+          const std::vector<std::string>& variables = {});
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+  ~Program();
+
+  pid_t pid() const noexcept { return pid_; }
+  void signal(int number) const { ::kill(pid_, number); }
+  std::string out() const { return home_.read(out_); }
+  /// Waits until stdout has `text`.
+  bool says(const std::string& text) const;
+  /// Waits for the end. The exit code is -1 when a signal, or this after two minutes, ended it.
+  Ended wait();
+
+ private:
+  const Home& home_;
+  std::string out_;
+  std::string err_;
+  pid_t pid_ = -1;
+};
+
+/// One process on a pseudo terminal of its own, 80 columns and 24 rows.
+class TerminalProgram {
+ public:
+  TerminalProgram(const Home& home, const std::string& path, std::vector<std::string> arguments,
+                  const std::vector<std::string>& variables = {});
+  TerminalProgram(const TerminalProgram&) = delete;
+  TerminalProgram& operator=(const TerminalProgram&) = delete;
+  ~TerminalProgram();
+
+  void type(const std::string& keys) const;
+  /// Waits until everything written since the start has `text`.
+  bool shows(const std::string& text);
+  const std::string& shown() const noexcept { return shown_; }
+  /// The terminal echoes what is typed and hands it over line by line, as a shell leaves it.
+  bool is_as_a_shell_leaves_it() const;
+  /// Waits for the end; the exit code, -1 when a signal, or this, ended it.
+  int wait();
+
+ private:
+  void read_more();
+
+  std::string shown_;
+  int terminal_ = -1;
+  pid_t pid_ = -1;
+};
+
+}  // namespace hedgehog::e2e

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// What the README files tell people to type works, word for word.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/e2e/daemon_process.h"
+#include "tests/e2e/program.h"
+#include "tests/e2e/raw_client.h"
+#include "tests/protocol/example_file.h"
+
+namespace hedgehog::e2e {
+namespace {
+
+std::vector<std::string> lines_of(const std::string& file) {
+  std::ifstream text(std::string(HEDGEHOG_SOURCE_DIR) + "/" + file);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(text, line);) {
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+/// "…" for what is not shown, in the form that the protocol's examples have.
+std::string as_example(std::string line) {
+  const std::string open = ", …}";
+  const auto at = line.find(open);
+  return at == std::string::npos ? line : line.replace(at, open.size(), R"(, "…": "…"})");
+}
+
+TEST(Readme, TheLinesForNcAreAnsweredAsShown) {
+  const Home home;
+  DaemonProcess daemon(home);
+  RawClient nc(daemon.port());
+  std::string answer;
+  int sent = 0;
+  int shown = 0;
+  for (const std::string& line : lines_of("README.md")) {
+    if (line.rfind("{\"jsonrpc\"", 0) != 0) {
+      continue;
+    }
+    if (line.find("\"method\"") != std::string::npos) {
+      nc.send(line + "\n");
+      answer = nc.answer().dump();
+      EXPECT_TRUE(Json::parse(answer).contains("result")) << line << "\n" << answer;
+      ++sent;
+    } else {
+      EXPECT_EQ(protocol::mismatch(as_example(line), answer), "") << answer;
+      ++shown;
+    }
+  }
+  EXPECT_GE(sent, 3);
+  EXPECT_GE(shown, 1);
+}
+
+TEST(Readme, TheLinesForHedgehogctlRun) {
+  const Home home;
+  DaemonProcess daemon(home);
+  int seen = 0;
+  for (const std::string& line : lines_of("README.md")) {
+    std::istringstream text(line.substr(0, line.find('#')));
+    std::string program;
+    std::vector<std::string> words;
+    text >> program;
+    for (std::string word; text >> word;) {
+      words.push_back(word);
+    }
+    const bool typed = line.rfind("    hedgehogctl ", 0) == 0;
+    if (!typed || words.at(0) == "watch") {  // watch_test has a terminal for it
+      continue;
+    }
+    const Ended ended =
+        Program(home, HEDGEHOGCTL_PATH, words, {"HEDGEHOG_ADDRESS=" + daemon.socket()}).wait();
+    EXPECT_EQ(ended.exit_code, 0) << line << "\n" << ended.err;
+    ++seen;
+  }
+  EXPECT_GE(seen, 3);
+}
+
+TEST(Readme, AOneShotThroughNcIsFelt) {
+  const Home home;
+  if (Program(home, "/bin/sh", {"-c", "nc -h 2>&1 | grep -q -e -N"}).wait().exit_code != 0 &&
+      Program(home, "/bin/sh", {"-c", "nc -h 2>&1 | grep -q OpenBSD"}).wait().exit_code != 0) {
+    GTEST_SKIP() << "netcat-openbsd is not installed";
+  }
+  DaemonProcess daemon(home);
+  RawClient watcher(daemon.port());
+  watcher.call("events.subscribe", {{"scope", "all"}, {"types", {"effect_ended"}}});
+  int seen = 0;
+  for (std::string line : lines_of("clients/README.md")) {
+    const std::string port = " 7586";
+    if (line.rfind("echo '{", 0) != 0) {
+      continue;
+    }
+    ASSERT_THAT(line, testing::AllOf(testing::HasSubstr("nc -N"), testing::EndsWith(port)));
+    line.replace(line.size() - port.size(), port.size(), " " + std::to_string(daemon.port()));
+    const Ended ended = Program(home, "/bin/sh", {"-c", line}).wait();
+    EXPECT_EQ(ended.exit_code, 0) << line << "\n" << ended.err;
+    const Json felt = watcher.notification("event");
+    EXPECT_EQ(felt["reason"], "completed");
+    EXPECT_EQ(felt["offset_ns"].get<std::int64_t>() - felt["onset_ns"].get<std::int64_t>(),
+              150'000'000);
+    ++seen;
+  }
+  EXPECT_GE(seen, 1);
+}
+
+}  // namespace
+}  // namespace hedgehog::e2e

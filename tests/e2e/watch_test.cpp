@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// `hedgehogctl watch` on a terminal of its own.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/e2e/daemon_process.h"
+#include "tests/e2e/program.h"
+#include "tests/e2e/raw_client.h"
+
+namespace hedgehog::e2e {
+namespace {
+
+constexpr const char* kEnter = "\033[?1049h";
+constexpr const char* kLeave = "\033[?25h\033[?1049l";
+
+class Watch : public testing::Test {
+ protected:
+  Home home_;
+  DaemonProcess daemon_{home_};
+  RawClient other_{daemon_.port()};
+  TerminalProgram watch_{
+      home_, HEDGEHOGCTL_PATH, {"watch"}, {"HEDGEHOG_ADDRESS=" + daemon_.socket()}};
+};
+
+TEST_F(Watch, DrawsTheBallStopsItAtSpaceAndQuitsAtQ) {
+  ASSERT_TRUE(watch_.shows(kEnter));
+  EXPECT_TRUE(watch_.shows("SPACE stops   q quits"));
+  EXPECT_TRUE(watch_.shows("▲"));
+  EXPECT_TRUE(watch_.shows("back"));
+  EXPECT_TRUE(watch_.shows("nothing pushes"));
+  EXPECT_FALSE(watch_.is_as_a_shell_leaves_it());
+
+  other_.call("events.subscribe", {{"types", {"state_changed"}}});
+  other_.call("effect.hold", {{"direction", "left"}, {"current_a", 12}, {"lease_ms", 10000}});
+  EXPECT_TRUE(watch_.shows("●"));
+  EXPECT_TRUE(watch_.shows("N at pin 34"));
+  EXPECT_TRUE(watch_.shows("effect_started"));
+
+  watch_.type(" ");
+  const Json changed = other_.notification("event", "state_changed");
+  EXPECT_EQ(changed["state"], "disarmed");
+  EXPECT_EQ(changed["reason"], "emergency_stop");
+  EXPECT_TRUE(watch_.shows("disarmed: emergency_stop"));
+  EXPECT_TRUE(watch_.shows("hedgehogctl arm"));
+
+  watch_.type("q");
+  EXPECT_EQ(watch_.wait(), 0);
+  EXPECT_THAT(watch_.shown(), testing::EndsWith(kLeave));
+  EXPECT_TRUE(watch_.is_as_a_shell_leaves_it());
+}
+
+TEST_F(Watch, CtrlCLeavesTheTerminalAsItWas) {
+  ASSERT_TRUE(watch_.shows("SPACE stops"));
+  watch_.type("\x03");
+  EXPECT_EQ(watch_.wait(), 130);
+  EXPECT_THAT(watch_.shown(), testing::EndsWith(kLeave));
+  EXPECT_TRUE(watch_.is_as_a_shell_leaves_it());
+  EXPECT_EQ(other_.call("device.status")["state"], "armed");
+}
+
+TEST_F(Watch, SaysSoWhenTheDaemonGoes) {
+  ASSERT_TRUE(watch_.shows("SPACE stops"));
+  EXPECT_EQ(daemon_.stop(), 0);
+  EXPECT_EQ(watch_.wait(), 69);
+  EXPECT_THAT(watch_.shown(), testing::HasSubstr(kLeave));
+  EXPECT_THAT(watch_.shown(), testing::HasSubstr("the daemon ended the connection"));
+  EXPECT_TRUE(watch_.is_as_a_shell_leaves_it());
+}
+
+}  // namespace
+}  // namespace hedgehog::e2e
