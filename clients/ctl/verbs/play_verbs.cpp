@@ -80,11 +80,14 @@ class Stay {
 
   Outcome<void> keep_going(const protocol::TelemetryMessage& message) {
     const std::int64_t now_ns = message.telemetry.status.time_ns;
-    start_ns_ = start_ns_.value_or(now_ns);
+    if (!started_) {
+      started_ = true;
+      start_ns_ = now_ns;
+    }
     if (stopped_) {
       return {};
     }
-    if (hold_s_ && static_cast<double>(now_ns - *start_ns_) * 1e-9 >= *hold_s_) {
+    if (hold_s_ && static_cast<double>(now_ns - start_ns_) * 1e-9 >= *hold_s_) {
       stopped_ = true;
       return session_.connection.notify(protocol::EffectStop{effect_, std::nullopt});
     }
@@ -96,7 +99,8 @@ class Stay {
   bool held_;
   bool stopped_ = false;
   std::optional<double> hold_s_;
-  std::optional<std::int64_t> start_ns_;
+  bool started_ = false;
+  std::int64_t start_ns_ = 0;
 };
 
 void say_start(const PlayOptions& options, const protocol::Admission& admission) {
