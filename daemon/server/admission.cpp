@@ -19,6 +19,9 @@ bool sounds(const Machine& machine, const Effect& e) {
   if (live.effect == e.id) {
     return live.playing;
   }
+  if (machine.now().applied_seq >= e.seq) {
+    return false;  // it has ended by itself; the event of it is still on its way
+  }
   // Not there yet; one whose connection has ended is gone already.
   return e.owner != 0 && e.spec.delay == 0 && e.spec.start_at <= machine.now().tick;
 }

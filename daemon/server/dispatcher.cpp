@@ -13,6 +13,12 @@ std::string encoded(const protocol::Id& id, const Answer& answer) {
                             : protocol::encode_result(id, *answer);
 }
 
+protocol::RpcError too_many_forecasts() {
+  protocol::RpcError e = protocol::busy("a batch may ask for 8 forecasts; ask again", 1);
+  e.limit = std::int64_t{Dispatcher::kMaxForecasts};
+  return e;
+}
+
 }  // namespace
 
 void Dispatcher::line(Session& session, std::string_view text) {
@@ -35,6 +41,13 @@ void Dispatcher::item(Session& session, protocol::Item& item, const std::shared_
   if (item.request.has_error()) {
     if (item.id) {
       reply->answers.push_back(protocol::encode_error(*item.id, item.request.error()));
+    }
+    return;
+  }
+  if (std::holds_alternative<protocol::ThermalForecast>(*item.request) &&
+      (!item.id || ++reply->forecasts > kMaxForecasts)) {
+    if (item.id) {
+      reply->answers.push_back(protocol::encode_error(*item.id, too_many_forecasts()));
     }
     return;
   }

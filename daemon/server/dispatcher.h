@@ -26,6 +26,10 @@ class Dispatcher {
   void line(Session& session, std::string_view text);
   void line_too_long(Session& session);
 
+  /// Of one batch; the others are told `busy`. A batch cannot be interrupted, and whoever wants to
+  /// stop the ball waits behind it.
+  static constexpr int kMaxForecasts = 8;
+
   /// After every new snapshot.
   void poll();
   bool waiting() const noexcept { return !waiting_.empty(); }
@@ -39,6 +43,7 @@ class Dispatcher {
     bool batch = false;
     std::vector<std::string> answers;
     int open = 0;
+    int forecasts = 0;
   };
   struct Waiting {
     std::shared_ptr<Reply> reply;

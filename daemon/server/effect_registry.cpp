@@ -36,7 +36,10 @@ EffectRegistry::Room EffectRegistry::room(ConnectionId owner, bool replacing) co
 Effect& EffectRegistry::add(ConnectionId owner) {
   const auto free =
       std::find_if(places_.begin(), places_.end(), [](const Effect& e) { return e.id == 0; });
-  free->id = ++last_id_;
+  if (++last_id_ == 0) {
+    ++last_id_;  // 0 marks a free place
+  }
+  free->id = last_id_;
   free->place = static_cast<std::uint8_t>(free - places_.begin());
   free->owner = owner;
   return *free;

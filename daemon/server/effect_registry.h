@@ -28,6 +28,8 @@ struct Effect {
   /// Everything that was said, defaults filled in; updates are merged into it.
   protocol::EffectParams params;
   model::EffectSpec spec;
+  /// Of the command that started it.
+  std::uint64_t seq = 0;
   /// Its end was asked for (stopped, replaced); nobody can address it any more.
   bool ending = false;
 };
@@ -39,6 +41,9 @@ class EffectRegistry {
   /// From so many used places on a connection may have only so many that are ending.
   static constexpr int kScarce = 96;
   static constexpr int kMaxEndingWhenScarce = 8;
+
+  /// `last`: the number before the first.
+  explicit EffectRegistry(control::EffectId last = 0) noexcept : last_id_(last) {}
 
   enum class Room : std::uint8_t { kYes, kConnectionFull, kDeviceFull, kPlacesFull };
   /// Whether `owner` may start one more; `replacing`: it takes the place of one of its own.
@@ -67,7 +72,7 @@ class EffectRegistry {
 
  private:
   std::array<Effect, control::kEffectPlaces> places_{};
-  control::EffectId last_id_ = 0;
+  control::EffectId last_id_;
 };
 
 }  // namespace hedgehog::server

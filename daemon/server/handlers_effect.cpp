@@ -139,6 +139,7 @@ Outcome effect_start(Call& call, const protocol::EffectStart& request) {
   effect.method = request.method;
   effect.params = params;
   effect.spec = *spec;
+  effect.seq = *seq;
 
   admitted->effect = effect.id;
   admitted->slot = effect.slot;

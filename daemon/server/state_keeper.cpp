@@ -68,6 +68,9 @@ SavedState StateKeeper::current() const {
   const control::StatusSnapshot& now = machine_.now();
   SavedState state = saved_;
   state.latch = now.latch != control::Reason::kNone ? now.latch : asked_latch_;
+  if (!thermistor_seen_) {
+    return state;
+  }
   const auto& measured = now.thermal.measured;
   state.heat_known = std::all_of(measured.begin(), measured.end(), [](bool m) { return m; });
   if (finite(now.thermal.nodes) && std::isfinite(now.thermal.room_c)) {
@@ -83,6 +86,7 @@ void StateKeeper::pump() {
   if (now.tick <= 0) {
     return;  // the control thread has said nothing yet
   }
+  thermistor_seen_ = thermistor_seen_ || (now.board_present && now.sensor_valid);
   if (asked_latch_ != control::Reason::kNone && now.tick >= asked_at_ + kLatchSeen) {
     asked_latch_ = control::Reason::kNone;
     due_ = true;

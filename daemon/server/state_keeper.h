@@ -48,6 +48,8 @@ class StateKeeper final : public Memory {
   std::chrono::steady_clock::time_point written_{};
   bool due_ = false;
   bool was_warm_ = false;
+  /// Since the start; before it the heat of the last run is the best there is.
+  bool thermistor_seen_ = false;
   /// Asked for, not yet seen in a snapshot.
   control::Reason asked_latch_ = control::Reason::kNone;
   model::Tick asked_at_ = 0;

@@ -92,6 +92,31 @@ TEST(Device, TheForecastKnowsCurrentsMethodsAndEffects) {
   EXPECT_EQ(rig.call(game, "thermal.forecast", {{"effect", 999}})["code"], -32002);
 }
 
+TEST(Device, ABatchGetsEightForecastsSoThatAStopNeedNotWait) {
+  ServerRig rig;
+  FakeClient& game = rig.connect();
+  Json batch = Json::array();
+  for (int id = 0; id < 20; ++id) {
+    batch.push_back({{"jsonrpc", "2.0"},
+                     {"id", id},
+                     {"method", "thermal.forecast"},
+                     {"params", {{"current_a", 5}}}});
+  }
+  batch.push_back({{"jsonrpc", "2.0"}, {"id", 20}, {"method", "ping"}});
+  for (int round = 0; round < 2; ++round) {
+    const Json answers = rig.say(game, batch.dump());
+    ASSERT_EQ(answers.size(), 21u);
+    for (std::size_t i = 0; i < 20; ++i) {
+      EXPECT_EQ(answers[i]["id"], i);
+      EXPECT_EQ(answers[i].contains("result"), i < 8) << i;
+    }
+    EXPECT_EQ(answers[8]["error"]["code"], -32001);
+    EXPECT_EQ(answers[8]["error"]["data"]["limit"], 8);
+    EXPECT_GE(answers[8]["error"]["data"]["retry_after_ms"], 1);
+    EXPECT_TRUE(answers[20].contains("result")) << "what is no forecast is served";
+  }
+}
+
 TEST(Device, AHotBallReducesAndRefusesWhoWouldRatherNot) {
   ServerRig rig;
   FakeClient& game = rig.connect();

@@ -2,6 +2,8 @@
 // Who may play what, and what they are told: DESIGN section 4.
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "tests/server/server_rig.h"
 
 namespace hedgehog::server {
@@ -225,6 +227,33 @@ TEST(Effects, ABatchIsAppliedInOneTick) {
   for (const Json& event : events) {
     EXPECT_EQ(event["time_ns"], events[0]["time_ns"]);
   }
+}
+
+TEST(Effects, OneThatHasEndedByItselfIsNotMixedWithTheNext) {
+  ServerRig rig;
+  FakeClient& game = rig.connect();
+  const Json strong{{"direction", "left"}, {"current_a", 12}, {"duration_ms", 50}};
+  rig.call(game, "effect.pulse", strong);
+  const auto plays = [&rig] { return rig.machine->now().effects[0].effect == 1; };
+  for (int i = 0; i < 10 && !plays(); ++i) {
+    rig.run(1);
+  }
+  ASSERT_TRUE(plays());
+  EXPECT_EQ(rig.call(game, "effect.pulse", strong)["limited_by"], "mix");
+  rig.run(60);
+  // Control goes on, and the server sees the ticks, but no event yet.
+  rig.call(game, "effect.pulse", strong);
+  rig.run_unheard(80);
+  EXPECT_EQ(rig.call(game, "effect.pulse", strong)["limited_by"], nullptr);
+}
+
+TEST(Registry, NoEffectHasTheNumberThatMarksAFreePlace) {
+  EffectRegistry registry(std::numeric_limits<control::EffectId>::max() - 1);
+  EXPECT_EQ(registry.add(7).id, std::numeric_limits<control::EffectId>::max());
+  const Effect& next = registry.add(7);
+  EXPECT_EQ(next.id, 1u);
+  EXPECT_EQ(next.place, 1);
+  EXPECT_EQ(registry.playing(7).size(), 2u);
 }
 
 TEST(Effects, WhoFloodsIsBusyAndOthersAreNot) {

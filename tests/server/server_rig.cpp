@@ -52,6 +52,14 @@ void ServerRig::run(model::Tick ticks) {
   }
 }
 
+void ServerRig::run_unheard(model::Tick ticks) {
+  for (model::Tick i = 0; i < ticks; ++i) {
+    control->run(++tick_, 0, {});
+    world.step();
+    machine->refresh();
+  }
+}
+
 Json ServerRig::say(FakeClient& client, const std::string& line) {
   server->line(client.session, line);
   for (model::Tick i = 0; i < kPatience; ++i) {

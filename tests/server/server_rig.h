@@ -48,6 +48,8 @@ class ServerRig {
 
   /// `ticks` milliseconds of everything; the server pumps after each.
   void run(model::Tick ticks);
+  /// The same, but the server only takes the snapshots: events and answers wait.
+  void run_unheard(model::Tick ticks);
   /// Sends `method` with `params` and runs until the answer is there; its result, or its error.
   Json call(FakeClient& client, const std::string& method, const Json& params = Json::object());
   /// The same for a line of any kind; the whole answer.

@@ -42,5 +42,50 @@ TEST(StateKeeper, TheOrderlyStopIsTheLastThingThatIsWritten) {
   EXPECT_EQ(state->gain, 0.5);
 }
 
+TEST(StateKeeper, TheHeatOfTheLastRunStaysUntilAThermistorHasBeenSeen) {
+  const auto folder = std::filesystem::temp_directory_path() /
+                      ("hedgehog-state-keeper-heat-test-" + std::to_string(getpid()));
+  std::filesystem::create_directory(folder);
+  const auto mailbox = std::make_unique<control::Mailbox>();
+  const auto port = std::make_unique<device::LinkPort>();
+  SavedState last;
+  last.wall_time_s = 1000.0;
+  last.heat_known = true;
+  last.heat = {{55.0, 56.0, 57.0}, 50.0};
+  last.room_c = 21.0;
+  control::StatusSnapshot snapshot;
+  snapshot.tick = 1;
+  mailbox->status.write(snapshot);
+  Machine machine(config::Config{}, *mailbox, *port, 0);
+  const auto after = [&](auto&& what) {
+    {
+      DiskThread disk;
+      StateKeeper keeper(folder.string(), disk, machine, last);
+      what(keeper);
+      keeper.stopped_cleanly();
+    }
+    return load_saved_state(folder.string()).value_or(SavedState{});
+  };
+  const SavedState without_board = after([](StateKeeper& keeper) {
+    keeper.remember_latch(control::Reason::kEmergencyStop);
+    keeper.pump();
+  });
+  EXPECT_TRUE(without_board.heat_known);
+  EXPECT_EQ(without_board.heat.winding_c, last.heat.winding_c);
+  EXPECT_EQ(without_board.wall_time_s, 1000.0) << "it has cooled since then, not since now";
+  EXPECT_EQ(without_board.latch, control::Reason::kEmergencyStop);
+
+  snapshot.board_present = true;
+  snapshot.sensor_valid = true;
+  snapshot.thermal.nodes = {{31.0, 31.0, 31.0}, 30.0};
+  mailbox->status.write(snapshot);
+  machine.refresh();
+  const SavedState with_board = after([](StateKeeper& keeper) { keeper.pump(); });
+  std::filesystem::remove_all(folder);
+  EXPECT_EQ(with_board.heat.winding_c, snapshot.thermal.nodes.winding_c);
+  EXPECT_FALSE(with_board.heat_known) << "its windings have not been measured";
+  EXPECT_GT(with_board.wall_time_s, 1000.0);
+}
+
 }  // namespace
 }  // namespace hedgehog::server
