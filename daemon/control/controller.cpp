@@ -18,6 +18,7 @@ constexpr Tick kLongestGap = 20;
 // How often the same complaint is worth an event.
 constexpr Tick kComplaintEvery = model::kTicksPerSecond;
 constexpr double kAbsurdHoldS = 0.05;
+constexpr double kBlindAfterS = 0.5;
 constexpr double kRearmAboveRoomK = 10.0;
 
 }  // namespace
@@ -69,9 +70,16 @@ Reason Controller::sense(const StepInputs& inputs, double dt_s) noexcept {
   const Reason found =
       watchdog_.step({inputs.board_present, inputs.board_fresh, board_, pair_, command_,
                       settings_.limits.trip_c, 1 + static_cast<Tick>(inputs.skipped)});
+  watch_measuring(dt_s);
   heading_.step(inputs.orientation, now_);
   observe(dt_s);
   return found;
+}
+
+void Controller::watch_measuring(double dt_s) noexcept {
+  if (!command_.enable()) return;
+  if (unpaired_.step(!pair_.consecutive(), dt_s, kBlindAfterS)) blind_ = true;
+  if (!unpaired_.suspicious()) blind_ = false;
 }
 
 void Controller::start_observer(double sensor_c) noexcept {
@@ -177,7 +185,9 @@ void Controller::push(double dt_s, EventList& events) noexcept {
       events);
   const Vec3 wanted = currents_for(mix.field, settings_.coils).a + mix.coil_a;
   demand_a_ = mix.field.a + field_of({mix.coil_a}, settings_.coils).a;
-  passed_ = limiter_.limit({wanted}, observer_.estimate(), dt_s);
+  model::ThermalEstimate thermal = observer_.estimate();
+  if (blind_) thermal.measured = {};
+  passed_ = limiter_.limit({wanted}, thermal, dt_s);
   if (!states_.armed()) passed_ = model::LimitedCurrents();  // the watchdog's gate
 
   const double asked_a = norm(wanted);

@@ -49,6 +49,8 @@ class Controller {
 
  private:
   Reason sense(const StepInputs& inputs, double dt_s) noexcept;
+  /// While driven without two frames in a row no winding is measured by its V/I.
+  void watch_measuring(double dt_s) noexcept;
   void start_observer(double sensor_c) noexcept;
   void observe(double dt_s) noexcept;
   void follow_board(Reason found, bool present, bool fresh) noexcept;
@@ -85,6 +87,8 @@ class Controller {
   Derating derating_;
   TelemetryPair pair_;
   Debounce absurd_;
+  Debounce unpaired_;
+  bool blind_ = false;  // so each winding is held to continuous_a
 
   model::Tick now_ = 0;
   bool started_ = false;    // a step has been made

@@ -16,6 +16,9 @@ constexpr model::Celsius kTypical{40.0};
 // How long an edge excuses a difference: L/R is 3.3 ms, set-points are up to 5 ms on their way.
 constexpr double kEdgeS = 0.01;
 constexpr double kIdleEdgeS = 0.005;
+// The link makes the board safe after 20 ticks without a set-point; after 100 nothing flows.
+constexpr model::Tick kLinkHolds = 19;
+constexpr model::Tick kForgotten = 100;
 const double kEdgeKeep = std::exp(-kTickSeconds / kEdgeS);
 const double kIdleKeep = std::exp(-kTickSeconds / kIdleEdgeS);
 
@@ -31,46 +34,64 @@ CurrentCheck::CurrentCheck(const model::CoilModel& coils) noexcept {
 
 bool CurrentCheck::suspicious() const noexcept {
   return std::any_of(windings_.begin(), windings_.end(), [](const Winding& w) {
-    return w.unexpected.suspicious() || w.mismatch.suspicious();
+    return w.unexpected.suspicious() || w.mismatch.suspicious() || w.odd.suspicious();
   });
+}
+
+// Nobody knows when in a gap the board went to sleep, so all of it is excused as an edge.
+void CurrentCheck::sleep_through(const CurrentReading& reading) noexcept {
+  const model::Tick ticks = std::min(reading.skipped, kForgotten);
+  for (int coil = 0; coil < model::kCoils; ++coil) {
+    Winding& w = windings_[static_cast<std::size_t>(coil)];
+    double& commanded = commanded_a_[coil];
+    for (model::Tick i = 0; i < ticks; ++i) {
+      const double volts = i < kLinkHolds ? reading.held_v[coil] : 0.0;
+      commanded = w.keep * commanded + (1.0 - w.keep) * w.conductance_s * volts;
+      w.low_a = std::min(w.low_a, commanded);
+      w.high_a = std::max(w.high_a, commanded);
+      w.idle_peak_a = std::max(w.idle_peak_a, std::abs(commanded));
+    }
+  }
+}
+
+Reason CurrentCheck::judge(int coil, const CurrentReading& reading) noexcept {
+  Winding& w = windings_[static_cast<std::size_t>(coil)];
+  const double measured = reading.current_a[coil];
+  const bool idle = w.idle_peak_a < 0.5 * kIdleA;
+  const bool unexpected = idle && std::abs(measured) > kIdleA + w.idle_peak_a;
+  const double slack = kOffsetA + kShare * std::max(std::abs(w.low_a), std::abs(w.high_a));
+  const bool beyond = measured < w.low_a - slack || measured > w.high_a + slack;
+  const bool by_duty = reading.consecutive && by_duty_known_;
+  w.by_duty_a =
+      by_duty ? w.keep * w.by_duty_a + (1.0 - w.keep) * w.conductance_s * reading.applied_v[coil]
+              : measured;
+  w.peak_a = std::max(std::abs(w.by_duty_a), kEdgeKeep * w.peak_a);
+  const bool odd = std::abs(measured - w.by_duty_a) > kOffsetA + kShare * w.peak_a;
+
+  const bool driven = w.unexpected.step(unexpected, reading.since_s, kHoldS);
+  bool mismatch = w.mismatch.step(!idle && (beyond || odd), reading.since_s, kHoldS);
+  if (by_duty) mismatch |= w.odd.step(!idle && odd, kTickSeconds, kHoldS);
+  if (driven) return Reason::kUnexpectedCurrent;
+  return mismatch ? Reason::kCurrentMismatch : Reason::kNone;
 }
 
 Reason CurrentCheck::step(const CurrentReading& reading) noexcept {
   Reason trip = Reason::kNone;
-  if (!reading.consecutive) by_duty_known_ = false;
+  sleep_through(reading);
   for (int coil = 0; coil < model::kCoils; ++coil) {
+    if (reading.fresh) {
+      const Reason found = judge(coil, reading);
+      if (trip == Reason::kNone || found == Reason::kUnexpectedCurrent) trip = found;
+    }
     Winding& w = windings_[static_cast<std::size_t>(coil)];
     double& commanded = commanded_a_[coil];
-    const double measured = reading.current_a[coil];
-    if (reading.consecutive) {
-      const bool idle = w.idle_peak_a < 0.5 * kIdleA;
-      const bool unexpected = std::abs(measured) > kIdleA + w.idle_peak_a;
-      const double slack = kOffsetA + kShare * std::max(std::abs(w.low_a), std::abs(w.high_a));
-      const bool beyond = measured < w.low_a - slack || measured > w.high_a + slack;
-      if (by_duty_known_) {
-        w.by_duty_a =
-            w.keep * w.by_duty_a + (1.0 - w.keep) * w.conductance_s * reading.applied_v[coil];
-      } else {
-        w.by_duty_a = measured;
-      }
-      w.peak_a = std::max(std::abs(w.by_duty_a), kEdgeKeep * w.peak_a);
-      const bool odd = std::abs(measured - w.by_duty_a) > kOffsetA + kShare * w.peak_a;
-
-      if (w.unexpected.step(idle && unexpected, kTickSeconds, kHoldS)) {
-        trip = Reason::kUnexpectedCurrent;
-      }
-      if (w.mismatch.step(!idle && (beyond || odd), kTickSeconds, kHoldS) &&
-          trip == Reason::kNone) {
-        trip = Reason::kCurrentMismatch;
-      }
-    }
     const double target = w.conductance_s * reading.commanded_v[coil];
     commanded = w.keep * commanded + (1.0 - w.keep) * target;
     w.low_a = std::min(commanded, commanded + kEdgeKeep * (w.low_a - commanded));
     w.high_a = std::max(commanded, commanded + kEdgeKeep * (w.high_a - commanded));
     w.idle_peak_a = std::max(std::abs(commanded), kIdleKeep * w.idle_peak_a);
   }
-  if (reading.consecutive) by_duty_known_ = true;
+  by_duty_known_ |= reading.fresh;
   return trip;
 }
 

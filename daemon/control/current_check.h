@@ -10,19 +10,27 @@
 #include "daemon/control/debounce.h"
 #include "daemon/control/state.h"
 #include "model/coils.h"
+#include "model/tick.h"
 #include "model/vec3.h"
 
 namespace hedgehog::control {
 
 /// One tick of what the check sees. Trivially copyable.
 struct CurrentReading {
-  /// New telemetry arrived in this tick, from the frame right after the last one.
+  /// New telemetry arrived in this tick; `consecutive`: from the frame right after the last one.
+  bool fresh = false;
   bool consecutive = false;
+  /// Since the telemetry before it, s.
+  double since_s = model::kTickSeconds;
+  /// Ticks that were never run before this one; the board held `held_v` or went to sleep.
+  model::Tick skipped = 0;
   model::Vec3 current_a;
   /// Voltage that the board says it applied over the last millisecond, V.
   model::Vec3 applied_v;
   /// Voltage of our own last command, V; zero when it was the safe one.
   model::Vec3 commanded_v;
+  /// The same without its boost.
+  model::Vec3 held_v;
 };
 
 /// Control thread; real-time safe, trivially copyable. Works at the control tick only.
@@ -48,8 +56,12 @@ class CurrentCheck {
   const model::Vec3& commanded_a() const noexcept { return commanded_a_; }
 
  private:
+  void sleep_through(const CurrentReading& reading) noexcept;
+  Reason judge(int coil, const CurrentReading& reading) noexcept;
+
   struct Winding {
     Debounce unexpected, mismatch;
+    Debounce odd;  // by duty alone, which lost frames interrupt
     double conductance_s = 1.0 / 0.45;
     double keep = 0.74;  // exp(-R dt / L)
     double by_duty_a = 0.0;

@@ -8,7 +8,12 @@ HeatCheck::HeatCheck(const model::CoilModel& coils) noexcept : r25_ohm_(coils.r2
 }
 
 Reason HeatCheck::step(const HeatReading& reading, double trip_c, double dt_s) noexcept {
-  bool hot = sensor_hot_.step(reading.sensor && reading.sensor_c >= trip_c, dt_s, kHoldS);
+  // A tick without telemetry says nothing about the thermistor.
+  if (reading.fresh) {
+    const bool high = reading.sensor && reading.sensor_c >= trip_c;
+    sensor_due_ = sensor_hot_.step(high, reading.since_s, kHoldS);
+  }
+  bool hot = sensor_due_;
   for (int coil = 0; coil < model::kCoils; ++coil) {
     const auto i = static_cast<std::size_t>(coil);
     meters_[i].step(reading.voltage_v[coil], reading.before_a[coil], reading.after_a[coil],

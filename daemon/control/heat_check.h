@@ -9,6 +9,7 @@
 #include "daemon/control/state.h"
 #include "model/coils.h"
 #include "model/thermal_winding_meter.h"
+#include "model/tick.h"
 #include "model/vec3.h"
 
 namespace hedgehog::control {
@@ -20,9 +21,12 @@ struct HeatReading {
   model::Vec3 voltage_v;
   model::Vec3 before_a;
   model::Vec3 after_a;
-  /// New reading of a thermistor that is not obviously broken.
+  /// Its thermistor is not obviously broken.
   bool sensor = false;
   double sensor_c = 25.0;
+  /// New telemetry arrived in this tick, `since_s` after the one before.
+  bool fresh = true;
+  double since_s = model::kTickSeconds;
 };
 
 /// Control thread; real-time safe, trivially copyable.
@@ -45,6 +49,7 @@ class HeatCheck {
   std::array<model::WindingMeter, model::kCoils> meters_{};
   std::array<Debounce, model::kCoils> hot_{};
   Debounce sensor_hot_;
+  bool sensor_due_ = false;
 };
 
 }  // namespace hedgehog::control

@@ -37,15 +37,15 @@ Reason SensorCheck::step(const SensorReading& reading, double dt_s) noexcept {
     believed_c_ = winding_c_ = quick_c_ = slow_c_ = reading.sensor_c;
     moved_sensor_c_ = moved_quick_c_ = moved_slow_c_ = reading.sensor_c;
   }
-  const bool jump = good && jumped(reading, dt_s);
-  if (good) follow_winding(reading, dt_s);
+  const bool jump = good && jumped(reading, reading.since_s);
+  if (good) follow_winding(reading, reading.since_s);
   const bool stands = good && reading.measuring && frozen(reading);
   const bool odd = good && reading.measuring && disagreement_k(reading.sensor_c) > kDisagreeK;
 
   Reason trip = Reason::kNone;
   doubt_ = Reason::kNone;
   const auto judge = [&](Debounce& debounce, bool wrong, double hold_s, Reason reason) noexcept {
-    const bool due = debounce.step(wrong, dt_s, hold_s);
+    const bool due = debounce.step(wrong, reading.since_s, hold_s);
     if (trip == Reason::kNone && due) trip = reason;
     if (doubt_ == Reason::kNone && debounce.suspicious()) doubt_ = reason;
   };

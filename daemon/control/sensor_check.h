@@ -8,6 +8,7 @@
 
 #include "daemon/control/debounce.h"
 #include "daemon/control/state.h"
+#include "model/tick.h"
 
 namespace hedgehog::control {
 
@@ -23,6 +24,8 @@ struct SensorReading {
   /// The thermistor's own winding by its V/I; only while `measuring`.
   bool measuring = false;
   double winding_c = 25.0;
+  /// Since the telemetry before it, s.
+  double since_s = model::kTickSeconds;
 };
 
 /// Control thread; real-time safe, trivially copyable.

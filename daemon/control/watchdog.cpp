@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/control/watchdog.h"
 
+#include <algorithm>
 #include <array>
 
 namespace hedgehog::control {
 namespace {
 
 using model::kTickSeconds;
+
+// As long as a set-point lasts, and so an answer to it.
+constexpr double kLongestStepS = 0.02;
 
 bool obeys(const device::BoardTelemetry& board) noexcept {
   return board.mode == device::BoardMode::kReady || board.mode == device::BoardMode::kDriving;
@@ -24,9 +28,15 @@ Watchdog::Watchdog(const model::CoilModel& coils, int sensor_winding) noexcept
 Reason Watchdog::step(const WatchdogInputs& in) noexcept {
   const device::BoardTelemetry& board = in.board;
   board_.step(in.board_present, in.fresh, board, in.ticks);
+  // What was told before a gap says nothing about the gap.
+  const double dt_s = std::min(kTickSeconds * static_cast<double>(in.ticks), kLongestStepS);
+  unread_s_ = std::min(unread_s_ + dt_s, kLongestStepS);
+  const double since_s = unread_s_;
+  if (in.fresh) unread_s_ = 0.0;
 
   SensorReading reading;
   reading.fresh = in.fresh;
+  reading.since_s = since_s;
   reading.sensor_c = board.sensor_c;
   // A latched board also tells of a wire that was broken; whether it still is, the reading shows.
   const bool live = board.mode != device::BoardMode::kLatched || !is_possible(board.sensor_c);
@@ -35,24 +45,28 @@ Reason Watchdog::step(const WatchdogInputs& in) noexcept {
   reading.conversions = board.sensor_conversions;
   reading.measuring = heat_.measuring(sensor_winding_);
   reading.winding_c = heat_.winding_c(sensor_winding_);
-  const Reason sensor = sensor_.step(reading, kTickSeconds);
+  const Reason sensor = sensor_.step(reading, dt_s);
 
   const bool readable =
-      in.fresh && !reading.open && !reading.shorted && board.sensor_c <= SensorCheck::kHighestC;
+      !reading.open && !reading.shorted && board.sensor_c <= SensorCheck::kHighestC;
   const Reason heat = heat_.step({in.pair.electrical(), in.pair.voltage_v(), in.pair.before_a(),
-                                  in.pair.after_a(), readable, board.sensor_c},
-                                 in.trip_c, kTickSeconds);
+                                  in.pair.after_a(), readable, board.sensor_c, in.fresh, since_s},
+                                 in.trip_c, in.pair.electrical() ? kTickSeconds : dt_s);
 
   CurrentReading currents;
+  currents.fresh = in.pair.fresh();
+  currents.since_s = since_s;
+  currents.skipped = in.ticks - 1;
   currents.consecutive = in.pair.consecutive();
   currents.current_a = in.pair.after_a();
   currents.applied_v = in.pair.voltage_v();
   if (in.commanded.enable() && obeys(board)) {
     currents.commanded_v = board.supply_v * in.commanded.first_duty();
+    currents.held_v = board.supply_v * in.commanded.duty();
   }
   const Reason current = current_.step(currents);
   const Reason fan =
-      in.fresh ? fan_.step(in.commanded.fan / 255.0, board.fan_rpm, kTickSeconds) : Reason::kNone;
+      in.fresh ? fan_.step(in.commanded.fan / 255.0, board.fan_rpm, since_s) : Reason::kNone;
 
   // The cause before its consequences: a broken bridge also shows as a wrong current.
   const std::array<Reason, 5> found{board_.fault(), sensor, heat, current, fan};

@@ -54,6 +54,7 @@ class Watchdog {
 
  private:
   int sensor_winding_ = 0;
+  double unread_s_ = 0.0;  // since the last telemetry
   SensorCheck sensor_;
   HeatCheck heat_;
   CurrentCheck current_;

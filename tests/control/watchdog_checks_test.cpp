@@ -18,7 +18,7 @@ constexpr double kDt = model::kTickSeconds;
 TEST(CurrentCheck, AnIdleWindingMayCarryHalfAnAmpere) {
   CurrentCheck check{model::CoilModel{}};
   CurrentReading reading;
-  reading.consecutive = true;
+  reading.fresh = reading.consecutive = true;
   reading.current_a = {0.49, -0.49, 0.0};
   for (int i = 0; i < 1000; ++i) ASSERT_EQ(check.step(reading), Reason::kNone);
   reading.current_a = {0.0, 0.0, -0.52};
@@ -45,7 +45,7 @@ TEST(CurrentCheck, FollowsEveryDriveWithLAndROff) {
             const double applied = volts[static_cast<std::size_t>((i + 8 - delay) % 8)];
             current = keep * current + (1.0 - keep) * applied / r;
             CurrentReading reading;
-            reading.consecutive = true;
+            reading.fresh = reading.consecutive = true;
             reading.current_a.x = current;
             reading.applied_v.x = applied;
             reading.commanded_v.x = volts[static_cast<std::size_t>(i % 8)];
@@ -61,7 +61,7 @@ TEST(CurrentCheck, FollowsEveryDriveWithLAndROff) {
 TEST(CurrentCheck, AHalvedMeasurementIsAMismatch) {
   CurrentCheck check{model::CoilModel{}};
   CurrentReading reading;
-  reading.consecutive = true;
+  reading.fresh = reading.consecutive = true;
   reading.applied_v = reading.commanded_v = {2.25, 0, 0};
   Reason reason = Reason::kNone;
   double current = 0.0;
@@ -80,7 +80,7 @@ TEST(CurrentCheck, AHalvedMeasurementIsAMismatch) {
 TEST(CurrentCheck, AHalvedMeasurementOfAVibrationIsAMismatch) {
   CurrentCheck check{model::CoilModel{}};
   CurrentReading reading;
-  reading.consecutive = true;
+  reading.fresh = reading.consecutive = true;
   Reason reason = Reason::kNone;
   double current = 0.0;
   for (int tick = 0; reason == Reason::kNone && tick < 2000; ++tick) {
@@ -96,7 +96,7 @@ TEST(CurrentCheck, AHalvedMeasurementOfAVibrationIsAMismatch) {
 TEST(CurrentCheck, ADutyThatWasNeverCommandedIsAMismatch) {
   CurrentCheck check{model::CoilModel{}};
   CurrentReading reading;
-  reading.consecutive = true;
+  reading.fresh = reading.consecutive = true;
   reading.commanded_v = {2.25, 0, 0};
   reading.applied_v = {6.75, 0, 0};
   Reason reason = Reason::kNone;
@@ -109,6 +109,42 @@ TEST(CurrentCheck, ADutyThatWasNeverCommandedIsAMismatch) {
   }
   EXPECT_EQ(name(reason), "current_mismatch");
   EXPECT_LT(ticks, 30);
+}
+
+// Frames from before a freeze of the host come first: they are no fault of the board.
+TEST(CurrentCheck, OldFramesAfterALongGapAreNoFault) {
+  CurrentCheck check{model::CoilModel{}};
+  CurrentReading reading;
+  reading.fresh = reading.consecutive = true;
+  reading.applied_v = reading.commanded_v = reading.held_v = {2.38, 0, 0};
+  reading.current_a = {5.0, 0, 0};
+  for (int i = 0; i < 50; ++i) check.step(reading);
+  reading.skipped = 2000;
+  reading.since_s = 0.02;
+  reading.commanded_v = {};
+  for (int i = 0; i < 15; ++i) {
+    ASSERT_EQ(name(check.step(reading)), "none") << i;
+    reading.skipped = 0;
+    reading.since_s = kDt;
+    reading.held_v = {};
+  }
+}
+
+// Each frame counts for the time since the last, and no frame alone trips.
+TEST(CurrentCheck, LostFramesDoNotStopTheClock) {
+  CurrentCheck check{model::CoilModel{}};
+  CurrentReading reading;
+  reading.fresh = true;
+  reading.current_a = {0.0, 3.0, 0.0};
+  reading.since_s = 0.004;
+  int frames = 1;
+  while (check.step(reading) == Reason::kNone && frames < 100) ++frames;
+  EXPECT_EQ(frames, 4);
+  check = CurrentCheck{model::CoilModel{}};
+  reading.since_s = 0.02;
+  frames = 1;
+  while (check.step(reading) == Reason::kNone && frames < 100) ++frames;
+  EXPECT_EQ(frames, 3);
 }
 
 TEST(HeatCheck, AWindingAtSeventyForFiftyMilliseconds) {

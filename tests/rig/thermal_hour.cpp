@@ -57,11 +57,11 @@ class ThermalBall {
 
     const int own = plant_.parameters().sensor_winding;
     const Reason sensor = sensor_.step({true, false, false, m.sensor_c, ++conversions_,
-                                        heat_.measuring(own), heat_.winding_c(own)},
+                                        heat_.measuring(own), heat_.winding_c(own), kStepS},
                                        kStepS);
-    const Reason heat = heat_.step(
-        {m.electrical_valid, m.voltage_v, m.current_before_a, m.current_a, true, m.sensor_c},
-        model::Limits{}.trip_c, kStepS);
+    const Reason heat = heat_.step({m.electrical_valid, m.voltage_v, m.current_before_a,
+                                    m.current_a, true, m.sensor_c, true, kStepS},
+                                   model::Limits{}.trip_c, kStepS);
     m.sensor_valid = sensor_.usable();
     observer_.step(m, kStepS);
     fan_duty_ = fan_.step(observer_.estimate().hottest_c, norm(mean_a), kStepS) / 255.0;

@@ -122,6 +122,39 @@ TEST(ControlLate, TheLinkIsSafeAfterTwentyMilliseconds) {
   EXPECT_NEAR(rig.current_a(), 5.0, 0.05);
 }
 
+// A control thread that runs at every tenth tick only: what must last so many milliseconds does.
+TEST(ControlLate, FaultsAreTimedByTheClockAndNotByTheStep) {
+  rig::RigOptions options;
+  options.board.start_c = 45.0;  // so that the fan is asked for
+  rig::Rig rig(options);
+  rig.run_until_armed();
+  rig.set_faults(device::kSimFanStopped);
+  const model::Tick from = rig.now();
+  rig.run(50);
+  while (rig.now() - from < 6000 && rig.controller().state() == control::State::kArmed) {
+    rig.skip_control(9);
+    rig.tick();
+  }
+  expect_tripped(rig, Reason::kFanStopped);
+  EXPECT_GE(rig.now() - from, 3000);
+  EXPECT_LE(rig.now() - from, 3300);
+}
+
+TEST(ControlLate, AGapThatTheBoardPlayedThroughIsNoWrongCurrent) {
+  rig::Rig rig;
+  rig.run_until_armed();
+  rig.start(rig::hold({1, 0, 0}, 8.0));
+  rig.run(100);
+  for (const model::Tick gap : {5, 15, 30, 60, 98}) {
+    rig.freeze_host(gap);  // the board holds the last set-point
+    rig.run(200);
+    ASSERT_EQ(name(rig.controller().state()), "armed") << gap;
+    rig.skip_control(gap);  // the link makes it safe after 20 ms
+    rig.run(200);
+    ASSERT_EQ(name(rig.controller().state()), "armed") << gap;
+  }
+}
+
 TEST(HostFrozen, TheBoardIsSafeAHundredMillisecondsAfterTheLastSetPoint) {
   rig::Rig rig;
   rig.run_until_armed();

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// Every second telemetry frame is lost, so that no two belong together: what the ball can still
+// judge by a single frame it must.
+#include "daemon/device/simulator_settings.h"
+#include "tests/safety/safe.h"
+
+namespace hedgehog::safety {
+namespace {
+
+using control::Reason;
+
+void run_with_half_the_frames(rig::Rig& rig, model::Tick ticks) {
+  for (model::Tick i = 0; i < ticks; i += 2) {
+    rig.lose_telemetry(1);
+    rig.run(2);
+  }
+}
+
+struct Fault {
+  const char* name;
+  std::uint16_t sim;
+  int coil;
+  Reason reason;
+};
+
+void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
+
+class EverySecondFrameLost : public ::testing::TestWithParam<Fault> {};
+
+TEST_P(EverySecondFrameLost, WrongCurrentsAreMadeSafeAndNamed) {
+  const Fault& fault = GetParam();
+  rig::Rig rig;
+  rig.run_until_armed();
+  rig.start(rig::hold({1, 0, 0}, 5.0));
+  run_with_half_the_frames(rig, 500);
+  ASSERT_EQ(name(rig.controller().state()), "armed") << name(rig.controller().reason());
+  ASSERT_NEAR(rig.current_a(), 5.0, 0.1);
+  rig.set_faults(fault.sim, fault.coil);
+  run_with_half_the_frames(rig, 40);
+  expect_tripped(rig, fault.reason);
+  run_with_half_the_frames(rig, 25);  // a stuck bridge: the board opens its supply switch
+  expect_zero(rig, 0);
+}
+
+const Fault kFaults[] = {
+    {"StuckBridgeIdle", device::kSimStuckBridge, 1, Reason::kUnexpectedCurrent},
+    {"OpenWinding", device::kSimOpenWinding, 0, Reason::kCurrentMismatch},
+    {"CurrentSense", device::kSimCurrentSense, 0, Reason::kCurrentMismatch},
+};
+
+INSTANTIATE_TEST_SUITE_P(Each, EverySecondFrameLost, ::testing::ValuesIn(kFaults),
+                         [](const auto& fault) { return fault.param.name; });
+
+TEST(EverySecondFrameLost, AThermistorAtSeventyTrips) {
+  rig::RigOptions options;
+  options.board.start_c = 71.0;
+  rig::Rig rig(options);
+  run_with_half_the_frames(rig, 80);
+  EXPECT_EQ(name(rig.controller().reason()), "overheated");
+}
+
+// Without two frames in a row no winding is a thermometer, so it is held as after a restart.
+TEST(EverySecondFrameLost, ADrivenWindingIsHeldToWhatItBearsForEver) {
+  rig::Rig rig;
+  rig.run_until_armed();
+  rig.start(rig::hold({1, 0, 0}, 12.0));
+  rig.run(300);
+  ASSERT_NEAR(rig.current_a(), 12.0, 0.1);
+  run_with_half_the_frames(rig, 450);
+  EXPECT_NEAR(rig.current_a(), 12.0, 0.2);
+  run_with_half_the_frames(rig, 100);
+  EXPECT_NEAR(rig.current_a(), 5.0, 0.2);
+  EXPECT_EQ(name(rig.controller().state()), "armed");
+  rig.run(700);
+  EXPECT_NEAR(rig.current_a(), 12.0, 0.2) << "measured again";
+}
+
+TEST(EverySecondFrameLost, APulseTrainIsHeldToo) {
+  rig::Rig rig;
+  rig.run_until_armed();
+  for (int i = 0; i < 8; ++i) {
+    rig.start(rig::pulse({1, 0, 0}, 12.0, 100));
+    run_with_half_the_frames(rig, 600);
+  }
+  rig.start(rig::pulse({1, 0, 0}, 12.0, 100));
+  run_with_half_the_frames(rig, 60);
+  EXPECT_NEAR(rig.current_a(), 5.0, 0.2);
+}
+
+}  // namespace
+}  // namespace hedgehog::safety
