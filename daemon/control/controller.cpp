@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "model/tick.h"
 
@@ -56,8 +57,8 @@ device::BoardCommand Controller::step(const StepInputs& inputs, EventList& event
   states_.step(board_, inputs.board_fresh, arm_refusal(), now_);
   if (!was_armed && states_.armed()) watchdog_.begin_armed();
 
-  push(dt_s, events);
-  command_ = drive(dt_s);
+  const bool playing = push(dt_s, events);
+  command_ = drive(playing, dt_s);
   predict_flow();
   say_changes(events);
   started_ = true;
@@ -67,9 +68,9 @@ device::BoardCommand Controller::step(const StepInputs& inputs, EventList& event
 Reason Controller::sense(const StepInputs& inputs, double dt_s) noexcept {
   if (inputs.board_fresh) board_ = inputs.board;
   pair_.step(inputs.board_fresh, inputs.board);
-  const Reason found =
-      watchdog_.step({inputs.board_present, inputs.board_fresh, board_, pair_, command_,
-                      settings_.limits.trip_c, 1 + static_cast<Tick>(inputs.skipped)});
+  const Reason found = watchdog_.step({inputs.board_present, inputs.board_fresh, board_, pair_,
+                                       command_, settings_.limits.trip_c,
+                                       1 + static_cast<Tick>(inputs.skipped), states_.armed()});
   watch_measuring(dt_s);
   heading_.step(inputs.orientation, now_);
   observe(dt_s);
@@ -117,6 +118,12 @@ void Controller::observe(double dt_s) noexcept {
   observer_.step(m, m.electrical_valid ? kTickSeconds : dt_s);
 }
 
+model::ThermalEstimate Controller::thermal() const noexcept {
+  model::ThermalEstimate known = observer_.estimate();
+  if (!observing_) known.hottest_c = std::numeric_limits<double>::infinity();
+  return known;
+}
+
 void Controller::follow_board(Reason found, bool present, bool fresh) noexcept {
   const BoardCheck& board = watchdog_.board();
   if (!board.alive()) {
@@ -127,7 +134,7 @@ void Controller::follow_board(Reason found, bool present, bool fresh) noexcept {
     return;
   }
   states_.board_alive(board_, now_);
-  if (found != Reason::kNone && (states_.armed() || stops_unarmed(found))) {
+  if (found != Reason::kNone) {
     if (states_.state() != State::kTripped) note_trip(found);
     states_.trip(found, now_);
   } else if (board.restarted()) {
@@ -169,23 +176,28 @@ void Controller::set_coils(const model::CoilModel& coils) noexcept {
 Reason Controller::arm_refusal() const noexcept {
   const Reason doubt = watchdog_.doubt();
   if (doubt != Reason::kNone) return doubt;
-  const Reason why = states_.reason();
+  // A board's latch for heat may be older than this daemon.
+  constexpr std::uint16_t kByHeat = device::kFaultOverHeat | device::kFaultHeatBudget;
+  const auto board_heat = static_cast<std::uint16_t>(board_.faults & kByHeat);
+  const Reason why = board_heat != 0 ? reason_of_faults(board_heat) : states_.reason();
   const bool by_heat = why == Reason::kOverheated || why == Reason::kBoardOverHeat ||
                        why == Reason::kBoardHeatBudget;
   const model::ThermalEstimate& thermal = observer_.estimate();
   const double cool_c = std::max(settings_.limits.rearm_c, thermal.room_c + kRearmAboveRoomK);
   if (by_heat && !(thermal.hottest_c < cool_c)) return why;
-  if (why == Reason::kFanStopped && watchdog_.fan().standing()) return why;
+  if (states_.reason() == Reason::kFanStopped && watchdog_.fan().standing()) {
+    return Reason::kFanStopped;
+  }
   return Reason::kNone;
 }
 
-void Controller::push(double dt_s, EventList& events) noexcept {
+bool Controller::push(double dt_s, EventList& events) noexcept {
   const MixResult mix = mixer_.mix(
       {now_, states_.armed(), heading_.fresh(), heading_.device_to_world(), settings_.gain},
       events);
   const Vec3 wanted = currents_for(mix.field, settings_.coils).a + mix.coil_a;
   demand_a_ = mix.field.a + field_of({mix.coil_a}, settings_.coils).a;
-  model::ThermalEstimate thermal = observer_.estimate();
+  model::ThermalEstimate thermal = this->thermal();
   if (blind_) thermal.measured = {};
   passed_ = limiter_.limit({wanted}, thermal, dt_s);
   if (!states_.armed()) passed_ = model::LimitedCurrents();  // the watchdog's gate
@@ -195,6 +207,7 @@ void Controller::push(double dt_s, EventList& events) noexcept {
   derating_.step(mix.any ? std::min(asked_a, settings_.limits.current_a) : 0.0,
                  limiter_.allowed().value, now_);
   reject(dt_s, events);
+  return mix.playing;
 }
 
 void Controller::reject(double dt_s, EventList& events) noexcept {
@@ -210,10 +223,10 @@ void Controller::reject(double dt_s, EventList& events) noexcept {
   }
 }
 
-device::BoardCommand Controller::drive(double dt_s) noexcept {
+device::BoardCommand Controller::drive(bool playing, double dt_s) noexcept {
   device::BoardCommand command;
-  // Without effects the bridges sleep: duty 0 alone would be a brake that keeps them awake.
-  if (states_.armed() && !mixer_.empty()) {
+  // While no effect plays the bridges sleep: duty 0 alone would be a brake that keeps them awake.
+  if (states_.armed() && playing) {
     command =
         device::BoardCommand::drive(passed_, observer_.estimate().resistance_ohm,
                                     settings_.coils.inductance_h, flowing_a_, board_.supply_v);
@@ -245,7 +258,7 @@ void Controller::let_flow(const Vec3& voltage, Tick ticks) noexcept {
 }
 
 void Controller::note_trip(Reason reason) noexcept {
-  last_trip_ = {reason, now_, observer_.estimate().hottest_c, norm(pair_.after_a())};
+  last_trip_ = {reason, now_, thermal().hottest_c, norm(pair_.after_a())};
 }
 
 }  // namespace hedgehog::control

@@ -42,7 +42,8 @@ class Controller {
   bool effects_empty() const noexcept { return mixer_.empty(); }
   /// An effect is being reduced because the ball is warm.
   bool derating() const noexcept { return derating_.active(); }
-  const model::ThermalEstimate& thermal() const noexcept { return observer_.estimate(); }
+  /// What is known: until the first usable reading nothing, so `hottest_c` is infinite.
+  model::ThermalEstimate thermal() const noexcept;
   const model::LimitedCurrents& passed() const noexcept { return passed_; }
   const Trip& last_trip() const noexcept { return last_trip_; }
   const Watchdog& watchdog() const noexcept { return watchdog_; }
@@ -57,8 +58,9 @@ class Controller {
   void take(const Command& command, EventList& events) noexcept;
   void set_coils(const model::CoilModel& coils) noexcept;
   Reason arm_refusal() const noexcept;
-  void push(double dt_s, EventList& events) noexcept;
-  device::BoardCommand drive(double dt_s) noexcept;
+  /// True while an effect plays.
+  bool push(double dt_s, EventList& events) noexcept;
+  device::BoardCommand drive(bool playing, double dt_s) noexcept;
   void predict_flow() noexcept;
   /// Without new set-points the board holds the last one, until the link makes it safe.
   void hold_flow(model::Tick skipped) noexcept;

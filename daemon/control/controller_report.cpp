@@ -18,7 +18,7 @@ void Controller::say(EventType type, EventList& events, std::uint64_t count) con
   event.reason = states_.reason();
   event.tick = now_;
   event.limit_a = limiter_.allowed().value;
-  event.temperature_c = observer_.estimate().hottest_c;
+  event.temperature_c = thermal().hottest_c;
   event.count = count;
   events.push(event);
 }
@@ -62,7 +62,7 @@ void Controller::fill(StatusSnapshot& s) const noexcept {
   s.board_age = watchdog_.board().age();
   s.sensor_valid = s.board_present && watchdog_.sensor().usable();
 
-  s.thermal = observer_.estimate();
+  s.thermal = thermal();
   s.limit_a = limiter_.allowed().value;
   s.derating = derating_.active();
 

@@ -172,6 +172,7 @@ MixResult Mixer::sum(const MixInputs& inputs, int top) noexcept {
   });
   result.field.a = result.field.a + rotate(conjugate(inputs.device_to_world), world);
   result.any = sounding_ > 0;
+  result.playing = true;
   return result;
 }
 

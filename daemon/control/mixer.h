@@ -54,6 +54,9 @@ struct MixResult {
   model::Vec3 coil_a;
   /// Some effect was summed with a strength above zero.
   bool any = false;
+  /// Some effect plays, maybe in a silent part of its waveform; waiting for its onset is not
+  /// playing.
+  bool playing = false;
 };
 
 /// Lives on the control thread. Trivially copyable: the flight recorder copies it. Every function

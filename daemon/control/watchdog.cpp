@@ -71,7 +71,7 @@ Reason Watchdog::step(const WatchdogInputs& in) noexcept {
   // The cause before its consequences: a broken bridge also shows as a wrong current.
   const std::array<Reason, 5> found{board_.fault(), sensor, heat, current, fan};
   for (const Reason reason : found) {
-    if (reason != Reason::kNone) return reason;
+    if (reason != Reason::kNone && (in.armed || stops_unarmed(reason))) return reason;
   }
   return Reason::kNone;
 }

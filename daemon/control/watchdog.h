@@ -27,6 +27,8 @@ struct WatchdogInputs {
   double trip_c = 70.0;
   /// Ticks since the last step, 1 or more.
   model::Tick ticks = 1;
+  /// Otherwise only what stops a ball in every state counts.
+  bool armed = true;
 };
 
 /// Control thread; real-time safe, trivially copyable.
@@ -35,7 +37,7 @@ class Watchdog {
   Watchdog() noexcept = default;
   Watchdog(const model::CoilModel& coils, int sensor_winding) noexcept;
 
-  /// One tick later. The gravest reason to stop now, or kNone.
+  /// One tick later. The gravest reason to stop now in this state, or kNone.
   Reason step(const WatchdogInputs& inputs) noexcept;
 
   /// Why an armed ball would stop at once, or kNone: the thermistor, currents and the fan as they
