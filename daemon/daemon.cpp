@@ -93,6 +93,9 @@ void Daemon::introduce() {
 
 void Daemon::open_doors() {
   ready_ = true;
+  if (first_sight_) {
+    log_state(*std::exchange(first_sight_, std::nullopt));
+  }
   listener_.start(server_);
   for (const std::string& address : listener_.addresses()) {
     spdlog::info("listening on {}", address);
@@ -176,12 +179,15 @@ void Daemon::reload() {
   next.log_level = fresh->log_level;
   next.telemetry_max_rate_hz = fresh->telemetry_max_rate_hz;
   next.connections = fresh->connections;
+  // A board never widens its limits, so wider ones would trip it.
+  const bool too_wide =
+      !model::is_within(next.limits, next.device.limits) ||
+      device::BoardLimits::of(next.limits).wider_than(device::BoardLimits::of(config_.limits));
   const bool restart = fresh->backend != next.backend || fresh->device_file != next.device_file ||
                        fresh->imu != next.imu || !(fresh->listen == next.listen) ||
                        !(fresh->http == next.http) || !(fresh->simulator == next.simulator) ||
-                       fresh->state_directory != next.state_directory ||
-                       !model::is_within(next.limits, next.device.limits);
-  if (!model::is_within(next.limits, next.device.limits)) {
+                       fresh->state_directory != next.state_directory || too_wide;
+  if (too_wide) {
     next.limits = config_.limits;
   }
   if (!(next.limits == config_.limits) &&
@@ -199,19 +205,30 @@ void Daemon::reload() {
   manager_.ready(status_line());
 }
 
+void Daemon::log_state(const control::Event& event) {
+  const auto remedy = server::remedy(event.state, event.reason, machine_.remedy_facts());
+  const auto level = event.state == control::State::kTripped ? spdlog::level::err
+                     : event.state == control::State::kArmed ? spdlog::level::info
+                                                             : spdlog::level::warn;
+  spdlog::log(level, "{}{}{}", control::name(event.state),
+              event.reason == control::Reason::kNone
+                  ? ""
+                  : fmt::format(": {}", control::name(event.reason)),
+              remedy ? ". " + *remedy : "");
+}
+
 void Daemon::heard(const control::Event& event, const server::Effect*) {
   using control::EventType;
   switch (event.type) {
     case EventType::kStateChanged: {
-      const auto remedy = server::remedy(event.state, event.reason, machine_.remedy_facts());
-      const auto level = event.state == control::State::kTripped ? spdlog::level::err
-                         : event.state == control::State::kArmed ? spdlog::level::info
-                                                                 : spdlog::level::warn;
-      spdlog::log(level, "{}{}{}", control::name(event.state),
-                  event.reason == control::Reason::kNone
-                      ? ""
-                      : fmt::format(": {}", control::name(event.reason)),
-                  remedy ? ". " + *remedy : "");
+      // Not worth a warning when it arms itself before the first client can see it.
+      first_sight_.reset();
+      if (!ready_ && event.state == control::State::kDisarmed &&
+          event.reason == control::Reason::kNeverArmed) {
+        first_sight_ = event;
+      } else {
+        log_state(event);
+      }
       keeper_.state_changed(event.state);
       if (event.state == control::State::kTripped) {
         // The latch goes to disk before anything that takes longer.

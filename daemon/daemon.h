@@ -38,6 +38,7 @@ class Daemon {
   boost::asio::awaitable<void> leave(std::string reason);
   void reload();
   void heard(const control::Event& event, const server::Effect* effect);
+  void log_state(const control::Event& event);
   void introduce();
   void open_doors();
   std::string status_line() const;
@@ -57,6 +58,8 @@ class Daemon {
   server::TripRecordings recordings_;
   server::Server server_;
   bool ready_ = false;
+  /// Why the ball was not armed at its first sight, until it is or the doors open.
+  std::optional<control::Event> first_sight_;
   bool leaving_ = false;
 };
 

@@ -38,9 +38,7 @@ Machinery::Machinery(const config::Config& config, const control::ControlSetting
   std::unique_ptr<device::Transport> transport;
   if (config.simulator.process) {
     device::SimulatedBoardProcessOptions options;
-    options.ambient_c = config.simulator.ambient_c;
-    options.start_c = start_c;
-    options.seed = config.simulator.seed;
+    options.board = board_options(config, start_c);
     if (const char* trace = std::getenv(kTraceVariable)) {
       options.trace = trace;
     }

@@ -8,8 +8,10 @@
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <optional>
 #include <string_view>
 
+#include "daemon/device/plant_text.h"
 #include "daemon/device/simulated_board_runner.h"
 #include "daemon/device/socket_transport.h"
 
@@ -24,11 +26,13 @@ constexpr int kExitUsage = 64;
 constexpr int kExitCannotCreate = 73;
 
 constexpr char kUsage[] =
-    "usage: hedgehog-simboard --fd N [--start-temperature C] [--ambient C] [--seed N] [--trace F]\n"
+    "usage: hedgehog-simboard --fd N [--start-temperature C] [--ambient C] [--seed N] [--plant P]\n"
+    "                         [--trace F]\n"
     "  --fd N                   the inherited SOCK_SEQPACKET socket to the host\n"
     "  --start-temperature C    of the ball, degrees Celsius (default: the room's)\n"
     "  --ambient C              of the room, degrees Celsius (default 25)\n"
     "  --seed N                 of the thermistor's noise (default 1)\n"
+    "  --plant P                the ball, as numbers by comma (default: the built-in one)\n"
     "  --trace F                append a JSON line to F at each change of mode and at the end\n";
 
 struct Arguments {
@@ -37,6 +41,7 @@ struct Arguments {
   double start_c = 0.0;
   bool start_given = false;
   std::uint64_t seed = 1;
+  std::optional<hedgehog::model::PlantParameters> plant;
   const char* trace = nullptr;
 };
 
@@ -60,6 +65,9 @@ bool read_arguments(int count, char** words, Arguments& arguments) {
       good = arguments.start_given = parse(value, arguments.start_c);
     } else if (name == "--seed") {
       good = parse(value, arguments.seed);
+    } else if (name == "--plant") {
+      arguments.plant = hedgehog::device::plant_from(value);
+      good = arguments.plant.has_value();
     } else if (name == "--trace") {
       arguments.trace = value;
     } else {
@@ -97,6 +105,7 @@ int main(int argument_count, char** words) {
   SimulatedBoardOptions options;
   options.ambient_c = arguments.ambient_c;
   options.start_c = arguments.start_given ? arguments.start_c : arguments.ambient_c;
+  if (arguments.plant) options.plant = *arguments.plant;
   options.plant.seed = arguments.seed;
   SimulatedBoardRunner runner(
       options, std::make_unique<SocketTransport>(FileDescriptor(arguments.fd)), trace);

@@ -63,6 +63,13 @@ Frame encode_arm(std::uint8_t count, std::uint32_t sequence) noexcept {
   return written(values);
 }
 
+BoardLimits BoardLimits::of(const model::Limits& limits) noexcept {
+  BoardLimits board;
+  board.sensor_c = std::min(board.sensor_c, limits.trip_c + 5.0);
+  board.current_a = std::min(board.current_a, 1.1 * limits.current_a);
+  return board;
+}
+
 Frame encode_limits(const BoardLimits& limits, std::uint32_t sequence) noexcept {
   board::LimitsFrame values;
   values.sequence = sequence;

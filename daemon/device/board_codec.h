@@ -11,6 +11,7 @@
 #include "daemon/device/board_core/frame.h"
 #include "daemon/device/board_io.h"
 #include "daemon/device/simulator_settings.h"
+#include "model/limits.h"
 
 namespace hedgehog::device {
 
@@ -23,6 +24,15 @@ struct BoardLimits {
   double current_a = 16.5;
   /// Share of the board's own I^2 t budgets, 0..1.
   double heat = 1.0;
+
+  /// What a board has to guard when the host keeps to `limits`: 5 K above its trip and a tenth
+  /// above its current, never more than 75 C and 16.5 A.
+  static BoardLimits of(const model::Limits& limits) noexcept;
+  /// True when a board that has `other` in force would have to allow more for these.
+  bool wider_than(const BoardLimits& other) const noexcept {
+    return sensor_c > other.sensor_c || current_a > other.current_a || heat > other.heat;
+  }
+  friend bool operator==(const BoardLimits&, const BoardLimits&) noexcept = default;
 };
 
 Frame encode_set_point(const BoardCommand& command, std::uint32_t sequence) noexcept;

@@ -7,6 +7,8 @@ namespace hedgehog::device {
 namespace {
 
 constexpr int kArmTries = 50;
+// The board's clock comes round every 49.7 days; more than this at once is another clock.
+constexpr std::uint32_t kLongestGapMs = 10'000;
 // Frames that say what holds for long are repeated, in case one was lost.
 constexpr int kLimitsEveryTicks = 1000;
 constexpr int kSimulatorEveryTicks = 100;
@@ -23,26 +25,34 @@ void Link::receive(std::span<const std::uint8_t> packet) noexcept {
   if (decoded.error == board::FrameError::kVersion) ticks_without_telemetry_ = kAbsentTicks;
 }
 
-void Link::note_telemetry(const BoardTelemetry& telemetry) noexcept {
+void Link::note_telemetry(BoardTelemetry telemetry) noexcept {
   const BoardTelemetry& last = report_.telemetry;
   if (telemetry_seen_) {
-    const bool newer = board::is_newer(telemetry.sequence, last.sequence);
-    const bool restarted = !newer && telemetry.board_ms < last.board_ms;
+    // After 2^31 frames the number alone would call a board newer that has just started.
+    const bool restarted =
+        telemetry.board_ms < last.board_ms && telemetry.board_ms - last.board_ms > kLongestGapMs;
+    const bool newer = !restarted && board::is_newer(telemetry.sequence, last.sequence);
     if (!newer && !restarted) {
       ++report_.counters.errors;
       return;
     }
     if (newer) report_.counters.lost += telemetry.sequence - last.sequence - 1;
     // A board that started anew must not be armed by what was asked of it before.
-    if (restarted) arm_tries_left_ = 0;
+    if (restarted) {
+      arm_tries_left_ = 0;
+      limits_due_ticks_ = 0;
+      arm_offset_ = static_cast<std::uint8_t>(last.arm_count - telemetry.arm_count);
+    }
   }
   telemetry_seen_ = true;
+  telemetry.arm_count = static_cast<std::uint8_t>(telemetry.arm_count + arm_offset_);
   ticks_without_telemetry_ = 0;
   ++report_.counters.frames_in;
   ++report_.telemetry_count;
 
   // The board has heard a host before us: go on from its number, or it refuses ours as stale.
-  if (board::is_newer(telemetry.received_sequence, sequence_))
+  // One that has heard nobody says 0.
+  if (telemetry.received_sequence != 0 && board::is_newer(telemetry.received_sequence, sequence_))
     sequence_ = telemetry.received_sequence;
 
   if (telemetry.arm_count == requested_arm_) arm_tries_left_ = 0;
@@ -99,7 +109,7 @@ std::optional<Frame> Link::next_other(const SimulatorSettings* simulator) noexce
   --simulator_due_ticks_;
   if (arm_tries_left_ > 0) {
     --arm_tries_left_;
-    return encode_arm(requested_arm_, ++sequence_);
+    return encode_arm(static_cast<std::uint8_t>(requested_arm_ - arm_offset_), ++sequence_);
   }
   if (limits_ && report_.present && limits_due_ticks_ < 0) {
     limits_due_ticks_ = kLimitsEveryTicks;

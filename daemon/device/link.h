@@ -38,6 +38,12 @@ class Link {
   /// `limits` are sent whenever a board appears, until it has them in force.
   explicit Link(const BoardLimits& limits) noexcept : limits_(limits) {}
 
+  /// Sent at once and whenever a board appears, instead of those before.
+  void set_limits(const BoardLimits& limits) noexcept {
+    limits_ = limits;
+    limits_due_ticks_ = 0;
+  }
+
   /// One packet as it arrived, any bytes; any number of them before each `step`.
   void receive(std::span<const std::uint8_t> packet) noexcept;
 
@@ -54,7 +60,7 @@ class Link {
 
  private:
   LinkFrames step(const LinkCommand& command, const SimulatorSettings* simulator) noexcept;
-  void note_telemetry(const BoardTelemetry& telemetry) noexcept;
+  void note_telemetry(BoardTelemetry telemetry) noexcept;
   void note_presence() noexcept;
   BoardCommand choose(const LinkCommand& command) noexcept;
   void note_arm(std::uint8_t wanted) noexcept;
@@ -70,6 +76,9 @@ class Link {
 
   std::uint8_t requested_arm_ = 0;
   int arm_tries_left_ = 0;
+  /// Added to the count of a board that has restarted, so that for control it goes on where it was:
+  /// the next request then differs from the board's own count whatever that is.
+  std::uint8_t arm_offset_ = 0;
 
   int limits_due_ticks_ = 0;
   int simulator_due_ticks_ = 0;

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "daemon/device/board_codec.h"
 #include "daemon/device/board_io.h"
 #include "daemon/device/simulator_settings.h"
 #include "model/triple_buffer.h"
@@ -33,6 +34,8 @@ struct LinkPort {
   model::TripleBuffer<LinkReport> reports;
   /// io -> link; used by the simulated board only.
   model::TripleBuffer<SimulatorSettings> simulator;
+  /// io -> link: at the start, and when they became tighter.
+  model::TripleBuffer<BoardLimits> limits;
 };
 
 }  // namespace hedgehog::device

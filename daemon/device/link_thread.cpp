@@ -46,6 +46,8 @@ void LinkThread::tick() noexcept {
     if (length == 0) break;
     link_.receive(std::span(packet).first(length));
   }
+  const BoardLimits& limits = port_.limits.read();
+  if (port_.limits.was_fresh()) link_.set_limits(limits);
   const LinkCommand& command = port_.commands.read();
   const SimulatorSettings& simulator = port_.simulator.read();
   simulator_known_ = simulator_known_ || port_.simulator.was_fresh();

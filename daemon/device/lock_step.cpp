@@ -4,6 +4,8 @@
 namespace hedgehog::device {
 
 void LockStep::step() noexcept {
+  const BoardLimits& limits = port_.limits.read();
+  if (port_.limits.was_fresh()) link_.set_limits(limits);
   const LinkCommand& command = port_.commands.read();
   const SimulatorSettings& simulator = port_.simulator.read();
   simulator_known_ = simulator_known_ || port_.simulator.was_fresh();

@@ -14,6 +14,7 @@
 #include <system_error>
 #include <vector>
 
+#include "daemon/device/plant_text.h"
 #include "daemon/device/simulated_board_runner.h"
 #include "daemon/device/socket_transport.h"
 
@@ -66,11 +67,13 @@ SimulatedBoardProcess::SimulatedBoardProcess(const SimulatedBoardProcessOptions&
       "--fd",
       std::to_string(kChildFd),
       "--start-temperature",
-      text_of(options.start_c),
+      text_of(options.board.start_c),
       "--ambient",
-      text_of(options.ambient_c),
+      text_of(options.board.ambient_c),
       "--seed",
-      std::to_string(options.seed),
+      std::to_string(options.board.plant.seed),
+      "--plant",
+      plant_text(options.board.plant),
   };
   if (!options.trace.empty()) words.insert(words.end(), {"--trace", options.trace});
   std::vector<char*> arguments;

@@ -12,9 +12,7 @@
 namespace hedgehog::device {
 
 struct SimulatedBoardProcessOptions {
-  double ambient_c = 25.0;
-  double start_c = 25.0;
-  std::uint64_t seed = 1;
+  SimulatedBoardOptions board;
   /// The program; empty: hedgehog-simboard beside this process's own.
   std::string program;
   /// Where it writes its trace (simulated_board_runner.h); empty: nowhere.

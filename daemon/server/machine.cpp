@@ -23,6 +23,7 @@ Machine::Machine(const config::Config& config, control::Mailbox& mailbox, device
       array_(model::hedgehog_86()),
       forecaster_(config.device.coils, config.device.thermal, config.limits),
       outbox_(mailbox) {
+  link_.limits.write(device::BoardLimits::of(config.limits));
   simulator_.ambient_c = config.simulator.ambient_c;
   if (config.imu == config::ImuType::kSimulator) {
     set_orientation({});
@@ -40,6 +41,9 @@ void Machine::refresh() {
 }
 
 void Machine::set_config(const config::Config& config) {
+  if (!(config.limits == config_.limits)) {
+    link_.limits.write(device::BoardLimits::of(config.limits));
+  }
   config_ = config;
   forecaster_ = model::Forecaster(config.device.coils, config.device.thermal, config.limits);
 }

@@ -34,7 +34,8 @@ class Machine {
   std::int64_t epoch_ns() const noexcept { return epoch_ns_; }
 
   const config::Config& config() const noexcept { return config_; }
-  /// After a reload: limits and what a client may see of the configuration.
+  /// After a reload: limits (a board never widens its own) and what a client may see of the
+  /// configuration.
   void set_config(const config::Config& config);
   const model::Limits& limits() const noexcept { return config_.limits; }
   bool simulated() const noexcept { return config_.backend == config::Backend::kSimulator; }

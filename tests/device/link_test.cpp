@@ -235,6 +235,53 @@ TEST_F(LinkBench, ABoardThatRestartsIsNotArmedByAnOldRequest) {
   EXPECT_EQ(link.report().counters.lost, 0u);
 }
 
+TEST_F(LinkBench, ABoardThatRestartsAfterTwentyFiveDaysIsSeenToHaveRestarted) {
+  board.sequence = 0x8000'0100u;
+  board.board_ms = 0x8000'0100u;
+  tick();
+  command.board.arm_count = 1;
+  tick();
+  ASSERT_TRUE(arm_request());
+  board.sequence = 0;
+  board.board_ms = 0;
+  tick();
+  EXPECT_EQ(arm_request(), std::nullopt);
+  EXPECT_EQ(link.report().counters.lost, 0u);
+  EXPECT_EQ(link.report().telemetry.sequence, 1u);
+}
+
+TEST_F(LinkBench, AClockThatComesRoundIsNoRestart) {
+  board.sequence = 0xFFFF'FFF0u;
+  board.board_ms = 0xFFFF'FFF0u;
+  tick();
+  command.board.arm_count = 1;
+  for (int i = 0; i < 40; ++i) {
+    tick();
+    ASSERT_TRUE(arm_request()) << i;
+  }
+  EXPECT_EQ(link.report().counters.errors, 0u);
+  EXPECT_EQ(link.report().counters.lost, 0u);
+}
+
+TEST_F(LinkBench, ARequestDiffersFromTheCountOfABoardThatHasRestarted) {
+  board.arm_count = 255;
+  tick();
+  command.board.arm_count = 255;
+  tick();
+  board.sequence = 0;
+  board.board_ms = 0;
+  board.arm_count = 0;
+  tick();
+  EXPECT_EQ(arm_request(), std::nullopt);
+  command.board.arm_count = 0;  // 255 + 1
+  tick();
+  ASSERT_EQ(arm_request(), std::optional<std::uint8_t>(1));
+  board.arm_count = 1;
+  tick();
+  EXPECT_EQ(arm_request(), std::nullopt);
+  EXPECT_EQ(link.report().telemetry.arm_count, 0) << "confirmed, as control counts";
+}
+
 TEST_F(LinkBench, TakingOverTheBoardsOwnCountIsNoRequest) {
   board.arm_count = 7;
   tick();

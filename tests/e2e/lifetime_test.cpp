@@ -19,6 +19,7 @@ TEST(Start, SaysThatItSimulatesAndWhereItListens) {
   const Home home;
   DaemonProcess daemon(home);
   EXPECT_NE(daemon.log().find("SIMULATOR"), std::string::npos);
+  EXPECT_EQ(daemon.log().find("never_armed"), std::string::npos) << "it arms itself at once";
   struct stat s {};
   ASSERT_EQ(::stat(daemon.socket().c_str(), &s), 0);
   EXPECT_TRUE(S_ISSOCK(s.st_mode));
@@ -103,6 +104,10 @@ TEST(Reload, TakesNewLimitsAndKeepsTheOldOnesWhenTheFileIsWrong) {
   EXPECT_EQ(game.call("effect.pulse", {{"direction", "up"}, {"current_a", 9}})["code"], -32602);
   while (game.call("device.status")["limit_a"] != 8) {
   }
+  home.configure("{}");
+  daemon.signal(SIGHUP);
+  EXPECT_TRUE(daemon.logs("at the next start only"));
+  EXPECT_EQ(game.call("hello")["limits"]["current_a"], 8) << "the board keeps its tighter limits";
   home.configure(R"({"limits": {"current_a": "much"}})");
   daemon.signal(SIGHUP);
   EXPECT_TRUE(daemon.logs("the old one stays"));

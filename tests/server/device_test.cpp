@@ -52,6 +52,22 @@ TEST(Device, AFaultTripsWithItsNameAndArmingSaysWhyNot) {
   EXPECT_EQ(rig.call(owner, "sim.set", {{"fault", {{"faults", {"gremlins"}}}}})["code"], -32602);
 }
 
+TEST(Device, TheBoardGuardsTheLimitsOfTheConfiguration) {
+  config::Config config;
+  config.limits.current_a = 8.0;
+  config.limits.trip_c = 62.0;
+  ServerRig rig(config);
+  EXPECT_DOUBLE_EQ(rig.machine->now().board.limit_current_a, 8.8);
+  EXPECT_DOUBLE_EQ(rig.machine->now().board.limit_sensor_c, 67.0);
+  config.limits.current_a = 6.0;
+  rig.machine->set_config(config);
+  rig.run(5);
+  EXPECT_DOUBLE_EQ(rig.machine->now().board.limit_current_a, 6.6);
+  ServerRig usual;
+  EXPECT_DOUBLE_EQ(usual.machine->now().board.limit_current_a, 16.5);
+  EXPECT_DOUBLE_EQ(usual.machine->now().board.limit_sensor_c, 75.0);
+}
+
 TEST(Device, ABallThatIsGoneIsAbsent) {
   ServerRig rig;
   FakeClient& owner = rig.connect();

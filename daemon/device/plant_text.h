@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// The simulated ball as one word of a command line: how hedgehog-simboard is told what its device
+// file says.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "model/plant.h"
+
+namespace hedgehog::device {
+
+/// All numbers of `plant` but its seed, by comma, exact to the bit.
+std::string plant_text(const model::PlantParameters& plant);
+/// nullopt: not that many numbers, one that is not finite, or one that cannot be.
+std::optional<model::PlantParameters> plant_from(std::string_view text);
+
+}  // namespace hedgehog::device
