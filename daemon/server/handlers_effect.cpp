@@ -59,7 +59,7 @@ protocol::Result<protocol::Admission> admit(const Call& call, const model::Effec
                                             const protocol::EffectParams& params,
                                             const Effect* before) {
   const Machine& machine = call.machine();
-  if (spec.frame == model::Frame::kWorld && !machine.now().orientation_present) {
+  if (spec.frame == model::Frame::kWorld && !machine.orientation_known()) {
     RpcError e = protocol::device_absent(
         "frame", "world needs an orientation sensor, and none is connected", "imu");
     e.value = std::string("world");

@@ -51,6 +51,10 @@ class Machine {
 
   /// Orientation from outside: an external feeder, or `sim.set`. Kept fresh for the simulator.
   void set_orientation(const model::Quaternion& quaternion);
+  /// Some orientation has been given or measured; also when control has not looked yet.
+  bool orientation_known() const noexcept {
+    return snapshot_.orientation_present || orientation_.present;
+  }
   const device::SimulatorSettings& simulator() const noexcept { return simulator_; }
   void set_simulator(const device::SimulatorSettings& settings);
 

@@ -234,6 +234,19 @@ TEST(Device, TheFirstFeederOwnsAnExternalOrientation) {
   EXPECT_EQ(rig.call(other, "orientation.set", flat), Json::object());
 }
 
+TEST(Device, AWorldEffectMayFollowTheFirstOrientationInOneBreath) {
+  config::Config config;
+  config.imu = config::ImuType::kExternal;
+  ServerRig rig(config);
+  FakeClient& feeder = rig.connect();
+  const Json answers = rig.say(
+      feeder,
+      R"([{"jsonrpc":"2.0","id":1,"method":"orientation.set","params":{"quaternion":{"w":1,"x":0,"y":0,"z":0}}},)"
+      R"({"jsonrpc":"2.0","id":2,"method":"effect.pulse","params":{"direction":"up","frame":"world"}}])");
+  ASSERT_EQ(answers.size(), 2u) << answers;
+  EXPECT_TRUE(answers[1].contains("result")) << answers;
+}
+
 TEST(Device, TelemetryKeepsItsRateInDeviceTime) {
   ServerRig rig;
   FakeClient& game = rig.connect(protocol::Role::kObserve);
