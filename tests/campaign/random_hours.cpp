@@ -116,9 +116,9 @@ int main(int argc, char** argv) {
                            [](std::uint64_t seed) { return hedgehog::rig::thermal_hour(seed); });
   const auto full = run("1 ms hours", options.full_hours, options,
                         [](std::uint64_t seed) { return hedgehog::rig::full_hour(seed); });
+  const std::uint64_t passed = thermal.passed + full.passed;
   const std::uint64_t failed = thermal.failed + full.failed;
-  std::printf("%llu passed, %llu failed\n",
-              static_cast<unsigned long long>(thermal.passed + full.passed),
+  std::printf("%llu passed, %llu failed\n", static_cast<unsigned long long>(passed),
               static_cast<unsigned long long>(failed));
   return failed == 0 ? 0 : 1;
 }

@@ -78,6 +78,7 @@ class MixerHarness {
   }
   std::vector<model::Vec3> run(int ticks) {
     std::vector<model::Vec3> demands;
+    demands.reserve(static_cast<std::size_t>(ticks));
     for (int i = 0; i < ticks; ++i) demands.push_back(tick());
     return demands;
   }
