@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -39,7 +40,7 @@ class Rig {
   /// One millisecond; so many; so many seconds.
   void tick();
   void run(model::Tick ticks);
-  void run_s(double seconds) { run(static_cast<model::Tick>(seconds * 1000.0 + 0.5)); }
+  void run_s(double seconds) { run(std::llround(seconds * 1000.0)); }
   /// Ticks until `done()`, at most `most`. False when it did not happen.
   template <class Done>
   bool run_until(Done done, model::Tick most) {

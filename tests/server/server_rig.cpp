@@ -65,7 +65,7 @@ Json ServerRig::say(FakeClient& client, const std::string& line) {
   for (model::Tick i = 0; i < kPatience; ++i) {
     for (auto it = client.lines.begin(); it != client.lines.end(); ++it) {
       if (it->kind == LineKind::kAnswer) {
-        const Json answer = Json::parse(it->text);
+        Json answer = Json::parse(it->text);
         client.lines.erase(it);
         return answer;
       }
