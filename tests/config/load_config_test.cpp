@@ -200,7 +200,7 @@ TEST(LoadConfig, ReadFileTellsMissingFromBroken) {
 
 // A configuration that is nearly right: known keys with values of any kind.
 rc::Gen<std::string> any_json(int depth) {
-  const auto leaf = rc::gen::element<std::string>(
+  auto leaf = rc::gen::element<std::string>(
       "null", "true", "-1", "0", "1", "15", "1e300", "0.5", "\"usb\"", "\"\"", "\"/x\"",
       "\"127.0.0.1:1\"", "\"\\u0000\"", "[]", "{}", "[[[1]]]", "NaN", "'", "\xff", "// c\n1");
   if (depth == 0) return leaf;
