@@ -42,6 +42,8 @@ pid_t spawn(const Home& home, std::vector<std::string> words, const std::string&
   environment.insert(environment.end(), variables.begin(), variables.end());
   std::vector<char*> argv;
   std::vector<char*> envp;
+  argv.reserve(words.size() + 1);
+  envp.reserve(environment.size() + 1);
   for (std::string& word : words) {
     argv.push_back(word.data());
   }

@@ -96,7 +96,7 @@ class NotifySocket {
       if (count <= 0) {
         return {};
       }
-      const std::string text(buffer.data(), static_cast<std::size_t>(count));
+      std::string text(buffer.data(), static_cast<std::size_t>(count));
       if (text.find(word) != std::string::npos) {
         return text;
       }

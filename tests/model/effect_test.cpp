@@ -162,7 +162,8 @@ TEST(Circles, HaveFifteenStepsAtTheEquatorAndElevenAt45Degrees) {
 TEST(Circles, AtTenPinsASecondStepTenTimesASecondFromTheFrontToTheLeft) {
   const auto at = directions(circle(), 1501);
   for (int i = 0; i < 1500; ++i) {
-    const double expected = 24.0 * (i / 100);
+    const int step = i / 100;
+    const double expected = 24.0 * step;
     const double angle = std::fmod(azimuth_deg(at[static_cast<std::size_t>(i)]) + 360.0, 360.0);
     ASSERT_NEAR(angle, expected, 1e-6) << i;
   }

@@ -31,10 +31,12 @@ bool can_count_allocations() noexcept { return HEDGEHOG_COUNTS != 0; }
 #if HEDGEHOG_COUNTS
 // glibc's own functions behind the ones that are replaced here; operator new calls malloc.
 extern "C" {
+// NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming): the names are glibc's
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);
 void* __libc_realloc(void* old, std::size_t size);
 void* __libc_memalign(std::size_t alignment, std::size_t size);
+// NOLINTEND(bugprone-reserved-identifier,readability-identifier-naming)
 
 void* malloc(std::size_t size) {
   ++hedgehog::rig::count;
