@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "model/rearm.h"
 #include "model/tick.h"
 
 namespace hedgehog::control {
@@ -20,7 +21,6 @@ constexpr Tick kLongestGap = 20;
 constexpr Tick kComplaintEvery = model::kTicksPerSecond;
 constexpr double kAbsurdHoldS = 0.05;
 constexpr double kBlindAfterS = 0.5;
-constexpr double kRearmAboveRoomK = 10.0;
 
 }  // namespace
 
@@ -183,7 +183,7 @@ Reason Controller::arm_refusal() const noexcept {
   const bool by_heat = why == Reason::kOverheated || why == Reason::kBoardOverHeat ||
                        why == Reason::kBoardHeatBudget;
   const model::ThermalEstimate& thermal = observer_.estimate();
-  const double cool_c = std::max(settings_.limits.rearm_c, thermal.room_c + kRearmAboveRoomK);
+  const double cool_c = model::rearm_below_c(settings_.limits, thermal.room_c);
   if (by_heat && !(thermal.hottest_c < cool_c)) return why;
   if (states_.reason() == Reason::kFanStopped && watchdog_.fan().standing()) {
     return Reason::kFanStopped;

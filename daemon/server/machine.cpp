@@ -3,12 +3,11 @@
 
 #include <algorithm>
 
+#include "model/rearm.h"
+
 namespace hedgehog::server {
 namespace {
 
-/// How much the room may be above 35 °C before arming after a thermal trip gets easier (DESIGN
-/// section 4, "State": max(45 °C, room estimate + 10 K)).
-constexpr double kRearmAboveRoomK = 10.0;
 /// A simulated sensor reports 100 times a second.
 constexpr model::Tick kSimulatedImuPeriod = 10;
 
@@ -59,8 +58,7 @@ model::ForecastStart Machine::forecast_start() const noexcept {
 }
 
 RemedyFacts Machine::remedy_facts() const noexcept {
-  return {std::max(config_.limits.rearm_c, snapshot_.thermal.room_c + kRearmAboveRoomK),
-          simulated()};
+  return {model::rearm_below_c(config_.limits, snapshot_.thermal.room_c), simulated()};
 }
 
 std::optional<std::string> Machine::remedy_now() const {

@@ -85,7 +85,7 @@ TEST(Readme, AOneShotThroughNcIsFelt) {
   const Home home;
   if (Program(home, "/bin/sh", {"-c", "nc -h 2>&1 | grep -q -e -N"}).wait().exit_code != 0 &&
       Program(home, "/bin/sh", {"-c", "nc -h 2>&1 | grep -q OpenBSD"}).wait().exit_code != 0) {
-    GTEST_SKIP() << "netcat-openbsd is not installed";
+    FAIL() << "netcat-openbsd is missing: make deps installs it";
   }
   DaemonProcess daemon(home);
   RawClient watcher(daemon.port());
