@@ -22,7 +22,7 @@ std::string padded_ping(std::size_t bytes) {
 class Garbage : public testing::Test {
  protected:
   void SetUp() override {
-    game_.call("events.subscribe");
+    game_.call("events.subscribe", {{"types", {"effect_started", "effect_ended"}}});
     effect_ = game_.call("effect.hold", {{"direction", "up"}, {"lease_ms", 10000}})["effect"];
   }
   void TearDown() override {
