@@ -2,7 +2,7 @@
 # The menu. What it does stands in CMakePresets.json and cmake/.
 
 .DEFAULT_GOAL := help
-.PHONY: help deps run demo test test-all check bench asan tsan fuzz faults clean
+.PHONY: help deps run demo test test-all check bench asan tsan fuzz faults guards clean
 
 JOBS ?= $(shell nproc)
 ARGS ?=
@@ -22,6 +22,7 @@ help:
 	@echo 'make tsan       the tests under ThreadSanitizer'
 	@echo 'make fuzz       each fuzzer for FUZZ_SECONDS=20'
 	@echo 'make faults     the fault campaigns at full length'
+	@echo 'make guards     each safety guard taken out once: a test must go red'
 	@echo 'make bench      the benchmarks'
 	@echo 'make deps       install what is missing (Debian, Ubuntu: apt)'
 	@echo 'make clean      remove build/'
@@ -74,6 +75,9 @@ faults: campaigns
 .PHONY: faults-ci
 faults-ci: campaigns
 	ctest --preset campaign -j $(JOBS)
+
+guards: $(TEST_DEPS)
+	tests/guards/remove_guards.sh $(ARGS)
 
 bench: $(TEST_DEPS)
 	cmake --preset bench
