@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// An axially magnetised cylinder and its exact field: uniformly magnetised with the permeability of
+// vacuum (a real N45 has 1.05, which is neglected), so that it acts as two charged end faces.
+// Lengths here and in all of model/magnets are millimetres, as on a drawing. Pure; any thread.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace hedgehog::model {
+
+/// Residual flux density of N45 (thesis section 2.3).
+inline constexpr double kN45RemanenceT = 1.37;
+/// Sintered neodymium magnets, g/mm^3.
+inline constexpr double kMagnetDensityGMm3 = 7.5e-3;
+
+/// North outwards when it is a pin's or a shield's own polarity: see `MagnetPair`.
+struct CylinderMagnet {
+  double diameter_mm = 0.0;
+  double height_mm = 0.0;
+  double remanence_t = kN45RemanenceT;
+
+  constexpr double radius_mm() const noexcept { return 0.5 * diameter_mm; }
+  friend constexpr bool operator==(const CylinderMagnet&, const CylinderMagnet&) noexcept = default;
+};
+
+/// Thesis Table 2.2.
+inline constexpr CylinderMagnet kThesisPinMagnet{8.0, 10.0};
+inline constexpr CylinderMagnet kThesisShieldMagnet{4.0, 10.0};
+
+/// What is wrong with the sizes, one sentence; nothing when diameter and height are in (0, 1000] mm
+/// and the remanence in (0, 2] T. `what`: how the sentence calls the magnet, e.g. "the shield".
+std::optional<std::string> problem_with(const CylinderMagnet& magnet, const std::string& what);
+
+/// Dipole moment, A m^2: remanence * volume / mu0.
+double moment_a_m2(const CylinderMagnet& magnet) noexcept;
+double mass_g(const CylinderMagnet& magnet) noexcept;
+
+/// Flux density in the plane through the axis, tesla.
+struct AxialField {
+  double radial_t = 0.0;
+  double axial_t = 0.0;
+};
+
+/// The field at `rho_mm` >= 0 from the axis and `z_mm` above the middle of the magnet, which points
+/// up: Derby and Olbert, "Cylindrical magnets and ideal solenoids" (2010), with both complete
+/// elliptic integrals of each end from one arithmetic-geometric mean. About 1e-13 of the largest
+/// term; on the rims themselves it diverges.
+AxialField field_of(const CylinderMagnet& magnet, double rho_mm, double z_mm) noexcept;
+
+}  // namespace hedgehog::model

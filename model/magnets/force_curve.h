@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// F(o) of a pin (thesis (2.4)): the vertical force of all other magnets of the array on it when it
+// alone is moved to offset o. Design time: curves allocate; the force itself does not.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "model/magnets/magnet_array.h"
+#include "model/magnets/pair_force.h"
+#include "model/magnets/symmetry_classes.h"
+
+namespace hedgehog::model {
+
+/// The force on any pin of one class. Refers to the class: keep that alive.
+class PinForce {
+ public:
+  /// REQUIRES: check_fit() had nothing to say.
+  PinForce(const PinClass& pin_class, const ArraySizes& sizes, const ForceSettings& settings)
+      : class_(&pin_class), sizes_(sizes), settings_(settings) {}
+
+  /// Outwards positive; the error is the sum of the pairs' bounds.
+  PairForce at(double offset_mm) const noexcept;
+
+  const PinClass& pin_class() const noexcept { return *class_; }
+  const ArraySizes& sizes() const noexcept { return sizes_; }
+  const ForceSettings& settings() const noexcept { return settings_; }
+
+ private:
+  const PinClass* class_;
+  ArraySizes sizes_;
+  ForceSettings settings_;
+};
+
+/// REQUIRES: first_mm < last_mm, step_mm > 0.
+struct OffsetGrid {
+  double first_mm = -2.5;
+  double last_mm = 12.5;
+  double step_mm = 0.5;
+
+  /// first, first + step, ... up to last.
+  std::vector<double> offsets_mm() const;
+};
+
+/// The axes of thesis Fig. 2.10.
+inline constexpr OffsetGrid kThesisGrid{};
+
+/// All of the same length.
+struct ForceCurve {
+  std::vector<double> offsets_mm;
+  std::vector<double> force_n;
+  std::vector<double> error_n;
+};
+
+/// Faster than point by point: a face that has been visited is not visited again.
+ForceCurve force_curve(const PinForce& force, const OffsetGrid& grid = kThesisGrid);
+
+}  // namespace hedgehog::model
