@@ -10,6 +10,7 @@
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/use_awaitable.hpp>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <iostream>
@@ -239,8 +240,10 @@ void Daemon::heard(const control::Event& event, const server::Effect*) {
     }
     case EventType::kDeratingStarted:
     case EventType::kDeratingEnded:
-      spdlog::info("{}: {:.1f} A allowed at {:.1f} °C", control::name(event.type), event.limit_a,
-                   event.temperature_c);
+      spdlog::info("{}: {:.1f} A allowed at {}", control::name(event.type), event.limit_a,
+                   std::isfinite(event.temperature_c)
+                       ? fmt::format("{:.1f} °C", event.temperature_c)
+                       : "an unknown temperature");
       return;
     case EventType::kOverrun:
       spdlog::warn("the control loop was late: {} ticks skipped", event.count);

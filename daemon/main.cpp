@@ -78,7 +78,7 @@ int main(int argc, char** argv) {
       config::find_paths(config::process_environment(), options.config_file);
   const auto settings = config::load_config(paths, options.overrides);
   if (settings.has_error()) {
-    std::cerr << config::to_string(settings.error()) << '\n';
+    std::cerr << config::to_string(settings.error());
     return EX_CONFIG;
   }
   if (options.print_config) {

@@ -4,6 +4,7 @@
 #include <pthread.h>
 
 #include "daemon/control/absolute_sleep.h"
+#include "daemon/control/loop_meter.h"
 #include "daemon/device/tick_clock.h"
 
 namespace hedgehog::control {
@@ -13,7 +14,6 @@ using device::monotonic_ns;
 using model::kNanosecondsPerTick;
 using model::Tick;
 
-constexpr Tick kStatisticsEvery = model::kTicksPerSecond;
 constexpr int kSafePatienceTicks = 100;
 
 }  // namespace
@@ -44,9 +44,7 @@ bool ControlLoop::stop() noexcept {
 
 void ControlLoop::run() noexcept {
   Tick tick = (monotonic_ns() - origin_ns_) / kNanosecondsPerTick;
-  Tick summed_at = tick;
-  std::int64_t summed_ns = monotonic_ns();
-  std::uint64_t summed_ticks = 0;
+  LoopMeter meter(monotonic_ns());
   while (!stopping_.load(std::memory_order_acquire)) {
     const Tick due = tick + 1;
     sleep_until_ns(origin_ns_ + due * kNanosecondsPerTick);
@@ -55,21 +53,9 @@ void ControlLoop::run() noexcept {
     tick = (woke_ns - origin_ns_) / kNanosecondsPerTick;
     if (tick < due) tick = due;
     const auto skipped = static_cast<std::uint32_t>(tick - due);
-    lateness_.add(woke_ns - origin_ns_ - due * kNanosecondsPerTick);
-    ++statistics_.ticks;
-    statistics_.skipped += skipped;
-    if (tick - summed_at >= kStatisticsEvery) {
-      const Lateness::Summary summary = lateness_.summary();
-      statistics_.lateness_p50_us = summary.p50_us;
-      statistics_.lateness_p99_us = summary.p99_us;
-      statistics_.lateness_max_us = summary.max_us;
-      statistics_.rate_hz = static_cast<double>(statistics_.ticks - summed_ticks) * 1e9 /
-                            static_cast<double>(woke_ns - summed_ns);
-      summed_at = tick;
-      summed_ns = woke_ns;
-      summed_ticks = statistics_.ticks;
-    }
-    tick_.run(tick, skipped, statistics_);
+    meter.ticked(skipped);
+    meter.woke(woke_ns, woke_ns - origin_ns_ - due * kNanosecondsPerTick);
+    tick_.run(tick, skipped, meter.statistics());
     now_.store(tick, std::memory_order_relaxed);
     heartbeat_.fetch_add(1, std::memory_order_relaxed);
   }

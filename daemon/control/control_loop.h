@@ -7,7 +7,6 @@
 #include <thread>
 
 #include "daemon/control/control_tick.h"
-#include "daemon/control/lateness.h"
 #include "daemon/control/loop.h"
 
 namespace hedgehog::control {
@@ -34,8 +33,6 @@ class ControlLoop final : public Loop {
   void leave() noexcept;
 
   ControlTick tick_;
-  Lateness lateness_;
-  LoopStatistics statistics_;
   std::int64_t origin_ns_;
   std::thread thread_;
   bool realtime_ = false;

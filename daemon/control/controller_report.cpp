@@ -59,7 +59,7 @@ void Controller::fill(StatusSnapshot& s) const noexcept {
 
   s.board_present = watchdog_.board().alive();
   s.board = board_;
-  s.board_age = watchdog_.board().age();
+  s.sensor_age_s = watchdog_.sensor().age_s();
   s.sensor_valid = s.board_present && watchdog_.sensor().usable();
 
   s.thermal = thermal();

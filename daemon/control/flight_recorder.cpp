@@ -82,6 +82,7 @@ std::vector<std::byte> FlightRecorder::take() const {
   bytes.insert(bytes.end(), begin, begin + static_cast<std::ptrdiff_t>(first));
   bytes.insert(bytes.end(), ring_.begin(),
                ring_.begin() + static_cast<std::ptrdiff_t>(length - first));
+  end_recording(bytes);
   return bytes;
 }
 

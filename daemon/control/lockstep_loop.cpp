@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "daemon/control/absolute_sleep.h"
+#include "daemon/control/loop_meter.h"
 #include "daemon/device/tick_clock.h"
 
 namespace hedgehog::control {
@@ -48,27 +49,16 @@ bool LockstepLoop::stop() noexcept {
 void LockstepLoop::run() noexcept {
   Tick tick = 0;
   std::int64_t due_ns = monotonic_ns();
-  std::int64_t summed_ns = due_ns;
-  std::uint64_t summed_ticks = 0;
+  LoopMeter meter(due_ns);
   while (!stopping_.load(std::memory_order_acquire)) {
     due_ns += kNanosecondsPerTick;
     sleep_until_ns(due_ns);
     const std::int64_t woke_ns = monotonic_ns();
-    lateness_.add(woke_ns - due_ns);
+    meter.woke(woke_ns, woke_ns - due_ns);
     due_ns = std::max(due_ns, woke_ns - kNanosecondsPerTick);
-    if (woke_ns - summed_ns >= model::kTicksPerSecond * kNanosecondsPerTick) {
-      const Lateness::Summary summary = lateness_.summary();
-      statistics_.lateness_p50_us = summary.p50_us;
-      statistics_.lateness_p99_us = summary.p99_us;
-      statistics_.lateness_max_us = summary.max_us;
-      statistics_.rate_hz = static_cast<double>(statistics_.ticks - summed_ticks) * 1e9 /
-                            static_cast<double>(woke_ns - summed_ns);
-      summed_ns = woke_ns;
-      summed_ticks = statistics_.ticks;
-    }
     for (int i = 0; i < speed_; ++i) {
-      ++statistics_.ticks;
-      tick_.run(++tick, 0, statistics_);
+      meter.ticked(0);
+      tick_.run(++tick, 0, meter.statistics());
       world_.step();
       now_.store(tick, std::memory_order_relaxed);
     }

@@ -8,7 +8,6 @@
 #include <thread>
 
 #include "daemon/control/control_tick.h"
-#include "daemon/control/lateness.h"
 #include "daemon/control/loop.h"
 #include "daemon/device/lock_step.h"
 #include "daemon/device/simulated_board.h"
@@ -39,8 +38,6 @@ class LockstepLoop final : public Loop {
   int speed_;
   ControlTick tick_;
   device::LockStep world_;
-  Lateness lateness_;
-  LoopStatistics statistics_;
   std::int64_t origin_ns_;
   std::thread thread_;
   bool confirmed_ = false;

@@ -11,6 +11,8 @@
 #include <iterator>
 #include <memory>
 
+#include "daemon/device/board_core/crc32.h"
+
 namespace hedgehog::control {
 namespace {
 
@@ -49,6 +51,18 @@ class Reader {
   std::span<const std::byte> bytes_;
   bool good_ = true;
 };
+
+std::uint32_t checksum(std::span<const std::byte> bytes) noexcept {
+  return board::crc32(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+}
+
+bool is_whole(std::span<const std::byte> recording) noexcept {
+  std::uint32_t sum = 0;
+  if (recording.size() < sizeof sum) return false;
+  const auto body = recording.first(recording.size() - sizeof sum);
+  std::memcpy(&sum, recording.last(sizeof sum).data(), sizeof sum);
+  return sum == checksum(body);
+}
 
 int find_build_id(dl_phdr_info* info, std::size_t, void* out) {
   auto& id = *static_cast<std::string*>(out);
@@ -132,10 +146,13 @@ std::vector<std::byte> begin_recording(const Controller& start) {
   return bytes;
 }
 
+void end_recording(std::vector<std::byte>& recording) { append(recording, checksum(recording)); }
+
 ReplayResult replay(std::span<const std::byte> recording, const ReplaySink& sink) {
   ReplayResult result;
   result.error = ReplayError::kNotARecording;
-  Reader reader(recording);
+  const std::size_t body = recording.size() - std::min(recording.size(), sizeof(std::uint32_t));
+  Reader reader(recording.first(body));
   FileHead head;
   reader.take(&head);
   if (!reader.good() || head.magic != kMagic || head.build.back() != '\0') return result;
@@ -144,6 +161,7 @@ ReplayResult replay(std::span<const std::byte> recording, const ReplaySink& sink
     result.error = ReplayError::kOtherBuild;
     return result;
   }
+  if (!is_whole(recording)) return result;
   const auto controller = std::make_unique<Controller>(ControlSettings{});
   reader.take(controller.get());
   if (!reader.good()) return result;

@@ -39,6 +39,8 @@ std::string build_id();
 
 /// Header and state of a recording; records are appended to it.
 std::vector<std::byte> begin_recording(const Controller& start);
+/// Ends it with a CRC-32 of everything before, so that no damaged byte is ever replayed.
+void end_recording(std::vector<std::byte>& recording);
 
 enum class ReplayError : std::uint8_t {
   kNone,

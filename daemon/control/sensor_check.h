@@ -60,6 +60,8 @@ class SensorCheck {
 
   /// The last reading may be used as a temperature. False at the first doubt.
   bool usable() const noexcept { return usable_; }
+  /// Since the board's last conversion, s: the age of the reading, also while telemetry is lost.
+  double age_s() const noexcept { return still_s_; }
   /// Why the thermistor would trip the ball now or soon; kNone: it is sane.
   Reason doubt() const noexcept { return doubt_; }
 

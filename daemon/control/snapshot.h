@@ -54,7 +54,8 @@ struct StatusSnapshot {
 
   bool board_present = false;
   device::BoardTelemetry board;
-  model::Tick board_age = 0;
+  /// Of the thermistor reading, since the conversion that gave it.
+  double sensor_age_s = 0.0;
   /// The thermistor reading as judged by the watchdog: usable or not.
   bool sensor_valid = false;
 

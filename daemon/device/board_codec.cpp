@@ -26,7 +26,6 @@ static_assert(same(BoardMode::kSafe, board::Mode::kSafe) &&
               same(BoardMode::kDriving, board::Mode::kDriving) &&
               same(BoardMode::kLatched, board::Mode::kLatched));
 
-constexpr double kFullDuty = 32767.0;
 
 template <class Integer>
 Integer rounded(double value) noexcept {

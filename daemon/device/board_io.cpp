@@ -9,8 +9,7 @@
 namespace hedgehog::device {
 namespace {
 
-constexpr double kFullDuty = 32767.0;
-constexpr int kFull = 32767;
+constexpr int kFull = static_cast<int>(kFullDuty);
 
 int q15(double voltage, double supply_v) noexcept {
   return static_cast<int>(std::lround(std::clamp(voltage / supply_v, -1.0, 1.0) * kFullDuty));

@@ -11,6 +11,9 @@
 
 namespace hedgehog::device {
 
+/// A duty of 1 on the wire.
+inline constexpr double kFullDuty = 32767.0;
+
 /// Faults that the board itself has found: bits of BoardTelemetry::faults. Latched on the board
 /// until armed.
 enum BoardFault : std::uint16_t {
@@ -65,7 +68,7 @@ class BoardCommand {
   }
   /// Holding duty, -1..1.
   model::Vec3 duty() const noexcept {
-    return {duty_q15_[0] / 32767.0, duty_q15_[1] / 32767.0, duty_q15_[2] / 32767.0};
+    return {duty_q15_[0] / kFullDuty, duty_q15_[1] / kFullDuty, duty_q15_[2] / kFullDuty};
   }
   /// What the board applies in the first millisecond: holding and boost, -1..1.
   model::Vec3 first_duty() const noexcept;

@@ -14,7 +14,6 @@ constexpr double kStuckDuty = 0.1;
 constexpr double kJumpK = 15.0;
 constexpr double kOffsetKPerS = -0.5;
 constexpr double kLowSupplyV = 5.0;
-constexpr double kFullDuty = 32767.0;
 
 template <class Integer>
 Integer reading(double value) noexcept {

@@ -90,7 +90,7 @@ void SimulatedBoardRunner::note(const char* event) noexcept {
                "\"faults\": %u, \"awake\": %s, \"duty\": %.4f, \"current_a\": %.4f}\n",
                event, core.now_ms(), age.data(), name_of(core.mode()),
                static_cast<unsigned>(core.faults()), core.outputs().awake ? "true" : "false",
-               duty / 32767.0, norm(board_.plant().current_a()));
+               duty / kFullDuty, norm(board_.plant().current_a()));
   std::fflush(trace_);
 }
 

@@ -103,6 +103,11 @@ void Listener::open_tcp(const config::ListenAddress& wanted) {
   if (!ec) {
     acceptor.listen(asio::socket_base::max_listen_connections, ec);
   }
+  if (ec == asio::error::address_in_use) {
+    throw std::runtime_error(name +
+                             ": something listens there already, another hedgehogd perhaps; "
+                             "end it, or take another port with --listen");
+  }
   if (ec) {
     throw std::runtime_error(name + ": " + ec.message());
   }

@@ -30,7 +30,7 @@ protocol::TemperatureStatus temperature(const StatusSnapshot& s) {
   t.model = finite(model::hottest_winding(s.thermal.nodes));
   t.coils = s.thermal.nodes.winding_c;
   if (s.board_present) {
-    t.age_ms = s.board_age;
+    t.age_ms = std::llround(1000.0 * s.sensor_age_s);
   }
   return t;
 }

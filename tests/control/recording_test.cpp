@@ -57,7 +57,25 @@ TEST(Replay, NoticesOneBit) {
   const std::size_t start = begin_recording(Controller(ControlSettings{})).size();
   const std::size_t at = start + offsetof(RecordHead, emergency_generation);
   bytes[at] ^= std::byte{1};
+  EXPECT_EQ(replay(bytes, {}).error, ReplayError::kNotARecording) << "damaged";
+  bytes.resize(bytes.size() - sizeof(std::uint32_t));
+  end_recording(bytes);
   EXPECT_GT(replay(bytes, {}).different, 0u);
+}
+
+TEST(Replay, ADamagedByteAnywhereIsNotReplayed) {
+  FlightRecorder recorder;
+  const auto whole = recorded_trip(recorder);
+  model::RandomStream random(11);
+  for (int i = 0; i < 50; ++i) {
+    auto bytes = whole;
+    const auto at = static_cast<std::size_t>(random.uniform(0.0, 1.0) *
+                                             static_cast<double>(bytes.size() - 1));
+    bytes[at] ^= std::byte{0x40};
+    const ReplayResult result = replay(bytes, {});
+    EXPECT_NE(result.error, ReplayError::kNone) << at;
+    EXPECT_EQ(result.ticks, 0u) << at;
+  }
 }
 
 TEST(Replay, RefusesWhatIsNoRecordingOrOfAnotherBuild) {

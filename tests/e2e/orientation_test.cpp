@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -80,6 +81,8 @@ struct Case {
   const char* loop;
   const char* style;
   double flows_a;  // what a push has at least, in ampere
+
+  friend void PrintTo(const Case& c, std::ostream* out) { *out << c.loop << ", " << c.style; }
 };
 
 class Indicator : public testing::TestWithParam<Case> {

@@ -255,7 +255,9 @@ TEST(OrientationStale, WorldEffectsFadeInTwoHundredMillisecondsAndEndLost) {
   EXPECT_TRUE(rig.playing(effect));
   rig.run(2000);
   EXPECT_FALSE(rig.playing(effect));
-  EXPECT_EQ(rig.last(EventType::kEffectEnded)->end_reason, EndReason::kOrientationLost);
+  const auto* ended = rig.last(EventType::kEffectEnded);
+  ASSERT_NE(ended, nullptr);
+  EXPECT_EQ(ended->end_reason, EndReason::kOrientationLost);
   EXPECT_TRUE(asleep(rig));
 }
 

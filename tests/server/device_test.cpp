@@ -52,6 +52,17 @@ TEST(Device, AFaultTripsWithItsNameAndArmingSaysWhyNot) {
   EXPECT_EQ(rig.call(owner, "sim.set", {{"fault", {{"faults", {"gremlins"}}}}})["code"], -32602);
 }
 
+TEST(Device, AnOldReadingIsNullAndItsAgeGrows) {
+  ServerRig rig;
+  FakeClient& owner = rig.connect();
+  const auto temperature = [&] { return rig.call(owner, "device.status")["temperature_c"]; };
+  EXPECT_LE(temperature()["age_ms"], 20);
+  rig.call(owner, "sim.set", {{"fault", {{"faults", {"sensor_stale"}}}}});
+  rig.run(700);
+  EXPECT_EQ(temperature()["sensor"], nullptr);
+  EXPECT_NEAR(temperature()["age_ms"], 705, 15);
+}
+
 TEST(Device, TheBoardGuardsTheLimitsOfTheConfiguration) {
   config::Config config;
   config.limits.current_a = 8.0;
