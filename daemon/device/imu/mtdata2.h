@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// The payloads of an Xsens MTi that matter here: MTData2, a list of (id u16, length u8, data), and
+// the output configuration, a list of (id u16, rate u16). Big endian. Source: as xbus.h. Pure.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "daemon/device/byte_order.h"
+#include "model/quaternion.h"
+#include "model/vec3.h"
+
+namespace hedgehog::device {
+
+/// Data ids without their low nibble (number format, frame).
+enum class MtDataId : std::uint16_t {
+  kPacketCounter = 0x1020,
+  kSampleTimeFine = 0x1060,
+  kQuaternion = 0x2010,
+  kEulerAngles = 0x2030,
+  kAcceleration = 0x4020,
+  kRateOfTurn = 0x8020,
+  kRateOfTurnHr = 0x8040,
+  kStatusWord = 0xE020,
+};
+
+/// One MTData2 message. What it did not carry, or carried with a length or number that cannot be,
+/// is missing.
+struct MtSample {
+  std::optional<std::uint16_t> packet_counter;
+  /// Ticks of 0.1 ms; wraps.
+  std::optional<std::uint32_t> sample_time;
+  /// Sensor -> world with z up (ENU or NWU; NED is turned over). Unit length.
+  std::optional<model::Quaternion> quaternion;
+  std::optional<model::Vec3> euler_deg;  // roll, pitch, yaw
+  std::optional<model::Vec3> acceleration_m_s2;
+  std::optional<model::Vec3> rate_rad_s;
+  std::optional<std::uint32_t> status;
+};
+
+/// Nothing when the list does not fill the payload exactly. Unknown ids are skipped.
+std::optional<MtSample> decode_mtdata2(std::span<const Byte> payload);
+
+struct MtOutput {
+  std::uint16_t id = 0;
+  /// Hz; 0xFFFF: with every packet.
+  std::uint16_t rate_hz = 0;
+  friend bool operator==(const MtOutput&, const MtOutput&) = default;
+};
+
+/// What this daemon asks an MTi for: counter and time, quaternion and rate of turn at `rate_hz`,
+/// status. No magnetometer: the ball is one.
+std::vector<MtOutput> orientation_outputs(std::uint16_t rate_hz);
+
+std::vector<Byte> encode_outputs(std::span<const MtOutput> outputs);
+/// Nothing when the length is no multiple of 4.
+std::optional<std::vector<MtOutput>> decode_outputs(std::span<const Byte> payload);
+
+}  // namespace hedgehog::device

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/device/imu/mti_session.h"
+
+#include <algorithm>
+#include <array>
+
+namespace hedgehog::device {
+namespace {
+
+// Not every model knows every rate; the last is "with every packet".
+constexpr std::array<std::uint16_t, 3> kRates{200, 100, 0xFFFF};
+// Whoever does not collect them needs only the latest.
+constexpr std::size_t kMostWaiting = 64;
+
+}  // namespace
+
+void MtiSession::go(Step step) noexcept {
+  step_ = step;
+  asked_s_.reset();
+}
+
+std::vector<Byte> MtiSession::request() const {
+  switch (step_) {
+    case Step::kConfigure:
+      return encode_xbus(XbusId::kGotoConfig);
+    case Step::kOutputs:
+      return encode_xbus(XbusId::kSetOutputConfiguration,
+                         encode_outputs(orientation_outputs(kRates[refused_])));
+    case Step::kMeasure:
+      return encode_xbus(XbusId::kGotoMeasurement);
+    case Step::kMeasuring:
+      break;
+  }
+  return {};
+}
+
+std::vector<Byte> MtiSession::due(double now_s) {
+  if (woken_) {
+    // It has just been switched on and asks whether to stay in configuration.
+    woken_ = false;
+    return encode_xbus(XbusId::kWakeUpAck);
+  }
+  if (step_ == Step::kMeasuring && now_s - heard_s_ > kSilenceS) go(Step::kConfigure);
+  if (step_ == Step::kMeasuring || (asked_s_ && now_s - *asked_s_ < kRepeatS)) return {};
+  asked_s_ = now_s;
+  return request();
+}
+
+void MtiSession::receive(std::span<const Byte> bytes, double now_s) {
+  parser_.feed(bytes);
+  while (const auto message = parser_.next()) take(*message, now_s);
+}
+
+void MtiSession::take(const XbusMessage& message, double now_s) {
+  switch (message.id) {
+    case XbusId::kWakeUp:
+      woken_ = true;
+      go(Step::kConfigure);
+      break;
+    case XbusId::kGotoConfigAck:
+      if (step_ == Step::kConfigure) go(Step::kOutputs);
+      break;
+    case XbusId::kOutputConfiguration:
+      if (step_ == Step::kOutputs) go(Step::kMeasure);
+      break;
+    case XbusId::kGotoMeasurementAck:
+      if (step_ == Step::kMeasure) {
+        go(Step::kMeasuring);
+        heard_s_ = now_s;
+      }
+      break;
+    case XbusId::kError:
+      if (step_ == Step::kOutputs) refused_ = std::min(refused_ + 1, kRates.size() - 1);
+      break;
+    case XbusId::kMtData2:
+      // Before it is configured it may send other things than we want, or at another rate.
+      if (step_ != Step::kMeasuring) break;
+      heard_s_ = now_s;
+      if (auto sample = decode_mtdata2(message.payload)) {
+        if (samples_.size() == kMostWaiting) samples_.pop_front();
+        samples_.push_back(*sample);
+      }
+      break;
+    default:
+      break;
+  }
+}
+
+std::optional<MtSample> MtiSession::next() {
+  if (samples_.empty()) return std::nullopt;
+  const MtSample sample = samples_.front();
+  samples_.pop_front();
+  return sample;
+}
+
+}  // namespace hedgehog::device

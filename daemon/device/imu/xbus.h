@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// Messages of Xsens motion trackers: FA FF MID LEN payload CS, where all bytes after FA add up to 0
+// mod 256; LEN = FF announces a 16-bit length. Source: "MT Low-Level Communication Protocol
+// Documentation", and Xsens' published BSD sources (xspublic). Pure; any thread.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "daemon/device/byte_order.h"
+
+namespace hedgehog::device {
+
+/// Message ids. The answer to a request has the next id.
+enum class XbusId : std::uint8_t {
+  kRequestDeviceId = 0x00,
+  kDeviceId = 0x01,
+  kGotoMeasurement = 0x10,
+  kGotoMeasurementAck = 0x11,
+  kGotoConfig = 0x30,
+  kGotoConfigAck = 0x31,
+  kMtData2 = 0x36,
+  kWakeUp = 0x3E,
+  kWakeUpAck = 0x3F,
+  kReset = 0x40,
+  kError = 0x42,
+  kSetOutputConfiguration = 0xC0,
+  kOutputConfiguration = 0xC1,
+};
+
+struct XbusMessage {
+  /// May be any number, not only the enumerators.
+  XbusId id = XbusId::kError;
+  std::vector<Byte> payload;
+  friend bool operator==(const XbusMessage&, const XbusMessage&) = default;
+};
+
+/// Longer ones are taken for noise; MTData2 with everything in it stays below 400 bytes.
+inline constexpr std::size_t kXbusMaxPayload = 2048;
+
+/// REQUIRES: payload.size() <= kXbusMaxPayload.
+std::vector<Byte> encode_xbus(XbusId id, std::span<const Byte> payload = {});
+
+/// Finds messages in a stream of bytes, and finds back into it after noise: after a broken message
+/// the search goes on at the byte behind its FA, because FA may also occur inside a payload.
+class XbusParser {
+ public:
+  void feed(std::span<const Byte> bytes);
+  /// The next whole message, or nothing until more bytes are fed.
+  std::optional<XbusMessage> next();
+  /// Bytes that belonged to no message so far.
+  std::size_t skipped() const noexcept { return skipped_; }
+
+ private:
+  std::vector<Byte> waiting_;
+  std::size_t skipped_ = 0;
+};
+
+}  // namespace hedgehog::device

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// The talk with an MTi, against one that follows the protocol.
+#include "daemon/device/imu/mti_session.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/device/hex.h"
+#include "tests/device/imu/fake_mti.h"
+
+namespace hedgehog::device {
+namespace {
+
+// A published capture (reference: hardware.md section 4.3).
+const std::string kCaptureA =
+    "FA FF 36 4E 10 60 04 02 53 35 CB 20 10 10 3F 7F FA 66 BB 40 34 B8 3C 49 96 2D 3B 5A 1F 82 80 "
+    "20 0C 39 FF 91 01 BA EC DD 81 BA 86 53 80 40 20 0C BE 64 DB 99 BC E7 FF 83 41 1D C2 CF C0 20 "
+    "0C BE 90 48 80 3F 67 32 04 BF 54 89 04 E0 20 04 00 00 00 03 C9";
+void talk(MtiSession& session, FakeMti& mti, double from_s, double until_s) {
+  for (double t = from_s; t < until_s; t += 0.01) {
+    const auto sent = session.due(t);
+    session.receive(mti.answer(sent), t);
+    if (mti.measuring) session.receive(from_hex(kCaptureA), t);
+  }
+}
+
+TEST(MtiSession, ConfiguresThenMeasures) {
+  MtiSession session;
+  FakeMti mti;
+  mti.measuring = true;  // as left by the last run
+  talk(session, mti, 0.0, 0.5);
+  EXPECT_TRUE(session.measuring());
+  EXPECT_EQ(mti.outputs, orientation_outputs(200));
+  ASSERT_TRUE(session.next().has_value());
+}
+
+TEST(MtiSession, FallsBackToARateThatTheTrackerKnows) {
+  MtiSession session;
+  FakeMti mti;
+  mti.highest_rate = 100;
+  talk(session, mti, 0.0, 2.0);
+  EXPECT_TRUE(session.measuring());
+  EXPECT_EQ(mti.outputs, orientation_outputs(100));
+}
+
+TEST(MtiSession, StartsAnewAfterSilenceAndAfterARestart) {
+  MtiSession session;
+  FakeMti mti;
+  talk(session, mti, 0.0, 0.5);
+  mti.measuring = false;
+  mti.outputs.clear();
+  talk(session, mti, 0.5, 3.0);
+  EXPECT_TRUE(session.measuring());
+  EXPECT_FALSE(mti.outputs.empty());
+
+  session.receive(encode_xbus(XbusId::kWakeUp), 3.0);
+  EXPECT_EQ(session.due(3.0), encode_xbus(XbusId::kWakeUpAck));
+  EXPECT_FALSE(session.measuring());
+  talk(session, mti, 3.0, 4.0);
+  EXPECT_TRUE(session.measuring());
+}
+
+TEST(MtiSession, AsksAgainWhenNobodyAnswers) {
+  MtiSession session;
+  int asked = 0;
+  for (double t = 0.0; t < 2.0; t += 0.01) asked += session.due(t).empty() ? 0 : 1;
+  EXPECT_NEAR(asked, 10, 1);
+}
+
+}  // namespace
+}  // namespace hedgehog::device
