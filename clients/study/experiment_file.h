@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Experiments as files: JSON with comments, every key explained in config/study/*.json.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "clients/study/problem.h"
+#include "clients/study/rules/experiment.h"
+
+namespace hedgehog::study {
+
+/// The files of config/study, built in.
+struct Preset {
+  std::string_view name;
+  std::string_view text;
+};
+const std::vector<Preset>& presets();
+
+/// EX_CONFIG with "file:line: key: reason" for each mistake. `name` (of the file) must be in it.
+Result<Experiment> parse_experiment(std::string_view text, const std::string& file);
+
+/// A preset by its name, or a file (with a slash or ending in .json; EX_NOINPUT when it cannot be
+/// read).
+Result<Experiment> find_experiment(const std::string& name_or_file);
+
+/// As `parse_experiment` reads it, in one line, every key said.
+std::string experiment_text(const Experiment& experiment);
+
+}  // namespace hedgehog::study

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// What a run says about a person, and how much to believe it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "clients/study/rules/run.h"
+
+namespace hedgehog::study {
+
+/// Reasons to look twice. A run that finished is not a run that is valid: a guesser's finishes too.
+enum class Flag : std::uint8_t {
+  kNotFinished,
+  kCeiling,      // the level was held at its highest
+  kEarlyFloor,   // the level reached its lowest before any reversal
+  kFalseAlarms,  // yes in more than one of five catch trials
+  kGuessing,     // right no more often than a coin (5 %), two intervals only
+  kZeroLevel,    // a scored yes/no trial was at 0 A
+};
+
+/// "early floor", for tables; and one sentence for a report.
+const char* name(Flag flag) noexcept;
+const char* meaning(Flag flag) noexcept;
+
+struct AnalysisOptions {
+  /// Assumed by the fit, never fitted.
+  double lapse = 0.02;
+  double false_alarm = 0.02;  // yes/no without catch trials
+  /// Replications of the parametric bootstrap; 0: none.
+  int bootstraps = 500;
+  std::uint64_t seed = 2026;
+  /// Of the ball that was used: N/A at the nearest pin (thesis: 0.0126).
+  double force_n_per_a = 0.0126;
+};
+
+struct RunAnalysis {
+  Status status = Status::kIncomplete;
+  int scored = 0;
+  /// The thesis' rule: mean of all reversals but the first two, in the experiment's unit; and as
+  /// exact decimal text. Nothing unless finished.
+  std::optional<double> threshold{};
+  std::optional<std::string> threshold_text{};
+  /// The standard deviation of the reversals that count.
+  double reversal_sd = 0.0;
+  /// Through all scored trials.
+  std::optional<WeibullFit> fit{};
+  /// 95 % by rerunning the whole staircase with the fitted curve: approximate (covers 90 to 96 %).
+  std::optional<std::pair<double, double>> interval{};
+  /// (test - reference) / reference; two intervals only.
+  std::optional<double> weber_fraction{};
+  /// Force at the threshold (yes/no), or force step (force JND), N.
+  std::optional<double> force_n{};
+  std::vector<Flag> flags{};
+};
+
+RunAnalysis analyse(const Experiment& experiment, const RunState& run,
+                    const AnalysisOptions& options);
+
+struct GroupResult {
+  int count = 0;
+  double mean = 0.0;
+  double sd = 0.0;  // n - 1
+};
+GroupResult group(const std::vector<double>& thresholds);
+
+}  // namespace hedgehog::study

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// Experiment files: the presets say what the thesis says, and mistakes are named by line and key.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "clients/study/experiment_file.h"
+
+namespace hedgehog::study {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(Presets, HaveTheThesisParameters) {
+  const StaircaseRule one = find_experiment("force-threshold-thesis").value().rule;
+  EXPECT_EQ(one.start, 50000);
+  EXPECT_EQ(one.ceiling, 150000);
+  EXPECT_EQ(one.stages, (std::vector<Stage>{{10000, 5488, 5}, {5000, 2744, 5}, {2500, 1372, 5}}));
+  EXPECT_EQ(one.total_reversals(), 15);
+  const StaircaseRule two = find_experiment("force-jnd").value().rule;
+  EXPECT_EQ(two.start, 100000);
+  EXPECT_EQ(two.ceiling, 200000);
+  EXPECT_EQ(two.stages, (std::vector<Stage>{{20000, 10976, 3}, {10000, 5488, 3}, {5000, 2744, 4}}));
+  const StaircaseRule three = find_experiment("speed-jnd").value().rule;
+  EXPECT_EQ(three.ceiling, 300000);
+  EXPECT_EQ(three.stages,
+            (std::vector<Stage>{{40000, 21952, 3}, {20000, 10976, 3}, {10000, 5488, 4}}));
+  for (const Preset& preset : presets()) {
+    const Experiment e = find_experiment(std::string(preset.name)).value();
+    EXPECT_EQ(e.name, preset.name);
+    EXPECT_EQ(e.rule.positives_down, 2);
+    EXPECT_EQ(e.rule.negatives_up, 1);
+    EXPECT_TRUE(e.rule.quick_start);
+    EXPECT_EQ(e.rule.discard, 2);
+    EXPECT_EQ(e.rule.max_trials, 200);
+    EXPECT_EQ(e.pattern, Pattern{});
+  }
+  EXPECT_EQ(find_experiment("force-threshold").value().catch_one_in, 6);
+  EXPECT_EQ(find_experiment("force-threshold-thesis").value().catch_one_in, 0);
+}
+
+TEST(Presets, PlayWhatTheThesisPlayed) {
+  const Experiment two = find_experiment("force-jnd").value();
+  EXPECT_EQ(reference_stimulus(two), (Stimulus{5, 10}));
+  EXPECT_EQ(test_stimulus(two, two.rule.start), (Stimulus{10, 10}));
+  EXPECT_EQ(test_stimulus(two, two.rule.ceiling), (Stimulus{15, 10}));
+  const Experiment three = find_experiment("speed-jnd").value();
+  EXPECT_EQ(test_stimulus(three, three.rule.start), (Stimulus{5, 20}));
+  EXPECT_EQ(test_stimulus(three, three.rule.ceiling), (Stimulus{5, 40}));
+  EXPECT_EQ(test_stimulus(find_experiment("force-threshold").value(), 34512),
+            (Stimulus{3.4512, 10}));
+}
+
+TEST(ExperimentFile, ReadsBackWhatItWrites) {
+  for (const Preset& preset : presets()) {
+    Experiment e = find_experiment(std::string(preset.name)).value();
+    EXPECT_EQ(parse_experiment(experiment_text(e), "again").value(), e);
+    e.rule.stages.front() = {3, 2, 4};  // no ratio that the others have
+    EXPECT_EQ(parse_experiment(experiment_text(e), "again").value(), e);
+  }
+}
+
+std::string changed(std::string_view from, std::string_view to) {
+  std::string text(presets().front().text);
+  const auto at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+std::string complaint(const std::string& text) {
+  const auto read = parse_experiment(text, "mine.json");
+  EXPECT_FALSE(read.has_value());
+  return read ? "" : read.error().message;
+}
+
+TEST(ExperimentFile, NamesEachMistakeByLineAndKey) {
+  ASSERT_EQ(presets().front().name, "force-jnd");
+  EXPECT_THAT(complaint(changed("\"discard\"", "\"dicard\"")),
+              testing::MatchesRegex("mine.json:[0-9]+: dicard: unknown key"));
+  EXPECT_THAT(complaint(changed("\"task\": \"two_intervals\"", "\"task\": \"three\"")),
+              HasSubstr("task: must be one of \"yes_no\", \"two_intervals\", not \"three\""));
+  EXPECT_THAT(complaint(changed("\"ceiling\": 200", "\"ceiling\": 220")),
+              HasSubstr("ceiling: is 16.0 A"));
+  EXPECT_THAT(complaint(changed("\"start\": 100", "\"start\": 0.0001")),
+              HasSubstr("start: has more than 3 decimals"));
+  EXPECT_THAT(complaint("{\n\"a\""), HasSubstr("mine.json:2: this is no JSON"));
+  EXPECT_THAT(complaint("{}"), HasSubstr("stages: is missing"));
+  EXPECT_THAT(complaint(changed("\"step_up\": 20", "\"step_up\": -1")),
+              HasSubstr("steps must be above 0"));
+  EXPECT_THAT(complaint(changed("\"name\": \"force-jnd\"", "\"name\": \"../x\"")),
+              HasSubstr("name: takes small letters"));
+  EXPECT_EQ(find_experiment("nothing").error().exit_code, EX_USAGE);
+  EXPECT_EQ(find_experiment("./nothing.json").error().exit_code, EX_NOINPUT);
+}
+
+}  // namespace
+}  // namespace hedgehog::study

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: MIT
+// The staircase, level by level: the published traces as integers, whole, interrupted and resumed.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "clients/study/experiment_file.h"
+#include "clients/study/rules/run.h"
+#include "clients/study/rules/trace.h"
+
+namespace hedgehog::study {
+namespace {
+
+using nlohmann::json;
+
+Experiment preset(const std::string& name) { return find_experiment(name).value(); }
+
+Experiment experiment_of(const json& trace) {
+  static const char* const kNames[] = {"force-threshold-thesis", "force-jnd", "speed-jnd"};
+  return preset(kNames[trace["experiment"].get<int>() - 1]);
+}
+
+const json& traces() {
+  static const json kAll = [] {
+    std::ifstream file(std::string(HEDGEHOG_SOURCE_DIR) + "/tests/study/data/traces.json");
+    return json::parse(file)["traces"];
+  }();
+  return kAll;
+}
+
+std::vector<std::string> text(const std::vector<Level>& levels, const Experiment& e) {
+  std::vector<std::string> decimals;
+  for (const Level level : levels) {
+    decimals.push_back(exact_decimal(level, e.decimals()));
+  }
+  return decimals;
+}
+
+TEST(Traces, AreReproducedExactly) {
+  ASSERT_EQ(traces().size(), 18U);
+  for (const json& expected : traces()) {
+    SCOPED_TRACE(expected["id"].get<std::string>());
+    const Experiment e = experiment_of(expected);
+    const auto traced = trace(e, expected["responses"].get<std::string>());
+    const Trace& t = std::get<Trace>(traced);
+    EXPECT_EQ(json(text(t.levels, e)), expected["levels"]);
+    EXPECT_EQ(json(text(t.reversals, e)), expected["reversal_levels"]);
+    EXPECT_EQ(t.threshold ? json(*t.threshold) : json(nullptr), expected["threshold"]);
+    EXPECT_EQ(name(t.status), expected["status"].get<std::string>());
+    EXPECT_EQ(t.scored, expected["n_scored"]);
+    EXPECT_EQ(t.catches, expected["n_catch"]);
+    EXPECT_EQ(t.false_alarms, expected["false_alarms"]);
+    EXPECT_EQ(t.voids, expected["n_void"]);
+    EXPECT_EQ(t.floor_hits, expected["floor_hits"]);
+    EXPECT_EQ(t.ceiling_hits, expected["ceil_hits"]);
+    EXPECT_EQ(t.unused, expected["unused_tokens"]);
+  }
+}
+
+TEST(Traces, AgreeEventByEvent) {
+  static const char* const kMoves[] = {"down", "none", "up"};
+  for (const json& expected : traces()) {
+    SCOPED_TRACE(expected["id"].get<std::string>());
+    const Experiment e = experiment_of(expected);
+    const Trace t = std::get<Trace>(trace(e, expected["responses"].get<std::string>()));
+    std::size_t scored = 0;
+    for (const json& event : expected["events"]) {
+      if (event["kind"] != "scored") {
+        continue;
+      }
+      SCOPED_TRACE(event.dump());
+      const Step& step = t.steps[scored++];
+      EXPECT_EQ(exact_decimal(step.level, e.decimals()), event["level"]);
+      EXPECT_EQ(kMoves[step.move + 1], event["move"]);
+      EXPECT_EQ(step.reversal, event["reversal"]);
+      EXPECT_EQ(step.run, event["run_after"]);
+      EXPECT_EQ(exact_decimal(step.step_up, e.decimals()), event["delta_up_after"]);
+      EXPECT_EQ(step.next ? json(exact_decimal(*step.next, e.decimals())) : json(nullptr),
+                event["next_level"]);
+    }
+    EXPECT_EQ(scored, t.steps.size());
+  }
+}
+
+TEST(Traces, AreTheSameWhenTheStaircaseIsRestoredAfterEveryEvent) {
+  for (const json& expected : traces()) {
+    const Experiment e = experiment_of(expected);
+    StaircaseState saved = Staircase(e.rule).state();
+    for (const char token : expected["responses"].get<std::string>()) {
+      Staircase restored(e.rule, saved);
+      if (token == '0' || token == '1') {
+        restored.answer(token == '1');
+      }
+      saved = restored.state();
+    }
+    EXPECT_EQ(json(text(saved.reversals, e)), expected["reversal_levels"]) << expected["id"];
+  }
+}
+
+TEST(Traces, AreTheSameWhenReplayedFromTheStartAfterEveryEvent) {
+  for (const json& expected : traces()) {
+    const Experiment e = experiment_of(expected);
+    const std::string tokens = expected["responses"];
+    for (std::size_t stop = 0; stop < tokens.size(); ++stop) {
+      Tracer before(e);
+      for (const char token : tokens.substr(0, stop)) {
+        before.take(token);
+      }
+      Tracer after = before;
+      for (const char token : tokens.substr(stop)) {
+        after.take(token);
+      }
+      ASSERT_EQ(json(text(after.result().levels, e)), expected["levels"]);
+    }
+  }
+}
+
+TEST(Staircase, IsGivenUpAfterItsMostTrials) {
+  Experiment e = preset("force-jnd");
+  e.rule.max_trials = 12;
+  const Trace t = std::get<Trace>(trace(e, std::string(12, '1') + "11"));
+  EXPECT_EQ(t.status, Status::kAbortedMaxTrials);
+  EXPECT_FALSE(t.threshold);
+  EXPECT_EQ(t.unused, 2);
+}
+
+TEST(Staircase, TakesOtherRules) {
+  Experiment e = preset("speed-jnd");
+  e.rule.positives_down = 3;
+  e.rule.negatives_up = 2;
+  e.rule.quick_start = false;
+  const Trace t = std::get<Trace>(trace(e, "1110100111"));
+  EXPECT_EQ(text(t.levels, e),
+            (std::vector<std::string>{"100", "100", "100", "78.048", "78.048", "78.048", "78.048",
+                                      "118.048", "118.048", "118.048"}));
+  EXPECT_EQ(text(t.reversals, e), (std::vector<std::string>{"78.048", "118.048"}));
+}
+
+TEST(Staircase, RefusesTokensThatAreNone) {
+  EXPECT_EQ(std::get<std::string>(trace(preset("force-jnd"), "11Y")),
+            "response 3: 'Y' is a catch trial, and force-jnd has none");
+  EXPECT_EQ(std::get<std::string>(trace(preset("force-jnd"), "x")),
+            "response 1: 'x' is none of 1, 0, Y, N, T");
+}
+
+TEST(Level, IsAnExactDecimal) {
+  EXPECT_EQ(exact_decimal(44512, 4), "4.4512");
+  EXPECT_EQ(exact_decimal(50000, 4), "5");
+  EXPECT_EQ(exact_decimal(7, 3), "0.007");
+  EXPECT_EQ(exact_decimal(-1500, 3), "-1.5");
+  EXPECT_EQ(mean_decimal(std::vector<Level>{1, 1, 2}, 0), "1.333333333333");
+  EXPECT_EQ(mean_decimal(std::vector<Level>{2, 2, 1}, 0), "1.666666666667");
+  EXPECT_EQ(mean_decimal(std::vector<Level>{-2, -2, -1}, 0), "-1.666666666667");
+  EXPECT_EQ(from_value(0.0001, 4), 1);
+  EXPECT_FALSE(from_value(0.00015, 4));
+}
+
+RC_GTEST_PROP(Level, RoundTrips, ()) {
+  const auto level = *rc::gen::inRange<Level>(-3'000'000, 3'000'000);
+  RC_ASSERT(from_value(std::stod(exact_decimal(level, 4)), 4) == level);
+}
+
+// The presentation around the staircase.
+
+constexpr RunSeeds kSeeds{11, 22};
+
+Answer right(const Trial& trial) {
+  return trial.interval_of_test == 1 ? Answer::kFirst : Answer::kSecond;
+}
+
+TEST(Run, AVoidRepeatsTheLevelWithANewOrderAndShiftsNothing) {
+  const Experiment e = preset("force-jnd");
+  RunState calm(e, kSeeds);
+  RunState shaken(e, kSeeds);
+  int reordered = 0;
+  while (const auto trial = calm.next()) {
+    ASSERT_EQ(shaken.next(), trial);
+    for (int attempt = 2; attempt <= 4; ++attempt) {
+      RunState again = shaken;
+      again.make_void();
+      ASSERT_EQ(again.next()->level, trial->level);
+      ASSERT_EQ(again.next()->attempt, 2);
+      reordered += again.next()->interval_of_test != trial->interval_of_test ? 1 : 0;
+    }
+    RunState voided = shaken;
+    voided.make_void();
+    const Answer said = calm.judgements().size() % 4 == 3 ? Answer::kFirst : right(*trial);
+    calm.answer(said);
+    // The same correctness after a void, whatever the order has become.
+    const bool was_right = said == right(*trial);
+    const Answer same =
+        (voided.next()->interval_of_test == 1) == was_right ? Answer::kFirst : Answer::kSecond;
+    voided.answer(same);
+    shaken = calm;
+    ASSERT_EQ(voided.next(), calm.next());
+  }
+  EXPECT_GT(reordered, 10);
+}
+
+TEST(Run, CatchTrialsAreOneInSixNeverTheFirstNeverTwoInARowAndMoveNothing) {
+  const Experiment e = preset("force-threshold");
+  int catches = 0;
+  int all = 0;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    RunState run(e, {1, seed}, false);
+    bool last_was_catch = true;  // as the first may be none
+    while (const auto trial = run.next()) {
+      ++all;
+      const bool is_catch = trial->kind == TrialKind::kCatch;
+      ASSERT_FALSE(is_catch && last_was_catch);
+      last_was_catch = is_catch;
+      const StaircaseState before = run.staircase().state();
+      run.answer(trial->level > 20000 || seed % 2 == 0 ? Answer::kYes : Answer::kNo);
+      if (is_catch) {
+        ++catches;
+        EXPECT_EQ(trial->level, 0);
+        EXPECT_EQ(run.staircase().state(), before);
+      }
+    }
+  }
+  EXPECT_NEAR(static_cast<double>(catches) / all, 1.0 / 6.0, 0.01);
+}
+
+TEST(Run, TheTestIsInEitherIntervalHalfOfTheTime) {
+  int second = 0;
+  for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+    second += RunState(preset("force-jnd"), {seed, 0}, false).next()->interval_of_test - 1;
+  }
+  EXPECT_NEAR(second, 1000, 100);
+}
+
+TEST(Run, BalancedOrderTakesTheOppositeForTheSecondOfEachPair) {
+  Experiment e = preset("force-jnd");
+  e.order = IntervalOrder::kBalanced;
+  RunState run(e, kSeeds, false);
+  int first = 0;
+  while (const auto trial = run.next()) {
+    if (trial->number % 2 == 0) {
+      EXPECT_EQ(trial->interval_of_test, 3 - first);
+    }
+    first = trial->interval_of_test;
+    run.answer(trial->number % 3 == 0 ? Answer::kFirst : right(*trial));
+  }
+}
+
+TEST(Run, PracticeIsNeverScored) {
+  RunState run(preset("speed-jnd"), kSeeds);
+  for (int i = 1; i <= 3; ++i) {
+    EXPECT_EQ(run.next()->kind, TrialKind::kPractice);
+    EXPECT_EQ(run.next()->number, i);
+    run.answer(Answer::kFirst);
+  }
+  EXPECT_EQ(run.next()->kind, TrialKind::kScored);
+  EXPECT_EQ(run.staircase().state(), Staircase(preset("speed-jnd").rule).state());
+}
+
+}  // namespace
+}  // namespace hedgehog::study
