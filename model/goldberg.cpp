@@ -5,77 +5,11 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <numbers>
+
+#include "model/geodesic.h"
 
 namespace hedgehog::model {
 namespace {
-
-using Triangle = std::array<std::size_t, 3>;
-
-struct Triangulation {
-  std::vector<Vec3> points;
-  std::vector<Triangle> triangles;
-};
-
-Triangulation icosahedron() {
-  Triangulation ico;
-  const double z = 1.0 / std::sqrt(5.0);
-  const double r = 2.0 * z;
-  const auto at = [&](double height, double turns) {
-    const double azimuth = turns * std::numbers::pi / 5.0;
-    return Vec3{r * std::cos(azimuth), r * std::sin(azimuth), height};
-  };
-  ico.points.push_back({0, 0, 1});
-  for (int i = 0; i < 5; ++i) ico.points.push_back(at(z, 2.0 * i));
-  for (int i = 0; i < 5; ++i) ico.points.push_back(at(-z, 2.0 * i + 1.0));
-  ico.points.push_back({0, 0, -1});
-  for (std::size_t i = 0; i < 5; ++i) {
-    const std::size_t upper = 1 + i;
-    const std::size_t next_upper = 1 + (i + 1) % 5;
-    const std::size_t lower = 6 + i;
-    const std::size_t next_lower = 6 + (i + 1) % 5;
-    ico.triangles.push_back({0, upper, next_upper});
-    ico.triangles.push_back({upper, lower, next_upper});
-    ico.triangles.push_back({next_upper, lower, next_lower});
-    ico.triangles.push_back({lower, 11, next_lower});
-  }
-  return ico;
-}
-
-/// The index of `p` in `points`, where it is put when it is new. The sides of two triangles meet in
-/// the same points but for rounding.
-std::size_t index_of(std::vector<Vec3>& points, const Vec3& p) {
-  const auto same = [&](const Vec3& q) { return norm(q - p) < 1e-6; };
-  const auto found = std::find_if(points.begin(), points.end(), same);
-  if (found == points.end()) {
-    points.push_back(p);
-    return points.size() - 1;
-  }
-  return static_cast<std::size_t>(found - points.begin());
-}
-
-/// The icosahedron with each side cut into n equal pieces. Its points are the faces of GP(n,0), its
-/// triangles the vertices.
-Triangulation geodesic(int n) {
-  const Triangulation ico = icosahedron();
-  Triangulation fine;
-  for (const Triangle& t : ico.triangles) {
-    const Vec3& a = ico.points[t[0]];
-    const Vec3 u = (1.0 / n) * (ico.points[t[1]] - a);
-    const Vec3 v = (1.0 / n) * (ico.points[t[2]] - a);
-    const auto point = [&](int i, int j) { return index_of(fine.points, a + i * u + j * v); };
-    for (int i = 0; i < n; ++i) {
-      for (int j = 0; i + j < n; ++j) {
-        fine.triangles.push_back({point(i, j), point(i + 1, j), point(i, j + 1)});
-        if (i + j + 1 < n) {
-          fine.triangles.push_back({point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)});
-        }
-      }
-    }
-  }
-  for (Vec3& p : fine.points) p = unit_or(p, {0, 0, 1});
-  return fine;
-}
 
 /// Orders the corners of `face` anticlockwise about `outward`.
 void sort_corners(Goldberg::Face& face, const std::vector<Vec3>& vertices, const Vec3& outward) {
@@ -88,11 +22,11 @@ void sort_corners(Goldberg::Face& face, const std::vector<Vec3>& vertices, const
             [&](std::size_t a, std::size_t b) { return angle(a) < angle(b); });
 }
 
-Goldberg dual_of(const Triangulation& fine) {
+Goldberg dual_of(const Geodesic& fine) {
   Goldberg gp;
   gp.faces.resize(fine.points.size());
   for (std::size_t i = 0; i < fine.triangles.size(); ++i) {
-    const Triangle& t = fine.triangles[i];
+    const auto& t = fine.triangles[i];
     const Vec3 sum = fine.points[t[0]] + fine.points[t[1]] + fine.points[t[2]];
     gp.vertices.push_back(unit_or(sum, {0, 0, 1}));
     for (std::size_t k = 0; k < 3; ++k) {
@@ -201,9 +135,9 @@ void number_rings(Goldberg& gp) {
 
 }  // namespace
 
-Goldberg canonical_goldberg(int n) {
-  assert(n >= 1 && n <= 8);
-  Goldberg gp = dual_of(geodesic(n));
+Goldberg canonical_goldberg(int m, int n) {
+  assert(m >= 1 && n >= 0 && m + n <= kMaxGoldberg);
+  Goldberg gp = dual_of(geodesic(m, n));
   make_canonical(gp);
   for (Goldberg::Face& face : gp.faces) {
     face.direction = unit_or(mean_of(face.corners, gp.vertices), {0, 0, 1});

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Goldberg polyhedra GP(n,0) in canonical form: every edge touches the unit sphere and every face
-// is plane (G. Hart, "Canonical Polyhedra"). The thesis' tkD array (section 2.2) is GP(3,0): a pin
-// per face, a shielding magnet per vertex. Start-up only: allocates.
+// Goldberg polyhedra GP(m,n) in canonical form: every edge touches the unit sphere and every face
+// is plane (G. Hart, "Canonical Polyhedra"). The thesis' tkD array (section 2.2) is GP(3,0), its
+// cD GP(2,0) and its wD GP(2,1): a pin per face, a shielding magnet per vertex. Start-up only:
+// allocates.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +12,8 @@
 
 namespace hedgehog::model {
 
-/// 10 n^2 + 2 faces, 20 n^2 vertices. A pentagon points to +z and another one to -z; the line from
-/// the upper one to a neighbouring pentagon runs down the meridian of +x.
+/// With T = m^2 + m n + n^2: 10 T + 2 faces, 20 T vertices. A pentagon points to +z and another one
+/// to -z; the line from the upper one to a neighbouring pentagon runs down the meridian of +x.
 struct Goldberg {
   struct Face {
     /// Indices of `vertices`, anticlockwise seen from outside; 5 or 6 of them.
@@ -28,7 +29,11 @@ struct Goldberg {
   std::vector<Face> faces;
 };
 
-/// GP(n,0), its angles within 1e-4 degrees of the canonical form. REQUIRES: 1 <= n <= 8.
-Goldberg canonical_goldberg(int n);
+/// The largest m + n.
+inline constexpr int kMaxGoldberg = 8;
+
+/// GP(m,n), its angles within 1e-4 degrees of the canonical form. REQUIRES: 1 <= m, 0 <= n,
+/// m + n <= kMaxGoldberg.
+Goldberg canonical_goldberg(int m, int n = 0);
 
 }  // namespace hedgehog::model

@@ -6,6 +6,7 @@
 // Pure; any thread.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -26,9 +27,18 @@ std::optional<ForceModel> force_model_named(std::string_view name) noexcept;
 
 /// From this angle on the hybrid takes the dipole model.
 inline constexpr double kHybridAngleDeg = 30.0;
+/// Whether a model takes dipoles at an angle.
+constexpr bool takes_dipoles(ForceModel model, double angle_deg) noexcept {
+  return model == ForceModel::kDipole ||
+         (model == ForceModel::kHybrid && angle_deg >= kHybridAngleDeg);
+}
+
 /// Accuracies are clamped to this range.
 inline constexpr double kFinestAccuracy = 1e-10;
 inline constexpr double kCoarsestAccuracy = 0.1;
+constexpr double clamped(double accuracy) noexcept {
+  return std::clamp(accuracy, kFinestAccuracy, kCoarsestAccuracy);
+}
 
 /// How a force is to be computed.
 struct ForceSettings {

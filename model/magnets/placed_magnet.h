@@ -20,7 +20,7 @@ struct PlacedMagnet {
 Vec3 field_at(const PlacedMagnet& magnet, const Vec3& point_mm) noexcept;
 
 /// Force of `other` on `subject`, N, charged-cylinder model. `order`: Gauss nodes along a radius,
-/// 1..40; four times as many around. REQUIRES: they do not overlap.
+/// 1..DiskRule::kMaxOrder; four times as many around. REQUIRES: they do not overlap.
 Vec3 force_between(const PlacedMagnet& subject, const PlacedMagnet& other, int order) noexcept;
 
 }  // namespace hedgehog::model

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "model/magnets/characterisation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hedgehog::model {
+namespace {
+
+struct Sample {
+  double at = 0.0;
+  double value = 0.0;
+};
+
+/// Between two samples of opposite sign: false position with Anderson and Bjorck's damping, which
+/// keeps the bracket. REQUIRES: the signs differ.
+template <typename Function>
+double root_between(const Function& f, Sample a, Sample b) {
+  constexpr double kCloseMm = 1e-6;
+  constexpr int kMostSteps = 60;
+  if (a.value == 0.0) return a.at;
+  double last = a.at;
+  for (int i = 0; i < kMostSteps; ++i) {
+    const double at = b.at - b.value * (b.at - a.at) / (b.value - a.value);
+    const double value = f(at);
+    if (value == 0.0 || std::abs(at - last) < kCloseMm) return at;
+    last = at;
+    if ((value < 0.0) == (b.value < 0.0)) {
+      const double damping = 1.0 - value / b.value;
+      a.value *= damping > 0.0 ? damping : 0.5;
+    } else {
+      a = b;
+    }
+    b = {at, value};
+  }
+  return last;
+}
+
+/// Where a parabola through three samples has its extremum; the middle one if it is none.
+double vertex_of(const Sample& a, const Sample& b, const Sample& c) {
+  const double left = (b.value - a.value) / (b.at - a.at);
+  const double right = (c.value - b.value) / (c.at - b.at);
+  const double bend = (right - left) / (c.at - a.at);
+  if (!(bend > 0.0)) return b.at;
+  return std::clamp(0.5 * (a.at + b.at) - 0.5 * left / bend, a.at, c.at);
+}
+
+/// The least value between three samples of which the middle one is the least.
+template <typename Function>
+Sample minimum_between(const Function& f, Sample a, Sample b, Sample c) {
+  constexpr double kCloseMm = 1e-3;
+  constexpr int kMostSteps = 8;
+  for (int i = 0; i < kMostSteps; ++i) {
+    const double at = vertex_of(a, b, c);
+    if (std::abs(at - b.at) < kCloseMm) break;
+    const Sample sample{at, f(at)};
+    const bool lower = sample.value < b.value;
+    Sample& outer = at < b.at ? a : c;
+    if (lower) {
+      (at < b.at ? c : a) = b;
+      b = sample;
+    } else {
+      outer = sample;
+    }
+  }
+  return b;
+}
+
+Sample sample_of(const ForceCurve& curve, std::size_t i) {
+  return {curve.offsets_mm[i], curve.force_n[i]};
+}
+
+double slope_at(const PinForce& force, double offset_mm) {
+  constexpr double kStepMm = 0.02;
+  return (force.at(offset_mm + kStepMm).force_n - force.at(offset_mm - kStepMm).force_n) /
+         (2.0 * kStepMm);
+}
+
+/// Where F + push first falls to zero beyond the rest.
+template <typename Push>
+std::optional<double> extension_under(const PinForce& force, const Characterisation& character,
+                                      const Push& push) {
+  if (!character.rest_mm) return std::nullopt;
+  const auto total = [&](double offset_mm) {
+    return force.at(offset_mm).force_n + push(offset_mm);
+  };
+  std::vector<Sample> samples;
+  for (std::size_t i = 0; i < character.curve.offsets_mm.size(); ++i) {
+    samples.push_back(sample_of(character.curve, i));
+  }
+  // The grid may step over the very bottom.
+  samples.push_back({character.minimum_mm, character.minimum_n});
+  std::sort(samples.begin(), samples.end(),
+            [](const Sample& a, const Sample& b) { return a.at < b.at; });
+  Sample before{*character.rest_mm, push(*character.rest_mm)};
+  if (before.value <= 0.0) return 0.0;
+  for (const Sample& sample : samples) {
+    if (sample.at <= before.at) continue;
+    const Sample here{sample.at, sample.value + push(sample.at)};
+    if (here.value <= 0.0) return root_between(total, before, here) - *character.rest_mm;
+    before = here;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Characterisation characterise(const PinForce& force, const OffsetGrid& grid) {
+  Characterisation result;
+  result.curve = force_curve(force, grid);
+  const ForceCurve& curve = result.curve;
+  const std::size_t points = curve.offsets_mm.size();
+  const auto value = [&](double offset_mm) { return force.at(offset_mm).force_n; };
+  std::size_t from = 0;
+  for (std::size_t i = 0; i + 1 < points; ++i) {
+    const Sample a = sample_of(curve, i);
+    const Sample b = sample_of(curve, i + 1);
+    if (!result.rest_mm && a.value > 0.0 && b.value <= 0.0) {
+      result.rest_mm = root_between(value, a, b);
+      result.stiffness_n_mm = -slope_at(force, *result.rest_mm);
+      from = i + 1;
+    } else if (result.rest_mm && a.value < 0.0 && b.value >= 0.0) {
+      result.unstable_mm = root_between(value, a, b);
+      break;
+    }
+  }
+  const auto least = std::min_element(curve.force_n.begin() + static_cast<std::ptrdiff_t>(from),
+                                      curve.force_n.end());
+  const auto at = static_cast<std::size_t>(least - curve.force_n.begin());
+  Sample minimum = sample_of(curve, at);
+  if (at > 0 && at + 1 < points) {
+    minimum = minimum_between(value, sample_of(curve, at - 1), minimum, sample_of(curve, at + 1));
+  }
+  result.minimum_mm = minimum.at;
+  result.minimum_n = minimum.value;
+  return result;
+}
+
+std::vector<Characterisation> characterise(const std::vector<PinClass>& classes,
+                                           const ArraySizes& sizes, const ForceSettings& settings,
+                                           const OffsetGrid& grid) {
+  std::vector<Characterisation> all;
+  for (const PinClass& pin_class : classes) {
+    all.push_back(characterise(PinForce(pin_class, sizes, settings), grid));
+  }
+  return all;
+}
+
+std::optional<double> extension_mm(const PinForce& force, const Characterisation& character,
+                                   double coil_force_n) {
+  return extension_under(force, character, [&](double) { return coil_force_n; });
+}
+
+std::optional<double> extension_mm(const PinForce& force, const Characterisation& character,
+                                   const Electromagnet& coil, double current_a) {
+  return extension_under(force, character, [&](double offset_mm) {
+    return coil_force_n(coil, current_a, force.sizes().pin, force.sizes().sphere_radius_mm, 0.0,
+                        offset_mm);
+  });
+}
+
+}  // namespace hedgehog::model
