@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "clients/design/casing/casing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "clients/design/casing/stl.h"
+#include "clients/design/output/table.h"
+#include "clients/design/output/tool.h"
+
+namespace hedgehog::design {
+namespace {
+
+using model::Vec3;
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kTabHeightMm = 3.0;
+constexpr double kWidestFanMm = 40.0;
+constexpr double kWallMm = 1.5;
+
+/// How far a point is from the line out of the centre along `direction`.
+double distance_to_axis(const Vec3& point, const Vec3& direction) {
+  return model::norm(point - model::dot(point, direction) * direction);
+}
+
+}  // namespace
+
+double outer_radius_mm(double sphere_mm, const Size& pin, const Size& shield) noexcept {
+  return sphere_mm + std::max(pin.height_mm + kPinTravelMm, shield.height_mm) + kRoofMm;
+}
+
+std::vector<double> notch_places(const Casing& casing) {
+  const double r = outer_radius_mm(casing.sphere_mm, casing.pin, casing.shield) - kRoofMm / 2.0;
+  const auto room_at = [&](double degrees) {
+    const Vec3 tab{r * std::cos(degrees * kDegree), r * std::sin(degrees * kDegree),
+                   kTabHeightMm / 2.0};
+    double room = 1e9;
+    for (const Vec3& pin : casing.pins) {
+      if (model::dot(pin, tab) > 0.0) room = std::min(room, distance_to_axis(tab, pin));
+    }
+    return room;
+  };
+  std::vector<double> places;
+  for (const int aimed : {10, 120, 235}) {
+    int best = aimed;
+    for (int degrees = aimed - 12; degrees <= aimed + 12; ++degrees) {
+      if (room_at(degrees) > room_at(best) + 1e-9) best = degrees;
+    }
+    places.push_back(best);
+  }
+  return places;
+}
+
+double widest_fan_mm(const Casing& casing) {
+  const double inner = casing.sphere_mm;
+  double radius = kWidestFanMm / 2.0;
+  const auto keep_away = [&](const std::vector<Vec3>& directions, const Size& size) {
+    for (const Vec3& direction : directions) {
+      if (direction.z >= 0.0) continue;
+      const double across = std::hypot(direction.x, direction.y);
+      // The nearest point of the cavity is at its inner end.
+      const double rim =
+          inner * across - (size.diameter_mm / 2.0 + casing.clearance_mm) * -direction.z;
+      radius = std::min(radius, rim - kWallMm);
+    }
+  };
+  keep_away(casing.pins, casing.pin);
+  keep_away(casing.shields, casing.shield);
+  return radius < 5.0 ? 0.0 : 2.0 * std::floor(2.0 * radius) / 2.0;
+}
+
+Result<std::size_t> render_stl(const std::string& scad_path, const std::string& part,
+                               const std::string& stl_path) {
+  const auto writable = write_file(stl_path, "");
+  if (!writable) return writable.error();
+  const auto rendered = run_tool(
+      {"openscad", "-q", "-o", stl_path, "-D", "part=\"" + part + "\"", scad_path}, "openscad");
+  if (!rendered) return rendered.error();
+  const auto text = read_file(stl_path);
+  if (!text) return text.error();
+  const auto surface = check_stl(*text);
+  if (!surface) return Complaint{kToolFailed, stl_path + ": " + surface.error().sentence};
+  if (surface->open_edges > 0) {
+    return Complaint{kToolFailed, stl_path +
+                                      " is not closed: " + std::to_string(surface->open_edges) +
+                                      " edges have no counterpart"};
+  }
+  return surface->triangles;
+}
+
+}  // namespace hedgehog::design

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+#include "clients/design/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <functional>
+
+#include "clients/design/verbs/verbs.h"
+
+namespace hedgehog::design {
+namespace {
+
+constexpr const char* kFooter =
+    "Sizes are mm and degrees, magnets DIAMETERxHEIGHT. What is not said is as in the ball of the "
+    "thesis:\n"
+    "tkD-86, pins 8x10, shields 4x10, inner faces on a sphere of 35 mm, N45, a coil of 0.4 N.\n"
+    "Exit: 0 done, 64 usage, 65 bad data or magnets that overlap, 66 no such file, 69 gnuplot or "
+    "openscad\n"
+    "missing, 73 a file cannot be written, 74 gnuplot or openscad failed.";
+
+class CommandLine {
+ public:
+  CommandLine(std::ostream& out, std::ostream& err) : out_(out), err_(err) {
+    app_.require_subcommand(1);
+    app_.set_version_flag("--version", std::string("hedgehog-design " HEDGEHOG_VERSION));
+    app_.footer(kFooter);
+    add_looking();
+    add_computing();
+    add_making();
+  }
+
+  int run(std::vector<std::string> arguments) {
+    std::reverse(arguments.begin(), arguments.end());
+    try {
+      app_.parse(arguments);
+    } catch (const CLI::Success& done) {
+      return app_.exit(done, out_, err_);
+    } catch (const CLI::ParseError& error) {
+      return say_usage(error);
+    }
+    const Format format = json_ ? Format::kJson : csv_ ? Format::kCsv : Format::kText;
+    const auto done = verb_({out_, err_, format});
+    out_.flush();
+    if (done) return kDone;
+    err_ << "hedgehog-design: " << done.error().sentence << "\n";
+    return done.error().exit_code;
+  }
+
+ private:
+  using Verb = std::function<Result<void>(const Screen&)>;
+
+  int say_usage(const CLI::ParseError& error) {
+    const auto verbs = app_.get_subcommands();
+    const std::string verb = verbs.empty() ? "" : " " + verbs.front()->get_name();
+    std::string what = error.what();
+    const auto unknown = app_.remaining(true);
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError) &&
+        !unknown.empty()) {
+      what = "'" + unknown.front() + "' is not understood";
+    } else if (verbs.empty()) {
+      what = unknown.empty() ? "a verb is missing" : "there is no verb '" + unknown.front() + "'";
+    }
+    err_ << "hedgehog-design" << verb << ": " << what << "; hedgehog-design" << verb
+         << " --help says more\n";
+    return kUsage;
+  }
+
+  template <class Options>
+  CLI::App* verb(const std::string& name, const std::string& help, Options& options,
+                 Result<void> (*act)(const Options&, const Screen&)) {
+    CLI::App* command = app_.add_subcommand(name, help);
+    command->callback([this, &options, act] {
+      verb_ = [&options, act](const Screen& screen) { return act(options, screen); };
+    });
+    return command;
+  }
+
+  void add_formats(CLI::App* command) {
+    auto* json = command->add_flag("--json", json_, "the answer as JSON");
+    command->add_flag("--csv", csv_, "the answer as CSV")->excludes(json);
+  }
+
+  static void add_pictures(CLI::App* command, PictureFiles& files) {
+    command->add_option("--svg", files.svg, "draw a picture into this file (gnuplot)");
+    command->add_option("--png", files.png, "the same as PNG");
+  }
+
+  static void add_magnets(CLI::App* command, DesignFlags& flags) {
+    command->add_option("file", flags.file, "a design file, instead of flags");
+    command->add_option("--magnet", flags.magnet, "the pins' magnets, such as 8x10");
+    command->add_option("--sphere", flags.sphere_mm, "radius on which the inner faces are, mm");
+    command->add_option("--remanence", flags.remanence_t, "of all magnets, tesla (N45: 1.37)");
+    command->add_option("--model", flags.model,
+                        "exact, hybrid (the thesis': dipoles from 30° on) or dipole");
+    command->add_option("--accuracy", flags.accuracy, "of each pair's force, 1e-10 to 0.1");
+  }
+
+  static void add_design(CLI::App* command, DesignFlags& flags) {
+    add_magnets(command, flags);
+    command->add_option("--array", flags.array,
+                        "cD, wD, tkD, GP(m,n), or tkD-86, ... with the fan's opening");
+    command->add_option("--positions", flags.positions,
+                        "a CSV with columns kind, x, y, z instead of an array");
+    command->add_option("--shield", flags.shield, "the shields' magnets, such as 4x10");
+    command->add_option("--remove-pins", flags.removed_pins, "ids, such as 3,7-9");
+    command->add_option("--remove-shields", flags.removed_shields, "ids, such as 3,7-9");
+    command->add_option("--coil-force", flags.coil_force_n, "what pushes an aimed pin, N");
+  }
+
+  void add_looking() {
+    auto* array =
+        verb("array", "where the magnets are, how far apart, how heavy", array_, run_array);
+    add_design(array, array_.design);
+    add_formats(array);
+    array->add_option("--save", array_.save, "write the design into this file");
+    auto* pair = verb("pair", "the force between two magnets, by three models", pair_, run_pair);
+    add_magnets(pair, pair_.design);
+    add_formats(pair);
+    pair->add_option("--other", pair_.other, "the magnet that acts on --magnet, such as 4x10");
+    pair->add_option("--angle", pair_.angle_deg, "between them, seen from the centre, degrees")
+        ->required();
+    pair->add_option("--offset", pair_.offset_mm, "of --magnet, outwards, mm");
+  }
+
+  void add_computing() {
+    auto* curves = verb("curves", "force against offset (thesis Fig. 2.10); alone: its six panels",
+                        curves_, run_curves);
+    add_design(curves, curves_.design);
+    add_formats(curves);
+    add_pictures(curves, curves_.pictures);
+    curves->add_option("--offsets", curves_.offsets, "FIRST..LAST/STEP, mm")->capture_default_str();
+    auto* table =
+        verb("table", "how far pins move, beside the thesis (Table 2.1)", table_, run_table);
+    add_design(table, table_.design);
+    add_formats(table);
+    auto* stability = verb("stability", "does every pin rest? names those that do not", stability_,
+                           run_stability);
+    add_design(stability, stability_.design);
+    add_formats(stability);
+    stability->add_flag("--together", stability_.together,
+                        "also with all pins free at once (seconds)");
+    auto* coil = verb("electromagnet", "force and extension against current; who else is pushed",
+                      coil_, run_electromagnet);
+    add_design(coil, coil_.design);
+    add_formats(coil);
+    add_pictures(coil, coil_.pictures);
+    coil->add_option("--current", coil_.currents, "FIRST..LAST/STEP, A")->capture_default_str();
+    coil->add_option("--pin", coil_.pin, "the pin that is aimed at");
+  }
+
+  void add_making() {
+    auto* choose = verb("choose", "search for designs that no other beats", choose_, run_choose);
+    add_formats(choose);
+    add_pictures(choose, choose_.pictures);
+    choose->add_option("--arrays", choose_.arrays,
+                       "whole arrays; from 32 to 162 faces when not said");
+    choose->add_option("--pins", choose_.pins, "sizes, such as 7..9/0.5x8..12")
+        ->capture_default_str();
+    choose->add_option("--shields", choose_.shields, "sizes, diameters in steps of 0.05")
+        ->capture_default_str();
+    choose->add_option("--spheres", choose_.spheres, "radii, mm, in steps of 0.25")
+        ->capture_default_str();
+    choose->add_option("--coil-force", choose_.coil_forces,
+                       "N; when not said the thesis' coil at 15 A");
+    choose->add_option("--wall", choose_.wall_mm, "plastic between magnets, mm")
+        ->check(CLI::Range(0.0, 20.0))
+        ->capture_default_str();
+    choose->add_option("--margin", choose_.margin_percent, "how much weaker all shields may be, %")
+        ->check(CLI::Range(0.0, 50.0))
+        ->capture_default_str();
+    choose->add_option("--least-extension", choose_.least_extension_mm, "of the commonest pins, mm")
+        ->check(CLI::Range(0.0, 1.5))
+        ->capture_default_str();
+    choose->add_option("--threads", choose_.threads, "all cores when not said")
+        ->check(CLI::Range(1, 256));
+    choose->add_option("--save", choose_.save,
+                       "write the first of the front into this design file");
+    auto* exports = verb("export", "positions, casing to print, device file", export_, run_export);
+    add_design(exports, export_.design);
+    exports->add_option("--csv", export_.csv, "positions as CSV, into a file or here")
+        ->expected(0, 1);
+    exports->add_option("--json", export_.json, "positions as JSON, into a file or here")
+        ->expected(0, 1);
+    exports->add_option("--scad", export_.scad, "the casing as an OpenSCAD model");
+    exports->add_option("--stl", export_.stl, "a folder for upper.stl and lower.stl (openscad)");
+    exports->add_option("--device", export_.device, "a device file for hedgehogd");
+    exports->add_option("--facets", export_.facets, "sides of a cavity, 8 to 64")
+        ->capture_default_str();
+    exports->add_option("--clearance", export_.clearance_mm, "around each magnet, mm")
+        ->capture_default_str();
+    exports->add_option("--fan", export_.fan_mm,
+                        "opening at the bottom, mm; the widest when not said");
+    auto* report =
+        verb("report", "everything about a design on one HTML page", report_, run_report);
+    add_design(report, report_.design);
+    report->add_option("--output", report_.output, "the file")->capture_default_str();
+  }
+
+  std::ostream& out_;
+  std::ostream& err_;
+  CLI::App app_{"The array designer: where magnets go, whether the pins hold, how far they move.",
+                "hedgehog-design"};
+  Verb verb_;
+  bool json_ = false;
+  bool csv_ = false;
+  ArrayOptions array_;
+  PairOptions pair_;
+  CurvesOptions curves_;
+  TableOptions table_;
+  StabilityOptions stability_;
+  ElectromagnetOptions coil_;
+  ChooseOptions choose_;
+  ExportOptions export_;
+  ReportOptions report_;
+};
+
+}  // namespace
+
+int run_command_line(std::vector<std::string> arguments, std::ostream& out, std::ostream& err) {
+  return CommandLine(out, err).run(std::move(arguments));
+}
+
+}  // namespace hedgehog::design

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "clients/design/input/sizes.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+namespace hedgehog::design {
+namespace {
+
+constexpr double kMinMm = 0.1;
+constexpr double kMaxMm = 100.0;
+constexpr double kMostSteps = 1000;
+
+std::optional<double> number_of(std::string_view text) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (text.empty() || error != std::errc() || end != text.data() + text.size()) return {};
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+Complaint complaint(const std::string& what, const std::string& reason) {
+  return {kUsage, what + ": " + reason};
+}
+
+std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
+
+/// Splits at the 'x' between diameter and height.
+std::optional<std::array<std::string_view, 2>> halves(std::string_view text) {
+  const std::size_t x = text.find('x');
+  if (x == std::string_view::npos || text.find('x', x + 1) != std::string_view::npos) return {};
+  return std::array{text.substr(0, x), text.substr(x + 1)};
+}
+
+}  // namespace
+
+Result<std::vector<double>> parse_range(std::string_view text, double step, double min, double max,
+                                        const std::string& what) {
+  const std::string shape = " is neither a number nor a range such as 3..5 or 3..5/0.1";
+  const std::size_t dots = text.find("..");
+  const std::size_t slash = text.find('/');
+  const bool range = dots != std::string_view::npos;
+  const auto first = number_of(text.substr(0, range ? dots : text.size()));
+  std::optional<double> last = first;
+  if (range) {
+    const std::size_t from = dots + 2;
+    last = number_of(text.substr(from, slash == std::string_view::npos ? slash : slash - from));
+    if (slash != std::string_view::npos) {
+      const auto typed = number_of(text.substr(slash + 1));
+      if (!typed || *typed <= 0.0) return complaint(what, quoted(text) + shape);
+      step = *typed;
+    }
+  }
+  if (!first || !last) return complaint(what, quoted(text) + shape);
+  for (const double value : {*first, *last}) {
+    if (value < min || value > max) {
+      return complaint(what,
+                       to_text(value) + " is outside " + to_text(min) + " to " + to_text(max));
+    }
+  }
+  if (*last < *first) return complaint(what, quoted(text) + " ends below where it begins");
+  const double count = std::floor((*last - *first) / step + 1e-6) + 1.0;
+  if (count > kMostSteps) return complaint(what, quoted(text) + " has more than 1000 steps");
+  std::vector<double> values;
+  for (int i = 0; i < static_cast<int>(count); ++i) values.push_back(*first + i * step);
+  return values;
+}
+
+Result<Size> parse_size(std::string_view text, const std::string& what) {
+  const auto parts = halves(text);
+  const auto diameter = parts ? number_of((*parts)[0]) : std::nullopt;
+  const auto height = parts ? number_of((*parts)[1]) : std::nullopt;
+  if (!diameter || !height) {
+    return complaint(what, quoted(text) + " is not a magnet: DIAMETERxHEIGHT in mm, such as 8x10");
+  }
+  for (const double mm : {*diameter, *height}) {
+    if (mm < kMinMm || mm > kMaxMm) {
+      return complaint(what, quoted(text) + ": " + to_text(mm) +
+                                 " mm is outside 0.1 to 100 mm; magnets are DIAMETERxHEIGHT in mm");
+    }
+  }
+  return Size{*diameter, *height};
+}
+
+Result<std::vector<Size>> parse_sizes(std::string_view text, double step, const std::string& what) {
+  const auto parts = halves(text);
+  if (!parts) {
+    return complaint(what,
+                     quoted(text) + " is no range of magnets: DIAMETERxHEIGHT, such as 3..5x10");
+  }
+  const auto diameters = parse_range((*parts)[0], step, kMinMm, kMaxMm, what);
+  if (!diameters) return diameters.error();
+  const auto heights = parse_range((*parts)[1], 1.0, kMinMm, kMaxMm, what);
+  if (!heights) return heights.error();
+  std::vector<Size> sizes;
+  for (const double diameter : *diameters) {
+    for (const double height : *heights) sizes.push_back({diameter, height});
+  }
+  return sizes;
+}
+
+std::string to_text(double number) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%.4f", number);
+  std::string shown(text.data());
+  while (shown.ends_with('0')) shown.pop_back();
+  if (shown.ends_with('.')) shown.pop_back();
+  return shown == "-0" ? "0" : shown;
+}
+
+std::string to_text(const Size& size) {
+  return to_text(size.diameter_mm) + "x" + to_text(size.height_mm);
+}
+
+}  // namespace hedgehog::design

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#include <exception>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "clients/design/command_line.h"
+#include "clients/design/complaint.h"
+
+int main(int argc, char** argv) {
+  try {
+    return hedgehog::design::run_command_line({argv + 1, argv + argc}, std::cout, std::cerr);
+  } catch (const std::exception& error) {
+    std::cerr << "hedgehog-design: " << error.what() << "\n";
+    return hedgehog::design::kInternal;
+  }
+}

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "clients/design/output/table.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstdio>
+#include <sstream>
+
+namespace hedgehog::design {
+namespace {
+
+/// Characters, not bytes: UTF-8 continuation bytes take no room.
+std::size_t width_of(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+  }));
+}
+
+std::string csv_cell(const std::string& cell) {
+  if (cell.find_first_of(",\"\n") == std::string::npos) return cell;
+  std::string quoted = "\"";
+  for (const char c : cell) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+std::string csv_line(const std::vector<std::string>& cells) {
+  std::string line;
+  for (const std::string& cell : cells) line += (line.empty() ? "" : ",") + csv_cell(cell);
+  return line + "\n";
+}
+
+}  // namespace
+
+void Table::add(std::vector<std::string> cells) {
+  assert(cells.size() == columns_.size());
+  rows_.push_back(std::move(cells));
+}
+
+std::string Table::text() const {
+  std::vector<std::size_t> widths;
+  for (std::size_t c = 0; c < columns_.size(); ++c) {
+    widths.push_back(width_of(columns_[c].title));
+    for (const auto& row : rows_) widths[c] = std::max(widths[c], width_of(row[c]));
+  }
+  const auto line = [&](auto cell_of) {
+    std::string shown;
+    for (std::size_t c = 0; c < columns_.size(); ++c) {
+      const std::string cell = cell_of(c);
+      const std::string blanks(widths[c] - width_of(cell), ' ');
+      shown += "  " + (columns_[c].left ? cell + blanks : blanks + cell);
+    }
+    shown.erase(shown.find_last_not_of(' ') + 1);
+    return shown + "\n";
+  };
+  std::string shown = line([&](std::size_t c) { return columns_[c].title; });
+  for (const auto& row : rows_) shown += line([&](std::size_t c) { return row[c]; });
+  return shown;
+}
+
+std::string Table::csv() const {
+  std::vector<std::string> names;
+  for (const Column& column : columns_) names.push_back(column.name);
+  std::string shown = csv_line(names);
+  for (const auto& row : rows_) shown += csv_line(row);
+  return shown;
+}
+
+std::string Table::html() const {
+  const auto cell = [&](const std::string& tag, std::size_t c, const std::string& text) {
+    return "<" + tag + (columns_[c].left ? " class=\"l\">" : ">") + escape_html(text) + "</" + tag +
+           ">";
+  };
+  std::string shown = "<table>\n<tr>";
+  for (std::size_t c = 0; c < columns_.size(); ++c) shown += cell("th", c, columns_[c].title);
+  shown += "</tr>\n";
+  for (const auto& row : rows_) {
+    shown += "<tr>";
+    for (std::size_t c = 0; c < columns_.size(); ++c) shown += cell("td", c, row[c]);
+    shown += "</tr>\n";
+  }
+  return shown + "</table>\n";
+}
+
+std::string fixed(double number, int digits) {
+  if (!std::isfinite(number)) return "none";
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%.*f", digits, number);
+  const std::string shown(text.data());
+  const bool zero = shown.find_first_of("123456789") == std::string::npos;
+  return zero && shown.front() == '-' ? shown.substr(1) : shown;
+}
+
+std::string wrapped(const std::string& text, std::size_t width, std::size_t indent) {
+  std::istringstream words(text);
+  std::string lines;
+  std::string line;
+  const auto end_line = [&] {
+    lines += std::string(indent, ' ') + line + "\n";
+    line.clear();
+  };
+  for (std::string word; words >> word;) {
+    if (!line.empty() && indent + width_of(line) + 1 + width_of(word) > width) end_line();
+    line += (line.empty() ? "" : " ") + word;
+  }
+  if (!line.empty()) end_line();
+  return lines;
+}
+
+std::string escape_html(const std::string& text) {
+  std::string safe;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        safe += "&amp;";
+        break;
+      case '<':
+        safe += "&lt;";
+        break;
+      case '>':
+        safe += "&gt;";
+        break;
+      case '"':
+        safe += "&quot;";
+        break;
+      default:
+        safe += c;
+    }
+  }
+  return safe;
+}
+
+}  // namespace hedgehog::design

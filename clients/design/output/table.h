@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Rows and columns, for people (aligned), for programs (CSV) and for the report (HTML).
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace hedgehog::design {
+
+class Table {
+ public:
+  struct Column {
+    /// Over the column on the screen: "rest mm".
+    std::string title;
+    /// In CSV, unit at the end: "rest_mm".
+    std::string name;
+    bool left = false;
+  };
+
+  explicit Table(std::vector<Column> columns) : columns_(std::move(columns)) {}
+
+  /// REQUIRES: as many cells as columns.
+  void add(std::vector<std::string> cells);
+  const std::vector<std::vector<std::string>>& rows() const noexcept { return rows_; }
+
+  /// Two blanks in front and between; each line ends in "\n".
+  std::string text() const;
+  /// RFC 4180, "\n" at the ends.
+  std::string csv() const;
+  std::string html() const;
+
+ private:
+  std::vector<Column> columns_;
+  std::vector<std::vector<std::string>> rows_;
+};
+
+/// "%.3f", and "none" for a number that there is not (NaN).
+std::string fixed(double number, int digits);
+
+/// `text` in lines of at most `width` characters, each after `indent` blanks and ended by "\n".
+std::string wrapped(const std::string& text, std::size_t width, std::size_t indent);
+
+/// `text` with &, <, > and quotes written out.
+std::string escape_html(const std::string& text);
+
+}  // namespace hedgehog::design

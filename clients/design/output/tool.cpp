@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "clients/design/output/tool.h"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace hedgehog::design {
+namespace {
+
+/// What a program complained about: its last line that is not empty.
+std::string last_line(const std::string& text) {
+  std::istringstream lines(text);
+  std::string last;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find_first_not_of(" \t\r") != std::string::npos) last = line;
+  }
+  return last;
+}
+
+}  // namespace
+
+Result<void> run_tool(const std::vector<std::string>& argv, const std::string& package) {
+  const TemporaryFile said(".txt");
+  std::vector<std::string> words = argv;
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, said.path().c_str(), O_WRONLY | O_APPEND,
+                                   0);
+  posix_spawn_file_actions_adddup2(&files, STDOUT_FILENO, STDERR_FILENO);
+  pid_t pid = -1;
+  const int failure =
+      ::posix_spawnp(&pid, argv.front().c_str(), &files, nullptr, pointers.data(), environ);
+  posix_spawn_file_actions_destroy(&files);
+  if (failure == ENOENT) {
+    return Complaint{kUnavailable,
+                     argv.front() + " is not installed; on Debian: apt install " + package};
+  }
+  if (failure != 0) return Complaint{kUnavailable, argv.front() + ": " + std::strerror(failure)};
+  int status = 0;
+  while (::waitpid(pid, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
+  const auto text = read_file(said.path());
+  return Complaint{kToolFailed,
+                   argv.front() + " failed: " + (text ? last_line(*text) : "it says nothing")};
+}
+
+TemporaryFile::TemporaryFile(const std::string& suffix)
+    : path_(
+          (std::filesystem::temp_directory_path() / ("hedgehog-design-XXXXXX" + suffix)).string()) {
+  const int file = ::mkstemps(path_.data(), static_cast<int>(suffix.size()));
+  if (file < 0) throw std::runtime_error("no temporary file can be made: " + path_);
+  ::close(file);
+}
+
+TemporaryFile::~TemporaryFile() { ::unlink(path_.c_str()); }
+
+Result<void> write_file(const std::string& path, const std::string& content) {
+  std::ofstream file(path, std::ios::binary | std::ios::trunc);
+  file << content;
+  file.close();
+  if (!file) return Complaint{kCannotCreate, path + " cannot be written: " + std::strerror(errno)};
+  return {};
+}
+
+Result<std::string> read_file(const std::string& path) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) return Complaint{kNoInput, path + " is a folder"};
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return Complaint{kNoInput, path + " cannot be read: " + std::strerror(errno)};
+  std::ostringstream content;
+  content << file.rdbuf();
+  return content.str();
+}
+
+}  // namespace hedgehog::design

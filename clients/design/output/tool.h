@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Other programs that are asked for help: gnuplot, openscad.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "clients/design/complaint.h"
+
+namespace hedgehog::design {
+
+/// Runs argv[0] from the PATH and waits for its end. `package`: the Debian package that has it, for
+/// the complaint when it is missing; when it fails, the complaint holds the last line it said.
+Result<void> run_tool(const std::vector<std::string>& argv, const std::string& package);
+
+/// A file of its own in the folder for temporary files, gone with this object.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const std::string& suffix);
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  ~TemporaryFile();
+  const std::string& path() const noexcept { return path_; }
+
+ private:
+  std::string path_;
+};
+
+/// Writes the whole file, or complains (73) and names it.
+Result<void> write_file(const std::string& path, const std::string& content);
+/// The whole file, or a complaint (66).
+Result<std::string> read_file(const std::string& path);
+
+}  // namespace hedgehog::design

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+#include "clients/design/search/search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "clients/design/ball_numbers.h"
+#include "clients/design/search/pull.h"
+#include "clients/design/search/workers.h"
+#include "clients/design/study.h"
+#include "model/magnets/electromagnet.h"
+
+namespace hedgehog::design {
+namespace {
+
+/// One design's numbers, of the class that counts.
+struct Reach {
+  double rest_mm = 0.0;
+  double extension_mm = 0.0;
+};
+
+/// Rest and extension of every class; nothing when a demand is not met.
+std::optional<Reach> reach_of(const std::vector<model::PinClass>& classes,
+                              const std::vector<Pull>& pulls, double diameter_mm,
+                              double coil_force_n, const Demands& demands) {
+  Reach commonest;
+  std::size_t most = 0;
+  for (std::size_t c = 0; c < classes.size(); ++c) {
+    const double weakened = falls_through(pulls[c].force_n(diameter_mm, 1.0 - demands.margin), 0.0);
+    if (std::isnan(weakened)) return {};
+    const std::vector<double> force_n = pulls[c].force_n(diameter_mm, 1.0);
+    const double rest_mm = falls_through(force_n, 0.0);
+    const double moved_mm = falls_through(force_n, -coil_force_n);
+    if (std::isnan(rest_mm) || std::isnan(moved_mm) || moved_mm > demands.travel_mm) return {};
+    if (classes[c].pins.size() > most) {
+      most = classes[c].pins.size();
+      commonest = {rest_mm, moved_mm - rest_mm};
+    }
+  }
+  return commonest.extension_mm >= demands.least_extension_mm ? std::optional(commonest)
+                                                              : std::nullopt;
+}
+
+double nearest_shields_deg(const model::Arrangement& array) {
+  double largest_cosine = -1.0;
+  model::Vec3 a;
+  model::Vec3 b;
+  for (std::size_t i = 0; i < array.shields.size(); ++i) {
+    for (std::size_t j = i + 1; j < array.shields.size(); ++j) {
+      const double cosine = model::dot(array.shields[i].direction, array.shields[j].direction);
+      if (cosine <= largest_cosine) continue;
+      largest_cosine = cosine;
+      a = array.shields[i].direction;
+      b = array.shields[j].direction;
+    }
+  }
+  return model::angle_deg(a, b);
+}
+
+/// Every pin of the ball as it would be built rests somewhere.
+bool rests_everywhere(const Found& found) {
+  const auto study = Study::of(found.design, kSearchGrid);
+  return study && study->unstable_pins().empty();
+}
+
+}  // namespace
+
+Result<Search> Search::in(const SearchSpace& space, const Demands& demands) {
+  Search search(space, demands);
+  for (const double sphere_mm : space.spheres_mm) {
+    if (space.coil_forces_n.empty() && sphere_mm < kElectromagnetRadiusMm) {
+      return Complaint{kUsage, "--spheres: " + to_text(sphere_mm) +
+                                   " mm is inside the electromagnet, which has a radius of " +
+                                   to_text(kElectromagnetRadiusMm) +
+                                   " mm; for another one say its force with --coil-force"};
+    }
+  }
+  for (const std::string& name : space.arrays) {
+    const auto whole = find_arrangement(name);
+    if (!whole) return whole.error();
+    if (whole->pins.size() <= 12)
+      return Complaint{kUsage, "--arrays: " + name + " has too few pins to take six out"};
+    auto opened = find_arrangement(name + "-" + std::to_string(whole->pins.size() - 6));
+    if (!opened)
+      return Complaint{
+          kUsage, "--arrays: " + opened.error().sentence + " (whole arrays: cD, wD, tkD, GP(m,n))"};
+    Array array;
+    array.opened = std::move(*opened);
+    array.classes = model::symmetry_classes(*whole);
+    array.pin_pin_deg = 180.0;
+    array.pin_shield_deg = 180.0;
+    for (const model::PinClass& one : array.classes) {
+      array.pin_pin_deg = std::min(array.pin_pin_deg, one.to_pins.front().angle_deg);
+      array.pin_shield_deg = std::min(array.pin_shield_deg, one.to_shields.front().angle_deg);
+    }
+    array.shield_shield_deg = nearest_shields_deg(*whole);
+    search.arrays_.push_back(std::move(array));
+  }
+  return search;
+}
+
+std::vector<Search::Job> Search::jobs() const {
+  std::map<double, std::vector<double>> diameters;
+  for (const Size& shield : space_.shields)
+    diameters[shield.height_mm].push_back(shield.diameter_mm);
+  std::vector<Job> jobs;
+  for (const Array& array : arrays_) {
+    for (const Size& pin : space_.pins) {
+      for (const double sphere_mm : space_.spheres_mm) {
+        for (const auto& [height_mm, of_height] : diameters) {
+          jobs.push_back({&array, pin, height_mm, of_height, sphere_mm});
+        }
+      }
+    }
+  }
+  return jobs;
+}
+
+bool Search::fits(const Job& job, double diameter_mm) const {
+  const model::CylinderMagnet pin{job.pin.diameter_mm, job.pin.height_mm};
+  const model::CylinderMagnet shield{diameter_mm, job.shield_height_mm};
+  const auto apart = [&](const model::CylinderMagnet& a, const model::CylinderMagnet& b,
+                         double angle_deg) {
+    return model::gap_mm({a, b, job.sphere_mm}, {angle_deg, 0.0, 0.0}) >= demands_.wall_mm;
+  };
+  return apart(pin, pin, job.array->pin_pin_deg) && apart(pin, shield, job.array->pin_shield_deg) &&
+         apart(shield, shield, job.array->shield_shield_deg);
+}
+
+std::vector<double> Search::coil_forces_n(const Job& job) const {
+  if (!space_.coil_forces_n.empty()) return space_.coil_forces_n;
+  return {model::coil_force_n(model::fea_electromagnet(), model::kBurstCurrentA,
+                              {job.pin.diameter_mm, job.pin.height_mm}, job.sphere_mm, 0.0, 0.0)};
+}
+
+Search::Batch Search::look(const Job& job) const {
+  Batch batch;
+  std::vector<double> diameters;
+  std::copy_if(job.diameters_mm.begin(), job.diameters_mm.end(), std::back_inserter(diameters),
+               [&](double diameter_mm) { return fits(job, diameter_mm); });
+  const std::vector<double> forces_n = coil_forces_n(job);
+  batch.fit = diameters.size() * forces_n.size();
+  if (diameters.empty()) return batch;
+  std::sort(diameters.begin(), diameters.end());
+  Design design;
+  design.array = job.array->opened.name;
+  design.magnet = job.pin;
+  design.shield = {diameters.front(), job.shield_height_mm};
+  design.sphere_mm = job.sphere_mm;
+  std::vector<Pull> pulls;
+  for (const model::PinClass& one : job.array->classes)
+    pulls.emplace_back(one, design.sizes(), diameters);
+  for (const double diameter_mm : diameters) {
+    design.shield.diameter_mm = diameter_mm;
+    for (const double force_n : forces_n) {
+      const auto reach = reach_of(job.array->classes, pulls, diameter_mm, force_n, demands_);
+      if (!reach) continue;
+      design.coil_force_n = force_n;
+      batch.found.push_back({design, job.array->opened.pins.size(),
+                             job.array->opened.shields.size(), reach->rest_mm, reach->extension_mm,
+                             mass_g(job.array->opened, design.sizes()), outer_diameter_mm(design)});
+    }
+  }
+  return batch;
+}
+
+SearchOutcome Search::run(int threads, const Progress& progress) const {
+  SearchOutcome outcome;
+  const std::vector<Job> all = jobs();
+  std::vector<Batch> batches(all.size());
+  const std::size_t per_force = std::max<std::size_t>(1, space_.coil_forces_n.size());
+  work_through(
+      all.size(), threads, [&](std::size_t i) { batches[i] = look(all[i]); },
+      [&](std::size_t done) {
+        progress(done * space_.size() / std::max<std::size_t>(1, all.size()));
+      });
+  std::vector<Found> found;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    outcome.looked_at += all[i].diameters_mm.size() * per_force;
+    outcome.fit += batches[i].fit;
+    found.insert(found.end(), batches[i].found.begin(), batches[i].found.end());
+  }
+  outcome.feasible = found.size();
+  const std::vector<Found> front = pareto_front(std::move(found));
+  std::vector<char> rests(front.size(), 0);
+  work_through(
+      front.size(), threads, [&](std::size_t i) { rests[i] = rests_everywhere(front[i]) ? 1 : 0; },
+      [&](std::size_t) { progress(outcome.looked_at); });
+  for (std::size_t i = 0; i < front.size(); ++i) {
+    if (rests[i] != 0) outcome.front.push_back(front[i]);
+  }
+  outcome.unstable_when_opened = front.size() - outcome.front.size();
+  return outcome;
+}
+
+}  // namespace hedgehog::design

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Looks at every design of a space, on all cores, and keeps those that meet the demands.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "clients/design/search/space.h"
+#include "model/magnets/symmetry_classes.h"
+
+namespace hedgehog::design {
+
+struct SearchOutcome {
+  std::size_t looked_at = 0;
+  /// Magnets far enough apart.
+  std::size_t fit = 0;
+  /// Everything demanded.
+  std::size_t feasible = 0;
+  /// Of the feasible ones; each also stable with the fan's opening, at every single pin.
+  std::vector<Found> front;
+  /// Taken off the front since they are not.
+  std::size_t unstable_when_opened = 0;
+};
+
+/// How many designs have been looked at so far. Called by the thread that called `run`.
+using Progress = std::function<void(std::size_t looked_at)>;
+
+class Search {
+ public:
+  /// Complains about unknown arrays, and about a sphere within the electromagnet when its force is
+  /// not given.
+  static Result<Search> in(const SearchSpace& space, const Demands& demands);
+
+  /// `threads` >= 1; all of them have ended when it returns.
+  SearchOutcome run(int threads, const Progress& progress) const;
+
+  const SearchSpace& space() const noexcept { return space_; }
+
+ private:
+  struct Array {
+    model::Arrangement opened;
+    std::vector<model::PinClass> classes;
+    /// Between the nearest two, degrees: pin and pin, pin and shield, shield and shield.
+    double pin_pin_deg = 0.0;
+    double pin_shield_deg = 0.0;
+    double shield_shield_deg = 0.0;
+  };
+  /// What shares the force of pins on pins and one interpolation.
+  struct Job {
+    const Array* array = nullptr;
+    Size pin;
+    double shield_height_mm = 0.0;
+    std::vector<double> diameters_mm;
+    double sphere_mm = 0.0;
+  };
+  struct Batch {
+    std::size_t fit = 0;
+    std::vector<Found> found;
+  };
+
+  Search(SearchSpace space, const Demands& demands) : space_(std::move(space)), demands_(demands) {}
+  std::vector<Job> jobs() const;
+  Batch look(const Job& job) const;
+  bool fits(const Job& job, double diameter_mm) const;
+  std::vector<double> coil_forces_n(const Job& job) const;
+
+  SearchSpace space_;
+  Demands demands_;
+  std::vector<Array> arrays_;
+};
+
+}  // namespace hedgehog::design

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// Which designs a search looks at, and what it asks of them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "clients/design/input/design.h"
+
+namespace hedgehog::design {
+
+struct SearchSpace {
+  /// Names of whole arrays; each is looked at with the fan's opening.
+  std::vector<std::string> arrays;
+  std::vector<Size> pins;
+  std::vector<Size> shields;
+  std::vector<double> spheres_mm;
+  /// N on an aimed pin; empty: what the thesis' electromagnet can do at 15 A on that pin and
+  /// sphere.
+  std::vector<double> coil_forces_n;
+
+  std::size_t size() const noexcept {
+    return arrays.size() * pins.size() * shields.size() * spheres_mm.size() *
+           std::max<std::size_t>(1, coil_forces_n.size());
+  }
+};
+
+struct Demands {
+  /// Plastic between any two magnets.
+  double wall_mm = 0.3;
+  /// Every pin must rest even when all shields are weaker by this part.
+  double margin = 0.03;
+  /// Of the commonest pins, with the coil's full force.
+  double least_extension_mm = 0.5;
+  /// No pin's rest and extension together may need more travel than this.
+  double travel_mm = 1.5;
+};
+
+/// A design that meets the demands.
+struct Found {
+  Design design;
+  std::size_t pins = 0;
+  std::size_t shields = 0;
+  /// Of the class with the most pins.
+  double rest_mm = 0.0;
+  double extension_mm = 0.0;
+  double mass_g = 0.0;
+  double outer_diameter_mm = 0.0;
+};
+
+/// No worse in any of pin count, extension, mass and outer diameter, and better in one.
+bool dominates(const Found& a, const Found& b) noexcept;
+
+/// Those that no other dominates, in a fixed order: the smallest ball first, of equals the most
+/// pins, the largest extension, the least mass. So the first is the smallest ball that does what is
+/// asked, with as many pins, that move as far, as it can have.
+std::vector<Found> pareto_front(std::vector<Found> found);
+
+}  // namespace hedgehog::design

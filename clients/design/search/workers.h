@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// A pile of independent pieces of work, done by several threads.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace hedgehog::design {
+
+/// Calls `work(0)` to `work(count - 1)`, each once, on `threads` threads (at least 1), in any
+/// order; `told(done)` every 100 ms and at the end, on the calling thread. Returns when all is
+/// done. `work` must not throw.
+void work_through(std::size_t count, int threads, const std::function<void(std::size_t)>& work,
+                  const std::function<void(std::size_t)>& told);
+
+}  // namespace hedgehog::design

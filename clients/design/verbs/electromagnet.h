@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// What the coil does to one pin, and to the others meanwhile (thesis sections 3.1.1 to 3.1.3).
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "clients/design/output/picture.h"
+#include "clients/design/output/table.h"
+#include "clients/design/study.h"
+#include "model/magnets/electromagnet.h"
+
+namespace hedgehog::design {
+
+struct CoilRow {
+  double current_a = 0.0;
+  /// By the thesis' simulation and by its measurement; force on the pin at rest.
+  double fea_force_n = 0.0;
+  std::optional<double> fea_mm;
+  double measured_force_n = 0.0;
+  std::optional<double> measured_mm;
+};
+
+struct CoilStudy {
+  int pin = 0;
+  std::size_t class_size = 0;
+  std::vector<CoilRow> rows;
+  std::vector<model::Activation> spread;
+
+  /// Pins that get at least this part of what the aimed one gets, itself counted.
+  std::size_t pins_above(double fraction) const noexcept;
+  std::size_t pins_pulled_in() const noexcept;
+};
+
+/// `pin`: none for the first of the commonest class. Complains when there is no such pin, or when
+/// it has no rest.
+Result<CoilStudy> study_coil(const Study& study, std::optional<int> pin,
+                             const std::vector<double>& currents_a);
+
+Table coil_table(const CoilStudy& coil);
+/// Force and extension against current, and the spread against the angle, with the thesis' values.
+Result<Picture> coil_picture(const Study& study, int pin);
+
+}  // namespace hedgehog::design

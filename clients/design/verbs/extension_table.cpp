@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "clients/design/verbs/extension_table.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "clients/design/output/table.h"
+#include "clients/design/verbs/verbs.h"
+
+namespace hedgehog::design {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The thesis took near forces from finite elements at a few angles and drew straight lines between
+/// (section 2.2); the true force is convex in the angle, so lines overstate it.
+std::string reason_for(const ClassStudy& one, const Design& design, double printed) {
+  const std::string angle = fixed(one.pins().to_shields.front().angle_deg, 1);
+  const std::string lines =
+      "straight lines between few finite-element angles, as in the thesis,"
+      " overstate the pull of the shields (from " +
+      angle + "° on)";
+  if (!one.character.stable()) return "no rest at all";
+  if (!one.extension_mm) {
+    const double held = -one.character.minimum_n;
+    return "held with " + fixed(held, 3) + " N at most (" + fixed(one.character.minimum_mm, 2) +
+           " mm), " + fixed(100.0 * (1.0 - held / design.coil_force_n), 0) + " % short of " +
+           to_text(design.coil_force_n) + " N, so no extension follows; " + lines +
+           ", which is enough for " + fixed(printed, 1) + " mm";
+  }
+  return lines + " and with it the force that draws the pin back";
+}
+
+std::string verdict(const ExtensionRow& row) {
+  if (!row.thesis_mm) return "";
+  return row.reason.empty() ? "agrees" : "not reproduced";
+}
+
+Json number_or_null(const std::optional<double>& number) {
+  return number ? Json(*number) : Json(nullptr);
+}
+
+}  // namespace
+
+std::vector<ExtensionRow> extension_rows(const Study& study) {
+  const Design& design = study.design();
+  // The thesis' sizes and model; anything else has no printed values.
+  const bool printed_here = design.magnet == Size{8.0, 10.0} && design.shield == Size{4.0, 10.0} &&
+                            design.sphere_mm == 35.0 && design.coil_force_n == 0.4;
+  std::vector<ExtensionRow> rows;
+  for (const ClassStudy& one : study.classes()) {
+    ExtensionRow row{study.arrangement().name,
+                     study.arrangement().pins.size(),
+                     one.size(),
+                     one.character.rest_mm,
+                     one.extension_mm,
+                     {},
+                     {}};
+    if (printed_here) row.thesis_mm = thesis_extension_mm(row.array, row.size);
+    const bool agrees = row.thesis_mm && row.extension_mm &&
+                        std::abs(*row.thesis_mm - *row.extension_mm) <= kPrintedToleranceMm;
+    if (row.thesis_mm && !agrees) row.reason = reason_for(one, design, *row.thesis_mm);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+Result<std::vector<ExtensionRow>> table_21(const Design& design) {
+  std::vector<ExtensionRow> rows;
+  for (const char* array : {"cD", "wD", "tkD"}) {
+    Design one = design;
+    one.array = array;
+    const auto study = Study::of(one);
+    if (!study) return study.error();
+    for (ExtensionRow& row : extension_rows(*study)) rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+Table extension_table(const std::vector<ExtensionRow>& rows) {
+  Table table({{"array", "array", true},
+               {"faces", "faces"},
+               {"class", "class_size"},
+               {"rest mm", "rest_mm"},
+               {"extension mm", "extension_mm"},
+               {"thesis mm", "thesis_mm"},
+               {"", "verdict", true}});
+  for (const ExtensionRow& row : rows) {
+    table.add({row.array, std::to_string(row.faces), std::to_string(row.size),
+               fixed(row.rest_mm.value_or(std::nan("")), 3),
+               fixed(row.extension_mm.value_or(std::nan("")), 3),
+               row.thesis_mm ? fixed(*row.thesis_mm, 1) : "", verdict(row)});
+  }
+  return table;
+}
+
+Result<void> run_table(const TableOptions& options, const Screen& screen) {
+  const auto design = design_from(options.design);
+  if (!design) return design.error();
+  std::vector<ExtensionRow> rows;
+  if (options.design.names_no_array()) {
+    auto all = table_21(*design);
+    if (!all) return all.error();
+    rows = std::move(*all);
+  } else {
+    const auto study = Study::of(*design);
+    if (!study) return study.error();
+    rows = extension_rows(*study);
+  }
+  if (screen.format == Format::kJson) {
+    Json root{{"coil_force_n", design->coil_force_n}, {"rows", Json::array()}};
+    for (const ExtensionRow& row : rows) {
+      root["rows"].push_back(
+          {{"array", row.array},
+           {"faces", row.faces},
+           {"class_size", row.size},
+           {"rest_mm", number_or_null(row.rest_mm)},
+           {"extension_mm", number_or_null(row.extension_mm)},
+           {"thesis_mm", number_or_null(row.thesis_mm)},
+           {"reproduced", row.thesis_mm ? Json(row.reason.empty()) : Json(nullptr)},
+           {"reason", row.reason}});
+    }
+    screen.out << root.dump(2) << "\n";
+  } else if (screen.format == Format::kCsv) {
+    screen.out << extension_table(rows).csv();
+  } else {
+    screen.out << "  how far a push of " << to_text(design->coil_force_n)
+               << " N moves a pin out of its rest (thesis Table 2.1)\n\n"
+               << extension_table(rows).text();
+    for (const ExtensionRow& row : rows) {
+      if (!row.reason.empty()) {
+        screen.out << "\n"
+                   << wrapped(
+                          row.array + ", class of " + std::to_string(row.size) + ": " + row.reason,
+                          78, 2);
+      }
+    }
+  }
+  return {};
+}
+
+}  // namespace hedgehog::design

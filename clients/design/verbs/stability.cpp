@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "clients/design/output/table.h"
+#include "clients/design/study.h"
+#include "clients/design/verbs/verbs.h"
+#include "model/magnets/equilibrium.h"
+
+namespace hedgehog::design {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number_or_null(const std::optional<double>& number) {
+  return number ? Json(*number) : Json(nullptr);
+}
+
+/// The class that the smallest push expels.
+const ClassStudy& weakest_of(const Study& study) {
+  return *std::min_element(study.classes().begin(), study.classes().end(),
+                           [](const ClassStudy& a, const ClassStudy& b) {
+                             return -a.character.minimum_n < -b.character.minimum_n;
+                           });
+}
+
+Table table_of(const Study& study) {
+  Table table({{"class", "class_size"},
+               {"rest mm", "rest_mm"},
+               {"N/mm", "stiffness_n_mm"},
+               {"held up to N", "held_n"},
+               {"moves mm", "extension_mm"},
+               {"", "state", true},
+               {"pins", "pins", true}});
+  for (const ClassStudy& one : study.classes()) {
+    const bool stable = one.character.stable();
+    table.add({std::to_string(one.size()), fixed(one.character.rest_mm.value_or(std::nan("")), 3),
+               stable ? fixed(one.character.stiffness_n_mm, 3) : "none",
+               fixed(std::max(0.0, -one.character.minimum_n), 3),
+               fixed(one.extension_mm.value_or(std::nan("")), 3), stable ? "stable" : "UNSTABLE",
+               ids_text(one.pins().pins)});
+  }
+  return table;
+}
+
+Json json_of(const Study& study,
+             const std::optional<model::MagnetResult<model::Equilibrium>>& together) {
+  const std::vector<int> unstable = study.unstable_pins();
+  const ClassStudy& weakest = weakest_of(study);
+  Json root{{"array", study.arrangement().name},
+            {"pins", study.arrangement().pins.size()},
+            {"shields", study.arrangement().shields.size()},
+            {"coil_force_n", study.design().coil_force_n},
+            {"stable", unstable.empty()},
+            {"unstable", unstable},
+            {"weakest",
+             {{"pin", weakest.pins().pins.front()},
+              {"held_n", std::max(0.0, -weakest.character.minimum_n)},
+              {"extension_mm", number_or_null(weakest.extension_mm)}}},
+            {"classes", Json::array()}};
+  for (const ClassStudy& one : study.classes()) {
+    root["classes"].push_back({{"size", one.size()},
+                               {"pins", one.pins().pins},
+                               {"stable", one.character.stable()},
+                               {"rest_mm", number_or_null(one.character.rest_mm)},
+                               {"stiffness_n_mm", one.character.stiffness_n_mm},
+                               {"minimum_n", one.character.minimum_n},
+                               {"minimum_mm", one.character.minimum_mm},
+                               {"extension_mm", number_or_null(one.extension_mm)}});
+  }
+  if (!together) return root;
+  if (*together) {
+    root["together"] = {{"stable", (*together)->stable()},
+                        {"offsets_mm", (*together)->offsets_mm},
+                        {"softest_n_mm", (*together)->stiffness_n_mm.front()},
+                        {"stiffest_n_mm", (*together)->stiffness_n_mm.back()}};
+  } else {
+    root["together"] = {{"stable", false}, {"reason", together->error().message}};
+  }
+  return root;
+}
+
+void print_text(const Study& study,
+                const std::optional<model::MagnetResult<model::Equilibrium>>& together,
+                std::ostream& out) {
+  const std::vector<int> unstable = study.unstable_pins();
+  const std::size_t count = study.arrangement().pins.size();
+  out << "  " << to_text(study.design()) << "; " << study.arrangement().shields.size()
+      << " shields\n  ";
+  if (unstable.empty()) {
+    const ClassStudy& weakest = weakest_of(study);
+    out << "all " << count << " pins stable; weakest: pin " << weakest.pins().pins.front()
+        << ", held up to " << fixed(-weakest.character.minimum_n, 2) << " N";
+    out << (weakest.extension_mm ? ", " + fixed(*weakest.extension_mm, 2) + " mm" : ", expelled")
+        << " at " << to_text(study.design().coil_force_n) << " N\n\n";
+  } else {
+    out << unstable.size() << " of " << count
+        << " pins UNSTABLE, nothing draws them back: " << ids_text(unstable) << "\n\n";
+  }
+  out << table_of(study).text();
+  if (!together) return;
+  if (!*together) {
+    out << "\n  all pins free at once: " << together->error().message << "\n";
+    return;
+  }
+  const auto [low, high] =
+      std::minmax_element((*together)->offsets_mm.begin(), (*together)->offsets_mm.end());
+  out << "\n  all pins free at once: " << ((*together)->stable() ? "stable" : "UNSTABLE")
+      << ", at rest from " << fixed(*low, 3) << " to " << fixed(*high, 3) << " mm, stiffness "
+      << fixed((*together)->stiffness_n_mm.front(), 3) << " to "
+      << fixed((*together)->stiffness_n_mm.back(), 2) << " N/mm\n";
+}
+
+}  // namespace
+
+Result<void> run_stability(const StabilityOptions& options, const Screen& screen) {
+  const auto design = design_from(options.design);
+  if (!design) return design.error();
+  const auto study = Study::of(*design);
+  if (!study) return study.error();
+  std::optional<model::MagnetResult<model::Equilibrium>> together;
+  if (options.together) {
+    together = model::find_equilibrium(study->arrangement(), design->sizes(), design->settings);
+  }
+  switch (screen.format) {
+    case Format::kJson:
+      screen.out << json_of(*study, together).dump(2) << "\n";
+      break;
+    case Format::kCsv:
+      screen.out << table_of(*study).csv();
+      break;
+    case Format::kText:
+      print_text(*study, together, screen.out);
+      break;
+  }
+  return {};
+}
+
+}  // namespace hedgehog::design
