@@ -36,6 +36,7 @@ LimitedCurrents ThermalLimiter::limit(const CoilCurrents& wanted, const ThermalE
     started_ = true;
     filtered_c_ += (estimate.hottest_c - filtered_c_) * std::min(1.0, dt_s / kFilterS);
     allowed_ = allowed_current(limits_, Celsius(filtered_c_));
+    if (!(allowed_.value <= ceiling_.value)) allowed_ = Amps(std::fmax(0.0, ceiling_.value));
   }
 
   const Vec3& a = wanted.a;

@@ -3,6 +3,8 @@
 // "Limiter".
 #pragma once
 
+#include <limits>
+
 #include "model/limited_currents.h"
 #include "model/limits.h"
 #include "model/thermal_observer.h"
@@ -22,7 +24,10 @@ class ThermalLimiter {
   /// New limits; they take effect at the next `limit`.
   void set_limits(const Limits& limits) noexcept { limits_ = limits; }
   const Limits& limits() const noexcept { return limits_; }
-  /// The norm allowed at the last `limit`, ampere: the law at the low-pass filtered temperature.
+  /// Another witness of heat, the skin, allows no more than this; as `set_limits`.
+  void set_ceiling(Amps ceiling) noexcept { ceiling_ = ceiling; }
+  /// The norm allowed at the last `limit`, ampere: the law at the low-pass filtered temperature,
+  /// under the ceiling.
   Amps allowed() const noexcept { return allowed_; }
   /// True when the last `limit` had to replace a number that was not finite or absurd (> 1000 A) by
   /// zero.
@@ -37,6 +42,7 @@ class ThermalLimiter {
 
  private:
   Limits limits_;
+  Amps ceiling_{std::numeric_limits<double>::infinity()};
   Amps allowed_{0.0};
   double filtered_c_ = 0.0;
   bool started_ = false;

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "daemon/control/state.h"
+#include "daemon/device/thermometer/sample.h"
 #include "model/coils.h"
 #include "model/limits.h"
 #include "model/thermal_model.h"
@@ -14,6 +15,8 @@ namespace hedgehog::control {
 struct ControlSettings {
   model::CoilModel coils;
   model::ThermalModel thermal;
+  /// What the second thermometer is for; kNone: there is none.
+  device::ThermometerRole thermometer = device::ThermometerRole::kNone;
   /// As configured, and what the device file allows at most (`SetLimits` beyond it is ignored).
   model::Limits limits;
   model::Limits ceiling;

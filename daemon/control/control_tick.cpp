@@ -26,8 +26,10 @@ void ControlTick::gather(model::Tick tick, std::uint32_t skipped) noexcept {
   snapshot_.link = report.counters;
 
   inputs_.orientation = mailbox_.orientation.read();
-  const model::Tick age = std::max<model::Tick>(tick - inputs_.orientation.stamp, 0);
-  inputs_.orientation.stamp = tick - age / speed_;
+  inputs_.thermometer = mailbox_.thermometer.read();
+  for (model::Tick* stamp : {&inputs_.orientation.stamp, &inputs_.thermometer.stamp}) {
+    *stamp = tick - std::max<model::Tick>(tick - *stamp, 0) / speed_;
+  }
 
   mailbox_.stops.collect(inputs_);
   const auto taken = mailbox_.commands.pop(inputs_.commands.data(), inputs_.commands.size());

@@ -19,7 +19,7 @@ namespace hedgehog::control {
 /// Everything but the constructor is real-time safe.
 class ControlTick {
  public:
-  /// `recorder` may be null. `speed`: ticks a real millisecond; orientation samples come in real
+  /// `recorder` may be null. `speed`: ticks a real millisecond; samples of sensors come in real
   /// time and age that much slower.
   ControlTick(const ControlSettings& settings, Mailbox& mailbox, device::LinkPort& port,
               FlightRecorder* recorder, int speed = 1) noexcept;

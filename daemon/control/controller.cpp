@@ -28,7 +28,7 @@ Controller::Controller(const ControlSettings& settings) noexcept
     : settings_(settings),
       observer_(settings.coils, settings.thermal, settings.start),
       limiter_(settings.limits),
-      watchdog_(settings.coils, settings.thermal.sensor_winding),
+      watchdog_(settings.coils, settings.thermal.sensor_winding, settings.thermometer),
       states_(settings) {}
 
 device::BoardCommand Controller::step(const StepInputs& inputs, EventList& events) noexcept {
@@ -68,9 +68,9 @@ device::BoardCommand Controller::step(const StepInputs& inputs, EventList& event
 Reason Controller::sense(const StepInputs& inputs, double dt_s) noexcept {
   if (inputs.board_fresh) board_ = inputs.board;
   pair_.step(inputs.board_fresh, inputs.board);
-  const Reason found = watchdog_.step({inputs.board_present, inputs.board_fresh, board_, pair_,
-                                       command_, settings_.limits.trip_c,
-                                       1 + static_cast<Tick>(inputs.skipped), states_.armed()});
+  const Reason found = watchdog_.step(
+      {inputs.board_present, inputs.board_fresh, board_, pair_, command_, settings_.limits.trip_c,
+       1 + static_cast<Tick>(inputs.skipped), states_.armed(), now_, inputs.thermometer});
   watch_measuring(dt_s);
   heading_.step(inputs.orientation, now_);
   observe(dt_s);
@@ -170,7 +170,7 @@ void Controller::set_coils(const model::CoilModel& coils) noexcept {
   observer_ = model::ThermalObserver(coils, settings_.thermal, before.nodes);
   observer_.set_room(before.room_c);
   if (before.measured[0] && before.measured[1] && before.measured[2]) observer_.trust_start();
-  watchdog_ = Watchdog(coils, settings_.thermal.sensor_winding);
+  watchdog_ = Watchdog(coils, settings_.thermal.sensor_winding, settings_.thermometer);
 }
 
 Reason Controller::arm_refusal() const noexcept {
@@ -185,6 +185,9 @@ Reason Controller::arm_refusal() const noexcept {
   const model::ThermalEstimate& thermal = observer_.estimate();
   const double cool_c = model::rearm_below_c(settings_.limits, thermal.room_c);
   if (by_heat && !(thermal.hottest_c < cool_c)) return why;
+  if (states_.reason() == Reason::kShellHot && watchdog_.thermometer().reducing()) {
+    return Reason::kShellHot;
+  }
   if (states_.reason() == Reason::kFanStopped && watchdog_.fan().standing()) {
     return Reason::kFanStopped;
   }
@@ -199,6 +202,7 @@ bool Controller::push(double dt_s, EventList& events) noexcept {
   demand_a_ = mix.field.a + field_of({mix.coil_a}, settings_.coils).a;
   model::ThermalEstimate thermal = this->thermal();
   if (blind_) thermal.measured = {};
+  limiter_.set_ceiling(watchdog_.thermometer().allowed(settings_.limits));
   passed_ = limiter_.limit({wanted}, thermal, dt_s);
   if (!states_.armed()) passed_ = model::LimitedCurrents();  // the watchdog's gate
 

@@ -13,6 +13,7 @@
 #include "daemon/control/snapshot.h"
 #include "daemon/control/step_inputs.h"
 #include "daemon/device/orientation.h"
+#include "daemon/device/thermometer/sample.h"
 #include "model/triple_buffer.h"
 
 namespace hedgehog::control {
@@ -59,6 +60,8 @@ struct Mailbox {
   std::atomic<std::uint32_t> emergency_generation{0};
   /// The orientation sensor's reader (or io, for `external` and the simulator) -> control.
   model::TripleBuffer<device::OrientationSample> orientation;
+  /// The second thermometer's reader -> control.
+  model::TripleBuffer<device::ThermometerSample> thermometer;
 
   /// control -> io.
   boost::lockfree::spsc_queue<Event, boost::lockfree::capacity<kEvents>> events;

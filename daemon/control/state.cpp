@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::array<std::string_view, 4> kStates{"absent", "disarmed", "armed", "tripped"};
 
-constexpr std::array<std::string_view, 26> kReasons{"none",
+constexpr std::array<std::string_view, 29> kReasons{"none",
                                                     "never_armed",
                                                     "unclean_stop",
                                                     "hot_plug",
@@ -33,6 +33,9 @@ constexpr std::array<std::string_view, 26> kReasons{"none",
                                                     "board_heat_budget",
                                                     "board_stuck_bridge",
                                                     "board_supply",
+                                                    "thermometer_lost",
+                                                    "thermometer_disagrees",
+                                                    "shell_hot",
                                                     "telemetry_lost",
                                                     "internal"};
 static_assert(kReasons.size() == static_cast<std::size_t>(Reason::kInternal) + 1);

@@ -39,8 +39,11 @@ enum class Reason : std::uint8_t {
   kBoardHeatBudget,
   kBoardStuckBridge,
   kBoardSupply,
-  kTelemetryLost,  // no valid board telemetry for 100 ms
-  kInternal,       // a number that cannot be, again and again
+  kThermometerLost,       // the second thermometer says nothing for 5 s
+  kThermometerDisagrees,  // it is more than 10 K from the coil sensor for 5 s
+  kShellHot,              // the skin side is at 48 C
+  kTelemetryLost,         // no valid board telemetry for 100 ms
+  kInternal,              // a number that cannot be, again and again
 };
 
 std::string_view name(State state) noexcept;

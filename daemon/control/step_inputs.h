@@ -11,6 +11,7 @@
 #include "daemon/control/event.h"
 #include "daemon/device/board_io.h"
 #include "daemon/device/orientation.h"
+#include "daemon/device/thermometer/sample.h"
 #include "model/tick.h"
 
 namespace hedgehog::control {
@@ -34,6 +35,7 @@ struct StepInputs {
   bool board_fresh = false;
   device::BoardTelemetry board;
   device::OrientationSample orientation;
+  device::ThermometerSample thermometer;
 
   std::uint16_t stop_count = 0;
   std::uint16_t command_count = 0;

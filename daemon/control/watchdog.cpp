@@ -22,8 +22,9 @@ bool is_possible(double sensor_c) noexcept {
 
 }  // namespace
 
-Watchdog::Watchdog(const model::CoilModel& coils, int sensor_winding) noexcept
-    : sensor_winding_(sensor_winding), heat_(coils), current_(coils) {}
+Watchdog::Watchdog(const model::CoilModel& coils, int sensor_winding,
+                   device::ThermometerRole thermometer) noexcept
+    : sensor_winding_(sensor_winding), heat_(coils), current_(coils), thermometer_(thermometer) {}
 
 Reason Watchdog::step(const WatchdogInputs& in) noexcept {
   const device::BoardTelemetry& board = in.board;
@@ -67,9 +68,11 @@ Reason Watchdog::step(const WatchdogInputs& in) noexcept {
   const Reason current = current_.step(currents);
   const Reason fan =
       in.fresh ? fan_.step(in.commanded.fan / 255.0, board.fan_rpm, since_s) : Reason::kNone;
+  const Reason thermometer = thermometer_.step(
+      {in.thermometer, in.now, sensor_.usable(), board.sensor_c, in.trip_c}, dt_s);
 
   // The cause before its consequences: a broken bridge also shows as a wrong current.
-  const std::array<Reason, 5> found{board_.fault(), sensor, heat, current, fan};
+  const std::array<Reason, 6> found{board_.fault(), sensor, heat, current, fan, thermometer};
   for (const Reason reason : found) {
     if (reason != Reason::kNone && (in.armed || stops_unarmed(reason))) return reason;
   }
@@ -80,7 +83,7 @@ Reason Watchdog::doubt() const noexcept {
   if (!board_.alive()) return Reason::kNoBoard;
   if (sensor_.doubt() != Reason::kNone) return sensor_.doubt();
   if (current_.suspicious()) return Reason::kUnexpectedCurrent;
-  return Reason::kNone;
+  return thermometer_.doubt();
 }
 
 }  // namespace hedgehog::control

@@ -10,6 +10,7 @@
 #include "daemon/control/sensor_check.h"
 #include "daemon/control/state.h"
 #include "daemon/control/telemetry_pair.h"
+#include "daemon/control/thermometer_check.h"
 #include "daemon/device/board_io.h"
 #include "model/coils.h"
 #include "model/tick.h"
@@ -29,13 +30,16 @@ struct WatchdogInputs {
   model::Tick ticks = 1;
   /// Otherwise only what stops a ball in every state counts.
   bool armed = true;
+  model::Tick now = 0;
+  device::ThermometerSample thermometer;
 };
 
 /// Control thread; real-time safe, trivially copyable.
 class Watchdog {
  public:
   Watchdog() noexcept = default;
-  Watchdog(const model::CoilModel& coils, int sensor_winding) noexcept;
+  Watchdog(const model::CoilModel& coils, int sensor_winding,
+           device::ThermometerRole thermometer = device::ThermometerRole::kNone) noexcept;
 
   /// One tick later. The gravest reason to stop now in this state, or kNone.
   Reason step(const WatchdogInputs& inputs) noexcept;
@@ -48,6 +52,7 @@ class Watchdog {
   const BoardCheck& board() const noexcept { return board_; }
   const HeatCheck& heat() const noexcept { return heat_; }
   const FanCheck& fan() const noexcept { return fan_; }
+  const ThermometerCheck& thermometer() const noexcept { return thermometer_; }
   /// The board has just been armed: fan and mode get their patience again.
   void begin_armed() noexcept {
     fan_.reset();
@@ -61,6 +66,7 @@ class Watchdog {
   HeatCheck heat_;
   CurrentCheck current_;
   FanCheck fan_;
+  ThermometerCheck thermometer_;
   BoardCheck board_;
 };
 

@@ -37,6 +37,12 @@ std::string first_step(Reason reason, const RemedyFacts& facts) {
       return "Free the fan and check its plug";
     case Reason::kBoardSupply:
       return "Check the 12 V supply";
+    case Reason::kThermometerLost:
+      return "Plug in the second thermometer";
+    case Reason::kThermometerDisagrees:
+      return "Check that coil sensor and second thermometer both sit tight";
+    case Reason::kShellHot:
+      return "Let the ball's skin cool below 43 °C";
     case Reason::kTelemetryLost:
       return "Check the USB cable";
     case Reason::kInternal:

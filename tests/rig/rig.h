@@ -76,6 +76,11 @@ class Rig {
   /// Orientation told each tick, with a fresh stamp, while `live`.
   void orient(const model::Quaternion& device_to_world, bool live = true) noexcept;
 
+  /// The second thermometer says so now.
+  void say_thermometer(double celsius) noexcept {
+    inputs_.thermometer = {true, celsius, inputs_.tick};
+  }
+
   model::Tick now() const noexcept { return inputs_.tick; }
   const control::Controller& controller() const noexcept { return controller_; }
   device::SimulatedBoard& board() noexcept { return board_; }

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/control/thermometer_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/shell_limit.h"
+
+namespace hedgehog::control {
+
+using device::ThermometerRole;
+
+Reason ThermometerCheck::step(const ThermometerReading& in, double dt_s) noexcept {
+  if (role_ == ThermometerRole::kNone) return Reason::kNone;
+  const double c = in.sample.celsius;
+  known_ =
+      in.sample.present && in.now - in.sample.stamp <= kLost && c >= kLowestC && c <= kHighestC;
+  if (!known_) {
+    doubt_ = Reason::kThermometerLost;
+    return doubt_;
+  }
+  celsius_ = c;
+  return role_ == ThermometerRole::kCoil ? judge_coil(in, dt_s) : judge_shell(dt_s);
+}
+
+Reason ThermometerCheck::judge_shell(double dt_s) noexcept {
+  const bool hot = celsius_ >= model::kShellTripC;
+  doubt_ = hot ? Reason::kShellHot : Reason::kNone;
+  return hot_.step(hot, dt_s, kHotHoldS) ? Reason::kShellHot : Reason::kNone;
+}
+
+Reason ThermometerCheck::judge_coil(const ThermometerReading& in, double dt_s) noexcept {
+  if (in.sensor) {
+    if (!following_) quick_c_ = slow_c_ = in.sensor_c;
+    following_ = true;
+    quick_c_ += (in.sensor_c - quick_c_) * std::min(1.0, dt_s / kQuickS);
+    slow_c_ += (in.sensor_c - slow_c_) * std::min(1.0, dt_s / kSlowS);
+  }
+  const auto [low, high] = std::minmax(quick_c_, slow_c_);
+  const bool apart = following_ && (celsius_ < low - kDisagreeK || celsius_ > high + kDisagreeK);
+  const bool disagrees = disagrees_.step(apart, dt_s, kDisagreeHoldS);
+  const bool hot = hot_.step(celsius_ >= in.trip_c, dt_s, kHotHoldS);
+  doubt_ = apart ? Reason::kThermometerDisagrees : Reason::kNone;
+  if (hot) return Reason::kOverheated;
+  return disagrees ? Reason::kThermometerDisagrees : Reason::kNone;
+}
+
+model::Amps ThermometerCheck::allowed(const model::Limits& limits) const noexcept {
+  if (role_ != ThermometerRole::kShell) return model::Amps(limits.current_a);
+  return known_ ? model::shell_allowed_current(limits, celsius_) : model::Amps(0.0);
+}
+
+bool ThermometerCheck::reducing() const noexcept {
+  return role_ == ThermometerRole::kShell && (!known_ || celsius_ > model::kShellReduceC);
+}
+
+}  // namespace hedgehog::control

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// The second thermometer, when one is configured: beside the coil sensor it must agree with it;
+// under the skin it reduces and trips. Configured means relied upon, so its silence is a fault.
+#pragma once
+
+#include "daemon/control/debounce.h"
+#include "daemon/control/state.h"
+#include "daemon/device/thermometer/sample.h"
+#include "model/limits.h"
+#include "model/tick.h"
+#include "model/units.h"
+
+namespace hedgehog::control {
+
+/// One tick of what the check sees. Trivially copyable.
+struct ThermometerReading {
+  device::ThermometerSample sample;
+  model::Tick now = 0;
+  /// The board's own thermistor; `sensor`: it may be believed.
+  bool sensor = false;
+  double sensor_c = 25.0;
+  double trip_c = 70.0;
+};
+
+/// Control thread; real-time safe, trivially copyable.
+class ThermometerCheck {
+ public:
+  /// Sticks answer once or twice a second.
+  static constexpr model::Tick kLost = 5000;
+  static constexpr double kLowestC = -40.0;
+  static constexpr double kHighestC = 125.0;
+  /// Longer than one or two readings with a wrong byte.
+  static constexpr double kHotHoldS = 1.5;
+  /// Further than this from where a probe with a lag of 1..40 s beside the thermistor could be.
+  static constexpr double kDisagreeK = 10.0;
+  static constexpr double kDisagreeHoldS = 5.0;
+  static constexpr double kQuickS = 1.0;
+  static constexpr double kSlowS = 40.0;
+
+  ThermometerCheck() noexcept = default;
+  explicit ThermometerCheck(device::ThermometerRole role) noexcept : role_(role) {}
+
+  /// `dt_s` later. The reason to trip, or kNone.
+  Reason step(const ThermometerReading& reading, double dt_s) noexcept;
+
+  /// Why an armed ball would trip now or soon; kNone: nothing speaks against arming.
+  Reason doubt() const noexcept { return doubt_; }
+  /// What the skin allows; without one the limits' own current.
+  model::Amps allowed(const model::Limits& limits) const noexcept;
+  /// Warm enough to reduce.
+  bool reducing() const noexcept;
+
+ private:
+  Reason judge_coil(const ThermometerReading& reading, double dt_s) noexcept;
+  Reason judge_shell(double dt_s) noexcept;
+
+  device::ThermometerRole role_ = device::ThermometerRole::kNone;
+  Reason doubt_ = Reason::kNone;
+  bool known_ = false;
+  double celsius_ = 0.0;
+  Debounce hot_, disagrees_;
+  // Where probes with the shortest and the longest lag beside the thermistor would be.
+  bool following_ = false;
+  double quick_c_ = 25.0;
+  double slow_c_ = 25.0;
+};
+
+}  // namespace hedgehog::control

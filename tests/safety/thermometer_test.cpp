@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+// The second thermometer: under the skin it reduces above 43 C and trips at 48 C; beside the coil
+// sensor it must agree with it; configured, it may not fall silent.
+#include <cmath>
+#include <limits>
+
+#include "model/shell_limit.h"
+#include "tests/safety/safe.h"
+
+namespace hedgehog::safety {
+namespace {
+
+using control::Reason;
+using device::ThermometerRole;
+
+/// A ball with a second thermometer that answers twice a second.
+struct Ball {
+  rig::Rig rig;
+  double told_c = 25.0;
+  bool live = true;
+
+  explicit Ball(ThermometerRole role, double start_c = 25.0) : rig(options(role, start_c)) {}
+
+  static rig::RigOptions options(ThermometerRole role, double start_c) {
+    rig::RigOptions made;
+    made.control.thermometer = role;
+    made.board.start_c = start_c;
+    return made;
+  }
+
+  /// `truth` is asked each tick for the temperature that the probe has.
+  template <class Truth>
+  void run(model::Tick ticks, Truth truth) {
+    for (model::Tick i = 0; i < ticks; ++i) {
+      told_c = truth();
+      if (live && rig.now() % 500 == 0) rig.say_thermometer(told_c);
+      rig.tick();
+    }
+  }
+  void run(model::Tick ticks, double celsius) {
+    run(ticks, [&] { return celsius; });
+  }
+  void arm_at(double celsius) {
+    rig.say_thermometer(celsius);
+    run(600, celsius);
+    ASSERT_EQ(name(rig.controller().state()), "armed") << name(rig.snapshot().arm_refusal);
+  }
+  bool armed() const { return rig.controller().state() == control::State::kArmed; }
+};
+
+/// The skin of a ball that insulates badly: it follows the core, 70 % of the way from the room,
+/// with a time constant of a minute.
+struct Skin {
+  double celsius = 25.0;
+  double step(const model::Plant& plant) {
+    const double goal = 25.0 + 0.7 * (plant.heat().core_c - 25.0);
+    celsius += (goal - celsius) * 1e-3 / 60.0;
+    return celsius;
+  }
+};
+
+TEST(Shell, HalfAnHourOfFullDemandIsReducedAndNeverReachesFortyEight) {
+  Ball ball(ThermometerRole::kShell);
+  ball.arm_at(25.0);
+  Skin skin;
+  double hottest = 0.0;
+  double least_a = 15.0;
+  for (int second = 0; second < 1800; ++second) {
+    ball.rig.start(rig::hold({1, 1, 1}, 15.0, 1001));
+    ball.run(1000, [&] { return skin.step(ball.rig.plant()); });
+    hottest = std::max(hottest, skin.celsius);
+    least_a = std::min(least_a, ball.rig.current_a());
+  }
+  ::testing::Test::RecordProperty("hottest_mc", static_cast<int>(1000 * hottest));
+  EXPECT_TRUE(ball.armed()) << name(ball.rig.controller().reason());
+  EXPECT_GT(hottest, 44.0) << "the reduction was never needed, so nothing was tested";
+  EXPECT_LT(hottest, 48.0);
+  EXPECT_TRUE(ball.rig.controller().derating());
+}
+
+TEST(Shell, ReducesFromFortyThreeOn) {
+  Ball ball(ThermometerRole::kShell);
+  ball.arm_at(42.9);
+  ball.rig.start(rig::hold({1, 0, 0}, 10.0));
+  ball.run(300, 42.9);
+  EXPECT_NEAR(ball.rig.current_a(), 10.0, 0.1);
+  EXPECT_FALSE(ball.rig.controller().derating());
+  ball.run(1000, 45.0);
+  EXPECT_NEAR(ball.rig.current_a(), 15.0 * std::sqrt(1.0 / 3.0), 0.15);
+  EXPECT_TRUE(ball.rig.controller().derating());
+  EXPECT_TRUE(ball.armed());
+}
+
+TEST(Shell, TripsAtFortyEight) {
+  Ball ball(ThermometerRole::kShell);
+  ball.arm_at(30.0);
+  ball.rig.start(rig::hold({1, 0, 0}, 5.0));
+  ball.run(500, 30.0);
+  ASSERT_GT(ball.rig.current_a(), 4.9);
+  ball.rig.say_thermometer(48.0);
+  ball.rig.tick();
+  ball.run(50, 48.0);
+  EXPECT_LT(ball.rig.current_a(), kZeroA) << "reduced to nothing at once";
+  EXPECT_TRUE(ball.armed());
+  ball.run(1440, 48.0);
+  EXPECT_TRUE(ball.armed());
+  expect_zero(ball.rig, 20);
+  expect_tripped(ball.rig, Reason::kShellHot);
+  // Armed again only when the skin may be held.
+  ball.run(1000, 43.5);
+  ball.rig.arm();
+  ball.run(400, 43.5);
+  EXPECT_EQ(name(ball.rig.snapshot().arm_refusal), "shell_hot");
+  EXPECT_FALSE(ball.armed());
+  ball.run(1000, 42.5);
+  ball.rig.arm();
+  ball.run(400, 42.5);
+  EXPECT_TRUE(ball.armed());
+}
+
+TEST(Shell, OneWrongReadingDoesNotTrip) {
+  Ball ball(ThermometerRole::kShell);
+  ball.arm_at(30.0);
+  ball.run(500, 90.0);
+  ball.run(2000, 30.0);
+  EXPECT_TRUE(ball.armed());
+}
+
+TEST(Coil, AgreesWhileDrivenHardWithASlowProbe) {
+  for (const double lag_s : {1.0, 10.0, 40.0}) {
+    Ball ball(ThermometerRole::kCoil);
+    ball.arm_at(25.0);
+    double probe = 25.0;
+    for (int second = 0; second < 400; ++second) {
+      // Half a minute on, half a minute off: the worst for lags.
+      if (second % 60 < 30) ball.rig.start(rig::hold({1, 0, 0}, 15.0, 1001));
+      ball.run(1000, [&] {
+        const double winding = ball.rig.plant().heat().winding_c[0];
+        return probe += (winding - probe) * 1e-3 / lag_s;
+      });
+    }
+    EXPECT_TRUE(ball.armed()) << lag_s << ": " << name(ball.rig.controller().reason());
+  }
+}
+
+TEST(Coil, DisagreementEitherWayIsAFault) {
+  for (const double off : {-12.0, 12.0}) {
+    Ball ball(ThermometerRole::kCoil);
+    ball.arm_at(25.0);
+    ball.rig.start(rig::hold({1, 0, 0}, 3.0));
+    ball.run(4000, 25.0 + off);
+    EXPECT_TRUE(ball.armed()) << "5 s of it";
+    ball.run(1600, 25.0 + off);
+    expect_tripped(ball.rig, Reason::kThermometerDisagrees);
+    EXPECT_TRUE(asleep(ball.rig));
+    ball.rig.run(kDecay);
+    EXPECT_LT(ball.rig.current_a(), kZeroA);
+    ball.rig.arm();
+    ball.run(400, 25.0 + off);
+    EXPECT_FALSE(ball.armed());
+  }
+}
+
+TEST(Coil, SeventyByTheProbeAloneIsTooHot) {
+  Ball ball(ThermometerRole::kCoil);
+  ball.arm_at(25.0);
+  ball.run(2100, 71.0);
+  expect_tripped(ball.rig, Reason::kOverheated);
+}
+
+class Silence : public ::testing::TestWithParam<ThermometerRole> {};
+
+TEST_P(Silence, OfFiveSecondsIsAFault) {
+  Ball ball(GetParam());
+  ball.arm_at(25.0);
+  ball.live = false;
+  ball.rig.start(rig::hold({1, 0, 0}, 5.0));
+  ball.run(4000, 25.0);
+  EXPECT_GT(ball.rig.current_a(), 4.9);
+  ball.run(1000, 25.0);
+  expect_tripped(ball.rig, Reason::kThermometerLost);
+  expect_zero(ball.rig, 5);
+}
+
+TEST_P(Silence, FromTheStartKeepsItFromBeingArmed) {
+  Ball ball(GetParam());
+  ball.live = false;
+  ball.run(2000, 25.0);
+  EXPECT_EQ(name(ball.rig.controller().state()), "disarmed");
+  EXPECT_EQ(name(ball.rig.snapshot().arm_refusal), "thermometer_lost");
+  ball.rig.say_thermometer(std::numeric_limits<double>::quiet_NaN());
+  ball.run(400, 25.0);
+  EXPECT_EQ(name(ball.rig.snapshot().arm_refusal), "thermometer_lost");
+  ball.live = true;
+  ball.run(1000, 25.0);
+  EXPECT_TRUE(ball.armed()) << "and then arms as it would have at the start";
+}
+
+INSTANTIATE_TEST_SUITE_P(EachRole, Silence,
+                         ::testing::Values(ThermometerRole::kCoil, ThermometerRole::kShell));
+
+TEST(NoThermometer, NothingIsExpectedOfIt) {
+  rig::Rig rig;
+  rig.run_until_armed();
+  rig.say_thermometer(90.0);
+  rig.run(10'000);
+  EXPECT_EQ(name(rig.controller().state()), "armed");
+}
+
+TEST(ShellLimit, FallsFromEverythingToNothing) {
+  const model::Limits limits;
+  EXPECT_EQ(model::shell_allowed_current(limits, 20.0).value, 15.0);
+  EXPECT_EQ(model::shell_allowed_current(limits, 43.0).value, 15.0);
+  EXPECT_NEAR(model::shell_allowed_current(limits, 44.5).value, 15.0 / std::sqrt(2.0), 1e-9);
+  EXPECT_EQ(model::shell_allowed_current(limits, 46.0).value, 0.0);
+  EXPECT_EQ(model::shell_allowed_current(limits, std::nan("")).value, 0.0);
+}
+
+}  // namespace
+}  // namespace hedgehog::safety
