@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// What the characterisation of the thesis' tkD array costs on one core: the force curves of all its
+// pins over 31 offsets. Budgets: 20 ms at 0.1 %, 150 ms at a millionth. The naive way, every pin
+// with every other magnet, runs in the same process and prints the ratio.
+#include <benchmark/benchmark.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "model/magnets/characterisation.h"
+#include "model/magnets/equilibrium.h"
+
+namespace hedgehog::model {
+namespace {
+
+const Arrangement& tkd() {
+  static const Arrangement arrangement = arrangement_named("tkD").value();
+  return arrangement;
+}
+
+double accuracy_of(const benchmark::State& state) {
+  return std::pow(10.0, -static_cast<double>(state.range(0)));
+}
+
+/// From the positions of the magnets on: classes, curves, rests, minima.
+void characterise_tkd(benchmark::State& state) {
+  const ForceSettings settings{ForceModel::kExact, accuracy_of(state)};
+  for (auto _ : state) {
+    const auto classes = symmetry_classes(tkd());
+    benchmark::DoNotOptimize(characterise(classes, {}, settings));
+  }
+}
+BENCHMARK(characterise_tkd)->ArgName("digits")->Arg(3)->Arg(6)->Unit(benchmark::kMillisecond);
+
+/// The 31 offsets of all classes only, as in the table of costs of physics.md section 8.
+void curves_of_tkd(benchmark::State& state) {
+  const ForceSettings settings{ForceModel::kExact, accuracy_of(state)};
+  const auto classes = symmetry_classes(tkd());
+  for (auto _ : state) {
+    for (const PinClass& pin_class : classes) {
+      benchmark::DoNotOptimize(force_curve({pin_class, {}, settings}));
+    }
+  }
+}
+BENCHMARK(curves_of_tkd)->ArgName("digits")->Arg(3)->Arg(6)->Unit(benchmark::kMillisecond);
+
+/// Every pin with each of its 271 others at every offset, nothing merged; `ratio`: how many times
+/// as long that takes as the curves by classes.
+void naive_tkd(benchmark::State& state) {
+  const ForceSettings settings{ForceModel::kExact, accuracy_of(state)};
+  const ArraySizes sizes;
+  const auto classes = symmetry_classes(tkd());
+  const auto offsets = kThesisGrid.offsets_mm();
+  using Clock = std::chrono::steady_clock;
+  Clock::duration naive{};
+  Clock::duration by_class{};
+  for (auto _ : state) {
+    const auto start = Clock::now();
+    for (const MagnetSite& pin : tkd().pins) {
+      for (const double offset : offsets) {
+        double sum_n = 0.0;
+        for (const MagnetSite& other : tkd().pins) {
+          if (other.id == pin.id) continue;
+          const PairPlace place{angle_deg(pin.direction, other.direction), offset, 0.0};
+          sum_n += pair_force(sizes.pin_and_pin(), place, settings).force_n;
+        }
+        for (const MagnetSite& other : tkd().shields) {
+          const PairPlace place{angle_deg(pin.direction, other.direction), offset, 0.0};
+          sum_n -= pair_force(sizes.pin_and_shield(), place, settings).force_n;
+        }
+        benchmark::DoNotOptimize(sum_n);
+      }
+    }
+    const auto middle = Clock::now();
+    for (const PinClass& pin_class : classes) {
+      benchmark::DoNotOptimize(force_curve({pin_class, sizes, settings}));
+    }
+    naive += middle - start;
+    by_class += Clock::now() - middle;
+  }
+  state.counters["ratio"] =
+      std::chrono::duration<double>(naive) / std::chrono::duration<double>(by_class);
+}
+BENCHMARK(naive_tkd)->ArgName("digits")->Arg(3)->Arg(6)->Iterations(1)->Unit(
+    benchmark::kMillisecond);
+
+void one_pair(benchmark::State& state) {
+  const ForceSettings settings{ForceModel::kExact, accuracy_of(state)};
+  double offset_mm = 0.0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(pair_force({}, {12.0, offset_mm, 0.0}, settings));
+    offset_mm = offset_mm > 10.0 ? 0.0 : offset_mm + 0.1;
+  }
+}
+BENCHMARK(one_pair)->ArgName("digits")->Arg(3)->Arg(6)->Arg(9);
+
+void equilibrium_of_tkd(benchmark::State& state) {
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(find_equilibrium(tkd(), {}, {ForceModel::kExact, 1e-6}));
+  }
+}
+BENCHMARK(equilibrium_of_tkd)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace hedgehog::model
