@@ -61,7 +61,7 @@ Reason CurrentCheck::judge(int coil, const CurrentReading& reading) noexcept {
   const bool unexpected = idle && std::abs(measured) > kIdleA + w.idle_peak_a;
   const double slack = kOffsetA + kShare * std::max(std::abs(w.low_a), std::abs(w.high_a));
   const bool beyond = measured < w.low_a - slack || measured > w.high_a + slack;
-  const bool by_duty = reading.consecutive && by_duty_known_;
+  const bool by_duty = reading.follows && by_duty_known_;
   w.by_duty_a =
       by_duty ? w.keep * w.by_duty_a + (1.0 - w.keep) * w.conductance_s * reading.applied_v[coil]
               : measured;

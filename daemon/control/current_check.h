@@ -17,9 +17,9 @@ namespace hedgehog::control {
 
 /// One tick of what the check sees. Trivially copyable.
 struct CurrentReading {
-  /// New telemetry arrived in this tick; `consecutive`: from the frame right after the last one.
+  /// New telemetry arrived in this tick; `follows`: from the frame right after the last one.
   bool fresh = false;
-  bool consecutive = false;
+  bool follows = false;
   /// Since the telemetry before it, s.
   double since_s = model::kTickSeconds;
   /// Ticks that were never run before this one; the board held `held_v` or went to sleep.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Two board frames in a row, as one measurement of a millisecond: the mean voltage over it and the
-// currents at its start and end.
+// currents at its start and end. The link pairs them, since two may arrive in one tick.
 #pragma once
 
 #include <cmath>
@@ -18,21 +18,23 @@ class TelemetryPair {
   void step(bool fresh, const device::BoardTelemetry& board) noexcept {
     fresh_ = fresh && is_finite(board.current_a) && is_finite(board.duty) &&
              std::isfinite(board.supply_v);
-    consecutive_ = fresh_ && seen_ && board.sequence == sequence_ + 1;
+    consecutive_ = fresh_ && board.before.known && is_finite(board.before.current_a);
+    follows_ = consecutive_ && seen_ && board.sequence == sequence_ + 1;
     if (!fresh_) return;
-    before_a_ = consecutive_ ? after_a_ : board.current_a;
+    before_a_ = consecutive_ ? board.before.current_a : board.current_a;
     after_a_ = board.current_a;
     voltage_v_ = board.supply_v * board.duty;
-    driven_ = consecutive_ && awake_;
-    awake_ = board.bridges_awake;
+    driven_ = consecutive_ && board.before.bridges_awake;
     sequence_ = board.sequence;
     seen_ = true;
   }
 
   /// New in this tick, and every number in it is one.
   bool fresh() const noexcept { return fresh_; }
-  /// It follows the frame before, so that voltage and both currents belong together.
+  /// The frame before it came too, so that voltage and both currents belong together.
   bool consecutive() const noexcept { return consecutive_; }
+  /// That frame before was the tick's before, so that a chain of frames goes on.
+  bool follows() const noexcept { return follows_; }
   /// V/I may be taken: the bridges drove through this millisecond.
   bool electrical() const noexcept { return consecutive_ && driven_; }
   const model::Vec3& before_a() const noexcept { return before_a_; }
@@ -43,8 +45,8 @@ class TelemetryPair {
   bool seen_ = false;
   bool fresh_ = false;
   bool consecutive_ = false;
-  bool awake_ = false;   // since the last frame
-  bool driven_ = false;  // between the last two
+  bool follows_ = false;
+  bool driven_ = false;
   std::uint32_t sequence_ = 0;
   model::Vec3 before_a_;
   model::Vec3 after_a_;

@@ -58,7 +58,7 @@ Reason Watchdog::step(const WatchdogInputs& in) noexcept {
   currents.fresh = in.pair.fresh();
   currents.since_s = since_s;
   currents.skipped = in.ticks - 1;
-  currents.consecutive = in.pair.consecutive();
+  currents.follows = in.pair.follows();
   currents.current_a = in.pair.after_a();
   currents.applied_v = in.pair.voltage_v();
   if (in.commanded.enable() && obeys(board)) {

@@ -84,6 +84,14 @@ class BoardCommand {
   std::array<std::int16_t, model::kCoils> boost_q15_{};
 };
 
+/// What the frame right before another one said. Trivially copyable.
+struct FrameBefore {
+  /// False when that frame was lost.
+  bool known = false;
+  bool bridges_awake = false;
+  model::Vec3 current_a;
+};
+
 /// What the board measured, as of its last frame. Trivially copyable.
 struct BoardTelemetry {
   /// Number of the frame, and of the set-point it answers.
@@ -114,6 +122,8 @@ struct BoardTelemetry {
   double limit_sensor_c = 75.0;
   double limit_current_a = 16.5;
   double heat_used = 0.0;
+  /// Filled in by the link, which sees every frame: control may see only every second one.
+  FrameBefore before;
 };
 
 /// Counters of the link since the start.

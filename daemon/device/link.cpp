@@ -37,6 +37,9 @@ void Link::note_telemetry(BoardTelemetry telemetry) noexcept {
       return;
     }
     if (newer) report_.counters.lost += telemetry.sequence - last.sequence - 1;
+    if (newer && telemetry.sequence == last.sequence + 1) {
+      telemetry.before = {true, last.bridges_awake, last.current_a};
+    }
     // A board that started anew must not be armed by what was asked of it before.
     if (restarted) {
       arm_tries_left_ = 0;

@@ -18,7 +18,7 @@ constexpr double kDt = model::kTickSeconds;
 TEST(CurrentCheck, AnIdleWindingMayCarryHalfAnAmpere) {
   CurrentCheck check{model::CoilModel{}};
   CurrentReading reading;
-  reading.fresh = reading.consecutive = true;
+  reading.fresh = reading.follows = true;
   reading.current_a = {0.49, -0.49, 0.0};
   for (int i = 0; i < 1000; ++i) ASSERT_EQ(check.step(reading), Reason::kNone);
   reading.current_a = {0.0, 0.0, -0.52};
@@ -45,7 +45,7 @@ TEST(CurrentCheck, FollowsEveryDriveWithLAndROff) {
             const double applied = volts[static_cast<std::size_t>((i + 8 - delay) % 8)];
             current = keep * current + (1.0 - keep) * applied / r;
             CurrentReading reading;
-            reading.fresh = reading.consecutive = true;
+            reading.fresh = reading.follows = true;
             reading.current_a.x = current;
             reading.applied_v.x = applied;
             reading.commanded_v.x = volts[static_cast<std::size_t>(i % 8)];
@@ -61,7 +61,7 @@ TEST(CurrentCheck, FollowsEveryDriveWithLAndROff) {
 TEST(CurrentCheck, AHalvedMeasurementIsAMismatch) {
   CurrentCheck check{model::CoilModel{}};
   CurrentReading reading;
-  reading.fresh = reading.consecutive = true;
+  reading.fresh = reading.follows = true;
   reading.applied_v = reading.commanded_v = {2.25, 0, 0};
   Reason reason = Reason::kNone;
   double current = 0.0;
@@ -80,7 +80,7 @@ TEST(CurrentCheck, AHalvedMeasurementIsAMismatch) {
 TEST(CurrentCheck, AHalvedMeasurementOfAVibrationIsAMismatch) {
   CurrentCheck check{model::CoilModel{}};
   CurrentReading reading;
-  reading.fresh = reading.consecutive = true;
+  reading.fresh = reading.follows = true;
   Reason reason = Reason::kNone;
   double current = 0.0;
   for (int tick = 0; reason == Reason::kNone && tick < 2000; ++tick) {
@@ -96,7 +96,7 @@ TEST(CurrentCheck, AHalvedMeasurementOfAVibrationIsAMismatch) {
 TEST(CurrentCheck, ADutyThatWasNeverCommandedIsAMismatch) {
   CurrentCheck check{model::CoilModel{}};
   CurrentReading reading;
-  reading.fresh = reading.consecutive = true;
+  reading.fresh = reading.follows = true;
   reading.commanded_v = {2.25, 0, 0};
   reading.applied_v = {6.75, 0, 0};
   Reason reason = Reason::kNone;
@@ -115,7 +115,7 @@ TEST(CurrentCheck, ADutyThatWasNeverCommandedIsAMismatch) {
 TEST(CurrentCheck, OldFramesAfterALongGapAreNoFault) {
   CurrentCheck check{model::CoilModel{}};
   CurrentReading reading;
-  reading.fresh = reading.consecutive = true;
+  reading.fresh = reading.follows = true;
   reading.applied_v = reading.commanded_v = reading.held_v = {2.38, 0, 0};
   reading.current_a = {5.0, 0, 0};
   for (int i = 0; i < 50; ++i) check.step(reading);

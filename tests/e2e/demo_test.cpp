@@ -74,7 +74,8 @@ TEST_F(Demo, PlaysEveryChapterAndKeepsItsPromises) {
               ElementsAre("left", "right", "front", "back", "up", "down"));
   EXPECT_THAT(currents(ended.out, "pulse \\w+"), testing::Each(DoubleNear(10.0, 0.15)));
   EXPECT_THAT(currents(ended.out, "circle 10 pins/s"), ElementsAre(DoubleNear(5.0, 0.15)));
-  EXPECT_THAT(currents(ended.out, "vibrate down"), ElementsAre(DoubleNear(8.0, 0.3)));
+  // A stroke of 8 ms that meets a late tick of a busy machine is off by up to a twentieth.
+  EXPECT_THAT(currents(ended.out, "vibrate down"), ElementsAre(DoubleNear(8.0, 0.5)));
   EXPECT_THAT(currents(ended.out, "hold up"),
               ElementsAre(DoubleNear(5.0, 0.15), DoubleNear(15.0, 0.15)));
   const auto passed = captures(ended.out, R"(circle .* A   pins [\d ]+ … \((\d+) passed)");

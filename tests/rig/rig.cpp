@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 namespace hedgehog::rig {
 
@@ -91,7 +92,10 @@ void Rig::step_link_and_board() {
   const auto telemetry = board_.step();
   if (lose_ > 0) {
     --lose_;
+  } else if (telemetry && std::exchange(delay_, false)) {
+    delayed_ = telemetry;
   } else if (telemetry) {
+    if (delayed_) link_.receive(*std::exchange(delayed_, std::nullopt));
     link_.receive(*telemetry);
   }
 }

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "daemon/control/controller.h"
@@ -73,6 +74,8 @@ class Rig {
   void set_room(double room_c);
   /// The next `frames` telemetry frames are lost on the way.
   void lose_telemetry(int frames) noexcept { lose_ = frames; }
+  /// The next telemetry frame comes a tick late, together with the one after it.
+  void delay_telemetry() noexcept { delay_ = true; }
   /// Orientation told each tick, with a fresh stamp, while `live`.
   void orient(const model::Quaternion& device_to_world, bool live = true) noexcept;
 
@@ -121,6 +124,8 @@ class Rig {
   std::uint64_t telemetry_count_ = 0;
   std::uint32_t skipped_ = 0;
   int lose_ = 0;
+  bool delay_ = false;
+  std::optional<device::Frame> delayed_;
   bool orientation_live_ = false;
 };
 

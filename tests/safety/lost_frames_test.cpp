@@ -87,5 +87,41 @@ TEST(EverySecondFrameLost, APulseTrainIsHeldToo) {
   EXPECT_NEAR(rig.current_a(), 5.0, 0.2);
 }
 
+void run_with_frames_in_pairs(rig::Rig& rig, model::Tick ticks) {
+  for (model::Tick i = 0; i < ticks; i += 2) {
+    rig.delay_telemetry();
+    rig.run(2);
+  }
+}
+
+// Board and host have clocks of their own, so for a while no frame may come in one tick and two in
+// the next. Nothing is lost by that.
+TEST(FramesInPairs, TakeNothingFromAPush) {
+  rig::Rig rig;
+  rig.run_until_armed();
+  rig.start(rig::hold({1, 0, 0}, 12.0));
+  run_with_frames_in_pairs(rig, 2000);
+  EXPECT_NEAR(rig.current_a(), 12.0, 0.2);
+}
+
+class FaultWithFramesInPairs : public ::testing::TestWithParam<Fault> {};
+
+TEST_P(FaultWithFramesInPairs, IsMadeSafeAndNamed) {
+  const Fault& fault = GetParam();
+  rig::Rig rig;
+  rig.run_until_armed();
+  rig.start(rig::hold({1, 0, 0}, 5.0));
+  run_with_frames_in_pairs(rig, 500);
+  ASSERT_EQ(name(rig.controller().state()), "armed") << name(rig.controller().reason());
+  rig.set_faults(fault.sim, fault.coil);
+  run_with_frames_in_pairs(rig, 40);
+  expect_tripped(rig, fault.reason);
+  run_with_frames_in_pairs(rig, 25);
+  expect_zero(rig, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, FaultWithFramesInPairs, ::testing::ValuesIn(kFaults),
+                         [](const auto& fault) { return fault.param.name; });
+
 }  // namespace
 }  // namespace hedgehog::safety

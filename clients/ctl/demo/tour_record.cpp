@@ -13,6 +13,8 @@ namespace hedgehog::client {
 namespace {
 
 constexpr double kZeroA = 0.1;
+/// What the last chapter asks for; from its warm start it is derated before the end.
+constexpr double kLongPushA = 15.0;
 
 long felt_pins(const protocol::Status& status) {
   return std::count_if(status.pins.begin(), status.pins.end(),
@@ -57,6 +59,9 @@ std::vector<std::string> TourRecord::failures(const protocol::Status& last) cons
   std::vector<std::string> found = failures_;
   if (last.last_trip) {
     found.push_back("tripped: " + last.last_trip->reason);
+  }
+  if (last.simulated && !(least_limit_a_ < kLongPushA)) {
+    found.push_back("the long push was never derated: " + fixed(least_limit_a_, 1) + " A at least");
   }
   if (current_norm_a(last) > kZeroA) {
     found.push_back(fixed(current_norm_a(last), 2) + " A flow after the end");
