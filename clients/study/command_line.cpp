@@ -4,10 +4,13 @@
 #include <sysexits.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <functional>
 #include <string>
 
+#include "clients/study/verbs/run_verb.h"
 #include "clients/study/verbs/simulate_verb.h"
 #include "clients/study/verbs/trace_verb.h"
 
@@ -15,13 +18,30 @@ namespace hedgehog::study {
 
 namespace {
 
+/// Files are called after it.
+CLI::Validator plain_name() {
+  return {[](const std::string& id) {
+            const bool plain =
+                !id.empty() && std::all_of(id.begin(), id.end(), [](unsigned char c) {
+                  return std::isalnum(c) != 0 || c == '_' || c == '-';
+                });
+            return plain ? std::string() : std::string("letters, digits, '_' and '-' only");
+          },
+          "ID"};
+}
+
 class CommandLine {
  public:
   CommandLine() {
     app_.require_subcommand(1);
     app_.set_version_flag("--version", std::string("hedgehog-study " HEDGEHOG_VERSION));
-    add_trace();
+    add_plan();
+    add_run();
+    add_resume();
+    add_rehearse();
+    add_status();
     add_simulate();
+    add_trace();
   }
 
   int run(int argc, const char* const* argv) {
@@ -60,11 +80,75 @@ class CommandLine {
     verb->callback([this] { chosen_ = [this] { return run_simulate(simulate_); }; });
   }
 
+  void add_address(CLI::App* verb) {
+    verb->add_option("--address", run_.address, "host:port or a socket's path (HEDGEHOG_ADDRESS)");
+  }
+
+  void add_plan() {
+    CLI::App* verb = app_.add_subcommand("plan", "makes the folder of a study");
+    verb->add_option("folder", plan_.folder)->required();
+    verb->add_option("--participants", plan_.participants)
+        ->check(CLI::Range(1, 99'999))
+        ->capture_default_str();
+    verb->add_option("--seed", plan_.seed, "of everything drawn")->capture_default_str();
+    verb->add_option("--experiments", plan_.experiments, "with commas; default: the thesis' three")
+        ->delimiter(',');
+    verb->callback([this] { chosen_ = [this] { return run_plan(plan_); }; });
+  }
+
+  void add_run() {
+    CLI::App* verb = app_.add_subcommand("run", "one experiment with one participant");
+    verb->add_option("experiment", run_.experiment, "a preset or a file")->required();
+    verb->add_option("--participant", run_.participant, "P01")->required()->check(plain_name());
+    Checklist& list = run_.checklist;
+    verb->add_option("--experimenter", list.experimenter, "a code; what is not said is asked");
+    verb->add_option("--consent", list.consent, "reference of the signed sheet");
+    verb->add_option("--hand-size", list.hand_size_cm, "tip of the index finger to the wrist, cm")
+        ->check(CLI::Range(10.0, 30.0));
+    verb->add_option("--dominant-hand", list.dominant_hand)
+        ->check(CLI::IsMember({"left", "right"}));
+    verb->add_option("--age-band", list.age_band, "22-29");
+    verb->add_flag("--headphones", list.headphones, "they are on and running");
+    verb->add_flag("--hand-on-top", list.hand_on_top, "it is");
+    verb->add_flag("--again", run_.again, "another run of what was done or begun");
+    verb->add_flag("--blind", run_.blind, "this screen is the participant's too: no levels");
+    verb->add_flag("--simulated", run_.simulated, "a program answers");
+    add_address(verb);
+    verb->callback([this] { chosen_ = [this] { return run_run(run_); }; });
+  }
+
+  void add_resume() {
+    CLI::App* verb = app_.add_subcommand("resume", "goes on with a run that was stopped or killed");
+    verb->add_option("--participant", run_.participant, "default: the run touched last");
+    verb->add_option("--experiment", run_.experiment);
+    verb->add_flag("--blind", run_.blind, "this screen is the participant's too: no levels");
+    add_address(verb);
+    verb->callback([this] { chosen_ = [this] { return run_resume(run_); }; });
+  }
+
+  void add_rehearse() {
+    CLI::App* verb = app_.add_subcommand(
+        "rehearse", "the whole study with simulated participants, best with hedgehogd --speed 50");
+    add_address(verb);
+    verb->callback([this] { chosen_ = [this] { return run_rehearse(run_); }; });
+  }
+
+  void add_status() {
+    CLI::App* verb = app_.add_subcommand("status", "who has done what");
+    verb->add_flag("--json", json_, "for programs");
+    verb->callback([this] { chosen_ = [this] { return run_status(json_); }; });
+    app_.add_subcommand("participant", "the participant's own screen, in a second terminal")
+        ->callback([this] { chosen_ = run_participant; });
+  }
+
   CLI::App app_{
       "The perception experiments: how little force, and how small a difference of force "
       "or speed,\npeople feel.",
       "hedgehog-study"};
   std::function<int()> chosen_{};
+  PlanOptions plan_{};
+  RunOptions run_{};
+  bool json_ = false;
   TraceOptions trace_{};
   SimulateOptions simulate_{};
 };

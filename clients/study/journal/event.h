@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// What is written down about a run, in the order in which it happened.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "clients/study/rules/run.h"
+
+namespace hedgehog::study {
+
+/// The ball that was used.
+struct BallFacts {
+  std::string name{};
+  std::string model{};
+  std::optional<std::string> serial{};
+  bool simulated = false;
+  double force_n_per_a = 0.0126;  // its calibration, at the nearest pin
+  friend bool operator==(const BallFacts&, const BallFacts&) = default;
+};
+
+/// The first line: everything that the run follows from.
+struct RunStarted {
+  std::string participant{};
+  Experiment experiment{};
+  int run = 1;  // of this participant and experiment, from 1
+  RunSeeds seeds{};
+  BallFacts ball{};
+  /// The answers come from a program: a rehearsal.
+  bool simulated_person = false;
+  std::string software_version{};
+  friend bool operator==(const RunStarted&, const RunStarted&) = default;
+};
+
+/// What the experimenter ticked off and asked. The consent's reference, never the document.
+struct Checklist {
+  bool headphones = false;
+  bool hand_on_top = false;
+  std::string consent{};
+  std::optional<double> hand_size_cm{};  // tip of the index finger to the wrist
+  std::string dominant_hand{};           // "left", "right"
+  std::string age_band{};                // "22-29"
+  std::string experimenter{};            // a code, not a name
+  friend bool operator==(const Checklist&, const Checklist&) = default;
+};
+
+struct TrialStarted {
+  Trial trial{};
+  friend bool operator==(const TrialStarted&, const TrialStarted&) = default;
+};
+
+/// One interval, on the daemon's clock. Times are device time, ns.
+struct IntervalPlayed {
+  int interval = 1;
+  Stimulus stimulus{};
+  std::int64_t command_ns = 0;
+  std::int64_t ack_ns = 0;
+  std::optional<std::int64_t> onset_ns{};
+  std::optional<std::int64_t> offset_ns{};
+  std::string reason{};  // why it ended; "completed" if all is well
+  double delivered_min = 0.0;
+  double delivered_mean = 0.0;
+  std::int64_t masked_ms = 0;
+  std::int64_t mixed_ms = 0;
+  std::optional<double> measured_a{};  // the highest seen while it played
+  std::optional<double> temperature_c{};
+  friend bool operator==(const IntervalPlayed&, const IntervalPlayed&) = default;
+};
+
+struct Answered {
+  Answer answer = Answer::kNo;
+  std::int64_t response_ms = 0;  // from the end of the last interval
+  friend bool operator==(const Answered&, const Answered&) = default;
+};
+
+struct Voided {
+  std::string reason{};
+  friend bool operator==(const Voided&, const Voided&) = default;
+};
+
+/// Everything that moves nothing: "note", "paused", "continued", "resumed", "rest", "stopped",
+/// "finished".
+struct Remark {
+  std::string kind{};
+  std::string text{};
+  friend bool operator==(const Remark&, const Remark&) = default;
+};
+
+using Event =
+    std::variant<RunStarted, Checklist, TrialStarted, IntervalPlayed, Answered, Voided, Remark>;
+
+struct Line {
+  std::int64_t number = 0;  // from 1, without gaps
+  std::string time{};       // RFC 3339, UTC
+  Event event{};
+  friend bool operator==(const Line&, const Line&) = default;
+};
+
+}  // namespace hedgehog::study

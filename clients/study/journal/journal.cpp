@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include "clients/study/journal/journal.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <ctime>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+#include <utility>
+
+#include "clients/study/journal/codec.h"
+
+namespace hedgehog::study {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Put behind a line that a kill tore, so that it can never be taken for a whole one.
+constexpr const char* kTorn = " torn\n";
+
+std::string reason_of(int error) {
+  return std::error_code(error, std::generic_category()).message();
+}
+
+Problem cannot(int exit_code, const fs::path& path, const std::string& why) {
+  return {exit_code, path.string() + ": " + why};
+}
+
+Result<void> write_line(int file, const fs::path& path, const std::string& line) {
+  std::string_view rest = line;
+  while (!rest.empty()) {
+    const ssize_t written = ::write(file, rest.data(), rest.size());
+    if (written < 0 && errno == EINTR) {
+      continue;
+    }
+    if (written < 0) {
+      return cannot(EX_IOERR, path, reason_of(errno));
+    }
+    rest.remove_prefix(static_cast<std::size_t>(written));
+  }
+  if (::fsync(file) != 0) {
+    return cannot(EX_IOERR, path, reason_of(errno));
+  }
+  return {};
+}
+
+/// So that the file itself is there after a power cut.
+void sync_folder(const fs::path& path) {
+  const int folder = ::open(path.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder >= 0) {
+    ::fsync(folder);
+    ::close(folder);
+  }
+}
+
+Result<std::string> text_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) {
+    return cannot(EX_NOINPUT, path, "cannot be read");
+  }
+  return std::string{std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace
+
+std::string utc_now() {
+  const auto now = std::chrono::system_clock::now();
+  const auto ms =
+      std::chrono::duration_cast<std::chrono::milliseconds>(now.time_since_epoch()).count();
+  const std::time_t seconds = static_cast<std::time_t>(ms / 1000);
+  std::tm parts{};
+  gmtime_r(&seconds, &parts);
+  char text[32];
+  char whole[48];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%S", &parts);
+  std::snprintf(whole, sizeof whole, "%s.%03dZ", text, static_cast<int>(ms % 1000));
+  return whole;
+}
+
+Result<std::vector<Line>> read_journal(const fs::path& path) {
+  const auto text = text_of(path);
+  if (!text) {
+    return text.error();
+  }
+  std::vector<Line> lines;
+  std::string_view rest = *text;
+  while (!rest.empty()) {
+    const auto end = rest.find('\n');
+    if (end == std::string_view::npos) {
+      break;  // torn by a kill: what it told was never followed
+    }
+    // A torn line that a resumed run ended is skipped too; a damaged one shows as a gap.
+    if (auto line = decode(rest.substr(0, end))) {
+      lines.push_back(*std::move(line));
+    }
+    rest.remove_prefix(end + 1);
+  }
+  return lines;
+}
+
+Result<RecordedRun> read_run(const fs::path& path) {
+  const auto lines = read_journal(path);
+  if (!lines) {
+    return lines.error();
+  }
+  auto run = RecordedRun::replay(*lines);
+  if (!run) {
+    return cannot(EX_DATAERR, path, run.error().message);
+  }
+  return run;
+}
+
+Result<Journal> Journal::create(const fs::path& path, const RunStarted& header) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
+  if (file < 0) {
+    return cannot(EX_CANTCREAT, path, reason_of(errno));
+  }
+  ::flock(file, LOCK_EX | LOCK_NB);
+  const Line first{1, utc_now(), header};
+  if (auto written = write_line(file, path, encode(first) + "\n"); !written) {
+    ::close(file);
+    return written.error();
+  }
+  sync_folder(path);
+  auto run = RecordedRun::replay({first});
+  if (!run) {
+    ::close(file);
+    return run.error();
+  }
+  return Journal(file, path, *std::move(run));
+}
+
+Result<Journal> Journal::open(const fs::path& path) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  if (file < 0) {
+    return cannot(EX_NOINPUT, path, reason_of(errno));
+  }
+  if (::flock(file, LOCK_EX | LOCK_NB) != 0) {
+    ::close(file);
+    return cannot(EX_TEMPFAIL, path, "another hedgehog-study is writing it");
+  }
+  auto run = read_run(path);
+  const auto text = text_of(path);
+  if (!run || !text) {
+    ::close(file);
+    return run ? text.error() : run.error();
+  }
+  if (!text->ends_with('\n')) {
+    if (auto ended = write_line(file, path, kTorn); !ended) {
+      ::close(file);
+      return ended.error();
+    }
+  }
+  return Journal(file, path, *std::move(run));
+}
+
+Journal::Journal(int file, fs::path path, RecordedRun run)
+    : file_(file), path_(std::move(path)), run_(std::move(run)) {}
+
+Journal::Journal(Journal&& other) noexcept
+    : file_(std::exchange(other.file_, -1)),
+      path_(std::move(other.path_)),
+      run_(std::move(other.run_)) {}
+
+Journal::~Journal() {
+  if (file_ >= 0) {
+    ::close(file_);
+  }
+}
+
+Result<void> Journal::append(const Event& event) {
+  const Line line{run_.lines() + 1, utc_now(), event};
+  // What does not follow is never written: the copy is small, a damaged journal is not.
+  RecordedRun after = run_;
+  if (auto taken = after.take(line); !taken) {
+    return cannot(EX_SOFTWARE, path_, taken.error().message);
+  }
+  if (auto written = write_line(file_, path_, encode(line) + "\n"); !written) {
+    return written;
+  }
+  run_ = std::move(after);
+  return {};
+}
+
+}  // namespace hedgehog::study

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// A run as its journal tells it. Pure: the state is what the lines say and nothing else, so a run
+// that was killed goes on from them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "clients/study/journal/event.h"
+#include "clients/study/problem.h"
+
+namespace hedgehog::study {
+
+/// One presentation block: a trial with what was played and said.
+struct TrialRecord {
+  Trial trial{};
+  std::string time{};
+  std::vector<IntervalPlayed> intervals{};
+  std::optional<Answered> answered{};
+  /// Why it does not count; empty: it does.
+  std::string void_reason{};
+  bool positive = false;
+  std::optional<Step> step{};
+  int reversals_after = 0;
+  Level step_up_after = 0;
+  int run_after = 0;
+};
+
+class RecordedRun {
+ public:
+  /// The first line must be RunStarted.
+  static Result<RecordedRun> replay(const std::vector<Line>& lines);
+
+  /// The next line. EX_DATAERR when it does not follow from those before.
+  Result<void> take(const Line& line);
+
+  const RunStarted& header() const noexcept { return header_; }
+  const std::optional<Checklist>& checklist() const noexcept { return checklist_; }
+  const RunState& state() const noexcept { return state_; }
+  /// Closed trials, in order.
+  const std::vector<TrialRecord>& trials() const noexcept { return trials_; }
+  /// The trial that was begun and neither answered nor voided.
+  const std::optional<TrialRecord>& open() const noexcept { return open_; }
+  const std::vector<Line>& remarks() const noexcept { return remarks_; }
+  std::int64_t lines() const noexcept { return lines_; }
+  const std::string& started() const noexcept { return started_; }
+  bool over() const noexcept { return state_.staircase().over(); }
+
+ private:
+  RecordedRun(const RunStarted& header, std::string started);
+  Result<void> apply(const Line& line);
+  Result<void> close(const Answered& event);
+
+  RunStarted header_;
+  std::string started_;
+  RunState state_;
+  std::optional<Checklist> checklist_{};
+  std::vector<TrialRecord> trials_{};
+  std::optional<TrialRecord> open_{};
+  std::vector<Line> remarks_{};
+  std::int64_t lines_ = 1;
+};
+
+}  // namespace hedgehog::study

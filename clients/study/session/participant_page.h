@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// The participant's own screen: a second terminal that follows the run over a Unix socket in the
+// study's folder.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "clients/study/problem.h"
+#include "clients/study/session/screen.h"
+
+namespace hedgehog::study {
+
+/// The run's end of it. Nobody needs to be at the other one.
+class ParticipantServer {
+ public:
+  /// Listens at `path`; a socket that a killed run left there is replaced.
+  static Result<ParticipantServer> listen(const std::filesystem::path& path);
+  ParticipantServer(ParticipantServer&& other) noexcept;
+  ParticipantServer& operator=(ParticipantServer&&) = delete;
+  ~ParticipantServer();
+
+  void show(const Cue& cue);
+  /// '<' or '>' when somebody pressed it there.
+  std::optional<char> key();
+
+ private:
+  ParticipantServer() = default;
+
+  std::filesystem::path path_{};
+  int listener_ = -1;
+  std::vector<int> pages_{};
+  std::optional<Cue> shown_{};
+};
+
+/// The page: until the run ends or `stop`. EX_NOINPUT when no run listens at `path`.
+Result<void> run_participant_page(const std::filesystem::path& path,
+                                  const std::function<bool()>& stop);
+
+}  // namespace hedgehog::study

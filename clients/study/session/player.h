@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// The ball during a run: one circle after another, on the daemon's clock, and nobody else's.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "clients/lib/connection.h"
+#include "clients/study/journal/event.h"
+
+namespace hedgehog::study {
+
+/// Whether the next trial would be played in full strength.
+struct Readiness {
+  bool ready = true;
+  std::string why_not{};  // one sentence
+};
+
+/// One thread. Holds a claim on the ball, as long as it is kept, until it goes away.
+class Player {
+ public:
+  /// Connects, introduces itself, claims the ball.
+  static client::Outcome<Player> open(const std::vector<client::Address>& addresses,
+                                      client::Milliseconds patience);
+
+  const BallFacts& ball() const noexcept { return ball_; }
+  std::optional<double> temperature_c() const noexcept { return temperature_c_; }
+  /// Device time as of the last telemetry, ns.
+  std::int64_t device_ns() const noexcept { return device_ns_; }
+
+  /// Plays one interval to its end; not before the device time `not_before_ns`, if there is one.
+  /// `abort` is asked all the while: true stops it (reason "stopped"). An error: the daemon is
+  /// gone, or it refused.
+  client::Outcome<IntervalPlayed> play(int interval, const Stimulus& stimulus,
+                                       const Pattern& pattern,
+                                       std::optional<std::int64_t> not_before_ns,
+                                       const std::function<bool()>& abort);
+
+  /// Armed, cool enough, nothing reduced: from the daemon's forecast for the whole trial.
+  client::Outcome<Readiness> readiness(const Experiment& experiment, const Trial& trial);
+
+  /// Renews the claim when it is time, and takes in what the daemon told; waits up to `wait` for
+  /// it.
+  client::Outcome<void> keep(client::Milliseconds wait);
+
+ private:
+  explicit Player(client::Connection connection) : connection_(std::move(connection)) {}
+  client::Outcome<void> introduce();
+  client::Outcome<void> claim();
+  void take(const client::Notification& told);
+  client::Outcome<std::int64_t> clock_ns();
+
+  client::Connection connection_;
+  BallFacts ball_{};
+  std::int64_t device_ns_ = 0;
+  std::int64_t claimed_ns_ = 0;
+  std::optional<double> temperature_c_{};
+  double highest_a_ = 0.0;
+  std::uint32_t effect_ = 0;
+  std::optional<protocol::Event> ended_{};
+};
+
+/// Why an interval makes its trial void: cut short, weaker than 98 % of what was asked, under or
+/// mixed with another effect. Nothing: it is good.
+std::optional<std::string> fault_of(const IntervalPlayed& played, const Pattern& pattern);
+
+}  // namespace hedgehog::study

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+#include "clients/study/session/runner.h"
+
+#include <utility>
+
+namespace hedgehog::study {
+
+namespace {
+
+using client::Milliseconds;
+using std::chrono::steady_clock;
+
+constexpr Milliseconds kGlance{10};
+constexpr int kTooManyVoids = 5;
+
+/// The daemon is there and says no to this one request.
+bool is_refusal(const client::ClientError& error) {
+  return error.failure == client::Failure::kRefused;
+}
+
+}  // namespace
+
+Runner::Runner(Journal& journal, Player player, const std::vector<client::Address>& addresses,
+               Desk& desk, std::function<bool()> stop)
+    : journal_(journal),
+      player_(std::move(player)),
+      addresses_(addresses),
+      desk_(desk),
+      stop_(std::move(stop)) {}
+
+void Runner::show(Phase phase, int interval, const std::string& message) {
+  if (!message.empty()) {
+    message_ = message;
+  }
+  desk_.show({&journal_.run(), phase, interval, message_,
+              player_ ? player_->temperature_c() : std::nullopt});
+}
+
+Result<RunEnd> Runner::run() {
+  if (journal_.run().open()) {
+    if (auto written = journal_.append(Voided{"interrupted"}); !written) {
+      return written.error();
+    }
+  }
+  while (!journal_.run().over()) {
+    auto early = one_trial();
+    if (!early) {
+      return early.error();
+    }
+    if (*early) {
+      return **early;
+    }
+  }
+  const Staircase& staircase = journal_.run().state().staircase();
+  const std::vector<Level> counted = staircase.counted_reversals();
+  const Experiment& experiment = journal_.run().header().experiment;
+  const std::string said =
+      counted.empty() ? std::string(name(staircase.status()))
+                      : mean_decimal(counted, experiment.decimals()) + " " + experiment.unit();
+  if (auto written = journal_.append(Remark{"finished", said}); !written) {
+    return written.error();
+  }
+  show(Phase::kOver);
+  return RunEnd::kOver;
+}
+
+Result<Runner::Early> Runner::one_trial() {
+  const Trial trial = *journal_.run().state().next();
+  for (const auto& wait :
+       {std::function([&] { return until_ready(trial); }), std::function([&] { return rest(); })}) {
+    auto early = wait();
+    if (!early || *early) {
+      return early;
+    }
+  }
+  void_asked_ = false;
+  if (auto written = journal_.append(TrialStarted{trial}); !written) {
+    return written.error();
+  }
+  std::string fault;
+  auto early = play(trial, fault);
+  if (early && !*early && fault.empty()) {
+    early = ask(fault);
+  }
+  if (!early || *early) {
+    return early;
+  }
+  if (fault.empty()) {
+    voids_in_a_row_ = 0;
+    return Early{};
+  }
+  if (auto written = journal_.append(Voided{fault}); !written) {
+    return written.error();
+  }
+  message_ = "void: " + fault;
+  if (!lost_.empty()) {
+    return reconnect(std::exchange(lost_, {}));
+  }
+  if (++voids_in_a_row_ >= kTooManyVoids) {
+    voids_in_a_row_ = 0;
+    return desk_.unattended() ? Result<Early>(RunEnd::kStuck)
+                              : pause(Phase::kPaused, "five voids in a row, the last: " + fault);
+  }
+  return Early{};
+}
+
+Result<Runner::Early> Runner::play(const Trial& trial, std::string& fault) {
+  const Experiment experiment = journal_.run().header().experiment;
+  const int intervals = experiment.task == Task::kYesNo ? 1 : 2;
+  std::optional<std::int64_t> not_before;
+  std::optional<Problem> problem;
+  for (int interval = 1; interval <= intervals && fault.empty(); ++interval) {
+    const bool is_test = intervals == 1 || trial.interval_of_test == interval;
+    Stimulus stimulus =
+        is_test ? test_stimulus(experiment, trial.level) : reference_stimulus(experiment);
+    if (trial.kind == TrialKind::kCatch) {
+      stimulus.current_a = 0.0;
+    }
+    show(Phase::kInterval, interval);
+    const auto played = player_->play(interval, stimulus, experiment.pattern, not_before, [&] {
+      if (auto seen = glance(Milliseconds{0}); !seen) {
+        problem = seen.error();
+      }
+      return problem || void_asked_ || asked_to_stop();
+    });
+    if (problem) {
+      return *problem;
+    }
+    if (!played) {
+      fault = played.error().message;
+      if (!is_refusal(played.error())) {
+        lost_ = fault;
+      }
+      return Early{};
+    }
+    if (auto written = journal_.append(*played); !written) {
+      return written.error();
+    }
+    if (asked_to_stop()) {
+      return leave();
+    }
+    fault =
+        void_asked_ ? "by the experimenter" : fault_of(*played, experiment.pattern).value_or("");
+    if (played->offset_ns) {
+      not_before = *played->offset_ns + experiment.pattern.gap_ms * 1'000'000;
+    }
+  }
+  return Early{};
+}
+
+Result<Runner::Early> Runner::ask(std::string& fault) {
+  const Experiment experiment = journal_.run().header().experiment;
+  show(Phase::kQuestion);
+  const auto asked_at = steady_clock::now();
+  while (true) {
+    const Input input = desk_.wait(kGlance);
+    const auto took = std::chrono::duration_cast<Milliseconds>(steady_clock::now() - asked_at);
+    if (input.kind == Input::Kind::kAnswer && fits(input.answer, experiment.task)) {
+      if (auto written =
+              journal_.append(Answered{input.answer, input.response_ms.value_or(took.count())});
+          !written) {
+        return written.error();
+      }
+      message_.clear();
+      return Early{};
+    }
+    if (auto heeded = heed(input); !heeded) {
+      return heeded.error();
+    }
+    if (asked_to_stop()) {
+      return leave();
+    }
+    if (void_asked_) {
+      fault = "by the experimenter";
+      return Early{};
+    }
+    if (experiment.response_limit_ms > 0 && took.count() > experiment.response_limit_ms) {
+      fault = "no answer in time";
+      return Early{};
+    }
+    // The trial was good; a daemon that goes away now spoils none of it.
+    if (lost_.empty()) {
+      if (auto kept = player_->keep(Milliseconds{0}); !kept) {
+        lost_ = kept.error().message;
+      }
+    }
+  }
+}
+
+}  // namespace hedgehog::study

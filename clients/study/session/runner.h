@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// One run with a person: trials on the ball, answers, pauses, voids; every event in the journal
+// before anything follows from it.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "clients/study/journal/journal.h"
+#include "clients/study/session/desk.h"
+#include "clients/study/session/player.h"
+
+namespace hedgehog::study {
+
+enum class RunEnd : std::uint8_t {
+  kOver,     // finished, or given up after the most trials
+  kStopped,  // by the experimenter, or by `stop`: `resume` goes on
+  kStuck,    // unattended, and the ball does not play
+};
+
+/// One thread. A ball that derates, is lost or claimed, and a daemon that goes away, pause the run
+/// until they are back; the trial that they spoilt is void and repeated.
+class Runner {
+ public:
+  Runner(Journal& journal, Player player, const std::vector<client::Address>& addresses, Desk& desk,
+         std::function<bool()> stop);
+
+  /// EX_IOERR when the journal cannot be written.
+  Result<RunEnd> run();
+
+ private:
+  /// nothing: go on.
+  using Early = std::optional<RunEnd>;
+
+  Result<Early> one_trial();
+  Result<Early> play(const Trial& trial, std::string& fault);
+  Result<Early> ask(std::string& fault);
+  Result<Early> until_ready(const Trial& trial);
+  Result<Early> pause(Phase phase, const std::string& why);
+  Result<Early> rest();
+  Result<Early> reconnect(const std::string& why);
+  /// Takes in what people do outside of a question.
+  Result<void> glance(std::chrono::milliseconds patience);
+  Result<void> heed(const Input& input);
+  Result<Early> leave();
+  void show(Phase phase, int interval = 0, const std::string& message = {});
+  bool asked_to_stop() const { return stop_asked_ || stop_(); }
+
+  Journal& journal_;
+  std::optional<Player> player_;
+  const std::vector<client::Address>& addresses_;
+  Desk& desk_;
+  std::function<bool()> stop_;
+  bool stop_asked_ = false;
+  bool pause_asked_ = false;
+  bool void_asked_ = false;
+  bool continue_asked_ = false;
+  /// The daemon's last failure, if the connection is of no further use.
+  std::string lost_{};
+  int voids_in_a_row_ = 0;
+  std::string message_{};
+};
+
+}  // namespace hedgehog::study

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+// The runner between two trials: waiting for the ball, for people, for the daemon.
+#include <utility>
+
+#include "clients/study/session/runner.h"
+
+namespace hedgehog::study {
+
+namespace {
+
+using client::Milliseconds;
+using std::chrono::steady_clock;
+
+constexpr Milliseconds kLookAgain{100};
+constexpr Milliseconds kReconnect{2000};
+// An unattended run does not wait for ever for a daemon or a ball.
+constexpr std::chrono::seconds kUnattendedPatience{120};
+
+}  // namespace
+
+Result<Runner::Early> Runner::until_ready(const Trial& trial) {
+  if (!lost_.empty()) {
+    auto early = reconnect(std::exchange(lost_, {}));
+    if (!early || *early) {
+      return early;
+    }
+  }
+  bool waiting = false;
+  const auto since = steady_clock::now();
+  while (true) {
+    if (auto seen = glance(Milliseconds{0}); !seen) {
+      return seen.error();
+    }
+    if (asked_to_stop()) {
+      return leave();
+    }
+    if (std::exchange(pause_asked_, false)) {
+      auto early = pause(Phase::kPaused, "by the experimenter");
+      if (!early || *early) {
+        return early;
+      }
+    }
+    const auto ready = player_->readiness(journal_.run().header().experiment, trial);
+    if (!ready) {
+      auto early = reconnect(ready.error().message);
+      if (!early || *early) {
+        return early;
+      }
+      continue;
+    }
+    if (ready->ready) {
+      if (waiting) {
+        if (auto written = journal_.append(Remark{"continued", ready->why_not}); !written) {
+          return written.error();
+        }
+      }
+      show(Phase::kReady, 0, ready->why_not);
+      return Early{};
+    }
+    if (!std::exchange(waiting, true)) {
+      if (auto written = journal_.append(Remark{"paused", ready->why_not}); !written) {
+        return written.error();
+      }
+    }
+    show(Phase::kPaused, 0, ready->why_not);
+    if (desk_.unattended() && steady_clock::now() - since > kUnattendedPatience) {
+      return Early{RunEnd::kStuck};
+    }
+    if (auto seen = glance(kLookAgain); !seen) {
+      return seen.error();
+    }
+    if (auto kept = player_->keep(Milliseconds{0}); !kept) {
+      lost_ = kept.error().message;
+    }
+  }
+}
+
+Result<Runner::Early> Runner::rest() {
+  const RecordedRun& run = journal_.run();
+  const int every = run.header().experiment.rest_every;
+  const int scored = run.state().staircase().state().scored;
+  if (every == 0 || scored == 0 || scored % every != 0 || desk_.unattended() ||
+      run.trials().empty() || run.trials().back().trial.kind != TrialKind::kScored ||
+      !run.trials().back().void_reason.empty()) {
+    return Early{};
+  }
+  return pause(Phase::kRest, "time for a rest");
+}
+
+Result<Runner::Early> Runner::pause(Phase phase, const std::string& why) {
+  if (auto written = journal_.append(Remark{phase == Phase::kRest ? "rest" : "paused", why});
+      !written) {
+    return written.error();
+  }
+  continue_asked_ = false;
+  while (!continue_asked_) {
+    show(phase, 0, why + "; c continues");
+    if (auto seen = glance(kLookAgain); !seen) {
+      return seen.error();
+    }
+    if (asked_to_stop()) {
+      return leave();
+    }
+    if (lost_.empty()) {
+      if (auto kept = player_->keep(Milliseconds{0}); !kept) {
+        lost_ = kept.error().message;
+      }
+    }
+  }
+  pause_asked_ = false;
+  if (auto written = journal_.append(Remark{"continued", ""}); !written) {
+    return written.error();
+  }
+  return lost_.empty() ? Result<Early>(Early{}) : reconnect(std::exchange(lost_, {}));
+}
+
+Result<Runner::Early> Runner::reconnect(const std::string& why) {
+  if (auto written = journal_.append(Remark{"paused", why}); !written) {
+    return written.error();
+  }
+  player_.reset();
+  const auto since = steady_clock::now();
+  while (!player_) {
+    show(Phase::kPaused, 0, why + "; waiting for the ball");
+    auto again = Player::open(addresses_, kReconnect);
+    if (again) {
+      player_ = *std::move(again);
+      break;
+    }
+    if (auto seen = glance(kLookAgain); !seen) {
+      return seen.error();
+    }
+    if (asked_to_stop()) {
+      return leave();
+    }
+    if (desk_.unattended() && steady_clock::now() - since > kUnattendedPatience) {
+      return Early{RunEnd::kStuck};
+    }
+  }
+  if (auto written = journal_.append(Remark{"continued", "the ball is back"}); !written) {
+    return written.error();
+  }
+  return Early{};
+}
+
+Result<void> Runner::glance(std::chrono::milliseconds patience) {
+  return heed(desk_.wait(patience));
+}
+
+Result<void> Runner::heed(const Input& input) {
+  switch (input.kind) {
+    case Input::Kind::kPause:
+      pause_asked_ = true;
+      break;
+    case Input::Kind::kContinue:
+      continue_asked_ = true;
+      break;
+    case Input::Kind::kVoid:
+      void_asked_ = true;
+      break;
+    case Input::Kind::kStop:
+      stop_asked_ = true;
+      break;
+    case Input::Kind::kNote:
+      return journal_.append(Remark{"note", input.text});
+    case Input::Kind::kAnswer:  // nobody asked
+    case Input::Kind::kNone:
+      break;
+  }
+  return {};
+}
+
+Result<Runner::Early> Runner::leave() {
+  if (journal_.run().open()) {
+    if (auto written = journal_.append(Voided{"stopped"}); !written) {
+      return written.error();
+    }
+  }
+  if (auto written = journal_.append(Remark{"stopped", ""}); !written) {
+    return written.error();
+  }
+  return Early{RunEnd::kStopped};
+}
+
+}  // namespace hedgehog::study

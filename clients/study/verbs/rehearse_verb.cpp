@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include <cstdio>
+
+#include "clients/study/experiment_file.h"
+#include "clients/study/session/simulated_desk.h"
+#include "clients/study/session/terminal.h"
+#include "clients/study/verbs/run_verb.h"
+#include "clients/study/verbs/session_start.h"
+#include "clients/study/verbs/trace_verb.h"
+
+namespace hedgehog::study {
+
+namespace {
+
+// A rehearsal outlives a daemon that is being restarted.
+constexpr client::Milliseconds kPatience{60'000};
+constexpr int kBarWidth = 30;
+
+/// One run of a rehearsal: begun, or gone on with. 0: it is over.
+int rehearse_one(const Start& start, const Participant& participant, const Experiment& experiment,
+                 const std::function<void(const View&)>& report) {
+  const RunsSoFar runs = runs_so_far(start.study, participant.id, experiment.name);
+  if (runs.over) {
+    return 0;
+  }
+  auto player = Player::open(start.addresses, kPatience);
+  if (!player) {
+    return complain(player.error());
+  }
+  auto journal =
+      runs.last ? Journal::open(runs.last->path)
+                : begin(start.study, participant.id, experiment, runs.next, player->ball(), true);
+  if (!journal) {
+    return complain(journal.error());
+  }
+  const RunStarted& header = journal->run().header();
+  if (!header.simulated_person) {
+    return study::complain(EX_DATAERR, journal->path().string() +
+                                           " is of a person; rehearse in "
+                                           "a study of its own");
+  }
+  const std::uint64_t seed = participant.seed;
+  SimulatedDesk desk(simulated_person(header.experiment, seed), seed, report);
+  const auto end = Runner(*journal, *std::move(player), start.addresses, desk, interrupted).run();
+  if (!end) {
+    return complain(end.error());
+  }
+  return *end == RunEnd::kOver ? 0 : say_end(*journal, *end);
+}
+
+}  // namespace
+
+int run_rehearse(const RunOptions& options) {
+  watch_interrupts();
+  const auto study = StudyFolder::find(".");
+  if (!study) {
+    return complain(study.error());
+  }
+  const auto addresses = client::daemon_addresses(options.address);
+  if (!addresses) {
+    return complain(addresses.error());
+  }
+  const Start start{*study, *addresses};
+  const std::size_t all = study->plan().participants.size() * study->plan().experiments.size();
+  std::size_t done = 0;
+  const bool bar = is_terminal();
+  for (const Participant& participant : study->plan().participants) {
+    for (const std::string& name : participant.order) {
+      const auto experiment = find_experiment(name);
+      if (!experiment) {
+        return complain(experiment.error());
+      }
+      const auto report = [&](const View& view) {
+        if (!bar || view.phase != Phase::kReady) {
+          return;
+        }
+        const double part =
+            static_cast<double>(view.run->state().staircase().state().reversals.size()) /
+            experiment->rule.total_reversals();
+        const double share = (static_cast<double>(done) + part) / static_cast<double>(all);
+        std::string filled;
+        for (int i = 0; i < kBarWidth; ++i) {
+          filled += i < share * kBarWidth ? "█" : "░";
+        }
+        std::printf("\r%s %2zu of %zu runs  %s %s, trial %d\033[K", filled.c_str(), done, all,
+                    participant.id.c_str(), name.c_str(),
+                    view.run->state().staircase().state().scored + 1);
+        std::fflush(stdout);
+      };
+      if (const int code = rehearse_one(start, participant, *experiment, report); code != 0) {
+        return code;
+      }
+      ++done;
+      if (!bar) {
+        std::printf("%2zu of %zu  %s %s\n", done, all, participant.id.c_str(), name.c_str());
+        std::fflush(stdout);
+      }
+    }
+  }
+  std::printf("%s%zu runs of %zu participants are complete\n", bar ? "\r\033[K" : "", done,
+              study->plan().participants.size());
+  return 0;
+}
+
+}  // namespace hedgehog::study

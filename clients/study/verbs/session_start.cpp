@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "clients/study/verbs/session_start.h"
+
+#include <csignal>
+#include <cstdio>
+
+#include "clients/study/verbs/trace_verb.h"
+
+namespace hedgehog::study {
+
+namespace {
+
+constexpr int kInterrupted = 130;
+
+volatile std::sig_atomic_t interrupt_seen = 0;
+void note_interrupt(int) { interrupt_seen = 1; }
+
+}  // namespace
+
+bool interrupted() { return interrupt_seen != 0; }
+
+void watch_interrupts() {
+  struct sigaction action {};
+  action.sa_handler = note_interrupt;
+  sigemptyset(&action.sa_mask);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    sigaction(signal, &action, nullptr);
+  }
+}
+
+int complain(const Problem& problem) { return study::complain(problem.exit_code, problem.message); }
+
+int complain(const client::ClientError& error) {
+  const bool address = error.failure == client::Failure::kBadAddress;
+  const bool claimed = error.refusal && error.refusal->code == protocol::ErrorCode::kClaimed;
+  return study::complain(address   ? EX_USAGE
+                         : claimed ? EX_TEMPFAIL
+                                   : EX_UNAVAILABLE,
+                         error.message);
+}
+
+/// What the end of a run tells the shell and the person.
+int say_end(const Journal& journal, RunEnd end) {
+  const RecordedRun& run = journal.run();
+  const Experiment& experiment = run.header().experiment;
+  const Staircase& staircase = run.state().staircase();
+  const auto counted = staircase.counted_reversals();
+  if (end == RunEnd::kStuck) {
+    return study::complain(EX_TEMPFAIL, "the ball does not play; hedgehog-study resume goes on");
+  }
+  if (end == RunEnd::kStopped) {
+    std::printf("stopped after %d scored trials; hedgehog-study resume goes on\n",
+                staircase.state().scored);
+    return interrupted() ? kInterrupted : EX_TEMPFAIL;
+  }
+  if (counted.empty()) {
+    std::printf("given up after %d scored trials: no threshold\n", staircase.state().scored);
+  } else {
+    const double value = mean_value(counted, experiment.decimals());
+    std::printf("done: %.4g %s", value, experiment.unit());
+    if (experiment.quantity == Quantity::kCurrentA) {
+      std::printf(" (%.3f N)", value * run.header().ball.force_n_per_a);
+    }
+    std::printf(", %zu reversals, %d trials\n", staircase.state().reversals.size(),
+                staircase.state().scored);
+  }
+  std::printf("%s\n", journal.path().c_str());
+  return 0;
+}
+
+bool has_begun(const JournalName& name) {
+  const auto lines = read_journal(name.path);
+  return !lines || !lines->empty();
+}
+
+RunsSoFar runs_so_far(const StudyFolder& study, const std::string& participant,
+                      const std::string& experiment) {
+  RunsSoFar runs;
+  for (const JournalName& name : study.journals()) {
+    if (name.participant == participant && name.experiment == experiment) {
+      runs.next = name.run + 1;
+      if (has_begun(name)) {
+        runs.last = name;
+      }
+    }
+  }
+  runs.over = runs.last && is_over(*runs.last);
+  return runs;
+}
+
+Participant participant_of(const StudyFolder& study, const std::string& id) {
+  if (const Participant* planned = study.plan().participant(id)) {
+    return *planned;
+  }
+  return {id, study.plan().experiments,
+          draw_bits(study.plan().seed, Purpose::kSeed, {word_of(id)}) >> 11};
+}
+
+Result<Journal> begin(const StudyFolder& study, const std::string& participant,
+                      const Experiment& experiment, int run, const BallFacts& ball,
+                      bool simulated) {
+  RunStarted header;
+  header.participant = participant;
+  header.experiment = experiment;
+  header.run = run;
+  header.seeds = run_seeds(participant_of(study, participant), experiment.name, run);
+  header.ball = ball;
+  header.simulated_person = simulated;
+  header.software_version = HEDGEHOG_VERSION;
+  return Journal::create(study.journal_path(participant, experiment.name, run), header);
+}
+
+bool is_over(const JournalName& name) {
+  const auto run = read_run(name.path);
+  return run && run->over();
+}
+
+}  // namespace hedgehog::study

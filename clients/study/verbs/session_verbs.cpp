@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+
+#include "clients/study/experiment_file.h"
+#include "clients/study/journal/journal.h"
+#include "clients/study/session/runner.h"
+#include "clients/study/session/simulated_desk.h"
+#include "clients/study/session/terminal_desk.h"
+#include "clients/study/study_folder.h"
+#include "clients/study/verbs/checklist.h"
+#include "clients/study/verbs/run_verb.h"
+#include "clients/study/verbs/session_start.h"
+#include "clients/study/verbs/trace_verb.h"
+
+namespace hedgehog::study {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr client::Milliseconds kPatience{2000};
+constexpr const char* kPage = "participant.sock";
+
+int go_on(const Start& start, Journal& journal, Player player,
+          const std::function<void(const View&)>& report) {
+  const RunStarted& header = journal.run().header();
+  Result<RunEnd> end = RunEnd::kStopped;
+  if (header.simulated_person) {
+    const std::uint64_t seed = participant_of(start.study, header.participant).seed;
+    SimulatedDesk desk(simulated_person(header.experiment, seed), seed, report);
+    end = Runner(journal, std::move(player), start.addresses, desk, interrupted).run();
+  } else {
+    auto page = ParticipantServer::listen(start.study.path() / kPage);
+    TerminalDesk desk(page ? std::optional(*std::move(page)) : std::nullopt, start.blind);
+    end = Runner(journal, std::move(player), start.addresses, desk, interrupted).run();
+  }
+  if (!end) {
+    return complain(end.error());
+  }
+  return say_end(journal, *end);
+}
+
+void say_resumed(const Journal& journal) {
+  const RecordedRun& run = journal.run();
+  const Staircase& staircase = run.state().staircase();
+  std::printf("%s %s: %d trials kept%s; going on at %s %s.\n", run.header().participant.c_str(),
+              run.header().experiment.name.c_str(), staircase.state().scored,
+              run.open()
+                  ? (", trial " + std::to_string(run.open()->trial.number) + " is void").c_str()
+                  : "",
+              exact_decimal(staircase.level(), run.header().experiment.decimals()).c_str(),
+              run.header().experiment.unit());
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int run_run(const RunOptions& options) {
+  watch_interrupts();
+  const auto study = StudyFolder::find(".");
+  if (!study) {
+    return complain(study.error());
+  }
+  const auto experiment = find_experiment(options.experiment);
+  if (!experiment) {
+    return complain(experiment.error());
+  }
+  const RunsSoFar runs = runs_so_far(*study, options.participant, experiment->name);
+  if (runs.last && !runs.over && !options.again) {
+    return study::complain(EX_TEMPFAIL, runs.last->path.string() +
+                                            " is not finished: hedgehog-study resume goes on with "
+                                            "it, --again begins another");
+  }
+  if (runs.over && !options.again) {
+    return study::complain(EX_CANTCREAT, options.participant + " has done " + experiment->name +
+                                             "; --again makes another run");
+  }
+  if (!options.simulated && !is_terminal()) {
+    return study::complain(EX_USAGE, "a person needs a terminal; --simulated does not");
+  }
+  const auto addresses = client::daemon_addresses(options.address);
+  if (!addresses) {
+    return complain(addresses.error());
+  }
+  auto player = Player::open(*addresses, kPatience);
+  if (!player) {
+    return complain(player.error());
+  }
+  std::optional<Checklist> checklist;
+  if (!options.simulated) {
+    checklist = complete(options.checklist);
+    if (!checklist) {
+      return study::complain(EX_TEMPFAIL, "not everything is ready; nothing was begun");
+    }
+    // The claim ran out while people talked.
+    player = Player::open(*addresses, kPatience);
+    if (!player) {
+      return complain(player.error());
+    }
+  }
+  auto journal =
+      begin(*study, options.participant, *experiment, runs.next, player->ball(), options.simulated);
+  if (!journal) {
+    return complain(journal.error());
+  }
+  if (checklist) {
+    if (auto written = journal->append(*checklist); !written) {
+      return complain(written.error());
+    }
+  }
+  return go_on({*study, *addresses, options.blind}, *journal, *std::move(player),
+               [](const View&) {});
+}
+
+int run_resume(const RunOptions& options) {
+  watch_interrupts();
+  const auto study = StudyFolder::find(".");
+  if (!study) {
+    return complain(study.error());
+  }
+  std::optional<JournalName> chosen;
+  for (const JournalName& name : study->journals()) {
+    const bool wanted = (options.participant.empty() || name.participant == options.participant) &&
+                        (options.experiment.empty() || name.experiment == options.experiment);
+    std::error_code failed;
+    if (wanted && has_begun(name) && !is_over(name) &&
+        (!chosen ||
+         fs::last_write_time(name.path, failed) > fs::last_write_time(chosen->path, failed))) {
+      chosen = name;
+    }
+  }
+  if (!chosen) {
+    return study::complain(EX_NOINPUT, "no run is unfinished");
+  }
+  auto journal = Journal::open(chosen->path);
+  if (!journal) {
+    return complain(journal.error());
+  }
+  if (!journal->run().header().simulated_person && !is_terminal()) {
+    return study::complain(EX_USAGE, "a person needs a terminal");
+  }
+  const auto addresses = client::daemon_addresses(options.address);
+  if (!addresses) {
+    return complain(addresses.error());
+  }
+  auto player = Player::open(*addresses, kPatience);
+  if (!player) {
+    return complain(player.error());
+  }
+  say_resumed(*journal);
+  if (auto written = journal->append(Remark{"resumed", player->ball().name}); !written) {
+    return complain(written.error());
+  }
+  return go_on({*study, *addresses, options.blind}, *journal, *std::move(player),
+               [](const View&) {});
+}
+
+int run_participant() {
+  watch_interrupts();
+  const auto study = StudyFolder::find(".");
+  if (!study) {
+    return complain(study.error());
+  }
+  if (!is_terminal()) {
+    return study::complain(EX_USAGE, "the participant's page needs a terminal");
+  }
+  const auto ended = run_participant_page(study->path() / kPage, interrupted);
+  return ended ? 0 : complain(ended.error());
+}
+
+}  // namespace hedgehog::study

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "clients/study/experiment_file.h"
+#include "clients/study/journal/journal.h"
+#include "clients/study/study_folder.h"
+#include "clients/study/verbs/run_verb.h"
+#include "clients/study/verbs/trace_verb.h"
+
+namespace hedgehog::study {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+std::string in_short(const RecordedRun& run) {
+  const Experiment& experiment = run.header().experiment;
+  const Staircase& staircase = run.state().staircase();
+  const auto counted = staircase.counted_reversals();
+  char text[64];
+  if (!counted.empty()) {
+    std::snprintf(text, sizeof text, "%.3g %s", mean_value(counted, experiment.decimals()),
+                  experiment.unit());
+  } else if (run.over()) {
+    std::snprintf(text, sizeof text, "given up");
+  } else {
+    std::snprintf(text, sizeof text, "open, %d trials", staircase.state().scored);
+  }
+  return text;
+}
+
+ordered_json as_json(const JournalName& name, const RecordedRun& run) {
+  const Experiment& experiment = run.header().experiment;
+  const Staircase& staircase = run.state().staircase();
+  const auto counted = staircase.counted_reversals();
+  return {
+      {"participant", name.participant},
+      {"experiment", name.experiment},
+      {"run", name.run},
+      {"status", study::name(staircase.status())},
+      {"scored", staircase.state().scored},
+      {"voids", run.state().voids()},
+      {"reversals", staircase.state().reversals.size()},
+      {"threshold", counted.empty() ? ordered_json(nullptr)
+                                    : ordered_json(mean_decimal(counted, experiment.decimals()))},
+      {"unit", experiment.unit()},
+      {"journal", name.path.string()}};
+}
+
+}  // namespace
+
+int run_plan(const PlanOptions& options) {
+  for (const std::string& experiment : options.experiments) {
+    if (const auto found = find_experiment(experiment); !found) {
+      return complain(found.error().exit_code, found.error().message);
+    }
+  }
+  const StudyPlan plan = make_plan(options.participants, options.experiments, options.seed);
+  const auto study = StudyFolder::create(options.folder, plan);
+  if (!study) {
+    return complain(study.error().exit_code, study.error().message);
+  }
+  std::printf("%s/study.json: %d people x %zu experiments, Latin square, seeds drawn\n",
+              options.folder.c_str(), options.participants, options.experiments.size());
+  for (const Participant& participant : plan.participants) {
+    std::printf("  %s ", participant.id.c_str());
+    for (const std::string& experiment : participant.order) {
+      std::printf(" %s", experiment.c_str());
+    }
+    std::puts("");
+  }
+  return 0;
+}
+
+int run_status(bool json) {
+  const auto study = StudyFolder::find(".");
+  if (!study) {
+    return complain(study.error().exit_code, study.error().message);
+  }
+  ordered_json all = ordered_json::array();
+  std::vector<std::pair<JournalName, std::string>> cells;
+  for (const JournalName& name : study->journals()) {
+    const auto run = read_run(name.path);
+    if (!run) {
+      complain(run.error().exit_code, run.error().message);
+      continue;
+    }
+    all.push_back(as_json(name, *run));
+    cells.emplace_back(name, in_short(*run));
+  }
+  if (json) {
+    std::puts(all.dump().c_str());
+    return 0;
+  }
+  std::printf("       ");
+  for (const std::string& experiment : study->plan().experiments) {
+    std::printf(" %-18s", experiment.c_str());
+  }
+  std::puts("");
+  for (const Participant& participant : study->plan().participants) {
+    std::printf("  %-5s", participant.id.c_str());
+    for (const std::string& experiment : study->plan().experiments) {
+      std::string text = "-";
+      for (const auto& [name, said] : cells) {
+        if (name.participant == participant.id && name.experiment == experiment) {
+          text = said;
+        }
+      }
+      std::printf(" %-18s", text.c_str());
+    }
+    std::puts("");
+  }
+  return 0;
+}
+
+}  // namespace hedgehog::study
