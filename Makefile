@@ -50,8 +50,9 @@ test: $(TEST_DEPS)
 	cmake --build --preset dev
 	ctest --preset dev -j $(JOBS)
 
+SANITIZER_OPTIONS ?= -DHEDGEHOG_ONE_THREAD_TESTS=ON
 asan tsan: $(TEST_DEPS)
-	cmake --preset $@
+	cmake --preset $@ $(SANITIZER_OPTIONS)
 	cmake --build --preset $@
 	ctest --preset $@ -j $(JOBS)
 
@@ -90,7 +91,7 @@ test-all: $(TEST_DEPS)
 	$(MAKE) faults-ci
 	$(MAKE) fuzz
 	$(MAKE) asan
-	$(MAKE) tsan
+	$(MAKE) tsan SANITIZER_OPTIONS=-DHEDGEHOG_ONE_THREAD_TESTS=OFF
 
 clean:
 	rm -rf build
