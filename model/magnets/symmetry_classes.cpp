@@ -32,20 +32,28 @@ bool same(const std::vector<double>& a, const std::vector<double>& b) {
                     [](double x, double y) { return std::abs(x - y) <= kSameAngleDeg; });
 }
 
-std::vector<AngleCount> merged(const std::vector<double>& angles_deg) {
+/// Neighbours in the list that `belongs(first, angle)` calls one become their mean.
+template <typename Belongs>
+std::vector<AngleCount> merged(const std::vector<AngleCount>& angles, const Belongs& belongs) {
   std::vector<AngleCount> merged;
   double first_deg = 0.0;
-  for (const double angle : angles_deg) {
-    if (merged.empty() || angle - first_deg > kSameAngleDeg) {
-      merged.push_back({angle, 1});
-      first_deg = angle;
+  for (const AngleCount& angle : angles) {
+    if (merged.empty() || !belongs(first_deg, angle.angle_deg)) {
+      merged.push_back(angle);
+      first_deg = angle.angle_deg;
     } else {
       AngleCount& last = merged.back();
-      ++last.count;
-      last.angle_deg += (angle - last.angle_deg) / last.count;
+      last.count += angle.count;
+      last.angle_deg += (angle.angle_deg - last.angle_deg) * angle.count / last.count;
     }
   }
   return merged;
+}
+
+std::vector<AngleCount> counted(const std::vector<double>& angles_deg) {
+  std::vector<AngleCount> each;
+  for (const double angle : angles_deg) each.push_back({angle, 1});
+  return merged(each, [](double first, double angle) { return angle - first <= kSameAngleDeg; });
 }
 
 double nearest_deg(const PinClass& pin_class) {
@@ -66,12 +74,23 @@ std::vector<PinClass> symmetry_classes(const Arrangement& arrangement) {
       classes[static_cast<std::size_t>(known - views.begin())].pins.push_back(pin.id);
       continue;
     }
-    classes.push_back({{pin.id}, merged(view.pins_deg), merged(view.shields_deg)});
+    classes.push_back({{pin.id}, counted(view.pins_deg), counted(view.shields_deg)});
     views.push_back(std::move(view));
   }
   std::stable_sort(classes.begin(), classes.end(), [](const PinClass& a, const PinClass& b) {
     return nearest_deg(a) + kSameAngleDeg < nearest_deg(b);
   });
+  return classes;
+}
+
+std::vector<PinClass> coarsened(std::vector<PinClass> classes, double width) {
+  const auto belongs = [width](double first, double angle) {
+    return angle <= first * (1.0 + width);
+  };
+  for (PinClass& pin_class : classes) {
+    pin_class.to_pins = merged(pin_class.to_pins, belongs);
+    pin_class.to_shields = merged(pin_class.to_shields, belongs);
+  }
   return classes;
 }
 

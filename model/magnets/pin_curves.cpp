@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "model/magnets/pin_curves.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/magnets/electromagnet.h"
+#include "model/magnets/force_curve.h"
+
+namespace hedgehog::model {
+
+PinCurves::PinCurves(const Arrangement& arrangement, const ArraySizes& sizes,
+                     const PinTravel& travel)
+    : travel_(travel), class_of_(arrangement.pins.size()) {
+  // 1e-4 of the forces is 1e-4 mm here.
+  constexpr ForceSettings kSettings{ForceModel::kExact, 1e-4};
+  const double step_mm = (travel.highest_mm - travel.lowest_mm) / (kPoints - 1);
+  const OffsetGrid grid{travel.lowest_mm, travel.highest_mm, step_mm};
+  const Electromagnet coil = measured_electromagnet();
+  const auto push = [&](double offset_mm) {
+    return coil_force_n(coil, 1.0, sizes.pin, sizes.sphere_radius_mm, 0.0, offset_mm);
+  };
+  for (const PinClass& pin_class : symmetry_classes(arrangement)) {
+    const ForceCurve curve = force_curve({pin_class, sizes, kSettings}, grid);
+    HoldingForce holding{};
+    for (std::size_t i = 0; i < kPoints; ++i) {
+      holding[i] = -curve.force_n[i] * push(0.0) / push(curve.offsets_mm[i]);
+      // Beyond the strongest pull nothing holds the pin on its way out.
+      if (i > 0) holding[i] = std::max(holding[i], holding[i - 1]);
+    }
+    for (std::size_t i = 0; i < arrangement.pins.size(); ++i) {
+      if (std::binary_search(pin_class.pins.begin(), pin_class.pins.end(),
+                             arrangement.pins[i].id)) {
+        class_of_[i] = static_cast<std::uint16_t>(classes_.size());
+      }
+    }
+    classes_.push_back(holding);
+  }
+}
+
+double PinCurves::offset_mm(std::size_t pin, double coil_force_n) const noexcept {
+  const HoldingForce& holding = classes_[class_of_[pin]];
+  const double force = std::isnan(coil_force_n) ? 0.0 : coil_force_n;
+  const auto above = std::upper_bound(holding.begin(), holding.end(), force);
+  if (above == holding.begin()) return travel_.lowest_mm;
+  if (above == holding.end()) return travel_.highest_mm;
+  const double before = *(above - 1);
+  const double place =
+      static_cast<double>(above - 1 - holding.begin()) + (force - before) / (*above - before);
+  return travel_.lowest_mm +
+         place * (travel_.highest_mm - travel_.lowest_mm) / static_cast<double>(kPoints - 1);
+}
+
+void PinCurves::extensions_mm(std::span<const double> coil_forces_n,
+                              std::span<double> extensions_mm) const noexcept {
+  for (std::size_t i = 0; i < size(); ++i) extensions_mm[i] = extension_mm(i, coil_forces_n[i]);
+}
+
+const PinCurves& hedgehog_86_curves() {
+  static const PinCurves curves(arrangement_named("tkD-86").value(), {});
+  return curves;
+}
+
+}  // namespace hedgehog::model

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// How far each pin of a ball is out, looked up: the live twin's curves. Made once at start-up;
+// looking up allocates nothing and may be done in any thread.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "model/magnets/magnet_array.h"
+
+namespace hedgehog::model {
+
+/// How far a magnet can move, from inner face on the sphere. The shell below and the casing above
+/// stop it (thesis section 2.4: 1.5 mm of travel).
+struct PinTravel {
+  double lowest_mm = 0.0;
+  double highest_mm = 1.5;
+};
+
+/// Each pin by itself: the others are taken to stay at offset 0, as in the thesis' curves.
+class PinCurves {
+ public:
+  /// REQUIRES: check_fit(arrangement, sizes) has nothing to say; lowest < highest.
+  PinCurves(const Arrangement& arrangement, const ArraySizes& sizes, const PinTravel& travel = {});
+
+  std::size_t size() const noexcept { return class_of_.size(); }
+  /// Offset without any coil force, mm. A pin that the shields pull below its travel lies on the
+  /// shell, and the first part of a push goes into that preload. REQUIRES: pin < size(), in the
+  /// order of the arrangement's pins.
+  double rest_mm(std::size_t pin) const noexcept { return offset_mm(pin, 0.0); }
+  /// Offset under a coil force, mm. `coil_force_n`: outward, as it would be on the pin at offset 0
+  /// (`pin_forces`); that it weakens while the pin moves out is in the curve. A force that expels
+  /// the pin, or pulls it in entirely, leaves it at the end of its travel; not a number counts as
+  /// 0.
+  double offset_mm(std::size_t pin, double coil_force_n) const noexcept;
+  /// How far the force moves the pin from its rest, mm; negative: inwards.
+  double extension_mm(std::size_t pin, double coil_force_n) const noexcept {
+    return offset_mm(pin, coil_force_n) - rest_mm(pin);
+  }
+  /// All at once. REQUIRES: both are as long as size().
+  void extensions_mm(std::span<const double> coil_forces_n,
+                     std::span<double> extensions_mm) const noexcept;
+
+ private:
+  /// Steps of 0.05 mm over the thesis' travel: linear between them is within 0.001 mm.
+  static constexpr std::size_t kPoints = 31;
+  /// The coil force that holds a pin at each of the points; never falling.
+  using HoldingForce = std::array<double, kPoints>;
+
+  PinTravel travel_;
+  std::vector<HoldingForce> classes_;
+  std::vector<std::uint16_t> class_of_;
+};
+
+/// Of the ball of the thesis, "tkD-86": pins as in `hedgehog_86()`. Computed by the first call
+/// (some 50 ms, allocates): make it at start-up.
+const PinCurves& hedgehog_86_curves();
+
+}  // namespace hedgehog::model

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "model/magnets/pin_curves.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "model/field.h"
+#include "model/magnets/characterisation.h"
+#include "tests/model/magnets/known_arrays.h"
+
+namespace hedgehog::model {
+namespace {
+
+constexpr ForceSettings kExact{ForceModel::kExact, 1e-6};
+constexpr double kThesisForceN = 15.0 * kFeaCalibration.force_slope_n_a;
+
+// Looked up and solved for, pin by pin. A pin that rests below the shell starts from the shell.
+TEST(PinCurves, AgreeWithTheExactExtension) {
+  const PinCurves& curves = hedgehog_86_curves();
+  ASSERT_EQ(curves.size(), 86u);
+  for (const PinClass& pin_class : classes("tkD-86")) {
+    const PinForce force(pin_class, {}, kExact);
+    const Characterisation character = characterise(force);
+    const double rest = std::max(0.0, *character.rest_mm);
+    for (const int pin : pin_class.pins) {
+      const auto at = static_cast<std::size_t>(pin);
+      EXPECT_NEAR(curves.rest_mm(at), rest, 1e-3) << pin;
+      for (const double current_a : {5.0, 15.0}) {
+        const double push = current_a * kFeaCalibration.force_slope_n_a;
+        const double out = *extension_mm(force, character, fea_electromagnet(), current_a);
+        const double wanted = std::max(0.0, *character.rest_mm + out) - rest;
+        EXPECT_NEAR(curves.extension_mm(at, push), wanted, 1e-3) << pin;
+      }
+    }
+  }
+}
+
+// Reference: physics.md section 3: 0.19 N to lift a pentagon's pin off the shell, for the full
+// array.
+TEST(PinCurves, APentagonsPinLiesOnTheShell) {
+  const PinCurves tkd(arrangement("tkD"), {});
+  EXPECT_EQ(tkd.rest_mm(0), 0.0);
+  EXPECT_EQ(tkd.extension_mm(0, 0.18), 0.0);
+  EXPECT_EQ(tkd.extension_mm(0, 0.19), 0.0);
+  EXPECT_GT(tkd.extension_mm(0, 0.20), 0.0);
+}
+
+TEST(PinCurves, EndsOfTheTravel) {
+  const PinCurves& curves = hedgehog_86_curves();
+  for (std::size_t pin = 0; pin < curves.size(); ++pin) {
+    EXPECT_EQ(curves.offset_mm(pin, 10.0), 1.5);
+    EXPECT_EQ(curves.offset_mm(pin, -10.0), 0.0);
+    EXPECT_EQ(curves.offset_mm(pin, std::numeric_limits<double>::infinity()), 1.5);
+    EXPECT_EQ(curves.offset_mm(pin, std::nan("")), curves.rest_mm(pin));
+  }
+}
+
+TEST(PinCurves, AnUnstablePinIsAtTheCasing) {
+  const PinCurves curves(arrangement("tkD-86-20"), {});
+  EXPECT_EQ(curves.rest_mm(80), 1.5);
+  EXPECT_NEAR(curves.rest_mm(17), 0.516, 2e-3);
+}
+
+TEST(PinCurves, UnderAnAimedFieldTheAimedPinIsFarthestOutOfItsKind) {
+  const PinCurves& curves = hedgehog_86_curves();
+  std::array<double, 86> forces{};
+  std::array<double, 86> extensions{};
+  pin_forces(hedgehog_86(), {15.0 * hedgehog_86().pins[17].position},
+             kFeaCalibration.force_slope_n_a, forces);
+  curves.extensions_mm(forces, extensions);
+  EXPECT_NEAR(extensions[17], 0.516, 2e-3);
+  for (const int pin : {6, 18, 31, 47, 61}) {
+    EXPECT_LT(extensions[static_cast<std::size_t>(pin)], extensions[17]);
+  }
+  EXPECT_LT(*std::min_element(extensions.begin(), extensions.end()), -0.3);
+}
+
+RC_GTEST_PROP(PinCurves, MoreForceNeverMeansLess, ()) {
+  const PinCurves& curves = hedgehog_86_curves();
+  const auto pin = *rc::gen::inRange<std::size_t>(0, curves.size());
+  const double low = *rc::gen::inRange(-1000, 1000) * 1e-3 * kThesisForceN;
+  const double more = *rc::gen::inRange(0, 1000) * 1e-4;
+  RC_ASSERT(curves.offset_mm(pin, low + more) >= curves.offset_mm(pin, low));
+}
+
+}  // namespace
+}  // namespace hedgehog::model
