@@ -112,6 +112,7 @@ asio::awaitable<void> Daemon::pump() {
   while (!leaving_) {
     server_.pump();
     keeper_.pump();
+    for (const std::string& line : machinery_.sensors().news()) spdlog::info("{}", line);
     manager_.alive(machinery_.loop().heartbeat());
     if (ready_) {
       manager_.status(status_line());
@@ -185,8 +186,10 @@ void Daemon::reload() {
       !model::is_within(next.limits, next.device.limits) ||
       device::BoardLimits::of(next.limits).wider_than(device::BoardLimits::of(config_.limits));
   const bool restart = fresh->backend != next.backend || fresh->device_file != next.device_file ||
-                       fresh->imu != next.imu || !(fresh->listen == next.listen) ||
-                       !(fresh->http == next.http) || !(fresh->simulator == next.simulator) ||
+                       fresh->imu != next.imu || !(fresh->imu_fitting == next.imu_fitting) ||
+                       !(fresh->thermometer == next.thermometer) ||
+                       !(fresh->listen == next.listen) || !(fresh->http == next.http) ||
+                       !(fresh->simulator == next.simulator) ||
                        fresh->state_directory != next.state_directory || too_wide;
   if (too_wide) {
     next.limits = config_.limits;

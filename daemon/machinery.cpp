@@ -33,6 +33,7 @@ Machinery::Machinery(const config::Config& config, const control::ControlSetting
   if (speed > 1) {
     loop_ = std::make_unique<control::LockstepLoop>(settings, *mailbox_, *port_, &recorder_,
                                                     board_options(config, start_c), speed);
+    sensors_ = std::make_unique<Sensors>(config, *mailbox_, *loop_);
     return;
   }
   std::unique_ptr<device::Transport> transport;
@@ -53,6 +54,7 @@ Machinery::Machinery(const config::Config& config, const control::ControlSetting
   }
   link_ = std::make_unique<device::LinkThread>(*port_, std::move(transport));
   loop_ = std::make_unique<control::ControlLoop>(settings, *mailbox_, *port_, &recorder_);
+  sensors_ = std::make_unique<Sensors>(config, *mailbox_, *loop_);
 }
 
 }  // namespace hedgehog::daemon

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The threads below io: control, link and, when the ball is simulated, the board. Which of them
-// there are depends on the backend and on --speed.
+// The threads below io: control, link, a reader a sensor and, when the ball is simulated, the
+// board. Which of them there are depends on the configuration and on --speed.
 #pragma once
 
 #include <memory>
@@ -14,6 +14,7 @@
 #include "daemon/device/link_thread.h"
 #include "daemon/device/simulated_board_process.h"
 #include "daemon/device/simulated_board_runner.h"
+#include "daemon/sensors.h"
 
 namespace hedgehog::daemon {
 
@@ -29,6 +30,7 @@ class Machinery {
   control::Mailbox& mailbox() noexcept { return *mailbox_; }
   device::LinkPort& port() noexcept { return *port_; }
   control::FlightRecorder& recorder() noexcept { return recorder_; }
+  Sensors& sensors() noexcept { return *sensors_; }
 
  private:
   std::unique_ptr<control::Mailbox> mailbox_;
@@ -39,6 +41,7 @@ class Machinery {
   std::unique_ptr<device::SimulatedBoardThread> board_thread_;
   std::unique_ptr<device::LinkThread> link_;
   std::unique_ptr<control::Loop> loop_;
+  std::unique_ptr<Sensors> sensors_;
 };
 
 }  // namespace hedgehog::daemon

@@ -11,6 +11,7 @@ StartState start_state(const config::Config& config, const std::optional<server:
   control::ControlSettings& s = start.settings;
   s.coils = config.device.coils;
   s.thermal = config.device.thermal;
+  s.thermometer = config.thermometer.role;
   s.limits = config.limits;
   s.ceiling = config.device.limits;
   s.gain = saved && saved->gain ? *saved->gain : config.gain;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "daemon/config/listen_address.h"
+#include "daemon/config/sensor_settings.h"
 #include "model/device_model.h"
 #include "model/limits.h"
 
@@ -18,7 +19,6 @@ namespace hedgehog::config {
 
 enum class Backend : std::uint8_t { kSimulator, kUsb };
 enum class ArmAtStart : std::uint8_t { kAfterCleanStop, kNever };
-enum class ImuType : std::uint8_t { kNone, kSimulator, kExternal };
 enum class LogLevel : std::uint8_t { kDebug, kInfo, kWarning, kError };
 
 struct ListenSettings {
@@ -63,6 +63,8 @@ struct Config {
   model::Limits limits;
   ArmAtStart arm_at_start = ArmAtStart::kAfterCleanStop;
   ImuType imu = ImuType::kSimulator;
+  ImuFitting imu_fitting;
+  ThermometerSettings thermometer;
   /// Comfort setting at the first start, 0..1; `output.set_gain` changes and stores it.
   double gain = 1.0;
   ListenSettings listen;

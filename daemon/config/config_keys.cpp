@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "daemon/config/sensor_keys.h"
+
 namespace hedgehog::config {
 namespace {
 
@@ -108,15 +110,6 @@ Key<D> path_key(std::string path, bool absolute, bool nullable, Get get) {
           }};
 }
 
-Key<D> imu_key() {
-  constexpr Choices<std::optional<ImuType>, 4> kImuTypes{{{"auto", std::nullopt},
-                                                          {"none", ImuType::kNone},
-                                                          {"simulator", ImuType::kSimulator},
-                                                          {"external", ImuType::kExternal}}};
-  return choice_key<D>(
-      "imu.type", kImuTypes, [](auto& d) -> auto& { return d.imu; });
-}
-
 void add_listeners(std::vector<Key<D>>& keys) {
   keys.push_back({"listen.tcp", read_addresses, write_addresses});
   keys.push_back(path_key(
@@ -170,7 +163,7 @@ std::vector<Key<D>> make_config_keys() {
   }
   keys.push_back(number_key<D>(
       "output.gain", 0, 1, [](auto& d) -> auto& { return d.config.gain; }));
-  keys.push_back(imu_key());
+  add_sensor_keys(keys);
   add_listeners(keys);
   keys.push_back(choice_key<D>(
       "log.level", kLogLevels, [](auto& d) -> auto& { return d.config.log_level; }));

@@ -8,6 +8,7 @@
 #include "daemon/config/device_keys.h"
 #include "daemon/config/json_text.h"
 #include "daemon/config/key_tree.h"
+#include "daemon/config/sensor_keys.h"
 
 namespace hedgehog::config {
 namespace {
@@ -46,7 +47,7 @@ class Loader {
 
   void settle() {
     settle_device();
-    settle_imu();
+    settle_sensors(draft_, origins_, paths_.config_file, errors_);
     settle_places();
   }
 
@@ -131,17 +132,6 @@ class Loader {
       errors_.push_back(error_at(origins_, "device", "there is no " + tried, paths_.config_file));
     }
     return {};
-  }
-
-  void settle_imu() {
-    Config& config = draft_.config;
-    const bool simulator = config.backend == Backend::kSimulator;
-    config.imu = draft_.imu.value_or(simulator ? ImuType::kSimulator : ImuType::kNone);
-    if (!simulator && config.imu == ImuType::kSimulator) {
-      errors_.push_back(error_at(origins_, "imu.type",
-                                 "\"simulator\" goes with backend \"simulator\" only",
-                                 paths_.config_file));
-    }
   }
 
   void settle_places() {

@@ -57,17 +57,7 @@ Outcome device_describe(Call& call, const protocol::DeviceDescribe&) {
   d.gain = machine.now().gain;
   d.board.backend = d.simulated ? "simulator" : "usb";
   d.board.present = machine.now().board_present;
-  switch (config.imu) {
-    case config::ImuType::kNone:
-      d.imu.type = "none";
-      break;
-    case config::ImuType::kSimulator:
-      d.imu.type = "simulator";
-      break;
-    case config::ImuType::kExternal:
-      d.imu.type = "external";
-      break;
-  }
+  d.imu.type = config::name(config.imu);
   d.imu.present = machine.now().orientation_present;
   return Answer(std::move(d));
 }

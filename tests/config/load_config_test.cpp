@@ -82,7 +82,9 @@ constexpr const char* kEverythingElse = R"({
   "backend": "simulator", "device": "mine", "arm_at_start": "never",
   "limits": {"current_a": 12, "continuous_a": 4.5, "felt_a": 2, "derate_from_c": 50,
              "sustain_c": 60, "zero_c": 62, "trip_c": 65, "rearm_c": 40},
-  "output": {"gain": 0.5}, "imu": {"type": "external"},
+  "output": {"gain": 0.5},
+  "imu": {"type": "external", "serial": "0368248C", "front": "left", "up": "down"},
+  "thermometer": {"type": "temper", "role": "shell", "serial": "7"},
   "listen": {"tcp": ["127.0.0.2:0"], "unix": "/tmp/ball.sock"},
   "http": {"listen": null, "allow_origins": ["https://game.example:8443"]},
   "connections": {"max": 8, "queue_bytes": 65536}, "telemetry": {"max_rate_hz": 50},
@@ -107,6 +109,9 @@ TEST(LoadConfig, EveryKeyArrives) {
   EXPECT_EQ(c.limits, (model::Limits{12, 4.5, 2, 50, 60, 62, 65, 40}));
   EXPECT_EQ(c.gain, 0.5);
   EXPECT_EQ(c.imu, ImuType::kExternal);
+  EXPECT_EQ(c.imu_fitting, (ImuFitting{"0368248C", device::Side::kLeft, device::Side::kDown}));
+  EXPECT_EQ(c.thermometer,
+            (ThermometerSettings{ThermometerType::kTemper, device::ThermometerRole::kShell, "7"}));
   EXPECT_EQ(c.listen, (ListenSettings{{{"127.0.0.2", 0}}, "/tmp/ball.sock"}));
   EXPECT_EQ(c.http, (HttpSettings{std::nullopt, {"https://game.example:8443"}}));
   EXPECT_EQ(c.connections, (ConnectionSettings{8, 65536}));
@@ -231,6 +236,49 @@ RC_GTEST_PROP(LoadConfig, NoTextCrashesItAndEveryErrorNamesItsFile, ()) {
       RC_ASSERT(!error.reason.empty());
     }
   }
+}
+
+TEST(Sensors, AreReadAndPrinted) {
+  const FakeFiles fake = FakeFiles::with(R"({
+    "backend": "usb",
+    "imu": {"type": "dualsense", "serial": "aa:bb", "front": "left", "up": "down"},
+    "thermometer": {"type": "temper", "role": "shell"}
+  })");
+  const auto config = fake.load();
+  ASSERT_TRUE(config) << to_string(config.error());
+  EXPECT_EQ(config->imu, ImuType::kDualSense);
+  EXPECT_EQ(config->imu_fitting, (ImuFitting{"aa:bb", device::Side::kLeft, device::Side::kDown}));
+  EXPECT_EQ(config->thermometer.type, ThermometerType::kTemper);
+  EXPECT_EQ(config->thermometer.role, device::ThermometerRole::kShell);
+  const auto again = FakeFiles::with(print_config(*config)).load();
+  ASSERT_TRUE(again) << to_string(again.error());
+  EXPECT_EQ(again->imu_fitting, config->imu_fitting);
+  EXPECT_EQ(again->thermometer, config->thermometer);
+  EXPECT_EQ(name(again->imu), "dualsense");
+}
+
+TEST(Sensors, NoRealThermometerChecksASimulatedCoil) {
+  FakeFiles fake =
+      FakeFiles::with(R"({"backend": "usb", "thermometer": {"type": "temper", "role": "coil"}})");
+  EXPECT_EQ(fake.load()->thermometer.role, device::ThermometerRole::kCoil);
+  fake.overrides.simulate = true;
+  EXPECT_EQ(fake.load()->thermometer, ThermometerSettings{});
+}
+
+TEST(Sensors, ContradictionsAreNamed) {
+  const auto error_of = [](const std::string& text) {
+    const auto config = FakeFiles::with(text).load();
+    return config ? std::string("none") : to_string(config.error());
+  };
+  using testing::HasSubstr;
+  EXPECT_THAT(error_of(R"({"imu": {"front": "left", "up": "right"}})"),
+              HasSubstr("imu.up: must be neither the side of imu.front nor the opposite one"));
+  EXPECT_THAT(error_of(R"({"thermometer": {"type": "temper"}})"),
+              HasSubstr("thermometer.role: must be \"coil\" or \"shell\""));
+  EXPECT_THAT(error_of(R"({"thermometer": {"role": "shell"}})"),
+              HasSubstr("thermometer.role: needs a thermometer"));
+  EXPECT_THAT(error_of(R"({"imu": {"type": "mtw"}})"), HasSubstr("\"dualshock4\" or \"mti\""));
+  EXPECT_THAT(error_of(R"({"imu": {"serial": ""}})"), HasSubstr("a serial number or null"));
 }
 
 }  // namespace

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/device/sensors/discovery.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace hedgehog::device {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string read_text(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+/// Without the newline at its end.
+std::string read_line(const fs::path& file) {
+  std::string text = read_text(file);
+  text.resize(std::min(text.size(), text.find('\n')));
+  return text;
+}
+
+std::optional<int> number(std::string_view text, int base) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::vector<fs::path> entries(const fs::path& folder) {
+  std::vector<fs::path> found;
+  std::error_code ignored;
+  for (fs::directory_iterator it(folder, ignored), end; it != end; it.increment(ignored)) {
+    found.push_back(it->path());
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+std::optional<UsbPlace> place_of(const fs::path& device) {
+  const auto bus = number(read_line(device / "busnum"), 10);
+  const auto address = number(read_line(device / "devnum"), 10);
+  if (!bus || !address) return std::nullopt;
+  return UsbPlace{*bus, *address, -1};
+}
+
+/// "HID_NAME=..." of a uevent file.
+std::string property(const std::string& uevent, const std::string& key) {
+  const std::size_t at = ("\n" + uevent).find("\n" + key + "=");
+  if (at == std::string::npos) return {};
+  const std::size_t from = at + key.size() + 1;
+  return uevent.substr(from, uevent.find('\n', from) - from);
+}
+
+constexpr int kUsbBus = 0x03;
+constexpr int kBluetoothBus = 0x05;
+
+std::optional<HidDevice> hid_device(const fs::path& entry) {
+  // "0003:054C:0CE6.0007": bus, vendor, product, a running number.
+  const std::string id = entry.filename().string();
+  if (id.size() < 14) return std::nullopt;
+  const auto bus = number(std::string_view(id).substr(0, 4), 16);
+  const auto vendor = number(std::string_view(id).substr(5, 4), 16);
+  const auto product = number(std::string_view(id).substr(10, 4), 16);
+  if (!bus || !vendor || !product) return std::nullopt;
+
+  HidDevice made;
+  made.vendor = static_cast<std::uint16_t>(*vendor);
+  made.product = static_cast<std::uint16_t>(*product);
+  made.bluetooth = *bus == kBluetoothBus;
+  const std::string uevent = read_text(entry / "uevent");
+  made.name = property(uevent, "HID_NAME");
+  made.serial = property(uevent, "HID_UNIQ");
+  const std::string descriptor = read_text(entry / "report_descriptor");
+  made.descriptor.assign(descriptor.begin(), descriptor.end());
+  const auto nodes = entries(entry / "hidraw");
+  if (!nodes.empty()) made.hidraw = "/dev/" + nodes.front().filename().string();
+
+  std::error_code error;
+  const fs::path real = fs::canonical(entry, error);
+  if (*bus == kUsbBus && !error) {
+    const fs::path interface = real.parent_path();
+    const auto index = number(read_line(interface / "bInterfaceNumber"), 16);
+    made.usb = place_of(interface.parent_path());
+    if (made.usb) made.usb->interface = index.value_or(0);
+  }
+  return made;
+}
+
+struct Ids {
+  std::uint16_t vendor;
+  std::uint16_t product;
+  SensorKind kind;
+};
+constexpr std::array<Ids, 9> kHidIds{{{0x054C, 0x0CE6, SensorKind::kDualSense},
+                                      {0x054C, 0x0DF2, SensorKind::kDualSense},
+                                      {0x054C, 0x05C4, SensorKind::kDualShock4},
+                                      {0x054C, 0x09CC, SensorKind::kDualShock4},
+                                      {0x054C, 0x0BA0, SensorKind::kDualShock4},
+                                      {0x0C45, 0x7401, SensorKind::kTemper},
+                                      {0x0C45, 0x7402, SensorKind::kTemper},
+                                      {0x413D, 0x2107, SensorKind::kTemper},
+                                      {0x1A86, 0xE025, SensorKind::kTemper}}};
+/// A TEMPer stick is a keyboard on its first interface and a thermometer on its second.
+constexpr int kTemperInterface = 1;
+
+constexpr std::uint16_t kXsens = 0x2639;
+constexpr std::array<std::uint16_t, 7> kMti{0x0001, 0x0002, 0x0003, 0x0011, 0x0012, 0x0013, 0x0017};
+
+template <std::size_t n>
+bool contains_bytes(const std::vector<Byte>& in, const std::array<Byte, n>& what) {
+  return std::search(in.begin(), in.end(), what.begin(), what.end()) != in.end();
+}
+
+std::string named(const std::string& name, std::uint16_t vendor, std::uint16_t product) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string ids;
+  for (const std::uint16_t id : {vendor, product}) {
+    ids += ids.empty() ? "" : ":";
+    for (int shift = 12; shift >= 0; shift -= 4) ids += kDigits[(id >> shift) & 15];
+  }
+  return (name.empty() ? "device" : name) + " (" + ids + ")";
+}
+
+template <class Device>
+Found find_one(const std::vector<Device>& devices, SensorKind kind, const std::string& serial) {
+  Found found;
+  std::size_t others = 0;
+  for (std::size_t i = 0; i < devices.size(); ++i) {
+    if (kind_of(devices[i]) != kind) continue;
+    if (!serial.empty() && devices[i].serial != serial) {
+      ++others;
+      continue;
+    }
+    if (found.index) {
+      return {std::nullopt, "two of them are connected, " + describe(devices[*found.index]) +
+                                " and " + describe(devices[i]) +
+                                "; the setting `serial` says which"};
+    }
+    found.index = i;
+  }
+  if (!found.index) {
+    found.failure = "no " + std::string(words(kind)) +
+                    (serial.empty() ? " is connected" : " with serial number " + serial);
+    if (others > 0) found.failure += ", only with others";
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<UsbDevice> list_usb(const std::string& sys) {
+  std::vector<UsbDevice> devices;
+  for (const fs::path& entry : entries(fs::path(sys) / "bus/usb/devices")) {
+    const auto vendor = number(read_line(entry / "idVendor"), 16);
+    const auto product = number(read_line(entry / "idProduct"), 16);
+    const auto place = place_of(entry);
+    if (!vendor || !product || !place) continue;  // an interface
+    devices.push_back({*place, static_cast<std::uint16_t>(*vendor),
+                       static_cast<std::uint16_t>(*product), read_line(entry / "manufacturer"),
+                       read_line(entry / "product"), read_line(entry / "serial")});
+  }
+  return devices;
+}
+
+std::vector<HidDevice> list_hid(const std::string& sys) {
+  std::vector<HidDevice> devices;
+  for (const fs::path& entry : entries(fs::path(sys) / "bus/hid/devices")) {
+    if (auto device = hid_device(entry)) devices.push_back(std::move(*device));
+  }
+  return devices;
+}
+
+SensorKind kind_of(const HidDevice& device) {
+  for (const Ids& known : kHidIds) {
+    if (known.vendor != device.vendor || known.product != device.product) continue;
+    const bool other_half = known.kind == SensorKind::kTemper && device.usb &&
+                            device.usb->interface != kTemperInterface;
+    return other_half ? SensorKind::kNone : known.kind;
+  }
+  // Usage page 0x20, then Device or Relative Orientation; its reader parses the rest.
+  const bool oriented = contains_bytes(device.descriptor, std::array<Byte, 2>{0x09, 0x8A}) ||
+                        contains_bytes(device.descriptor, std::array<Byte, 2>{0x09, 0x8E});
+  const bool sensor = contains_bytes(device.descriptor, std::array<Byte, 2>{0x05, 0x20});
+  return sensor && oriented ? SensorKind::kHidSensor : SensorKind::kNone;
+}
+
+SensorKind kind_of(const UsbDevice& device) {
+  if (device.vendor != kXsens) return SensorKind::kNone;
+  const bool mti = std::find(kMti.begin(), kMti.end(), device.product) != kMti.end();
+  return mti ? SensorKind::kMti : SensorKind::kClosedXsens;
+}
+
+std::string_view words(SensorKind kind) noexcept {
+  switch (kind) {
+    case SensorKind::kHidSensor:
+      return "HID orientation sensor";
+    case SensorKind::kDualSense:
+      return "DualSense pad";
+    case SensorKind::kDualShock4:
+      return "DualShock 4 pad";
+    case SensorKind::kMti:
+      return "Xsens MTi";
+    case SensorKind::kTemper:
+      return "TEMPer thermometer";
+    case SensorKind::kClosedXsens:
+      return "Xsens radio station or converter";
+    case SensorKind::kNone:
+      break;
+  }
+  return "sensor";
+}
+
+std::string describe(const HidDevice& device) {
+  return named(device.name, device.vendor, device.product);
+}
+std::string describe(const UsbDevice& device) {
+  return named(device.name, device.vendor, device.product);
+}
+
+Found find_sensor(const std::vector<HidDevice>& devices, SensorKind kind,
+                  const std::string& serial) {
+  return find_one(devices, kind, serial);
+}
+Found find_sensor(const std::vector<UsbDevice>& devices, SensorKind kind,
+                  const std::string& serial) {
+  return find_one(devices, kind, serial);
+}
+
+}  // namespace hedgehog::device

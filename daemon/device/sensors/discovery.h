@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// Which USB and HID devices this machine has, as the kernel tells in /sys: no device is opened and
+// no permission is needed. Reads files; any thread.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "daemon/device/byte_order.h"
+
+namespace hedgehog::device {
+
+/// Where a device hangs, as libusb finds it again.
+struct UsbPlace {
+  int bus = 0;
+  int address = 0;
+  /// Of a HID device; -1: the whole device.
+  int interface = -1;
+  friend bool operator==(const UsbPlace&, const UsbPlace&) = default;
+};
+
+struct UsbDevice {
+  UsbPlace place;
+  std::uint16_t vendor = 0;
+  std::uint16_t product = 0;
+  std::string manufacturer;
+  std::string name;
+  std::string serial;
+};
+
+struct HidDevice {
+  std::uint16_t vendor = 0;
+  std::uint16_t product = 0;
+  bool bluetooth = false;
+  std::string name;
+  std::string serial;
+  std::vector<Byte> descriptor;
+  /// "/dev/hidraw3"; empty: the kernel keeps it to itself (hid-sensor-hub before Linux 6.3).
+  std::string hidraw;
+  std::optional<UsbPlace> usb;
+};
+
+/// `sys`: "/sys", or a test's own tree. Sorted by where they hang. What cannot be read is left out.
+std::vector<UsbDevice> list_usb(const std::string& sys = "/sys");
+std::vector<HidDevice> list_hid(const std::string& sys = "/sys");
+
+/// What a device is to this daemon.
+enum class SensorKind : std::uint8_t {
+  kNone,
+  kHidSensor,
+  kDualSense,
+  kDualShock4,
+  kMti,
+  kTemper,
+  /// Xsens radio stations and converters: only the maker's closed SDK speaks with them.
+  kClosedXsens,
+};
+SensorKind kind_of(const HidDevice& device);
+SensorKind kind_of(const UsbDevice& device);
+/// "DualSense pad".
+std::string_view words(SensorKind kind) noexcept;
+
+/// "Wireless Controller (054c:0ce6)".
+std::string describe(const HidDevice& device);
+std::string describe(const UsbDevice& device);
+
+/// The one of that kind, or of that kind and serial number: an index into `devices`, or a sentence
+/// why there is none, or more than one.
+struct Found {
+  std::optional<std::size_t> index;
+  std::string failure;
+};
+Found find_sensor(const std::vector<HidDevice>& devices, SensorKind kind,
+                  const std::string& serial);
+Found find_sensor(const std::vector<UsbDevice>& devices, SensorKind kind,
+                  const std::string& serial);
+
+}  // namespace hedgehog::device

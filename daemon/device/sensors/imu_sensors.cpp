@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/device/sensors/imu_sensors.h"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace hedgehog::device {
+namespace {
+
+constexpr double kDegrees = 180.0 / 3.14159265358979323846;
+constexpr std::size_t kLongestReport = 1024;
+// A pad that paused was not turned at its last rate all the while.
+constexpr double kLongestStepS = 0.1;
+/// Bit of an MTi's status word: its filter is valid.
+constexpr std::uint32_t kOrientationValid = 2;
+
+/// Mean rate from `a` to `b`, in the axes of the thing that turned.
+model::Vec3 rate_between(const model::Quaternion& a, const model::Quaternion& b, double dt_s) {
+  model::Quaternion d = conjugate(a) * b;
+  if (d.w < 0.0) d = {-d.w, -d.x, -d.y, -d.z};
+  const model::Vec3 v{d.x, d.y, d.z};
+  const double sine = norm(v);
+  const double angle_deg = 2.0 * std::atan2(sine, d.w) * kDegrees;
+  return sine > 1e-9 ? (angle_deg / (sine * dt_s)) * v : model::Vec3{};
+}
+
+}  // namespace
+
+std::string HidSensorImu::open() {
+  OpenedHid opened = open_();
+  if (!opened.port) return opened.failure;
+  const auto descriptor = parse_hid_descriptor(opened.descriptor);
+  codec_ = descriptor ? HidOrientation::find(*descriptor) : std::nullopt;
+  if (!codec_) return opened.name + ": its report descriptor has no orientation";
+  for (const std::uint8_t id : codec_->feature_ids()) {
+    std::vector<Byte> report(codec_->feature_bytes(id));
+    report[0] = id;
+    if (opened.port->get_feature(report) == 0) {
+      std::fill(report.begin() + 1, report.end(), Byte{0});
+    }
+    codec_->switch_on(report, kIntervalS);
+    // Some run without it; those that do not stay silent, which shows as a stale orientation.
+    (void)opened.port->send_feature(report);
+  }
+  name_ = opened.name;
+  port_ = std::move(opened.port);
+  last_.reset();
+  return {};
+}
+
+bool HidSensorImu::poll(std::chrono::milliseconds wait) {
+  std::array<Byte, kLongestReport> report;
+  const auto length = port_->read(report, wait);
+  if (!length) return false;
+  if (const auto sample = codec_->decode(std::span(report).first(*length))) publish(*sample);
+  return true;
+}
+
+void HidSensorImu::publish(const HidOrientationSample& sample) {
+  const model::Tick now = sink_.tick();
+  const model::Tick since = now - last_tick_;
+  model::Vec3 rate;
+  if (sample.rate_deg_s) {
+    rate = *sample.rate_deg_s;
+  } else if (last_ && since > 0 && since < model::kTicksPerSecond) {
+    rate =
+        rate_between(*last_, sample.quaternion, static_cast<double>(since) * model::kTickSeconds);
+  }
+  last_ = sample.quaternion;
+  last_tick_ = now;
+  sink_.publish(sample.quaternion, rate);
+}
+
+std::string SonyImu::open() {
+  OpenedHid opened = open_();
+  if (!opened.port) return opened.failure;
+  const SonyBus bus = opened.bluetooth ? SonyBus::kBluetooth : SonyBus::kUsb;
+  const SonyCalibrationReport expected = calibration_report(pad_, bus);
+  std::vector<Byte> report(expected.bytes);
+  report[0] = expected.id;
+  // Reading it is also what makes a pad on Bluetooth send its full reports.
+  const std::size_t length = opened.port->get_feature(report);
+  report.resize(std::min(length, report.size()));
+  calibration_ = decode_calibration(pad_, bus, report).value_or(SonyCalibration::nominal());
+  name_ = opened.name;
+  port_ = std::move(opened.port);
+  // It has been turned while nobody looked, but its gyroscope is the same.
+  clock_us_.reset();
+  return {};
+}
+
+bool SonyImu::poll(std::chrono::milliseconds wait) {
+  std::array<Byte, kLongestReport> report;
+  const auto length = port_->read(report, wait);
+  if (!length) return false;
+  const auto sample = decode_sony(pad_, std::span(report).first(*length), calibration_);
+  if (!sample) return true;
+  const double dt_s = clock_us_ ? sony_elapsed_s(pad_, *clock_us_, sample->clock_us) : 0.0;
+  clock_us_ = sample->clock_us;
+  if (dt_s <= 0.0) return true;
+  fusion_.step({sample->rate_deg_s, sample->accel_g, std::min(dt_s, kLongestStepS)});
+  if (fusion_.started()) sink_.publish(fusion_.sensor_to_world(), fusion_.rate_deg_s());
+  return true;
+}
+
+std::string MtiImu::open() {
+  OpenedBytes opened = open_();
+  if (!opened.port) return opened.failure;
+  name_ = opened.name;
+  port_ = std::move(opened.port);
+  session_ = MtiSession();
+  return {};
+}
+
+bool MtiImu::poll(std::chrono::milliseconds wait) {
+  const std::vector<Byte> request = session_.due(now_s());
+  if (!request.empty() && !port_->write(request)) return false;
+  std::array<Byte, 2048> bytes;
+  const auto length = port_->read(bytes, wait);
+  if (!length) return false;
+  session_.receive(std::span(bytes).first(*length), now_s());
+  while (const auto sample = session_.next()) {
+    const bool valid = !sample->status || (*sample->status & kOrientationValid) != 0;
+    if (!valid || !sample->quaternion) continue;
+    sink_.publish(*sample->quaternion, kDegrees * sample->rate_rad_s.value_or(model::Vec3{}));
+  }
+  return true;
+}
+
+}  // namespace hedgehog::device

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/device/sensors/sensor_thread.h"
+
+#include <algorithm>
+
+#include "daemon/device/tick_clock.h"
+
+namespace hedgehog::device {
+
+SensorThread::SensorThread(std::unique_ptr<Sensor> sensor) : sensor_(std::move(sensor)) {
+  const SignalsBlocked blocked;
+  thread_ = std::thread([this] { run(); });
+}
+
+SensorThread::~SensorThread() {
+  {
+    const std::lock_guard lock(mutex_);
+    stop_ = true;
+  }
+  wake_.notify_all();
+  thread_.join();
+}
+
+SensorState SensorThread::state() const {
+  const std::lock_guard lock(mutex_);
+  return state_;
+}
+
+void SensorThread::note(bool open, const std::string& what) {
+  const std::lock_guard lock(mutex_);
+  state_.open = open;
+  state_.what = what;
+  if (open) ++state_.opened;
+}
+
+bool SensorThread::pause(std::chrono::milliseconds time) {
+  std::unique_lock lock(mutex_);
+  return !wake_.wait_for(lock, time, [this] { return stop_.load(); });
+}
+
+void SensorThread::run() {
+  auto patience = kFirstPause;
+  do {
+    const std::string failure = sensor_->open();
+    if (!failure.empty()) {
+      note(false, failure);
+      patience = std::min(2 * patience, kLongestPause);
+      continue;
+    }
+    note(true, sensor_->name());
+    const auto since = std::chrono::steady_clock::now();
+    while (!stop_ && sensor_->poll(kWait)) {
+    }
+    note(false, sensor_->name() + ": it went away");
+    sensor_->close();
+    // One that opens and dies at once is not hammered.
+    const bool lived = std::chrono::steady_clock::now() - since > kLongestPause;
+    patience = lived ? kFirstPause : std::min(2 * patience, kLongestPause);
+  } while (pause(patience));
+}
+
+}  // namespace hedgehog::device

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/device/sensors/temper_sensor.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace hedgehog::device {
+namespace {
+
+constexpr std::size_t kMostReports = 4;
+
+}  // namespace
+
+std::optional<std::vector<Byte>> TemperSensor::ask(HidPort& port,
+                                                   const TemperReport& question) const {
+  std::array<Byte, 1 + kTemperReport> out{};  // no report ids: 0 in front
+  std::copy(question.begin(), question.end(), out.begin() + 1);
+  if (!port.write(out)) return std::nullopt;
+  std::vector<Byte> answer;
+  for (std::size_t i = 0; i < kMostReports; ++i) {
+    TemperReport report{};
+    // The first one takes its time.
+    const auto length = port.read(report, i == 0 ? 3 * kBetween : kBetween);
+    if (!length) return std::nullopt;
+    if (*length == 0) break;
+    answer.insert(answer.end(), report.begin(), report.end());
+  }
+  return answer;
+}
+
+std::string TemperSensor::open() {
+  OpenedHid opened = open_();
+  if (!opened.port) return opened.failure;
+  std::string firmware;
+  for (int i = 0; i < kFirmwareTries; ++i) {
+    const auto answer = ask(*opened.port, kTemperAskFirmware);
+    if (!answer) return opened.name + ": it went away";
+    firmware = temper_firmware(*answer);
+    if (const auto model = temper_model(firmware)) {
+      model_ = *model;
+      name_ = opened.name + ", " + firmware;
+      port_ = std::move(opened.port);
+      asked_.reset();
+      return {};
+    }
+  }
+  return opened.name + (firmware.empty() ? ": it does not tell its firmware"
+                                         : ": its firmware \"" + firmware + "\" is not known here");
+}
+
+bool TemperSensor::poll(std::chrono::milliseconds wait) {
+  if (asked_ && sink_.tick() - *asked_ < kEvery) {
+    // Nothing comes unasked; reading is how the wait is spent, and how unplugging is noticed.
+    TemperReport report{};
+    return port_->read(report, wait).has_value();
+  }
+  asked_ = sink_.tick();
+  const auto answer = ask(*port_, kTemperAskTemperature);
+  if (!answer) return false;
+  const auto reading = decode_temper(model_, *answer);
+  if (!reading) return true;
+  const auto& celsius = model_.external_at != 0 ? reading->external_c : reading->internal_c;
+  if (celsius) sink_.write({true, *celsius, sink_.tick()});
+  return true;
+}
+
+}  // namespace hedgehog::device
