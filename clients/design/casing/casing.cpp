@@ -43,7 +43,7 @@ std::vector<double> notch_places(const Casing& casing) {
     return room;
   };
   std::vector<double> places;
-  for (const int aimed : {10, 120, 235}) {
+  for (const int aimed : {40, 150, 265}) {
     int best = aimed;
     for (int degrees = aimed - 12; degrees <= aimed + 12; ++degrees) {
       if (room_at(degrees) > room_at(best) + 1e-9) best = degrees;
@@ -68,6 +68,7 @@ double widest_fan_mm(const Casing& casing) {
   };
   keep_away(casing.pins, casing.pin);
   keep_away(casing.shields, casing.shield);
+  radius -= kCableMm;
   return radius < 5.0 ? 0.0 : 2.0 * std::floor(2.0 * radius) / 2.0;
 }
 

@@ -16,6 +16,8 @@ namespace hedgehog::design {
 /// thesis' ball. mm.
 inline constexpr double kPinTravelMm = 1.5;
 inline constexpr double kRoofMm = 3.5;
+/// Depth of the notch for the cables, beside the fan's opening. mm.
+inline constexpr double kCableMm = 3.0;
 
 /// Radius of the finished ball, mm.
 double outer_radius_mm(double sphere_mm, const Size& pin, const Size& shield) noexcept;
@@ -39,11 +41,11 @@ struct Casing {
   std::vector<double> notches_deg;
 };
 
-/// The three places near 10, 120 and 235 degrees where tabs are farthest from any pin's hole.
+/// The three places near 40, 150 and 265 degrees where tabs are farthest from any pin's hole.
 std::vector<double> notch_places(const Casing& casing);
 
-/// The largest opening at the bottom, up to 40 mm across, that stays 1.5 mm away from every cavity;
-/// 0 when that is less than 10 mm.
+/// The largest opening at the bottom, up to 34 mm across, that stays with its notch 1.5 mm away
+/// from every cavity; 0 when that is less than 10 mm.
 double widest_fan_mm(const Casing& casing);
 
 /// The model for OpenSCAD; the variable `part` is "upper" or "lower". `heading`: comment lines for

@@ -73,14 +73,19 @@ module notches(play) for (azimuth = notches) rotate([0, 0, azimuth])
 
 module fan_opening() if (fan > 0) {
   translate([0, 0, -2 * reach]) cylinder(d = fan, h = 2 * reach, $fn = 3 * facets);
-  // For the cables, beside it.
-  translate([0, -3, -2 * reach]) cube([fan / 2 + cable, 6, 2 * reach]);
+  // For the cables, beside it, opposite the front.
+  translate([-fan / 2 - cable, -3, -2 * reach]) cube([fan / 2 + cable, 6, 2 * reach]);
 }
+
+// An arrow that points up, engraved at the front.
+module front_mark() at([82, 0]) translate([0, 0, reach - 0.8]) rotate(180)
+  linear_extrude(2) polygon([[3, 0], [-2, 2.5], [-2, -2.5]]);
 
 module upper() difference() {
   shell(true);
   notches(0.2);
   cavities(true);
+  front_mark();
 }
 
 module lower() difference() {
@@ -121,7 +126,7 @@ std::string openscad_text(const Casing& casing, const std::vector<std::string>& 
   number("roof", kRoofMm, "plastic over the magnets");
   number("clearance", casing.clearance_mm, "around each magnet");
   number("fan", casing.fan_mm, "diameter of the opening at the bottom; 0: none");
-  number("cable", casing.fan_mm > 0.0 ? 1.0 : 0.0, "depth of the cables' notch beside the fan");
+  number("cable", kCableMm, "depth of the cables' notch beside the fan");
   number("facets", casing.facets, "sides of a cavity; more are rounder and take longer");
   out << "notches = " << list_of(casing.notches_deg);
   out << "pins = " << list_of(casing.pins);

@@ -88,15 +88,14 @@ Result<Arrangement> named(const std::string& name, const std::string& as_typed) 
   if (found) return *found;
   static const std::regex kGoldberg(R"(GP\(\d+,\d+\))");
   // A Goldberg polyhedron that is too fine has a reason of its own.
-  if (std::regex_match(name, kGoldberg))
-    return Complaint{kUsage, "array '" + as_typed + "': " + found.error().message};
+  if (std::regex_match(name, kGoldberg)) return Complaint{kUsage, found.error().message};
   return unknown(as_typed);
 }
 
 }  // namespace
 
 Result<Arrangement> find_arrangement(const std::string& name) {
-  static const std::regex kOpened(R"((.+?)-(\d{1,4})(?:-(5|10|20))?)");
+  static const std::regex kOpened(R"(([^-]+)-(\d{1,4})(?:-(5|10|20))?)");
   std::smatch parts;
   if (!std::regex_match(name, parts, kOpened)) return named(name, name);
   auto whole = named(parts[1], name);

@@ -67,6 +67,12 @@ std::optional<Columns> columns_of(const std::vector<std::string>& head) {
   return Columns{*kind, *x, *y, *z, find("id")};
 }
 
+/// 0 on the poles, where there is none.
+double azimuth_deg(const Vec3& direction) {
+  const bool on_axis = std::hypot(direction.x, direction.y) < 1e-9;
+  return on_axis ? 0.0 : std::atan2(direction.y, direction.x) / kDegree;
+}
+
 class Reader {
  public:
   explicit Reader(std::string name) : name_(std::move(name)) { array_.name = name_; }
@@ -147,7 +153,7 @@ std::string positions_csv(const model::Arrangement& arrangement, const model::Ar
                        const model::CylinderMagnet& magnet) {
     const Vec3 place = sizes.sphere_radius_mm * site.direction;
     table.add({kind, std::to_string(site.id), fixed(place.x, 6), fixed(place.y, 6),
-               fixed(place.z, 6), fixed(std::atan2(place.y, place.x) / kDegree, 4),
+               fixed(place.z, 6), fixed(azimuth_deg(site.direction), 4),
                fixed(std::asin(std::clamp(site.direction.z, -1.0, 1.0)) / kDegree, 4),
                fixed(magnet.diameter_mm, 3), fixed(magnet.height_mm, 3)});
   };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "clients/design/output/picture.h"
 
+#include <algorithm>
 #include <array>
 #include <iomanip>
 #include <locale>
@@ -15,7 +16,8 @@ namespace {
 constexpr std::array kColours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                               "#E69F00", "#56B4E9", "#000000", "#888888"};
 constexpr int kPanelWidth = 620;
-constexpr int kPanelHeight = 400;
+constexpr int kPanelHeight = 400;  // without the key under it
+constexpr int kKeyLineHeight = 18;
 constexpr int kTitleHeight = 44;
 
 /// A single-quoted gnuplot string: nothing in it is interpreted but the quote, which is doubled.
@@ -67,6 +69,8 @@ void write_panel(std::ostream& out, const Panel& panel, std::size_t number) {
   out << "set ylabel " << quoted(panel.y_label) << " noenhanced\n";
   write_range(out, "x", panel.x_range);
   write_range(out, "y", panel.y_range);
+  out << "set offsets " << (panel.x_range.x == panel.x_range.y ? "graph 0.04, graph 0.04" : "0, 0")
+      << (panel.y_range.x == panel.y_range.y ? ", graph 0.06, graph 0.06\n" : ", 0, 0\n");
   out << "unset label\n";
   for (const Note& note : panel.notes) {
     out << "set label " << quoted(note.text) << " at " << note.at.x << "," << note.at.y
@@ -91,13 +95,18 @@ std::string gnuplot_script(const Picture& picture, const std::string& terminal,
   out << std::setprecision(9);
   const int panels = static_cast<int>(picture.panels.size());
   const int rows = (panels + picture.columns - 1) / picture.columns;
+  std::size_t key_lines = 0;
+  for (const Panel& panel : picture.panels) key_lines = std::max(key_lines, panel.series.size());
+  const int panel_height = kPanelHeight + kKeyLineHeight * static_cast<int>(key_lines);
   out << "set encoding utf8\n"
       << "set terminal " << terminal << " size " << picture.columns * kPanelWidth << ","
-      << rows * kPanelHeight + kTitleHeight << " font 'DejaVu Sans,11' background rgb 'white'\n"
+      << rows * panel_height + kTitleHeight << " font 'DejaVu Sans,11' background rgb 'white'\n"
       << "set output " << quoted(path) << "\n"
       << "set grid lc rgb '#dddddd' lt 1\n"
       << "set xzeroaxis lc rgb '#555555' lt 1 lw 1.2\n"
-      << "set key top right opaque samplen 2.5 spacing 1.1 noenhanced\n"
+      << "set key at graph 0, graph -0.24 left top Left reverse maxcols 1 samplen 2.5 spacing 1.15 "
+         "noenhanced\n"
+      << "set bmargin " << 4.2 + 1.2 * static_cast<double>(key_lines) << "\n"
       << "set border lc rgb '#444444'\n"
       << "set multiplot layout " << rows << "," << picture.columns << " title "
       << quoted(picture.title) << " noenhanced font ',14'\n";

@@ -27,16 +27,21 @@ std::optional<Reach> reach_of(const std::vector<model::PinClass>& classes,
                               double coil_force_n, const Demands& demands) {
   Reach commonest;
   std::size_t most = 0;
+  const auto moved_of = [&](const std::vector<double>& force_n) {
+    const double moved_mm = falls_through(force_n, -coil_force_n);
+    return std::isnan(falls_through(force_n, 0.0)) || moved_mm > demands.travel_mm ? std::nan("")
+                                                                                   : moved_mm;
+  };
   for (std::size_t c = 0; c < classes.size(); ++c) {
-    const double weakened = falls_through(pulls[c].force_n(diameter_mm, 1.0 - demands.margin), 0.0);
-    if (std::isnan(weakened)) return {};
+    // With weaker shields a pin rests farther out and moves farther: that decides.
+    if (std::isnan(moved_of(pulls[c].force_n(diameter_mm, 1.0 - demands.margin)))) return {};
     const std::vector<double> force_n = pulls[c].force_n(diameter_mm, 1.0);
     const double rest_mm = falls_through(force_n, 0.0);
-    const double moved_mm = falls_through(force_n, -coil_force_n);
-    if (std::isnan(rest_mm) || std::isnan(moved_mm) || moved_mm > demands.travel_mm) return {};
+    const double moved_mm = moved_of(force_n);
+    if (std::isnan(rest_mm) || std::isnan(moved_mm)) return {};
     if (classes[c].pins.size() > most) {
       most = classes[c].pins.size();
-      commonest = {rest_mm, moved_mm - rest_mm};
+      commonest = {rest_mm, moved_mm - std::max(rest_mm, 0.0)};
     }
   }
   return commonest.extension_mm >= demands.least_extension_mm ? std::optional(commonest)
@@ -78,14 +83,17 @@ Result<Search> Search::in(const SearchSpace& space, const Demands& demands) {
     }
   }
   for (const std::string& name : space.arrays) {
+    if (name.find('-') != std::string::npos) {
+      return Complaint{kUsage, "--arrays: '" + name +
+                                   "': a search is told whole arrays (cD, wD, tkD, GP(m,n)) and "
+                                   "makes the fan's opening itself"};
+    }
     const auto whole = find_arrangement(name);
     if (!whole) return whole.error();
     if (whole->pins.size() <= 12)
       return Complaint{kUsage, "--arrays: " + name + " has too few pins to take six out"};
     auto opened = find_arrangement(name + "-" + std::to_string(whole->pins.size() - 6));
-    if (!opened)
-      return Complaint{
-          kUsage, "--arrays: " + opened.error().sentence + " (whole arrays: cD, wD, tkD, GP(m,n))"};
+    if (!opened) return opened.error();
     Array array;
     array.opened = std::move(*opened);
     array.classes = model::symmetry_classes(*whole);

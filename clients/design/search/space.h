@@ -28,11 +28,11 @@ struct SearchSpace {
 struct Demands {
   /// Plastic between any two magnets.
   double wall_mm = 0.3;
-  /// Every pin must rest even when all shields are weaker by this part.
-  double margin = 0.03;
+  /// Every pin must rest, be held and have room even when all shields are weaker by this part.
+  double margin = 0.02;
   /// Of the commonest pins, with the coil's full force.
   double least_extension_mm = 0.5;
-  /// No pin's rest and extension together may need more travel than this.
+  /// No pin may be pushed farther out than this: there is the casing.
   double travel_mm = 1.5;
 };
 
@@ -41,7 +41,8 @@ struct Found {
   Design design;
   std::size_t pins = 0;
   std::size_t shields = 0;
-  /// Of the class with the most pins.
+  /// Of the class with the most pins. How far it moves counts from the shell on, where a pin
+  /// stands that would rest below it.
   double rest_mm = 0.0;
   double extension_mm = 0.0;
   double mass_g = 0.0;

@@ -32,9 +32,11 @@ void work_through(std::size_t count, int threads, const std::function<void(std::
     all_done.wait_for(lock, kBetween);
     const std::size_t so_far = done;
     lock.unlock();
-    told(so_far);
+    if (so_far < count) told(so_far);
     lock.lock();
   }
+  lock.unlock();
+  told(count);
 }
 
 }  // namespace hedgehog::design

@@ -97,7 +97,7 @@ std::string text_of(const std::vector<Study>& studies) {
 std::string legend(const ClassStudy& one, const std::string& array) {
   std::string text = one.name();
   if (!one.character.stable()) return text + ": no rest";
-  text += ": rest " + fixed(*one.character.rest_mm, 2) + " mm, ";
+  text += ": rest " + fixed(*one.character.rest_mm, 2) + ", ";
   text += one.extension_mm ? "moves " + fixed(*one.extension_mm, 2) + " mm" : "not held";
   const auto printed = thesis_extension_mm(array, one.size());
   return printed ? text + " (thesis " + fixed(*printed, 1) + ")" : text;

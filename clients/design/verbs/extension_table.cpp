@@ -13,13 +13,14 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// The thesis took near forces from finite elements at a few angles and drew straight lines between
-/// (section 2.2); the true force is convex in the angle, so lines overstate it.
+/// (section 2.2); the true force is convex in the angle, so lines overstate it. Which angles it
+/// took is not known, so this is what would do it, not what did.
 std::string reason_for(const ClassStudy& one, const Design& design, double printed) {
   const std::string angle = fixed(one.pins().to_shields.front().angle_deg, 1);
   const std::string lines =
-      "straight lines between few finite-element angles, as in the thesis,"
-      " overstate the pull of the shields (from " +
-      angle + "° on)";
+      "straight lines between finite-element values some degrees apart, as the thesis drew them,"
+      " overstate the pull of shields at " +
+      angle + "°";
   if (!one.character.stable()) return "no rest at all";
   if (!one.extension_mm) {
     const double held = -one.character.minimum_n;
@@ -28,7 +29,8 @@ std::string reason_for(const ClassStudy& one, const Design& design, double print
            to_text(design.coil_force_n) + " N, so no extension follows; " + lines +
            ", which is enough for " + fixed(printed, 1) + " mm";
   }
-  return lines + " and with it the force that draws the pin back";
+  return lines + " and with it the force that draws the pin back: by enough for " +
+         fixed(printed, 1) + " mm";
 }
 
 std::string verdict(const ExtensionRow& row) {

@@ -69,7 +69,7 @@ struct ChooseOptions {
   std::string spheres = "35..45";
   std::string coil_forces;
   double wall_mm = 0.3;
-  double margin_percent = 3.0;
+  double margin_percent = 2.0;
   double least_extension_mm = 0.5;
   int threads = 0;
   std::string save;

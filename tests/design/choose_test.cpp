@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+// The search: the same answers as the full computation, the same on one thread as on two.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+
+#include "clients/design/complaint.h"
+#include "clients/design/search/pull.h"
+#include "clients/design/search/search.h"
+#include "clients/design/search/workers.h"
+#include "clients/design/study.h"
+#include "tests/design/program.h"
+
+namespace hedgehog::design {
+namespace {
+
+using testing::HasSubstr;
+
+Found found(std::size_t pins, double extension_mm, double mass_g, double outer_mm) {
+  Found one;
+  one.pins = pins;
+  one.extension_mm = extension_mm;
+  one.mass_g = mass_g;
+  one.outer_diameter_mm = outer_mm;
+  return one;
+}
+
+TEST(Front, KeepsWhatNothingBeats) {
+  const Found thesis = found(86, 0.59, 1180, 100);
+  EXPECT_TRUE(dominates(thesis, found(66, 0.59, 1180, 100)));
+  EXPECT_FALSE(dominates(thesis, thesis));
+  EXPECT_FALSE(dominates(thesis, found(66, 0.90, 1180, 100)));
+  const auto front = pareto_front({found(66, 0.5, 1200, 101), found(66, 0.9, 1100, 104), thesis,
+                                   found(86, 0.5, 1180, 100), found(116, 0.5, 1300, 112)});
+  ASSERT_EQ(front.size(), 3U);
+  EXPECT_EQ(front[0].pins, 86U);  // the smallest ball first
+  EXPECT_EQ(front[1].pins, 66U);
+  EXPECT_EQ(front[2].pins, 116U);
+}
+
+TEST(Front, HasNoneThatIsBeatenAndMissesNoneThatIsNot) {
+  std::vector<Found> all;
+  unsigned seed = 7;
+  const auto next = [&seed] { return (seed = seed * 1103515245U + 12345U) >> 16 & 7U; };
+  for (int i = 0; i < 300; ++i) all.push_back(found(next(), next(), next(), next()));
+  const auto front = pareto_front(all);
+  const auto beaten = [&](const Found& one) {
+    return std::any_of(all.begin(), all.end(),
+                       [&](const Found& other) { return dominates(other, one); });
+  };
+  for (const Found& one : front) EXPECT_FALSE(beaten(one));
+  EXPECT_EQ(front.size(),
+            static_cast<std::size_t>(std::count_if(
+                all.begin(), all.end(), [&](const Found& one) { return !beaten(one); })));
+}
+
+TEST(Workers, DoEachPieceOnce) {
+  std::vector<std::atomic<int>> done(500);
+  std::size_t last_told = 0;
+  work_through(
+      done.size(), 3, [&](std::size_t i) { ++done[i]; },
+      [&](std::size_t so_far) { last_told = so_far; });
+  for (const auto& one : done) EXPECT_EQ(one, 1);
+  EXPECT_EQ(last_told, done.size());
+  work_through(
+      0, 2, [](std::size_t) { FAIL(); }, [](std::size_t) {});
+}
+
+TEST(Pull, IsTheFullForceBetweenItsNodes) {
+  // Up to where a search goes: 0.3 mm of plastic.
+  std::vector<double> diameters;
+  for (int i = 0; i <= 22; ++i) diameters.push_back(3.0 + 0.05 * i);
+  Design design;
+  design.array = "tkD";
+  design.settings.accuracy = 1e-7;
+  const auto classes = model::symmetry_classes(find_arrangement("tkD").value());
+  for (const model::PinClass& one : classes) {
+    auto sizes = design.sizes();
+    const Pull pull(one, sizes, diameters);
+    for (const double diameter_mm : {3.0, 3.65, 4.0, 4.1}) {
+      sizes.shield.diameter_mm = diameter_mm;
+      const auto exact =
+          model::force_curve(model::PinForce(one, sizes, design.settings), kSearchGrid).force_n;
+      const auto quick = pull.force_n(diameter_mm, 1.0);
+      for (std::size_t i = 0; i < exact.size(); ++i)
+        EXPECT_NEAR(quick[i], exact[i], 1e-3) << diameter_mm << " " << i;
+    }
+  }
+}
+
+TEST(Search, FindsTheBallOfTheThesis) {
+  SearchSpace space{{"tkD"}, {{8, 10}}, {{4, 10}}, {35.0}, {}};
+  const auto outcome = Search::in(space, Demands{}).value().run(1, [](std::size_t) {});
+  EXPECT_EQ(outcome.looked_at, 1U);
+  ASSERT_EQ(outcome.front.size(), 1U);
+  const Found& ball = outcome.front.front();
+  EXPECT_EQ(ball.design.array, "tkD-86");
+  EXPECT_EQ(ball.pins, 86U);
+  EXPECT_EQ(ball.shields, 170U);
+  // As the full computation of all 92 has it.
+  EXPECT_NEAR(ball.rest_mm, 0.522, 0.002);
+  EXPECT_NEAR(ball.extension_mm, 0.589, 0.002);
+  EXPECT_NEAR(ball.design.coil_force_n, 0.4, 1e-6);
+  EXPECT_NEAR(ball.mass_g, 1180, 10);
+  EXPECT_NEAR(ball.outer_diameter_mm, 100, 1e-9);
+}
+
+TEST(Search, DemandsRuleDesignsOut) {
+  const auto front_size = [](const SearchSpace& space, const Demands& demands) {
+    return Search::in(space, demands).value().run(1, [](std::size_t) {}).front.size();
+  };
+  const SearchSpace thesis{{"tkD"}, {{8, 10}}, {{4, 10}}, {35.0}, {}};
+  EXPECT_EQ(front_size(thesis, {.margin = 0.2}), 0U);
+  EXPECT_EQ(front_size(thesis, {.least_extension_mm = 0.7}), 0U);
+  EXPECT_EQ(front_size(thesis, {.wall_mm = 0.5}), 0U);  // 0.38 mm are there
+  EXPECT_EQ(front_size(thesis, {.travel_mm = 1.0}), 0U);
+  // 3 mm shields hold nothing; cD's class of 30 is not held against 0.4 N.
+  EXPECT_EQ(front_size({{"cD", "wD", "tkD"}, {{8, 10}}, {{3, 10}}, {35.0}, {}}, {.margin = 0.0}),
+            0U);
+  EXPECT_EQ(front_size({{"cD"}, {{8, 10}}, {{4, 10}}, {35.0}, {}}, {.margin = 0.0}), 0U);
+  // GP(2,2) does not fit at 35 mm.
+  const auto dense = Search::in({{"GP(2,2)"}, {{8, 10}}, {{4, 10}}, {35.0}, {}}, {})
+                         .value()
+                         .run(1, [](std::size_t) {});
+  EXPECT_EQ(dense.fit, 0U);
+}
+
+TEST(Choose, SaysTheSameOnOneThreadAsOnTwo) {
+  const auto found_by = [](const std::string& threads) {
+    return ask({"choose", "--arrays", "cD", "wD", "--shields", "3.8..4.6/0.2x10", "--spheres",
+                "35..36/0.5", "--threads", threads, "--json"});
+  };
+  const Answer one = found_by("1");
+  ASSERT_EQ(one.exit_code, 0) << one.err;
+  EXPECT_EQ(one.out, found_by("2").out);
+  EXPECT_EQ(one.json().at("looked_at"), 2 * 5 * 3);
+  EXPECT_GE(one.json().at("front").size(), 1U);
+  EXPECT_EQ(one.json().at("best"), one.json().at("front").front());
+}
+
+TEST(Choose, SavesADesignThatOtherVerbsRead) {
+  const Folder folder;
+  const std::string file = folder.file("best.json");
+  const Answer answer = ask(
+      {"choose", "--arrays", "tkD", "--shields", "3.9..4.1x10", "--spheres", "35", "--save", file});
+  ASSERT_EQ(answer.exit_code, 0) << answer.err;
+  EXPECT_THAT(answer.out,
+              HasSubstr("tkD-86, 86 pins 8x10, shields 4x10, sphere 35 mm, 0.59 mm, 1.2 kg"));
+  EXPECT_EQ(ask({"stability", file, "--json"}).json().at("stable"), true);
+  const Answer nothing = ask(
+      {"choose", "--arrays", "tkD", "--shields", "3x10", "--spheres", "35", "--save", file + "2"});
+  EXPECT_EQ(nothing.exit_code, kBadData);
+  EXPECT_FALSE(std::filesystem::exists(file + "2"));
+}
+
+TEST(Choose, RefusesWhatCannotBeSearched) {
+  const auto complaint = [](std::vector<std::string> words) {
+    words.insert(words.begin(), "choose");
+    const Answer answer = ask(words);
+    EXPECT_EQ(answer.exit_code, kUsage);
+    return answer.err;
+  };
+  EXPECT_THAT(complaint({"--spheres", "30"}), HasSubstr("inside the electromagnet"));
+  EXPECT_THAT(complaint({"--arrays", "tkd"}), HasSubstr("did you mean 'tkD'?"));
+  EXPECT_THAT(complaint({"--arrays", "tkD-86"}), HasSubstr("whole arrays"));
+  EXPECT_THAT(complaint({"--pins", "8"}), HasSubstr("--pins"));
+  EXPECT_THAT(complaint({"--shields", "5..3x10"}), HasSubstr("ends below where it begins"));
+  EXPECT_THAT(complaint({"--pins", "5..9/0.01x8..12/0.1"}), HasSubstr("more than five million"));
+}
+
+}  // namespace
+}  // namespace hedgehog::design

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// What leaves the designer: casings that a printer takes, device files that the daemon takes,
+// pictures, a report.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "clients/design/casing/casing.h"
+#include "clients/design/casing/stl.h"
+#include "clients/design/complaint.h"
+#include "clients/design/input/design.h"
+#include "clients/design/output/picture.h"
+#include "clients/design/output/table.h"
+#include "tests/config/fake_files.h"
+#include "tests/design/program.h"
+
+namespace hedgehog::design {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+std::string facet(const char* a, const char* b, const char* c) {
+  return std::string("facet normal 0 0 0\nouter loop\nvertex ") + a + "\nvertex " + b +
+         "\nvertex " + c + "\nendloop\nendfacet\n";
+}
+
+TEST(Stl, ATetrahedronIsClosedAndEnclosesASixth) {
+  const char* o = "0 0 0";
+  const char* x = "1 0 0";
+  const char* y = "0 1 0";
+  const char* z = "0 0 1";
+  const std::string sides = facet(o, y, x) + facet(o, z, y) + facet(o, x, z);
+  const auto closed = check_stl("solid t\n" + sides + facet(x, y, z) + "endsolid t\n").value();
+  EXPECT_EQ(closed.triangles, 4U);
+  EXPECT_EQ(closed.open_edges, 0U);
+  EXPECT_NEAR(closed.volume_mm3, 1.0 / 6.0, 1e-12);
+  EXPECT_EQ(check_stl("solid t\n" + sides).value().open_edges, 3U);
+  EXPECT_EQ(check_stl("solid t\n" + sides + facet(x, z, y)).value().open_edges, 3U)
+      << "one looks inwards";
+  EXPECT_EQ(check_stl("solid t\n" + sides + facet(x, y, z) + facet(x, y, z)).value().open_edges, 3U)
+      << "one is double";
+  EXPECT_FALSE(check_stl("not one").has_value());
+  EXPECT_FALSE(check_stl("solid t\nvertex 0 0").has_value());
+}
+
+TEST(Casing, HasTheOuterDiameterOfTheThesis) {
+  EXPECT_DOUBLE_EQ(outer_radius_mm(35, {8, 10}, {4, 10}), 50.0);
+  EXPECT_DOUBLE_EQ(outer_radius_mm(35, {8, 10}, {4, 15}), 53.5);
+}
+
+TEST(Casing, TabsKeepAwayFromPinsAndFitOneWayOnly) {
+  Casing casing;
+  casing.pin = {8, 10};
+  casing.shield = {4, 10};
+  const auto array = find_arrangement("tkD-86").value();
+  for (const auto& pin : array.pins) casing.pins.push_back(pin.direction);
+  for (const auto& shield : array.shields) casing.shields.push_back(shield.direction);
+  const auto places = notch_places(casing);
+  ASSERT_EQ(places.size(), 3U);
+  const double first = places[1] - places[0];
+  const double second = places[2] - places[1];
+  const double third = 360.0 - first - second;
+  EXPECT_GT(std::min({std::abs(first - second), std::abs(second - third), std::abs(third - first)}),
+            1.0);
+  for (const double place : places) {
+    const double turn = place * std::numbers::pi / 180.0;
+    const model::Vec3 tab{48.25 * std::cos(turn), 48.25 * std::sin(turn), 1.5};
+    for (const auto& pin : casing.pins) {
+      const double away = model::norm(tab - model::dot(tab, pin) * pin);
+      EXPECT_TRUE(model::dot(tab, pin) < 0 || away > 0.3 * 8.0 + 2.6) << place;
+    }
+  }
+  const double fan_mm = widest_fan_mm(casing);
+  EXPECT_GT(fan_mm, 15.0);
+  casing.fan_mm = fan_mm;
+  casing.pins.push_back({0, 0, -1});
+  EXPECT_EQ(widest_fan_mm(casing), 0.0) << "a pin at the bottom leaves no room";
+}
+
+TEST(Export, HalvesAreClosed) {
+  const Folder folder;
+  const std::string csv = folder.write("small.csv", kSmallBall);
+  const Answer answer = ask({"export", "--positions", csv, "--facets", "8", "--stl",
+                             folder.file("casing"), "--scad", folder.file("casing.scad")});
+  ASSERT_EQ(answer.exit_code, 0) << answer.err << "(openscad must be installed: make deps)";
+  for (const char* half : {"casing/upper.stl", "casing/lower.stl"}) {
+    const auto surface = check_stl(folder.read(half)).value();
+    EXPECT_EQ(surface.open_edges, 0U) << half;
+    EXPECT_GT(surface.triangles, 500U) << half;
+    // Half a shell of 35 and 50 mm, less the cavities.
+    const double shell = 2.0 / 3.0 * std::numbers::pi * (125000.0 - 42875.0);
+    EXPECT_LT(surface.volume_mm3, shell);
+    EXPECT_GT(surface.volume_mm3, 0.7 * shell);
+  }
+  EXPECT_THAT(folder.read("casing.scad"), HasSubstr("pin_diameter = 8;"));
+}
+
+TEST(Export, ABrokenModelIsNotCalledClosed) {
+  const Folder folder;
+  const std::string scad =
+      folder.write("x.scad", "polyhedron([[0,0,0],[1,0,0],[0,1,0]], [[0,1,2]]);");
+  EXPECT_FALSE(render_stl(scad, "upper", folder.file("x.stl")).has_value());
+  EXPECT_FALSE(
+      render_stl(folder.write("y.scad", "cube("), "upper", folder.file("y.stl")).has_value());
+}
+
+TEST(Export, TheDaemonTakesTheDeviceFile) {
+  const Folder folder;
+  ASSERT_EQ(ask({"export", "--device", folder.file("ball-9.json")}).exit_code, 0);
+  const auto files = config::FakeFiles::with_device(folder.read("ball-9.json"));
+  ASSERT_EQ(files.errors(), "");
+  EXPECT_EQ(files.load()->device.name, "ball-9");
+  EXPECT_EQ(files.load()->device.arrangement, "tkD-86");
+  EXPECT_NEAR(files.load()->device.force_slope_n_a, 0.0126, 1e-6);
+  // Smaller magnets are pushed less.
+  ASSERT_EQ(ask({"export", "--magnet", "7x10", "--device", folder.file("b.json")}).exit_code, 0);
+  EXPECT_LT(config::FakeFiles::with_device(folder.read("b.json")).load()->device.force_slope_n_a,
+            0.0105);
+}
+
+TEST(Export, NoDeviceFileForWhatTheDaemonCannotDrive) {
+  const Folder folder;
+  const Answer answer = ask({"export", "--array", "wD-66", "--device", folder.file("b.json")});
+  EXPECT_EQ(answer.exit_code, kBadData);
+  EXPECT_THAT(answer.err, HasSubstr("tkD-86 only"));
+  EXPECT_EQ(ask({"export", "--device", folder.file("a ball.json")}).exit_code, kUsage);
+}
+
+TEST(Export, PositionsAsFilesOrHere) {
+  const Folder folder;
+  ASSERT_EQ(
+      ask({"export", "--csv", folder.file("p.csv"), "--json", folder.file("p.json")}).exit_code, 0);
+  EXPECT_EQ(folder.read("p.csv"), ask({"export", "--csv"}).out);
+  EXPECT_EQ(folder.read("p.json"), ask({"export", "--json"}).out);
+  EXPECT_EQ(ask({"stability", "--positions", folder.file("p.csv"), "--json"}).json().at("stable"),
+            true);
+  const std::string design = folder.write("best.json", "{\"array\": \"cD\"}");
+  EXPECT_EQ(ask({"export", "--json", design}).exit_code, kUsage);
+  EXPECT_EQ(folder.read("best.json"), "{\"array\": \"cD\"}");
+  EXPECT_EQ(ask({"export", "--fan", "60", "--scad", folder.file("c.scad")}).exit_code, kBadData);
+  EXPECT_EQ(ask({"export", "--facets", "7", "--scad", folder.file("c.scad")}).exit_code, kUsage);
+}
+
+TEST(Pictures, HaveLabelledAxesWithUnits) {
+  const Folder folder;
+  const Answer curves =
+      ask({"curves", "--svg", folder.file("c.svg"), "--png", folder.file("c.png")});
+  ASSERT_EQ(curves.exit_code, 0) << curves.err << "(gnuplot must be installed: make deps)";
+  const std::string svg = folder.read("c.svg");
+  for (const char* words : {"offset of the pin (mm)", "force on the pin, outwards (N)",
+                            "tkD, 4 mm shields", "(thesis 3.5)", "thesis' rest 0.45 mm"}) {
+    EXPECT_TRUE(svg.find(words) != std::string::npos) << words;
+  }
+  EXPECT_THAT(folder.read("c.png"), StartsWith("\x89PNG"));
+  ASSERT_EQ(ask({"electromagnet", "--svg", folder.file("e.svg")}).exit_code, 0);
+  EXPECT_THAT(folder.read("e.svg"), HasSubstr("current (A)"));
+}
+
+TEST(Pictures, WordsAreNotCommands) {
+  Picture picture;
+  picture.panels.push_back(
+      {"it's `date`\nset output 'x'", "x", "y", {{"s", {{0, 1}, {1, 2}}, {}, 0}}, {}, {}, {}});
+  const std::string script = gnuplot_script(picture, "svg", "out.svg");
+  EXPECT_THAT(script, HasSubstr("set title 'it''s `date` set output ''x''' noenhanced"));
+  EXPECT_THAT(script, Not(HasSubstr("\nset output 'x'")));
+}
+
+TEST(Report, IsOneFile) {
+  const Folder folder;
+  const Answer answer =
+      ask({"report", "--array", "cD", "--shield", "4.4x10", "--output", folder.file("r.html")});
+  ASSERT_EQ(answer.exit_code, 0) << answer.err;
+  const std::string page = folder.read("r.html");
+  EXPECT_THAT(page, StartsWith("<!DOCTYPE html>"));
+  EXPECT_THAT(page, HasSubstr("Every pin rests: all 42 are stable."));
+  EXPECT_THAT(page, HasSubstr("0.377 N at most"));
+  EXPECT_THAT(page, HasSubstr("<svg"));
+  EXPECT_THAT(page, Not(HasSubstr("src=")));
+  EXPECT_THAT(page, Not(HasSubstr("href=\"http")));
+  // Unstable ones are reported too, without a coil that they could not be held against.
+  ASSERT_EQ(ask({"report", "--array", "cD", "--shield", "3x10", "--output", folder.file("u.html")})
+                .exit_code,
+            0);
+  EXPECT_THAT(folder.read("u.html"), HasSubstr("42 pins are unstable: 0-41"));
+}
+
+TEST(Tables, AlignAndQuote) {
+  Table table({{"name", "name", true}, {"N", "force_n"}});
+  table.add({"ä, b", "1.5"});
+  table.add({"c\"d", "10"});
+  EXPECT_EQ(table.text(), "  name    N\n  ä, b  1.5\n  c\"d    10\n");
+  EXPECT_EQ(table.csv(), "name,force_n\n\"ä, b\",1.5\n\"c\"\"d\",10\n");
+  EXPECT_EQ(fixed(-0.0001, 2), "0.00");
+  EXPECT_EQ(fixed(std::nan(""), 2), "none");
+  EXPECT_EQ(wrapped("one two three", 9, 2), "  one two\n  three\n");
+  EXPECT_EQ(escape_html("<a & \"b\">"), "&lt;a &amp; &quot;b&quot;&gt;");
+}
+
+}  // namespace
+}  // namespace hedgehog::design

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+// What is typed, and what is said about what cannot be meant.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "clients/design/input/design_file.h"
+#include "clients/design/input/positions_file.h"
+#include "clients/design/input/sizes.h"
+#include "model/pin_array.h"
+#include "tests/design/program.h"
+
+namespace hedgehog::design {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+TEST(Sizes, AreDiameterTimesHeight) {
+  EXPECT_EQ(parse_size("8x10", "--magnet").value(), (Size{8, 10}));
+  EXPECT_EQ(parse_size("4.5x9.25", "--magnet").value(), (Size{4.5, 9.25}));
+  EXPECT_EQ(to_text(Size{4.5, 10}), "4.5x10");
+  for (const char* wrong : {"", "8", "8x", "x10", "8x10x2", "8 x 10", "axb", "nanx10", "8x10mm"}) {
+    EXPECT_THAT(parse_size(wrong, "--magnet").error().sentence, HasSubstr("DIAMETERxHEIGHT"))
+        << wrong;
+  }
+  EXPECT_THAT(parse_size("-8x10", "--magnet").error().sentence, HasSubstr("-8 mm is outside"));
+}
+
+TEST(Sizes, RangesHaveSteps) {
+  EXPECT_THAT(parse_range("3..5/0.5", 1, 0, 9, "").value(), ElementsAre(3, 3.5, 4, 4.5, 5));
+  EXPECT_THAT(parse_range("3..5", 1, 0, 9, "").value(), ElementsAre(3, 4, 5));
+  EXPECT_THAT(parse_range("-2.5", 1, -9, 9, "").value(), ElementsAre(-2.5));
+  EXPECT_EQ(parse_range("3..5/0.05", 1, 0, 9, "").value().size(), 41U);
+  EXPECT_EQ(parse_sizes("3..4/0.5x8..10", 0.1, "").value().size(), 9U);
+  for (const char* wrong :
+       {"", "..", "3..", "5..3", "3..5/0", "3..5/-1", "3..5/1e-9", "3..99", "a..b"}) {
+    EXPECT_FALSE(parse_range(wrong, 1, 0, 9, "--x").has_value()) << wrong;
+  }
+}
+
+TEST(Arrays, AreKnownByName) {
+  const auto counts = [](const std::string& name) {
+    const auto array = find_arrangement(name).value();
+    return std::pair(array.pins.size(), array.shields.size());
+  };
+  EXPECT_EQ(counts("cD"), std::pair(42UL, 80UL));
+  EXPECT_EQ(counts("wD"), std::pair(72UL, 140UL));
+  EXPECT_EQ(counts("tkD"), std::pair(92UL, 180UL));
+  EXPECT_EQ(counts("tkD-86"), std::pair(86UL, 170UL));
+  EXPECT_EQ(counts("tkD-86-20"), std::pair(86UL, 160UL));
+  EXPECT_EQ(counts("cD-36"), std::pair(36UL, 70UL));
+  EXPECT_EQ(counts("GP(2,2)-116"), std::pair(116UL, 230UL));
+}
+
+TEST(Arrays, OpenedHereAsInTheModel) {
+  // The one opening that the model has by itself, made here from the whole array.
+  for (const auto& [name, shields] :
+       {std::pair("GP(3,0)-86", 170UL), std::pair("GP(3,0)-86-5", 175UL),
+        std::pair("GP(3,0)-86-20", 160UL)}) {
+    const auto opened = find_arrangement(name).value();
+    ASSERT_EQ(opened.shields.size(), shields) << name;
+    ASSERT_EQ(opened.pins.size(), 86U);
+    for (const auto& pin : model::hedgehog_86().pins) {
+      EXPECT_TRUE(std::any_of(
+          opened.pins.begin(), opened.pins.end(),
+          [&](const auto& site) { return model::norm(site.direction - pin.position) < 1e-6; }))
+          << name << " has no pin " << pin.id;
+    }
+  }
+}
+
+TEST(Arrays, UnknownOnesAreGuessed) {
+  const auto sentence = [](const std::string& name) {
+    return find_arrangement(name).error().sentence;
+  };
+  EXPECT_THAT(sentence("tkd"), HasSubstr("did you mean 'tkD'?"));
+  EXPECT_THAT(sentence("tkD-85"), HasSubstr("did you mean 'tkD-86'?"));
+  EXPECT_THAT(sentence("cd-36"), HasSubstr("did you mean 'cD-36'?"));
+  EXPECT_THAT(sentence("soccer"), HasSubstr("there are cD, wD, tkD"));
+  EXPECT_THAT(sentence("GP(9,9)"), HasSubstr("at most 8"));
+  EXPECT_EQ(find_arrangement("").error().exit_code, kUsage);
+}
+
+TEST(DesignFile, SaysWhatItHolds) {
+  Design design;
+  design.array = "wD-66";
+  design.shield = {4.05, 9};
+  design.removed_shields = {3, 7};
+  design.sphere_mm = 36.25;
+  EXPECT_EQ(parse_design(design_text(design), "x.json").value(), design);
+  EXPECT_EQ(parse_design("{}", "x.json").value(), Design());
+}
+
+TEST(DesignFile, ComplaintsNameTheKey) {
+  const auto sentence = [](const std::string& text) {
+    const auto design = parse_design(text, "x.json");
+    EXPECT_EQ(design.error().exit_code, kBadData);
+    return design.error().sentence;
+  };
+  EXPECT_THAT(sentence("[]"), HasSubstr("no design file"));
+  EXPECT_THAT(sentence("{"), HasSubstr("no design file"));
+  EXPECT_THAT(sentence(R"({"aray": "tkD"})"), HasSubstr("unknown key 'aray'"));
+  EXPECT_THAT(sentence(R"({"sphere_mm": "35"})"),
+              HasSubstr("sphere_mm: must be a number from 1 to 1000"));
+  EXPECT_THAT(sentence(R"({"magnet": "8"})"), HasSubstr("magnet: '8' is not a magnet"));
+  EXPECT_THAT(sentence(R"({"removed_pins": [-1]})"),
+              HasSubstr("removed_pins: must be a list of ids"));
+}
+
+TEST(Positions, GoOutAndComeBack) {
+  const auto array = find_arrangement("tkD-86").value();
+  const auto again = parse_positions(positions_csv(array, Design().sizes()), "pins.csv").value();
+  ASSERT_EQ(again.pins.size(), array.pins.size());
+  ASSERT_EQ(again.shields.size(), array.shields.size());
+  for (std::size_t i = 0; i < array.pins.size(); ++i) {
+    EXPECT_EQ(again.pins[i].id, array.pins[i].id);
+    EXPECT_LT(model::norm(again.pins[i].direction - array.pins[i].direction), 1e-7);
+  }
+}
+
+TEST(Positions, ComplaintsNameTheLine) {
+  const auto sentence = [](const std::string& text) {
+    const auto array = parse_positions(text, "p.csv");
+    EXPECT_EQ(array.error().exit_code, kBadData) << text;
+    return array.error().sentence;
+  };
+  EXPECT_THAT(sentence(""), HasSubstr("p.csv is empty"));
+  EXPECT_THAT(sentence("\x7f"
+                       "ELF\x01\x02"),
+              HasSubstr("no CSV of positions"));
+  EXPECT_THAT(sentence("a;b\n1;2\n"), HasSubstr("no CSV of positions"));
+  EXPECT_THAT(sentence("kind,x,y,z\nshield,0,0,1\n"), HasSubstr("no pins"));
+  EXPECT_THAT(sentence("kind,x,y,z\npin,0,0,1\npin,1,2\n"),
+              HasSubstr("p.csv:3: has fewer columns"));
+  EXPECT_THAT(sentence("kind,x,y,z\npin,0,zero,1\n"),
+              HasSubstr("p.csv:2: x, y and z must be numbers"));
+  EXPECT_THAT(sentence("kind,x,y,z\npin,0,0,0\n"), HasSubstr("no direction"));
+  EXPECT_THAT(sentence("kind,x,y,z\npin,0,nan,1\n"), HasSubstr("p.csv:2"));
+  EXPECT_THAT(sentence("kind,x,y,z\nrod,0,0,1\n"), HasSubstr("'rod' is neither"));
+  EXPECT_THAT(sentence("kind,id,x,y,z\npin,1,0,0,1\npin,1,0,1,0\n"),
+              HasSubstr("pin 1 was there before"));
+}
+
+}  // namespace
+}  // namespace hedgehog::design

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+// Each verb, asked as on the command line. Reference values: physics.md sections 1, 3, 4 and 6.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "clients/design/complaint.h"
+#include "tests/design/program.h"
+
+namespace hedgehog::design {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+using Json = nlohmann::json;
+
+Json of_class(const Json& classes, int size) {
+  for (const Json& one : classes) {
+    if (one.at("size") == size) return one;
+  }
+  return nullptr;
+}
+
+TEST(Pair, IsTheReferencePair) {
+  const auto force = [](const std::string& model) {
+    const Answer answer =
+        ask({"pair", "--magnet", "8x10", "--other", "4x10", "--sphere", "35", "--angle", "12",
+             "--offset", "0.5", "--model", model, "--accuracy", "1e-7", "--json"});
+    EXPECT_EQ(answer.exit_code, 0) << answer.err;
+    return answer.json().at("force_n").get<double>();
+  };
+  EXPECT_NEAR(force("exact"), 5.095441734e-01, 5e-7);
+  EXPECT_NEAR(force("hybrid"), 5.095441734e-01, 5e-7);
+  EXPECT_NEAR(force("dipole"), 1.24606862, 1e-7);
+}
+
+TEST(Curves, AreThoseOfTheReference) {
+  const Answer answer = ask({"curves", "--array", "tkD", "--magnet", "8x10", "--shield", "4x10",
+                             "--model", "exact", "--accuracy", "1e-6", "--json"});
+  ASSERT_EQ(answer.exit_code, 0) << answer.err;
+  const Json classes = answer.json().at("classes");
+  ASSERT_EQ(classes.size(), 3U);
+  const Json sixty = of_class(classes, 60);
+  ASSERT_EQ(sixty.at("offsets_mm").size(), 31U);
+  ASSERT_EQ(sixty.at("force_n").size(), 31U);
+  EXPECT_DOUBLE_EQ(sixty.at("offsets_mm").front(), -2.5);
+  EXPECT_DOUBLE_EQ(sixty.at("offsets_mm").back(), 12.5);
+  EXPECT_NEAR(sixty.at("force_n").at(5), 0.4504609, 1e-5);   // at 0
+  EXPECT_NEAR(sixty.at("force_n").at(6), 0.0173417, 1e-5);   // at 0.5
+  EXPECT_NEAR(sixty.at("force_n").at(21), 0.1168086, 1e-5);  // at 8
+  EXPECT_NEAR(sixty.at("rest_mm"), 0.5220, 0.002);
+  EXPECT_NEAR(sixty.at("extension_mm"), 0.589, 0.002);
+}
+
+TEST(Curves, AloneAreTheSixPanels) {
+  const Json panels = ask({"curves", "--json"}).json().at("panels");
+  ASSERT_EQ(panels.size(), 6U);
+  for (const Json& panel : panels) {
+    for (const Json& one : panel.at("classes")) {
+      EXPECT_EQ(one.at("stable"), panel.at("shield") == "4x10")
+          << panel.at("array") << one.at("size");
+    }
+  }
+  EXPECT_TRUE(of_class(panels[1].at("classes"), 30).at("extension_mm").is_null());
+}
+
+TEST(Curves, TakeOtherOffsetsAndFormats) {
+  const Answer csv = ask({"curves", "--array", "cD", "--offsets", "0..1/0.25", "--csv"});
+  EXPECT_THAT(csv.out, StartsWith("array,shield,class_size,offset_mm,force_n\ncD,4x10,12,0.0000,"));
+  EXPECT_EQ(std::count(csv.out.begin(), csv.out.end(), '\n'), 1 + 2 * 5);
+  EXPECT_EQ(ask({"curves", "--offsets", "3"}).exit_code, kUsage);
+  EXPECT_EQ(ask({"curves", "--json", "--csv"}).exit_code, kUsage);
+}
+
+TEST(Table, StandsBesideTheThesis) {
+  const Json rows = ask({"table", "--json"}).json().at("rows");
+  ASSERT_EQ(rows.size(), 7U);
+  const auto row = [&](const std::string& array, int size) {
+    for (const Json& one : rows) {
+      if (one.at("array") == array && one.at("class_size") == size) return one;
+    }
+    return Json();
+  };
+  EXPECT_NEAR(row("tkD", 12).at("extension_mm"), 0.113, 0.002);
+  EXPECT_NEAR(row("tkD", 60).at("extension_mm"), 0.589, 0.002);
+  EXPECT_NEAR(row("tkD", 20).at("extension_mm"), 0.656, 0.002);
+  EXPECT_NEAR(row("cD", 12).at("extension_mm"), 0.878, 0.002);
+  EXPECT_NEAR(row("wD", 60).at("extension_mm"), 0.906, 0.002);
+  // Shown as they come out, with the reason.
+  EXPECT_TRUE(row("cD", 30).at("extension_mm").is_null());
+  EXPECT_EQ(row("cD", 30).at("reproduced"), false);
+  EXPECT_THAT(row("cD", 30).at("reason").get<std::string>(), HasSubstr("0.377 N at most"));
+  EXPECT_EQ(row("wD", 60).at("reproduced"), false);
+  EXPECT_EQ(row("wD", 12).at("reproduced"), true);
+  EXPECT_THAT(ask({"table"}).out, HasSubstr("not reproduced"));
+  // Other magnets have no printed values beside them.
+  EXPECT_TRUE(ask({"table", "--array", "cD", "--shield", "4.5x10", "--json"})
+                  .json()["rows"][0]["thesis_mm"]
+                  .is_null());
+}
+
+TEST(Stability, OfTheBallOfTheThesis) {
+  const Json ball = ask({"stability", "--json"}).json();
+  EXPECT_EQ(ball.at("pins"), 86);
+  EXPECT_EQ(ball.at("shields"), 170);
+  EXPECT_EQ(ball.at("stable"), true);
+  EXPECT_EQ(ball.at("unstable"), Json::array());
+  const Answer all_twenty = ask({"stability", "--array", "tkD-86-20", "--json"});
+  EXPECT_EQ(all_twenty.exit_code, 0);
+  EXPECT_EQ(all_twenty.json().at("stable"), false);
+  EXPECT_EQ(all_twenty.json().at("unstable"), Json({76, 77, 78, 79, 80, 81, 82, 83, 84, 85}));
+  EXPECT_THAT(ask({"stability", "--array", "tkD-86-20"}).out,
+              HasSubstr("10 of 86 pins UNSTABLE, nothing draws them back: 76-85"));
+}
+
+TEST(Stability, WithMagnetsTakenOut) {
+  // The five shields round the top pin.
+  const Json without = ask({"stability", "--remove-shields", "0-4", "--json"}).json();
+  EXPECT_EQ(without.at("shields"), 165);
+  EXPECT_EQ(without.at("stable"), false);
+  EXPECT_EQ(without.at("unstable").front(), 0);
+  EXPECT_EQ(ask({"stability", "--remove-pins", "0,5-7", "--json"}).json().at("pins"), 82);
+  EXPECT_EQ(ask({"stability", "--remove-pins", "86"}).exit_code, kUsage);
+  EXPECT_EQ(ask({"stability", "--remove-pins", "all"}).exit_code, kUsage);
+}
+
+TEST(Stability, OfAllPinsAtOnce) {
+  const Json together =
+      ask({"stability", "--array", "cD", "--together", "--accuracy", "1e-4", "--json"})
+          .json()
+          .at("together");
+  EXPECT_EQ(together.at("stable"), true);
+  EXPECT_NEAR(together.at("softest_n_mm"), 0.144, 0.002);
+  EXPECT_NEAR(together.at("stiffest_n_mm"), 0.618, 0.002);
+}
+
+TEST(Electromagnet, ByBothCalibrations) {
+  const Json coil =
+      ask({"electromagnet", "--array", "tkD", "--current", "0..15/5", "--json"}).json();
+  EXPECT_EQ(coil.at("class_size"), 60);
+  ASSERT_EQ(coil.at("currents").size(), 4U);
+  const Json most = coil.at("currents").back();
+  EXPECT_NEAR(most.at("fea").at("force_n"), 0.380, 0.001);
+  EXPECT_NEAR(most.at("fea").at("extension_mm"), 0.521, 0.002);
+  EXPECT_NEAR(most.at("measured").at("extension_mm"), 0.236, 0.002);
+  EXPECT_EQ(coil.at("currents").front().at("fea").at("extension_mm"), 0.0);
+  const Json ball = ask({"electromagnet", "--pin", "17", "--json"}).json();
+  EXPECT_EQ(ball.at("spread").size(), 86U);
+  EXPECT_EQ(ball.at("pins_above_90_percent"), 7);
+  EXPECT_EQ(ball.at("pins_above_50_percent"), 21);
+  EXPECT_EQ(ball.at("pins_pulled_in"), 40);
+  EXPECT_EQ(ask({"electromagnet", "--pin", "86"}).exit_code, kUsage);
+  EXPECT_EQ(ask({"electromagnet", "--array", "tkD", "--shield", "3x10"}).exit_code, kBadData);
+}
+
+TEST(Array, TellsGapsAndOverlaps) {
+  const Json array = ask({"array", "--array", "tkD", "--json"}).json();
+  EXPECT_EQ(array.at("pins"), 92);
+  EXPECT_EQ(array.at("positions").at("shields").size(), 180U);
+  EXPECT_NEAR(array.at("gaps").at(1).at("angle_deg"), 10.3882, 1e-3);
+  EXPECT_NEAR(array.at("classes").at(1).at("nearest_shield_deg"), 12.8868, 1e-3);
+  EXPECT_NEAR(ask({"array", "--json"}).json().at("mass_g"), 1180, 10);
+  const Answer overlap = ask({"array", "--array", "tkD", "--magnet", "10x10"});
+  EXPECT_EQ(overlap.exit_code, kBadData);
+  EXPECT_THAT(overlap.err, HasSubstr("pin 0 and shield 0 overlap by"));
+}
+
+TEST(BadInput, GetsOneClearSentence) {
+  const Folder folder;
+  const auto wrong = [](const std::vector<std::string>& words, int exit_code) {
+    const Answer answer = ask(words);
+    EXPECT_EQ(answer.exit_code, exit_code) << words.front();
+    EXPECT_EQ(answer.out, "");
+    EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
+    EXPECT_THAT(answer.err, StartsWith("hedgehog-design"));
+    return answer.err;
+  };
+  EXPECT_THAT(wrong({"stability", "--array", "tkd"}, kUsage), HasSubstr("did you mean 'tkD'?"));
+  EXPECT_THAT(wrong({"pair", "--magnet", "-8x10", "--angle", "12"}, kUsage), HasSubstr("--magnet"));
+  EXPECT_THAT(wrong({"pair", "--sphere", "-35", "--angle", "12"}, kUsage), HasSubstr("--sphere"));
+  EXPECT_THAT(wrong({"pair", "--angle", "5"}, kBadData), HasSubstr("overlap"));
+  EXPECT_THAT(wrong({"pair", "--angle", "200"}, kUsage), HasSubstr("--angle"));
+  EXPECT_THAT(wrong({"pair"}, kUsage), HasSubstr("--angle"));
+  EXPECT_THAT(wrong({"curves", "--model", "fem"}, kUsage), HasSubstr("exact, hybrid, dipole"));
+  EXPECT_THAT(wrong({"curves", "--accuracy", "2"}, kUsage), HasSubstr("--accuracy"));
+  EXPECT_THAT(wrong({"curves", "--accuracy", "-1"}, kUsage), HasSubstr("--accuracy"));
+  EXPECT_THAT(wrong({"stability", "--positions", folder.write("a.csv", "{}")}, kBadData),
+              HasSubstr("no CSV"));
+  EXPECT_THAT(wrong({"stability", folder.write("b.json", "kind,x,y,z")}, kBadData),
+              HasSubstr("no design file"));
+  EXPECT_THAT(wrong({"stability", folder.file("none.json")}, kNoInput), HasSubstr("none.json"));
+  EXPECT_THAT(wrong({"stability", folder.path()}, kNoInput), HasSubstr("is a folder"));
+  EXPECT_THAT(wrong({"curves", "--png", folder.file("x.gif")}, kUsage), HasSubstr(".svg or .png"));
+  EXPECT_THAT(wrong({"report", "--output", folder.file("no/report.html")}, kCannotCreate),
+              HasSubstr("cannot be written"));
+  EXPECT_THAT(wrong({"export"}, kUsage), HasSubstr("say what"));
+  EXPECT_THAT(wrong({}, kUsage), HasSubstr("a verb is missing"));
+  EXPECT_THAT(wrong({"stablity"}, kUsage), HasSubstr("no verb 'stablity'"));
+  EXPECT_THAT(wrong({"stability", "--aray", "cD"}, kUsage), HasSubstr("'--aray'"));
+}
+
+}  // namespace
+}  // namespace hedgehog::design
