@@ -140,6 +140,7 @@ std::vector<Characterisation> characterise(const std::vector<PinClass>& classes,
                                            const ArraySizes& sizes, const ForceSettings& settings,
                                            const OffsetGrid& grid) {
   std::vector<Characterisation> all;
+  all.reserve(classes.size());
   for (const PinClass& pin_class : classes) {
     all.push_back(characterise(PinForce(pin_class, sizes, settings), grid));
   }

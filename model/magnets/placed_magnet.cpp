@@ -25,6 +25,7 @@ Vec3 field_at(const PlacedMagnet& magnet, const Vec3& point_mm) noexcept {
 
 Vec3 force_between(const PlacedMagnet& subject, const PlacedMagnet& other, int order) noexcept {
   const DiskRule& rule = disk_rule(order);
+  const auto radii = static_cast<std::size_t>(order);
   const double radius = subject.magnet.radius_mm();
   const Vec3 away = std::abs(subject.axis.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
   const Vec3 u = unit_or(cross(subject.axis, away), {1, 0, 0});
@@ -32,8 +33,8 @@ Vec3 force_between(const PlacedMagnet& subject, const PlacedMagnet& other, int o
   Vec3 sum;
   for (const double face : {1.0, -1.0}) {
     const Vec3 centre = subject.centre_mm + (0.5 * face * subject.magnet.height_mm) * subject.axis;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(order); ++i) {
-      for (std::size_t j = 0; j < static_cast<std::size_t>(2 * order); ++j) {
+    for (std::size_t i = 0; i < radii; ++i) {
+      for (std::size_t j = 0; j < 2 * radii; ++j) {
         const Vec3 along = (radius * rule.radius[i] * rule.cosine[j]) * u;
         const Vec3 beside = (radius * rule.radius[i] * rule.sine[j]) * v;
         const Vec3 both =

@@ -52,6 +52,7 @@ std::vector<AngleCount> merged(const std::vector<AngleCount>& angles, const Belo
 
 std::vector<AngleCount> counted(const std::vector<double>& angles_deg) {
   std::vector<AngleCount> each;
+  each.reserve(angles_deg.size());
   for (const double angle : angles_deg) each.push_back({angle, 1});
   return merged(each, [](double first, double angle) { return angle - first <= kSameAngleDeg; });
 }

@@ -23,6 +23,7 @@ Arrangement named(std::string_view name) { return arrangement_named(name).value(
 
 std::vector<std::size_t> sizes_of(const std::vector<PinClass>& classes) {
   std::vector<std::size_t> sizes;
+  sizes.reserve(classes.size());
   for (const PinClass& c : classes) sizes.push_back(c.pins.size());
   return sizes;
 }
@@ -30,7 +31,8 @@ std::vector<std::size_t> sizes_of(const std::vector<PinClass>& classes) {
 TEST(Goldberg, AllThatFitTheLimitAreGoldbergPolyhedra) {
   for (const auto& [m, n] : {std::pair{1, 0}, {1, 1}, {2, 1}, {1, 2}, {2, 2}, {3, 1}, {4, 1}}) {
     const Goldberg gp = canonical_goldberg(m, n);
-    const auto t = static_cast<std::size_t>(m * m + m * n + n * n);
+    const int steps = m * m + m * n + n * n;
+    const auto t = static_cast<std::size_t>(steps);
     EXPECT_EQ(gp.faces.size(), 10 * t + 2);
     EXPECT_EQ(gp.vertices.size(), 20 * t);
     std::size_t pentagons = 0;
