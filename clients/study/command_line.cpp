@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
+#include <filesystem>
 #include <functional>
 #include <string>
 
+#include "clients/study/verbs/report_verbs.h"
 #include "clients/study/verbs/run_verb.h"
 #include "clients/study/verbs/simulate_verb.h"
 #include "clients/study/verbs/trace_verb.h"
@@ -34,12 +36,16 @@ class CommandLine {
  public:
   CommandLine() {
     app_.require_subcommand(1);
+    app_.add_option("-C", folder_, "as if started in this folder")->check(CLI::ExistingDirectory);
     app_.set_version_flag("--version", std::string("hedgehog-study " HEDGEHOG_VERSION));
     add_plan();
     add_run();
     add_resume();
     add_rehearse();
     add_status();
+    add_analyse();
+    add_export();
+    add_levels();
     add_simulate();
     add_trace();
   }
@@ -52,6 +58,9 @@ class CommandLine {
     } catch (const CLI::ParseError& error) {
       app_.exit(error, std::cerr, std::cerr);
       return EX_USAGE;
+    }
+    if (!folder_.empty()) {
+      std::filesystem::current_path(folder_);
     }
     return chosen_();
   }
@@ -141,11 +150,49 @@ class CommandLine {
         ->callback([this] { chosen_ = run_participant; });
   }
 
+  void add_analyse() {
+    CLI::App* verb = app_.add_subcommand("analyse", "thresholds, figures and a report");
+    verb->add_option("--out", analyse_.out, "folder; default: analysis in the study");
+    verb->add_option("--bootstraps", analyse_.bootstraps, "replications for the 95 % intervals")
+        ->check(CLI::Range(0, 100'000))
+        ->capture_default_str();
+    verb->add_flag("--json", analyse_.json, "for programs");
+    verb->callback([this] { chosen_ = [this] { return run_analyse(analyse_); }; });
+  }
+
+  void add_export() {
+    CLI::App* verb = app_.add_subcommand("export", "the data, a row for each presentation");
+    verb->add_option("--format", export_.format)
+        ->check(CLI::IsMember({"csv", "bids"}))
+        ->capture_default_str();
+    verb->add_option("--out", export_.out, "default: data.csv or bids in the study");
+    verb->callback([this] { chosen_ = [this] { return run_export(export_); }; });
+  }
+
+  void add_levels() {
+    CLI::App* verb =
+        app_.add_subcommand("levels", "how many levels can be told apart, by which formula");
+    verb->add_option("--threshold-a", levels_.threshold_a, "least current that is felt")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    verb->add_option("--force-percent", levels_.force_percent, "JND of force")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    verb->add_option("--speed-percent", levels_.speed_percent, "JND of speed")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    verb->callback([this] { chosen_ = [this] { return run_levels(levels_); }; });
+  }
+
   CLI::App app_{
       "The perception experiments: how little force, and how small a difference of force "
       "or speed,\npeople feel.",
       "hedgehog-study"};
   std::function<int()> chosen_{};
+  std::string folder_{};
+  AnalyseOptions analyse_{};
+  ExportOptions export_{};
+  LevelsOptions levels_{};
   PlanOptions plan_{};
   RunOptions run_{};
   bool json_ = false;

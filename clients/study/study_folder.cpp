@@ -11,6 +11,7 @@
 #include <regex>
 #include <system_error>
 
+#include "clients/study/experiment_file.h"
 #include "clients/study/journal/journal.h"
 
 namespace hedgehog::study {
@@ -167,6 +168,24 @@ fs::path StudyFolder::journal_path(const std::string& participant, const std::st
                                    int run) const {
   return path_ / "journal" /
          (participant + "." + experiment + "." + std::to_string(run) + ".jsonl");
+}
+
+Result<Experiment> StudyFolder::experiment(const std::string& name_or_file) const {
+  const fs::path own = path_ / "experiments" / (name_or_file + ".json");
+  std::error_code failed;
+  const bool is_name = name_or_file.find('/') == std::string::npos;
+  return find_experiment(is_name && fs::exists(own, failed) ? own.string() : name_or_file);
+}
+
+Result<void> StudyFolder::adopt(const Experiment& experiment, const fs::path& file) const {
+  const fs::path own = path_ / "experiments" / (experiment.name + ".json");
+  std::error_code failed;
+  fs::create_directories(own.parent_path(), failed);
+  fs::copy_file(file, own, failed);
+  if (failed) {
+    return Problem{EX_CANTCREAT, own.string() + ": " + failed.message()};
+  }
+  return {};
 }
 
 std::vector<JournalName> StudyFolder::journals() const {

@@ -59,6 +59,10 @@ class StudyFolder {
   const StudyPlan& plan() const noexcept { return plan_; }
   std::filesystem::path journal_path(const std::string& participant, const std::string& experiment,
                                      int run) const;
+  /// The study's own experiments/NAME.json if there is one, else as `find_experiment`.
+  Result<Experiment> experiment(const std::string& name_or_file) const;
+  /// Copies an experiment's file to experiments/NAME.json. EX_CANTCREAT when that is there already.
+  Result<void> adopt(const Experiment& experiment, const std::filesystem::path& file) const;
   /// Every journal, by participant, experiment and run.
   std::vector<JournalName> journals() const;
 

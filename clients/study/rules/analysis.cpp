@@ -93,8 +93,9 @@ const char* meaning(Flag flag) noexcept {
     case Flag::kCeiling:
       return "the level was held at its ceiling: the threshold may lie above it";
     case Flag::kEarlyFloor:
-      return "the level reached its floor before the first reversal: luck, or a leak that tells "
-             "the answer";
+      return "the level reached its floor before the first reversal, by luck as in a third of "
+             "honest "
+             "JND runs, or because something gives the answer away";
     case Flag::kFalseAlarms:
       return "yes in more than a fifth of the catch trials: the threshold is too low";
     case Flag::kGuessing:

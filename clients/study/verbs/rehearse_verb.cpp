@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cstdio>
 
-#include "clients/study/experiment_file.h"
 #include "clients/study/session/simulated_desk.h"
 #include "clients/study/session/terminal.h"
 #include "clients/study/verbs/run_verb.h"
@@ -66,7 +65,7 @@ int run_rehearse(const RunOptions& options) {
   const bool bar = is_terminal();
   for (const Participant& participant : study->plan().participants) {
     for (const std::string& name : participant.order) {
-      const auto experiment = find_experiment(name);
+      const auto experiment = study->experiment(name);
       if (!experiment) {
         return complain(experiment.error());
       }

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <system_error>
 
-#include "clients/study/experiment_file.h"
 #include "clients/study/journal/journal.h"
 #include "clients/study/session/runner.h"
 #include "clients/study/session/simulated_desk.h"
@@ -63,7 +62,7 @@ int run_run(const RunOptions& options) {
   if (!study) {
     return complain(study.error());
   }
-  const auto experiment = find_experiment(options.experiment);
+  const auto experiment = study->experiment(options.experiment);
   if (!experiment) {
     return complain(experiment.error());
   }
@@ -84,21 +83,20 @@ int run_run(const RunOptions& options) {
   if (!addresses) {
     return complain(addresses.error());
   }
-  auto player = Player::open(*addresses, kPatience);
-  if (!player) {
-    return complain(player.error());
-  }
   std::optional<Checklist> checklist;
   if (!options.simulated) {
+    // Before anybody is asked anything; its claim would run out while people talk.
+    if (const auto there = Player::open(*addresses, kPatience); !there) {
+      return complain(there.error());
+    }
     checklist = complete(options.checklist);
     if (!checklist) {
       return study::complain(EX_TEMPFAIL, "not everything is ready; nothing was begun");
     }
-    // The claim ran out while people talked.
-    player = Player::open(*addresses, kPatience);
-    if (!player) {
-      return complain(player.error());
-    }
+  }
+  auto player = Player::open(*addresses, kPatience);
+  if (!player) {
+    return complain(player.error());
   }
   auto journal =
       begin(*study, options.participant, *experiment, runs.next, player->ball(), options.simulated);

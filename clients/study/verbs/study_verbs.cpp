@@ -51,15 +51,27 @@ ordered_json as_json(const JournalName& name, const RecordedRun& run) {
 }  // namespace
 
 int run_plan(const PlanOptions& options) {
-  for (const std::string& experiment : options.experiments) {
-    if (const auto found = find_experiment(experiment); !found) {
-      return complain(found.error().exit_code, found.error().message);
+  std::vector<std::string> names;
+  std::vector<std::pair<Experiment, std::string>> files;
+  for (const std::string& given : options.experiments) {
+    const auto experiment = find_experiment(given);
+    if (!experiment) {
+      return complain(experiment.error().exit_code, experiment.error().message);
+    }
+    names.push_back(experiment->name);
+    if (given != experiment->name) {
+      files.emplace_back(*experiment, given);
     }
   }
-  const StudyPlan plan = make_plan(options.participants, options.experiments, options.seed);
+  const StudyPlan plan = make_plan(options.participants, names, options.seed);
   const auto study = StudyFolder::create(options.folder, plan);
   if (!study) {
     return complain(study.error().exit_code, study.error().message);
+  }
+  for (const auto& [experiment, file] : files) {
+    if (const auto adopted = study->adopt(experiment, file); !adopted) {
+      return complain(adopted.error().exit_code, adopted.error().message);
+    }
   }
   std::printf("%s/study.json: %d people x %zu experiments, Latin square, seeds drawn\n",
               options.folder.c_str(), options.participants, options.experiments.size());

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+#include "clients/study/report/bids.h"
+
+#include <sys/utsname.h>
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "clients/study/experiment_file.h"
+#include "clients/study/report/rows.h"
+
+namespace hedgehog::study {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+/// BIDS labels are letters and digits.
+std::string label(const std::string& text) {
+  std::string plain;
+  std::copy_if(text.begin(), text.end(), std::back_inserter(plain),
+               [](unsigned char c) { return std::isalnum(c) != 0; });
+  return plain;
+}
+
+/// What the thesis leaves open, and how it was done here.
+ordered_json choices() {
+  return {{"quick_start_in_all_experiments", true},
+          {"initial_step_down", "step_ratio x step_up"},
+          {"reversal_ending_the_quick_start_counts", true},
+          {"first_answer_negative", "level up, no reversal"},
+          {"reversal_level", "at which the turning answer was given"},
+          {"step_size_leaving_a_reversal", "already the new one"},
+          {"run_counter", "zeroed by every level change and every negative"},
+          {"at_the_limits", "level clamped; moves there still turn the direction"},
+          {"catch_trials", "device off; they move nothing"},
+          {"zero_difference_or_current", "scored; the random label decides"},
+          {"void_trials", "nothing scored, same level again, new interval order"},
+          {"step_unit", "A, or percentage points of the reference"},
+          {"threshold", "arithmetic mean of nominal levels of all reversals but the discarded"},
+          {"last_reversal", "ends the run at once"},
+          {"feedback", "none"}};
+}
+
+template <class T>
+ordered_json or_missing(const std::optional<T>& value) {
+  return value ? ordered_json(*value) : ordered_json("n/a");
+}
+
+ordered_json or_missing(const std::string& text) {
+  return text.empty() ? ordered_json("n/a") : ordered_json(text);
+}
+
+std::string operating_system() {
+  utsname names{};
+  return uname(&names) == 0 ? std::string(names.sysname) + " " + names.release : "n/a";
+}
+
+Result<void> write(const fs::path& file, const std::string& text) {
+  std::ofstream out(file, std::ios::binary);
+  out << text;
+  out.flush();
+  if (!out) {
+    return Problem{EX_IOERR, file.string() + ": cannot be written"};
+  }
+  return {};
+}
+
+std::string table(const RecordedRun& run, std::string (*line)(const std::vector<std::string>&),
+                  bool heading) {
+  std::string text;
+  if (heading) {
+    std::vector<std::string> names;
+    for (const Column& column : columns()) {
+      names.emplace_back(column.name);
+    }
+    text = line(names) + "\n";
+  }
+  for (const auto& row : rows_of(run)) {
+    text += line(row) + "\n";
+  }
+  return text;
+}
+
+std::string participants_table(const std::vector<AnalysedRun>& runs) {
+  // The latest check list of each.
+  std::map<std::string, Checklist> people;
+  for (const AnalysedRun& run : runs) {
+    people[run.name.participant] = run.run.checklist().value_or(people[run.name.participant]);
+  }
+  std::string text = "participant_id\thand_size_cm\tdominant_hand\tage_band\n";
+  for (const auto& [id, list] : people) {
+    const auto known = [](const std::string& said) { return said.empty() ? "n/a" : said; };
+    text += tsv_line({"sub-" + label(id),
+                      list.hand_size_cm ? ordered_json(*list.hand_size_cm).dump() : "n/a",
+                      known(list.dominant_hand), known(list.age_band)}) +
+            "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string bids_name(const AnalysedRun& run) {
+  const std::string subject = "sub-" + label(run.name.participant);
+  return subject + "/beh/" + subject + "_task-" + label(run.name.experiment) + "_run-" +
+         std::to_string(run.name.run) + "_beh";
+}
+
+std::string bids_sidecar(const AnalysedRun& analysed) {
+  const RunStarted& header = analysed.run.header();
+  const Checklist list = analysed.run.checklist().value_or(Checklist{});
+  ordered_json remarks = ordered_json::array();
+  for (const Line& line : analysed.run.remarks()) {
+    const Remark& remark = std::get<Remark>(line.event);
+    remarks.push_back({{"time", line.time}, {"kind", remark.kind}, {"text", remark.text}});
+  }
+  ordered_json file{{"TaskName", header.experiment.name},
+                    {"TaskDescription", header.experiment.question},
+                    {"SoftwareName", "hedgehog-study"},
+                    {"SoftwareVersion", header.software_version},
+                    {"OperatingSystem", operating_system()},
+                    {"Started", analysed.run.started()},
+                    {"Status", name(analysed.analysis.status)},
+                    {"Threshold", or_missing(analysed.analysis.threshold_text)},
+                    {"ThresholdUnit", header.experiment.unit()},
+                    {"Protocol", ordered_json::parse(experiment_text(header.experiment))},
+                    {"Choices", choices()},
+                    {"Seeds", {{"order", header.seeds.order}, {"catches", header.seeds.catches}}},
+                    {"SimulatedPerson", header.simulated_person},
+                    {"Device",
+                     {{"name", header.ball.name},
+                      {"model", header.ball.model},
+                      {"serial", or_missing(header.ball.serial)},
+                      {"simulated", header.ball.simulated},
+                      {"force_n_per_a", header.ball.force_n_per_a}}},
+                    {"HandSizeCm", or_missing(list.hand_size_cm)},
+                    {"DominantHand", or_missing(list.dominant_hand)},
+                    {"AgeBand", or_missing(list.age_band)},
+                    {"ConsentReference", or_missing(list.consent)},
+                    {"Experimenter", or_missing(list.experimenter)},
+                    {"HeadphoneCheck", list.headphones},
+                    {"HandOnTopCheck", list.hand_on_top},
+                    {"Remarks", remarks}};
+  for (const Column& column : columns()) {
+    file[column.name] = {{"Description", column.description}};
+  }
+  return file.dump(2) + "\n";
+}
+
+Result<void> write_bids(const fs::path& folder, const StudyFolder& study,
+                        const std::vector<AnalysedRun>& runs) {
+  std::error_code failed;
+  if (fs::exists(folder, failed)) {
+    return Problem{EX_CANTCREAT, folder.string() + " is there already; --out names another"};
+  }
+  for (const AnalysedRun& run : runs) {
+    const fs::path base = folder / bids_name(run);
+    fs::create_directories(base.parent_path(), failed);
+    if (auto written = write(base.string() + ".tsv", table(run.run, tsv_line, true)); !written) {
+      return written;
+    }
+    if (auto written = write(base.string() + ".json", bids_sidecar(run)); !written) {
+      return written;
+    }
+  }
+  const ordered_json description{
+      {"Name", study.path().filename().string()},
+      {"BIDSVersion", "1.9.0"},
+      {"DatasetType", "raw"},
+      {"GeneratedBy", {{{"Name", "hedgehog-study"}, {"Version", HEDGEHOG_VERSION}}}}};
+  fs::create_directories(folder, failed);
+  if (auto written = write(folder / "dataset_description.json", description.dump(2) + "\n");
+      !written) {
+    return written;
+  }
+  return write(folder / "participants.tsv", participants_table(runs));
+}
+
+Result<void> write_csv(const fs::path& file, const std::vector<AnalysedRun>& runs) {
+  std::error_code failed;
+  if (fs::exists(file, failed)) {
+    return Problem{EX_CANTCREAT, file.string() + " is there already; --out names another"};
+  }
+  std::string text;
+  for (const AnalysedRun& run : runs) {
+    text += table(run.run, csv_line, text.empty());
+  }
+  return write(file, text);
+}
+
+}  // namespace hedgehog::study

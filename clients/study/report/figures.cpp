@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include "clients/study/report/figures.h"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <fstream>
+
+extern char** environ;
+
+namespace hedgehog::study {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kBlue = "#1f5fa8";
+constexpr const char* kRed = "#c0392b";
+constexpr const char* kGrey = "#9aa4ad";
+
+std::string decimal(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.9g", value);
+  return text;
+}
+
+std::string axis_of(const Experiment& experiment) {
+  switch (experiment.quantity) {
+    case Quantity::kCurrentPercent:
+      return "Difference of force [%]";
+    case Quantity::kSpeedPercent:
+      return "Difference of speed [%]";
+    case Quantity::kCurrentA:
+      break;
+  }
+  return "Current [A]";
+}
+
+std::string title_of(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::kCurrentPercent:
+      return "Force JND [%]";
+    case Quantity::kSpeedPercent:
+      return "Speed JND [%]";
+    case Quantity::kCurrentA:
+      break;
+  }
+  return "Force threshold [N]";
+}
+
+/// The value that the group figure shows: N for thresholds, as the thesis does.
+double shown(const AnalysedRun& run) {
+  return run.analysis.weber_fraction ? *run.analysis.threshold : *run.analysis.force_n;
+}
+
+bool start_gnuplot(const fs::path& script, const fs::path& log, int& status) {
+  std::string program = "gnuplot";
+  std::string file = script.string();
+  char* arguments[] = {program.data(), file.data(), nullptr};
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_addopen(&files, 1, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  posix_spawn_file_actions_adddup2(&files, 1, 2);
+  pid_t process = -1;
+  const int failed = posix_spawnp(&process, program.c_str(), &files, nullptr, arguments, environ);
+  posix_spawn_file_actions_destroy(&files);
+  if (failed != 0) {
+    return false;
+  }
+  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+  }
+  return true;
+}
+
+/// Once as SVG, once as PNG.
+std::string twice(const fs::path& folder, const std::string& name, int width, int height,
+                  const std::string& plot) {
+  const std::string size = std::to_string(width) + "," + std::to_string(height);
+  const std::string path = (folder / name).string();
+  return "set terminal svg size " + size + " font 'DejaVu Sans,13' background '#ffffff'\n" +
+         "set output '" + path + ".svg'\n" + plot + "unset output\n" +
+         "set terminal pngcairo size " + size + " font 'DejaVu Sans,11' background '#ffffff'\n" +
+         "set output '" + path + ".png'\n" + plot + "unset output\n";
+}
+
+}  // namespace
+
+std::string figure_name(const AnalysedRun& run) {
+  return run.name.participant + "." + run.name.experiment + "." + std::to_string(run.name.run);
+}
+
+std::string staircase_plot(const AnalysedRun& analysed) {
+  const Experiment& experiment = analysed.run.header().experiment;
+  std::string levels;
+  std::string reversals;
+  double top = 0.0;
+  int trials = 0;
+  for (const TrialRecord& trial : analysed.run.trials()) {
+    if (!trial.step) {
+      continue;
+    }
+    const double level = to_value(trial.trial.level, experiment.decimals());
+    const std::string point = std::to_string(trial.trial.number) + " " + decimal(level);
+    levels += point + (trial.positive ? " 1\n" : " 0\n");
+    if (trial.step->reversal > 0) {
+      reversals += point + " " + std::to_string(trial.step->reversal) + "\n";
+    }
+    top = std::max(top, level);
+    trials = std::max(trials, trial.trial.number);
+  }
+  const std::string discard = std::to_string(experiment.rule.discard);
+  const bool yes_no = experiment.task == Task::kYesNo;
+  std::string plot =
+      "reset\n$levels << END\n" + levels + "END\n$reversals << END\n" + reversals + "END\n" +
+      "set title '" + analysed.name.participant + ", " + experiment.name + "' noenhanced\n" +
+      "set xlabel 'Trial'\nset ylabel '" + axis_of(experiment) + "'\n" +
+      "set xrange [0:" + std::to_string(trials + 1) + "]\nset yrange [0:" + decimal(top * 1.12) +
+      "]\nset grid ytics lc '#e3e7ea' lt 1\nset border 3\nset tics nomirror\nset key top right\n";
+  if (analysed.analysis.interval) {
+    plot += "set object 1 rectangle from graph 0, first " +
+            decimal(std::min(analysed.analysis.interval->first, top * 1.12)) +
+            " to graph 1, first " +
+            decimal(std::min(analysed.analysis.interval->second, top * 1.12)) +
+            " fc '#dfe9f5' fs noborder behind\n";
+  }
+  plot += std::string("plot $levels using 1:2 with lines lc '") + kGrey + "' notitle, \\\n" +
+          "  $levels using 1:($3 == 1 ? $2 : 1/0) with points pt 7 ps 0.8 lc '" + kBlue +
+          "' title '" + (yes_no ? "yes" : "right") + "', \\\n" +
+          "  $levels using 1:($3 == 0 ? $2 : 1/0) with points pt 6 ps 0.9 lw 1.5 lc '" + kRed +
+          "' title '" + (yes_no ? "no" : "wrong") + "'";
+  if (!reversals.empty()) {
+    plot += ", \\\n  $reversals using 1:($3 > " + discard +
+            " ? $2 : 1/0) with points pt 4 ps 1.7 lc '#333333' title "
+            "'reversal', \\\n  $reversals using 1:($3 <= " +
+            discard +
+            " ? $2 : 1/0) with points pt 4 ps 1.7 lc '#b8c0c7' title "
+            "'reversal, not in the mean'";
+  }
+  if (analysed.analysis.threshold) {
+    char label[64];
+    std::snprintf(label, sizeof label, "mean of reversals, %.4g %s", *analysed.analysis.threshold,
+                  experiment.unit());
+    plot += ", \\\n  " + decimal(*analysed.analysis.threshold) +
+            " with lines dt 2 lw 1.5 lc '#333333' title '" + label + "'";
+  }
+  return plot + "\n";
+}
+
+std::string group_plot(const std::vector<AnalysedGroup>& groups) {
+  std::string plot = "reset\nset multiplot layout 1," + std::to_string(groups.size()) + "\n";
+  for (const AnalysedGroup& group : groups) {
+    const bool in_newton = group.experiment.quantity == Quantity::kCurrentA;
+    const double scale = in_newton ? group.runs.front()->run.header().ball.force_n_per_a : 1.0;
+    std::string people;
+    double top = thesis_result(group.experiment.quantity) * scale;
+    for (std::size_t i = 0; i < group.runs.size(); ++i) {
+      // Side by side, so that nobody hides anybody.
+      const double offset = 0.09 * (static_cast<double>(i % 5) - 2.0);
+      people += decimal(offset) + " " + decimal(shown(*group.runs[i])) + " " +
+                (group.runs[i]->analysis.flags.empty() ? "0" : "1") + "\n";
+      top = std::max(top, shown(*group.runs[i]));
+    }
+    const double middle = group.result.mean * scale;
+    const double spread = group.result.sd * scale;
+    top = std::max(top, middle + spread);
+    plot +=
+        "$people << END\n" + people + "END\n$mean << END\n0.45 " + decimal(middle) + " " +
+        decimal(spread) + "\nEND\nset title '" + title_of(group.experiment.quantity) +
+        "'\nset xrange [-0.5:0.75]\nset yrange [0:" + decimal(top * 1.15) +
+        "]\nunset xtics\nset ytics nomirror\nset border 2\nset grid ytics lc '#e3e7ea' lt 1\n"
+        "set key below maxrows 2 samplen 1.5\nplot " +
+        decimal(thesis_result(group.experiment.quantity) * scale) + " with lines dt 3 lw 1.5 lc '" +
+        kGrey + "' title 'thesis', \\\n" +
+        "  $people using 1:($3 == 0 ? $2 : 1/0) with points pt 7 ps 0.9 lc '" + kBlue +
+        "' title 'person', \\\n" +
+        "  $people using 1:($3 == 1 ? $2 : 1/0) with points pt 6 ps 1.0 lw 1.5 lc '" + kRed +
+        "' title 'flagged', \\\n" +
+        "  $mean using 1:2:3 with yerrorbars pt 5 ps 1.0 lw 1.8 lc '#333333' title 'mean, SD'\n";
+  }
+  return plot + "unset multiplot\n";
+}
+
+Result<void> draw(const fs::path& folder, const std::vector<AnalysedRun>& runs,
+                  const std::vector<AnalysedGroup>& groups) {
+  constexpr int kPanel = 300;
+  std::string script;
+  for (const AnalysedRun& run : runs) {
+    if (run.run.state().staircase().state().scored > 0) {
+      script += twice(folder, figure_name(run), 720, 400, staircase_plot(run));
+    }
+  }
+  if (!groups.empty()) {
+    script +=
+        twice(folder, "groups", kPanel * static_cast<int>(groups.size()), 420, group_plot(groups));
+  }
+  const fs::path file = folder / "figures.gnuplot";
+  std::ofstream(file) << script;
+  int status = 0;
+  if (!start_gnuplot(file, folder / "gnuplot.log", status)) {
+    return Problem{EX_UNAVAILABLE, "no figures: gnuplot is not installed"};
+  }
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+    return Problem{EX_UNAVAILABLE,
+                   "no figures: gnuplot failed, see " + (folder / "gnuplot.log").string()};
+  }
+  return {};
+}
+
+}  // namespace hedgehog::study

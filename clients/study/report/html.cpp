@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include "clients/study/report/html.h"
+
+#include <cstdarg>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+
+#include "clients/study/report/figures.h"
+#include "clients/study/rules/distinguishable_levels.h"
+
+namespace hedgehog::study {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kHead = R"(<!doctype html>
+<html lang="en"><head><meta charset="utf-8"><title>Hedgehog study</title><style>
+body { font: 15px/1.5 "DejaVu Sans", system-ui, sans-serif; color: #22282d; max-width: 960px; margin: 2em auto; padding: 0 1em }
+h1, h2 { font-weight: 600; line-height: 1.2 } h2 { margin-top: 2em }
+table { border-collapse: collapse; margin: 1em 0; font-size: 14px }
+th, td { text-align: left; padding: .3em .9em .3em 0; border-bottom: 1px solid #e3e7ea; vertical-align: top }
+td.n, th.n { text-align: right; font-variant-numeric: tabular-nums }
+.flag { color: #c0392b } .quiet { color: #6b767f } figure { margin: 1em 0 } svg { max-width: 100%; height: auto }
+</style></head><body>
+)";
+
+[[gnu::format(printf, 1, 2)]] std::string print(const char* format, ...) {
+  char text[1024];
+  va_list arguments;
+  va_start(arguments, format);
+  std::vsnprintf(text, sizeof text, format, arguments);
+  va_end(arguments);
+  return text;
+}
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '&':
+        out += "&amp;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += c;
+    }
+  }
+  return out;
+}
+
+/// The SVG without its XML heading, so that it can stand in the page.
+std::string figure(const fs::path& file) {
+  std::ifstream in(file);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  const auto begin = text.find("<svg");
+  return begin == std::string::npos ? std::string()
+                                    : "<figure>" + text.substr(begin) + "</figure>\n";
+}
+
+std::string group_table(const std::vector<AnalysedGroup>& groups) {
+  std::string page =
+      "<table><tr><th>experiment<th class=n>thesis<th class=n>here, mean ± SD<th class=n>n"
+      "<th class=n>force<th>flagged</tr>\n";
+  for (const AnalysedGroup& group : groups) {
+    const char* unit = group.experiment.unit();
+    page += "<tr><td>" + escaped(group.experiment.name) +
+            print("<td class=n>%.3g %s<td class=n>%.3g ± %.2g %s<td class=n>%d<td class=n>",
+                  thesis_result(group.experiment.quantity), unit, group.result.mean,
+                  group.result.sd, unit, group.result.count) +
+            (group.force_n > 0 ? print("%.4f N", group.force_n) : std::string("–")) +
+            print("<td>%d of %d</tr>\n", group.flagged, group.result.count);
+  }
+  return page + "</table>\n";
+}
+
+std::string run_row(const AnalysedRun& analysed) {
+  const RunAnalysis& a = analysed.analysis;
+  const Experiment& e = analysed.run.header().experiment;
+  std::string row = "<tr><td>" + escaped(analysed.name.participant) + "<td>" + escaped(e.name) +
+                    print("<td class=n>%d<td class=n>", analysed.name.run);
+  if (a.threshold) {
+    row += print("%.4g %s<td class=n>", *a.threshold, e.unit());
+    row += a.interval ? print("%.3g to %.3g", a.interval->first, a.interval->second) : "–";
+    row += print("<td class=n>%.4g", a.fit->threshold);
+  } else {
+    row += "–<td class=n>–<td class=n>–";
+  }
+  const auto& shown = analysed.run.state().shown();
+  const auto& right = analysed.run.state().right();
+  row += print("<td class=n>%d<td class=n>%d<td class=n>", a.scored, analysed.run.state().voids());
+  if (shown[0] + shown[1] > 0) {
+    row += print("%d/%d, %d/%d", right[0], shown[0], right[1], shown[1]);
+  } else {
+    row += print("%d of %d", analysed.run.state().false_alarms(), analysed.run.state().catches());
+  }
+  row += "<td class=flag>";
+  for (std::size_t i = 0; i < a.flags.size(); ++i) {
+    row += (i == 0 ? "" : ", ") + std::string(name(a.flags[i]));
+  }
+  return row +
+         (analysed.run.header().simulated_person ? " <span class=quiet>simulated</span>" : "") +
+         "</tr>\n";
+}
+
+std::string level_table(const std::vector<AnalysedGroup>& groups) {
+  double threshold = thesis_result(Quantity::kCurrentA);
+  double force = thesis_result(Quantity::kCurrentPercent);
+  double speed = thesis_result(Quantity::kSpeedPercent);
+  for (const AnalysedGroup& group : groups) {
+    switch (group.experiment.quantity) {
+      case Quantity::kCurrentA:
+        threshold = group.result.mean;
+        break;
+      case Quantity::kCurrentPercent:
+        force = group.result.mean;
+        break;
+      case Quantity::kSpeedPercent:
+        speed = group.result.mean;
+        break;
+    }
+  }
+  std::string page =
+      "<h2>Levels that can be told apart</h2>\n<p>How many there are depends on the range and on "
+      "the formula; the thesis names neither for its \"about 10\" of force and \"about 20\" of "
+      "speed. A Weber fraction was measured at one reference, upwards only, and usually rises "
+      "near the threshold.</p>\n<table><tr><th>range<th>formula<th class=n>steps, thesis' "
+      "values<th class=n>steps, here<th class=n>levels, here<th></tr>\n";
+  const auto thesis = level_formulas(2.1, 0.13, 0.49);
+  const auto here = level_formulas(threshold, force / 100.0, speed / 100.0);
+  for (std::size_t i = 0; i < here.size(); ++i) {
+    page += "<tr><td>" + escaped(here[i].range) + "<td>" + escaped(here[i].formula) +
+            print("<td class=n>%.1f<td class=n>%.1f<td class=n>%d<td class=quiet>",
+                  thesis[i].count.steps, here[i].count.steps, here[i].count.levels) +
+            escaped(here[i].remark) + "</tr>\n";
+  }
+  return page + "</table>\n";
+}
+
+std::string flag_table() {
+  std::string page = "<h2>What the flags mean</h2>\n<table>\n";
+  for (const Flag flag : {Flag::kNotFinished, Flag::kCeiling, Flag::kEarlyFloor, Flag::kFalseAlarms,
+                          Flag::kGuessing, Flag::kZeroLevel}) {
+    page += "<tr><td class=flag>" + std::string(name(flag)) + "<td>" + meaning(flag) + "</tr>\n";
+  }
+  return page + "</table>\n";
+}
+
+}  // namespace
+
+std::string report_page(const StudyFolder& study, const std::vector<AnalysedRun>& runs,
+                        const std::vector<AnalysedGroup>& groups, const fs::path& figures) {
+  std::string page = kHead;
+  page += "<h1>" + escaped(study.path().filename().string()) + "</h1>\n";
+  page += print(
+      "<p class=quiet>%zu participants planned, %zu runs, seed %llu, hedgehog-study %s"
+      "</p>\n",
+      study.plan().participants.size(), runs.size(),
+      static_cast<unsigned long long>(study.plan().seed), HEDGEHOG_VERSION);
+  page += group_table(groups) + figure(figures / "groups.svg");
+  page +=
+      "<p>The threshold of a person is the mean of all reversals but the first two (thesis, "
+      "section 3.2), nominally 80.35 % positive; for the yes/no task that label is nominal only. "
+      "Groups are means with their standard deviation (n − 1) over each person's last finished "
+      "run. The 95 % interval reruns the whole staircase with the fitted curve and is "
+      "approximate; the fit is a Weibull through all scored trials with 2 % lapses assumed. "
+      "Part of the spread is the method's own: one run of a 13 % observer reads 7 to 24 % in "
+      "95 of 100.</p>\n";
+  page +=
+      "<h2>Runs</h2>\n<table><tr><th>who<th>experiment<th class=n>run<th class=n>threshold"
+      "<th class=n>95 %<th class=n>fit<th class=n>trials<th class=n>voids"
+      "<th class=n>right with the test 1st, 2nd;<br>yes in catch trials<th>flags</tr>\n";
+  for (const AnalysedRun& run : runs) {
+    page += run_row(run);
+  }
+  page += "</table>\n" + flag_table() + level_table(groups) + "<h2>Staircases</h2>\n";
+  for (const AnalysedRun& run : runs) {
+    page += figure(figures / (figure_name(run) + ".svg"));
+  }
+  return page + "</body></html>\n";
+}
+
+}  // namespace hedgehog::study

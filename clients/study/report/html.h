@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// The whole analysis as one page that needs no other file.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "clients/study/report/collect.h"
+
+namespace hedgehog::study {
+
+/// `figures`: the folder where `draw` put them; what is missing there is left out.
+std::string report_page(const StudyFolder& study, const std::vector<AnalysedRun>& runs,
+                        const std::vector<AnalysedGroup>& groups,
+                        const std::filesystem::path& figures);
+
+}  // namespace hedgehog::study

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "clients/study/report/rows.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace hedgehog::study {
+
+namespace {
+
+constexpr const char* kNone = "n/a";
+
+std::string seconds(std::int64_t ns) { return exact_decimal(ns, 9); }
+
+std::string number(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+template <class T, class Text>
+std::string or_none(const std::optional<T>& value, Text text) {
+  return value ? text(*value) : kNone;
+}
+
+/// The level as it was delivered: the nominal one, times what the limiter let through.
+std::string presented(const Experiment& e, const IntervalPlayed& test) {
+  const double current = test.stimulus.current_a * test.delivered_mean;
+  switch (e.quantity) {
+    case Quantity::kCurrentPercent:
+      return number(100.0 * (current / e.pattern.current_a - 1.0));
+    case Quantity::kSpeedPercent:
+      return number(100.0 * (test.stimulus.speed_pins_s / e.pattern.speed_pins_s - 1.0));
+    case Quantity::kCurrentA:
+      break;
+  }
+  return number(current);
+}
+
+/// The interval that held the test; the only one of a yes/no trial.
+const IntervalPlayed* test_of(const TrialRecord& trial) {
+  const int wanted = std::max(1, trial.trial.interval_of_test);
+  const auto found = std::find_if(trial.intervals.begin(), trial.intervals.end(),
+                                  [&](const IntervalPlayed& i) { return i.interval == wanted; });
+  return found == trial.intervals.end() ? nullptr : &*found;
+}
+
+const char* move_name(int move) { return move < 0 ? "down" : move > 0 ? "up" : "none"; }
+
+}  // namespace
+
+const std::vector<Column>& columns() {
+  static const std::vector<Column> kColumns{
+      {"participant", "code of the participant"},
+      {"session", "1: all runs of a participant"},
+      {"experiment", "name of the experiment"},
+      {"run", "of this participant and experiment, from 1"},
+      {"event", "presentation block of this run, from 1"},
+      {"scored_trial", "ordinal among the scored trials; n/a for other kinds"},
+      {"kind", "scored, catch, practice, or void (repeated)"},
+      {"included", "1: it moved the staircase"},
+      {"onset", "s, first onset after the first onset of the run, by the device's clock"},
+      {"duration", "s, from the first onset to the last offset"},
+      {"level_nominal", "level asked: A, or percentage points above the reference"},
+      {"level_presented", "level as delivered by the limiter"},
+      {"current_commanded_A", "current of the test interval"},
+      {"current_measured_A", "highest current seen in the coils while it played"},
+      {"speed_pps", "speed of the test interval, pins per second"},
+      {"temperature_C", "hottest winding as estimated, after the last interval"},
+      {"interval_of_test", "1 or 2; n/a for one presentation"},
+      {"response", "yes, no, 1, 2"},
+      {"correct", "1, 0; n/a where nothing is right or wrong"},
+      {"response_time", "s, from the question"},
+      {"move", "down, none, up"},
+      {"reversal", "ordinal of the reversal made by this answer, or 0"},
+      {"n_reversals", "reversals so far"},
+      {"step_up", "step up in force afterwards, in units of the level"},
+      {"run_count", "positives in a row afterwards"},
+      {"at_floor", "1: presented at the floor"},
+      {"at_ceiling", "1: presented at the ceiling"},
+      {"t_command", "s, device time when the first interval was commanded"},
+      {"t_ack", "s, device time when the daemon had answered"},
+      {"t_onset", "s, device time of the first onset"},
+      {"t_offset", "s, device time of the last offset"},
+      {"seed_order", "seed of the interval orders of this run"},
+      {"software_version", "hedgehog-study that recorded it"}};
+  return kColumns;
+}
+
+std::vector<std::vector<std::string>> rows_of(const RecordedRun& run) {
+  const RunStarted& header = run.header();
+  const Experiment& e = header.experiment;
+  std::vector<std::vector<std::string>> rows;
+  std::optional<std::int64_t> first_onset;
+  for (const TrialRecord& record : run.trials()) {
+    const Trial& trial = record.trial;
+    const bool counts = record.step.has_value();
+    const bool is_void = !record.void_reason.empty();
+    const IntervalPlayed* test = test_of(record);
+    std::optional<std::int64_t> onset;
+    std::optional<std::int64_t> offset;
+    if (!record.intervals.empty()) {
+      onset = record.intervals.front().onset_ns;
+      offset = record.intervals.back().offset_ns;
+      first_onset = first_onset ? first_onset : onset;
+    }
+    const auto level = [&](Level value) { return exact_decimal(value, e.decimals()); };
+    const auto flag = [](bool on) { return std::string(on ? "1" : "0"); };
+    const bool judged = record.answered && e.task == Task::kTwoIntervals;
+    rows.push_back(
+        {header.participant,
+         "1",
+         e.name,
+         std::to_string(header.run),
+         std::to_string(rows.size() + 1),
+         trial.kind == TrialKind::kScored && !is_void ? std::to_string(trial.number) : kNone,
+         is_void ? "void" : std::string(name(trial.kind)),
+         flag(counts),
+         onset && first_onset ? seconds(*onset - *first_onset) : kNone,
+         onset && offset ? seconds(*offset - *onset) : kNone,
+         level(trial.level),
+         test != nullptr ? presented(e, *test) : kNone,
+         test != nullptr ? number(test->stimulus.current_a) : kNone,
+         test != nullptr ? or_none(test->measured_a, number) : kNone,
+         test != nullptr ? number(test->stimulus.speed_pins_s) : kNone,
+         record.intervals.empty() ? kNone : or_none(record.intervals.back().temperature_c, number),
+         trial.interval_of_test > 0 ? std::to_string(trial.interval_of_test) : kNone,
+         record.answered ? std::string(name(record.answered->answer)) : kNone,
+         judged ? flag(record.positive) : kNone,
+         record.answered ? exact_decimal(record.answered->response_ms, 3) : kNone,
+         counts ? move_name(record.step->move) : kNone,
+         counts ? std::to_string(record.step->reversal) : kNone,
+         counts ? std::to_string(record.reversals_after) : kNone,
+         counts ? level(record.step_up_after) : kNone,
+         counts ? std::to_string(record.run_after) : kNone,
+         flag(trial.kind == TrialKind::kScored && trial.level == e.rule.floor),
+         flag(trial.kind == TrialKind::kScored && trial.level == e.rule.ceiling),
+         record.intervals.empty() ? kNone : seconds(record.intervals.front().command_ns),
+         record.intervals.empty() ? kNone : seconds(record.intervals.front().ack_ns),
+         or_none(onset, seconds),
+         or_none(offset, seconds),
+         std::to_string(header.seeds.order),
+         header.software_version});
+  }
+  return rows;
+}
+
+std::string csv_line(const std::vector<std::string>& cells) {
+  std::string line;
+  for (const std::string& cell : cells) {
+    line += &cell == &cells.front() ? "" : ",";
+    if (cell.find_first_of(",\"\r\n") == std::string::npos) {
+      line += cell;
+      continue;
+    }
+    line += '"';
+    for (const char c : cell) {
+      line.append(c == '"' ? 2 : 1, c);
+    }
+    line += '"';
+  }
+  return line;
+}
+
+std::string tsv_line(const std::vector<std::string>& cells) {
+  std::string line;
+  for (const std::string& cell : cells) {
+    line += &cell == &cells.front() ? "" : "\t";
+    for (const char c : cell) {
+      line += c == '\t' || c == '\n' || c == '\r' ? ' ' : c;
+    }
+  }
+  return line;
+}
+
+}  // namespace hedgehog::study

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "clients/study/verbs/report_verbs.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "clients/study/report/bids.h"
+#include "clients/study/report/figures.h"
+#include "clients/study/report/html.h"
+#include "clients/study/rules/distinguishable_levels.h"
+#include "clients/study/verbs/trace_verb.h"
+
+namespace hedgehog::study {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+void print_groups(const std::vector<AnalysedGroup>& groups) {
+  std::puts("                          thesis    here");
+  for (const AnalysedGroup& group : groups) {
+    const char* unit = group.experiment.unit();
+    char thesis[32];
+    char here[64];
+    std::snprintf(thesis, sizeof thesis, "%.3g %s", thesis_result(group.experiment.quantity), unit);
+    std::snprintf(here, sizeof here, "%.3g %s ± %.2g, n = %d", group.result.mean, unit,
+                  group.result.sd, group.result.count);
+    std::printf("  %-23s %-9s %s", group.experiment.name.c_str(), thesis, here);
+    if (group.force_n > 0) {
+      std::printf(", %.4f N", group.force_n);
+    }
+    std::puts("");
+  }
+}
+
+void print_flags(const std::vector<AnalysedRun>& runs) {
+  for (const AnalysedRun& run : runs) {
+    for (const Flag flag : run.analysis.flags) {
+      std::printf("  %s %s: %s, %s\n", run.name.participant.c_str(), run.name.experiment.c_str(),
+                  name(flag), meaning(flag));
+    }
+  }
+}
+
+ordered_json as_json(const AnalysedRun& analysed) {
+  const RunAnalysis& a = analysed.analysis;
+  ordered_json flags = ordered_json::array();
+  for (const Flag flag : a.flags) {
+    flags.push_back(name(flag));
+  }
+  ordered_json out{{"participant", analysed.name.participant},
+                   {"experiment", analysed.name.experiment},
+                   {"run", analysed.name.run},
+                   {"status", name(a.status)},
+                   {"scored", a.scored},
+                   {"threshold", nullptr},
+                   {"unit", analysed.run.header().experiment.unit()},
+                   {"interval_95", nullptr},
+                   {"weibull_threshold", nullptr},
+                   {"weibull_slope", nullptr},
+                   {"weber_fraction", nullptr},
+                   {"force_n", nullptr},
+                   {"flags", flags},
+                   {"in_group", analysed.in_group}};
+  if (a.threshold_text) {
+    out["threshold"] = *a.threshold_text;
+  }
+  if (a.interval) {
+    out["interval_95"] = {a.interval->first, a.interval->second};
+  }
+  if (a.fit) {
+    out["weibull_threshold"] = a.fit->threshold;
+    out["weibull_slope"] = a.fit->observer.slope;
+  }
+  if (a.weber_fraction) {
+    out["weber_fraction"] = *a.weber_fraction;
+  }
+  if (a.force_n) {
+    out["force_n"] = *a.force_n;
+  }
+  return out;
+}
+
+}  // namespace
+
+int run_analyse(const AnalyseOptions& options) {
+  const auto study = StudyFolder::find(".");
+  if (!study) {
+    return complain(study.error().exit_code, study.error().message);
+  }
+  std::vector<std::string> problems;
+  const auto runs = collect(*study, options.bootstraps, problems);
+  for (const std::string& problem : problems) {
+    complain(EX_DATAERR, problem);
+  }
+  if (runs.empty()) {
+    return complain(EX_NOINPUT, "there is no run yet");
+  }
+  const auto groups = groups_of(*study, runs);
+  const fs::path out = options.out.empty() ? study->path() / "analysis" : fs::path(options.out);
+  std::error_code failed;
+  fs::create_directories(out / "figures", failed);
+  const auto drawn = draw(out / "figures", runs, groups);
+  std::ofstream page(out / "report.html", std::ios::binary);
+  page << report_page(*study, runs, groups, out / "figures");
+  page.flush();
+  if (!page) {
+    return complain(EX_CANTCREAT, (out / "report.html").string() + ": cannot be written");
+  }
+  if (options.json) {
+    ordered_json all = ordered_json::array();
+    for (const AnalysedRun& run : runs) {
+      all.push_back(as_json(run));
+    }
+    std::puts(all.dump().c_str());
+  } else {
+    print_groups(groups);
+    print_flags(runs);
+    std::printf("%s\n", (out / "report.html").c_str());
+  }
+  if (!drawn) {
+    return complain(drawn.error().exit_code, drawn.error().message);
+  }
+  return problems.empty() ? 0 : EX_DATAERR;
+}
+
+int run_export(const ExportOptions& options) {
+  const auto study = StudyFolder::find(".");
+  if (!study) {
+    return complain(study.error().exit_code, study.error().message);
+  }
+  std::vector<std::string> problems;
+  const auto runs = collect(*study, 0, problems);
+  for (const std::string& problem : problems) {
+    complain(EX_DATAERR, problem);
+  }
+  const bool bids = options.format == "bids";
+  const fs::path out =
+      options.out.empty() ? study->path() / (bids ? "bids" : "data.csv") : fs::path(options.out);
+  const auto written = bids ? write_bids(out, *study, runs) : write_csv(out, runs);
+  if (!written) {
+    return complain(written.error().exit_code, written.error().message);
+  }
+  std::printf("%s: %zu runs\n", out.c_str(), runs.size());
+  return problems.empty() ? 0 : EX_DATAERR;
+}
+
+int run_levels(const LevelsOptions& options) {
+  std::printf("threshold %.3g A, JND of force %.3g %%, of speed %.3g %%\n", options.threshold_a,
+              options.force_percent, options.speed_percent);
+  std::puts("  range             formula                                       steps  levels");
+  for (const LevelFormula& row : level_formulas(options.threshold_a, options.force_percent / 100.0,
+                                                options.speed_percent / 100.0)) {
+    std::printf("  %-17s %-45s %5.1f  %4d  %s\n", row.range.c_str(), row.formula.c_str(),
+                row.count.steps, row.count.levels, row.remark.c_str());
+  }
+  return 0;
+}
+
+}  // namespace hedgehog::study

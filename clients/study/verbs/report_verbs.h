@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// `analyse`, `export` and `levels`: what a study says.
+#pragma once
+
+#include <string>
+
+namespace hedgehog::study {
+
+struct AnalyseOptions {
+  std::string out{};  // default: analysis/ in the study
+  int bootstraps = 500;
+  bool json = false;
+};
+int run_analyse(const AnalyseOptions& options);
+
+struct ExportOptions {
+  std::string format = "csv";
+  std::string out{};  // default: data.csv or bids/ in the study
+};
+int run_export(const ExportOptions& options);
+
+struct LevelsOptions {
+  double threshold_a = 2.1;
+  double force_percent = 13.0;
+  double speed_percent = 49.0;
+};
+int run_levels(const LevelsOptions& options);
+
+}  // namespace hedgehog::study
