@@ -2,7 +2,7 @@
 # The menu. What it does stands in CMakePresets.json and cmake/.
 
 .DEFAULT_GOAL := help
-.PHONY: help deps run demo test test-all check bench asan tsan fuzz faults guards clean
+.PHONY: help deps run demo test test-all check bench asan tsan fuzz faults guards firmware clean
 
 JOBS ?= $(shell nproc)
 ARGS ?=
@@ -23,6 +23,7 @@ help:
 	@echo 'make fuzz       each fuzzer for FUZZ_SECONDS=20'
 	@echo 'make faults     the fault campaigns at full length'
 	@echo 'make guards     each safety guard taken out once: a test must go red'
+	@echo 'make firmware   the board core for a Cortex-M0+: its size, its worst stack'
 	@echo 'make bench      the benchmarks'
 	@echo 'make deps       install what is missing (Debian, Ubuntu: apt)'
 	@echo 'make clean      remove build/'
@@ -72,6 +73,9 @@ campaigns: $(TEST_DEPS)
 
 faults: campaigns
 	@set -e; for program in build/bench/tests/campaign/campaign_*; do echo "$$program"; "$$program"; done
+
+firmware: $(TEST_DEPS)
+	@tests/firmware/build.sh build/firmware
 
 .PHONY: faults-ci
 faults-ci: campaigns

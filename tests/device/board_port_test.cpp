@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+// From converters and timers to what the rules want to know, and from their answer to the pins.
+#include "daemon/device/board_core/port.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <deque>
+#include <vector>
+
+#include "tests/device/core_bench.h"
+
+namespace hedgehog::board {
+namespace {
+
+const Wiring kWiring;
+
+std::uint16_t adc_of_mv(double mv) {
+  return static_cast<std::uint16_t>(std::lround(mv * kWiring.adc_full / kWiring.adc_reference_mv));
+}
+/// The NTC as its data sheet's formula says.
+std::uint16_t adc_of_ntc(double celsius) {
+  const double ohm = 10'000.0 * std::exp(3950.0 * (1.0 / (celsius + 273.15) - 1.0 / 298.15));
+  return static_cast<std::uint16_t>(
+      std::lround(kWiring.adc_full * ohm / (ohm + kWiring.ntc_pull_up_ohm)));
+}
+
+BoardOutputs driven(std::int16_t x, std::int16_t y = 0, std::int16_t z = 0) {
+  BoardOutputs outputs;
+  outputs.awake = true;
+  outputs.duty_q15[0] = x;
+  outputs.duty_q15[1] = y;
+  outputs.duty_q15[2] = z;
+  return outputs;
+}
+
+TEST(BoardPort, TheNtcIsReadWithinAFifthOfAKelvinWhereItMatters) {
+  for (int celsius = -40; celsius <= 125; ++celsius) {
+    const double read = ntc_cc(adc_of_ntc(celsius), 4095, 10'000) / 100.0;
+    EXPECT_NEAR(read, celsius, celsius >= 0 && celsius <= 100 ? 0.2 : 0.6) << celsius;
+  }
+  EXPECT_EQ(ntc_cc(0, 4095, 10'000), 12500);
+  EXPECT_EQ(ntc_cc(4095, 4095, 10'000), -4000);
+}
+
+TEST(BoardPort, ABrokenWireIsNoTemperature) {
+  RawInputs raw;
+  raw.ntc_adc = 4095;
+  EXPECT_TRUE(measured(kWiring, raw, {}).sensor_open);
+  raw.ntc_adc = 0;
+  EXPECT_TRUE(measured(kWiring, raw, {}).sensor_short);
+  for (const double celsius : {-40.0, 25.0, 125.0}) {
+    raw.ntc_adc = adc_of_ntc(celsius);
+    EXPECT_FALSE(measured(kWiring, raw, {}).sensor_open) << celsius;
+    EXPECT_FALSE(measured(kWiring, raw, {}).sensor_short) << celsius;
+  }
+}
+
+TEST(BoardPort, CurrentHasTheSignOfItsBridgeAndNoneWhileItBrakesOrSleeps) {
+  RawInputs raw;
+  for (auto& adc : raw.cs_adc) adc = adc_of_mv(50 + 15 * 20);  // offset, 15 A
+  BoardInputs in = measured(kWiring, raw, driven(8000, -8000, 0));
+  EXPECT_NEAR(in.current_ma[0], 15'000, 50);
+  EXPECT_NEAR(in.current_ma[1], -15'000, 50);
+  EXPECT_EQ(in.current_ma[2], 0) << "braking: CS says nothing";
+  BoardOutputs asleep = driven(8000);
+  asleep.awake = false;
+  EXPECT_EQ(measured(kWiring, raw, asleep).current_ma[0], 0);
+  raw.cs_adc[0] = adc_of_mv(49);
+  EXPECT_EQ(measured(kWiring, raw, driven(8000)).current_ma[0], 0) << "below the offset";
+}
+
+TEST(BoardPort, AShuntSeesABridgeThatIsStuckWhileItSleeps) {
+  Wiring wiring;
+  wiring.shunt_mv_per_a = 50;
+  RawInputs raw;
+  raw.shunt_adc = adc_of_mv(100);
+  EXPECT_NEAR(measured(wiring, raw, {}).current_ma[0], 2000, 20);
+  EXPECT_EQ(measured(kWiring, raw, {}).current_ma[0], 0) << "there is none";
+}
+
+TEST(BoardPort, SupplyTachAndFaults) {
+  RawInputs raw;
+  raw.supply_adc = adc_of_mv(12'000.0 / 11.0);
+  raw.tach_period_us = 4167;
+  raw.faults_low = 0xFA;
+  const BoardInputs in = measured(kWiring, raw, {});
+  EXPECT_NEAR(in.supply_mv, 12'000, 12);
+  EXPECT_EQ(in.fan_rpm, 7199);
+  EXPECT_EQ(in.bridge_faults, 2);
+  raw.tach_period_us = 0;
+  EXPECT_EQ(measured(kWiring, raw, {}).fan_rpm, 0);
+  raw.tach_period_us = 1;
+  raw.supply_adc = 4095;
+  EXPECT_EQ(measured(kWiring, raw, {}).fan_rpm, 65535) << "clamped";
+  EXPECT_GT(measured(kWiring, raw, {}).supply_mv, 30'000);
+}
+
+TEST(BoardPort, PinsFollowTheDuties) {
+  const PinOutputs pins = pins_for(kWiring, driven(INT16_MAX, -INT16_MAX / 2, INT16_MIN));
+  EXPECT_TRUE(pins.awake);
+  EXPECT_EQ(pins.pwm[0], kWiring.pwm_top);
+  EXPECT_FALSE(pins.reverse[0]);
+  EXPECT_NEAR(pins.pwm[1], kWiring.pwm_top / 2, 1);
+  EXPECT_TRUE(pins.reverse[1]);
+  EXPECT_EQ(pins.pwm[2], kWiring.pwm_top);
+}
+
+TEST(BoardPort, AsleepNothingIsDrivenWhateverTheDutySays) {
+  BoardOutputs outputs = driven(8000, -8000, 1);
+  outputs.awake = false;
+  const PinOutputs pins = pins_for(kWiring, outputs);
+  EXPECT_FALSE(pins.awake);
+  for (const auto pwm : pins.pwm) EXPECT_EQ(pwm, 0);
+  EXPECT_EQ(safe_pins(kWiring).fan_pwm, kWiring.fan_top);
+  EXPECT_FALSE(safe_pins(kWiring).awake);
+}
+
+RC_GTEST_PROP(BoardPortLaws, AnyNumbersStayInRange, ()) {
+  RawInputs raw;
+  for (auto& adc : raw.cs_adc) adc = *rc::gen::arbitrary<std::uint16_t>();
+  raw.supply_adc = *rc::gen::arbitrary<std::uint16_t>();
+  raw.ntc_adc = *rc::gen::arbitrary<std::uint16_t>();
+  raw.shunt_adc = *rc::gen::arbitrary<std::uint16_t>();
+  raw.tach_period_us = *rc::gen::arbitrary<std::uint32_t>();
+  const auto duty = *rc::gen::arbitrary<std::int16_t>();
+  const BoardInputs in = measured(kWiring, raw, driven(duty, duty, duty));
+  RC_ASSERT(in.sensor_cc >= -4000 && in.sensor_cc <= 12500);
+  const PinOutputs pins = pins_for(kWiring, driven(duty, duty, duty));
+  RC_ASSERT(pins.pwm[0] <= kWiring.pwm_top);
+  RC_ASSERT((in.current_ma[0] == 0) || ((in.current_ma[0] < 0) == pins.reverse[0]));
+}
+
+/// A microcontroller on the bench.
+struct FakeMicrocontroller {
+  std::deque<std::vector<std::uint8_t>> packets;
+  RawInputs raw;
+  PinOutputs pins;
+  std::vector<std::uint8_t> sent;
+
+  std::size_t receive(std::uint8_t* packet, std::size_t room) {
+    if (packets.empty()) return 0;
+    const auto next = packets.front();
+    packets.pop_front();
+    const std::size_t length = std::min(next.size(), room);
+    std::copy_n(next.begin(), length, packet);
+    return length;
+  }
+  void measure(RawInputs& values) { values = raw; }
+  void apply(const PinOutputs& values) { pins = values; }
+  void send(const std::uint8_t* frame) { sent.assign(frame, frame + kFrameSize); }
+};
+
+// Set-points and an arming in, PWM out; a frame too long, and then silence.
+TEST(BoardMillisecond, DrivesThePinsAndMakesThemSafeInSilence) {
+  BoardCore core;
+  FakeMicrocontroller board;
+  board.raw.supply_adc = adc_of_mv(12'000.0 / 11.0);
+  board.raw.ntc_adc = adc_of_ntc(30.0);
+  board.raw.ntc_converted = true;
+  for (auto& adc : board.raw.cs_adc) adc = adc_of_mv(50);
+  std::uint32_t sequence = 0;
+  const auto queue = [&](auto values) {
+    std::vector<std::uint8_t> frame(kFrameSize);
+    values.sequence = ++sequence;
+    write_frame(values, frame.data());
+    board.packets.push_back(frame);
+  };
+  SetPointFrame set_point;
+  set_point.enable = true;
+  set_point.duty_q15[1] = -16384;
+  ArmFrame arm;
+  arm.count = 1;
+  queue(set_point);
+  queue(arm);
+  board_millisecond(core, kWiring, board);
+  EXPECT_FALSE(board.pins.awake) << "armed, and now a set-point is awaited";
+  board.packets.emplace_back(kFrameSize + 10, 0x48);
+  queue(set_point);
+  board_millisecond(core, kWiring, board);
+  EXPECT_TRUE(board.pins.awake);
+  EXPECT_NEAR(board.pins.pwm[1], kWiring.pwm_top / 2, 1);
+  EXPECT_TRUE(board.pins.reverse[1]);
+  EXPECT_EQ(read_telemetry(board.sent.data()).refused, 1);
+  EXPECT_NEAR(read_telemetry(board.sent.data()).sensor_cc, 3000, 20);
+  for (int ms = 0; ms < 100; ++ms) board_millisecond(core, kWiring, board);
+  EXPECT_FALSE(board.pins.awake);
+  EXPECT_EQ(board.pins.pwm[1], 0);
+  EXPECT_EQ(board.pins.fan_pwm, kWiring.fan_top);
+}
+
+}  // namespace
+}  // namespace hedgehog::board

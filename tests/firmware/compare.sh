@@ -1,0 +1,17 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# The vectors on the host and on a Cortex-M0 under qemu: every line must be the same. compare.sh HOST_PROGRAM ELF.
+# Exit: 0 the same and as expected, 1 not, 64 usage, 69 no qemu.
+set -eu
+
+[ $# -eq 2 ] || { echo "compare.sh HOST_PROGRAM ELF" >&2; exit 64; }
+command -v qemu-system-arm >/dev/null || { echo "compare.sh: no qemu-system-arm" >&2; exit 69; }
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+"$1" >"$work/host"
+timeout 120 qemu-system-arm -M microbit -nographic -monitor none -serial none \
+  -semihosting-config enable=on,target=native -kernel "$2" >"$work/cortex" 2>"$work/said" </dev/null
+cat "$work/said"
+diff "$work/host" "$work/cortex"
+echo "$(wc -l <"$work/host") lines, the same on both"

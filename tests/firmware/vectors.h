@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// The board core's rules as a deterministic programme whose every line of output must be the same
+// on the host and on a Cortex-M0. Freestanding, like what it tests.
+#pragma once
+
+#include <stdint.h>
+
+namespace hedgehog::firmware {
+
+/// Called with one line at a time, without its end.
+using Say = void (*)(const char* line);
+
+/// All vectors; true when every expectation in them held.
+bool run_vectors(Say say) noexcept;
+
+}  // namespace hedgehog::firmware
