@@ -56,7 +56,7 @@ class PinCurves {
 };
 
 /// Of the ball of the thesis, "tkD-86": pins as in `hedgehog_86()`. Computed by the first call
-/// (some 50 ms, allocates): make it at start-up.
+/// (some 80 ms, allocates): make it at start-up.
 const PinCurves& hedgehog_86_curves();
 
 }  // namespace hedgehog::model
