@@ -11,12 +11,12 @@ namespace hedgehog::design {
 namespace {
 
 constexpr const char* kFooter =
-    "Sizes are mm and degrees, magnets DIAMETERxHEIGHT. What is not said is as in the ball of the "
-    "thesis:\n"
-    "tkD-86, pins 8x10, shields 4x10, inner faces on a sphere of 35 mm, N45, a coil of 0.4 N.\n"
-    "Exit: 0 done, 64 usage, 65 bad data or magnets that overlap, 66 no such file, 69 gnuplot or "
-    "openscad\n"
-    "missing, 73 a file cannot be written, 74 gnuplot or openscad failed.";
+    "Sizes are mm and degrees, magnets DIAMETERxHEIGHT. What is not said is as in\n"
+    "the ball of the thesis: tkD-86, pins 8x10, shields 4x10, inner faces on a\n"
+    "sphere of 35 mm, N45, a coil of 0.4 N.\n"
+    "Exit: 0 done, 64 usage, 65 bad data or magnets that overlap, 66 no such file,\n"
+    "69 gnuplot or openscad missing, 73 a file cannot be written, 74 gnuplot or\n"
+    "openscad failed.";
 
 class CommandLine {
  public:
@@ -90,17 +90,14 @@ class CommandLine {
     command->add_option("--magnet", flags.magnet, "the pins' magnets, such as 8x10");
     command->add_option("--sphere", flags.sphere_mm, "radius on which the inner faces are, mm");
     command->add_option("--remanence", flags.remanence_t, "of all magnets, tesla (N45: 1.37)");
-    command->add_option("--model", flags.model,
-                        "exact, hybrid (the thesis': dipoles from 30° on) or dipole");
+    command->add_option("--model", flags.model, "exact, hybrid (dipoles from 30° on) or dipole");
     command->add_option("--accuracy", flags.accuracy, "of each pair's force, 1e-10 to 0.1");
   }
 
   static void add_design(CLI::App* command, DesignFlags& flags) {
     add_magnets(command, flags);
-    command->add_option("--array", flags.array,
-                        "cD, wD, tkD, GP(m,n), or tkD-86, ... with the fan's opening");
-    command->add_option("--positions", flags.positions,
-                        "a CSV with columns kind, x, y, z instead of an array");
+    command->add_option("--array", flags.array, "cD, wD, tkD, GP(m,n); tkD-86: with an opening");
+    command->add_option("--positions", flags.positions, "a CSV (kind,x,y,z) instead of an array");
     command->add_option("--shield", flags.shield, "the shields' magnets, such as 4x10");
     command->add_option("--remove-pins", flags.removed_pins, "ids, such as 3,7-9");
     command->add_option("--remove-shields", flags.removed_shields, "ids, such as 3,7-9");
@@ -123,8 +120,8 @@ class CommandLine {
   }
 
   void add_computing() {
-    auto* curves = verb("curves", "force against offset (thesis Fig. 2.10); alone: its six panels",
-                        curves_, run_curves);
+    auto* curves =
+        verb("curves", "force against offset; alone: thesis Fig. 2.10", curves_, run_curves);
     add_design(curves, curves_.design);
     add_formats(curves);
     add_pictures(curves, curves_.pictures);
@@ -137,10 +134,9 @@ class CommandLine {
                            run_stability);
     add_design(stability, stability_.design);
     add_formats(stability);
-    stability->add_flag("--together", stability_.together,
-                        "also with all pins free at once (seconds)");
-    auto* coil = verb("electromagnet", "force and extension against current; who else is pushed",
-                      coil_, run_electromagnet);
+    stability->add_flag("--together", stability_.together, "also with all pins free at once");
+    auto* coil = verb("electromagnet", "force and extension against current; the spread", coil_,
+                      run_electromagnet);
     add_design(coil, coil_.design);
     add_formats(coil);
     add_pictures(coil, coil_.pictures);
@@ -173,8 +169,7 @@ class CommandLine {
         ->capture_default_str();
     choose->add_option("--threads", choose_.threads, "all cores when not said")
         ->check(CLI::Range(1, 256));
-    choose->add_option("--save", choose_.save,
-                       "write the first of the front into this design file");
+    choose->add_option("--save", choose_.save, "write the best into this design file");
     auto* exports = verb("export", "positions, casing to print, device file", export_, run_export);
     add_design(exports, export_.design);
     exports->add_option("--csv", export_.csv, "positions as CSV, into a file or here")

@@ -3,6 +3,7 @@
 // its rest and how far the coil moves it (thesis sections 2.2 and 2.3).
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,6 +23,10 @@ struct ClassStudy {
 
   const model::PinClass& pins() const noexcept { return force.pin_class(); }
   std::size_t size() const noexcept { return pins().pins.size(); }
+  /// The largest push against which a pin is held, N; 0 when it does not rest.
+  double held_n() const noexcept {
+    return character.stable() ? std::max(0.0, -character.minimum_n) : 0.0;
+  }
   /// "60 pins".
   std::string name() const;
 };

@@ -42,6 +42,7 @@ TEST(Front, KeepsWhatNothingBeats) {
 
 TEST(Front, HasNoneThatIsBeatenAndMissesNoneThatIsNot) {
   std::vector<Found> all;
+  all.reserve(300);
   unsigned seed = 7;
   const auto next = [&seed] { return (seed = seed * 1103515245U + 12345U) >> 16 & 7U; };
   for (int i = 0; i < 300; ++i) all.push_back(found(next(), next(), next(), next()));

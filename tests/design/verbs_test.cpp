@@ -9,7 +9,6 @@
 namespace hedgehog::design {
 namespace {
 
-using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
 using Json = nlohmann::json;

@@ -112,6 +112,10 @@ Result<Arrangement> find_arrangement(const std::string& name) {
   auto opened = model::without(std::move(*whole), pins, shields);
   if (!opened) return Complaint{kInternal, opened.error().message};
   opened->name = name;
+  // An array of its own, not one with gaps in its numbers.
+  for (auto* sites : {&opened->pins, &opened->shields}) {
+    for (std::size_t i = 0; i < sites->size(); ++i) (*sites)[i].id = static_cast<int>(i);
+  }
   return *opened;
 }
 

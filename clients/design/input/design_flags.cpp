@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "clients/design/input/design_flags.h"
 
+#include <algorithm>
 #include <regex>
 #include <sstream>
 
@@ -71,6 +72,8 @@ Result<std::vector<int>> parse_ids(const std::string& text, const std::string& w
       return Complaint{kUsage, what + ": '" + part + "' ends below where it begins"};
     for (int id = first; id <= last; ++id) ids.push_back(id);
   }
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   return ids;
 }
 

@@ -64,6 +64,7 @@ Result<std::vector<double>> parse_range(std::string_view text, double step, doub
   const double count = std::floor((*last - *first) / step + 1e-6) + 1.0;
   if (count > kMostSteps) return complaint(what, quoted(text) + " has more than 1000 steps");
   std::vector<double> values;
+  values.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < static_cast<int>(count); ++i) values.push_back(*first + i * step);
   return values;
 }

@@ -6,10 +6,13 @@
 #include <cassert>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 #include <sstream>
 
 namespace hedgehog::design {
 namespace {
+
+constexpr std::size_t kScreenWidth = 80;
 
 /// Characters, not bytes: UTF-8 continuation bytes take no room.
 std::size_t width_of(const std::string& text) {
@@ -44,13 +47,22 @@ std::string Table::text() const {
     widths.push_back(width_of(columns_[c].title));
     for (const auto& row : rows_) widths[c] = std::max(widths[c], width_of(row[c]));
   }
+  const std::size_t last_begins =
+      std::accumulate(widths.begin(), widths.end() - 1, 2 * widths.size());
   const auto line = [&](auto cell_of) {
     std::string shown;
-    for (std::size_t c = 0; c < columns_.size(); ++c) {
+    for (std::size_t c = 0; c + 1 < columns_.size(); ++c) {
       const std::string cell = cell_of(c);
       const std::string blanks(widths[c] - width_of(cell), ' ');
       shown += "  " + (columns_[c].left ? cell + blanks : blanks + cell);
     }
+    const std::string last = cell_of(columns_.size() - 1);
+    if (columns_.back().left && last_begins + width_of(last) > kScreenWidth) {
+      return shown + "  " + wrapped(last, kScreenWidth, last_begins).substr(last_begins);
+    }
+    shown +=
+        "  " +
+        (columns_.back().left ? last : std::string(widths.back() - width_of(last), ' ') + last);
     shown.erase(shown.find_last_not_of(' ') + 1);
     return shown + "\n";
   };

@@ -24,7 +24,8 @@ class Table {
   void add(std::vector<std::string> cells);
   const std::vector<std::vector<std::string>>& rows() const noexcept { return rows_; }
 
-  /// Two blanks in front and between; each line ends in "\n".
+  /// Two blanks in front and between; each line ends in "\n". A last column on the left goes on in
+  /// further lines where it would not fit into 80 columns.
   std::string text() const;
   /// RFC 4180, "\n" at the ends.
   std::string csv() const;

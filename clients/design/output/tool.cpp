@@ -32,6 +32,7 @@ Result<void> run_tool(const std::vector<std::string>& argv, const std::string& p
   const TemporaryFile said(".txt");
   std::vector<std::string> words = argv;
   std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
 

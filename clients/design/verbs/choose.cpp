@@ -61,11 +61,11 @@ Table table_of(const std::vector<Found>& front, std::size_t most) {
                {"pins", "pins"},
                {"pin", "magnet"},
                {"shield", "shield"},
-               {"sphere mm", "sphere_mm"},
-               {"outside mm", "outer_diameter_mm"},
+               {"sphere", "sphere_mm"},
+               {"across", "outer_diameter_mm"},
                {"coil N", "coil_force_n"},
-               {"rest mm", "rest_mm"},
-               {"moves mm", "extension_mm"},
+               {"rest", "rest_mm"},
+               {"moves", "extension_mm"},
                {"kg", "mass_kg"}});
   for (std::size_t i = 0; i < std::min(most, front.size()); ++i) {
     const Found& one = front[i];

@@ -72,8 +72,7 @@ std::string stability_html(const Study& study) {
   for (const ClassStudy& one : study.classes()) {
     const auto& c = one.character;
     table.add({std::to_string(one.size()), fixed(c.rest_mm.value_or(std::nan("")), 3),
-               c.stable() ? fixed(c.stiffness_n_mm, 3) : "none",
-               fixed(std::max(0.0, -c.minimum_n), 3),
+               c.stable() ? fixed(c.stiffness_n_mm, 3) : "none", fixed(one.held_n(), 3),
                fixed(one.extension_mm.value_or(std::nan("")), 3), ids_text(one.pins().pins)});
   }
   return html + table.html();

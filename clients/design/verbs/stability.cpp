@@ -19,10 +19,9 @@ Json number_or_null(const std::optional<double>& number) {
 
 /// The class that the smallest push expels.
 const ClassStudy& weakest_of(const Study& study) {
-  return *std::min_element(study.classes().begin(), study.classes().end(),
-                           [](const ClassStudy& a, const ClassStudy& b) {
-                             return -a.character.minimum_n < -b.character.minimum_n;
-                           });
+  return *std::min_element(
+      study.classes().begin(), study.classes().end(),
+      [](const ClassStudy& a, const ClassStudy& b) { return a.held_n() < b.held_n(); });
 }
 
 Table table_of(const Study& study) {
@@ -36,8 +35,7 @@ Table table_of(const Study& study) {
   for (const ClassStudy& one : study.classes()) {
     const bool stable = one.character.stable();
     table.add({std::to_string(one.size()), fixed(one.character.rest_mm.value_or(std::nan("")), 3),
-               stable ? fixed(one.character.stiffness_n_mm, 3) : "none",
-               fixed(std::max(0.0, -one.character.minimum_n), 3),
+               stable ? fixed(one.character.stiffness_n_mm, 3) : "none", fixed(one.held_n(), 3),
                fixed(one.extension_mm.value_or(std::nan("")), 3), stable ? "stable" : "UNSTABLE",
                ids_text(one.pins().pins)});
   }
@@ -56,7 +54,7 @@ Json json_of(const Study& study,
             {"unstable", unstable},
             {"weakest",
              {{"pin", weakest.pins().pins.front()},
-              {"held_n", std::max(0.0, -weakest.character.minimum_n)},
+              {"held_n", weakest.held_n()},
               {"extension_mm", number_or_null(weakest.extension_mm)}}},
             {"classes", Json::array()}};
   for (const ClassStudy& one : study.classes()) {
@@ -91,7 +89,7 @@ void print_text(const Study& study,
   if (unstable.empty()) {
     const ClassStudy& weakest = weakest_of(study);
     out << "all " << count << " pins stable; weakest: pin " << weakest.pins().pins.front()
-        << ", held up to " << fixed(-weakest.character.minimum_n, 2) << " N";
+        << ", held up to " << fixed(weakest.held_n(), 2) << " N";
     out << (weakest.extension_mm ? ", " + fixed(*weakest.extension_mm, 2) + " mm" : ", expelled")
         << " at " << to_text(study.design().coil_force_n) << " N\n\n";
   } else {
