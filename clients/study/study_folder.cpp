@@ -85,6 +85,7 @@ std::vector<std::vector<int>> latin_square(int count) {
   std::vector<std::vector<int>> rows;
   for (int row = 0; row < count; ++row) {
     std::vector<int> shifted;
+    shifted.reserve(first.size());
     for (const int place : first) {
       shifted.push_back((place + row) % count);
     }

@@ -73,6 +73,53 @@ TEST_F(Study, APersonSeesTheQuestionAndNothingElse) {
   EXPECT_THAT(after, testing::Not(HasSubstr("level")));
 }
 
+TEST_F(Study, APersonMayBeSlowRestAndPause) {
+  start_daemon(20);
+  remember_address();
+  home_.write("slow.json", quick(R"(, "response_limit_ms": 200, "rest_every": 1)"));
+  plan("th", "1", home_.path("slow.json"));
+  TerminalProgram desk(
+      home_, HEDGEHOG_STUDY_PATH,
+      {"-C", home_.path("th"), "run", "quick", "--participant", "P01", "--experimenter", "E1",
+       "--consent", "014", "--age-band", "22-29", "--dominant-hand", "left", "--hand-size", "18.4",
+       "--headphones", "--hand-on-top"},
+      variables());
+  // Nobody answers: void, and the same level again.
+  const std::string name = "P01.quick.1.jsonl";
+  ASSERT_TRUE(eventually([&] { return count(journal(name), "trial_started") >= 3; }));
+  std::vector<Json> trials;
+  for (const Json& line : journal(name)) {
+    if (line["event"] == "trial_started") {
+      trials.push_back(line);
+    } else if (line["event"] == "voided") {
+      EXPECT_EQ(line["reason"], "no answer in time");
+    }
+  }
+  EXPECT_EQ(trials[1]["attempt"], 2);
+  EXPECT_EQ(trials[1]["level"], trials[0]["level"]);
+  // Practice and one scored trial are answered; then it is time for a rest.
+  const auto scored = [&] {
+    int answers = 0;
+    bool is_scored = false;
+    for (const Json& line : journal(name)) {
+      is_scored = line["event"] == "trial_started" ? line["kind"] == "scored" : is_scored;
+      answers += is_scored && line["event"] == "answered" ? 1 : 0;
+    }
+    return answers;
+  };
+  ASSERT_TRUE(eventually([&] {
+    desk.type("\033[C");
+    return scored() == 1;
+  }));
+  ASSERT_TRUE(desk.shows("REST"));
+  desk.type("p");
+  desk.type("c");
+  ASSERT_TRUE(eventually([&] { return count(journal(name), "continued") >= 1; }));
+  desk.type("q");
+  EXPECT_EQ(desk.wait(), 75);
+  EXPECT_EQ(count(journal(name), "rest"), 1);
+}
+
 TEST_F(Study, AnalysesAndExportsWhatWasMeasured) {
   start_daemon();
   remember_address();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "clients/study/report/html.h"
 
+#include <algorithm>
 #include <cstdarg>
 #include <cstdio>
 #include <fstream>
@@ -22,7 +23,7 @@ h1, h2 { font-weight: 600; line-height: 1.2 } h2 { margin-top: 2em }
 table { border-collapse: collapse; margin: 1em 0; font-size: 14px }
 th, td { text-align: left; padding: .3em .9em .3em 0; border-bottom: 1px solid #e3e7ea; vertical-align: top }
 td.n, th.n { text-align: right; font-variant-numeric: tabular-nums }
-.flag { color: #c0392b } .quiet { color: #6b767f } figure { margin: 1em 0 } svg { max-width: 100%; height: auto }
+.flag { color: #c0392b; white-space: nowrap } .quiet { color: #6b767f } figure { margin: 1em 0 } svg { max-width: 100%; height: auto }
 </style></head><body>
 )";
 
@@ -166,6 +167,10 @@ std::string report_page(const StudyFolder& study, const std::vector<AnalysedRun>
       "</p>\n",
       study.plan().participants.size(), runs.size(),
       static_cast<unsigned long long>(study.plan().seed), HEDGEHOG_VERSION);
+  if (std::any_of(runs.begin(), runs.end(),
+                  [](const AnalysedRun& r) { return r.run.header().simulated_person; })) {
+    page += "<p class=flag>A rehearsal: answers of simulated people are among these.</p>\n";
+  }
   page += group_table(groups) + figure(figures / "groups.svg");
   page +=
       "<p>The threshold of a person is the mean of all reversals but the first two (thesis, "

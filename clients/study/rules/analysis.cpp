@@ -122,6 +122,7 @@ RunAnalysis analyse(const Experiment& experiment, const RunState& run,
   result.threshold = mean_value(counted, experiment.decimals());
   result.threshold_text = mean_decimal(counted, experiment.decimals());
   std::vector<double> values;
+  values.reserve(counted.size());
   for (const Level level : counted) {
     values.push_back(to_value(level, experiment.decimals()));
   }

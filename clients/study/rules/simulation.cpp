@@ -164,7 +164,7 @@ double long_run_convergence(const StaircaseRule& rule, Task task, double step, i
   };
   Staircase staircase(endless);
   while (!staircase.over()) {
-    const auto trial = static_cast<std::uint64_t>(staircase.state().scored + 1);
+    const auto trial = static_cast<std::uint64_t>(staircase.state().scored) + 1;
     staircase.answer(draw(seed, Purpose::kAnswer, {trial}) <
                      psi(static_cast<double>(staircase.level())));
   }

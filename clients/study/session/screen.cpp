@@ -2,6 +2,7 @@
 #include "clients/study/session/screen.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace hedgehog::study {
@@ -33,7 +34,7 @@ std::vector<std::string> chart(const RunState& state) {
     std::string line = (labelled ? number(top * row / (kChartRows - 1)) : std::string(6, ' ')) +
                        (labelled ? " ┤" : " │");
     for (std::size_t i = first; i < all.size(); ++i) {
-      const int place = static_cast<int>(all[i].level / top * (kChartRows - 1) + 0.5);
+      const int place = static_cast<int>(std::lround(all[i].level / top * (kChartRows - 1)));
       line += place != row ? " " : all[i].positive ? "●" : "○";
     }
     lines.push_back(line);

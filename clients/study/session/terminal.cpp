@@ -6,6 +6,7 @@
 
 #include <cstdio>
 #include <string_view>
+#include <utility>
 
 namespace hedgehog::study {
 
@@ -45,34 +46,40 @@ void Terminal::draw(const std::vector<std::string>& lines) {
 }
 
 std::optional<char> Terminal::key(std::chrono::milliseconds patience) {
-  pollfd waiting{STDIN_FILENO, POLLIN, 0};
-  if (poll(&waiting, 1, static_cast<int>(patience.count())) != 1) {
-    return std::nullopt;
+  if (typed_.empty()) {
+    pollfd waiting{STDIN_FILENO, POLLIN, 0};
+    char bytes[64];
+    if (poll(&waiting, 1, static_cast<int>(patience.count())) != 1) {
+      return std::nullopt;
+    }
+    const ssize_t count = read(STDIN_FILENO, bytes, sizeof bytes);
+    if (count <= 0) {
+      return std::nullopt;
+    }
+    typed_.assign(bytes, static_cast<std::size_t>(count));
   }
-  char bytes[16];
-  const ssize_t count = read(STDIN_FILENO, bytes, sizeof bytes);
-  if (count <= 0) {
-    return std::nullopt;
+  // Several keys may come in one breath.
+  const char first = typed_.front();
+  const bool sequence =
+      first == '\033' && typed_.size() >= 3 && (typed_[1] == '[' || typed_[1] == 'O');
+  const char last = sequence ? typed_[2] : '\0';
+  typed_.erase(0, sequence ? 3 : 1);
+  if (last == 'D' || last == 'C') {
+    return last == 'D' ? '<' : '>';
   }
-  const std::string_view typed(bytes, static_cast<std::size_t>(count));
-  if (typed == "\033[D" || typed == "\033OD") {
-    return '<';
-  }
-  if (typed == "\033[C" || typed == "\033OC") {
-    return '>';
-  }
-  return typed.front() == '\033' ? std::nullopt : std::optional(typed.front());
+  return first == '\033' ? std::nullopt : std::optional(first);
 }
 
 std::string Terminal::line(const std::string& prompt) {
   keys_one_by_one(false);
   std::printf("\033[%zu;1H\033[K  %s\033[?25h", shown_.size() + 1, prompt.c_str());
   std::fflush(stdout);
-  std::string text;
+  std::string text = std::exchange(typed_, {});
   char byte = 0;
-  while (read(STDIN_FILENO, &byte, 1) == 1 && byte != '\n') {
+  while (text.find('\n') == std::string::npos && read(STDIN_FILENO, &byte, 1) == 1) {
     text += byte;
   }
+  text = text.substr(0, text.find('\n'));
   std::printf("\033[?25l\033[%zu;1H\033[K", shown_.size() + 1);
   keys_one_by_one(true);
   return text;

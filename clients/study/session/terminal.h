@@ -33,6 +33,7 @@ class Terminal {
 
   termios before_{};
   std::vector<std::string> shown_{};
+  std::string typed_{};  // and not yet taken
 };
 
 }  // namespace hedgehog::study

@@ -31,12 +31,23 @@ void watch_interrupts() {
 int complain(const Problem& problem) { return study::complain(problem.exit_code, problem.message); }
 
 int complain(const client::ClientError& error) {
-  const bool address = error.failure == client::Failure::kBadAddress;
-  const bool claimed = error.refusal && error.refusal->code == protocol::ErrorCode::kClaimed;
-  return study::complain(address   ? EX_USAGE
-                         : claimed ? EX_TEMPFAIL
-                                   : EX_UNAVAILABLE,
-                         error.message);
+  int code = EX_UNAVAILABLE;
+  if (error.failure == client::Failure::kBadAddress) {
+    code = EX_USAGE;
+  } else if (error.refusal) {
+    switch (error.refusal->code) {
+      case protocol::ErrorCode::kClaimed:
+        code = EX_TEMPFAIL;
+        break;
+      case protocol::ErrorCode::kForbidden:
+      case protocol::ErrorCode::kUnauthorized:
+        code = EX_NOPERM;
+        break;
+      default:
+        break;
+    }
+  }
+  return study::complain(code, error.message);
 }
 
 /// What the end of a run tells the shell and the person.
