@@ -163,6 +163,45 @@ RC_GTEST_PROP(Level, RoundTrips, ()) {
   RC_ASSERT(from_value(std::stod(exact_decimal(level, 4)), 4) == level);
 }
 
+std::string answers() {
+  return *rc::gen::container<std::string>(60, rc::gen::weightedElement<char>({{4, '1'}, {1, '0'}}));
+}
+
+RC_GTEST_PROP(Staircase, VoidsAndCatchTrialsAnywhereChangeNothing, ()) {
+  const Experiment e = preset("force-threshold");
+  std::string mixed;
+  const std::string plain = answers();
+  for (const char token : plain) {
+    mixed += *rc::gen::element<std::string>("", "T", "Y", "N", "TYT") + token;
+  }
+  const Trace a = std::get<Trace>(trace(e, plain));
+  const Trace b = std::get<Trace>(trace(e, mixed));
+  RC_ASSERT(a.steps == b.steps);
+  RC_ASSERT(a.reversals == b.reversals);
+  RC_ASSERT(a.threshold == b.threshold);
+}
+
+RC_GTEST_PROP(Staircase, StaysWithinItsLimitsAndTurnsWhereItSays, ()) {
+  const Experiment e =
+      preset(*rc::gen::element<std::string>("force-threshold", "force-jnd", "speed-jnd"));
+  const Trace t = std::get<Trace>(trace(e, answers()));
+  int direction = 0;
+  std::size_t reversals = 0;
+  for (const Step& step : t.steps) {
+    RC_ASSERT(step.level >= e.rule.floor && step.level <= e.rule.ceiling);
+    RC_ASSERT(step.next.value_or(e.rule.floor) >= e.rule.floor);
+    const bool turns = step.move != 0 && direction != 0 && step.move != direction;
+    RC_ASSERT(turns == (step.reversal > 0));
+    if (turns) {
+      RC_ASSERT(t.reversals[reversals++] == step.level);
+    }
+    direction = step.move != 0 ? step.move : direction;
+  }
+  RC_ASSERT(reversals == t.reversals.size());
+  RC_ASSERT((t.status == Status::kFinished) ==
+            (static_cast<int>(reversals) == e.rule.total_reversals()));
+}
+
 // The presentation around the staircase.
 
 constexpr RunSeeds kSeeds{11, 22};

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -28,6 +29,12 @@ std::string in_short(const RecordedRun& run) {
     std::snprintf(text, sizeof text, "open, %d trials", staircase.state().scored);
   }
   return text;
+}
+
+void add_missing(std::vector<std::string>& names, const std::string& name) {
+  if (std::find(names.begin(), names.end(), name) == names.end()) {
+    names.push_back(name);
+  }
 }
 
 ordered_json as_json(const JournalName& name, const RecordedRun& run) {
@@ -105,17 +112,27 @@ int run_status(bool json) {
     std::puts(all.dump().c_str());
     return 0;
   }
+  // The plan's first, then whoever and whatever came on top.
+  std::vector<std::string> experiments = study->plan().experiments;
+  std::vector<std::string> people;
+  for (const Participant& participant : study->plan().participants) {
+    people.push_back(participant.id);
+  }
+  for (const auto& [name, said] : cells) {
+    add_missing(experiments, name.experiment);
+    add_missing(people, name.participant);
+  }
   std::printf("       ");
-  for (const std::string& experiment : study->plan().experiments) {
+  for (const std::string& experiment : experiments) {
     std::printf(" %-18s", experiment.c_str());
   }
   std::puts("");
-  for (const Participant& participant : study->plan().participants) {
-    std::printf("  %-5s", participant.id.c_str());
-    for (const std::string& experiment : study->plan().experiments) {
+  for (const std::string& person : people) {
+    std::printf("  %-5s", person.c_str());
+    for (const std::string& experiment : experiments) {
       std::string text = "-";
       for (const auto& [name, said] : cells) {
-        if (name.participant == participant.id && name.experiment == experiment) {
+        if (name.participant == person && name.experiment == experiment) {
           text = said;
         }
       }
