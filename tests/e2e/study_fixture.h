@@ -3,6 +3,7 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 
 #include <algorithm>
 #include <map>
@@ -51,6 +52,20 @@ class Study : public testing::Test {
   }
   Ended study(const std::vector<std::string>& words, const std::string& folder = "th") {
     return begin(words, folder)->wait();
+  }
+  /// Waits for the end of a long program: `Program::wait` alone gives up after two minutes.
+  static Ended patiently(Program& program) {
+    constexpr int kMinutes = 15;
+    for (int minute = 0; minute < kMinutes; ++minute) {
+      if (eventually([&] {
+            siginfo_t end{};
+            const auto pid = static_cast<id_t>(program.pid());
+            return ::waitid(P_PID, pid, &end, WEXITED | WNOHANG | WNOWAIT) != 0 || end.si_pid != 0;
+          })) {
+        break;
+      }
+    }
+    return program.wait();
   }
   void plan(const std::string& folder, const std::string& people, const std::string& experiments) {
     Program program(home_, HEDGEHOG_STUDY_PATH,

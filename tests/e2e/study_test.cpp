@@ -148,7 +148,7 @@ TEST_F(Study, KilledAtAnyMomentItEndsWithTheSameThresholds) {
   remember_address();
   plan("calm", people, experiments);
   plan("shaken", people, experiments);
-  const Ended calm = study({"rehearse"}, "calm");
+  const Ended calm = patiently(*begin({"rehearse"}, "calm"));
   ASSERT_EQ(calm.exit_code, 0) << calm.err;
   const auto expected = thresholds("calm");
   ASSERT_EQ(expected.size(), whole ? 30U : 6U);
@@ -167,7 +167,7 @@ TEST_F(Study, KilledAtAnyMomentItEndsWithTheSameThresholds) {
     }
   }
   while (true) {
-    const Ended ended = runner->wait();
+    const Ended ended = patiently(*runner);
     ASSERT_NE(ended.exit_code, -1);
     if (ended.exit_code == 0) {
       break;

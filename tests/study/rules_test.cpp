@@ -33,6 +33,7 @@ const json& traces() {
 
 std::vector<std::string> text(const std::vector<Level>& levels, const Experiment& e) {
   std::vector<std::string> decimals;
+  decimals.reserve(levels.size());
   for (const Level level : levels) {
     decimals.push_back(exact_decimal(level, e.decimals()));
   }
