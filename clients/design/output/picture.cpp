@@ -15,7 +15,7 @@ namespace {
 // Okabe and Ito's colours, told apart by colour-blind people too.
 constexpr std::array kColours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                               "#E69F00", "#56B4E9", "#000000", "#888888"};
-constexpr int kPanelWidth = 620;
+constexpr int kPanelWidth = 620;   // 300 more when the key has two columns
 constexpr int kPanelHeight = 400;  // without the key under it
 constexpr int kKeyLineHeight = 18;
 constexpr int kTitleHeight = 44;
@@ -37,9 +37,11 @@ std::string style_of(const Series& series) {
   const std::string colour = std::string(" lc rgb '") +
                              kColours[static_cast<std::size_t>(series.colour) % kColours.size()] +
                              "'";
+  // Ninth and further series: the colours again, broken.
+  const bool again = series.colour >= static_cast<int>(kColours.size());
   switch (series.style) {
     case Series::Style::kLine:
-      return "with lines lw 2.2" + colour;
+      return (again ? "with lines lw 2.2 dt 4" : "with lines lw 2.2") + colour;
     case Series::Style::kDashed:
       return "with lines lw 1.6 dt 2" + colour;
     case Series::Style::kMarks:
@@ -97,14 +99,20 @@ std::string gnuplot_script(const Picture& picture, const std::string& terminal,
   const int rows = (panels + picture.columns - 1) / picture.columns;
   std::size_t key_lines = 0;
   for (const Panel& panel : picture.panels) key_lines = std::max(key_lines, panel.series.size());
+  // Longer keys stand in two columns.
+  const int key_columns = key_lines > kColours.size() ? 2 : 1;
+  if (key_columns == 2) key_lines = (key_lines + 1) / 2;
+  const int panel_width = kPanelWidth + (key_columns == 2 ? 300 : 0);
   const int panel_height = kPanelHeight + kKeyLineHeight * static_cast<int>(key_lines);
   out << "set encoding utf8\n"
-      << "set terminal " << terminal << " size " << picture.columns * kPanelWidth << ","
+      << "set terminal " << terminal << " size " << picture.columns * panel_width << ","
       << rows * panel_height + kTitleHeight << " font 'DejaVu Sans,11' background rgb 'white'\n"
       << "set output " << quoted(path) << "\n"
       << "set grid lc rgb '#dddddd' lt 1\n"
       << "set xzeroaxis lc rgb '#555555' lt 1 lw 1.2\n"
-      << "set key at graph 0, graph -0.24 left top Left reverse maxcols 1 samplen 2.5 spacing 1.15 "
+      << "set key at graph 0, graph -0.24 left top Left reverse maxcols " << key_columns
+      << " maxrows " << key_lines
+      << " samplen 2.5 spacing 1.15 "
          "noenhanced\n"
       << "set bmargin " << 4.2 + 1.2 * static_cast<double>(key_lines) << "\n"
       << "set border lc rgb '#444444'\n"

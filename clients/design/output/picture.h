@@ -20,7 +20,7 @@ struct Series {
   std::string name;
   std::vector<Point> points;
   Style style = Style::kLine;
-  /// Which of the colours, 0 to 7: series that belong together share one.
+  /// Which of the eight colours: series that belong together share one. From 8 on lines are broken.
   int colour = 0;
 };
 

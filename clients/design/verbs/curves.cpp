@@ -94,8 +94,10 @@ std::string text_of(const std::vector<Study>& studies) {
 }
 
 /// What the key says of a class.
-std::string legend(const ClassStudy& one, const std::string& array) {
+std::string legend(const ClassStudy& one, const std::string& array, bool few) {
   std::string text = one.name();
+  if (!few)
+    text += " (" + std::to_string(one.pins().pins.front()) + (one.size() > 1 ? ", …)" : ")");
   if (!one.character.stable()) return text + ": no rest";
   text += ": rest " + fixed(*one.character.rest_mm, 2) + ", ";
   text += one.extension_mm ? "moves " + fixed(*one.extension_mm, 2) + " mm" : "not held";
@@ -115,16 +117,22 @@ Panel panel_of(const Study& study, const model::OffsetGrid& grid) {
   panel.x_label = "offset of the pin (mm)";
   panel.y_label = "force on the pin, outwards (N)";
   panel.x_range = {grid.first_mm, grid.last_mm};
-  panel.y_range = {-3.5, 6.5};
   Series marks{"thesis' extension, Table 2.1", {}, Series::Style::kMarks, 6};
   Series rest{"thesis' rest 0.45 mm, section 3.1.4", {}, Series::Style::kMarks, 4};
   int colour = 0;
+  double lowest = 0.0;
+  double highest = 0.0;
   const model::OffsetGrid fine{grid.first_mm, grid.last_mm, (grid.last_mm - grid.first_mm) / 120.0};
   for (const ClassStudy& one : study.classes()) {
-    Series series{legend(one, as_in_thesis ? array : ""), {}, Series::Style::kLine, colour++};
+    Series series{legend(one, as_in_thesis ? array : "", study.classes().size() <= 3),
+                  {},
+                  Series::Style::kLine,
+                  colour++};
     const model::ForceCurve curve = model::force_curve(one.force, fine);
     for (std::size_t i = 0; i < curve.offsets_mm.size(); ++i) {
       series.points.push_back({curve.offsets_mm[i], curve.force_n[i]});
+      lowest = std::min(lowest, curve.force_n[i]);
+      highest = std::max(highest, curve.force_n[i]);
     }
     panel.series.push_back(std::move(series));
     const auto printed = thesis_extension_mm(array, one.size());
