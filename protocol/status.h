@@ -20,6 +20,8 @@ struct TemperatureStatus {
   std::optional<double> model{};   // hottest winding as estimated
   std::array<double, 3> coils{};
   std::optional<std::int64_t> age_ms{};  // null: there never was a reading
+  std::optional<double>
+      thermometer{};  // the second one; left out when there is none or it is silent
   friend bool operator==(const TemperatureStatus&, const TemperatureStatus&) = default;
 };
 

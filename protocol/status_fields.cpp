@@ -59,6 +59,7 @@ void describe(Fields& f, TemperatureStatus& v) {
   f.nullable("model", v.model, kDegreesC);
   f.required("coils", v.coils, kDegreesC);
   f.nullable("age_ms", v.age_ms);
+  f.optional("thermometer", v.thermometer, kDegreesC);
 }
 
 void describe(Fields& f, FanStatus& v) {

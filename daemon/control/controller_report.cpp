@@ -61,6 +61,8 @@ void Controller::fill(StatusSnapshot& s) const noexcept {
   s.board = board_;
   s.sensor_age_s = watchdog_.sensor().age_s();
   s.sensor_valid = s.board_present && watchdog_.sensor().usable();
+  s.thermometer_known = watchdog_.thermometer().known();
+  s.thermometer_c = watchdog_.thermometer().celsius();
 
   s.thermal = thermal();
   s.limit_a = limiter_.allowed().value;

@@ -59,6 +59,10 @@ struct StatusSnapshot {
   /// The thermistor reading as judged by the watchdog: usable or not.
   bool sensor_valid = false;
 
+  /// The second thermometer; known: one is configured, and answers.
+  bool thermometer_known = false;
+  double thermometer_c = 0.0;
+
   model::ThermalEstimate thermal;
   double limit_a = 0.0;   // allowed now
   bool derating = false;  // an effect is being reduced now

@@ -43,6 +43,9 @@ class ThermometerCheck {
   /// `dt_s` later. The reason to trip, or kNone.
   Reason step(const ThermometerReading& reading, double dt_s) noexcept;
 
+  /// It answers, with `celsius`.
+  bool known() const noexcept { return known_; }
+  double celsius() const noexcept { return celsius_; }
   /// Why an armed ball would trip now or soon; kNone: nothing speaks against arming.
   Reason doubt() const noexcept { return doubt_; }
   /// What the skin allows; without one the limits' own current.

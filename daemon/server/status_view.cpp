@@ -32,6 +32,9 @@ protocol::TemperatureStatus temperature(const StatusSnapshot& s) {
   if (s.board_present) {
     t.age_ms = std::llround(1000.0 * s.sensor_age_s);
   }
+  if (s.thermometer_known) {
+    t.thermometer = finite(s.thermometer_c);
+  }
   return t;
 }
 

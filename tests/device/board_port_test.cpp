@@ -102,7 +102,7 @@ TEST(BoardPort, PinsFollowTheDuties) {
   EXPECT_TRUE(pins.awake);
   EXPECT_EQ(pins.pwm[0], kWiring.pwm_top);
   EXPECT_FALSE(pins.reverse[0]);
-  EXPECT_NEAR(pins.pwm[1], kWiring.pwm_top / 2, 1);
+  EXPECT_NEAR(pins.pwm[1], kWiring.pwm_top / 2.0, 1);
   EXPECT_TRUE(pins.reverse[1]);
   EXPECT_EQ(pins.pwm[2], kWiring.pwm_top);
 }
@@ -180,7 +180,7 @@ TEST(BoardMillisecond, DrivesThePinsAndMakesThemSafeInSilence) {
   queue(set_point);
   board_millisecond(core, kWiring, board);
   EXPECT_TRUE(board.pins.awake);
-  EXPECT_NEAR(board.pins.pwm[1], kWiring.pwm_top / 2, 1);
+  EXPECT_NEAR(board.pins.pwm[1], kWiring.pwm_top / 2.0, 1);
   EXPECT_TRUE(board.pins.reverse[1]);
   EXPECT_EQ(read_telemetry(board.sent.data()).refused, 1);
   EXPECT_NEAR(read_telemetry(board.sent.data()).sensor_cc, 3000, 20);

@@ -86,6 +86,8 @@ TEST(Shell, ReducesFromFortyThreeOn) {
   EXPECT_NEAR(ball.rig.current_a(), 10.0, 0.1);
   EXPECT_FALSE(ball.rig.controller().derating());
   ball.run(1000, 45.0);
+  EXPECT_TRUE(ball.rig.snapshot().thermometer_known);
+  EXPECT_EQ(ball.rig.snapshot().thermometer_c, 45.0);
   EXPECT_NEAR(ball.rig.current_a(), 15.0 * std::sqrt(1.0 / 3.0), 0.15);
   EXPECT_TRUE(ball.rig.controller().derating());
   EXPECT_TRUE(ball.armed());
@@ -204,6 +206,7 @@ TEST(NoThermometer, NothingIsExpectedOfIt) {
   rig.run_until_armed();
   rig.say_thermometer(90.0);
   rig.run(10'000);
+  EXPECT_FALSE(rig.snapshot().thermometer_known);
   EXPECT_EQ(name(rig.controller().state()), "armed");
 }
 

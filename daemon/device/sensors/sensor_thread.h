@@ -28,7 +28,7 @@ struct SensorState {
 class SensorThread {
  public:
   static constexpr std::chrono::milliseconds kFirstPause{250};
-  static constexpr std::chrono::milliseconds kLongestPause{2000};
+  static constexpr std::chrono::milliseconds kLongestPause{1000};
   /// How long one wait for data lasts, so how soon it notices that it should end.
   static constexpr std::chrono::milliseconds kWait{50};
 
