@@ -2,7 +2,6 @@
 // What the daemon finds in /sys, in a tree made like it.
 #include "daemon/device/sensors/discovery.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -15,7 +14,6 @@ namespace hedgehog::device {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::HasSubstr;
 
 class FakeSys : public testing::Test {
  protected:
@@ -36,7 +34,7 @@ class FakeSys : public testing::Test {
   /// A USB device as the kernel shows it: attributes with a newline at their end.
   fs::path usb(const std::string& port, const std::string& vendor, const std::string& product,
                int address, const std::string& name = "", const std::string& serial = "") {
-    const fs::path device = root_ / "devices" / port;
+    fs::path device = root_ / "devices" / port;
     put(device / "idVendor", vendor + "\n");
     put(device / "idProduct", product + "\n");
     put(device / "busnum", "1\n");
