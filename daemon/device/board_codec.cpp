@@ -26,7 +26,6 @@ static_assert(same(BoardMode::kSafe, board::Mode::kSafe) &&
               same(BoardMode::kDriving, board::Mode::kDriving) &&
               same(BoardMode::kLatched, board::Mode::kLatched));
 
-
 template <class Integer>
 Integer rounded(double value) noexcept {
   constexpr double kLow = std::numeric_limits<Integer>::min();
