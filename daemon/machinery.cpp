@@ -19,6 +19,7 @@ device::SimulatedBoardOptions board_options(const config::Config& config, double
   const double noise_k = options.plant.sensor_noise_k;
   options.plant = model::PlantParameters::of(config.device.coils, config.device.thermal);
   options.plant.sensor_noise_k = noise_k;
+  options.plant.force_slope_n_a = config.device.force_slope_n_a;
   options.plant.seed = config.simulator.seed;
   options.ambient_c = config.simulator.ambient_c;
   options.start_c = start_c;

@@ -15,6 +15,7 @@ PlantParameters PlantParameters::of(const CoilModel& coils, const ThermalModel& 
   parameters.core_to_room_still_k_w = thermal.core_to_room_still_k_w;
   parameters.r25_ohm = coils.r25_ohm;
   parameters.inductance_h = coils.inductance_h;
+  parameters.coil_matrix = coils.matrix;
   parameters.supply_v = coils.supply_v;
   parameters.sensor_winding = thermal.sensor_winding;
   parameters.sensor_lag_s = thermal.sensor_lag_s;
@@ -39,6 +40,11 @@ double Plant::hottest_winding_c() const noexcept {
 double Plant::resistance_ohm(int coil) const noexcept {
   const auto i = static_cast<std::size_t>(coil);
   return resistance_at(Ohms(parameters_.r25_ohm[i]), Celsius(heat_.winding_c[i])).value;
+}
+
+PinMotion Plant::pins(const PinArray& array, const PinCurves& curves) const {
+  return pin_motion(array, curves, {inverse(parameters_.coil_matrix) * current_a_},
+                    parameters_.force_slope_n_a);
 }
 
 void Plant::step(const PlantInputs& inputs, double dt_s) noexcept {

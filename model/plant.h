@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The simulated world: three windings with their resistance and inductance, the heat of the ball,
-// the thermistor, the fan and the room. The simulated board drives it; tests and campaigns draw
-// plants that differ from what the device file says. Constants: DESIGN section 3.
+// the thermistor, the fan, the pins and the room. The simulated board drives it; tests and
+// campaigns draw plants that differ from what the device file says. Constants: DESIGN section 3.
 #pragma once
 
 #include <array>
 #include <cstdint>
 
+#include "model/calibration.h"
 #include "model/coils.h"
+#include "model/pin_motion.h"
 #include "model/random_stream.h"
 #include "model/thermal_model.h"
 
@@ -32,6 +34,9 @@ struct PlantParameters {
   double sensor_noise_k = 0.0;
   double fan_full_rpm = 7200.0;
   double fan_spin_up_s = 1.0;
+  /// How the windings really sit (CoilModel::matrix), and N / A on a pin that the field aims at.
+  Mat3 coil_matrix;
+  double force_slope_n_a = kMeasuredCalibration.force_slope_n_a;
   /// Seed of the noise.
   std::uint64_t seed = 1;
 
@@ -87,6 +92,8 @@ class Plant {
   /// Resistance of winding `coil` (0..2) at its temperature now, ohm.
   double resistance_ohm(int coil) const noexcept;
   double room_c() const noexcept { return room_c_; }
+  /// What the true currents do to the pins. Allocates: for whoever looks, never in a step.
+  PinMotion pins(const PinArray& array, const PinCurves& curves) const;
   const PlantParameters& parameters() const noexcept { return parameters_; }
 
   void set_room(double room_c) noexcept { room_c_ = room_c; }

@@ -48,6 +48,7 @@ void describe(Fields& f, LatenessStatus& v);
 void describe(Fields& f, LoopStatus& v);
 void describe(Fields& f, LinkStatus& v);
 void describe(Fields& f, TripStatus& v);
+void describe(Fields& f, PinsStatus& v);
 void describe(Fields& f, Status& v);
 void describe(Fields& f, Telemetry& v);
 

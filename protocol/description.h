@@ -16,6 +16,7 @@ struct PinDescription {
   std::int64_t pin = 0;
   model::Vec3 position{};  // unit vector, device frame
   std::int64_t ring = 0;   // 0 is the top
+  double rest_mm = 0.0;    // out of the shell without current; 0: lies on it
   friend bool operator==(const PinDescription&, const PinDescription&) = default;
 };
 

@@ -110,6 +110,7 @@ void describe(Fields& f, PinDescription& v) {
   f.required("pin", v.pin);
   f.required("position", v.position, decimals(5));
   f.required("ring", v.ring);
+  f.required("rest_mm", v.rest_mm, decimals(3));
 }
 
 void describe(Fields& f, CoilsDescription& v) {

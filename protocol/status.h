@@ -82,6 +82,14 @@ struct TripStatus {
   friend bool operator==(const TripStatus&, const TripStatus&) = default;
 };
 
+/// Of each pin, by its number (model/pin_motion.h).
+struct PinsStatus {
+  std::vector<double> force_n{};       // what the coils push with, outwards positive
+  std::vector<double> extension_mm{};  // from where the pin rests, outwards positive
+  bool empty() const noexcept { return force_n.empty() && extension_mm.empty(); }
+  friend bool operator==(const PinsStatus&, const PinsStatus&) = default;
+};
+
 struct Status {
   std::string device{};
   bool simulated = false;
@@ -111,7 +119,7 @@ struct Status {
   std::uint64_t applied_seq = 0;
   std::optional<TripStatus> last_trip{};
 
-  std::vector<double> pins{};  // force at each pin, N, by number; only when asked for
+  PinsStatus pins{};  // of the measured currents; only when asked for
   friend bool operator==(const Status&, const Status&) = default;
 };
 

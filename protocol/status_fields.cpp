@@ -6,6 +6,7 @@ namespace {
 
 constexpr Spec kAmps = decimals(2);
 constexpr Spec kNewtons = decimals(4);
+constexpr Spec kMillimetres = decimals(3);
 constexpr Spec kDegreesC = decimals(2);
 constexpr Spec kSeconds = decimals(1);
 constexpr Spec kRatio = decimals(3);
@@ -49,7 +50,7 @@ void describe_only(Fields& f, Status& v, StatusKeys keys) {
   required(kLink, v.link);
   required(kAppliedSeq, v.applied_seq);
   nullable(kLastTrip, v.last_trip);
-  required(kPins, v.pins, kNewtons);
+  required(kPins, v.pins);
 }
 
 }  // namespace
@@ -110,6 +111,11 @@ void describe(Fields& f, TripStatus& v) {
   f.required("time_ns", v.time_ns);
   f.nullable("temperature_c", v.temperature_c, kDegreesC);
   f.required("current_a", v.current_a, kAmps);
+}
+
+void describe(Fields& f, PinsStatus& v) {
+  f.required("force_n", v.force_n, kNewtons);
+  f.required("extension_mm", v.extension_mm, kMillimetres);
 }
 
 void describe(Fields& f, Status& v) {

@@ -13,6 +13,7 @@
 #include "clients/ctl/verbs/act_verbs.h"
 #include "clients/ctl/verbs/follow_verbs.h"
 #include "clients/ctl/verbs/look_verbs.h"
+#include "clients/ctl/verbs/pins_verb.h"
 #include "clients/ctl/verbs/play_verbs.h"
 
 namespace hedgehog::client {
@@ -133,7 +134,6 @@ class CommandLine {
 
   void add_looking() {
     verb("status", "the ball at one look", run_status);
-    verb("pins", "the ball unrolled: which pins push now", run_pins);
     verb("clients", "who is connected and what they play", run_clients);
     CLI::App* forecast = verb("forecast", "how long a current can flow", [this](Session& session) {
       return run_forecast(session, forecast_);
@@ -194,6 +194,11 @@ class CommandLine {
                             [this](Session& session) { return run_events(session, events_); });
     events->add_option("--types", events_.types, "only these, with commas")->delimiter(',');
     events->add_flag("--all")->description("everybody's effects: always so")->group("");
+    CLI::App* pins = verb("pins", "the ball unrolled: which pins push now, and how far",
+                          [this](Session& session) { return run_pins(session, pins_); });
+    CLI::Option* live =
+        pins->add_flag("--live", pins_.live, "again and again; on a terminal SPACE stops, q quits");
+    pins->add_option("--count", pins_.count, "with --live: ends after so many lines")->needs(live);
     CLI::App* telemetry =
         verb("telemetry", "the status again and again, one JSON object a line",
              [this](Session& session) { return run_telemetry(session, telemetry_); });
@@ -220,6 +225,7 @@ class CommandLine {
   ForecastOptions forecast_;
   PlayOptions play_;
   EventsOptions events_;
+  PinsOptions pins_;
   TelemetryOptions telemetry_;
   DemoOptions demo_;
   std::optional<double> gain_;

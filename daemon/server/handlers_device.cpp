@@ -43,7 +43,8 @@ Outcome device_describe(Call& call, const protocol::DeviceDescribe&) {
   d.simulated = machine.simulated();
   d.arrangement = machine.array().arrangement;
   for (const model::Pin& pin : machine.array().pins) {
-    d.pins.push_back({pin.id, pin.position, pin.ring});
+    const double rest_mm = machine.pin_curves().rest_mm(static_cast<std::size_t>(pin.id));
+    d.pins.push_back({pin.id, pin.position, pin.ring, rest_mm});
   }
   for (std::size_t row = 0; row < d.coils.matrix.size(); ++row) {
     d.coils.matrix[row] = device.coils.matrix.row[row];

@@ -20,6 +20,7 @@ Machine::Machine(const config::Config& config, control::Mailbox& mailbox, device
       link_(link),
       epoch_ns_(epoch_ns),
       array_(model::hedgehog_86()),
+      pin_curves_(model::hedgehog_86_curves()),
       forecaster_(config.device.coils, config.device.thermal, config.limits),
       outbox_(mailbox) {
   link_.limits.write(device::BoardLimits::of(config.limits));

@@ -14,6 +14,7 @@
 #include "daemon/server/outbox.h"
 #include "daemon/server/remedy.h"
 #include "model/forecast.h"
+#include "model/magnets/pin_curves.h"
 #include "model/pin_array.h"
 
 namespace hedgehog::server {
@@ -40,6 +41,7 @@ class Machine {
   const model::Limits& limits() const noexcept { return config_.limits; }
   bool simulated() const noexcept { return config_.backend == config::Backend::kSimulator; }
   const model::PinArray& array() const noexcept { return array_; }
+  const model::PinCurves& pin_curves() const noexcept { return pin_curves_; }
   const model::Forecaster& forecaster() const noexcept { return forecaster_; }
   model::ForecastStart forecast_start() const noexcept;
   RemedyFacts remedy_facts() const noexcept;
@@ -66,6 +68,7 @@ class Machine {
   device::LinkPort& link_;
   std::int64_t epoch_ns_;
   const model::PinArray& array_;
+  const model::PinCurves& pin_curves_;
   model::Forecaster forecaster_;
   Outbox outbox_;
   control::StatusSnapshot snapshot_;

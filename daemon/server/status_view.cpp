@@ -7,6 +7,7 @@
 
 #include "daemon/server/admission.h"
 #include "model/field.h"
+#include "model/pin_motion.h"
 #include "model/thermal_flow.h"
 
 namespace hedgehog::server {
@@ -92,6 +93,17 @@ void StatusView::refresh_forecast() {
   burst_s_ = machine_.forecaster().burst_s(start);
 }
 
+protocol::PinsStatus StatusView::pins() const {
+  const StatusSnapshot& s = machine_.now();
+  const model::DeviceModel& device = machine_.config().device;
+  // A board that is silent has switched the coils off.
+  const model::CoilCurrents flowing{s.board_present ? s.board.current_a : model::Vec3{}};
+  model::PinMotion motion =
+      model::pin_motion(machine_.array(), machine_.pin_curves(),
+                        model::field_of(flowing, device.coils), device.force_slope_n_a);
+  return {std::move(motion.force_n), std::move(motion.extension_mm)};
+}
+
 protocol::Status StatusView::status(bool with_pins) {
   refresh_forecast();
   const StatusSnapshot& s = machine_.now();
@@ -144,8 +156,7 @@ protocol::Status StatusView::status(bool with_pins) {
                              finite(trip.temperature_c), trip.current_a};
   }
   if (with_pins) {
-    out.pins.resize(machine_.array().pins.size());
-    model::pin_forces(machine_.array(), {field}, config.device.force_slope_n_a, out.pins);
+    out.pins = pins();
   }
   return out;
 }

@@ -18,12 +18,13 @@ class StatusView {
   StatusView(const Machine& machine, EffectRegistry& effects)
       : machine_(machine), effects_(effects) {}
 
-  /// `with_pins`: fill in the force at every pin.
+  /// `with_pins`: fill in what the measured currents do to every pin.
   protocol::Status status(bool with_pins);
   protocol::EffectStatus effect(const Effect& effect) const;
 
  private:
   void refresh_forecast();
+  protocol::PinsStatus pins() const;
 
   const Machine& machine_;
   EffectRegistry& effects_;

@@ -60,7 +60,7 @@ Ball warm_ball() {
   status.orientation =
       protocol::OrientationStatus{{0.994, -0.105, 0.035, 0}, {-0.069, -0.208, 0.976}, {}, 3};
   status.loop = {1000, 273'600'000, 0, {12, 61, 240}};
-  status.pins = forces_of({0, 5, 0});
+  status.pins.force_n = forces_of({0, 5, 0});
   protocol::EffectStatus circle;
   circle.effect = 412;
   circle.method = "effect.circle";

@@ -198,7 +198,19 @@ TEST_F(Ctl, PinsShowsThePush) {
   ASSERT_TRUE(eventually([&] { return current_a() > 11.0; }));
   const Ended ended = ctl({"pins"});
   EXPECT_THAT(ended.out, HasSubstr("●"));
-  EXPECT_THAT(ended.out, ContainsRegex("0\\.1[0-9]+ N at pin 34\n"));
+  EXPECT_THAT(ended.out, ContainsRegex("0\\.1[0-9]+ N, 0\\.1[0-9] mm at pin 34\n"));
+  const Json pins = Json::parse(ctl({"pins", "--json"}).out)["pins"];
+  EXPECT_NEAR(pins["force_n"][34], 0.148, 0.005);
+  EXPECT_NEAR(pins["extension_mm"][34], 0.183, 0.01);
+
+  const Ended lines = ctl({"pins", "--live", "--count", "2"});
+  EXPECT_EQ(lines.exit_code, 0);
+  EXPECT_EQ(std::count(lines.out.begin(), lines.out.end(), '\n'), 2);
+  EXPECT_THAT(lines.out, ContainsRegex(" s +1[12]\\.[0-9] A +0\\.1[0-9]+ N +\\+0\\.1[0-9]+ mm at "
+                                       "pin [0-9]+ +[0-9]+ out, [0-9]+ in\n"));
+  const Ended json = ctl({"pins", "--live", "--count", "1", "--json"});
+  EXPECT_EQ(Json::parse(json.out)["pins"]["extension_mm"].size(), 86u);
+  EXPECT_EQ(ctl({"pins", "--count", "2"}).exit_code, kUsage);
 }
 
 TEST_F(Ctl, MistakesAreUsage) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `hedgehogctl watch` on a terminal of its own.
+// `hedgehogctl watch` and `pins --live` on a terminal of their own.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -67,6 +67,27 @@ TEST_F(Watch, SaysSoWhenTheDaemonGoes) {
   EXPECT_THAT(watch_.shown(), testing::HasSubstr(kLeave));
   EXPECT_THAT(watch_.shown(), testing::HasSubstr("the daemon ended the connection"));
   EXPECT_TRUE(watch_.is_as_a_shell_leaves_it());
+}
+
+TEST(LivePins, AreDrawnStoppedAtSpaceAndLeftAtQ) {
+  Home home;
+  DaemonProcess daemon(home);
+  RawClient other(daemon.port());
+  TerminalProgram pins(home, HEDGEHOGCTL_PATH, {"pins", "--live"},
+                       {"HEDGEHOG_ADDRESS=" + daemon.socket()});
+  ASSERT_TRUE(pins.shows(kEnter));
+  EXPECT_TRUE(pins.shows("hundredths of a millimetre out of rest"));
+  EXPECT_TRUE(pins.shows("all pins rest"));
+  other.call("effect.hold", {{"direction", {{"pin", 1}}}, {"current_a", 12}, {"lease_ms", 10000}});
+  EXPECT_TRUE(pins.shows("rests 0.50 mm out"));
+  other.call("events.subscribe", {{"types", {"state_changed"}}});
+  pins.type(" ");
+  EXPECT_EQ(other.notification("event", "state_changed")["reason"], "emergency_stop");
+  EXPECT_TRUE(pins.shows("hedgehogctl arm"));
+  pins.type("q");
+  EXPECT_EQ(pins.wait(), 0);
+  EXPECT_THAT(pins.shown(), testing::EndsWith(kLeave));
+  EXPECT_TRUE(pins.is_as_a_shell_leaves_it());
 }
 
 }  // namespace

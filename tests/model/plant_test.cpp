@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 
@@ -39,6 +40,30 @@ TEST(Plant, FifteenAmpereAlongOneCoilReach70InHalfAMinute) {
   EXPECT_NEAR(seconds_to_70({15, 0, 0}), 29.6, 0.5);
   EXPECT_NEAR(seconds_to_70({0, 15, 0}), 29.6, 0.5);
   EXPECT_NEAR(seconds_to_70({0, 0, -15}), 29.6, 0.5);
+}
+
+// 15 A along a winding push the pins where that winding points, as far as the ball's own slope says
+// (reference: physics.md section 6; the ball of 86 has 0.51 mm in place of 0.52).
+TEST(Plant, ItsPinsFollowItsTrueCurrents) {
+  PlantParameters turned;
+  turned.coil_matrix = {{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}};
+  turned.force_slope_n_a = kFeaCalibration.force_slope_n_a;
+  Plant plant(turned, 25.0);
+  const auto pins = [&] { return plant.pins(hedgehog_86(), hedgehog_86_curves()); };
+  EXPECT_EQ(pins().extension_mm, std::vector<double>(86, 0.0));
+  for (int tick = 0; tick < 100; ++tick) plant.step(driven({0, 15 * 0.45, 0}), 1e-3);
+  const double current_a = plant.current_a().y;
+  EXPECT_NEAR(current_a, 15.0, 0.1);
+  const NearestPin left = nearest_pin(hedgehog_86(), {0, 1, 0});
+  const auto at = static_cast<std::size_t>(left.id);
+  EXPECT_NEAR(pins().force_n[at], current_a * turned.force_slope_n_a * left.cosine, 1e-9);
+  EXPECT_NEAR(pins().extension_mm[at], 0.51 * left.cosine, 0.01);
+
+  Plant up(turned, 25.0);
+  for (int tick = 0; tick < 100; ++tick) up.step(driven({15 * 0.45, 0, 0}), 1e-3);
+  const std::vector<double> out = up.pins(hedgehog_86(), hedgehog_86_curves()).extension_mm;
+  EXPECT_GT(out[1], 0.4) << "winding x points up in this ball";
+  EXPECT_LT(*std::min_element(out.begin(), out.end()), -0.2);
 }
 
 TEST(Plant, FifteenAmpereSharedByThreeTake101Seconds) {

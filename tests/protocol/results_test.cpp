@@ -84,8 +84,9 @@ TEST(Results, NumbersAreRoundedAndNeverNegativeZeroNorNaN) {
 TEST(Results, PinsOnlyWhenThereAreSome) {
   Status s = example_status();
   EXPECT_THAT(result_of(s), testing::Not(HasSubstr("\"pins\"")));
-  s.pins = {0.01234567, 0};
-  EXPECT_THAT(result_of(s), HasSubstr(R"("pins":[0.0123,0]})"));
+  s.pins = {{0.01234567, 0}, {0.2364, -0.0456}};
+  EXPECT_THAT(result_of(s),
+              HasSubstr(R"("pins":{"force_n":[0.0123,0],"extension_mm":[0.236,-0.046]}})"));
 }
 
 TEST(Results, Admission) {
@@ -141,7 +142,7 @@ TEST(Results, EveryKindComesBackTheSame) {
   EXPECT_EQ(*decode_result<ForecastResult>(result_of(forecast)), forecast);
   Description description;
   description.name = "ball-7";
-  description.pins = {{0, {0, 0, 1}, 0}, {1, {0.5, 0, 0.5}, 1}};
+  description.pins = {{0, {0, 0, 1}, 0, 0.0}, {1, {0.5, 0, 0.5}, 1, 0.522}};
   description.coils.matrix = {model::Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
   description.coils.r25_ohm = {0.45, 0.46, 0.44};
   description.board = {"simulator", true, std::nullopt, "1.2"};

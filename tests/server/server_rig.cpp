@@ -22,7 +22,8 @@ control::ControlSettings armed_settings(const config::Config& config) {
 
 }  // namespace
 
-ServerRig::ServerRig(config::Config settings) : config(std::move(settings)) {
+ServerRig::ServerRig(config::Config settings, const device::SimulatedBoardOptions& board)
+    : config(std::move(settings)), world(*port, board) {
   control =
       std::make_unique<control::ControlTick>(armed_settings(config), *mailbox, *port, nullptr);
   machine = std::make_unique<Machine>(config, *mailbox, *port, kEpochNs);

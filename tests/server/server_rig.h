@@ -41,7 +41,7 @@ class FakeClient final : public Sink {
 
 class ServerRig {
  public:
-  explicit ServerRig(config::Config settings = {});
+  explicit ServerRig(config::Config settings = {}, const device::SimulatedBoardOptions& board = {});
 
   FakeClient& connect(protocol::Role role = protocol::Role::kOperate);
   void disconnect(FakeClient& client);
@@ -63,7 +63,7 @@ class ServerRig {
   std::unique_ptr<device::LinkPort> port = std::make_unique<device::LinkPort>();
   FakeMemory memory;
   std::unique_ptr<control::ControlTick> control;
-  device::LockStep world{*port};
+  device::LockStep world;
   std::unique_ptr<Machine> machine;
   std::unique_ptr<Server> server;
   std::vector<control::Event> events;

@@ -51,7 +51,7 @@ std::vector<std::string> demo_screen(const Ball& ball, const TourChapter& chapte
     up = status.orientation->up;
   }
   std::vector<std::string> lines{title_line(ball, chapter, style.ascii), ""};
-  for (std::string& line : ball_map(status.pins, {.ascii = style.ascii, .room_up = up})) {
+  for (std::string& line : ball_map(status.pins.force_n, {.ascii = style.ascii, .room_up = up})) {
     lines.push_back(std::move(line));
   }
   lines.emplace_back();

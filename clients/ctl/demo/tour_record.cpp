@@ -17,7 +17,7 @@ constexpr double kZeroA = 0.1;
 constexpr double kLongPushA = 15.0;
 
 long felt_pins(const protocol::Status& status) {
-  return std::count_if(status.pins.begin(), status.pins.end(),
+  return std::count_if(status.pins.force_n.begin(), status.pins.force_n.end(),
                        [](double force_n) { return force_n >= kFeltN; });
 }
 

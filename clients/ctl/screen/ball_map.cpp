@@ -7,17 +7,26 @@
 #include <numbers>
 #include <string_view>
 
+#include "clients/ctl/screen/words.h"
 #include "model/pin_array.h"
 
 namespace hedgehog::client {
 
 namespace {
 
-constexpr int kFront = 39;        // column of the front's meridian
-constexpr double kHalfTurn = 30;  // columns from front to back where the ball is widest
+constexpr int kFront = 39;  // column of the front's meridian
 constexpr int kColumns = 79;
+/// A ring gets narrower towards the poles, though less than on the ball: marks must not touch.
+struct Shape {
+  double half_turn;  // columns from front to back where the ball is widest
+  double narrowing;  // a ring's radius to this power
+};
+constexpr Shape kMarks{30, 0.85};
+/// No two pins nearer than four columns, which the tests hold it to.
+constexpr Shape kNumbers{37, 0.5};
 
-using Row = std::array<std::string_view, kColumns>;
+/// A column holds a character, and what goes before and behind it to colour it.
+using Row = std::array<std::string, kColumns>;
 
 std::string_view mark_of(double force_n, bool ascii) {
   if (force_n >= kStrongN) {
@@ -32,50 +41,93 @@ std::string_view mark_of(double force_n, bool ascii) {
   return ascii ? "." : "·";
 }
 
-/// A ring gets narrower towards the poles, though less than on the ball: marks must not touch.
-int column_of(const model::Vec3& pin) {
-  const double width = std::pow(std::hypot(pin.x, pin.y), 0.85);
+int column_of(const model::Vec3& pin, const Shape& shape) {
+  const double width = std::pow(std::hypot(pin.x, pin.y), shape.narrowing);
   const double turn = std::atan2(pin.y, pin.x) / std::numbers::pi;
-  return kFront - static_cast<int>(std::lround(kHalfTurn * width * turn));
+  return kFront - static_cast<int>(std::lround(shape.half_turn * width * turn));
 }
 
 std::string text_of(const Row& row) {
-  int end = kColumns;
-  while (end > 0 && row[static_cast<std::size_t>(end - 1)] == " ") {
-    --end;
-  }
   std::string line;
-  for (int column = 0; column < end; ++column) {
-    line += row[static_cast<std::size_t>(column)];
+  std::string gap;
+  for (const std::string& column : row) {
+    if (column.empty()) {
+      gap += ' ';
+    } else {
+      line += gap + column;
+      gap.clear();
+    }
   }
   return line;
 }
 
+/// "up" and the eight rings; `put` writes a pin at its column.
+template <class Put>
+std::vector<std::string> unrolled(const Shape& shape, Put put) {
+  const model::PinArray& array = model::hedgehog_86();
+  std::vector<std::string> lines{std::string(kFront - 1, ' ') + "up"};
+  for (std::size_t r = 0; r < array.rings(); ++r) {
+    Row row;
+    for (const model::Pin& pin : array.ring(r)) {
+      put(row, column_of(pin.position, shape), pin.id);
+    }
+    lines.push_back(text_of(row));
+  }
+  return lines;
+}
+
+double at(std::span<const double> values, int pin) {
+  const auto i = static_cast<std::size_t>(pin);
+  return i < values.size() ? values[i] : 0.0;
+}
+
+int pin_towards(const std::optional<model::Vec3>& direction) {
+  return direction ? model::nearest_pin(model::hedgehog_86(), *direction).id : -1;
+}
+
+const char* triangle(bool ascii) { return ascii ? "^" : "▲"; }
+
 }  // namespace
 
 std::vector<std::string> ball_map(std::span<const double> force_n, const BallMapStyle& style) {
-  const model::PinArray& array = model::hedgehog_86();
-  const int up_pin = style.room_up ? model::nearest_pin(array, *style.room_up).id : -1;
-
-  std::vector<std::string> lines{std::string(kFront - 1, ' ') + "up"};
-  const std::size_t widest = array.rings() / 2;
-  for (std::size_t r = 0; r < array.rings(); ++r) {
-    Row row;
-    row.fill(" ");
-    for (const model::Pin& pin : array.ring(r)) {
-      const auto id = static_cast<std::size_t>(pin.id);
-      const double force = id < force_n.size() ? force_n[id] : 0.0;
-      row[static_cast<std::size_t>(column_of(pin.position))] =
-          pin.id == up_pin ? (style.ascii ? "^" : "▲") : mark_of(force, style.ascii);
-    }
-    std::string line = text_of(row);
-    if (r == widest) {
-      line.replace(0, 7, "   back");
-      line += "      back";
-    }
-    lines.push_back(std::move(line));
-  }
+  const int up_pin = pin_towards(style.room_up);
+  std::vector<std::string> lines = unrolled(kMarks, [&](Row& row, int column, int pin) {
+    row[static_cast<std::size_t>(column)] =
+        pin == up_pin ? triangle(style.ascii) : mark_of(at(force_n, pin), style.ascii);
+  });
+  std::string& widest = lines[1 + model::hedgehog_86().rings() / 2];
+  widest.replace(0, 7, "   back");
+  widest += "      back";
   lines.emplace_back("                      left           front          right");
+  return lines;
+}
+
+std::vector<std::string> ball_numbers(std::span<const double> extension_mm,
+                                      std::span<const double> force_n, const BallMapStyle& style) {
+  const int up_pin = pin_towards(style.room_up);
+  std::vector<std::string> lines = unrolled(kNumbers, [&](Row& row, int column, int pin) {
+    // Four columns a pin: the triangle, and three digits that end right of the meridian.
+    const std::string number = fixed(100.0 * at(extension_mm, pin), 0);
+    const bool rests = number == "0";
+    const auto last = static_cast<std::size_t>(rests ? column : column + 1);
+    const std::size_t first = last + 1 - number.size();
+    for (std::size_t i = 0; i < number.size(); ++i) {
+      row[first + i] = number[i];
+    }
+    if (rests) {
+      row[last] = style.ascii ? "." : "·";
+    }
+    const double force = at(force_n, pin);
+    if (style.colour && (force >= kStrongN || force < kFeltN)) {
+      row[first] = (force >= kStrongN ? "\033[1m" : "\033[2m") + row[first];
+      row[last] += "\033[0m";
+    }
+    if (pin == up_pin) {
+      row[first - 1] = triangle(style.ascii);
+    }
+  });
+  lines.emplace_back(
+      "   back             left              front              right             back");
   return lines;
 }
 

@@ -23,12 +23,19 @@ struct BallMapStyle {
   bool ascii = false;
   /// Marks the pin nearest to this direction (device frame) with a triangle: where up is in the
   /// room.
-  std::optional<model::Vec3> room_up;
+  std::optional<model::Vec3> room_up{};
+  /// Numbers only: strong pins bold; dim those that push too little to be felt or are pulled in.
+  bool colour = false;
 };
 
 /// Ten lines of at most 78 columns: "up", eight rings, "left front right". `force_n` has the
 /// outward force on each pin by its number (negative: pulled in).
 std::vector<std::string> ball_map(std::span<const double> force_n, const BallMapStyle& style);
+
+/// The same ten lines, wider (79 columns), with how far each pin is out of its rest in hundredths
+/// of a millimetre: `24` is 0.24 mm, `-9` is 0.09 mm further in, a dot is less than 0.005 mm.
+std::vector<std::string> ball_numbers(std::span<const double> extension_mm,
+                                      std::span<const double> force_n, const BallMapStyle& style);
 
 /// "· rest   ∘ felt   ○ clear   ● strong".
 std::string ball_map_legend(bool ascii);

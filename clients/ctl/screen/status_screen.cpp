@@ -124,6 +124,16 @@ std::string state_words(const Status& status, const ScreenStyle& style) {
   return status.device + (style.ascii ? " - " : " · ") + words;
 }
 
+std::string live_title(const Status& status, const ScreenStyle& style) {
+  const std::string allowed =
+      std::string(style.ascii ? " - " : " · ") + fixed(allowed_a(status), 1) + " A allowed";
+  const std::string keys = "SPACE stops   q quits";
+  const std::string plain = state_words(status, {.colour = false, .ascii = style.ascii}) + allowed;
+  const std::size_t gap =
+      columns(plain) + columns(keys) < 77 ? 77 - columns(plain) - columns(keys) : std::size_t{2};
+  return " " + state_words(status, style) + allowed + std::string(gap, ' ') + keys;
+}
+
 std::vector<std::string> status_screen(const Ball& ball, const ScreenStyle& style) {
   const Status& status = ball.status;
   std::vector<std::string> lines{title_line(ball, style), ""};

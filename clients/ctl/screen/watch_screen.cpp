@@ -6,7 +6,6 @@
 #include "clients/ctl/screen/ball_map.h"
 #include "clients/ctl/screen/bar.h"
 #include "clients/ctl/screen/words.h"
-#include "model/direction.h"
 
 namespace hedgehog::client {
 
@@ -79,20 +78,12 @@ std::string WatchScreen::minute_line() const {
 
 std::vector<std::string> WatchScreen::lines(const Ball& ball) const {
   const protocol::Status& status = ball.status;
-  const std::string_view dot = style_.ascii ? " - " : " · ";
-  const std::string allowed = std::string(dot) + fixed(allowed_a(status), 1) + " A allowed";
-  const std::string keys = "SPACE stops   q quits";
-  const std::string plain = state_words(status, {.colour = false, .ascii = style_.ascii}) + allowed;
-  const std::size_t gap =
-      columns(plain) + columns(keys) < 77 ? 77 - columns(plain) - columns(keys) : std::size_t{2};
-
-  std::vector<std::string> lines{" " + state_words(status, style_) + allowed +
-                                 std::string(gap, ' ') + keys};
+  std::vector<std::string> lines{live_title(status, style_)};
   std::optional<model::Vec3> up;
   if (status.orientation) {
     up = status.orientation->up;
   }
-  for (std::string& line : ball_map(status.pins, {.ascii = style_.ascii, .room_up = up})) {
+  for (std::string& line : ball_map(status.pins.force_n, {.ascii = style_.ascii, .room_up = up})) {
     lines.push_back(std::move(line));
   }
   lines.push_back("    " + left(ball_map_legend(style_.ascii), 44) + push_words(status));

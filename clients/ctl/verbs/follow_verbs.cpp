@@ -2,84 +2,23 @@
 #include "clients/ctl/verbs/follow_verbs.h"
 
 #include <cstdio>
-#include <ctime>
 
 #include "clients/ctl/screen/terminal.h"
 #include "clients/ctl/screen/watch_screen.h"
 #include "clients/ctl/screen/words.h"
+#include "clients/ctl/verbs/live.h"
 
 namespace hedgehog::client {
 
 namespace {
 
-using std::chrono::milliseconds;
-
-constexpr milliseconds kGlance{50};
 constexpr double kRedrawHz = 10.0;
-
-std::string time_of_day() {
-  const std::time_t now = std::time(nullptr);
-  std::tm local{};
-  localtime_r(&now, &local);
-  char text[16];
-  std::strftime(text, sizeof text, "%H:%M:%S", &local);
-  return text;
-}
-
-/// Calls `take` with each notification until Ctrl-C, until `take` returns false, or until the
-/// connection fails.
-template <class Take>
-int follow(Session& session, Take take) {
-  while (!interrupted()) {
-    auto told = session.connection.next(kGlance);
-    if (!told) {
-      return complain(told.error());
-    }
-    if (*told && !take(**told)) {
-      return kDone;
-    }
-  }
-  return kInterrupted;
-}
 
 /// From where the events go on, so that a quiet ball is not taken for a deaf program.
 void say_now(const protocol::EventsResult& now) {
   std::printf("  %s  %s%s, %s A allowed\n", time_of_day().c_str(), now.state.c_str(),
               now.reason ? (": " + *now.reason).c_str() : "", fixed(now.limit_a, 1).c_str());
   std::fflush(stdout);
-}
-
-/// False: the person wants to leave.
-bool press(char key, Session& session) {
-  if (key == ' ') {
-    // Unanswered: the stop must not wait behind whatever the socket still holds.
-    (void)session.connection.notify(protocol::DeviceEmergencyStop{});
-  }
-  return key != 'q';
-}
-
-int watch_loop(Session& session, Ball& ball) {
-  WatchScreen screen(session.style);
-  Canvas canvas;
-  while (!interrupted()) {
-    auto told = session.connection.next(milliseconds{20});
-    if (!told) {
-      return exit_code_of(told.error());
-    }
-    if (*told) {
-      if (auto* telemetry = std::get_if<protocol::TelemetryMessage>(&**told)) {
-        ball.status = std::move(telemetry->telemetry.status);
-        screen.take(ball.status);
-        canvas.draw(screen.lines(ball));
-      } else {
-        screen.take(std::get<protocol::EventMessage>(**told).event, time_of_day());
-      }
-    }
-    if (const auto key = canvas.key(milliseconds{0}); key && !press(*key, session)) {
-      return kDone;
-    }
-  }
-  return kInterrupted;
 }
 
 }  // namespace
@@ -99,16 +38,20 @@ int run_watch(Session& session) {
   if (auto events = session.connection.call(everything); !events) {
     return complain(events.error());
   }
-  auto telemetry =
-      session.connection.call(protocol::TelemetrySubscribe{kRedrawHz, protocol::kEveryStatusKey});
-  if (!telemetry) {
+  const protocol::TelemetrySubscribe request{kRedrawHz, protocol::kEveryStatusKey};
+  if (auto telemetry = session.connection.call(request); !telemetry) {
     return complain(telemetry.error());
   }
-  const int code = watch_loop(session, *ball);
-  if (code == kUnavailable) {
-    std::fputs("hedgehogctl: the daemon ended the connection\n", stderr);
-  }
-  return code;
+  WatchScreen screen(session.style);
+  return follow_drawing(session, [&](const Notification& told) -> std::vector<std::string> {
+    if (const auto* telemetry = std::get_if<protocol::TelemetryMessage>(&told)) {
+      ball->status = telemetry->telemetry.status;
+      screen.take(ball->status);
+      return screen.lines(*ball);
+    }
+    screen.take(std::get<protocol::EventMessage>(told).event, time_of_day());
+    return {};
+  });
 }
 
 int run_events(Session& session, const EventsOptions& options) {

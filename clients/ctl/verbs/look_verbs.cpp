@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "clients/ctl/screen/ball_map.h"
 #include "clients/ctl/screen/words.h"
 #include "clients/ctl/verbs/direction_argument.h"
 
@@ -15,31 +14,9 @@ namespace {
 using nlohmann::json;
 using protocol::Status;
 
-constexpr std::chrono::milliseconds kFirstTelemetry{1000};
-
 void print(const std::vector<std::string>& lines) {
   for (const std::string& line : lines) {
     std::puts(line.c_str());
-  }
-}
-
-/// One telemetry notification with every key, `pins` too.
-Outcome<protocol::TelemetryMessage> one_telemetry(Connection& connection) {
-  auto subscribed = connection.call(protocol::TelemetrySubscribe{50.0, protocol::kEveryStatusKey});
-  if (!subscribed) {
-    return subscribed.error();
-  }
-  while (true) {
-    auto told = connection.next(kFirstTelemetry);
-    if (!told) {
-      return told.error();
-    }
-    if (!*told) {
-      return ClientError{Failure::kTimeout, "the daemon sent no telemetry for a second", {}};
-    }
-    if (auto* telemetry = std::get_if<protocol::TelemetryMessage>(&**told)) {
-      return std::move(*telemetry);
-    }
   }
 }
 
@@ -87,31 +64,6 @@ int run_status(Session& session) {
     return complain(ball.error());
   }
   print(status_screen(*ball, session.style));
-  return kDone;
-}
-
-int run_pins(Session& session) {
-  const auto message = one_telemetry(session.connection);
-  if (!message) {
-    return complain(message.error());
-  }
-  const Status& status = message->telemetry.status;
-  if (session.json) {
-    std::puts(json{{"time_ns", status.time_ns}, {"pins", status.pins}}.dump().c_str());
-    return kDone;
-  }
-  std::optional<model::Vec3> up;
-  if (status.orientation) {
-    up = status.orientation->up;
-  }
-  print(ball_map(status.pins, {.ascii = session.style.ascii, .room_up = up}));
-  const std::string legend = ball_map_legend(session.style.ascii);
-  if (status.pin) {
-    std::printf("    %s%s N at pin %lld\n", left(legend, 44).c_str(),
-                fixed(status.force_n, 3).c_str(), static_cast<long long>(*status.pin));
-  } else {
-    std::printf("    %s\n", legend.c_str());
-  }
   return kDone;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The verbs that look: status, pins, clients, forecast, check. Each returns the exit code.
+// The verbs that look: status, clients, forecast, check. Each returns the exit code.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,6 @@
 namespace hedgehog::client {
 
 int run_status(Session& session);
-/// The ball unrolled, once.
-int run_pins(Session& session);
 int run_clients(Session& session);
 
 struct ForecastOptions {

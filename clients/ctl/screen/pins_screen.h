@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// `hedgehogctl pins --live`: how far each pin is out, in 80x22.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "clients/ctl/screen/ball.h"
+#include "clients/ctl/screen/status_screen.h"
+
+namespace hedgehog::client {
+
+/// The ball unrolled with a number at each pin, then the pins that are farthest out.
+/// `ball.status.pins` as the daemon told them; a daemon that does not gives a ball at rest.
+std::vector<std::string> pins_screen(const Ball& ball, const ScreenStyle& style);
+
+/// One line for a pipe: "  12.30 s    5.0 A   0.062 N   +0.077 mm at pin 34   25 out, 40 in".
+std::string pins_line(const protocol::Status& status);
+
+/// "0.062 N, 0.08 mm at pin 34", or "nothing pushes".
+std::string aimed_pin_words(const protocol::Status& status);
+
+}  // namespace hedgehog::client

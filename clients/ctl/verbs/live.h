@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// What the verbs share that go on until Ctrl-C.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "clients/ctl/verbs/session.h"
+
+namespace hedgehog::client {
+
+/// The person's time of day, "14:03:21".
+std::string time_of_day();
+
+/// Calls `take` with each notification until Ctrl-C, until `take` returns false, or until the
+/// connection fails. Returns the exit code.
+int follow(Session& session, const std::function<bool(const Notification&)>& take);
+
+/// The same with a picture in place of the terminal: `draw` returns its lines, none when the
+/// notification changes nothing. SPACE is the emergency stop, `q` leaves.
+int follow_drawing(Session& session,
+                   const std::function<std::vector<std::string>(const Notification&)>& draw);
+
+}  // namespace hedgehog::client

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "clients/ctl/verbs/pins_verb.h"
+
+#include <cstdio>
+
+#include "clients/ctl/screen/ball_map.h"
+#include "clients/ctl/screen/pins_screen.h"
+#include "clients/ctl/screen/terminal.h"
+#include "clients/ctl/screen/words.h"
+#include "clients/ctl/verbs/live.h"
+
+namespace hedgehog::client {
+
+namespace {
+
+using protocol::Status;
+
+constexpr double kRedrawHz = 10.0;
+/// Lines that a person reads.
+constexpr double kLinesHz = 2.0;
+/// For one look the first notification should come at once.
+constexpr double kSoonHz = 50.0;
+
+void print_once(const Status& status, const ScreenStyle& style) {
+  std::optional<model::Vec3> up;
+  if (status.orientation) {
+    up = status.orientation->up;
+  }
+  for (const std::string& line :
+       ball_map(status.pins.force_n, {.ascii = style.ascii, .room_up = up})) {
+    std::puts(line.c_str());
+  }
+  const std::string legend = ball_map_legend(style.ascii);
+  const std::string line =
+      status.pin ? left(legend, 44) + aimed_pin_words(status) : std::string(legend);
+  std::printf("    %s\n", line.c_str());
+}
+
+protocol::TelemetrySubscribe subscription(double rate_hz, bool json) {
+  if (!json) {
+    return {rate_hz, protocol::kEveryStatusKey};
+  }
+  protocol::StatusKeys pins;
+  pins.add(protocol::StatusKey::kPins);
+  return {rate_hz, pins};
+}
+
+int draw_pins(Session& session) {
+  auto ball = look(session.connection);
+  if (!ball) {
+    return complain(ball.error());
+  }
+  if (auto told = session.connection.call(subscription(kRedrawHz, false)); !told) {
+    return complain(told.error());
+  }
+  return follow_drawing(session, [&](const Notification& told) {
+    const auto* telemetry = std::get_if<protocol::TelemetryMessage>(&told);
+    if (telemetry == nullptr) {
+      return std::vector<std::string>{};
+    }
+    ball->status = telemetry->telemetry.status;
+    return pins_screen(*ball, session.style);
+  });
+}
+
+}  // namespace
+
+int run_pins(Session& session, const PinsOptions& options) {
+  if (options.live && options.count == 0 && !session.json && terminal_traits().picture) {
+    return draw_pins(session);
+  }
+  const double rate_hz = !options.live ? kSoonHz : session.json ? kRedrawHz : kLinesHz;
+  if (auto told = session.connection.call(subscription(rate_hz, session.json)); !told) {
+    return complain(told.error());
+  }
+  const std::int64_t wanted = options.live ? options.count : 1;
+  std::int64_t count = 0;
+  return follow(session, [&](const Notification& told) {
+    if (const auto* telemetry = std::get_if<protocol::TelemetryMessage>(&told)) {
+      if (session.json) {
+        std::puts(telemetry->json.c_str());
+      } else if (options.live) {
+        std::puts(pins_line(telemetry->telemetry.status).c_str());
+      } else {
+        print_once(telemetry->telemetry.status, session.style);
+      }
+      std::fflush(stdout);
+      ++count;
+    }
+    return wanted == 0 || count < wanted;
+  });
+}
+
+}  // namespace hedgehog::client

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+// The live twin: what telemetry says of every pin, against the reference and against the plant.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/server/server_rig.h"
+
+namespace hedgehog::server {
+namespace {
+
+/// A pentagon's five neighbours on top are of the commonest class, far from the removed magnets.
+constexpr std::size_t kHexagonPin = 1;
+constexpr std::size_t kPentagonPin = 0;
+
+/// What telemetry says of the pins now.
+Json pins_now(ServerRig& rig, FakeClient& client) {
+  rig.call(client, "telemetry.subscribe", {{"rate_hz", 200}, {"fields", {"pins"}}});
+  rig.heard(client, LineKind::kTelemetry);
+  rig.run(10);
+  return rig.heard(client, LineKind::kTelemetry).back()["pins"];
+}
+
+void hold(ServerRig& rig, FakeClient& client, const Json& direction, double current_a) {
+  rig.call(client, "effect.hold",
+           {{"direction", direction}, {"current_a", current_a}, {"lease_ms", 10000}});
+  rig.run(100);
+}
+
+device::SimulatedBoardOptions board_of(const config::Config& config) {
+  device::SimulatedBoardOptions options;
+  options.plant = model::PlantParameters::of(config.device.coils, config.device.thermal);
+  options.plant.force_slope_n_a = config.device.force_slope_n_a;
+  return options;
+}
+
+struct ReferenceExtension {
+  double slope_n_a;
+  double current_a;
+  double force_at_rest_n;
+  double extension_mm;
+};
+
+// Reference: physics.md section 6, the commonest pin by both calibrations. The coil's force falls
+// while the pin is out: at rest it is 5 % less than at offset 0.
+TEST(Pins, AnAimedPinIsOutAsFarAsTheReferenceSays) {
+  for (const ReferenceExtension& wanted : {ReferenceExtension{0.0126, 5.0, 0.060, 0.077},
+                                           ReferenceExtension{0.0126, 15.0, 0.179, 0.236},
+                                           ReferenceExtension{0.02667, 5.0, 0.127, 0.165},
+                                           ReferenceExtension{0.02667, 15.0, 0.380, 0.521}}) {
+    config::Config config;
+    config.device.force_slope_n_a = wanted.slope_n_a;
+    ServerRig rig(config);
+    FakeClient& game = rig.connect();
+    hold(rig, game, {{"pin", kHexagonPin}}, wanted.current_a);
+    const Json pins = pins_now(rig, game);
+    EXPECT_NEAR(pins["extension_mm"][kHexagonPin], wanted.extension_mm, 0.005)
+        << wanted.slope_n_a << " N/A at " << wanted.current_a << " A";
+    EXPECT_NEAR(pins["force_n"][kHexagonPin].get<double>(), wanted.slope_n_a * wanted.current_a,
+                1e-3);
+    EXPECT_NEAR(pins["force_n"][kHexagonPin].get<double>() * 0.948, wanted.force_at_rest_n, 1.5e-3);
+  }
+}
+
+TEST(Pins, RestWithoutCurrentAndTheDescriptionSaysWhere) {
+  ServerRig rig;
+  FakeClient& game = rig.connect();
+  const Json pins = pins_now(rig, game);
+  ASSERT_EQ(pins["force_n"].size(), 86u);
+  ASSERT_EQ(pins["extension_mm"].size(), 86u);
+  for (std::size_t pin = 0; pin < 86; ++pin) {
+    EXPECT_EQ(pins["force_n"][pin], 0.0) << pin;
+    EXPECT_EQ(pins["extension_mm"][pin], 0.0) << pin;
+  }
+  const Json described = rig.call(game, "device.describe")["pins"];
+  EXPECT_EQ(described[kPentagonPin]["rest_mm"], 0.0) << "lies on the shell";
+  EXPECT_NEAR(described[kHexagonPin]["rest_mm"], 0.50, 0.01);
+}
+
+// Reference: physics.md, "Beyond the thesis": a pentagon's pin lies on the shell with 0.19 N of
+// preload, which is 15.3 A by the measured calibration.
+TEST(Pins, ThoseOnTheShellNeedMoreThanTheirPreload) {
+  ServerRig rig;
+  FakeClient& game = rig.connect();
+  hold(rig, game, {{"pin", kPentagonPin}}, 15.0);
+  const Json pins = pins_now(rig, game);
+  EXPECT_GT(pins["force_n"][kPentagonPin], 0.18);
+  EXPECT_EQ(pins["extension_mm"][kPentagonPin], 0.0);
+}
+
+TEST(Pins, ThoseOnTheFarSideArePulledInToTheShellAtMost) {
+  config::Config config;
+  config.device.force_slope_n_a = 0.02667;
+  ServerRig rig(config);
+  FakeClient& game = rig.connect();
+  const Json described = rig.call(game, "device.describe")["pins"];
+  hold(rig, game, {0.1, 0.7, 0.2}, 15.0);
+  const Json pins = pins_now(rig, game);
+  double least = 0.0;
+  for (std::size_t pin = 0; pin < 86; ++pin) {
+    const double out = pins["extension_mm"][pin];
+    EXPECT_GE(out, -described[pin]["rest_mm"].get<double>() - 1e-3) << pin;
+    EXPECT_GE(out * pins["force_n"][pin].get<double>(), 0.0) << pin;
+    least = std::min(least, out);
+  }
+  EXPECT_LT(least, -0.3);
+}
+
+TEST(Pins, AreThoseOfThePlantWhateverWayTheWindingsSit) {
+  config::Config config;
+  config.device.coils.matrix = {{{0, -1.1, 0}, {0.95, 0.05, 0}, {0, 0, 1}}};
+  ServerRig rig(config, board_of(config));
+  FakeClient& game = rig.connect();
+  hold(rig, game, {1, 2, 3}, 9.0);
+  const Json told = pins_now(rig, game);
+  const model::PinMotion real =
+      rig.world.board().plant().pins(model::hedgehog_86(), model::hedgehog_86_curves());
+  for (std::size_t pin = 0; pin < 86; ++pin) {
+    EXPECT_NEAR(told["force_n"][pin], real.force_n[pin], 2e-4) << pin;
+    EXPECT_NEAR(told["extension_mm"][pin], real.extension_mm[pin], 1e-3) << pin;
+  }
+  EXPECT_GT(*std::max_element(real.extension_mm.begin(), real.extension_mm.end()), 0.12);
+  EXPECT_LT(*std::min_element(real.extension_mm.begin(), real.extension_mm.end()), -0.1);
+}
+
+TEST(Pins, OfABallThatIsStrongerThanItsFileMoveFarther) {
+  config::Config config;
+  device::SimulatedBoardOptions strong = board_of(config);
+  strong.plant.force_slope_n_a = 0.02667;
+  ServerRig rig(config, strong);
+  FakeClient& game = rig.connect();
+  hold(rig, game, {{"pin", kHexagonPin}}, 15.0);
+  const model::PinMotion real =
+      rig.world.board().plant().pins(model::hedgehog_86(), model::hedgehog_86_curves());
+  EXPECT_NEAR(real.extension_mm[kHexagonPin], 0.521, 0.005);
+  EXPECT_NEAR(pins_now(rig, game)["extension_mm"][kHexagonPin], 0.236, 0.005);
+}
+
+TEST(Pins, WhatIsAskedAndDoesNotFlowMovesNothing) {
+  ServerRig rig;
+  FakeClient& game = rig.connect();
+  rig.call(game, "sim.set", {{"fault", {{"faults", {"open_winding"}}, {"coil", 1}}}});
+  rig.call(game, "telemetry.subscribe", {{"rate_hz", 200}, {"fields", {"pins", "force_n"}}});
+  rig.call(game, "effect.hold", {{"direction", "left"}, {"current_a", 5}});
+  rig.run(100);
+  double asked_n = 0.0;
+  for (const Json& told : rig.heard(game, LineKind::kTelemetry)) {
+    asked_n = std::max(asked_n, told["force_n"].get<double>());
+    for (const Json& out : told["pins"]["extension_mm"]) {
+      EXPECT_EQ(out, 0.0);
+    }
+  }
+  EXPECT_GT(asked_n, 0.05);
+}
+
+TEST(Pins, RestWhenTheBoardIsSilent) {
+  ServerRig rig;
+  FakeClient& game = rig.connect();
+  hold(rig, game, "left", 15.0);
+  EXPECT_GT(pins_now(rig, game)["extension_mm"][34], 0.2);
+  rig.call(game, "sim.set", {{"fault", {{"faults", {"silent"}}}}});
+  rig.run(1000);
+  ASSERT_EQ(rig.call(game, "device.status")["state"], "absent");
+  EXPECT_EQ(pins_now(rig, game)["extension_mm"][34], 0.0);
+}
+
+// 200 Hz of them are less than 300 kB/s.
+TEST(Pins, AreALineOfLessThan1500Bytes) {
+  ServerRig rig;
+  FakeClient& game = rig.connect();
+  hold(rig, game, {1, 2, 3}, 15.0);
+  EXPECT_LT(Json({{"pins", pins_now(rig, game)}}).dump().size(), 1450u);
+}
+
+}  // namespace
+}  // namespace hedgehog::server
