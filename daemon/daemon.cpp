@@ -185,12 +185,6 @@ void Daemon::reload() {
   const bool too_wide =
       !model::is_within(next.limits, next.device.limits) ||
       device::BoardLimits::of(next.limits).wider_than(device::BoardLimits::of(config_.limits));
-  const bool restart = fresh->backend != next.backend || fresh->device_file != next.device_file ||
-                       fresh->imu != next.imu || !(fresh->imu_fitting == next.imu_fitting) ||
-                       !(fresh->thermometer == next.thermometer) ||
-                       !(fresh->listen == next.listen) || !(fresh->http == next.http) ||
-                       !(fresh->simulator == next.simulator) ||
-                       fresh->state_directory != next.state_directory || too_wide;
   if (too_wide) {
     next.limits = config_.limits;
   }
@@ -205,7 +199,9 @@ void Daemon::reload() {
   listener_.set_config(next);
   set_log_level(next.log_level);
   spdlog::info("configuration reloaded{}",
-               restart ? "; some of it takes effect at the next start only" : "");
+               config::same_settings(*fresh, next)
+                   ? ""
+                   : "; some of it takes effect at the next start only");
   manager_.ready(status_line());
 }
 

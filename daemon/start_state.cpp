@@ -28,11 +28,13 @@ StartState start_state(const config::Config& config, const std::optional<server:
     // Nobody has to measure a ball that was made at this temperature.
     start.simulated_c = config.simulator.start_temperature_c.value_or(config.simulator.ambient_c);
     s.start_known = true;
+    s.start_measured.fill(true);
     s.start.winding_c.fill(start.simulated_c);
     s.start.core_c = start.simulated_c;
     s.start_room_c = config.simulator.ambient_c;
   } else if (saved && saved->heat_known) {
     s.start_known = true;
+    s.start_measured = saved->measured;
     s.start = server::decayed(config.device.thermal, saved->heat, saved->room_c,
                               wall_time_s - saved->wall_time_s);
     s.start_room_c = saved->room_c;

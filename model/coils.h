@@ -35,6 +35,8 @@ struct CoilModel {
   double inductance_h = 1.5e-3;
   /// Nominal supply of the bridges, volt.
   double supply_v = 12.0;
+
+  friend constexpr bool operator==(const CoilModel&, const CoilModel&) noexcept = default;
 };
 
 /// Copper: +0.393 %/K about 25 C (reference: hardware.md section 1.3).

@@ -37,6 +37,8 @@ struct DeviceModel {
   Limits limits;
   /// Boards that drive this kind of ball.
   std::vector<UsbId> usb{{0x1209, 0x0001}};
+
+  friend bool operator==(const DeviceModel&, const DeviceModel&) = default;
 };
 
 }  // namespace hedgehog::model

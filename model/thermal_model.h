@@ -20,6 +20,8 @@ struct ThermalModel {
   /// On which winding (0..2) the thermistor sits, and how it lags, seconds (first order).
   int sensor_winding = 0;
   double sensor_lag_s = 2.0;
+
+  friend constexpr bool operator==(const ThermalModel&, const ThermalModel&) noexcept = default;
 };
 
 /// An undriven winding is never thought cooler than it is: it cools towards the core at this

@@ -62,9 +62,11 @@ class ThermalObserver {
   /// are not finite, or currents above 100 A, count as not measured.
   void step(const ThermalMeasurement& measurement, double dt_s = kTickSeconds) noexcept;
   const ThermalEstimate& estimate() const noexcept { return estimate_; }
-  /// The start values were measured by the sensor, not guessed: marks windings as not needing the 5
-  /// A hold.
-  void trust_start() noexcept { estimate_.measured = {true, true, true}; }
+  /// The start values of these windings go back to a measurement of theirs, so they need no hold to
+  /// continuous_a.
+  void trust_start(const std::array<bool, kCoils>& measured) noexcept {
+    estimate_.measured = measured;
+  }
   /// The room as saved before a restart.
   void set_room(double room_c) noexcept { estimate_.room_c = room_c; }
 

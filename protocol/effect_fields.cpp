@@ -28,19 +28,18 @@ void at_most_one(Fields& f, std::string_view names,
   }
 }
 
-/// `v` with the defaults of its method filled in, unless it is an update.
-void check_end(Fields& f, const EffectParams& v) {
-  at_most_one(f, "duration_ms and lease_ms",
-              {{"duration_ms", v.duration_ms.has_value()}, {"lease_ms", v.lease_ms.has_value()}});
+}  // namespace
+
+std::optional<RpcError> check_end(const EffectParams& v) {
   if (v.lease_ms && v.fade_ms.value_or(0) > 0) {
-    f.fail(invalid_params("fade_ms", "an effect with lease_ms has no known end to fade to"));
+    return invalid_params("fade_ms", "an effect with lease_ms has no known end to fade to");
   }
   if (v.lease_ms && v.on_close == OnClose::kFinish) {
-    f.fail(invalid_params("on_close", "only an effect with duration_ms can finish"));
+    return invalid_params("on_close", "only an effect with duration_ms can finish");
   }
   const std::optional<std::int64_t>& duration = v.duration_ms;
   if (!duration) {
-    return;
+    return std::nullopt;
   }
   const std::int64_t attack = v.attack_ms.value_or(0);
   const std::int64_t fade = v.fade_ms.value_or(0);
@@ -52,7 +51,7 @@ void check_end(Fields& f, const EffectParams& v) {
                            " ms together, longer than duration_ms " + std::to_string(*duration));
     error.limit = *duration - (by_fade ? attack : 0);
     error.value = by_fade ? fade : attack;
-    f.fail(std::move(error));
+    return error;
   }
   if (v.on_close == OnClose::kFinish && *duration > kMaxFinishMs) {
     RpcError error = invalid_params(
@@ -60,9 +59,12 @@ void check_end(Fields& f, const EffectParams& v) {
                            ", the most that on_close \"finish\" allows");
     error.limit = kMaxFinishMs;
     error.value = *duration;
-    f.fail(std::move(error));
+    return error;
   }
+  return std::nullopt;
 }
+
+namespace {
 
 void check(Fields& f, const EffectParams& v, Method method) {
   at_most_one(f, "level, current_a and force_n",
@@ -71,7 +73,11 @@ void check(Fields& f, const EffectParams& v, Method method) {
                {"force_n", v.force_n.has_value()}});
   at_most_one(f, "start_at_ns and delay_ms",
               {{"start_at_ns", v.start_at_ns.has_value()}, {"delay_ms", v.delay_ms.has_value()}});
-  check_end(f, method == Method::kEffectUpdate ? v : with_defaults(method, v));
+  at_most_one(f, "duration_ms and lease_ms",
+              {{"duration_ms", v.duration_ms.has_value()}, {"lease_ms", v.lease_ms.has_value()}});
+  if (auto wrong = check_end(method == Method::kEffectUpdate ? v : with_defaults(method, v))) {
+    f.fail(*std::move(wrong));
+  }
   if ((method == Method::kEffectPulse || method == Method::kEffectHold) && !v.direction) {
     f.fail(invalid_params("direction", "is missing; for example \"direction\":\"left\""));
   }

@@ -13,6 +13,7 @@
 
 #include "model/effect.h"
 #include "protocol/direction.h"
+#include "protocol/error.h"
 #include "protocol/method.h"
 
 namespace hedgehog::protocol {
@@ -75,6 +76,10 @@ inline constexpr std::int64_t kMaxSlotCharacters = 32;
 /// duration_ms nor lease_ms is said.
 /// REQUIRES: method is one of effect.pulse, circle, vibrate, hold.
 EffectParams with_defaults(Method method, EffectParams params);
+
+/// What is wrong with how `params`, defaults filled in, begin and end: a fade without a known end,
+/// attack and fade longer than the whole, a "finish" that is too long. nullopt: nothing.
+std::optional<RpcError> check_end(const EffectParams& params);
 
 /// The effect that `method` plays; nullopt for methods that play nothing.
 std::optional<model::EffectMethod> effect_of(Method method) noexcept;

@@ -182,4 +182,8 @@ std::string print_config(const Config& config) {
   return to_json(write_keys(config_keys(), draft));
 }
 
+bool same_settings(const Config& a, const Config& b) {
+  return a.device == b.device && print_config(a) == print_config(b);
+}
+
 }  // namespace hedgehog::config

@@ -43,5 +43,7 @@ boost::system::result<Config, ConfigErrors> load_config(const Paths& paths,
 /// JSON with every key and its value in effect; loaded as a configuration file it gives the same
 /// Config.
 std::string print_config(const Config& config);
+/// The same settings, and the same device file content; where they were read does not count.
+bool same_settings(const Config& a, const Config& b);
 
 }  // namespace hedgehog::config

@@ -2,6 +2,7 @@
 // What the controller is told once, before its first tick. Trivially copyable.
 #pragma once
 
+#include <array>
 #include <type_traits>
 
 #include "daemon/control/state.h"
@@ -31,11 +32,13 @@ struct ControlSettings {
   /// The latch saved by the last run; kNone: none.
   Reason latch = Reason::kNone;
 
-  /// `start` was read from a good file: each node then starts at max(`start`, thermistor), and the
-  /// windings count as known. False: every node starts at the thermistor's reading, and a driven
-  /// winding is held to `continuous_a` until its own V/I has measured.
+  /// `start` was read from a good file: each node then starts at max(`start`, thermistor). False:
+  /// every node starts at the thermistor's reading.
   bool start_known = false;
   model::ThermalState start;
+  /// Windings whose `start` goes back to a measurement of theirs. The others are held to
+  /// `continuous_a` until their own V/I has measured.
+  std::array<bool, model::kCoils> start_measured{};
   /// Saved room temperature, used when `start_known`; NaN or infinite: unknown.
   double start_room_c = 25.0;
 };

@@ -95,7 +95,7 @@ void Controller::start_observer(double sensor_c) noexcept {
   }
   observer_ = model::ThermalObserver(settings_.coils, settings_.thermal, start);
   if (settings_.start_known) {
-    observer_.trust_start();
+    observer_.trust_start(settings_.start_measured);
     if (std::isfinite(settings_.start_room_c)) observer_.set_room(settings_.start_room_c);
   }
   observing_ = true;
@@ -169,7 +169,7 @@ void Controller::set_coils(const model::CoilModel& coils) noexcept {
   const model::ThermalEstimate before = observer_.estimate();
   observer_ = model::ThermalObserver(coils, settings_.thermal, before.nodes);
   observer_.set_room(before.room_c);
-  if (before.measured[0] && before.measured[1] && before.measured[2]) observer_.trust_start();
+  observer_.trust_start(before.measured);
   watchdog_ = Watchdog(coils, settings_.thermal.sensor_winding, settings_.thermometer);
 }
 
@@ -235,7 +235,7 @@ device::BoardCommand Controller::drive(bool playing, double dt_s) noexcept {
         device::BoardCommand::drive(passed_, observer_.estimate().resistance_ohm,
                                     settings_.coils.inductance_h, flowing_a_, board_.supply_v);
   }
-  command.fan = fan_.step(observer_.estimate().hottest_c, norm(pair_.after_a()), dt_s);
+  command.fan = fan_.step(thermal().hottest_c, norm(pair_.after_a()), dt_s);
   if (states_.state() == State::kTripped) command.fan = 255;
   command.arm_count = states_.arm_count();
   return command;

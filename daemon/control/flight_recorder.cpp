@@ -41,7 +41,7 @@ void FlightRecorder::before(const Controller& controller, const StepInputs& inpu
   }
   if (since_key_ >= kKeyFrameEvery) key_frame(controller);
   ++since_key_;
-  const RecordHead head = head_of(inputs);
+  const TickInputs& head = inputs;
   write(&head, sizeof(head));
   write(inputs.stops.data(), sizeof(StopRequest) * inputs.stop_count);
   write(inputs.commands.data(), sizeof(Command) * inputs.command_count);

@@ -94,41 +94,19 @@ int find_build_id(dl_phdr_info* info, std::size_t, void* out) {
 }
 
 bool read_inputs(Reader& reader, StepInputs& inputs) noexcept {
-  RecordHead head;
+  TickInputs head;
   reader.take(&head);
   if (!reader.good() || head.stop_count > inputs.stops.size() ||
       head.command_count > inputs.commands.size()) {
     return false;
   }
-  inputs.tick = head.tick;
-  inputs.skipped = head.skipped;
-  inputs.emergency_generation = head.emergency_generation;
-  inputs.board_present = head.board_present;
-  inputs.board_fresh = head.board_fresh;
-  inputs.board = head.board;
-  inputs.orientation = head.orientation;
-  inputs.stop_count = head.stop_count;
-  inputs.command_count = head.command_count;
+  static_cast<TickInputs&>(inputs) = head;
   reader.take(inputs.stops.data(), head.stop_count);
   reader.take(inputs.commands.data(), head.command_count);
   return reader.good();
 }
 
 }  // namespace
-
-RecordHead head_of(const StepInputs& inputs) noexcept {
-  RecordHead head;
-  head.stop_count = inputs.stop_count;
-  head.command_count = inputs.command_count;
-  head.skipped = inputs.skipped;
-  head.emergency_generation = inputs.emergency_generation;
-  head.board_present = inputs.board_present;
-  head.board_fresh = inputs.board_fresh;
-  head.tick = inputs.tick;
-  head.board = inputs.board;
-  head.orientation = inputs.orientation;
-  return head;
-}
 
 std::string build_id() {
   std::string id;

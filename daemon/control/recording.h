@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The last seconds of the controller as bytes: its state at one tick, then the inputs and outputs
-// of each tick from there. Only the program that wrote them can replay them, so they carry its
-// build id.
+// The last seconds of the controller as bytes: its state at one tick, then the inputs (TickInputs,
+// the stops, the commands) and outputs of each tick from there. Only the program that wrote them
+// can replay them, so they carry its build id.
 #pragma once
 
 #include <cstddef>
@@ -16,23 +16,6 @@
 #include "daemon/control/tick_outputs.h"
 
 namespace hedgehog::control {
-
-/// The fixed part of a tick's record; `stops`, `commands` and `TickOutputs` follow it.
-struct RecordHead {
-  std::uint16_t stop_count = 0;
-  std::uint16_t command_count = 0;
-  std::uint32_t skipped = 0;
-  std::uint32_t emergency_generation = 0;
-  bool board_present = false;
-  bool board_fresh = false;
-  model::Tick tick = 0;
-  device::BoardTelemetry board;
-  device::OrientationSample orientation;
-};
-
-static_assert(std::is_trivially_copyable_v<RecordHead>);
-
-RecordHead head_of(const StepInputs& inputs) noexcept;
 
 /// Identifies this very program: its linker's build id in hex, else its version.
 std::string build_id();

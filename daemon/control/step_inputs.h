@@ -23,7 +23,8 @@ struct StopRequest {
   EndReason reason = EndReason::kStopped;
 };
 
-struct StepInputs {
+/// The fixed part; a recording keeps it whole.
+struct TickInputs {
   model::Tick tick = 0;
   /// Ticks between the last step and this one that were never run (the thread was late).
   std::uint32_t skipped = 0;
@@ -39,6 +40,9 @@ struct StepInputs {
 
   std::uint16_t stop_count = 0;
   std::uint16_t command_count = 0;
+};
+
+struct StepInputs : TickInputs {
   std::array<StopRequest, kEffectPlaces> stops{};
   std::array<Command, kMaxCommandsPerTick> commands{};
 };

@@ -87,11 +87,11 @@ protocol::Admission admission(const Machine& machine, EffectRegistry& effects,
   }
   const Load own = load_of(spec, config.device.coils, now.orientation);
   const Load asked = others.priority == spec.priority ? others.load + own : own;
-  double factor = now.gain;
-  if (now.gain < 1.0) {
+  double factor = machine.gain();
+  if (factor < 1.0) {
     out.limited_by = "configuration";
   }
-  double flowing_a = asked.peak_a() * now.gain;
+  double flowing_a = asked.peak_a() * factor;
   if (flowing_a > config.limits.current_a + kEpsilonA) {
     out.limited_by = "mix";
     factor *= config.limits.current_a / flowing_a;

@@ -37,6 +37,7 @@ Connection::Connection(Socket socket, Server& server, Session session, std::size
       session_(std::move(session)),
       queue_(queue_bytes),
       wake_(socket_.get_executor(), asio::steady_timer::time_point::max()),
+      owed_(socket_.get_executor(), asio::steady_timer::time_point::max()),
       farewell_(socket_.get_executor()) {
   session_.sink = this;
 }
@@ -56,9 +57,12 @@ void Connection::start() {
       spdlog::error("connection {} ends: {}", self->session_.id, e.what());
     }
     self->server_.close(self->session_);
+    while (!self->finishing_) {
+      error_code let_go;
+      co_await self->owed_.async_wait(asio::redirect_error(asio::use_awaitable, let_go));
+    }
     spdlog::info("connection {} closed{}", self->session_.id,
                  self->session_.client.empty() ? "" : " (" + self->session_.client + ")");
-    self->finish();
   };
   asio::co_spawn(socket_.get_executor(), run(shared_from_this()), asio::detached);
 }
@@ -68,6 +72,7 @@ void Connection::finish() {
     return;
   }
   finishing_ = true;
+  owed_.cancel();
   wake_.cancel();
   farewell_.expires_after(kFarewell);
   farewell_.async_wait([self = shared_from_this()](error_code ec) {

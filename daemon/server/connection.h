@@ -25,7 +25,7 @@ class Connection final : public Sink, public std::enable_shared_from_this<Connec
   /// Starts its coroutines.
   void start();
   /// Sends what waits (1 s at most), then closes.
-  void finish();
+  void finish() override;
 
   void send(std::string line, LineKind kind) override;
 
@@ -43,6 +43,7 @@ class Connection final : public Sink, public std::enable_shared_from_this<Connec
   Session session_;
   WriteQueue queue_;
   boost::asio::steady_timer wake_;
+  boost::asio::steady_timer owed_;  // waits until no answer is owed any more
   boost::asio::steady_timer farewell_;
   bool finishing_ = false;
   bool aborted_ = false;

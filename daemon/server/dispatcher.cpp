@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/server/dispatcher.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "daemon/server/handlers.h"
@@ -83,8 +84,9 @@ void Dispatcher::poll() {
   });
 }
 
-void Dispatcher::forget(ConnectionId session) {
-  std::erase_if(waiting_, [&](const Waiting& w) { return w.reply->session == session; });
+bool Dispatcher::owes(ConnectionId session) const noexcept {
+  return std::any_of(waiting_.begin(), waiting_.end(),
+                     [&](const Waiting& w) { return w.reply->session == session; });
 }
 
 void Dispatcher::send_if_complete(const Reply& reply) {

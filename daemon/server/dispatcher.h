@@ -33,8 +33,8 @@ class Dispatcher {
   /// After every new snapshot.
   void poll();
   bool waiting() const noexcept { return !waiting_.empty(); }
-  /// The session is gone; nobody waits for its answers.
-  void forget(ConnectionId session);
+  /// Answers to `session` are still to come.
+  bool owes(ConnectionId session) const noexcept;
 
  private:
   /// The answers to one line, until all are there.

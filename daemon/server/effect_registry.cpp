@@ -68,6 +68,13 @@ const Effect* EffectRegistry::at(std::uint8_t place, control::EffectId id) const
   return e.id == id && id != 0 ? &e : nullptr;
 }
 
+void EffectRegistry::begun(std::uint8_t place, control::EffectId id) noexcept {
+  Effect& e = places_[place];
+  if (e.id == id) {
+    e.begun = true;
+  }
+}
+
 const Effect* EffectRegistry::any(control::EffectId id) const noexcept {
   for (const Effect& e : places_) {
     if (addressable(e) && e.id == id) {

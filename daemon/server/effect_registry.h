@@ -30,6 +30,8 @@ struct Effect {
   model::EffectSpec spec;
   /// Of the command that started it.
   std::uint64_t seq = 0;
+  /// Its onset has come.
+  bool begun = false;
   /// Its end was asked for (stopped, replaced); nobody can address it any more.
   bool ending = false;
 };
@@ -60,6 +62,7 @@ class EffectRegistry {
   Effect* find(ConnectionId owner, std::string_view slot) noexcept;
   /// nullptr: unknown, or ended and reported.
   const Effect* at(std::uint8_t place, control::EffectId id) const noexcept;
+  void begun(std::uint8_t place, control::EffectId id) noexcept;
   const Effect* any(control::EffectId id) const noexcept;
 
   /// All that can still be addressed; owner 0: of everybody.

@@ -189,9 +189,8 @@ protocol::Result<EffectParams> merged(model::EffectMethod method, EffectParams b
   lay_over(base.speed_pins_s, update.speed_pins_s);
   lay_over(base.sense, update.sense);
   lay_over(base.stepping, update.stepping);
-  if (base.on_close == protocol::OnClose::kFinish &&
-      base.duration_ms.value_or(protocol::kMaxFinishMs + 1) > protocol::kMaxFinishMs) {
-    return protocol::invalid_params("on_close", "finish needs a duration_ms of at most 2000");
+  if (const auto wrong = protocol::check_end(base)) {
+    return *wrong;
   }
   return base;
 }

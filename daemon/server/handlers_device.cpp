@@ -55,7 +55,7 @@ Outcome device_describe(Call& call, const protocol::DeviceDescribe&) {
   d.limits = {l.current_a, l.continuous_a, l.felt_a, l.derate_from_c,
               l.sustain_c, l.zero_c,       l.trip_c, l.rearm_c};
   d.calibration.force_n_per_a = device.force_slope_n_a;
-  d.gain = machine.now().gain;
+  d.gain = machine.gain();
   d.board.backend = d.simulated ? "simulator" : "usb";
   d.board.present = machine.now().board_present;
   d.imu.type = config::name(config.imu);
@@ -146,7 +146,7 @@ Outcome device_release(Call& call, const protocol::DeviceRelease&) {
 }
 
 Outcome output_set_gain(Call& call, const protocol::OutputSetGain& request) {
-  const auto seq = call.machine().outbox().add(call.session.id, control::SetGain{request.gain});
+  const auto seq = call.machine().ask_gain(call.session.id, request.gain);
   if (!seq) {
     return Answer(queue_full());
   }

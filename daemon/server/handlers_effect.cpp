@@ -155,6 +155,11 @@ Outcome effect_update(Call& call, const protocol::EffectUpdate& request) {
   if (auto refused = claimed(call)) {
     return Answer(std::move(*refused));
   }
+  const bool onset_moved = request.params.delay_ms || request.params.start_at_ns;
+  if (onset_moved && effect->begun) {
+    return Answer(protocol::invalid_params(request.params.delay_ms ? "delay_ms" : "start_at_ns",
+                                           "this effect has begun already"));
+  }
   const auto params = merged(effect->spec.method, effect->params, request.params);
   if (params.has_error()) {
     return Answer(params.error());

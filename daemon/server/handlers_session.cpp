@@ -10,15 +10,6 @@
 namespace hedgehog::server {
 
 Outcome hello(Call& call, const protocol::Hello& request) {
-  if (!request.protocol.empty() && request.protocol != "1" && !request.protocol.starts_with("1.")) {
-    protocol::RpcError e =
-        protocol::error(protocol::ErrorCode::kUnsupported,
-                        "protocol: this server speaks 1.0 to 1.x, not " + request.protocol);
-    e.field = "protocol";
-    e.limit = std::string("1.x");
-    e.value = request.protocol;
-    return Answer(std::move(e));
-  }
   if (request.token) {
     return Answer(protocol::error(protocol::ErrorCode::kUnauthorized,
                                   "token: this server knows no tokens; connect without one"));

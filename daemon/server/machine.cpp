@@ -40,6 +40,15 @@ void Machine::refresh() {
   keep_orientation_fresh();
 }
 
+std::optional<std::uint64_t> Machine::ask_gain(ConnectionId owner, double gain) {
+  const auto seq = outbox_.add(owner, control::SetGain{gain});
+  if (seq) {
+    asked_gain_ = gain;
+    gain_seq_ = *seq;
+  }
+  return seq;
+}
+
 void Machine::set_config(const config::Config& config) {
   if (!(config.limits == config_.limits)) {
     link_.limits.write(device::BoardLimits::of(config.limits));

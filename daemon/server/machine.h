@@ -48,6 +48,13 @@ class Machine {
   /// Why the ball is not armed, as a sentence; nullopt when it is.
   std::optional<std::string> remedy_now() const;
 
+  /// Asks for another comfort gain; its seq, nullopt when there is no room.
+  std::optional<std::uint64_t> ask_gain(ConnectionId owner, double gain);
+  /// In force, or asked for and about to be.
+  double gain() const noexcept {
+    return snapshot_.applied_seq < gain_seq_ ? asked_gain_ : snapshot_.gain;
+  }
+
   Outbox& outbox() noexcept { return outbox_; }
   control::Mailbox& mailbox() noexcept { return mailbox_; }
 
@@ -75,6 +82,8 @@ class Machine {
   device::SimulatorSettings simulator_;
   device::OrientationSample orientation_;
   double mean_current_a_ = 0.0;
+  double asked_gain_ = 1.0;
+  std::uint64_t gain_seq_ = 0;
 };
 
 }  // namespace hedgehog::server

@@ -34,6 +34,7 @@ std::string encode(const SavedState& s) {
   Json json{{"version", kVersion},
             {"wall_time_s", s.wall_time_s},
             {"heat_known", s.heat_known},
+            {"measured", s.measured},
             {"winding_c", s.heat.winding_c},
             {"core_c", s.heat.core_c},
             {"room_c", s.room_c},
@@ -58,6 +59,7 @@ std::optional<SavedState> decode_saved_state(std::string_view text) {
     }
     json.at("wall_time_s").get_to(s.wall_time_s);
     json.at("heat_known").get_to(s.heat_known);
+    json.at("measured").get_to(s.measured);
     json.at("winding_c").get_to(s.heat.winding_c);
     json.at("core_c").get_to(s.heat.core_c);
     json.at("room_c").get_to(s.room_c);

@@ -3,6 +3,7 @@
 // stop was orderly, and the owner's gain. One small JSON file in the state directory.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,8 +18,10 @@ struct SavedState {
   double wall_time_s = 0.0;
   model::ThermalState heat;
   double room_c = 25.0;
-  /// Temperatures were known when it was written.
+  /// `heat` and `room_c` are of a ball, not the values above.
   bool heat_known = false;
+  /// Which windings had measured themselves, or came from such a measurement.
+  std::array<bool, model::kCoils> measured{};
   control::Reason latch = control::Reason::kNone;
   /// The daemon ended by SIGTERM without a latch.
   bool clean_stop = false;

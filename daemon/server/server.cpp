@@ -34,7 +34,7 @@ void Server::open(Session& session) {
 }
 
 void Server::close(Session& session) {
-  if (services_.sessions.erase(session.id) == 0) {
+  if (!services_.sessions.contains(session.id)) {
     return;
   }
   for (const Effect* effect : effects_.disown(session.id)) {
@@ -44,7 +44,29 @@ void Server::close(Session& session) {
   if (services_.orientation_feeder == session.id) {
     services_.orientation_feeder = 0;
   }
-  dispatcher_.forget(session.id);
+  session.telemetry.reset();
+  session.events.reset();
+  leaving_.push_back(session.id);
+  let_go();
+}
+
+void Server::let_go() {
+  std::erase_if(leaving_, [&](ConnectionId id) {
+    if (dispatcher_.owes(id)) {
+      return false;
+    }
+    const auto session = services_.sessions.find(id);
+    Sink* sink = session->second->sink;
+    services_.sessions.erase(session);
+    sink->finish();
+    return true;
+  });
+}
+
+void Server::line(Session& session, std::string_view text) {
+  // What a client hears is of now, not of the last pump.
+  machine_.refresh();
+  dispatcher_.line(session, text);
 }
 
 void Server::pump() {
@@ -52,6 +74,7 @@ void Server::pump() {
   take_events();
   machine_.outbox().flush();
   dispatcher_.poll();
+  let_go();
   send_telemetry();
 }
 
@@ -69,6 +92,7 @@ void Server::take_events() {
       const std::optional<Effect> effect = effects_.ended(event.place, event.effect);
       tell(event, effect ? &*effect : nullptr);
     } else if (event.type == control::EventType::kEffectStarted) {
+      effects_.begun(event.place, event.effect);
       tell(event, effects_.at(event.place, event.effect));
     } else {
       tell(event, nullptr);

@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "daemon/server/claim.h"
 #include "daemon/server/dispatcher.h"
@@ -27,9 +28,10 @@ class Server {
 
   /// A client has come. `session` and its sink stay until `close`.
   void open(Session& session);
-  /// It has gone: its effects end at the next tick, but for those that may play out.
+  /// It says no more: its effects end at the next tick, but for those that may play out. Its sink
+  /// hears `finish` once the answers that are owed have gone out, perhaps at once.
   void close(Session& session);
-  void line(Session& session, std::string_view text) { dispatcher_.line(session, text); }
+  void line(Session& session, std::string_view text);
   void line_too_long(Session& session) { dispatcher_.line_too_long(session); }
 
   /// Takes what the control thread has to say and passes it on.
@@ -43,6 +45,7 @@ class Server {
   Machine& machine() noexcept { return machine_; }
 
  private:
+  void let_go();
   void take_events();
   void tell(const control::Event& event, const Effect* effect);
   void send_telemetry();
@@ -54,6 +57,7 @@ class Server {
   StatusView status_;
   Services services_;
   Dispatcher dispatcher_;
+  std::vector<ConnectionId> leaving_;
   ConnectionId last_id_ = 0;
 };
 

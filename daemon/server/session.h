@@ -25,6 +25,8 @@ class Sink {
   /// `line` without LF. May end the session when its client does not read (later, never inside
   /// this call).
   virtual void send(std::string line, LineKind kind) = 0;
+  /// Nothing more will come: what was sent may go out, then the session is over.
+  virtual void finish() = 0;
 };
 
 struct TelemetrySubscription {

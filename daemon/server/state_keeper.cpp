@@ -3,7 +3,6 @@
 
 #include <spdlog/spdlog.h>
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -71,9 +70,9 @@ SavedState StateKeeper::current() const {
   if (!thermistor_seen_) {
     return state;
   }
-  const auto& measured = now.thermal.measured;
-  state.heat_known = std::all_of(measured.begin(), measured.end(), [](bool m) { return m; });
   if (finite(now.thermal.nodes) && std::isfinite(now.thermal.room_c)) {
+    state.heat_known = true;
+    state.measured = now.thermal.measured;
     state.wall_time_s = wall_time_s();
     state.heat = now.thermal.nodes;
     state.room_c = now.thermal.room_c;

@@ -121,8 +121,10 @@ protocol::Status StatusView::status(bool with_pins) {
   out.headroom_s = headroom_s_;
   out.burst_s = burst_s_;
   out.derating = s.derating;
-  out.current_a = s.board.current_a;
-  out.duty = s.board.duty;
+  if (s.board_present) {
+    out.current_a = s.board.current_a;
+    out.duty = s.board.duty;
+  }
 
   const model::Vec3 field = field_now(machine_);
   const double flowing_a = model::norm(field);
@@ -134,8 +136,8 @@ protocol::Status StatusView::status(bool with_pins) {
   }
   if (s.board_present) {
     out.fan.speed_rpm = s.board.fan_rpm;
+    out.fan.duty = s.board.fan_duty;
   }
-  out.fan.duty = s.board.fan_duty;
   if (s.orientation_present) {
     out.orientation = orientation(s);
   }

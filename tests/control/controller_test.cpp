@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "daemon/device/simulator_settings.h"
-#include "tests/rig/allocation_guard.h"
 #include "tests/rig/rig.h"
 
 namespace hedgehog::control {
@@ -219,55 +218,6 @@ TEST(Heading, RecentreTurnsWorldEffects) {
   rig.run(100);
   EXPECT_NEAR(rig.plant().current_a().y, -5.0, 0.05);
   EXPECT_NEAR(rig.snapshot().yaw_offset_deg, 0.0, 1e-9);
-}
-
-TEST(Step, AllocatesNothing) {
-  if (!rig::can_count_allocations()) GTEST_SKIP() << "the sanitizer has its own malloc";
-  const std::uint64_t at_first = rig::allocations();
-  const auto kept = std::make_unique<std::array<int, 100>>();
-  ASSERT_NE(kept, nullptr);
-  ASSERT_GT(rig::allocations(), at_first) << "the guard counts";
-
-  auto controller = std::make_unique<Controller>(rig::RigOptions::armed_at_start());
-  auto inputs = std::make_unique<StepInputs>();
-  auto events = std::make_unique<EventList>();
-  auto snapshot = std::make_unique<StatusSnapshot>();
-  device::Link link;
-  device::SimulatedBoard board;
-  std::uint64_t seen = 0;
-  device::LinkCommand command;
-  const std::uint64_t before = rig::allocations();
-  for (model::Tick tick = 1; tick < 3000; ++tick) {
-    inputs->tick = tick;
-    inputs->board_present = link.report().present;
-    inputs->board_fresh = link.report().telemetry_count != seen;
-    seen = link.report().telemetry_count;
-    inputs->board = link.report().telemetry;
-    inputs->command_count = 0;
-    inputs->stop_count = 0;
-    if (tick % 20 == 0) {
-      // A whole batch, then a stop for every place, then a trip.
-      for (std::uint8_t i = 0; i < kMaxCommandsPerTick; ++i) {
-        StartEffect start;
-        start.effect = static_cast<EffectId>(tick * 100 + i);
-        start.place = i;
-        start.spec = rig::pulse({1, 0, 0}, 1.0, 100);
-        inputs->commands[i] = {static_cast<std::uint64_t>(tick), start};
-        inputs->stops[i] = {start.effect - 2000, i, EndReason::kDisconnected};
-      }
-      inputs->command_count = kMaxCommandsPerTick;
-      inputs->stop_count = kMaxCommandsPerTick;
-    }
-    if (tick == 2500) board.apply({25.0, device::kSimSensorOpen, 0});
-    command = {command.count + 1, controller->step(*inputs, *events)};
-    controller->fill(*snapshot);
-    const device::LinkFrames frames = link.step(command);
-    board.receive(frames.set_point);
-    if (frames.other) board.receive(*frames.other);
-    if (const auto telemetry = board.step()) link.receive(*telemetry);
-  }
-  EXPECT_EQ(rig::allocations(), before);
-  EXPECT_EQ(name(controller->state()), "tripped") << "the way of a trip was walked too";
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ TEST(Replay, NoticesOneBit) {
   FlightRecorder recorder;
   auto bytes = recorded_trip(recorder);
   const std::size_t start = begin_recording(Controller(ControlSettings{})).size();
-  const std::size_t at = start + offsetof(RecordHead, emergency_generation);
+  const std::size_t at = start + offsetof(TickInputs, emergency_generation);
   bytes[at] ^= std::byte{1};
   EXPECT_EQ(replay(bytes, {}).error, ReplayError::kNotARecording) << "damaged";
   bytes.resize(bytes.size() - sizeof(std::uint32_t));

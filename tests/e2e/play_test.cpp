@@ -3,7 +3,9 @@
 // clients that only pipe, and a daemon that is stopped or killed in front of a board of its own.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -132,34 +134,41 @@ std::vector<Json> trace(const Home& home) {
   return lines;
 }
 
+/// 5 L/R of a winding, and one frame: by then nothing flows.
+constexpr int kDecayMs = 18;
+
 /// The board's own account of how it became safe.
 void expect_safe_after_dead_man(const Home& home) {
-  const auto wait_for_quiet = [&] {
-    for (int i = 0; i < 6000; ++i) {
-      for (const Json& line : trace(home)) {
-        if (line["event"] == "quiet" || line["event"] == "zero" || line["event"] == "end") {
-          return;
-        }
-      }
-      usleep(5000);
-    }
+  const auto at_zero = [&] {
+    const std::vector<Json> lines = trace(home);
+    return std::any_of(lines.begin(), lines.end(),
+                       [](const Json& line) { return line["event"] == "zero"; });
   };
-  wait_for_quiet();
+  for (int i = 0; i < 6000 && !at_zero(); ++i) {
+    usleep(5000);
+  }
   bool drove = false;
-  bool latched = false;
+  std::optional<int> latched_ms;
+  std::optional<int> zero_ms;
   for (const Json& line : trace(home)) {
     drove = drove || line["mode"] == "driving";
-    if (line["mode"] == "latched" && !latched) {
-      latched = true;
+    if (line["mode"] == "latched" && !latched_ms) {
+      latched_ms = line["board_ms"].get<int>();
       EXPECT_EQ(line["awake"], false) << line;
       EXPECT_EQ(line["duty"], 0) << line;
       // 100 ms of its own clock, and one frame.
       EXPECT_GE(line["set_point_age_ms"].get<int>(), 100) << line;
       EXPECT_LE(line["set_point_age_ms"].get<int>(), 101) << line;
     }
+    if (line["event"] == "zero" && latched_ms) {
+      zero_ms = line["board_ms"].get<int>();
+      EXPECT_LT(line["current_a"].get<double>(), 0.1) << line;
+    }
   }
   EXPECT_TRUE(drove) << home.read("trace");
-  EXPECT_TRUE(latched) << home.read("trace");
+  ASSERT_TRUE(latched_ms) << home.read("trace");
+  ASSERT_TRUE(zero_ms) << home.read("trace");
+  EXPECT_LE(*zero_ms - *latched_ms, kDecayMs);
 }
 
 class OwnBoard : public testing::Test {

@@ -11,7 +11,7 @@ top=$(cd "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
 cd "$top"
 copy=build/guards/source
 build=build/guards/build
-targets=(test_safety test_control test_device)
+targets=(test_model test_safety test_control test_device)
 
 rm -rf "$copy"
 mkdir -p "$copy"
@@ -53,16 +53,18 @@ failures_of() { # program filter
 judge() {
   [ -n "$guard" ] || return 0
   if [[ -z $word || "$hazard $guard" == *"$word"* ]]; then
-    local found='' one
+    local found='' blind='' names one
     compile || { echo "guards: without it this does not compile: $guard"; tail -n 20 "$build.log"; exit 65; }
     for one in "${red[@]}"; do
-      found+=$(failures_of "${one%% *}" "${one#* }")$'\n'
+      names=$(failures_of "${one%% *}" "${one#* }")
+      [ -n "$names" ] || blind+=" $one;"
+      found+=$names$'\n'
     done
     found=$(printf '%s' "$found" | grep . || true)
     seen=$((seen + 1))
-    if [ -z "$found" ]; then
+    if [ -n "$blind" ]; then
       survived=$((survived + 1))
-      printf 'SURVIVED  %-34.34s %s\n' "$hazard" "$guard"
+      printf 'SURVIVED  %-34.34s %s:%s\n' "$hazard" "$guard" "$blind"
     else
       printf 'red %4d  %-34.34s %s: %s\n' "$(printf '%s\n' "$found" | wc -l)" "$hazard" "$guard" \
         "$(printf '%s\n' "$found" | head -n 2 | paste -sd ' ')"

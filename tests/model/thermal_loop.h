@@ -25,7 +25,7 @@ class ThermalLoop {
   void start_at(const ThermalState& heat) {
     plant.set_heat(heat);
     observer = ThermalObserver(known_, thermal_, heat);
-    observer.trust_start();
+    observer.trust_start({true, true, true});
   }
 
   /// One tick at 1 ms with real voltages and currents. `sensor_c` is what the thermistor says.

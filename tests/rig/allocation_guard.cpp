@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "tests/rig/allocation_guard.h"
 
+#include <dlfcn.h>
+#include <pthread.h>
+
 #include <cstddef>
 #include <cstdlib>
 
@@ -20,10 +23,18 @@ namespace hedgehog::rig {
 namespace {
 
 thread_local std::uint64_t count = 0;
+thread_local std::uint64_t lock_count = 0;
+
+/// The function that one of the same name here stands in front of.
+template <class Lock>
+auto behind(const char* name) noexcept {
+  return reinterpret_cast<int (*)(Lock*)>(dlsym(RTLD_NEXT, name));
+}
 
 }  // namespace
 
 std::uint64_t allocations() noexcept { return count; }
+std::uint64_t locks() noexcept { return lock_count; }
 bool can_count_allocations() noexcept { return HEDGEHOG_COUNTS != 0; }
 
 }  // namespace hedgehog::rig
@@ -53,6 +64,26 @@ void* realloc(void* old, std::size_t size) {
 void* aligned_alloc(std::size_t alignment, std::size_t size) {
   ++hedgehog::rig::count;
   return __libc_memalign(alignment, size);
+}
+int pthread_mutex_lock(pthread_mutex_t* mutex) {
+  ++hedgehog::rig::lock_count;
+  static const auto real = hedgehog::rig::behind<pthread_mutex_t>("pthread_mutex_lock");
+  return real(mutex);
+}
+int pthread_mutex_trylock(pthread_mutex_t* mutex) {
+  ++hedgehog::rig::lock_count;
+  static const auto real = hedgehog::rig::behind<pthread_mutex_t>("pthread_mutex_trylock");
+  return real(mutex);
+}
+int pthread_rwlock_rdlock(pthread_rwlock_t* lock) {
+  ++hedgehog::rig::lock_count;
+  static const auto real = hedgehog::rig::behind<pthread_rwlock_t>("pthread_rwlock_rdlock");
+  return real(lock);
+}
+int pthread_rwlock_wrlock(pthread_rwlock_t* lock) {
+  ++hedgehog::rig::lock_count;
+  static const auto real = hedgehog::rig::behind<pthread_rwlock_t>("pthread_rwlock_wrlock");
+  return real(lock);
 }
 }
 #endif

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Counts what this thread allocates: operator new and malloc alike. Linking it replaces malloc.
+// Counts what this thread allocates, operator new and malloc alike, and the locks it takes. Linking
+// it replaces malloc and the mutex functions.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +11,10 @@ namespace hedgehog::rig {
 /// new.
 std::uint64_t allocations() noexcept;
 
-/// True when this build can count them (not under sanitizers, which bring their own malloc).
+/// Mutexes and reader-writer locks taken by this thread so far, or tried to be.
+std::uint64_t locks() noexcept;
+
+/// True when this build can count both (not under sanitizers, which bring their own malloc).
 bool can_count_allocations() noexcept;
 
 }  // namespace hedgehog::rig

@@ -26,6 +26,7 @@ struct RigOptions {
     control::ControlSettings settings;
     settings.arm_at_start = true;
     settings.start_known = true;
+    settings.start_measured.fill(true);
     return settings;
   }
 };

@@ -33,7 +33,7 @@ class ThermalBall {
   explicit ThermalBall(const device::SimulatedBoardOptions& board) noexcept
       : plant_(board.plant, board.ambient_c),
         observer_(coils_, model::ThermalModel{}, start_of(board)) {
-    observer_.trust_start();
+    observer_.trust_start({true, true, true});
   }
 
   /// The reason of a trip, or kNone. `peak` is scaled by the limiter, its mean square is `rms`^2 of

@@ -174,6 +174,7 @@ TEST(AbsurdNumber, AgainAndAgainTrips) {
 TEST(Restart, UnknownWindingsAreHeldToFiveAmpereUntilMeasured) {
   rig::RigOptions options;
   options.control.start_known = false;
+  options.control.start_measured = {};
   rig::Rig rig(options);
   rig.run_until_armed();
   rig.start(rig::hold({0, 0, 1}, 15.0));
@@ -196,6 +197,23 @@ TEST(Restart, EachNodeStartsAtTheHotterOfSavedAndSensor) {
   EXPECT_NEAR(nodes.winding_c[1], 30.0, 0.2);
   EXPECT_NEAR(nodes.winding_c[2], 40.0, 0.2);
   EXPECT_NEAR(nodes.core_c, 45.0, 0.2);
+}
+
+// The thermistor sits on winding 0 and is cold; only what was saved knows of winding 1.
+TEST(Restart, HeatOfAWindingThatNeverMeasuredItselfIsRememberedToo) {
+  rig::RigOptions options;
+  options.control.start_measured = {};
+  options.control.start = {{30.0, 66.0, 30.0}, 30.0};
+  options.control.latch = Reason::kOverheated;
+  options.board.start_c = 30.0;
+  rig::Rig rig(options);
+  rig.run(300);
+  rig.arm();
+  rig.run(300);
+  EXPECT_EQ(name(rig.controller().state()), "tripped");
+  EXPECT_EQ(name(rig.snapshot().arm_refusal), "overheated");
+  ASSERT_TRUE(rig.run_until([&] { return rig.snapshot().arm_refusal == Reason::kNone; }, 600'000));
+  EXPECT_LT(rig.snapshot().thermal.hottest_c, 46.0);
 }
 
 TEST(Restart, LatchesPersist) {

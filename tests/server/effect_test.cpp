@@ -275,5 +275,18 @@ TEST(Effects, WhoFloodsIsBusyAndOthersAreNot) {
   EXPECT_EQ(rig.machine->now().applied_seq, rig.machine->outbox().last_seq());
 }
 
+TEST(Effects, AnUpdateIsCheckedAsAStartIs) {
+  ServerRig rig;
+  FakeClient& game = rig.connect();
+  const Json pulse = rig.call(game, "effect.pulse", {{"direction", "up"}, {"duration_ms", 500}});
+  const auto update = [&](const char* field, int value) {
+    return rig.call(game, "effect.update", {{"effect", pulse["effect"]}, {field, value}});
+  };
+  EXPECT_EQ(update("fade_ms", 400)["effect"], pulse["effect"]);
+  EXPECT_EQ(update("attack_ms", 200)["data"]["field"], "fade_ms") << "600 ms of 500";
+  rig.run(10);
+  EXPECT_EQ(update("delay_ms", 100)["data"]["field"], "delay_ms") << "it has begun";
+}
+
 }  // namespace
 }  // namespace hedgehog::server

@@ -22,6 +22,7 @@ SavedState hot() {
   s.heat = {{50.0, 60.0, 55.0}, 45.0};
   s.room_c = 25.0;
   s.heat_known = true;
+  s.measured = {false, true, false};
   s.latch = control::Reason::kSensorFrozen;
   s.gain = 0.5;
   return s;
@@ -47,6 +48,7 @@ TEST(SavedState, ComesBackAsItWas) {
   EXPECT_EQ(read->latch, control::Reason::kSensorFrozen);
   EXPECT_EQ(read->gain, 0.5);
   EXPECT_TRUE(read->heat_known);
+  EXPECT_EQ(read->measured, hot().measured);
 }
 
 TEST(SavedState, WhatCannotBeIsNotBelieved) {
@@ -82,6 +84,7 @@ TEST(StartState, AFileThatIsMissingOrDamagedIsNotTrusted) {
   const auto warm = daemon::start_state(real, hot(), 1010.0).settings;
   EXPECT_TRUE(warm.start_known);
   EXPECT_GT(warm.start.winding_c[1], 55.0);
+  EXPECT_EQ(warm.start_measured, hot().measured);
 }
 
 TEST(StartState, ArmsARealBallOnlyAfterACleanStop) {

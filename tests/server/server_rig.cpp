@@ -17,6 +17,7 @@ control::ControlSettings armed_settings(const config::Config& config) {
   s.ceiling = config.device.limits;
   s.arm_at_start = true;
   s.start_known = true;
+  s.start_measured.fill(true);
   return s;
 }
 

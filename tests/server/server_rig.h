@@ -30,6 +30,7 @@ class FakeMemory final : public Memory {
 class FakeClient final : public Sink {
  public:
   void send(std::string line, LineKind kind) override { lines.push_back({std::move(line), kind}); }
+  void finish() override { finished = true; }
 
   struct Line {
     std::string text;
@@ -37,6 +38,7 @@ class FakeClient final : public Sink {
   };
   std::deque<Line> lines;
   Session session;
+  bool finished = false;
 };
 
 class ServerRig {

@@ -78,12 +78,14 @@ TEST(StateKeeper, TheHeatOfTheLastRunStaysUntilAThermistorHasBeenSeen) {
   snapshot.board_present = true;
   snapshot.sensor_valid = true;
   snapshot.thermal.nodes = {{31.0, 31.0, 31.0}, 30.0};
+  snapshot.thermal.measured = {false, true, false};
   mailbox->status.write(snapshot);
   machine.refresh();
   const SavedState with_board = after([](StateKeeper& keeper) { keeper.pump(); });
   std::filesystem::remove_all(folder);
   EXPECT_EQ(with_board.heat.winding_c, snapshot.thermal.nodes.winding_c);
-  EXPECT_FALSE(with_board.heat_known) << "its windings have not been measured";
+  EXPECT_TRUE(with_board.heat_known);
+  EXPECT_EQ(with_board.measured, snapshot.thermal.measured);
   EXPECT_GT(with_board.wall_time_s, 1000.0);
 }
 

@@ -26,11 +26,15 @@ bool ask_holder(const Ball& ball) {
   return key == '\n' && !interrupted();
 }
 
-void say_summary(const TourRecord& record, const protocol::Status& last, double seconds) {
+void say_summary(const TourRecord& record, const protocol::LimitsDescription& limits,
+                 const protocol::Status& last, double seconds) {
   std::printf("\n %s s: 6 pulses, a circle, a skid, a compass, one long push. All coils are off.\n",
               fixed(seconds, 0).c_str());
-  std::printf(" Hottest %s °C (trips at 70). The long push was derated to %s A, never cut.\n",
-              fixed(record.hottest_c(), 1).c_str(), fixed(record.least_limit_a(), 1).c_str());
+  const bool derated = record.least_limit_a() < limits.current_a;
+  std::printf(" Hottest %s °C (trips at %s). The long push was %s.\n",
+              fixed(record.hottest_c(), 1).c_str(), fixed(limits.trip_c, 0).c_str(),
+              derated ? ("derated to " + fixed(record.least_limit_a(), 1) + " A, never cut").c_str()
+                      : "never derated");
   const protocol::LoopStatus& loop = last.loop;
   std::printf(" %s ticks, %s skipped, latest %s ms.\n\n",
               grouped(static_cast<double>(loop.ticks)).c_str(),
@@ -72,7 +76,7 @@ int play(Session& session, const DemoOptions& options) {
   if (!failures.empty()) {
     return kEndedOtherwise;
   }
-  say_summary(player.record(), *last, player.seconds());
+  say_summary(player.record(), player.limits(), *last, player.seconds());
   say_next();
   return kDone;
 }

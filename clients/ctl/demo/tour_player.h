@@ -23,6 +23,7 @@ class TourPlayer {
 
   Outcome<void> play();
 
+  const protocol::LimitsDescription& limits() const noexcept { return ball_.description.limits; }
   const TourRecord& record() const noexcept { return record_; }
   /// How long it took.
   double seconds() const noexcept { return seconds_; }
