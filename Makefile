@@ -74,8 +74,11 @@ campaigns: $(TEST_DEPS)
 faults: campaigns
 	@set -e; for program in build/bench/tests/campaign/campaign_*; do echo "$$program"; "$$program"; done
 
-firmware: $(TEST_DEPS)
+firmware: $(TEST_DEPS) build/.packages-firmware
 	@tests/firmware/build.sh build/firmware
+	cmake --preset dev
+	cmake --build --preset dev --target firmware_vectors
+	tests/firmware/compare.sh build/dev/tests/firmware/firmware_vectors build/firmware/vectors.elf
 
 .PHONY: faults-ci
 faults-ci: campaigns
@@ -92,6 +95,7 @@ bench: $(TEST_DEPS)
 # One after the other: each uses every core.
 test-all: $(TEST_DEPS)
 	$(MAKE) check
+	$(MAKE) firmware
 	$(MAKE) faults-ci
 	$(MAKE) fuzz
 	$(MAKE) asan
