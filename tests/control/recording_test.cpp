@@ -69,8 +69,8 @@ TEST(Replay, ADamagedByteAnywhereIsNotReplayed) {
   model::RandomStream random(11);
   for (int i = 0; i < 50; ++i) {
     auto bytes = whole;
-    const auto at = static_cast<std::size_t>(random.uniform(0.0, 1.0) *
-                                             static_cast<double>(bytes.size() - 1));
+    const auto at =
+        static_cast<std::size_t>(random.uniform(0.0, 1.0) * static_cast<double>(bytes.size() - 1));
     bytes[at] ^= std::byte{0x40};
     const ReplayResult result = replay(bytes, {});
     EXPECT_NE(result.error, ReplayError::kNone) << at;
