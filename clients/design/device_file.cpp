@@ -24,19 +24,20 @@ Result<std::string> device_text(const Design& design, const std::string& name) {
         "--device: the file's name is the ball's: 1 to 32 letters, digits, '-', '_', '.'; not '" +
             name + "'"};
   }
-  if (design.array != kDrivenArray || !design.positions.empty() || !design.removed_pins.empty()) {
+  if (design.array != kDrivenArray || !design.whole()) {
     return Complaint{kBadData, "no device file for " +
                                    (design.positions.empty() ? design.array : design.positions) +
                                    (design.removed_pins.empty() ? "" : " with pins removed") +
+                                   (design.removed_shields.empty() ? "" : " with shields removed") +
                                    ": hedgehogd knows the places of tkD-86 only"};
+  }
+  if (!has_thesis_magnets(design)) {
+    return Complaint{kBadData, "no device file for " + to_text(design) +
+                                   ": hedgehogd has the force curves of N45 pins 8x10 and shields "
+                                   "4x10 on a sphere of 35 mm only, and would tell wrong places"};
   }
   const double slope_n_a = model::coil_force_n(model::measured_electromagnet(), 1.0,
                                                design.sizes().pin, design.sphere_mm, 0.0, 0.0);
-  if (!(slope_n_a >= 0.001 && slope_n_a <= 0.1)) {
-    return Complaint{kBadData,
-                     "no device file: an ampere makes " + to_text(slope_n_a) +
-                         " N on such a pin, outside the 0.001 to 0.1 that hedgehogd takes"};
-  }
   Json root;
   root["name"] = name;
   root["model"] = "hedgehog-86";

@@ -22,6 +22,23 @@ constexpr std::array kTable21{Printed{"cD", 12, 0.8},  Printed{"cD", 30, 3.5},
 
 }  // namespace
 
+const char* name_of(Standing standing) noexcept {
+  switch (standing) {
+    case Standing::kRests:
+      return "rests";
+    case Standing::kPressed:
+      return "pressed";
+    case Standing::kPushedOut:
+      break;
+  }
+  return "pushed out";
+}
+
+Standing ClassStudy::standing() const noexcept {
+  if (character.stable()) return Standing::kRests;
+  return force.at(0.0).force_n < 0.0 ? Standing::kPressed : Standing::kPushedOut;
+}
+
 std::string ClassStudy::name() const {
   return std::to_string(size()) + (size() == 1 ? " pin" : " pins");
 }
@@ -61,10 +78,10 @@ const ClassStudy& Study::commonest() const noexcept {
       [](const ClassStudy& a, const ClassStudy& b) { return a.size() < b.size(); });
 }
 
-std::vector<int> Study::unstable_pins() const {
+std::vector<int> Study::pins_that(Standing standing) const {
   std::vector<int> ids;
   for (const ClassStudy& one : classes_) {
-    if (!one.character.stable())
+    if (one.standing() == standing)
       ids.insert(ids.end(), one.pins().pins.begin(), one.pins().pins.end());
   }
   std::sort(ids.begin(), ids.end());

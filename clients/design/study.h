@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,6 +16,17 @@
 
 namespace hedgehog::design {
 
+/// What a pin does without current.
+enum class Standing : std::uint8_t {
+  kRests,
+  /// No rest: pulled inwards already where its inner face is on the shell, which stops it.
+  kPressed,
+  /// No rest, and nothing draws it back.
+  kPushedOut,
+};
+/// "rests", "pressed", "pushed out".
+const char* name_of(Standing standing) noexcept;
+
 struct ClassStudy {
   model::PinForce force;
   model::Characterisation character;
@@ -22,6 +34,7 @@ struct ClassStudy {
   std::optional<double> extension_mm;
 
   const model::PinClass& pins() const noexcept { return force.pin_class(); }
+  Standing standing() const noexcept;
   std::size_t size() const noexcept { return pins().pins.size(); }
   /// The largest push against which a pin is held, N; 0 when it does not rest.
   double held_n() const noexcept {
@@ -46,8 +59,9 @@ class Study {
   const ClassStudy* class_of(int pin) const noexcept;
   /// The class that has the most pins.
   const ClassStudy& commonest() const noexcept;
-  /// Pins without a rest, ascending.
-  std::vector<int> unstable_pins() const;
+  /// Pins of that standing, ascending.
+  std::vector<int> pins_that(Standing standing) const;
+  std::vector<int> unstable_pins() const { return pins_that(Standing::kPushedOut); }
 
  private:
   Study(Design design, model::Arrangement arrangement)

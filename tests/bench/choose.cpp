@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The search for a better ball as `hedgehog-design choose` does it when nothing else is said: 11
-// 767 designs. Budget: a minute; the counter says how many a second.
+// The search for a better ball as `hedgehog-design choose` does it when nothing else is said:
+// 11 767 designs. Budget: a minute; the counter says how many a second.
 #include <benchmark/benchmark.h>
 
 #include <thread>

@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <stdexcept>
 
 #include "clients/design/complaint.h"
 #include "clients/design/search/pull.h"
@@ -55,6 +56,47 @@ TEST(Front, HasNoneThatIsBeatenAndMissesNoneThatIsNot) {
   EXPECT_EQ(front.size(),
             static_cast<std::size_t>(std::count_if(
                 all.begin(), all.end(), [&](const Found& one) { return !beaten(one); })));
+}
+
+TEST(Front, WhoIsRefusedMakesRoomForWhomItBeats) {
+  const Found best = found(86, 0.9, 1000, 98);
+  const Found second = found(86, 0.8, 1100, 99);  // beaten by the best only
+  const Found third = found(86, 0.7, 1200, 100);  // by both
+  const Found other = found(116, 0.5, 1300, 112);
+  std::size_t asked = 0;
+  const auto front_without = [&](std::size_t refused_below_mm) {
+    asked = 0;
+    return checked_front({third, other, second, best}, [&](const std::vector<Found>& some) {
+      asked += some.size();
+      std::vector<char> stays;
+      for (const Found& one : some)
+        stays.push_back(one.outer_diameter_mm >= static_cast<double>(refused_below_mm) ? 1 : 0);
+      return stays;
+    });
+  };
+  const auto all = front_without(0);
+  ASSERT_EQ(all.front.size(), 2U);
+  EXPECT_EQ(all.front[0].outer_diameter_mm, 98);
+  EXPECT_EQ(asked, 2U) << "who is beaten by one that stays is not asked about";
+  const auto without_first = front_without(99);
+  ASSERT_EQ(without_first.front.size(), 2U);
+  EXPECT_EQ(without_first.front[0].outer_diameter_mm, 99);
+  EXPECT_EQ(without_first.front[1].pins, 116U);
+  EXPECT_EQ(without_first.refused, 1U);
+  EXPECT_EQ(front_without(100).front[0].outer_diameter_mm, 100);
+  const auto none = front_without(200);
+  EXPECT_TRUE(none.front.empty());
+  EXPECT_EQ(none.refused, 4U);
+}
+
+TEST(Workers, ThrowOnWhatAPieceThrows) {
+  std::atomic<int> done = 0;
+  const auto work = [&](std::size_t i) {
+    ++done;
+    if (i == 3) throw std::runtime_error("three");
+  };
+  EXPECT_THROW(work_through(20, 2, work, [](std::size_t) {}), std::runtime_error);
+  EXPECT_EQ(done, 20);
 }
 
 TEST(Workers, DoEachPieceOnce) {

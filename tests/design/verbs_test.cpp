@@ -3,13 +3,20 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <functional>
+
 #include "clients/design/complaint.h"
+#include "clients/design/output/picture.h"
+#include "clients/design/verbs/curves.h"
 #include "tests/design/program.h"
 
 namespace hedgehog::design {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 using Json = nlohmann::json;
 
@@ -31,6 +38,70 @@ TEST(Pair, IsTheReferencePair) {
   EXPECT_NEAR(force("exact"), 5.095441734e-01, 5e-7);
   EXPECT_NEAR(force("hybrid"), 5.095441734e-01, 5e-7);
   EXPECT_NEAR(force("dipole"), 1.24606862, 1e-7);
+}
+
+TEST(Pair, AreAllTheReferencePairs) {
+  struct Reference {
+    const char *magnet, *other, *sphere, *angle, *offset;
+    double exact_n, dipole_n;
+  };
+  for (const Reference& one : {
+           Reference{"8x10", "4x10", "35", "12", "0", 2.814818740e-01, 4.86718874e-01},
+           {"8x10", "4x10", "35", "12", "0.5", 5.095441734e-01, 1.24606862e+00},
+           {"8x10", "4x10", "35", "12", "2", 9.421484072e-01, 2.61646032e+00},
+           {"8x10", "4x10", "35", "13.513", "0.5", 3.552409300e-01, 7.61415848e-01},
+           {"8x10", "4x10", "35", "16.79", "0", 1.290455084e-01, 1.80465031e-01},
+           {"8x10", "4x10", "35", "25", "5", 1.130912052e-01, 1.42550553e-01},
+           {"8x10", "4x10", "35", "120", "1", 1.445087230e-03, 1.42175093e-03},
+           {"8x10", "3x10", "35", "12.887", "0", 1.330857674e-01, 2.21600244e-01},
+           {"8x10", "8x10", "35", "19.818", "0", 3.316491210e-01, 4.44402118e-01},
+           {"8x10", "8x10", "35", "31.717", "0", 1.045739078e-01, 1.15839905e-01},
+           {"8x10", "8x10", "35", "90", "0", 9.388069201e-03, 9.33165505e-03},
+           {"6x8", "4x5", "30", "15", "0.5", 3.201178460e-01, 5.53460203e-01},
+       }) {
+    const auto force = [&](const char* model) {
+      const Answer answer = ask({"pair", "--magnet", one.magnet, "--other", one.other, "--sphere",
+                                 one.sphere, "--angle", one.angle, "--offset", one.offset,
+                                 "--model", model, "--accuracy", "1e-7", "--json"});
+      EXPECT_EQ(answer.exit_code, 0) << answer.err;
+      return answer.json().at("force_n").get<double>();
+    };
+    EXPECT_NEAR(force("exact") / one.exact_n, 1.0, 1e-6) << one.angle << " " << one.offset;
+    EXPECT_NEAR(force("dipole") / one.dipole_n, 1.0, 1e-6) << one.angle << " " << one.offset;
+  }
+}
+
+TEST(Curves, OfEachModelOverOtherOffsets) {
+  const auto at_rest_of_sixty = [](const char* model) {
+    const Json curves =
+        ask({"curves", "--array", "tkD", "--model", model, "--offsets", "0..1/0.5", "--json"})
+            .json();
+    EXPECT_EQ(curves.at("model"), model);
+    const Json sixty = of_class(curves.at("classes"), 60);
+    EXPECT_EQ(sixty.at("offsets_mm"), Json({0.0, 0.5, 1.0}));
+    return sixty.at("force_n").at(1).get<double>();
+  };
+  const double exact_n = at_rest_of_sixty("exact");
+  EXPECT_NEAR(exact_n, 0.0173417, 1e-3);
+  EXPECT_NEAR(at_rest_of_sixty("hybrid"), exact_n, 0.2);
+  EXPECT_GT(std::abs(at_rest_of_sixty("dipole") - exact_n), 1.0);
+}
+
+TEST(Curves, AreCalledTheThesisOnesOnThatBallOnly) {
+  const auto drawn = [](const Design& design) {
+    const auto studies = figure_210(design).value();
+    return gnuplot_script(curves_picture(studies, {-0.5, 2.0, 0.5}), "svg", "x.svg");
+  };
+  EXPECT_THAT(drawn({}), AllOf(HasSubstr("thesis Fig. 2.10"), HasSubstr("(thesis 0.6)"),
+                               HasSubstr("Table 2.1")));
+  for (const auto& change : std::vector<std::function<void(Design&)>>{
+           [](Design& d) { d.sphere_mm = 36.0; }, [](Design& d) { d.remanence_t = 1.2; },
+           [](Design& d) { d.coil_force_n = 0.3; }, [](Design& d) { d.magnet.height_mm = 9.0; },
+           [](Design& d) { d.settings.model = model::ForceModel::kDipole; }}) {
+    Design other;
+    change(other);
+    EXPECT_THAT(drawn(other), Not(HasSubstr("thesis")));
+  }
 }
 
 TEST(Curves, AreThoseOfTheReference) {
@@ -96,6 +167,13 @@ TEST(Table, StandsBesideTheThesis) {
   EXPECT_TRUE(ask({"table", "--array", "cD", "--shield", "4.5x10", "--json"})
                   .json()["rows"][0]["thesis_mm"]
                   .is_null());
+  for (const auto& words : {std::vector<std::string>{"table", "--remanence", "1.2", "--json"},
+                            {"table", "--model", "dipole", "--json"}}) {
+    for (const Json& one : ask(words).json().at("rows")) {
+      EXPECT_TRUE(one.at("thesis_mm").is_null()) << words[1];
+      EXPECT_EQ(one.at("reason"), "") << words[1];
+    }
+  }
 }
 
 TEST(Stability, OfTheBallOfTheThesis) {
@@ -110,6 +188,22 @@ TEST(Stability, OfTheBallOfTheThesis) {
   EXPECT_EQ(all_twenty.json().at("unstable"), Json({76, 77, 78, 79, 80, 81, 82, 83, 84, 85}));
   EXPECT_THAT(ask({"stability", "--array", "tkD-86-20"}).out,
               HasSubstr("10 of 86 pins UNSTABLE, nothing draws them back: 76-85"));
+}
+
+TEST(Stability, PinsPulledOntoTheShellAreNotCalledExpelled) {
+  const Json strong = ask({"stability", "--array", "tkD", "--shield", "4x4", "--json"}).json();
+  EXPECT_EQ(strong.at("stable"), false);
+  EXPECT_EQ(strong.at("unstable"), Json::array());
+  EXPECT_EQ(strong.at("pressed").size(), 92U);
+  for (const Json& one : strong.at("classes")) EXPECT_EQ(one.at("state"), "pressed");
+  const std::string text = ask({"stability", "--array", "tkD", "--shield", "4x4"}).out;
+  EXPECT_THAT(text, HasSubstr("92 of 92 pins pressed onto the shell with 1."));
+  EXPECT_THAT(text, Not(HasSubstr("UNSTABLE")));
+  EXPECT_THAT(ask({"electromagnet", "--array", "tkD", "--shield", "4x4"}).err,
+              HasSubstr("pressed onto the shell"));
+  const Json weak = ask({"stability", "--array", "tkD", "--shield", "3x10", "--json"}).json();
+  EXPECT_EQ(weak.at("unstable").size(), 92U);
+  EXPECT_EQ(weak.at("pressed"), Json::array());
 }
 
 TEST(Stability, WithMagnetsTakenOut) {

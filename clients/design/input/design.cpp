@@ -140,6 +140,17 @@ Result<Arrangement> buildable_arrangement(const Design& design) {
   return *array;
 }
 
+bool has_thesis_magnets(const Design& design) noexcept {
+  const Design thesis;
+  return design.whole() && design.magnet == thesis.magnet && design.shield == thesis.shield &&
+         design.sphere_mm == thesis.sphere_mm && design.remanence_t == thesis.remanence_t;
+}
+
+bool is_of_the_thesis(const Design& design) noexcept {
+  return has_thesis_magnets(design) && design.coil_force_n == Design{}.coil_force_n &&
+         design.settings.model != model::ForceModel::kDipole;
+}
+
 std::string to_text(const Design& design) {
   std::string text = (design.positions.empty() ? design.array : design.positions) + ", pins " +
                      to_text(design.magnet) + ", shields " + to_text(design.shield) + ", sphere " +

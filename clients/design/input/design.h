@@ -33,6 +33,10 @@ struct Design {
             {shield.diameter_mm, shield.height_mm, remanence_t},
             sphere_mm};
   }
+  /// Nothing taken out, nothing put elsewhere.
+  bool whole() const noexcept {
+    return positions.empty() && removed_pins.empty() && removed_shields.empty();
+  }
   friend bool operator==(const Design& a, const Design& b) noexcept {
     return a.array == b.array && a.positions == b.positions && a.magnet == b.magnet &&
            a.shield == b.shield && a.sphere_mm == b.sphere_mm && a.remanence_t == b.remanence_t &&
@@ -52,6 +56,13 @@ Result<model::Arrangement> arrangement_of(const Design& design);
 
 /// `arrangement_of`, and a complaint (65) when magnets are in each other's way.
 Result<model::Arrangement> buildable_arrangement(const Design& design);
+
+/// The thesis' magnets on its sphere, whatever the array, nothing removed.
+bool has_thesis_magnets(const Design& design) noexcept;
+
+/// These, pushed and computed as in the thesis (sections 2.2, 2.3: 0.4 N, near forces exact): what
+/// the thesis prints can stand beside it.
+bool is_of_the_thesis(const Design& design) noexcept;
 
 /// "tkD-86, pins 8x10, shields 4x10, sphere 35 mm".
 std::string to_text(const Design& design);

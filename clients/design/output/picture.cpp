@@ -130,18 +130,20 @@ Result<void> draw(const Picture& picture, const std::string& path) {
   }
   const auto writable = write_file(path, "");
   if (!writable) return writable.error();
-  const TemporaryFile script(".gp");
+  const auto script = TemporaryFile::make(".gp");
+  if (!script) return script.error();
   const std::string terminal = svg ? "svg" : "pngcairo";
-  const auto written = write_file(script.path(), gnuplot_script(picture, terminal, path));
+  const auto written = write_file(script->path(), gnuplot_script(picture, terminal, path));
   if (!written) return written.error();
-  return run_tool({"gnuplot", script.path()}, "gnuplot-nox");
+  return run_tool({"gnuplot", script->path()}, "gnuplot-nox");
 }
 
 Result<std::string> draw_svg(const Picture& picture) {
-  const TemporaryFile file(".svg");
-  const auto drawn = draw(picture, file.path());
+  const auto file = TemporaryFile::make(".svg");
+  if (!file) return file.error();
+  const auto drawn = draw(picture, file->path());
   if (!drawn) return drawn.error();
-  auto text = read_file(file.path());
+  auto text = read_file(file->path());
   if (!text) return text.error();
   const std::size_t begin = text->find("<svg");
   return begin == std::string::npos ? *text : text->substr(begin);

@@ -11,7 +11,6 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
-#include <stdexcept>
 
 namespace hedgehog::design {
 namespace {
@@ -29,7 +28,8 @@ std::string last_line(const std::string& text) {
 }  // namespace
 
 Result<void> run_tool(const std::vector<std::string>& argv, const std::string& package) {
-  const TemporaryFile said(".txt");
+  const auto said = TemporaryFile::make(".txt");
+  if (!said) return said.error();
   std::vector<std::string> words = argv;
   std::vector<char*> pointers;
   pointers.reserve(words.size() + 1);
@@ -39,7 +39,7 @@ Result<void> run_tool(const std::vector<std::string>& argv, const std::string& p
   posix_spawn_file_actions_t files;
   posix_spawn_file_actions_init(&files);
   posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, said.path().c_str(), O_WRONLY | O_APPEND,
+  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, said->path().c_str(), O_WRONLY | O_APPEND,
                                    0);
   posix_spawn_file_actions_adddup2(&files, STDOUT_FILENO, STDERR_FILENO);
   pid_t pid = -1;
@@ -55,20 +55,31 @@ Result<void> run_tool(const std::vector<std::string>& argv, const std::string& p
   while (::waitpid(pid, &status, 0) < 0 && errno == EINTR) {
   }
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
-  const auto text = read_file(said.path());
+  const auto text = read_file(said->path());
   return Complaint{kToolFailed,
                    argv.front() + " failed: " + (text ? last_line(*text) : "it says nothing")};
 }
 
-TemporaryFile::TemporaryFile(const std::string& suffix)
-    : path_(
-          (std::filesystem::temp_directory_path() / ("hedgehog-design-XXXXXX" + suffix)).string()) {
-  const int file = ::mkstemps(path_.data(), static_cast<int>(suffix.size()));
-  if (file < 0) throw std::runtime_error("no temporary file can be made: " + path_);
+Result<TemporaryFile> TemporaryFile::make(const std::string& suffix) {
+  std::error_code error;
+  const auto folder = std::filesystem::temp_directory_path(error);
+  if (error) {
+    return Complaint{kCannotCreate,
+                     "no temporary file can be made, TMPDIR is no folder: " + error.message()};
+  }
+  std::string path = (folder / ("hedgehog-design-XXXXXX" + suffix)).string();
+  const int file = ::mkstemps(path.data(), static_cast<int>(suffix.size()));
+  if (file < 0) {
+    return Complaint{kCannotCreate, "no temporary file can be made in " + folder.string() + ": " +
+                                        std::strerror(errno)};
+  }
   ::close(file);
+  return TemporaryFile(std::move(path));
 }
 
-TemporaryFile::~TemporaryFile() { ::unlink(path_.c_str()); }
+TemporaryFile::~TemporaryFile() {
+  if (!path_.empty()) ::unlink(path_.c_str());
+}
 
 Result<void> write_file(const std::string& path, const std::string& content) {
   std::ofstream file(path, std::ios::binary | std::ios::trunc);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "clients/design/complaint.h"
@@ -16,13 +17,18 @@ Result<void> run_tool(const std::vector<std::string>& argv, const std::string& p
 /// A file of its own in the folder for temporary files, gone with this object.
 class TemporaryFile {
  public:
-  explicit TemporaryFile(const std::string& suffix);
+  /// Complains (73) when the folder ($TMPDIR, /tmp) takes none.
+  static Result<TemporaryFile> make(const std::string& suffix);
+  TemporaryFile(TemporaryFile&& other) noexcept : path_(std::exchange(other.path_, {})) {}
+  TemporaryFile& operator=(TemporaryFile&&) = delete;
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
   ~TemporaryFile();
   const std::string& path() const noexcept { return path_; }
 
  private:
+  explicit TemporaryFile(std::string path) : path_(std::move(path)) {}
+
   std::string path_;
 };
 

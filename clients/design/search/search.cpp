@@ -9,7 +9,6 @@
 #include "clients/design/ball_numbers.h"
 #include "clients/design/search/pull.h"
 #include "clients/design/search/workers.h"
-#include "clients/design/study.h"
 #include "model/magnets/electromagnet.h"
 
 namespace hedgehog::design {
@@ -64,12 +63,6 @@ double nearest_shields_deg(const model::Arrangement& array) {
   return model::angle_deg(a, b);
 }
 
-/// Every pin of the ball as it would be built rests somewhere.
-bool rests_everywhere(const Found& found) {
-  const auto study = Study::of(found.design, kSearchGrid);
-  return study && study->unstable_pins().empty();
-}
-
 }  // namespace
 
 Result<Search> Search::in(const SearchSpace& space, const Demands& demands) {
@@ -97,6 +90,7 @@ Result<Search> Search::in(const SearchSpace& space, const Demands& demands) {
     Array array;
     array.opened = std::move(*opened);
     array.classes = model::symmetry_classes(*whole);
+    array.opened_classes = model::symmetry_classes(array.opened);
     array.pin_pin_deg = 180.0;
     array.pin_shield_deg = 180.0;
     for (const model::PinClass& one : array.classes) {
@@ -174,6 +168,21 @@ Search::Batch Search::look(const Job& job) const {
   return batch;
 }
 
+bool Search::holds_opened(const Found& found) const {
+  const auto array = std::find_if(arrays_.begin(), arrays_.end(), [&](const Array& one) {
+    return one.opened.name == found.design.array;
+  });
+  const double diameter_mm = found.design.shield.diameter_mm;
+  std::vector<Pull> pulls;
+  for (const model::PinClass& one : array->opened_classes)
+    pulls.emplace_back(one, found.design.sizes(), std::vector{diameter_mm});
+  // How far the commonest move is asked of the whole array: opened, no class is the commonest.
+  Demands each = demands_;
+  each.least_extension_mm = 0.0;
+  return reach_of(array->opened_classes, pulls, diameter_mm, found.design.coil_force_n, each)
+      .has_value();
+}
+
 SearchOutcome Search::run(int threads, const Progress& progress) const {
   SearchOutcome outcome;
   const std::vector<Job> all = jobs();
@@ -191,15 +200,15 @@ SearchOutcome Search::run(int threads, const Progress& progress) const {
     found.insert(found.end(), batches[i].found.begin(), batches[i].found.end());
   }
   outcome.feasible = found.size();
-  const std::vector<Found> front = pareto_front(std::move(found));
-  std::vector<char> rests(front.size(), 0);
-  work_through(
-      front.size(), threads, [&](std::size_t i) { rests[i] = rests_everywhere(front[i]) ? 1 : 0; },
-      [&](std::size_t) { progress(outcome.looked_at); });
-  for (std::size_t i = 0; i < front.size(); ++i) {
-    if (rests[i] != 0) outcome.front.push_back(front[i]);
-  }
-  outcome.unstable_when_opened = front.size() - outcome.front.size();
+  auto checked = checked_front(std::move(found), [&](const std::vector<Found>& some) {
+    std::vector<char> stays(some.size(), 0);
+    work_through(
+        some.size(), threads, [&](std::size_t k) { stays[k] = holds_opened(some[k]) ? 1 : 0; },
+        [&](std::size_t) { progress(outcome.looked_at); });
+    return stays;
+  });
+  outcome.front = std::move(checked.front);
+  outcome.refused_when_opened = checked.refused;
   return outcome;
 }
 

@@ -17,10 +17,10 @@ struct SearchOutcome {
   std::size_t fit = 0;
   /// Everything demanded.
   std::size_t feasible = 0;
-  /// Of the feasible ones; each also stable with the fan's opening, at every single pin.
+  /// Of those of the feasible ones whose every pin also meets the demands with the fan's opening.
   std::vector<Found> front;
-  /// Taken off the front since they are not.
-  std::size_t unstable_when_opened = 0;
+  /// That would have been on a front, but do not.
+  std::size_t refused_when_opened = 0;
 };
 
 /// How many designs have been looked at so far. Called by the thread that called `run`.
@@ -41,6 +41,7 @@ class Search {
   struct Array {
     model::Arrangement opened;
     std::vector<model::PinClass> classes;
+    std::vector<model::PinClass> opened_classes;
     /// Between the nearest two, degrees: pin and pin, pin and shield, shield and shield.
     double pin_pin_deg = 0.0;
     double pin_shield_deg = 0.0;
@@ -62,6 +63,8 @@ class Search {
   Search(SearchSpace space, const Demands& demands) : space_(std::move(space)), demands_(demands) {}
   std::vector<Job> jobs() const;
   Batch look(const Job& job) const;
+  /// The ball as it would be built does what is demanded of each pin.
+  bool holds_opened(const Found& found) const;
   bool fits(const Job& job, double diameter_mm) const;
   std::vector<double> coil_forces_n(const Job& job) const;
 

@@ -16,6 +16,22 @@ auto rank(const Found& found) {
                     found.design.array);
 }
 
+/// Indices into `sorted` of those that no other dominates, but for those left out.
+std::vector<std::size_t> front_of(const std::vector<Found>& sorted,
+                                  const std::function<bool(std::size_t)>& left_out) {
+  std::vector<std::size_t> front;
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    if (left_out(i)) continue;
+    const Found& one = sorted[i];
+    if (std::any_of(front.begin(), front.end(),
+                    [&](std::size_t other) { return dominates(sorted[other], one); }))
+      continue;
+    std::erase_if(front, [&](std::size_t other) { return dominates(one, sorted[other]); });
+    front.push_back(i);
+  }
+  return front;
+}
+
 }  // namespace
 
 bool dominates(const Found& a, const Found& b) noexcept {
@@ -29,18 +45,39 @@ bool dominates(const Found& a, const Found& b) noexcept {
 }
 
 std::vector<Found> pareto_front(std::vector<Found> found) {
+  const auto all_stay = [](const std::vector<Found>& some) {
+    return std::vector<char>(some.size(), 1);
+  };
+  return checked_front(std::move(found), all_stay).front;
+}
+
+CheckedFront checked_front(std::vector<Found> found, const Check& check) {
   // In this order nothing is dominated by what comes after it, but for ties in the first number.
   std::sort(found.begin(), found.end(),
             [](const Found& a, const Found& b) { return rank(a) < rank(b); });
-  std::vector<Found> front;
-  for (const Found& one : found) {
-    if (std::any_of(front.begin(), front.end(),
-                    [&](const Found& other) { return dominates(other, one); }))
-      continue;
-    std::erase_if(front, [&](const Found& other) { return dominates(one, other); });
-    front.push_back(one);
+  enum class Standing : char { kNotAsked, kStays, kRefused };
+  std::vector<Standing> standing(found.size(), Standing::kNotAsked);
+  CheckedFront checked;
+  while (true) {
+    const std::vector<std::size_t> front =
+        front_of(found, [&](std::size_t i) { return standing[i] == Standing::kRefused; });
+    std::vector<std::size_t> asked;
+    std::vector<Found> some;
+    for (const std::size_t i : front) {
+      if (standing[i] != Standing::kNotAsked) continue;
+      asked.push_back(i);
+      some.push_back(found[i]);
+    }
+    const std::vector<char> stays = check(some);
+    const std::size_t refused_before = checked.refused;
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+      standing[asked[i]] = stays[i] != 0 ? Standing::kStays : Standing::kRefused;
+      if (stays[i] == 0) ++checked.refused;
+    }
+    if (checked.refused > refused_before) continue;
+    for (const std::size_t i : front) checked.front.push_back(std::move(found[i]));
+    return checked;
   }
-  return front;
 }
 
 }  // namespace hedgehog::design

@@ -2,6 +2,7 @@
 // Which designs a search looks at, and what it asks of them.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -41,8 +42,9 @@ struct Found {
   Design design;
   std::size_t pins = 0;
   std::size_t shields = 0;
-  /// Of the class with the most pins. How far it moves counts from the shell on, where a pin
-  /// stands that would rest below it.
+  /// Of the class with the most pins in the whole array; the fan's opening changes its pins by some
+  /// hundredths of a millimetre, each a little differently. How far it moves counts from the shell
+  /// on, where a pin stands that would rest below it.
   double rest_mm = 0.0;
   double extension_mm = 0.0;
   double mass_g = 0.0;
@@ -56,5 +58,18 @@ bool dominates(const Found& a, const Found& b) noexcept;
 /// pins, the largest extension, the least mass. So the first is the smallest ball that does what is
 /// asked, with as many pins, that move as far, as it can have.
 std::vector<Found> pareto_front(std::vector<Found> found);
+
+/// Says of each whether it may stay; as long as what it was given.
+using Check = std::function<std::vector<char>(const std::vector<Found>&)>;
+
+struct CheckedFront {
+  std::vector<Found> front;
+  /// Asked about and refused.
+  std::size_t refused = 0;
+};
+
+/// The front of those that `check` lets stay, in the same order. A check is dear, so only those
+/// are asked about that are on a front of what has not been refused yet.
+CheckedFront checked_front(std::vector<Found> found, const Check& check);
 
 }  // namespace hedgehog::design

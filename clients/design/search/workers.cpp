@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <exception>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -18,10 +19,17 @@ void work_through(std::size_t count, int threads, const std::function<void(std::
   std::mutex mutex;
   std::condition_variable all_done;
   std::size_t done = 0;
+  std::exception_ptr first_thrown;
   const auto take = [&] {
     for (std::size_t i = next++; i < count; i = next++) {
-      work(i);
+      std::exception_ptr thrown;
+      try {
+        work(i);
+      } catch (...) {
+        thrown = std::current_exception();
+      }
       const std::lock_guard lock(mutex);
+      if (thrown && !first_thrown) first_thrown = thrown;
       if (++done == count) all_done.notify_one();
     }
   };
@@ -36,6 +44,8 @@ void work_through(std::size_t count, int threads, const std::function<void(std::
     lock.lock();
   }
   lock.unlock();
+  pool.clear();
+  if (first_thrown) std::rethrow_exception(first_thrown);
   told(count);
 }
 

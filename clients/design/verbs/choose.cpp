@@ -81,7 +81,7 @@ Json json_of(const SearchOutcome& outcome) {
   Json root{{"looked_at", outcome.looked_at},
             {"fit", outcome.fit},
             {"feasible", outcome.feasible},
-            {"unstable_when_opened", outcome.unstable_when_opened},
+            {"refused_when_opened", outcome.refused_when_opened},
             {"front", Json::array()}};
   for (const Found& one : outcome.front) {
     root["front"].push_back({{"array", one.design.array},
@@ -164,9 +164,9 @@ void print_text(const SearchOutcome& outcome, double seconds, const ChooseOption
   out << "  " << grouped(outcome.looked_at) << " designs, " << grouped(outcome.fit) << " fit, "
       << grouped(outcome.feasible) << " feasible, " << outcome.front.size() << " on the front   "
       << fixed(seconds, 1) << " s\n";
-  if (outcome.unstable_when_opened > 0) {
-    out << "  " << outcome.unstable_when_opened
-        << " more would be, but pins at the fan's opening do not rest\n";
+  if (outcome.refused_when_opened > 0) {
+    out << "  " << outcome.refused_when_opened
+        << " more were, but for pins at the fan's opening that are not held\n";
   }
   if (outcome.front.empty()) {
     out << "  none does what is asked; weaker demands: --least-extension, --margin, --wall\n";
@@ -176,6 +176,11 @@ void print_text(const SearchOutcome& outcome, double seconds, const ChooseOption
   if (outcome.front.size() > kShownRows) {
     out << "  and " << outcome.front.size() - kShownRows << " more: --csv or --json lists them\n";
   }
+  out << "\n"
+      << wrapped(
+             "rest and moves: of the commonest pins of the whole array; the fan's opening changes "
+             "each by some hundredths (stability tells)",
+             78, 2);
   out << "\n  " << (options.save.empty() ? std::string("best") : options.save) << ": "
       << summary(outcome.front.front()) << "\n";
 }

@@ -111,7 +111,7 @@ constexpr double kThesisRestMm = 0.45;
 Panel panel_of(const Study& study, const model::OffsetGrid& grid) {
   const Design& design = study.design();
   const std::string& array = study.arrangement().name;
-  const bool as_in_thesis = design.shield == Size{4.0, 10.0} && design.magnet == Size{8.0, 10.0};
+  const bool as_in_thesis = is_of_the_thesis(design);
   Panel panel;
   panel.title = array + ", " + to_text(design.shield.diameter_mm) + " mm shields";
   panel.x_label = "offset of the pin (mm)";
@@ -171,7 +171,11 @@ Result<std::vector<Study>> figure_210(const Design& design) {
 Picture curves_picture(const std::vector<Study>& studies, const model::OffsetGrid& grid) {
   Picture picture;
   picture.columns = studies.size() > 1 ? 2 : 1;
-  picture.title = "Force on a pin that alone is moved (thesis Fig. 2.10), " +
+  const bool figure = studies.size() > 1 &&
+                      std::any_of(studies.begin(), studies.end(),
+                                  [](const Study& one) { return is_of_the_thesis(one.design()); });
+  picture.title = std::string("Force on a pin that alone is moved") +
+                  (figure ? " (thesis Fig. 2.10), " : ", ") +
                   std::string(model::name_of(studies.front().design().settings.model)) + " model";
   for (const Study& study : studies) picture.panels.push_back(panel_of(study, grid));
   return picture;

@@ -7,6 +7,7 @@
 
 #include "clients/design/verbs/curves.h"
 #include "clients/design/verbs/verbs.h"
+#include "model/magnets/pin_curves.h"
 
 namespace hedgehog::design {
 namespace {
@@ -42,8 +43,14 @@ Json json_of(const CoilStudy& coil) {
 void print_text(const Study& study, const CoilStudy& coil, std::ostream& out) {
   out << "  aimed at pin " << coil.pin << " (class of " << coil.class_size << ") of "
       << to_text(study.design()) << "\n\n"
-      << coil_table(coil).text() << "\n"
-      << wrapped(
+      << coil_table(coil).text() << "\n";
+  const double travel_mm = model::PinTravel{}.highest_mm;
+  if (std::any_of(coil.rows.begin(), coil.rows.end(), [&](const CoilRow& row) {
+        return row.fea_mm.value_or(0.0) > travel_mm || row.measured_mm.value_or(0.0) > travel_mm;
+      })) {
+    out << "  the casing stops a pin after " << to_text(travel_mm) << " mm\n\n";
+  }
+  out << wrapped(
              "simulated: 0.4 N at 15 A on the thesis' pin (Fig. 2.9); measured: 0.0126 N/A (Table "
              "3.1). The"
              " thesis' two electromagnets differ by 2.1; its ball reached 0.5 mm at 15 A.",
@@ -86,8 +93,11 @@ Result<CoilStudy> study_coil(const Study& study, std::optional<int> pin,
   if (one == nullptr)
     return Complaint{kUsage, "--pin: there is no pin " + std::to_string(coil.pin)};
   if (!one->character.stable()) {
-    return Complaint{kBadData,
-                     "pin " + std::to_string(coil.pin) + " has no rest: nothing draws it back"};
+    return Complaint{kBadData, "pin " + std::to_string(coil.pin) +
+                                   (one->standing() == Standing::kPressed
+                                        ? " has no rest: it is pressed onto the shell with " +
+                                              fixed(-one->force.at(0.0).force_n, 2) + " N"
+                                        : std::string(" has no rest: nothing draws it back"))};
   }
   coil.class_size = one->size();
   const auto sizes = study.design().sizes();
@@ -141,16 +151,19 @@ Result<Picture> coil_picture(const Study& study, int pin) {
   const std::string aimed =
       "pin " + std::to_string(pin) + ", class of " + std::to_string(coil->class_size);
   Panel force{
-      "Force on it at rest", "current (A)", "force outwards (N)", {}, {}, {0, 15.5}, {0, 0.5}};
+      "Force on it at rest", "current (A)", "force outwards (N)", {}, {}, {0, 15.5}, {0, 0}};
   force.series = {{"electromagnet as simulated", fea_force, Series::Style::kLine, 0},
-                  {"electromagnet as measured", measured_force, Series::Style::kLine, 1},
-                  marks("thesis Fig. 2.9: 0.4 N", {{15, 0.4}}, 0),
-                  marks("thesis Table 3.1: 0.0126 N/A", {{5, 0.063}, {15, 0.189}}, 1)};
+                  {"electromagnet as measured", measured_force, Series::Style::kLine, 1}};
   Panel extension{
-      "How far it moves out", "current (A)", "extension (mm)", {}, {}, {0, 15.5}, {0, 0.8}};
+      "How far it moves out", "current (A)", "extension (mm)", {}, {}, {0, 15.5}, {0, 0}};
   extension.series = {{"electromagnet as simulated", fea_mm, Series::Style::kLine, 0},
-                      {"electromagnet as measured", measured_mm, Series::Style::kLine, 1},
-                      marks("thesis: 0.06 mm at 5 A, 0.5 mm at 15 A", {{5, 0.06}, {15, 0.5}}, 6)};
+                      {"electromagnet as measured", measured_mm, Series::Style::kLine, 1}};
+  if (has_thesis_magnets(study.design()) && study.arrangement().name.starts_with("tkD")) {
+    force.series.push_back(marks("thesis Fig. 2.9: 0.4 N", {{15, 0.4}}, 0));
+    force.series.push_back(marks("thesis Table 3.1: 0.0126 N/A", {{5, 0.063}, {15, 0.189}}, 1));
+    extension.series.push_back(
+        marks("thesis: 0.06 mm at 5 A, 0.5 mm at 15 A", {{5, 0.06}, {15, 0.5}}, 6));
+  }
   Panel spread{"What the others get meanwhile",
                "angle from the aimed pin (degrees)",
                "part of its force (%)",

@@ -94,8 +94,9 @@ Result<void> write_casing(const ExportOptions& options, const Design& design,
   const std::string text = openscad_text(
       *casing, {"Casing of a Hedgehog ball in two halves: " + to_text(design),
                 "made by hedgehog-design " HEDGEHOG_VERSION, "SPDX-License-Identifier: MIT"});
-  const TemporaryFile temporary(".scad");
-  const std::string scad = options.scad.empty() ? temporary.path() : options.scad;
+  const auto temporary = TemporaryFile::make(".scad");
+  if (!temporary) return temporary.error();
+  const std::string scad = options.scad.empty() ? temporary->path() : options.scad;
   const auto written = write_file(scad, text);
   if (!written) return written.error();
   if (!options.scad.empty()) screen.err << "  " << scad << "\n";

@@ -17,7 +17,9 @@ struct ExtensionRow {
   std::optional<double> rest_mm;
   std::optional<double> extension_mm;
   std::optional<double> thesis_mm;
-  /// Why the printed value does not come out; empty when it does, or nothing is printed.
+  /// The printed value comes out, within `kPrintedToleranceMm`.
+  bool reproduced = false;
+  /// Why it does not; empty when it does, or nothing is printed.
   std::string reason;
 };
 

@@ -57,10 +57,19 @@ Table numbers_of(const Study& study) {
 std::string stability_html(const Study& study) {
   const std::vector<int> unstable = study.unstable_pins();
   std::string html = heading("Stability");
+  const std::vector<int> pressed = study.pins_that(Standing::kPressed);
+  if (!pressed.empty()) {
+    html +=
+        paragraph(std::to_string(pressed.size()) +
+                      " pins have no rest, they are pressed onto the shell: " + ids_text(pressed),
+                  "bad");
+  }
   html +=
-      unstable.empty()
+      unstable.empty() && pressed.empty()
           ? paragraph("Every pin rests: all " + std::to_string(study.arrangement().pins.size()) +
                       " are stable.")
+      : unstable.empty()
+          ? std::string()
           : paragraph(std::to_string(unstable.size()) + " pins are unstable: " + ids_text(unstable),
                       "bad");
   Table table({{"pins", "class_size"},

@@ -24,6 +24,33 @@ const ClassStudy& weakest_of(const Study& study) {
       [](const ClassStudy& a, const ClassStudy& b) { return a.held_n() < b.held_n(); });
 }
 
+std::string state_of(const ClassStudy& one) {
+  switch (one.standing()) {
+    case Standing::kRests:
+      return "stable";
+    case Standing::kPressed:
+      return "pressed in";
+    case Standing::kPushedOut:
+      break;
+  }
+  return "UNSTABLE";
+}
+
+/// How hard, N at the shell: the least and the most of all pins that are.
+std::string pressed_text(const Study& study) {
+  double least = 0.0;
+  double most = 0.0;
+  for (const ClassStudy& one : study.classes()) {
+    if (one.standing() != Standing::kPressed) continue;
+    const double pull_n = -one.force.at(0.0).force_n;
+    least = least == 0.0 ? pull_n : std::min(least, pull_n);
+    most = std::max(most, pull_n);
+  }
+  const std::string range = fixed(least, 2) + (most - least < 0.005 ? "" : " to " + fixed(most, 2));
+  return "pressed onto the shell with " + range +
+         " N and without a rest, the shields are too strong: ";
+}
+
 Table table_of(const Study& study) {
   Table table({{"class", "class_size"},
                {"rest mm", "rest_mm"},
@@ -36,7 +63,7 @@ Table table_of(const Study& study) {
     const bool stable = one.character.stable();
     table.add({std::to_string(one.size()), fixed(one.character.rest_mm.value_or(std::nan("")), 3),
                stable ? fixed(one.character.stiffness_n_mm, 3) : "none", fixed(one.held_n(), 3),
-               fixed(one.extension_mm.value_or(std::nan("")), 3), stable ? "stable" : "UNSTABLE",
+               fixed(one.extension_mm.value_or(std::nan("")), 3), state_of(one),
                ids_text(one.pins().pins)});
   }
   return table;
@@ -45,13 +72,15 @@ Table table_of(const Study& study) {
 Json json_of(const Study& study,
              const std::optional<model::MagnetResult<model::Equilibrium>>& together) {
   const std::vector<int> unstable = study.unstable_pins();
+  const std::vector<int> pressed = study.pins_that(Standing::kPressed);
   const ClassStudy& weakest = weakest_of(study);
   Json root{{"array", study.arrangement().name},
             {"pins", study.arrangement().pins.size()},
             {"shields", study.arrangement().shields.size()},
             {"coil_force_n", study.design().coil_force_n},
-            {"stable", unstable.empty()},
+            {"stable", unstable.empty() && pressed.empty()},
             {"unstable", unstable},
+            {"pressed", pressed},
             {"weakest",
              {{"pin", weakest.pins().pins.front()},
               {"held_n", weakest.held_n()},
@@ -61,6 +90,7 @@ Json json_of(const Study& study,
     root["classes"].push_back({{"size", one.size()},
                                {"pins", one.pins().pins},
                                {"stable", one.character.stable()},
+                               {"state", name_of(one.standing())},
                                {"rest_mm", number_or_null(one.character.rest_mm)},
                                {"stiffness_n_mm", one.character.stiffness_n_mm},
                                {"minimum_n", one.character.minimum_n},
@@ -86,15 +116,29 @@ void print_text(const Study& study,
   const std::size_t count = study.arrangement().pins.size();
   out << "  " << to_text(study.design()) << "; " << study.arrangement().shields.size()
       << " shields\n  ";
-  if (unstable.empty()) {
+  const std::vector<int> pressed = study.pins_that(Standing::kPressed);
+  if (unstable.empty() && pressed.empty()) {
     const ClassStudy& weakest = weakest_of(study);
     out << "all " << count << " pins stable; weakest: pin " << weakest.pins().pins.front()
         << ", held up to " << fixed(weakest.held_n(), 2) << " N";
     out << (weakest.extension_mm ? ", " + fixed(*weakest.extension_mm, 2) + " mm" : ", expelled")
         << " at " << to_text(study.design().coil_force_n) << " N\n\n";
   } else {
-    out << unstable.size() << " of " << count
-        << " pins UNSTABLE, nothing draws them back: " << ids_text(unstable) << "\n\n";
+    std::string text;
+    if (!unstable.empty()) {
+      text += std::to_string(unstable.size()) + " of " + std::to_string(count) +
+              " pins UNSTABLE, nothing draws them back: " + ids_text(unstable);
+    }
+    if (!pressed.empty()) {
+      // The first line's blanks are there already.
+      text += (text.empty() ? "" : "\n  ") +
+              wrapped(std::to_string(pressed.size()) + " of " + std::to_string(count) + " pins " +
+                          pressed_text(study) + ids_text(pressed),
+                      78, 2)
+                  .substr(2);
+      text.pop_back();
+    }
+    out << text << "\n\n";
   }
   out << table_of(study).text();
   if (!together) return;
