@@ -25,6 +25,9 @@ Result<Experiment> parse_experiment(std::string_view text, const std::string& fi
 /// read).
 Result<Experiment> find_experiment(const std::string& name_or_file);
 
+/// EX_CONFIG when a preset has this name and is another experiment.
+Result<void> is_no_other_preset(const Experiment& experiment);
+
 /// As `parse_experiment` reads it, in one line, every key said.
 std::string experiment_text(const Experiment& experiment);
 

@@ -47,6 +47,17 @@ Result<Experiment> find_experiment(const std::string& name_or_file) {
   return parse_experiment(text, name_or_file);
 }
 
+Result<void> is_no_other_preset(const Experiment& experiment) {
+  for (const Preset& preset : presets()) {
+    if (preset.name == experiment.name && find_experiment(experiment.name).value() != experiment) {
+      return Problem{EX_CONFIG, experiment.name +
+                                    " is the name of a preset that differs: give it " +
+                                    "a name of its own"};
+    }
+  }
+  return {};
+}
+
 std::string experiment_text(const Experiment& e) {
   const int decimals = e.decimals();
   json stages = json::array();

@@ -178,6 +178,26 @@ Result<Experiment> StudyFolder::experiment(const std::string& name_or_file) cons
   return find_experiment(is_name && fs::exists(own, failed) ? own.string() : name_or_file);
 }
 
+Result<void> StudyFolder::is_unmistakable(const Experiment& experiment) const {
+  if (auto checked = is_no_other_preset(experiment); !checked) {
+    return checked;
+  }
+  for (const JournalName& name : journals()) {
+    if (name.experiment != experiment.name) {
+      continue;
+    }
+    // What cannot be read says so where it is read.
+    const auto lines = read_journal(name.path);
+    const auto* header =
+        lines && !lines->empty() ? std::get_if<RunStarted>(&lines->front().event) : nullptr;
+    if (header != nullptr && header->experiment != experiment) {
+      return Problem{EX_CONFIG, experiment.name + " is not the one of " + name.path.string() +
+                                    ": give it a name of its own"};
+    }
+  }
+  return {};
+}
+
 Result<void> StudyFolder::adopt(const Experiment& experiment, const fs::path& file) const {
   const fs::path own = path_ / "experiments" / (experiment.name + ".json");
   std::error_code failed;

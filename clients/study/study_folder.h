@@ -61,6 +61,9 @@ class StudyFolder {
                                      int run) const;
   /// The study's own experiments/NAME.json if there is one, else as `find_experiment`.
   Result<Experiment> experiment(const std::string& name_or_file) const;
+  /// EX_CONFIG when a preset, or an experiment that this study has a journal of, has the same name
+  /// and is another one: their results would be taken for each other's.
+  Result<void> is_unmistakable(const Experiment& experiment) const;
   /// Copies an experiment's file to experiments/NAME.json. EX_CANTCREAT when that is there already.
   Result<void> adopt(const Experiment& experiment, const std::filesystem::path& file) const;
   /// Every journal, by participant, experiment and run.

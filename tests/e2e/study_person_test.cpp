@@ -47,10 +47,24 @@ TEST_F(Study, APersonSeesTheQuestionAndNothingElse) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
   EXPECT_TRUE(desk.shows("reversals"));
+  // While a note is being typed the run goes on: twenty seconds of the ball's time, two claims'
+  // worth, and an answer in the middle of it.
+  RawClient game(daemon_->port());
   desk.type("n");
   ASSERT_TRUE(desk.shows("note: "));
-  desk.type("coughed\n");
+  desk.type("coughx\x7f");
+  std::this_thread::sleep_for(std::chrono::milliseconds(1000));
+  EXPECT_EQ(game.call("effect.pulse", {{"direction", "left"}})["data"]["name"], "claimed");
+  page.type("\033[D");
+  ASSERT_TRUE(eventually([&] { return count(journal("P01.quick.1.jsonl"), "answered") == 5; }));
+  EXPECT_EQ(count(journal("P01.quick.1.jsonl"), "note"), 0);
+  desk.type("ed\n");
   ASSERT_TRUE(eventually([&] { return count(journal("P01.quick.1.jsonl"), "note") == 1; }));
+  for (const Json& line : journal("P01.quick.1.jsonl")) {
+    if (line["event"] == "note") {
+      EXPECT_EQ(line["text"], "coughed");
+    }
+  }
   desk.type("q");
   EXPECT_EQ(desk.wait(), 75);
   EXPECT_TRUE(desk.is_as_a_shell_leaves_it());
@@ -65,12 +79,34 @@ TEST_F(Study, APersonSeesTheQuestionAndNothingElse) {
 
   TerminalProgram again(home_, HEDGEHOG_STUDY_PATH, {"-C", home_.path("th"), "resume", "--blind"},
                         variables());
-  ASSERT_TRUE(again.shows("3 trials kept"));
+  ASSERT_TRUE(again.shows("going on"));
   ASSERT_TRUE(again.shows("Which one was stronger?"));
   again.type("q");
   EXPECT_EQ(again.wait(), 75);
-  const auto after = again.shown().substr(again.shown().find("\033[?1049h"));
-  EXPECT_THAT(after, testing::Not(HasSubstr("level")));
+  for (const char* secret : {"level", "trial", "scored", "kept", "reversal", "%"}) {
+    EXPECT_THAT(again.shown(), testing::Not(HasSubstr(secret)));
+  }
+}
+
+TEST_F(Study, AnotherExperimentOfTheSameNameIsRefused) {
+  start_daemon();
+  remember_address();
+  plan("th", "2", quick_path());
+  ASSERT_EQ(study({"run", "quick", "--participant", "P01", "--simulated"}).exit_code, 0);
+  home_.write("changed.json", quick(R"(, "discard": 3)"));
+  const std::string changed = home_.path("changed.json");
+  const Ended refused = study({"run", changed, "--participant", "P02", "--simulated"});
+  EXPECT_EQ(refused.exit_code, 78);
+  EXPECT_THAT(refused.err, HasSubstr("give it a name of its own"));
+  EXPECT_TRUE(journal("P02.quick.1.jsonl").empty());
+  // The same under another path is no other one.
+  EXPECT_EQ(study({"run", quick_path(), "--participant", "P02", "--simulated"}).exit_code, 0);
+  std::string preset = quick();
+  preset.replace(preset.find("\"quick\""), 7, "\"force-jnd\"");
+  home_.write("preset.json", preset);
+  const std::string copy = home_.path("preset.json");
+  EXPECT_EQ(study({"run", copy, "--participant", "P02", "--simulated"}).exit_code, 78);
+  EXPECT_EQ(study({"plan", home_.path("other"), "--experiments", copy}).exit_code, 78);
 }
 
 TEST_F(Study, APersonMayBeSlowRestAndPause) {

@@ -2,10 +2,13 @@
 // What comes out: rows, files, pages; and which intervals make a trial void.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <map>
 
 #include "clients/study/experiment_file.h"
+#include "clients/study/journal/journal.h"
+#include "clients/study/report/collect.h"
 #include "clients/study/report/figures.h"
 #include "clients/study/report/rows.h"
 #include "clients/study/session/player.h"
@@ -116,6 +119,66 @@ TEST(Figure, MarksReversalsAndTheMean) {
   EXPECT_THAT(plot, HasSubstr("mean of reversals, 13.25 %"));
 }
 
+AnalysedRun threshold_of(const std::string& participant, int run, double threshold, bool simulated,
+                         int discard = 2) {
+  RunStarted header;
+  header.participant = participant;
+  header.experiment = find_experiment("force-jnd").value();
+  header.experiment.rule.discard = discard;
+  header.run = run;
+  header.simulated_person = simulated;
+  AnalysedRun analysed{{participant, "force-jnd", run, {}},
+                       RecordedRun::replay({{1, "t", header}}).value(),
+                       {},
+                       false};
+  analysed.analysis.threshold = threshold;
+  return analysed;
+}
+
+TEST(Groups, HoldTheSameExperimentAndNoProgramsAmongPeople) {
+  std::vector<AnalysedRun> runs{threshold_of("P01", 1, 10, false),
+                                threshold_of("P01", 2, 12, false), threshold_of("P01", 3, 99, true),
+                                threshold_of("P02", 1, 14, false),
+                                threshold_of("P03", 1, 50, true, 3)};
+  choose(runs);
+  const StudyFolder study =
+      StudyFolder::create(testing::TempDir() + "/groups-" + std::to_string(::getpid()),
+                          make_plan(3, {"force-jnd"}, 1))
+          .value();
+  const auto groups = groups_of(study, runs);
+  ASSERT_EQ(groups.size(), 2U);
+  EXPECT_EQ(groups[0].result.count, 2);
+  EXPECT_EQ(groups[0].result.mean, 13);
+  // Another rule under the same name: by itself, and there are no people in it.
+  EXPECT_EQ(groups[1].result.count, 1);
+  EXPECT_EQ(groups[1].result.mean, 50);
+}
+
+TEST(Collect, GivesEachRunReplicationsOfItsOwn) {
+  const StudyFolder study =
+      StudyFolder::create(testing::TempDir() + "/collect-" + std::to_string(::getpid()),
+                          make_plan(2, {"force-jnd"}, 1))
+          .value();
+  for (const char* participant : {"P01", "P02"}) {
+    RunStarted header;
+    header.participant = participant;
+    header.experiment = find_experiment("force-jnd").value();
+    Journal journal =
+        Journal::create(study.journal_path(participant, "force-jnd", 1), header).value();
+    for (int trial = 0; const auto next = journal.run().state().next(); ++trial) {
+      ASSERT_TRUE(journal.append(TrialStarted{*next}));
+      const bool right = trial % 3 != 2;
+      ASSERT_TRUE(journal.append(Answered{
+          (next->interval_of_test == 1) == right ? Answer::kFirst : Answer::kSecond, 500}));
+    }
+  }
+  std::vector<std::string> problems;
+  const auto runs = collect(study, 40, problems);
+  ASSERT_EQ(runs.size(), 2U);
+  EXPECT_EQ(runs[0].analysis.threshold_text, runs[1].analysis.threshold_text);
+  EXPECT_NE(runs[0].analysis.interval, runs[1].analysis.interval);
+}
+
 TEST(Fault, IsWhateverThePersonDidNotFeelInFull) {
   const Pattern pattern;
   EXPECT_FALSE(fault_of(good(1, 5), pattern));
@@ -130,6 +193,10 @@ TEST(Fault, IsWhateverThePersonDidNotFeelInFull) {
   EXPECT_EQ(fault([](auto& p) { p.mixed_ms = 1; }), "interval 2 was mixed with another effect");
   EXPECT_EQ(fault([](auto& p) { p.reason = "tripped"; }), "interval 2 ended as tripped");
   EXPECT_EQ(fault([](auto& p) { p.onset_ns.reset(); }), "interval 2 never began");
+  const std::string unsaid = "interval 2 ended without a word on how it was delivered";
+  EXPECT_EQ(fault([](auto& p) { p.delivered_min.reset(); }), unsaid);
+  EXPECT_EQ(fault([](auto& p) { p.masked_ms.reset(); }), unsaid);
+  EXPECT_EQ(fault([](auto& p) { p.mixed_ms.reset(); }), unsaid);
   EXPECT_EQ(fault([](auto& p) { *p.offset_ns -= 10'000'000; }), "interval 2 was cut short");
 }
 

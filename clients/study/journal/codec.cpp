@@ -98,10 +98,10 @@ void write(ordered_json& out, const IntervalPlayed& e) {
   out["onset_ns"] = or_null(e.onset_ns);
   out["offset_ns"] = or_null(e.offset_ns);
   out["reason"] = e.reason;
-  out["delivered_min"] = e.delivered_min;
-  out["delivered_mean"] = e.delivered_mean;
-  out["masked_ms"] = e.masked_ms;
-  out["mixed_ms"] = e.mixed_ms;
+  out["delivered_min"] = or_null(e.delivered_min);
+  out["delivered_mean"] = or_null(e.delivered_mean);
+  out["masked_ms"] = or_null(e.masked_ms);
+  out["mixed_ms"] = or_null(e.mixed_ms);
   out["measured_a"] = or_null(e.measured_a);
   out["temperature_c"] = or_null(e.temperature_c);
 }
@@ -114,10 +114,10 @@ IntervalPlayed read_interval(const ordered_json& in) {
           maybe<std::int64_t>(in, "onset_ns"),
           maybe<std::int64_t>(in, "offset_ns"),
           in.at("reason"),
-          in.at("delivered_min"),
-          in.at("delivered_mean"),
-          in.at("masked_ms"),
-          in.at("mixed_ms"),
+          maybe<double>(in, "delivered_min"),
+          maybe<double>(in, "delivered_mean"),
+          maybe<std::int64_t>(in, "masked_ms"),
+          maybe<std::int64_t>(in, "mixed_ms"),
           maybe<double>(in, "measured_a"),
           maybe<double>(in, "temperature_c")};
 }

@@ -60,10 +60,11 @@ struct IntervalPlayed {
   std::optional<std::int64_t> onset_ns{};
   std::optional<std::int64_t> offset_ns{};
   std::string reason{};  // why it ended; "completed" if all is well
-  double delivered_min = 0.0;
-  double delivered_mean = 0.0;
-  std::int64_t masked_ms = 0;
-  std::int64_t mixed_ms = 0;
+  // Nothing where the daemon did not say.
+  std::optional<double> delivered_min{};
+  std::optional<double> delivered_mean{};
+  std::optional<std::int64_t> masked_ms{};
+  std::optional<std::int64_t> mixed_ms{};
   std::optional<double> measured_a{};  // the highest seen while it played
   std::optional<double> temperature_c{};
   friend bool operator==(const IntervalPlayed&, const IntervalPlayed&) = default;

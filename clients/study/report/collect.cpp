@@ -31,25 +31,37 @@ std::vector<AnalysedRun> collect(const StudyFolder& study, int bootstraps,
     }
     AnalysisOptions options;
     options.bootstraps = bootstraps;
-    options.seed = study.plan().seed;
+    // Each run's own replications: errors that all share would not average out over a group.
+    options.seed = draw_bits(study.plan().seed, Purpose::kBootstrap,
+                             {word_of(name.participant), static_cast<std::uint64_t>(name.run)});
     options.force_n_per_a = run->header().ball.force_n_per_a;
     const RunAnalysis analysis = analyse(run->header().experiment, run->state(), options);
     all.push_back({name, *std::move(run), analysis, false});
   }
+  choose(all);
+  return all;
+}
+
+void choose(std::vector<AnalysedRun>& all) {
+  const auto same = [](const AnalysedRun& a, const AnalysedRun& b) {
+    return a.run.header().experiment == b.run.header().experiment;
+  };
+  for (AnalysedRun& run : all) {
+    // Programs are no company for people.
+    run.in_group = run.analysis.threshold &&
+                   (!run.run.header().simulated_person ||
+                    std::none_of(all.begin(), all.end(), [&](const AnalysedRun& other) {
+                      return !other.run.header().simulated_person && same(other, run);
+                    }));
+  }
   // Sorted by run: the last finished one of each takes the place of those before.
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (!all[i].analysis.threshold) {
-      continue;
-    }
-    for (std::size_t j = 0; j < i; ++j) {
-      if (all[j].name.participant == all[i].name.participant &&
-          all[j].name.experiment == all[i].name.experiment) {
+    for (std::size_t j = 0; j < i && all[i].in_group; ++j) {
+      if (all[j].name.participant == all[i].name.participant && same(all[j], all[i])) {
         all[j].in_group = false;
       }
     }
-    all[i].in_group = true;
   }
-  return all;
 }
 
 std::vector<AnalysedGroup> groups_of(const StudyFolder& study,
@@ -62,23 +74,30 @@ std::vector<AnalysedGroup> groups_of(const StudyFolder& study,
   }
   std::vector<AnalysedGroup> groups;
   for (const std::string& name : names) {
-    AnalysedGroup group;
+    const std::size_t first = groups.size();
+    for (const AnalysedRun& run : runs) {
+      if (!run.in_group || run.name.experiment != name) {
+        continue;
+      }
+      const Experiment& experiment = run.run.header().experiment;
+      const auto place =
+          std::find_if(groups.begin() + static_cast<std::ptrdiff_t>(first), groups.end(),
+                       [&](const AnalysedGroup& g) { return g.experiment == experiment; });
+      AnalysedGroup& group = place != groups.end() ? *place : groups.emplace_back();
+      group.experiment = experiment;
+      group.runs.push_back(&run);
+      group.flagged += run.analysis.flags.empty() ? 0 : 1;
+    }
+  }
+  for (AnalysedGroup& group : groups) {
     std::vector<double> thresholds;
     std::vector<double> forces;
-    for (const AnalysedRun& run : runs) {
-      if (run.in_group && run.name.experiment == name) {
-        group.experiment = run.run.header().experiment;
-        group.runs.push_back(&run);
-        thresholds.push_back(*run.analysis.threshold);
-        forces.push_back(run.analysis.force_n.value_or(0.0));
-        group.flagged += run.analysis.flags.empty() ? 0 : 1;
-      }
+    for (const AnalysedRun* run : group.runs) {
+      thresholds.push_back(*run->analysis.threshold);
+      forces.push_back(run->analysis.force_n.value_or(0.0));
     }
-    if (!group.runs.empty()) {
-      group.result = study::group(thresholds);
-      group.force_n = mean(forces);
-      groups.push_back(group);
-    }
+    group.result = study::group(thresholds);
+    group.force_n = mean(forces);
   }
   return groups;
 }

@@ -15,11 +15,12 @@ struct AnalysedRun {
   JournalName name{};
   RecordedRun run;
   RunAnalysis analysis{};
-  /// The last finished run of its participant and experiment: it counts for the group.
+  /// The last finished run of its participant and experiment: it counts for the group. A simulated
+  /// one does not where people took the same experiment.
   bool in_group = false;
 };
 
-/// One experiment over its participants.
+/// One experiment, the same in every number, over its participants.
 struct AnalysedGroup {
   Experiment experiment{};
   std::vector<const AnalysedRun*> runs{};  // those that count
@@ -32,6 +33,9 @@ struct AnalysedGroup {
 /// By participant, experiment and run. Journals that cannot be read are told in `problems`.
 std::vector<AnalysedRun> collect(const StudyFolder& study, int bootstraps,
                                  std::vector<std::string>& problems);
+
+/// Sets `in_group`. By participant, experiment and run.
+void choose(std::vector<AnalysedRun>& runs);
 
 /// In the order of the plan; experiments that are not in it behind. The result points into `runs`.
 std::vector<AnalysedGroup> groups_of(const StudyFolder& study,

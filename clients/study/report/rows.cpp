@@ -25,7 +25,10 @@ std::string or_none(const std::optional<T>& value, Text text) {
 
 /// The level as it was delivered: the nominal one, times what the limiter let through.
 std::string presented(const Experiment& e, const IntervalPlayed& test) {
-  const double current = test.stimulus.current_a * test.delivered_mean;
+  if (!test.delivered_mean && e.quantity != Quantity::kSpeedPercent) {
+    return kNone;
+  }
+  const double current = test.stimulus.current_a * test.delivered_mean.value_or(0.0);
   switch (e.quantity) {
     case Quantity::kCurrentPercent:
       return number(100.0 * (current / e.pattern.current_a - 1.0));

@@ -34,6 +34,8 @@ struct Input {
   Answer answer = Answer::kNo;
   /// Of an answer, when it is not to be measured: a simulated person's.
   std::optional<std::int64_t> response_ms{};
+  /// When it was done.
+  std::chrono::steady_clock::time_point at = std::chrono::steady_clock::now();
   std::string text{};  // of a note
 };
 
@@ -49,6 +51,8 @@ class Desk {
   virtual Input wait(std::chrono::milliseconds patience) = 0;
   /// Nobody is there to continue what needs a person.
   virtual bool unattended() const = 0;
+  /// What somebody has typed of a note when there is no more time to end it.
+  virtual std::optional<std::string> unfinished_note() { return std::nullopt; }
 };
 
 }  // namespace hedgehog::study

@@ -140,8 +140,8 @@ Result<void> run_participant_page(const std::filesystem::path& path,
         pending.erase(0, end + 1);
       }
     }
-    if (const auto key = terminal.key(kGlance); key == '<' || key == '>') {
-      (void)::send(server, &*key, 1, MSG_NOSIGNAL);
+    if (const auto key = terminal.key(kGlance); key && (key->what == '<' || key->what == '>')) {
+      (void)::send(server, &key->what, 1, MSG_NOSIGNAL);
     }
   }
   ::close(server);

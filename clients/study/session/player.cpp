@@ -55,14 +55,17 @@ std::optional<std::string> fault_of(const IntervalPlayed& played, const Pattern&
   if (*played.offset_ns - *played.onset_ns < (pattern.duration_ms - kShortMs) * kNsPerMs) {
     return which + " was cut short";
   }
-  if (played.delivered_min < kFullStrength) {
-    return which + " was delivered at " +
-           std::to_string(static_cast<int>(100.0 * played.delivered_min)) + " %";
+  if (!played.delivered_min || !played.masked_ms || !played.mixed_ms) {
+    return which + " ended without a word on how it was delivered";
   }
-  if (played.masked_ms > 0) {
+  if (*played.delivered_min < kFullStrength) {
+    return which + " was delivered at " +
+           std::to_string(static_cast<int>(100.0 * *played.delivered_min)) + " %";
+  }
+  if (*played.masked_ms > 0) {
     return which + " was masked by another effect";
   }
-  if (played.mixed_ms > 0) {
+  if (*played.mixed_ms > 0) {
     return which + " was mixed with another effect";
   }
   return std::nullopt;
@@ -199,14 +202,15 @@ Outcome<IntervalPlayed> Player::play(int interval, const Stimulus& stimulus, con
       }
     }
   }
-  const protocol::EventDelivery delivered = ended_->delivered.value_or(protocol::EventDelivery{});
   played.onset_ns = ended_->onset_ns;
   played.offset_ns = ended_->offset_ns;
   played.reason = ended_->reason.value_or("");
-  played.delivered_min = delivered.min;
-  played.delivered_mean = delivered.mean;
-  played.masked_ms = ended_->masked_ms.value_or(0);
-  played.mixed_ms = ended_->mixed_ms.value_or(0);
+  if (ended_->delivered) {
+    played.delivered_min = ended_->delivered->min;
+    played.delivered_mean = ended_->delivered->mean;
+  }
+  played.masked_ms = ended_->masked_ms;
+  played.mixed_ms = ended_->mixed_ms;
   played.measured_a = highest_a_;
   played.temperature_c = temperature_c_;
   return played;

@@ -51,6 +51,9 @@ Result<RunEnd> Runner::run() {
       return **early;
     }
   }
+  if (auto kept = keep_note(); !kept) {
+    return kept.error();
+  }
   const Staircase& staircase = journal_.run().state().staircase();
   const std::vector<Level> counted = staircase.counted_reversals();
   const Experiment& experiment = journal_.run().header().experiment;
@@ -154,11 +157,19 @@ Result<Runner::Early> Runner::ask(std::string& fault) {
   const auto asked_at = steady_clock::now();
   while (true) {
     const Input input = desk_.wait(kGlance);
-    const auto took = std::chrono::duration_cast<Milliseconds>(steady_clock::now() - asked_at);
-    if (input.kind == Input::Kind::kAnswer && fits(input.answer, experiment.task)) {
-      if (auto written =
-              journal_.append(Answered{input.answer, input.response_ms.value_or(took.count())});
-          !written) {
+    // A key from before the question answers nothing.
+    const bool answers = input.kind == Input::Kind::kAnswer &&
+                         fits(input.answer, experiment.task) && input.at >= asked_at;
+    const std::int64_t took_ms =
+        answers && input.response_ms
+            ? *input.response_ms
+            : std::chrono::duration_cast<Milliseconds>(input.at - asked_at).count();
+    if (experiment.response_limit_ms > 0 && took_ms > experiment.response_limit_ms) {
+      fault = "no answer in time";
+      return Early{};
+    }
+    if (answers) {
+      if (auto written = journal_.append(Answered{input.answer, took_ms}); !written) {
         return written.error();
       }
       message_.clear();
@@ -172,10 +183,6 @@ Result<Runner::Early> Runner::ask(std::string& fault) {
     }
     if (void_asked_) {
       fault = "by the experimenter";
-      return Early{};
-    }
-    if (experiment.response_limit_ms > 0 && took.count() > experiment.response_limit_ms) {
-      fault = "no answer in time";
       return Early{};
     }
     // The trial was good; a daemon that goes away now spoils none of it.

@@ -44,6 +44,8 @@ class Runner {
   /// Takes in what people do outside of a question.
   Result<void> glance(std::chrono::milliseconds patience);
   Result<void> heed(const Input& input);
+  /// A note that is being typed at the end is written down as far as it is.
+  Result<void> keep_note();
   Result<Early> leave();
   void show(Phase phase, int interval = 0, const std::string& message = {});
   bool asked_to_stop() const { return stop_asked_ || stop_(); }

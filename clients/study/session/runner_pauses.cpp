@@ -125,6 +125,7 @@ Result<Runner::Early> Runner::reconnect(const std::string& why) {
     auto again = Player::open(addresses_, kReconnect);
     if (again) {
       player_ = *std::move(again);
+      lost_.clear();
       break;
     }
     if (auto seen = glance(kLookAgain); !seen) {
@@ -170,7 +171,15 @@ Result<void> Runner::heed(const Input& input) {
   return {};
 }
 
+Result<void> Runner::keep_note() {
+  const auto note = desk_.unfinished_note();
+  return note && !note->empty() ? journal_.append(Remark{"note", *note}) : Result<void>();
+}
+
 Result<Runner::Early> Runner::leave() {
+  if (auto kept = keep_note(); !kept) {
+    return kept.error();
+  }
   if (journal_.run().open()) {
     if (auto written = journal_.append(Voided{"stopped"}); !written) {
       return written.error();

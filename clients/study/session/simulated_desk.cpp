@@ -39,8 +39,11 @@ Input SimulatedDesk::wait(std::chrono::milliseconds patience) {
   } else {
     input.answer = (trial.interval_of_test == 1) == positive ? Answer::kFirst : Answer::kSecond;
   }
-  const double slow =
-      draw(seed_, Purpose::kReactionTime, {what, static_cast<std::uint64_t>(trial.number)});
+  const double slow = trial.attempt == 1 ? draw(seed_, Purpose::kReactionTime,
+                                                {what, static_cast<std::uint64_t>(trial.number)})
+                                         : draw(seed_, Purpose::kReactionTime,
+                                                {what, static_cast<std::uint64_t>(trial.number),
+                                                 static_cast<std::uint64_t>(trial.attempt)});
   input.response_ms = std::llround(kQuickestMs - kUsualMs * std::log1p(-slow));
   return input;
 }

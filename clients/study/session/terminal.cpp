@@ -6,7 +6,6 @@
 
 #include <cstdio>
 #include <string_view>
-#include <utility>
 
 namespace hedgehog::study {
 
@@ -14,7 +13,9 @@ bool is_terminal() { return isatty(STDIN_FILENO) != 0 && isatty(STDOUT_FILENO) !
 
 Terminal::Terminal() {
   tcgetattr(STDIN_FILENO, &before_);
-  keys_one_by_one(true);
+  termios mode = before_;
+  mode.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
+  tcsetattr(STDIN_FILENO, TCSANOW, &mode);
   std::fputs("\033[?1049h\033[?25l\033[2J", stdout);
   std::fflush(stdout);
 }
@@ -22,15 +23,7 @@ Terminal::Terminal() {
 Terminal::~Terminal() {
   std::fputs("\033[?25h\033[?1049l", stdout);
   std::fflush(stdout);
-  keys_one_by_one(false);
-}
-
-void Terminal::keys_one_by_one(bool on) {
-  termios mode = before_;
-  if (on) {
-    mode.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
-  }
-  tcsetattr(STDIN_FILENO, TCSANOW, &mode);
+  tcsetattr(STDIN_FILENO, TCSANOW, &before_);
 }
 
 void Terminal::draw(const std::vector<std::string>& lines) {
@@ -45,7 +38,7 @@ void Terminal::draw(const std::vector<std::string>& lines) {
   std::fflush(stdout);
 }
 
-std::optional<char> Terminal::key(std::chrono::milliseconds patience) {
+std::optional<Key> Terminal::key(std::chrono::milliseconds patience) {
   if (typed_.empty()) {
     pollfd waiting{STDIN_FILENO, POLLIN, 0};
     char bytes[64];
@@ -57,6 +50,7 @@ std::optional<char> Terminal::key(std::chrono::milliseconds patience) {
       return std::nullopt;
     }
     typed_.assign(bytes, static_cast<std::size_t>(count));
+    typed_at_ = std::chrono::steady_clock::now();
   }
   // Several keys may come in one breath.
   const char first = typed_.front();
@@ -65,24 +59,9 @@ std::optional<char> Terminal::key(std::chrono::milliseconds patience) {
   const char last = sequence ? typed_[2] : '\0';
   typed_.erase(0, sequence ? 3 : 1);
   if (last == 'D' || last == 'C') {
-    return last == 'D' ? '<' : '>';
+    return Key{last == 'D' ? '<' : '>', true, typed_at_};
   }
-  return first == '\033' ? std::nullopt : std::optional(first);
-}
-
-std::string Terminal::line(const std::string& prompt) {
-  keys_one_by_one(false);
-  std::printf("\033[%zu;1H\033[K  %s\033[?25h", shown_.size() + 1, prompt.c_str());
-  std::fflush(stdout);
-  std::string text = std::exchange(typed_, {});
-  char byte = 0;
-  while (text.find('\n') == std::string::npos && read(STDIN_FILENO, &byte, 1) == 1) {
-    text += byte;
-  }
-  text = text.substr(0, text.find('\n'));
-  std::printf("\033[?25l\033[%zu;1H\033[K", shown_.size() + 1);
-  keys_one_by_one(true);
-  return text;
+  return first == '\033' ? std::nullopt : std::optional(Key{first, false, typed_at_});
 }
 
 }  // namespace hedgehog::study

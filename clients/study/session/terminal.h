@@ -14,6 +14,12 @@ namespace hedgehog::study {
 /// Both ends of this program are a terminal.
 bool is_terminal();
 
+struct Key {
+  char what = '\0';
+  bool arrow = false;                          // '<' or '>' then
+  std::chrono::steady_clock::time_point at{};  // when it came
+};
+
 /// Restores the terminal when it goes away. One at a time.
 class Terminal {
  public:
@@ -23,17 +29,14 @@ class Terminal {
   Terminal& operator=(const Terminal&) = delete;
 
   void draw(const std::vector<std::string>& lines);
-  /// A key within `patience`; the arrows are '<' and '>'.
-  std::optional<char> key(std::chrono::milliseconds patience);
-  /// A line typed with echo below the picture.
-  std::string line(const std::string& prompt);
+  /// A key within `patience`.
+  std::optional<Key> key(std::chrono::milliseconds patience);
 
  private:
-  void keys_one_by_one(bool on);
-
   termios before_{};
   std::vector<std::string> shown_{};
   std::string typed_{};  // and not yet taken
+  std::chrono::steady_clock::time_point typed_at_{};
 };
 
 }  // namespace hedgehog::study

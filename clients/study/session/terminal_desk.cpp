@@ -5,6 +5,17 @@
 
 namespace hedgehog::study {
 
+namespace {
+
+constexpr std::size_t kNoteColumns = 70;
+
+/// Of UTF-8.
+bool continues_a_character(char byte) {
+  return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
+}
+
+}  // namespace
+
 TerminalDesk::TerminalDesk(std::optional<ParticipantServer> page, bool blind)
     : page_(std::move(page)), blind_(blind) {}
 
@@ -14,16 +25,61 @@ void TerminalDesk::show(const View& view) {
   if (page_) {
     page_->show(cue);
   }
-  terminal_.draw(blind_ ? participant_lines(cue) : experimenter_lines(view));
+  lines_ = blind_ ? participant_lines(cue) : experimenter_lines(view);
+  draw();
+}
+
+void TerminalDesk::draw() {
+  std::vector<std::string> lines = lines_;
+  if (note_) {
+    // The end of a long one is what is being typed.
+    std::size_t from = note_->size() > kNoteColumns ? note_->size() - kNoteColumns : 0;
+    while (from < note_->size() && continues_a_character((*note_)[from])) {
+      ++from;
+    }
+    lines.push_back("  note: " + note_->substr(from) + "_");
+  }
+  terminal_.draw(lines);
+}
+
+std::optional<std::string> TerminalDesk::unfinished_note() { return std::exchange(note_, {}); }
+
+std::optional<std::string> TerminalDesk::note_key(char key) {
+  std::optional<std::string> done;
+  if (key == '\n' || key == '\r') {
+    done = std::exchange(note_, {});
+  } else if (key == '\x7f' || key == '\b') {
+    while (!note_->empty() && continues_a_character(note_->back())) {
+      note_->pop_back();
+    }
+    if (!note_->empty()) {
+      note_->pop_back();
+    }
+  } else if (static_cast<unsigned char>(key) >= ' ') {
+    *note_ += key;
+  }
+  draw();
+  return done;
 }
 
 Input TerminalDesk::wait(std::chrono::milliseconds patience) {
   Input input;
-  std::optional<char> key = page_ ? page_->key() : std::nullopt;
-  if (!key) {
-    key = terminal_.key(patience);
+  char key = page_ ? page_->key().value_or('\0') : '\0';
+  if (key == '\0') {
+    const auto typed = terminal_.key(patience);
+    if (typed && note_ && !typed->arrow) {
+      if (const auto note = note_key(typed->what)) {
+        input.kind = Input::Kind::kNote;
+        input.text = *note;
+      }
+      return input;
+    }
+    if (typed) {
+      key = typed->what;
+      input.at = typed->at;
+    }
   }
-  switch (key.value_or('\0')) {
+  switch (key) {
     case '<':
       input.kind = Input::Kind::kAnswer;
       input.answer = two_intervals_ ? Answer::kFirst : Answer::kNo;
@@ -45,8 +101,8 @@ Input TerminalDesk::wait(std::chrono::milliseconds patience) {
       input.kind = Input::Kind::kStop;
       break;
     case 'n':
-      input.kind = Input::Kind::kNote;
-      input.text = terminal_.line("note: ");
+      note_.emplace();
+      draw();
       break;
     default:
       break;

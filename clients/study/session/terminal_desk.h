@@ -4,6 +4,8 @@
 
 #include <functional>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "clients/study/session/desk.h"
 #include "clients/study/session/participant_page.h"
@@ -19,12 +21,20 @@ class TerminalDesk : public Desk {
   void show(const View& view) override;
   Input wait(std::chrono::milliseconds patience) override;
   bool unattended() const override { return false; }
+  std::optional<std::string> unfinished_note() override;
 
  private:
+  void draw();
+  /// A key of the note that is being typed. The note, when that ended it.
+  std::optional<std::string> note_key(char key);
+
   Terminal terminal_;
   std::optional<ParticipantServer> page_;
   bool blind_;
   bool two_intervals_ = false;
+  std::vector<std::string> lines_{};
+  /// While one is typed, key by key, so that the run and its claim on the ball go on.
+  std::optional<std::string> note_{};
 };
 
 }  // namespace hedgehog::study

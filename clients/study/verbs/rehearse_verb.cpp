@@ -69,6 +69,9 @@ int run_rehearse(const RunOptions& options) {
       if (!experiment) {
         return complain(experiment.error());
       }
+      if (const auto checked = study->is_unmistakable(*experiment); !checked) {
+        return complain(checked.error());
+      }
       const auto report = [&](const View& view) {
         if (!bar || view.phase != Phase::kReady) {
           return;

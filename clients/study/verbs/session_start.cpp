@@ -50,8 +50,7 @@ int complain(const client::ClientError& error) {
   return study::complain(code, error.message);
 }
 
-/// What the end of a run tells the shell and the person.
-int say_end(const Journal& journal, RunEnd end) {
+int say_end(const Journal& journal, RunEnd end, bool blind) {
   const RecordedRun& run = journal.run();
   const Experiment& experiment = run.header().experiment;
   const Staircase& staircase = run.state().staircase();
@@ -60,11 +59,17 @@ int say_end(const Journal& journal, RunEnd end) {
     return study::complain(EX_TEMPFAIL, "the ball does not play; hedgehog-study resume goes on");
   }
   if (end == RunEnd::kStopped) {
-    std::printf("stopped after %d scored trials; hedgehog-study resume goes on\n",
-                staircase.state().scored);
+    if (blind) {
+      std::puts("stopped; hedgehog-study resume goes on");
+    } else {
+      std::printf("stopped after %d scored trials; hedgehog-study resume goes on\n",
+                  staircase.state().scored);
+    }
     return interrupted() ? kInterrupted : EX_TEMPFAIL;
   }
-  if (counted.empty()) {
+  if (blind) {
+    std::puts("done");
+  } else if (counted.empty()) {
     std::printf("given up after %d scored trials: no threshold\n", staircase.state().scored);
   } else {
     const double value = mean_value(counted, experiment.decimals());

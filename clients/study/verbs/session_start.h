@@ -21,7 +21,8 @@ int complain(const Problem& problem);
 int complain(const client::ClientError& error);
 
 /// Tells the person how the run ended, and the shell.
-int say_end(const Journal& journal, RunEnd end);
+/// `blind`: nothing of what the participant may not know.
+int say_end(const Journal& journal, RunEnd end, bool blind = false);
 
 /// The runs of a participant and experiment.
 struct RunsSoFar {

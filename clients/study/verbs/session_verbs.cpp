@@ -38,10 +38,15 @@ int go_on(const Start& start, Journal& journal, Player player,
   if (!end) {
     return complain(end.error());
   }
-  return say_end(journal, *end);
+  return say_end(journal, *end, start.blind);
 }
 
-void say_resumed(const Journal& journal) {
+void say_resumed(const Journal& journal, bool blind) {
+  if (blind) {
+    std::puts("going on");
+    std::fflush(stdout);
+    return;
+  }
   const RecordedRun& run = journal.run();
   const Staircase& staircase = run.state().staircase();
   std::printf("%s %s: %d trials kept%s; going on at %s %s.\n", run.header().participant.c_str(),
@@ -65,6 +70,9 @@ int run_run(const RunOptions& options) {
   const auto experiment = study->experiment(options.experiment);
   if (!experiment) {
     return complain(experiment.error());
+  }
+  if (const auto checked = study->is_unmistakable(*experiment); !checked) {
+    return complain(checked.error());
   }
   const RunsSoFar runs = runs_so_far(*study, options.participant, experiment->name);
   if (runs.last && !runs.over && !options.again) {
@@ -147,7 +155,7 @@ int run_resume(const RunOptions& options) {
   if (!player) {
     return complain(player.error());
   }
-  say_resumed(*journal);
+  say_resumed(*journal, options.blind);
   if (auto written = journal->append(Remark{"resumed", player->ball().name}); !written) {
     return complain(written.error());
   }

@@ -65,6 +65,9 @@ int run_plan(const PlanOptions& options) {
     if (!experiment) {
       return complain(experiment.error().exit_code, experiment.error().message);
     }
+    if (const auto checked = is_no_other_preset(*experiment); !checked) {
+      return complain(checked.error().exit_code, checked.error().message);
+    }
     names.push_back(experiment->name);
     if (given != experiment->name) {
       files.emplace_back(*experiment, given);
