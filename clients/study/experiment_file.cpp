@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 
 namespace hedgehog::study {
@@ -23,6 +24,34 @@ int line_at(std::string_view text, std::size_t offset) {
   return 1 + static_cast<int>(std::count(
                  text.begin(),
                  text.begin() + static_cast<std::ptrdiff_t>(std::min(offset, text.size())), '\n'));
+}
+
+/// Where the outermost object has `key`, not a comment or an object in it.
+std::optional<std::size_t> place_of(std::string_view text, const std::string& key) {
+  const std::string wanted = "\"" + key + "\"";
+  int depth = 0;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text.substr(at, 2) == "//") {
+      at = std::min(text.find('\n', at), text.size());
+    } else if (text.substr(at, 2) == "/*") {
+      at = std::min(text.find("*/", at + 2), text.size() - 2) + 1;
+    } else if (text[at] == '{' || text[at] == '[') {
+      ++depth;
+    } else if (text[at] == '}' || text[at] == ']') {
+      --depth;
+    } else if (text[at] == '"') {
+      const std::size_t begin = at;
+      for (++at; at < text.size() && text[at] != '"'; ++at) {
+        at += text[at] == '\\' ? 1 : 0;
+      }
+      const std::size_t next = text.find_first_not_of(" \t\r\n", std::min(at + 1, text.size()));
+      if (depth == 1 && next != std::string_view::npos && text[next] == ':' &&
+          text.substr(begin, at + 1 - begin) == wanted) {
+        return begin;
+      }
+    }
+  }
+  return std::nullopt;
 }
 
 struct Word {
@@ -124,8 +153,8 @@ class Reader {
   }
 
   void wrong(const std::string& key, const std::string& reason) {
-    const std::size_t at = text_.find("\"" + key + "\"");
-    const int line = at == std::string_view::npos ? 1 : line_at(text_, at);
+    const auto at = place_of(text_, key);
+    const int line = at ? line_at(text_, *at) : 1;
     problems_ += (problems_.empty() ? "" : "\n") + file_ + ":" + std::to_string(line) + ": " + key +
                  ": " + reason;
   }

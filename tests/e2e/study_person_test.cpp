@@ -21,6 +21,9 @@ TEST_F(Study, APersonSeesTheQuestionAndNothingElse) {
   start_daemon(20);
   remember_address();
   plan("th", "1", quick_path());
+  // The page may be there first, and stays from run to run.
+  TerminalProgram page(home_, HEDGEHOG_STUDY_PATH, {"-C", home_.path("th"), "participant"});
+  ASSERT_TRUE(page.shows("Please wait."));
   TerminalProgram desk(
       home_, HEDGEHOG_STUDY_PATH,
       {"-C", home_.path("th"), "run", "quick", "--participant", "P01", "--experimenter", "E1",
@@ -34,8 +37,10 @@ TEST_F(Study, APersonSeesTheQuestionAndNothingElse) {
   desk.type("y\n");
   ASSERT_TRUE(desk.shows("on top of the ball"));
   desk.type("y\n");
+  ASSERT_TRUE(desk.shows("everybody is ready; c continues"));
+  EXPECT_EQ(count(journal("P01.quick.1.jsonl"), "trial_started"), 0);
+  desk.type("c");
   ASSERT_TRUE(desk.shows("waiting for the answer"));
-  TerminalProgram page(home_, HEDGEHOG_STUDY_PATH, {"-C", home_.path("th"), "participant"});
   ASSERT_TRUE(page.shows("Which one was stronger?"));
   // Practice, and then scored trials, answered on the page.
   for (int answers = 1; answers <= 4; ++answers) {
@@ -68,7 +73,6 @@ TEST_F(Study, APersonSeesTheQuestionAndNothingElse) {
   desk.type("q");
   EXPECT_EQ(desk.wait(), 75);
   EXPECT_TRUE(desk.is_as_a_shell_leaves_it());
-  EXPECT_EQ(page.wait(), 0);
   for (const char* secret : {"level", "reversal", "%", "scored", "trial", "P01"}) {
     EXPECT_THAT(page.shown(), testing::Not(HasSubstr(secret)));
   }
@@ -79,8 +83,21 @@ TEST_F(Study, APersonSeesTheQuestionAndNothingElse) {
 
   TerminalProgram again(home_, HEDGEHOG_STUDY_PATH, {"-C", home_.path("th"), "resume", "--blind"},
                         variables());
+  ASSERT_TRUE(again.shows("headphones"));
+  again.type("y\n");
+  ASSERT_TRUE(again.shows("dominant hand on top"));
+  again.type("y\n");
   ASSERT_TRUE(again.shows("going on"));
+  ASSERT_TRUE(again.shows("Your hand on top of the ball, please."));
+  again.type("c");
   ASSERT_TRUE(again.shows("Which one was stronger?"));
+  ASSERT_TRUE(eventually([&] {
+    page.type("\033[D");
+    return count(journal("P01.quick.1.jsonl"), "answered") >= 6;
+  }));
+  EXPECT_EQ(count(journal("P01.quick.1.jsonl"), "checklist"), 2);
+  page.type("\003");
+  EXPECT_EQ(page.wait(), 0);
   again.type("q");
   EXPECT_EQ(again.wait(), 75);
   for (const char* secret : {"level", "trial", "scored", "kept", "reversal", "%"}) {
@@ -120,6 +137,8 @@ TEST_F(Study, APersonMayBeSlowRestAndPause) {
        "--consent", "014", "--age-band", "22-29", "--dominant-hand", "left", "--hand-size", "18.4",
        "--headphones", "--hand-on-top"},
       variables());
+  ASSERT_TRUE(desk.shows("c continues"));
+  desk.type("c");
   // Nobody answers: void, and the same level again.
   const std::string name = "P01.quick.1.jsonl";
   ASSERT_TRUE(eventually([&] { return count(journal(name), "trial_started") >= 3; }));
@@ -150,7 +169,7 @@ TEST_F(Study, APersonMayBeSlowRestAndPause) {
   ASSERT_TRUE(desk.shows("REST"));
   desk.type("p");
   desk.type("c");
-  ASSERT_TRUE(eventually([&] { return count(journal(name), "continued") >= 1; }));
+  ASSERT_TRUE(eventually([&] { return count(journal(name), "continued") >= 2; }));
   desk.type("q");
   EXPECT_EQ(desk.wait(), 75);
   EXPECT_EQ(count(journal(name), "rest"), 1);
@@ -164,6 +183,7 @@ TEST_F(Study, AnalysesAndExportsWhatWasMeasured) {
   const Ended analysed = study({"analyse", "--bootstraps", "50"});
   ASSERT_EQ(analysed.exit_code, 0) << analysed.err;
   EXPECT_THAT(analysed.out, HasSubstr("n = 2"));
+  EXPECT_THAT(analysed.err, HasSubstr("4 of 4 runs are of simulated people"));
   const std::string page = home_.read("th/analysis/report.html");
   EXPECT_THAT(page, HasSubstr("P02, quick"));  // a figure's title
   EXPECT_THAT(page, HasSubstr("about 10"));
@@ -175,6 +195,10 @@ TEST_F(Study, AnalysesAndExportsWhatWasMeasured) {
   ASSERT_EQ(study({"export", "--format", "bids"}).exit_code, 0);
   const std::string csv = home_.read("th/data.csv");
   EXPECT_THAT(csv, testing::StartsWith("participant,session,experiment,run,event,scored_trial"));
+  const Json beside = Json::parse(home_.read("th/data.csv.json"));
+  ASSERT_EQ(beside.size(), 4U);
+  EXPECT_EQ(beside[0]["Participant"], "P01");
+  EXPECT_EQ(beside[0]["SimulatedPerson"], true);
   const Json sidecar =
       Json::parse(home_.read("th/bids/sub-P01/beh/sub-P01_task-quick_run-1_beh.json"));
   EXPECT_EQ(sidecar["Protocol"]["name"], "quick");

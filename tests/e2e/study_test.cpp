@@ -78,6 +78,23 @@ TEST_F(Study, CatchTrialsPlayNothing) {
   EXPECT_GT(catches, 0);
 }
 
+TEST_F(Study, ASimulatedAnswerThatIsTooLateIsVoidLikeAPersons) {
+  start_daemon();
+  remember_address();
+  home_.write("hasty.json", quick(R"(, "response_limit_ms": 1000)"));
+  plan("th", "1", home_.path("hasty.json"));
+  ASSERT_EQ(study({"run", "quick", "--participant", "P01", "--simulated"}).exit_code, 0);
+  const auto lines = journal("P01.quick.1.jsonl");
+  EXPECT_GE(count(lines, "voided"), 1);
+  for (const Json& line : lines) {
+    if (line["event"] == "voided") {
+      EXPECT_EQ(line["reason"], "no answer in time");
+    } else if (line["event"] == "answered") {
+      EXPECT_LE(line["response_ms"], 1000);
+    }
+  }
+}
+
 TEST_F(Study, TheBallIsItsAlone) {
   start_daemon(2);
   remember_address();

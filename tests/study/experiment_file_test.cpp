@@ -82,6 +82,10 @@ TEST(ExperimentFile, NamesEachMistakeByLineAndKey) {
               HasSubstr("ceiling: is 16.0 A"));
   EXPECT_THAT(complaint(changed("\"start\": 100", "\"start\": 0.0001")),
               HasSubstr("start: has more than 3 decimals"));
+  // Neither the comment that names the key nor a value or a stage that has its name.
+  EXPECT_THAT(complaint("// \"gap_ms\": 1\n{ \"question\": \"gap_ms\", /* \"gap_ms\":\n */\n"
+                        "\"stages\": [{\"gap_ms\": 2}],\n \"gap_ms\" : -1}"),
+              HasSubstr("mine.json:5: gap_ms: must be a number"));
   EXPECT_THAT(complaint("{\n\"a\""), HasSubstr("mine.json:2: this is no JSON"));
   EXPECT_THAT(complaint("{}"), HasSubstr("stages: is missing"));
   EXPECT_THAT(complaint(changed("\"step_up\": 20", "\"step_up\": -1")),

@@ -8,6 +8,7 @@
 
 #include "clients/study/experiment_file.h"
 #include "clients/study/journal/journal.h"
+#include "clients/study/report/bids.h"
 #include "clients/study/report/collect.h"
 #include "clients/study/report/figures.h"
 #include "clients/study/report/rows.h"
@@ -108,6 +109,24 @@ TEST(Rows, AreOneForEachPresentationBlock) {
 TEST(Rows, AreQuotedWhereNeeded) {
   EXPECT_EQ(csv_line({"a", "b,c", "d\"e", ""}), "a,\"b,c\",\"d\"\"e\",");
   EXPECT_EQ(tsv_line({"a", "b\tc\nd"}), "a\tb c d");
+}
+
+TEST(Sidecar, SaysTheChoicesOfItsOwnExperiment) {
+  AnalysedRun run{{"P01", "force-jnd", 1, {}}, recorded(), {}, true};
+  const std::string usual = bids_sidecar(run);
+  EXPECT_THAT(usual, HasSubstr("one of each until the first reversal, then 2 down, 1 up"));
+  EXPECT_THAT(usual, HasSubstr("all reversals but the first 2;"));
+  EXPECT_THAT(usual, HasSubstr("\"catch_trials\": \"none\""));
+  RunStarted header = run.run.header();
+  header.experiment = find_experiment("force-threshold").value();
+  header.experiment.rule.quick_start = false;
+  header.experiment.rule.positives_down = 3;
+  header.experiment.rule.discard = 4;
+  run.run = RecordedRun::replay({{1, "t", header}}).value();
+  const std::string other = bids_sidecar(run);
+  EXPECT_THAT(other, HasSubstr("3 down, 1 up from the start"));
+  EXPECT_THAT(other, HasSubstr("all reversals but the first 4;"));
+  EXPECT_THAT(other, HasSubstr("one in 6, never first"));
 }
 
 TEST(Figure, MarksReversalsAndTheMean) {

@@ -164,7 +164,21 @@ TEST(DistinguishableLevels, DependOnFormulaAndRange) {
   EXPECT_NEAR(count_levels(1, 100, 0.49, Spacing::kConstant, 10).steps, 20.2, 0.05);
   EXPECT_NEAR(count_levels(1, 50, 0.49, Spacing::kWeber, 10).steps, 9.8, 0.05);
   EXPECT_NEAR(count_levels(1, 50, 0.49, Spacing::kConstant, 10).steps, 10.0, 0.05);
-  EXPECT_EQ(level_formulas(2.1, 0.13, 0.49).front().count.levels, 17);
+  const auto rows = level_formulas(2.1, 0.13, 0.49);
+  EXPECT_EQ(rows.front().count.levels, 17);
+  EXPECT_EQ(rows[2].remark, "1 + steps = 9.99: the thesis' \"about 10\"");
+  EXPECT_EQ(rows[3].remark, "the steps: the thesis' \"about 10\"");
+  std::string remarks;
+  for (const std::string& remark : level_remarks(2.1, 0.13, 0.49)) {
+    EXPECT_LE(remark.size(), 78U);
+    remarks += remark + "\n";
+  }
+  EXPECT_NE(remarks.find("2,909 to 1"), std::string::npos) << remarks;
+  EXPECT_NE(remarks.find("98 pins/s"), std::string::npos) << remarks;
+  EXPECT_NE(remarks.find("may be swapped"), std::string::npos) << remarks;
+  // Other numbers, other remarks.
+  EXPECT_EQ(level_formulas(2.1, 0.3, 0.49)[2].remark, "");
+  EXPECT_EQ(level_remarks(2.1, 0.3, 0.49).size(), 2U);
 }
 
 TEST(Statistics, AreTheTextbooks) {

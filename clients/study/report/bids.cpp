@@ -28,22 +28,46 @@ std::string label(const std::string& text) {
 }
 
 /// What the thesis leaves open, and how it was done here.
-ordered_json choices() {
-  return {{"quick_start_in_all_experiments", true},
-          {"initial_step_down", "step_ratio x step_up"},
-          {"reversal_ending_the_quick_start_counts", true},
-          {"first_answer_negative", "level up, no reversal"},
-          {"reversal_level", "at which the turning answer was given"},
-          {"step_size_leaving_a_reversal", "already the new one"},
-          {"run_counter", "zeroed by every level change and every negative"},
-          {"at_the_limits", "level clamped; moves there still turn the direction"},
-          {"catch_trials", "device off; they move nothing"},
-          {"zero_difference_or_current", "scored; the random label decides"},
-          {"void_trials", "nothing scored, same level again, new interval order"},
-          {"step_unit", "A, or percentage points of the reference"},
-          {"threshold", "arithmetic mean of nominal levels of all reversals but the discarded"},
-          {"last_reversal", "ends the run at once"},
-          {"feedback", "none"}};
+ordered_json choices(const Experiment& e) {
+  const StaircaseRule& rule = e.rule;
+  const bool yes_no = e.task == Task::kYesNo;
+  const std::string discarded = std::to_string(rule.discard);
+  return {
+      {"answers_for_a_step", rule.quick_start
+                                 ? "one of each until the first reversal, then " +
+                                       std::to_string(rule.positives_down) + " down, " +
+                                       std::to_string(rule.negatives_up) + " up"
+                                 : std::to_string(rule.positives_down) + " down, " +
+                                       std::to_string(rule.negatives_up) + " up from the start"},
+      {"initial_step_down", "step_down of the first stage"},
+      {"first_reversal_counts",
+       rule.discard == 0 ? "for the end and the mean" : "for the end, not for the mean"},
+      {"first_answer_negative", "level up, no reversal"},
+      {"reversal_level", "at which the turning answer was given"},
+      {"step_size_leaving_a_reversal", "already the new one"},
+      {"run_counter", "zeroed by every level change and every negative"},
+      {"at_the_limits", "level clamped; moves there still turn the direction"},
+      {"catch_trials", e.catch_one_in == 0
+                           ? "none"
+                           : "one in " + std::to_string(e.catch_one_in) +
+                                 ", never first, never two in a row; device off; they move "
+                                 "nothing"},
+      {"zero_level", yes_no ? "scored like any other" : "scored; the random label decides"},
+      {"interval_order", yes_no ? "one interval only"
+                         : e.order == IntervalOrder::kRandom
+                             ? "an independent fair coin a trial"
+                             : "the second of each pair the opposite of the first, but for voids"},
+      {"void_trials", yes_no ? "nothing scored, same level again"
+                             : "nothing scored, same level again, new interval order"},
+      {"response_limit", e.response_limit_ms == 0
+                             ? "none"
+                             : std::to_string(e.response_limit_ms) + " ms, void after that"},
+      {"step_unit", yes_no ? "A" : "percentage points of the reference"},
+      {"threshold", "arithmetic mean of nominal levels of all reversals but the first " +
+                        discarded + "; none if not finished"},
+      {"end", "at once with reversal " + std::to_string(rule.total_reversals()) +
+                  "; given up after " + std::to_string(rule.max_trials) + " scored trials"},
+      {"feedback", "none"}};
 }
 
 template <class T>
@@ -129,7 +153,7 @@ std::string bids_sidecar(const AnalysedRun& analysed) {
                     {"Threshold", or_missing(analysed.analysis.threshold_text)},
                     {"ThresholdUnit", header.experiment.unit()},
                     {"Protocol", ordered_json::parse(experiment_text(header.experiment))},
-                    {"Choices", choices()},
+                    {"Choices", choices(header.experiment)},
                     {"Seeds", {{"order", header.seeds.order}, {"catches", header.seeds.catches}}},
                     {"SimulatedPerson", header.simulated_person},
                     {"Device",
@@ -186,11 +210,22 @@ Result<void> write_csv(const fs::path& file, const std::vector<AnalysedRun>& run
   if (fs::exists(file, failed)) {
     return Problem{EX_CANTCREAT, file.string() + " is there already; --out names another"};
   }
+  const fs::path beside = file.string() + ".json";
+  if (fs::exists(beside, failed)) {
+    return Problem{EX_CANTCREAT, beside.string() + " is there already; --out names another"};
+  }
   std::string text;
+  ordered_json headers = ordered_json::array();
   for (const AnalysedRun& run : runs) {
     text += table(run.run, csv_line, text.empty());
+    ordered_json header{{"Participant", run.name.participant}, {"Run", run.name.run}};
+    header.update(ordered_json::parse(bids_sidecar(run)));
+    headers.push_back(header);
   }
-  return write(file, text);
+  if (auto written = write(file, text); !written) {
+    return written;
+  }
+  return write(beside, headers.dump(2) + "\n");
 }
 
 }  // namespace hedgehog::study

@@ -14,6 +14,33 @@ constexpr double kTwoPrime = 2.0;
 // A ratio that is a whole number of steps shall not lose one to rounding.
 constexpr double kSlack = 1e-9;
 
+// Of the thesis, section 3.2.4.
+constexpr double kAboutForce = 10.0;
+constexpr double kAboutSpeed = 20.0;
+constexpr double kAbout = 0.5;
+
+/// How a count comes to what the thesis states; empty if it does not.
+std::string as_stated(double steps, double stated) {
+  char text[96] = "";
+  if (std::abs(steps - stated) < kAbout) {
+    std::snprintf(text, sizeof text, "the steps: the thesis' \"about %.0f\"", stated);
+  } else if (std::abs(1.0 + steps - stated) < kAbout) {
+    std::snprintf(text, sizeof text, "1 + steps = %.2f: the thesis' \"about %.0f\"", 1.0 + steps,
+                  stated);
+  }
+  return text;
+}
+
+std::string with_commas(double number) {
+  char plain[32];
+  std::snprintf(plain, sizeof plain, "%.0f", number);
+  std::string text = plain;
+  for (std::size_t at = text.size(); at > 3; at -= 3) {
+    text.insert(at - 3, ",");
+  }
+  return text;
+}
+
 std::string range_text(double low, double high, const char* unit) {
   char text[64];
   std::snprintf(text, sizeof text, "%.3g to %.3g %s", low, high, unit);
@@ -49,28 +76,60 @@ std::vector<LevelFormula> level_formulas(double threshold_a, double force_fracti
   const std::string upper = range_text(continuous_a, most_a, "A");
   const std::string lasting = range_text(threshold_a, continuous_a, "A");
   const char* weber = "Weber: ln(hi/lo) / ln(1+w)";
+  const char* constant = "constant: (hi-lo) / (w ref)";
+  const LevelCount to_spikes =
+      count_levels(continuous_a, most_a, force_fraction, Spacing::kWeber, a);
+  const LevelCount two_apart =
+      count_levels(threshold_a, most_a, force_fraction, Spacing::kConstant, a, 2.0);
+  const LevelCount two_prime =
+      count_levels(threshold_a, most_a, force_fraction, Spacing::kWeberTwoPrime, a);
+  const LevelCount to_100 = count_levels(1, 100, speed_fraction, Spacing::kConstant, s);
   return {
       {whole, weber, count_levels(threshold_a, most_a, force_fraction, Spacing::kWeber, a),
        "the default"},
       {lasting, weber, count_levels(threshold_a, continuous_a, force_fraction, Spacing::kWeber, a),
        "without overheating"},
-      {upper, weber, count_levels(continuous_a, most_a, force_fraction, Spacing::kWeber, a),
-       "gives the thesis' \"about 10\""},
-      {whole, "constant, two JND apart: (hi-lo) / (2 w ref)",
-       count_levels(threshold_a, most_a, force_fraction, Spacing::kConstant, a, 2.0),
-       "gives the thesis' \"about 10\""},
-      {whole, "Weber, d' = 2 apart",
-       count_levels(threshold_a, most_a, force_fraction, Spacing::kWeberTwoPrime, a), ""},
-      {whole, "constant: (hi-lo) / (w ref)",
-       count_levels(threshold_a, most_a, force_fraction, Spacing::kConstant, a), ""},
+      {upper, weber, to_spikes, as_stated(to_spikes.steps, kAboutForce)},
+      {whole, "constant, two JND apart: (hi-lo) / (2 w ref)", two_apart,
+       as_stated(two_apart.steps, kAboutForce)},
+      {whole, "Weber, d' = 2 apart", two_prime, ""},
+      {whole, constant, count_levels(threshold_a, most_a, force_fraction, Spacing::kConstant, a),
+       ""},
       {range_text(1, 50, "pins/s"), weber, count_levels(1, 50, speed_fraction, Spacing::kWeber, s),
        ""},
-      {range_text(1, 100, "pins/s"), "constant: (hi-lo) / (w ref)",
-       count_levels(1, 100, speed_fraction, Spacing::kConstant, s),
-       "gives the thesis' \"about 20\""},
-      {range_text(1, 50, "pins/s"), "constant: (hi-lo) / (w ref)",
+      {range_text(1, 100, "pins/s"), constant, to_100, as_stated(to_100.steps, kAboutSpeed)},
+      {range_text(1, 50, "pins/s"), constant,
        count_levels(1, 50, speed_fraction, Spacing::kConstant, s), ""},
   };
+}
+
+std::vector<std::string> level_remarks(double threshold_a, double force_fraction,
+                                       double speed_fraction, double most_a, double continuous_a,
+                                       double reference_pins_s) {
+  const double ratio = std::pow(1.0 + speed_fraction, kAboutSpeed);
+  const double span = kAboutSpeed * speed_fraction * reference_pins_s;
+  const LevelCount force =
+      count_levels(threshold_a, most_a, force_fraction, Spacing::kConstant, continuous_a);
+  const LevelCount speed =
+      count_levels(1, 50, speed_fraction, Spacing::kConstant, reference_pins_s);
+  char weber[160];
+  char constant[160];
+  std::snprintf(weber, sizeof weber,
+                "20 steps of speed: Weber steps of %.3g %% would need a range of %s to 1,",
+                100.0 * speed_fraction, with_commas(ratio).c_str());
+  std::snprintf(constant, sizeof constant, "constant ones of %.3g pins/s a span of %.3g pins/s.",
+                speed_fraction * reference_pins_s, span);
+  std::vector<std::string> remarks{weber, constant};
+  if (std::abs(force.steps - kAboutSpeed) < kAbout &&
+      std::abs(speed.steps - kAboutForce) < kAbout) {
+    char swapped[200];
+    std::snprintf(swapped, sizeof swapped,
+                  "Constant steps give %.1f for force and, over 1 to 50 pins/s, %.1f for speed:",
+                  force.steps, speed.steps);
+    remarks.emplace_back(swapped);
+    remarks.emplace_back("the thesis' two numbers may be swapped in its text; a hypothesis only.");
+  }
+  return remarks;
 }
 
 }  // namespace hedgehog::study

@@ -18,7 +18,8 @@ enum class Task : std::uint8_t { kYesNo, kTwoIntervals };
 /// percentage points of the reference current or of the reference speed.
 enum class Quantity : std::uint8_t { kCurrentA, kCurrentPercent, kSpeedPercent };
 
-/// Independent fair coins, or the second of each pair of trials the opposite of the first.
+/// Independent fair coins, or the second of each pair of trials the opposite of the first. A
+/// repeated trial is drawn anew in either, so that a void unbalances its pair.
 enum class IntervalOrder : std::uint8_t { kRandom, kBalanced };
 
 /// The steps in force until so many reversals were counted since the stage before.

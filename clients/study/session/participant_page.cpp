@@ -20,6 +20,7 @@ namespace hedgehog::study {
 namespace {
 
 constexpr std::chrono::milliseconds kGlance{20};
+constexpr std::chrono::milliseconds kLookAgain{200};
 
 std::optional<sockaddr_un> address_of(const std::filesystem::path& path) {
   sockaddr_un address{};
@@ -46,6 +47,16 @@ void send_cue(int page, const Cue& cue) {
 
 const sockaddr* plain(const sockaddr_un& address) {
   return reinterpret_cast<const sockaddr*>(&address);
+}
+
+/// -1 while no run listens there.
+int connected(const sockaddr_un& address) {
+  const int server = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  if (server >= 0 && ::connect(server, plain(address), sizeof address) != 0) {
+    ::close(server);
+    return -1;
+  }
+  return server;
 }
 
 }  // namespace
@@ -119,24 +130,35 @@ std::optional<char> ParticipantServer::key() {
 Result<void> run_participant_page(const std::filesystem::path& path,
                                   const std::function<bool()>& stop) {
   const auto address = address_of(path);
-  const int server = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  if (!address || server < 0 || ::connect(server, plain(*address), sizeof *address) != 0) {
-    ::close(server);
-    return Problem{EX_NOINPUT, "no run is going on in this study; start it first"};
+  if (!address) {
+    return Problem{EX_NOINPUT, path.string() + ": too long for a socket's path"};
   }
   Terminal terminal;
+  int server = -1;
   std::string pending;
+  bool thanked = false;  // and left so until the next run
   while (!stop()) {
+    if (server < 0 && (server = connected(*address)) < 0) {
+      if (!thanked) {
+        terminal.draw({"", "", "", "", "", "", "", "          Please wait."});
+      }
+      terminal.key(kLookAgain);
+      continue;
+    }
     pollfd waiting{server, POLLIN, 0};
     if (::poll(&waiting, 1, 0) == 1) {
       char bytes[512];
       const ssize_t count = ::recv(server, bytes, sizeof bytes, 0);
       if (count <= 0) {
-        break;
+        ::close(std::exchange(server, -1));
+        pending.clear();
+        continue;
       }
       pending.append(bytes, static_cast<std::size_t>(count));
       for (auto end = pending.find('\n'); end != std::string::npos; end = pending.find('\n')) {
-        terminal.draw(participant_lines(decode_cue(pending.substr(0, end))));
+        const Cue cue = decode_cue(pending.substr(0, end));
+        thanked = cue.phase == Phase::kOver;
+        terminal.draw(participant_lines(cue));
         pending.erase(0, end + 1);
       }
     }
@@ -144,7 +166,9 @@ Result<void> run_participant_page(const std::filesystem::path& path,
       (void)::send(server, &key->what, 1, MSG_NOSIGNAL);
     }
   }
-  ::close(server);
+  if (server >= 0) {
+    ::close(server);
+  }
   return {};
 }
 

@@ -36,7 +36,8 @@ class ParticipantServer {
   std::optional<Cue> shown_{};
 };
 
-/// The page: until the run ends or `stop`. EX_NOINPUT when no run listens at `path`.
+/// The page, until `stop`: it waits for a run to listen at `path`, and for the next one after that.
+/// EX_NOINPUT when `path` is none for a socket.
 Result<void> run_participant_page(const std::filesystem::path& path,
                                   const std::function<bool()>& stop);
 

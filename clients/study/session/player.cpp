@@ -2,6 +2,7 @@
 #include "clients/study/session/player.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 
 #include "model/vec3.h"
@@ -22,6 +23,9 @@ constexpr double kTelemetryHz = 5.0;
 constexpr std::int64_t kLeadMs = 500;
 constexpr Milliseconds kGlance{5};
 constexpr double kFullStrength = 0.98;
+// An effect is over by now, whatever the daemon says or does not say.
+constexpr std::int64_t kOverdueNs = 5'000 * kNsPerMs;
+constexpr std::chrono::seconds kStopPatience{5};
 // A tick or two at either end.
 constexpr std::int64_t kShortMs = 3;
 
@@ -189,13 +193,20 @@ Outcome<IntervalPlayed> Player::play(int interval, const Stimulus& stimulus, con
   }
   played.command_ns = *command;
   played.ack_ns = *ack;
-  bool stopping = false;
+  const std::int64_t overdue_ns = std::max(*ack + kLeadMs * kNsPerMs, not_before_ns.value_or(0)) +
+                                  pattern.duration_ms * kNsPerMs + kOverdueNs;
+  std::optional<std::chrono::steady_clock::time_point> stopped_at;
   while (!ended_) {
     if (auto kept = keep(kGlance); !kept) {
       return kept.error();
     }
-    if (!stopping && !ended_ && abort()) {
-      stopping = true;
+    const auto now = std::chrono::steady_clock::now();
+    if (!ended_ && (device_ns_ > overdue_ns || (stopped_at && now - *stopped_at > kStopPatience))) {
+      return client::ClientError{
+          client::Failure::kProtocol, "the daemon never said that the circle ended", {}};
+    }
+    if (!stopped_at && !ended_ && abort()) {
+      stopped_at = now;
       if (auto stopped = connection_.notify(protocol::EffectStop{effect_, std::nullopt});
           !stopped) {
         return stopped.error();

@@ -42,6 +42,15 @@ Result<RunEnd> Runner::run() {
       return written.error();
     }
   }
+  if (!journal_.run().over() && !desk_.unattended()) {
+    auto early = pause(Phase::kReady, "waiting until everybody is ready");
+    if (!early) {
+      return early.error();
+    }
+    if (*early) {
+      return **early;
+    }
+  }
   while (!journal_.run().over()) {
     auto early = one_trial();
     if (!early) {

@@ -45,6 +45,11 @@ bool filled(std::string& given, const char* question, bool needed) {
   return true;
 }
 
+bool ready(Checklist& given) {
+  return ticked(given.headphones, "noise-cancelling headphones on and running? [y/n]") &&
+         ticked(given.hand_on_top, "dominant hand on top of the ball, relaxed? [y/n]");
+}
+
 }  // namespace
 
 std::optional<Checklist> complete(Checklist given) {
@@ -71,11 +76,13 @@ std::optional<Checklist> complete(Checklist given) {
       std::printf("between %.0f and %.0f cm\n", kSmallestHandCm, kLargestHandCm);
     }
   }
-  if (!ticked(given.headphones, "noise-cancelling headphones on and running? [y/n]") ||
-      !ticked(given.hand_on_top, "dominant hand on top of the ball, relaxed? [y/n]")) {
-    return std::nullopt;
-  }
-  return given;
+  return ready(given) ? std::optional(given) : std::nullopt;
+}
+
+std::optional<Checklist> ticked_again(Checklist known) {
+  known.headphones = false;
+  known.hand_on_top = false;
+  return ready(known) ? std::optional(known) : std::nullopt;
 }
 
 }  // namespace hedgehog::study

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "clients/study/verbs/report_verbs.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -45,6 +46,19 @@ void print_flags(const std::vector<AnalysedRun>& runs) {
   }
 }
 
+/// Numbers that no person stands behind shall not pass for a study's.
+void warn_of_programs(const std::vector<AnalysedRun>& runs) {
+  const auto simulated = std::count_if(runs.begin(), runs.end(), [](const AnalysedRun& run) {
+    return run.run.header().simulated_person;
+  });
+  if (simulated > 0) {
+    std::fprintf(stderr,
+                 "hedgehog-study: %td of %zu runs are of simulated people; where people took an "
+                 "experiment, they alone make its mean\n",
+                 simulated, runs.size());
+  }
+}
+
 ordered_json as_json(const AnalysedRun& analysed) {
   const RunAnalysis& a = analysed.analysis;
   ordered_json flags = ordered_json::array();
@@ -54,6 +68,7 @@ ordered_json as_json(const AnalysedRun& analysed) {
   ordered_json out{{"participant", analysed.name.participant},
                    {"experiment", analysed.name.experiment},
                    {"run", analysed.name.run},
+                   {"simulated_person", analysed.run.header().simulated_person},
                    {"status", name(a.status)},
                    {"scored", a.scored},
                    {"threshold", nullptr},
@@ -99,6 +114,7 @@ int run_analyse(const AnalyseOptions& options) {
   if (runs.empty()) {
     return complain(EX_NOINPUT, "there is no run yet");
   }
+  warn_of_programs(runs);
   const auto groups = groups_of(*study, runs);
   const fs::path out = options.out.empty() ? study->path() / "analysis" : fs::path(options.out);
   std::error_code failed;
@@ -156,6 +172,10 @@ int run_levels(const LevelsOptions& options) {
                                                 options.speed_percent / 100.0)) {
     std::printf("  %-17s %-45s %5.1f  %4d  %s\n", row.range.c_str(), row.formula.c_str(),
                 row.count.steps, row.count.levels, row.remark.c_str());
+  }
+  for (const std::string& remark : level_remarks(options.threshold_a, options.force_percent / 100.0,
+                                                 options.speed_percent / 100.0)) {
+    std::printf("  %s\n", remark.c_str());
   }
   return 0;
 }

@@ -151,6 +151,18 @@ int run_resume(const RunOptions& options) {
   if (!addresses) {
     return complain(addresses.error());
   }
+  std::optional<Checklist> checklist;
+  if (!journal->run().header().simulated_person) {
+    if (const auto there = Player::open(*addresses, kPatience); !there) {
+      return complain(there.error());
+    }
+    // People may have got up since; a run killed early may never have written its list.
+    const auto& known = journal->run().checklist();
+    checklist = known ? ticked_again(*known) : complete({});
+    if (!checklist) {
+      return study::complain(EX_TEMPFAIL, "not everything is ready; the run stays as it is");
+    }
+  }
   auto player = Player::open(*addresses, kPatience);
   if (!player) {
     return complain(player.error());
@@ -158,6 +170,11 @@ int run_resume(const RunOptions& options) {
   say_resumed(*journal, options.blind);
   if (auto written = journal->append(Remark{"resumed", player->ball().name}); !written) {
     return complain(written.error());
+  }
+  if (checklist) {
+    if (auto written = journal->append(*checklist); !written) {
+      return complain(written.error());
+    }
   }
   return go_on({*study, *addresses, options.blind}, *journal, *std::move(player),
                [](const View&) {});
