@@ -69,6 +69,7 @@ TEST(Front, WhoIsRefusedMakesRoomForWhomItBeats) {
     return checked_front({third, other, second, best}, [&](const std::vector<Found>& some) {
       asked += some.size();
       std::vector<char> stays;
+      stays.reserve(some.size());
       for (const Found& one : some)
         stays.push_back(one.outer_diameter_mm >= static_cast<double>(refused_below_mm) ? 1 : 0);
       return stays;
