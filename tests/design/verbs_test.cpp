@@ -169,7 +169,8 @@ TEST(Table, StandsBesideTheThesis) {
                   .is_null());
   for (const auto& words : {std::vector<std::string>{"table", "--remanence", "1.2", "--json"},
                             {"table", "--model", "dipole", "--json"}}) {
-    for (const Json& one : ask(words).json().at("rows")) {
+    const Json table = ask(words).json();
+    for (const Json& one : table.at("rows")) {
       EXPECT_TRUE(one.at("thesis_mm").is_null()) << words[1];
       EXPECT_EQ(one.at("reason"), "") << words[1];
     }
