@@ -61,6 +61,8 @@ void Connection::start() {
       error_code let_go;
       co_await self->owed_.async_wait(asio::redirect_error(asio::use_awaitable, let_go));
     }
+    // At a shutdown the listener finishes who is still owed an answer.
+    self->server_.forget(self->session_);
     spdlog::info("connection {} closed{}", self->session_.id,
                  self->session_.client.empty() ? "" : " (" + self->session_.client + ")");
   };

@@ -50,6 +50,11 @@ void Server::close(Session& session) {
   let_go();
 }
 
+void Server::forget(const Session& session) {
+  services_.sessions.erase(session.id);
+  std::erase(leaving_, session.id);
+}
+
 void Server::let_go() {
   std::erase_if(leaving_, [&](ConnectionId id) {
     if (dispatcher_.owes(id)) {

@@ -31,6 +31,8 @@ class Server {
   /// It says no more: its effects end at the next tick, but for those that may play out. Its sink
   /// hears `finish` once the answers that are owed have gone out, perhaps at once.
   void close(Session& session);
+  /// Its sink is about to be gone; what it was owed is lost.
+  void forget(const Session& session);
   void line(Session& session, std::string_view text);
   void line_too_long(Session& session) { dispatcher_.line_too_long(session); }
 

@@ -110,5 +110,18 @@ TEST(Faults, AnAnswerThatTakesATickReachesAClientThatSaysNoMore) {
   EXPECT_EQ(rig.server->connections(), 0u);
 }
 
+TEST(Faults, WhoIsGoneBeforeItsAnswerIsForgotten) {
+  ServerRig rig;
+  FakeClient& owner = rig.connect();
+  rig.server->line(owner.session, R"({"jsonrpc":"2.0","id":1,"method":"device.emergency_stop"})");
+  rig.disconnect(owner);
+  rig.server->forget(owner.session);
+  owner.session.sink = nullptr;
+  EXPECT_EQ(rig.server->connections(), 0u);
+  rig.run(5);
+  EXPECT_TRUE(owner.lines.empty());
+  EXPECT_FALSE(owner.finished);
+}
+
 }  // namespace
 }  // namespace hedgehog::server
