@@ -2,11 +2,12 @@
 # The menu. What it does stands in CMakePresets.json and cmake/.
 
 .DEFAULT_GOAL := help
-.PHONY: help deps run demo test test-all check bench asan tsan fuzz faults guards firmware clean
+.PHONY: help deps run race demo test test-web test-usb test-all check bench asan tsan fuzz faults guards firmware clean
 
 JOBS ?= $(shell nproc)
 ARGS ?=
 FUZZ_SECONDS ?= 20
+VM_SECONDS ?= 900
 export JOBS
 
 BUILD_DEPS := build/.packages-build
@@ -14,34 +15,80 @@ TEST_DEPS := $(BUILD_DEPS) build/.packages-test
 
 help:
 	@echo 'make run        the daemon on a simulated ball (ARGS="--speed 10" adds options)'
+	@echo 'make race       the racing game, beside make run or alone; its page is http://127.0.0.1:7585'
 	@echo 'make demo       a 40-second tour in this terminal, on a daemon of its own'
 	@echo 'make test       build and run the tests (the first time: minutes)'
+	@echo 'make test-web   the pages in a browser without a screen'
 	@echo 'make test-all   everything: sanitizers, linters, fuzzers, fault campaigns (most of an hour)'
+	@echo 'make test-usb   real USB and HID: the daemon in a machine with Debian'"'"'s kernel, on emulated devices'
 	@echo 'make check      clang-format, clang-tidy, shellcheck'
 	@echo 'make asan       the tests under AddressSanitizer and UBSan'
 	@echo 'make tsan       the tests under ThreadSanitizer'
 	@echo 'make fuzz       each fuzzer for FUZZ_SECONDS=20'
 	@echo 'make faults     the fault campaigns at full length'
+	@echo 'make rehearsal  a study of ten simulated people under twenty kills (REHEARSAL=whole: 5 s circles)'
 	@echo 'make guards     each safety guard taken out once: a test must go red'
 	@echo 'make firmware   the board core for a Cortex-M0+: its size, its worst stack'
 	@echo 'make bench      the benchmarks'
 	@echo 'make deps       install what is missing (Debian, Ubuntu: apt)'
 	@echo 'make clean      remove build/'
 
+# make run and make race may start at once, in two terminals: what both need is made once.
+ONE_AT_A_TIME := flock build/.lock
+
 build/.packages-%: cmake/apt/%.txt cmake/bootstrap.sh
 	@mkdir -p build
-	@cmake/bootstrap.sh $*
+	@$(ONE_AT_A_TIME) cmake/bootstrap.sh $*
 	@touch $@
 
 deps: $(TEST_DEPS)
 
 .PHONY: release
 release: $(BUILD_DEPS)
-	@cmake --preset release >build/release.log || { cat build/release.log; exit 1; }
-	@cmake --build --preset release
+	@$(ONE_AT_A_TIME) cmake --preset release >build/release.log || { cat build/release.log; exit 1; }
+	@$(ONE_AT_A_TIME) cmake --build --preset release
 
+# node and npm from apt, unless there are some already (of another source, perhaps).
+build/.packages-dashboard: cmake/apt/dashboard.txt cmake/bootstrap.sh
+	@mkdir -p build
+	@{ command -v node && command -v npm; } >/dev/null || $(ONE_AT_A_TIME) cmake/bootstrap.sh dashboard
+	@touch $@
+
+DASHBOARD := build/release/share/hedgehog/www
+DASHBOARD_SOURCES := $(wildcard clients/dashboard/*.* clients/dashboard/src/*)
+$(DASHBOARD)/index.html: $(DASHBOARD_SOURCES) build/.packages-dashboard
+	@$(ONE_AT_A_TIME) clients/dashboard/build.sh $(DASHBOARD)
+	@touch $@
+
+.PHONY: dashboard
+dashboard: $(DASHBOARD)/index.html
+
+# The page of the racing game, with the dashboard's packages.
+RACER := build/release/share/hedgehog/racer
+RACER_SOURCES := $(wildcard clients/racer/page/*.* clients/racer/page/src/*) clients/dashboard/package-lock.json
+$(RACER)/index.html: $(RACER_SOURCES) build/.packages-dashboard
+	@$(ONE_AT_A_TIME) clients/racer/page/build.sh $(RACER)
+	@touch $@
+
+.PHONY: racer-page
+racer-page: $(RACER)/index.html
+
+race: release
+	@$(MAKE) --no-print-directory racer-page || echo 'make: no page this time; hedgehog-racer lap drives without one' >&2
+	build/release/clients/racer/hedgehog-racer $(ARGS)
+
+# The daemon is worth having without its pages too: npm may be out of reach.
 run: release
+	@$(MAKE) --no-print-directory dashboard || echo 'make: no dashboard this time; /ws, /metrics and /healthz work' >&2
 	build/release/daemon/hedgehogd --simulate $(ARGS)
+
+test-web: dashboard racer-page build/.packages-web $(TEST_DEPS)
+	cmake --preset dev
+	cmake --build --preset dev --target hedgehogd hedgehog-racer
+	@mkdir -p build/dev/share/hedgehog
+	@ln -sfn $(CURDIR)/$(DASHBOARD) build/dev/share/hedgehog/www
+	@ln -sfn $(CURDIR)/$(RACER) build/dev/share/hedgehog/racer
+	tests/web/run.sh build/dev
 
 demo: release
 	@build/release/clients/ctl/hedgehogctl demo --private $(ARGS)
@@ -64,7 +111,7 @@ fuzz: $(TEST_DEPS)
 
 check: $(TEST_DEPS)
 	cmake --preset tidy
-	cmake/check.sh
+	cmake/check.sh $(CHECKS)
 
 .PHONY: campaigns
 campaigns: $(TEST_DEPS)
@@ -80,9 +127,22 @@ firmware: $(TEST_DEPS) build/.packages-firmware
 	cmake --build --preset dev --target firmware_vectors
 	tests/firmware/compare.sh build/dev/tests/firmware/firmware_vectors build/firmware/vectors.elf
 
+test-usb: $(TEST_DEPS) build/.packages-vm
+	cmake --preset dev
+	cmake --build --preset dev --target test_usb
+	tests/vm/test.sh -t $(VM_SECONDS) build/dev/tests/vm/test_usb
+
 .PHONY: faults-ci
 faults-ci: campaigns
 	ctest --preset campaign -j $(JOBS)
+
+# Ten simulated people through the three experiments, runner and daemon killed twenty times.
+.PHONY: rehearsal
+REHEARSAL ?= short
+rehearsal: $(TEST_DEPS)
+	cmake --preset dev
+	cmake --build --preset dev --target test_e2e
+	HEDGEHOG_STUDY_REHEARSAL=$(REHEARSAL) build/dev/tests/test_e2e --gtest_filter='Kills.*'
 
 guards: $(TEST_DEPS)
 	tests/guards/remove_guards.sh $(ARGS)
@@ -94,12 +154,15 @@ bench: $(TEST_DEPS)
 
 # One after the other: each uses every core.
 test-all: $(TEST_DEPS)
-	$(MAKE) check
+	$(MAKE) check CHECKS='format shell tidy-product'
 	$(MAKE) firmware
+	$(MAKE) test-usb
 	$(MAKE) faults-ci
-	$(MAKE) fuzz
+	$(MAKE) rehearsal
+	$(MAKE) fuzz FUZZ_SECONDS=10
 	$(MAKE) asan
 	$(MAKE) tsan SANITIZER_OPTIONS=-DHEDGEHOG_ONE_THREAD_TESTS=OFF
+	$(MAKE) test-web
 
 clean:
 	rm -rf build

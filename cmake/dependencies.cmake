@@ -10,8 +10,12 @@ find_package(spdlog REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(SYSTEMD REQUIRED IMPORTED_TARGET libsystemd)
+# The core library only: the package's own CMake file wants those of its web server and of curl, too.
+pkg_check_modules(PROMETHEUS REQUIRED IMPORTED_TARGET prometheus-cpp-core)
 pkg_check_modules(LIBUSB REQUIRED IMPORTED_TARGET libusb-1.0>=1.0.24)
 pkg_check_modules(HIDAPI REQUIRED IMPORTED_TARGET hidapi-hidraw)
+# The physics of hedgehog-racer.
+pkg_check_modules(BULLET REQUIRED IMPORTED_TARGET bullet)
 
 if(HEDGEHOG_TESTS)
   find_package(GTest REQUIRED)

@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "daemon/logging.h"
+#include "daemon/server/history_files.h"
 #include "daemon/server/remedy.h"
 #include "daemon/server/status_view.h"
 
@@ -29,13 +30,10 @@ using boost::system::error_code;
 constexpr std::chrono::milliseconds kBusyPause{1};
 constexpr std::chrono::milliseconds kIdlePause{5};
 constexpr std::chrono::milliseconds kFarewell{1500};
+/// For those that wait for the disk, or to be worked out; control gives no more.
+constexpr std::chrono::milliseconds kLastAnswers{1000};
 /// The first client should not find a ball that is about to be armed.
 constexpr std::chrono::milliseconds kFirstSight{500};
-
-double wall_time_s() {
-  using Seconds = std::chrono::duration<double>;
-  return Seconds(std::chrono::system_clock::now().time_since_epoch()).count();
-}
 
 }  // namespace
 
@@ -48,15 +46,26 @@ Daemon::Daemon(const Options& options, const config::Paths& paths, const config:
       saved_(server::load_saved_state(config.state_directory)),
       machinery_([&]() -> Machinery {
         // The doors first: a second daemon must not touch the board of the first.
-        listener_.open(config.listen);
-        const StartState start = start_state(config, saved_, wall_time_s());
+        listener_.open(config);
+        const StartState start = start_state(config, saved_, server::wall_time_s());
         return {config, start.settings, start.simulated_c, options.speed};
       }()),
       machine_(config, machinery_.mailbox(), machinery_.port(), machinery_.loop().origin_ns()),
       keeper_(config.state_directory, disk_, machine_, saved_),
-      recordings_(config.state_directory, disk_, machinery_.recorder()),
-      server_(machine_, keeper_,
-              [this](const control::Event& e, const server::Effect* x) { heard(e, x); }) {}
+      devices_(config_, machinery_.sensors(), look_),
+      pattern_files_(config.state_directory, disk_),
+      patterns_(pattern_files_, pattern_files_.load()),
+      history_(server::history_writer(config.state_directory, disk_),
+               server::load_history(config.state_directory)),
+      recordings_(config.state_directory, disk_, machinery_.recorder(), history_.last_recording()),
+      server_(
+          machine_, keeper_, patterns_, history_,
+          [this](const control::Event& e, const server::Effect* x) { heard(e, x); },
+          server::wall_time_ms) {
+  server_.set_devices(devices_);
+  machine_.watch_board([this] { return machinery_.sensors().board_seen(); });
+  server_.set_recordings(recordings_);
+}
 
 int Daemon::run() {
   machinery_.loop().start();
@@ -70,11 +79,12 @@ int Daemon::run() {
 void Daemon::introduce() {
   const bool simulated = config_.backend == config::Backend::kSimulator;
   if (simulated) {
-    spdlog::warn("hedgehogd {} on the SIMULATOR{}: nothing real moves{}", HEDGEHOG_VERSION,
-                 options_.speed > 1 ? fmt::format(", {} times as fast", options_.speed) : "",
-                 config_.configured || options_.overrides.simulate
-                     ? ""
-                     : "; no configuration file says otherwise");
+    spdlog::warn(
+        "hedgehogd {} on the SIMULATOR{}: nothing real moves{}", HEDGEHOG_VERSION,
+        options_.speed.value_or(1) > 1 ? fmt::format(", {} times as fast", *options_.speed) : "",
+        config_.configured || options_.overrides.simulate
+            ? ""
+            : "; no configuration file says otherwise");
   } else {
     spdlog::info("hedgehogd {}", HEDGEHOG_VERSION);
   }
@@ -87,7 +97,7 @@ void Daemon::introduce() {
   if (saved_ && saved_->latch != control::Reason::kNone) {
     spdlog::warn("the last run ended with a latch: {}", control::name(saved_->latch));
   }
-  if (options_.speed == 1 && !machinery_.loop().realtime()) {
+  if (!options_.speed && !machinery_.loop().realtime()) {
     spdlog::warn("no real-time scheduling (LimitRTPRIO, ulimit -r); a busy machine may skip ticks");
   }
 }
@@ -112,7 +122,9 @@ asio::awaitable<void> Daemon::pump() {
   while (!leaving_) {
     server_.pump();
     keeper_.pump();
-    for (const std::string& line : machinery_.sensors().news()) spdlog::info("{}", line);
+    for (const std::string& line : machinery_.sensors().news()) {
+      spdlog::info("{}", line);
+    }
     manager_.alive(machinery_.loop().heartbeat());
     if (ready_) {
       manager_.status(status_line());
@@ -150,19 +162,30 @@ asio::awaitable<void> Daemon::leave(std::string reason) {
   const bool confirmed = machinery_.loop().stop();
   if (confirmed) {
     spdlog::info("coils off, {:.1f} °C remembered", server::hottest_c(machine_));
+  } else if (machine_.now().state == control::State::kAbsent) {
+    spdlog::info("no ball is connected");
   } else {
     spdlog::warn("the board has not confirmed that the coils are off; its dead-man does it");
   }
   server_.pump();
   server_.say_shutting_down(std::move(reason));
   keeper_.stopped_cleanly();
+  asio::steady_timer timer(io_);
+  error_code ignored;
+  const auto last_answer = std::chrono::steady_clock::now() + kLastAnswers;
+  while (server_.owes() && std::chrono::steady_clock::now() < last_answer) {
+    timer.expires_after(kBusyPause);
+    co_await timer.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+    server_.pump();
+  }
   listener_.close();
   const auto until = std::chrono::steady_clock::now() + kFarewell;
-  asio::steady_timer timer(io_);
-  while (!listener_.empty() && std::chrono::steady_clock::now() < until) {
+  while ((!history_.flush() || !listener_.empty()) && std::chrono::steady_clock::now() < until) {
     timer.expires_after(kIdlePause);
-    error_code ignored;
     co_await timer.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+  }
+  if (!history_.flush()) {
+    spdlog::warn("the disk is slow; the next start may not know what happened last");
   }
   io_.stop();
 }
@@ -181,7 +204,7 @@ void Daemon::reload() {
   next.log_level = fresh->log_level;
   next.telemetry_max_rate_hz = fresh->telemetry_max_rate_hz;
   next.connections = fresh->connections;
-  // A board never widens its limits, so wider ones would trip it.
+  // A board never widens its limits.
   const bool too_wide =
       !model::is_within(next.limits, next.device.limits) ||
       device::BoardLimits::of(next.limits).wider_than(device::BoardLimits::of(config_.limits));
@@ -215,6 +238,9 @@ void Daemon::log_state(const control::Event& event) {
                   ? ""
                   : fmt::format(": {}", control::name(event.reason)),
               remedy ? ". " + *remedy : "");
+  if (event.state == control::State::kArmed && machine_.board_holds_back()) {
+    spdlog::warn("the board keeps tighter limits than configured: unplug the ball's supply once");
+  }
 }
 
 void Daemon::heard(const control::Event& event, const server::Effect*) {
@@ -233,7 +259,6 @@ void Daemon::heard(const control::Event& event, const server::Effect*) {
       if (event.state == control::State::kTripped) {
         // The latch goes to disk before anything that takes longer.
         keeper_.remember_latch(event.reason);
-        recordings_.tripped();
       }
       return;
     }

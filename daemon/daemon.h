@@ -9,11 +9,15 @@
 #include <string>
 
 #include "daemon/config/load_config.h"
+#include "daemon/device_list.h"
 #include "daemon/machinery.h"
 #include "daemon/options.h"
 #include "daemon/server/disk_thread.h"
+#include "daemon/server/event_history.h"
 #include "daemon/server/listener.h"
 #include "daemon/server/machine.h"
+#include "daemon/server/pattern_files.h"
+#include "daemon/server/pattern_library.h"
 #include "daemon/server/saved_state.h"
 #include "daemon/server/server.h"
 #include "daemon/server/state_keeper.h"
@@ -52,9 +56,14 @@ class Daemon {
   server::Listener listener_;
   std::optional<server::SavedState> saved_;
   Machinery machinery_;
+  server::DiskThread look_{"look"};
   server::DiskThread disk_;
   server::Machine machine_;
   server::StateKeeper keeper_;
+  DeviceList devices_;
+  server::PatternFiles pattern_files_;
+  server::PatternLibrary patterns_;
+  server::EventHistory history_;
   server::TripRecordings recordings_;
   server::Server server_;
   bool ready_ = false;

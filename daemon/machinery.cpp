@@ -7,6 +7,7 @@
 #include "daemon/control/control_loop.h"
 #include "daemon/control/lockstep_loop.h"
 #include "daemon/device/socket_transport.h"
+#include "daemon/device/usb/libusb_port.h"
 
 namespace hedgehog::daemon {
 namespace {
@@ -17,9 +18,10 @@ constexpr const char* kTraceVariable = "HEDGEHOG_SIMBOARD_TRACE";
 device::SimulatedBoardOptions board_options(const config::Config& config, double start_c) {
   device::SimulatedBoardOptions options;
   const double noise_k = options.plant.sensor_noise_k;
-  options.plant = model::PlantParameters::of(config.device.coils, config.device.thermal);
+  const model::DeviceModel& ball = config.simulated_ball();
+  options.plant = model::PlantParameters::of(ball.coils, ball.thermal);
   options.plant.sensor_noise_k = noise_k;
-  options.plant.force_slope_n_a = config.device.force_slope_n_a;
+  options.plant.force_slope_n_a = ball.force_slope_n_a;
   options.plant.seed = config.simulator.seed;
   options.ambient_c = config.simulator.ambient_c;
   options.start_c = start_c;
@@ -29,15 +31,26 @@ device::SimulatedBoardOptions board_options(const config::Config& config, double
 }  // namespace
 
 Machinery::Machinery(const config::Config& config, const control::ControlSettings& settings,
-                     double start_c, int speed)
+                     double start_c, std::optional<int> speed)
     : mailbox_(std::make_unique<control::Mailbox>()), port_(std::make_unique<device::LinkPort>()) {
-  if (speed > 1) {
+  if (speed) {
     loop_ = std::make_unique<control::LockstepLoop>(settings, *mailbox_, *port_, &recorder_,
-                                                    board_options(config, start_c), speed);
-    sensors_ = std::make_unique<Sensors>(config, *mailbox_, *loop_);
+                                                    board_options(config, start_c), *speed);
+    sensors_ = std::make_unique<Sensors>(config, *mailbox_, *loop_, usb_board_.get());
     return;
   }
-  std::unique_ptr<device::Transport> transport;
+  link_ = std::make_unique<device::LinkThread>(*port_, make_board(config, start_c));
+  loop_ = std::make_unique<control::ControlLoop>(settings, *mailbox_, *port_, &recorder_);
+  sensors_ = std::make_unique<Sensors>(config, *mailbox_, *loop_, usb_board_.get());
+}
+
+std::unique_ptr<device::Transport> Machinery::make_board(const config::Config& config,
+                                                         double start_c) {
+  if (config.backend == config::Backend::kUsb) {
+    usb_board_ = std::make_unique<device::UsbBoard>(
+        device::make_libusb_bus(), device::BoardIds{config.device.usb, config.device.usb_serial});
+    return usb_board_->transport();
+  }
   if (config.simulator.process) {
     device::SimulatedBoardProcessOptions options;
     options.board = board_options(config, start_c);
@@ -45,17 +58,12 @@ Machinery::Machinery(const config::Config& config, const control::ControlSetting
       options.trace = trace;
     }
     board_process_ = std::make_unique<device::SimulatedBoardProcess>(options);
-    transport = board_process_->take_transport();
-  } else {
-    auto [host, board] = device::make_socket_pair();
-    board_thread_ = std::make_unique<device::SimulatedBoardThread>(
-        board_options(config, start_c),
-        std::make_unique<device::SocketTransport>(std::move(board)));
-    transport = std::make_unique<device::SocketTransport>(std::move(host));
+    return board_process_->take_transport();
   }
-  link_ = std::make_unique<device::LinkThread>(*port_, std::move(transport));
-  loop_ = std::make_unique<control::ControlLoop>(settings, *mailbox_, *port_, &recorder_);
-  sensors_ = std::make_unique<Sensors>(config, *mailbox_, *loop_);
+  auto [host, board] = device::make_socket_pair();
+  board_thread_ = std::make_unique<device::SimulatedBoardThread>(
+      board_options(config, start_c), std::make_unique<device::SocketTransport>(std::move(board)));
+  return std::make_unique<device::SocketTransport>(std::move(host));
 }
 
 }  // namespace hedgehog::daemon

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The threads below io: control, link, a reader a sensor and, when the ball is simulated, the
-// board. Which of them there are depends on the configuration and on --speed.
+// The threads below io: control, link, a reader a sensor, and the board: the one that looks for it
+// on USB, or the simulated one. Which of them there are depends on the configuration and on
+// --speed.
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "daemon/config/config.h"
 #include "daemon/control/control_settings.h"
@@ -14,6 +16,7 @@
 #include "daemon/device/link_thread.h"
 #include "daemon/device/simulated_board_process.h"
 #include "daemon/device/simulated_board_runner.h"
+#include "daemon/device/usb/usb_board.h"
 #include "daemon/sensors.h"
 
 namespace hedgehog::daemon {
@@ -22,9 +25,10 @@ namespace hedgehog::daemon {
 /// loop from `loop().start()`.
 class Machinery {
  public:
-  /// `start_c`: of the simulated ball. Throws std::system_error.
+  /// `start_c`: of the simulated ball. `speed`: in lock-step with it, so many times as fast. Throws
+  /// std::system_error.
   Machinery(const config::Config& config, const control::ControlSettings& settings, double start_c,
-            int speed);
+            std::optional<int> speed);
 
   control::Loop& loop() noexcept { return *loop_; }
   control::Mailbox& mailbox() noexcept { return *mailbox_; }
@@ -33,12 +37,15 @@ class Machinery {
   Sensors& sensors() noexcept { return *sensors_; }
 
  private:
+  std::unique_ptr<device::Transport> make_board(const config::Config& config, double start_c);
+
   std::unique_ptr<control::Mailbox> mailbox_;
   std::unique_ptr<device::LinkPort> port_;
   control::FlightRecorder recorder_;
   // Destroyed from the last to the first: the link says goodbye to a board that still listens.
   std::unique_ptr<device::SimulatedBoardProcess> board_process_;
   std::unique_ptr<device::SimulatedBoardThread> board_thread_;
+  std::unique_ptr<device::UsbBoard> usb_board_;
   std::unique_ptr<device::LinkThread> link_;
   std::unique_ptr<control::Loop> loop_;
   std::unique_ptr<Sensors> sensors_;

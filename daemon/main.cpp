@@ -2,6 +2,7 @@
 // hedgehogd: owns the hardware of one ball.
 #include <spdlog/spdlog.h>
 #include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sysexits.h>
 
@@ -25,8 +26,9 @@ namespace config = hedgehog::config;
 /// Enough for every stack and heap of ours.
 constexpr rlim_t kLockedBytes = 256u << 20;
 
-/// A page that has to be fetched from disk is a late tick.
-void lock_memory() {
+/// A page that is fetched from disk, or moved into a huge one, is a late tick.
+void keep_memory_still() {
+  prctl(PR_SET_THP_DISABLE, 1, 0, 0, 0);
   rlimit limit{};
   if (getrlimit(RLIMIT_MEMLOCK, &limit) != 0 ||
       (limit.rlim_cur != RLIM_INFINITY && limit.rlim_cur < kLockedBytes) ||
@@ -46,15 +48,11 @@ void make_state_directory(const std::string& path) {
 int serve(const hedgehog::daemon::Options& options, const config::Paths& paths,
           const config::Config& settings) {
   hedgehog::daemon::start_logging(settings.log_level);
-  if (settings.backend != config::Backend::kSimulator) {
-    spdlog::error("this version cannot drive a real board yet; try: hedgehogd --simulate");
-    return EX_UNAVAILABLE;
-  }
   std::signal(SIGPIPE, SIG_IGN);
   try {
     make_state_directory(settings.state_directory);
-    if (options.speed == 1) {
-      lock_memory();
+    if (!options.speed) {
+      keep_memory_still();
     }
     return hedgehog::daemon::Daemon(options, paths, settings).run();
   } catch (const std::exception& e) {

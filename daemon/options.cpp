@@ -31,7 +31,8 @@ std::variant<Options, int> parse_options(int argc, const char* const* argv) {
                  "run a recording through the controller once more; JSON lines out")
       ->type_name("F");
   app.add_flag("--simulate", overrides.simulate, "a simulated ball, whatever the files say");
-  app.add_option("--speed", options.speed, "with --simulate: so many times as fast, 1 to 100")
+  app.add_option("--speed", options.speed,
+                 "with --simulate: in lock-step, so many times as fast, 1 to 100")
       ->type_name("N")
       ->check(CLI::Range(1, kFastest));
   app.add_option("--listen", overrides.listen,
@@ -45,7 +46,7 @@ std::variant<Options, int> parse_options(int argc, const char* const* argv) {
   app.set_version_flag("--version", kVersion);
   try {
     app.parse(argc, argv);
-    if (options.speed > 1 && !overrides.simulate) {
+    if (options.speed && !overrides.simulate) {
       throw CLI::ValidationError("--speed", "only with --simulate: a real ball keeps real time");
     }
   } catch (const CLI::Success& e) {

@@ -15,8 +15,8 @@ struct Options {
   bool check_config = false;
   bool print_config = false;
   std::optional<std::string> replay;
-  /// Ticks of device time a millisecond; more than 1 only with --simulate.
-  int speed = 1;
+  /// Ticks of device time a millisecond, in lock-step; only with --simulate.
+  std::optional<int> speed;
   config::Overrides overrides;
 };
 

@@ -43,8 +43,10 @@ std::unique_ptr<device::Sensor> make_imu(const config::Config& config,
 
 }  // namespace
 
-Sensors::Sensors(const config::Config& config, control::Mailbox& mailbox,
-                 const control::Loop& loop) {
+Sensors::Sensors(const config::Config& config, control::Mailbox& mailbox, const control::Loop& loop,
+                 const device::UsbBoard* board)
+    : board_(board) {
+  if (board_ != nullptr) readers_.push_back({{"board", "usb", {}}, nullptr});
   const device::TickSource tick = [&loop] { return loop.now(); };
   const auto& fitting = config.imu_fitting;
   add("imu", std::string(config::name(config.imu)),
@@ -72,12 +74,29 @@ void Sensors::add(const std::string& job, const std::string& type,
   readers_.push_back({{job, type, {}}, std::make_unique<device::SensorThread>(std::move(sensor))});
 }
 
+device::SensorState Sensors::state(const Reader& reader) const {
+  if (reader.thread) return reader.thread->state();
+  const device::BoardSight sight = board_->sight();
+  return {sight.open, sight.what, static_cast<unsigned>(sight.opened)};
+}
+
 std::vector<SensorLine> Sensors::list() const {
   std::vector<SensorLine> lines;
   for (const Reader& reader : readers_) {
-    lines.push_back({reader.line.job, reader.line.type, reader.thread->state()});
+    lines.push_back({reader.line.job, reader.line.type, state(reader)});
   }
   return lines;
+}
+
+std::optional<device::BoardSight> Sensors::board() const {
+  return board_ != nullptr ? std::optional(board_->sight()) : std::nullopt;
+}
+
+server::BoardSeen Sensors::board_seen() const {
+  if (board_ == nullptr) return {};
+  device::BoardSight sight = board_->sight();
+  if (sight.open || !sight.seen) sight.what.clear();
+  return {std::move(sight.what), std::move(sight.serial), std::move(sight.firmware)};
 }
 
 std::vector<std::string> Sensors::news() {
@@ -86,11 +105,11 @@ std::vector<std::string> Sensors::news() {
   if (now - looked_ < kLookEvery) return sentences;
   looked_ = now;
   for (Reader& reader : readers_) {
-    const device::SensorState state = reader.thread->state();
+    const device::SensorState now_is = state(reader);
     const device::SensorState& before = reader.line.state;
-    if (state.what == before.what && state.opened == before.opened) continue;
-    sentences.push_back(reader.line.job + ": " + state.what);
-    reader.line.state = state;
+    if (now_is.what == before.what && now_is.opened == before.opened) continue;
+    sentences.push_back(reader.line.job + ": " + now_is.what);
+    reader.line.state = now_is;
   }
   return sentences;
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The readers of the sensors that configuration names, and what they say about themselves.
+// The readers of the sensors that configuration names, and what they and the board on USB say about
+// themselves.
 #pragma once
 
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,34 +13,43 @@
 #include "daemon/control/loop.h"
 #include "daemon/control/mailbox.h"
 #include "daemon/device/sensors/sensor_thread.h"
+#include "daemon/device/usb/usb_board.h"
+#include "daemon/server/machine.h"
 
 namespace hedgehog::daemon {
 
-/// One sensor as people see it.
+/// One sensor, or the board, as people see it.
 struct SensorLine {
-  std::string job;   // "imu", "thermometer"
+  std::string job;   // "board", "imu", "thermometer"
   std::string type;  // as configured: "dualsense"
   device::SensorState state;
 };
 
-/// io thread. The readers run from the constructor on; mailbox and loop outlive it.
+/// io thread. The readers run from the constructor on; mailbox, loop and board outlive it.
 class Sensors {
  public:
-  /// Throws std::system_error.
-  Sensors(const config::Config& config, control::Mailbox& mailbox, const control::Loop& loop);
+  /// `board`: nullptr when it is simulated. Throws std::system_error.
+  Sensors(const config::Config& config, control::Mailbox& mailbox, const control::Loop& loop,
+          const device::UsbBoard* board);
 
   std::vector<SensorLine> list() const;
   /// A sentence for each sensor that came, went, or is missing for another reason than before;
   /// looks twice a second at most.
   std::vector<std::string> news();
+  /// nullopt: it is simulated.
+  std::optional<device::BoardSight> board() const;
+  /// What of it is to be told to clients.
+  server::BoardSeen board_seen() const;
 
  private:
   struct Reader {
     SensorLine line;
-    std::unique_ptr<device::SensorThread> thread;
+    std::unique_ptr<device::SensorThread> thread;  // nullptr: the board
   };
+  device::SensorState state(const Reader& reader) const;
   void add(const std::string& job, const std::string& type, std::unique_ptr<device::Sensor> sensor);
 
+  const device::UsbBoard* board_;
   std::vector<Reader> readers_;
   std::chrono::steady_clock::time_point looked_{};
 };

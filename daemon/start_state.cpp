@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <limits>
+
 #include "daemon/daemon.h"
 #include "model/thermal_flow.h"
 
@@ -19,6 +21,7 @@ StartState start_state(const config::Config& config, const std::optional<server:
   const bool clean = saved && saved->clean_stop;
   s.arm_at_start =
       simulated || (config.arm_at_start == config::ArmAtStart::kAfterCleanStop && clean);
+  if (simulated) s.start_patience = std::numeric_limits<model::Tick>::max();
   s.start_reason = saved && !clean && config.arm_at_start == config::ArmAtStart::kAfterCleanStop
                        ? control::Reason::kUncleanStop
                        : control::Reason::kNeverArmed;

@@ -37,6 +37,8 @@ struct DeviceModel {
   Limits limits;
   /// Boards that drive this kind of ball.
   std::vector<UsbId> usb{{0x1209, 0x0001}};
+  /// Serial number of this ball's own board; empty: any, as long as there is one only.
+  std::string usb_serial;
 
   friend bool operator==(const DeviceModel&, const DeviceModel&) = default;
 };

@@ -73,7 +73,7 @@ int circle_steps(double ring_deg) noexcept {
 }
 
 Ring ring_of(const Trajectory& trajectory) noexcept {
-  if (trajectory.path == Path::kFixed) return {.along = trajectory.direction};
+  if (trajectory.path != Path::kCircle) return {.along = trajectory.direction};
   const Vec3& axis = trajectory.axis;
   const Vec3 ahead{1, 0, 0};
   const Vec3 top{0, 0, 1};
@@ -116,6 +116,11 @@ EffectPhase advanced(const EffectSpec& spec, const Ring& ring, EffectPhase phase
     phase.steps += spec.trajectory.speed_pins_s * seconds;
     wrap(phase.steps, ring.steps);
   }
+  if (spec.trajectory.path == Path::kKeyframes) {
+    const Score& score = spec.trajectory.score;
+    phase.steps += score.rate * static_cast<double>(ticks);
+    if (score.loop) wrap(phase.steps, score.length_ms);
+  }
   return phase;
 }
 
@@ -124,6 +129,10 @@ EffectPhase advanced(const EffectSpec& spec, EffectPhase phase) noexcept {
 }
 
 EffectPhase carried(const EffectSpec& from, const EffectSpec& to, EffectPhase phase) noexcept {
+  if (from.trajectory.path == Path::kKeyframes && to.trajectory.path == Path::kKeyframes &&
+      from.trajectory.score.same_frames(to.trajectory.score)) {
+    return phase;
+  }
   if (from.trajectory.path != Path::kCircle || to.trajectory.path != Path::kCircle) {
     phase.steps = 0.0;
     return phase;
@@ -138,6 +147,11 @@ EffectPhase carried(const EffectSpec& from, const EffectSpec& to, EffectPhase ph
   phase.steps *= static_cast<double>(after) / before;
   wrap(phase.steps, after);
   return phase;
+}
+
+Tick ticks_to_end(const Score& score, double at_ms) noexcept {
+  const double left = std::max(0.0, score.length_ms - at_ms) / score.rate;
+  return static_cast<Tick>(std::ceil(left - kRounding));
 }
 
 double rms_fraction(const EffectSpec& spec) noexcept {

@@ -7,15 +7,37 @@
 
 #include <cstdint>
 
+#include "model/quaternion.h"
 #include "model/tick.h"
 #include "model/vec3.h"
 
 namespace hedgehog::model {
 
-enum class EffectMethod : std::uint8_t { kPulse, kCircle, kVibrate, kHold };
-enum class Path : std::uint8_t { kFixed, kCircle };
+enum class EffectMethod : std::uint8_t { kPulse, kCircle, kVibrate, kHold, kPlay };
+enum class Path : std::uint8_t { kFixed, kCircle, kKeyframes };
 enum class Frame : std::uint8_t { kDevice, kWorld, kCoil };
 enum class Waveform : std::uint8_t { kConstant, kSine, kSquare, kTriangle, kSawtooth, kNoise };
+
+/// kKeyframes: which of the key frames that the control thread holds are played, and how.
+struct Score {
+  std::uint16_t first = 0;
+  std::uint16_t count = 0;
+  /// Time of the last one, at least 1.
+  std::uint16_t length_ms = 1;
+  /// Begins again at its end; false: it rests after it.
+  bool loop = false;
+  /// It ends with the pattern: `EffectSpec::duration` is what that takes at `rate`.
+  bool ends_with_pattern = false;
+  /// 0.1..10 times as fast.
+  double rate = 1.0;
+  /// Patterns face front; this turns them.
+  Quaternion turn;
+
+  /// The same key frames stand there.
+  bool same_frames(const Score& other) const noexcept {
+    return first == other.first && count == other.count;
+  }
+};
 
 /// Where the field points over time. Unit vectors, in the effect's frame.
 struct Trajectory {
@@ -30,6 +52,7 @@ struct Trajectory {
   bool clockwise = false;
   /// false: the field jumps from pin to pin ("pin"); true: it glides ("smooth").
   bool smooth = false;
+  Score score;
 };
 
 /// Linear rise and fall inside the duration, in ticks; levels are fractions of the strength (0..1).
@@ -75,7 +98,8 @@ struct EffectPhase {
   Tick elapsed = 0;
   /// Position in the waveform's period, 0..1.
   double wave = 0.0;
-  /// Steps walked along the trajectory; circles wrap at their number of steps.
+  /// Steps walked along the circle, wrapped at their number; or milliseconds into the key frames,
+  /// wrapped at their length when they loop.
   double steps = 0.0;
   /// State of the noise generator.
   std::uint32_t noise = 0x9e3779b9u;
@@ -103,9 +127,9 @@ Vec3 direction_at(const Ring& ring, const EffectPhase& phase) noexcept;
 /// seen from outside, looking against the axis.
 Vec3 direction_at(const Trajectory& trajectory, const EffectPhase& phase) noexcept;
 
-/// Envelope times waveform at `phase`, 0..1. A leased effect has no fade (nobody knows its end).
-/// Every waveform runs between 0 and 1 and, but for kSquare and kNoise, starts at 0; noise glides
-/// between `frequency_hz` random levels a second.
+/// Envelope times waveform at `phase`, 0..1, without the level of key frames. A leased effect has
+/// no fade (nobody knows its end). Every waveform runs between 0 and 1 and, but for kSquare and
+/// kNoise, starts at 0; noise glides between `frequency_hz` random levels a second.
 double level_at(const EffectSpec& spec, const EffectPhase& phase) noexcept;
 
 /// `phase` so many ticks (>= 0) later. `ring` is `ring_of(spec.trajectory)`.
@@ -115,8 +139,12 @@ EffectPhase advanced(const EffectSpec& spec, const Ring& ring, EffectPhase phase
 EffectPhase advanced(const EffectSpec& spec, EffectPhase phase) noexcept;
 
 /// `phase` of an effect whose spec changes from `from` to `to`: the field stays at the same angle
-/// of the circle although the number of steps or the sense may change.
+/// of the circle although the number of steps or the sense may change; the same key frames go on
+/// where they were, others begin.
 EffectPhase carried(const EffectSpec& from, const EffectSpec& to, EffectPhase phase) noexcept;
+
+/// Ticks that the key frames take from `at_ms` on.
+Tick ticks_to_end(const Score& score, double at_ms) noexcept;
 
 /// Root mean square over one period of the waveform, as a fraction of the peak (square with
 /// on_fraction f: sqrt(f)).

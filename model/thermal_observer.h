@@ -13,9 +13,9 @@
 
 namespace hedgehog::model {
 
-/// One tick of measurements. Trivially copyable.
+/// One millisecond of measurements. Trivially copyable.
 struct ThermalMeasurement {
-  /// Mean bridge voltages over the tick (duty x supply), and currents at its start and end. They
+  /// Mean bridge voltages over it (duty x supply), and currents at its start and end. They
   /// must belong together: a voltage that is one tick off reads as tens of kelvins while the
   /// current changes. After a lost frame say `electrical_valid` false.
   Vec3 voltage_v;
@@ -58,8 +58,8 @@ class ThermalObserver {
   ThermalObserver(const CoilModel& coils, const ThermalModel& thermal,
                   const ThermalState& start) noexcept;
 
-  /// `dt_s` later (a tick; campaigns take up to 20 ms), with what was measured in it. Numbers that
-  /// are not finite, or currents above 100 A, count as not measured.
+  /// `dt_s` later (a tick; up to 20 ms when ticks were skipped), with what was measured in its last
+  /// millisecond. Numbers that are not finite, or currents above 100 A, count as not measured.
   void step(const ThermalMeasurement& measurement, double dt_s = kTickSeconds) noexcept;
   const ThermalEstimate& estimate() const noexcept { return estimate_; }
   /// The start values of these windings go back to a measurement of theirs, so they need no hold to

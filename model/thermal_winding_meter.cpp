@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/tick.h"
+
 namespace hedgehog::model {
 namespace {
 
@@ -28,7 +30,7 @@ void WindingMeter::step(double voltage_v, double before_a, double after_a, bool 
   driven_s_ *= keep;
   if (measured) {
     const double mean_a = 0.5 * (before_a + after_a);
-    const double slope_a_s = (after_a - before_a) / dt_s;
+    const double slope_a_s = (after_a - before_a) / kTickSeconds;
     ii_ += mean_a * mean_a * dt_s;
     id_ += mean_a * slope_a_s * dt_s;
     dd_ += slope_a_s * slope_a_s * dt_s;

@@ -17,8 +17,9 @@ class WindingMeter {
   constexpr WindingMeter() noexcept = default;
   explicit WindingMeter(double inductance_h) noexcept : nominal_h_(inductance_h) {}
 
-  /// One step with the mean bridge voltage over it and the currents at its start and end. A step
-  /// that was not measured (`measured` false) only forgets.
+  /// `dt_s` later (at most 20 ms), of which the last millisecond was measured and stands for all:
+  /// its mean bridge voltage and the currents at its start and end. A step that was not measured
+  /// (`measured` false) only forgets.
   void step(double voltage_v, double before_a, double after_a, bool measured, double dt_s) noexcept;
 
   /// True while enough current has flowed lately: about 5 ms at 5 A, 45 ms at 1.5 A, and in

@@ -13,6 +13,7 @@ namespace hedgehog::protocol {
 void describe(Fields& f, Angles& v);
 void describe(Fields& f, PinNumber& v);
 
+void describe(Fields& f, Keyframe& v);
 /// The parameters of a start, or of an update when `method` is Method::kEffectUpdate.
 void describe(Fields& f, EffectParams& v, Method method);
 
@@ -21,6 +22,7 @@ void describe(Fields& f, EffectStart& v);
 void describe(Fields& f, EffectUpdate& v);
 void describe(Fields& f, EffectStop& v);
 void describe(Fields& f, EffectStopAll& v);
+void describe(Fields& f, EffectPreview& v);
 void describe(Fields& f, DeviceClaim& v);
 void describe(Fields& f, OutputSetGain& v);
 void describe(Fields& f, ThermalForecast& v);
@@ -28,6 +30,11 @@ void describe(Fields& f, OrientationSet& v);
 void describe(Fields& f, OrientationRecenter& v);
 void describe(Fields& f, TelemetrySubscribe& v);
 void describe(Fields& f, EventsSubscribe& v);
+void describe(Fields& f, EventsHistory& v);
+void describe(Fields& f, Pattern& v);
+void describe(Fields& f, PatternGet& v);
+void describe(Fields& f, PatternPut& v);
+void describe(Fields& f, PatternRemove& v);
 void describe(Fields& f, SimFault& v);
 void describe(Fields& f, SimSet& v);
 /// Methods without parameters.
@@ -70,6 +77,15 @@ void describe(Fields& f, TelemetryResult& v);
 void describe(Fields& f, EventsResult& v);
 void describe(Fields& f, ConnectionInfo& v);
 void describe(Fields& f, ConnectionsResult& v);
+void describe(Fields& f, SeenDevice& v);
+void describe(Fields& f, MissingDevice& v);
+void describe(Fields& f, DevicesResult& v);
+void describe(Fields& f, PreviewResult& v);
+void describe(Fields& f, PastEvent& v);
+void describe(Fields& f, HistoryResult& v);
+void describe(Fields& f, PatternSummary& v);
+void describe(Fields& f, PatternsResult& v);
+void describe(Fields& f, PatternResult& v);
 void describe(Fields& f, SimResult& v);
 
 void describe(Fields& f, PinDescription& v);

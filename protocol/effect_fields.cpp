@@ -12,6 +12,9 @@ constexpr Spec kFraction{.min = 0, .max = 1};
 constexpr Spec kNotNegative{.min = 0};
 constexpr Spec kUpToTenSeconds{.min = 0, .max = kMaxDurationMs, .rounded = true};
 constexpr Spec kDuration{.min = 1, .max = kMaxDurationMs, .rounded = true};
+constexpr Spec kFrequency{.min = 0.5, .max = 250};
+constexpr Spec kOnFraction{.min = 0.05, .max = 0.95};
+constexpr Spec kKeyframes{.items = model::kMaxKeyframes};
 constexpr Spec kLease{.min = kMinLeaseMs, .max = kMaxLeaseMs, .rounded = true};
 
 /// Refuses when more than one of them was said; `names` reads "level, current_a and force_n".
@@ -64,6 +67,21 @@ std::optional<RpcError> check_end(const EffectParams& v) {
   return std::nullopt;
 }
 
+std::optional<RpcError> check_keyframes(const std::vector<Keyframe>& keyframes) {
+  const auto at = [](std::size_t index) { return "keyframes[" + std::to_string(index) + "].t_ms"; };
+  for (std::size_t i = 1; i < keyframes.size(); ++i) {
+    const std::int64_t before = keyframes[i - 1].t_ms;
+    if (keyframes[i].t_ms < before) {
+      return out_of_range(at(i), static_cast<double>(before),
+                          static_cast<double>(keyframes[i].t_ms));
+    }
+  }
+  if (keyframes.empty() || keyframes.back().t_ms < 1) {
+    return invalid_params("keyframes", "the last t_ms must be at least 1");
+  }
+  return std::nullopt;
+}
+
 namespace {
 
 void check(Fields& f, const EffectParams& v, Method method) {
@@ -75,6 +93,16 @@ void check(Fields& f, const EffectParams& v, Method method) {
               {{"start_at_ns", v.start_at_ns.has_value()}, {"delay_ms", v.delay_ms.has_value()}});
   at_most_one(f, "duration_ms and lease_ms",
               {{"duration_ms", v.duration_ms.has_value()}, {"lease_ms", v.lease_ms.has_value()}});
+  at_most_one(f, "pattern and keyframes",
+              {{"pattern", v.pattern.has_value()}, {"keyframes", v.keyframes.has_value()}});
+  if (v.keyframes) {
+    if (auto wrong = check_keyframes(*v.keyframes)) {
+      f.fail(*std::move(wrong));
+    }
+  }
+  if (method == Method::kEffectPlay && !v.pattern && !v.keyframes) {
+    f.fail(invalid_params("pattern", "is missing; say the name of one, or keyframes"));
+  }
   if (auto wrong = check_end(method == Method::kEffectUpdate ? v : with_defaults(method, v))) {
     f.fail(*std::move(wrong));
   }
@@ -85,11 +113,26 @@ void check(Fields& f, const EffectParams& v, Method method) {
 
 }  // namespace
 
+void describe(Fields& f, Keyframe& v) {
+  f.required("t_ms", v.t_ms, {.min = 0, .max = model::kMaxKeyframeMs, .rounded = true});
+  f.optional("direction", v.direction);
+  f.required("level", v.level, kFraction);
+  f.optional("ease", v.ease);
+}
+
 void describe(Fields& f, EffectParams& v, Method method) {
   const bool circle = method == Method::kEffectCircle;
   const bool update = method == Method::kEffectUpdate;
-  if (!circle) {
+  const bool play = method == Method::kEffectPlay;
+  if (!circle && !play) {
     f.optional("direction", v.direction);
+  }
+  if (play || update) {
+    f.optional("pattern", v.pattern, {.min = 1, .max = kMaxPatternName});
+    f.optional("keyframes", v.keyframes, kKeyframes);
+    f.optional("rotate_to", v.rotate_to);
+    f.optional("rate", v.rate, {.min = 0.1, .max = 10});
+    f.optional("loop", v.loop);
   }
   if (circle || update) {
     f.optional("axis", v.axis);
@@ -110,8 +153,8 @@ void describe(Fields& f, EffectParams& v, Method method) {
   f.optional("attack_level", v.attack_level, kFraction);
   f.optional("fade_level", v.fade_level, kFraction);
   f.optional("waveform", v.waveform);
-  f.optional("frequency_hz", v.frequency_hz, {.min = 0.5, .max = 250});
-  f.optional("on_fraction", v.on_fraction, {.min = 0.05, .max = 0.95});
+  f.optional("frequency_hz", v.frequency_hz, kFrequency);
+  f.optional("on_fraction", v.on_fraction, kOnFraction);
   f.optional("duration_ms", v.duration_ms, kDuration);
   f.optional("lease_ms", v.lease_ms, kLease);
   f.optional("on_close", v.on_close);
@@ -141,6 +184,11 @@ EffectParams with_defaults(Method method, EffectParams params) {
   if (vibrate) {
     fill(params.direction, Direction{Word::kDown});
   }
+  const bool play = method == Method::kEffectPlay;
+  if (play) {
+    fill(params.rate, 1.0);
+    fill(params.loop, false);
+  }
   fill(params.frame, model::Frame::kDevice);
   fill(params.gain, 1.0);
   fill(params.attack_ms, std::int64_t{0});
@@ -153,9 +201,9 @@ EffectParams with_defaults(Method method, EffectParams params) {
   if (!params.duration_ms && !params.lease_ms) {
     constexpr std::int64_t kPulseMs = 150;
     constexpr std::int64_t kSecondMs = 1000;
-    if (method == Method::kEffectHold) {
+    if (method == Method::kEffectHold || params.loop.value_or(false)) {
       params.lease_ms = kSecondMs;
-    } else {
+    } else if (!play) {
       params.duration_ms = method == Method::kEffectPulse ? kPulseMs : kSecondMs;
     }
   }
@@ -175,6 +223,8 @@ std::optional<model::EffectMethod> effect_of(Method method) noexcept {
       return model::EffectMethod::kVibrate;
     case Method::kEffectHold:
       return model::EffectMethod::kHold;
+    case Method::kEffectPlay:
+      return model::EffectMethod::kPlay;
     default:
       return std::nullopt;
   }
@@ -188,6 +238,8 @@ Method method_of(model::EffectMethod effect) noexcept {
       return Method::kEffectVibrate;
     case model::EffectMethod::kHold:
       return Method::kEffectHold;
+    case model::EffectMethod::kPlay:
+      return Method::kEffectPlay;
     case model::EffectMethod::kPulse:
       break;
   }

@@ -10,8 +10,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "model/effect.h"
+#include "model/keyframes.h"
 #include "protocol/direction.h"
 #include "protocol/error.h"
 #include "protocol/method.h"
@@ -22,6 +24,15 @@ enum class OnClose : std::uint8_t { kStop, kFinish };
 enum class IfLimited : std::uint8_t { kReduce, kRefuse };
 enum class Sense : std::uint8_t { kCounterClockwise, kClockwise };
 enum class Stepping : std::uint8_t { kPin, kSmooth };
+
+/// One of a pattern; see model::Keyframe.
+struct Keyframe {
+  std::int64_t t_ms = 0;                 // 0..60 000, not before the one before it
+  std::optional<Direction> direction{};  // as the one before it; of the first: front
+  double level = 0.0;                    // 0..1
+  std::optional<model::Ease> ease{};     // linear
+  friend bool operator==(const Keyframe&, const Keyframe&) = default;
+};
 
 /// Times are milliseconds; fractions were rounded to whole control ticks.
 struct EffectParams {
@@ -61,6 +72,13 @@ struct EffectParams {
   std::optional<Sense> sense{};
   std::optional<Stepping> stepping{};
 
+  /// effect.play (exactly one of the first two), and effect.update of one.
+  std::optional<std::string> pattern{};
+  std::optional<std::vector<Keyframe>> keyframes{};  // 1..256
+  std::optional<Direction> rotate_to{};
+  std::optional<double> rate{};  // 0.1..10
+  std::optional<bool> loop{};
+
   friend bool operator==(const EffectParams&, const EffectParams&) = default;
 };
 
@@ -69,17 +87,22 @@ inline constexpr std::int64_t kMinLeaseMs = 100;
 inline constexpr std::int64_t kMaxLeaseMs = 10'000;
 inline constexpr std::int64_t kMaxFinishMs = 2'000;
 inline constexpr std::int64_t kMaxSlotCharacters = 32;
+inline constexpr std::int64_t kMaxPatternName = 65;
 
 /// `params` with everything filled in that `method` has a default for. Still open afterwards: the
 /// strength (none = limits.continuous_a), the start, the slot, and `direction` of pulse and hold
 /// (decoding refuses them without one). Vibrate and circle end after 1000 ms when neither
-/// duration_ms nor lease_ms is said.
-/// REQUIRES: method is one of effect.pulse, circle, vibrate, hold.
+/// duration_ms nor lease_ms is said, a loop by its lease of 1000 ms; a pattern that does not loop
+/// then ends with its last key frame, which is left open.
+/// REQUIRES: method is one of effect.pulse, circle, vibrate, hold, play.
 EffectParams with_defaults(Method method, EffectParams params);
 
 /// What is wrong with how `params`, defaults filled in, begin and end: a fade without a known end,
 /// attack and fade longer than the whole, a "finish" that is too long. nullopt: nothing.
 std::optional<RpcError> check_end(const EffectParams& params);
+
+/// What is wrong with the times of key frames; nullopt: nothing.
+std::optional<RpcError> check_keyframes(const std::vector<Keyframe>& keyframes);
 
 /// The effect that `method` plays; nullopt for methods that play nothing.
 std::optional<model::EffectMethod> effect_of(Method method) noexcept;
@@ -88,5 +111,6 @@ Method method_of(model::EffectMethod effect) noexcept;
 /// Wire names.
 std::string_view name(model::Frame frame) noexcept;
 std::string_view name(model::Waveform waveform) noexcept;
+std::string_view name(model::Ease ease) noexcept;
 
 }  // namespace hedgehog::protocol

@@ -50,7 +50,9 @@ struct Event {
 
   // derating_started, derating_ended
   std::optional<double> limit_a{};
+  // also state_changed, of a trip: the hottest, unless nothing was known, and what flowed (always)
   std::optional<double> temperature_c{};
+  std::optional<double> current_a{};
 
   // device_attached, device_detached: "board" or "imu"
   std::optional<std::string> device{};
@@ -59,5 +61,10 @@ struct Event {
 
   friend bool operator==(const Event&, const Event&) = default;
 };
+
+/// The ball has tripped, or was armed and is gone; not that it still is tripped after a restart.
+inline bool is_trip(const Event& event) noexcept {
+  return event.state.has_value() && event.current_a.has_value();
+}
 
 }  // namespace hedgehog::protocol

@@ -30,6 +30,8 @@ struct Spec {
   double max = std::numeric_limits<double>::infinity();
   int decimals = -1;
   bool rounded = false;
+  /// The most items of a list.
+  std::size_t items = 64;
 };
 
 inline constexpr Spec decimals(int count) { return {.decimals = count}; }
@@ -84,7 +86,7 @@ class Fields {
   virtual bool begin_object() = 0;
   virtual void end_object() = 0;
   /// How many items there are; `size` is what a writer has.
-  virtual std::size_t begin_list(std::size_t size) = 0;
+  virtual std::size_t begin_list(std::size_t size, const Spec& spec) = 0;
   virtual bool begin_item(std::size_t index) = 0;
   virtual void end_list() = 0;
 
@@ -128,7 +130,7 @@ struct IsVector<std::vector<T>> : std::true_type {};
 
 template <class T>
 void Fields::list(std::vector<T>& v, const Spec& spec) {
-  const std::size_t size = begin_list(v.size());
+  const std::size_t size = begin_list(v.size(), spec);
   v.resize(size);
   for (std::size_t i = 0; i < size; ++i) {
     if (begin_item(i)) {

@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
-#include <vector>
 
+#include "model/spelling.h"
 #include "protocol/event.h"
 
 namespace hedgehog::protocol {
@@ -21,8 +20,9 @@ constexpr std::array<std::string_view, 2> kSteppings{"pin", "smooth"};
 constexpr std::array<std::string_view, 3> kFrames{"device", "world", "coil"};
 constexpr std::array<std::string_view, 6> kWaveforms{"constant", "sine",     "square",
                                                      "triangle", "sawtooth", "noise"};
-constexpr std::array<std::string_view, 4> kEffectMethods{"effect.pulse", "effect.circle",
-                                                         "effect.vibrate", "effect.hold"};
+constexpr std::array<std::string_view, 3> kEases{"linear", "step", "smooth"};
+constexpr std::array<std::string_view, 5> kEffectMethods{
+    "effect.pulse", "effect.circle", "effect.vibrate", "effect.hold", "effect.play"};
 
 template <class E>
 std::optional<E> named(std::string_view text, Names names) noexcept {
@@ -33,32 +33,18 @@ std::optional<E> named(std::string_view text, Names names) noexcept {
   return static_cast<E>(found - names.begin());
 }
 
-/// Insertions, deletions and replacements between the two (Levenshtein).
-std::size_t distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row.back();
-}
-
 /// What the rest of the field calls it (SDL, evdev, OpenXR, CoreHaptics, W3C).
-constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kElsewhere{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 11> kElsewhere{{
     {"amplitude", "level"},
     {"intensity", "level"},
     {"magnitude", "level"},
     {"strength", "level"},
     {"direction", "axis"},
+    {"direction", "rotate_to"},
     {"duty", "on_fraction"},
     {"length", "duration_ms"},
     {"speed", "speed_pins_s"},
+    {"speed", "rate"},
     {"id", "effect"},
 }};
 
@@ -74,6 +60,7 @@ Names names_of(Stepping) noexcept { return kSteppings; }
 Names names_of(StatusKey) noexcept { return kStatusKeyNames; }
 Names names_of(model::Frame) noexcept { return kFrames; }
 Names names_of(model::Waveform) noexcept { return kWaveforms; }
+Names names_of(model::Ease) noexcept { return kEases; }
 Names names_of(model::EffectMethod) noexcept { return kEffectMethods; }
 
 std::string_view name(Role role) noexcept { return kRoles[static_cast<std::size_t>(role)]; }
@@ -84,6 +71,8 @@ std::string_view name(model::Frame frame) noexcept {
 std::string_view name(model::Waveform waveform) noexcept {
   return kWaveforms[static_cast<std::size_t>(waveform)];
 }
+
+std::string_view name(model::Ease ease) noexcept { return kEases[static_cast<std::size_t>(ease)]; }
 
 std::optional<Role> role_named(std::string_view text) noexcept { return named<Role>(text, kRoles); }
 std::optional<StatusKey> status_key_named(std::string_view text) noexcept {
@@ -116,7 +105,7 @@ std::string_view nearest(std::string_view text, Names names) {
     // "duration" for "duration_ms": only the unit was forgotten.
     const bool forgot_unit = candidate.size() > text.size() && candidate.starts_with(text) &&
                              (candidate[text.size()] == '_' || candidate[text.size()] == '.');
-    const std::size_t apart = forgot_unit ? 0 : distance(text, candidate);
+    const std::size_t apart = forgot_unit ? 0 : model::edits_between(text, candidate);
     if (apart < least) {
       least = apart;
       best = candidate;

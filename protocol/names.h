@@ -22,6 +22,7 @@ Names names_of(Stepping) noexcept;
 Names names_of(StatusKey) noexcept;
 Names names_of(model::Frame) noexcept;
 Names names_of(model::Waveform) noexcept;
+Names names_of(model::Ease) noexcept;
 /// By their wire names: effect.pulse, effect.circle, ...
 Names names_of(model::EffectMethod) noexcept;
 

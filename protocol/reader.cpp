@@ -136,18 +136,18 @@ void Reader::end_object() {
   }
 }
 
-std::size_t Reader::begin_list(std::size_t) {
+std::size_t Reader::begin_list(std::size_t, const Spec& spec) {
   const auto* list = here().as<Json::List>();
   if (list == nullptr) {
     wrong_type("a list");
     return 0;
   }
-  constexpr std::size_t kLongest = 64;
-  if (strict_ && list->size() > kLongest) {
+  if (strict_ && list->size() > spec.items) {
     const std::string field = path();
-    RpcError error = out_of_range(field, kLongest, static_cast<double>(list->size()));
+    RpcError error =
+        out_of_range(field, static_cast<double>(spec.items), static_cast<double>(list->size()));
     error.message = field + ": has " + std::to_string(list->size()) + " items, more than " +
-                    std::to_string(kLongest);
+                    std::to_string(spec.items);
     fail(std::move(error));
     return 0;
   }

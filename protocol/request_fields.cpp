@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "protocol/describe.h"
+#include "protocol/wall_time.h"
 
 namespace hedgehog::protocol {
 namespace {
@@ -64,6 +65,26 @@ StatusKeys as_set(const std::vector<StatusKey>& list) {
   return keys;
 }
 
+/// A start that is only talked about: `method` names it, `params` are its parameters.
+void method_and_params(Fields& f, std::optional<EffectStart>& start) {
+  std::optional<model::EffectMethod> method;
+  if (start) {
+    method = effect_of(start->method);
+  }
+  f.optional("method", method);
+  if (method && !start) {
+    start.emplace(EffectStart{.method = method_of(*method)});
+  }
+  const bool has_params = f.has("params");
+  if (f.checks() && !method && has_params) {
+    f.fail(invalid_params("method", "is missing beside params"));
+  }
+  f.optional("params", start);
+  if (f.checks() && start && !has_params) {
+    f.fail(invalid_params("params", "is missing beside method"));
+  }
+}
+
 }  // namespace
 
 void describe(Fields& f, Hello& v) {
@@ -101,6 +122,13 @@ void describe(Fields& f, EffectStop& v) {
 
 void describe(Fields& f, EffectStopAll& v) { f.defaulted("scope", v.scope); }
 
+void describe(Fields& f, EffectPreview& v) {
+  method_and_params(f, v.start);
+  if (f.checks() && !v.start) {
+    f.fail(invalid_params("method", "is missing; for example \"effect.pulse\""));
+  }
+}
+
 void describe(Fields& f, DeviceClaim& v) {
   f.defaulted("lease_ms", v.lease_ms, {.min = kMinLeaseMs, .max = kMaxLeaseMs, .rounded = true});
 }
@@ -110,25 +138,10 @@ void describe(Fields& f, OutputSetGain& v) { f.required("gain", v.gain, {.min = 
 void describe(Fields& f, ThermalForecast& v) {
   f.optional("current_a", v.current_a, {.min = 0});
   f.optional("direction", v.direction);
-  std::optional<model::EffectMethod> method;
-  if (v.start) {
-    method = effect_of(v.start->method);
-  }
-  f.optional("method", method);
-  if (method && !v.start) {
-    v.start.emplace(EffectStart{.method = method_of(*method)});
-  }
-  const bool has_params = f.has("params");
-  if (f.checks() && !method && has_params) {
-    f.fail(invalid_params("method", "is missing beside params"));
-  }
-  f.optional("params", v.start);
+  method_and_params(f, v.start);
   f.optional("effect", v.effect, kEffectNumber);
   if (!f.checks()) {
     return;
-  }
-  if (v.start && !has_params) {
-    f.fail(invalid_params("params", "is missing beside method"));
   }
   const int said = (v.current_a ? 1 : 0) + (v.start ? 1 : 0) + (v.effect ? 1 : 0);
   if (said != 1) {
@@ -175,6 +188,22 @@ void describe(Fields& f, EventsSubscribe& v) {
   f.defaulted("scope", v.scope);
   if (f.checks()) {
     check_known(f, v.types);
+  }
+}
+
+void describe(Fields& f, EventsHistory& v) {
+  f.optional("since", v.since, {.min = 1, .max = 40});
+  f.defaulted("types", v.types, {}, !v.types.empty());
+  f.defaulted("trips", v.trips);
+  f.defaulted("limit", v.limit, {.min = 1, .max = EventsHistory::kMostEvents});
+  if (!f.checks()) {
+    return;
+  }
+  check_known(f, v.types);
+  if (v.since && !parse_rfc3339(*v.since)) {
+    RpcError error = invalid_params("since", "must be a time like 2026-11-20T23:14:07Z (RFC 3339)");
+    error.value = *v.since;
+    f.fail(std::move(error));
   }
 }
 

@@ -14,6 +14,7 @@ struct MethodOf {
   Method operator()(const EffectStop&) const { return Method::kEffectStop; }
   Method operator()(const EffectStopAll&) const { return Method::kEffectStopAll; }
   Method operator()(const DeviceDescribe&) const { return Method::kDeviceDescribe; }
+  Method operator()(const DeviceList&) const { return Method::kDeviceList; }
   Method operator()(const DeviceStatus&) const { return Method::kDeviceStatus; }
   Method operator()(const DeviceEmergencyStop&) const { return Method::kDeviceEmergencyStop; }
   Method operator()(const DeviceArm&) const { return Method::kDeviceArm; }
@@ -27,6 +28,12 @@ struct MethodOf {
   Method operator()(const TelemetryUnsubscribe&) const { return Method::kTelemetryUnsubscribe; }
   Method operator()(const EventsSubscribe&) const { return Method::kEventsSubscribe; }
   Method operator()(const EventsUnsubscribe&) const { return Method::kEventsUnsubscribe; }
+  Method operator()(const EffectPreview&) const { return Method::kEffectPreview; }
+  Method operator()(const EventsHistory&) const { return Method::kEventsHistory; }
+  Method operator()(const PatternList&) const { return Method::kPatternList; }
+  Method operator()(const PatternGet&) const { return Method::kPatternGet; }
+  Method operator()(const PatternPut&) const { return Method::kPatternPut; }
+  Method operator()(const PatternRemove&) const { return Method::kPatternRemove; }
   Method operator()(const ConnectionList&) const { return Method::kConnectionList; }
   Method operator()(const SimSet&) const { return Method::kSimSet; }
 };
@@ -47,21 +54,28 @@ Request empty_request(Method method) {
       return DeviceDescribe{};
     case Method::kDeviceEmergencyStop:
       return DeviceEmergencyStop{};
+    case Method::kDeviceList:
+      return DeviceList{};
     case Method::kDeviceRelease:
       return DeviceRelease{};
     case Method::kDeviceStatus:
       return DeviceStatus{};
     case Method::kEffectCircle:
     case Method::kEffectHold:
+    case Method::kEffectPlay:
     case Method::kEffectPulse:
     case Method::kEffectVibrate:
       return EffectStart{.method = method};
+    case Method::kEffectPreview:
+      return EffectPreview{};
     case Method::kEffectStop:
       return EffectStop{};
     case Method::kEffectStopAll:
       return EffectStopAll{};
     case Method::kEffectUpdate:
       return EffectUpdate{};
+    case Method::kEventsHistory:
+      return EventsHistory{};
     case Method::kEventsSubscribe:
       return EventsSubscribe{};
     case Method::kEventsUnsubscribe:
@@ -74,6 +88,14 @@ Request empty_request(Method method) {
       return OrientationSet{};
     case Method::kOutputSetGain:
       return OutputSetGain{};
+    case Method::kPatternGet:
+      return PatternGet{};
+    case Method::kPatternList:
+      return PatternList{};
+    case Method::kPatternPut:
+      return PatternPut{};
+    case Method::kPatternRemove:
+      return PatternRemove{};
     case Method::kPing:
       return Ping{};
     case Method::kSimSet:

@@ -11,6 +11,7 @@
 #include "model/quaternion.h"
 #include "protocol/effect_params.h"
 #include "protocol/method.h"
+#include "protocol/pattern.h"
 #include "protocol/status_keys.h"
 
 namespace hedgehog::protocol {
@@ -31,7 +32,7 @@ struct Ping {
   friend bool operator==(const Ping&, const Ping&) = default;
 };
 
-/// effect.pulse, effect.circle, effect.vibrate, effect.hold.
+/// effect.pulse, effect.circle, effect.vibrate, effect.hold, effect.play.
 struct EffectStart {
   Method method = Method::kEffectPulse;
   EffectParams params{};
@@ -57,8 +58,17 @@ struct EffectStopAll {
   friend bool operator==(const EffectStopAll&, const EffectStopAll&) = default;
 };
 
+/// On the wire: `method` and `params`.
+struct EffectPreview {
+  std::optional<EffectStart> start{};  // always there once decoded
+  friend bool operator==(const EffectPreview&, const EffectPreview&) = default;
+};
+
 struct DeviceDescribe {
   friend bool operator==(const DeviceDescribe&, const DeviceDescribe&) = default;
+};
+struct DeviceList {
+  friend bool operator==(const DeviceList&, const DeviceList&) = default;
 };
 struct DeviceStatus {
   friend bool operator==(const DeviceStatus&, const DeviceStatus&) = default;
@@ -123,6 +133,32 @@ struct EventsUnsubscribe {
   friend bool operator==(const EventsUnsubscribe&, const EventsUnsubscribe&) = default;
 };
 
+struct EventsHistory {
+  static constexpr std::int64_t kMostEvents = 1000;
+  std::optional<std::string> since{};  // RFC 3339
+  std::vector<std::string> types{};    // empty: all
+  bool trips = false;                  // nothing but trips
+  std::int64_t limit = 100;            // 1..kMostEvents
+  friend bool operator==(const EventsHistory&, const EventsHistory&) = default;
+};
+
+struct PatternList {
+  friend bool operator==(const PatternList&, const PatternList&) = default;
+};
+struct PatternGet {
+  std::string name{};
+  friend bool operator==(const PatternGet&, const PatternGet&) = default;
+};
+/// Replaces the one of that name.
+struct PatternPut {
+  Pattern pattern{};  // its fields are the parameters
+  friend bool operator==(const PatternPut&, const PatternPut&) = default;
+};
+struct PatternRemove {
+  std::string name{};
+  friend bool operator==(const PatternRemove&, const PatternRemove&) = default;
+};
+
 struct ConnectionList {
   friend bool operator==(const ConnectionList&, const ConnectionList&) = default;
 };
@@ -147,7 +183,8 @@ using Request =
                  DeviceStatus, DeviceEmergencyStop, DeviceArm, DeviceClaim, DeviceRelease,
                  OutputSetGain, ThermalForecast, OrientationSet, OrientationRecenter,
                  TelemetrySubscribe, TelemetryUnsubscribe, EventsSubscribe, EventsUnsubscribe,
-                 ConnectionList, SimSet>;
+                 EffectPreview, EventsHistory, PatternList, PatternGet, PatternPut, PatternRemove,
+                 ConnectionList, DeviceList, SimSet>;
 
 /// The method that `request` calls.
 Method method_of(const Request& request) noexcept;

@@ -100,6 +100,41 @@ void describe(Fields& f, ConnectionInfo& v) {
 
 void describe(Fields& f, ConnectionsResult& v) { f.required("connections", v.connections); }
 
+void describe(Fields& f, SeenDevice& v) {
+  f.required("path", v.path);
+  f.required("ids", v.ids);
+  f.required("name", v.name);
+  f.nullable("serial", v.serial);
+  f.nullable("firmware", v.firmware);
+  f.nullable("use", v.use);
+  f.nullable("why_not", v.why_not);
+}
+
+void describe(Fields& f, MissingDevice& v) {
+  f.required("use", v.use);
+  f.required("why", v.why);
+}
+
+void describe(Fields& f, DevicesResult& v) {
+  f.required("devices", v.devices);
+  f.required("missing", v.missing);
+  f.required("others", v.others);
+}
+
+void describe(Fields& f, PreviewResult& v) {
+  constexpr std::size_t kSteps = PreviewResult::kMostSteps;
+  f.required("duration_ms", v.duration_ms);
+  f.required("step_ms", v.step_ms);
+  f.required("duty", v.duty, {.decimals = 4, .items = kSteps});
+  f.required("current_a", v.current_a, {.decimals = 3, .items = kSteps});
+  f.required("peak_current_a", v.peak_current_a, decimals(3));
+  f.required("temperature_c", v.temperature_c, decimals(2));
+  f.required("peak_temperature_c", v.peak_temperature_c, decimals(2));
+  f.nullable("limited_by", v.limited_by);
+  f.nullable("limited_from_ms", v.limited_from_ms);
+  f.required("delivered", v.delivered);
+}
+
 void describe(Fields& f, SimResult& v) {
   f.required("ambient_c", v.ambient_c, decimals(2));
   f.required("faults", v.faults);

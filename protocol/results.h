@@ -12,6 +12,8 @@
 
 #include "model/vec3.h"
 #include "protocol/description.h"
+#include "protocol/event.h"
+#include "protocol/pattern.h"
 #include "protocol/role.h"
 #include "protocol/status.h"
 
@@ -57,7 +59,7 @@ struct PingResult {
   friend bool operator==(const PingResult&, const PingResult&) = default;
 };
 
-/// effect.pulse, circle, vibrate, hold, update.
+/// effect.pulse, circle, vibrate, hold, play, update.
 struct Admission {
   std::uint32_t effect = 0;
   std::optional<std::string> slot{};  // left out when the effect has none
@@ -145,6 +147,86 @@ struct ConnectionsResult {
   friend bool operator==(const ConnectionsResult&, const ConnectionsResult&) = default;
 };
 
+/// One USB or HID device that this daemon has to do with, or could have.
+struct SeenDevice {
+  std::string path{};  // "USB 1-3", as the kernel names the port, or "Bluetooth"
+  std::string ids{};   // "1209:0001"
+  std::string name{};
+  std::optional<std::string> serial{};
+  std::optional<std::string> firmware{};
+  std::optional<std::string> use{};      // "board", "imu", "thermometer"; null: not used
+  std::optional<std::string> why_not{};  // a clause; null when it is used
+  friend bool operator==(const SeenDevice&, const SeenDevice&) = default;
+};
+
+/// What configuration asks for and is not there.
+struct MissingDevice {
+  std::string use{};
+  std::string why{};
+  friend bool operator==(const MissingDevice&, const MissingDevice&) = default;
+};
+
+/// device.list.
+struct DevicesResult {
+  std::vector<SeenDevice> devices{};
+  std::vector<MissingDevice> missing{};
+  std::int64_t others = 0;  // connected, and nothing to this daemon
+  friend bool operator==(const DevicesResult&, const DevicesResult&) = default;
+};
+
+/// effect.preview. The lists have an item for every `step_ms`, the mean over it; x, y, z.
+struct PreviewResult {
+  static constexpr std::int64_t kMostSteps = 200;
+  std::int64_t duration_ms = 0;
+  std::int64_t step_ms = 1;
+  std::vector<std::array<double, 3>> duty{};       // of each bridge, -1..1
+  std::vector<std::array<double, 3>> current_a{};  // through each winding
+  double peak_current_a = 0.0;                     // the largest norm in any millisecond
+  double temperature_c = 25.0;                     // hottest winding: now, and at most
+  double peak_temperature_c = 25.0;
+  std::optional<std::string> limited_by{};        // "thermal", "configuration"
+  std::optional<std::int64_t> limited_from_ms{};  // of thermal
+  EventDelivery delivered{};
+  friend bool operator==(const PreviewResult&, const PreviewResult&) = default;
+};
+
+/// An event of events.history, with what was added for keeping it.
+struct PastEvent {
+  std::string at{};  // RFC 3339
+  Event event{};
+  // Of effects, and of trips: what played, and whose; left out when nobody's
+  std::optional<std::string> method{};
+  std::optional<std::string> client{};
+  std::optional<std::string> recording{};  // of a trip: "trip-0017", as long as there is one
+  friend bool operator==(const PastEvent&, const PastEvent&) = default;
+};
+struct HistoryResult {
+  std::vector<PastEvent> events{};  // oldest first
+  bool more = false;                // older ones match too
+  friend bool operator==(const HistoryResult&, const HistoryResult&) = default;
+};
+
+/// One of pattern.list, and pattern.put.
+struct PatternSummary {
+  std::string name{};
+  std::string description{};
+  std::int64_t duration_ms = 0;  // at rate 1
+  std::int64_t keyframes = 0;    // how many
+  bool shipped = false;          // read-only
+  friend bool operator==(const PatternSummary&, const PatternSummary&) = default;
+};
+struct PatternsResult {
+  std::vector<PatternSummary> patterns{};  // by name
+  friend bool operator==(const PatternsResult&, const PatternsResult&) = default;
+};
+/// pattern.get: the fields of the pattern, and what pattern.list says besides.
+struct PatternResult {
+  Pattern pattern{};
+  std::int64_t duration_ms = 0;
+  bool shipped = false;
+  friend bool operator==(const PatternResult&, const PatternResult&) = default;
+};
+
 /// sim.set: how the simulated world is now.
 struct SimResult {
   double ambient_c = 25.0;
@@ -161,6 +243,7 @@ struct Done {
 using ResultValue =
     std::variant<Done, HelloResult, PingResult, Admission, StopResult, StateResult, ClaimResult,
                  GainResult, ForecastResult, RecenterResult, TelemetryResult, EventsResult,
-                 ConnectionsResult, SimResult, Status, Description>;
+                 ConnectionsResult, PreviewResult, HistoryResult, PatternSummary, PatternsResult,
+                 PatternResult, DevicesResult, SimResult, Status, Description>;
 
 }  // namespace hedgehog::protocol

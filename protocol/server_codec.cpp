@@ -141,6 +141,15 @@ std::string notification(std::string_view method, const T& params) {
   return out;
 }
 
+std::string joined(const std::vector<std::string>& values) {
+  std::string out;
+  for (const std::string& value : values) {
+    out += out.empty() ? "" : ",";
+    out += value;
+  }
+  return out;
+}
+
 std::string answer(const Id& id) { return "{\"jsonrpc\":\"2.0\",\"id\":" + id.json; }
 
 }  // namespace
@@ -179,7 +188,18 @@ Incoming decode_line(std::string_view line) {
 }
 
 std::string encode_result(const Id& id, const ResultValue& result) {
+  return encode_encoded(id, encode_value(result));
+}
+
+std::string encode_encoded(const Id& id, std::string_view value) {
   std::string out = answer(id) + ",\"result\":";
+  out += value;
+  out += '}';
+  return out;
+}
+
+std::string encode_value(const ResultValue& result) {
+  std::string out;
   if (const auto* hello = std::get_if<HelloResult>(&result); hello && hello->methods.empty()) {
     HelloResult filled = *hello;
     for (const MethodInfo& row : kMethods) {
@@ -189,7 +209,6 @@ std::string encode_result(const Id& id, const ResultValue& result) {
   } else {
     std::visit([&](const auto& value) { append(out, value); }, result);
   }
-  out += '}';
   return out;
 }
 
@@ -205,19 +224,35 @@ std::string encode_error(const Id& id, const RpcError& error) {
 }
 
 std::string encode_batch(const std::vector<std::string>& answers) {
-  std::string out;
-  for (const std::string& one : answers) {
-    out += out.empty() ? '[' : ',';
-    out += one;
-  }
-  if (!out.empty()) {
-    out += ']';
-  }
-  return out;
+  return answers.empty() ? std::string() : '[' + joined(answers) + ']';
+}
+
+std::string encode_history(const std::vector<std::string>& events, bool more) {
+  return R"({"events":[)" + joined(events) + R"(],"more":)" + (more ? "true}" : "false}");
 }
 
 std::string encode_telemetry(const Telemetry& telemetry) {
   return notification("telemetry", telemetry);
+}
+
+std::string encode_past_event(const PastEvent& event) {
+  std::string out;
+  append(out, event);
+  return out;
+}
+
+Result<PastEvent> decode_past_event(std::string_view json) {
+  const Result<Json> parsed = parse_json(json, kMaxNesting);
+  if (!parsed) {
+    return parsed.error();
+  }
+  PastEvent event;
+  Reader reader(*parsed, Reader::Manner::kLenient, "an event");
+  reader.value(event);
+  if (reader.error()) {
+    return *reader.error();
+  }
+  return event;
 }
 
 std::string encode_event(const Event& event) { return notification("event", event); }

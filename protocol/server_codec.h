@@ -42,12 +42,21 @@ Incoming decode_line(std::string_view line);
 RpcError line_too_long();
 
 std::string encode_result(const Id& id, const ResultValue& result);
+/// The two halves of it, for an answer that is given again and again.
+std::string encode_value(const ResultValue& result);
+std::string encode_encoded(const Id& id, std::string_view value);
 std::string encode_error(const Id& id, const RpcError& error);
 /// The answers to a batch, as one line; empty when there is none to give (all were notifications).
 std::string encode_batch(const std::vector<std::string>& answers);
 
 /// Notifications to the client.
 std::string encode_telemetry(const Telemetry& telemetry);
+/// One line of an event history, without LF, and back; the error says what is wrong with it.
+std::string encode_past_event(const PastEvent& event);
+Result<PastEvent> decode_past_event(std::string_view json);
+/// The result of events.history from such lines, oldest first.
+std::string encode_history(const std::vector<std::string>& events, bool more);
+
 std::string encode_event(const Event& event);
 
 }  // namespace hedgehog::protocol

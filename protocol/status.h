@@ -107,6 +107,7 @@ struct Status {
 
   model::Vec3 current_a{};            // measured, per coil
   model::Vec3 duty{};                 // per coil, -1..1
+  std::optional<double> supply_v{};   // of the bridges, measured; null: no board
   model::Vec3 field{};                // unit vector in the device frame; zero when nothing flows
   double force_n = 0.0;               // at the nearest pin
   std::optional<std::int64_t> pin{};  // the nearest; null when nothing flows

@@ -38,8 +38,10 @@ void describe_only(Fields& f, Status& v, StatusKeys keys) {
   nullable(kHeadroomS, v.headroom_s, kSeconds);
   nullable(kBurstS, v.burst_s, kSeconds);
   required(kDerating, v.derating);
-  required(kCurrentA, v.current_a, kAmps);
-  required(kDuty, v.duty, kRatio);
+  // As finely as the board measures: what calibrates a ball is worked out from these.
+  required(kCurrentA, v.current_a, decimals(3));
+  required(kDuty, v.duty, decimals(5));
+  nullable(kSupplyV, v.supply_v, decimals(3));
   required(kField, v.field, kUnit);
   required(kForceN, v.force_n, kNewtons);
   nullable(kPin, v.pin);
@@ -145,6 +147,19 @@ void describe(Fields& f, EventDelivery& v) {
   f.required("mean", v.mean, kRatio);
 }
 
+void describe(Fields& f, PastEvent& v) {
+  f.required("at", v.at);
+  describe(f, v.event);
+  f.optional("method", v.method);
+  f.optional("client", v.client);
+  f.optional("recording", v.recording);
+}
+
+void describe(Fields& f, HistoryResult& v) {
+  f.required("events", v.events, {.items = EventsHistory::kMostEvents});
+  f.required("more", v.more);
+}
+
 void describe(Fields& f, Event& v) {
   f.required("type", v.type);
   f.required("time_ns", v.time_ns);
@@ -169,6 +184,7 @@ void describe(Fields& f, Event& v) {
   }
   f.optional("limit_a", v.limit_a, kAmps);
   f.optional("temperature_c", v.temperature_c, kDegreesC);
+  f.optional("current_a", v.current_a, kAmps);
   f.optional("device", v.device);
   f.optional("skipped", v.skipped);
 }

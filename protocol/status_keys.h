@@ -26,6 +26,7 @@ enum class StatusKey : std::uint8_t {
   kDerating,
   kCurrentA,
   kDuty,
+  kSupplyV,
   kField,
   kForceN,
   kPin,
@@ -39,11 +40,11 @@ enum class StatusKey : std::uint8_t {
   kPins,
 };
 
-inline constexpr std::array<std::string_view, 25> kStatusKeyNames{
-    "device",        "simulated",   "time_ns",    "state",   "reason",      "since_s",   "remedy",
-    "temperature_c", "limit_a",     "headroom_s", "burst_s", "derating",    "current_a", "duty",
-    "field",         "force_n",     "pin",        "fan",     "orientation", "effects",   "loop",
-    "link",          "applied_seq", "last_trip",  "pins"};
+inline constexpr std::array<std::string_view, 26> kStatusKeyNames{
+    "device",        "simulated", "time_ns",     "state",     "reason",   "since_s",     "remedy",
+    "temperature_c", "limit_a",   "headroom_s",  "burst_s",   "derating", "current_a",   "duty",
+    "supply_v",      "field",     "force_n",     "pin",       "fan",      "orientation", "effects",
+    "loop",          "link",      "applied_seq", "last_trip", "pins"};
 
 constexpr std::string_view name(StatusKey key) noexcept {
   return kStatusKeyNames[static_cast<std::size_t>(key)];

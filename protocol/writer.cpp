@@ -42,7 +42,7 @@ bool Writer::begin_object() {
 
 void Writer::end_object() { out_ += '}'; }
 
-std::size_t Writer::begin_list(std::size_t size) {
+std::size_t Writer::begin_list(std::size_t size, const Spec&) {
   out_ += '[';
   return size;
 }

@@ -3,55 +3,24 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "clients/ctl/calibrate/calibrate_verb.h"
 #include "clients/ctl/demo/demo.h"
+#include "clients/ctl/parameter_help.h"
 #include "clients/ctl/verbs/act_verbs.h"
 #include "clients/ctl/verbs/follow_verbs.h"
 #include "clients/ctl/verbs/look_verbs.h"
+#include "clients/ctl/verbs/pattern_verbs.h"
 #include "clients/ctl/verbs/pins_verb.h"
 #include "clients/ctl/verbs/play_verbs.h"
 
 namespace hedgehog::client {
 
 namespace {
-
-/// A parameter of the protocol as an option: `duration_ms` is `--duration-ms`.
-struct ParameterHelp {
-  const char* name;
-  const char* help;
-};
-
-constexpr std::array kPlayParameters{
-    ParameterHelp{"level", "strength, 0..1 of the ball's limit"},
-    ParameterHelp{"current_a", "strength in ampere (5 for ever, 15 for about 22 s)"},
-    ParameterHelp{"force_n", "strength in newton at the nearest pin"},
-    ParameterHelp{"gain", "0..1"},
-    ParameterHelp{"frame", "device, world, or coil"},
-    ParameterHelp{"delay_ms", "waits first, 0..10000"},
-    ParameterHelp{"attack_ms", "rises for so long"},
-    ParameterHelp{"fade_ms", "falls for so long at the end"},
-    ParameterHelp{"waveform", "constant, sine, square, triangle, sawtooth, noise"},
-    ParameterHelp{"frequency_hz", "of the waveform, 0.5..250"},
-    ParameterHelp{"on_fraction", "of a square wave, 0.05..0.95"},
-    ParameterHelp{"priority", "0..7; the highest is felt alone (8, 9: operate)"},
-    ParameterHelp{"if_limited", "reduce, or refuse when it is too warm"},
-    ParameterHelp{"slot", "a name for it; the next one of that name replaces it"},
-};
-constexpr std::array kTimedParameters{
-    ParameterHelp{"duration_ms", "ends by itself after, 1..10000"},
-};
-constexpr std::array kCircleParameters{
-    ParameterHelp{"axis", "what it goes round: up, or any direction word"},
-    ParameterHelp{"ring_deg", "angle from the axis, 0..180"},
-    ParameterHelp{"speed_pins_s", "steps a second, 0.1..100"},
-    ParameterHelp{"sense", "ccw or cw, seen from outside along the axis"},
-    ParameterHelp{"stepping", "pin by pin, or smooth"},
-};
 
 std::string flag_of(std::string name) {
   std::replace(name.begin(), name.end(), '_', '-');
@@ -68,11 +37,15 @@ class CommandLine {
                     "where the daemon listens: host:port or a socket's path (HEDGEHOG_ADDRESS)");
     app_.add_flag("--json", common_.json, "answers as JSON, for programs");
     app_.footer(
-        "Exit: 0 done, 1 the effect ended otherwise than completed, 64 usage, 69 no daemon,"
-        " no ball or not armed,\n75 try later, 77 the role does not suffice, 130 interrupted.");
+        "Exit: 0 done, 1 the effect ended otherwise than completed, 64 usage, 65 and 66 a file,"
+        " 69 no daemon, no ball\nor not armed, 75 try later, 77 the role does not suffice, 130 "
+        "interrupted.");
     add_looking();
-    add_playing();
+    add_playing(&app_, run_play);
+    add_preview();
+    add_patterns();
     add_acting();
+    add_calibrate();
     add_following();
     add_alone();
   }
@@ -120,26 +93,34 @@ class CommandLine {
     return option != words.end() ? *option : words.empty() ? std::string() : words.front();
   }
 
+  /// `run` is what is to be done, over a connection.
+  void connected(Verb run) {
+    verb_ = [this, run = std::move(run)] {
+      auto session = open_session(common_);
+      return session ? run(*session) : static_cast<int>(complain(session.error()));
+    };
+  }
+
   /// A verb that needs a connection.
   CLI::App* verb(const std::string& name, const std::string& help, Verb run) {
-    CLI::App* command = app_.add_subcommand(name, help);
-    command->callback([this, run = std::move(run)] {
-      verb_ = [this, run] {
-        auto session = open_session(common_);
-        return session ? run(*session) : static_cast<int>(complain(session.error()));
-      };
-    });
+    return verb_of(&app_, name, help, std::move(run));
+  }
+  CLI::App* verb_of(CLI::App* parent, const std::string& name, const std::string& help, Verb run) {
+    CLI::App* command = parent->add_subcommand(name, help);
+    command->callback([this, run = std::move(run)] { connected(run); });
     return command;
   }
 
   void add_looking() {
     verb("status", "the ball at one look", run_status);
+    verb("devices", "what is connected, what is used, and why not", run_devices);
     verb("clients", "who is connected and what they play", run_clients);
     CLI::App* forecast = verb("forecast", "how long a current can flow", [this](Session& session) {
       return run_forecast(session, forecast_);
     });
     forecast->add_option("current_a", forecast_.current_a, "ampere")->capture_default_str();
     forecast->add_option("direction", forecast_.direction, "left, 34, 90,20 or 0,1,0.5");
+    verb("trips", "when it tripped, why, and what played", run_trips);
   }
 
   template <class Parameters>
@@ -153,31 +134,78 @@ class CommandLine {
     }
   }
 
-  CLI::App* add_effect(const std::string& name, const std::string& help) {
-    CLI::App* command = verb(name, help, [this, name](Session& session) {
+  using Play = int (*)(Session&, const PlayOptions&);
+
+  CLI::App* add_effect(CLI::App* parent, Play act, const std::string& name,
+                       const std::string& help) {
+    CLI::App* command = verb_of(parent, name, help, [this, act, name](Session& session) {
       play_.method = "effect." + name;
-      return run_play(session, play_);
+      return act(session, play_);
     });
     add_parameters(command, kPlayParameters);
     return command;
   }
 
-  void add_playing() {
+  void add_playing(CLI::App* parent, Play act) {
     const char* towards =
         "where the pins push out: left, 34 (a pin), 90,20 (azimuth, elevation) "
         "or 0,1,0.5";
-    CLI::App* pulse = add_effect("pulse", "one push");
+    CLI::App* pulse = add_effect(parent, act, "pulse", "one push");
     pulse->add_option("direction", play_.direction, towards)->required();
     add_parameters(pulse, kTimedParameters);
-    CLI::App* circle = add_effect("circle", "a push that walks round the ball");
+    CLI::App* circle = add_effect(parent, act, "circle", "a push that walks round the ball");
     add_parameters(circle, kTimedParameters);
     add_parameters(circle, kCircleParameters);
-    CLI::App* vibrate = add_effect("vibrate", "many pushes a second");
+    CLI::App* vibrate = add_effect(parent, act, "vibrate", "many pushes a second");
     vibrate->add_option("direction", play_.direction, towards);
     add_parameters(vibrate, kTimedParameters);
-    CLI::App* hold = add_effect("hold", "a push that stays, until Ctrl-C");
+    CLI::App* hold = add_effect(parent, act, "hold", "a push that stays, until Ctrl-C");
     hold->add_option("direction", play_.direction, towards)->required();
     hold->add_option("--for", play_.hold_s, "seconds; then it ends");
+    CLI::App* play = add_effect(parent, act, "play", "a pattern, by its name or from a file");
+    play->add_option("pattern", play_.pattern, "heartbeat, acme/knock, or mine.json")->required();
+    play->add_option("rotate_to", play_.direction, "what its front turns to: left, 34, 90,20 ...");
+    add_parameters(play, kTimedParameters);
+    add_parameters(play, kPatternParameters);
+    CLI::Option* loop = play->add_flag("--loop", play_.loop, "again and again, until Ctrl-C");
+    play->add_option("--for", play_.hold_s, "with --loop: seconds; then it ends")->needs(loop);
+  }
+
+  void add_preview() {
+    CLI::App* preview =
+        app_.add_subcommand("preview", "what a verb that plays would do: preview pulse left ...");
+    preview->require_subcommand(1);
+    preview->fallthrough();
+    add_playing(preview, run_preview);
+  }
+
+  void add_patterns() {
+    CLI::App* patterns = app_.add_subcommand("patterns", "the named patterns: list, get, put ...");
+    patterns->require_subcommand(0, 1);
+    patterns->fallthrough();
+    patterns->callback([this, patterns] {
+      if (patterns->get_subcommands().empty()) {
+        connected(run_pattern_list);
+      }
+    });
+    verb_of(patterns, "list", "what there is", run_pattern_list);
+    CLI::App* get = verb_of(patterns, "get", "one of them as JSON", [this](Session& session) {
+      return run_pattern_get(session, pattern_);
+    });
+    get->add_option("name", pattern_)->required();
+    CLI::App* put =
+        verb_of(patterns, "put", "keeps one; its name is vendor/name",
+                [this](Session& session) { return run_pattern_put(session, pattern_); });
+    put->add_option("file", pattern_, "as `patterns get` prints it")->required();
+    CLI::App* remove =
+        verb_of(patterns, "remove", "forgets one that was put",
+                [this](Session& session) { return run_pattern_remove(session, pattern_); });
+    remove->add_option("name", pattern_)->required();
+    CLI::App* foreign = patterns->add_subcommand("import", "from Apple AHAP or MPEG-I hjif");
+    foreign->add_option("file", import_.file)->required();
+    foreign->add_option("--name", import_.name, "vendor/name; else imported/ and the file's name");
+    foreign->add_flag("--put", import_.put, "into the daemon; else it is printed as JSON");
+    foreign->callback([this] { verb_ = [this] { return run_pattern_import(common_, import_); }; });
   }
 
   void add_acting() {
@@ -186,6 +214,22 @@ class CommandLine {
     CLI::App* gain = verb("gain", "the owner's comfort setting",
                           [this](Session& session) { return run_gain(session, gain_); });
     gain->add_option("gain", gain_, "0..1; nothing: say it");
+  }
+
+  void add_calibrate() {
+    CLI::App* calibrate =
+        verb("calibrate", "measures the windings and writes the ball's file",
+             [this](Session& session) { return run_calibrate(session, calibrate_); });
+    calibrate->add_option("--out", calibrate_.out, "the device file to write")->required();
+    calibrate->add_option("--name", calibrate_.name, "of the ball; nothing: as it is called now");
+    calibrate->add_option("--current-a", calibrate_.current_a, "ampere, 0.5..5")
+        ->check(CLI::Range(0.5, 5.0))
+        ->capture_default_str();
+    calibrate
+        ->add_option("--pushed", calibrate_.pushed,
+                     "which side each winding pushes, instead of asking: x=front,y=left,z=up")
+        ->delimiter(',');
+    calibrate->add_flag("--force", calibrate_.force, "replaces a file that is there");
   }
 
   void add_following() {
@@ -224,10 +268,13 @@ class CommandLine {
   CommonOptions common_;
   ForecastOptions forecast_;
   PlayOptions play_;
+  std::string pattern_;
+  ImportOptions import_;
   EventsOptions events_;
   PinsOptions pins_;
   TelemetryOptions telemetry_;
   DemoOptions demo_;
+  CalibrateOptions calibrate_;
   std::optional<double> gain_;
   std::function<int()> verb_;
 };

@@ -49,6 +49,10 @@ ExitCode exit_code_of(const ClientError& error) noexcept {
       return kTryLater;
     case Failure::kProtocol:
       return kProtocolError;
+    case Failure::kNoInput:
+      return kNoInput;
+    case Failure::kBadData:
+      return kBadData;
     case Failure::kRefused:
       return error.refusal ? exit_code_of(error.refusal->code) : kProtocolError;
   }

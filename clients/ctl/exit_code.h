@@ -10,6 +10,8 @@ enum ExitCode : int {
   kDone = 0,
   kEndedOtherwise = 1,  // an effect ended otherwise than completed
   kUsage = 64,
+  kBadData = 65,
+  kNoInput = 66,
   kUnavailable = 69,  // no daemon, no ball, or not armed
   kInternal = 70,
   kTryLater = 75,  // busy, too warm, claimed

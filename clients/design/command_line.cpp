@@ -41,7 +41,11 @@ class CommandLine {
     const Format format = json_ ? Format::kJson : csv_ ? Format::kCsv : Format::kText;
     const auto done = verb_({out_, err_, format});
     out_.flush();
-    if (done) return kDone;
+    if (done && out_) return kDone;
+    if (done) {
+      err_ << "hedgehog-design: the answer cannot be written\n";
+      return kCannotCreate;
+    }
     err_ << "hedgehog-design: " << done.error().sentence << "\n";
     return done.error().exit_code;
   }
@@ -158,14 +162,15 @@ class CommandLine {
         ->capture_default_str();
     choose->add_option("--coil-force", choose_.coil_forces,
                        "N; when not said the thesis' coil at 15 A");
-    choose->add_option("--wall", choose_.wall_mm, "plastic between magnets, mm")
-        ->check(CLI::Range(0.0, 20.0))
+    choose->add_option("--wall", choose_.wall_mm, "between any two magnets, mm, 0 to 20")
         ->capture_default_str();
-    choose->add_option("--margin", choose_.margin_percent, "how much weaker all shields may be, %")
-        ->check(CLI::Range(0.0, 50.0))
+    choose
+        ->add_option("--margin", choose_.margin_percent,
+                     "how much weaker all shields may be, %, 0 to 50")
         ->capture_default_str();
-    choose->add_option("--least-extension", choose_.least_extension_mm, "of the commonest pins, mm")
-        ->check(CLI::Range(0.0, 1.5))
+    choose
+        ->add_option("--least-extension", choose_.least_extension_mm,
+                     "of the commonest pins, mm, 0 to 1.5")
         ->capture_default_str();
     choose->add_option("--threads", choose_.threads, "all cores when not said")
         ->check(CLI::Range(1, 256));

@@ -39,6 +39,12 @@ Standing ClassStudy::standing() const noexcept {
   return force.at(0.0).force_n < 0.0 ? Standing::kPressed : Standing::kPushedOut;
 }
 
+std::optional<double> ClassStudy::held_n() const noexcept {
+  if (standing() == Standing::kPushedOut) return {};
+  // It never is further in than the shell.
+  return character.minimum_mm < 0.0 ? -force.at(0.0).force_n : -character.minimum_n;
+}
+
 std::string ClassStudy::name() const {
   return std::to_string(size()) + (size() == 1 ? " pin" : " pins");
 }

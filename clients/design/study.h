@@ -3,7 +3,6 @@
 // its rest and how far the coil moves it (thesis sections 2.2 and 2.3).
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -36,10 +35,8 @@ struct ClassStudy {
   const model::PinClass& pins() const noexcept { return force.pin_class(); }
   Standing standing() const noexcept;
   std::size_t size() const noexcept { return pins().pins.size(); }
-  /// The largest push against which a pin is held, N; 0 when it does not rest.
-  double held_n() const noexcept {
-    return character.stable() ? std::max(0.0, -character.minimum_n) : 0.0;
-  }
+  /// The largest push against which a pin is held, N; nothing when nothing draws it back.
+  std::optional<double> held_n() const noexcept;
   /// "60 pins".
   std::string name() const;
 };

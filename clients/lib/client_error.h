@@ -19,6 +19,8 @@ enum class Failure : std::uint8_t {
   kTimeout,     // no answer in time; the connection lives, a late answer is ignored
   kProtocol,    // what came was not understood, or what shall be sent is too long
   kRefused,     // the daemon said no: see `refusal`
+  kNoInput,     // a file of the caller cannot be read
+  kBadData,     // what is in that file is not what it should be
 };
 
 /// `message` is one sentence for a person, without the program's name.

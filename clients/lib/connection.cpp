@@ -84,6 +84,21 @@ Outcome<void> Connection::notify(const protocol::Request& request, Milliseconds 
   return send(socket_, protocol::encode_request(std::nullopt, request), Clock::now() + patience);
 }
 
+Outcome<Id> Connection::ask(const protocol::Request& request, Milliseconds patience) {
+  const Id id = Id::number(++last_id_);
+  const std::string line = protocol::encode_request(id, request);
+  if (auto sent = send(socket_, line, Clock::now() + patience); !sent) return sent.error();
+  asked_.push_back(id);
+  return id;
+}
+
+std::optional<protocol::Reply> Connection::answer() {
+  if (answers_.empty()) return std::nullopt;
+  std::optional<protocol::Reply> oldest = std::move(answers_.front());
+  answers_.pop_front();
+  return oldest;
+}
+
 Outcome<protocol::HelloResult> Connection::hello(std::string client,
                                                  std::optional<std::string> token,
                                                  Milliseconds patience) {
@@ -120,7 +135,13 @@ Outcome<std::optional<protocol::Reply>> Connection::take(const std::string& line
     if (auto* reply = std::get_if<protocol::Reply>(&message)) {
       // An error without an id is about the connection: too many of them, a line not understood.
       const bool about_all = reply->id == Id{} && !reply->result;
-      if (reply->id == id || about_all) ours = std::move(*reply);
+      const auto asked = std::find(asked_.begin(), asked_.end(), reply->id);
+      if (asked != asked_.end()) {
+        asked_.erase(asked);
+        answers_.push_back(std::move(*reply));
+      } else if (reply->id == id || about_all) {
+        ours = std::move(*reply);
+      }
     } else if (auto* event = std::get_if<protocol::EventMessage>(&message)) {
       queue(std::move(*event));
     } else if (auto* telemetry = std::get_if<protocol::TelemetryMessage>(&message)) {

@@ -54,6 +54,12 @@ class Connection {
   /// Sends a request that is carried out and never answered.
   Outcome<void> notify(const protocol::Request& request, Milliseconds patience = kPatience);
 
+  /// Sends a request and does not wait for its answer: `answer` has it when `next` or a call has
+  /// read it.
+  Outcome<protocol::Id> ask(const protocol::Request& request, Milliseconds patience = kPatience);
+  /// The oldest answer to an `ask` that was read and not yet taken; reads nothing itself.
+  std::optional<protocol::Reply> answer();
+
   /// Introduces `client` ("Racer/1.2"). Optional.
   Outcome<protocol::HelloResult> hello(std::string client, std::optional<std::string> token = {},
                                        Milliseconds patience = kPatience);
@@ -83,6 +89,8 @@ class Connection {
   LineSocket socket_;
   Address address_;
   std::int64_t last_id_ = 0;
+  std::deque<protocol::Id> asked_;  // not answered yet
+  std::deque<protocol::Reply> answers_;
   std::deque<Notification> waiting_;
   std::size_t telemetry_waiting_ = 0;
 };

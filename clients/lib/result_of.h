@@ -36,7 +36,14 @@ HEDGEHOG_ANSWERS(TelemetrySubscribe, TelemetryResult);
 HEDGEHOG_ANSWERS(TelemetryUnsubscribe, Done);
 HEDGEHOG_ANSWERS(EventsSubscribe, EventsResult);
 HEDGEHOG_ANSWERS(EventsUnsubscribe, Done);
+HEDGEHOG_ANSWERS(EffectPreview, PreviewResult);
+HEDGEHOG_ANSWERS(EventsHistory, HistoryResult);
+HEDGEHOG_ANSWERS(PatternList, PatternsResult);
+HEDGEHOG_ANSWERS(PatternGet, PatternResult);
+HEDGEHOG_ANSWERS(PatternPut, PatternSummary);
+HEDGEHOG_ANSWERS(PatternRemove, Done);
 HEDGEHOG_ANSWERS(ConnectionList, ConnectionsResult);
+HEDGEHOG_ANSWERS(DeviceList, DevicesResult);
 HEDGEHOG_ANSWERS(SimSet, SimResult);
 
 #undef HEDGEHOG_ANSWERS

@@ -11,6 +11,7 @@
 #include <functional>
 #include <string>
 
+#include "clients/study/study_plan.h"
 #include "clients/study/verbs/report_verbs.h"
 #include "clients/study/verbs/run_verb.h"
 #include "clients/study/verbs/simulate_verb.h"
@@ -30,6 +31,29 @@ CLI::Validator plain_name() {
             return plain ? std::string() : std::string("letters, digits, '_' and '-' only");
           },
           "ID"};
+}
+
+/// CLI::Range lets "nan" through, which is neither below nor above anything.
+CLI::Validator finite(double least, double most) {
+  char range[64];
+  std::snprintf(range, sizeof range, "FLOAT in [%g - %g]", least, most);
+  return {[least, most](const std::string& text) {
+            double value = 0.0;
+            const bool within =
+                CLI::detail::lexical_cast(text, value) && value >= least && value <= most;
+            char problem[96];
+            std::snprintf(problem, sizeof problem, "must be a number from %g to %g, not ", least,
+                          most);
+            return within ? std::string() : problem + text;
+          },
+          range};
+}
+
+CLI::Validator not_empty() {
+  return {[](const std::string& text) {
+            return text.empty() ? std::string("must not be empty") : std::string();
+          },
+          "NAME"};
 }
 
 class CommandLine {
@@ -83,7 +107,8 @@ class CommandLine {
         ->check(CLI::Range(1, 1'000'000))
         ->capture_default_str();
     verb->add_option("--seed", simulate_.seed)->capture_default_str();
-    verb->add_option("--threads", simulate_.threads, "default: one a core");
+    verb->add_option("--threads", simulate_.threads, "default: one a core")
+        ->check(CLI::Range(1, 256));
     verb->add_flag("--convergence", simulate_.convergence, "also where endless runs end up");
     verb->add_flag("--json", simulate_.json, "for programs");
     verb->callback([this] { chosen_ = [this] { return run_simulate(simulate_); }; });
@@ -95,11 +120,13 @@ class CommandLine {
 
   void add_plan() {
     CLI::App* verb = app_.add_subcommand("plan", "makes the folder of a study");
-    verb->add_option("folder", plan_.folder)->required();
+    verb->add_option("folder", plan_.folder)->required()->check(not_empty());
     verb->add_option("--participants", plan_.participants)
         ->check(CLI::Range(1, 99'999))
         ->capture_default_str();
-    verb->add_option("--seed", plan_.seed, "of everything drawn")->capture_default_str();
+    verb->add_option("--seed", plan_.seed, "of everything drawn")
+        ->check(CLI::Range(std::uint64_t{0}, kMostSeed))
+        ->capture_default_str();
     verb->add_option("--experiments", plan_.experiments, "with commas; default: the thesis' three")
         ->delimiter(',');
     verb->callback([this] { chosen_ = [this] { return run_plan(plan_); }; });
@@ -113,7 +140,7 @@ class CommandLine {
     verb->add_option("--experimenter", list.experimenter, "a code; what is not said is asked");
     verb->add_option("--consent", list.consent, "reference of the signed sheet");
     verb->add_option("--hand-size", list.hand_size_cm, "tip of the index finger to the wrist, cm")
-        ->check(CLI::Range(10.0, 30.0));
+        ->check(finite(10.0, 30.0));
     verb->add_option("--dominant-hand", list.dominant_hand)
         ->check(CLI::IsMember({"left", "right"}));
     verb->add_option("--age-band", list.age_band, "22-29");
@@ -130,7 +157,7 @@ class CommandLine {
     CLI::App* verb = app_.add_subcommand("resume", "goes on with a run that was stopped or killed");
     verb->add_option("--participant", run_.participant, "default: the run touched last");
     verb->add_option("--experiment", run_.experiment);
-    verb->add_flag("--blind", run_.blind, "this screen is the participant's too: no levels");
+    verb->add_flag("--blind", run_.blind, "as for run, which it remembers");
     add_address(verb);
     verb->callback([this] { chosen_ = [this] { return run_resume(run_); }; });
   }
@@ -173,13 +200,13 @@ class CommandLine {
     CLI::App* verb =
         app_.add_subcommand("levels", "how many levels can be told apart, by which formula");
     verb->add_option("--threshold-a", levels_.threshold_a, "least current that is felt")
-        ->check(CLI::PositiveNumber)
+        ->check(finite(0.01, 14.99))
         ->capture_default_str();
     verb->add_option("--force-percent", levels_.force_percent, "JND of force")
-        ->check(CLI::PositiveNumber)
+        ->check(finite(0.1, 1000.0))
         ->capture_default_str();
     verb->add_option("--speed-percent", levels_.speed_percent, "JND of speed")
-        ->check(CLI::PositiveNumber)
+        ->check(finite(0.1, 1000.0))
         ->capture_default_str();
     verb->callback([this] { chosen_ = [this] { return run_levels(levels_); }; });
   }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "clients/study/experiment_file.h"
 
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <set>
+
+#include "clients/study/json_lines.h"
 
 namespace hedgehog::study {
 
@@ -19,40 +19,6 @@ constexpr double kMostSpeed = 100.0;
 constexpr double kLeastSpeed = 0.1;
 constexpr double kLongestMs = 10'000;
 constexpr double kMany = 1'000'000;
-
-int line_at(std::string_view text, std::size_t offset) {
-  return 1 + static_cast<int>(std::count(
-                 text.begin(),
-                 text.begin() + static_cast<std::ptrdiff_t>(std::min(offset, text.size())), '\n'));
-}
-
-/// Where the outermost object has `key`, not a comment or an object in it.
-std::optional<std::size_t> place_of(std::string_view text, const std::string& key) {
-  const std::string wanted = "\"" + key + "\"";
-  int depth = 0;
-  for (std::size_t at = 0; at < text.size(); ++at) {
-    if (text.substr(at, 2) == "//") {
-      at = std::min(text.find('\n', at), text.size());
-    } else if (text.substr(at, 2) == "/*") {
-      at = std::min(text.find("*/", at + 2), text.size() - 2) + 1;
-    } else if (text[at] == '{' || text[at] == '[') {
-      ++depth;
-    } else if (text[at] == '}' || text[at] == ']') {
-      --depth;
-    } else if (text[at] == '"') {
-      const std::size_t begin = at;
-      for (++at; at < text.size() && text[at] != '"'; ++at) {
-        at += text[at] == '\\' ? 1 : 0;
-      }
-      const std::size_t next = text.find_first_not_of(" \t\r\n", std::min(at + 1, text.size()));
-      if (depth == 1 && next != std::string_view::npos && text[next] == ':' &&
-          text.substr(begin, at + 1 - begin) == wanted) {
-        return begin;
-      }
-    }
-  }
-  return std::nullopt;
-}
 
 struct Word {
   std::string_view text;
@@ -110,8 +76,11 @@ class Reader {
 
   void text(const char* key, std::string& value) {
     if (const json* found = find(key)) {
-      if (!found->is_string() || found->get<std::string>().empty()) {
-        wrong(key, "must be a text, not " + found->dump());
+      if (!found->is_string() || found->get<std::string>().empty() ||
+          std::any_of(found->get_ref<const std::string&>().begin(),
+                      found->get_ref<const std::string&>().end(),
+                      [](unsigned char c) { return c < ' ' || c == 0x7F; })) {
+        wrong(key, "must be a text of one line, not " + found->dump());
         return;
       }
       value = found->get<std::string>();
@@ -153,10 +122,8 @@ class Reader {
   }
 
   void wrong(const std::string& key, const std::string& reason) {
-    const auto at = place_of(text_, key);
-    const int line = at ? line_at(text_, *at) : 1;
-    problems_ += (problems_.empty() ? "" : "\n") + file_ + ":" + std::to_string(line) + ": " + key +
-                 ": " + reason;
+    problems_ += (problems_.empty() ? "" : "\n") + file_ + ":" +
+                 std::to_string(line_of_key(text_, key)) + ": " + key + ": " + reason;
   }
   const std::string& problems() const noexcept { return problems_; }
 
@@ -214,6 +181,9 @@ void check_together(Reader& reader, const Experiment& e) {
   }
   if (e.catch_one_in != 0 && (e.task != Task::kYesNo || e.catch_one_in < 3)) {
     reader.wrong("catch_one_in", "0, or for \"yes_no\" 3 and more (never two in a row)");
+  }
+  if (e.task == Task::kTwoIntervals && e.pattern.current_a <= 0.0) {
+    reader.wrong("current_a", "must be above 0: the reference of two intervals is felt");
   }
   const Stimulus most = test_stimulus(e, rule.ceiling);
   if (most.current_a > kMostCurrentA + 1e-9 || most.speed_pins_s > kMostSpeed + 1e-9) {
@@ -281,8 +251,8 @@ Result<Experiment> parse_experiment(std::string_view text, const std::string& fi
   try {
     object = json::parse(text, nullptr, true, true);
   } catch (const json::parse_error& error) {
-    return Problem{EX_CONFIG,
-                   file + ":" + std::to_string(line_at(text, error.byte)) + ": this is no JSON"};
+    return Problem{EX_CONFIG, file + ":" + std::to_string(line_of_byte(text, error.byte)) +
+                                  ": this is no JSON"};
   }
   if (!object.is_object()) {
     return Problem{EX_CONFIG, file + ":1: an experiment is an object in braces"};

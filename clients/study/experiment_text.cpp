@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -40,7 +41,7 @@ Result<Experiment> find_experiment(const std::string& name_or_file) {
                                  ", or name a file"};
   }
   std::ifstream file(name_or_file, std::ios::binary);
-  if (!file) {
+  if (!file || std::filesystem::is_directory(name_or_file)) {
     return Problem{EX_NOINPUT, name_or_file + ": cannot be read"};
   }
   const std::string text{std::istreambuf_iterator<char>(file), {}};

@@ -5,9 +5,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <cerrno>
 #include <fstream>
-#include <nlohmann/json.hpp>
+#include <iterator>
 #include <regex>
 #include <system_error>
 
@@ -19,124 +19,91 @@ namespace hedgehog::study {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::ordered_json;
 
 constexpr const char* kFile = "study.json";
 
-/// A seed that every JSON reader keeps.
-std::uint64_t drawn_seed(std::uint64_t seed, std::initializer_list<std::uint64_t> words) {
-  return draw_bits(seed, Purpose::kSeed, words) >> 11;
-}
-
-std::string participant_id(int number) {
-  char id[16];
-  std::snprintf(id, sizeof id, "P%02d", number);
-  return id;
-}
-
-std::string text_of(const StudyPlan& plan) {
-  ordered_json participants = ordered_json::array();
-  for (const Participant& p : plan.participants) {
-    participants.push_back({{"id", p.id}, {"order", p.order}, {"seed", p.seed}});
-  }
-  const ordered_json file{{"seed", plan.seed},
-                          {"experiments", plan.experiments},
-                          {"created", plan.created},
-                          {"software_version", plan.software_version},
-                          {"participants", participants}};
-  return file.dump(2) + "\n";
-}
-
 Result<StudyPlan> read_plan(const fs::path& file) {
-  std::ifstream in(file);
-  try {
-    const ordered_json json = ordered_json::parse(in, nullptr, true, true);
-    StudyPlan plan;
-    plan.seed = json.at("seed");
-    plan.experiments = json.at("experiments").get<std::vector<std::string>>();
-    plan.created = json.at("created");
-    plan.software_version = json.at("software_version");
-    for (const ordered_json& p : json.at("participants")) {
-      plan.participants.push_back({p.at("id"), p.at("order"), p.at("seed")});
-    }
-    return plan;
-  } catch (const std::exception& error) {
-    return Problem{EX_DATAERR, file.string() + ": " + error.what()};
-  }
-}
-
-}  // namespace
-
-const Participant* StudyPlan::participant(const std::string& id) const noexcept {
-  const auto found = std::find_if(participants.begin(), participants.end(),
-                                  [&](const Participant& p) { return p.id == id; });
-  return found == participants.end() ? nullptr : &*found;
-}
-
-std::vector<std::vector<int>> latin_square(int count) {
-  // 0, 1, n-1, 2, n-2, ...: neighbours differ by each distance once.
-  std::vector<int> first{0};
-  for (int step = 1; static_cast<int>(first.size()) < count; ++step) {
-    first.push_back(step);
-    if (static_cast<int>(first.size()) < count) {
-      first.push_back(count - step);
-    }
-  }
-  std::vector<std::vector<int>> rows;
-  for (int row = 0; row < count; ++row) {
-    std::vector<int> shifted;
-    shifted.reserve(first.size());
-    for (const int place : first) {
-      shifted.push_back((place + row) % count);
-    }
-    rows.push_back(shifted);
-    if (count % 2 == 1 && count > 1) {
-      rows.emplace_back(shifted.rbegin(), shifted.rend());
-    }
-  }
-  return rows;
-}
-
-StudyPlan make_plan(int participants, std::vector<std::string> experiments, std::uint64_t seed) {
-  StudyPlan plan;
-  plan.seed = seed;
-  plan.experiments = std::move(experiments);
-  plan.created = utc_now();
-  plan.software_version = HEDGEHOG_VERSION;
-  const auto square = latin_square(static_cast<int>(plan.experiments.size()));
-  for (int i = 0; i < participants; ++i) {
-    Participant p;
-    p.id = participant_id(i + 1);
-    p.seed = drawn_seed(seed, {static_cast<std::uint64_t>(i)});
-    for (const int place : square[static_cast<std::size_t>(i) % square.size()]) {
-      p.order.push_back(plan.experiments[static_cast<std::size_t>(place)]);
-    }
-    plan.participants.push_back(p);
+  std::ifstream in(file, std::ios::binary);
+  auto plan = parse_plan(std::string{std::istreambuf_iterator<char>(in), {}});
+  if (!plan) {
+    return Problem{EX_DATAERR, file.string() + ": " + plan.error().message};
   }
   return plan;
 }
 
-RunSeeds run_seeds(const Participant& participant, const std::string& experiment, int run) {
-  const auto number = static_cast<std::uint64_t>(run);
-  return {drawn_seed(participant.seed, {word_of(experiment), number, word_of("order")}),
-          drawn_seed(participant.seed, {word_of(experiment), number, word_of("catches")})};
+Problem cannot(const fs::path& path) {
+  return {EX_CANTCREAT,
+          path.string() + ": " + std::error_code(errno, std::generic_category()).message()};
 }
 
-Result<StudyFolder> StudyFolder::create(const fs::path& path, const StudyPlan& plan) {
-  std::error_code failed;
-  fs::create_directories(path / "journal", failed);
-  const fs::path file = path / kFile;
-  const int out = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
-  if (out < 0) {
-    return Problem{EX_CANTCREAT, file.string() + ": " +
-                                     std::error_code(errno, std::generic_category()).message()};
+void sync_folder(const fs::path& path) {
+  const int folder = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder >= 0) {
+    ::fsync(folder);
+    ::close(folder);
   }
-  const std::string text = text_of(plan);
+}
+
+/// The whole text or no file, whenever it is killed.
+Result<void> write_whole(const fs::path& file, const std::string& text) {
+  const fs::path unfinished = file.string() + "." + std::to_string(::getpid()) + ".part";
+  const int out = ::open(unfinished.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
+  if (out < 0) {
+    return cannot(file);
+  }
   const bool written = ::write(out, text.data(), text.size()) == static_cast<ssize_t>(text.size());
   const bool kept = ::fsync(out) == 0;
   ::close(out);
-  if (!written || !kept) {
+  std::error_code failed;
+  if (written && kept) {
+    fs::rename(unfinished, file, failed);
+  }
+  if (!written || !kept || failed) {
+    fs::remove(unfinished, failed);
     return Problem{EX_IOERR, file.string() + ": cannot be written"};
+  }
+  const fs::path folder = fs::absolute(file, failed).parent_path();
+  sync_folder(folder);
+  sync_folder(folder.parent_path());
+  return {};
+}
+
+/// Copies an experiment's file to experiments/NAME.json.
+Result<void> adopt(const fs::path& study, const fs::path& file) {
+  const auto experiment = find_experiment(file.string());
+  if (!experiment) {
+    return experiment.error();
+  }
+  const fs::path own = study / "experiments" / (experiment->name + ".json");
+  std::error_code failed;
+  if (fs::exists(own, failed)) {  // of a plan that was killed
+    const auto there = find_experiment(own.string());
+    return there && *there == *experiment
+               ? Result<void>()
+               : Problem{EX_CANTCREAT, own.string() + " is there already"};
+  }
+  fs::create_directories(own.parent_path(), failed);
+  std::ifstream in(file, std::ios::binary);
+  return write_whole(own, {std::istreambuf_iterator<char>(in), {}});
+}
+
+}  // namespace
+
+Result<StudyFolder> StudyFolder::create(const fs::path& path, const StudyPlan& plan,
+                                        const std::vector<fs::path>& experiments) {
+  std::error_code failed;
+  const fs::path file = path / kFile;
+  if (fs::exists(file, failed)) {
+    return Problem{EX_CANTCREAT, file.string() + " is there already"};
+  }
+  fs::create_directories(path / "journal", failed);
+  for (const fs::path& experiment : experiments) {
+    if (auto adopted = adopt(path, experiment); !adopted) {
+      return adopted.error();
+    }
+  }
+  if (auto written = write_whole(file, plan_text(plan)); !written) {
+    return written.error();
   }
   StudyFolder folder;
   folder.path_ = path;
@@ -198,13 +165,27 @@ Result<void> StudyFolder::is_unmistakable(const Experiment& experiment) const {
   return {};
 }
 
-Result<void> StudyFolder::adopt(const Experiment& experiment, const fs::path& file) const {
-  const fs::path own = path_ / "experiments" / (experiment.name + ".json");
-  std::error_code failed;
-  fs::create_directories(own.parent_path(), failed);
-  fs::copy_file(file, own, failed);
-  if (failed) {
-    return Problem{EX_CANTCREAT, own.string() + ": " + failed.message()};
+Result<void> StudyFolder::is_unmistakable(const std::string& participant) const {
+  const std::string label = bids_label(participant);
+  if (label.empty()) {
+    return Problem{EX_USAGE, participant + " has neither a letter nor a digit"};
+  }
+  const auto check = [&](const std::string& other) -> Result<void> {
+    if (other != participant && bids_label(other) == label) {
+      return Problem{EX_USAGE, participant + " would be taken for " + other +
+                                   " in an export to BIDS: take another name"};
+    }
+    return {};
+  };
+  for (const Participant& planned : plan_.participants) {
+    if (auto checked = check(planned.id); !checked) {
+      return checked;
+    }
+  }
+  for (const JournalName& name : journals()) {
+    if (auto checked = check(name.participant); !checked) {
+      return checked;
+    }
   }
   return {};
 }

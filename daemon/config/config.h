@@ -32,6 +32,8 @@ struct HttpSettings {
   std::optional<ListenAddress> listen{{"127.0.0.1", 7587}};
   /// Origins of web pages that may connect besides those of this machine, "https://host[:port]".
   std::vector<std::string> allow_origins;
+  /// The dashboard's folder.
+  std::string pages;
   friend bool operator==(const HttpSettings&, const HttpSettings&) = default;
 };
 
@@ -42,6 +44,10 @@ struct SimulatorSettings {
   /// The simulated board is the process `hedgehog-simboard` instead of a thread.
   bool process = false;
   std::uint32_t seed = 1;
+  /// Of the ball that is simulated, as Config::device_file; empty: the daemon's own.
+  std::string device_file;
+  /// What that file says; nullopt: the simulated ball is as the daemon believes.
+  std::optional<model::DeviceModel> ball;
   friend bool operator==(const SimulatorSettings&, const SimulatorSettings&) = default;
 };
 
@@ -74,6 +80,10 @@ struct Config {
   int telemetry_max_rate_hz = 200;
   LogLevel log_level = LogLevel::kInfo;
   SimulatorSettings simulator;
+  /// The simulated ball as it really is; `device` is what the daemon believes about it.
+  const model::DeviceModel& simulated_ball() const noexcept {
+    return simulator.ball ? *simulator.ball : device;
+  }
   /// Absolute paths.
   std::string state_directory;
   std::string runtime_directory;

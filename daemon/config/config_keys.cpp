@@ -116,10 +116,12 @@ void add_listeners(std::vector<Key<D>>& keys) {
       "listen.unix", false, true, [](auto& d) -> auto& { return d.config.listen.unix_socket; }));
   keys.push_back({"http.listen", read_http_listen, write_http_listen});
   keys.push_back({"http.allow_origins", read_origins, write_origins});
+  keys.push_back(path_key(
+      "http.pages", true, true, [](auto& d) -> auto& { return d.config.http.pages; }));
   keys.push_back(integer_key<D>(
       "connections.max", 1, 1024, [](auto& d) -> auto& { return d.config.connections.max; }));
   keys.push_back(integer_key<D>(
-      "connections.queue_bytes", 65536, 67108864,
+      "connections.queue_bytes", 262144, 67108864,
       [](auto& d) -> auto& { return d.config.connections.queue_bytes; }));
   keys.push_back(integer_key<D>(
       "telemetry.max_rate_hz", 1, 200,
@@ -135,6 +137,9 @@ void add_simulator(std::vector<Key<D>>& keys) {
       [](auto& d) -> auto& { return d.config.simulator.start_temperature_c; }));
   keys.push_back(boolean_key<D>(
       "simulator.process", [](auto& d) -> auto& { return d.config.simulator.process; }));
+  keys.push_back(path_key(
+      "simulator.device", false, true,
+      [](auto& d) -> auto& { return d.config.simulator.device_file; }));
   keys.push_back(integer_key<D>(
       "simulator.seed", 0, 4294967295.0, [](auto& d) -> auto& { return d.config.simulator.seed; }));
 }

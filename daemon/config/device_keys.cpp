@@ -152,6 +152,8 @@ std::vector<Key<DeviceModel>> make_device_keys() {
         field.max, [member](auto& d) -> auto& { return d.limits.*member; }));
   }
   keys.push_back({"usb", read_usb, write_usb});
+  keys.push_back(serial_key<D>(
+      "usb_serial", [](auto& d) -> auto& { return d.usb_serial; }));
   return keys;
 }
 

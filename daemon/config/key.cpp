@@ -51,4 +51,16 @@ Reason read_name(const Value& value, std::string& out) {
   return {};
 }
 
+Reason read_serial(const Value& value, std::string& out) {
+  const bool printable = std::all_of(value.text.begin(), value.text.end(),
+                                     [](char c) { return c > 0x20 && c < 0x7f; });
+  const bool text = value.kind == Value::Kind::kText && printable && !value.text.empty() &&
+                    value.text.size() <= 126;
+  if (value.kind != Value::Kind::kNull && !text) {
+    return must_be("a serial number or null", value);
+  }
+  out = value.text;
+  return {};
+}
+
 }  // namespace hedgehog::config

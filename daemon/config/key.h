@@ -35,6 +35,7 @@ Reason read_integer(const Value& value, double min, double max, double& out);
 Reason read_boolean(const Value& value, bool& out);
 /// 1..32 of letters, digits, "-", "_", ".".
 Reason read_name(const Value& value, std::string& out);
+Reason read_serial(const Value& value, std::string& out);
 
 /// In the functions below `get` maps a (const) Target to the place of the value.
 template <class Target, class Get>
@@ -84,6 +85,14 @@ template <class Target, class Get>
 Key<Target> name_key(std::string path, Get get) {
   return {std::move(path), [=](Target& t, const Value& v) { return read_name(v, get(t)); },
           [=](const Target& t) { return Value::of(std::string(get(t))); }};
+}
+
+/// A serial number; `null`, any, is "".
+template <class Target, class Get>
+Key<Target> serial_key(std::string path, Get get) {
+  return {
+      std::move(path), [=](Target& t, const Value& v) { return read_serial(v, get(t)); },
+      [=](const Target& t) { return get(t).empty() ? Value{} : Value::of(std::string(get(t))); }};
 }
 
 template <class Enum, std::size_t n>

@@ -3,29 +3,14 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <numeric>
 #include <set>
 #include <string_view>
 #include <utility>
 
+#include "model/spelling.h"
+
 namespace hedgehog::config {
 namespace {
-
-/// Levenshtein: letters to insert, remove or change.
-std::size_t edits_between(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t changed = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, changed});
-    }
-  }
-  return row.back();
-}
 
 std::string_view last_part(std::string_view path) {
   return path.substr(path.rfind('.') == std::string_view::npos ? 0 : path.rfind('.') + 1);
@@ -49,7 +34,8 @@ Reason unknown_key(const std::string& path, const std::vector<std::string>& path
   std::size_t fewest = 1 + std::max<std::size_t>(2, path.size() / 4);
   if (path.size() <= 64) {
     for (const std::string& name : known_names(paths)) {
-      const std::size_t edits = last_part(name) == last_part(path) ? 1 : edits_between(path, name);
+      const std::size_t edits =
+          last_part(name) == last_part(path) ? 1 : model::edits_between(path, name);
       if (edits < fewest) {
         fewest = edits;
         nearest = name;

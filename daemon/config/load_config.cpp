@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/config/load_config.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -85,9 +86,8 @@ class Loader {
     }
   }
 
-  std::vector<std::string> device_candidates() const {
+  std::vector<std::string> device_candidates(const std::string& name) const {
     const std::filesystem::path beside = std::filesystem::path(paths_.config_file).parent_path();
-    const std::string& name = draft_.config.device_file;
     if (name.find('/') != std::string::npos) return {(beside / name).lexically_normal()};
     std::vector<std::string> files{beside / "devices.d" / (name + ".json")};
     for (const std::string& directory : paths_.device_directories) {
@@ -99,7 +99,11 @@ class Loader {
   void settle_device() {
     Config& config = draft_.config;
     const std::size_t before = errors_.size();
-    config.device = find_device();
+    config.device = find_device("device", config.device_file);
+    const std::string& truth = config.simulator.device_file;
+    if (config.backend == Backend::kSimulator && !truth.empty()) {
+      config.simulator.ball = find_device("simulator.device", truth);
+    }
     // What a broken device file allows is not known, so nothing can be said about tightening.
     if (errors_.size() != before) return;
     config.limits = tightened(config.device.limits, draft_.limits, origins_, errors_);
@@ -108,10 +112,11 @@ class Loader {
     }
   }
 
-  model::DeviceModel find_device() {
+  /// `key`: who wants the file of that `name`.
+  model::DeviceModel find_device(const std::string& key, const std::string& name) {
     Config& config = draft_.config;
     std::string tried;
-    for (const std::string& file : device_candidates()) {
+    for (const std::string& file : device_candidates(name)) {
       const auto text = reader_(file);
       if (!text && is_missing(text.error())) {
         tried += (tried.empty() ? "" : " or ") + file;
@@ -128,8 +133,8 @@ class Loader {
       return {};
     }
     // The ball of the thesis is built in, so that a bare executable runs.
-    if (config.device_file != model::DeviceModel{}.model) {
-      errors_.push_back(error_at(origins_, "device", "there is no " + tried, paths_.config_file));
+    if (name != model::DeviceModel{}.model) {
+      errors_.push_back(error_at(origins_, key, "there is no " + tried, paths_.config_file));
     }
     return {};
   }
@@ -137,6 +142,7 @@ class Loader {
   void settle_places() {
     Config& config = draft_.config;
     if (config.state_directory.empty()) config.state_directory = paths_.state_directory;
+    if (config.http.pages.empty()) config.http.pages = paths_.pages_directory;
     if (config.runtime_directory.empty()) config.runtime_directory = paths_.runtime_directory;
     std::string& socket = config.listen.unix_socket;
     if (!socket.empty() && socket.front() != '/') {
@@ -148,7 +154,14 @@ class Loader {
                                  "the path is longer than the 107 bytes of a socket: " + socket,
                                  paths_.config_file));
     }
-    if (config.listen.tcp.empty() && socket.empty()) {
+    const auto& tcp = config.listen.tcp;
+    const auto& http = config.http.listen;
+    if (http && http->port != 0 && std::find(tcp.begin(), tcp.end(), *http) != tcp.end()) {
+      errors_.push_back(error_at(origins_, "http.listen",
+                                 to_string(*http) + " is in listen.tcp too: take another port",
+                                 paths_.config_file));
+    }
+    if (tcp.empty() && socket.empty()) {
       errors_.push_back(error_at(origins_, "listen.tcp",
                                  "nobody could reach the daemon: listen.unix is null too",
                                  paths_.config_file));
@@ -183,7 +196,8 @@ std::string print_config(const Config& config) {
 }
 
 bool same_settings(const Config& a, const Config& b) {
-  return a.device == b.device && print_config(a) == print_config(b);
+  return a.device == b.device && a.simulator.ball == b.simulator.ball &&
+         print_config(a) == print_config(b);
 }
 
 }  // namespace hedgehog::config

@@ -4,6 +4,8 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <filesystem>
+#include <system_error>
 
 namespace hedgehog::config {
 namespace {
@@ -43,6 +45,9 @@ Paths find_paths(const Environment& environment, const std::optional<std::string
                                   ? *session + "/hedgehog"
                                   : "/tmp/hedgehog-" + std::to_string(getuid());
   }
+  std::error_code ec;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", ec);
+  if (!ec) paths.pages_directory = program.parent_path().parent_path() / "share/hedgehog/www";
   if (config_option) {
     paths.config_file = *config_option;
     paths.config_file_required = true;

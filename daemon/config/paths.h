@@ -18,6 +18,8 @@ struct Paths {
   bool config_file_required = false;
   /// Searched for NAME.json in this order; devices.d beside `config_file` comes before all.
   std::vector<std::string> device_directories{"/usr/share/hedgehog/devices.d"};
+  /// The dashboard, where the program was installed or built: ../share/hedgehog/www from it.
+  std::string pages_directory = "/usr/share/hedgehog/www";
   std::string state_directory;
   std::string runtime_directory;
 };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/config/sensor_keys.h"
 
-#include <algorithm>
 #include <optional>
 #include <string>
 
@@ -32,22 +31,6 @@ constexpr Choices<ThermometerRole, 3> kRoles{{{"none", ThermometerRole::kNone},
                                               {"coil", ThermometerRole::kCoil},
                                               {"shell", ThermometerRole::kShell}}};
 
-/// A serial number; `null` is any.
-template <class Get>
-Key<D> serial_key(std::string path, Get get) {
-  return {std::move(path),
-          [=](D& d, const Value& v) -> Reason {
-            const bool printable = std::all_of(v.text.begin(), v.text.end(),
-                                               [](char c) { return c > 0x20 && c < 0x7f; });
-            const bool text = v.kind == Value::Kind::kText && printable && !v.text.empty() &&
-                              v.text.size() <= 126;
-            if (v.kind != Value::Kind::kNull && !text) return must_be("a serial number or null", v);
-            get(d) = v.text;
-            return {};
-          },
-          [=](const D& d) { return get(d).empty() ? Value{} : Value::of(std::string(get(d))); }};
-}
-
 }  // namespace
 
 std::string_view name(ImuType type) noexcept {
@@ -60,7 +43,7 @@ std::string_view name(ImuType type) noexcept {
 void add_sensor_keys(std::vector<Key<D>>& keys) {
   keys.push_back(choice_key<D>(
       "imu.type", kImuTypes, [](auto& d) -> auto& { return d.imu; }));
-  keys.push_back(serial_key(
+  keys.push_back(serial_key<D>(
       "imu.serial", [](auto& d) -> auto& { return d.config.imu_fitting.serial; }));
   keys.push_back(choice_key<D>(
       "imu.front", kSides, [](auto& d) -> auto& { return d.config.imu_fitting.front; }));
@@ -71,7 +54,7 @@ void add_sensor_keys(std::vector<Key<D>>& keys) {
       [](auto& d) -> auto& { return d.config.thermometer.type; }));
   keys.push_back(choice_key<D>(
       "thermometer.role", kRoles, [](auto& d) -> auto& { return d.config.thermometer.role; }));
-  keys.push_back(serial_key(
+  keys.push_back(serial_key<D>(
       "thermometer.serial", [](auto& d) -> auto& { return d.config.thermometer.serial; }));
 }
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "daemon/device/board_codec.h"
+
 namespace hedgehog::control {
 
 Reason reason_of_faults(std::uint16_t faults) noexcept {
@@ -17,6 +19,25 @@ Reason reason_of_faults(std::uint16_t faults) noexcept {
   if ((faults & kFaultSensorShort) != 0) return Reason::kSensorShort;
   if ((faults & kFaultDeadMan) != 0) return Reason::kBoardDeadMan;
   return Reason::kNone;
+}
+
+model::Limits limits_within(model::Limits limits, const device::BoardTelemetry& board) noexcept {
+  // What the wire's whole milliampere and hundredths of a degree round off.
+  constexpr double kRounding = 0.01;
+  const auto wanted = device::BoardLimits::of(limits);
+  if (board.limit_current_a < wanted.current_a - kRounding) {
+    limits.current_a *= std::max(0.0, board.limit_current_a / wanted.current_a);
+    limits.continuous_a = std::min(limits.continuous_a, limits.current_a);
+    limits.felt_a = std::min(limits.felt_a, limits.current_a);
+  }
+  if (board.limit_sensor_c < wanted.sensor_c - kRounding) {
+    const double less_k = wanted.sensor_c - board.limit_sensor_c;
+    limits.derate_from_c -= less_k;
+    limits.sustain_c -= less_k;
+    limits.zero_c -= less_k;
+    limits.trip_c -= less_k;
+  }
+  return limits;
 }
 
 void BoardCheck::step(bool present, bool fresh, const device::BoardTelemetry& board,

@@ -6,12 +6,17 @@
 
 #include "daemon/control/state.h"
 #include "daemon/device/board_io.h"
+#include "model/limits.h"
 #include "model/tick.h"
 
 namespace hedgehog::control {
 
 /// The reason for a fault that the board has found, the gravest first; kNone for none.
 Reason reason_of_faults(std::uint16_t faults) noexcept;
+
+/// `limits`, as far as a board allows them that still keeps to tighter ones of an earlier
+/// configuration (until its power-up): the current, and the law and the trip by as many kelvins.
+model::Limits limits_within(model::Limits limits, const device::BoardTelemetry& board) noexcept;
 
 /// Control thread; real-time safe, trivially copyable.
 class BoardCheck {

@@ -3,12 +3,14 @@
 // copyable; travels by spsc queue. Stopping never queues: see StopBoard in mailbox.h.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <type_traits>
 #include <variant>
 
 #include "model/coils.h"
 #include "model/effect.h"
+#include "model/keyframes.h"
 #include "model/limits.h"
 
 namespace hedgehog::control {
@@ -21,6 +23,18 @@ using EffectId = std::uint32_t;
 inline constexpr int kEffectPlaces = 128;
 inline constexpr int kMaxEffects = 64;
 inline constexpr int kMaxCommandsPerTick = 64;
+
+/// Room for the key frames of all effects together, in the mixer. io says which part is whose: a
+/// part is free again when `effect_ended` of all who play from it was taken.
+inline constexpr int kKeyframeRoom = 2048;
+
+/// Some key frames for the room; those of an effect come before its start, in the same tick.
+struct LoadKeyframes {
+  static constexpr int kMost = 11;
+  std::uint16_t first = 0;
+  std::uint8_t count = 0;
+  std::array<model::Keyframe, kMost> frames{};
+};
 
 struct StartEffect {
   EffectId effect = 0;
@@ -61,16 +75,11 @@ struct SetLimits {
   model::Limits limits;
 };
 
-/// Only accepted while nothing is armed.
-struct SetCoils {
-  model::CoilModel coils;
-};
-
 struct Command {
   /// Rises by one with each command; a status whose `applied_seq` has reached it shows its
   /// consequence.
   std::uint64_t seq = 0;
-  std::variant<StartEffect, UpdateEffect, Arm, Recenter, SetGain, SetLimits, SetCoils> what;
+  std::variant<StartEffect, UpdateEffect, LoadKeyframes, Arm, Recenter, SetGain, SetLimits> what;
 };
 
 static_assert(std::is_trivially_copyable_v<Command>);

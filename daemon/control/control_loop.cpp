@@ -56,6 +56,7 @@ void ControlLoop::run() noexcept {
     meter.ticked(skipped);
     meter.woke(woke_ns, woke_ns - origin_ns_ - due * kNanosecondsPerTick);
     tick_.run(tick, skipped, meter.statistics());
+    meter.worked(monotonic_ns() - woke_ns);
     now_.store(tick, std::memory_order_relaxed);
     heartbeat_.fetch_add(1, std::memory_order_relaxed);
   }

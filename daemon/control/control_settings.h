@@ -10,6 +10,7 @@
 #include "model/coils.h"
 #include "model/limits.h"
 #include "model/thermal_model.h"
+#include "model/tick.h"
 
 namespace hedgehog::control {
 
@@ -29,6 +30,9 @@ struct ControlSettings {
   bool arm_at_start = false;
   /// Why the ball is disarmed at its first sight otherwise: kNeverArmed or kUncleanStop.
   Reason start_reason = Reason::kNeverArmed;
+  /// A board that is first seen later than this after the start has been plugged in since, and is
+  /// not armed at its first sight. The simulated one was there, however slow the machine.
+  model::Tick start_patience = 10'000;
   /// The latch saved by the last run; kNone: none.
   Reason latch = Reason::kNone;
 

@@ -2,6 +2,9 @@
 #include "daemon/control/control_tick.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "daemon/device/tick_clock.h"
 
 namespace hedgehog::control {
 
@@ -46,7 +49,27 @@ void ControlTick::run(model::Tick tick, std::uint32_t skipped,
   tell();
   controller_.fill(snapshot_);
   snapshot_.loop = statistics;
+  add_up(skipped);
   mailbox_.status.write(snapshot_);
+}
+
+void ControlTick::add_up(std::uint32_t skipped) noexcept {
+  Totals& totals = snapshot_.totals;
+  const double seconds = (1.0 + skipped) * model::kTickSeconds;
+  if (snapshot_.board_present) {
+    const model::Vec3& duty = snapshot_.board.duty;
+    totals.on_s =
+        totals.on_s + seconds * model::Vec3{std::abs(duty.x), std::abs(duty.y), std::abs(duty.z)};
+    totals.heat_a2s += seconds * model::dot(snapshot_.board.current_a, snapshot_.board.current_a);
+  }
+  totals.derated_s += snapshot_.derating ? seconds : 0.0;
+  if (inputs_.command_count == 0) return;
+  const std::int64_t now_ns = device::monotonic_ns();
+  for (std::uint16_t i = 0; i < inputs_.command_count; ++i) {
+    const std::int64_t asked_ns = mailbox_.request_times.of(inputs_.commands[i].seq);
+    // 0: it did not come through the outbox.
+    if (asked_ns != 0) totals.request_to_coil.add(now_ns - asked_ns);
+  }
 }
 
 void ControlTick::send(const device::BoardCommand& command) noexcept {

@@ -34,6 +34,7 @@ class ControlTick {
 
  private:
   void gather(model::Tick tick, std::uint32_t skipped) noexcept;
+  void add_up(std::uint32_t skipped) noexcept;
   void send(const device::BoardCommand& command) noexcept;
   void tell() noexcept;
   bool tell(const Event& event) noexcept;

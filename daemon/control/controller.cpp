@@ -26,6 +26,7 @@ constexpr double kBlindAfterS = 0.5;
 
 Controller::Controller(const ControlSettings& settings) noexcept
     : settings_(settings),
+      limits_(settings.limits),
       observer_(settings.coils, settings.thermal, settings.start),
       limiter_(settings.limits),
       watchdog_(settings.coils, settings.thermal.sensor_winding, settings.thermometer),
@@ -53,9 +54,13 @@ device::BoardCommand Controller::step(const StepInputs& inputs, EventList& event
   // After the commands, so that no arming of the same tick survives it.
   if (emergency) states_.emergency_stop(now_);
 
-  const bool was_armed = states_.armed();
+  const State before = states_.state();
   states_.step(board_, inputs.board_fresh, arm_refusal(), now_);
-  if (!was_armed && states_.armed()) watchdog_.begin_armed();
+  if (states_.state() != before) {
+    if (states_.armed()) watchdog_.begin_armed();
+    // A board that does not give up its latch.
+    if (states_.state() == State::kTripped) note_trip(states_.reason());
+  }
 
   const bool playing = push(dt_s, events);
   command_ = drive(playing, dt_s);
@@ -66,15 +71,23 @@ device::BoardCommand Controller::step(const StepInputs& inputs, EventList& event
 }
 
 Reason Controller::sense(const StepInputs& inputs, double dt_s) noexcept {
-  if (inputs.board_fresh) board_ = inputs.board;
+  if (inputs.board_fresh) {
+    board_ = inputs.board;
+    keep_limits();
+  }
   pair_.step(inputs.board_fresh, inputs.board);
   const Reason found = watchdog_.step(
-      {inputs.board_present, inputs.board_fresh, board_, pair_, command_, settings_.limits.trip_c,
+      {inputs.board_present, inputs.board_fresh, board_, pair_, command_, limits_.trip_c,
        1 + static_cast<Tick>(inputs.skipped), states_.armed(), now_, inputs.thermometer});
   watch_measuring(dt_s);
   heading_.step(inputs.orientation, now_);
   observe(dt_s);
   return found;
+}
+
+void Controller::keep_limits() noexcept {
+  limits_ = limits_within(settings_.limits, board_);
+  limiter_.set_limits(limits_);
 }
 
 void Controller::watch_measuring(double dt_s) noexcept {
@@ -115,7 +128,7 @@ void Controller::observe(double dt_s) noexcept {
   m.sensor_c = board_.sensor_c;
   m.sensor_valid = usable;
   m.fan_running = board_.fan_rpm >= FanCheck::kLeastRpm;
-  observer_.step(m, m.electrical_valid ? kTickSeconds : dt_s);
+  observer_.step(m, dt_s);
 }
 
 model::ThermalEstimate Controller::thermal() const noexcept {
@@ -148,6 +161,8 @@ void Controller::take(const Command& command, EventList& events) noexcept {
     mixer_.start(*start, command.seq, now_, events);
   } else if (const auto* update = std::get_if<UpdateEffect>(&command.what)) {
     mixer_.update(*update, now_);
+  } else if (const auto* frames = std::get_if<LoadKeyframes>(&command.what)) {
+    mixer_.load(*frames);
   } else if (const auto* arm = std::get_if<Arm>(&command.what)) {
     if (arm->generation == emergency_generation_) states_.arm(arm_refusal(), now_);
   } else if (const auto* recenter = std::get_if<Recenter>(&command.what)) {
@@ -157,20 +172,9 @@ void Controller::take(const Command& command, EventList& events) noexcept {
   } else if (const auto* limits = std::get_if<SetLimits>(&command.what)) {
     if (is_within(limits->limits, settings_.ceiling)) {
       settings_.limits = limits->limits;
-      limiter_.set_limits(limits->limits);
+      keep_limits();
     }
-  } else if (const auto* coils = std::get_if<SetCoils>(&command.what)) {
-    if (!states_.armed()) set_coils(coils->coils);
   }
-}
-
-void Controller::set_coils(const model::CoilModel& coils) noexcept {
-  settings_.coils = coils;
-  const model::ThermalEstimate before = observer_.estimate();
-  observer_ = model::ThermalObserver(coils, settings_.thermal, before.nodes);
-  observer_.set_room(before.room_c);
-  observer_.trust_start(before.measured);
-  watchdog_ = Watchdog(coils, settings_.thermal.sensor_winding, settings_.thermometer);
 }
 
 Reason Controller::arm_refusal() const noexcept {
@@ -183,12 +187,13 @@ Reason Controller::arm_refusal() const noexcept {
   const bool by_heat = why == Reason::kOverheated || why == Reason::kBoardOverHeat ||
                        why == Reason::kBoardHeatBudget;
   const model::ThermalEstimate& thermal = observer_.estimate();
-  const double cool_c = model::rearm_below_c(settings_.limits, thermal.room_c);
+  const double cool_c = model::rearm_below_c(limits_, thermal.room_c);
   if (by_heat && !(thermal.hottest_c < cool_c)) return why;
   if (states_.reason() == Reason::kShellHot && watchdog_.thermometer().reducing()) {
     return Reason::kShellHot;
   }
-  if (states_.reason() == Reason::kFanStopped && watchdog_.fan().standing()) {
+  const FanCheck& fan = watchdog_.fan();
+  if (fan.stopped() || (states_.reason() == Reason::kFanStopped && fan.standing())) {
     return Reason::kFanStopped;
   }
   return Reason::kNone;
@@ -202,14 +207,14 @@ bool Controller::push(double dt_s, EventList& events) noexcept {
   demand_a_ = mix.field.a + field_of({mix.coil_a}, settings_.coils).a;
   model::ThermalEstimate thermal = this->thermal();
   if (blind_) thermal.measured = {};
-  limiter_.set_ceiling(watchdog_.thermometer().allowed(settings_.limits));
+  limiter_.set_ceiling(watchdog_.thermometer().allowed(limits_));
   passed_ = limiter_.limit({wanted}, thermal, dt_s);
   if (!states_.armed()) passed_ = model::LimitedCurrents();  // the watchdog's gate
 
   const double asked_a = norm(wanted);
   mixer_.account(asked_a > 0.0 ? norm(passed_.a()) / asked_a : 1.0);
-  derating_.step(mix.any ? std::min(asked_a, settings_.limits.current_a) : 0.0,
-                 limiter_.allowed().value, now_);
+  derating_.step(mix.any ? std::min(asked_a, limits_.current_a) : 0.0, limiter_.allowed().value,
+                 now_);
   reject(dt_s, events);
   return mix.playing;
 }

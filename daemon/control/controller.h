@@ -52,11 +52,11 @@ class Controller {
   Reason sense(const StepInputs& inputs, double dt_s) noexcept;
   /// While driven without two frames in a row no winding is measured by its V/I.
   void watch_measuring(double dt_s) noexcept;
+  void keep_limits() noexcept;
   void start_observer(double sensor_c) noexcept;
   void observe(double dt_s) noexcept;
   void follow_board(Reason found, bool present, bool fresh) noexcept;
   void take(const Command& command, EventList& events) noexcept;
-  void set_coils(const model::CoilModel& coils) noexcept;
   Reason arm_refusal() const noexcept;
   /// True while an effect plays.
   bool push(double dt_s, EventList& events) noexcept;
@@ -79,6 +79,7 @@ class Controller {
   void say_changes(EventList& events) noexcept;
 
   ControlSettings settings_;
+  model::Limits limits_;  // of the settings, as far as the board allows them
   model::ThermalObserver observer_;
   model::ThermalLimiter limiter_;
   Mixer mixer_;

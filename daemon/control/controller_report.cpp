@@ -17,7 +17,9 @@ void Controller::say(EventType type, EventList& events, std::uint64_t count) con
   event.state = states_.state();
   event.reason = states_.reason();
   event.tick = now_;
+  event.trip = type == EventType::kStateChanged && last_trip_.tick == now_;
   event.limit_a = limiter_.allowed().value;
+  event.current_a = norm(pair_.after_a());
   event.temperature_c = thermal().hottest_c;
   event.count = count;
   events.push(event);

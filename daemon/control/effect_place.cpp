@@ -9,7 +9,11 @@ namespace hedgehog::control {
 namespace {
 
 using model::EffectSpec;
+using model::Keyframe;
+using model::Path;
 using model::Tick;
+
+constexpr Tick kLongest = 10 * model::kTicksPerSecond;
 
 Tick onset_of(const EffectSpec& spec, Tick applied) noexcept {
   return spec.start_at >= 0 ? spec.start_at : applied + spec.delay;
@@ -35,7 +39,9 @@ void EffectPlace::continue_from(const EffectPlace& previous) noexcept {
   }
   phase_ = model::carried(previous.spec_, spec_, previous.phase_);
   continues_ = true;
-  continues_attack_ = spec_.lease > 0 && previous.spec_.lease > 0;
+  // A pattern that is started twice is heard twice.
+  const bool may_go_on = spec_.trajectory.path != Path::kKeyframes || spec_.trajectory.score.loop;
+  continues_attack_ = may_go_on && spec_.lease > 0 && previous.spec_.lease > 0;
 }
 
 void EffectPlace::update(const EffectSpec& spec, Tick now) noexcept {
@@ -43,16 +49,31 @@ void EffectPlace::update(const EffectSpec& spec, Tick now) noexcept {
   spec_ = spec;
   ring_ = model::ring_of(spec.trajectory);
   if (!playing_) onset_ = std::max(now, onset_of(spec, applied_));
+  if (playing_ && spec.trajectory.score.ends_with_pattern) {
+    spec_.duration = std::min(
+        kLongest, phase_.elapsed + model::ticks_to_end(spec.trajectory.score, phase_.steps));
+  }
   lease_end_ = std::max(now, onset_) + spec.lease;
 }
 
-bool EffectPlace::advance(Tick now, Tick ticks) noexcept {
+bool EffectPlace::advance(Tick now, Tick ticks, std::span<const Keyframe> frames) noexcept {
   if (!playing_ && now < onset_) return true;
   if (playing_ || continues_) phase_ = model::advanced(spec_, ring_, phase_, ticks);
   if (!playing_) {
     playing_ = true;
     delivery_.onset = now;
-    if (!continues_attack_) phase_.elapsed = 0;
+    if (!continues_attack_) {
+      phase_.elapsed = 0;
+      if (spec_.trajectory.path == Path::kKeyframes) phase_.steps = 0.0;
+    }
+  }
+  if (spec_.trajectory.path == Path::kKeyframes) {
+    const model::Score& score = spec_.trajectory.score;
+    const std::size_t first = std::min<std::size_t>(score.first, frames.size());
+    point_ = model::point_at(
+        frames.subspan(first, std::min<std::size_t>(score.count, frames.size() - first)),
+        phase_.steps);
+    point_.direction = rotate(score.turn, point_.direction);
   }
   return spec_.duration > 0 ? phase_.elapsed < spec_.duration : now < lease_end_;
 }
@@ -67,10 +88,14 @@ bool EffectPlace::finishes_on_close() const noexcept {
 }
 
 double EffectPlace::asked_a() const noexcept {
-  return spec_.strength_a * spec_.gain * model::level_at(spec_, phase_);
+  const double shape = spec_.trajectory.path == Path::kKeyframes ? point_.level : 1.0;
+  return spec_.strength_a * spec_.gain * shape * model::level_at(spec_, phase_);
 }
 
-model::Vec3 EffectPlace::direction() const noexcept { return model::direction_at(ring_, phase_); }
+model::Vec3 EffectPlace::direction() const noexcept {
+  return spec_.trajectory.path == Path::kKeyframes ? point_.direction
+                                                   : model::direction_at(ring_, phase_);
+}
 
 void EffectPlace::note_delivered(double fraction, bool mixed) noexcept {
   delivery_.min = std::min(delivery_.min, fraction);

@@ -2,6 +2,7 @@
 // One effect in the mixer: its clocks, its phase and how well it was delivered.
 #pragma once
 
+#include <span>
 #include <type_traits>
 
 #include "daemon/control/command.h"
@@ -20,16 +21,18 @@ class EffectPlace {
   void begin(EffectId effect, const model::EffectSpec& spec, model::Tick now) noexcept;
 
   /// This effect goes on where `previous` was: same waveform phase and same position on the ring.
-  /// When both are leased the attack goes on too, so that a client may send its whole effect every
-  /// frame. Does nothing unless method and waveform are the same and `previous` has played.
+  /// When both are leased the attack and the same loop of key frames go on too, so that a client
+  /// may send its whole effect every frame. Does nothing unless method and waveform are the same
+  /// and `previous` has played.
   void continue_from(const EffectPlace& previous) noexcept;
 
   /// New parameters; phase and onset are kept, the lease is renewed at `now`.
   void update(const model::EffectSpec& spec, model::Tick now) noexcept;
 
   /// `ticks` have passed and it is `now`: moves the phase, or starts to play. False when the effect
-  /// ends now by itself; `natural_end` then says how.
-  bool advance(model::Tick now, model::Tick ticks) noexcept;
+  /// ends now by itself; `natural_end` then says how. `frames`: all key frames there are.
+  bool advance(model::Tick now, model::Tick ticks,
+               std::span<const model::Keyframe> frames) noexcept;
 
   /// kCompleted or kExpired, or kPreempted when it was only ever under others.
   EndReason natural_end() const noexcept;
@@ -69,6 +72,7 @@ class EffectPlace {
   model::EffectSpec spec_;
   model::EffectPhase phase_;
   model::Ring ring_;
+  model::KeyframePoint point_;
   Delivery delivery_;
   double delivered_sum_ = 0.0;
   model::Tick counted_ = 0;  // ticks in `delivered_sum_`

@@ -59,9 +59,13 @@ struct Event {
   std::uint64_t seq = 0;  // kEffectStarted: the command that started it
   model::Tick tick = 0;
   Delivery delivery;
-  /// kDerating*: the current allowed, A, and the hottest temperature, C. kOverrun: skipped ticks in
-  /// `count`.
+  /// kStateChanged: it has tripped in this tick, or was armed and its board is gone; false too for
+  /// a latch that was there already.
+  bool trip = false;
+  /// The current allowed and the one measured, A, and the hottest temperature, C (infinite: nothing
+  /// is known). kOverrun: skipped ticks in `count`.
   double limit_a = 0.0;
+  double current_a = 0.0;
   double temperature_c = 0.0;
   std::uint64_t count = 0;
 };

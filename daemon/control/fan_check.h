@@ -18,14 +18,21 @@ class FanCheck {
   Reason step(double commanded_duty, double rpm, double dt_s) noexcept {
     const bool standing = commanded_duty > 0.0 && !(rpm >= kLeastRpm);
     if (!standing) standing_.reset();  // one turn shows that it is not seized
-    return standing_.step(standing, dt_s, kHoldS) ? Reason::kFanStopped : Reason::kNone;
+    due_ = standing_.step(standing, dt_s, kHoldS);
+    return due_ ? Reason::kFanStopped : Reason::kNone;
   }
-  void reset() noexcept { standing_.reset(); }
+  void reset() noexcept {
+    standing_.reset();
+    due_ = false;
+  }
   /// It is told to turn, and did not in the last tick.
   bool standing() const noexcept { return standing_.suspicious(); }
+  /// It stands, and has for 3 s.
+  bool stopped() const noexcept { return due_; }
 
  private:
   Debounce standing_;
+  bool due_ = false;
 };
 
 }  // namespace hedgehog::control

@@ -36,10 +36,13 @@ void FlightRecorder::before(const Controller& controller, const StepInputs& inpu
     frames_ = {};
     written_ = 0;
     since_key_ = kKeyFrameEvery;
-    was_tripped_ = controller.state() == State::kTripped;
     phase_.store(Phase::kRecording, std::memory_order_relaxed);
   }
-  if (since_key_ >= kKeyFrameEvery) key_frame(controller);
+  const KeyFrame& newest = frames_[(next_frame_ + kKeyFrames - 1) % kKeyFrames];
+  if (since_key_ >= kKeyFrameEvery ||
+      written_ - newest.position >= ring_.size() / kKeyFramesARing) {
+    key_frame(controller);
+  }
   ++since_key_;
   const TickInputs& head = inputs;
   write(&head, sizeof(head));
@@ -49,11 +52,10 @@ void FlightRecorder::before(const Controller& controller, const StepInputs& inpu
 
 void FlightRecorder::after(const Controller& controller, const device::BoardCommand& board,
                            const EventList& events) noexcept {
-  const bool tripped = controller.state() == State::kTripped;
-  const bool freeze =
-      (tripped && !was_tripped_) || requested_.exchange(false, std::memory_order_relaxed);
-  was_tripped_ = tripped;
+  const bool tripped =
+      std::any_of(events.begin(), events.end(), [](const Event& event) { return event.trip; });
   if (!recording_) return;
+  const bool freeze = requested_.exchange(false, std::memory_order_relaxed) || tripped;
   const TickOutputs outputs = outputs_of(controller, board, events);
   write(&outputs, sizeof(outputs));
   if (freeze) phase_.store(Phase::kFrozen, std::memory_order_release);

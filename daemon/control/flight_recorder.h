@@ -30,7 +30,7 @@ class FlightRecorder {
   void after(const Controller& controller, const device::BoardCommand& board,
              const EventList& events) noexcept;
 
-  /// Any thread: freeze after the next tick, as if it had tripped.
+  /// Any thread: freeze after the next tick that is recorded, as if it had tripped.
   void request() noexcept { requested_.store(true, std::memory_order_relaxed); }
   /// Disk thread: the recording waits to be taken.
   bool frozen() const noexcept { return phase_.load(std::memory_order_acquire) == Phase::kFrozen; }
@@ -43,6 +43,9 @@ class FlightRecorder {
  private:
   enum class Phase : std::uint8_t { kStarting, kRecording, kFrozen };
   static constexpr std::size_t kKeyFrames = 16;
+  /// At least so many states within the ring, so that even a flood leaves most of it to be
+  /// replayed.
+  static constexpr std::size_t kKeyFramesARing = 4;
   struct KeyFrame {
     bool used = false;
     std::uint64_t position = 0;
@@ -60,7 +63,6 @@ class FlightRecorder {
   std::uint64_t written_ = 0;
   model::Tick since_key_ = 0;
   bool recording_ = false;
-  bool was_tripped_ = false;
   std::atomic<Phase> phase_{Phase::kStarting};
   std::atomic<bool> requested_{false};
 };

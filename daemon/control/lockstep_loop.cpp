@@ -58,7 +58,9 @@ void LockstepLoop::run() noexcept {
     due_ns = std::max(due_ns, woke_ns - kNanosecondsPerTick);
     for (int i = 0; i < speed_; ++i) {
       meter.ticked(0);
+      const std::int64_t begun_ns = monotonic_ns();
       tick_.run(++tick, 0, meter.statistics());
+      meter.worked(monotonic_ns() - begun_ns);
       world_.step();
       now_.store(tick, std::memory_order_relaxed);
     }

@@ -14,9 +14,13 @@ class LoopMeter {
  public:
   explicit LoopMeter(std::int64_t now_ns) noexcept : summed_ns_(now_ns) {}
 
+  /// A tick took this long.
+  void worked(std::int64_t ns) noexcept { statistics_.work.add(ns); }
+
   /// The loop woke at `woke_ns`, `late_ns` after it should have.
   void woke(std::int64_t woke_ns, std::int64_t late_ns) noexcept {
     lateness_.add(late_ns);
+    statistics_.lateness.add(late_ns);
     if (woke_ns - summed_ns_ >= period_ns_) sum(woke_ns);
   }
   void ticked(std::uint32_t skipped) noexcept {

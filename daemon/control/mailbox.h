@@ -18,6 +18,25 @@
 
 namespace hedgehog::control {
 
+/// When io read the request of a command, by its seq: for the metrics only, so that commands (and
+/// recordings of them) need not carry it.
+class RequestTimes {
+ public:
+  /// io thread.
+  void asked(std::uint64_t seq, std::int64_t ns) noexcept {
+    times_[seq % kRemembered].store(ns, std::memory_order_relaxed);
+  }
+  /// Control thread, real-time safe. REQUIRES: the command has come through the queue.
+  std::int64_t of(std::uint64_t seq) const noexcept {
+    return times_[seq % kRemembered].load(std::memory_order_relaxed);
+  }
+
+ private:
+  /// More than can be under way.
+  static constexpr std::size_t kRemembered = 2048;
+  std::array<std::atomic<std::int64_t>, kRemembered> times_{};
+};
+
 /// Stop requests, one word an effect place: overwriting, never full, seen at the next tick.
 class StopBoard {
  public:
@@ -55,6 +74,7 @@ struct Mailbox {
 
   /// io -> control. `push` fails when full: answer `busy`, never wait.
   boost::lockfree::spsc_queue<Command, boost::lockfree::capacity<kCommands>> commands;
+  RequestTimes request_times;
   StopBoard stops;
   /// io -> control: add one for device.emergency_stop.
   std::atomic<std::uint32_t> emergency_generation{0};

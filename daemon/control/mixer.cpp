@@ -52,6 +52,12 @@ void Mixer::end(std::size_t place, EndReason reason, Tick now, EventList& events
   clear(heard_, place);
 }
 
+void Mixer::load(const LoadKeyframes& command) noexcept {
+  const std::size_t count = std::min<std::size_t>(command.count, LoadKeyframes::kMost);
+  if (command.first + count > frames_.size()) return;
+  std::copy_n(command.frames.begin(), count, frames_.begin() + command.first);
+}
+
 void Mixer::start(const StartEffect& command, std::uint64_t seq, Tick now,
                   EventList& events) noexcept {
   const std::size_t place = command.place;
@@ -120,7 +126,7 @@ int Mixer::advance(const MixInputs& inputs, Tick ticks, EventList& events) noexc
   int top = -1;
   each(held_, [&](std::size_t place) {
     EffectPlace& effect = places_[place];
-    if (!effect.advance(inputs.tick, ticks)) {
+    if (!effect.advance(inputs.tick, ticks, frames_)) {
       end(place, effect.natural_end(), inputs.tick, events);
       return;
     }

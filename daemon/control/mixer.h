@@ -68,6 +68,8 @@ class Mixer {
   /// Longest timed effect that may outlive its connection.
   static constexpr model::Tick kLongestFinish = 2000;
 
+  /// Puts key frames into the room; what does not fit there is left out.
+  void load(const LoadKeyframes& command) noexcept;
   /// Applies a start: `effect_started` with `seq`. An effect whose stop came first ends at once.
   void start(const StartEffect& command, std::uint64_t seq, model::Tick now,
              EventList& events) noexcept;
@@ -115,6 +117,7 @@ class Mixer {
   MixResult sum(const MixInputs& inputs, int top) noexcept;
 
   std::array<EffectPlace, kEffectPlaces> places_{};
+  std::array<model::Keyframe, kKeyframeRoom> frames_{};
   std::array<Part, kEffectPlaces> parts_{};
   std::array<PendingStop, kEffectPlaces> pending_{};
   Mask held_{};       // waiting or playing

@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "daemon/control/command.h"
+#include "daemon/control/histogram.h"
 #include "daemon/control/state.h"
 #include "daemon/device/board_io.h"
 #include "model/quaternion.h"
@@ -33,6 +34,21 @@ struct LoopStatistics {
   double lateness_p50_us = 0.0;
   double lateness_p99_us = 0.0;
   double lateness_max_us = 0.0;
+  Histogram lateness;
+  /// What a tick took.
+  Histogram work;
+};
+
+/// Sums since the start, of every tick: bursts of 150 ms would fall between two looks.
+struct Totals {
+  /// Integral of |duty| as measured, each bridge.
+  model::Vec3 on_s;
+  /// Integral of |I|^2 as measured, all windings together.
+  double heat_a2s = 0.0;
+  /// An effect was being reduced.
+  double derated_s = 0.0;
+  /// From a request's being read to its set-point's going to the link.
+  Histogram request_to_coil;
 };
 
 struct Trip {
@@ -81,6 +97,7 @@ struct StatusSnapshot {
   std::array<EffectStatus, kEffectPlaces> effects{};
   std::uint64_t applied_seq = 0;
   LoopStatistics loop;
+  Totals totals;
   device::LinkCounters link;
   Trip last_trip;
 };

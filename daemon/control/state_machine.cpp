@@ -8,6 +8,7 @@ namespace hedgehog::control {
 StateMachine::StateMachine(const ControlSettings& settings) noexcept
     : latch_(settings.latch),
       start_reason_(settings.start_reason),
+      start_patience_(settings.start_patience),
       arm_when_sane_(settings.arm_at_start && settings.latch == Reason::kNone) {}
 
 void StateMachine::enter(State state, Reason reason, model::Tick now) noexcept {
@@ -27,7 +28,9 @@ void StateMachine::board_alive(const device::BoardTelemetry& board, model::Tick 
   } else if (latch_ != Reason::kNone) {
     enter(State::kTripped, latch_, now);
   } else {
-    enter(State::kDisarmed, seen_ ? Reason::kHotPlug : start_reason_, now);
+    const bool plugged_in = seen_ || now > start_patience_;
+    if (plugged_in) arm_when_sane_ = false;
+    enter(State::kDisarmed, plugged_in ? Reason::kHotPlug : start_reason_, now);
   }
   seen_ = true;
 }

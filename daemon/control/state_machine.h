@@ -18,7 +18,6 @@ class StateMachine {
   /// The board has this long to answer.
   static constexpr model::Tick kArmPatience = 300;
 
-  StateMachine() noexcept = default;
   explicit StateMachine(const ControlSettings& settings) noexcept;
 
   /// The board is there, or gone (`gone`: kNoBoard, kTelemetryLost). Both may be said every tick.
@@ -55,6 +54,7 @@ class StateMachine {
   model::Tick since_ = 0;
   Reason latch_ = Reason::kNone;
   Reason start_reason_ = Reason::kNeverArmed;
+  model::Tick start_patience_ = 0;
   bool seen_ = false;
   bool arm_when_sane_ = false;
   bool arming_ = false;

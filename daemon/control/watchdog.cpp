@@ -52,7 +52,7 @@ Reason Watchdog::step(const WatchdogInputs& in) noexcept {
       !reading.open && !reading.shorted && board.sensor_c <= SensorCheck::kHighestC;
   const Reason heat = heat_.step({in.pair.electrical(), in.pair.voltage_v(), in.pair.before_a(),
                                   in.pair.after_a(), readable, board.sensor_c, in.fresh, since_s},
-                                 in.trip_c, in.pair.electrical() ? kTickSeconds : dt_s);
+                                 in.trip_c, dt_s);
 
   CurrentReading currents;
   currents.fresh = in.pair.fresh();

@@ -6,7 +6,7 @@
 namespace hedgehog::device {
 namespace {
 
-constexpr int kArmTries = 50;
+constexpr int kArmTicks = 50;
 // The board's clock comes round every 49.7 days; more than this at once is another clock.
 constexpr std::uint32_t kLongestGapMs = 10'000;
 // Frames that say what holds for long are repeated, in case one was lost.
@@ -29,20 +29,23 @@ void Link::note_telemetry(BoardTelemetry telemetry) noexcept {
   const BoardTelemetry& last = report_.telemetry;
   if (telemetry_seen_) {
     // After 2^31 frames the number alone would call a board newer that has just started.
-    const bool restarted =
+    const bool gone_back =
         telemetry.board_ms < last.board_ms && telemetry.board_ms - last.board_ms > kLongestGapMs;
-    const bool newer = !restarted && board::is_newer(telemetry.sequence, last.sequence);
+    const bool newer = !gone_back && board::is_newer(telemetry.sequence, last.sequence);
+    // Neither needs one that was absent meanwhile: it may be another board, or the same anew.
+    const bool absent = ticks_without_telemetry_ >= kAbsentTicks;
+    const bool restarted = gone_back || (absent && !newer);
     if (!newer && !restarted) {
       ++report_.counters.errors;
       return;
     }
-    if (newer) report_.counters.lost += telemetry.sequence - last.sequence - 1;
+    if (newer && !absent) report_.counters.lost += telemetry.sequence - last.sequence - 1;
     if (newer && telemetry.sequence == last.sequence + 1) {
       telemetry.before = {true, last.bridges_awake, last.current_a};
     }
     // A board that started anew must not be armed by what was asked of it before.
     if (restarted) {
-      arm_tries_left_ = 0;
+      arm_ticks_left_ = 0;
       limits_due_ticks_ = 0;
       arm_offset_ = static_cast<std::uint8_t>(last.arm_count - telemetry.arm_count);
     }
@@ -58,28 +61,46 @@ void Link::note_telemetry(BoardTelemetry telemetry) noexcept {
   if (telemetry.received_sequence != 0 && board::is_newer(telemetry.received_sequence, sequence_))
     sequence_ = telemetry.received_sequence;
 
-  if (telemetry.arm_count == requested_arm_) arm_tries_left_ = 0;
+  if (telemetry.arm_count == requested_arm_) arm_ticks_left_ = 0;
   report_.telemetry = telemetry;
 }
 
-LinkFrames Link::step(const LinkCommand& command, const SimulatorSettings* simulator) noexcept {
+void Link::skip(std::uint64_t ticks) noexcept {
+  // No count here goes further.
+  const auto passed = static_cast<int>(std::min<std::uint64_t>(ticks, kLimitsEveryTicks));
+  ticks_without_telemetry_ = std::min(ticks_without_telemetry_ + passed, kAbsentTicks);
+  ticks_without_command_ = std::min(ticks_without_command_ + passed, kOverdueTicks);
+  for (int* left : {&arm_ticks_left_, &limits_due_ticks_, &simulator_due_ticks_}) {
+    *left = std::max(*left - passed, 0);
+  }
+}
+
+LinkFrames Link::step(LinkPort& port) noexcept {
+  const BoardLimits& limits = port.limits.read();
+  if (port.limits.was_fresh()) set_limits(limits);
+  const SimulatorSettings& simulator = port.simulator.read();
+  if (port.simulator.was_fresh()) set_simulator(simulator);
+  return step(port.commands.read());
+}
+
+LinkFrames Link::step(const LinkCommand& command) noexcept {
   note_presence();
   const BoardCommand chosen = choose(command);
   note_arm(command.board.arm_count);
 
   LinkFrames frames;
   frames.set_point = encode_set_point(chosen, ++sequence_);
-  frames.other = next_other(simulator);
+  frames.other = next_other();
   report_.counters.frames_out += frames.other ? 2 : 1;
+  skip(1);
   return frames;
 }
 
 void Link::note_presence() noexcept {
   const bool present = ticks_without_telemetry_ < kAbsentTicks;
   if (present && !report_.present) limits_due_ticks_ = 0;
-  if (!present) arm_tries_left_ = 0;
+  if (!present) arm_ticks_left_ = 0;
   report_.present = present;
-  ticks_without_telemetry_ = std::min(ticks_without_telemetry_ + 1, kAbsentTicks);
 }
 
 BoardCommand Link::choose(const LinkCommand& command) noexcept {
@@ -87,15 +108,16 @@ BoardCommand Link::choose(const LinkCommand& command) noexcept {
   if (fresh) {
     last_count_ = command.count;
     ticks_without_command_ = 0;
-  } else if (ticks_without_command_ < kOverdueTicks) {
-    if (++ticks_without_command_ == kOverdueTicks) ++report_.counters.overdue;
   }
-  if (ticks_without_command_ < kOverdueTicks && report_.present) {
+  const bool overdue = ticks_without_command_ >= kOverdueTicks;
+  if (overdue && !overdue_) ++report_.counters.overdue;
+  overdue_ = overdue;
+  if (!overdue && report_.present) {
     return fresh ? command.board : command.board.held();
   }
 
   BoardCommand safe;
-  const bool control_is_stuck = ticks_without_command_ >= kOverdueTicks && last_count_ != 0;
+  const bool control_is_stuck = overdue && last_count_ != 0;
   safe.fan = control_is_stuck ? std::uint8_t{255} : command.board.fan;
   return safe;
 }
@@ -104,24 +126,20 @@ void Link::note_arm(std::uint8_t wanted) noexcept {
   if (wanted == requested_arm_) return;
   requested_arm_ = wanted;
   const bool is_request = report_.present && wanted != report_.telemetry.arm_count;
-  arm_tries_left_ = is_request ? kArmTries : 0;
+  arm_ticks_left_ = is_request ? kArmTicks : 0;
 }
 
-std::optional<Frame> Link::next_other(const SimulatorSettings* simulator) noexcept {
-  --limits_due_ticks_;
-  --simulator_due_ticks_;
-  if (arm_tries_left_ > 0) {
-    --arm_tries_left_;
+std::optional<Frame> Link::next_other() noexcept {
+  if (arm_ticks_left_ > 0) {
     return encode_arm(static_cast<std::uint8_t>(requested_arm_ - arm_offset_), ++sequence_);
   }
-  if (limits_ && report_.present && limits_due_ticks_ < 0) {
+  if (limits_ && report_.present && limits_due_ticks_ == 0) {
     limits_due_ticks_ = kLimitsEveryTicks;
     return encode_limits(*limits_, ++sequence_);
   }
-  if (simulator != nullptr && (simulator_sent_ != *simulator || simulator_due_ticks_ < 0)) {
+  if (simulator_ && simulator_due_ticks_ == 0) {
     simulator_due_ticks_ = kSimulatorEveryTicks;
-    simulator_sent_ = *simulator;
-    return encode_simulator(*simulator, ++sequence_);
+    return encode_simulator(*simulator_, ++sequence_);
   }
   return std::nullopt;
 }

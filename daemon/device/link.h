@@ -22,6 +22,8 @@ struct LinkFrames {
 /// Real-time safe: no allocation, lock, clock or syscall. One thread (the link thread, or the test
 /// rig).
 ///
+/// A tick is a millisecond, whether there is a step in it or not: a late thread says so by `skip`.
+///
 /// A set-point that is not renewed is repeated without its boost for 19 ticks; from the 20th on the
 /// safe command goes out instead. While no board is present nothing but the safe command goes out.
 ///
@@ -43,46 +45,52 @@ class Link {
     limits_ = limits;
     limits_due_ticks_ = 0;
   }
+  /// What the simulated board's world shall be like: sent when it changes, and now and then.
+  void set_simulator(const SimulatorSettings& simulator) noexcept {
+    if (simulator_ != simulator) simulator_due_ticks_ = 0;
+    simulator_ = simulator;
+  }
+
+  /// Milliseconds without a step. Tell it before what arrived meanwhile.
+  void skip(std::uint64_t ticks) noexcept;
 
   /// One packet as it arrived, any bytes; any number of them before each `step`.
   void receive(std::span<const std::uint8_t> packet) noexcept;
 
   /// The next millisecond. `command` is the latest of the control thread: new when its count
   /// differs from the last one's.
-  LinkFrames step(const LinkCommand& command) noexcept { return step(command, nullptr); }
-  /// Also tells the simulated board what its world shall be like.
-  LinkFrames step(const LinkCommand& command, const SimulatorSettings& simulator) noexcept {
-    return step(command, &simulator);
-  }
+  LinkFrames step(const LinkCommand& command) noexcept;
+  /// The same with all that is in the port for the link.
+  LinkFrames step(LinkPort& port) noexcept;
 
   /// What has arrived so far; presence and the counters of what was sent as of the last `step`.
   const LinkReport& report() const noexcept { return report_; }
 
  private:
-  LinkFrames step(const LinkCommand& command, const SimulatorSettings* simulator) noexcept;
   void note_telemetry(BoardTelemetry telemetry) noexcept;
   void note_presence() noexcept;
   BoardCommand choose(const LinkCommand& command) noexcept;
   void note_arm(std::uint8_t wanted) noexcept;
-  std::optional<Frame> next_other(const SimulatorSettings* simulator) noexcept;
+  std::optional<Frame> next_other() noexcept;
 
   std::optional<BoardLimits> limits_;
   LinkReport report_;
   std::uint32_t sequence_ = 0;
   std::uint64_t last_count_ = 0;
   int ticks_without_command_ = kOverdueTicks;
+  bool overdue_ = true;
   int ticks_without_telemetry_ = kAbsentTicks;
   bool telemetry_seen_ = false;
 
   std::uint8_t requested_arm_ = 0;
-  int arm_tries_left_ = 0;
+  int arm_ticks_left_ = 0;
   /// Added to the count of a board that has restarted, so that for control it goes on where it was:
   /// the next request then differs from the board's own count whatever that is.
   std::uint8_t arm_offset_ = 0;
 
   int limits_due_ticks_ = 0;
   int simulator_due_ticks_ = 0;
-  std::optional<SimulatorSettings> simulator_sent_;
+  std::optional<SimulatorSettings> simulator_;
 };
 
 }  // namespace hedgehog::device

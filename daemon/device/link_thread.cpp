@@ -12,6 +12,9 @@ namespace {
 // More than a socket can hold after a pause, so that no old telemetry is left behind.
 constexpr int kPacketsPerTick = 512;
 
+// Milliseconds between two looks when there is no board and nobody to talk to.
+constexpr int kIdleTicks = 10;
+
 }  // namespace
 
 LinkThread::LinkThread(LinkPort& port, std::unique_ptr<Transport> transport,
@@ -27,10 +30,13 @@ LinkThread::~LinkThread() {
 }
 
 void LinkThread::run() noexcept {
-  real_time_.store(use_fifo(kLinkPriority), std::memory_order_relaxed);
+  use_fifo(kLinkPriority);
   TickClock clock;
   while (!stop_.load(std::memory_order_relaxed)) {
-    skipped_.fetch_add(clock.wait(), std::memory_order_relaxed);
+    const bool idle = transport_->idle() && !link_.report().present;
+    const int wanted = idle ? kIdleTicks : 1;
+    const std::uint64_t late = clock.wait(wanted);
+    link_.skip(late + static_cast<std::uint64_t>(wanted - 1));
     tick();
   }
   LinkCommand last = port_.commands.read();
@@ -46,12 +52,7 @@ void LinkThread::tick() noexcept {
     if (length == 0) break;
     link_.receive(std::span(packet).first(length));
   }
-  const BoardLimits& limits = port_.limits.read();
-  if (port_.limits.was_fresh()) link_.set_limits(limits);
-  const LinkCommand& command = port_.commands.read();
-  const SimulatorSettings& simulator = port_.simulator.read();
-  simulator_known_ = simulator_known_ || port_.simulator.was_fresh();
-  const LinkFrames frames = simulator_known_ ? link_.step(command, simulator) : link_.step(command);
+  const LinkFrames frames = link_.step(port_);
   transport_->send(frames.set_point);
   if (frames.other) transport_->send(*frames.other);
   port_.reports.write(link_.report());

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The thread that owns the transport: once a millisecond, what control said goes to the board, and
-// what the board said goes to control.
+// what the board said goes to control. While no board is there it looks every 10 ms.
 #pragma once
 
 #include <atomic>
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -27,11 +26,6 @@ class LinkThread {
   /// Sends the safe command a last time, then ends.
   ~LinkThread();
 
-  /// Any thread: milliseconds that were left out because the thread was late.
-  std::uint64_t skipped() const noexcept { return skipped_.load(std::memory_order_relaxed); }
-  /// Any thread: the system allowed SCHED_FIFO.
-  bool real_time() const noexcept { return real_time_.load(std::memory_order_relaxed); }
-
  private:
   void run() noexcept;
   void tick() noexcept;
@@ -39,10 +33,7 @@ class LinkThread {
   LinkPort& port_;
   std::unique_ptr<Transport> transport_;
   Link link_;
-  bool simulator_known_ = false;
   std::atomic<bool> stop_{false};
-  std::atomic<bool> real_time_{false};
-  std::atomic<std::uint64_t> skipped_{0};
   std::thread thread_;
 };
 

@@ -29,7 +29,6 @@ class LockStep {
   LinkPort& port_;
   Link link_;
   SimulatedBoard board_;
-  bool simulator_known_ = false;
 };
 
 }  // namespace hedgehog::device

@@ -9,9 +9,10 @@
 namespace hedgehog::device {
 namespace {
 
-/// Calls `each` with every number, always in the same order.
-template <class Plant, class Each>
-void visit(Plant& plant, Each each) {
+/// Calls `any` with every number that may be negative, `each` with the others, always in the same
+/// order.
+template <class Plant, class Each, class Any>
+void visit(Plant& plant, Each each, Any any) {
   for (auto& value : plant.winding_j_k) each(value);
   each(plant.core_j_k);
   for (auto& value : plant.winding_to_core_k_w) each(value);
@@ -25,6 +26,10 @@ void visit(Plant& plant, Each each) {
   each(plant.sensor_noise_k);
   each(plant.fan_full_rpm);
   each(plant.fan_spin_up_s);
+  each(plant.force_slope_n_a);
+  for (auto& row : plant.coil_matrix.row) {
+    for (auto* value : {&row.x, &row.y, &row.z}) any(*value);
+  }
 }
 
 // std::to_string would follow the locale and cut digits.
@@ -41,7 +46,7 @@ std::optional<std::vector<double>> numbers_in(std::string_view text) {
   for (;;) {
     double value = 0.0;
     const auto result = std::from_chars(at, end, value);
-    if (result.ec != std::errc{} || !std::isfinite(value) || value < 0.0) return std::nullopt;
+    if (result.ec != std::errc{} || !std::isfinite(value)) return std::nullopt;
     numbers.push_back(value);
     if (result.ptr == end) return numbers;
     if (*result.ptr != ',') return std::nullopt;
@@ -53,7 +58,8 @@ std::optional<std::vector<double>> numbers_in(std::string_view text) {
 
 std::string plant_text(const model::PlantParameters& plant) {
   std::string text = std::to_string(plant.sensor_winding);
-  visit(plant, [&text](double value) { text += ',' + text_of(value); });
+  const auto add = [&text](double value) { text += ',' + text_of(value); };
+  visit(plant, add, add);
   return text;
 }
 
@@ -62,12 +68,19 @@ std::optional<model::PlantParameters> plant_from(std::string_view text) {
   if (!numbers) return std::nullopt;
   model::PlantParameters plant;
   std::size_t next = 1;
-  visit(plant, [&](double& value) {
+  bool possible = true;
+  const auto any = [&](double& value) {
     if (next < numbers->size()) value = (*numbers)[next];
     ++next;
-  });
+  };
+  const auto each = [&](double& value) {
+    any(value);
+    possible = possible && value >= 0.0;
+  };
+  visit(plant, each, any);
   const double winding = numbers->front();
-  if (next != numbers->size() || winding != std::floor(winding) || winding >= model::kCoils)
+  if (!possible || next != numbers->size() || winding != std::floor(winding) || winding < 0.0 ||
+      winding >= model::kCoils)
     return std::nullopt;
   plant.sensor_winding = static_cast<int>(winding);
   return plant;

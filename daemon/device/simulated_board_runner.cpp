@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/device/simulated_board_runner.h"
 
-#include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <utility>
 
 #include "daemon/device/tick_clock.h"
@@ -14,20 +12,6 @@ namespace {
 // More than the host sends in a millisecond, and all that a socket holds after a pause.
 constexpr int kPacketsPerTick = 512;
 
-const char* name_of(board::Mode mode) noexcept {
-  switch (mode) {
-    case board::Mode::kSafe:
-      return "safe";
-    case board::Mode::kReady:
-      return "ready";
-    case board::Mode::kDriving:
-      return "driving";
-    case board::Mode::kLatched:
-      return "latched";
-  }
-  return "latched";
-}
-
 }  // namespace
 
 SimulatedBoardRunner::SimulatedBoardRunner(const SimulatedBoardOptions& options,
@@ -37,7 +21,7 @@ SimulatedBoardRunner::SimulatedBoardRunner(const SimulatedBoardOptions& options,
 
 void SimulatedBoardRunner::run(const std::atomic<bool>& stop) noexcept {
   use_fifo(kSimulatedBoardPriority);
-  note("start");
+  trace_.note(board_, "start");
   TickClock clock;
   bool host_gone = false;
   for (int farewell_ms = kFarewellMs; farewell_ms > 0 && !stop.load(std::memory_order_relaxed);) {
@@ -45,12 +29,12 @@ void SimulatedBoardRunner::run(const std::atomic<bool>& stop) noexcept {
     tick();
     if (!host_gone && !transport_->open()) {
       host_gone = true;
-      note("closed");
+      trace_.note(board_, "closed");
     }
     if (host_gone) --farewell_ms;
     if (host_gone && at_rest()) break;
   }
-  note("exit");
+  trace_.note(board_, "exit");
 }
 
 void SimulatedBoardRunner::tick() noexcept {
@@ -61,37 +45,13 @@ void SimulatedBoardRunner::tick() noexcept {
     board_.receive(std::span(packet).first(length));
   }
   if (const std::optional<Frame> telemetry = board_.step()) transport_->send(*telemetry);
-
-  if (board_.core().mode() != traced_mode_) {
-    traced_mode_ = board_.core().mode();
-    note("mode");
-  }
-  const bool flows = norm(board_.plant().current_a()) >= kZeroA;
-  if (current_flowed_ && !flows && !board_.core().outputs().awake) note("zero");
-  current_flowed_ = flows;
+  trace_.after_step(board_);
 }
 
 bool SimulatedBoardRunner::at_rest() const noexcept {
   const board::Mode mode = board_.core().mode();
   return (mode == board::Mode::kSafe || mode == board::Mode::kLatched) &&
-         norm(board_.plant().current_a()) < kZeroA;
-}
-
-void SimulatedBoardRunner::note(const char* event) noexcept {
-  if (trace_ == nullptr) return;
-  const board::BoardCore& core = board_.core();
-  std::array<char, 16> age{"null"};
-  if (core.set_point_age_ms() != UINT32_MAX)
-    std::snprintf(age.data(), age.size(), "%u", core.set_point_age_ms());
-  int duty = 0;
-  for (const std::int16_t one : core.outputs().duty_q15) duty = std::max(duty, std::abs(one));
-  std::fprintf(trace_,
-               "{\"event\": \"%s\", \"board_ms\": %u, \"set_point_age_ms\": %s, \"mode\": \"%s\", "
-               "\"faults\": %u, \"awake\": %s, \"duty\": %.4f, \"current_a\": %.4f}\n",
-               event, core.now_ms(), age.data(), name_of(core.mode()),
-               static_cast<unsigned>(core.faults()), core.outputs().awake ? "true" : "false",
-               duty / kFullDuty, norm(board_.plant().current_a()));
-  std::fflush(trace_);
+         norm(board_.plant().current_a()) < SimulatedBoardTrace::kZeroA;
 }
 
 SimulatedBoardThread::SimulatedBoardThread(const SimulatedBoardOptions& options,

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "daemon/device/simulated_board.h"
+#include "daemon/device/simulated_board_trace.h"
 #include "daemon/device/transport.h"
 
 namespace hedgehog::device {
@@ -17,11 +18,8 @@ namespace hedgehog::device {
 /// One thread: the one that calls `run`.
 class SimulatedBoardRunner {
  public:
-  /// `trace`, when given, gets one JSON line at the start, at every change of mode, when the
-  /// current has died away after driving, when the host closes, and at the end:
-  ///   {"event","board_ms","set_point_age_ms","mode","faults","awake","duty","current_a"}
-  /// in the board's own milliseconds; set_point_age_ms is null before the first set-point, duty the
-  /// largest of the three, current_a the true Euclidean norm.
+  /// `trace`, when given, gets the lines of simulated_board_trace.h, and "closed" when the host
+  /// goes.
   SimulatedBoardRunner(const SimulatedBoardOptions& options, std::unique_ptr<Transport> transport,
                        std::FILE* trace = nullptr) noexcept;
 
@@ -30,19 +28,14 @@ class SimulatedBoardRunner {
   void run(const std::atomic<bool>& stop) noexcept;
 
   static constexpr int kFarewellMs = 5000;
-  /// Below this the windings count as without current.
-  static constexpr double kZeroA = 0.1;
 
  private:
   void tick() noexcept;
   bool at_rest() const noexcept;
-  void note(const char* event) noexcept;
 
   SimulatedBoard board_;
   std::unique_ptr<Transport> transport_;
-  std::FILE* trace_;
-  board::Mode traced_mode_ = board::Mode::kSafe;
-  bool current_flowed_ = false;
+  SimulatedBoardTrace trace_;
 };
 
 /// The simulated board as a thread of this process.

@@ -26,8 +26,8 @@ std::int64_t monotonic_ns() noexcept {
 TickClock::TickClock(std::int64_t period_ns) noexcept
     : period_ns_(period_ns), due_ns_(monotonic_ns()) {}
 
-std::uint64_t TickClock::wait() noexcept {
-  due_ns_ += period_ns_;
+std::uint64_t TickClock::wait(int ticks) noexcept {
+  due_ns_ += ticks * period_ns_;
   std::uint64_t skipped = 0;
   const std::int64_t behind = (monotonic_ns() - due_ns_) / period_ns_;
   if (behind > kCatchUp) {

@@ -15,8 +15,9 @@ class TickClock {
 
   explicit TickClock(std::int64_t period_ns = 1'000'000) noexcept;
 
-  /// Sleeps until the next tick is due. Returns how many ticks before it were left out.
-  std::uint64_t wait() noexcept;
+  /// Sleeps until the next tick is due, or that many ticks on purpose. Returns how many more were
+  /// left out because the thread was late.
+  std::uint64_t wait(int ticks = 1) noexcept;
   /// How late the last `wait` woke, nanoseconds.
   std::int64_t lateness_ns() const noexcept { return lateness_ns_; }
 

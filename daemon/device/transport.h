@@ -29,6 +29,9 @@ class Transport {
 
   /// False once the other end is gone for good.
   virtual bool open() const noexcept = 0;
+
+  /// True while there is nobody at the other end, but somebody may come.
+  virtual bool idle() const noexcept { return false; }
 };
 
 }  // namespace hedgehog::device

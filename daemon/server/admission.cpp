@@ -32,9 +32,14 @@ std::string text(const char* format, double a, double b) {
   return buffer;
 }
 
-model::Vec3 winding_direction(const model::EffectSpec& spec, const model::Vec3& direction,
-                              const model::CoilModel& coils) {
-  return spec.frame == model::Frame::kCoil ? spec.trajectory.direction : coils.matrix * direction;
+/// `direction` as of onset_direction.
+model::Vec3 winding_direction(const model::EffectSpec& spec, const KeyframeScore* score,
+                              const model::Vec3& direction, const model::CoilModel& coils) {
+  if (spec.frame != model::Frame::kCoil) {
+    return coils.matrix * direction;
+  }
+  return score != nullptr ? model::rotate(spec.trajectory.score.turn, score->peak_direction)
+                          : spec.trajectory.direction;
 }
 
 /// After a restart without saved heat a winding is held to continuous_a until it has been measured:
@@ -60,7 +65,8 @@ Felt felt_now(const Machine& machine, EffectRegistry& effects, const Effect* exc
     if (e == except || priority < felt.priority || !sounds(machine, *e)) {
       continue;
     }
-    const Load load = load_of(e->spec, machine.config().device.coils, machine.now().orientation);
+    const Load load =
+        load_of(e->spec, e->score.get(), machine.config().device.coils, machine.now().orientation);
     felt.load = priority > felt.priority ? load : felt.load + load;
     felt.priority = priority;
   }
@@ -68,11 +74,12 @@ Felt felt_now(const Machine& machine, EffectRegistry& effects, const Effect* exc
 }
 
 protocol::Admission admission(const Machine& machine, EffectRegistry& effects,
-                              const model::EffectSpec& spec, const Effect* replaced) {
+                              const model::EffectSpec& spec, const KeyframeScore* score,
+                              const Effect* replaced) {
   const control::StatusSnapshot& now = machine.now();
   const config::Config& config = machine.config();
   protocol::Admission out;
-  const model::Vec3 direction = onset_direction(spec, config.device.coils, now.orientation);
+  const model::Vec3 direction = onset_direction(spec, score, config.device.coils, now.orientation);
   const model::NearestPin nearest = model::nearest_pin(machine.array(), direction);
   out.pin = nearest.id;
   if (spec.trajectory.path == model::Path::kCircle) {
@@ -85,7 +92,7 @@ protocol::Admission admission(const Machine& machine, EffectRegistry& effects,
     out.limited_by = "priority";
     return out;
   }
-  const Load own = load_of(spec, config.device.coils, now.orientation);
+  const Load own = load_of(spec, score, config.device.coils, now.orientation);
   const Load asked = others.priority == spec.priority ? others.load + own : own;
   double factor = machine.gain();
   if (factor < 1.0) {
@@ -105,20 +112,21 @@ protocol::Admission admission(const Machine& machine, EffectRegistry& effects,
     out.headroom_s = 0.0;
   }
   const double unmeasured =
-      unmeasured_share(machine, factor * spec.strength_a * spec.gain *
-                                    winding_direction(spec, direction, config.device.coils));
+      unmeasured_share(machine, factor * peak_a(spec, score) *
+                                    winding_direction(spec, score, direction, config.device.coils));
   if (unmeasured < 1.0) {
     out.limited_by = "thermal";
     out.headroom_s = 0.0;
     factor *= unmeasured;
   }
-  out.current_a = spec.strength_a * spec.gain * factor;
+  out.current_a = peak_a(spec, score) * factor;
   out.force_n = out.current_a * config.device.force_slope_n_a * nearest.cosine;
   return out;
 }
 
 std::optional<protocol::RpcError> thermal_refusal(const Machine& machine,
                                                   const model::EffectSpec& spec,
+                                                  const KeyframeScore* score,
                                                   const protocol::EffectParams& params,
                                                   const protocol::Admission& admitted) {
   if (!admitted.headroom_s) {
@@ -126,7 +134,7 @@ std::optional<protocol::RpcError> thermal_refusal(const Machine& machine,
   }
   const double needed_s =
       static_cast<double>(spec.lease > 0 ? spec.lease : spec.duration) * model::kTickSeconds;
-  const double asked_a = spec.strength_a * spec.gain;
+  const double asked_a = peak_a(spec, score);
   const bool now = admitted.limited_by == "thermal";
   if (!now && *admitted.headroom_s >= needed_s) {
     return std::nullopt;

@@ -21,14 +21,17 @@ struct Felt {
 /// Effects that wait for their onset are left out, and so is `except` (nullptr: nobody).
 Felt felt_now(const Machine& machine, EffectRegistry& effects, const Effect* except);
 
-/// All fields but effect, slot and seq. `replaced` will be gone when `spec` begins.
+/// All fields but effect, slot and seq. `score`: the key frames of `spec`, nullptr when it has
+/// none. `replaced` will be gone when `spec` begins.
 protocol::Admission admission(const Machine& machine, EffectRegistry& effects,
-                              const model::EffectSpec& spec, const Effect* replaced);
+                              const model::EffectSpec& spec, const KeyframeScore* score,
+                              const Effect* replaced);
 
 /// For `if_limited` "refuse": why `spec` cannot be delivered in full over its duration, or as long
 /// as its lease; nullopt: it can. `admitted` is what `admission` said.
 std::optional<protocol::RpcError> thermal_refusal(const Machine& machine,
                                                   const model::EffectSpec& spec,
+                                                  const KeyframeScore* score,
                                                   const protocol::EffectParams& params,
                                                   const protocol::Admission& admitted);
 

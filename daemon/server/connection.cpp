@@ -3,20 +3,13 @@
 
 #include <spdlog/spdlog.h>
 
-#include <array>
-#include <boost/asio/buffer.hpp>
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/detached.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/redirect_error.hpp>
 #include <boost/asio/use_awaitable.hpp>
-#include <boost/asio/write.hpp>
-#include <chrono>
 #include <exception>
 #include <utility>
-
-#include "daemon/server/line_reader.h"
-#include "protocol/server_codec.h"
 
 namespace hedgehog::server {
 namespace {
@@ -24,49 +17,56 @@ namespace {
 namespace asio = boost::asio;
 using boost::system::error_code;
 
-constexpr std::size_t kReadBytes = 16 * 1024;
 constexpr std::chrono::seconds kFarewell{1};
 /// So long one client is served before the others get their turn.
 constexpr std::chrono::milliseconds kTurn{1};
 
 }  // namespace
 
-Connection::Connection(Socket socket, Server& server, Session session, std::size_t queue_bytes)
-    : socket_(std::move(socket)),
+Connection::Connection(asio::any_io_executor executor, Server& server, Session session,
+                       std::size_t queue_bytes)
+    : executor_(std::move(executor)),
       server_(server),
       session_(std::move(session)),
       queue_(queue_bytes),
-      wake_(socket_.get_executor(), asio::steady_timer::time_point::max()),
-      owed_(socket_.get_executor(), asio::steady_timer::time_point::max()),
-      farewell_(socket_.get_executor()) {
+      wake_(executor_, asio::steady_timer::time_point::max()),
+      owed_(executor_, asio::steady_timer::time_point::max()),
+      farewell_(executor_) {
   session_.sink = this;
 }
 
 void Connection::start() {
-  const auto run = [](std::shared_ptr<Connection> self) -> asio::awaitable<void> {
-    self->server_.open(self->session_);
-    spdlog::info("connection {} from {}", self->session_.id,
-                 self->session_.address.value_or(self->session_.transport));
-    asio::co_spawn(
-        self->socket_.get_executor(),
-        [](std::shared_ptr<Connection> me) -> asio::awaitable<void> { co_await me->write(); }(self),
-        asio::detached);
-    try {
-      co_await self->read();
-    } catch (const std::exception& e) {
-      spdlog::error("connection {} ends: {}", self->session_.id, e.what());
-    }
-    self->server_.close(self->session_);
-    while (!self->finishing_) {
-      error_code let_go;
-      co_await self->owed_.async_wait(asio::redirect_error(asio::use_awaitable, let_go));
-    }
-    // At a shutdown the listener finishes who is still owed an answer.
-    self->server_.forget(self->session_);
-    spdlog::info("connection {} closed{}", self->session_.id,
-                 self->session_.client.empty() ? "" : " (" + self->session_.client + ")");
-  };
-  asio::co_spawn(socket_.get_executor(), run(shared_from_this()), asio::detached);
+  asio::co_spawn(
+      executor_,
+      [](std::shared_ptr<Connection> self) -> asio::awaitable<void> {
+        co_await self->run();
+      }(shared_from_this()),
+      asio::detached);
+}
+
+asio::awaitable<void> Connection::run() {
+  server_.open(session_);
+  spdlog::info("connection {} from {}", session_.id, session_.address.value_or(session_.transport));
+  asio::co_spawn(
+      executor_,
+      [](std::shared_ptr<Connection> self) -> asio::awaitable<void> {
+        co_await self->write();
+      }(shared_from_this()),
+      asio::detached);
+  try {
+    co_await read();
+  } catch (const std::exception& e) {
+    spdlog::error("connection {} ends: {}", session_.id, e.what());
+  }
+  server_.close(session_);
+  while (!finishing_) {
+    error_code let_go;
+    co_await owed_.async_wait(asio::redirect_error(asio::use_awaitable, let_go));
+  }
+  // At a shutdown the listener finishes who is still owed an answer.
+  server_.forget(session_);
+  spdlog::info("connection {} closed{}", session_.id,
+               session_.client.empty() ? "" : " (" + session_.client + ")");
 }
 
 void Connection::finish() {
@@ -88,72 +88,51 @@ void Connection::send(std::string line, LineKind kind) {
   if (finishing_ && kind == LineKind::kTelemetry) {
     return;
   }
-  if (!queue_.push(std::move(line), kind)) {
-    if (!aborted_) {
-      spdlog::warn("connection {} ({}) does not read; disconnected", session_.id,
-                   session_.client.empty() ? session_.transport : session_.client);
-      aborted_ = true;
-      asio::post(socket_.get_executor(), [self = shared_from_this()] { self->abort(); });
-    }
-    return;
+  const std::uint64_t dropped = queue_.telemetry_dropped();
+  const bool fits = queue_.push(std::move(line), kind);
+  counters().telemetry_dropped += queue_.telemetry_dropped() - dropped;
+  if (fits) {
+    wake_.cancel();
+  } else if (!aborted_) {
+    spdlog::warn("connection {} ({}) does not read; disconnected", session_.id,
+                 session_.client.empty() ? session_.transport : session_.client);
+    ++counters().rejected["slow"];
+    aborted_ = true;
+    asio::post(executor_, [self = shared_from_this()] { self->abort(); });
   }
-  wake_.cancel();
 }
 
 void Connection::abort() noexcept {
   aborted_ = true;
-  error_code ignored;
-  socket_.close(ignored);
+  close();
   wake_.cancel();
 }
 
-asio::awaitable<bool> Connection::take_lines(LineReader& reader) {
-  auto turn_ends = std::chrono::steady_clock::now() + kTurn;
-  while (const auto line = reader.next()) {
-    if (aborted_) {
-      co_return false;
-    }
-    if (line->too_long) {
-      server_.line_too_long(session_);
-    } else {
-      server_.line(session_, line->text);
-    }
-    if (std::chrono::steady_clock::now() > turn_ends) {
-      co_await asio::post(socket_.get_executor(), asio::use_awaitable);
-      turn_ends = std::chrono::steady_clock::now() + kTurn;
-    }
+asio::awaitable<bool> Connection::take(std::string_view text) {
+  if (!aborted_) {
+    server_.line(session_, text);
   }
-  co_return true;
+  co_return co_await next_turn();
 }
 
-asio::awaitable<void> Connection::read() {
-  LineReader reader(protocol::kMaxLineBytes);
-  std::array<char, kReadBytes> buffer;
-  bool known = false;
-  for (;;) {
-    error_code ec;
-    const std::size_t count = co_await socket_.async_read_some(
-        asio::buffer(buffer), asio::redirect_error(asio::use_awaitable, ec));
-    if (ec) {
-      co_return;
-    }
-    reader.feed({buffer.data(), count});
-    if (!known && reader.first_byte()) {
-      known = true;
-      // Web pages can reach loopback, and what a browser sends begins with a letter.
-      if (*reader.first_byte() != '{' && *reader.first_byte() != '[') {
-        spdlog::warn("connection {} does not speak JSON-RPC; closed", session_.id);
-        co_return;
-      }
-    }
-    if (!co_await take_lines(reader)) {
-      co_return;
-    }
+asio::awaitable<bool> Connection::too_long() {
+  if (!aborted_) {
+    server_.line_too_long(session_);
   }
+  co_return co_await next_turn();
+}
+
+void Connection::begin_turn() noexcept { turn_ends_ = std::chrono::steady_clock::now() + kTurn; }
+
+asio::awaitable<bool> Connection::next_turn() {
+  if (std::chrono::steady_clock::now() > turn_ends_) {
+    co_await asio::post(executor_, asio::use_awaitable);
+    begin_turn();
+  }
+  co_return !aborted_;
 }
 
 asio::awaitable<void> Connection::write() {
-  const auto self = shared_from_this();
   error_code ec;
   while (!ec && !aborted_) {
     if (queue_.empty()) {
@@ -164,14 +143,14 @@ asio::awaitable<void> Connection::write() {
       co_await wake_.async_wait(asio::redirect_error(asio::use_awaitable, woken));
       continue;
     }
-    co_await asio::async_write(socket_, asio::buffer(queue_.take()),
-                               asio::redirect_error(asio::use_awaitable, ec));
+    ec = co_await send_next(queue_);
     queue_.sent();
   }
+  if (!ec && !aborted_) {
+    co_await say_goodbye();
+  }
   farewell_.cancel();
-  error_code ignored;
-  socket_.shutdown(Socket::shutdown_both, ignored);
-  socket_.close(ignored);
+  close();
 }
 
 }  // namespace hedgehog::server

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
-// One client's socket: reads lines, writes lines, and ends with its client. Kept alive by its own
-// coroutines. io thread only.
+// One client, whatever its socket: waits for what it says, sends what is for it, and ends with it.
+// Kept alive by its own coroutines. io thread only.
 #pragma once
 
+#include <boost/asio/any_io_executor.hpp>
 #include <boost/asio/awaitable.hpp>
-#include <boost/asio/generic/stream_protocol.hpp>
 #include <boost/asio/steady_timer.hpp>
+#include <boost/system/error_code.hpp>
+#include <chrono>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "daemon/server/server.h"
 #include "daemon/server/session.h"
@@ -15,13 +18,8 @@
 
 namespace hedgehog::server {
 
-class Connection final : public Sink, public std::enable_shared_from_this<Connection> {
+class Connection : public Sink, public std::enable_shared_from_this<Connection> {
  public:
-  using Socket = boost::asio::generic::stream_protocol::socket;
-
-  /// `session`: transport, address and role are filled in.
-  Connection(Socket socket, Server& server, Session session, std::size_t queue_bytes);
-
   /// Starts its coroutines.
   void start();
   /// Sends what waits (1 s at most), then closes.
@@ -31,20 +29,45 @@ class Connection final : public Sink, public std::enable_shared_from_this<Connec
 
   const Session& session() const noexcept { return session_; }
 
+ protected:
+  /// `session`: transport, address and role are filled in.
+  Connection(boost::asio::any_io_executor executor, Server& server, Session session,
+             std::size_t queue_bytes);
+
+  /// Hands over what arrives by `take` and `too_long` until the client says no more.
+  virtual boost::asio::awaitable<void> read() = 0;
+  /// Sends what is next in the queue.
+  virtual boost::asio::awaitable<boost::system::error_code> send_next(WriteQueue& queue) = 0;
+  /// Everything has been sent.
+  virtual boost::asio::awaitable<void> say_goodbye() = 0;
+  /// At once; what still runs on the socket ends with an error. A second call does nothing.
+  virtual void close() noexcept = 0;
+
+  /// The client has said that it leaves, though its socket is still there.
+  void leaves() { server_.close(session_); }
+  /// Something has arrived: its turn begins.
+  void begin_turn() noexcept;
+  /// Carries out one message; when the turn is over the others get theirs first. False: the client
+  /// has to go.
+  boost::asio::awaitable<bool> take(std::string_view text);
+  boost::asio::awaitable<bool> too_long();
+  std::int64_t id() const noexcept { return session_.id; }
+  Counters& counters() noexcept { return server_.counters(); }
+
  private:
-  boost::asio::awaitable<void> read();
+  boost::asio::awaitable<void> run();
   boost::asio::awaitable<void> write();
-  /// Carries out what has arrived; lets the others have their turn in between. False: it has to go.
-  boost::asio::awaitable<bool> take_lines(class LineReader& reader);
+  boost::asio::awaitable<bool> next_turn();
   void abort() noexcept;
 
-  Socket socket_;
+  boost::asio::any_io_executor executor_;
   Server& server_;
   Session session_;
   WriteQueue queue_;
   boost::asio::steady_timer wake_;
   boost::asio::steady_timer owed_;  // waits until no answer is owed any more
   boost::asio::steady_timer farewell_;
+  std::chrono::steady_clock::time_point turn_ends_{};
   bool finishing_ = false;
   bool aborted_ = false;
 };

@@ -15,10 +15,10 @@
 
 namespace hedgehog::server {
 
-DiskThread::DiskThread() {
+DiskThread::DiskThread(const char* name) {
   const device::SignalsBlocked blocked;
-  thread_ = std::thread([this] {
-    pthread_setname_np(pthread_self(), "disk");
+  thread_ = std::thread([this, name] {
+    pthread_setname_np(pthread_self(), name);
     run();
   });
 }
@@ -32,31 +32,35 @@ DiskThread::~DiskThread() {
   thread_.join();
 }
 
-bool DiskThread::post(std::function<void()> job) {
+bool DiskThread::post(DiskUse use, std::function<void()> job) {
+  const auto of_use = static_cast<std::size_t>(use);
   {
     const std::lock_guard lock(mutex_);
-    if (jobs_.size() >= kMaxJobs) {
+    if (jobs_[of_use] >= kMostJobs[of_use]) {
       return false;
     }
-    jobs_.push_back(std::move(job));
+    ++jobs_[of_use];
+    (use == DiskUse::kSafety ? safety_ : others_).push_back({use, std::move(job)});
   }
   changed_.notify_one();
   return true;
 }
 
 void DiskThread::run() {
+  std::unique_lock lock(mutex_);
   for (;;) {
-    std::function<void()> job;
-    {
-      std::unique_lock lock(mutex_);
-      changed_.wait(lock, [this] { return stop_ || !jobs_.empty(); });
-      if (jobs_.empty()) {
-        return;
-      }
-      job = std::move(jobs_.front());
-      jobs_.pop_front();
+    changed_.wait(lock, [this] { return stop_ || !safety_.empty() || !others_.empty(); });
+    std::deque<Job>& jobs = safety_.empty() ? others_ : safety_;
+    if (jobs.empty()) {
+      return;
     }
-    job();
+    Job job = std::move(jobs.front());
+    jobs.pop_front();
+    lock.unlock();
+    job.work();
+    job.work = nullptr;
+    lock.lock();
+    --jobs_[static_cast<std::size_t>(job.use)];
   }
 }
 
@@ -80,14 +84,22 @@ std::string write_file_atomically(const std::string& path, std::string_view cont
     return fresh + ": " + std::strerror(error);
   }
   if (std::rename(fresh.c_str(), path.c_str()) != 0) {
-    return path + ": " + std::strerror(errno);
+    std::string problem = path + ": " + std::strerror(errno);
+    ::unlink(fresh.c_str());
+    return problem;
   }
-  const std::string folder = std::filesystem::path(path).parent_path();
-  if (const int at = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); at >= 0) {
-    ::fsync(at);
-    ::close(at);
+  return sync_folder(std::filesystem::path(path).parent_path());
+}
+
+std::string sync_folder(const std::string& folder) {
+  const int at = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (at < 0) {
+    return folder + ": " + std::strerror(errno);
   }
-  return {};
+  // EINVAL: a file system that has nothing to sync there.
+  const int error = ::fsync(at) == 0 || errno == EINVAL ? 0 : errno;
+  ::close(at);
+  return error == 0 ? std::string() : folder + ": " + std::strerror(error);
 }
 
 }  // namespace hedgehog::server

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The thread that waits for the disk, so that io never does.
+// A thread that waits for the disk, so that io never does. Nothing interrupts a job: what safety
+// needs waits for one other job of the same thread at most, so that none there may take longer than
+// the disk takes to write and sync a file (at most 1 MiB). Looks at devices, which may hang, have a
+// thread of their own.
 #pragma once
 
+#include <array>
 #include <condition_variable>
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <functional>
 #include <mutex>
@@ -13,25 +18,43 @@
 
 namespace hedgehog::server {
 
+/// What a job is for. Each use has places of its own, so that none can fill those of another.
+enum class DiskUse : std::uint8_t {
+  kSafety,   // state, latch, heat, recordings of trips: done before all others
+  kHistory,  // what happened
+  kLook,     // for devices; never on the thread of kSafety
+  kPattern,  // that clients put and remove
+};
+
 /// `post` from the io thread. The destructor does what is still queued.
 class DiskThread {
  public:
-  static constexpr std::size_t kMaxJobs = 64;
+  /// Jobs of each use that may be queued or under way. Whoever asks for kSafety has one queued at
+  /// most, so that it never runs out.
+  static constexpr std::array<std::size_t, 4> kMostJobs{16, 4, 8, 8};
 
-  DiskThread();
+  /// `name`: of the thread, at most 15 characters.
+  explicit DiskThread(const char* name = "disk");
   DiskThread(const DiskThread&) = delete;
   DiskThread& operator=(const DiskThread&) = delete;
   ~DiskThread();
 
-  /// False: the disk is so slow that 64 jobs wait; the job is refused. Jobs must not throw.
-  bool post(std::function<void()> job);
+  /// False: the disk is so slow that all places of its use are taken; the job is refused. Jobs of
+  /// one use are done in order. They must not throw.
+  [[nodiscard]] bool post(DiskUse use, std::function<void()> job);
 
  private:
+  struct Job {
+    DiskUse use;
+    std::function<void()> work;
+  };
   void run();
 
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::deque<std::function<void()>> jobs_;
+  std::deque<Job> safety_;
+  std::deque<Job> others_;
+  std::array<std::size_t, kMostJobs.size()> jobs_{};  // by use
   bool stop_ = false;
   std::thread thread_;
 };
@@ -39,5 +62,8 @@ class DiskThread {
 /// Writes beside `path`, syncs, renames: afterwards there is the old content or the new one. An
 /// empty string, or what went wrong.
 std::string write_file_atomically(const std::string& path, std::string_view content);
+/// Afterwards what was made, renamed or removed in `folder` is so on disk. An empty string, or what
+/// went wrong.
+std::string sync_folder(const std::string& folder);
 
 }  // namespace hedgehog::server

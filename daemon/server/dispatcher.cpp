@@ -2,6 +2,7 @@
 #include "daemon/server/dispatcher.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "daemon/server/handlers.h"
@@ -14,13 +15,50 @@ std::string encoded(const protocol::Id& id, const Answer& answer) {
                             : protocol::encode_result(id, *answer);
 }
 
-protocol::RpcError too_many_forecasts() {
-  protocol::RpcError e = protocol::busy("a batch may ask for 8 forecasts; ask again", 1);
-  e.limit = std::int64_t{Dispatcher::kMaxForecasts};
+/// What io works long for; nullptr: not so.
+const char* costly(protocol::Method method) {
+  switch (method) {
+    case protocol::Method::kThermalForecast:
+      return "forecasts";
+    case protocol::Method::kPatternList:
+      return "lists of patterns";
+    case protocol::Method::kEventsHistory:
+      return "histories";
+    default:
+      return nullptr;
+  }
+}
+
+/// After which it is worth asking again.
+constexpr std::int64_t kRestartMs = 1000;
+
+protocol::RpcError too_many(const std::string& what) {
+  protocol::RpcError e = protocol::busy(
+      "a batch may ask for " + std::to_string(Dispatcher::kMostCostly) + " " + what + "; ask again",
+      1);
+  e.limit = std::int64_t{Dispatcher::kMostCostly};
   return e;
 }
 
+void count(Counters& counters, std::string_view method, const Answer& answer) {
+  ++counters.requests[{method, answer.has_error() ? static_cast<int>(answer.error().code) : 0}];
+  if (answer.has_error()) {
+    if (answer.error().code == protocol::ErrorCode::kRefusedThermal) {
+      ++counters.effects[{method, "refused"}];
+    }
+  } else if (const auto* admission = std::get_if<protocol::Admission>(&*answer)) {
+    for (const std::string_view by : {"thermal", "mix", "priority", "configuration"}) {
+      if (admission->limited_by == by) ++counters.limited[by];
+    }
+  }
+}
+
 }  // namespace
+
+void Dispatcher::Reply::add(std::string answer) {
+  bytes += answer.size();
+  answers.push_back(std::move(answer));
+}
 
 void Dispatcher::line(Session& session, std::string_view text) {
   protocol::Incoming incoming = protocol::decode_line(text);
@@ -35,35 +73,63 @@ void Dispatcher::line(Session& session, std::string_view text) {
 }
 
 void Dispatcher::line_too_long(Session& session) {
+  count(services_.counters, "none", protocol::line_too_long());
   session.sink->send(protocol::encode_error({}, protocol::line_too_long()), LineKind::kAnswer);
 }
 
 void Dispatcher::item(Session& session, protocol::Item& item, const std::shared_ptr<Reply>& reply) {
   if (item.request.has_error()) {
+    count(services_.counters, "none", item.request.error());
     if (item.id) {
-      reply->answers.push_back(protocol::encode_error(*item.id, item.request.error()));
+      reply->add(protocol::encode_error(*item.id, item.request.error()));
     }
     return;
   }
-  if (std::holds_alternative<protocol::ThermalForecast>(*item.request) &&
-      (!item.id || ++reply->forecasts > kMaxForecasts)) {
-    if (item.id) {
-      reply->answers.push_back(protocol::encode_error(*item.id, too_many_forecasts()));
-    }
+  const protocol::Method which = protocol::method_of(*item.request);
+  const std::string_view method = protocol::name(which);
+  const char* what = costly(which);
+  if (what != nullptr && !item.id) {
     return;
+  }
+  // A stop is kept as a latch, for the next start; and never waits for a further line.
+  if (which != protocol::Method::kDeviceEmergencyStop) {
+    std::optional<protocol::RpcError> why_not;
+    if (services_.leaving) {
+      why_not = protocol::busy("the daemon is stopping", kRestartMs);
+    } else if (what != nullptr && ++reply->costly[which] > kMostCostly) {
+      why_not = too_many(what);
+    } else if (reply->bytes > session.batch_bytes) {
+      why_not = protocol::busy("the answers to this batch are too long; ask again", 1);
+    }
+    if (why_not) {
+      count(services_.counters, method, *why_not);
+      if (item.id) {
+        reply->add(protocol::encode_error(*item.id, *why_not));
+      }
+      return;
+    }
   }
   Call call{services_, session, item.id.has_value()};
   Outcome outcome = carry_out(call, *item.request);
+  const Answer* answer = std::get_if<Answer>(&outcome);
+  if (answer != nullptr) {
+    count(services_.counters, method, *answer);
+  }
   if (!item.id) {
     return;
   }
-  if (const Answer* answer = std::get_if<Answer>(&outcome)) {
-    reply->answers.push_back(encoded(*item.id, *answer));
+  if (const Encoded* known = std::get_if<Encoded>(&outcome)) {
+    count(services_.counters, method, Answer(protocol::Done{}));
+    reply->add(protocol::encode_encoded(*item.id, *known->result));
+    return;
+  }
+  if (answer != nullptr) {
+    reply->add(encoded(*item.id, *answer));
     return;
   }
   reply->answers.emplace_back();
   ++reply->open;
-  waiting_.push_back({reply, reply->answers.size() - 1, *item.id,
+  waiting_.push_back({reply, reply->answers.size() - 1, *item.id, method,
                       std::get<Deferred>(std::move(outcome)), std::chrono::steady_clock::now()});
 }
 
@@ -73,10 +139,14 @@ void Dispatcher::poll() {
   }
   const auto now = std::chrono::steady_clock::now();
   std::erase_if(waiting_, [&](Waiting& w) {
+    if (!services_.sessions.contains(w.reply->session)) {
+      return true;
+    }
     const auto answer = w.deferred.poll(services_, now - w.since > kPatience);
     if (!answer) {
       return false;
     }
+    count(services_.counters, w.method, *answer);
     w.reply->answers[w.index] = encoded(w.id, *answer);
     --w.reply->open;
     send_if_complete(*w.reply);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <chrono>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -26,9 +27,9 @@ class Dispatcher {
   void line(Session& session, std::string_view text);
   void line_too_long(Session& session);
 
-  /// Of one batch; the others are told `busy`. A batch cannot be interrupted, and whoever wants to
-  /// stop the ball waits behind it.
-  static constexpr int kMaxForecasts = 8;
+  /// Forecasts of one batch, lists of patterns, histories; the others are told `busy`. A batch
+  /// cannot be interrupted, and whoever wants to stop the ball waits behind it.
+  static constexpr int kMostCostly = 8;
 
   /// After every new snapshot.
   void poll();
@@ -42,13 +43,17 @@ class Dispatcher {
     ConnectionId session = 0;
     bool batch = false;
     std::vector<std::string> answers;
+    std::size_t bytes = 0;
     int open = 0;
-    int forecasts = 0;
+    std::map<protocol::Method, int> costly;
+
+    void add(std::string answer);
   };
   struct Waiting {
     std::shared_ptr<Reply> reply;
     std::size_t index = 0;
     protocol::Id id;
+    std::string_view method;
     Deferred deferred;
     std::chrono::steady_clock::time_point since;
   };

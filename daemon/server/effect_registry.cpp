@@ -16,8 +16,10 @@ EffectRegistry::Room EffectRegistry::room(ConnectionId owner, bool replacing) co
   int playing = replacing ? -1 : 0;
   int own = playing;
   int own_ending = 0;
+  bool newcomer = true;
   for (const Effect& e : places_) {
     used += e.id != 0 ? 1 : 0;
+    newcomer &= e.id == 0 || e.owner != owner;
     own_ending += e.id != 0 && e.ending && e.owner == owner ? 1 : 0;
     playing += addressable(e) ? 1 : 0;
     own += addressable(e) && e.owner == owner ? 1 : 0;
@@ -28,9 +30,11 @@ EffectRegistry::Room EffectRegistry::room(ConnectionId owner, bool replacing) co
   if (playing >= control::kMaxEffects) {
     return Room::kDeviceFull;
   }
-  // Who replaces its effects faster than they can end must leave places to the others.
-  const int most_ending = used < kScarce ? kMaxEach : kMaxEndingWhenScarce;
-  return used < control::kEffectPlaces && own_ending < most_ending ? Room::kYes : Room::kPlacesFull;
+  // Who replaces its effects faster than they can end leaves at least as many places to others as
+  // its ending ones hold.
+  const int free = control::kEffectPlaces - used;
+  const int others = newcomer ? 0 : own_ending + kKeptForNewcomers;
+  return own_ending < kMaxEach && free > others ? Room::kYes : Room::kPlacesFull;
 }
 
 Effect& EffectRegistry::add(ConnectionId owner) {

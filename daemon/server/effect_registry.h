@@ -10,12 +10,20 @@
 #include <vector>
 
 #include "daemon/control/command.h"
+#include "daemon/server/score.h"
 #include "daemon/server/session.h"
 #include "model/effect.h"
 #include "protocol/effect_params.h"
 #include "protocol/method.h"
 
 namespace hedgehog::server {
+
+/// What a pattern may bring along, unless the caller says otherwise.
+struct Wave {
+  std::optional<model::Waveform> waveform{};
+  std::optional<double> frequency_hz{};
+  std::optional<double> on_fraction{};
+};
 
 struct Effect {
   control::EffectId id = 0;  // 0: the place is free
@@ -27,9 +35,15 @@ struct Effect {
   protocol::Method method = protocol::Method::kEffectPulse;
   /// Everything that was said, defaults filled in; updates are merged into it.
   protocol::EffectParams params;
+  /// What of the waveform the caller said, and no pattern.
+  Wave said_wave;
   model::EffectSpec spec;
+  /// Of effect.play.
+  ScorePtr score;
   /// Of the command that started it.
   std::uint64_t seq = 0;
+  /// It took the place of one in its slot.
+  bool replacing = false;
   /// Its onset has come.
   bool begun = false;
   /// Its end was asked for (stopped, replaced); nobody can address it any more.
@@ -40,9 +54,8 @@ struct Effect {
 class EffectRegistry {
  public:
   static constexpr int kMaxEach = 32;
-  /// From so many used places on a connection may have only so many that are ending.
-  static constexpr int kScarce = 96;
-  static constexpr int kMaxEndingWhenScarce = 8;
+  /// The last places are for connections that hold none.
+  static constexpr int kKeptForNewcomers = 8;
 
   /// `last`: the number before the first.
   explicit EffectRegistry(control::EffectId last = 0) noexcept : last_id_(last) {}

@@ -2,6 +2,8 @@
 #include "daemon/server/effect_spec.h"
 
 #include <optional>
+#include <string>
+#include <utility>
 
 namespace hedgehog::server {
 namespace {
@@ -74,6 +76,24 @@ std::optional<RpcError> unfit(model::EffectMethod method, const EffectParams& ba
   if (leased && update.fade_ms.value_or(0) > 0) {
     return protocol::invalid_params("fade_ms", "an effect with a lease has no end to fade to");
   }
+  const std::pair<bool, const char*> only_patterns[] = {{update.pattern.has_value(), "pattern"},
+                                                        {update.keyframes.has_value(), "keyframes"},
+                                                        {update.rotate_to.has_value(), "rotate_to"},
+                                                        {update.rate.has_value(), "rate"},
+                                                        {update.loop.has_value(), "loop"}};
+  const bool play = method == model::EffectMethod::kPlay;
+  for (const auto& [said, field] : only_patterns) {
+    if (said && !play) {
+      return protocol::invalid_params(field, "only an effect of effect.play has it");
+    }
+  }
+  if (play && update.direction) {
+    return protocol::invalid_params("direction", "key frames have rotate_to instead");
+  }
+  if (play && update.loop.value_or(false) && !leased && !base.duration_ms && !update.duration_ms) {
+    return protocol::invalid_params(
+        "loop", "this effect ends with its pattern; start it with lease_ms or duration_ms");
+  }
   if (method == model::EffectMethod::kCircle) {
     return update.direction ? std::optional(protocol::invalid_params(
                                   "direction", "a circle has an axis instead"))
@@ -93,10 +113,44 @@ std::optional<RpcError> unfit(model::EffectMethod method, const EffectParams& ba
   return std::nullopt;
 }
 
+/// The trajectory and the end of an effect that plays key frames.
+std::optional<RpcError> take_score(model::EffectSpec& s, const EffectParams& p, const SpecFacts& f,
+                                   const KeyframeScore& score) {
+  s.trajectory.path = model::Path::kKeyframes;
+  model::Score& out = s.trajectory.score;
+  out.count = static_cast<std::uint16_t>(score.frames.size());
+  out.length_ms = static_cast<std::uint16_t>(score.length_ms());
+  out.loop = p.loop.value_or(false);
+  out.rate = p.rate.value_or(1.0);
+  out.ends_with_pattern = !p.duration_ms && !p.lease_ms;
+  if (p.rotate_to) {
+    const auto towards = protocol::resolve(*p.rotate_to, f.pins, "rotate_to");
+    if (towards.has_error()) {
+      return towards.error();
+    }
+    out.turn = model::turn_from_front(*towards);
+  }
+  if (!out.ends_with_pattern) {
+    return std::nullopt;
+  }
+  s.duration = model::ticks_to_end(out, 0.0);
+  if (s.duration > protocol::kMaxDurationMs) {
+    RpcError e = protocol::invalid_params(
+        "duration_ms", "the pattern takes " + std::to_string(s.duration) +
+                           " ms at this rate, more than 10000; say duration_ms or lease_ms");
+    e.limit = protocol::kMaxDurationMs;
+    e.value = s.duration;
+    return e;
+  }
+  EffectParams whole = p;
+  whole.duration_ms = s.duration;
+  return protocol::check_end(whole);
+}
+
 }  // namespace
 
 protocol::Result<model::EffectSpec> make_spec(model::EffectMethod method, const EffectParams& p,
-                                              const SpecFacts& f) {
+                                              const SpecFacts& f, const KeyframeScore* score) {
   if (const auto refused = not_permitted(p, f)) {
     return *refused;
   }
@@ -132,6 +186,10 @@ protocol::Result<model::EffectSpec> make_spec(model::EffectMethod method, const 
     s.trajectory.speed_pins_s = p.speed_pins_s.value_or(s.trajectory.speed_pins_s);
     s.trajectory.clockwise = p.sense == protocol::Sense::kClockwise;
     s.trajectory.smooth = p.stepping == protocol::Stepping::kSmooth;
+  } else if (score != nullptr) {
+    if (auto wrong = take_score(s, p, f, *score)) {
+      return std::move(*wrong);
+    }
   } else {
     const auto direction =
         protocol::resolve(p.direction.value_or(protocol::Word::kDown), f.pins, "direction");
@@ -189,6 +247,9 @@ protocol::Result<EffectParams> merged(model::EffectMethod method, EffectParams b
   lay_over(base.speed_pins_s, update.speed_pins_s);
   lay_over(base.sense, update.sense);
   lay_over(base.stepping, update.stepping);
+  lay_over(base.rotate_to, update.rotate_to);
+  lay_over(base.rate, update.rate);
+  lay_over(base.loop, update.loop);
   if (const auto wrong = protocol::check_end(base)) {
     return *wrong;
   }

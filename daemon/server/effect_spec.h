@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "daemon/server/score.h"
 #include "model/effect.h"
 #include "model/limits.h"
 #include "model/pin_array.h"
@@ -26,10 +27,12 @@ struct SpecFacts {
   model::Tick now = 0;
 };
 
+/// `score`: of effect.play, else nullptr; where its key frames will stand stays open.
 /// REQUIRES: `params` went through protocol::with_defaults.
 protocol::Result<model::EffectSpec> make_spec(model::EffectMethod method,
                                               const protocol::EffectParams& params,
-                                              const SpecFacts& facts);
+                                              const SpecFacts& facts,
+                                              const KeyframeScore* score = nullptr);
 
 /// `update` laid over `base`. An error when it would change the kind of end, or says what the
 /// effect's method does not have.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/server/event_view.h"
 
+#include <cmath>
 #include <string>
 
 #include "model/tick.h"
@@ -50,6 +51,12 @@ std::optional<protocol::Event> event_view(const control::Event& event, const Eff
       out.state = std::string(control::name(event.state));
       out.reason = reason_name(event.reason);
       out.remedy = remedy(event.state, event.reason, facts);
+      if (event.trip) {
+        out.current_a = event.current_a;
+        if (std::isfinite(event.temperature_c)) {
+          out.temperature_c = event.temperature_c;
+        }
+      }
       return out;
     case EventType::kDeratingStarted:
     case EventType::kDeratingEnded:
@@ -59,6 +66,9 @@ std::optional<protocol::Event> event_view(const control::Event& event, const Eff
     case EventType::kDeviceAttached:
     case EventType::kDeviceDetached:
       out.device = "board";
+      if (event.type == EventType::kDeviceDetached) {
+        out.reason = reason_name(event.reason);
+      }
       return out;
     case EventType::kOverrun:
       out.skipped = event.count;

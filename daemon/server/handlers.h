@@ -21,6 +21,7 @@ Outcome effect_stop(Call& call, const protocol::EffectStop& request);
 Outcome effect_stop_all(Call& call, const protocol::EffectStopAll& request);
 
 Outcome device_describe(Call& call, const protocol::DeviceDescribe& request);
+Outcome device_list(Call& call, const protocol::DeviceList& request);
 Outcome device_status(Call& call, const protocol::DeviceStatus& request);
 Outcome device_arm(Call& call, const protocol::DeviceArm& request);
 Outcome device_emergency_stop(Call& call, const protocol::DeviceEmergencyStop& request);
@@ -33,16 +34,28 @@ Outcome orientation_set(Call& call, const protocol::OrientationSet& request);
 Outcome orientation_recenter(Call& call, const protocol::OrientationRecenter& request);
 Outcome sim_set(Call& call, const protocol::SimSet& request);
 
+Outcome effect_preview(Call& call, const protocol::EffectPreview& request);
+Outcome events_history(Call& call, const protocol::EventsHistory& request);
+Outcome pattern_list(Call& call, const protocol::PatternList& request);
+Outcome pattern_get(Call& call, const protocol::PatternGet& request);
+Outcome pattern_put(Call& call, const protocol::PatternPut& request);
+Outcome pattern_remove(Call& call, const protocol::PatternRemove& request);
+
 Outcome telemetry_subscribe(Call& call, const protocol::TelemetrySubscribe& request);
 Outcome telemetry_unsubscribe(Call& call, const protocol::TelemetryUnsubscribe& request);
 Outcome events_subscribe(Call& call, const protocol::EventsSubscribe& request);
 Outcome events_unsubscribe(Call& call, const protocol::EventsUnsubscribe& request);
 
-/// "busy: the queue to the control loop is full; nothing was changed".
-protocol::RpcError queue_full();
+/// Why the outbox has no room for `count` more: the batch asks for too much, or "busy: the queue to
+/// the control loop is full; nothing was changed".
+protocol::RpcError queue_full(const Outbox& outbox, std::size_t count = 1);
 /// Why nothing can be played now: no ball, or not armed; nullopt: it can.
 std::optional<protocol::RpcError> not_playable(const Machine& machine);
-/// The facts that a spec of this caller is checked against.
-struct SpecFacts spec_facts(const Call& call);
+/// Another client has the ball for itself; nullopt: none has.
+std::optional<protocol::RpcError> claimed(const Call& call);
+/// Who waited for a tick waited too long.
+protocol::RpcError control_stuck();
+/// `effect` ends at the next tick.
+void request_stop(Services& services, Effect& effect, control::EndReason reason);
 
 }  // namespace hedgehog::server

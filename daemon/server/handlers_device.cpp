@@ -17,8 +17,19 @@ protocol::StateResult state_result(const Machine& machine, std::uint64_t seq) {
           seq};
 }
 
-protocol::RpcError control_stuck() {
-  return protocol::busy("the control loop does not answer", 1000);
+/// The coils are off and no tick comes any more: the latch is for the next start, as
+/// control::StateMachine::emergency_stop would have it.
+protocol::StateResult stopped_while_leaving(Machine& machine) {
+  const control::StatusSnapshot& now = machine.now();
+  protocol::StateResult result = state_result(machine, machine.outbox().last_seq());
+  if (now.state == control::State::kArmed || now.state == control::State::kDisarmed) {
+    const control::Reason latch =
+        now.latch != control::Reason::kNone ? now.latch : control::Reason::kEmergencyStop;
+    result.state = control::name(control::State::kDisarmed);
+    result.reason = reason_name(latch);
+    result.remedy = remedy(control::State::kDisarmed, latch, machine.remedy_facts());
+  }
+  return result;
 }
 
 protocol::RpcError arm_refused(const Machine& machine) {
@@ -58,9 +69,30 @@ Outcome device_describe(Call& call, const protocol::DeviceDescribe&) {
   d.gain = machine.gain();
   d.board.backend = d.simulated ? "simulator" : "usb";
   d.board.present = machine.now().board_present;
+  BoardSeen board = machine.board();
+  d.board.serial = std::move(board.serial);
+  d.board.firmware = std::move(board.firmware);
   d.imu.type = config::name(config.imu);
   d.imu.present = machine.now().orientation_present;
   return Answer(std::move(d));
+}
+
+Outcome device_list(Call& call, const protocol::DeviceList&) {
+  DeviceLooker* devices = call.services.devices;
+  if (devices == nullptr) {
+    return Answer(protocol::DevicesResult{});
+  }
+  const DeviceLooker::Ready ready = devices->look();
+  const protocol::RpcError slow = protocol::busy("looking for devices takes too long", 1000);
+  if (!ready) {
+    return Answer(slow);
+  }
+  return Deferred{[ready, slow](Services&, bool give_up) -> std::optional<Answer> {
+    if (auto found = ready()) {
+      return Answer(*std::move(found));
+    }
+    return give_up ? std::optional<Answer>(slow) : std::nullopt;
+  }};
 }
 
 Outcome device_status(Call& call, const protocol::DeviceStatus&) {
@@ -79,7 +111,7 @@ Outcome device_arm(Call& call, const protocol::DeviceArm&) {
       call.session.id,
       control::Arm{machine.mailbox().emergency_generation.load(std::memory_order_acquire)});
   if (!seq) {
-    return Answer(queue_full());
+    return Answer(queue_full(machine.outbox()));
   }
   return Deferred{[seq = *seq, since = model::Tick{-1}](
                       Services& services, bool give_up) mutable -> std::optional<Answer> {
@@ -106,6 +138,9 @@ Outcome device_emergency_stop(Call& call, const protocol::DeviceEmergencyStop&) 
   Machine& machine = call.machine();
   machine.mailbox().emergency_generation.fetch_add(1, std::memory_order_acq_rel);
   call.services.memory.remember_latch(control::Reason::kEmergencyStop);
+  if (call.services.leaving) {
+    return Answer(stopped_while_leaving(machine));
+  }
   // The snapshot may already be a tick older than the request.
   const model::Tick seen = machine.now().tick + 2;
   return Deferred{[seen](Services& services, bool give_up) -> std::optional<Answer> {
@@ -123,18 +158,13 @@ Outcome device_emergency_stop(Call& call, const protocol::DeviceEmergencyStop&) 
 Outcome device_claim(Call& call, const protocol::DeviceClaim& request) {
   Services& services = call.services;
   const model::Tick now = call.machine().now().tick;
-  if (services.claim.excludes(call.session.id, now)) {
-    protocol::RpcError e = protocol::error(protocol::ErrorCode::kClaimed,
-                                           "claimed: another client has the ball for itself");
-    e.retry_after_ms = services.claim.remaining(now);
-    return Answer(std::move(e));
+  if (auto refused = claimed(call)) {
+    return Answer(std::move(*refused));
   }
   services.claim.take(call.session.id, now, request.lease_ms);
   for (Effect* effect : services.effects.playing()) {
     if (effect->owner != call.session.id) {
-      call.machine().mailbox().stops.request(effect->id, effect->place,
-                                             control::EndReason::kStopped);
-      effect->ending = true;
+      request_stop(services, *effect, control::EndReason::kStopped);
     }
   }
   return Answer(protocol::ClaimResult{request.lease_ms});
@@ -148,7 +178,7 @@ Outcome device_release(Call& call, const protocol::DeviceRelease&) {
 Outcome output_set_gain(Call& call, const protocol::OutputSetGain& request) {
   const auto seq = call.machine().ask_gain(call.session.id, request.gain);
   if (!seq) {
-    return Answer(queue_full());
+    return Answer(queue_full(call.machine().outbox()));
   }
   call.services.memory.remember_gain(request.gain);
   return Answer(protocol::GainResult{request.gain, *seq});

@@ -1,35 +1,17 @@
 // SPDX-License-Identifier: MIT
-// effect.pulse, .circle, .vibrate, .hold, .update, .stop, .stop_all
+// effect.pulse, .circle, .vibrate, .hold, .play, .update, .stop, .stop_all
 #include <string>
 #include <utility>
 
 #include "daemon/server/admission.h"
-#include "daemon/server/effect_spec.h"
+#include "daemon/server/effect_plan.h"
 #include "daemon/server/handlers.h"
 
 namespace hedgehog::server {
 
-SpecFacts spec_facts(const Call& call) {
-  const Machine& m = call.services.machine;
-  return {m.limits(),   m.config().device.force_slope_n_a,
-          m.array(),    call.session.role,
-          m.epoch_ns(), m.now().tick};
-}
-
 namespace {
 
 using protocol::RpcError;
-
-std::optional<RpcError> claimed(const Call& call) {
-  const model::Tick now = call.machine().now().tick;
-  if (!call.services.claim.excludes(call.session.id, now)) {
-    return std::nullopt;
-  }
-  RpcError e = protocol::error(protocol::ErrorCode::kClaimed,
-                               "claimed: another client has the ball for itself");
-  e.retry_after_ms = call.services.claim.remaining(now);
-  return e;
-}
 
 std::optional<RpcError> no_room(const Call& call, bool replacing) {
   switch (call.services.effects.room(call.session.id, replacing)) {
@@ -53,34 +35,57 @@ std::optional<RpcError> no_room(const Call& call, bool replacing) {
   return protocol::busy("effects that have just ended still hold their places", 1);
 }
 
-/// Everything that can speak against playing `spec`, which replaces or updates `before` (nullptr:
+/// Everything that can speak against playing `plan`, which replaces or updates `before` (nullptr:
 /// neither). The admission is only worked out when somebody asks for it.
-protocol::Result<protocol::Admission> admit(const Call& call, const model::EffectSpec& spec,
-                                            const protocol::EffectParams& params,
+protocol::Result<protocol::Admission> admit(const Call& call, const EffectPlan& plan,
                                             const Effect* before) {
   const Machine& machine = call.machine();
-  if (spec.frame == model::Frame::kWorld && !machine.orientation_known()) {
-    RpcError e = protocol::device_absent(
-        "frame", "world needs an orientation sensor, and none is connected", "imu");
-    e.value = std::string("world");
-    return e;
+  const auto& [params, said_wave, spec, score] = plan;
+  if (auto refused = no_orientation(machine, spec)) {
+    return std::move(*refused);
   }
   const bool may_refuse = params.if_limited == protocol::IfLimited::kRefuse;
   if (!call.answered && !may_refuse) {
     return protocol::Admission{};
   }
-  const protocol::Admission admitted = admission(machine, call.services.effects, spec, before);
+  const protocol::Admission admitted =
+      admission(machine, call.services.effects, spec, score.get(), before);
   if (may_refuse) {
-    if (auto refused = thermal_refusal(machine, spec, params, admitted)) {
+    if (auto refused = thermal_refusal(machine, spec, score.get(), params, admitted)) {
       return std::move(*refused);
     }
   }
   return admitted;
 }
 
-void request_stop(Services& services, Effect& effect, control::EndReason reason) {
-  services.machine.mailbox().stops.request(effect.id, effect.place, reason);
-  effect.ending = true;
+/// Hands the key frames of `plan` over. Afterwards there is room for one more command, so that what
+/// plays them cannot be refused and leave them behind.
+std::optional<RpcError> place_keyframes(const Call& call, EffectPlan& plan) {
+  if (!plan.score) {
+    return std::nullopt;
+  }
+  Outbox& outbox = call.machine().outbox();
+  KeyframeRoom& keyframes = call.services.keyframes;
+  const std::size_t commands = keyframes.commands_for(*plan.score) + 1;
+  if (!outbox.room(call.session.id, commands)) {
+    return queue_full(outbox, commands);
+  }
+  const auto full = [&](const char* what, std::int64_t limit) {
+    RpcError e = protocol::busy(what, 10);
+    e.field = plan.params.pattern ? "pattern" : "keyframes";
+    e.limit = limit;
+    return e;
+  };
+  if (!keyframes.within_share(*plan.score, call.session.id)) {
+    return full("this connection's effects play 1024 key frames already, as many as one may",
+                KeyframeRoom::kShare);
+  }
+  const auto first = keyframes.place(*plan.score, call.session.id, outbox);
+  if (!first) {
+    return full("the key frames of all effects fill their room of 2048", control::kKeyframeRoom);
+  }
+  plan.spec.trajectory.score.first = *first;
+  return std::nullopt;
 }
 
 Effect* addressed(const Call& call, const std::optional<protocol::EffectNumber>& number,
@@ -105,23 +110,25 @@ Outcome effect_start(Call& call, const protocol::EffectStart& request) {
   if (auto refused = claimed(call)) {
     return Answer(std::move(*refused));
   }
-  const protocol::EffectParams params = protocol::with_defaults(request.method, request.params);
-  const model::EffectMethod method = protocol::effect_of(request.method).value();
-  const auto spec = make_spec(method, params, spec_facts(call));
-  if (spec.has_error()) {
-    return Answer(spec.error());
+  auto plan = plan_start(call, request);
+  if (plan.has_error()) {
+    return Answer(plan.error());
   }
-  Effect* before = params.slot ? services.effects.find(call.session.id, *params.slot) : nullptr;
+  const std::optional<std::string>& slot = plan->params.slot;
+  Effect* before = slot ? services.effects.find(call.session.id, *slot) : nullptr;
   if (auto refused = no_room(call, before != nullptr)) {
     return Answer(std::move(*refused));
   }
-  auto admitted = admit(call, *spec, params, before);
+  auto admitted = admit(call, *plan, before);
   if (admitted.has_error()) {
     return Answer(admitted.error());
   }
+  if (auto refused = place_keyframes(call, *plan)) {
+    return Answer(std::move(*refused));
+  }
 
   Effect& effect = services.effects.add(call.session.id);
-  control::StartEffect start{effect.id, effect.place, 0, 0, *spec};
+  control::StartEffect start{effect.id, effect.place, 0, 0, plan->spec};
   if (before != nullptr) {
     start.replaces = before->id;
     start.replaces_place = before->place;
@@ -129,16 +136,19 @@ Outcome effect_start(Call& call, const protocol::EffectStart& request) {
   const auto seq = services.machine.outbox().add(call.session.id, start);
   if (!seq) {
     services.effects.drop(effect);
-    return Answer(queue_full());
+    return Answer(queue_full(call.machine().outbox()));
   }
   if (before != nullptr) {
     before->ending = true;
   }
+  effect.replacing = before != nullptr;
   effect.client = call.session.client;
-  effect.slot = params.slot;
+  effect.slot = slot;
   effect.method = request.method;
-  effect.params = params;
-  effect.spec = *spec;
+  effect.params = std::move(plan->params);
+  effect.said_wave = plan->said_wave;
+  effect.spec = plan->spec;
+  effect.score = std::move(plan->score);
   effect.seq = *seq;
 
   admitted->effect = effect.id;
@@ -160,25 +170,32 @@ Outcome effect_update(Call& call, const protocol::EffectUpdate& request) {
     return Answer(protocol::invalid_params(request.params.delay_ms ? "delay_ms" : "start_at_ns",
                                            "this effect has begun already"));
   }
-  const auto params = merged(effect->spec.method, effect->params, request.params);
-  if (params.has_error()) {
-    return Answer(params.error());
+  auto plan = plan_update(call, *effect, request.params);
+  if (plan.has_error()) {
+    return Answer(plan.error());
   }
-  const auto spec = make_spec(effect->spec.method, *params, spec_facts(call));
-  if (spec.has_error()) {
-    return Answer(spec.error());
-  }
-  auto admitted = admit(call, *spec, *params, effect);
+  auto admitted = admit(call, *plan, effect);
   if (admitted.has_error()) {
     return Answer(admitted.error());
   }
-  const auto seq = call.machine().outbox().add(
-      call.session.id, control::UpdateEffect{effect->id, effect->place, *spec});
-  if (!seq) {
-    return Answer(queue_full());
+  const bool other_frames = plan->score != effect->score;
+  if (other_frames) {
+    if (auto refused = place_keyframes(call, *plan)) {
+      return Answer(std::move(*refused));
+    }
   }
-  effect->params = *params;
-  effect->spec = *spec;
+  const auto seq = call.machine().outbox().add(
+      call.session.id, control::UpdateEffect{effect->id, effect->place, plan->spec});
+  if (!seq) {
+    return Answer(queue_full(call.machine().outbox()));
+  }
+  if (other_frames) {
+    call.services.keyframes.let_go_after(effect->spec.trajectory.score.first, *seq);
+  }
+  effect->params = std::move(plan->params);
+  effect->said_wave = plan->said_wave;
+  effect->spec = plan->spec;
+  effect->score = std::move(plan->score);
   admitted->effect = effect->id;
   admitted->slot = effect->slot;
   admitted->seq = *seq;

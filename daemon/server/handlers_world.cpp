@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "daemon/server/effect_spec.h"
+#include "daemon/server/effect_plan.h"
 #include "daemon/server/handlers.h"
 #include "daemon/server/load.h"
 #include "daemon/server/sim_faults.h"
@@ -13,10 +13,15 @@ namespace {
 
 using protocol::RpcError;
 
+Answer forecast_result(const Machine& machine, const model::Forecast& f, double peak_a) {
+  const auto derating =
+      machine.skin_reduces(peak_a) ? std::optional<double>(0.0) : f.seconds_to_derating;
+  return protocol::ForecastResult{derating, f.seconds_to_limit, f.sustainable_a, f.recovery_s};
+}
+
 Answer forecast_of(const Machine& machine, const model::AskedCurrents& asked) {
-  const model::Forecast f = machine.forecaster().forecast(machine.forecast_start(), asked);
-  return protocol::ForecastResult{f.seconds_to_derating, f.seconds_to_limit, f.sustainable_a,
-                                  f.recovery_s};
+  return forecast_result(machine, machine.forecaster().forecast(machine.forecast_start(), asked),
+                         asked.peak_a);
 }
 
 Answer forecast_current(const Machine& machine, double current_a,
@@ -25,10 +30,9 @@ Answer forecast_current(const Machine& machine, double current_a,
     return protocol::out_of_range("current_a", machine.limits().current_a, current_a);
   }
   if (!direction) {
-    const model::Forecast f =
-        machine.forecaster().forecast_worst_coil(machine.forecast_start(), current_a);
-    return protocol::ForecastResult{f.seconds_to_derating, f.seconds_to_limit, f.sustainable_a,
-                                    f.recovery_s};
+    return forecast_result(
+        machine, machine.forecaster().forecast_worst_coil(machine.forecast_start(), current_a),
+        current_a);
   }
   const auto towards = protocol::resolve(*direction, machine.array(), "direction");
   if (towards.has_error()) {
@@ -39,9 +43,11 @@ Answer forecast_current(const Machine& machine, double current_a,
   return forecast_of(machine, model::AskedCurrents::constant(currents.a));
 }
 
-Answer forecast_spec(const Machine& machine, const model::EffectSpec& spec) {
+Answer forecast_spec(const Machine& machine, const model::EffectSpec& spec,
+                     const KeyframeScore* score) {
   return forecast_of(
-      machine, load_of(spec, machine.config().device.coils, machine.now().orientation).asked());
+      machine,
+      load_of(spec, score, machine.config().device.coils, machine.now().orientation).asked());
 }
 
 RpcError no_imu(std::string_view field) {
@@ -60,15 +66,14 @@ Outcome thermal_forecast(Call& call, const protocol::ThermalForecast& request) {
     return forecast_current(machine, *request.current_a, request.direction);
   }
   if (request.start) {
-    const auto spec = make_spec(
-        protocol::effect_of(request.start->method).value(),
-        protocol::with_defaults(request.start->method, request.start->params), spec_facts(call));
-    return spec.has_error() ? Answer(spec.error()) : forecast_spec(machine, *spec);
+    const auto plan = plan_start(call, *request.start);
+    return plan.has_error() ? Answer(plan.error())
+                            : forecast_spec(machine, plan->spec, plan->score.get());
   }
   const control::EffectId number = request.effect.value_or(0);
   const Effect* effect = call.services.effects.any(number);
   return effect == nullptr ? Answer(protocol::no_such_effect(number))
-                           : forecast_spec(machine, effect->spec);
+                           : forecast_spec(machine, effect->spec, effect->score.get());
 }
 
 Outcome orientation_set(Call& call, const protocol::OrientationSet& request) {
@@ -99,11 +104,11 @@ Outcome orientation_recenter(Call& call, const protocol::OrientationRecenter& re
   const auto seq =
       call.machine().outbox().add(call.session.id, control::Recenter{request.azimuth_deg});
   if (!seq) {
-    return Answer(queue_full());
+    return Answer(queue_full(call.machine().outbox()));
   }
   return Deferred{[seq = *seq](Services& services, bool give_up) -> std::optional<Answer> {
     if (give_up) {
-      return Answer(protocol::busy("the control loop does not answer", 1000));
+      return Answer(control_stuck());
     }
     if (services.machine.now().applied_seq < seq) {
       return std::nullopt;

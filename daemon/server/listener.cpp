@@ -29,6 +29,18 @@ using Local = asio::local::stream_protocol;
 
 /// What the kernel may hold for a slow reader, so that telemetry does not age there.
 constexpr int kSendBufferBytes = 256 * 1024;
+/// At once, besides WebSockets; a browser opens up to six.
+constexpr int kMaxHttpClients = 64;
+/// More than `connections.max`, so that no crowd on TCP keeps anybody from the emergency stop:
+/// places for pages, and further ones for the Unix socket.
+constexpr std::size_t kMorePages = 8;
+constexpr std::size_t kMoreOnUnix = 8;
+
+std::size_t places(const Session& session, std::size_t max) {
+  const bool unix = session.transport == "unix";
+  const bool page = session.transport == "websocket";
+  return max + (unix || page ? kMorePages : 0u) + (unix ? kMoreOnUnix : 0u);
+}
 
 std::string text(const Tcp::endpoint& endpoint) {
   return config::to_string({endpoint.address().to_string(), endpoint.port()});
@@ -57,20 +69,31 @@ Session session_of(Local::socket&) {
 Listener::Listener(asio::io_context& io, const config::Config& config)
     : io_(io),
       settings_(config.connections),
-      simulated_(config.backend == config::Backend::kSimulator) {}
+      simulated_(config.backend == config::Backend::kSimulator),
+      http_settings_(config.http) {}
 
 Listener::~Listener() { remove_if_ours(unix_path_, unix_inode_); }
 
-void Listener::open(const config::ListenSettings& listen) {
-  for (const config::ListenAddress& address : listen.tcp) {
-    open_tcp(address);
+void Listener::open(const config::Config& config) {
+  for (const config::ListenAddress& address : config.listen.tcp) {
+    if (auto acceptor = open_tcp(address, "--listen")) {
+      addresses_.push_back(text(acceptor->local_endpoint()));
+      tcp_.push_back(*std::move(acceptor));
+    }
   }
-  if (!listen.unix_socket.empty()) {
-    open_unix(listen.unix_socket);
+  if (config.http.listen) {
+    http_ = open_tcp(*config.http.listen, "http.listen in the configuration");
+  }
+  if (http_) {
+    addresses_.push_back("http://" + text(http_->local_endpoint()));
+  }
+  if (!config.listen.unix_socket.empty()) {
+    open_unix(config.listen.unix_socket);
   }
 }
 
-void Listener::open_tcp(const config::ListenAddress& wanted) {
+std::optional<Tcp::acceptor> Listener::open_tcp(const config::ListenAddress& wanted,
+                                                const char* remedy) {
   const std::string name = config::to_string(wanted);
   error_code ec;
   const auto address = asio::ip::make_address(wanted.host, ec);
@@ -85,7 +108,7 @@ void Listener::open_tcp(const config::ListenAddress& wanted) {
   acceptor.open(endpoint.protocol(), ec);
   if (address.is_v6() && (ec == asio::error::address_family_not_supported)) {
     spdlog::warn("{}: this machine has no IPv6; left out", name);
-    return;
+    return std::nullopt;
   }
   if (!ec) {
     acceptor.set_option(Tcp::acceptor::reuse_address(true), ec);
@@ -98,7 +121,7 @@ void Listener::open_tcp(const config::ListenAddress& wanted) {
   }
   if (address.is_v6() && ec == boost::system::errc::address_not_available) {
     spdlog::warn("{}: this machine has no IPv6 loopback; left out", name);
-    return;
+    return std::nullopt;
   }
   if (!ec) {
     acceptor.listen(asio::socket_base::max_listen_connections, ec);
@@ -106,13 +129,13 @@ void Listener::open_tcp(const config::ListenAddress& wanted) {
   if (ec == asio::error::address_in_use) {
     throw std::runtime_error(name +
                              ": something listens there already, another hedgehogd perhaps; "
-                             "end it, or take another port with --listen");
+                             "end it, or take another port with " +
+                             remedy);
   }
   if (ec) {
     throw std::runtime_error(name + ": " + ec.message());
   }
-  addresses_.push_back(text(acceptor.local_endpoint()));
-  tcp_.push_back(std::move(acceptor));
+  return acceptor;
 }
 
 void Listener::open_unix(const std::string& path) {
@@ -137,22 +160,43 @@ void Listener::open_unix(const std::string& path) {
 }
 
 void Listener::start(Server& server) {
+  server_ = &server;
+  const auto line = [this](auto socket) {
+    Session session = session_with(socket);
+    let_in(LineConnection::Socket(std::move(socket)), std::move(session));
+  };
   for (Tcp::acceptor& acceptor : tcp_) {
-    asio::co_spawn(io_, accept(acceptor, server), asio::detached);
+    asio::co_spawn(io_, accept(acceptor, line), asio::detached);
   }
   if (unix_) {
-    asio::co_spawn(io_, accept(*unix_, server), asio::detached);
+    asio::co_spawn(io_, accept(*unix_, line), asio::detached);
   }
+  if (!http_) {
+    return;
+  }
+  http_door_.emplace(
+      HttpDoor{Website(server, http_settings_.pages, http_settings_.allow_origins), server,
+               settings_.queue_bytes,
+               [this](Tcp::socket& socket) -> std::optional<Session> {
+                 Session session = session_with(socket);
+                 session.transport = "websocket";
+                 return has_room(session) ? std::optional(std::move(session)) : std::nullopt;
+               },
+               [this](const std::shared_ptr<Connection>& connection) { enter(connection); }});
+  asio::co_spawn(io_,
+                 accept(*http_, [this](Tcp::socket socket) { let_in_http(std::move(socket)); }),
+                 asio::detached);
 }
 
-template <class Acceptor>
-asio::awaitable<void> Listener::accept(Acceptor& acceptor, Server& server) {
+template <class AnyAcceptor, class LetIn>
+asio::awaitable<void> Listener::accept(AnyAcceptor& acceptor, LetIn let_in) {
   while (acceptor.is_open()) {
     error_code ec;
     auto socket = co_await acceptor.async_accept(asio::redirect_error(asio::use_awaitable, ec));
     if (!ec) {
-      Session session = session_of(socket);
-      let_in(Connection::Socket(std::move(socket)), std::move(session), server);
+      error_code ignored;
+      socket.set_option(asio::socket_base::send_buffer_size(kSendBufferBytes), ignored);
+      let_in(std::move(socket));
     } else if (acceptor.is_open()) {
       // Out of file descriptors, as a rule: those who are there stay served.
       spdlog::warn("cannot let a client in: {}", ec.message());
@@ -162,35 +206,69 @@ asio::awaitable<void> Listener::accept(Acceptor& acceptor, Server& server) {
   }
 }
 
-void Listener::let_in(Connection::Socket socket, Session session, Server& server) {
-  error_code ignored;
-  socket.set_option(asio::socket_base::send_buffer_size(kSendBufferBytes), ignored);
-  connections_.remove_if([](const auto& c) { return c.expired(); });
-  if (server.connections() >= settings_.max) {
-    spdlog::warn("a client from {} is turned away: {} are connected already",
-                 session.address.value_or(session.transport), settings_.max);
+template <class AnySocket>
+Session Listener::session_with(AnySocket& socket) const {
+  Session session = session_of(socket);
+  // Nobody can be hurt on the simulator: whoever comes may do everything.
+  session.role = simulated_ ? protocol::Role::kOperate : session.role;
+  session.batch_bytes = settings_.queue_bytes / 2;
+  return session;
+}
+
+bool Listener::has_room(const Session& session) {
+  if (closing_) {
+    return false;
+  }
+  const auto here = server_->connections();
+  if (here < places(session, settings_.max)) {
+    return true;
+  }
+  ++server_->counters().rejected["cap"];
+  spdlog::warn("a client from {} is turned away: {} are connected already",
+               session.address.value_or(session.transport), here);
+  return false;
+}
+
+void Listener::let_in(LineConnection::Socket socket, Session session) {
+  if (!has_room(session)) {
     const std::string line =
         protocol::encode_error({}, protocol::busy("too many clients are connected", 1000)) + "\n";
+    error_code ignored;
     socket.non_blocking(true, ignored);
     socket.send(asio::buffer(line), 0, ignored);
     return;
   }
-  if (simulated_) {
-    session.role = protocol::Role::kOperate;
-  }
-  const auto connection = std::make_shared<Connection>(std::move(socket), server,
-                                                       std::move(session), settings_.queue_bytes);
-  connections_.push_back(connection);
+  const auto connection = std::make_shared<LineConnection>(
+      std::move(socket), *server_, std::move(session), settings_.queue_bytes);
+  enter(connection);
   connection->start();
 }
 
+void Listener::let_in_http(Tcp::socket socket) {
+  if (http_clients_ >= kMaxHttpClients) {
+    ++server_->counters().rejected["cap"];
+    return;
+  }
+  ++http_clients_;
+  asio::co_spawn(io_, serve_http(std::move(socket), *http_door_),
+                 [this](const std::exception_ptr&) { --http_clients_; });
+}
+
+void Listener::enter(const std::shared_ptr<Connection>& connection) {
+  connections_.remove_if([](const auto& c) { return c.expired(); });
+  connections_.push_back(connection);
+}
+
 void Listener::close() {
+  closing_ = true;
+  error_code ignored;
   for (Tcp::acceptor& acceptor : tcp_) {
-    error_code ignored;
     acceptor.close(ignored);
   }
+  if (http_) {
+    http_->close(ignored);
+  }
   if (unix_) {
-    error_code ignored;
     unix_->close(ignored);
   }
   remove_if_ours(unix_path_, unix_inode_);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Doors: TCP on loopback and a Unix socket. Everybody who comes in becomes a Connection.
+// Doors: TCP on loopback, a Unix socket, and HTTP on loopback. Everybody who comes in becomes a
+// Connection; on HTTP, who asks for a WebSocket.
 #pragma once
 
 #include <boost/asio/awaitable.hpp>
@@ -15,6 +16,8 @@
 
 #include "daemon/config/config.h"
 #include "daemon/server/connection.h"
+#include "daemon/server/http/http_connection.h"
+#include "daemon/server/line_connection.h"
 #include "daemon/server/server.h"
 
 namespace hedgehog::server {
@@ -25,9 +28,10 @@ class Listener {
   Listener(boost::asio::io_context& io, const config::Config& config);
   ~Listener();
 
-  /// Opens every address of `listen`. Throws std::runtime_error with a sentence for a person.
-  void open(const config::ListenSettings& listen);
-  /// Where it waits: "127.0.0.1:7586", "/run/hedgehog/hedgehogd.sock".
+  /// Opens every address of `listen` and `http`. Throws std::runtime_error with a sentence for a
+  /// person.
+  void open(const config::Config& config);
+  /// Where it waits: "127.0.0.1:7586", "http://127.0.0.1:7587", "/run/hedgehog/hedgehogd.sock".
   const std::vector<std::string>& addresses() const noexcept { return addresses_; }
   /// Lets clients in. `server` must outlive the io_context's work.
   void start(Server& server);
@@ -38,16 +42,31 @@ class Listener {
   void set_config(const config::Config& config) noexcept { settings_ = config.connections; }
 
  private:
-  void open_tcp(const config::ListenAddress& address);
+  using Acceptor = boost::asio::ip::tcp::acceptor;
+  /// nullopt: this machine has no IPv6.
+  std::optional<Acceptor> open_tcp(const config::ListenAddress& address, const char* remedy);
   void open_unix(const std::string& path);
-  template <class Acceptor>
-  boost::asio::awaitable<void> accept(Acceptor& acceptor, Server& server);
-  void let_in(Connection::Socket socket, Session session, Server& server);
+  template <class AnyAcceptor, class LetIn>
+  boost::asio::awaitable<void> accept(AnyAcceptor& acceptor, LetIn let_in);
+  template <class AnySocket>
+  Session session_with(AnySocket& socket) const;
+  void let_in(LineConnection::Socket socket, Session session);
+  void let_in_http(boost::asio::ip::tcp::socket socket);
+  /// One more; false, and counted, when all places are taken; false when this daemon is about to
+  /// end.
+  bool has_room(const Session& session);
+  void enter(const std::shared_ptr<Connection>& connection);
 
   boost::asio::io_context& io_;
   config::ConnectionSettings settings_;
   bool simulated_;
-  std::list<boost::asio::ip::tcp::acceptor> tcp_;
+  config::HttpSettings http_settings_;
+  std::list<Acceptor> tcp_;
+  std::optional<Acceptor> http_;
+  std::optional<HttpDoor> http_door_;
+  Server* server_ = nullptr;
+  int http_clients_ = 0;
+  bool closing_ = false;
   std::optional<boost::asio::local::stream_protocol::acceptor> unix_;
   std::string unix_path_;
   std::uint64_t unix_inode_ = 0;

@@ -9,6 +9,8 @@ namespace {
 
 using model::Vec3;
 
+constexpr double kMsPerTick = 1e3 * model::kTickSeconds;
+
 /// Mean over one period as a fraction of the peak; every waveform runs between 0 and 1.
 double mean_fraction(const model::EffectSpec& spec) noexcept {
   switch (spec.waveform) {
@@ -35,6 +37,41 @@ Vec3 in_windings(const model::EffectSpec& spec, const Vec3& device_direction,
 
 Vec3 squares(const Vec3& v) noexcept { return {v.x * v.x, v.y * v.y, v.z * v.z}; }
 
+/// How much of its pattern is played, ms at rate 1.
+double played_ms(const model::EffectSpec& spec, double length_ms) noexcept {
+  const model::Score& score = spec.trajectory.score;
+  return score.loop || spec.duration <= 0
+             ? length_ms
+             : std::min(length_ms, static_cast<double>(spec.duration) * kMsPerTick * score.rate);
+}
+
+/// The wave runs independently of the key frames.
+Load load_of_score(const model::EffectSpec& spec, const KeyframeScore& score,
+                   const model::CoilModel& coils,
+                   const model::Quaternion& device_to_world) noexcept {
+  const auto turned = [&](const Vec3& v) {
+    return in_windings(
+        spec, in_device(spec, model::rotate(spec.trajectory.score.turn, v), device_to_world),
+        coils);
+  };
+  const double asked_a = spec.strength_a * spec.gain;
+  const double rms = model::rms_fraction(spec);
+  const Moments mean = score.mean_over(played_ms(spec, score.length_ms()));
+  Load load;
+  load.mean_a = (asked_a * mean_fraction(spec)) * turned(mean.first);
+  // Diagonal of T M T' for the linear map T = `turned`.
+  const Vec3 x = turned({1, 0, 0});
+  const Vec3 y = turned({0, 1, 0});
+  const Vec3 z = turned({0, 0, 1});
+  for (int coil = 0; coil < model::kCoils; ++coil) {
+    const Vec3 row{x[coil], y[coil], z[coil]};
+    const double square = asked_a * asked_a * rms * rms * dot(row, mean.second * row);
+    load.variance_a2[coil] = square - load.mean_a[coil] * load.mean_a[coil];
+  }
+  load.varying_a = peak_a(spec, &score);
+  return load;
+}
+
 }  // namespace
 
 model::AskedCurrents Load::asked() const noexcept {
@@ -54,8 +91,15 @@ Load scaled(const Load& load, double factor) noexcept {
           factor * load.varying_a};
 }
 
-Load load_of(const model::EffectSpec& spec, const model::CoilModel& coils,
-             const model::Quaternion& device_to_world) noexcept {
+double peak_a(const model::EffectSpec& spec, const KeyframeScore* score) noexcept {
+  return spec.strength_a * spec.gain * (score != nullptr ? score->peak : 1.0);
+}
+
+Load load_of(const model::EffectSpec& spec, const KeyframeScore* score,
+             const model::CoilModel& coils, const model::Quaternion& device_to_world) noexcept {
+  if (score != nullptr) {
+    return load_of_score(spec, *score, coils, device_to_world);
+  }
   const model::Ring ring = model::ring_of(spec.trajectory);
   const int steps = std::max(1, ring.steps);
   Vec3 mean_direction;
@@ -81,10 +125,13 @@ Load load_of(const model::EffectSpec& spec, const model::CoilModel& coils,
   return load;
 }
 
-Vec3 onset_direction(const model::EffectSpec& spec, const model::CoilModel& coils,
+Vec3 onset_direction(const model::EffectSpec& spec, const KeyframeScore* score,
+                     const model::CoilModel& coils,
                      const model::Quaternion& device_to_world) noexcept {
-  const Vec3 direction =
-      in_device(spec, model::direction_at(model::ring_of(spec.trajectory), {}), device_to_world);
+  const Vec3 own = score != nullptr
+                       ? model::rotate(spec.trajectory.score.turn, score->peak_direction)
+                       : model::direction_at(model::ring_of(spec.trajectory), {});
+  const Vec3 direction = in_device(spec, own, device_to_world);
   return spec.frame == model::Frame::kCoil
              ? model::unit_or(model::field_of({direction}, coils).a, direction)
              : direction;

@@ -3,6 +3,7 @@
 // every admission.
 #pragma once
 
+#include "daemon/server/score.h"
 #include "model/coils.h"
 #include "model/effect.h"
 #include "model/forecast.h"
@@ -25,15 +26,20 @@ struct Load {
 };
 
 /// As if it played on for ever with neither attack nor fade. World-frame effects as the ball lies
-/// now.
-Load load_of(const model::EffectSpec& spec, const model::CoilModel& coils,
-             const model::Quaternion& device_to_world) noexcept;
+/// now. `score`: its key frames, nullptr when it has none.
+Load load_of(const model::EffectSpec& spec, const KeyframeScore* score,
+             const model::CoilModel& coils, const model::Quaternion& device_to_world) noexcept;
+
+/// The most that the effect asks for, A.
+double peak_a(const model::EffectSpec& spec, const KeyframeScore* score) noexcept;
 
 /// `load` through the owner's gain and the sum's limit.
 Load scaled(const Load& load, double factor) noexcept;
 
-/// Where the effect begins: a unit vector in the device frame.
-model::Vec3 onset_direction(const model::EffectSpec& spec, const model::CoilModel& coils,
+/// Where the effect begins, or where its strongest key frame points: a unit vector in the device
+/// frame.
+model::Vec3 onset_direction(const model::EffectSpec& spec, const KeyframeScore* score,
+                            const model::CoilModel& coils,
                             const model::Quaternion& device_to_world) noexcept;
 
 }  // namespace hedgehog::server

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "daemon/control/board_check.h"
 #include "model/rearm.h"
 
 namespace hedgehog::server {
@@ -67,8 +68,19 @@ model::ForecastStart Machine::forecast_start() const noexcept {
   return start;
 }
 
-RemedyFacts Machine::remedy_facts() const noexcept {
-  return {model::rearm_below_c(config_.limits, snapshot_.thermal.room_c), simulated()};
+bool Machine::skin_reduces(double current_a) const noexcept {
+  constexpr double kEpsilonA = 1e-6;
+  return config_.thermometer.role == device::ThermometerRole::kShell &&
+         current_a > snapshot_.limit_a + kEpsilonA;
+}
+
+bool Machine::board_holds_back() const noexcept {
+  return !(control::limits_within(config_.limits, snapshot_.board) == config_.limits);
+}
+
+RemedyFacts Machine::remedy_facts() const {
+  return {model::rearm_below_c(config_.limits, snapshot_.thermal.room_c), simulated(),
+          board().trouble};
 }
 
 std::optional<std::string> Machine::remedy_now() const {

@@ -4,8 +4,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "daemon/config/config.h"
 #include "daemon/control/mailbox.h"
@@ -18,6 +20,15 @@
 #include "model/pin_array.h"
 
 namespace hedgehog::server {
+
+/// The driver board as the bus shows it.
+struct BoardSeen {
+  /// Why one that is connected is not used; empty: nothing speaks against it.
+  std::string trouble;
+  /// Of the one that is in use; nullopt: it does not say, or there is none.
+  std::optional<std::string> serial;
+  std::optional<std::string> firmware;
+};
 
 /// io thread only.
 class Machine {
@@ -39,12 +50,19 @@ class Machine {
   /// configuration.
   void set_config(const config::Config& config);
   const model::Limits& limits() const noexcept { return config_.limits; }
+  /// The board still keeps to tighter limits than these, of an earlier configuration.
+  bool board_holds_back() const noexcept;
   bool simulated() const noexcept { return config_.backend == config::Backend::kSimulator; }
   const model::PinArray& array() const noexcept { return array_; }
   const model::PinCurves& pin_curves() const noexcept { return pin_curves_; }
   const model::Forecaster& forecaster() const noexcept { return forecaster_; }
   model::ForecastStart forecast_start() const noexcept;
-  RemedyFacts remedy_facts() const noexcept;
+  /// A thermometer on the ball's skin allows less than `current_a` now; no forecast knows the skin.
+  bool skin_reduces(double current_a) const noexcept;
+  RemedyFacts remedy_facts() const;
+  /// `look`: how to see the board on its bus.
+  void watch_board(std::function<BoardSeen()> look) { look_at_board_ = std::move(look); }
+  BoardSeen board() const { return look_at_board_ ? look_at_board_() : BoardSeen{}; }
   /// Why the ball is not armed, as a sentence; nullopt when it is.
   std::optional<std::string> remedy_now() const;
 
@@ -81,6 +99,7 @@ class Machine {
   control::StatusSnapshot snapshot_;
   device::SimulatorSettings simulator_;
   device::OrientationSample orientation_;
+  std::function<BoardSeen()> look_at_board_;
   double mean_current_a_ = 0.0;
   double asked_gain_ = 1.0;
   std::uint64_t gain_seq_ = 0;

@@ -4,19 +4,25 @@
 #include <array>
 #include <utility>
 
+#include "daemon/device/tick_clock.h"
+
 namespace hedgehog::server {
 
+bool Outbox::room(ConnectionId owner, std::size_t count) const {
+  const auto each = waiting_each_.find(owner);
+  const std::size_t own = each == waiting_each_.end() ? 0 : each->second;
+  const bool room_for_all = waiting_ + count <= kMaxWaiting && own + count <= kMaxWaitingEach;
+  return !exceeds_group(count) && (room_for_all || own + count <= kAlwaysEach);
+}
+
 std::optional<std::uint64_t> Outbox::add(ConnectionId owner, const What& what) {
-  if (waiting_ >= kMaxWaiting || open_.size() >= control::kMaxCommandsPerTick) {
+  if (!room(owner, 1)) {
     return std::nullopt;
   }
-  std::size_t& each = waiting_each_[owner];
-  if (each >= kMaxWaitingEach) {
-    return std::nullopt;
-  }
-  ++each;
+  ++waiting_each_[owner];
   ++waiting_;
   open_.push_back({owner, {++last_seq_, what}});
+  mailbox_.request_times.asked(last_seq_, device::monotonic_ns());
   return last_seq_;
 }
 

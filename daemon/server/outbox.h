@@ -22,9 +22,17 @@ class Outbox {
   using What = decltype(control::Command::what);
   static constexpr std::size_t kMaxWaiting = 512;
   static constexpr std::size_t kMaxWaitingEach = 128;
+  /// Whoever has no more than these waiting finds room, however many others flood.
+  static constexpr std::size_t kAlwaysEach = 8;
 
   explicit Outbox(control::Mailbox& mailbox) : mailbox_(mailbox) {}
 
+  /// Whether `count` more commands of `owner` find room in the open group.
+  bool room(ConnectionId owner, std::size_t count) const;
+  /// Whether `count` more would be too many for the open group, however patient their owner is.
+  bool exceeds_group(std::size_t count) const noexcept {
+    return open_.size() + count > control::kMaxCommandsPerTick;
+  }
   /// Adds a command of `owner` to the open group and returns its seq; nullopt: no room, `busy`.
   std::optional<std::uint64_t> add(ConnectionId owner, const What& what);
   /// Closes the group and hands over what fits.

@@ -30,7 +30,7 @@ std::string first_step(Reason reason, const RemedyFacts& facts) {
     case Reason::kBridgeFault:
       return "Unplug the ball and have the bridges of its board checked";
     case Reason::kCurrentMismatch:
-      return "Check the plugs of the three coils";
+      return "Check the plugs of the three coils, and r25_ohm in the device file";
     case Reason::kBoardOverCurrent:
       return "Check the coils for a short";
     case Reason::kFanStopped:
@@ -66,6 +66,9 @@ std::optional<std::string> remedy(control::State state, Reason reason, const Rem
     return std::nullopt;
   }
   if (state == control::State::kAbsent) {
+    if (!facts.board_trouble.empty()) {
+      return "The board is not used: " + facts.board_trouble;
+    }
     return facts.simulated ? "Let the simulated board answer again: sim.set with an empty fault"
                            : "Plug in the ball, or run without one: hedgehogd --simulate";
   }

@@ -14,6 +14,8 @@ struct RemedyFacts {
   /// Below this temperature a ball that overheated can be armed again.
   double rearm_c = 45.0;
   bool simulated = false;
+  /// Why a board that is connected is not used; empty: none is, or it is used.
+  std::string board_trouble{};
 };
 
 /// nullopt: nothing is wrong.

@@ -6,7 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "daemon/server/event_history.h"
 #include "daemon/server/event_view.h"
+#include "daemon/server/trip_recordings.h"
 #include "protocol/server_codec.h"
 
 namespace hedgehog::server {
@@ -20,11 +22,13 @@ bool wants(const EventSubscription& subscription, std::string_view type) {
 
 }  // namespace
 
-Server::Server(Machine& machine, Memory& memory, EventListener listener)
+Server::Server(Machine& machine, Memory& memory, PatternLibrary& patterns, EventHistory& history,
+               EventListener listener, WallClock wall_clock)
     : machine_(machine),
       listener_(std::move(listener)),
+      wall_clock_(std::move(wall_clock)),
       status_(machine, effects_),
-      services_{machine, effects_, claim_, status_, memory},
+      services_{machine, effects_, keyframes_, patterns, history, claim_, status_, memory},
       dispatcher_(services_) {}
 
 void Server::open(Session& session) {
@@ -76,11 +80,17 @@ void Server::line(Session& session, std::string_view text) {
 
 void Server::pump() {
   machine_.refresh();
+  if (machine_.now().tick != last_tick_) {
+    last_tick_ = machine_.now().tick;
+    ticked_ = std::chrono::steady_clock::now();
+  }
+  keyframes_.applied(machine_.now().applied_seq);
   take_events();
   machine_.outbox().flush();
   dispatcher_.poll();
   let_go();
   send_telemetry();
+  services_.history.pump(wall_clock_());
 }
 
 bool Server::busy() const noexcept {
@@ -95,11 +105,20 @@ void Server::take_events() {
   while (machine_.mailbox().events.pop(event)) {
     if (event.type == control::EventType::kEffectEnded) {
       const std::optional<Effect> effect = effects_.ended(event.place, event.effect);
+      if (effect) {
+        ++counters().effects[{protocol::name(effect->method), control::name(event.end_reason)}];
+      }
+      if (effect && effect->score) {
+        keyframes_.let_go(effect->spec.trajectory.score.first);
+      }
       tell(event, effect ? &*effect : nullptr);
     } else if (event.type == control::EventType::kEffectStarted) {
       effects_.begun(event.place, event.effect);
       tell(event, effects_.at(event.place, event.effect));
     } else {
+      if (event.trip) {
+        ++counters().trips[control::name(event.reason)];
+      }
       tell(event, nullptr);
     }
   }
@@ -125,6 +144,17 @@ void Server::tell(const control::Event& event, const Effect* effect) {
   if (listener_) {
     listener_(event, effect);
   }
+  // After the listener, who makes a latch safe first.
+  if (view) {
+    remember(*view, event, effect);
+  }
+}
+
+void Server::remember(const protocol::Event& view, const control::Event& event,
+                      const Effect* effect) {
+  TripRecordings* recordings = services_.recordings;
+  const unsigned recording = recordings != nullptr && event.trip ? recordings->tripped() : 0;
+  services_.history.record(view, wall_clock_(), effect, recording);
 }
 
 void Server::send_telemetry() {
@@ -154,10 +184,12 @@ void Server::send_telemetry() {
 }
 
 void Server::say_shutting_down(std::string reason) {
+  services_.leaving = true;
   protocol::Event event;
   event.type = "shutting_down";
   event.time_ns = machine_.time_ns(machine_.now().tick);
   event.reason = std::move(reason);
+  services_.history.record(event, wall_clock_(), nullptr);
   const std::string line = protocol::encode_event(event);
   for (const auto& [id, session] : services_.sessions) {
     if (session->events && wants(*session->events, event.type)) {

@@ -3,6 +3,8 @@
 // telemetry. Lives on the io thread.
 #pragma once
 
+#include <chrono>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -11,6 +13,7 @@
 #include "daemon/server/claim.h"
 #include "daemon/server/dispatcher.h"
 #include "daemon/server/effect_registry.h"
+#include "daemon/server/keyframe_room.h"
 #include "daemon/server/machine.h"
 #include "daemon/server/services.h"
 #include "daemon/server/session.h"
@@ -24,7 +27,17 @@ class Server {
   /// clients were told. `effect`: nullptr for other events.
   using EventListener = std::function<void(const control::Event&, const Effect* effect)>;
 
-  Server(Machine& machine, Memory& memory, EventListener listener);
+  /// Milliseconds since 1970, for what is remembered.
+  using WallClock = std::function<std::int64_t()>;
+
+  Server(Machine& machine, Memory& memory, PatternLibrary& patterns, EventHistory& history,
+         EventListener listener, WallClock wall_clock);
+
+  /// Who looks for device.list; outlives the server.
+  void set_devices(DeviceLooker& devices) noexcept { services_.devices = &devices; }
+
+  /// Who records trips; outlives the server.
+  void set_recordings(TripRecordings& recordings) noexcept { services_.recordings = &recordings; }
 
   /// A client has come. `session` and its sink stay until `close`.
   void open(Session& session);
@@ -38,10 +51,19 @@ class Server {
 
   /// Takes what the control thread has to say and passes it on.
   void pump();
+  /// Answers are still to come.
+  bool owes() const noexcept { return dispatcher_.waiting(); }
   /// Somebody waits for the next tick: pump again in a millisecond.
   bool busy() const noexcept;
 
   std::size_t connections() const noexcept { return services_.sessions.size(); }
+  const Services& services() const noexcept { return services_; }
+  Counters& counters() noexcept { return services_.counters; }
+  protocol::Status status() { return status_.status(false); }
+  /// Since the control thread was last seen to tick.
+  std::chrono::steady_clock::duration control_silent() const noexcept {
+    return std::chrono::steady_clock::now() - ticked_;
+  }
   /// Tells everybody who listens to events.
   void say_shutting_down(std::string reason);
   Machine& machine() noexcept { return machine_; }
@@ -50,17 +72,22 @@ class Server {
   void let_go();
   void take_events();
   void tell(const control::Event& event, const Effect* effect);
+  void remember(const protocol::Event& view, const control::Event& event, const Effect* effect);
   void send_telemetry();
 
   Machine& machine_;
   EventListener listener_;
+  WallClock wall_clock_;
   EffectRegistry effects_;
+  KeyframeRoom keyframes_;
   Claim claim_;
   StatusView status_;
   Services services_;
   Dispatcher dispatcher_;
   std::vector<ConnectionId> leaving_;
   ConnectionId last_id_ = 0;
+  model::Tick last_tick_ = 0;
+  std::chrono::steady_clock::time_point ticked_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace hedgehog::server

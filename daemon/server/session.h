@@ -2,6 +2,7 @@
 // One client as the server knows it: who it is, what it may do and what it wants to hear.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -51,6 +52,8 @@ struct Session {
   std::optional<TelemetrySubscription> telemetry;
   std::optional<EventSubscription> events;
   Sink* sink = nullptr;
+  /// A batch whose answers are longer is not carried out further.
+  std::size_t batch_bytes = std::size_t{512} << 10;
 };
 
 }  // namespace hedgehog::server

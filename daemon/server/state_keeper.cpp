@@ -3,11 +3,14 @@
 
 #include <spdlog/spdlog.h>
 
+#include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <mutex>
+#include <system_error>
 #include <utility>
 
 #include "model/thermal_flow.h"
@@ -22,19 +25,86 @@ constexpr double kWarmK = 2.0;
 /// By then the snapshot has every latch that an event or a request has told of.
 constexpr model::Tick kLatchSeen = 200;
 
-double wall_time_s() {
-  using Seconds = std::chrono::duration<double>;
-  return Seconds(std::chrono::system_clock::now().time_since_epoch()).count();
-}
+constexpr const char* kAsAfterACrash = "; the next start counts as one after a crash";
 
 bool finite(const model::ThermalState& heat) {
   return std::isfinite(heat.core_c) && std::isfinite(model::hottest_winding(heat));
 }
 
+std::string path_in(const std::string& directory) {
+  return (std::filesystem::path(directory) / kFile).string();
+}
+
 }  // namespace
 
+/// Only the disk thread writes, and who makes it before that.
+class StateKeeper::File {
+ public:
+  /// `orderly`: what is there tells of an orderly stop.
+  File(std::string path, bool orderly) : path_(std::move(path)), orderly_(orderly) {}
+
+  /// In place of what was there. A file that tells of an orderly stop does not outlive a state that
+  /// is none and cannot be written: the ball would be armed after a stop that was forgotten. A full
+  /// disk still removes.
+  void write(const SavedState& state, bool last) {
+    const std::string problem = write_file_atomically(path_, encode(state));
+    if (problem.empty()) {
+      orderly_ = state.clean_stop;
+      failed_ = false;
+      return;
+    }
+    if (orderly_ && !state.clean_stop) {
+      std::error_code ec;
+      std::filesystem::remove(path_, ec);
+      orderly_ = ec || !sync_folder(std::filesystem::path(path_).parent_path()).empty();
+    }
+    if (!failed_.exchange(true) || last) {  // one line an episode
+      spdlog::error("{}: the state is not kept{}{}", problem, last ? kAsAfterACrash : "",
+                    orderly_ ? ", but for the old file, which must be removed by hand" : "");
+    }
+  }
+  /// The last write did. Any thread.
+  bool failed() const noexcept { return failed_; }
+
+  /// What is written next; false: something waits for that already.
+  bool put(const SavedState& state, bool last) {
+    const std::lock_guard lock(mutex_);
+    last_ = last_ || last;
+    return !std::exchange(next_, state).has_value();
+  }
+  void drop() {
+    const std::lock_guard lock(mutex_);
+    next_.reset();
+  }
+  void write_next() {
+    std::optional<SavedState> state;
+    bool last = false;
+    {
+      const std::lock_guard lock(mutex_);
+      state.swap(next_);
+      last = last_;
+    }
+    if (state) {
+      write(*state, last);
+    }
+  }
+
+ private:
+  const std::string path_;
+  bool orderly_;
+  std::atomic<bool> failed_{false};
+  std::mutex mutex_;
+  std::optional<SavedState> next_;
+  bool last_ = false;
+};
+
+double wall_time_s() {
+  using Seconds = std::chrono::duration<double>;
+  return Seconds(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
 std::optional<SavedState> load_saved_state(const std::string& directory) {
-  const std::string path = (std::filesystem::path(directory) / kFile).string();
+  const std::string path = path_in(directory);
   std::ifstream file(path, std::ios::binary);
   if (!file) {
     return std::nullopt;
@@ -49,17 +119,14 @@ std::optional<SavedState> load_saved_state(const std::string& directory) {
 
 StateKeeper::StateKeeper(const std::string& directory, DiskThread& disk, const Machine& machine,
                          const std::optional<SavedState>& last)
-    : path_((std::filesystem::path(directory) / kFile).string()),
-      disk_(disk),
+    : disk_(disk),
+      file_(std::make_shared<File>(path_in(directory), last && last->clean_stop)),
       machine_(machine),
       saved_(last.value_or(SavedState{})) {
   // Until the next orderly stop this run counts as one that was cut off.
   saved_.clean_stop = false;
   if (last) {
-    const std::string problem = write_file_atomically(path_, encode(saved_));
-    if (!problem.empty()) {
-      spdlog::error("{}: the state is not kept", problem);
-    }
+    file_->write(saved_, false);
   }
 }
 
@@ -67,6 +134,7 @@ SavedState StateKeeper::current() const {
   const control::StatusSnapshot& now = machine_.now();
   SavedState state = saved_;
   state.latch = now.latch != control::Reason::kNone ? now.latch : asked_latch_;
+  state.clean_stop = stopped_ && state.latch == control::Reason::kNone;
   if (!thermistor_seen_) {
     return state;
   }
@@ -80,7 +148,7 @@ SavedState StateKeeper::current() const {
   return state;
 }
 
-void StateKeeper::pump() {
+void StateKeeper::pump(std::chrono::steady_clock::time_point time) {
   const control::StatusSnapshot& now = machine_.now();
   if (now.tick <= 0) {
     return;  // the control thread has said nothing yet
@@ -92,8 +160,7 @@ void StateKeeper::pump() {
   }
   const bool warm =
       model::hottest_winding(now.thermal.nodes) > now.thermal.room_c + kWarmK || was_warm_;
-  const auto time = std::chrono::steady_clock::now();
-  if (!due_ && !(warm && time - written_ >= kPeriod)) {
+  if (!due_ && !((warm || file_->failed()) && time - written_ >= kPeriod)) {
     return;
   }
   was_warm_ = model::hottest_winding(now.thermal.nodes) > now.thermal.room_c + kWarmK;
@@ -110,14 +177,14 @@ void StateKeeper::state_changed(control::State state) noexcept {
 }
 
 bool StateKeeper::hand_over() {
-  return disk_.post([path = path_, text = encode(saved_)] {
-    static bool failing = false;  // disk thread only; one line an episode
-    const std::string problem = write_file_atomically(path, text);
-    if (!problem.empty() && !failing) {
-      spdlog::error("{}: the state is not kept", problem);
-    }
-    failing = !problem.empty();
-  });
+  if (!file_->put(saved_, stopped_)) {
+    return true;
+  }
+  const bool taken = disk_.post(DiskUse::kSafety, [file = file_] { file->write_next(); });
+  if (!taken) {
+    file_->drop();
+  }
+  return taken;
 }
 
 void StateKeeper::write() {
@@ -126,11 +193,11 @@ void StateKeeper::write() {
 }
 
 void StateKeeper::stopped_cleanly() {
+  stopped_ = true;
   saved_ = current();
-  saved_.clean_stop = saved_.latch == control::Reason::kNone;
-  // Behind what still waits, so that nothing older is written after it or at the same time.
+  // Behind what still waits, so that nothing older is written after it.
   if (!hand_over()) {
-    write_file_atomically(path_, encode(saved_));
+    spdlog::error("the disk is too slow: the state is not kept{}", kAsAfterACrash);
   }
 }
 

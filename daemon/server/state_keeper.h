@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Keeps `state.json` true: every second while the ball is warm, and at once when something latches
-// or the owner changes the gain.
+// or the owner changes the gain. What the disk refuses is tried again each second; meanwhile no
+// file stands there that tells of an orderly stop.
 #pragma once
 
 #include <chrono>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -13,6 +15,9 @@
 #include "daemon/server/services.h"
 
 namespace hedgehog::server {
+
+/// Seconds since 1970 by the clock on the wall, which people may set.
+double wall_time_s();
 
 /// The state file in `directory`; nullopt: there is none. One that is damaged or impossible counts
 /// as heat not known. Start-up only.
@@ -26,10 +31,10 @@ class StateKeeper final : public Memory {
               const std::optional<SavedState>& last);
 
   /// After every pump.
-  void pump();
+  void pump(std::chrono::steady_clock::time_point now = std::chrono::steady_clock::now());
   void state_changed(control::State state) noexcept;
-  /// The last word; on disk at the latest when the disk thread has ended. REQUIRES: the control
-  /// loop has stopped.
+  /// The last word; on disk, or the log says why not, at the latest when the disk thread has ended.
+  /// REQUIRES: the control loop has stopped.
   void stopped_cleanly();
 
   void remember_gain(double gain) override;
@@ -37,17 +42,21 @@ class StateKeeper final : public Memory {
 
  private:
   SavedState current() const;
-  /// `saved_`, to the disk thread; false: it has no room.
+  class File;
+  /// `saved_`, to the disk thread, in place of what it has not begun to write; false: it has no
+  /// room.
   bool hand_over();
   void write();
 
-  std::string path_;
   DiskThread& disk_;
+  /// With the disk thread.
+  std::shared_ptr<File> file_;
   const Machine& machine_;
   SavedState saved_;
   std::chrono::steady_clock::time_point written_{};
   bool due_ = false;
   bool was_warm_ = false;
+  bool stopped_ = false;
   /// Since the start; before it the heat of the last run is the best there is.
   bool thermistor_seen_ = false;
   /// Asked for, not yet seen in a snapshot.

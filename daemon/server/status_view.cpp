@@ -28,7 +28,10 @@ protocol::TemperatureStatus temperature(const StatusSnapshot& s) {
   if (s.sensor_valid) {
     t.sensor = finite(s.board.sensor_c);
   }
-  t.model = finite(model::hottest_winding(s.thermal.nodes));
+  // Infinite until something has measured the ball.
+  if (std::isfinite(s.thermal.hottest_c)) {
+    t.model = finite(model::hottest_winding(s.thermal.nodes));
+  }
   t.coils = s.thermal.nodes.winding_c;
   if (s.board_present) {
     t.age_ms = std::llround(1000.0 * s.sensor_age_s);
@@ -90,17 +93,21 @@ void StatusView::refresh_forecast() {
   const model::ForecastStart start = machine_.forecast_start();
   headroom_s_ =
       machine_.forecaster().seconds_to_derating(start, model::AskedCurrents::constant(s.limited_a));
-  burst_s_ = machine_.forecaster().burst_s(start);
+  burst_s_ = machine_.skin_reduces(machine_.limits().current_a)
+                 ? 0.0
+                 : machine_.forecaster().burst_s(start);
 }
 
 protocol::PinsStatus StatusView::pins() const {
   const StatusSnapshot& s = machine_.now();
-  const model::DeviceModel& device = machine_.config().device;
+  // A real ball is what its file says until somebody measures it.
+  const config::Config& config = machine_.config();
+  const model::DeviceModel& ball = machine_.simulated() ? config.simulated_ball() : config.device;
   // A board that is silent has switched the coils off.
   const model::CoilCurrents flowing{s.board_present ? s.board.current_a : model::Vec3{}};
   model::PinMotion motion =
       model::pin_motion(machine_.array(), machine_.pin_curves(),
-                        model::field_of(flowing, device.coils), device.force_slope_n_a);
+                        model::field_of(flowing, ball.coils), ball.force_slope_n_a);
   return {std::move(motion.force_n), std::move(motion.extension_mm)};
 }
 
@@ -124,6 +131,7 @@ protocol::Status StatusView::status(bool with_pins) {
   if (s.board_present) {
     out.current_a = s.board.current_a;
     out.duty = s.board.duty;
+    out.supply_v = s.board.supply_v;
   }
 
   const model::Vec3 field = field_now(machine_);

@@ -22,9 +22,14 @@ bool WriteQueue::push(std::string line, LineKind kind) {
   return true;
 }
 
-const std::string& WriteQueue::take() {
+const std::string& WriteQueue::take_one() {
   sending_ = std::move(lines_.front().text);
   lines_.pop_front();
+  return sending_;
+}
+
+const std::string& WriteQueue::take() {
+  take_one();
   while (!lines_.empty() && sending_.size() + lines_.front().text.size() <= kChunkBytes) {
     sending_ += lines_.front().text;
     lines_.pop_front();

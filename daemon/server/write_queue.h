@@ -29,6 +29,8 @@ class WriteQueue {
   /// The next lines as one buffer, which stays where it is until `sent`. REQUIRES: !empty(), and
   /// `sent` was called since the last `take`.
   const std::string& take();
+  /// The same with the next line only.
+  const std::string& take_one();
   void sent() noexcept;
 
   /// What waits, the buffer that is being sent included.

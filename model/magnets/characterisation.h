@@ -30,7 +30,8 @@ struct Characterisation {
   bool stable() const noexcept { return rest_mm.has_value(); }
 };
 
-/// Roots and minimum are refined with the exact sum, to 1e-5 mm.
+/// Roots are refined with the exact sum, to 1e-5 mm; where the minimum is, to 1e-3 mm (which moves
+/// its force by no more than 1e-6 N).
 Characterisation characterise(const PinForce& force, const OffsetGrid& grid = kThesisGrid);
 
 /// One for each class.

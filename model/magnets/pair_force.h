@@ -43,8 +43,8 @@ constexpr double clamped(double accuracy) noexcept {
 /// How a force is to be computed.
 struct ForceSettings {
   ForceModel model = ForceModel::kExact;
-  /// How far the result of each pair may be from the model's own exact value, as a part of it.
-  /// (Where the force passes through zero: of what one face alone feels, times 1e-4.)
+  /// How far each pair's result may be from the model's exact value, as a part of it (at a zero: of
+  /// what a face alone feels, times 1e-4). Not reached where magnets all but touch: see `error_n`.
   double accuracy = 1e-6;
 };
 

@@ -78,6 +78,8 @@ std::vector<PinClass> symmetry_classes(const Arrangement& arrangement) {
     classes.push_back({{pin.id}, counted(view.pins_deg), counted(view.shields_deg)});
     views.push_back(std::move(view));
   }
+  // Whoever made the arrangement may have had another order.
+  for (PinClass& pin_class : classes) std::sort(pin_class.pins.begin(), pin_class.pins.end());
   std::stable_sort(classes.begin(), classes.end(), [](const PinClass& a, const PinClass& b) {
     return nearest_deg(a) + kSameAngleDeg < nearest_deg(b);
   });

@@ -244,6 +244,29 @@ TEST(Notify, SendsNoId) {
   EXPECT_EQ(line, R"({"jsonrpc":"2.0","method":"effect.stop","params":{"effect":41}})");
 }
 
+TEST(Ask, DoesNotWaitAndItsAnswersComeWithWhatIsRead) {
+  FakeDaemon daemon([](FakePeer& peer) {
+    peer.read();
+    peer.read();
+    peer.say(R"({"jsonrpc":"2.0","id":1,"result":{"stopped":0,"seq":3}})");
+    peer.say(
+        R"({"jsonrpc":"2.0","id":2,"error":{"code":-32009,"message":"claimed: by another","data":{"name":"claimed"}}})");
+    peer.say(telemetry(5));
+    peer.read();
+    peer.say(R"({"jsonrpc":"2.0","id":3,"result":{"time_ns":43}})");
+  });
+  auto ball = connect(daemon);
+  EXPECT_EQ(ball.ask(protocol::EffectStopAll{}, kLong).value(), protocol::Id::number(1));
+  EXPECT_EQ(ball.ask(protocol::EffectStopAll{}, kLong).value(), protocol::Id::number(2));
+  EXPECT_EQ(time_of(ball.next(kLong).value().value()), 5);
+  EXPECT_TRUE(ball.answer().value().result.has_value());
+  const auto refused = ball.answer().value();
+  EXPECT_EQ(refused.id, protocol::Id::number(2));
+  EXPECT_EQ(refused.result.error().code, protocol::ErrorCode::kClaimed);
+  EXPECT_FALSE(ball.answer().has_value());
+  EXPECT_EQ(ball.call(protocol::Ping{}, kLong).value().time_ns, 43);
+}
+
 TEST(Next, WithoutPatienceTakesOnlyWhatIsThere) {
   FakeDaemon daemon([](FakePeer& peer) {
     peer.read();

@@ -168,6 +168,9 @@ TEST(StatusScreen, SaysWhyItIsTrippedAndWhatToDo) {
 
 TEST(StatusScreen, NeverInventsATemperature) {
   Ball ball = warm_ball();
+  ball.status.temperature_c.thermometer = 38.04;
+  EXPECT_THAT(status_screen(ball, {}),
+              testing::Contains(testing::AllOf(HasSubstr("thermometer"), HasSubstr("38.0 °C"))));
   ball.status.temperature_c = {};
   EXPECT_THAT(status_screen(ball, {}), testing::Contains(HasSubstr("unknown")));
 }

@@ -107,6 +107,28 @@ RC_GTEST_PROP(DeviceFile, AMatrixLoadsExactlyWhenItCanBeInverted, ()) {
   RC_ASSERT(model::norm(back - field) < 1e-6);
 }
 
+TEST(DeviceFile, TheSimulatedBallIsTheDaemonsUnlessAnotherFileSaysOtherwise) {
+  FakeFiles fake = FakeFiles::with_device(R"({"r25_ohm": [0.41, 0.42, 0.43]})");
+  EXPECT_EQ(fake.load()->simulated_ball().coils.r25_ohm[2], 0.43);
+
+  fake = FakeFiles::with(R"({"simulator": {"device": "truth"}})");
+  EXPECT_EQ(fake.errors(),
+            "/etc/hedgehog/hedgehogd.json:1: simulator.device: there is no "
+            "/etc/hedgehog/devices.d/truth.json or /usr/share/hedgehog/devices.d/truth.json\n");
+  std::string& truth = fake.files["/etc/hedgehog/devices.d/truth.json"];
+  truth = R"({"r25_ohm": 1})";
+  EXPECT_EQ(fake.errors().find("/etc/hedgehog/devices.d/truth.json:1: r25_ohm: "), 0u);
+  truth = R"({"r25_ohm": [0.5, 0.4, 0.6]})";
+  const Config before = *fake.load();
+  EXPECT_EQ(before.simulated_ball().coils.r25_ohm[0], 0.5);
+  EXPECT_EQ(before.device.coils.r25_ohm[0], 0.45) << "what is believed is another matter";
+  truth = "{}";
+  EXPECT_FALSE(same_settings(before, *fake.load()));
+
+  fake = FakeFiles::with(R"({"backend": "usb", "simulator": {"device": "gone"}})");
+  EXPECT_EQ(fake.errors(), "") << "what was rehearsed does not stop a daemon of a real ball";
+}
+
 // Overrides a little above and below what the ball bears: what loads is within it.
 RC_GTEST_PROP(DeviceFile, ConfigurationNeverLoosens, ()) {
   constexpr int kAbsent = -100;

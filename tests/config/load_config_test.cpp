@@ -86,15 +86,17 @@ constexpr const char* kEverythingElse = R"({
   "imu": {"type": "external", "serial": "0368248C", "front": "left", "up": "down"},
   "thermometer": {"type": "temper", "role": "shell", "serial": "7"},
   "listen": {"tcp": ["127.0.0.2:0"], "unix": "/tmp/ball.sock"},
-  "http": {"listen": null, "allow_origins": ["https://game.example:8443"]},
-  "connections": {"max": 8, "queue_bytes": 65536}, "telemetry": {"max_rate_hz": 50},
+  "http": {"listen": null, "allow_origins": ["https://game.example:8443"], "pages": "/srv/www"},
+  "connections": {"max": 8, "queue_bytes": 262144}, "telemetry": {"max_rate_hz": 50},
   "log": {"level": "debug"}, "state_directory": "/srv/state", "runtime_directory": "/srv/run",
-  "simulator": {"ambient_c": 18, "start_temperature_c": 53, "process": true, "seed": 4294967295}
+  "simulator": {"ambient_c": 18, "start_temperature_c": 53, "process": true, "seed": 4294967295,
+                "device": "truth"}
 })";
 
 FakeFiles everything_else() {
   FakeFiles fake = FakeFiles::with(kEverythingElse);
   fake.files["/etc/hedgehog/devices.d/mine.json"] = R"({"name": "ball-7"})";
+  fake.files["/usr/share/hedgehog/devices.d/truth.json"] = R"({"r25_ohm": [0.5, 0.4, 0.6]})";
   return fake;
 }
 
@@ -113,13 +115,15 @@ TEST(LoadConfig, EveryKeyArrives) {
   EXPECT_EQ(c.thermometer,
             (ThermometerSettings{ThermometerType::kTemper, device::ThermometerRole::kShell, "7"}));
   EXPECT_EQ(c.listen, (ListenSettings{{{"127.0.0.2", 0}}, "/tmp/ball.sock"}));
-  EXPECT_EQ(c.http, (HttpSettings{std::nullopt, {"https://game.example:8443"}}));
-  EXPECT_EQ(c.connections, (ConnectionSettings{8, 65536}));
+  EXPECT_EQ(c.http, (HttpSettings{std::nullopt, {"https://game.example:8443"}, "/srv/www"}));
+  EXPECT_EQ(c.connections, (ConnectionSettings{8, 262144}));
   EXPECT_EQ(c.telemetry_max_rate_hz, 50);
   EXPECT_EQ(c.log_level, LogLevel::kDebug);
   EXPECT_EQ(c.state_directory, "/srv/state");
   EXPECT_EQ(c.runtime_directory, "/srv/run");
-  EXPECT_EQ(c.simulator, (SimulatorSettings{18, 53, true, 4294967295u}));
+  model::DeviceModel truth;
+  truth.coils.r25_ohm = {0.5, 0.4, 0.6};
+  EXPECT_EQ(c.simulator, (SimulatorSettings{18, 53, true, 4294967295u, "truth", truth}));
 }
 
 TEST(LoadConfig, WhatIsPrintedLoadsBackToTheSame) {

@@ -95,6 +95,13 @@ TEST(Messages, LimitsStayInOrder) {
             kDevice + ":2: limits.sustain_c: must be above limits.derate_from_c (60), not 50\n");
 }
 
+TEST(Messages, OneAddressHasOneListener) {
+  EXPECT_EQ(wrong(R"({"http": {"listen": "127.0.0.1:7586"}})"),
+            kFile + ":1: http.listen: 127.0.0.1:7586 is in listen.tcp too: take another port\n");
+  EXPECT_EQ(wrong(R"({"http": {"listen": "127.0.0.1:0"}, "listen": {"tcp": ["127.0.0.1:0"]}})"),
+            "");
+}
+
 TEST(Messages, ListenersThatOthersCouldReachAreRefused) {
   for (const std::string address :
        {"0.0.0.0:7586", "192.168.1.5:7586", "[::]:7586", "128.0.0.1:1"}) {

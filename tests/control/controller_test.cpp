@@ -124,26 +124,6 @@ TEST(Commands, AppliedSequenceGainAndLimits) {
   EXPECT_NEAR(rig.current_a(), 3.0, 0.02);
 }
 
-TEST(Commands, TheCoilMatrixChangesOnlyWhileDisarmed) {
-  model::CoilModel coils;
-  coils.matrix = {{{-1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  rig::Rig rig;
-  rig.run_until_armed();
-  rig.command(SetCoils{coils});
-  rig.start(rig::hold({1, 0, 0}, 5.0));
-  rig.run(300);
-  EXPECT_NEAR(rig.plant().current_a().x, 5.0, 0.05);
-  rig.emergency_stop();
-  rig.run(50);
-  rig.command(SetCoils{coils});
-  rig.run(50);
-  rig.arm();
-  rig.run(50);
-  rig.start(rig::hold({1, 0, 0}, 5.0));
-  rig.run(300);
-  EXPECT_NEAR(rig.plant().current_a().x, -5.0, 0.05);
-}
-
 TEST(Derating, IsToldWhenItBeginsAndWhenItEnds) {
   rig::RigOptions options;
   options.board.start_c = 58.0;

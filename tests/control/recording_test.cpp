@@ -122,8 +122,41 @@ TEST(Recorder, AFloodOfCommandsShortensItButKeepsItWhole) {
   const ReplayResult result = replay(bytes, {});
   EXPECT_EQ(result.error, ReplayError::kNone);
   EXPECT_EQ(result.different, 0u);
-  EXPECT_GT(result.ticks, 100u);
+  EXPECT_GT(result.ticks, 500u);
   EXPECT_LT(bytes.size(), (std::size_t{1} << 20) + 2 * sizeof(Controller));
+}
+
+TEST(Recorder, FreezesWhenAnArmedBallIsGone) {
+  FlightRecorder recorder;
+  rig::Rig rig;
+  rig.recorder = &recorder;
+  rig.run_until_armed();
+  rig.set_faults(device::kSimSilent);
+  rig.run(500);
+  EXPECT_EQ(rig.controller().state(), State::kAbsent);
+  ASSERT_TRUE(recorder.frozen());
+  EXPECT_EQ(replay(recorder.take(), {}).different, 0u);
+  recorder.resume();
+  rig.set_faults(0);
+  rig.run(200);
+  EXPECT_EQ(rig.controller().state(), State::kDisarmed);
+  EXPECT_FALSE(recorder.frozen());
+}
+
+TEST(Recorder, ARequestWhileItIsFrozenIsForTheNextRecording) {
+  FlightRecorder recorder;
+  rig::Rig rig;
+  rig.recorder = &recorder;
+  recorder.request();
+  rig.tick();
+  ASSERT_TRUE(recorder.frozen());
+  recorder.request();
+  rig.run(5);
+  recorder.resume();
+  EXPECT_FALSE(recorder.frozen());
+  rig.tick();
+  EXPECT_TRUE(recorder.frozen());
+  EXPECT_EQ(replay(recorder.take(), {}).ticks, 1u);
 }
 
 TEST(Recorder, GoesOnAfterItWasTaken) {

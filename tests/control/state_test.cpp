@@ -121,6 +121,21 @@ TEST(StateMachine, AnEmergencyStopWhileAbsentDoesNotLoosenATrip) {
   EXPECT_EQ(states.reason(), Reason::kOverheated) << "arming still waits until it is cool";
 }
 
+TEST(StateMachine, ABoardThatComesLongAfterTheStartIsAHotPlug) {
+  ControlSettings settings;
+  settings.arm_at_start = true;
+  for (const model::Tick seen : {model::Tick{1}, settings.start_patience + 1}) {
+    StateMachine states{settings};
+    states.board_gone(Reason::kNoBoard, 0);
+    states.board_alive(ready(0), seen);
+    for (model::Tick t = seen; t < seen + 10; ++t) {
+      states.step(ready(states.arm_count()), true, Reason::kNone, t);
+    }
+    EXPECT_EQ(states.armed(), seen == 1);
+    EXPECT_EQ(states.reason(), seen == 1 ? Reason::kNone : Reason::kHotPlug);
+  }
+}
+
 TEST(StateMachine, SecondSightIsAHotPlug) {
   ControlSettings settings;
   settings.arm_at_start = true;

@@ -29,6 +29,16 @@ class TickCost : public testing::Test {
       mailbox_->stops.request(effects_[place], place, EndReason::kReplaced);
       StartEffect start{++last_effect_, place, effects_[place], place, {}};
       start.spec = rig::random_effect(random_, temper_);
+      if (tick % 3 == 0) {
+        start.spec.trajectory.path = model::Path::kKeyframes;
+        start.spec.trajectory.score = {.first = place, .count = 11, .length_ms = 500, .turn = {}};
+        LoadKeyframes load{.first = place, .count = 11, .frames = {}};
+        for (std::size_t i = 0; i < load.frames.size(); ++i) {
+          load.frames[i].level = static_cast<float>(i) / 11.0F;
+          load.frames[i].t_ms = static_cast<std::uint16_t>(50 * i);
+        }
+        push(load);
+      }
       start.spec.frame = random_.bits() % 3 == 0 ? model::Frame::kWorld : model::Frame::kDevice;
       effects_[place] = start.effect;
       push(start);
@@ -38,7 +48,6 @@ class TickCost : public testing::Test {
     if (tick % 70 == 0) push(SetGain{random_.uniform(0.0, 1.0)});
     if (tick % 90 == 0) push(SetLimits{});
     if (tick % 900 == 0) mailbox_->emergency_generation.fetch_add(1);
-    if (tick % 900 == 100) push(SetCoils{});
     if (tick % 900 == 200) push(Arm{mailbox_->emergency_generation.load()});
     if (tick % 10 == 0) mailbox_->orientation.write({true, {}, {}, tick});
   }

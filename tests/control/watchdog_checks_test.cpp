@@ -147,17 +147,22 @@ TEST(CurrentCheck, LostFramesDoNotStopTheClock) {
   EXPECT_EQ(frames, 3);
 }
 
+/// A tick of a steady current in winding `coil`, which is at `celsius`.
+HeatReading steady(int coil, double current_a, double celsius) {
+  HeatReading reading;
+  reading.electrical = true;
+  reading.sensor = true;
+  reading.sensor_c = 30.0;
+  reading.before_a[coil] = reading.after_a[coil] = current_a;
+  reading.voltage_v[coil] = current_a * 0.45 * (1.0 + 0.00393 * (celsius - 25.0));
+  return reading;
+}
+
 TEST(HeatCheck, AWindingAtSeventyForFiftyMilliseconds) {
   for (int coil = 0; coil < model::kCoils; ++coil) {
     HeatCheck check;
-    HeatReading reading;
-    reading.electrical = true;
-    reading.sensor = true;
-    reading.sensor_c = 30.0;
     const auto drive = [&](double celsius) {
-      reading.before_a[coil] = reading.after_a[coil] = -5.0;
-      reading.voltage_v[coil] = -5.0 * 0.45 * (1.0 + 0.00393 * (celsius - 25.0));
-      return check.step(reading, 70.0, kDt);
+      return check.step(steady(coil, -5.0, celsius), 70.0, kDt);
     };
     for (int i = 0; i < 5000; ++i) ASSERT_EQ(drive(69.5), Reason::kNone);
     EXPECT_NEAR(check.winding_c(coil), 69.5, 1e-6);
@@ -166,6 +171,25 @@ TEST(HeatCheck, AWindingAtSeventyForFiftyMilliseconds) {
     EXPECT_LT(ticks, 130);
     EXPECT_GE(ticks, 49);
   }
+}
+
+TEST(HeatCheck, AWindingIsJudgedByWhatFlowsAndNotByMemory) {
+  HeatCheck check;
+  const auto tick = [&](double current_a) {
+    return check.step(steady(1, current_a, 72.0), 70.0, kDt);
+  };
+  for (int i = 0; i < 20; ++i) ASSERT_EQ(tick(6.0), Reason::kNone);
+  ASSERT_TRUE(check.measuring(1));
+  for (int i = 0; i < 200; ++i) ASSERT_EQ(tick(0.0), Reason::kNone) << i;
+  // A train of pulses, 8 ms in 80: its 50 ms are those in which something flows.
+  int driven = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const bool on = i % 80 < 8;
+    driven += on ? 1 : 0;
+    if (tick(on ? 12.0 : 0.0) != Reason::kNone) break;
+  }
+  EXPECT_GE(driven, 49);
+  EXPECT_LE(driven, 120);
 }
 
 TEST(HeatCheck, TheThermistorAtSeventyForFiftyMilliseconds) {

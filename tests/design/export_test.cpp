@@ -13,6 +13,7 @@
 #include "clients/design/input/design.h"
 #include "clients/design/output/picture.h"
 #include "clients/design/output/table.h"
+#include "clients/lib/html.h"
 #include "tests/config/fake_files.h"
 #include "tests/design/program.h"
 
@@ -82,10 +83,10 @@ TEST(Casing, TabsKeepAwayFromPinsAndFitOneWayOnly) {
 }
 
 TEST(Export, HalvesAreClosed) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const std::string csv = folder.write("small.csv", kSmallBall);
   const Answer answer = ask({"export", "--positions", csv, "--facets", "8", "--stl",
-                             folder.file("casing"), "--scad", folder.file("casing.scad")});
+                             folder.path("casing"), "--scad", folder.path("casing.scad")});
   ASSERT_EQ(answer.exit_code, 0) << answer.err << "(openscad must be installed: make deps)";
   for (const char* half : {"casing/upper.stl", "casing/lower.stl"}) {
     const auto surface = check_stl(folder.read(half)).value();
@@ -99,18 +100,42 @@ TEST(Export, HalvesAreClosed) {
   EXPECT_THAT(folder.read("casing.scad"), HasSubstr("pin_diameter = 8;"));
 }
 
+TEST(Export, CavitiesThatRunIntoEachOtherAreRefused) {
+  const TemporaryFolder folder;
+  const std::string scad = folder.path("c.scad");
+  const Answer ball = ask({"export", "--scad", scad});
+  EXPECT_EQ(ball.exit_code, 0) << ball.err;
+  EXPECT_THAT(ball.err, HasSubstr("thinnest wall 0.0"));
+  EXPECT_THAT(ball.err, HasSubstr("between pin"));
+  std::filesystem::remove(scad);
+  for (const std::vector<std::string>& more : {std::vector<std::string>{"--facets", "8"},
+                                               {"--clearance", "0.3"},
+                                               {"--shield", "4.7x10"}}) {
+    std::vector<std::string> words{"export", "--scad", scad};
+    words.insert(words.end(), more.begin(), more.end());
+    const Answer refused = ask(words);
+    EXPECT_EQ(refused.exit_code, kBadData) << more.front();
+    EXPECT_THAT(refused.err, HasSubstr("run into each other")) << more.front();
+    EXPECT_FALSE(std::filesystem::exists(scad)) << more.front();
+  }
+  Casing casing;
+  EXPECT_DOUBLE_EQ(cavity_reach_mm(casing, {8, 10}), 4.15);
+  casing.facets = 8;
+  EXPECT_NEAR(cavity_reach_mm(casing, {8, 10}), 4.3296, 1e-4) << "4 mm between the sides";
+}
+
 TEST(Export, ABrokenModelIsNotCalledClosed) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const std::string scad =
       folder.write("x.scad", "polyhedron([[0,0,0],[1,0,0],[0,1,0]], [[0,1,2]]);");
-  EXPECT_FALSE(render_stl(scad, "upper", folder.file("x.stl")).has_value());
+  EXPECT_FALSE(render_stl(scad, "upper", folder.path("x.stl")).has_value());
   EXPECT_FALSE(
-      render_stl(folder.write("y.scad", "cube("), "upper", folder.file("y.stl")).has_value());
+      render_stl(folder.write("y.scad", "cube("), "upper", folder.path("y.stl")).has_value());
 }
 
 TEST(Export, TheDaemonTakesTheDeviceFile) {
-  const Folder folder;
-  ASSERT_EQ(ask({"export", "--device", folder.file("ball-9.json")}).exit_code, 0);
+  const TemporaryFolder folder;
+  ASSERT_EQ(ask({"export", "--device", folder.path("ball-9.json")}).exit_code, 0);
   const auto files = config::FakeFiles::with_device(folder.read("ball-9.json"));
   ASSERT_EQ(files.errors(), "");
   EXPECT_EQ(files.load()->device.name, "ball-9");
@@ -119,8 +144,8 @@ TEST(Export, TheDaemonTakesTheDeviceFile) {
 }
 
 TEST(Export, NoDeviceFileForWhatTheDaemonCannotDrive) {
-  const Folder folder;
-  const Answer answer = ask({"export", "--array", "wD-66", "--device", folder.file("b.json")});
+  const TemporaryFolder folder;
+  const Answer answer = ask({"export", "--array", "wD-66", "--device", folder.path("b.json")});
   EXPECT_EQ(answer.exit_code, kBadData);
   EXPECT_THAT(answer.err, HasSubstr("tkD-86 only"));
   // The places it tells of the pins come from the curves of one ball.
@@ -129,35 +154,50 @@ TEST(Export, NoDeviceFileForWhatTheDaemonCannotDrive) {
                                                 {"--magnet", "7x10"},
                                                 {"--remanence", "1.2"},
                                                 {"--remove-shields", "0-4"}}) {
-    std::vector<std::string> words{"export", "--device", folder.file("c.json")};
+    std::vector<std::string> words{"export", "--device", folder.path("c.json")};
     words.insert(words.end(), other.begin(), other.end());
     const Answer refused = ask(words);
     EXPECT_EQ(refused.exit_code, kBadData) << other.front();
     EXPECT_THAT(refused.err, HasSubstr("hedgehogd")) << other.front();
-    EXPECT_FALSE(std::filesystem::exists(folder.file("c.json"))) << other.front();
+    EXPECT_FALSE(std::filesystem::exists(folder.path("c.json"))) << other.front();
   }
-  EXPECT_EQ(ask({"export", "--device", folder.file("a ball.json")}).exit_code, kUsage);
+  EXPECT_EQ(ask({"export", "--device", folder.path("a ball.json")}).exit_code, kUsage);
+}
+
+TEST(Export, ADashIsTheScreenAndNoFile) {
+  const TemporaryFolder folder;
+  const auto before = std::filesystem::current_path();
+  std::filesystem::current_path(folder.path());
+  const Answer casing = ask({"export", "--array", "cD", "--scad", "-"});
+  const Answer device = ask({"export", "--device", "-"});
+  const bool nothing_written = std::filesystem::is_empty(folder.path());
+  std::filesystem::current_path(before);
+  EXPECT_EQ(casing.exit_code, 0) << casing.err;
+  EXPECT_THAT(casing.out, HasSubstr("pin_diameter = 8;"));
+  EXPECT_EQ(device.exit_code, kUsage);
+  EXPECT_THAT(device.err, HasSubstr("the file's name is the ball's"));
+  EXPECT_TRUE(nothing_written);
 }
 
 TEST(Export, PositionsAsFilesOrHere) {
-  const Folder folder;
+  const TemporaryFolder folder;
   ASSERT_EQ(
-      ask({"export", "--csv", folder.file("p.csv"), "--json", folder.file("p.json")}).exit_code, 0);
+      ask({"export", "--csv", folder.path("p.csv"), "--json", folder.path("p.json")}).exit_code, 0);
   EXPECT_EQ(folder.read("p.csv"), ask({"export", "--csv"}).out);
   EXPECT_EQ(folder.read("p.json"), ask({"export", "--json"}).out);
-  EXPECT_EQ(ask({"stability", "--positions", folder.file("p.csv"), "--json"}).json().at("stable"),
+  EXPECT_EQ(ask({"stability", "--positions", folder.path("p.csv"), "--json"}).json().at("stable"),
             true);
   const std::string design = folder.write("best.json", "{\"array\": \"cD\"}");
   EXPECT_EQ(ask({"export", "--json", design}).exit_code, kUsage);
   EXPECT_EQ(folder.read("best.json"), "{\"array\": \"cD\"}");
-  EXPECT_EQ(ask({"export", "--fan", "60", "--scad", folder.file("c.scad")}).exit_code, kBadData);
-  EXPECT_EQ(ask({"export", "--facets", "7", "--scad", folder.file("c.scad")}).exit_code, kUsage);
+  EXPECT_EQ(ask({"export", "--fan", "60", "--scad", folder.path("c.scad")}).exit_code, kBadData);
+  EXPECT_EQ(ask({"export", "--facets", "7", "--scad", folder.path("c.scad")}).exit_code, kUsage);
 }
 
 TEST(Pictures, HaveLabelledAxesWithUnits) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const Answer curves =
-      ask({"curves", "--svg", folder.file("c.svg"), "--png", folder.file("c.png")});
+      ask({"curves", "--svg", folder.path("c.svg"), "--png", folder.path("c.png")});
   ASSERT_EQ(curves.exit_code, 0) << curves.err << "(gnuplot must be installed: make deps)";
   const std::string svg = folder.read("c.svg");
   for (const char* words : {"offset of the pin (mm)", "force on the pin, outwards (N)",
@@ -165,7 +205,7 @@ TEST(Pictures, HaveLabelledAxesWithUnits) {
     EXPECT_TRUE(svg.find(words) != std::string::npos) << words;
   }
   EXPECT_THAT(folder.read("c.png"), StartsWith("\x89PNG"));
-  ASSERT_EQ(ask({"electromagnet", "--svg", folder.file("e.svg")}).exit_code, 0);
+  ASSERT_EQ(ask({"electromagnet", "--svg", folder.path("e.svg")}).exit_code, 0);
   EXPECT_THAT(folder.read("e.svg"), HasSubstr("current (A)"));
 }
 
@@ -179,9 +219,9 @@ TEST(Pictures, WordsAreNotCommands) {
 }
 
 TEST(Report, IsOneFile) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const Answer answer =
-      ask({"report", "--array", "cD", "--shield", "4.4x10", "--output", folder.file("r.html")});
+      ask({"report", "--array", "cD", "--shield", "4.4x10", "--output", folder.path("r.html")});
   ASSERT_EQ(answer.exit_code, 0) << answer.err;
   const std::string page = folder.read("r.html");
   EXPECT_THAT(page, StartsWith("<!DOCTYPE html>"));
@@ -191,7 +231,7 @@ TEST(Report, IsOneFile) {
   EXPECT_THAT(page, Not(HasSubstr("src=")));
   EXPECT_THAT(page, Not(HasSubstr("href=\"http")));
   // Unstable ones are reported too, without a coil that they could not be held against.
-  ASSERT_EQ(ask({"report", "--array", "cD", "--shield", "3x10", "--output", folder.file("u.html")})
+  ASSERT_EQ(ask({"report", "--array", "cD", "--shield", "3x10", "--output", folder.path("u.html")})
                 .exit_code,
             0);
   EXPECT_THAT(folder.read("u.html"), HasSubstr("42 pins are unstable: 0-41"));
@@ -206,7 +246,7 @@ TEST(Tables, AlignAndQuote) {
   EXPECT_EQ(fixed(-0.0001, 2), "0.00");
   EXPECT_EQ(fixed(std::nan(""), 2), "none");
   EXPECT_EQ(wrapped("one two three", 9, 2), "  one two\n  three\n");
-  EXPECT_EQ(escape_html("<a & \"b\">"), "&lt;a &amp; &quot;b&quot;&gt;");
+  EXPECT_EQ(client::escape_html("<a & \"b\">"), "&lt;a &amp; &quot;b&quot;&gt;");
 }
 
 }  // namespace

@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sstream>
+
+#include "clients/design/complaint.h"
 #include "clients/design/input/design_file.h"
 #include "clients/design/input/positions_file.h"
 #include "clients/design/input/sizes.h"
@@ -107,6 +110,21 @@ TEST(DesignFile, ComplaintsNameTheKey) {
               HasSubstr("removed_pins: must be a list of ids"));
 }
 
+TEST(DesignFile, WhatThereIsNotIsTheFilesMistake) {
+  const TemporaryFolder folder;
+  for (const char* text : {R"({"array": "nope"})", R"({"removed_pins": [5000]})"}) {
+    const std::string file = folder.write("b.json", text);
+    const Answer answer = ask({"stability", file});
+    EXPECT_EQ(answer.exit_code, kBadData) << text;
+    EXPECT_THAT(answer.err, HasSubstr(file)) << text;
+  }
+  EXPECT_EQ(parse_design(R"({"removed_pins": [3, 3]})", "x").value().removed_pins,
+            std::vector<int>{3});
+  // What the flags replace may be anything that there is.
+  EXPECT_EQ(ask({"array", folder.write("c.json", R"({"array": "cD"})"), "--array", "wD"}).exit_code,
+            0);
+}
+
 TEST(Positions, GoOutAndComeBack) {
   const auto array = find_arrangement("tkD-86").value();
   const auto again = parse_positions(positions_csv(array, Design().sizes()), "pins.csv").value();
@@ -116,6 +134,26 @@ TEST(Positions, GoOutAndComeBack) {
     EXPECT_EQ(again.pins[i].id, array.pins[i].id);
     EXPECT_LT(model::norm(again.pins[i].direction - array.pins[i].direction), 1e-7);
   }
+}
+
+TEST(Positions, MayStandInAnyOrderAndBehindASpreadsheetsMark) {
+  const auto array = find_arrangement("wD-66").value();
+  std::istringstream lines(positions_csv(array, Design().sizes()));
+  std::string head;
+  std::getline(lines, head);
+  std::string turned;
+  for (std::string line; std::getline(lines, line);) turned = line + "\n" + turned;
+  const TemporaryFolder folder;
+  const std::string csv = folder.write("turned.csv", "\xEF\xBB\xBF" + head + "\n" + turned);
+  for (const int pin : {0, 25}) {
+    const Answer answer =
+        ask({"electromagnet", "--positions", csv, "--pin", std::to_string(pin), "--json"});
+    ASSERT_EQ(answer.exit_code, 0) << answer.err;
+    const Answer usual =
+        ask({"electromagnet", "--array", "wD-66", "--pin", std::to_string(pin), "--json"});
+    EXPECT_EQ(answer.json()["class_size"], usual.json()["class_size"]) << pin;
+  }
+  EXPECT_EQ(ask({"stability", "--positions", csv, "--array", "cD"}).exit_code, kUsage);
 }
 
 TEST(Positions, ComplaintsNameTheLine) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "clients/design/command_line.h"
+#include "tests/temporary_folder.h"
 
 namespace hedgehog::design {
 
@@ -27,35 +28,6 @@ inline Answer ask(const std::vector<std::string>& arguments) {
   const int exit_code = run_command_line(arguments, out, err);
   return {exit_code, out.str(), err.str()};
 }
-
-/// A folder that is gone with the test.
-class Folder {
- public:
-  Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "design-test-XXXXXX").string();
-    path_ = ::mkdtemp(name.data());
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  std::string file(const std::string& name) const { return path_ + "/" + name; }
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(file(name)) << text;
-    return file(name);
-  }
-  std::string read(const std::string& name) const {
-    std::ostringstream text;
-    text << std::ifstream(file(name)).rdbuf();
-    return text.str();
-  }
-  const std::string& path() const noexcept { return path_; }
-
- private:
-  std::string path_;
-};
 
 /// Seven pins and a few shields, wide apart: a ball that openscad renders in a second.
 inline const char* const kSmallBall =

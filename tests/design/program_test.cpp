@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "clients/design/complaint.h"
@@ -13,22 +15,23 @@ namespace hedgehog::design {
 namespace {
 
 using testing::HasSubstr;
+using testing::StartsWith;
 
 const std::string kProgram = HEDGEHOG_DESIGN_PATH;
 
 /// A line as a shell runs it, in the folder, with hedgehog-design on the PATH.
-Answer shell(const Folder& folder, const std::string& line) {
+Answer shell(const TemporaryFolder& folder, const std::string& line) {
   const std::string path = std::filesystem::path(kProgram).parent_path().string();
   folder.write("line.sh", "cd '" + folder.path() + "' || exit 99\nPATH=\"" + path + ":$PATH\"\n" +
                               line + "\n");
-  const int status = std::system(("sh '" + folder.file("line.sh") + "' >'" + folder.file("out") +
-                                  "' 2>'" + folder.file("err") + "'")
+  const int status = std::system(("sh '" + folder.path("line.sh") + "' >'" + folder.path("out") +
+                                  "' 2>'" + folder.path("err") + "'")
                                      .c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, folder.read("out"), folder.read("err")};
 }
 
 TEST(Program, AnswersOnStdoutAndComplainsOnStderr) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const Answer good = shell(
       folder, "hedgehog-design pair --magnet 8x10 --other 4x10 --angle 12 --offset 0.5 --json");
   EXPECT_EQ(good.exit_code, 0);
@@ -44,7 +47,7 @@ TEST(Program, AnswersOnStdoutAndComplainsOnStderr) {
 }
 
 TEST(Program, SaysWhichPackageIsMissing) {
-  const Folder folder;
+  const TemporaryFolder folder;
   folder.write("small.csv", kSmallBall);
   const Answer picture =
       shell(folder, "PATH=/nowhere " + kProgram + " curves --array cD --png c.png");
@@ -58,7 +61,7 @@ TEST(Program, SaysWhichPackageIsMissing) {
 }
 
 TEST(Program, SaysThatNoTemporaryFileCanBeMade) {
-  const Folder folder;
+  const TemporaryFolder folder;
   folder.write("small.csv", kSmallBall);
   for (const char* command : {"curves --array cD --png c.png", "report --array cD",
                               "export --positions small.csv --stl c"}) {
@@ -68,8 +71,130 @@ TEST(Program, SaysThatNoTemporaryFileCanBeMade) {
   }
 }
 
+/// Not the one who may write everywhere, for as long as it lasts.
+class AnybodyElse {
+ public:
+  AnybodyElse() {
+    if (was_root_ && ::seteuid(65534) != 0) ADD_FAILURE();
+  }
+  AnybodyElse(const AnybodyElse&) = delete;
+  AnybodyElse& operator=(const AnybodyElse&) = delete;
+  ~AnybodyElse() {
+    if (was_root_ && ::seteuid(0) != 0) ADD_FAILURE();
+  }
+
+ private:
+  bool was_root_ = ::geteuid() == 0;
+};
+
+TEST(Program, AFolderThatTakesNoFilesIsNamed) {
+  const TemporaryFolder folder;
+  const std::string closed = folder.path("closed");
+  std::filesystem::create_directory(closed);
+  std::filesystem::permissions(folder.path(), std::filesystem::perms(0755));
+  std::filesystem::permissions(closed, std::filesystem::perms(0555));
+  const std::string csv = folder.write("small.csv", kSmallBall);
+  const AnybodyElse nobody;
+  const auto refused = [](const std::vector<std::string>& words) {
+    const Answer answer = ask(words);
+    EXPECT_EQ(answer.exit_code, kCannotCreate) << words.front() << answer.out;
+    EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
+    return answer.err;
+  };
+  const std::string reason = " cannot be written: Permission denied\n";
+  for (const auto& [words, file] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+           {{"report", "--array", "cD", "--output"}, "/r.html"},
+           {{"curves", "--array", "cD", "--svg"}, "/c.svg"},
+           {{"electromagnet", "--array", "tkD", "--png"}, "/e.png"},
+           {{"array", "--save"}, "/a.json"},
+           {{"export", "--csv"}, "/p.csv"},
+           {{"export", "--device"}, "/ball.json"},
+           {{"export", "--scad"}, "/c.scad"},
+           // Before the search, not after it.
+           {{"choose", "--save"}, "/best.json"},
+           {{"choose", "--png"}, "/front.png"}}) {
+    auto whole = words;
+    whole.push_back(closed + file);
+    EXPECT_EQ(refused(whole), "hedgehog-design: " + closed + file + reason);
+  }
+  EXPECT_THAT(refused({"export", "--positions", csv, "--stl", closed + "/casing"}),
+              HasSubstr(closed + "/casing cannot be made: Permission denied"));
+  ::setenv("TMPDIR", closed.c_str(), 1);
+  EXPECT_THAT(refused({"report", "--array", "cD", "--output", "/dev/null"}),
+              HasSubstr("no temporary file can be made in " + closed + ": Permission denied"));
+  ::unsetenv("TMPDIR");
+}
+
+TEST(BadInput, GetsOneClearSentence) {
+  const TemporaryFolder folder;
+  const auto wrong = [](const std::vector<std::string>& words, int exit_code) {
+    const Answer answer = ask(words);
+    EXPECT_EQ(answer.exit_code, exit_code) << words.front();
+    EXPECT_EQ(answer.out, "");
+    EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
+    EXPECT_THAT(answer.err, StartsWith("hedgehog-design"));
+    return answer.err;
+  };
+  EXPECT_THAT(wrong({"stability", "--array", "tkd"}, kUsage), HasSubstr("did you mean 'tkD'?"));
+  EXPECT_THAT(wrong({"pair", "--magnet", "-8x10", "--angle", "12"}, kUsage), HasSubstr("--magnet"));
+  EXPECT_THAT(wrong({"pair", "--sphere", "-35", "--angle", "12"}, kUsage), HasSubstr("--sphere"));
+  EXPECT_THAT(wrong({"pair", "--angle", "5"}, kBadData), HasSubstr("overlap"));
+  EXPECT_THAT(wrong({"pair", "--angle", "200"}, kUsage), HasSubstr("--angle"));
+  EXPECT_THAT(wrong({"pair"}, kUsage), HasSubstr("--angle"));
+  EXPECT_THAT(wrong({"curves", "--model", "fem"}, kUsage), HasSubstr("exact, hybrid, dipole"));
+  EXPECT_THAT(wrong({"curves", "--accuracy", "2"}, kUsage), HasSubstr("--accuracy"));
+  EXPECT_THAT(wrong({"curves", "--accuracy", "-1"}, kUsage), HasSubstr("--accuracy"));
+  EXPECT_THAT(wrong({"stability", "--positions", folder.write("a.csv", "{}")}, kBadData),
+              HasSubstr("no CSV"));
+  EXPECT_THAT(wrong({"stability", folder.write("b.json", "kind,x,y,z")}, kBadData),
+              HasSubstr("no design file"));
+  EXPECT_THAT(wrong({"stability", folder.path("none.json")}, kNoInput), HasSubstr("none.json"));
+  EXPECT_THAT(wrong({"stability", folder.path()}, kNoInput), HasSubstr("is a folder"));
+  EXPECT_THAT(wrong({"curves", "--png", folder.path("x.gif")}, kUsage), HasSubstr(".svg or .png"));
+  EXPECT_THAT(wrong({"report", "--output", folder.path("no/report.html")}, kCannotCreate),
+              HasSubstr("cannot be written"));
+  EXPECT_THAT(wrong({"export"}, kUsage), HasSubstr("say what"));
+  EXPECT_THAT(wrong({}, kUsage), HasSubstr("a verb is missing"));
+  EXPECT_THAT(wrong({"stablity"}, kUsage), HasSubstr("no verb 'stablity'"));
+  EXPECT_THAT(wrong({"stability", "--aray", "cD"}, kUsage), HasSubstr("'--aray'"));
+}
+
+TEST(Program, AnAnswerThatCannotBeWrittenIsNoSuccess) {
+  const TemporaryFolder folder;
+  const Answer full = shell(folder, "hedgehog-design pair --angle 12 >/dev/full");
+  EXPECT_EQ(full.exit_code, kCannotCreate);
+  EXPECT_EQ(full.err, "hedgehog-design: the answer cannot be written\n");
+}
+
+TEST(Program, WhatIsThereStaysUntilThereIsSomethingBetter) {
+  const TemporaryFolder folder;
+  folder.write("gnuplot", "#!/bin/sh\necho no room >&2\nexit 3\n");
+  std::filesystem::permissions(folder.path("gnuplot"), std::filesystem::perms(0755));
+  folder.write("good.svg", "a good picture");
+  const Answer failed = shell(folder, "PATH=\"" + folder.path() +
+                                          ":$PATH\" hedgehog-design curves --array cD --svg "
+                                          "good.svg --csv");
+  EXPECT_EQ(failed.exit_code, kToolFailed);
+  EXPECT_THAT(failed.err, HasSubstr("gnuplot failed: no room"));
+  EXPECT_EQ(folder.read("good.svg"), "a good picture");
+  const std::string design = R"({"array": "cD"})";
+  const std::string file = folder.write("best.json", design);
+  for (const auto& words : std::vector<std::vector<std::string>>{{"report", "--output"},
+                                                                 {"export", "--scad"},
+                                                                 {"export", "--csv"},
+                                                                 {"export", "--device"}}) {
+    auto whole = words;
+    whole.push_back(file);
+    if (words.back() == "--scad") whole.insert(whole.end(), {"--array", "cD"});
+    const Answer refused = ask(whole);
+    EXPECT_EQ(refused.exit_code, kUsage) << words.back();
+    EXPECT_THAT(refused.err, HasSubstr("is a design file and is not written over"));
+    EXPECT_EQ(folder.read("best.json"), design) << words.back();
+  }
+}
+
 TEST(Program, SearchesShowNoBarIntoFiles) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const Answer answer =
       shell(folder, "hedgehog-design choose --arrays cD --shields 4.4x10 --spheres 35 --json");
   EXPECT_EQ(answer.exit_code, 0);
@@ -90,7 +215,7 @@ std::vector<std::string> readme_commands() {
 }
 
 TEST(Readme, EveryCommandRuns) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const auto commands = readme_commands();
   ASSERT_GE(commands.size(), 15U);
   for (const std::string& command : commands) {

@@ -9,6 +9,7 @@
 #include "clients/design/complaint.h"
 #include "clients/design/output/picture.h"
 #include "clients/design/verbs/curves.h"
+#include "clients/design/verbs/electromagnet.h"
 #include "tests/design/program.h"
 
 namespace hedgehog::design {
@@ -196,7 +197,11 @@ TEST(Stability, PinsPulledOntoTheShellAreNotCalledExpelled) {
   EXPECT_EQ(strong.at("stable"), false);
   EXPECT_EQ(strong.at("unstable"), Json::array());
   EXPECT_EQ(strong.at("pressed").size(), 92U);
-  for (const Json& one : strong.at("classes")) EXPECT_EQ(one.at("state"), "pressed");
+  for (const Json& one : strong.at("classes")) {
+    EXPECT_EQ(one.at("state"), "pressed");
+    EXPECT_GT(one.at("held_n"), 1.0) << "the shell stops it, the shields hold it";
+    EXPECT_TRUE(one.at("rest_mm").is_null());
+  }
   const std::string text = ask({"stability", "--array", "tkD", "--shield", "4x4"}).out;
   EXPECT_THAT(text, HasSubstr("92 of 92 pins pressed onto the shell with 1."));
   EXPECT_THAT(text, Not(HasSubstr("UNSTABLE")));
@@ -205,6 +210,20 @@ TEST(Stability, PinsPulledOntoTheShellAreNotCalledExpelled) {
   const Json weak = ask({"stability", "--array", "tkD", "--shield", "3x10", "--json"}).json();
   EXPECT_EQ(weak.at("unstable").size(), 92U);
   EXPECT_EQ(weak.at("pressed"), Json::array());
+  for (const Json& one : weak.at("classes")) EXPECT_TRUE(one.at("held_n").is_null());
+}
+
+TEST(Csv, HasOneNameAColumn) {
+  EXPECT_THAT(ask({"pair", "--angle", "12", "--csv"}).out,
+              StartsWith("model,force_n,error_n\nexact,0.2814"));
+  EXPECT_THAT(ask({"stability", "--array", "cD", "--csv"}).out,
+              StartsWith("class_size,rest_mm,stiffness_n_mm,held_n,extension_mm,state,pins\n12,"));
+  EXPECT_THAT(
+      ask({"choose", "--arrays", "tkD", "tkD", "--shields", "4x10", "--spheres", "35", "--csv"})
+          .out,
+      AllOf(StartsWith("array,pins,magnet,shield,sphere_mm,outer_diameter_mm,coil_force_n,"
+                       "rest_mm,extension_mm,mass_kg\ntkD-86,86,8x10,4x10,35,"),
+            testing::EndsWith("1.184\n")));
 }
 
 TEST(Stability, WithMagnetsTakenOut) {
@@ -244,6 +263,9 @@ TEST(Electromagnet, ByBothCalibrations) {
   EXPECT_EQ(ball.at("pins_above_50_percent"), 21);
   EXPECT_EQ(ball.at("pins_pulled_in"), 40);
   EXPECT_EQ(ask({"electromagnet", "--pin", "86"}).exit_code, kUsage);
+  const auto study = Study::of({}).value();
+  const std::string picture = gnuplot_script(coil_picture(study, 17, 40.0).value(), "svg", "x.svg");
+  EXPECT_THAT(picture, HasSubstr("\n40 "));
   EXPECT_EQ(ask({"electromagnet", "--array", "tkD", "--shield", "3x10"}).exit_code, kBadData);
 }
 
@@ -257,40 +279,6 @@ TEST(Array, TellsGapsAndOverlaps) {
   const Answer overlap = ask({"array", "--array", "tkD", "--magnet", "10x10"});
   EXPECT_EQ(overlap.exit_code, kBadData);
   EXPECT_THAT(overlap.err, HasSubstr("pin 0 and shield 0 overlap by"));
-}
-
-TEST(BadInput, GetsOneClearSentence) {
-  const Folder folder;
-  const auto wrong = [](const std::vector<std::string>& words, int exit_code) {
-    const Answer answer = ask(words);
-    EXPECT_EQ(answer.exit_code, exit_code) << words.front();
-    EXPECT_EQ(answer.out, "");
-    EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
-    EXPECT_THAT(answer.err, StartsWith("hedgehog-design"));
-    return answer.err;
-  };
-  EXPECT_THAT(wrong({"stability", "--array", "tkd"}, kUsage), HasSubstr("did you mean 'tkD'?"));
-  EXPECT_THAT(wrong({"pair", "--magnet", "-8x10", "--angle", "12"}, kUsage), HasSubstr("--magnet"));
-  EXPECT_THAT(wrong({"pair", "--sphere", "-35", "--angle", "12"}, kUsage), HasSubstr("--sphere"));
-  EXPECT_THAT(wrong({"pair", "--angle", "5"}, kBadData), HasSubstr("overlap"));
-  EXPECT_THAT(wrong({"pair", "--angle", "200"}, kUsage), HasSubstr("--angle"));
-  EXPECT_THAT(wrong({"pair"}, kUsage), HasSubstr("--angle"));
-  EXPECT_THAT(wrong({"curves", "--model", "fem"}, kUsage), HasSubstr("exact, hybrid, dipole"));
-  EXPECT_THAT(wrong({"curves", "--accuracy", "2"}, kUsage), HasSubstr("--accuracy"));
-  EXPECT_THAT(wrong({"curves", "--accuracy", "-1"}, kUsage), HasSubstr("--accuracy"));
-  EXPECT_THAT(wrong({"stability", "--positions", folder.write("a.csv", "{}")}, kBadData),
-              HasSubstr("no CSV"));
-  EXPECT_THAT(wrong({"stability", folder.write("b.json", "kind,x,y,z")}, kBadData),
-              HasSubstr("no design file"));
-  EXPECT_THAT(wrong({"stability", folder.file("none.json")}, kNoInput), HasSubstr("none.json"));
-  EXPECT_THAT(wrong({"stability", folder.path()}, kNoInput), HasSubstr("is a folder"));
-  EXPECT_THAT(wrong({"curves", "--png", folder.file("x.gif")}, kUsage), HasSubstr(".svg or .png"));
-  EXPECT_THAT(wrong({"report", "--output", folder.file("no/report.html")}, kCannotCreate),
-              HasSubstr("cannot be written"));
-  EXPECT_THAT(wrong({"export"}, kUsage), HasSubstr("say what"));
-  EXPECT_THAT(wrong({}, kUsage), HasSubstr("a verb is missing"));
-  EXPECT_THAT(wrong({"stablity"}, kUsage), HasSubstr("no verb 'stablity'"));
-  EXPECT_THAT(wrong({"stability", "--aray", "cD"}, kUsage), HasSubstr("'--aray'"));
 }
 
 }  // namespace

@@ -79,6 +79,45 @@ TEST_F(LinkBench, ABoardThatIsSilentForAHundredTicksIsAbsent) {
   EXPECT_FALSE(set_point().enable);
 }
 
+// A link thread that gets a turn at every tenth millisecond only.
+TEST_F(LinkBench, WhatItDidNotStepThroughCounts) {
+  link = Link(BoardLimits{60.0, 8.0, 0.5});
+  const auto tenth = [&] {
+    link.skip(9);
+    step();
+  };
+  tick();
+  tick();
+  int limits = 0;
+  for (int i = 1; i < 10; ++i) {
+    tenth();
+    EXPECT_EQ(set_point().enable, i < 2) << i;
+    EXPECT_TRUE(link.report().present) << i;
+  }
+  EXPECT_EQ(link.report().counters.overdue, 1u);
+  tenth();
+  EXPECT_FALSE(link.report().present) << "silent for 100 ms";
+
+  for (int i = 0; i < 300; ++i) {
+    link.skip(9);
+    telemetry();
+    step();
+    EXPECT_TRUE(link.report().present) << "what came in a gap is heard";
+    if (frames.other) ++limits;
+  }
+  EXPECT_EQ(limits, 3) << "every second";
+
+  ++command.board.arm_count;
+  int requests = 0;
+  for (int i = 0; i < 20; ++i) {
+    link.skip(9);
+    telemetry();
+    step();
+    if (arm_request()) ++requests;
+  }
+  EXPECT_EQ(requests, 5) << "for 50 ms";
+}
+
 TEST_F(LinkBench, CountsWhatWasLostAndWhatWasBroken) {
   tick();
   board.sequence += 4;
@@ -99,6 +138,27 @@ TEST_F(LinkBench, TelemetryThatComesTwiceIsNotNew) {
   send(board);
   EXPECT_EQ(link.report().telemetry_count, 1u);
   EXPECT_EQ(link.report().counters.errors, 1u);
+}
+
+TEST_F(LinkBench, ABoardThatWasAwayMayCountFromTheBeginning) {
+  for (int i = 0; i < 50; ++i) tick();
+  for (int i = 0; i < Link::kAbsentTicks + 1; ++i) step();
+  ASSERT_FALSE(link.report().present);
+  board = {};
+  tick();
+  EXPECT_EQ(link.report().telemetry_count, 51u);
+  EXPECT_TRUE(link.report().present);
+  EXPECT_EQ(link.report().counters.lost, 0u);
+  EXPECT_EQ(link.report().counters.errors, 0u);
+}
+
+TEST_F(LinkBench, WhatABoardSaidBeforeItWasAwayIsNotLost) {
+  tick();
+  for (int i = 0; i < Link::kAbsentTicks + 1; ++i) step();
+  board.sequence += 1'000'000;
+  tick();
+  EXPECT_TRUE(link.report().present);
+  EXPECT_EQ(link.report().counters.lost, 0u);
 }
 
 TEST_F(LinkBench, AnotherProtocolVersionIsAnAbsentBoard) {
@@ -132,6 +192,16 @@ TEST_F(LinkBench, LimitsGoToEveryBoardThatAppears) {
   EXPECT_EQ(sent, 2);
 }
 
+// 2^31 milliseconds without a board.
+TEST_F(LinkBench, WhatIsDueIsStillDueAfterTwentyFiveDays) {
+  link = Link(BoardLimits{60.0, 8.0, 0.5});
+  link.set_simulator({});
+  for (int i = 0; i < 2'148'000; ++i) link.skip(1000);
+  step();
+  ASSERT_TRUE(frames.other);
+  EXPECT_EQ(decode_simulator(*frames.other), SimulatorSettings{});
+}
+
 TEST_F(LinkBench, SimulatorSettingsGoOutWhenTheyChangeAndEveryHundredTicks) {
   SimulatorSettings settings;
   int sent = 0;
@@ -139,7 +209,8 @@ TEST_F(LinkBench, SimulatorSettingsGoOutWhenTheyChangeAndEveryHundredTicks) {
     telemetry();
     renew();
     if (i == 50) settings.faults = kSimFanStopped;
-    frames = link.step(command, settings);
+    link.set_simulator(settings);
+    step();
     if (!frames.other) continue;
     ++sent;
     EXPECT_EQ(decode_simulator(*frames.other), settings);

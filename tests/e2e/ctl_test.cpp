@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -116,8 +117,16 @@ TEST_F(Ctl, CtrlCExitsWith130AndTheCoilsGoToZero) {
   EXPECT_EQ(other_.call("device.status")["state"], "armed");
 }
 
+TEST_F(Ctl, CheckIsOkButForALoopThatABusyMachineMakesLateAndCountsTheOthers) {
+  const std::string well = "^HEDGEHOG (OK - ball armed|WARNING - ball armed, its loop is late), ";
+  other_.call("hello");
+  EXPECT_THAT(ctl({"check"}).out, ContainsRegex(well + "[^|]* \\| temperature=.* clients=1\n$"));
+  other_.close();
+  EXPECT_TRUE(eventually(
+      [&] { return std::regex_search(ctl({"check"}).out, std::regex(" clients=0\n$")); }));
+}
+
 TEST_F(Ctl, StopLatchesUntilArm) {
-  EXPECT_EQ(ctl({"check"}).exit_code, 0);
   EXPECT_EQ(ctl({"stop"}).exit_code, 0);
   const Json status = other_.call("device.status");
   EXPECT_EQ(status["state"], "disarmed");

@@ -78,31 +78,14 @@ int wait_for(pid_t pid) {
 }  // namespace
 
 Home::Home() {
-  std::string pattern = (fs::temp_directory_path() / "hedgehog-e2e-XXXXXX").string();
-  path_ = ::mkdtemp(pattern.data());
   fs::create_directories(path("config/hedgehog"));
   fs::create_directories(path("run"));
-}
-
-Home::~Home() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
-std::string Home::read(const std::string& below) const {
-  std::ifstream file(path(below), std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-void Home::write(const std::string& below, const std::string& text) const {
-  fs::create_directories(fs::path(path(below)).parent_path());
-  std::ofstream(path(below), std::ios::binary) << text;
 }
 
 std::vector<std::string> Home::environment() const {
   std::vector<std::string> variables{"XDG_RUNTIME_DIR=" + path("run"),
                                      "XDG_STATE_HOME=" + path("state"),
-                                     "XDG_CONFIG_HOME=" + path("config"), "HOME=" + path_,
+                                     "XDG_CONFIG_HOME=" + path("config"), "HOME=" + folder_.path(),
                                      "HEDGEHOG_SIMBOARD_TRACE=" + path("trace")};
   for (const char* name : {"PATH", "ASAN_OPTIONS", "TSAN_OPTIONS", "UBSAN_OPTIONS"}) {
     if (const char* value = std::getenv(name)) {
@@ -118,9 +101,10 @@ Ended run_daemon(const Home& home, const std::vector<std::string>& arguments) {
 }
 
 DaemonProcess::DaemonProcess(const Home& home, const std::vector<std::string>& more,
-                             const std::vector<std::string>& variables)
+                             const std::vector<std::string>& variables, Backend backend)
     : home_(home) {
-  std::vector<std::string> words{"--simulate", "--listen", "127.0.0.1:0"};
+  std::vector<std::string> words{"--listen", "127.0.0.1:0"};
+  if (backend == Backend::kSimulated) words.emplace_back("--simulate");
   words.insert(words.end(), more.begin(), more.end());
   pid_ = spawn(home, words, "out", "log", variables);
   const std::string tcp = "listening on 127.0.0.1:";
@@ -136,6 +120,10 @@ DaemonProcess::DaemonProcess(const Home& home, const std::vector<std::string>& m
     throw std::runtime_error("hedgehogd does not start:\n" + log());
   }
   port_ = std::stoi(out.substr(out.find(tcp) + tcp.size()));
+  const std::string http = "listening on http://127.0.0.1:";
+  if (out.find(http) != std::string::npos) {
+    http_port_ = std::stoi(out.substr(out.find(http) + http.size()));
+  }
   const auto begin = out.find(local) + local.size() - 1;
   socket_ = out.substr(begin, out.find('\n', begin) - begin);
 }

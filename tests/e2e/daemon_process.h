@@ -8,27 +8,28 @@
 #include <string>
 #include <vector>
 
+#include "tests/temporary_folder.h"
+
 namespace hedgehog::e2e {
 
 /// Runtime, state and configuration of one daemon; outlives its restarts. Removed at the end.
 class Home {
  public:
   Home();
-  Home(const Home&) = delete;
-  Home& operator=(const Home&) = delete;
-  ~Home();
 
-  std::string path(const std::string& below) const { return path_ + "/" + below; }
+  std::string path(const std::string& below) const { return folder_.path(below); }
   std::string state_file() const { return path("state/hedgehog/state.json"); }
-  std::string read(const std::string& below) const;
-  void write(const std::string& below, const std::string& text) const;
+  std::string read(const std::string& below) const { return folder_.read(below); }
+  void write(const std::string& below, const std::string& text) const {
+    folder_.write(below, text);
+  }
   /// The daemon's configuration file.
   void configure(const std::string& json) const { write("config/hedgehog/hedgehogd.json", json); }
   /// NAME=VALUE for the children.
   std::vector<std::string> environment() const;
 
  private:
-  std::string path_;
+  TemporaryFolder folder_;
 };
 
 struct Ended {
@@ -42,16 +43,20 @@ Ended run_daemon(const Home& home, const std::vector<std::string>& arguments);
 
 class DaemonProcess {
  public:
+  enum class Backend { kSimulated, kConfigured };
   /// Starts `hedgehogd --simulate --listen 127.0.0.1:0` and `more`, and waits until it listens.
-  /// `variables`: NAME=VALUE on top of the home's.
+  /// `variables`: NAME=VALUE on top of the home's. kConfigured: without --simulate.
   explicit DaemonProcess(const Home& home, const std::vector<std::string>& more = {},
-                         const std::vector<std::string>& variables = {});
+                         const std::vector<std::string>& variables = {},
+                         Backend backend = Backend::kSimulated);
   DaemonProcess(const DaemonProcess&) = delete;
   DaemonProcess& operator=(const DaemonProcess&) = delete;
   /// Kills it if it still runs.
   ~DaemonProcess();
 
   int port() const noexcept { return port_; }
+  /// 0 when it serves no HTTP.
+  int http_port() const noexcept { return http_port_; }
   const std::string& socket() const noexcept { return socket_; }
   pid_t pid() const noexcept { return pid_; }
   void signal(int number) const { ::kill(pid_, number); }
@@ -66,6 +71,7 @@ class DaemonProcess {
   const Home& home_;
   pid_t pid_ = -1;
   int port_ = 0;
+  int http_port_ = 0;
   std::string socket_;
 };
 

@@ -7,6 +7,7 @@
 
 #include "tests/e2e/daemon_process.h"
 #include "tests/e2e/raw_client.h"
+#include "tests/e2e/web_client.h"
 
 namespace hedgehog::e2e {
 namespace {
@@ -65,8 +66,34 @@ TEST(Start, MistakesHaveTheirExitCodes) {
   const Ended wrong = run_daemon(home, {"--check-config"});
   EXPECT_EQ(wrong.exit_code, kConfig);
   EXPECT_NE(wrong.err.find("hedgehogd.json:2: limits.curent_a"), std::string::npos) << wrong.err;
-  home.configure(R"({"backend": "usb"})");
-  EXPECT_EQ(run_daemon(home, {}).exit_code, 69);
+}
+
+// Ids that no device has, so that a ball on the developer's table stays where it is.
+TEST(Start, WithoutABoardItWaitsForOne) {
+  const Home home;
+  home.configure(R"({"backend": "usb", "device": "none"})");
+  home.write("config/hedgehog/devices.d/none.json", R"({"name": "none", "usb": ["0000:0000"]})");
+  DaemonProcess daemon(home, {}, {}, DaemonProcess::Backend::kConfigured);
+  RawClient game(daemon.port());
+  const Json status = game.call("device.status");
+  EXPECT_EQ(status["state"], "absent");
+  EXPECT_EQ(status["reason"], "no_board");
+  EXPECT_EQ(status["simulated"], false);
+  EXPECT_TRUE(status["temperature_c"]["sensor"].is_null());
+  EXPECT_TRUE(status["temperature_c"]["model"].is_null()) << "nothing has measured it";
+  const Json refused = game.call("effect.pulse", {{"direction", "left"}});
+  EXPECT_EQ(refused["data"]["name"], "device_absent");
+  EXPECT_EQ(refused["data"]["device"], "board");
+  EXPECT_TRUE(daemon.logs("board: no driver board is connected (0000:0000)"));
+
+  EXPECT_EQ(game.call("hello")["role"], "play");
+  EXPECT_EQ(WebSocketClient(daemon.http_port()).call("hello")["role"], "play");
+  EXPECT_EQ(RawClient(daemon.socket()).call("hello")["role"], "operate");
+  const Json forbidden = game.call("device.arm");
+  EXPECT_EQ(forbidden["code"], -32004);
+  EXPECT_EQ(forbidden["data"]["name"], "forbidden");
+  EXPECT_EQ(daemon.stop(), 0);
+  EXPECT_TRUE(daemon.logs("no ball is connected"));
 }
 
 TEST(End, SigtermMakesTheCoilsSafeTellsEverybodyAndExitsWith0) {
@@ -140,6 +167,19 @@ TEST(Memory, AnEmergencyStopOutlivesEvenAKill) {
   EXPECT_EQ(daemon.stop(), 0);
   DaemonProcess again(home);
   EXPECT_EQ(RawClient(again.port()).call("hello")["state"], "armed");
+}
+
+TEST(Memory, ADiskThatRefusesAnEmergencyStopIsToldOfAndKeepsNoOrderlyStop) {
+  const Home home;
+  DaemonProcess(home).stop();
+  ASSERT_EQ(Json::parse(home.read("state/hedgehog/state.json"))["clean_stop"], true);
+  home.write("state/hedgehog/state.json.new/in-the-way", "");
+  DaemonProcess daemon(home);
+  EXPECT_TRUE(daemon.logs("state.json.new: Is a directory: the state is not kept"));
+  EXPECT_EQ(RawClient(daemon.port()).call("device.emergency_stop")["state"], "disarmed");
+  EXPECT_EQ(daemon.stop(), 0);
+  EXPECT_TRUE(daemon.logs("; the next start counts as one after a crash"));
+  EXPECT_EQ(home.read("state/hedgehog/state.json"), "");
 }
 
 TEST(Memory, ATripIsRecordedReplayableAndOutlivesARestart) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tests/e2e/daemon_process.h"
+#include "tests/e2e/program.h"
 #include "tests/e2e/raw_client.h"
 #include "tests/protocol/example_file.h"
 
@@ -174,14 +175,16 @@ void expect_safe_after_dead_man(const Home& home) {
 class OwnBoard : public testing::Test {
  protected:
   OwnBoard() { home_.configure(R"({"simulator": {"process": true}})"); }
-  void drive(DaemonProcess& daemon, RawClient& game) {
+  void drive(RawClient& game) {
     game.call("events.subscribe");
-    game.call("effect.hold", {{"direction", "left"}, {"current_a", 10}, {"lease_ms", 10000}});
+    const Json held =
+        game.call("effect.hold", {{"direction", "left"}, {"current_a", 10}, {"lease_ms", 10000}});
+    ASSERT_TRUE(held.contains("effect")) << held;
     game.notification("event", "effect_started");
     game.call("telemetry.subscribe", {{"rate_hz", 100}, {"fields", {"current_a"}}});
-    while (std::abs(game.notification("telemetry")["current_a"][1].get<double>()) < 8.0) {
-    }
-    (void)daemon;
+    ASSERT_TRUE(eventually([&] {
+      return std::abs(game.notification("telemetry")["current_a"][1].get<double>()) >= 8.0;
+    }));
   }
   Home home_;
 };
@@ -189,7 +192,7 @@ class OwnBoard : public testing::Test {
 TEST_F(OwnBoard, IsSafe100MsAfterTheDaemonIsKilled) {
   DaemonProcess daemon(home_);
   RawClient game(daemon.port());
-  drive(daemon, game);
+  ASSERT_NO_FATAL_FAILURE(drive(game));
   daemon.stop(SIGKILL);
   expect_safe_after_dead_man(home_);
 }
@@ -197,7 +200,7 @@ TEST_F(OwnBoard, IsSafe100MsAfterTheDaemonIsKilled) {
 TEST_F(OwnBoard, IsSafe100MsAfterTheDaemonFreezesAndStaysSoUntilArmed) {
   DaemonProcess daemon(home_);
   RawClient game(daemon.port());
-  drive(daemon, game);
+  ASSERT_NO_FATAL_FAILURE(drive(game));
   daemon.signal(SIGSTOP);
   expect_safe_after_dead_man(home_);
   daemon.signal(SIGCONT);

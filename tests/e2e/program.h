@@ -52,6 +52,7 @@ class TerminalProgram {
   ~TerminalProgram();
 
   void type(const std::string& keys) const;
+  void signal(int number) const { ::kill(pid_, number); }
   /// Waits until everything written since the start has `text`.
   bool shows(const std::string& text);
   const std::string& shown() const noexcept { return shown_; }

@@ -8,6 +8,8 @@
 #include <sys/un.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cstring>
 #include <stdexcept>
 
@@ -15,6 +17,8 @@ namespace hedgehog::e2e {
 namespace {
 
 constexpr int kPatienceMs = 30'000;
+/// While others keep coming.
+constexpr std::chrono::minutes kPatienceAmongOthers{2};
 
 }  // namespace
 
@@ -51,6 +55,28 @@ bool RawClient::send(std::string_view bytes) {
   return true;
 }
 
+bool RawClient::receive() {
+  pollfd waiting{fd_, POLLIN, 0};
+  char bytes[16 * 1024];
+  const ssize_t count =
+      ::poll(&waiting, 1, kPatienceMs) == 1 ? ::recv(fd_, bytes, sizeof bytes, 0) : -1;
+  if (count > 0) {
+    buffer_.append(bytes, static_cast<std::size_t>(count));
+  }
+  return count > 0;
+}
+
+std::optional<std::string> RawClient::bytes(std::size_t count) {
+  while (buffer_.size() < std::max<std::size_t>(count, 1)) {
+    if (!receive()) {
+      return std::nullopt;
+    }
+  }
+  std::string taken = buffer_.substr(0, count == 0 ? buffer_.size() : count);
+  buffer_.erase(0, taken.size());
+  return taken;
+}
+
 std::optional<std::string> RawClient::line() {
   for (;;) {
     const auto end = buffer_.find('\n');
@@ -59,14 +85,9 @@ std::optional<std::string> RawClient::line() {
       buffer_.erase(0, end + 1);
       return text;
     }
-    pollfd waiting{fd_, POLLIN, 0};
-    char bytes[16 * 1024];
-    const ssize_t count =
-        ::poll(&waiting, 1, kPatienceMs) == 1 ? ::recv(fd_, bytes, sizeof bytes, 0) : -1;
-    if (count <= 0) {
+    if (!receive()) {
       return std::nullopt;
     }
-    buffer_.append(bytes, static_cast<std::size_t>(count));
   }
 }
 
@@ -93,7 +114,11 @@ Json RawClient::call(const std::string& method, const Json& params) {
 }
 
 Json RawClient::notification(const std::string& method, const std::string& type) {
+  const auto deadline = std::chrono::steady_clock::now() + kPatienceAmongOthers;
   for (;;) {
+    if (std::chrono::steady_clock::now() > deadline) {
+      throw std::runtime_error("no " + method + " " + type + " in two minutes");
+    }
     while (!notifications_.empty()) {
       const Json message = std::move(notifications_.front());
       notifications_.pop_front();

@@ -24,13 +24,17 @@ class RawClient {
 
   /// Bytes as they are. False when the daemon has closed.
   bool send(std::string_view bytes);
+  /// What has come, at least one byte, or, when given, `count` bytes; nullopt when the daemon has
+  /// closed.
+  std::optional<std::string> bytes(std::size_t count = 0);
   /// The next line; nullopt when the daemon has closed (or is silent for half a minute).
   std::optional<std::string> line();
   /// The next line that is no notification.
   Json answer();
   /// Sends a request and returns its result, or its error.
   Json call(const std::string& method, const Json& params = Json::object());
-  /// The params of the next notification `method` (of `type`, when given); others are skipped.
+  /// The params of the next notification `method` (of `type`, when given); others are skipped, for
+  /// two minutes.
   Json notification(const std::string& method, const std::string& type = "");
   /// The daemon closes without another word but notifications.
   bool closed_by_daemon();
@@ -38,6 +42,8 @@ class RawClient {
   void close();
 
  private:
+  bool receive();
+
   int fd_ = -1;
   std::string buffer_;
   std::deque<Json> notifications_;

@@ -74,6 +74,27 @@ class Study : public testing::Test {
     const Ended ended = program.wait();
     ASSERT_EQ(ended.exit_code, 0) << ended.err;
   }
+  /// The words that run it with a person, all questions of the check list answered.
+  std::vector<std::string> run_quick() const {
+    return {"-C",
+            home_.path("th"),
+            "run",
+            "quick",
+            "--participant",
+            "P01",
+            "--experimenter",
+            "E1",
+            "--consent",
+            "014",
+            "--age-band",
+            "22-29",
+            "--dominant-hand",
+            "left",
+            "--hand-size",
+            "18.4",
+            "--headphones",
+            "--hand-on-top"};
+  }
   std::string quick_path() const { return home_.path("quick.json"); }
   std::vector<Json> journal(const std::string& name, const std::string& folder = "th") const {
     std::vector<Json> lines;

@@ -5,11 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <map>
 #include <memory>
-#include <random>
-#include <thread>
 
 #include "tests/e2e/daemon_process.h"
 #include "tests/e2e/program.h"
@@ -135,6 +131,31 @@ TEST_F(Study, AnEmergencyStopVoidsTheTrialAndPausesUntilTheBallIsArmed) {
   EXPECT_EQ(count(lines, "continued"), 1);
 }
 
+TEST_F(Study, ABallThatIsUnpluggedVoidsTheTrialAndPausesUntilItIsBack) {
+  start_daemon(20);
+  remember_address();
+  plan("th", "1", quick_path());
+  const std::string name = "P01.quick.1.jsonl";
+  RawClient hand(daemon_->port());
+  const auto running = begin({"run", "quick", "--participant", "P01", "--simulated"});
+  ASSERT_TRUE(eventually([&] { return count(journal(name), "answered") > 1; }));
+  hand.call("sim.set", {{"fault", {{"faults", {"silent"}}}}});
+  ASSERT_TRUE(eventually([&] { return count(journal(name), "paused") == 1; }));
+  EXPECT_EQ(hand.call("device.status")["state"], "absent");
+  const int answered = count(journal(name), "answered");
+  hand.call("sim.set", {{"fault", {{"faults", Json::array()}}}});
+  // As after a plug: disarmed until somebody arms it.
+  ASSERT_TRUE(eventually([&] { return !hand.call("device.arm").contains("code"); }));
+  EXPECT_EQ(running->wait().exit_code, 0);
+  const auto lines = journal(name);
+  EXPECT_GT(count(lines, "answered"), answered);
+  EXPECT_LE(count(lines, "voided"), 1);
+  EXPECT_EQ(count(lines, "paused"), count(lines, "continued"));
+  EXPECT_THAT(lines, testing::Contains(testing::ResultOf(
+                         [](const Json& line) { return line.value("text", std::string()); },
+                         HasSubstr("the ball is absent"))));
+}
+
 TEST_F(Study, AWarmBallIsLeftToCoolBeforeATrialWouldBeReduced) {
   home_.configure(R"({"simulator": {"start_temperature_c": 66}})");
   start_daemon();
@@ -150,50 +171,6 @@ TEST_F(Study, AWarmBallIsLeftToCoolBeforeATrialWouldBeReduced) {
     if (line["event"] == "paused") {
       EXPECT_THAT(line["text"].get<std::string>(), HasSubstr("would be reduced"));
     }
-  }
-}
-
-TEST_F(Study, KilledAtAnyMomentItEndsWithTheSameThresholds) {
-  // HEDGEHOG_STUDY_KILLS=20 HEDGEHOG_STUDY_WHOLE=1: ten people, the three experiments; minutes.
-  const char* many = std::getenv("HEDGEHOG_STUDY_KILLS");
-  const int kills = many != nullptr ? std::atoi(many) : 6;
-  const bool whole = std::getenv("HEDGEHOG_STUDY_WHOLE") != nullptr;
-  const std::string people = whole ? "10" : "3";
-  const std::string experiments = whole ? "force-threshold,force-jnd,speed-jnd"
-                                        : quick_path() + "," + home_.path("quick-yes-no.json");
-  start_daemon();
-  remember_address();
-  plan("calm", people, experiments);
-  plan("shaken", people, experiments);
-  const Ended calm = patiently(*begin({"rehearse"}, "calm"));
-  ASSERT_EQ(calm.exit_code, 0) << calm.err;
-  const auto expected = thresholds("calm");
-  ASSERT_EQ(expected.size(), whole ? 30U : 6U);
-
-  std::mt19937 random(5);  // NOLINT(cert-msc51-cpp): the same moments each time
-  auto runner = begin({"rehearse"}, "shaken");
-  for (int kill = 0; kill < kills; ++kill) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(
-        std::uniform_int_distribution<int>(20, whole ? 8000 : 250)(random)));
-    if (kill % 2 == 0) {
-      runner = nullptr;  // SIGKILL
-      runner = begin({"rehearse"}, "shaken");
-    } else {
-      daemon_->stop(SIGKILL);
-      start_daemon();
-    }
-  }
-  while (true) {
-    const Ended ended = patiently(*runner);
-    ASSERT_NE(ended.exit_code, -1);
-    if (ended.exit_code == 0) {
-      break;
-    }
-    runner = begin({"rehearse"}, "shaken");
-  }
-  EXPECT_EQ(thresholds("shaken"), expected);
-  for (const auto& [run, threshold] : expected) {
-    EXPECT_TRUE(threshold.is_string()) << run;
   }
 }
 

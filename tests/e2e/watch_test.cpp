@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 #include "tests/e2e/daemon_process.h"
 #include "tests/e2e/program.h"
@@ -51,6 +52,20 @@ TEST_F(Watch, DrawsTheBallStopsItAtSpaceAndQuitsAtQ) {
   EXPECT_TRUE(watch_.is_as_a_shell_leaves_it());
 }
 
+/// However it comes: behind another key, behind the escape sequence of one, before leaving.
+TEST_F(Watch, ASpaceStopsWhateverIsTypedWithIt) {
+  ASSERT_TRUE(watch_.shows("SPACE stops"));
+  other_.call("events.subscribe", {{"types", {"state_changed"}}});
+  for (const char* keys : {"x ", "\033[A ", "\033 ", "xxxxxxxxxxxxxxxxxxxxxxxxxxx ", " q"}) {
+    SCOPED_TRACE(keys);
+    watch_.type(keys);
+    ASSERT_EQ(other_.notification("event", "state_changed")["reason"], "emergency_stop");
+    other_.call("device.arm");
+    ASSERT_EQ(other_.notification("event", "state_changed")["state"], "armed");
+  }
+  EXPECT_EQ(watch_.wait(), 0);
+}
+
 TEST_F(Watch, CtrlCLeavesTheTerminalAsItWas) {
   ASSERT_TRUE(watch_.shows("SPACE stops"));
   watch_.type("\x03");
@@ -67,6 +82,31 @@ TEST_F(Watch, SaysSoWhenTheDaemonGoes) {
   EXPECT_THAT(watch_.shown(), testing::HasSubstr(kLeave));
   EXPECT_THAT(watch_.shown(), testing::HasSubstr("the daemon ended the connection"));
   EXPECT_TRUE(watch_.is_as_a_shell_leaves_it());
+}
+
+TEST(LivePictures, SayThatASilentDaemonsPictureIsOldAndThatAStopHasNoAnswer) {
+  Home home;
+  // In lock-step: a ball whose time stands still too has nothing else to complain of afterwards.
+  DaemonProcess daemon(home, {"--speed", "1"});
+  RawClient other(daemon.port());
+  other.call("events.subscribe", {{"types", {"state_changed"}}});
+  for (const std::vector<std::string>& verb :
+       {std::vector<std::string>{"watch"}, {"pins", "--live"}}) {
+    SCOPED_TRACE(verb.front());
+    TerminalProgram live(home, HEDGEHOGCTL_PATH, verb, {"HEDGEHOG_ADDRESS=" + daemon.socket()});
+    ASSERT_TRUE(live.shows("A allowed"));
+    daemon.signal(SIGSTOP);
+    EXPECT_TRUE(live.shows("silent: what stands here is old"));
+    live.type(" ");
+    EXPECT_TRUE(live.shows("stop sent, no answer: pull the plug"));
+    daemon.signal(SIGCONT);
+    EXPECT_EQ(other.notification("event", "state_changed")["reason"], "emergency_stop");
+    EXPECT_TRUE(live.shows("disarmed: emergency_stop"));
+    live.type("q");
+    EXPECT_EQ(live.wait(), 0);
+    other.call("device.arm");
+    EXPECT_EQ(other.notification("event", "state_changed")["state"], "armed");
+  }
 }
 
 TEST(LivePins, AreDrawnStoppedAtSpaceAndLeftAtQ) {

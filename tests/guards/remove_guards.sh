@@ -19,10 +19,10 @@ git ls-files -z | xargs -0 cp --parents -t "$copy"
 echo "guards: building the tests once"
 # Without warnings: a guard that is gone leaves variables unused.
 cmake -S "$copy" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_FLAGS=-w >"$build.log"
-compile() {
-  cmake --build "$build" --target "${targets[@]}" >"$build.log" 2>&1
+compile() { # targets
+  cmake --build "$build" --target "$@" >"$build.log" 2>&1
 }
-compile || { tail -n 20 "$build.log"; exit 1; }
+compile "${targets[@]}" || { tail -n 20 "$build.log"; exit 1; }
 
 # exchange FILE CUT PUT: literally, once; "\n" in both is a line's end.
 exchange() {
@@ -53,8 +53,8 @@ failures_of() { # program filter
 judge() {
   [ -n "$guard" ] || return 0
   if [[ -z $word || "$hazard $guard" == *"$word"* ]]; then
-    local found='' blind='' names one
-    compile || { echo "guards: without it this does not compile: $guard"; tail -n 20 "$build.log"; exit 65; }
+    local found='' blind='' names one programs=("${red[@]%% *}")
+    compile "${programs[@]/#/test_}" || { echo "guards: without it this does not compile: $guard"; tail -n 20 "$build.log"; exit 65; }
     for one in "${red[@]}"; do
       names=$(failures_of "${one%% *}" "${one#* }")
       [ -n "$names" ] || blind+=" $one;"

@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "tests/model/thermal_loop.h"
 
@@ -42,9 +43,15 @@ TEST_P(FiveAmpere, IsNeverReducedAtOneMillisecondEither) {
   EXPECT_NEAR(norm(loop.plant.current_a()), 5.0, 0.05);
 }
 
+std::string axis_name(const testing::TestParamInfo<Vec3>& axis) {
+  constexpr const char* kNames[] = {"x", "y", "z", "minus_x", "oblique"};
+  return kNames[axis.index];
+}
+
 INSTANTIATE_TEST_SUITE_P(Axes, FiveAmpere,
                          testing::Values(Vec3{5, 0, 0}, Vec3{0, 5, 0}, Vec3{0, 0, 5},
-                                         Vec3{-5, 0, 0}, Vec3{3, 0, -4}));
+                                         Vec3{-5, 0, 0}, Vec3{3, 0, -4}),
+                         axis_name);
 
 TEST(HeatLoop, FifteenAmpereAreFullFor22SecondsThenGiveWay) {
   for (int coil = 0; coil < kCoils; ++coil) {

@@ -53,6 +53,31 @@ model::Quaternion quaternion() {
              : model::Quaternion{0, coin() ? 1.0 : -1.0, 0, 0};
 }
 
+std::vector<Keyframe> keyframes() {
+  std::vector<Keyframe> made(static_cast<std::size_t>(whole(1, 6)));
+  std::int64_t t_ms = 0;
+  for (Keyframe& k : made) {
+    t_ms += whole(1, 9000);
+    k.t_ms = t_ms;
+    k.level = between(0, 1);
+    maybe(k.direction, direction);
+    maybe(k.ease, word<model::Ease>);
+  }
+  return made;
+}
+
+std::string pattern_name() {
+  return *rc::gen::elementOf(std::vector<std::string>{"heartbeat", "acme/knock-2", "a/b.c_d"});
+}
+
+Pattern pattern() {
+  Pattern made{.name = pattern_name(), .description = slot(), .keyframes = keyframes()};
+  maybe(made.waveform, word<model::Waveform>);
+  maybe(made.frequency_hz, [] { return between(0.5, 250); });
+  maybe(made.on_fraction, [] { return between(0.05, 0.95); });
+  return made;
+}
+
 void fill_end(EffectParams& p, std::int64_t default_ms) {
   const int kind = *rc::gen::inRange(0, 3);
   if (kind == 1) {
@@ -74,10 +99,21 @@ EffectParams effect_params(Method method) {
   EffectParams p;
   const bool circle = method == Method::kEffectCircle;
   const bool update = method == Method::kEffectUpdate;
+  const bool play = method == Method::kEffectPlay;
   if (method == Method::kEffectPulse || method == Method::kEffectHold) {
     p.direction = direction();
-  } else if (!circle) {
+  } else if (!circle && !play) {
     maybe(p.direction, direction);
+  }
+  if (play || update) {
+    if (coin()) {
+      p.pattern = pattern_name();
+    } else if (play || coin()) {
+      p.keyframes = keyframes();
+    }
+    maybe(p.rotate_to, direction);
+    maybe(p.rate, [] { return between(0.1, 10); });
+    maybe(p.loop, coin);
   }
   if (circle || update) {
     maybe(p.axis, direction);
@@ -115,6 +151,10 @@ EffectParams effect_params(Method method) {
     p.lease_ms = whole(kMinLeaseMs, kMaxLeaseMs);
   } else {
     fill_end(p, method == Method::kEffectPulse ? 150 : 1000);
+    if (p.loop.value_or(false) && !p.duration_ms) {
+      p.fade_ms.reset();
+      p.on_close.reset();
+    }
   }
   maybe(p.priority, [] { return whole(0, 9); });
   maybe(p.if_limited, word<IfLimited>);
@@ -192,6 +232,18 @@ Request filled(Request request) {
   } else if (auto* events = std::get_if<EventsSubscribe>(&request)) {
     events->types = coin() ? std::vector<std::string>{"overrun"} : std::vector<std::string>{};
     events->scope = word<Scope>();
+  } else if (auto* preview = std::get_if<EffectPreview>(&request)) {
+    preview->start = start();
+  } else if (auto* history = std::get_if<EventsHistory>(&request)) {
+    maybe(history->since, [] { return std::string("2026-11-20T23:14:07.5+01:00"); });
+    history->types = coin() ? std::vector<std::string>{"overrun"} : std::vector<std::string>{};
+    history->limit = whole(1, 1000);
+  } else if (auto* put = std::get_if<PatternPut>(&request)) {
+    put->pattern = pattern();
+  } else if (auto* get = std::get_if<PatternGet>(&request)) {
+    get->name = pattern_name();
+  } else if (auto* remove = std::get_if<PatternRemove>(&request)) {
+    remove->name = pattern_name();
   } else if (std::holds_alternative<EffectStart>(request)) {
     request = start();
   } else if (std::holds_alternative<ThermalForecast>(request)) {

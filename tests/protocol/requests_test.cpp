@@ -32,15 +32,16 @@ TEST(Methods, UnknownOnesNameTheNearest) {
   const RpcError error = refused("effect.puls", "{}");
   EXPECT_EQ(error.code, ErrorCode::kMethodNotFound);
   EXPECT_THAT(error.message, HasSubstr("did you mean 'effect.pulse'?"));
-  EXPECT_EQ(refused("pattern.list", "{}").code, ErrorCode::kMethodNotFound);
+  EXPECT_EQ(refused("pattern.rename", "{}").code, ErrorCode::kMethodNotFound);
   EXPECT_EQ(refused("EFFECT.PULSE", "{}").code, ErrorCode::kMethodNotFound);
   EXPECT_LT(refused(std::string(50'000, 'm'), "{}").message.size(), 300u);
 }
 
 TEST(Requests, MethodsWithoutParametersTakeNone) {
   for (const std::string method :
-       {"ping", "device.describe", "device.status", "device.emergency_stop", "device.arm",
-        "device.release", "telemetry.unsubscribe", "events.unsubscribe", "connection.list"}) {
+       {"ping", "device.describe", "device.list", "device.status", "device.emergency_stop",
+        "device.arm", "device.release", "telemetry.unsubscribe", "events.unsubscribe",
+        "connection.list"}) {
     EXPECT_EQ(name(method_of(*only(line_of(method, "{}")).request)), method);
     const RpcError error = refused(method, R"({"x":1})");
     EXPECT_EQ(error.field, "x") << method;

@@ -20,6 +20,7 @@ Status example_status() {
   s.burst_s = 11.5;
   s.current_a = {0, 4.99, 0.12};
   s.duty = {0, 0.199, 0.005};
+  s.supply_v = 12.014;
   s.field = {0, 0.9997, 0.024};
   s.force_n = 0.062;
   s.pin = 34;
@@ -37,7 +38,7 @@ constexpr std::string_view kExampleStatus =
     R"({"device":"ball-7","simulated":false,"time_ns":273660123456789,"state":"armed",)"
     R"("reason":null,"since_s":273590,"remedy":null,"temperature_c":{"sensor":41.2,"model":41.6,)"
     R"("coils":[41,41.6,40.9],"age_ms":3},"limit_a":15,"headroom_s":null,"burst_s":11.5,)"
-    R"("derating":false,"current_a":[0,4.99,0.12],"duty":[0,0.199,0.005],)"
+    R"("derating":false,"current_a":[0,4.99,0.12],"duty":[0,0.199,0.005],"supply_v":12.014,)"
     R"("field":[0,0.9997,0.024],"force_n":0.062,"pin":34,"fan":{"speed_rpm":7180,"duty":1},)"
     R"("orientation":{"quaternion":{"w":0.994,"x":-0.105,"y":0.035,"z":0},)"
     R"("up":[-0.069,-0.208,0.976],"rate_deg_s":[0.1,0,0],"age_ms":3},)"
@@ -72,11 +73,11 @@ TEST(Results, UnknownReadingsAreNull) {
 
 TEST(Results, NumbersAreRoundedAndNeverNegativeZeroNorNaN) {
   Status s = example_status();
-  s.current_a = {-0.001, 4.98765, -4.126};
+  s.current_a = {-0.0001, 4.98765, -4.126};
   s.force_n = 0.0628499;
   s.limit_a = std::numeric_limits<double>::infinity();
   const std::string text = result_of(s);
-  EXPECT_THAT(text, HasSubstr(R"("current_a":[0,4.99,-4.13])"));
+  EXPECT_THAT(text, HasSubstr(R"("current_a":[0,4.988,-4.126])"));
   EXPECT_THAT(text, HasSubstr(R"("force_n":0.0628,)"));
   EXPECT_THAT(text, HasSubstr(R"("limit_a":null,)"));
 }
@@ -138,6 +139,13 @@ TEST(Results, EveryKindComesBackTheSame) {
       {{3, "Racer", "tcp", "127.0.0.1:5", Role::kPlay, 12.5, false, example_status().effects},
        {4, std::nullopt, "unix", std::nullopt, Role::kOperate, 1.0, true, {}}}};
   EXPECT_EQ(*decode_result<ConnectionsResult>(result_of(connections)), connections);
+  const DevicesResult devices{
+      {{"USB 1-3", "1209:0001", "Hedgehog driver board", "7", "1.02", "board", std::nullopt},
+       {"Bluetooth", "054c:0ce6", "Pad", std::nullopt, std::nullopt, std::nullopt,
+        "not asked for"}},
+      {{"thermometer", "no TEMPer thermometer is connected"}},
+      3};
+  EXPECT_EQ(*decode_result<DevicesResult>(result_of(devices)), devices);
   const ForecastResult forecast{12.5, std::nullopt, 6.25, 40.0};
   EXPECT_EQ(*decode_result<ForecastResult>(result_of(forecast)), forecast);
   Description description;

@@ -94,6 +94,31 @@ Json event_schema() {
   return schema;
 }
 
+Json history_schema() {
+  Json schema = SchemaFields::of(HistoryResult{}, false);
+  Json& item = *member(*member(*member(schema, "properties"), "events"), "items");
+  require_only(item, {"at", "type", "time_ns"});
+  return schema;
+}
+
+/// References to what messages.schema.json defines, from another file.
+void refer_to_messages(Json& json) {
+  if (auto* list = std::get_if<Json::List>(&json.value)) {
+    for (Json& item : *list) {
+      refer_to_messages(item);
+    }
+  } else if (auto* object = std::get_if<Json::Object>(&json.value)) {
+    for (auto& [name, value] : *object) {
+      const auto* text = value.as<std::string>();
+      if (name == "$ref" && text != nullptr && text->starts_with('#')) {
+        value = text_json("messages.schema.json" + *text);
+      } else {
+        refer_to_messages(value);
+      }
+    }
+  }
+}
+
 }  // namespace
 
 Json schema_of_params(Method method) {
@@ -101,12 +126,16 @@ Json schema_of_params(Method method) {
   Json schema =
       std::visit([](const auto& value) { return SchemaFields::of(value, true); }, request);
   for (auto& [name, property] : members(*member(schema, "properties"))) {
-    if (method == Method::kThermalForecast && name == "params") {
+    const bool nested = method == Method::kThermalForecast || method == Method::kEffectPreview;
+    if (nested && name == "params") {
       property = type("object");
     }
     if (const std::string_view meaning = meaning_of(name); !meaning.empty()) {
       members(property).emplace_back("description", text_json(meaning));
     }
+  }
+  if (method == Method::kEffectPreview) {
+    members(schema).emplace_back("required", list({"method", "params"}));
   }
   if (method == Method::kEffectPulse || method == Method::kEffectHold) {
     members(schema).emplace_back("required", list({"direction"}));
@@ -125,17 +154,24 @@ std::string result_name(Method method) {
       return "Claim";
     case Method::kDeviceDescribe:
       return "Description";
+    case Method::kDeviceList:
+      return "Devices";
     case Method::kDeviceStatus:
       return "Status";
     case Method::kEffectCircle:
     case Method::kEffectHold:
+    case Method::kEffectPlay:
     case Method::kEffectPulse:
     case Method::kEffectUpdate:
     case Method::kEffectVibrate:
       return "Admission";
+    case Method::kEffectPreview:
+      return "Preview";
     case Method::kEffectStop:
     case Method::kEffectStopAll:
       return "Stopped";
+    case Method::kEventsHistory:
+      return "History";
     case Method::kEventsSubscribe:
       return "EventsSubscription";
     case Method::kHello:
@@ -144,6 +180,12 @@ std::string result_name(Method method) {
       return "Recentered";
     case Method::kOutputSetGain:
       return "Gain";
+    case Method::kPatternGet:
+      return "Pattern";
+    case Method::kPatternList:
+      return "Patterns";
+    case Method::kPatternPut:
+      return "PatternSummary";
     case Method::kPing:
       return "Ping";
     case Method::kSimSet:
@@ -155,6 +197,7 @@ std::string result_name(Method method) {
     case Method::kDeviceRelease:
     case Method::kEventsUnsubscribe:
     case Method::kOrientationSet:
+    case Method::kPatternRemove:
     case Method::kTelemetryUnsubscribe:
       break;
   }
@@ -177,11 +220,17 @@ Json messages_schema() {
       {"Claim", SchemaFields::of(ClaimResult{}, false)},
       {"Connections", SchemaFields::of(ConnectionsResult{}, false)},
       {"Description", SchemaFields::of(Description{}, false)},
+      {"Devices", SchemaFields::of(DevicesResult{}, false)},
       {"Done", type("object")},
       {"EventsSubscription", SchemaFields::of(EventsResult{}, false)},
       {"Forecast", SchemaFields::of(ForecastResult{}, false)},
       {"Gain", SchemaFields::of(GainResult{}, false)},
       {"Hello", SchemaFields::of(HelloResult{}, false)},
+      {"Preview", SchemaFields::of(PreviewResult{}, false)},
+      {"History", history_schema()},
+      {"Pattern", SchemaFields::of(PatternResult{}, false)},
+      {"Patterns", SchemaFields::of(PatternsResult{}, false)},
+      {"PatternSummary", SchemaFields::of(PatternSummary{}, false)},
       {"Ping", SchemaFields::of(PingResult{}, false)},
       {"Recentered", SchemaFields::of(RecenterResult{}, false)},
       {"SimulatedWorld", SchemaFields::of(SimResult{}, false)},
@@ -214,9 +263,7 @@ Json openrpc_document() {
           std::any_of(needed->as<Json::List>()->begin(), needed->as<Json::List>()->end(),
                       [&wanted = name](const Json& n) { return *n.as<std::string>() == wanted; });
       Json described = property;
-      if (Json* direction = member(described, "$ref")) {
-        *direction = text_json("messages.schema.json#/$defs/Direction");
-      }
+      refer_to_messages(described);
       params.push_back(object(
           {{"name", text_json(name)}, {"required", {must}}, {"schema", std::move(described)}}));
     }

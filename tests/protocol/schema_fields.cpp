@@ -65,8 +65,11 @@ void SchemaFields::end_object() {
   }
 }
 
-std::size_t SchemaFields::begin_list(std::size_t) {
+std::size_t SchemaFields::begin_list(std::size_t, const Spec& spec) {
   put("type", text_json("array"));
+  if (spec.items != Spec{}.items) {
+    put("maxItems", {static_cast<std::int64_t>(spec.items)});
+  }
   return 1;
 }
 

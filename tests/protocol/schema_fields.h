@@ -29,7 +29,7 @@ class SchemaFields final : public Fields {
   void close() override;
   bool begin_object() override;
   void end_object() override;
-  std::size_t begin_list(std::size_t size) override;
+  std::size_t begin_list(std::size_t size, const Spec& spec) override;
   bool begin_item(std::size_t index) override;
   void end_list() override {}
   void boolean(bool& v) override;

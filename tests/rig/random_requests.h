@@ -52,6 +52,7 @@ inline model::EffectSpec random_effect(model::RandomStream& random, const Temper
   spec.priority = static_cast<std::uint8_t>(4 + random.bits() % 3);
   switch (spec.method) {
     case EffectMethod::kPulse:
+    case EffectMethod::kPlay:  // drawn nowhere here; it needs key frames
       break;
     case EffectMethod::kCircle:
       spec.trajectory.path = model::Path::kCircle;

@@ -54,6 +54,7 @@ void Rig::skip_control(Tick ticks) {
 
 void Rig::freeze_host(Tick ticks) {
   for (Tick i = 0; i < ticks; ++i) {
+    link_.skip(1);
     if (const auto frame = board_.step()) link_.receive(*frame);
   }
   skipped_ += static_cast<std::uint32_t>(ticks);

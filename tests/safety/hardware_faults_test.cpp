@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Every fault that the simulated board can show, while an effect plays: the safe command within its
 // ticks, zero at the plant after 5 L/R, the named latch, one event.
+#include <algorithm>
+
 #include "daemon/device/simulator_settings.h"
 #include "tests/safety/safe.h"
 
@@ -142,6 +144,26 @@ TEST(FanFault, NoTachometerForThreeSecondsTrips) {
   EXPECT_EQ(name(rig.controller().state()), "armed");
 }
 
+TEST(FanFault, KeepsABallFromBeingArmedThatWasNeverArmed) {
+  rig::RigOptions options;
+  options.control.arm_at_start = false;
+  options.board.start_c = 45.0;  // so that the fan is asked for
+  rig::Rig rig(options);
+  rig.set_faults(device::kSimFanStopped);
+  rig.run(2900);
+  EXPECT_EQ(name(rig.snapshot().arm_refusal), "none") << "a fan may take its time to start";
+  rig.run(200);
+  EXPECT_EQ(name(rig.snapshot().arm_refusal), "fan_stopped");
+  rig.arm();
+  rig.run(400);
+  EXPECT_EQ(name(rig.controller().state()), "disarmed");
+  rig.set_faults(0);
+  rig.run(1000);
+  rig.arm();
+  rig.run(400);
+  EXPECT_EQ(name(rig.controller().state()), "armed");
+}
+
 TEST(UnexpectedCurrent, TripsThoughNothingWasEverAsked) {
   rig::Rig rig;
   rig.run_until_armed();
@@ -156,6 +178,25 @@ TEST(UnexpectedCurrent, TripsThoughNothingWasEverAsked) {
   rig.arm();
   rig.run(400);
   EXPECT_EQ(name(rig.controller().state()), "tripped");
+}
+
+TEST(Arming, ABoardThatKeepsItsLatchIsATripAndSaidToBeOne) {
+  rig::RigOptions options;
+  options.control.arm_at_start = false;
+  rig::Rig rig(options);
+  rig.run(100);
+  rig.set_faults(device::kSimSupplyLow);
+  rig.run(100);
+  ASSERT_EQ(name(rig.controller().state()), "disarmed");
+  EXPECT_EQ(rig.snapshot().last_trip.reason, Reason::kNone);
+  rig.forget_events();
+  rig.arm();
+  rig.run(400);
+  expect_tripped(rig, Reason::kBoardSupply);
+  const auto& events = rig.events();
+  EXPECT_EQ(
+      std::count_if(events.begin(), events.end(), [](const auto& event) { return event.trip; }), 1);
+  EXPECT_LT(rig.current_a(), kZeroA);
 }
 
 TEST(UnexpectedCurrent, TripsWhileDisarmedToo) {

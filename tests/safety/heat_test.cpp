@@ -2,6 +2,7 @@
 // Too hot: the limiter's law, and the watchdog when the limiter is wrong.
 #include <limits>
 
+#include "daemon/device/board_codec.h"
 #include "daemon/device/simulator_settings.h"
 #include "tests/safety/safe.h"
 
@@ -9,18 +10,6 @@ namespace hedgehog::safety {
 namespace {
 
 using control::Reason;
-
-/// A limiter that limits nothing: only the watchdog and the board are left.
-rig::RigOptions without_limiter(double trip_c = 70.0) {
-  rig::RigOptions options;
-  model::Limits& limits = options.control.limits;
-  limits.derate_from_c = 300.0;
-  limits.sustain_c = 310.0;
-  limits.zero_c = 320.0;
-  limits.trip_c = trip_c;
-  options.control.ceiling = limits;
-  return options;
-}
 
 /// Holds `current_a` along `axis` until the ball is not armed any more; how hot it was at most.
 double hottest_until_stopped(rig::Rig& rig, const model::Vec3& axis, double current_a,
@@ -144,6 +133,35 @@ TEST(BoardsOwnLimits, OverCurrentForFiftyMilliseconds) {
   rig.run(3);
   expect_zero(rig, 50 + 12);
   expect_tripped(rig, Reason::kBoardOverCurrent);
+}
+
+// A daemon with tighter limits was here before; the board keeps to them until its power-up.
+TEST(BoardsOwnLimits, ThoseOfAnEarlierConfigurationAreKeptTo) {
+  rig::Rig rig;
+  rig.board().receive(device::encode_limits({67.0, 5.5, 1.0}, 1));
+  rig.run_until_armed();
+  rig.start(rig::hold({1, 1, 0}, 15.0));
+  rig.run(2000);
+  EXPECT_EQ(name(rig.controller().state()), "armed") << name(rig.controller().reason());
+  EXPECT_NEAR(rig.current_a(), 5.0, 0.02);
+  EXPECT_NEAR(rig.snapshot().limit_a, 5.0, 1e-6);
+  EXPECT_FALSE(rig.snapshot().derating) << "it is not warm";
+  model::Limits limits;
+  limits.current_a = limits.continuous_a = 3.0;
+  rig.command(control::SetLimits{limits});
+  rig.run(300);
+  EXPECT_NEAR(rig.current_a(), 3.0, 0.02);
+
+  rig::RigOptions options;
+  options.board.start_c = 61.0;
+  options.board.ambient_c = 120.0;
+  rig::Rig warm(options);
+  warm.board().receive(device::encode_limits({67.0, 5.5, 1.0}, 1));
+  warm.run_until_armed();
+  EXPECT_TRUE(
+      warm.run_until([&] { return warm.controller().state() != control::State::kArmed; }, 30'000));
+  EXPECT_NEAR(warm.plant().sensor_c(), 62.0, 0.5);
+  expect_tripped(warm, Reason::kOverheated);
 }
 
 TEST(AbsurdNumber, IsZeroForThatTickAndTold) {

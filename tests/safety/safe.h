@@ -12,6 +12,18 @@ namespace hedgehog::safety {
 inline constexpr model::Tick kDecay = 17;
 inline constexpr double kZeroA = 0.1;
 
+/// A limiter that limits nothing: only the watchdog and the board are left.
+inline rig::RigOptions without_limiter(double trip_c = 70.0) {
+  rig::RigOptions options;
+  model::Limits& limits = options.control.limits;
+  limits.derate_from_c = 300.0;
+  limits.sustain_c = 310.0;
+  limits.zero_c = 320.0;
+  limits.trip_c = trip_c;
+  options.control.ceiling = limits;
+  return options;
+}
+
 /// The bridges of the simulated board sleep and their duty is 0, on the board's side of the wire.
 inline bool asleep(rig::Rig& rig) {
   const board::BoardOutputs& out = rig.board().core().outputs();

@@ -199,7 +199,10 @@ TEST_P(Silence, FromTheStartKeepsItFromBeingArmed) {
 }
 
 INSTANTIATE_TEST_SUITE_P(EachRole, Silence,
-                         ::testing::Values(ThermometerRole::kCoil, ThermometerRole::kShell));
+                         ::testing::Values(ThermometerRole::kCoil, ThermometerRole::kShell),
+                         [](const auto& role) {
+                           return role.param == ThermometerRole::kCoil ? "coil" : "shell";
+                         });
 
 TEST(NoThermometer, NothingIsExpectedOfIt) {
   rig::Rig rig;

@@ -2,8 +2,6 @@
 // Who may play what, and what they are told: DESIGN section 4.
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include "tests/server/server_rig.h"
 
 namespace hedgehog::server {
@@ -245,34 +243,6 @@ TEST(Effects, OneThatHasEndedByItselfIsNotMixedWithTheNext) {
   rig.call(game, "effect.pulse", strong);
   rig.run_unheard(80);
   EXPECT_EQ(rig.call(game, "effect.pulse", strong)["limited_by"], nullptr);
-}
-
-TEST(Registry, NoEffectHasTheNumberThatMarksAFreePlace) {
-  EffectRegistry registry(std::numeric_limits<control::EffectId>::max() - 1);
-  EXPECT_EQ(registry.add(7).id, std::numeric_limits<control::EffectId>::max());
-  const Effect& next = registry.add(7);
-  EXPECT_EQ(next.id, 1u);
-  EXPECT_EQ(next.place, 1);
-  EXPECT_EQ(registry.playing(7).size(), 2u);
-}
-
-TEST(Effects, WhoFloodsIsBusyAndOthersAreNot) {
-  ServerRig rig;
-  FakeClient& flood = rig.connect();
-  FakeClient& game = rig.connect();
-  int busy = 0;
-  for (int i = 0; i < 1000; ++i) {
-    rig.server->line(flood.session,
-                     R"({"jsonrpc":"2.0","id":1,"method":"effect.vibrate","params":{"slot":"x"}})");
-  }
-  for (const auto& line : flood.lines) {
-    busy += Json::parse(line.text).value("error", Json::object()).value("code", 0) == -32001;
-  }
-  EXPECT_GT(busy, 500);
-  EXPECT_TRUE(rig.call(game, "effect.pulse", pulse()).contains("effect"));
-  rig.run(20);
-  EXPECT_FALSE(rig.machine->outbox().waiting());
-  EXPECT_EQ(rig.machine->now().applied_seq, rig.machine->outbox().last_seq());
 }
 
 TEST(Effects, AnUpdateIsCheckedAsAStartIs) {

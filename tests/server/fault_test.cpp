@@ -56,9 +56,68 @@ TEST(Faults, TheBoardGuardsTheLimitsOfTheConfiguration) {
   rig.machine->set_config(config);
   rig.run(5);
   EXPECT_DOUBLE_EQ(rig.machine->now().board.limit_current_a, 6.6);
+  EXPECT_FALSE(rig.machine->board_holds_back());
+  config.limits.current_a = 8.0;
+  rig.machine->set_config(config);
+  rig.run(5);
+  EXPECT_TRUE(rig.machine->board_holds_back()) << "until its power-up";
   ServerRig usual;
   EXPECT_DOUBLE_EQ(usual.machine->now().board.limit_current_a, 16.5);
   EXPECT_DOUBLE_EQ(usual.machine->now().board.limit_sensor_c, 75.0);
+}
+
+TEST(Faults, ATripIsRememberedWithWhatItWasAndWhoPlayed) {
+  ServerRig rig;
+  FakeClient& game = rig.connect();
+  rig.call(game, "hello", {{"client", "Racer/1.2"}});
+  rig.call(game, "effect.hold", {{"direction", "left"}, {"current_a", 5}, {"lease_ms", 9000}});
+  rig.run(100);
+  rig.call(game, "sim.set", {{"fault", {{"faults", {"sensor_open"}}}}});
+  rig.run(200);
+  const Json states = rig.call(game, "events.history", {{"types", {"state_changed"}}})["events"];
+  ASSERT_FALSE(states.empty());
+  const Json& trip = states.back();
+  EXPECT_EQ(trip["state"], "tripped");
+  EXPECT_EQ(trip["reason"], "sensor_open");
+  EXPECT_EQ(trip["client"], "Racer/1.2");
+  EXPECT_EQ(trip["method"], "effect.hold");
+  EXPECT_NEAR(trip["current_a"].get<double>(), 5.0, 0.5);
+  EXPECT_NEAR(trip["temperature_c"].get<double>(), 25.0, 2.0);
+  EXPECT_FALSE(trip.contains("recording")) << "nobody records here";
+  EXPECT_NE(rig.history_lines.find("sensor_open"), std::string::npos) << "trips at once";
+  const Json ends = rig.call(game, "events.history", {{"types", {"effect_ended"}}})["events"];
+  ASSERT_EQ(ends.size(), 1u);
+  EXPECT_EQ(ends[0]["method"], "effect.hold");
+  EXPECT_EQ(ends[0]["reason"], "tripped");
+}
+
+TEST(Faults, ABoardThatFallsSilentUnderCurrentIsATripAndItsLatchIsCountedOnce) {
+  ServerRig rig;
+  FakeClient& owner = rig.connect();
+  rig.call(owner, "events.subscribe");
+  rig.call(owner, "effect.hold", {{"direction", "left"}, {"lease_ms", 10000}});
+  rig.run(100);
+  const auto silent = [&](const Json& faults) {
+    rig.call(owner, "sim.set", {{"fault", {{"faults", faults}}}});
+    rig.run(500);
+  };
+  const auto& trips = rig.server->counters().trips;
+  silent({"silent"});
+  EXPECT_EQ(trips.at("telemetry_lost"), 1);
+  const Json told = rig.call(owner, "events.history", {{"types", {"state_changed"}}})["events"];
+  EXPECT_EQ(told.back()["state"], "absent");
+  EXPECT_NEAR(told.back()["current_a"].get<double>(), 5.0, 0.5) << "what it ended";
+  EXPECT_EQ(told.back()["method"], "effect.hold");
+
+  silent(Json::array());
+  rig.call(owner, "device.arm");
+  silent({"sensor_open"});
+  EXPECT_EQ(trips.at("sensor_open"), 1);
+  silent({"sensor_open", "silent"});
+  EXPECT_EQ(rig.call(owner, "device.status")["state"], "absent");
+  silent({"sensor_open"});
+  EXPECT_EQ(rig.call(owner, "device.status")["state"], "tripped");
+  EXPECT_EQ(trips.at("sensor_open"), 1) << "the latch that was there";
 }
 
 TEST(Faults, ABallThatIsGoneIsAbsent) {
@@ -121,6 +180,62 @@ TEST(Faults, WhoIsGoneBeforeItsAnswerIsForgotten) {
   rig.run(5);
   EXPECT_TRUE(owner.lines.empty());
   EXPECT_FALSE(owner.finished);
+}
+
+std::string batch(std::size_t count, const std::string& method, bool answered) {
+  Json requests = Json::array();
+  for (std::size_t i = 0; i < count; ++i) {
+    Json request{{"jsonrpc", "2.0"}, {"method", method}};
+    if (answered) request["id"] = i;
+    requests.push_back(std::move(request));
+  }
+  return requests.dump();
+}
+
+TEST(Faults, ABatchMayAskForEightAndANotificationForNone) {
+  ServerRig rig;
+  for (int i = 1; i <= 5'000; ++i) {
+    rig.history.record({.type = "derating_ended", .time_ns = i}, i, nullptr);
+  }
+  FakeClient& client = rig.connect(protocol::Role::kObserve);
+  const Json answers = rig.say(client, batch(64, "events.history", true));
+  ASSERT_EQ(answers.size(), 64u);
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    EXPECT_EQ(answers[i].contains("result"), i < 8) << i;
+  }
+  EXPECT_EQ(answers[8]["error"]["code"], -32001);
+  EXPECT_EQ(answers[8]["error"]["data"]["limit"], 8);
+  const auto asked = rig.server->counters().requests;
+  rig.server->line(client.session, batch(64, "events.history", false));
+  EXPECT_EQ(rig.server->counters().requests, asked) << "nobody reads it";
+}
+
+TEST(Faults, WhoAsksADaemonThatEndsIsToldSoAndAStopIsStillALatch) {
+  ServerRig rig;
+  FakeClient& game = rig.connect();
+  rig.server->say_shutting_down("stop");
+  const std::map<std::string, Json> asked{{"effect.pulse", {{"direction", "left"}}},
+                                          {"output.set_gain", {{"gain", 0.5}}},
+                                          {"ping", Json::object()}};
+  for (const auto& [method, params] : asked) {
+    const Json refused = rig.call(game, method, params);
+    EXPECT_EQ(refused["message"], "busy: the daemon is stopping") << method;
+    EXPECT_EQ(refused["data"]["retry_after_ms"], 1000);
+  }
+  rig.run(10);
+  EXPECT_LT(rig.plant_current_a(), 0.1);
+  EXPECT_EQ(rig.memory.gain, -1.0);
+  game.lines.clear();
+  rig.server->line(game.session,
+                   R"({"jsonrpc":"2.0","id":"stop","method":"device.emergency_stop"})");
+  EXPECT_EQ(rig.memory.latch, control::Reason::kEmergencyStop);
+  ASSERT_EQ(game.lines.size(), 1u) << "no tick comes any more that the answer could wait for";
+  const Json stopped = Json::parse(game.lines.front().text);
+  EXPECT_EQ(stopped["id"], "stop");
+  EXPECT_EQ(stopped["result"]["state"], "disarmed");
+  EXPECT_EQ(stopped["result"]["reason"], "emergency_stop");
+  EXPECT_EQ(stopped["result"]["remedy"], "Run: hedgehogctl arm");
+  EXPECT_FALSE(rig.server->owes());
 }
 
 }  // namespace

@@ -124,6 +124,31 @@ TEST(Pins, AreThoseOfThePlantWhateverWayTheWindingsSit) {
   EXPECT_LT(*std::min_element(real.extension_mm.begin(), real.extension_mm.end()), -0.1);
 }
 
+// The same with a matrix that the daemon does not know: the pins follow the ball, not the belief.
+TEST(Pins, AreThoseOfTheSimulatedBallWhateverIsBelieved) {
+  config::Config config;
+  model::DeviceModel ball;
+  ball.coils.matrix = {{{0, 1, 0}, {-1, 0, 0}, {0, 0, -1}}};
+  ball.force_slope_n_a = 0.02;
+  config.simulator.ball = ball;
+  device::SimulatedBoardOptions board = board_of(config);
+  board.plant.coil_matrix = ball.coils.matrix;
+  board.plant.force_slope_n_a = ball.force_slope_n_a;
+  ServerRig rig(config, board);
+  FakeClient& game = rig.connect();
+  hold(rig, game, "front", 9.0);
+  const Json told = pins_now(rig, game);
+  const model::PinMotion real =
+      rig.world.board().plant().pins(model::hedgehog_86(), model::hedgehog_86_curves());
+  for (std::size_t pin = 0; pin < 86; ++pin) {
+    EXPECT_NEAR(told["force_n"][pin], real.force_n[pin], 2e-4) << pin;
+  }
+  const auto most = std::max_element(real.force_n.begin(), real.force_n.end());
+  const auto at = static_cast<std::size_t>(most - real.force_n.begin());
+  EXPECT_GT(model::hedgehog_86().pins[at].position.y, 0.9) << "the left, not the front, pushes";
+  EXPECT_NEAR(*most, 0.02 * 9.0, 0.01);
+}
+
 TEST(Pins, OfABallThatIsStrongerThanItsFileMoveFarther) {
   config::Config config;
   device::SimulatedBoardOptions strong = board_of(config);

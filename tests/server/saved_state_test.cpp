@@ -7,9 +7,11 @@
 #include <filesystem>
 #include <fstream>
 
+#include "daemon/control/state_machine.h"
 #include "daemon/daemon.h"
 #include "daemon/server/disk_thread.h"
 #include "daemon/server/trip_recordings.h"
+#include "tests/temporary_folder.h"
 
 namespace hedgehog::server {
 namespace {
@@ -27,19 +29,6 @@ SavedState hot() {
   s.gain = 0.5;
   return s;
 }
-
-class Folder {
- public:
-  Folder() {
-    std::string pattern = (fs::temp_directory_path() / "hedgehog-test-XXXXXX").string();
-    path_ = mkdtemp(pattern.data());
-  }
-  ~Folder() { fs::remove_all(path_); }
-  std::string path() const { return path_; }
-
- private:
-  std::string path_;
-};
 
 TEST(SavedState, ComesBackAsItWas) {
   const auto read = decode_saved_state(encode(hot()));
@@ -87,6 +76,22 @@ TEST(StartState, AFileThatIsMissingOrDamagedIsNotTrusted) {
   EXPECT_EQ(warm.start_measured, hot().measured);
 }
 
+TEST(StartState, ASimulatedBallIsNeverPluggedInLate) {
+  config::Config config;
+  config.backend = config::Backend::kUsb;
+  EXPECT_EQ(daemon::start_state(config, std::nullopt, 0.0).settings.start_patience, 10'000);
+  config.backend = config::Backend::kSimulator;
+  const control::ControlSettings settings = daemon::start_state(config, std::nullopt, 0.0).settings;
+  control::StateMachine states{settings};
+  device::BoardTelemetry board;
+  board.mode = device::BoardMode::kReady;
+  states.board_alive(board, 60'000);
+  board.arm_count = 1;
+  states.step(board, true, control::Reason::kNone, 60'000);
+  states.step(board, true, control::Reason::kNone, 60'001);
+  EXPECT_TRUE(states.armed());
+}
+
 TEST(StartState, ArmsARealBallOnlyAfterACleanStop) {
   config::Config real;
   real.backend = config::Backend::kUsb;
@@ -106,7 +111,7 @@ TEST(StartState, ArmsARealBallOnlyAfterACleanStop) {
 }
 
 TEST(Disk, AFileIsTheOldOneOrTheNewOne) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const std::string path = folder.path() + "/state.json";
   EXPECT_EQ(write_file_atomically(path, "one"), "");
   EXPECT_EQ(write_file_atomically(path, "two"), "");
@@ -122,23 +127,42 @@ TEST(Disk, TheThreadDoesWhatIsQueuedBeforeItEnds) {
   {
     DiskThread disk;
     for (int i = 0; i < 10; ++i) {
-      EXPECT_TRUE(disk.post([&done] { ++done; }));
+      EXPECT_TRUE(disk.post(DiskUse::kSafety, [&done] { ++done; }));
     }
   }
   EXPECT_EQ(done, 10);
 }
 
+TEST(TripRecordings, ANumberThatTheHistoryNamesIsNeverGivenAgain) {
+  const TemporaryFolder folder;
+  std::ofstream(recording_path(folder.path(), 1)) << "x";
+  control::FlightRecorder recorder;
+  DiskThread disk;
+  TripRecordings recordings(folder.path(), disk, recorder, 2);
+  EXPECT_TRUE(recordings.has(1));
+  EXPECT_FALSE(recordings.has(2)) << "named when it could not be written";
+  EXPECT_EQ(recordings.tripped(), 3u);
+  EXPECT_EQ(TripRecordings(folder.path(), disk, recorder, 0).tripped(), 2u);
+  EXPECT_EQ(recording_name(17), "trip-0017");
+  EXPECT_EQ(recording_number("trip-0017"), 17u);
+  EXPECT_EQ(recording_number("trip-12345"), 12345u);
+  for (const char* wrong : {"", "trip-", "trip-1x", "trip-99999999999", "../trip-0001"}) {
+    EXPECT_EQ(recording_number(wrong), 0u) << wrong;
+  }
+}
+
 TEST(TripRecordings, AreNumberedOnAndTheOldestGo) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const auto make = [&](const char* name, int bytes) {
     std::ofstream(folder.path() + "/" + name) << std::string(static_cast<std::size_t>(bytes), 'x');
   };
-  EXPECT_EQ(next_recording(folder.path()), folder.path() + "/trip-0001.hhr");
+  EXPECT_EQ(last_recording(folder.path()), 0u);
   make("trip-0007.hhr", 10);
   make("trip-0008.hhr", 10);
   make("trip-0009.hhr", 10);
   make("other.hhr", 1000);
-  EXPECT_EQ(next_recording(folder.path()), folder.path() + "/trip-0010.hhr");
+  EXPECT_EQ(last_recording(folder.path()), 9u);
+  EXPECT_EQ(recording_path(folder.path(), 10), folder.path() + "/trip-0010.hhr");
   prune_recordings(folder.path(), 2, 1000);
   EXPECT_FALSE(fs::exists(folder.path() + "/trip-0007.hhr"));
   EXPECT_TRUE(fs::exists(folder.path() + "/trip-0008.hhr"));

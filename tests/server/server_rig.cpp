@@ -29,8 +29,9 @@ ServerRig::ServerRig(config::Config settings, const device::SimulatedBoardOption
       std::make_unique<control::ControlTick>(armed_settings(config), *mailbox, *port, nullptr);
   machine = std::make_unique<Machine>(config, *mailbox, *port, kEpochNs);
   server = std::make_unique<Server>(
-      *machine, memory,
-      [this](const control::Event& event, const Effect*) { events.push_back(event); });
+      *machine, memory, patterns, history,
+      [this](const control::Event& event, const Effect*) { events.push_back(event); },
+      [this] { return wall_ms(); });
   run(200);
   EXPECT_EQ(machine->now().state, control::State::kArmed);
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <deque>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -12,6 +13,8 @@
 #include "daemon/config/config.h"
 #include "daemon/control/control_tick.h"
 #include "daemon/device/lock_step.h"
+#include "daemon/server/event_history.h"
+#include "daemon/server/pattern_library.h"
 #include "daemon/server/server.h"
 
 namespace hedgehog::server {
@@ -24,6 +27,34 @@ class FakeMemory final : public Memory {
   void remember_latch(control::Reason reason) override { latch = reason; }
   double gain = -1.0;
   control::Reason latch = control::Reason::kNone;
+};
+
+/// Of a disk that is done at once.
+inline DiskWorkPtr done_work(const std::string& problem = {}) {
+  auto work = std::make_shared<DiskWork>();
+  work->problem = problem;
+  work->done = true;
+  return work;
+}
+
+class FakeShelf final : public PatternShelf {
+ public:
+  DiskWorkPtr keep(const std::string& name, std::string json) override {
+    if (full) return nullptr;
+    files[name] = std::move(json);
+    return work();
+  }
+  DiskWorkPtr drop(const std::string& name) override {
+    if (full) return nullptr;
+    files.erase(name);
+    return work();
+  }
+  std::map<std::string, std::string> files;
+  std::string problem;
+  bool full = false;
+
+ private:
+  DiskWorkPtr work() const { return done_work(problem); }
 };
 
 /// A client whose socket is a list.
@@ -64,6 +95,17 @@ class ServerRig {
   std::unique_ptr<control::Mailbox> mailbox = std::make_unique<control::Mailbox>();
   std::unique_ptr<device::LinkPort> port = std::make_unique<device::LinkPort>();
   FakeMemory memory;
+  FakeShelf shelf;
+  PatternLibrary patterns{shelf, {}};
+  /// What the history's files would have.
+  std::string history_lines;
+  EventHistory history{[this](HistoryPart, std::string lines, bool) {
+                         history_lines += lines;
+                         return done_work();
+                       },
+                       {}};
+  /// Time of day at the last tick.
+  std::int64_t wall_ms() const { return 1'795'216'447'000 + tick_; }
   std::unique_ptr<control::ControlTick> control;
   device::LockStep world;
   std::unique_ptr<Machine> machine;

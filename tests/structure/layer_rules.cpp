@@ -31,6 +31,7 @@ const std::vector<Layer>& layers() {
       {"daemon/device",
        {"model", "daemon/device/board_core"},
        {kAsio, kBeast, kJson, kSpdlog, kCli, kSystemd}},
+      {"daemon/emulator", {"model", "daemon/device"}, {kAsio, kBeast, kJson, kSpdlog, kSystemd}},
       {"daemon/control",
        {"model", "daemon/device"},
        {kAsio, kBeast, kJson, kSpdlog, kCli, kSystemd}},

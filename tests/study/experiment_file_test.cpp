@@ -80,6 +80,8 @@ TEST(ExperimentFile, NamesEachMistakeByLineAndKey) {
               HasSubstr("task: must be one of \"yes_no\", \"two_intervals\", not \"three\""));
   EXPECT_THAT(complaint(changed("\"ceiling\": 200", "\"ceiling\": 220")),
               HasSubstr("ceiling: is 16.0 A"));
+  EXPECT_THAT(complaint(changed("\"current_a\": 5", "\"current_a\": 0")),
+              testing::MatchesRegex("mine.json:[0-9]+: current_a: must be above 0.*"));
   EXPECT_THAT(complaint(changed("\"start\": 100", "\"start\": 0.0001")),
               HasSubstr("start: has more than 3 decimals"));
   // Neither the comment that names the key nor a value or a stage that has its name.
@@ -92,6 +94,9 @@ TEST(ExperimentFile, NamesEachMistakeByLineAndKey) {
               HasSubstr("steps must be above 0"));
   EXPECT_THAT(complaint(changed("\"name\": \"force-jnd\"", "\"name\": \"../x\"")),
               HasSubstr("name: takes small letters"));
+  EXPECT_THAT(complaint(changed("\"question\": \"", "\"question\": \"a\\n")),
+              HasSubstr("question: must be a text of one line"));
+  EXPECT_EQ(find_experiment("/tmp").error().exit_code, EX_NOINPUT);
   EXPECT_EQ(find_experiment("nothing").error().exit_code, EX_USAGE);
   EXPECT_EQ(find_experiment("./nothing.json").error().exit_code, EX_NOINPUT);
 }

@@ -3,18 +3,21 @@
 // overwritten.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
-#include <map>
+#include <optional>
 
 #include "clients/study/experiment_file.h"
 #include "clients/study/journal/codec.h"
 #include "clients/study/journal/journal.h"
 #include "clients/study/rules/observer.h"
-#include "clients/study/study_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace hedgehog::study {
 namespace {
@@ -24,12 +27,13 @@ using testing::HasSubstr;
 
 class Files : public testing::Test {
  protected:
-  Files() {
-    std::string pattern = (fs::temp_directory_path() / "hedgehog-study-XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
+  /// In memory where there is such a place: each event waits for the disk.
+  static fs::path place() {
+    const fs::path memory = "/dev/shm";
+    return ::access(memory.c_str(), W_OK) == 0 ? memory : fs::temp_directory_path();
   }
-  ~Files() override { fs::remove_all(folder_); }
-  fs::path folder_;
+  TemporaryFolder temporary_{place()};
+  const fs::path folder_ = temporary_.path();
 };
 
 RunStarted header(const std::string& experiment) {
@@ -53,22 +57,33 @@ Answer answer_to(const Trial& trial, const Experiment& e) {
   return (trial.interval_of_test == 1) == positive ? Answer::kFirst : Answer::kSecond;
 }
 
-/// Takes the run to its end, or for so many events; as the program does: an open trial is void.
-void go_on(Journal& journal, int events = 1'000'000) {
-  const auto put = [&](const Event& event) {
-    if (events-- > 0) {
-      ASSERT_TRUE(journal.append(event).has_value());
+using Put = std::function<bool(const Event&)>;
+
+/// Takes the run to its end, or until nothing more can be put; as the program does: an open trial
+/// is void.
+void go_on(const RecordedRun& run, const Put& put) {
+  if (run.open() && !put(Voided{"interrupted"})) {
+    return;
+  }
+  while (!run.over()) {
+    const Trial trial = *run.state().next();
+    if (!put(TrialStarted{trial}) || !put(played(1)) ||
+        !put(Answered{answer_to(trial, run.header().experiment), 640})) {
+      return;
     }
-  };
-  if (journal.run().open()) {
-    put(Voided{"interrupted"});
   }
-  while (events > 0 && !journal.run().over()) {
-    const Trial trial = *journal.run().state().next();
-    put(TrialStarted{trial});
-    put(played(1));
-    put(Answered{answer_to(trial, journal.run().header().experiment), 640});
-  }
+}
+
+/// To the end, or for so many events.
+void go_on(Journal& journal, int events = 1'000'000) {
+  go_on(journal.run(), [&](const Event& event) {
+    if (events-- <= 0) {
+      return false;
+    }
+    const bool written = journal.append(event).has_value();
+    EXPECT_TRUE(written);
+    return written;
+  });
 }
 
 std::string text_of(const fs::path& path) {
@@ -108,27 +123,29 @@ TEST_F(Files, AJournalReadsBackEveryEvent) {
 }
 
 TEST_F(Files, ARunCutAfterAnyEventGoesOnToTheSameLevels) {
-  for (const char* experiment : {"force-threshold", "force-jnd"}) {
-    auto whole =
-        Journal::create(folder_ / (std::string(experiment) + ".whole"), header(experiment)).value();
-    go_on(whole);
-    ASSERT_TRUE(whole.run().over());
-    const auto expected = whole.run().state().staircase().state();
-    const int lines = static_cast<int>(whole.run().lines());
-    for (int cut = 0; cut < lines; cut += 29) {
-      const fs::path path = folder_ / (experiment + std::to_string(cut));
-      {
-        auto journal = Journal::create(path, header(experiment)).value();
-        go_on(journal, cut);
-      }
-      auto journal = Journal::open(path).value();
+  for (const char* experiment : {"force-threshold", "force-jnd", "speed-jnd"}) {
+    const fs::path path = folder_ / experiment;
+    {
+      auto journal = Journal::create(path, header(experiment)).value();
       go_on(journal);
-      EXPECT_EQ(journal.run().state().staircase().state(), expected) << cut;
+      ASSERT_TRUE(journal.run().over());
+    }
+    const std::vector<Line> lines = read_journal(path).value();
+    const auto expected = read_run(path).value().state().staircase().state();
+    ASSERT_GT(lines.size(), 50U);
+    for (std::size_t cut = 1; cut <= lines.size(); ++cut) {
+      auto run =
+          RecordedRun::replay({lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(cut)})
+              .value();
+      go_on(run, [&](const Event& event) {
+        return run.take({run.lines() + 1, "", event}).has_value();
+      });
+      ASSERT_EQ(run.state().staircase().state(), expected) << experiment << " " << cut;
     }
   }
 }
 
-TEST_F(Files, AJournalTornAtAnyByteGoesOnToTheSameLevelsAndKeepsEveryByte) {
+TEST_F(Files, AJournalTornAtAnyByteOfATrialGoesOnToTheSameLevelsAndKeepsEveryByte) {
   const fs::path whole = folder_ / "whole";
   {
     auto journal = Journal::create(whole, header("speed-jnd")).value();
@@ -137,7 +154,17 @@ TEST_F(Files, AJournalTornAtAnyByteGoesOnToTheSameLevelsAndKeepsEveryByte) {
   const std::string text = text_of(whole);
   const auto expected = read_run(whole).value().state().staircase().state();
   const std::size_t first = text.find('\n') + 1;
-  for (std::size_t cut = first; cut < text.size(); cut += 1213) {
+  const std::size_t last_trial = text.rfind('\n', text.rfind("\"trial_started\"")) + 1;
+  ASSERT_GT(last_trial, first);
+  // Of the bytes before the last trial some: behind them much has to be played again.
+  std::vector<std::size_t> cuts;
+  for (std::size_t cut = first; cut < last_trial; cut += 1213) {
+    cuts.push_back(cut);
+  }
+  for (std::size_t cut = last_trial; cut < text.size(); ++cut) {
+    cuts.push_back(cut);
+  }
+  for (const std::size_t cut : cuts) {
     const fs::path path = folder_ / std::to_string(cut);
     std::ofstream(path, std::ios::binary) << text.substr(0, cut);
     {
@@ -181,6 +208,74 @@ TEST_F(Files, AMissingLineIsNoticed) {
   EXPECT_THAT(read.error().message, HasSubstr("lines are missing"));
 }
 
+TEST_F(Files, NoBeginningOfALineIsTakenForTheWhole) {
+  const fs::path path = folder_ / "j";
+  {
+    auto journal = Journal::create(path, header("force-threshold")).value();
+    go_on(journal, 9);
+  }
+  const std::string text = text_of(path);
+  for (std::size_t begin = 0; begin < text.size(); begin = text.find('\n', begin) + 1) {
+    const std::size_t whole = text.find('\n', begin) - begin;
+    EXPECT_TRUE(decode(text.substr(begin, whole)).has_value());
+    for (std::size_t length = 0; length < whole; ++length) {
+      ASSERT_FALSE(decode(text.substr(begin, length)).has_value()) << text.substr(begin, length);
+    }
+  }
+}
+
+TEST_F(Files, ADamagedLineIsNoTornOneWhereverItIs) {
+  const fs::path path = folder_ / "j";
+  {
+    auto journal = Journal::create(path, header("force-jnd")).value();
+    go_on(journal, 9);
+  }
+  const std::string text = text_of(path);
+  std::vector<std::size_t> ends;
+  for (auto at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1)) {
+    ends.push_back(at);
+  }
+  for (std::size_t line = 0; line < ends.size(); ++line) {
+    std::string damaged = text;
+    damaged.erase(ends[line] - 3, 3);
+    std::ofstream(path, std::ios::binary) << damaged;
+    for (const auto& problem : {read_run(path).error(), Journal::open(path).error()}) {
+      EXPECT_EQ(problem.exit_code, EX_DATAERR);
+      EXPECT_THAT(problem.message, HasSubstr("line " + std::to_string(line + 1) + " is damaged"));
+    }
+    EXPECT_TRUE(has_begun(path));
+    EXPECT_EQ(text_of(path), damaged);
+  }
+}
+
+TEST_F(Files, AFullDiskIsAnErrorAndLosesNothingThatFollowed) {
+  const fs::path path = folder_ / "j";
+  std::optional<Trial> due;
+  {
+    auto journal = Journal::create(path, header("force-jnd")).value();
+    go_on(journal, 9);
+    due = journal.run().state().next();
+    // The next line does not fit in whole.
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    const rlimit full{fs::file_size(path) + 20, before.rlim_max};
+    const auto ignored = std::signal(SIGXFSZ, SIG_IGN);
+    setrlimit(RLIMIT_FSIZE, &full);
+    const auto written = journal.append(TrialStarted{*due});
+    setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, ignored);
+    ASSERT_FALSE(written.has_value());
+    EXPECT_EQ(written.error().exit_code, EX_IOERR);
+    EXPECT_EQ(journal.run().lines(), 10);
+    EXPECT_FALSE(journal.run().open());
+  }
+  auto again = Journal::open(path).value();
+  EXPECT_EQ(again.run().lines(), 10);
+  EXPECT_EQ(again.run().state().next(), due);
+  go_on(again);
+  EXPECT_TRUE(read_run(path).value().over());
+}
+
 TEST_F(Files, NothingIsOverwrittenAndOneWritesAtATime) {
   const fs::path path = folder_ / "j";
   auto journal = Journal::create(path, header("force-jnd")).value();
@@ -195,53 +290,6 @@ TEST_F(Files, WhatDoesNotFollowIsRefused) {
   ASSERT_TRUE(journal.append(TrialStarted{*journal.run().state().next()}).has_value());
   EXPECT_FALSE(journal.append(Answered{Answer::kYes, 1}).has_value());
   EXPECT_EQ(journal.run().lines(), 2);
-}
-
-TEST_F(Files, AStudyIsFoundFromBelowAndNeverMadeTwice) {
-  const StudyPlan plan = make_plan(10, {"force-threshold", "force-jnd", "speed-jnd"}, 2026);
-  ASSERT_TRUE(StudyFolder::create(folder_ / "thresholds", plan).has_value());
-  EXPECT_EQ(StudyFolder::create(folder_ / "thresholds", plan).error().exit_code, EX_CANTCREAT);
-  const auto found = StudyFolder::find(folder_ / "thresholds" / "journal").value();
-  ASSERT_EQ(found.plan().participants.size(), 10U);
-  EXPECT_EQ(found.plan().participant("P07")->seed, plan.participants[6].seed);
-  EXPECT_EQ(found.plan().participant("P07")->order, plan.participants[6].order);
-  EXPECT_EQ(found.plan().participant("P11"), nullptr);
-  EXPECT_EQ(StudyFolder::find(folder_).error().exit_code, EX_NOINPUT);
-}
-
-TEST(Plan, TheSameSeedMakesTheSamePlan) {
-  const StudyPlan a = make_plan(3, {"a", "b"}, 5);
-  const StudyPlan b = make_plan(3, {"a", "b"}, 5);
-  EXPECT_EQ(a.participants[2].seed, b.participants[2].seed);
-  EXPECT_NE(a.participants[1].seed, a.participants[2].seed);
-  EXPECT_NE(run_seeds(a.participants[0], "a", 1), run_seeds(a.participants[0], "a", 2));
-  EXPECT_NE(run_seeds(a.participants[0], "a", 1), run_seeds(a.participants[0], "b", 1));
-}
-
-TEST(Plan, EachExperimentStandsInEachPlaceAndBehindEachOtherEquallyOften) {
-  for (int count = 1; count <= 6; ++count) {
-    std::map<std::pair<int, int>, int> places;
-    std::map<std::pair<int, int>, int> followers;
-    const auto rows = latin_square(count);
-    EXPECT_EQ(static_cast<int>(rows.size()), count % 2 == 0 || count == 1 ? count : 2 * count);
-    for (const auto& row : rows) {
-      for (int place = 0; place < count; ++place) {
-        ++places[{place, row[static_cast<std::size_t>(place)]}];
-        if (place > 0) {
-          ++followers[{row[static_cast<std::size_t>(place - 1)],
-                       row[static_cast<std::size_t>(place)]}];
-        }
-      }
-    }
-    EXPECT_EQ(static_cast<int>(places.size()), count * count);
-    for (const auto& [which, times] : places) {
-      EXPECT_EQ(times, static_cast<int>(rows.size()) / count);
-    }
-    EXPECT_EQ(static_cast<int>(followers.size()), count * (count - 1));
-    for (const auto& [which, times] : followers) {
-      EXPECT_EQ(times, followers.begin()->second);
-    }
-  }
 }
 
 }  // namespace

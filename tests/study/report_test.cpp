@@ -2,8 +2,8 @@
 // What comes out: rows, files, pages; and which intervals make a trial void.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
+#include <filesystem>
 #include <map>
 
 #include "clients/study/experiment_file.h"
@@ -12,58 +12,13 @@
 #include "clients/study/report/collect.h"
 #include "clients/study/report/figures.h"
 #include "clients/study/report/rows.h"
-#include "clients/study/session/player.h"
-#include "clients/study/session/screen.h"
+#include "tests/study/recorded.h"
+#include "tests/temporary_folder.h"
 
 namespace hedgehog::study {
 namespace {
 
 using testing::HasSubstr;
-
-IntervalPlayed good(int interval, double current_a) {
-  const std::int64_t onset = 1'000'000'000LL * (1 + 6 * interval);
-  return {interval,
-          {current_a, 10},
-          onset - 500'000'000,
-          onset - 499'000'000,
-          onset,
-          onset + 5'000'000'000,
-          "completed",
-          1.0,
-          1.0,
-          0,
-          0,
-          current_a,
-          30.0};
-}
-
-/// Practice, a right answer, a void, a wrong answer.
-RecordedRun recorded() {
-  RunStarted header;
-  header.participant = "P01";
-  header.experiment = find_experiment("force-jnd").value();
-  header.experiment.practice = 1;
-  header.seeds = {7, 8};
-  header.software_version = "0.1.0";
-  std::vector<Line> lines{{1, "t", header}};
-  const auto put = [&](const Event& event) {
-    lines.push_back({static_cast<std::int64_t>(lines.size()) + 1, "t", event});
-  };
-  for (const char* what : {"right", "right", "void", "wrong"}) {
-    const Trial trial = *RecordedRun::replay(lines).value().state().next();
-    const bool first = trial.interval_of_test == 1;
-    put(TrialStarted{trial});
-    put(good(1, first ? 10 : 5));
-    put(good(2, first ? 5 : 10));
-    if (std::string(what) == "void") {
-      put(Voided{"a comma, and a \"quote\""});
-    } else {
-      put(Answered{first == (std::string(what) == "right") ? Answer::kFirst : Answer::kSecond,
-                   640});
-    }
-  }
-  return RecordedRun::replay(lines).value();
-}
 
 std::map<std::string, std::string> named(const std::vector<std::string>& row) {
   std::map<std::string, std::string> cells;
@@ -106,6 +61,65 @@ TEST(Rows, AreOneForEachPresentationBlock) {
   EXPECT_EQ(wrong["level_nominal"], "89.024");
 }
 
+/// Right answers to the first interval, begun at these times (UTC) and by these device times.
+struct Begun {
+  const char* utc;
+  const char* played_utc;
+  std::int64_t command_ms;
+  /// In between the daemon or the program was away.
+  bool resumed = false;
+};
+
+std::vector<std::string> onsets(const std::vector<Begun>& trials) {
+  RunStarted header;
+  header.experiment = find_experiment("force-jnd").value();
+  header.experiment.practice = 0;
+  std::vector<Line> lines{{1, "2026-11-21T09:59:00.000Z", header}};
+  const auto put = [&](const std::string& utc, const Event& event) {
+    lines.push_back({static_cast<std::int64_t>(lines.size()) + 1, utc, event});
+  };
+  for (const Begun& begun : trials) {
+    if (begun.resumed) {
+      put(begun.utc, Remark{"resumed", "ball"});
+    }
+    put(begun.utc, TrialStarted{*RecordedRun::replay(lines).value().state().next()});
+    IntervalPlayed played = good(1, 5);
+    played.command_ns = begun.command_ms * 1'000'000;
+    played.onset_ns = played.command_ns + 500'000'000;
+    played.offset_ns = *played.onset_ns + 5'000'000'000;
+    put(begun.played_utc, played);
+    put(begun.played_utc, Answered{Answer::kFirst, 640});
+  }
+  std::vector<std::string> found;
+  for (const auto& row : rows_of(RecordedRun::replay(lines).value())) {
+    found.push_back(named(row)["onset"]);
+  }
+  return found;
+}
+
+TEST(Rows, GoOnByTheWallClockWhereTheDevicesClockBeganAnew) {
+  const Begun first{"2026-11-21T10:00:00.000Z", "2026-11-21T10:00:05.500Z", 100'000};
+  // Ten minutes after the first one had ended; its clock says less, or by chance more.
+  const Begun sooner{"2026-11-21T10:10:05.500Z", "2026-11-21T10:10:11.000Z", 3'000, true};
+  Begun later = sooner;
+  later.command_ms = 200'000;
+  Begun unsaid = sooner;
+  unsaid.resumed = false;
+  for (const Begun& second : {sooner, later, unsaid}) {
+    Begun third = second;
+    third.command_ms += 20'000;
+    third.resumed = false;
+    EXPECT_THAT(onsets({first, second, third}), testing::ElementsAre("0", "605.5", "625.5"));
+  }
+  // A wall clock that was set back meanwhile moves nothing back.
+  Begun back = sooner;
+  back.utc = "2026-11-21T08:00:00.000Z";
+  EXPECT_THAT(onsets({first, back}), testing::ElementsAre("0", "5.5"));
+  // Nor is anything made up where the time cannot be read.
+  back.utc = "t";
+  EXPECT_THAT(onsets({first, back}), testing::ElementsAre("0", "n/a"));
+}
+
 TEST(Rows, AreQuotedWhereNeeded) {
   EXPECT_EQ(csv_line({"a", "b,c", "d\"e", ""}), "a,\"b,c\",\"d\"\"e\",");
   EXPECT_EQ(tsv_line({"a", "b\tc\nd"}), "a\tb c d");
@@ -136,6 +150,12 @@ TEST(Figure, MarksReversalsAndTheMean) {
   EXPECT_THAT(plot, HasSubstr("1 100 1\n2 89.024 0\nEND"));
   EXPECT_THAT(plot, HasSubstr("$reversals << END\n2 89.024 1\nEND"));
   EXPECT_THAT(plot, HasSubstr("mean of reversals, 13.25 %"));
+  EXPECT_THAT(plot, testing::Not(HasSubstr("95 %")));
+  run.analysis.interval = {8.0, 19.0};
+  EXPECT_THAT(staircase_plot(run), HasSubstr("title '95 % of the fitted curve, approximate'"));
+  EXPECT_THAT(staircase_plot(run), testing::Not(HasSubstr("disagree")));
+  run.analysis.flags = {Flag::kDisagreement};
+  EXPECT_THAT(staircase_plot(run), HasSubstr("mean of reversals, 13.25 % (fit and mean disagree)"));
 }
 
 AnalysedRun threshold_of(const std::string& participant, int run, double threshold, bool simulated,
@@ -160,10 +180,9 @@ TEST(Groups, HoldTheSameExperimentAndNoProgramsAmongPeople) {
                                 threshold_of("P02", 1, 14, false),
                                 threshold_of("P03", 1, 50, true, 3)};
   choose(runs);
+  const TemporaryFolder folder;
   const StudyFolder study =
-      StudyFolder::create(testing::TempDir() + "/groups-" + std::to_string(::getpid()),
-                          make_plan(3, {"force-jnd"}, 1))
-          .value();
+      StudyFolder::create(folder.path(), make_plan(3, {"force-jnd"}, 1)).value();
   const auto groups = groups_of(study, runs);
   ASSERT_EQ(groups.size(), 2U);
   EXPECT_EQ(groups[0].result.count, 2);
@@ -173,11 +192,81 @@ TEST(Groups, HoldTheSameExperimentAndNoProgramsAmongPeople) {
   EXPECT_EQ(groups[1].result.mean, 50);
 }
 
+TEST(Groups, PutPeopleOnASimulatedBallBehindThoseWhoFeltSomething) {
+  std::vector<AnalysedRun> runs{threshold_of("P01", 1, 10, false),
+                                threshold_of("P02", 1, 14, false)};
+  RunStarted header = runs[1].run.header();
+  header.ball.simulated = true;
+  runs[1].run = RecordedRun::replay({{1, "t", header}}).value();
+  choose(runs);
+  EXPECT_TRUE(runs[1].is_rehearsal());
+  EXPECT_TRUE(runs[0].in_group);
+  EXPECT_FALSE(runs[1].in_group);
+}
+
+TEST(Figure, OfAGroupHasEachPersonsForceByTheirOwnBall) {
+  std::vector<AnalysedRun> runs;
+  for (const double force_n : {0.02, 0.04}) {
+    RunStarted header;
+    header.experiment = find_experiment("force-threshold-thesis").value();
+    header.participant = "P0" + std::to_string(runs.size() + 1);
+    runs.push_back({{header.participant, header.experiment.name, 1, {}},
+                    RecordedRun::replay({{1, "t", header}}).value(),
+                    {},
+                    true});
+    runs.back().analysis.threshold = 2.0;
+    runs.back().analysis.force_n = force_n;
+  }
+  AnalysedGroup group{runs[0].run.header().experiment, {&runs[0], &runs[1]}, {2, 2.0, 0.0}};
+  const std::string plot = group_plot({group});
+  EXPECT_THAT(plot, HasSubstr("$mean << END\n0.45 0.03 0.0141421356\nEND"));
+  EXPECT_THAT(plot, HasSubstr("plot 0.02646 with lines"));  // 2.1 A with the thesis' ball
+  EXPECT_THAT(plot, HasSubstr("\"Force threshold [N]\\nforce-threshold-thesis\""));
+  group.experiment.rule.discard = 3;
+  EXPECT_THAT(group_plot({group}), testing::Not(HasSubstr("'thesis'")));
+}
+
+TEST(Figure, IsDrawnInAFolderOfAnyName) {
+  const TemporaryFolder temporary;
+  const std::string folder = temporary.path("it's \"$here\"");
+  std::filesystem::create_directories(folder);
+  AnalysedRun run{{"P01", "force-jnd", 1, {}}, recorded(), {}, true};
+  run.analysis.threshold = 13.25;
+  run.analysis.interval = {8.0, 19.0};
+  const auto drawn = draw(folder, {run}, {});
+  ASSERT_TRUE(drawn) << drawn.error().message;
+  EXPECT_GT(std::filesystem::file_size(folder + "/P01.force-jnd.1.svg"), 2000U);
+  EXPECT_GT(std::filesystem::file_size(folder + "/P01.force-jnd.1.png"), 2000U);
+}
+
+TEST(Bids, RefusesPeopleAndExperimentsThatWouldBeOne) {
+  const TemporaryFolder folder;
+  const std::filesystem::path base = folder.path();
+  const StudyFolder study = StudyFolder::create(base, make_plan(1, {"force-jnd"}, 1)).value();
+  const auto refused = [&](const AnalysedRun& a, const AnalysedRun& b) {
+    const auto written = write_bids(base / "bids", study, {a, b});
+    EXPECT_FALSE(std::filesystem::exists(base / "bids"));
+    return written ? std::string("written") : written.error().message;
+  };
+  const AnalysedRun one = threshold_of("P1", 1, 10, false);
+  AnalysedRun experiment = threshold_of("P1", 1, 10, false);
+  experiment.name.experiment = "forcejnd";
+  EXPECT_THAT(refused(one, threshold_of("P_1", 1, 10, false)),
+              HasSubstr("P1 and P_1 would be sub-P1"));
+  EXPECT_THAT(refused(one, threshold_of("P-1", 2, 10, false)), HasSubstr("P-1 and P1"));
+  EXPECT_THAT(refused(one, experiment), HasSubstr("would be task-forcejnd"));
+  ASSERT_TRUE(write_bids(base / "bids", study, {one, threshold_of("P2", 1, 10, false)}));
+  EXPECT_EQ(write_bids(base / "bids", study, {one}).error().exit_code, EX_CANTCREAT);
+  // What fails leaves nothing behind that would be in the way of the next.
+  EXPECT_FALSE(write_csv(base / "nowhere" / "data.csv", {one}));
+  EXPECT_FALSE(write_bids(base / "study.json" / "bids", study, {one}));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(base), {}), 3);
+}
+
 TEST(Collect, GivesEachRunReplicationsOfItsOwn) {
+  const TemporaryFolder folder;
   const StudyFolder study =
-      StudyFolder::create(testing::TempDir() + "/collect-" + std::to_string(::getpid()),
-                          make_plan(2, {"force-jnd"}, 1))
-          .value();
+      StudyFolder::create(folder.path(), make_plan(2, {"force-jnd"}, 1)).value();
   for (const char* participant : {"P01", "P02"}) {
     RunStarted header;
     header.participant = participant;
@@ -191,61 +280,11 @@ TEST(Collect, GivesEachRunReplicationsOfItsOwn) {
           (next->interval_of_test == 1) == right ? Answer::kFirst : Answer::kSecond, 500}));
     }
   }
-  std::vector<std::string> problems;
+  std::vector<Problem> problems;
   const auto runs = collect(study, 40, problems);
   ASSERT_EQ(runs.size(), 2U);
   EXPECT_EQ(runs[0].analysis.threshold_text, runs[1].analysis.threshold_text);
   EXPECT_NE(runs[0].analysis.interval, runs[1].analysis.interval);
-}
-
-TEST(Fault, IsWhateverThePersonDidNotFeelInFull) {
-  const Pattern pattern;
-  EXPECT_FALSE(fault_of(good(1, 5), pattern));
-  const auto fault = [&](auto change) {
-    IntervalPlayed played = good(2, 5);
-    change(played);
-    return fault_of(played, pattern).value_or("none");
-  };
-  EXPECT_EQ(fault([](auto& p) { p.delivered_min = 0.979; }), "interval 2 was delivered at 97 %");
-  EXPECT_EQ(fault([](auto& p) { p.delivered_min = 0.98; }), "none");
-  EXPECT_EQ(fault([](auto& p) { p.masked_ms = 1; }), "interval 2 was masked by another effect");
-  EXPECT_EQ(fault([](auto& p) { p.mixed_ms = 1; }), "interval 2 was mixed with another effect");
-  EXPECT_EQ(fault([](auto& p) { p.reason = "tripped"; }), "interval 2 ended as tripped");
-  EXPECT_EQ(fault([](auto& p) { p.onset_ns.reset(); }), "interval 2 never began");
-  const std::string unsaid = "interval 2 ended without a word on how it was delivered";
-  EXPECT_EQ(fault([](auto& p) { p.delivered_min.reset(); }), unsaid);
-  EXPECT_EQ(fault([](auto& p) { p.masked_ms.reset(); }), unsaid);
-  EXPECT_EQ(fault([](auto& p) { p.mixed_ms.reset(); }), unsaid);
-  EXPECT_EQ(fault([](auto& p) { *p.offset_ns -= 10'000'000; }), "interval 2 was cut short");
-}
-
-TEST(Participant, IsNeverToldLevelCorrectnessOrProgress) {
-  const RecordedRun run = recorded();
-  for (int phase = 0; phase <= static_cast<int>(Phase::kOver); ++phase) {
-    View view{&run, static_cast<Phase>(phase), 1, "level 3.45, wrong, trial 7 of 40", 41.0};
-    const Cue cue = cue_of(view);
-    EXPECT_EQ(decode_cue(encode(cue)), cue);
-    std::string all;
-    for (const std::string& line : participant_lines(cue)) {
-      EXPECT_LE(line.size(), 80U);
-      all += line + "\n";
-    }
-    EXPECT_EQ(all.find_first_of("0123456789"), std::string::npos) << all;
-    for (const char* secret : {"wrong", "right", "level", "reversal", "trial", "correct"}) {
-      EXPECT_THAT(all, testing::Not(HasSubstr(secret)));
-    }
-  }
-}
-
-TEST(Experimenter, SeesTheStaircase) {
-  const RecordedRun run = recorded();
-  std::string all;
-  for (const std::string& line : experimenter_lines(
-           {&run, Phase::kQuestion, 2, "30.0 °C, next trial at full strength", 30})) {
-    all += line + "\n";
-  }
-  EXPECT_THAT(all, HasSubstr("P01 · force-jnd · scored trial 3 · waiting for the answer"));
-  EXPECT_THAT(all, HasSubstr("level 109.024 %   reversals 1 of 10   voids 1"));
 }
 
 }  // namespace

@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "clients/study/experiment_file.h"
 #include "clients/study/rules/analysis.h"
@@ -17,6 +19,8 @@ namespace {
 struct Reference {
   const char* experiment;
   double estimate, error_sd, trials;
+  /// Quantiles of the error, and the standard deviation of each between samples of 2 000.
+  double error_5, spread_5, error_95, spread_95;
 };
 constexpr int kPeople = 2000;
 
@@ -32,6 +36,8 @@ TEST_P(TwoThousandPeople, LieWithinThreeStandardErrorsOfTheReference) {
   const double root = std::sqrt(2.0 / kPeople);
   EXPECT_NEAR(s.estimate_mean, reference.estimate, 3 * root * s.estimate_sd);
   EXPECT_NEAR(s.trials_mean, reference.trials, 3 * root * s.trials_sd);
+  EXPECT_NEAR(s.error_5, reference.error_5, 3 * std::sqrt(2.0) * reference.spread_5);
+  EXPECT_NEAR(s.error_95, reference.error_95, 3 * std::sqrt(2.0) * reference.spread_95);
   double fourth = 0.0;
   for (const SimulatedRun& run : runs) {
     fourth += std::pow(run.estimate - run.true_point - s.bias, 4) / kPeople;
@@ -41,10 +47,16 @@ TEST_P(TwoThousandPeople, LieWithinThreeStandardErrorsOfTheReference) {
               3 * root * s.error_sd * std::sqrt((kurtosis - 1) / 4));
 }
 
-INSTANTIATE_TEST_SUITE_P(Study, TwoThousandPeople,
-                         testing::Values(Reference{"force-threshold", 2.231, 0.194, 54.1},
-                                         Reference{"force-jnd", 15.44, 5.06, 41.2},
-                                         Reference{"speed-jnd", 54.14, 19.5, 36.1}));
+INSTANTIATE_TEST_SUITE_P(
+    Study, TwoThousandPeople,
+    testing::Values(Reference{"force-threshold", 2.231, 0.194, 54.1, -0.24, 0.012, 0.38, 0.017},
+                    Reference{"force-jnd", 15.44, 5.06, 41.2, -6.0, 0.22, 10.1, 0.33},
+                    Reference{"speed-jnd", 54.14, 19.5, 36.1, -36, 1.6, 28, 1.5}),
+    [](const auto& reference) {
+      std::string name = reference.param.experiment;
+      std::replace(name.begin(), name.end(), '-', '_');
+      return name;
+    });
 
 TEST(Convergence, IsAt80Point35PercentForSmallSteps) {
   const StaircaseRule rule = find_experiment("force-jnd").value().rule;
@@ -121,6 +133,20 @@ TEST(Analysis, FindsAPersonsThresholdInThreeWays) {
   EXPECT_GE(covered, 48);  // nominally 57 of 60; the reference found 90 %
 }
 
+TEST(Analysis, FlagsAThresholdOutsideTheIntervalBesideIt) {
+  const Experiment e = find_experiment("speed-jnd").value();
+  const Observer o{Curve::kWeibull, 45.0, 2.0, 0.5, 0.02, 0.6};
+  int outside = 0;
+  for (std::uint64_t person = 0; person < 60; ++person) {
+    const RunAnalysis a = analyse(e, answered(e, o, person), {.bootstraps = 60});
+    const bool excluded = *a.threshold < a.interval->first || *a.threshold > a.interval->second;
+    EXPECT_EQ(std::count(a.flags.begin(), a.flags.end(), Flag::kDisagreement), excluded ? 1 : 0);
+    outside += excluded ? 1 : 0;
+  }
+  EXPECT_GT(outside, 0);
+  EXPECT_LT(outside, 20);
+}
+
 TEST(Analysis, FlagsWhoGuesses) {
   const Experiment e = find_experiment("speed-jnd").value();
   const Observer guesser{Curve::kWeibull, 1e9, 2.0, 0.5, 0.0, 0.6};
@@ -176,6 +202,12 @@ TEST(DistinguishableLevels, DependOnFormulaAndRange) {
   EXPECT_NE(remarks.find("2,909 to 1"), std::string::npos) << remarks;
   EXPECT_NE(remarks.find("98 pins/s"), std::string::npos) << remarks;
   EXPECT_NE(remarks.find("may be swapped"), std::string::npos) << remarks;
+  // Nothing to count is no levels, and the most are as many as an int holds.
+  EXPECT_EQ(count_levels(16, 15, 0.13, Spacing::kWeber, 5).levels, 0);
+  EXPECT_EQ(count_levels(5.5, 5, 0.13, Spacing::kConstant, 5).levels, 0);
+  EXPECT_EQ(count_levels(0, 15, 0.13, Spacing::kWeber, 5).levels, 0);
+  EXPECT_EQ(count_levels(2, 15, 0, Spacing::kConstant, 5).levels, 0);
+  EXPECT_GT(count_levels(2.1, 15, 1e-12, Spacing::kWeber, 5).levels, 999'999'999);
   // Other numbers, other remarks.
   EXPECT_EQ(level_formulas(2.1, 0.3, 0.49)[2].remark, "");
   EXPECT_EQ(level_remarks(2.1, 0.3, 0.49).size(), 2U);

@@ -43,7 +43,8 @@ void say_summary(const TourRecord& record, const protocol::LimitsDescription& li
 }
 
 void say_next() {
-  std::puts("   make run                  the daemon on a simulated ball, 127.0.0.1:7586");
+  std::puts("   make run                  a simulated ball to look at, http://127.0.0.1:7587");
+  std::puts("   make race                 hedgehog-racer, a game, http://127.0.0.1:7585");
   std::puts("   hedgehogctl pulse left    push the left palm yourself");
   std::puts("   clients/README.md         ten lines in C++, and in other languages");
 }
@@ -69,7 +70,8 @@ int play(Session& session, const DemoOptions& options) {
   if (!last) {
     return complain(last.error());
   }
-  const std::vector<std::string> failures = player.record().failures(*last);
+  const std::vector<std::string> failures =
+      player.record().failures(*last, player.began_ns(), options.private_daemon);
   for (const std::string& failure : failures) {
     std::fprintf(stderr, "hedgehogctl: demo: %s\n", failure.c_str());
   }

@@ -15,7 +15,10 @@ namespace hedgehog::client {
 namespace {
 
 constexpr double kPictureHz = 25.0;
+constexpr Milliseconds kPicturePeriod{40};
 constexpr std::size_t kPinsShown = 4;
+/// A machine may be this busy; a ball that says nothing for longer is not coming back.
+constexpr Milliseconds kPatience{10'000};
 
 }  // namespace
 
@@ -33,7 +36,8 @@ Outcome<void> TourPlayer::play() {
   if (picture_) {
     canvas_ = std::make_unique<Canvas>();
   }
-  start_ = Clock::now();
+  start_ns_ = ball_.status.time_ns;
+  told_at_ = Clock::now();
   Outcome<void> outcome;
   for (const TourChapter& chapter : chapters_) {
     outcome = play_chapter(chapter);
@@ -86,18 +90,15 @@ Outcome<void> TourPlayer::play_chapter(const TourChapter& chapter) {
 }
 
 Outcome<void> TourPlayer::wait_until(Milliseconds at, const TourChapter& chapter) {
-  const Clock::time_point end = start_ + at;
-  while (!interrupted()) {
-    const auto left = std::chrono::ceil<Milliseconds>(end - Clock::now());
-    if (left.count() <= 0) {
-      break;
-    }
-    auto told = connection_.next(std::min(left, Milliseconds{100}));
+  while (!interrupted() && now() < at) {
+    auto told = connection_.next(std::min(at - now(), kPicturePeriod));
     if (!told) {
       return told.error();
     }
     if (*told) {
       take(**told, chapter);
+    } else if (Clock::now() - told_at_ > kPatience) {
+      return ClientError{Failure::kTimeout, "the ball has said nothing for 10 s", {}};
     }
   }
   return {};
@@ -110,12 +111,13 @@ void TourPlayer::take(const Notification& told, const TourChapter& chapter) {
     return;
   }
   ball_.status = std::get<protocol::TelemetryMessage>(told).telemetry.status;
+  told_at_ = Clock::now();
   record_.take(ball_.status);
   draw(chapter);
 }
 
 Outcome<void> TourPlayer::send(const TourStep& step) {
-  const auto answer = connection_.call_raw(step.method, step.params);
+  const auto answer = connection_.call_raw(step.method, step.params, kPatience);
   if (answer) {
     return {};
   }
@@ -179,8 +181,13 @@ void TourPlayer::say_rest(const TourChapter& chapter) {
   std::fflush(stdout);
 }
 
-double TourPlayer::now_s() const {
-  return std::chrono::duration<double>(Clock::now() - start_).count();
+Milliseconds TourPlayer::now() const {
+  // A ball that is slow, or waits, has no more time than it tells.
+  const auto since = std::chrono::floor<Milliseconds>(Clock::now() - told_at_);
+  const std::chrono::nanoseconds told(ball_.status.time_ns - start_ns_);
+  return std::chrono::floor<Milliseconds>(told) + std::min(since, kPicturePeriod);
 }
+
+double TourPlayer::now_s() const { return static_cast<double>(now().count()) / 1000.0; }
 
 }  // namespace hedgehog::client

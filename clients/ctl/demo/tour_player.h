@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Plays the tour in real time on a daemon and shows it: as a picture on a terminal, else a line a
-// happening.
+// Plays the tour on a daemon, by the ball's clock, and shows it: as a picture on a terminal, else a
+// line a happening.
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -25,7 +26,9 @@ class TourPlayer {
 
   const protocol::LimitsDescription& limits() const noexcept { return ball_.description.limits; }
   const TourRecord& record() const noexcept { return record_; }
-  /// How long it took.
+  /// When it began, by the ball's clock.
+  std::int64_t began_ns() const noexcept { return start_ns_; }
+  /// How long it took, of the ball's time.
   double seconds() const noexcept { return seconds_; }
 
  private:
@@ -43,6 +46,8 @@ class TourPlayer {
   void say_played();
   void say_derating(const protocol::Event& event);
   void say_rest(const TourChapter& chapter);
+  /// Since the start by the ball's clock: what it told last, and what has passed since.
+  Milliseconds now() const;
   double now_s() const;
 
   Connection& connection_;
@@ -54,7 +59,8 @@ class TourPlayer {
   TourRecord record_;
   const TourStep* playing_ = nullptr;
   const TourStep* unsaid_ = nullptr;
-  Clock::time_point start_{};
+  std::int64_t start_ns_ = 0;
+  Clock::time_point told_at_{};
   double seconds_ = 0.0;
 };
 

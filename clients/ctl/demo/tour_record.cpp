@@ -55,12 +55,13 @@ std::optional<protocol::Status> TourRecord::take_strongest() {
 
 long TourRecord::take_most_felt() { return std::exchange(most_felt_, 0); }
 
-std::vector<std::string> TourRecord::failures(const protocol::Status& last) const {
+std::vector<std::string> TourRecord::failures(const protocol::Status& last, std::int64_t began_ns,
+                                              bool starts_warm) const {
   std::vector<std::string> found = failures_;
-  if (last.last_trip) {
+  if (last.last_trip && last.last_trip->time_ns >= began_ns) {
     found.push_back("tripped: " + last.last_trip->reason);
   }
-  if (last.simulated && !(least_limit_a_ < kLongPushA)) {
+  if (starts_warm && !(least_limit_a_ < kLongPushA)) {
     found.push_back("the long push was never derated: " + fixed(least_limit_a_, 1) + " A at least");
   }
   if (current_norm_a(last) > kZeroA) {

@@ -3,6 +3,7 @@
 // be called a success.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,8 +31,11 @@ class TourRecord {
 
   double hottest_c() const noexcept { return hottest_c_; }
   double least_limit_a() const noexcept { return least_limit_a_; }
-  /// What went wrong, a line each; empty: all is well. `last` is the status after the end.
-  std::vector<std::string> failures(const protocol::Status& last) const;
+  /// What went wrong, a line each; empty: all is well. `last` is the status after the end,
+  /// `began_ns` when the tour began, by the ball's clock: what tripped earlier is none of it.
+  /// `starts_warm`: the long push must have been derated; a cold ball need not.
+  std::vector<std::string> failures(const protocol::Status& last, std::int64_t began_ns,
+                                    bool starts_warm) const;
 
  private:
   double hottest_c_ = 0.0;

@@ -107,6 +107,14 @@ std::string last_trip_line(const Status& status) {
   return row("last trip", time_words(ago_s), "ago: " + status.last_trip->reason);
 }
 
+/// `words` and the keys at the right edge; `plain` is how wide the words are.
+std::string with_keys(const std::string& plain, const std::string& words) {
+  const std::string keys = "SPACE stops   q quits";
+  const std::size_t gap =
+      columns(plain) + columns(keys) < 77 ? 77 - columns(plain) - columns(keys) : std::size_t{2};
+  return " " + words + std::string(gap, ' ') + keys;
+}
+
 }  // namespace
 
 std::string state_words(const Status& status, const ScreenStyle& style) {
@@ -127,11 +135,12 @@ std::string state_words(const Status& status, const ScreenStyle& style) {
 std::string live_title(const Status& status, const ScreenStyle& style) {
   const std::string allowed =
       std::string(style.ascii ? " - " : " · ") + fixed(allowed_a(status), 1) + " A allowed";
-  const std::string keys = "SPACE stops   q quits";
-  const std::string plain = state_words(status, {.colour = false, .ascii = style.ascii}) + allowed;
-  const std::size_t gap =
-      columns(plain) + columns(keys) < 77 ? 77 - columns(plain) - columns(keys) : std::size_t{2};
-  return " " + state_words(status, style) + allowed + std::string(gap, ' ') + keys;
+  return with_keys(state_words(status, {.colour = false, .ascii = style.ascii}) + allowed,
+                   state_words(status, style) + allowed);
+}
+
+std::string doubtful_title(const std::string& doubt, const ScreenStyle& style) {
+  return with_keys(doubt, style.colour ? "\033[31m" + doubt + "\033[0m" : doubt);
 }
 
 std::vector<std::string> status_screen(const Ball& ball, const ScreenStyle& style) {
@@ -143,6 +152,10 @@ std::vector<std::string> status_screen(const Ball& ball, const ScreenStyle& styl
     lines.emplace_back();
   }
   lines.push_back(temperature_line(ball, thresholds_words(ball), style.ascii));
+  if (status.temperature_c.thermometer) {
+    lines.push_back(row("thermometer", fixed(*status.temperature_c.thermometer, 1) + " °C",
+                        "the second one, beside the board's"));
+  }
   lines.push_back(current_line(ball, allowed_words(ball), style.ascii));
   lines.push_back(force_line(status));
   lines.push_back(headroom_line(ball));

@@ -85,20 +85,18 @@ void Canvas::draw(const std::vector<std::string>& lines) {
   std::fflush(stdout);
 }
 
-std::optional<char> Canvas::key(std::chrono::milliseconds wait) {
+std::string Canvas::typed() {
+  std::string keys;
   pollfd waiting{STDIN_FILENO, POLLIN, 0};
-  if (!has_keys_ || poll(&waiting, 1, static_cast<int>(wait.count())) != 1) {
-    if (!has_keys_) {
-      poll(nullptr, 0, static_cast<int>(wait.count()));
+  while (has_keys_ && poll(&waiting, 1, 0) == 1) {
+    char bytes[64];
+    const ssize_t count = read(STDIN_FILENO, bytes, sizeof bytes);
+    if (count <= 0) {
+      break;
     }
-    return std::nullopt;
+    keys.append(bytes, static_cast<std::size_t>(count));
   }
-  char bytes[16];
-  const ssize_t count = read(STDIN_FILENO, bytes, sizeof bytes);
-  if (count <= 0 || bytes[0] == '\033') {
-    return std::nullopt;
-  }
-  return bytes[0];
+  return keys;
 }
 
 }  // namespace hedgehog::client

@@ -4,8 +4,6 @@
 
 #include <termios.h>
 
-#include <chrono>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,8 +32,8 @@ class Canvas {
   /// Shows `lines` from the top; only the lines that changed are written.
   void draw(const std::vector<std::string>& lines);
 
-  /// A key pressed within `wait` (the byte typed; escape sequences are swallowed), or nothing.
-  std::optional<char> key(std::chrono::milliseconds wait);
+  /// Every byte typed since the last look, escape sequences too; does not wait.
+  std::string typed();
 
  private:
   std::vector<std::string> shown_;

@@ -131,6 +131,9 @@ std::string event_words(const protocol::Event& event) {
   if (event.temperature_c) {
     words += " at " + fixed(*event.temperature_c, 1) + " °C";
   }
+  if (event.current_a) {
+    words += ", " + fixed(*event.current_a, 1) + " A";
+  }
   if (event.device) {
     words += "  " + *event.device;
   }

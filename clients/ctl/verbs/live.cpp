@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "clients/ctl/verbs/live.h"
 
+#include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <ctime>
+#include <utility>
 
+#include "clients/ctl/screen/status_screen.h"
 #include "clients/ctl/screen/terminal.h"
 
 namespace hedgehog::client {
@@ -14,30 +18,81 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds kGlance{50};
 constexpr milliseconds kGlanceWithKeys{20};
+/// A daemon that has told nothing for so long is taken for silent; it tells ten
+/// times a second.
+constexpr milliseconds kSilent{2000};
+/// For the answer to a stop.
+constexpr milliseconds kAnswers{1000};
+
+/// Whether what is drawn is still so, and whether the stop was heard.
+class Trust {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  explicit Trust(Connection& connection) : connection_(connection) {}
+
+  void heard() { heard_at_ = Clock::now(); }
+  /// Does not wait for the answer: it may stand behind whatever the socket
+  /// still holds.
+  void stop() {
+    (void)connection_.ask(protocol::DeviceEmergencyStop{});
+    if (!unanswered_) {
+      stopped_at_ = Clock::now();
+    }
+    unanswered_ = true;
+  }
+  /// What the person has to know before anything else; empty: all is well.
+  std::string doubt() {
+    while (connection_.answer()) {
+      unanswered_ = false;
+    }
+    const auto now = Clock::now();
+    if (unanswered_ && now - stopped_at_ > kAnswers) {
+      return "stop sent, no answer: pull the plug";
+    }
+    return now - heard_at_ > kSilent ? "hedgehogd is silent: what stands here is old" : "";
+  }
+
+ private:
+  Connection& connection_;
+  Clock::time_point heard_at_ = Clock::now();
+  Clock::time_point stopped_at_{};
+  bool unanswered_ = false;  // since then
+};
 
 /// False: the person wants to leave.
-bool press(char key, Session& session) {
-  if (key == ' ') {
-    // Unanswered: the stop must not wait behind whatever the socket still holds.
-    (void)session.connection.notify(protocol::DeviceEmergencyStop{});
+bool press(const std::string& keys, Trust& trust) {
+  // A stop is a stop whatever is typed around it; leaving is not worth guessing
+  // about, and the 'q' of an escape sequence is a key of the number pad.
+  if (keys.find(' ') != std::string::npos) {
+    trust.stop();
   }
-  return key != 'q';
+  return keys.find('q') == std::string::npos || keys.find('\033') != std::string::npos;
 }
 
 int draw_until_left(Session& session,
                     const std::function<std::vector<std::string>(const Notification&)>& draw) {
   Canvas canvas;
+  Trust trust(session.connection);
+  std::vector<std::string> lines;
   while (!interrupted()) {
     auto told = session.connection.next(kGlanceWithKeys);
     if (!told) {
       return exit_code_of(told.error());
     }
     if (*told) {
-      if (const std::vector<std::string> lines = draw(**told); !lines.empty()) {
-        canvas.draw(lines);
+      trust.heard();
+      if (std::vector<std::string> fresh = draw(**told); !fresh.empty()) {
+        lines = std::move(fresh);
       }
     }
-    if (const auto key = canvas.key(milliseconds{0}); key && !press(*key, session)) {
+    std::vector<std::string> shown = lines;
+    if (const std::string doubt = trust.doubt(); !doubt.empty()) {
+      shown.resize(std::max(shown.size(), std::size_t{1}));
+      shown.front() = doubtful_title(doubt, session.style);
+    }
+    canvas.draw(shown);
+    if (!press(canvas.typed(), trust)) {
       return kDone;
     }
   }

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "clients/ctl/verbs/look_verbs.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "clients/ctl/screen/check_screen.h"
+#include "clients/ctl/screen/devices_screen.h"
+#include "clients/ctl/screen/trips_screen.h"
 #include "clients/ctl/screen/words.h"
 #include "clients/ctl/verbs/direction_argument.h"
 
@@ -12,7 +16,6 @@ namespace hedgehog::client {
 namespace {
 
 using nlohmann::json;
-using protocol::Status;
 
 void print(const std::vector<std::string>& lines) {
   for (const std::string& line : lines) {
@@ -24,28 +27,15 @@ std::string forecast_words(std::optional<double> seconds) {
   return seconds ? "in " + time_words(*seconds) : "never";
 }
 
-/// The plug-in's state word and exit code for `status`.
-struct Health {
-  int code = 3;
-  const char* word = "UNKNOWN";
-  std::string why;
-};
-
-Health health_of(const Ball& ball) {
-  const Status& status = ball.status;
-  if (status.state == "tripped" || status.state == "absent") {
-    return {2, "CRITICAL", status.device + " " + status.state + ": " + status.reason.value_or("")};
+/// How many others are connected; nothing: this one's role may not ask.
+std::optional<std::size_t> others_of(Connection& connection, const Ball& ball) {
+  const auto list = connection.call(protocol::ConnectionList{});
+  if (!list) {
+    return std::nullopt;
   }
-  if (status.state != "armed") {
-    return {1, "WARNING", status.device + " " + status.state + ": " + status.reason.value_or("")};
-  }
-  if (status.derating || status.limit_a < ball.hello.limits.current_a) {
-    return {1, "WARNING", status.device + " armed, derated"};
-  }
-  if (!status.temperature_c.sensor) {
-    return {1, "WARNING", status.device + " armed, no temperature"};
-  }
-  return {0, "OK", status.device + " armed"};
+  return static_cast<std::size_t>(
+      std::count_if(list->connections.begin(), list->connections.end(),
+                    [&](const auto& info) { return info.connection != ball.hello.connection; }));
 }
 
 }  // namespace
@@ -98,6 +88,50 @@ int run_clients(Session& session) {
   return kDone;
 }
 
+int run_trips(Session& session) {
+  protocol::EventsHistory request;
+  request.trips = true;
+  request.limit = protocol::EventsHistory::kMostEvents;
+  const auto text = session.connection.call_text(request);
+  if (!text) {
+    return complain(text.error());
+  }
+  if (session.json) {
+    std::puts(text->c_str());
+    return kDone;
+  }
+  const auto history = protocol::decode_result<protocol::HistoryResult>(*text);
+  if (!history) {
+    return complain({Failure::kProtocol, history.error().message, {}});
+  }
+  print(trips_screen(*history));
+  return kDone;
+}
+
+int run_devices(Session& session) {
+  const auto hello = session.connection.hello("hedgehogctl");
+  if (!hello) {
+    return complain(hello.error());
+  }
+  const auto text = session.connection.call_text(protocol::DeviceList{});
+  if (!text) {
+    return complain(text.error());
+  }
+  if (session.json) {
+    std::puts(text->c_str());
+    return kDone;
+  }
+  const auto list = protocol::decode_result<protocol::DevicesResult>(*text);
+  if (!list) {
+    return complain({Failure::kProtocol, list.error().message, {}});
+  }
+  if (hello->device.simulated) {
+    std::printf("  %s is simulated\n", hello->device.name.c_str());
+  }
+  print(devices_screen(*list, hello->device.name));
+  return kDone;
+}
+
 int run_forecast(Session& session, const ForecastOptions& options) {
   json params{{"current_a", options.current_a}};
   if (!options.direction.empty()) {
@@ -140,23 +174,9 @@ int run_check(const CommonOptions& options) {
     std::printf("HEDGEHOG %s - %s\n", gone ? "CRITICAL" : "UNKNOWN", ball.error().message.c_str());
     return gone ? 2 : 3;
   }
-  const Health health = health_of(*ball);
-  const Status& status = ball->status;
-  const auto& temperature = status.temperature_c;
-  const std::optional<double> shown = temperature.sensor ? temperature.sensor : temperature.model;
-  std::printf("HEDGEHOG %s - %s", health.word, health.why.c_str());
-  if (shown) {
-    std::printf(", %s C", fixed(*shown, 1).c_str());
-  }
-  std::printf(", %s A allowed | ", fixed(allowed_a(status), 1).c_str());
-  if (shown) {
-    const protocol::LimitsDescription& limits = ball->description.limits;
-    std::printf("temperature=%s;%s;%s ", fixed(*shown, 1).c_str(),
-                fixed(limits.derate_from_c, 0).c_str(), fixed(limits.trip_c, 0).c_str());
-  }
-  std::printf("current=%s limit=%s effects=%zu\n", fixed(current_norm_a(status), 1).c_str(),
-              fixed(allowed_a(status), 1).c_str(), status.effects.size());
-  return health.code;
+  const Check check = check_screen(*ball, others_of(session->connection, *ball));
+  std::puts(check.line.c_str());
+  return check.code;
 }
 
 }  // namespace hedgehog::client

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The verbs that look: status, clients, forecast, check. Each returns the exit code.
+// The verbs that look: status, clients, devices, trips, forecast, check. Each returns the exit
+// code.
 #pragma once
 
 #include <optional>
@@ -11,6 +12,8 @@ namespace hedgehog::client {
 
 int run_status(Session& session);
 int run_clients(Session& session);
+int run_devices(Session& session);
+int run_trips(Session& session);
 
 struct ForecastOptions {
   double current_a = 15.0;

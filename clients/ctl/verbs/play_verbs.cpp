@@ -5,8 +5,10 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "clients/ctl/screen/preview_screen.h"
 #include "clients/ctl/screen/words.h"
 #include "clients/ctl/verbs/direction_argument.h"
+#include "clients/ctl/verbs/pattern_file.h"
 #include "model/direction.h"
 #include "protocol/results.h"
 
@@ -35,10 +37,7 @@ std::string verb_of(const std::string& method) { return method.substr(method.fin
 class Stay {
  public:
   Stay(Session& session, std::uint32_t effect, const PlayOptions& options)
-      : session_(session),
-        effect_(effect),
-        held_(options.method == "effect.hold"),
-        hold_s_(options.hold_s) {}
+      : session_(session), effect_(effect), held_(options.held()), hold_s_(options.hold_s) {}
 
   Outcome<std::optional<protocol::EventMessage>> wait() {
     if (auto asked = ask_for_time(); !asked) {
@@ -103,9 +102,15 @@ class Stay {
   std::int64_t start_ns_ = 0;
 };
 
-void say_start(const PlayOptions& options, const protocol::Admission& admission) {
+/// "play tick left".
+std::string words_of(const PlayOptions& options) {
+  const std::string pattern = options.pattern.empty() ? "" : " " + options.pattern;
   const std::string direction = options.direction.empty() ? "" : " " + options.direction;
-  std::printf("%s   %s A   %s N at pin %lld", left(verb_of(options.method) + direction, 10).c_str(),
+  return verb_of(options.method) + pattern + direction;
+}
+
+void say_start(const PlayOptions& options, const protocol::Admission& admission) {
+  std::printf("%s   %s A   %s N at pin %lld", left(words_of(options), 10).c_str(),
               fixed(admission.current_a, 1).c_str(), fixed(admission.force_n, 3).c_str(),
               static_cast<long long>(admission.pin));
   if (admission.limited_by) {
@@ -135,15 +140,56 @@ Outcome<std::string> play_params(const PlayOptions& options) {
     if (!direction) {
       return direction.error();
     }
-    params["direction"] = json::parse(*direction);
+    params[options.method == "effect.play" ? "rotate_to" : "direction"] = json::parse(*direction);
   }
-  if (options.method == "effect.hold") {
+  if (!options.pattern.empty()) {
+    if (!is_pattern_file(options.pattern)) {
+      params["pattern"] = options.pattern;
+    } else if (const auto pattern = read_pattern(options.pattern); !pattern) {
+      return pattern.error();
+    } else {
+      params.update(json::parse(protocol::encode_pattern(*pattern)));
+      params.erase("name");
+      params.erase("description");
+    }
+  }
+  if (options.loop) {
+    params["loop"] = true;
+  }
+  if (options.held()) {
     params["lease_ms"] = kHoldLeaseMs;
   }
   for (const auto& [name, text] : options.params) {
     params[name] = name == "slot" ? json(text) : typed(text);
   }
   return params.dump();
+}
+
+int run_preview(Session& session, const PlayOptions& options) {
+  const auto params = play_params(options);
+  if (!params) {
+    return complain(params.error());
+  }
+  json asked{{"method", options.method}, {"params", json::parse(*params)}};
+  if (options.hold_s) {
+    asked["params"]["lease_ms"] = 1000.0 * *options.hold_s;
+  }
+  const auto answer = session.connection.call_raw("effect.preview", asked.dump());
+  if (!answer) {
+    return complain(answer.error());
+  }
+  if (session.json) {
+    std::puts(answer->c_str());
+    return kDone;
+  }
+  const auto preview = protocol::decode_result<protocol::PreviewResult>(*answer);
+  if (!preview) {
+    return complain({Failure::kProtocol, preview.error().message, {}});
+  }
+  for (const std::string& line : preview_screen(words_of(options), *preview, session.style.ascii)) {
+    std::puts(line.c_str());
+  }
+  return kDone;
 }
 
 int run_play(Session& session, const PlayOptions& options) {

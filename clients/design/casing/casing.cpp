@@ -31,6 +31,42 @@ double outer_radius_mm(double sphere_mm, const Size& pin, const Size& shield) no
   return sphere_mm + std::max(pin.height_mm + kPinTravelMm, shield.height_mm) + kRoofMm;
 }
 
+double cavity_reach_mm(const Casing& casing, const Size& magnet) noexcept {
+  const double radius = magnet.diameter_mm / 2.0;
+  return std::max(radius + casing.clearance_mm,
+                  radius / std::cos(std::numbers::pi / casing.facets));
+}
+
+Wall thinnest_wall(const Casing& casing, const model::Arrangement& array) {
+  struct Cavity {
+    model::CylinderMagnet space;
+    double mouth_mm;
+  };
+  const auto cavity = [&](model::MagnetKind kind) {
+    const Size& magnet = kind == model::MagnetKind::kPin ? casing.pin : casing.shield;
+    const double reach = cavity_reach_mm(casing, magnet);
+    // At its rim the casing's inside is lower than in the middle.
+    const double mouth =
+        std::sqrt(std::max(0.0, casing.sphere_mm * casing.sphere_mm - reach * reach));
+    return Cavity{{2.0 * reach, magnet.height_mm}, mouth - casing.sphere_mm};
+  };
+  const model::ArraySizes sizes{{casing.pin.diameter_mm, casing.pin.height_mm},
+                                {casing.shield.diameter_mm, casing.shield.height_mm},
+                                casing.sphere_mm};
+  Wall thinnest{1e9, {}};
+  for (const model::MagnetGap& gap : model::smallest_gaps(array, sizes)) {
+    const Cavity a = cavity(gap.kind_a);
+    const Cavity b = cavity(gap.kind_b);
+    const double mm = model::gap_mm({a.space, b.space, casing.sphere_mm},
+                                    {gap.angle_deg, a.mouth_mm, b.mouth_mm});
+    if (mm >= thinnest.mm) continue;
+    thinnest = {mm, std::string(model::name_of(gap.kind_a)) + " " + std::to_string(gap.id_a) +
+                        " and " + std::string(model::name_of(gap.kind_b)) + " " +
+                        std::to_string(gap.id_b)};
+  }
+  return thinnest;
+}
+
 std::vector<double> notch_places(const Casing& casing) {
   const double r = outer_radius_mm(casing.sphere_mm, casing.pin, casing.shield) - kRoofMm / 2.0;
   const auto room_at = [&](double degrees) {
@@ -61,8 +97,7 @@ double widest_fan_mm(const Casing& casing) {
       if (direction.z >= 0.0) continue;
       const double across = std::hypot(direction.x, direction.y);
       // The nearest point of the cavity is at its inner end.
-      const double rim =
-          inner * across - (size.diameter_mm / 2.0 + casing.clearance_mm) * -direction.z;
+      const double rim = inner * across - cavity_reach_mm(casing, size) * -direction.z;
       radius = std::min(radius, rim - kWallMm);
     }
   };
@@ -74,7 +109,7 @@ double widest_fan_mm(const Casing& casing) {
 
 Result<std::size_t> render_stl(const std::string& scad_path, const std::string& part,
                                const std::string& stl_path) {
-  const auto writable = write_file(stl_path, "");
+  const auto writable = check_writable(stl_path);
   if (!writable) return writable.error();
   const auto rendered = run_tool(
       {"openscad", "-q", "-o", stl_path, "-D", "part=\"" + part + "\"", scad_path}, "openscad");

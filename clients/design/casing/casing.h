@@ -8,6 +8,7 @@
 
 #include "clients/design/complaint.h"
 #include "clients/design/input/sizes.h"
+#include "model/magnets/magnet_array.h"
 #include "model/vec3.h"
 
 namespace hedgehog::design {
@@ -40,6 +41,19 @@ struct Casing {
   /// in one way only. Degrees from the front.
   std::vector<double> notches_deg;
 };
+
+/// How far a cavity's corners are from its axis: the clearance at the corners, and the whole magnet
+/// between the sides. mm.
+double cavity_reach_mm(const Casing& casing, const Size& magnet) noexcept;
+
+/// The least plastic between the cavities of two magnets.
+struct Wall {
+  /// Below 0: they run into each other.
+  double mm = 0.0;
+  /// "pin 0 and shield 0".
+  std::string between;
+};
+Wall thinnest_wall(const Casing& casing, const model::Arrangement& array);
 
 /// The three places near 40, 150 and 265 degrees where tabs are farthest from any pin's hole.
 std::vector<double> notch_places(const Casing& casing);

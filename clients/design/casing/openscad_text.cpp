@@ -37,8 +37,10 @@ inside = 1;  // cavities begin so far inside the sphere, so that nothing is left
 reach = max(sphere + pin_height + travel, sphere + shield_height) + roof;  // radius of the ball
 ball_facets = 4 * facets;
 notch_radius = reach - roof / 2;
+hole = pin_hole / 2 / cos(180 / facets);
 
-function around(d) = d / 2 / cos(180 / facets);
+// Corners of a cavity: the clearance is there, and between them the whole magnet fits.
+function around(d) = max(d / 2 + clearance, d / 2 / cos(180 / facets));
 
 // A place is [angle from the top, azimuth from the front].
 module at(place) rotate([0, place[0], place[1]]) children();
@@ -53,12 +55,12 @@ module shell(top) rotate_extrude($fn = ball_facets) difference() {
 
 // The pin's magnet moves up to the step; the pin on it goes through the narrow part.
 module pin_cavity() rotate_extrude($fn = facets) polygon([
-  [0, sphere - inside], [around(pin_diameter + 2 * clearance), sphere - inside],
-  [around(pin_diameter + 2 * clearance), sphere + pin_height + travel],
-  [around(pin_hole), sphere + pin_height + travel], [around(pin_hole), reach + 2], [0, reach + 2]]);
+  [0, sphere - inside], [around(pin_diameter), sphere - inside],
+  [around(pin_diameter), sphere + pin_height + travel],
+  [hole, sphere + pin_height + travel], [hole, reach + 2], [0, reach + 2]]);
 
 module shield_cavity() translate([0, 0, sphere - inside])
-  cylinder(r = around(shield_diameter + 2 * clearance), h = shield_height + inside, $fn = facets);
+  cylinder(r = around(shield_diameter), h = shield_height + inside, $fn = facets);
 
 module cavities(top) {
   for (p = pins) if (top ? p[0] < 90 + margin : p[0] > 90 - margin) at(p) pin_cavity();

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <optional>
+#include <cctype>
 #include <regex>
 
 #include "clients/design/input/positions_file.h"
+#include "model/spelling.h"
 
 namespace hedgehog::design {
 namespace {
@@ -17,33 +17,24 @@ using model::MagnetSite;
 
 constexpr std::size_t kFanPins = 6;  // the lowest and its five neighbours
 
-/// How many edits make one word the other, letter case not counted.
-std::size_t distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const bool same = std::tolower(static_cast<unsigned char>(a[i - 1])) ==
-                        std::tolower(static_cast<unsigned char>(b[j - 1]));
-      const std::size_t replaced = diagonal + (same ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
-    }
-  }
-  return row.back();
+std::string lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
 }
 
 Complaint unknown(const std::string& name) {
   static constexpr std::array kNames{"cD",    "wD",     "tkD",     "cD-36",
                                      "wD-66", "tkD-86", "GP(2,2)", "GP(4,1)"};
-  const auto nearest = std::min_element(
-      kNames.begin(), kNames.end(),
-      [&](const char* a, const char* b) { return distance(name, a) < distance(name, b); });
+  const auto distance = [wanted = lower_case(name)](const char* known) {
+    return model::edits_between(wanted, lower_case(known));
+  };
+  const auto nearest =
+      std::min_element(kNames.begin(), kNames.end(),
+                       [&](const char* a, const char* b) { return distance(a) < distance(b); });
   std::string sentence = "unknown array '" + name + "'";
   // What differs by more than half is another word.
-  if (2 * distance(name, *nearest) <= std::max<std::size_t>(name.size(), 2)) {
+  if (2 * distance(*nearest) <= std::max<std::size_t>(name.size(), 2)) {
     sentence += "; did you mean '" + std::string(*nearest) + "'?";
   } else {
     sentence +=

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "clients/design/input/design_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -52,6 +53,8 @@ Reader ids_key(std::vector<int> Design::*member) {
       if (!id.is_number_unsigned() || id > 100000) return "must be a list of ids";
       ids.push_back(id.get<int>());
     }
+    std::sort(ids.begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
     design.*member = ids;
     return "";
   };
@@ -95,7 +98,22 @@ Result<Design> parse_design(const std::string& text, const std::string& name) {
 Result<Design> load_design(const std::string& path) {
   const auto text = read_file(path);
   if (!text) return text.error();
-  return parse_design(*text, path);
+  auto design = parse_design(*text, path);
+  if (!design) return design.error();
+  // An array or ids that there are not: the file's mistake, not the command line's.
+  const auto array = arrangement_of(*design);
+  if (!array && array.error().exit_code == kUsage)
+    return Complaint{kBadData, path + ": " + array.error().sentence};
+  return design;
+}
+
+Result<void> spare_design(const std::string& path) {
+  const auto text = read_file(path);
+  if (!text || !parse_design(*text, path)) return {};
+  return Complaint{
+      kUsage,
+      path + " is a design file and is not written over; the design comes first, as in: export " +
+          path + " --json"};
 }
 
 std::string design_text(const Design& design) {

@@ -20,4 +20,8 @@ Result<Design> parse_design(const std::string& text, const std::string& name);
 /// Every key, those of a search too: nothing is left to defaults that may change.
 std::string design_text(const Design& design);
 
+/// Complains when a design file stands at `path`: other things are not written over it
+/// (`--output best.json` is easily typed for `best.json --output`).
+Result<void> spare_design(const std::string& path);
+
 }  // namespace hedgehog::design

@@ -84,6 +84,8 @@ Result<Design> design_from(const DesignFlags& flags) {
     if (!loaded) return loaded.error();
     design = std::move(*loaded);
   }
+  if (flags.array && flags.positions)
+    return Complaint{kUsage, "--array and --positions: only one of them can be the array"};
   if (flags.array) {
     design.array = *flags.array;
     design.positions.clear();

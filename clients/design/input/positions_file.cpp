@@ -2,13 +2,14 @@
 #include "clients/design/input/positions_file.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <optional>
 #include <set>
 #include <sstream>
+#include <string_view>
 
+#include "clients/design/input/number.h"
 #include "clients/design/output/table.h"
 #include "clients/design/output/tool.h"
 
@@ -17,6 +18,8 @@ namespace {
 
 using model::Vec3;
 
+// Spreadsheets put it in front.
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr double kDegree = std::numbers::pi / 180.0;
 
 std::string trimmed(std::string text) {
@@ -31,15 +34,6 @@ std::vector<std::string> cells_of(const std::string& line) {
   std::istringstream parts(line);
   for (std::string cell; std::getline(parts, cell, ',');) cells.push_back(trimmed(cell));
   return cells;
-}
-
-template <class Number>
-std::optional<Number> number_of(const std::string& text) {
-  Number value{};
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (text.empty() || error != std::errc() || stop != end) return {};
-  return value;
 }
 
 struct Columns {
@@ -85,9 +79,9 @@ class Reader {
     if (cells.size() <= columns.last()) return wrong("has fewer columns than the first line");
     const std::string& kind = cells[columns.kind];
     if (kind != "pin" && kind != "shield") return wrong("'" + kind + "' is neither pin nor shield");
-    const auto x = number_of<double>(cells[columns.x]);
-    const auto y = number_of<double>(cells[columns.y]);
-    const auto z = number_of<double>(cells[columns.z]);
+    const auto x = parse_number<double>(cells[columns.x]);
+    const auto y = parse_number<double>(cells[columns.y]);
+    const auto z = parse_number<double>(cells[columns.z]);
     if (!x || !y || !z) return wrong("x, y and z must be numbers");
     const Vec3 place{*x, *y, *z};
     if (!model::is_finite(place) || model::norm(place) < 1e-9) {
@@ -96,7 +90,7 @@ class Reader {
     auto& sites = kind == "pin" ? array_.pins : array_.shields;
     auto& ids = kind == "pin" ? pin_ids_ : shield_ids_;
     const auto id =
-        columns.id ? number_of<int>(cells[*columns.id]) : static_cast<int>(sites.size());
+        columns.id ? parse_number<int>(cells[*columns.id]) : static_cast<int>(sites.size());
     if (!id || *id < 0)
       return wrong("'" + cells[*columns.id] + "' is no id: a whole number from 0 up");
     if (!ids.insert(*id).second)
@@ -117,11 +111,13 @@ class Reader {
 }  // namespace
 
 Result<model::Arrangement> parse_positions(const std::string& text, const std::string& name) {
-  const std::string shape =
-      name + " is no CSV of positions: its first line must name the columns kind, x, y, z";
+  const std::string shape = name +
+                            " is no CSV of positions: its first line must name the columns kind, "
+                            "x, y, z, with commas between";
   std::istringstream lines(text);
   std::string line;
   if (!std::getline(lines, line)) return Complaint{kBadData, name + " is empty"};
+  if (line.starts_with(kByteOrderMark)) line.erase(0, kByteOrderMark.size());
   const auto columns = columns_of(cells_of(line));
   if (!columns) return Complaint{kBadData, shape};
   Reader reader(name);

@@ -2,10 +2,11 @@
 #include "clients/design/input/sizes.h"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <optional>
+
+#include "clients/design/input/number.h"
 
 namespace hedgehog::design {
 namespace {
@@ -14,11 +15,9 @@ constexpr double kMinMm = 0.1;
 constexpr double kMaxMm = 100.0;
 constexpr double kMostSteps = 1000;
 
-std::optional<double> number_of(std::string_view text) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (text.empty() || error != std::errc() || end != text.data() + text.size()) return {};
-  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+std::optional<double> finite_number(std::string_view text) {
+  const auto number = parse_number<double>(text);
+  return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
 Complaint complaint(const std::string& what, const std::string& reason) {
@@ -42,13 +41,13 @@ Result<std::vector<double>> parse_range(std::string_view text, double step, doub
   const std::size_t dots = text.find("..");
   const std::size_t slash = text.find('/');
   const bool range = dots != std::string_view::npos;
-  const auto first = number_of(text.substr(0, range ? dots : text.size()));
+  const auto first = finite_number(text.substr(0, range ? dots : text.size()));
   std::optional<double> last = first;
   if (range) {
     const std::size_t from = dots + 2;
-    last = number_of(text.substr(from, slash == std::string_view::npos ? slash : slash - from));
+    last = finite_number(text.substr(from, slash == std::string_view::npos ? slash : slash - from));
     if (slash != std::string_view::npos) {
-      const auto typed = number_of(text.substr(slash + 1));
+      const auto typed = finite_number(text.substr(slash + 1));
       if (!typed || *typed <= 0.0) return complaint(what, quoted(text) + shape);
       step = *typed;
     }
@@ -71,8 +70,8 @@ Result<std::vector<double>> parse_range(std::string_view text, double step, doub
 
 Result<Size> parse_size(std::string_view text, const std::string& what) {
   const auto parts = halves(text);
-  const auto diameter = parts ? number_of((*parts)[0]) : std::nullopt;
-  const auto height = parts ? number_of((*parts)[1]) : std::nullopt;
+  const auto diameter = parts ? finite_number((*parts)[0]) : std::nullopt;
+  const auto height = parts ? finite_number((*parts)[1]) : std::nullopt;
   if (!diameter || !height) {
     return complaint(what, quoted(text) + " is not a magnet: DIAMETERxHEIGHT in mm, such as 8x10");
   }

@@ -88,7 +88,23 @@ void write_panel(std::ostream& out, const Panel& panel, std::size_t number) {
   out << "\n";
 }
 
+Result<void> check_drawable(const std::string& path) {
+  if (!path.ends_with(".svg") && !path.ends_with(".png")) {
+    return Complaint{kUsage, path + ": a picture's name ends in .svg or .png"};
+  }
+  return check_writable(path);
+}
+
 }  // namespace
+
+Result<void> PictureFiles::check() const {
+  for (const std::string& file : {svg, png}) {
+    if (file.empty()) continue;
+    const auto drawable = check_drawable(file);
+    if (!drawable) return drawable.error();
+  }
+  return {};
+}
 
 std::string gnuplot_script(const Picture& picture, const std::string& terminal,
                            const std::string& path) {
@@ -124,18 +140,30 @@ std::string gnuplot_script(const Picture& picture, const std::string& terminal,
 }
 
 Result<void> draw(const Picture& picture, const std::string& path) {
-  const bool svg = path.ends_with(".svg");
-  if (!svg && !path.ends_with(".png")) {
-    return Complaint{kUsage, path + ": a picture's name ends in .svg or .png"};
-  }
-  const auto writable = write_file(path, "");
-  if (!writable) return writable.error();
+  const auto drawable = check_drawable(path);
+  if (!drawable) return drawable.error();
+  // What is there stays until there is something better.
+  const auto picture_file = TemporaryFile::make(path.substr(path.size() - 4));
+  if (!picture_file) return picture_file.error();
   const auto script = TemporaryFile::make(".gp");
   if (!script) return script.error();
-  const std::string terminal = svg ? "svg" : "pngcairo";
-  const auto written = write_file(script->path(), gnuplot_script(picture, terminal, path));
+  const std::string terminal = path.ends_with(".svg") ? "svg" : "pngcairo";
+  const auto written =
+      write_file(script->path(), gnuplot_script(picture, terminal, picture_file->path()));
   if (!written) return written.error();
-  return run_tool({"gnuplot", script->path()}, "gnuplot-nox");
+  const auto drawn = run_tool({"gnuplot", script->path()}, "gnuplot-nox");
+  if (!drawn) return drawn.error();
+  const auto content = read_file(picture_file->path());
+  return content ? write_file(path, *content) : content.error();
+}
+
+Result<void> draw(const Picture& picture, const PictureFiles& files) {
+  for (const std::string& file : {files.svg, files.png}) {
+    if (file.empty()) continue;
+    const auto drawn = draw(picture, file);
+    if (!drawn) return drawn.error();
+  }
+  return {};
 }
 
 Result<std::string> draw_svg(const Picture& picture) {

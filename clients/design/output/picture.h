@@ -48,9 +48,21 @@ struct Picture {
   int columns = 1;
 };
 
+/// Where a picture goes; empty: not there.
+struct PictureFiles {
+  std::string svg;
+  std::string png;
+
+  /// Complains as `draw` would of the names and places, before long work.
+  Result<void> check() const;
+};
+
 /// As SVG when `path` ends in ".svg", as PNG when it ends in ".png"; a complaint otherwise, and
 /// when gnuplot is missing or refuses.
 Result<void> draw(const Picture& picture, const std::string& path);
+
+/// Into the files that are named.
+Result<void> draw(const Picture& picture, const PictureFiles& files);
 
 /// The SVG as text, to be put into HTML.
 Result<std::string> draw_svg(const Picture& picture);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "clients/design/output/table.h"
+#include "clients/lib/html.h"
 
 #include <algorithm>
 #include <array>
@@ -81,8 +82,8 @@ std::string Table::csv() const {
 
 std::string Table::html() const {
   const auto cell = [&](const std::string& tag, std::size_t c, const std::string& text) {
-    return "<" + tag + (columns_[c].left ? " class=\"l\">" : ">") + escape_html(text) + "</" + tag +
-           ">";
+    return "<" + tag + (columns_[c].left ? " class=\"l\">" : ">") + client::escape_html(text) +
+           "</" + tag + ">";
   };
   std::string shown = "<table>\n<tr>";
   for (std::size_t c = 0; c < columns_.size(); ++c) shown += cell("th", c, columns_[c].title);
@@ -118,29 +119,6 @@ std::string wrapped(const std::string& text, std::size_t width, std::size_t inde
   }
   if (!line.empty()) end_line();
   return lines;
-}
-
-std::string escape_html(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        safe += "&amp;";
-        break;
-      case '<':
-        safe += "&lt;";
-        break;
-      case '>':
-        safe += "&gt;";
-        break;
-      case '"':
-        safe += "&quot;";
-        break;
-      default:
-        safe += c;
-    }
-  }
-  return safe;
 }
 
 }  // namespace hedgehog::design

@@ -2,6 +2,8 @@
 // Rows and columns, for people (aligned), for programs (CSV) and for the report (HTML).
 #pragma once
 
+#include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,13 +38,15 @@ class Table {
   std::vector<std::vector<std::string>> rows_;
 };
 
+/// NaN where there is no number: `fixed` writes "none" then, JSON null.
+inline double or_none(const std::optional<double>& number) {
+  return number.value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
 /// "%.3f", and "none" for a number that there is not (NaN).
 std::string fixed(double number, int digits);
 
 /// `text` in lines of at most `width` characters, each after `indent` blanks and ended by "\n".
 std::string wrapped(const std::string& text, std::size_t width, std::size_t indent);
-
-/// `text` with &, <, > and quotes written out.
-std::string escape_html(const std::string& text);
 
 }  // namespace hedgehog::design

@@ -25,6 +25,10 @@ std::string last_line(const std::string& text) {
   return last;
 }
 
+Complaint cannot_be_written(const std::string& path, int error) {
+  return {kCannotCreate, path + " cannot be written: " + std::strerror(error)};
+}
+
 }  // namespace
 
 Result<void> run_tool(const std::vector<std::string>& argv, const std::string& package) {
@@ -81,12 +85,21 @@ TemporaryFile::~TemporaryFile() {
   if (!path_.empty()) ::unlink(path_.c_str());
 }
 
+Result<void> check_writable(const std::string& path) {
+  std::error_code ignored;
+  const std::filesystem::path place(path);
+  const bool is_there = std::filesystem::exists(place, ignored);
+  const std::string folder = place.has_parent_path() ? place.parent_path().string() : ".";
+  if (std::filesystem::is_directory(place, ignored)) return cannot_be_written(path, EISDIR);
+  if (::faccessat(AT_FDCWD, (is_there ? path : folder).c_str(), W_OK, AT_EACCESS) == 0) return {};
+  return cannot_be_written(path, errno);
+}
+
 Result<void> write_file(const std::string& path, const std::string& content) {
   std::ofstream file(path, std::ios::binary | std::ios::trunc);
   file << content;
   file.close();
-  if (!file) return Complaint{kCannotCreate, path + " cannot be written: " + std::strerror(errno)};
-  return {};
+  return file ? Result<void>() : cannot_be_written(path, errno);
 }
 
 Result<std::string> read_file(const std::string& path) {

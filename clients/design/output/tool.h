@@ -32,6 +32,9 @@ class TemporaryFile {
   std::string path_;
 };
 
+/// Complains (73) when no file can be written there: for what is asked before long work. Touches
+/// nothing.
+Result<void> check_writable(const std::string& path);
 /// Writes the whole file, or complains (73) and names it.
 Result<void> write_file(const std::string& path, const std::string& content);
 /// The whole file, or a complaint (66).

@@ -28,7 +28,7 @@ Json sites_json(const std::vector<MagnetSite>& sites) {
 }
 
 double nearest_deg(const std::vector<model::AngleCount>& angles) {
-  return angles.empty() ? std::nan("") : angles.front().angle_deg;
+  return angles.empty() ? or_none({}) : angles.front().angle_deg;
 }
 
 std::string magnet_name(model::MagnetKind kind, int id) {

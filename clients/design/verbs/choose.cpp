@@ -19,9 +19,35 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kShownRows = 15;
 constexpr std::size_t kBarCells = 20;
 
+Result<Demands> demands_of(const ChooseOptions& options) {
+  struct Limit {
+    const char* flag;
+    double value;
+    double most;
+  };
+  for (const Limit& limit :
+       {Limit{"--wall", options.wall_mm, 20.0}, Limit{"--margin", options.margin_percent, 50.0},
+        Limit{"--least-extension", options.least_extension_mm, 1.5}}) {
+    if (!(limit.value >= 0.0 && limit.value <= limit.most)) {
+      return Complaint{kUsage,
+                       std::string(limit.flag) + ": must be from 0 to " + to_text(limit.most)};
+    }
+  }
+  return Demands{options.wall_mm, options.margin_percent / 100.0, options.least_extension_mm};
+}
+
+/// Each once, where it first stands.
+std::vector<std::string> distinct(const std::vector<std::string>& names) {
+  std::vector<std::string> once;
+  for (const std::string& name : names) {
+    if (std::find(once.begin(), once.end(), name) == once.end()) once.push_back(name);
+  }
+  return once;
+}
+
 Result<SearchSpace> space_of(const ChooseOptions& options) {
   SearchSpace space;
-  space.arrays = options.arrays;
+  space.arrays = distinct(options.arrays);
   if (space.arrays.empty()) {
     space.arrays = {"GP(1,1)", "cD", "wD", "tkD", "GP(2,2)", "GP(3,1)", "GP(4,0)"};
   }
@@ -178,8 +204,10 @@ void print_text(const SearchOutcome& outcome, double seconds, const ChooseOption
   }
   out << "\n"
       << wrapped(
-             "rest and moves: of the commonest pins of the whole array; the fan's opening changes "
-             "each by some hundredths (stability tells)",
+             "rest and moves: of the commonest pins of the whole array, which move from the shell "
+             "on if "
+             "they rest below it; the fan's opening changes each by some hundredths (stability "
+             "tells)",
              78, 2);
   out << "\n  " << (options.save.empty() ? std::string("best") : options.save) << ": "
       << summary(outcome.front.front()) << "\n";
@@ -190,10 +218,15 @@ void print_text(const SearchOutcome& outcome, double seconds, const ChooseOption
 Result<void> run_choose(const ChooseOptions& options, const Screen& screen) {
   const auto space = space_of(options);
   if (!space) return space.error();
-  const Demands demands{options.wall_mm, options.margin_percent / 100.0,
-                        options.least_extension_mm};
-  const auto search = Search::in(*space, demands);
+  const auto demands = demands_of(options);
+  if (!demands) return demands.error();
+  const auto search = Search::in(*space, *demands);
   if (!search) return search.error();
+  for (const auto& possible :
+       {options.pictures.check(),
+        options.save.empty() ? Result<void>() : check_writable(options.save)}) {
+    if (!possible) return possible.error();
+  }
   const auto cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   Bar bar(screen.err, space->size());
   const auto begin = std::chrono::steady_clock::now();
@@ -201,14 +234,6 @@ Result<void> run_choose(const ChooseOptions& options, const Screen& screen) {
                                             [&](std::size_t done) { bar.show(done); });
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
   bar.clear();
-  if (!options.save.empty()) {
-    if (outcome.front.empty())
-      return Complaint{kBadData, "no design does what is asked: nothing is saved"};
-    const auto saved = write_file(options.save, design_text(outcome.front.front().design));
-    if (!saved) return saved.error();
-  }
-  const auto drawn = draw_files(picture_of(outcome.front), options.pictures);
-  if (!drawn) return drawn.error();
   switch (screen.format) {
     case Format::kJson:
       screen.out << json_of(outcome).dump(2) << "\n";
@@ -220,7 +245,13 @@ Result<void> run_choose(const ChooseOptions& options, const Screen& screen) {
       print_text(outcome, took.count(), options, screen.out);
       break;
   }
-  return {};
+  if (!options.save.empty()) {
+    if (outcome.front.empty())
+      return Complaint{kBadData, "no design does what is asked: nothing is saved"};
+    const auto saved = write_file(options.save, design_text(outcome.front.front().design));
+    if (!saved) return saved.error();
+  }
+  return draw(picture_of(outcome.front), options.pictures);
 }
 
 }  // namespace hedgehog::design

@@ -13,18 +13,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number_or_null(const std::optional<double>& number) {
-  return number ? Json(*number) : Json(nullptr);
-}
-
 Json class_json(const ClassStudy& one, const model::ForceCurve& curve) {
   const model::Characterisation& character = one.character;
   return {{"size", one.size()},
           {"pins", one.pins().pins},
           {"stable", character.stable()},
-          {"rest_mm", number_or_null(character.rest_mm)},
-          {"extension_mm", number_or_null(one.extension_mm)},
-          {"unstable_mm", number_or_null(character.unstable_mm)},
+          {"rest_mm", or_none(character.rest_mm)},
+          {"extension_mm", or_none(one.extension_mm)},
+          {"unstable_mm", or_none(character.unstable_mm)},
           {"stiffness_n_mm", character.stiffness_n_mm},
           {"minimum_n", character.minimum_n},
           {"minimum_mm", character.minimum_mm},
@@ -78,9 +74,7 @@ std::string text_of(const std::vector<Study>& studies) {
                {"rest mm", "rest_mm"},
                {"N/mm", "stiffness_n_mm"},
                {"extension mm", "extension_mm"}});
-  const auto shown = [](const std::optional<double>& number) {
-    return fixed(number.value_or(std::nan("")), 3);
-  };
+  const auto shown = [](const std::optional<double>& number) { return fixed(or_none(number), 3); };
   for (const Study& study : studies) {
     for (const ClassStudy& one : study.classes()) {
       const model::Characterisation& c = one.character;
@@ -181,15 +175,6 @@ Picture curves_picture(const std::vector<Study>& studies, const model::OffsetGri
   return picture;
 }
 
-Result<void> draw_files(const Picture& picture, const PictureFiles& files) {
-  for (const std::string& file : {files.svg, files.png}) {
-    if (file.empty()) continue;
-    const auto drawn = draw(picture, file);
-    if (!drawn) return drawn.error();
-  }
-  return {};
-}
-
 Result<void> run_curves(const CurvesOptions& options, const Screen& screen) {
   const auto offsets = parse_range(options.offsets, 0.5, -20.0, 100.0, "--offsets");
   if (!offsets) return offsets.error();
@@ -209,7 +194,7 @@ Result<void> run_curves(const CurvesOptions& options, const Screen& screen) {
     if (!one) return one.error();
     studies.push_back(std::move(*one));
   }
-  const auto drawn = draw_files(curves_picture(studies, grid), options.pictures);
+  const auto drawn = draw(curves_picture(studies, grid), options.pictures);
   if (!drawn) return drawn.error();
   if (screen.format == Format::kCsv) {
     screen.out << csv_of(studies, grid);

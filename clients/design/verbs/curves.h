@@ -13,8 +13,4 @@ Result<std::vector<Study>> figure_210(const Design& design);
 /// A panel each, with the coil's force and the thesis' values marked.
 Picture curves_picture(const std::vector<Study>& studies, const model::OffsetGrid& grid);
 
-/// Draws into the files that are named.
-struct PictureFiles;
-Result<void> draw_files(const Picture& picture, const PictureFiles& files);
-
 }  // namespace hedgehog::design

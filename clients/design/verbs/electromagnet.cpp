@@ -16,18 +16,14 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kShownPins = 12;
 
-Json number_or_null(const std::optional<double>& number) {
-  return number ? Json(*number) : Json(nullptr);
-}
-
 Json json_of(const CoilStudy& coil) {
   Json root{{"pin", coil.pin}, {"class_size", coil.class_size}};
   for (const CoilRow& row : coil.rows) {
     root["currents"].push_back(
         {{"current_a", row.current_a},
-         {"fea", {{"force_n", row.fea_force_n}, {"extension_mm", number_or_null(row.fea_mm)}}},
+         {"fea", {{"force_n", row.fea_force_n}, {"extension_mm", or_none(row.fea_mm)}}},
          {"measured",
-          {{"force_n", row.measured_force_n}, {"extension_mm", number_or_null(row.measured_mm)}}}});
+          {{"force_n", row.measured_force_n}, {"extension_mm", or_none(row.measured_mm)}}}});
   }
   root["spread"] = Json::array();
   for (const model::Activation& one : coil.spread) {
@@ -126,16 +122,15 @@ Table coil_table(const CoilStudy& coil) {
                {"measured N", "measured_force_n"},
                {"moves mm", "measured_extension_mm"}});
   for (const CoilRow& row : coil.rows) {
-    table.add({to_text(row.current_a), fixed(row.fea_force_n, 3),
-               fixed(row.fea_mm.value_or(std::nan("")), 3), fixed(row.measured_force_n, 3),
-               fixed(row.measured_mm.value_or(std::nan("")), 3)});
+    table.add({to_text(row.current_a), fixed(row.fea_force_n, 3), fixed(or_none(row.fea_mm), 3),
+               fixed(row.measured_force_n, 3), fixed(or_none(row.measured_mm), 3)});
   }
   return table;
 }
 
-Result<Picture> coil_picture(const Study& study, int pin) {
+Result<Picture> coil_picture(const Study& study, int pin, double most_a) {
   std::vector<double> currents;
-  for (int i = 0; i <= 60; ++i) currents.push_back(0.25 * i);
+  for (int i = 0; i <= 60; ++i) currents.push_back(most_a / 60.0 * i);
   const auto coil = study_coil(study, pin, currents);
   if (!coil) return coil.error();
   std::vector<Point> fea_force;
@@ -150,12 +145,12 @@ Result<Picture> coil_picture(const Study& study, int pin) {
   }
   const std::string aimed =
       "pin " + std::to_string(pin) + ", class of " + std::to_string(coil->class_size);
-  Panel force{
-      "Force on it at rest", "current (A)", "force outwards (N)", {}, {}, {0, 15.5}, {0, 0}};
+  Panel force{"Force on it at rest",     "current (A)", "force outwards (N)", {}, {},
+              {0, most_a * 31.0 / 30.0}, {0, 0}};
   force.series = {{"electromagnet as simulated", fea_force, Series::Style::kLine, 0},
                   {"electromagnet as measured", measured_force, Series::Style::kLine, 1}};
-  Panel extension{
-      "How far it moves out", "current (A)", "extension (mm)", {}, {}, {0, 15.5}, {0, 0}};
+  Panel extension{"How far it moves out",    "current (A)", "extension (mm)", {}, {},
+                  {0, most_a * 31.0 / 30.0}, {0, 0}};
   extension.series = {{"electromagnet as simulated", fea_mm, Series::Style::kLine, 0},
                       {"electromagnet as measured", measured_mm, Series::Style::kLine, 1}};
   if (has_thesis_magnets(study.design()) && study.arrangement().name.starts_with("tkD")) {
@@ -180,7 +175,7 @@ Result<Picture> coil_picture(const Study& study, int pin) {
   Picture picture;
   picture.title = "The electromagnet aimed at " + aimed + " of " + study.arrangement().name;
   picture.panels = {std::move(force), std::move(extension), std::move(spread)};
-  picture.columns = 3;
+  picture.columns = 2;
   return picture;
 }
 
@@ -194,9 +189,10 @@ Result<void> run_electromagnet(const ElectromagnetOptions& options, const Screen
   const auto coil = study_coil(*study, options.pin, *currents);
   if (!coil) return coil.error();
   if (!options.pictures.svg.empty() || !options.pictures.png.empty()) {
-    const auto picture = coil_picture(*study, coil->pin);
+    const auto picture =
+        coil_picture(*study, coil->pin, std::max(model::kBurstCurrentA, currents->back()));
     if (!picture) return picture.error();
-    const auto drawn = draw_files(*picture, options.pictures);
+    const auto drawn = draw(*picture, options.pictures);
     if (!drawn) return drawn.error();
   }
   switch (screen.format) {

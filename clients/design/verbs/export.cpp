@@ -20,20 +20,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Into the file, or onto the screen when that is "-" or nothing was named. A design file is not
-/// written over: `--json best.json` is easily typed for `best.json --json`.
+/// But not over a design file.
+Result<void> write_new(const std::string& path, const std::string& content) {
+  const auto spared = spare_design(path);
+  return spared ? write_file(path, content) : spared.error();
+}
+
+/// Into the file, or onto the screen when that is "-" or nothing was named.
 Result<void> deliver(const std::string& file, const std::string& content, const Screen& screen) {
   if (file.empty() || file == "-") {
     screen.out << content;
     return {};
   }
-  if (load_design(file)) {
-    return Complaint{
-        kUsage, file +
-                    " is a design file and is not written over; the design comes first: export " +
-                    file + " --json"};
-  }
-  const auto written = write_file(file, content);
+  const auto written = write_new(file, content);
   if (!written) return written.error();
   screen.err << "  " << file << "\n";
   return {};
@@ -62,15 +61,18 @@ Result<Casing> casing_of(const ExportOptions& options, const Design& design,
                                    " mm would cut into cavities; from 0 to " + to_text(widest_mm) +
                                    " mm is free at the bottom of this array"};
   }
+  const Wall wall = thinnest_wall(casing, array);
+  if (!(wall.mm > 0.0)) {
+    return Complaint{kBadData, "the cavities of " + wall.between + " run into each other by " +
+                                   fixed(-wall.mm, 2) +
+                                   " mm; a smaller --clearance or more --facets may help"};
+  }
   casing.notches_deg = notch_places(casing);
   return casing;
 }
 
 Result<void> render_halves(const std::string& scad, const std::string& folder,
                            const Screen& screen) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) return Complaint{kCannotCreate, folder + " cannot be made: " + error.message()};
   constexpr std::array kParts{"upper", "lower"};
   std::array<std::optional<Result<std::size_t>>, 2> rendered;
   const auto file_of = [&](std::size_t i) {
@@ -96,10 +98,21 @@ Result<void> write_casing(const ExportOptions& options, const Design& design,
                 "made by hedgehog-design " HEDGEHOG_VERSION, "SPDX-License-Identifier: MIT"});
   const auto temporary = TemporaryFile::make(".scad");
   if (!temporary) return temporary.error();
-  const std::string scad = options.scad.empty() ? temporary->path() : options.scad;
-  const auto written = write_file(scad, text);
-  if (!written) return written.error();
-  if (!options.scad.empty()) screen.err << "  " << scad << "\n";
+  // The copy for openscad: the other one may go onto the screen.
+  const std::string& scad = temporary->path();
+  const auto copied = write_file(scad, text);
+  if (!copied) return copied.error();
+  if (!options.scad.empty()) {
+    const auto delivered = deliver(options.scad, text, screen);
+    if (!delivered) return delivered.error();
+  }
+  if (!options.stl.empty()) {
+    std::error_code error;
+    fs::create_directories(options.stl, error);
+    if (error) return Complaint{kCannotCreate, options.stl + " cannot be made: " + error.message()};
+  }
+  const Wall wall = thinnest_wall(*casing, array);
+  screen.err << "  thinnest wall " << fixed(wall.mm, 2) << " mm, between " << wall.between << "\n";
   return options.stl.empty() ? Result<void>() : render_halves(scad, options.stl, screen);
 }
 
@@ -123,9 +136,12 @@ Result<void> run_export(const ExportOptions& options, const Screen& screen) {
     if (!done) return done.error();
   }
   if (!options.device.empty()) {
+    if (options.device == "-") {
+      return Complaint{kUsage, "--device: the file's name is the ball's; '-' is none"};
+    }
     const auto text = device_text(*design, fs::path(options.device).stem().string());
     if (!text) return text.error();
-    const auto written = write_file(options.device, *text);
+    const auto written = write_new(options.device, *text);
     if (!written) return written.error();
     screen.err << "  " << options.device << "  for hedgehogd's devices.d\n";
   }

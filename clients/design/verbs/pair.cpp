@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <array>
+#include <cmath>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "clients/design/output/table.h"
@@ -8,6 +11,12 @@ namespace hedgehog::design {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+std::string scientific(double number) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.1e", number);
+  return text.data();
+}
 
 }  // namespace
 
@@ -30,20 +39,28 @@ Result<void> run_pair(const PairOptions& options, const Screen& screen) {
   const model::PairPlace place{options.angle_deg, options.offset_mm, 0.0};
   const double gap = model::gap_mm(pair, place);
   if (!(gap > 0.0)) {
-    return Complaint{kBadData, "the magnets overlap by " + fixed(-gap, 2) +
-                                   " mm: " + to_text(design->magnet) + " and " +
-                                   to_text(design->shield) + " " + to_text(options.angle_deg) +
-                                   "° apart on a sphere of " + to_text(design->sphere_mm) + " mm"};
+    return Complaint{kBadData,
+                     (gap > -0.005 ? "the magnets touch: "
+                                   : "the magnets overlap by " + fixed(-gap, 2) + " mm: ") +
+                         to_text(design->magnet) + " and " + to_text(design->shield) + " " +
+                         to_text(options.angle_deg) + "° apart on a sphere of " +
+                         to_text(design->sphere_mm) + " mm"};
   }
   const auto force_by = [&](model::ForceModel model) {
     return model::pair_force(pair, place, {model, design->settings.accuracy});
   };
   const model::PairForce asked = force_by(design->settings.model);
+  const bool reached = asked.error_n <= design->settings.accuracy * std::abs(asked.force_n);
+  if (!reached) {
+    screen.err << "  known to ± " << scientific(asked.error_n)
+               << " N only: the magnets nearly touch, or what they do cancels\n";
+  }
   Table table({{"model", "model", true}, {"force N", "force_n"}, {"± N", "error_n"}});
   Json root{{"force_n", asked.force_n},
             {"error_n", asked.error_n},
             {"model", model::name_of(design->settings.model)},
             {"accuracy", design->settings.accuracy},
+            {"accuracy_reached", reached},
             {"gap_mm", gap}};
   for (const auto model :
        {model::ForceModel::kExact, model::ForceModel::kHybrid, model::ForceModel::kDipole}) {

@@ -2,12 +2,14 @@
 #include <cmath>
 
 #include "clients/design/ball_numbers.h"
+#include "clients/design/input/design_file.h"
 #include "clients/design/output/table.h"
 #include "clients/design/output/tool.h"
 #include "clients/design/verbs/curves.h"
 #include "clients/design/verbs/electromagnet.h"
 #include "clients/design/verbs/extension_table.h"
 #include "clients/design/verbs/verbs.h"
+#include "clients/lib/html.h"
 
 namespace hedgehog::design {
 namespace {
@@ -28,10 +30,12 @@ svg { width: 100%; height: auto; } .note { color: #555; max-width: 46rem; } .bad
 )";
 
 std::string paragraph(const std::string& text, const char* kind = "note") {
-  return std::string("<p class=\"") + kind + "\">" + escape_html(text) + "</p>\n";
+  return std::string("<p class=\"") + kind + "\">" + client::escape_html(text) + "</p>\n";
 }
 
-std::string heading(const std::string& text) { return "<h2>" + escape_html(text) + "</h2>\n"; }
+std::string heading(const std::string& text) {
+  return "<h2>" + client::escape_html(text) + "</h2>\n";
+}
 
 Table numbers_of(const Study& study) {
   const Design& design = study.design();
@@ -80,9 +84,9 @@ std::string stability_html(const Study& study) {
                {"which", "pins", true}});
   for (const ClassStudy& one : study.classes()) {
     const auto& c = one.character;
-    table.add({std::to_string(one.size()), fixed(c.rest_mm.value_or(std::nan("")), 3),
-               c.stable() ? fixed(c.stiffness_n_mm, 3) : "none", fixed(one.held_n(), 3),
-               fixed(one.extension_mm.value_or(std::nan("")), 3), ids_text(one.pins().pins)});
+    table.add({std::to_string(one.size()), fixed(or_none(c.rest_mm), 3),
+               c.stable() ? fixed(c.stiffness_n_mm, 3) : "none", fixed(or_none(one.held_n()), 3),
+               fixed(or_none(one.extension_mm), 3), ids_text(one.pins().pins)});
   }
   return html + table.html();
 }
@@ -91,7 +95,7 @@ Result<std::string> coil_html(const Study& study) {
   std::string html = heading("Electromagnet");
   const auto coil = study_coil(study, {}, {0.0, 2.1, 5.0, 7.5, 10.0, 12.5, 15.0});
   if (!coil) return html + paragraph("Not shown: " + coil.error().sentence + ".", "bad");
-  const auto picture = coil_picture(study, coil->pin);
+  const auto picture = coil_picture(study, coil->pin, model::kBurstCurrentA);
   if (!picture) return picture.error();
   const auto svg = draw_svg(*picture);
   if (!svg) return svg.error();
@@ -133,8 +137,9 @@ Result<std::string> page_of(const Study& study) {
   const auto thesis = thesis_html(design);
   if (!thesis) return thesis.error();
   return kHead +
-         ("<title>" + escape_html(study.arrangement().name) + "</title>\n</head>\n<body>\n<h1>") +
-         escape_html(to_text(design)) + "</h1>\n" +
+         ("<title>" + client::escape_html(study.arrangement().name) +
+          "</title>\n</head>\n<body>\n<h1>") +
+         client::escape_html(to_text(design)) + "</h1>\n" +
          paragraph("hedgehog-design " HEDGEHOG_VERSION ", " +
                    std::string(model::name_of(design.settings.model)) + " model, accuracy " +
                    to_text(100.0 * design.settings.accuracy) + " % of each pair's force") +
@@ -151,6 +156,8 @@ Result<void> run_report(const ReportOptions& options, const Screen& screen) {
   if (!study) return study.error();
   const auto page = page_of(*study);
   if (!page) return page.error();
+  const auto spared = spare_design(options.output);
+  if (!spared) return spared.error();
   const auto written = write_file(options.output, *page);
   if (!written) return written.error();
   screen.err << "  " << options.output << "\n";

@@ -13,11 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number_or_null(const std::optional<double>& number) {
-  return number ? Json(*number) : Json(nullptr);
-}
-
-/// The class that the smallest push expels.
+/// The class that the smallest push expels, one that needs none before all.
 const ClassStudy& weakest_of(const Study& study) {
   return *std::min_element(
       study.classes().begin(), study.classes().end(),
@@ -61,9 +57,9 @@ Table table_of(const Study& study) {
                {"pins", "pins", true}});
   for (const ClassStudy& one : study.classes()) {
     const bool stable = one.character.stable();
-    table.add({std::to_string(one.size()), fixed(one.character.rest_mm.value_or(std::nan("")), 3),
-               stable ? fixed(one.character.stiffness_n_mm, 3) : "none", fixed(one.held_n(), 3),
-               fixed(one.extension_mm.value_or(std::nan("")), 3), state_of(one),
+    table.add({std::to_string(one.size()), fixed(or_none(one.character.rest_mm), 3),
+               stable ? fixed(one.character.stiffness_n_mm, 3) : "none",
+               fixed(or_none(one.held_n()), 3), fixed(or_none(one.extension_mm), 3), state_of(one),
                ids_text(one.pins().pins)});
   }
   return table;
@@ -83,19 +79,20 @@ Json json_of(const Study& study,
             {"pressed", pressed},
             {"weakest",
              {{"pin", weakest.pins().pins.front()},
-              {"held_n", weakest.held_n()},
-              {"extension_mm", number_or_null(weakest.extension_mm)}}},
+              {"held_n", or_none(weakest.held_n())},
+              {"extension_mm", or_none(weakest.extension_mm)}}},
             {"classes", Json::array()}};
   for (const ClassStudy& one : study.classes()) {
     root["classes"].push_back({{"size", one.size()},
                                {"pins", one.pins().pins},
                                {"stable", one.character.stable()},
                                {"state", name_of(one.standing())},
-                               {"rest_mm", number_or_null(one.character.rest_mm)},
+                               {"rest_mm", or_none(one.character.rest_mm)},
                                {"stiffness_n_mm", one.character.stiffness_n_mm},
+                               {"held_n", or_none(one.held_n())},
                                {"minimum_n", one.character.minimum_n},
                                {"minimum_mm", one.character.minimum_mm},
-                               {"extension_mm", number_or_null(one.extension_mm)}});
+                               {"extension_mm", or_none(one.extension_mm)}});
   }
   if (!together) return root;
   if (*together) {
@@ -120,7 +117,7 @@ void print_text(const Study& study,
   if (unstable.empty() && pressed.empty()) {
     const ClassStudy& weakest = weakest_of(study);
     out << "all " << count << " pins stable; weakest: pin " << weakest.pins().pins.front()
-        << ", held up to " << fixed(weakest.held_n(), 2) << " N";
+        << ", held up to " << fixed(or_none(weakest.held_n()), 2) << " N";
     out << (weakest.extension_mm ? ", " + fixed(*weakest.extension_mm, 2) + " mm" : ", expelled")
         << " at " << to_text(study.design().coil_force_n) << " N\n\n";
   } else {

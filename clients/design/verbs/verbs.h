@@ -9,15 +9,10 @@
 
 #include "clients/design/complaint.h"
 #include "clients/design/input/design_flags.h"
+#include "clients/design/output/picture.h"
 #include "clients/design/screen.h"
 
 namespace hedgehog::design {
-
-/// Files for a picture; empty: none.
-struct PictureFiles {
-  std::string svg;
-  std::string png;
-};
 
 struct ArrayOptions {
   DesignFlags design;

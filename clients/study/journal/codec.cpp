@@ -36,6 +36,8 @@ void write(ordered_json& out, const RunStarted& e) {
                  {"force_n_per_a", e.ball.force_n_per_a}};
   out["simulated_person"] = e.simulated_person;
   out["software_version"] = e.software_version;
+  out["blind"] = e.blind;
+  out["person_seed"] = e.person_seed;
   out["experiment"] = ordered_json::parse(experiment_text(e.experiment));
 }
 
@@ -49,6 +51,8 @@ RunStarted read_run_started(const ordered_json& in) {
             ball.at("simulated"), ball.at("force_n_per_a")};
   e.simulated_person = in.at("simulated_person");
   e.software_version = in.at("software_version");
+  e.blind = in.value("blind", false);
+  e.person_seed = in.value("person_seed", std::uint64_t{0});
   e.experiment = parse_experiment(in.at("experiment").dump(), "experiment").value();
   return e;
 }

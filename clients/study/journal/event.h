@@ -21,6 +21,12 @@ struct BallFacts {
   friend bool operator==(const BallFacts&, const BallFacts&) = default;
 };
 
+/// A calibration that was measured again makes no other ball.
+inline bool same_ball(const BallFacts& a, const BallFacts& b) {
+  return a.name == b.name && a.model == b.model && a.serial == b.serial &&
+         a.simulated == b.simulated;
+}
+
 /// The first line: everything that the run follows from.
 struct RunStarted {
   std::string participant{};
@@ -31,6 +37,10 @@ struct RunStarted {
   /// The answers come from a program: a rehearsal.
   bool simulated_person = false;
   std::string software_version{};
+  /// The experimenter's screen is the participant's too.
+  bool blind = false;
+  /// Of a simulated person's answers.
+  std::uint64_t person_seed = 0;
   friend bool operator==(const RunStarted&, const RunStarted&) = default;
 };
 
@@ -82,7 +92,8 @@ struct Voided {
 };
 
 /// Everything that moves nothing: "note", "paused", "continued", "resumed", "rest", "stopped",
-/// "finished".
+/// "finished", "blind" (from here on).
+inline constexpr const char* kBallIsBack = "the ball is back";  // of "continued"
 struct Remark {
   std::string kind{};
   std::string text{};

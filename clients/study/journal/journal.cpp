@@ -91,18 +91,26 @@ Result<std::vector<Line>> read_journal(const fs::path& path) {
   }
   std::vector<Line> lines;
   std::string_view rest = *text;
-  while (!rest.empty()) {
+  for (int number = 1; !rest.empty(); ++number) {
     const auto end = rest.find('\n');
     if (end == std::string_view::npos) {
       break;  // torn by a kill: what it told was never followed
     }
-    // A torn line that a resumed run ended is skipped too; a damaged one shows as a gap.
-    if (auto line = decode(rest.substr(0, end))) {
+    const std::string_view whole = rest.substr(0, end + 1);
+    if (auto line = decode(whole)) {
       lines.push_back(*std::move(line));
+    } else if (!whole.ends_with(kTorn)) {  // which a resumed run ended
+      return cannot(EX_DATAERR, path,
+                    "line " + std::to_string(number) + " is damaged: " + line.error().message);
     }
     rest.remove_prefix(end + 1);
   }
   return lines;
+}
+
+bool has_begun(const fs::path& path) {
+  const auto lines = read_journal(path);
+  return !lines || !lines->empty();
 }
 
 Result<RecordedRun> read_run(const fs::path& path) {

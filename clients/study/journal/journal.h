@@ -10,8 +10,10 @@
 
 namespace hedgehog::study {
 
-/// All whole lines of a journal. EX_NOINPUT, or EX_DATAERR naming file and event.
+/// All whole lines of a journal. EX_NOINPUT; EX_DATAERR naming file and line when one is damaged.
 Result<std::vector<Line>> read_journal(const std::filesystem::path& path);
+/// A kill while a run was being created leaves a journal without any event behind.
+bool has_begun(const std::filesystem::path& path);
 /// The same, replayed.
 Result<RecordedRun> read_run(const std::filesystem::path& path);
 

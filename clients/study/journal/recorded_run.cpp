@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "clients/study/journal/recorded_run.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace hedgehog::study {
@@ -29,6 +30,12 @@ Result<RecordedRun> RecordedRun::replay(const std::vector<Line>& lines) {
   return run;
 }
 
+bool RecordedRun::blind() const noexcept {
+  return header_.blind || std::any_of(remarks_.begin(), remarks_.end(), [](const Line& line) {
+           return std::get<Remark>(line.event).kind == "blind";
+         });
+}
+
 Result<void> RecordedRun::take(const Line& line) {
   if (line.number != lines_ + 1) {
     return wrong(line, "comes after " + std::to_string(lines_) + ": lines are missing");
@@ -52,10 +59,13 @@ Result<void> RecordedRun::apply(const Line& line) {
     if (open_ || state_.next() != begun->trial) {
       return wrong(line, "this is not the trial that was due");
     }
-    open_ = TrialRecord{.trial = begun->trial, .time = line.time};
+    open_ = TrialRecord{
+        .trial = begun->trial, .time = line.time, .after_absence = std::exchange(absent_, false)};
     return {};
   }
-  if (std::holds_alternative<Remark>(line.event)) {
+  if (const auto* remark = std::get_if<Remark>(&line.event)) {
+    absent_ = absent_ || remark->kind == "resumed" ||
+              (remark->kind == "continued" && remark->text == kBallIsBack);
     remarks_.push_back(line);
     return {};
   }
@@ -64,6 +74,7 @@ Result<void> RecordedRun::apply(const Line& line) {
   }
   if (const auto* played = std::get_if<IntervalPlayed>(&line.event)) {
     open_->intervals.push_back(*played);
+    open_->played = line.time;
     return {};
   }
   if (const auto* answered = std::get_if<Answered>(&line.event)) {

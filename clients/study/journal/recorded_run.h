@@ -15,7 +15,10 @@ namespace hedgehog::study {
 /// One presentation block: a trial with what was played and said.
 struct TrialRecord {
   Trial trial{};
-  std::string time{};
+  std::string time{};    // when it began, RFC 3339, UTC
+  std::string played{};  // when its last interval was written down
+  /// The program or the daemon was away before it: the device's clock may have begun anew.
+  bool after_absence = false;
   std::vector<IntervalPlayed> intervals{};
   std::optional<Answered> answered{};
   /// Why it does not count; empty: it does.
@@ -45,6 +48,8 @@ class RecordedRun {
   const std::vector<Line>& remarks() const noexcept { return remarks_; }
   std::int64_t lines() const noexcept { return lines_; }
   const std::string& started() const noexcept { return started_; }
+  /// Nothing of the run may be shown on the experimenter's screen.
+  bool blind() const noexcept;
   bool over() const noexcept { return state_.staircase().over(); }
 
  private:
@@ -60,6 +65,7 @@ class RecordedRun {
   std::optional<TrialRecord> open_{};
   std::vector<Line> remarks_{};
   std::int64_t lines_ = 1;
+  bool absent_ = false;
 };
 
 }  // namespace hedgehog::study

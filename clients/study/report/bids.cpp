@@ -2,12 +2,14 @@
 #include "clients/study/report/bids.h"
 
 #include <sys/utsname.h>
+#include <unistd.h>
 
-#include <algorithm>
-#include <cctype>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
 
 #include "clients/study/experiment_file.h"
 #include "clients/study/report/rows.h"
@@ -19,12 +21,19 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-/// BIDS labels are letters and digits.
-std::string label(const std::string& text) {
-  std::string plain;
-  std::copy_if(text.begin(), text.end(), std::back_inserter(plain),
-               [](unsigned char c) { return std::isalnum(c) != 0; });
-  return plain;
+/// The first two texts, or none, that are different and have one label, or a text that has none.
+std::optional<Problem> mistakable(const std::set<std::string>& texts, const char* prefix) {
+  std::map<std::string, std::string> labelled;
+  for (const std::string& text : texts) {
+    const auto [place, is_new] = labelled.emplace(bids_label(text), text);
+    if (!is_new || place->first.empty()) {
+      return Problem{EX_DATAERR, place->second + (is_new ? "" : " and " + text) + " would be " +
+                                     prefix + place->first +
+                                     " in BIDS, which knows letters and digits only; "
+                                     "--format csv keeps the names"};
+    }
+  }
+  return std::nullopt;
 }
 
 /// What the thesis leaves open, and how it was done here.
@@ -94,6 +103,23 @@ Result<void> write(const fs::path& file, const std::string& text) {
   return {};
 }
 
+/// Made under another name first, so that a failure leaves no half of it.
+Result<void> in_one_go(const fs::path& path,
+                       const std::function<Result<void>(const fs::path&)>& make) {
+  const fs::path unfinished = path.string() + "." + std::to_string(::getpid()) + ".part";
+  std::error_code failed;
+  auto made = make(unfinished);
+  if (made) {
+    fs::rename(unfinished, path, failed);
+    if (!failed) {
+      return made;
+    }
+    made = Problem{EX_CANTCREAT, path.string() + ": " + failed.message()};
+  }
+  fs::remove_all(unfinished, failed);
+  return made;
+}
+
 std::string table(const RecordedRun& run, std::string (*line)(const std::vector<std::string>&),
                   bool heading) {
   std::string text;
@@ -119,7 +145,7 @@ std::string participants_table(const std::vector<AnalysedRun>& runs) {
   std::string text = "participant_id\thand_size_cm\tdominant_hand\tage_band\n";
   for (const auto& [id, list] : people) {
     const auto known = [](const std::string& said) { return said.empty() ? "n/a" : said; };
-    text += tsv_line({"sub-" + label(id),
+    text += tsv_line({"sub-" + bids_label(id),
                       list.hand_size_cm ? ordered_json(*list.hand_size_cm).dump() : "n/a",
                       known(list.dominant_hand), known(list.age_band)}) +
             "\n";
@@ -130,8 +156,8 @@ std::string participants_table(const std::vector<AnalysedRun>& runs) {
 }  // namespace
 
 std::string bids_name(const AnalysedRun& run) {
-  const std::string subject = "sub-" + label(run.name.participant);
-  return subject + "/beh/" + subject + "_task-" + label(run.name.experiment) + "_run-" +
+  const std::string subject = "sub-" + bids_label(run.name.participant);
+  return subject + "/beh/" + subject + "_task-" + bids_label(run.name.experiment) + "_run-" +
          std::to_string(run.name.run) + "_beh";
 }
 
@@ -176,12 +202,11 @@ std::string bids_sidecar(const AnalysedRun& analysed) {
   return file.dump(2) + "\n";
 }
 
-Result<void> write_bids(const fs::path& folder, const StudyFolder& study,
-                        const std::vector<AnalysedRun>& runs) {
+namespace {
+
+Result<void> write_folder(const fs::path& folder, const StudyFolder& study,
+                          const std::vector<AnalysedRun>& runs) {
   std::error_code failed;
-  if (fs::exists(folder, failed)) {
-    return Problem{EX_CANTCREAT, folder.string() + " is there already; --out names another"};
-  }
   for (const AnalysedRun& run : runs) {
     const fs::path base = folder / bids_name(run);
     fs::create_directories(base.parent_path(), failed);
@@ -205,6 +230,29 @@ Result<void> write_bids(const fs::path& folder, const StudyFolder& study,
   return write(folder / "participants.tsv", participants_table(runs));
 }
 
+}  // namespace
+
+Result<void> write_bids(const fs::path& folder, const StudyFolder& study,
+                        const std::vector<AnalysedRun>& runs) {
+  std::error_code failed;
+  if (fs::exists(folder, failed)) {
+    return Problem{EX_CANTCREAT, folder.string() + " is there already; --out names another"};
+  }
+  std::set<std::string> people;
+  std::set<std::string> experiments;
+  for (const AnalysedRun& run : runs) {
+    people.insert(run.name.participant);
+    experiments.insert(run.name.experiment);
+  }
+  for (const auto& mistaken : {mistakable(people, "sub-"), mistakable(experiments, "task-")}) {
+    if (mistaken) {
+      return *mistaken;
+    }
+  }
+  return in_one_go(
+      folder, [&](const fs::path& unfinished) { return write_folder(unfinished, study, runs); });
+}
+
 Result<void> write_csv(const fs::path& file, const std::vector<AnalysedRun>& runs) {
   std::error_code failed;
   if (fs::exists(file, failed)) {
@@ -222,10 +270,17 @@ Result<void> write_csv(const fs::path& file, const std::vector<AnalysedRun>& run
     header.update(ordered_json::parse(bids_sidecar(run)));
     headers.push_back(header);
   }
-  if (auto written = write(file, text); !written) {
+  const auto put = [](const fs::path& path, const std::string& content) {
+    return in_one_go(path, [&](const fs::path& unfinished) { return write(unfinished, content); });
+  };
+  if (auto written = put(beside, headers.dump(2) + "\n"); !written) {
     return written;
   }
-  return write(beside, headers.dump(2) + "\n");
+  auto written = put(file, text);
+  if (!written) {
+    fs::remove(beside, failed);
+  }
+  return written;
 }
 
 }  // namespace hedgehog::study

@@ -17,7 +17,8 @@ std::string bids_name(const AnalysedRun& run);
 /// Protocol with every choice, ball, calibration, check list, columns.
 std::string bids_sidecar(const AnalysedRun& run);
 
-/// EX_CANTCREAT when `folder` is there already: nothing is overwritten.
+/// EX_CANTCREAT when `folder` is there already: nothing is overwritten, and what fails leaves
+/// nothing behind. EX_DATAERR when two people or experiments are one to BIDS.
 Result<void> write_bids(const std::filesystem::path& folder, const StudyFolder& study,
                         const std::vector<AnalysedRun>& runs);
 /// The same rows in one CSV file.

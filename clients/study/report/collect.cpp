@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "clients/study/experiment_file.h"
 #include "clients/study/journal/journal.h"
 #include "clients/study/rules/statistics.h"
 
@@ -20,13 +21,28 @@ double thesis_result(Quantity quantity) noexcept {
   return 2.1;
 }
 
+bool is_as_in_thesis(const Experiment& experiment) {
+  for (const char* preset : {"force-threshold-thesis", "force-jnd", "speed-jnd"}) {
+    const auto thesis = find_experiment(preset);
+    if (thesis && thesis->quantity == experiment.quantity && thesis->task == experiment.task &&
+        thesis->rule == experiment.rule && thesis->pattern == experiment.pattern) {
+      return true;
+    }
+  }
+  return false;
+}
+
 std::vector<AnalysedRun> collect(const StudyFolder& study, int bootstraps,
-                                 std::vector<std::string>& problems) {
+                                 std::vector<Problem>& problems) {
   std::vector<AnalysedRun> all;
   for (const JournalName& name : study.journals()) {
+    if (!has_begun(name.path)) {
+      problems.push_back({0, name.path.string() + " was killed before it began: left out"});
+      continue;
+    }
     auto run = read_run(name.path);
     if (!run) {
-      problems.push_back(run.error().message);
+      problems.push_back(run.error());
       continue;
     }
     AnalysisOptions options;
@@ -47,12 +63,14 @@ void choose(std::vector<AnalysedRun>& all) {
     return a.run.header().experiment == b.run.header().experiment;
   };
   for (AnalysedRun& run : all) {
-    // Programs are no company for people.
+    // Programs are no company for people, nor are people who felt nothing for those who did.
+    const auto rank = [](const AnalysedRun& of) {
+      return of.run.header().simulated_person ? 0 : of.is_rehearsal() ? 1 : 2;
+    };
     run.in_group = run.analysis.threshold &&
-                   (!run.run.header().simulated_person ||
-                    std::none_of(all.begin(), all.end(), [&](const AnalysedRun& other) {
-                      return !other.run.header().simulated_person && same(other, run);
-                    }));
+                   std::none_of(all.begin(), all.end(), [&](const AnalysedRun& other) {
+                     return rank(other) > rank(run) && same(other, run);
+                   });
   }
   // Sorted by run: the last finished one of each takes the place of those before.
   for (std::size_t i = 0; i < all.size(); ++i) {

@@ -15,9 +15,11 @@ struct AnalysedRun {
   JournalName name{};
   RecordedRun run;
   RunAnalysis analysis{};
-  /// The last finished run of its participant and experiment: it counts for the group. A simulated
-  /// one does not where people took the same experiment.
+  /// The last finished run of its participant and experiment: it counts for the group. A rehearsal
+  /// does not where people took the same experiment on a real ball.
   bool in_group = false;
+  /// A program answered, or nobody felt anything: the ball was simulated.
+  bool is_rehearsal() const { return run.header().simulated_person || run.header().ball.simulated; }
 };
 
 /// One experiment, the same in every number, over its participants.
@@ -30,9 +32,10 @@ struct AnalysedGroup {
   int flagged = 0;
 };
 
-/// By participant, experiment and run. Journals that cannot be read are told in `problems`.
+/// By participant, experiment and run. Journals that cannot be read are told in `problems`; one
+/// that a kill left before its first event too, with exit code 0: nothing is missing.
 std::vector<AnalysedRun> collect(const StudyFolder& study, int bootstraps,
-                                 std::vector<std::string>& problems);
+                                 std::vector<Problem>& problems);
 
 /// Sets `in_group`. By participant, experiment and run.
 void choose(std::vector<AnalysedRun>& runs);
@@ -41,7 +44,10 @@ void choose(std::vector<AnalysedRun>& runs);
 std::vector<AnalysedGroup> groups_of(const StudyFolder& study,
                                      const std::vector<AnalysedRun>& runs);
 
-/// What the thesis found in this experiment, in its unit: 2.1 A, 13 %, 49 %.
+/// Its staircase and its pattern are the thesis': a comparison says something.
+bool is_as_in_thesis(const Experiment& experiment);
+
+/// What the thesis found about this quantity, in its unit: 2.1 A, 13 %, 49 %.
 double thesis_result(Quantity quantity) noexcept;
 
 }  // namespace hedgehog::study

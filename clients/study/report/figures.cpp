@@ -10,6 +10,8 @@
 #include <cstdio>
 #include <fstream>
 
+#include "clients/study/rules/statistics.h"
+
 extern char** environ;
 
 namespace hedgehog::study {
@@ -18,6 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kScript = "figures.gnuplot";
+constexpr const char* kLog = "gnuplot.log";
 constexpr const char* kBlue = "#1f5fa8";
 constexpr const char* kRed = "#c0392b";
 constexpr const char* kGrey = "#9aa4ad";
@@ -57,13 +61,15 @@ double shown(const AnalysedRun& run) {
   return run.analysis.weber_fraction ? *run.analysis.threshold : *run.analysis.force_n;
 }
 
-bool start_gnuplot(const fs::path& script, const fs::path& log, int& status) {
+/// In the folder: a path may have characters that mean something to gnuplot.
+bool start_gnuplot(const fs::path& folder, int& status) {
   std::string program = "gnuplot";
-  std::string file = script.string();
+  std::string file = kScript;
   char* arguments[] = {program.data(), file.data(), nullptr};
   posix_spawn_file_actions_t files;
   posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_addopen(&files, 1, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  posix_spawn_file_actions_addchdir_np(&files, folder.c_str());
+  posix_spawn_file_actions_addopen(&files, 1, kLog, O_WRONLY | O_CREAT | O_TRUNC, 0644);
   posix_spawn_file_actions_adddup2(&files, 1, 2);
   pid_t process = -1;
   const int failed = posix_spawnp(&process, program.c_str(), &files, nullptr, arguments, environ);
@@ -77,10 +83,8 @@ bool start_gnuplot(const fs::path& script, const fs::path& log, int& status) {
 }
 
 /// Once as SVG, once as PNG.
-std::string twice(const fs::path& folder, const std::string& name, int width, int height,
-                  const std::string& plot) {
+std::string twice(const std::string& path, int width, int height, const std::string& plot) {
   const std::string size = std::to_string(width) + "," + std::to_string(height);
-  const std::string path = (folder / name).string();
   return "set terminal svg size " + size + " font 'DejaVu Sans,13' background '#ffffff'\n" +
          "set output '" + path + ".svg'\n" + plot + "unset output\n" +
          "set terminal pngcairo size " + size + " font 'DejaVu Sans,11' background '#ffffff'\n" +
@@ -140,10 +144,17 @@ std::string staircase_plot(const AnalysedRun& analysed) {
             " ? $2 : 1/0) with points pt 4 ps 1.7 lc '#b8c0c7' title "
             "'reversal, not in the mean'";
   }
+  if (analysed.analysis.interval) {
+    plot +=
+        ", \\\n  NaN with boxes fs solid 1.0 noborder lc '#dfe9f5' title '95 % of the fitted "
+        "curve, approximate'";
+  }
   if (analysed.analysis.threshold) {
-    char label[64];
-    std::snprintf(label, sizeof label, "mean of reversals, %.4g %s", *analysed.analysis.threshold,
-                  experiment.unit());
+    const auto& flags = analysed.analysis.flags;
+    const bool disputed = std::find(flags.begin(), flags.end(), Flag::kDisagreement) != flags.end();
+    char label[96];
+    std::snprintf(label, sizeof label, "mean of reversals, %.4g %s%s", *analysed.analysis.threshold,
+                  experiment.unit(), disputed ? " (fit and mean disagree)" : "");
     plot += ", \\\n  " + decimal(*analysed.analysis.threshold) +
             " with lines dt 2 lw 1.5 lc '#333333' title '" + label + "'";
   }
@@ -154,27 +165,34 @@ std::string group_plot(const std::vector<AnalysedGroup>& groups) {
   std::string plot = "reset\nset multiplot layout 1," + std::to_string(groups.size()) + "\n";
   for (const AnalysedGroup& group : groups) {
     const bool in_newton = group.experiment.quantity == Quantity::kCurrentA;
-    const double scale = in_newton ? group.runs.front()->run.header().ball.force_n_per_a : 1.0;
+    const bool compared = is_as_in_thesis(group.experiment);
+    // The thesis' with the thesis' own ball, each person's with the ball they had.
+    const double thesis =
+        thesis_result(group.experiment.quantity) * (in_newton ? BallFacts{}.force_n_per_a : 1.0);
     std::string people;
-    double top = thesis_result(group.experiment.quantity) * scale;
+    std::vector<double> values;
+    double top = compared ? thesis : 0.0;
     for (std::size_t i = 0; i < group.runs.size(); ++i) {
       // Side by side, so that nobody hides anybody.
       const double offset = 0.09 * (static_cast<double>(i % 5) - 2.0);
       people += decimal(offset) + " " + decimal(shown(*group.runs[i])) + " " +
                 (group.runs[i]->analysis.flags.empty() ? "0" : "1") + "\n";
       top = std::max(top, shown(*group.runs[i]));
+      values.push_back(shown(*group.runs[i]));
     }
-    const double middle = group.result.mean * scale;
-    const double spread = group.result.sd * scale;
+    const double middle = mean(values);
+    const double spread = group.runs.size() > 1 ? standard_deviation(values) : 0.0;
     top = std::max(top, middle + spread);
     plot +=
         "$people << END\n" + people + "END\n$mean << END\n0.45 " + decimal(middle) + " " +
-        decimal(spread) + "\nEND\nset title '" + title_of(group.experiment.quantity) +
-        "'\nset xrange [-0.5:0.75]\nset yrange [0:" + decimal(top * 1.15) +
+        decimal(spread) + "\nEND\nset title \"" + title_of(group.experiment.quantity) + "\\n" +
+        group.experiment.name +
+        "\" noenhanced\nset xrange [-0.5:0.75]\nset yrange [0:" + decimal(top * 1.15) +
         "]\nunset xtics\nset ytics nomirror\nset border 2\nset grid ytics lc '#e3e7ea' lt 1\n"
         "set key below maxrows 2 samplen 1.5\nplot " +
-        decimal(thesis_result(group.experiment.quantity) * scale) + " with lines dt 3 lw 1.5 lc '" +
-        kGrey + "' title 'thesis', \\\n" +
+        (compared
+             ? decimal(thesis) + " with lines dt 3 lw 1.5 lc '" + kGrey + "' title 'thesis', \\\n"
+             : std::string()) +
         "  $people using 1:($3 == 0 ? $2 : 1/0) with points pt 7 ps 0.9 lc '" + kBlue +
         "' title 'person', \\\n" +
         "  $people using 1:($3 == 1 ? $2 : 1/0) with points pt 6 ps 1.0 lw 1.5 lc '" + kRed +
@@ -190,22 +208,19 @@ Result<void> draw(const fs::path& folder, const std::vector<AnalysedRun>& runs,
   std::string script;
   for (const AnalysedRun& run : runs) {
     if (run.run.state().staircase().state().scored > 0) {
-      script += twice(folder, figure_name(run), 720, 400, staircase_plot(run));
+      script += twice(figure_name(run), 720, 400, staircase_plot(run));
     }
   }
   if (!groups.empty()) {
-    script +=
-        twice(folder, "groups", kPanel * static_cast<int>(groups.size()), 420, group_plot(groups));
+    script += twice("groups", kPanel * static_cast<int>(groups.size()), 420, group_plot(groups));
   }
-  const fs::path file = folder / "figures.gnuplot";
-  std::ofstream(file) << script;
+  std::ofstream(folder / kScript) << script;
   int status = 0;
-  if (!start_gnuplot(file, folder / "gnuplot.log", status)) {
+  if (!start_gnuplot(folder, status)) {
     return Problem{EX_UNAVAILABLE, "no figures: gnuplot is not installed"};
   }
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-    return Problem{EX_UNAVAILABLE,
-                   "no figures: gnuplot failed, see " + (folder / "gnuplot.log").string()};
+    return Problem{EX_UNAVAILABLE, "no figures: gnuplot failed, see " + (folder / kLog).string()};
   }
   return {};
 }

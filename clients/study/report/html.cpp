@@ -7,8 +7,10 @@
 #include <fstream>
 #include <iterator>
 
+#include "clients/lib/html.h"
 #include "clients/study/report/figures.h"
 #include "clients/study/rules/distinguishable_levels.h"
+#include "clients/study/rules/observer.h"
 
 namespace hedgehog::study {
 
@@ -36,29 +38,6 @@ td.n, th.n { text-align: right; font-variant-numeric: tabular-nums }
   return text;
 }
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '&':
-        out += "&amp;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
-
 /// The SVG without its XML heading, so that it can stand in the page.
 std::string figure(const fs::path& file) {
   std::ifstream in(file);
@@ -74,9 +53,11 @@ std::string group_table(const std::vector<AnalysedGroup>& groups) {
       "<th class=n>force<th>flagged</tr>\n";
   for (const AnalysedGroup& group : groups) {
     const char* unit = group.experiment.unit();
-    page += "<tr><td>" + escaped(group.experiment.name) +
-            print("<td class=n>%.3g %s<td class=n>%.3g ± %.2g %s<td class=n>%d<td class=n>",
-                  thesis_result(group.experiment.quantity), unit, group.result.mean,
+    page += "<tr><td>" + client::escape_html(group.experiment.name) +
+            (is_as_in_thesis(group.experiment)
+                 ? print("<td class=n>%.3g %s", thesis_result(group.experiment.quantity), unit)
+                 : std::string("<td class=n>–")) +
+            print("<td class=n>%.3g ± %.2g %s<td class=n>%d<td class=n>", group.result.mean,
                   group.result.sd, unit, group.result.count) +
             (group.force_n > 0 ? print("%.4f N", group.force_n) : std::string("–")) +
             print("<td>%d of %d</tr>\n", group.flagged, group.result.count);
@@ -84,10 +65,24 @@ std::string group_table(const std::vector<AnalysedGroup>& groups) {
   return page + "</table>\n";
 }
 
+/// ": force-jnd drops 2, nominally 80.35 % positive; ..."
+std::string rules_in_words(const std::vector<AnalysedGroup>& groups) {
+  std::string words;
+  for (const AnalysedGroup& group : groups) {
+    const Experiment& e = group.experiment;
+    words += (words.empty() ? ": " : "; ") + client::escape_html(e.name) +
+             print(" drops %d, nominally %.4g %% positive%s", e.rule.discard,
+                   100.0 * convergence_point(e.rule),
+                   e.task == Task::kYesNo ? " (of a yes/no task that label is nominal only)" : "");
+  }
+  return words;
+}
+
 std::string run_row(const AnalysedRun& analysed) {
   const RunAnalysis& a = analysed.analysis;
   const Experiment& e = analysed.run.header().experiment;
-  std::string row = "<tr><td>" + escaped(analysed.name.participant) + "<td>" + escaped(e.name) +
+  std::string row = "<tr><td>" + client::escape_html(analysed.name.participant) + "<td>" +
+                    client::escape_html(e.name) +
                     print("<td class=n>%d<td class=n>", analysed.name.run);
   if (a.threshold) {
     row += print("%.4g %s<td class=n>", *a.threshold, e.unit());
@@ -109,7 +104,9 @@ std::string run_row(const AnalysedRun& analysed) {
     row += (i == 0 ? "" : ", ") + std::string(name(a.flags[i]));
   }
   return row +
-         (analysed.run.header().simulated_person ? " <span class=quiet>simulated</span>" : "") +
+         (analysed.run.header().simulated_person ? " <span class=quiet>simulated</span>"
+          : analysed.is_rehearsal()              ? " <span class=quiet>simulated ball</span>"
+                                                 : "") +
          "</tr>\n";
 }
 
@@ -139,10 +136,11 @@ std::string level_table(const std::vector<AnalysedGroup>& groups) {
   const auto thesis = level_formulas(2.1, 0.13, 0.49);
   const auto here = level_formulas(threshold, force / 100.0, speed / 100.0);
   for (std::size_t i = 0; i < here.size(); ++i) {
-    page += "<tr><td>" + escaped(here[i].range) + "<td>" + escaped(here[i].formula) +
+    page += "<tr><td>" + client::escape_html(here[i].range) + "<td>" +
+            client::escape_html(here[i].formula) +
             print("<td class=n>%.1f<td class=n>%.1f<td class=n>%d<td class=quiet>",
                   thesis[i].count.steps, here[i].count.steps, here[i].count.levels) +
-            escaped(here[i].remark) + "</tr>\n";
+            client::escape_html(here[i].remark) + "</tr>\n";
   }
   return page + "</table>\n";
 }
@@ -150,7 +148,7 @@ std::string level_table(const std::vector<AnalysedGroup>& groups) {
 std::string flag_table() {
   std::string page = "<h2>What the flags mean</h2>\n<table>\n";
   for (const Flag flag : {Flag::kNotFinished, Flag::kCeiling, Flag::kEarlyFloor, Flag::kFalseAlarms,
-                          Flag::kGuessing, Flag::kZeroLevel}) {
+                          Flag::kGuessing, Flag::kZeroLevel, Flag::kDisagreement}) {
     page += "<tr><td class=flag>" + std::string(name(flag)) + "<td>" + meaning(flag) + "</tr>\n";
   }
   return page + "</table>\n";
@@ -161,28 +159,32 @@ std::string flag_table() {
 std::string report_page(const StudyFolder& study, const std::vector<AnalysedRun>& runs,
                         const std::vector<AnalysedGroup>& groups, const fs::path& figures) {
   std::string page = kHead;
-  page += "<h1>" + escaped(study.path().filename().string()) + "</h1>\n";
+  page += "<h1>" + client::escape_html(study.path().filename().string()) + "</h1>\n";
   page += print(
       "<p class=quiet>%zu participants planned, %zu runs, seed %llu, hedgehog-study %s"
       "</p>\n",
       study.plan().participants.size(), runs.size(),
       static_cast<unsigned long long>(study.plan().seed), HEDGEHOG_VERSION);
   if (std::any_of(runs.begin(), runs.end(),
-                  [](const AnalysedRun& r) { return r.run.header().simulated_person; })) {
-    page += "<p class=flag>A rehearsal: answers of simulated people are among these.</p>\n";
+                  [](const AnalysedRun& r) { return r.is_rehearsal(); })) {
+    page +=
+        "<p class=flag>A rehearsal: simulated people, or people on a simulated ball, are among "
+        "these.</p>\n";
   }
   page += group_table(groups) + figure(figures / "groups.svg");
   page +=
-      "<p>The threshold of a person is the mean of all reversals but the first two (thesis, "
-      "section 3.2), nominally 80.35 % positive; for the yes/no task that label is nominal only. "
-      "Groups are means with their standard deviation (n − 1) over each person's last finished "
+      "<p>The threshold of a person is the mean of all reversals but the first ones (thesis, "
+      "section 3.2)" +
+      rules_in_words(groups) +
+      ". Groups are means with their standard deviation (n − 1) over each person's last finished "
       "run. The 95 % interval reruns the whole staircase with the fitted curve and is "
-      "approximate; the fit is a Weibull through all scored trials with 2 % lapses assumed. "
+      "approximate; it is the curve's, and where the mean of the reversals lies outside of it the "
+      "run is flagged; the fit is a Weibull through all scored trials with 2 % lapses assumed. "
       "Part of the spread is the method's own: one run of a 13 % observer reads 7 to 24 % in "
       "95 of 100.</p>\n";
   page +=
       "<h2>Runs</h2>\n<table><tr><th>who<th>experiment<th class=n>run<th class=n>threshold"
-      "<th class=n>95 %<th class=n>fit<th class=n>trials<th class=n>voids"
+      "<th class=n>95 % of the fit<th class=n>fit<th class=n>trials<th class=n>voids"
       "<th class=n>right with the test 1st, 2nd;<br>yes in catch trials<th>flags</tr>\n";
   for (const AnalysedRun& run : runs) {
     page += run_row(run);

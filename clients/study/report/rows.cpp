@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <ctime>
+#include <utility>
 
 namespace hedgehog::study {
 
@@ -48,6 +50,56 @@ const IntervalPlayed* test_of(const TrialRecord& trial) {
   return found == trial.intervals.end() ? nullptr : &*found;
 }
 
+/// "2026-11-21T15:04:05.123Z" in ns since 1970.
+std::optional<std::int64_t> utc_ns(const std::string& text) {
+  std::tm parts{};
+  int ms = 0;
+  if (std::sscanf(text.c_str(), "%4d-%2d-%2dT%2d:%2d:%2d.%3dZ", &parts.tm_year, &parts.tm_mon,
+                  &parts.tm_mday, &parts.tm_hour, &parts.tm_min, &parts.tm_sec, &ms) != 7) {
+    return std::nullopt;
+  }
+  parts.tm_year -= 1900;
+  parts.tm_mon -= 1;
+  return (static_cast<std::int64_t>(::timegm(&parts)) * 1000 + ms) * 1'000'000;
+}
+
+/// Device time as time since the first onset of the run. The device's clock begins anew with the
+/// daemon; from there on the journal's wall clock says how much later it was.
+class RunClock {
+ public:
+  /// Of each block, in order. Nothing when there was none or it cannot be known.
+  std::optional<std::int64_t> onset_of(const TrialRecord& record) {
+    absent_ = absent_ || record.after_absence;
+    if (record.intervals.empty()) {
+      return std::nullopt;
+    }
+    const IntervalPlayed& first = record.intervals.front();
+    const IntervalPlayed& last = record.intervals.back();
+    const bool absent = std::exchange(absent_, false);
+    if (zero_ && before_ && (absent || first.command_ns < before_->command_ns)) {
+      const auto ended = utc_ns(before_->played);
+      const auto begun = utc_ns(record.time);
+      lost_ = lost_ || !ended || !begun;
+      *zero_ += first.command_ns - before_->end_ns;
+      *zero_ -= lost_ ? 0 : std::max<std::int64_t>(0, *begun - *ended);
+    }
+    before_ = {first.command_ns, last.offset_ns.value_or(last.ack_ns), record.played};
+    zero_ = zero_ ? zero_ : first.onset_ns;
+    return lost_ || !first.onset_ns ? std::nullopt : std::optional(*first.onset_ns - *zero_);
+  }
+
+ private:
+  struct Block {
+    std::int64_t command_ns = 0;
+    std::int64_t end_ns = 0;
+    std::string played{};
+  };
+  std::optional<Block> before_{};
+  std::optional<std::int64_t> zero_{};
+  bool absent_ = false;
+  bool lost_ = false;
+};
+
 const char* move_name(int move) { return move < 0 ? "down" : move > 0 ? "up" : "none"; }
 
 }  // namespace
@@ -62,7 +114,9 @@ const std::vector<Column>& columns() {
       {"scored_trial", "ordinal among the scored trials; n/a for other kinds"},
       {"kind", "scored, catch, practice, or void (repeated)"},
       {"included", "1: it moved the staircase"},
-      {"onset", "s, first onset after the first onset of the run, by the device's clock"},
+      {"onset",
+       "s, first onset after the first onset of the run, by the device's clock; where that began "
+       "anew, by the journal's wall clock"},
       {"duration", "s, from the first onset to the last offset"},
       {"level_nominal", "level asked: A, or percentage points above the reference"},
       {"level_presented", "level as delivered by the limiter"},
@@ -81,7 +135,8 @@ const std::vector<Column>& columns() {
       {"run_count", "positives in a row afterwards"},
       {"at_floor", "1: presented at the floor"},
       {"at_ceiling", "1: presented at the ceiling"},
-      {"t_command", "s, device time when the first interval was commanded"},
+      {"t_command",
+       "s, device time when the first interval was commanded; it begins anew with the daemon"},
       {"t_ack", "s, device time when the daemon had answered"},
       {"t_onset", "s, device time of the first onset"},
       {"t_offset", "s, device time of the last offset"},
@@ -94,7 +149,7 @@ std::vector<std::vector<std::string>> rows_of(const RecordedRun& run) {
   const RunStarted& header = run.header();
   const Experiment& e = header.experiment;
   std::vector<std::vector<std::string>> rows;
-  std::optional<std::int64_t> first_onset;
+  RunClock clock;
   for (const TrialRecord& record : run.trials()) {
     const Trial& trial = record.trial;
     const bool counts = record.step.has_value();
@@ -102,10 +157,10 @@ std::vector<std::vector<std::string>> rows_of(const RecordedRun& run) {
     const IntervalPlayed* test = test_of(record);
     std::optional<std::int64_t> onset;
     std::optional<std::int64_t> offset;
+    const std::optional<std::int64_t> since_first = clock.onset_of(record);
     if (!record.intervals.empty()) {
       onset = record.intervals.front().onset_ns;
       offset = record.intervals.back().offset_ns;
-      first_onset = first_onset ? first_onset : onset;
     }
     const auto level = [&](Level value) { return exact_decimal(value, e.decimals()); };
     const auto flag = [](bool on) { return std::string(on ? "1" : "0"); };
@@ -119,7 +174,7 @@ std::vector<std::vector<std::string>> rows_of(const RecordedRun& run) {
          trial.kind == TrialKind::kScored && !is_void ? std::to_string(trial.number) : kNone,
          is_void ? "void" : std::string(name(trial.kind)),
          flag(counts),
-         onset && first_onset ? seconds(*onset - *first_onset) : kNone,
+         or_none(since_first, seconds),
          onset && offset ? seconds(*offset - *onset) : kNone,
          level(trial.level),
          test != nullptr ? presented(e, *test) : kNone,

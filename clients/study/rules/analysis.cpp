@@ -82,6 +82,8 @@ const char* name(Flag flag) noexcept {
       return "guessing";
     case Flag::kZeroLevel:
       return "zero level";
+    case Flag::kDisagreement:
+      return "fit and mean disagree";
     case Flag::kNotFinished:
       break;
   }
@@ -102,6 +104,10 @@ const char* meaning(Flag flag) noexcept {
       return "right no more often than a coin would be: the run says nothing";
     case Flag::kZeroLevel:
       return "a scored trial had no current at all";
+    case Flag::kDisagreement:
+      return "the mean of the reversals lies outside of the fitted curve's 95 %: the answers do "
+             "not "
+             "tell which of the two is right";
     case Flag::kNotFinished:
       break;
   }
@@ -131,6 +137,10 @@ RunAnalysis analyse(const Experiment& experiment, const RunState& run,
   const double guess = experiment.task == Task::kYesNo ? false_alarm_rate(run, options) : 0.5;
   result.fit = fit_weibull(experiment, run.judgements(), guess, options.lapse);
   result.interval = bootstrap(experiment, result.fit->observer, options);
+  if (result.interval &&
+      (*result.threshold < result.interval->first || *result.threshold > result.interval->second)) {
+    result.flags.push_back(Flag::kDisagreement);
+  }
   switch (experiment.quantity) {
     case Quantity::kCurrentA:
       result.force_n = *result.threshold * options.force_n_per_a;

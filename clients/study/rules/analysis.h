@@ -14,11 +14,12 @@ namespace hedgehog::study {
 /// Reasons to look twice. A run that finished is not a run that is valid: a guesser's finishes too.
 enum class Flag : std::uint8_t {
   kNotFinished,
-  kCeiling,      // the level was held at its highest
-  kEarlyFloor,   // the level reached its lowest before any reversal
-  kFalseAlarms,  // yes in more than one of five catch trials
-  kGuessing,     // right no more often than a coin (5 %), two intervals only
-  kZeroLevel,    // a scored yes/no trial was at 0 A
+  kCeiling,       // the level was held at its highest
+  kEarlyFloor,    // the level reached its lowest before any reversal
+  kFalseAlarms,   // yes in more than one of five catch trials
+  kGuessing,      // right no more often than a coin (5 %), two intervals only
+  kZeroLevel,     // a scored yes/no trial was at 0 A
+  kDisagreement,  // the threshold lies outside of the fitted curve's 95 %
 };
 
 /// "early floor", for tables; and one sentence for a report.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "clients/study/rules/distinguishable_levels.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -13,6 +14,7 @@ constexpr double kPrimeOfJnd = 1.1902;
 constexpr double kTwoPrime = 2.0;
 // A ratio that is a whole number of steps shall not lose one to rounding.
 constexpr double kSlack = 1e-9;
+constexpr double kMostSteps = 1e9;
 
 // Of the thesis, section 3.2.4.
 constexpr double kAboutForce = 10.0;
@@ -52,6 +54,9 @@ std::string range_text(double low, double high, const char* unit) {
 LevelCount count_levels(double low, double high, double fraction, Spacing spacing, double reference,
                         double apart) {
   LevelCount count;
+  if (!(low > 0.0 && low < high && fraction > 0.0)) {
+    return count;
+  }
   switch (spacing) {
     case Spacing::kWeber:
       count.steps = std::log(high / low) / (apart * std::log1p(fraction));
@@ -63,7 +68,7 @@ LevelCount count_levels(double low, double high, double fraction, Spacing spacin
       count.steps = std::log(high / low) / (apart * std::log1p(fraction)) * kPrimeOfJnd / kTwoPrime;
       break;
   }
-  count.levels = static_cast<int>(std::floor(count.steps + kSlack)) + 1;
+  count.levels = static_cast<int>(std::min(std::floor(count.steps + kSlack), kMostSteps)) + 1;
   return count;
 }
 

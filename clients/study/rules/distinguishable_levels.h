@@ -20,9 +20,9 @@ struct LevelCount {
   int levels = 0;
 };
 
-/// REQUIRES: 0 < low < high, fraction > 0. `reference`: the level at which the fraction was
-/// measured, and at which a constant step has its size. `apart`: so many just noticeable
-/// differences between neighbours.
+/// None at all of an empty range or a fraction that is not above 0. `reference`: the level at which
+/// the fraction was measured, and at which a constant step has its size. `apart`: so many just
+/// noticeable differences between neighbours.
 LevelCount count_levels(double low, double high, double fraction, Spacing spacing, double reference,
                         double apart = 1.0);
 

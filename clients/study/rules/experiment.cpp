@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "clients/study/rules/experiment.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace hedgehog::study {
 
 int StaircaseRule::total_reversals() const noexcept {
-  int total = 0;
+  std::int64_t total = 0;
   for (const Stage& stage : stages) {
     total += stage.reversals;
   }
-  return total;
+  return static_cast<int>(std::min<std::int64_t>(total, std::numeric_limits<int>::max()));
 }
 
 int Experiment::decimals() const noexcept { return quantity == Quantity::kCurrentA ? 4 : 3; }

@@ -18,7 +18,7 @@ enum class Curve : std::uint8_t { kWeibull, kLogistic };
 struct Observer {
   Curve curve = Curve::kWeibull;
   double threshold = 1.0;  // in the experiment's unit, above 0
-  double slope = 3.0;      // Weibull's beta; a logistic is 0.9 as steep at the threshold
+  double slope = 3.0;      // Weibull's beta; a logistic is 0.8 as steep at the threshold
   /// Positive without any stimulus: 0.5 for two intervals, false alarms for yes/no.
   double guess = 0.5;
   double lapse = 0.02;

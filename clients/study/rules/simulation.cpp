@@ -71,14 +71,12 @@ std::vector<SimulatedRun> simulate(const Experiment& experiment, const Populatio
       runs[i] = simulate_run(experiment, observer, options.seed, i, options.with_fit);
     }
   };
-  std::vector<std::thread> workers;
+  std::vector<std::jthread> workers;
   for (int t = 1; t < threads; ++t) {
     workers.emplace_back(work, static_cast<std::size_t>(t));
   }
   work(0);
-  for (std::thread& worker : workers) {
-    worker.join();
-  }
+  workers.clear();
   return runs;
 }
 

@@ -26,6 +26,8 @@ struct View {
   int interval = 0;
   std::string message{};  // for the experimenter
   std::optional<double> temperature_c{};
+  /// Nothing goes on before the experimenter says so.
+  bool waits = false;
 };
 
 struct Input {
@@ -49,6 +51,8 @@ class Desk {
   virtual void show(const View& view) = 0;
   /// What somebody did within `patience`.
   virtual Input wait(std::chrono::milliseconds patience) = 0;
+  /// What was typed until now was typed before now: no answer to what is asked from now on.
+  virtual void take_in() {}
   /// Nobody is there to continue what needs a person.
   virtual bool unattended() const = 0;
   /// What somebody has typed of a note when there is no more time to end it.

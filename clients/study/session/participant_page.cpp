@@ -127,6 +127,14 @@ std::optional<char> ParticipantServer::key() {
   return pressed;
 }
 
+void ParticipantServer::forget_keys() {
+  char bytes[64];
+  for (const int page : pages_) {
+    while (::recv(page, bytes, sizeof bytes, 0) > 0) {
+    }
+  }
+}
+
 Result<void> run_participant_page(const std::filesystem::path& path,
                                   const std::function<bool()>& stop) {
   const auto address = address_of(path);
@@ -136,10 +144,10 @@ Result<void> run_participant_page(const std::filesystem::path& path,
   Terminal terminal;
   int server = -1;
   std::string pending;
-  bool thanked = false;  // and left so until the next run
+  Phase phase = Phase::kReady;  // thanks stay until the next run
   while (!stop()) {
     if (server < 0 && (server = connected(*address)) < 0) {
-      if (!thanked) {
+      if (phase != Phase::kOver) {
         terminal.draw({"", "", "", "", "", "", "", "          Please wait."});
       }
       terminal.key(kLookAgain);
@@ -157,12 +165,15 @@ Result<void> run_participant_page(const std::filesystem::path& path,
       pending.append(bytes, static_cast<std::size_t>(count));
       for (auto end = pending.find('\n'); end != std::string::npos; end = pending.find('\n')) {
         const Cue cue = decode_cue(pending.substr(0, end));
-        thanked = cue.phase == Phase::kOver;
+        if (std::exchange(phase, cue.phase) != Phase::kQuestion && phase == Phase::kQuestion) {
+          terminal.forget();  // what was pressed before the question answers nothing
+        }
         terminal.draw(participant_lines(cue));
         pending.erase(0, end + 1);
       }
     }
-    if (const auto key = terminal.key(kGlance); key && (key->what == '<' || key->what == '>')) {
+    const auto key = terminal.key(kGlance);
+    if (key && phase == Phase::kQuestion && (key->what == '<' || key->what == '>')) {
       (void)::send(server, &key->what, 1, MSG_NOSIGNAL);
     }
   }

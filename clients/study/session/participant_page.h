@@ -26,6 +26,8 @@ class ParticipantServer {
   void show(const Cue& cue);
   /// '<' or '>' when somebody pressed it there.
   std::optional<char> key();
+  /// Throws away what was pressed so far.
+  void forget_keys();
 
  private:
   ParticipantServer() = default;

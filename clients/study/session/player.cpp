@@ -28,6 +28,7 @@ constexpr std::int64_t kOverdueNs = 5'000 * kNsPerMs;
 constexpr std::chrono::seconds kStopPatience{5};
 // A tick or two at either end.
 constexpr std::int64_t kShortMs = 3;
+constexpr double kRounding = 1e-9;
 
 protocol::EffectStart circle(const Stimulus& stimulus, const Pattern& pattern) {
   protocol::EffectParams params;
@@ -75,12 +76,34 @@ std::optional<std::string> fault_of(const IntervalPlayed& played, const Pattern&
   return std::nullopt;
 }
 
-Outcome<Player> Player::open(const std::vector<client::Address>& addresses, Milliseconds patience) {
+std::optional<std::string> beyond(const Experiment& experiment, double most_a) {
+  const bool two = experiment.task == Task::kTwoIntervals;
+  const double reference_a = two ? reference_stimulus(experiment).current_a : 0.0;
+  const double highest_a = test_stimulus(experiment, experiment.rule.ceiling).current_a;
+  if (std::max(reference_a, highest_a) <= most_a + kRounding) {
+    return std::nullopt;
+  }
+  char text[200];
+  std::snprintf(
+      text, sizeof text,
+      "%s goes up to %.3g A and this ball plays at most %.3g A: copy the experiment's file "
+      "and lower its %s",
+      experiment.name.c_str(), std::max(reference_a, highest_a), most_a,
+      highest_a > most_a + kRounding ? "ceiling" : "current_a");
+  return text;
+}
+
+std::optional<std::string> Player::too_much(const Experiment& experiment) const {
+  return beyond(experiment, most_a_);
+}
+
+Outcome<Player> Player::open(const std::vector<client::Address>& addresses, Milliseconds patience,
+                             Milliseconds silence) {
   auto connection = client::Connection::reopen(addresses, patience);
   if (!connection) {
     return connection.error();
   }
-  Player player(*std::move(connection));
+  Player player(*std::move(connection), silence);
   if (auto introduced = player.introduce(); !introduced) {
     return introduced.error();
   }
@@ -98,6 +121,7 @@ Outcome<void> Player::introduce() {
   }
   ball_ = {description->name, description->model, description->board.serial, description->simulated,
            description->calibration.force_n_per_a};
+  most_a_ = description->limits.current_a;
   if (auto told = connection_.call(protocol::EventsSubscribe{{"effect_ended"}}); !told) {
     return told.error();
   }
@@ -135,6 +159,7 @@ Outcome<void> Player::claim() {
 }
 
 void Player::take(const client::Notification& told) {
+  heard_ = std::chrono::steady_clock::now();
   if (const auto* event = std::get_if<protocol::EventMessage>(&told)) {
     if (event->event.type == "effect_ended" && event->event.effect == effect_) {
       ended_ = event->event;
@@ -157,6 +182,9 @@ Outcome<void> Player::keep(Milliseconds wait) {
       break;
     }
     take(**told);
+  }
+  if (std::chrono::steady_clock::now() - heard_ > silence_) {
+    return client::ClientError{client::Failure::kTimeout, "the daemon has fallen silent", {}};
   }
   return device_ns_ - claimed_ns_ >= kRenewNs ? claim() : Outcome<void>();
 }

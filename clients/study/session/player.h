@@ -2,6 +2,7 @@
 // The ball during a run: one circle after another, on the daemon's clock, and nobody else's.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <optional>
 #include <string>
@@ -21,18 +22,25 @@ struct Readiness {
 /// One thread. Holds a claim on the ball, as long as it is kept, until it goes away.
 class Player {
  public:
-  /// Connects, introduces itself, claims the ball.
+  /// The daemon tells something five times a second of its own time.
+  static constexpr client::Milliseconds kSilence{5'000};
+
+  /// Connects, introduces itself, claims the ball. A daemon that tells nothing for `silence` counts
+  /// as gone.
   static client::Outcome<Player> open(const std::vector<client::Address>& addresses,
-                                      client::Milliseconds patience);
+                                      client::Milliseconds patience,
+                                      client::Milliseconds silence = kSilence);
 
   const BallFacts& ball() const noexcept { return ball_; }
+  /// How the experiment asks for more than this ball plays, as a sentence. Nothing: it does not.
+  std::optional<std::string> too_much(const Experiment& experiment) const;
   std::optional<double> temperature_c() const noexcept { return temperature_c_; }
   /// Device time as of the last telemetry, ns.
   std::int64_t device_ns() const noexcept { return device_ns_; }
 
   /// Plays one interval to its end; not before the device time `not_before_ns`, if there is one.
   /// `abort` is asked all the while: true stops it (reason "stopped"). An error: the daemon is
-  /// gone, or it refused.
+  /// gone or silent, it never ends the circle, or it refused.
   client::Outcome<IntervalPlayed> play(int interval, const Stimulus& stimulus,
                                        const Pattern& pattern,
                                        std::optional<std::int64_t> not_before_ns,
@@ -42,18 +50,22 @@ class Player {
   client::Outcome<Readiness> readiness(const Experiment& experiment, const Trial& trial);
 
   /// Renews the claim when it is time, and takes in what the daemon told; waits up to `wait` for
-  /// it.
+  /// it. An error: the daemon is gone or silent.
   client::Outcome<void> keep(client::Milliseconds wait);
 
  private:
-  explicit Player(client::Connection connection) : connection_(std::move(connection)) {}
+  Player(client::Connection connection, client::Milliseconds silence)
+      : connection_(std::move(connection)), silence_(silence) {}
   client::Outcome<void> introduce();
   client::Outcome<void> claim();
   void take(const client::Notification& told);
   client::Outcome<std::int64_t> clock_ns();
 
   client::Connection connection_;
+  client::Milliseconds silence_;
+  std::chrono::steady_clock::time_point heard_ = std::chrono::steady_clock::now();
   BallFacts ball_{};
+  double most_a_ = 0.0;
   std::int64_t device_ns_ = 0;
   std::int64_t claimed_ns_ = 0;
   std::optional<double> temperature_c_{};
@@ -61,6 +73,9 @@ class Player {
   std::uint32_t effect_ = 0;
   std::optional<protocol::Event> ended_{};
 };
+
+/// How the experiment asks for more than `most_a`, as a sentence. Nothing: it does not.
+std::optional<std::string> beyond(const Experiment& experiment, double most_a);
 
 /// Why an interval makes its trial void: cut short, weaker than 98 % of what was asked, under or
 /// mixed with another effect. Nothing: it is good.

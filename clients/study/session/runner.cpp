@@ -12,11 +12,8 @@ using std::chrono::steady_clock;
 
 constexpr Milliseconds kGlance{10};
 constexpr int kTooManyVoids = 5;
-
-/// The daemon is there and says no to this one request.
-bool is_refusal(const client::ClientError& error) {
-  return error.failure == client::Failure::kRefused;
-}
+constexpr int kTooManyTimeouts = 50;
+constexpr const char* kTimeout = "no answer in time";
 
 }  // namespace
 
@@ -28,12 +25,12 @@ Runner::Runner(Journal& journal, Player player, const std::vector<client::Addres
       desk_(desk),
       stop_(std::move(stop)) {}
 
-void Runner::show(Phase phase, int interval, const std::string& message) {
+void Runner::show(Phase phase, int interval, const std::string& message, bool waits) {
   if (!message.empty()) {
     message_ = message;
   }
   desk_.show({&journal_.run(), phase, interval, message_,
-              player_ ? player_->temperature_c() : std::nullopt});
+              player_ ? player_->temperature_c() : std::nullopt, waits});
 }
 
 Result<RunEnd> Runner::run() {
@@ -99,6 +96,7 @@ Result<Runner::Early> Runner::one_trial() {
   }
   if (fault.empty()) {
     voids_in_a_row_ = 0;
+    timeouts_in_a_row_ = 0;
     return Early{};
   }
   if (auto written = journal_.append(Voided{fault}); !written) {
@@ -108,12 +106,29 @@ Result<Runner::Early> Runner::one_trial() {
   if (!lost_.empty()) {
     return reconnect(std::exchange(lost_, {}));
   }
-  if (++voids_in_a_row_ >= kTooManyVoids) {
-    voids_in_a_row_ = 0;
-    return desk_.unattended() ? Result<Early>(RunEnd::kStuck)
-                              : pause(Phase::kPaused, "five voids in a row, the last: " + fault);
+  return look_at(fault);
+}
+
+Result<Runner::Early> Runner::look_at(const std::string& fault) {
+  if (desk_.unattended() && fault == kTimeout) {
+    if (++timeouts_in_a_row_ < kTooManyTimeouts) {
+      return Early{};
+    }
+    why_stuck_ = fault + ", again and again (response_limit_ms is " +
+                 std::to_string(journal_.run().header().experiment.response_limit_ms) + ")";
+    return Early{RunEnd::kStuck};
   }
-  return Early{};
+  if (++voids_in_a_row_ < kTooManyVoids) {
+    return Early{};
+  }
+  voids_in_a_row_ = 0;
+  return desk_.unattended() ? Result<Early>(stuck(fault))
+                            : pause(Phase::kPaused, "five voids in a row, the last: " + fault);
+}
+
+Runner::Early Runner::stuck(const std::string& why) {
+  why_stuck_ = "the ball does not play (" + why + ")";
+  return RunEnd::kStuck;
 }
 
 Result<Runner::Early> Runner::play(const Trial& trial, std::string& fault) {
@@ -140,7 +155,7 @@ Result<Runner::Early> Runner::play(const Trial& trial, std::string& fault) {
     }
     if (!played) {
       fault = played.error().message;
-      if (!is_refusal(played.error())) {
+      if (played.error().failure != client::Failure::kRefused) {
         lost_ = fault;
       }
       return Early{};
@@ -163,6 +178,7 @@ Result<Runner::Early> Runner::play(const Trial& trial, std::string& fault) {
 Result<Runner::Early> Runner::ask(std::string& fault) {
   const Experiment experiment = journal_.run().header().experiment;
   show(Phase::kQuestion);
+  desk_.take_in();
   const auto asked_at = steady_clock::now();
   while (true) {
     const Input input = desk_.wait(kGlance);
@@ -174,7 +190,7 @@ Result<Runner::Early> Runner::ask(std::string& fault) {
             ? *input.response_ms
             : std::chrono::duration_cast<Milliseconds>(input.at - asked_at).count();
     if (experiment.response_limit_ms > 0 && took_ms > experiment.response_limit_ms) {
-      fault = "no answer in time";
+      fault = kTimeout;
       return Early{};
     }
     if (answers) {

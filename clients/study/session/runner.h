@@ -17,7 +17,7 @@ namespace hedgehog::study {
 enum class RunEnd : std::uint8_t {
   kOver,     // finished, or given up after the most trials
   kStopped,  // by the experimenter, or by `stop`: `resume` goes on
-  kStuck,    // unattended, and the ball does not play
+  kStuck,    // unattended, and it does not go on: `why_stuck` says why
 };
 
 /// One thread. A ball that derates, is lost or claimed, and a daemon that goes away, pause the run
@@ -29,12 +29,17 @@ class Runner {
 
   /// EX_IOERR when the journal cannot be written.
   Result<RunEnd> run();
+  /// A sentence without its end. Empty unless the end was kStuck.
+  const std::string& why_stuck() const noexcept { return why_stuck_; }
 
  private:
   /// nothing: go on.
   using Early = std::optional<RunEnd>;
 
   Result<Early> one_trial();
+  /// After a void: too many in a row are not gone on with.
+  Result<Early> look_at(const std::string& fault);
+  Early stuck(const std::string& why);
   Result<Early> play(const Trial& trial, std::string& fault);
   Result<Early> ask(std::string& fault);
   Result<Early> until_ready(const Trial& trial);
@@ -47,7 +52,7 @@ class Runner {
   /// A note that is being typed at the end is written down as far as it is.
   Result<void> keep_note();
   Result<Early> leave();
-  void show(Phase phase, int interval = 0, const std::string& message = {});
+  void show(Phase phase, int interval = 0, const std::string& message = {}, bool waits = false);
   bool asked_to_stop() const { return stop_asked_ || stop_(); }
 
   Journal& journal_;
@@ -62,6 +67,9 @@ class Runner {
   /// The daemon's last failure, if the connection is of no further use.
   std::string lost_{};
   int voids_in_a_row_ = 0;
+  /// Of somebody unattended, who answers in time sooner or later.
+  int timeouts_in_a_row_ = 0;
+  std::string why_stuck_{};
   std::string message_{};
 };
 

@@ -26,6 +26,7 @@ Result<Runner::Early> Runner::until_ready(const Trial& trial) {
     }
   }
   bool waiting = false;
+  bool lost_before = false;
   const auto since = steady_clock::now();
   while (true) {
     if (auto seen = glance(Milliseconds{0}); !seen) {
@@ -41,30 +42,43 @@ Result<Runner::Early> Runner::until_ready(const Trial& trial) {
       }
     }
     const auto ready = player_->readiness(journal_.run().header().experiment, trial);
-    if (!ready) {
+    const bool refused = !ready && ready.error().failure == client::Failure::kRefused;
+    if (!ready && !refused) {
+      if (desk_.unattended() && steady_clock::now() - since > kUnattendedPatience) {
+        return stuck(ready.error().message);
+      }
+      if (std::exchange(lost_before, true)) {
+        if (auto seen = glance(kReconnect); !seen) {
+          return seen.error();
+        }
+      }
       auto early = reconnect(ready.error().message);
       if (!early || *early) {
         return early;
       }
       continue;
     }
-    if (ready->ready) {
+    const Readiness now = ready ? *ready : Readiness{false, ready.error().message};
+    if (now.ready) {
       if (waiting) {
-        if (auto written = journal_.append(Remark{"continued", ready->why_not}); !written) {
+        if (auto written = journal_.append(Remark{"continued", now.why_not}); !written) {
           return written.error();
         }
       }
-      show(Phase::kReady, 0, ready->why_not);
+      show(Phase::kReady, 0, now.why_not);
       return Early{};
     }
     if (!std::exchange(waiting, true)) {
-      if (auto written = journal_.append(Remark{"paused", ready->why_not}); !written) {
+      if (auto written = journal_.append(Remark{"paused", now.why_not}); !written) {
         return written.error();
       }
     }
-    show(Phase::kPaused, 0, ready->why_not);
-    if (desk_.unattended() && steady_clock::now() - since > kUnattendedPatience) {
-      return Early{RunEnd::kStuck};
+    show(Phase::kPaused, 0, now.why_not);
+    // What this trial asks for is not going to be less by waiting.
+    const bool for_ever = refused && ready.error().refusal &&
+                          ready.error().refusal->code == protocol::ErrorCode::kInvalidParams;
+    if (desk_.unattended() && (for_ever || steady_clock::now() - since > kUnattendedPatience)) {
+      return stuck(now.why_not);
     }
     if (auto seen = glance(kLookAgain); !seen) {
       return seen.error();
@@ -94,7 +108,7 @@ Result<Runner::Early> Runner::pause(Phase phase, const std::string& why) {
   }
   continue_asked_ = false;
   while (!continue_asked_) {
-    show(phase, 0, why + "; c continues");
+    show(phase, 0, why + "; c continues", true);
     if (auto seen = glance(kLookAgain); !seen) {
       return seen.error();
     }
@@ -123,10 +137,13 @@ Result<Runner::Early> Runner::reconnect(const std::string& why) {
   while (!player_) {
     show(Phase::kPaused, 0, why + "; waiting for the ball");
     auto again = Player::open(addresses_, kReconnect);
-    if (again) {
+    if (again && same_ball(again->ball(), journal_.run().header().ball)) {
       player_ = *std::move(again);
       lost_.clear();
       break;
+    }
+    if (again) {
+      show(Phase::kPaused, 0, "another ball is there: " + again->ball().name);
     }
     if (auto seen = glance(kLookAgain); !seen) {
       return seen.error();
@@ -135,10 +152,10 @@ Result<Runner::Early> Runner::reconnect(const std::string& why) {
       return leave();
     }
     if (desk_.unattended() && steady_clock::now() - since > kUnattendedPatience) {
-      return Early{RunEnd::kStuck};
+      return stuck(why);
     }
   }
-  if (auto written = journal_.append(Remark{"continued", "the ball is back"}); !written) {
+  if (auto written = journal_.append(Remark{"continued", kBallIsBack}); !written) {
     return written.error();
   }
   return Early{};

@@ -140,6 +140,15 @@ std::vector<std::string> participant_lines(const Cue& cue) {
   return {"", "", "", "", "", "", "", "          " + text, "", "", "          " + keys};
 }
 
+std::vector<std::string> blind_lines(const View& view) {
+  std::vector<std::string> lines = participant_lines(cue_of(view));
+  if (view.waits) {
+    const bool begins = view.phase == Phase::kReady;
+    lines.insert(lines.end(), {"", "", begins ? "  c begins, q stops" : "  c goes on, q stops"});
+  }
+  return lines;
+}
+
 std::string encode(const Cue& cue) {
   return std::to_string(static_cast<int>(cue.phase)) + " " + std::to_string(cue.interval) + " " +
          (cue.two_intervals ? "1 " : "0 ") + cue.question;

@@ -24,6 +24,10 @@ struct Cue {
 Cue cue_of(const View& view);
 std::vector<std::string> participant_lines(const Cue& cue);
 
+/// For a table with one screen: the same, and which key goes on when the experimenter is waited
+/// for.
+std::vector<std::string> blind_lines(const View& view);
+
 /// A cue as one line for the participant's page, and back.
 std::string encode(const Cue& cue);
 Cue decode_cue(const std::string& line);

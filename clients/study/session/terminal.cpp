@@ -38,19 +38,35 @@ void Terminal::draw(const std::vector<std::string>& lines) {
   std::fflush(stdout);
 }
 
+bool Terminal::read_more(std::chrono::milliseconds patience) {
+  pollfd waiting{STDIN_FILENO, POLLIN, 0};
+  char bytes[64];
+  if (poll(&waiting, 1, static_cast<int>(patience.count())) != 1) {
+    return false;
+  }
+  const ssize_t count = read(STDIN_FILENO, bytes, sizeof bytes);
+  if (count <= 0) {
+    return false;
+  }
+  typed_.append(bytes, static_cast<std::size_t>(count));
+  typed_at_ = std::chrono::steady_clock::now();
+  return true;
+}
+
+void Terminal::take_in() {
+  while (read_more(std::chrono::milliseconds{0})) {
+  }
+  typed_at_ = {};
+}
+
+void Terminal::forget() {
+  take_in();
+  typed_.clear();
+}
+
 std::optional<Key> Terminal::key(std::chrono::milliseconds patience) {
-  if (typed_.empty()) {
-    pollfd waiting{STDIN_FILENO, POLLIN, 0};
-    char bytes[64];
-    if (poll(&waiting, 1, static_cast<int>(patience.count())) != 1) {
-      return std::nullopt;
-    }
-    const ssize_t count = read(STDIN_FILENO, bytes, sizeof bytes);
-    if (count <= 0) {
-      return std::nullopt;
-    }
-    typed_.assign(bytes, static_cast<std::size_t>(count));
-    typed_at_ = std::chrono::steady_clock::now();
+  if (typed_.empty() && !read_more(patience)) {
+    return std::nullopt;
   }
   // Several keys may come in one breath.
   const char first = typed_.front();

@@ -31,8 +31,14 @@ class Terminal {
   void draw(const std::vector<std::string>& lines);
   /// A key within `patience`.
   std::optional<Key> key(std::chrono::milliseconds patience);
+  /// Reads what was typed so far; the time of those keys is the clock's epoch.
+  void take_in();
+  /// Throws away what was typed so far.
+  void forget();
 
  private:
+  bool read_more(std::chrono::milliseconds patience);
+
   termios before_{};
   std::vector<std::string> shown_{};
   std::string typed_{};  // and not yet taken

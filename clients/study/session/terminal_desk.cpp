@@ -25,7 +25,7 @@ void TerminalDesk::show(const View& view) {
   if (page_) {
     page_->show(cue);
   }
-  lines_ = blind_ ? participant_lines(cue) : experimenter_lines(view);
+  lines_ = blind_ ? blind_lines(view) : experimenter_lines(view);
   draw();
 }
 
@@ -60,6 +60,13 @@ std::optional<std::string> TerminalDesk::note_key(char key) {
   }
   draw();
   return done;
+}
+
+void TerminalDesk::take_in() {
+  if (page_) {
+    page_->forget_keys();
+  }
+  terminal_.take_in();
 }
 
 Input TerminalDesk::wait(std::chrono::milliseconds patience) {

@@ -20,6 +20,7 @@ class TerminalDesk : public Desk {
 
   void show(const View& view) override;
   Input wait(std::chrono::milliseconds patience) override;
+  void take_in() override;
   bool unattended() const override { return false; }
   std::optional<std::string> unfinished_note() override;
 

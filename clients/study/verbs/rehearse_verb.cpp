@@ -26,9 +26,12 @@ int rehearse_one(const Start& start, const Participant& participant, const Exper
   if (!player) {
     return complain(player.error());
   }
-  auto journal =
-      runs.last ? Journal::open(runs.last->path)
-                : begin(start.study, participant.id, experiment, runs.next, player->ball(), true);
+  if (const auto plays = is_played_by(*player, experiment); !plays) {
+    return complain(plays.error());
+  }
+  auto journal = runs.last ? Journal::open(runs.last->path)
+                           : begin(start.study, participant.id, experiment, runs.next,
+                                   player->ball(), {.simulated = true});
   if (!journal) {
     return complain(journal.error());
   }
@@ -38,13 +41,22 @@ int rehearse_one(const Start& start, const Participant& participant, const Exper
                                            " is of a person; rehearse in "
                                            "a study of its own");
   }
-  const std::uint64_t seed = participant.seed;
-  SimulatedDesk desk(simulated_person(header.experiment, seed), seed, report);
-  const auto end = Runner(*journal, *std::move(player), start.addresses, desk, interrupted).run();
+  if (const auto same = goes_on_with(*player, journal->run()); !same) {
+    return complain(same.error());
+  }
+  if (runs.last) {
+    if (auto written = journal->append(Remark{"resumed", player->ball().name}); !written) {
+      return complain(written.error());
+    }
+  }
+  SimulatedDesk desk(simulated_person(header.experiment, header.person_seed), header.person_seed,
+                     report);
+  Runner runner(*journal, *std::move(player), start.addresses, desk, interrupted);
+  const auto end = runner.run();
   if (!end) {
     return complain(end.error());
   }
-  return *end == RunEnd::kOver ? 0 : say_end(*journal, *end);
+  return *end == RunEnd::kOver ? 0 : say_end(*journal, *end, runner.why_stuck());
 }
 
 }  // namespace

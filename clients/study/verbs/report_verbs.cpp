@@ -26,7 +26,11 @@ void print_groups(const std::vector<AnalysedGroup>& groups) {
     const char* unit = group.experiment.unit();
     char thesis[32];
     char here[64];
-    std::snprintf(thesis, sizeof thesis, "%.3g %s", thesis_result(group.experiment.quantity), unit);
+    std::snprintf(thesis, sizeof thesis, "-");
+    if (is_as_in_thesis(group.experiment)) {
+      std::snprintf(thesis, sizeof thesis, "%.3g %s", thesis_result(group.experiment.quantity),
+                    unit);
+    }
     std::snprintf(here, sizeof here, "%.3g %s ± %.2g, n = %d", group.result.mean, unit,
                   group.result.sd, group.result.count);
     std::printf("  %-23s %-9s %s", group.experiment.name.c_str(), thesis, here);
@@ -51,12 +55,31 @@ void warn_of_programs(const std::vector<AnalysedRun>& runs) {
   const auto simulated = std::count_if(runs.begin(), runs.end(), [](const AnalysedRun& run) {
     return run.run.header().simulated_person;
   });
+  const auto untouched = std::count_if(runs.begin(), runs.end(), [](const AnalysedRun& run) {
+    return !run.run.header().simulated_person && run.run.header().ball.simulated;
+  });
+  if (untouched > 0) {
+    std::fprintf(stderr,
+                 "hedgehog-study: %td of %zu runs are of people on a simulated ball: they felt "
+                 "nothing\n",
+                 untouched, runs.size());
+  }
   if (simulated > 0) {
     std::fprintf(stderr,
                  "hedgehog-study: %td of %zu runs are of simulated people; where people took an "
                  "experiment, they alone make its mean\n",
                  simulated, runs.size());
   }
+}
+
+/// 0, or EX_DATAERR when something is missing from what comes out.
+int say(const std::vector<Problem>& problems) {
+  int code = 0;
+  for (const Problem& problem : problems) {
+    complain(problem.exit_code, problem.message);
+    code = problem.exit_code != 0 ? EX_DATAERR : code;
+  }
+  return code;
 }
 
 ordered_json as_json(const AnalysedRun& analysed) {
@@ -106,11 +129,9 @@ int run_analyse(const AnalyseOptions& options) {
   if (!study) {
     return complain(study.error().exit_code, study.error().message);
   }
-  std::vector<std::string> problems;
+  std::vector<Problem> problems;
   const auto runs = collect(*study, options.bootstraps, problems);
-  for (const std::string& problem : problems) {
-    complain(EX_DATAERR, problem);
-  }
+  const int code = say(problems);
   if (runs.empty()) {
     return complain(EX_NOINPUT, "there is no run yet");
   }
@@ -140,7 +161,7 @@ int run_analyse(const AnalyseOptions& options) {
   if (!drawn) {
     return complain(drawn.error().exit_code, drawn.error().message);
   }
-  return problems.empty() ? 0 : EX_DATAERR;
+  return code;
 }
 
 int run_export(const ExportOptions& options) {
@@ -148,10 +169,11 @@ int run_export(const ExportOptions& options) {
   if (!study) {
     return complain(study.error().exit_code, study.error().message);
   }
-  std::vector<std::string> problems;
+  std::vector<Problem> problems;
   const auto runs = collect(*study, 0, problems);
-  for (const std::string& problem : problems) {
-    complain(EX_DATAERR, problem);
+  const int code = say(problems);
+  if (runs.empty()) {
+    return complain(EX_NOINPUT, "there is no run yet");
   }
   const bool bids = options.format == "bids";
   const fs::path out =
@@ -161,7 +183,7 @@ int run_export(const ExportOptions& options) {
     return complain(written.error().exit_code, written.error().message);
   }
   std::printf("%s: %zu runs\n", out.c_str(), runs.size());
-  return problems.empty() ? 0 : EX_DATAERR;
+  return code;
 }
 
 int run_levels(const LevelsOptions& options) {
@@ -170,8 +192,11 @@ int run_levels(const LevelsOptions& options) {
   std::puts("  range             formula                                       steps  levels");
   for (const LevelFormula& row : level_formulas(options.threshold_a, options.force_percent / 100.0,
                                                 options.speed_percent / 100.0)) {
-    std::printf("  %-17s %-45s %5.1f  %4d  %s\n", row.range.c_str(), row.formula.c_str(),
-                row.count.steps, row.count.levels, row.remark.c_str());
+    std::printf("  %-17s %-45s %5.1f  %6d\n", row.range.c_str(), row.formula.c_str(),
+                row.count.steps, row.count.levels);
+    if (!row.remark.empty()) {
+      std::printf("  %-17s %s\n", "", row.remark.c_str());
+    }
   }
   for (const std::string& remark : level_remarks(options.threshold_a, options.force_percent / 100.0,
                                                  options.speed_percent / 100.0)) {

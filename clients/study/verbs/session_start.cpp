@@ -50,13 +50,14 @@ int complain(const client::ClientError& error) {
   return study::complain(code, error.message);
 }
 
-int say_end(const Journal& journal, RunEnd end, bool blind) {
+int say_end(const Journal& journal, RunEnd end, const std::string& why_stuck) {
   const RecordedRun& run = journal.run();
+  const bool blind = run.blind();
   const Experiment& experiment = run.header().experiment;
   const Staircase& staircase = run.state().staircase();
   const auto counted = staircase.counted_reversals();
   if (end == RunEnd::kStuck) {
-    return study::complain(EX_TEMPFAIL, "the ball does not play; hedgehog-study resume goes on");
+    return study::complain(EX_TEMPFAIL, why_stuck + "; hedgehog-study resume goes on");
   }
   if (end == RunEnd::kStopped) {
     if (blind) {
@@ -84,9 +85,26 @@ int say_end(const Journal& journal, RunEnd end, bool blind) {
   return 0;
 }
 
-bool has_begun(const JournalName& name) {
-  const auto lines = read_journal(name.path);
-  return !lines || !lines->empty();
+Result<void> is_played_by(const Player& player, const Experiment& experiment) {
+  if (const auto too_much = player.too_much(experiment)) {
+    return Problem{EX_CONFIG, *too_much};
+  }
+  return {};
+}
+
+Result<void> goes_on_with(const Player& player, const RecordedRun& run) {
+  const BallFacts& begun_on = run.header().ball;
+  if (!same_ball(player.ball(), begun_on)) {
+    const auto which = [](const BallFacts& ball) {
+      return "\"" + ball.name + "\" (" + ball.model +
+             (ball.serial ? ", serial " + *ball.serial : "") +
+             (ball.simulated ? ", simulated)" : ")");
+    };
+    return Problem{EX_CONFIG, "the run was begun on " + which(begun_on) + " and this is " +
+                                  which(player.ball()) +
+                                  ": a run stays with its ball, run --again begins another"};
+  }
+  return is_played_by(player, run.header().experiment);
 }
 
 RunsSoFar runs_so_far(const StudyFolder& study, const std::string& participant,
@@ -95,7 +113,7 @@ RunsSoFar runs_so_far(const StudyFolder& study, const std::string& participant,
   for (const JournalName& name : study.journals()) {
     if (name.participant == participant && name.experiment == experiment) {
       runs.next = name.run + 1;
-      if (has_begun(name)) {
+      if (has_begun(name.path)) {
         runs.last = name;
       }
     }
@@ -113,15 +131,17 @@ Participant participant_of(const StudyFolder& study, const std::string& id) {
 }
 
 Result<Journal> begin(const StudyFolder& study, const std::string& participant,
-                      const Experiment& experiment, int run, const BallFacts& ball,
-                      bool simulated) {
+                      const Experiment& experiment, int run, const BallFacts& ball, RunKind kind) {
   RunStarted header;
   header.participant = participant;
   header.experiment = experiment;
   header.run = run;
-  header.seeds = run_seeds(participant_of(study, participant), experiment.name, run);
+  const Participant person = participant_of(study, participant);
+  header.seeds = run_seeds(person, experiment.name, run);
+  header.person_seed = kind.simulated ? person.seed : 0;
   header.ball = ball;
-  header.simulated_person = simulated;
+  header.simulated_person = kind.simulated;
+  header.blind = kind.blind;
   header.software_version = HEDGEHOG_VERSION;
   return Journal::create(study.journal_path(participant, experiment.name, run), header);
 }

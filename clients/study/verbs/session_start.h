@@ -21,8 +21,8 @@ int complain(const Problem& problem);
 int complain(const client::ClientError& error);
 
 /// Tells the person how the run ended, and the shell.
-/// `blind`: nothing of what the participant may not know.
-int say_end(const Journal& journal, RunEnd end, bool blind = false);
+/// Nothing of what the participant may not know when the run is blind.
+int say_end(const Journal& journal, RunEnd end, const std::string& why_stuck);
 
 /// The runs of a participant and experiment.
 struct RunsSoFar {
@@ -33,21 +33,28 @@ struct RunsSoFar {
 };
 RunsSoFar runs_so_far(const StudyFolder& study, const std::string& participant,
                       const std::string& experiment);
-bool has_begun(const JournalName& name);
 bool is_over(const JournalName& name);
 
 /// As planned. Who is not in the plan may take part too; the seed then comes from the name.
 Participant participant_of(const StudyFolder& study, const std::string& id);
 
+/// EX_CONFIG when the ball cannot play all of the experiment.
+Result<void> is_played_by(const Player& player, const Experiment& experiment);
+/// The same, and EX_CONFIG when it is not the ball on which the run was begun.
+Result<void> goes_on_with(const Player& player, const RecordedRun& run);
+
+struct RunKind {
+  bool simulated = false;
+  bool blind = false;
+};
 /// A new run's journal.
 Result<Journal> begin(const StudyFolder& study, const std::string& participant,
-                      const Experiment& experiment, int run, const BallFacts& ball, bool simulated);
+                      const Experiment& experiment, int run, const BallFacts& ball, RunKind kind);
 
 /// Where a run takes place.
 struct Start {
   const StudyFolder& study;
   const std::vector<client::Address>& addresses;
-  bool blind = false;
 };
 
 }  // namespace hedgehog::study

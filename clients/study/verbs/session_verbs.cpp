@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <system_error>
+#include <thread>
 
 #include "clients/study/journal/journal.h"
 #include "clients/study/session/runner.h"
@@ -20,29 +21,42 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr client::Milliseconds kPatience{2000};
+// The screen is taken over after it.
+constexpr std::chrono::seconds kReading{3};
 constexpr const char* kPage = "participant.sock";
 
 int go_on(const Start& start, Journal& journal, Player player,
           const std::function<void(const View&)>& report) {
   const RunStarted& header = journal.run().header();
   Result<RunEnd> end = RunEnd::kStopped;
+  std::string why_stuck;
+  const auto take_place = [&](Desk& desk) {
+    Runner runner(journal, std::move(player), start.addresses, desk, interrupted);
+    end = runner.run();
+    why_stuck = runner.why_stuck();
+  };
   if (header.simulated_person) {
-    const std::uint64_t seed = participant_of(start.study, header.participant).seed;
-    SimulatedDesk desk(simulated_person(header.experiment, seed), seed, report);
-    end = Runner(journal, std::move(player), start.addresses, desk, interrupted).run();
+    SimulatedDesk desk(simulated_person(header.experiment, header.person_seed), header.person_seed,
+                       report);
+    take_place(desk);
   } else {
     auto page = ParticipantServer::listen(start.study.path() / kPage);
-    TerminalDesk desk(page ? std::optional(*std::move(page)) : std::nullopt, start.blind);
-    end = Runner(journal, std::move(player), start.addresses, desk, interrupted).run();
+    if (!page) {
+      std::fprintf(stderr, "hedgehog-study: the participant has no page: %s\n",
+                   page.error().message.c_str());
+      std::this_thread::sleep_for(kReading);
+    }
+    TerminalDesk desk(page ? std::optional(*std::move(page)) : std::nullopt, journal.run().blind());
+    take_place(desk);
   }
   if (!end) {
     return complain(end.error());
   }
-  return say_end(journal, *end, start.blind);
+  return say_end(journal, *end, why_stuck);
 }
 
-void say_resumed(const Journal& journal, bool blind) {
-  if (blind) {
+void say_resumed(const Journal& journal) {
+  if (journal.run().blind()) {
     std::puts("going on");
     std::fflush(stdout);
     return;
@@ -71,8 +85,11 @@ int run_run(const RunOptions& options) {
   if (!experiment) {
     return complain(experiment.error());
   }
-  if (const auto checked = study->is_unmistakable(*experiment); !checked) {
-    return complain(checked.error());
+  for (const auto& checked :
+       {study->is_unmistakable(*experiment), study->is_unmistakable(options.participant)}) {
+    if (!checked) {
+      return complain(checked.error());
+    }
   }
   const RunsSoFar runs = runs_so_far(*study, options.participant, experiment->name);
   if (runs.last && !runs.over && !options.again) {
@@ -94,8 +111,12 @@ int run_run(const RunOptions& options) {
   std::optional<Checklist> checklist;
   if (!options.simulated) {
     // Before anybody is asked anything; its claim would run out while people talk.
-    if (const auto there = Player::open(*addresses, kPatience); !there) {
+    const auto there = Player::open(*addresses, kPatience);
+    if (!there) {
       return complain(there.error());
+    }
+    if (const auto plays = is_played_by(*there, *experiment); !plays) {
+      return complain(plays.error());
     }
     checklist = complete(options.checklist);
     if (!checklist) {
@@ -106,8 +127,11 @@ int run_run(const RunOptions& options) {
   if (!player) {
     return complain(player.error());
   }
-  auto journal =
-      begin(*study, options.participant, *experiment, runs.next, player->ball(), options.simulated);
+  if (const auto plays = is_played_by(*player, *experiment); !plays) {
+    return complain(plays.error());
+  }
+  auto journal = begin(*study, options.participant, *experiment, runs.next, player->ball(),
+                       {options.simulated, options.blind});
   if (!journal) {
     return complain(journal.error());
   }
@@ -116,8 +140,7 @@ int run_run(const RunOptions& options) {
       return complain(written.error());
     }
   }
-  return go_on({*study, *addresses, options.blind}, *journal, *std::move(player),
-               [](const View&) {});
+  return go_on({*study, *addresses}, *journal, *std::move(player), [](const View&) {});
 }
 
 int run_resume(const RunOptions& options) {
@@ -131,7 +154,7 @@ int run_resume(const RunOptions& options) {
     const bool wanted = (options.participant.empty() || name.participant == options.participant) &&
                         (options.experiment.empty() || name.experiment == options.experiment);
     std::error_code failed;
-    if (wanted && has_begun(name) && !is_over(name) &&
+    if (wanted && has_begun(name.path) && !is_over(name) &&
         (!chosen ||
          fs::last_write_time(name.path, failed) > fs::last_write_time(chosen->path, failed))) {
       chosen = name;
@@ -153,8 +176,12 @@ int run_resume(const RunOptions& options) {
   }
   std::optional<Checklist> checklist;
   if (!journal->run().header().simulated_person) {
-    if (const auto there = Player::open(*addresses, kPatience); !there) {
+    const auto there = Player::open(*addresses, kPatience);
+    if (!there) {
       return complain(there.error());
+    }
+    if (const auto same = goes_on_with(*there, journal->run()); !same) {
+      return complain(same.error());
     }
     // People may have got up since; a run killed early may never have written its list.
     const auto& known = journal->run().checklist();
@@ -167,7 +194,15 @@ int run_resume(const RunOptions& options) {
   if (!player) {
     return complain(player.error());
   }
-  say_resumed(*journal, options.blind);
+  if (const auto same = goes_on_with(*player, journal->run()); !same) {
+    return complain(same.error());
+  }
+  if (options.blind && !journal->run().blind()) {
+    if (auto written = journal->append(Remark{"blind", ""}); !written) {
+      return complain(written.error());
+    }
+  }
+  say_resumed(*journal);
   if (auto written = journal->append(Remark{"resumed", player->ball().name}); !written) {
     return complain(written.error());
   }
@@ -176,8 +211,7 @@ int run_resume(const RunOptions& options) {
       return complain(written.error());
     }
   }
-  return go_on({*study, *addresses, options.blind}, *journal, *std::move(player),
-               [](const View&) {});
+  return go_on({*study, *addresses}, *journal, *std::move(player), [](const View&) {});
 }
 
 int run_participant() {

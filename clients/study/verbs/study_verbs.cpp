@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "clients/study/experiment_file.h"
@@ -59,7 +60,7 @@ ordered_json as_json(const JournalName& name, const RecordedRun& run) {
 
 int run_plan(const PlanOptions& options) {
   std::vector<std::string> names;
-  std::vector<std::pair<Experiment, std::string>> files;
+  std::vector<std::filesystem::path> files;
   for (const std::string& given : options.experiments) {
     const auto experiment = find_experiment(given);
     if (!experiment) {
@@ -68,20 +69,24 @@ int run_plan(const PlanOptions& options) {
     if (const auto checked = is_no_other_preset(*experiment); !checked) {
       return complain(checked.error().exit_code, checked.error().message);
     }
+    for (const std::string& before : names) {
+      if (bids_label(before) == bids_label(experiment->name)) {
+        return complain(EX_USAGE, given + ": " + experiment->name +
+                                      (before == experiment->name
+                                           ? " is in the plan already"
+                                           : " would be taken for " + before +
+                                                 " in an export to BIDS: give it another name"));
+      }
+    }
     names.push_back(experiment->name);
     if (given != experiment->name) {
-      files.emplace_back(*experiment, given);
+      files.emplace_back(given);
     }
   }
   const StudyPlan plan = make_plan(options.participants, names, options.seed);
-  const auto study = StudyFolder::create(options.folder, plan);
+  const auto study = StudyFolder::create(options.folder, plan, files);
   if (!study) {
     return complain(study.error().exit_code, study.error().message);
-  }
-  for (const auto& [experiment, file] : files) {
-    if (const auto adopted = study->adopt(experiment, file); !adopted) {
-      return complain(adopted.error().exit_code, adopted.error().message);
-    }
   }
   std::printf("%s/study.json: %d people x %zu experiments, Latin square, seeds drawn\n",
               options.folder.c_str(), options.participants, options.experiments.size());
@@ -91,6 +96,10 @@ int run_plan(const PlanOptions& options) {
       std::printf(" %s", experiment.c_str());
     }
     std::puts("");
+  }
+  const std::size_t orders = latin_square(static_cast<int>(names.size())).size();
+  if (plan.participants.size() % orders != 0) {
+    std::printf("  (every order equally often: a multiple of %zu people)\n", orders);
   }
   return 0;
 }
@@ -102,10 +111,15 @@ int run_status(bool json) {
   }
   ordered_json all = ordered_json::array();
   std::vector<std::pair<JournalName, std::string>> cells;
+  int code = 0;
   for (const JournalName& name : study->journals()) {
+    if (!has_begun(name.path)) {
+      continue;  // killed before it began
+    }
     const auto run = read_run(name.path);
     if (!run) {
-      complain(run.error().exit_code, run.error().message);
+      code = complain(run.error().exit_code, run.error().message);
+      cells.emplace_back(name, "damaged");
       continue;
     }
     all.push_back(as_json(name, *run));
@@ -113,7 +127,7 @@ int run_status(bool json) {
   }
   if (json) {
     std::puts(all.dump().c_str());
-    return 0;
+    return code;
   }
   // The plan's first, then whoever and whatever came on top.
   std::vector<std::string> experiments = study->plan().experiments;
@@ -143,7 +157,7 @@ int run_status(bool json) {
     }
     std::puts("");
   }
-  return 0;
+  return code;
 }
 
 }  // namespace hedgehog::study

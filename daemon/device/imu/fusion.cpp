@@ -38,16 +38,27 @@ bool believable(const MotionSample& s) noexcept {
 
 }  // namespace
 
-void Fusion::start(const Vec3& accel_g) noexcept {
-  // The shortest turn that takes the felt "up" to the world's, then the front back to azimuth 0.
-  const Vec3 up = unit_or(accel_g, {0, 0, 1});
+void Fusion::restart() noexcept {
+  unseen_ = true;
+  age_s_ = 0.0;
+  gravity_g_ = {0, 0, 1};
+  still_s_ = 0.0;
+}
+
+void Fusion::level(const Vec3& accel_g) noexcept {
+  const Vec3 up = unit_or(rotate(q_, accel_g), {0, 0, 1});
   const Quaternion tilt =
       up.z > -0.999 ? normalised({1.0 + up.z, up.y, -up.x, 0.0}) : Quaternion{0, 1, 0, 0};
-  const Vec3 front = rotate(tilt, {1, 0, 0});
-  const bool level = std::hypot(front.x, front.y) > 1e-3;
-  const double yaw = level ? std::atan2(front.y, front.x) : 0.0;
-  q_ = normalised(model::axis_angle({0, 0, 1}, -yaw / kRadians) * tilt);
-  mean_accel_g_ = accel_g;
+  q_ = normalised(tilt * q_);
+}
+
+void Fusion::start(const Vec3& accel_g) noexcept {
+  level(accel_g);
+  // and the front back to azimuth 0
+  const Vec3 front = rotate(q_, {1, 0, 0});
+  const bool flat = std::hypot(front.x, front.y) > 1e-3;
+  const double yaw = flat ? std::atan2(front.y, front.x) : 0.0;
+  q_ = normalised(model::axis_angle({0, 0, 1}, -yaw / kRadians) * q_);
   started_ = true;
 }
 
@@ -68,9 +79,11 @@ Vec3 Fusion::tilt_error() const noexcept {
 
 void Fusion::step(const MotionSample& s) noexcept {
   if (!believable(s)) return;
-  if (!started_) {
-    start(s.accel_g);
+  if (unseen_) {
+    started_ ? level(s.accel_g) : start(s.accel_g);
+    mean_accel_g_ = s.accel_g;
     mean_rate_deg_s_ = s.rate_deg_s;
+    unseen_ = false;
   }
   age_s_ = std::min(age_s_ + s.dt_s, 1e6);
   watch_rest(s);

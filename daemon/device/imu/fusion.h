@@ -53,6 +53,11 @@ class Fusion {
   /// 0..0.5 s; the first one gives roll and pitch at once, with the front at azimuth 0.
   void step(const MotionSample& sample) noexcept;
 
+  /// It may have been turned unseen: the next sample gives roll and pitch at once, and is followed
+  /// as the first one is. The gyroscope's bias stays; so does the heading, as if it had been tilted
+  /// the shortest way.
+  void restart() noexcept;
+
   /// False until the first sample.
   bool started() const noexcept { return started_; }
   /// Sensor -> world, z up. Unit length.
@@ -63,12 +68,15 @@ class Fusion {
   bool still() const noexcept { return still_s_ >= kStillS; }
 
  private:
+  /// Tilts the estimate the shortest way to where "up" is felt.
+  void level(const model::Vec3& accel_g) noexcept;
   void start(const model::Vec3& accel_g) noexcept;
   void watch_rest(const MotionSample& sample) noexcept;
   /// In the world's axes: sine of the tilt error, about the axis that mends it.
   model::Vec3 tilt_error() const noexcept;
 
   bool started_ = false;
+  bool unseen_ = true;
   double age_s_ = 0.0;
   model::Quaternion q_;
   model::Vec3 rate_deg_s_;

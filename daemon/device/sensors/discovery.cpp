@@ -6,7 +6,7 @@
 #include <charconv>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
+#include <sstream>
 
 namespace hedgehog::device {
 namespace {
@@ -15,7 +15,10 @@ namespace fs = std::filesystem;
 
 std::string read_text(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  // An iterator over the stream would throw when a read fails, as of a device pulled out just now.
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
 }
 
 /// Without the newline at its end.
@@ -47,6 +50,14 @@ std::optional<UsbPlace> place_of(const fs::path& device) {
   const auto address = number(read_line(device / "devnum"), 10);
   if (!bus || !address) return std::nullopt;
   return UsbPlace{*bus, *address, -1};
+}
+
+UsbInterface usb_interface(const fs::path& entry) {
+  const auto byte = [&](const char* file) {
+    return static_cast<std::uint8_t>(number(read_line(entry / file), 16).value_or(0));
+  };
+  return {byte("bInterfaceNumber"), byte("bInterfaceClass"), byte("bInterfaceSubClass"),
+          byte("bInterfaceProtocol")};
 }
 
 /// "HID_NAME=..." of a uevent file.
@@ -118,13 +129,7 @@ bool contains_bytes(const std::vector<Byte>& in, const std::array<Byte, n>& what
 }
 
 std::string named(const std::string& name, std::uint16_t vendor, std::uint16_t product) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  std::string ids;
-  for (const std::uint16_t id : {vendor, product}) {
-    ids += ids.empty() ? "" : ":";
-    for (int shift = 12; shift >= 0; shift -= 4) ids += kDigits[(id >> shift) & 15];
-  }
-  return (name.empty() ? "device" : name) + " (" + ids + ")";
+  return (name.empty() ? "device" : name) + " (" + usb_ids(vendor, product) + ")";
 }
 
 template <class Device>
@@ -157,13 +162,28 @@ Found find_one(const std::vector<Device>& devices, SensorKind kind, const std::s
 std::vector<UsbDevice> list_usb(const std::string& sys) {
   std::vector<UsbDevice> devices;
   for (const fs::path& entry : entries(fs::path(sys) / "bus/usb/devices")) {
+    const std::string name = entry.filename().string();
+    // "1-3:1.0" is an interface of "1-3", which sorts before it.
+    if (const std::size_t colon = name.find(':'); colon != std::string::npos) {
+      const auto owner = std::find_if(devices.begin(), devices.end(), [&](const UsbDevice& d) {
+        return d.port == name.substr(0, colon);
+      });
+      if (owner != devices.end()) owner->interfaces.push_back(usb_interface(entry));
+      continue;
+    }
     const auto vendor = number(read_line(entry / "idVendor"), 16);
     const auto product = number(read_line(entry / "idProduct"), 16);
     const auto place = place_of(entry);
-    if (!vendor || !product || !place) continue;  // an interface
-    devices.push_back({*place, static_cast<std::uint16_t>(*vendor),
-                       static_cast<std::uint16_t>(*product), read_line(entry / "manufacturer"),
-                       read_line(entry / "product"), read_line(entry / "serial")});
+    if (!vendor || !product || !place) continue;
+    devices.push_back({*place,
+                       static_cast<std::uint16_t>(*vendor),
+                       static_cast<std::uint16_t>(*product),
+                       read_line(entry / "manufacturer"),
+                       read_line(entry / "product"),
+                       read_line(entry / "serial"),
+                       name,
+                       read_line(entry / "bcdDevice"),
+                       {}});
   }
   return devices;
 }
@@ -214,6 +234,16 @@ std::string_view words(SensorKind kind) noexcept {
       break;
   }
   return "sensor";
+}
+
+std::string usb_ids(std::uint16_t vendor, std::uint16_t product) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string ids;
+  for (const std::uint16_t id : {vendor, product}) {
+    ids += ids.empty() ? "" : ":";
+    for (int shift = 12; shift >= 0; shift -= 4) ids += kDigits[(id >> shift) & 15];
+  }
+  return ids;
 }
 
 std::string describe(const HidDevice& device) {

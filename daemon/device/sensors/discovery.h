@@ -21,6 +21,14 @@ struct UsbPlace {
   friend bool operator==(const UsbPlace&, const UsbPlace&) = default;
 };
 
+/// The first setting of an interface.
+struct UsbInterface {
+  int number = 0;
+  std::uint8_t category = 0;  // bInterfaceClass
+  std::uint8_t subclass = 0;
+  std::uint8_t protocol = 0;
+};
+
 struct UsbDevice {
   UsbPlace place;
   std::uint16_t vendor = 0;
@@ -28,6 +36,11 @@ struct UsbDevice {
   std::string manufacturer;
   std::string name;
   std::string serial;
+  /// "1-3": the port it hangs on, as the kernel names it.
+  std::string port;
+  /// bcdDevice, four digits: "0102" is 1.02.
+  std::string release;
+  std::vector<UsbInterface> interfaces;
 };
 
 struct HidDevice {
@@ -62,6 +75,8 @@ SensorKind kind_of(const UsbDevice& device);
 /// "DualSense pad".
 std::string_view words(SensorKind kind) noexcept;
 
+/// "054c:0ce6".
+std::string usb_ids(std::uint16_t vendor, std::uint16_t product);
 /// "Wireless Controller (054c:0ce6)".
 std::string describe(const HidDevice& device);
 std::string describe(const UsbDevice& device);

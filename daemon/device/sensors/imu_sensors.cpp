@@ -10,8 +10,11 @@ namespace {
 
 constexpr double kDegrees = 180.0 / 3.14159265358979323846;
 constexpr std::size_t kLongestReport = 1024;
-// A pad that paused was not turned at its last rate all the while.
+// A pad that paused may have been turned meanwhile. The clock of a DualShock 4 comes round in 350
+// ms, so a pause of that length has to be seen by the clock here; by then the kernel's queue of 64
+// reports has run over.
 constexpr double kLongestStepS = 0.1;
+constexpr model::Tick kLongestPause = 300;
 /// Bit of an MTi's status word: its filter is valid.
 constexpr std::uint32_t kOrientationValid = 2;
 
@@ -87,6 +90,7 @@ std::string SonyImu::open() {
   port_ = std::move(opened.port);
   // It has been turned while nobody looked, but its gyroscope is the same.
   clock_us_.reset();
+  fusion_.restart();
   return {};
 }
 
@@ -97,9 +101,12 @@ bool SonyImu::poll(std::chrono::milliseconds wait) {
   const auto sample = decode_sony(pad_, std::span(report).first(*length), calibration_);
   if (!sample) return true;
   const double dt_s = clock_us_ ? sony_elapsed_s(pad_, *clock_us_, sample->clock_us) : 0.0;
+  const model::Tick now = sink_.tick();
+  if (dt_s > kLongestStepS || now - last_tick_ > kLongestPause) fusion_.restart();
   clock_us_ = sample->clock_us;
-  if (dt_s <= 0.0) return true;
-  fusion_.step({sample->rate_deg_s, sample->accel_g, std::min(dt_s, kLongestStepS)});
+  last_tick_ = now;
+  if (dt_s <= 0.0 || dt_s > kLongestStepS) return true;
+  fusion_.step({sample->rate_deg_s, sample->accel_g, dt_s});
   if (fusion_.started()) sink_.publish(fusion_.sensor_to_world(), fusion_.rate_deg_s());
   return true;
 }

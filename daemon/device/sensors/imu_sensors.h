@@ -59,6 +59,7 @@ class SonyImu : public Sensor {
   SonyCalibration calibration_;
   Fusion fusion_;
   std::optional<double> clock_us_;
+  model::Tick last_tick_ = 0;
 };
 
 /// An Xsens MTi with its own quaternion.

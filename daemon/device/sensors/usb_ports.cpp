@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "daemon/device/sensors/usb_handle.h"
+#include "daemon/device/usb/usb_handle.h"
 
 namespace hedgehog::device {
 namespace {

@@ -182,6 +182,28 @@ TEST(Fusion, AccelerationThatIsNotGravityIsNotBelieved) {
   EXPECT_LT(bench.tilt_error_deg(), 1.0);
 }
 
+// The tilt anew, out of gravity; heading and bias as they were.
+TEST(Fusion, AfterATurnThatNobodySawItIsRightWithinTheSettleTime) {
+  for (const double tilt : {0.0, 40.0, 90.0, 150.0, 175.0}) {
+    Bench bench;
+    bench.mems.bias_deg_s = {0.4, -0.3, 0.5};
+    bench.rest(10.0);
+    bench.turn({0, 0, 1}, 70.0, 1.0);
+    bench.rest(3.0);
+    bench.truth = bench.truth * model::axis_angle({0, 1, 0}, tilt);
+    bench.fusion.restart();
+    EXPECT_TRUE(bench.fusion.started());
+    for (int i = 0; i < 10; ++i) {
+      bench.rest(Fusion::kSettleS / 10);
+      EXPECT_LT(norm(bench.fusion.bias_deg_s() - bench.mems.bias_deg_s), 0.2) << tilt;
+    }
+    EXPECT_LT(bench.tilt_error_deg(), 1.0) << tilt;
+    // Nearly upside down, the shortest way may be any.
+    const double heading_too = tilt > 150.0 ? 0.0 : bench.error_deg();
+    EXPECT_LT(heading_too, 4.0) << tilt;
+  }
+}
+
 TEST(Fusion, NumbersThatCannotBeChangeNothing) {
   Bench bench;
   bench.rest(1.0);

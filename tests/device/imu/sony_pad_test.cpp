@@ -7,6 +7,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "daemon/device/board_core/crc32.h"
 
@@ -172,7 +173,10 @@ TEST_P(Sony, OneWrongCalibrationByteIsDetectedOrHarmless) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Pads, Sony, testing::ValuesIn(kVariants));
+INSTANTIATE_TEST_SUITE_P(Pads, Sony, testing::ValuesIn(kVariants), [](const auto& pad) {
+  return std::string(pad.param.pad == SonyPad::kDualSense ? "DualSense" : "DualShock4") +
+         (pad.param.bus == SonyBus::kUsb ? "_usb" : "_bluetooth");
+});
 
 TEST(SonyCalibration, ZerosOfACopiedPadAreNotDividedBy) {
   std::vector<Byte> zeros(41);

@@ -136,5 +136,28 @@ TEST_F(FakeSys, AnMtiAndARadioStation) {
   EXPECT_EQ(find_sensor(devices, SensorKind::kMti, "").index, 0u);
 }
 
+// Pulled out between open and read, its files can still be opened but not be read any more. A
+// folder in their place is like that.
+TEST_F(FakeSys, AnAttributeThatCannotBeReadIsLeftOut) {
+  const fs::path pulled = usb("1-1", "2639", "0003", 2, "MTi-30");
+  fs::create_directory(pulled / "serial");
+  const fs::path gone = usb("1-2", "2639", "0003", 3, "MTi-30");
+  fs::remove(gone / "idVendor");
+  fs::create_directory(gone / "idVendor");
+  hid(root_ / "devices/bt", "0005:054C:09CC.0002", {0x05, 0x01}, "Pad", "cc:dd", "hidraw4");
+  for (const char* file : {"report_descriptor", "uevent"}) {
+    fs::remove(root_ / "devices/bt/0005:054C:09CC.0002" / file);
+    fs::create_directory(root_ / "devices/bt/0005:054C:09CC.0002" / file);
+  }
+  const auto usb_devices = list_usb(sys());
+  ASSERT_EQ(usb_devices.size(), 1u);
+  EXPECT_EQ(usb_devices[0].serial, "");
+  EXPECT_EQ(usb_devices[0].name, "MTi-30");
+  const auto hid_devices = list_hid(sys());
+  ASSERT_EQ(hid_devices.size(), 1u);
+  EXPECT_EQ(hid_devices[0].name, "");
+  EXPECT_TRUE(hid_devices[0].descriptor.empty());
+}
+
 }  // namespace
 }  // namespace hedgehog::device

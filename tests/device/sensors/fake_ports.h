@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Devices that exist in memory: ports that a test fills, and an opener that hands them out.
+// Devices that exist in memory: ports that a test fills, an opener that hands them out, and where
+// their samples go.
 #pragma once
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "daemon/device/sensors/port.h"
+#include "daemon/device/sensors/sensor.h"
 
 namespace hedgehog::device {
 
@@ -102,6 +104,21 @@ class FakeBytePort : public BytePort {
  private:
   Device device_;
   std::vector<Byte> waiting_;
+};
+
+/// Virtual time, and what was published.
+struct Desk {
+  model::Tick now = 0;
+  std::vector<OrientationSample> samples;
+  std::vector<ThermometerSample> readings;
+
+  OrientationSink orientation(Mounting mounting = {}) {
+    return {[this] { return now; }, mounting,
+            [this](const OrientationSample& s) { samples.push_back(s); }};
+  }
+  ThermometerSink thermometer() {
+    return {[this] { return now; }, [this](const ThermometerSample& s) { readings.push_back(s); }};
+  }
 };
 
 }  // namespace hedgehog::device

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <cmath>
 #include <thread>
 
 #include "daemon/device/sensors/imu_sensors.h"
@@ -21,21 +20,6 @@ namespace {
 using namespace std::chrono_literals;
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-/// Virtual time, and what was published.
-struct Desk {
-  model::Tick now = 0;
-  std::vector<OrientationSample> samples;
-  std::vector<ThermometerSample> readings;
-
-  OrientationSink orientation(Mounting mounting = {}) {
-    return {[this] { return now; }, mounting,
-            [this](const OrientationSample& s) { samples.push_back(s); }};
-  }
-  ThermometerSink thermometer() {
-    return {[this] { return now; }, [this](const ThermometerSample& s) { readings.push_back(s); }};
-  }
-};
 
 TEST(HidSensorImu, IsSwitchedOnAndPublishesWithARateFromItsTurns) {
   Desk desk;
@@ -73,47 +57,6 @@ TEST(HidSensorImu, ADeviceWithoutOrientationIsNamed) {
   HidSensorImu imu(mouse.opener(), desk.orientation());
   EXPECT_EQ(imu.open(), "Fake (1234:5678): its report descriptor has no orientation");
   EXPECT_EQ(mouse.open_ports, 0);
-}
-
-/// A DualSense on USB that is turned about its up axis.
-std::vector<Byte> dualsense_report(std::uint32_t clock, std::int16_t yaw) {
-  std::vector<Byte> bytes(64);
-  bytes[0] = 1;
-  const auto put = [&](std::size_t at, std::uint32_t value, int size) {
-    for (int i = 0; i < size; ++i) {
-      bytes[at + static_cast<std::size_t>(i)] = static_cast<Byte>(value >> (8 * i));
-    }
-  };
-  put(18, static_cast<std::uint16_t>(yaw), 2);
-  put(24, 8192, 2);
-  put(28, clock, 4);
-  return bytes;
-}
-
-TEST(SonyImu, TurnsByThePadsOwnClock) {
-  Desk desk;
-  FakeHid pad;
-  SonyImu imu(SonyPad::kDualSense, pad.opener(), desk.orientation());
-  ASSERT_EQ(imu.open(), "") << "without a calibration report the nominal scale is used";
-  // 90 deg/s for a second, in reports of 4 ms that arrive in bursts.
-  const auto raw = static_cast<std::int16_t>(std::lround(90.0 / 2048.0 * 32767.0));
-  for (std::uint32_t i = 0; i <= 250; ++i) pad.reports.push_back(dualsense_report(i * 12000, raw));
-  while (!pad.reports.empty()) ASSERT_TRUE(imu.poll(0ms));
-  const model::Vec3 front = rotate(desk.samples.back().quaternion, {1, 0, 0});
-  EXPECT_NEAR(std::atan2(front.y, front.x) * 180 / 3.14159265, 90.0, 0.5);
-  EXPECT_NEAR(desk.samples.back().rate_deg_s.z, 90.0, 0.5);
-}
-
-TEST(SonyImu, AMountingUpsideDownIsTurnedBack) {
-  Desk desk;
-  FakeHid pad;
-  SonyImu imu(SonyPad::kDualSense, pad.opener(),
-              desk.orientation(*Mounting::of(Side::kFront, Side::kDown)));
-  ASSERT_EQ(imu.open(), "");
-  for (std::uint32_t i = 0; i < 5; ++i) pad.reports.push_back(dualsense_report(i * 12000, 0));
-  while (!pad.reports.empty()) ASSERT_TRUE(imu.poll(0ms));
-  // The pad lies face up, and is built in face down: so the ball stands on its head.
-  EXPECT_NEAR(rotate(desk.samples.back().quaternion, {0, 0, 1}).z, -1.0, 1e-6);
 }
 
 TEST(MtiImu, ConfiguresAndPublishes) {

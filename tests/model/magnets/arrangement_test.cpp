@@ -121,6 +121,19 @@ TEST(SymmetryClasses, FoundWithoutBeingTold) {
   EXPECT_EQ(sizes_of(symmetry_classes(named("tkD"))), (std::vector<std::size_t>{12, 60, 20}));
 }
 
+TEST(SymmetryClasses, NameTheirPinsInOrderWhateverTheArrangementsOwn) {
+  Arrangement turned = named("wD");
+  std::reverse(turned.pins.begin(), turned.pins.end());
+  std::reverse(turned.shields.begin(), turned.shields.end());
+  const auto ids = [](const std::vector<PinClass>& classes) {
+    std::vector<std::vector<int>> each;
+    each.reserve(classes.size());
+    for (const PinClass& one : classes) each.push_back(one.pins);
+    return each;
+  };
+  EXPECT_EQ(ids(symmetry_classes(turned)), ids(symmetry_classes(named("wD"))));
+}
+
 TEST(SymmetryClasses, TheBallKeepsItsFivefoldAxisOnly) {
   const Arrangement ball = named("tkD-86");
   std::set<int> pins;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ctime>
 #include <map>
 #include <string>
 
@@ -134,6 +135,36 @@ TEST(ForceCurve, IsTheSumOverAllPairs) {
       EXPECT_NEAR(dot(sum, site.direction), force_of("tkD", size).at(1.0).force_n, 2e-6);
     }
   }
+}
+
+// Two of a kind in one run, in processor time. The ratio is some 130.
+TEST(ForceCurve, ByClassesIsManyTimesAsFastAsPinByPin) {
+  const ForceSettings settings{ForceModel::kExact, 1e-3};
+  const Arrangement& tkd = arrangement("tkD");
+  const ArraySizes sizes;
+  double sum_n = 0.0;
+  const auto add = [&](const std::vector<MagnetSite>& others, const MagnetPair& pair) {
+    for (const double offset_mm : kThesisGrid.offsets_mm()) {
+      for (const MagnetSite& other : others) {
+        const double apart_deg = angle_deg(tkd.pins.front().direction, other.direction);
+        if (apart_deg > 1.0)
+          sum_n += pair_force(pair, {apart_deg, offset_mm, 0.0}, settings).force_n;
+      }
+    }
+  };
+  const std::clock_t start = std::clock();
+  add(tkd.pins, sizes.pin_and_pin());
+  add(tkd.shields, sizes.pin_and_shield());
+  const std::clock_t middle = std::clock();
+  constexpr int kRuns = 5;
+  for (int run = 0; run < kRuns; ++run) {
+    for (const PinClass& pin_class : symmetry_classes(tkd)) {
+      sum_n += force_curve({pin_class, sizes, settings}).force_n.front();
+    }
+  }
+  const auto all_pins = static_cast<double>(middle - start) * static_cast<double>(tkd.pins.size());
+  const auto by_class = static_cast<double>(std::clock() - middle) / kRuns;
+  EXPECT_GT(all_pins, 25.0 * by_class);
 }
 
 TEST(ForceCurve, TheErrorBoundsWhatACoarserAccuracyCosts) {

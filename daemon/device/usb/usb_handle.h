@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A claimed interface of a USB device, over libusb. Used by the two ports only.
+// A claimed interface of a USB device, over libusb. Used by the ports only.
 #pragma once
 
 #include <libusb-1.0/libusb.h>
@@ -10,6 +10,10 @@
 #include "daemon/device/sensors/discovery.h"
 
 namespace hedgehog::device {
+
+/// Why a device could not be used, from an error of libusb's: a clause for a sentence. A missing
+/// permission and another program that has the device are told apart from all else.
+std::string usb_failure(int error);
 
 /// Owns a context, a handle and a claim. A context of its own, because one that is older than the
 /// device does not see it where no udevd runs.
@@ -33,6 +37,7 @@ class UsbHandle {
   static std::unique_ptr<UsbHandle> open(const UsbPlace& place, libusb_transfer_type type,
                                          bool both, std::string& failure);
 
+  libusb_context* context() const noexcept { return context_; }
   libusb_device_handle* get() const noexcept { return handle_; }
   const Endpoints& endpoints() const noexcept { return endpoints_; }
 

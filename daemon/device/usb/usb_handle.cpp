@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "daemon/device/sensors/usb_handle.h"
+#include "daemon/device/usb/usb_handle.h"
 
 #include <optional>
 #include <span>
@@ -8,13 +8,6 @@ namespace hedgehog::device {
 namespace {
 
 using Endpoints = UsbHandle::Endpoints;
-
-std::string reason(int error) {
-  if (error == LIBUSB_ERROR_ACCESS) {
-    return "no permission to open it; the udev rule gives it to the group hedgehog";
-  }
-  return libusb_strerror(error);
-}
 
 Endpoints endpoints_of(const libusb_interface_descriptor& setting, libusb_transfer_type type) {
   Endpoints found{setting.bInterfaceNumber, setting.bAlternateSetting};
@@ -48,11 +41,26 @@ std::optional<Endpoints> find_endpoints(libusb_device* device, int interface,
 
 }  // namespace
 
+std::string usb_failure(int error) {
+  switch (error) {
+    case LIBUSB_ERROR_ACCESS:
+      return "no permission to open it; the udev rule gives it to the group hedgehog";
+    case LIBUSB_ERROR_BUSY:
+      return "another program has it";
+    case LIBUSB_ERROR_NO_DEVICE:
+      return "it went away";
+    case LIBUSB_ERROR_NOT_SUPPORTED:
+      return "it has not the endpoints that are needed";
+    default:
+      return libusb_strerror(error);
+  }
+}
+
 std::unique_ptr<UsbHandle> UsbHandle::open(const UsbPlace& place, libusb_transfer_type type,
                                            bool both, std::string& failure) {
   std::unique_ptr<UsbHandle> made(new UsbHandle);
   if (const int error = libusb_init(&made->context_); error != 0) {
-    failure = reason(error);
+    failure = usb_failure(error);
     return nullptr;
   }
   libusb_device** list = nullptr;
@@ -78,7 +86,7 @@ std::unique_ptr<UsbHandle> UsbHandle::open(const UsbPlace& place, libusb_transfe
                                              made->endpoints_.alternate);
   }
   if (error != 0) {
-    failure = reason(error);
+    failure = usb_failure(error);
     return nullptr;
   }
   return made;

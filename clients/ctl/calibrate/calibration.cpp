@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "clients/ctl/calibrate/calibration.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <sstream>
+
+namespace hedgehog::client {
+namespace {
+
+struct Side {
+  std::string_view name;
+  int axis;
+  double sign;
+};
+constexpr std::array<Side, 6> kSides{{{"front", 0, 1.0},
+                                      {"back", 0, -1.0},
+                                      {"left", 1, 1.0},
+                                      {"right", 1, -1.0},
+                                      {"up", 2, 1.0},
+                                      {"down", 2, -1.0}}};
+
+/// More than the noise of a current sensor.
+constexpr double kFlowsA = 0.03;
+/// What a device file takes.
+constexpr double kLeastOhm = 0.05;
+constexpr double kMostOhm = 10.0;
+
+const Side* side_named(std::string_view name) {
+  const auto found = std::find_if(kSides.begin(), kSides.end(),
+                                  [&](const Side& side) { return side.name == name; });
+  return found == kSides.end() ? nullptr : &*found;
+}
+
+std::string number(double value, const char* format = "%.5g") {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), format, value);
+  return text.data();
+}
+
+std::string three(const std::array<double, 3>& values) {
+  return "[" + number(values[0]) + ", " + number(values[1]) + ", " + number(values[2]) + "]";
+}
+
+std::string matrix_text(const std::array<model::Vec3, 3>& rows) {
+  std::string text = "[";
+  for (std::size_t i = 0; i < 3; ++i) {
+    text += (i == 0 ? "" : ", ") + three({rows[i].x, rows[i].y, rows[i].z});
+  }
+  return text + "]";
+}
+
+}  // namespace
+
+std::string winding_trouble(int coil, const std::array<double, 3>& forth_a,
+                            const std::array<double, 3>& back_a,
+                            std::optional<double> resistance_ohm) {
+  std::array<double, 3> carried_a{};
+  for (std::size_t i = 0; i < 3; ++i) carried_a[i] = std::abs(forth_a[i] - back_a[i]) / 2.0;
+  const auto most = std::max_element(carried_a.begin(), carried_a.end()) - carried_a.begin();
+  std::ostringstream text;
+  text << "winding "
+       << "xyz"[coil] << ": ";
+  if (most != coil && carried_a[static_cast<std::size_t>(most)] > kFlowsA) {
+    text << "when it is driven the current is measured in "
+         << "xyz"[most] << "; compare the plugs of the coils with those of the current sensors";
+  } else if (!resistance_ohm) {
+    text << "no current flows; check its plug";
+  } else if (*resistance_ohm < 0.0) {
+    text << "its current sensor reads the other way round; turn it on the board, a device file "
+            "cannot";
+  } else if (*resistance_ohm < kLeastOhm || *resistance_ohm > kMostOhm) {
+    text << number(*resistance_ohm, "%.2f")
+         << " ohm, and a device file takes 0.05 to 10; check its plug, and the winding for a short";
+  } else {
+    return {};
+  }
+  return text.str();
+}
+
+std::string side_meant(std::string_view answer) {
+  constexpr std::string_view kSpace = " \t\r";
+  const std::size_t from = answer.find_first_not_of(kSpace);
+  if (from == std::string_view::npos) return {};
+  std::string word(answer.substr(from, answer.find_last_not_of(kSpace) + 1 - from));
+  for (char& c : word) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  // The first letters differ, so any beginning says which.
+  const auto* found = std::find_if(kSides.begin(), kSides.end(),
+                                   [&](const Side& side) { return side.name.starts_with(word); });
+  return found == kSides.end() ? std::string() : std::string(found->name);
+}
+
+std::optional<std::size_t> same_axis(const PushedSides& pushed, std::size_t winding) {
+  const Side* const own = side_named(pushed.side[winding]);
+  for (std::size_t other = 0; own != nullptr && other < winding; ++other) {
+    const Side* const side = side_named(pushed.side[other]);
+    if (side != nullptr && side->axis == own->axis) return other;
+  }
+  return std::nullopt;
+}
+
+bool is_left_handed(const PushedSides& pushed) {
+  const auto rows = coil_matrix(pushed);
+  return rows && model::dot((*rows)[0], model::cross((*rows)[1], (*rows)[2])) < 0.0;
+}
+
+std::optional<PushedSides> read_pushed(const std::vector<std::string>& words) {
+  PushedSides pushed;
+  for (const std::string& word : words) {
+    const bool shaped = word.size() > 2 && word[0] >= 'x' && word[0] <= 'z' && word[1] == '=';
+    if (!shaped || side_named(word.substr(2)) == nullptr) return std::nullopt;
+    pushed.side[static_cast<std::size_t>(word[0] - 'x')] = word.substr(2);
+  }
+  if (!words.empty() && !coil_matrix(pushed)) return std::nullopt;
+  return pushed;
+}
+
+std::optional<std::array<model::Vec3, 3>> coil_matrix(const PushedSides& pushed) {
+  std::array<model::Vec3, 3> rows{};
+  for (std::size_t winding = 0; winding < 3; ++winding) {
+    const Side* side = side_named(pushed.side[winding]);
+    if (side == nullptr || same_axis(pushed, winding)) return std::nullopt;
+    rows[winding][side->axis] = side->sign;
+  }
+  return rows;
+}
+
+std::string device_file(const Calibration& measured, const protocol::Description& before) {
+  const auto& l = before.limits;
+  const auto matrix = coil_matrix(measured.pushed);
+  const double inductance_h =
+      (measured.inductance_h[0] + measured.inductance_h[1] + measured.inductance_h[2]) / 3.0;
+  std::string text =
+      "// Measured by hedgehogctl calibrate with " + number(measured.current_a) + " A at " +
+      number(measured.sensor_c, "%.1f") + " degrees Celsius, supply " +
+      number(measured.supply_v, "%.2f") +
+      " V.\n"
+      "// The protocol does not tell thermal, usb and usb_serial: copy them from the file before,\n"
+      "// where they differ from a hedgehog-86.\n"
+      "{\n"
+      "  \"name\": \"" +
+      measured.name + "\",\n";
+  text +=
+      matrix
+          ? "  // By the sides that a person felt; how strong each winding is was not measured.\n"
+          : "  // Not measured: as it was.\n";
+  text += "  \"coil_matrix\": " +
+          matrix_text(matrix.value_or(std::array<model::Vec3, 3>{
+              before.coils.matrix[0], before.coils.matrix[1], before.coils.matrix[2]})) +
+          ",\n";
+  text += "  \"r25_ohm\": " + three(measured.r25_ohm) + ",\n";
+  text += "  // Of the windings: " + three(measured.inductance_h) + ".\n";
+  text += "  \"inductance_h\": " + number(inductance_h) + ",\n";
+  text += "  \"supply_v\": " + number(before.coils.supply_v) + ",\n";
+  text += "  \"force_slope_n_a\": " + number(before.calibration.force_n_per_a) + ",\n";
+  text += "  \"limits\": {\n";
+  const std::array<std::pair<const char*, double>, 8> limits{{{"current_a", l.current_a},
+                                                              {"continuous_a", l.continuous_a},
+                                                              {"felt_a", l.felt_a},
+                                                              {"derate_from_c", l.derate_from_c},
+                                                              {"sustain_c", l.sustain_c},
+                                                              {"zero_c", l.zero_c},
+                                                              {"trip_c", l.trip_c},
+                                                              {"rearm_c", l.rearm_c}}};
+  for (const auto& [name, value] : limits) {
+    text += std::string("    \"") + name + "\": " + number(value) +
+            (std::string_view(name) == "rearm_c" ? "\n" : ",\n");
+  }
+  return text + "  }\n}\n";
+}
+
+}  // namespace hedgehog::client

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// The part of a calibration that only a hand can measure: which side each winding pushes.
+#pragma once
+
+#include "clients/ctl/calibrate/calibration.h"
+#include "clients/ctl/calibrate/winding_bench.h"
+
+namespace hedgehog::client {
+
+/// Asks on stdout and stdin, push by push, until each winding has an axis of its own. Blocking. An
+/// error: the ball does not push any more, the input has ended, or Ctrl-C.
+Outcome<PushedSides> ask_sides(WindingBench& bench, double push_a);
+
+}  // namespace hedgehog::client

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "clients/ctl/calibrate/winding_bench.h"
+
+#include <cmath>
+
+namespace hedgehog::client {
+namespace {
+
+using protocol::EffectParams;
+using protocol::Method;
+
+constexpr double kTelemetryHz = 200.0;
+constexpr Milliseconds kGlance{50};
+/// Between two looks at whether somebody pressed Ctrl-C this many may pass without any telemetry.
+constexpr int kPatience = 60;
+constexpr double kSettleS = 0.2;
+constexpr double kSineS = 1.2;
+/// So long a current flows that is measured; it is stopped before.
+constexpr std::int64_t kFlowsMs = 5000;
+/// Fewer would make noise a winding, or a stall of this computer an empty plug.
+constexpr std::size_t kFewest = 20;
+constexpr std::int64_t kPushMs = 700;
+
+EffectParams along(int coil, double sign, double current_a) {
+  EffectParams params;
+  model::Vec3 direction{};
+  direction[coil] = sign;
+  params.direction = direction;
+  params.frame = model::Frame::kCoil;
+  params.current_a = current_a;
+  params.if_limited = protocol::IfLimited::kRefuse;
+  return params;
+}
+
+ClientError trouble(const std::string& message) { return {Failure::kClosed, message, {}}; }
+
+ClientError not_armed(const protocol::Status& status) {
+  return trouble("the ball is " + status.state + ": " + status.reason.value_or("") + ". " +
+                 status.remedy.value_or(""));
+}
+
+}  // namespace
+
+Outcome<protocol::Status> WindingBench::next() {
+  for (int i = 0; i < kPatience; ++i) {
+    if (interrupted()) return trouble("interrupted");
+    auto told = session_.connection.next(kGlance);
+    if (!told) return told.error();
+    if (!*told) continue;
+    const auto* telemetry = std::get_if<protocol::TelemetryMessage>(&**told);
+    if (telemetry == nullptr) continue;
+    const protocol::Status& status = telemetry->telemetry.status;
+    if (status.state == "armed") return status;
+    if (status.state == "tripped") tripped_ = status.reason.value_or("");
+    return not_armed(status);
+  }
+  return trouble("the daemon tells nothing any more");
+}
+
+Outcome<double> WindingBench::start(Method method, const EffectParams& params) {
+  const auto before = session_.connection.call(protocol::Ping{});
+  if (!before) return before.error();
+  if (auto begun = play(method, params); !begun) return begun.error();
+  using protocol::StatusKey;
+  protocol::StatusKeys keys;
+  for (const StatusKey key : {StatusKey::kState, StatusKey::kReason, StatusKey::kRemedy,
+                              StatusKey::kCurrentA, StatusKey::kDuty, StatusKey::kSupplyV}) {
+    keys.add(key);
+  }
+  // Only now, so that nothing is told of the time before.
+  const protocol::TelemetrySubscribe wanted{kTelemetryHz, keys};
+  if (auto told = session_.connection.call(wanted); !told) return told.error();
+  return 1e-9 * static_cast<double>(before->time_ns) + 1e-3 * static_cast<double>(kFlowsMs);
+}
+
+Outcome<void> WindingBench::play(Method method, const EffectParams& params) {
+  // Nobody else plays meanwhile; it ends with the connection.
+  if (auto claimed = session_.connection.call(protocol::DeviceClaim{}); !claimed) {
+    return claimed.error();
+  }
+  if (auto begun = session_.connection.call(protocol::EffectStart{method, params}); !begun) {
+    return begun.error();
+  }
+  return {};
+}
+
+Outcome<void> WindingBench::stop() {
+  if (auto done = session_.connection.call(protocol::EffectStopAll{}); !done) return done.error();
+  if (auto done = session_.connection.call(protocol::TelemetryUnsubscribe{}); !done) {
+    return done.error();
+  }
+  // What was told before that.
+  for (;;) {
+    auto told = session_.connection.next(Milliseconds(0));
+    if (!told) return told.error();
+    if (!*told) return {};
+  }
+}
+
+Outcome<WindingRecord> WindingBench::record(int coil, double take_s, double flows_until_s) {
+  WindingRecord record;
+  std::optional<double> began;
+  for (;;) {
+    const auto status = next();
+    if (!status) return status.error();
+    const double t_s = static_cast<double>(status->time_ns) * 1e-9;
+    began = began.value_or(t_s);
+    if (t_s < *began + kSettleS) continue;
+    if (t_s > *began + kSettleS + take_s && record.samples.size() >= kFewest) break;
+    if (t_s > flows_until_s) {
+      return ClientError{Failure::kTimeout,
+                         "telemetry came too sparsely to measure a winding: let this computer or "
+                         "the network do less, then calibrate again",
+                         {}};
+    }
+    if (!status->supply_v) return trouble("the daemon does not tell the supply voltage");
+    record.supply_v = *status->supply_v;
+    record.samples.push_back(
+        {t_s, status->current_a[coil], status->duty[coil] * *status->supply_v});
+    for (int any = 0; any < 3; ++any) {
+      record.mean_a[static_cast<std::size_t>(any)] += status->current_a[any];
+    }
+  }
+  for (double& mean : record.mean_a) mean /= static_cast<double>(record.samples.size());
+  if (auto stopped = stop(); !stopped) return stopped.error();
+  return record;
+}
+
+Outcome<protocol::TemperatureStatus> WindingBench::rest() {
+  const auto status = session_.connection.call(protocol::DeviceStatus{});
+  if (!status) return status.error();
+  if (status->state != "armed") return not_armed(*status);
+  if (!status->temperature_c.sensor) return trouble("the coil thermometer does not answer");
+  return status->temperature_c;
+}
+
+Outcome<WindingRecord> WindingBench::hold(int coil, double sign, double current_a, double take_s) {
+  EffectParams params = along(coil, sign, current_a);
+  params.lease_ms = kFlowsMs;
+  const auto flows_until_s = start(Method::kEffectHold, params);
+  if (!flows_until_s) return flows_until_s.error();
+  return record(coil, take_s, *flows_until_s);
+}
+
+Outcome<WindingRecord> WindingBench::sine(int coil, double current_a, double frequency_hz) {
+  EffectParams params = along(coil, 1.0, current_a);
+  params.waveform = model::Waveform::kSine;
+  params.frequency_hz = frequency_hz;
+  params.duration_ms = kFlowsMs;
+  const auto flows_until_s = start(Method::kEffectVibrate, params);
+  if (!flows_until_s) return flows_until_s.error();
+  return record(coil, kSineS, *flows_until_s);
+}
+
+Outcome<void> WindingBench::push(int coil, double current_a) {
+  EffectParams params = along(coil, 1.0, current_a);
+  params.duration_ms = kPushMs;
+  params.slot = "push";
+  return play(Method::kEffectPulse, params);
+}
+
+}  // namespace hedgehog::client

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "clients/ctl/calibrate/winding_fit.h"
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "model/tick.h"
+#include "model/vec3.h"
+
+namespace hedgehog::client {
+namespace {
+
+using Phasor = std::complex<double>;
+
+struct Mean {
+  double current_a = 0.0;
+  double voltage_v = 0.0;
+};
+
+Mean mean_of(const std::vector<WindingSample>& samples) {
+  Mean mean;
+  for (const WindingSample& one : samples) {
+    mean.current_a += one.current_a;
+    mean.voltage_v += one.voltage_v;
+  }
+  const auto count = static_cast<double>(samples.size());
+  return {mean.current_a / count, mean.voltage_v / count};
+}
+
+/// The least squares of x(t) = c + Re(P exp(i w t)).
+std::optional<Phasor> phasor(const std::vector<WindingSample>& samples, double omega,
+                             double WindingSample::*what) {
+  model::Mat3 normal{};
+  model::Vec3 right{};
+  for (const WindingSample& one : samples) {
+    const double angle = omega * (one.t_s - samples.front().t_s);
+    const model::Vec3 basis{1.0, std::cos(angle), std::sin(angle)};
+    for (std::size_t row = 0; row < 3; ++row) {
+      normal.row[row] = normal.row[row] + basis[static_cast<int>(row)] * basis;
+    }
+    right = right + one.*what * basis;
+  }
+  const auto count = static_cast<double>(samples.size());
+  // Times that do not tell sine from cosine.
+  if (!(model::determinant(normal) > 1e-3 * count * count * count / 4.0)) return std::nullopt;
+  const model::Vec3 fitted = model::inverse(normal) * right;
+  return Phasor(fitted.y, -fitted.z);
+}
+
+}  // namespace
+
+std::optional<double> steady_resistance(const std::vector<WindingSample>& forth,
+                                        const std::vector<WindingSample>& back, double least_a) {
+  if (forth.empty() || back.empty()) return std::nullopt;
+  const Mean one = mean_of(forth);
+  const Mean other = mean_of(back);
+  const double current_a = one.current_a - other.current_a;
+  if (std::abs(current_a) < 2.0 * least_a) return std::nullopt;
+  return (one.voltage_v - other.voltage_v) / current_a;
+}
+
+std::optional<Impedance> sine_impedance(const std::vector<WindingSample>& samples,
+                                        double frequency_hz) {
+  constexpr std::size_t kFewest = 20;
+  if (samples.size() < kFewest) return std::nullopt;
+  const double omega = 2.0 * std::numbers::pi * frequency_hz;
+  const auto current = phasor(samples, omega, &WindingSample::current_a);
+  const auto voltage = phasor(samples, omega, &WindingSample::voltage_v);
+  if (!current || !voltage) return std::nullopt;
+  // current = e * before + g * voltage, with e and g real: two equations.
+  const Phasor before = *current * std::polar(1.0, -omega * model::kTickSeconds);
+  const double det = before.real() * voltage->imag() - before.imag() * voltage->real();
+  const double e = (current->real() * voltage->imag() - current->imag() * voltage->real()) / det;
+  const double g = (before.real() * current->imag() - before.imag() * current->real()) / det;
+  if (!(e > 0.0 && e < 1.0 && g > 0.0)) return std::nullopt;
+  const double resistance = (1.0 - e) / g;
+  return Impedance{resistance, -resistance * model::kTickSeconds / std::log(e)};
+}
+
+}  // namespace hedgehog::client

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Resistance and inductance of a winding from what the board measured of it. Pure functions.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+namespace hedgehog::client {
+
+/// One millisecond of one winding: the current at its end, and the voltage during it.
+struct WindingSample {
+  double t_s = 0.0;
+  double current_a = 0.0;
+  double voltage_v = 0.0;
+};
+
+/// Ohm, from a steady current one way and then the other: a constant error of the current sensor
+/// falls out. nullopt: not even `least_a` flowed each way.
+std::optional<double> steady_resistance(const std::vector<WindingSample>& forth,
+                                        const std::vector<WindingSample>& back,
+                                        double least_a = 0.02);
+
+struct Impedance {
+  double resistance_ohm = 0.0;
+  double inductance_h = 0.0;
+};
+/// From a steady sine. Each millisecond's voltage V is constant, so with e = exp(-R T / L) the
+/// current is I(t) = e I(t - T) + (1 - e) / R V: of the two phasors, an equation for e and R.
+/// nullopt: they are not those of a winding.
+std::optional<Impedance> sine_impedance(const std::vector<WindingSample>& samples,
+                                        double frequency_hz);
+
+}  // namespace hedgehog::client

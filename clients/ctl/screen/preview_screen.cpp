@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "clients/ctl/screen/preview_screen.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "clients/ctl/screen/bar.h"
+#include "clients/ctl/screen/words.h"
+
+namespace hedgehog::client {
+namespace {
+
+constexpr std::size_t kCurveColumns = 50;
+/// Less is drawn as nothing.
+constexpr double kNothingA = 0.05;
+
+/// Means over as many parts of `steps` as there are columns.
+std::vector<double> curve(const std::vector<std::array<double, 3>>& steps, std::size_t axis) {
+  const std::size_t columns = std::min(kCurveColumns, steps.size());
+  std::vector<double> means;
+  means.reserve(columns);
+  for (std::size_t i = 0; i < columns; ++i) {
+    const std::size_t first = i * steps.size() / columns;
+    const std::size_t last = (i + 1) * steps.size() / columns;
+    double sum = 0.0;
+    for (std::size_t k = first; k < last; ++k) {
+      sum += steps[k][axis];
+    }
+    means.push_back(sum / static_cast<double>(last - first));
+  }
+  return means;
+}
+
+double span_of(const std::vector<double>& values) {
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  return values.empty() ? 0.0 : *most - *least;
+}
+
+std::string percent(double ratio) { return fixed(100.0 * ratio, 0) + " %"; }
+
+std::string limits_words(const protocol::PreviewResult& preview) {
+  if (!preview.limited_by) {
+    return "nothing: all of it is felt";
+  }
+  if (*preview.limited_by != "thermal") {
+    return "the owner's gain";
+  }
+  const double from_s = static_cast<double>(preview.limited_from_ms.value_or(0)) / 1000.0;
+  return "heat, from " + fixed(from_s, 2) + " s on: " + percent(preview.delivered.mean) +
+         " on average, at least " + percent(preview.delivered.min);
+}
+
+}  // namespace
+
+std::vector<std::string> preview_screen(const std::string& what,
+                                        const protocol::PreviewResult& preview, bool ascii) {
+  std::array<std::vector<double>, 3> curves;
+  double span_a = kNothingA;
+  double most_duty = 0.0;
+  for (std::size_t axis = 0; axis < curves.size(); ++axis) {
+    curves[axis] = curve(preview.current_a, axis);
+    span_a = std::max(span_a, span_of(curves[axis]));
+    for (const auto& duty : preview.duty) {
+      most_duty = std::max(most_duty, std::abs(duty[axis]));
+    }
+  }
+  std::vector<std::string> lines{what + ", " + std::to_string(preview.duration_ms) +
+                                 " ms, if it began now. Nothing has moved."};
+  for (std::size_t axis = 0; axis < curves.size(); ++axis) {
+    const auto [least, most] =
+        std::minmax_element(preview.current_a.begin(), preview.current_a.end(),
+                            [axis](const auto& a, const auto& b) { return a[axis] < b[axis]; });
+    std::string line = std::string("  ") + "xyz"[axis] + "  ";
+    if (least == preview.current_a.end() ||
+        std::max(std::abs((*least)[axis]), std::abs((*most)[axis])) < kNothingA) {
+      line += "nothing flows";
+    } else {
+      line += left(fixed((*least)[axis], 1) + " to " + fixed((*most)[axis], 1) + " A", 18) +
+              sparkline(curves[axis], span_a, ascii);
+    }
+    lines.push_back(std::move(line));
+  }
+  lines.push_back("  current      " + fixed(preview.peak_current_a, 1) + " A at most, duty " +
+                  percent(most_duty));
+  lines.push_back("  temperature  " + fixed(preview.temperature_c, 1) + " °C now, " +
+                  fixed(preview.peak_temperature_c, 1) + " °C at most");
+  lines.push_back("  limited by   " + limits_words(preview));
+  return lines;
+}
+
+}  // namespace hedgehog::client

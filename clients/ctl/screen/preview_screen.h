@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// What an effect would do, as lines of 80 columns.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "protocol/results.h"
+
+namespace hedgehog::client {
+
+/// `what`: "pulse left". The current of each winding over time, all three to one scale.
+std::vector<std::string> preview_screen(const std::string& what,
+                                        const protocol::PreviewResult& preview, bool ascii);
+
+}  // namespace hedgehog::client

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "clients/ctl/verbs/pattern_verbs.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "clients/ctl/screen/words.h"
+#include "clients/ctl/verbs/pattern_file.h"
+#include "clients/lib/import/import.h"
+#include "protocol/effect_params.h"
+
+namespace hedgehog::client {
+
+namespace {
+
+constexpr std::size_t kNameColumns = 20;
+constexpr std::size_t kTimeColumns = 9;
+constexpr std::size_t kLineColumns = 78;
+
+/// "30", "30.5".
+std::string seconds(std::int64_t ms) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", static_cast<double>(ms) / 1000.0);
+  return text;
+}
+
+/// A key frame a line, as the shipped ones are written.
+void print_pattern(const protocol::Pattern& pattern) {
+  const auto json = nlohmann::ordered_json::parse(protocol::encode_pattern(pattern));
+  std::string out = "{\n";
+  for (const auto& [key, value] : json.items()) {
+    if (key != "keyframes") {
+      out += "  \"" + key + "\": " + value.dump() + ",\n";
+    }
+  }
+  out += "  \"keyframes\": [";
+  const char* before = "\n    ";
+  for (const auto& frame : json["keyframes"]) {
+    out += before + frame.dump();
+    before = ",\n    ";
+  }
+  std::puts((out + "\n  ]\n}").c_str());
+}
+
+/// What `play` needs besides its name to play it whole; empty: nothing.
+std::string more_to_play(const protocol::Pattern& pattern) {
+  const std::int64_t takes_ms = pattern.keyframes.back().t_ms;
+  return takes_ms > protocol::kMaxDurationMs ? "--loop --for " + seconds(takes_ms) : "";
+}
+
+int put(Session& session, const protocol::Pattern& pattern) {
+  const auto answer = session.connection.call_text(protocol::PatternPut{pattern});
+  if (!answer) {
+    return complain(answer.error());
+  }
+  if (session.json) {
+    std::puts(answer->c_str());
+    return kDone;
+  }
+  const std::string more = more_to_play(pattern);
+  std::printf("%s is kept: hedgehogctl play %s%s\n", pattern.name.c_str(), pattern.name.c_str(),
+              more.empty() ? "" : (" " + more).c_str());
+  return kDone;
+}
+
+/// The name of a file as the second part of a pattern's.
+std::string part_of(const std::string& path) {
+  std::string part = std::filesystem::path(path).stem().string();
+  std::transform(part.begin(), part.end(), part.begin(), [](char c) {
+    const char low = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    const bool good = (low >= 'a' && low <= 'z') || (low >= '0' && low <= '9');
+    return good ? low : '-';
+  });
+  part.erase(0, part.find_first_not_of('-'));
+  constexpr std::size_t kMost = 32;
+  return part.empty() ? "pattern" : part.substr(0, kMost);
+}
+
+}  // namespace
+
+int run_pattern_list(Session& session) {
+  const auto answer = session.connection.call_text(protocol::PatternList{});
+  if (!answer) {
+    return complain(answer.error());
+  }
+  if (session.json) {
+    std::puts(answer->c_str());
+    return kDone;
+  }
+  const auto list = protocol::decode_result<protocol::PatternsResult>(*answer);
+  if (!list) {
+    return complain({Failure::kProtocol, list.error().message, {}});
+  }
+  for (const protocol::PatternSummary& p : list->patterns) {
+    const std::string head = "  " + left(p.name, kNameColumns) +
+                             right(std::to_string(p.duration_ms) + " ms", kTimeColumns) + "  ";
+    std::puts(cut(head + p.description, kLineColumns).c_str());
+  }
+  return kDone;
+}
+
+int run_pattern_get(Session& session, const std::string& name) {
+  const auto answer = session.connection.call(protocol::PatternGet{name});
+  if (!answer) {
+    return complain(answer.error());
+  }
+  print_pattern(answer->pattern);
+  return kDone;
+}
+
+int run_pattern_put(Session& session, const std::string& file) {
+  const auto pattern = read_pattern(file);
+  return pattern ? put(session, *pattern) : static_cast<int>(complain(pattern.error()));
+}
+
+int run_pattern_remove(Session& session, const std::string& name) {
+  const auto answer = session.connection.call_text(protocol::PatternRemove{name});
+  if (!answer) {
+    return complain(answer.error());
+  }
+  std::puts(session.json ? answer->c_str() : (name + " is gone").c_str());
+  return kDone;
+}
+
+int run_pattern_import(const CommonOptions& common, const ImportOptions& options) {
+  const auto text = read_text(options.file);
+  if (!text) {
+    return complain(text.error());
+  }
+  auto imported = import_pattern(*text);
+  if (!imported) {
+    ClientError error = imported.error();
+    error.message = options.file + ": " + error.message;
+    return complain(error);
+  }
+  imported->pattern.name =
+      options.name.empty() ? "imported/" + part_of(options.file) : options.name;
+  if (const std::string more = more_to_play(imported->pattern); !more.empty()) {
+    imported->notes.push_back("it takes " + seconds(imported->pattern.keyframes.back().t_ms) +
+                              " s, one effect " + seconds(protocol::kMaxDurationMs) +
+                              " s at most: play it with " + more);
+  }
+  for (const std::string& note : imported->notes) {
+    std::fprintf(stderr, "hedgehogctl: %s: %s\n", options.file.c_str(), note.c_str());
+  }
+  if (!options.put) {
+    print_pattern(imported->pattern);
+    return kDone;
+  }
+  auto session = open_session(common);
+  return session ? put(*session, imported->pattern) : static_cast<int>(complain(session.error()));
+}
+
+}  // namespace hedgehog::client

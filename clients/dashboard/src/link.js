@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// The page's connection to the daemon: JSON-RPC on /ws, one message a frame. Comes back by itself.
+
+const kFirstPauseMs = 250;
+const kLongestPauseMs = 2000;
+const kPatienceMs = 3000;
+const kSecondMs = 300;
+
+/** An answer that is an error; `data` as the protocol gives it. */
+export class Refused extends Error {
+  constructor(error) {
+    super(error.message);
+    this.code = error.code;
+    this.data = error.data ?? {};
+  }
+}
+
+/**
+ * Dispatches `open` (detail: {hello, device}: the answers to hello and device.describe), `gone` (detail:
+ * {reason, retryInMs}), `telemetry` and `event` (detail: the notification's params).
+ */
+export class Link extends EventTarget {
+  /** `begin`: requests to make after each hello, [{method, params}]. */
+  constructor(client, begin = []) {
+    super();
+    this.client = client;
+    this.begin = begin;
+    this.url = `${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/ws`;
+    this.pauseMs = kFirstPauseMs;
+    this.waiting = new Map();
+    this.nextId = 0;
+    this.farewell = null;
+    this.socket = null;
+    this.ready = false;
+    this.connect();
+  }
+
+  connect() {
+    clearTimeout(this.retry);
+    const socket = new WebSocket(this.url);
+    this.socket = socket;
+    // A daemon that is stopped in the debugger accepts, and never answers.
+    const patience = setTimeout(() => socket.close(), kPatienceMs);
+    socket.onopen = async () => {
+      try {
+        const hello = await this.call("hello", { client: this.client, protocol: "1.0" });
+        const device = await this.call("device.describe");
+        for (const { method, params } of this.begin) await this.call(method, params);
+        clearTimeout(patience);
+        this.pauseMs = kFirstPauseMs;
+        this.farewell = null;
+        this.ready = true;
+        this.heardAt = performance.now();
+        this.say("open", { hello, device });
+      } catch (error) {
+        this.farewell = error.message;
+        socket.close();
+      }
+    };
+    socket.onmessage = (message) => this.hear(JSON.parse(message.data));
+    socket.onclose = () => {
+      clearTimeout(patience);
+      if (this.socket === socket) this.lost();
+    };
+  }
+
+  lost() {
+    this.ready = false;
+    for (const { reject } of this.waiting.values()) reject(new Error("the daemon is gone"));
+    this.waiting.clear();
+    this.say("gone", { reason: this.farewell, retryInMs: this.pauseMs });
+    this.retry = setTimeout(() => this.connect(), this.pauseMs);
+    this.pauseMs = Math.min(2 * this.pauseMs, kLongestPauseMs);
+  }
+
+  hear(message) {
+    this.heardAt = performance.now();
+    if (message.method === "event" && message.params.type === "shutting_down") {
+      this.farewell = message.params.reason;
+    }
+    if (message.method) {
+      this.say(message.method, message.params);
+      return;
+    }
+    const waiting = this.waiting.get(message.id);
+    this.waiting.delete(message.id);
+    if (message.error) waiting?.reject(new Refused(message.error));
+    else waiting?.resolve(message.result);
+  }
+
+  say(type, detail) {
+    this.dispatchEvent(new CustomEvent(type, { detail }));
+  }
+
+  /** Since the daemon was last heard, ms. */
+  silentMs() {
+    return performance.now() - (this.heardAt ?? 0);
+  }
+
+  call(method, params = {}) {
+    if (this.socket?.readyState !== WebSocket.OPEN) return Promise.reject(new Error("the daemon is gone"));
+    const id = ++this.nextId;
+    return new Promise((resolve, reject) => {
+      this.waiting.set(id, { resolve, reject });
+      this.socket.send(JSON.stringify({ jsonrpc: "2.0", id, method, params }));
+    });
+  }
+
+  /** Unanswered: for what is said again and again. */
+  tell(method, params = {}) {
+    if (this.ready) this.socket.send(JSON.stringify({ jsonrpc: "2.0", method, params }));
+  }
+
+  /**
+   * The emergency stop. A connection that hangs must not keep it: when no answer comes, a second one is
+   * opened for this alone. Resolves when the daemon has confirmed, be it late; rejects when nobody can any more.
+   */
+  emergencyStop() {
+    const here = this.call("device.emergency_stop");
+    const elsewhere = new Promise((resolve, reject) => {
+      const timer = setTimeout(() => {
+        const socket = new WebSocket(this.url);
+        const patience = setTimeout(() => socket.close(), kPatienceMs);
+        socket.onopen = () => socket.send('{"jsonrpc":"2.0","id":1,"method":"device.emergency_stop"}');
+        socket.onmessage = ({ data }) => {
+          if (JSON.parse(data).result) resolve();
+          socket.close();
+        };
+        socket.onclose = () => {
+          clearTimeout(patience);
+          reject(new Error("the daemon is gone"));
+        };
+      }, kSecondMs);
+      here.then(() => clearTimeout(timer), () => {});
+    });
+    return Promise.any([here, elsewhere]);
+  }
+}

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// What the protocol's names mean, in words for a person who holds the ball.
+
+export const kStates = {
+  armed: "Armed",
+  disarmed: "Disarmed",
+  tripped: "Tripped",
+  absent: "No ball",
+};
+
+const kReasons = {
+  never_armed: "It has not been armed since the start.",
+  unclean_stop: "The daemon was not stopped in an orderly way last time.",
+  hot_plug: "The ball was plugged in while the daemon ran.",
+  emergency_stop: "Somebody pressed stop.",
+  no_board: "No board answers.",
+  overheated: "A winding reached its highest temperature.",
+  sensor_open: "The coil thermometer's wire is open.",
+  sensor_short: "The coil thermometer's wire is shorted.",
+  sensor_stale: "The coil thermometer gives no new readings.",
+  sensor_frozen: "The coil thermometer stands still although its winding gets warmer.",
+  sensor_jump: "The coil thermometer jumped faster than any heat could.",
+  sensor_implausible: "The coil thermometer says something impossible.",
+  sensor_disagrees: "Thermometer and winding resistance disagree.",
+  unexpected_current: "A coil was driven although nothing was asked.",
+  current_mismatch: "The measured current is not what the coil should take.",
+  bridge_fault: "A bridge of the board reports a fault.",
+  fan_stopped: "The fan was told to run and stands still.",
+  telemetry_lost: "The board stopped answering.",
+  thermometer_lost: "The second thermometer is silent.",
+  thermometer_disagrees: "The two thermometers disagree.",
+  shell_hot: "The ball's skin is too warm to hold.",
+  internal: "The control loop met a number that cannot be.",
+  board_dead_man: "The board heard nothing for 100 ms and switched off by itself.",
+  board_over_current: "The board measured too much current.",
+  board_over_heat: "The board's own heat limit was reached.",
+  board_heat_budget: "The board's own heat budget was used up.",
+  board_stuck_bridge: "Current flowed after switching off; the board opened its supply switch.",
+  board_supply: "The supply voltage is out of range.",
+};
+
+/** "sensor_open" as a person reads it; of any value. */
+const words = (name) => String(name ?? "").replaceAll("_", " ");
+
+export function reason(name) {
+  if (!name) return "";
+  return kReasons[name] ?? `${words(name)}.`;
+}
+
+/** An event as a person would tell it, however little of it is there. */
+export function happening(event) {
+  switch (event.type) {
+    case "state_changed": {
+      const measured = [event.temperature_c === undefined ? "" : degrees(event.temperature_c),
+        event.current_a === undefined ? "" : amperes(event.current_a), event.client ?? ""].filter(Boolean);
+      const why = reason(event.reason).replace(/\.$/, "");
+      return [kStates[event.state] ?? event.state, why, measured.join(", ")].filter(Boolean).join(" · ");
+    }
+    case "effect_ended": {
+      const what = event.method ? String(event.method).replace("effect.", "") : `effect ${event.effect}`;
+      const whose = event.client ? ` of ${event.client}` : "";
+      const played = event.onset_ns ? `, ${Math.round((event.offset_ns - event.onset_ns) / 1e6)} ms` : "";
+      return `${what}${whose}: ${words(event.reason ?? "ended")}${played}`;
+    }
+    case "derating_started":
+    case "derating_ended":
+      return `${event.type === "derating_started" ? "Derated" : "Full strength again"}: ${amperes(event.limit_a)} allowed`;
+    case "overrun":
+      return `${event.skipped ?? "Some"} ticks of the loop skipped`;
+    default: {
+      const what = words(event.type);
+      const detail = event.device ?? event.reason;
+      return what.charAt(0).toUpperCase() + what.slice(1) + (detail ? `: ${words(detail)}` : "");
+    }
+  }
+}
+
+export const kFaults = {
+  "": "none",
+  sensor_open: "thermometer: wire open",
+  sensor_short: "thermometer: wire shorted",
+  sensor_frozen: "thermometer: frozen",
+  sensor_jump: "thermometer: jumps",
+  sensor_stale: "thermometer: no new readings",
+  sensor_offset: "thermometer: slipped off",
+  stuck_bridge: "bridge: stuck on",
+  bridge_fault: "bridge: reports a fault",
+  open_winding: "coil: unplugged",
+  current_sense: "current measurement: wrong",
+  fan_stopped: "fan: stopped",
+  supply_low: "supply: too low",
+  silent: "board: silent",
+};
+
+const number = (value) => (Number.isFinite(value) ? value.toFixed(1) : "–");
+export const amperes = (a) => `${number(a)} A`;
+export const degrees = (c) => (c === null || c === undefined ? "–" : `${number(c)} °C`);
+export const seconds = (s) => (s === null || s === undefined ? "for ever" : s < 100 ? `${s.toFixed(0)} s` : `${(s / 60).toFixed(0)} min`);
+
+/** "front", "left and up": where a vector of the ball's frame points. */
+export function whither([x, y, z]) {
+  const parts = [
+    [Math.abs(x), x > 0 ? "front" : "back"],
+    [Math.abs(y), y > 0 ? "left" : "right"],
+    [Math.abs(z), z > 0 ? "up" : "down"],
+  ];
+  const named = parts.filter(([size]) => size > 0.38).sort((a, b) => b[0] - a[0]);
+  return named.map(([, word]) => word).join(" and ") || "nowhere";
+}

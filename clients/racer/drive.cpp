@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+#include "clients/racer/drive.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+#include <string_view>
+
+#include "clients/racer/feel/feel.h"
+#include "clients/racer/game/driver.h"
+#include "clients/racer/game/race.h"
+#include "clients/racer/game/tilt.h"
+#include "clients/racer/pace.h"
+#include "clients/racer/server/server.h"
+
+namespace hedgehog::racer {
+namespace {
+
+constexpr int kCannotListen = 73;
+/// What lasts is told ten times a second, and so is the ball.
+constexpr int kSeldom = 6;
+/// How long a cold ball can be at full strength (DESIGN, section 6), s.
+constexpr double kColdBurstS = 22.0;
+
+bool lasts(const Played& played) {
+  const std::string_view what = played.kind;
+  return what == "skid" || what == "tumble";
+}
+
+BallView view_of(const BallReport& ball) {
+  BallView view;
+  view.connected = ball.connected;
+  view.simulated = ball.simulated;
+  view.state = ball.state;
+  view.gain = ball.gain;
+  view.reason = ball.trouble;
+  if (ball.connected) {
+    view.temperature_c = ball.temperature_c;
+    view.limit_a = ball.limit_a;
+    view.budget = ball.burst_s ? std::clamp(*ball.burst_s / kColdBurstS, 0.0, 1.0) : 1.0;
+    view.derated = ball.derating;
+    if (ball.state != "armed") {
+      view.reason =
+          "The ball is " + ball.state + "." + (ball.remedy.empty() ? "" : " ") + ball.remedy;
+    }
+  }
+  return view;
+}
+
+/// Says on the terminal what the ball does, when it changes.
+class Talk {
+ public:
+  void tell(const BallReport& ball) {
+    std::string text = sentence(ball);
+    if (!ball.connected && !text.empty()) text += "; driving works without a ball";
+    if (text.empty() || text == said_) return;
+    said_ = text;
+    std::puts(said_.c_str());
+    std::fflush(stdout);
+  }
+
+ private:
+  std::string said_;
+};
+
+class Drive {
+ public:
+  explicit Drive(const DriveOptions& options)
+      : race_(home_track()),
+        server_(options.page, race_.track()),
+        mode_(options.mode.value_or(Mode::kKeyboard)),
+        chosen_(options.mode.has_value()),
+        wanted_(!options.addresses.empty()),
+        feel_(options.addresses) {}
+
+  void run(const std::function<bool()>& interrupted) {
+    Pace pace(1.0);
+    while (!interrupted()) {
+      frame();
+      server_.serve_until(pace.next());
+    }
+    feel_.pause();
+    server_.say_goodbye("it was stopped");
+  }
+  std::uint16_t port() const noexcept { return server_.port(); }
+
+ private:
+  void frame();
+  void obey(const Asked& asked);
+  void take_the_wheel(Mode mode);
+  Controls controls(const Asked& asked);
+  void tell(bool moved);
+  /// How the ball is; nothing: not known.
+  const std::optional<model::Quaternion>& held() const { return feel_.ball().orientation; }
+
+  Race race_;
+  Server server_;
+  Driver driver_;
+  Tilt tilt_;
+  Talk talk_;
+  Mode mode_;
+  bool chosen_;           // by somebody
+  bool centred_ = false;  // as the ball is held when it takes the wheel, it drives straight on
+  bool wanted_;           // a ball; without one it is only shown what would be felt
+  Feel feel_;
+  bool paused_ = false;
+  int frames_ = 0;
+};
+
+void Drive::take_the_wheel(Mode mode) {
+  mode_ = mode;
+  driver_ = {};
+  centred_ = false;
+}
+
+void Drive::obey(const Asked& asked) {
+  // Whoever drives by hand keeps the wheel when a ball comes.
+  if (asked.keys != Controls{}) chosen_ = true;
+  if (asked.mode) {
+    chosen_ = true;
+    take_the_wheel(*asked.mode);
+  } else if (!chosen_ && held()) {
+    chosen_ = true;
+    take_the_wheel(Mode::kBall);
+  }
+  if (asked.reset) {
+    race_.recover();
+    take_the_wheel(mode_);
+  }
+  if (asked.pause && *asked.pause != paused_) {
+    paused_ = *asked.pause;
+    if (paused_) feel_.pause();
+  }
+}
+
+Controls Drive::controls(const Asked& asked) {
+  if (mode_ == Mode::kDriver) return driver_.drive(race_.scene(), race_.track());
+  if (mode_ == Mode::kBall && held() && !centred_) {
+    tilt_.recentre(*held());
+    centred_ = true;
+  }
+  return mode_ == Mode::kBall && held() ? tilt_.controls(*held()) : asked.keys;
+}
+
+void Drive::frame() {
+  const Asked asked = server_.take();
+  obey(asked);
+  if (!paused_) race_.step(controls(asked));
+  feel_.frame(paused_ ? std::vector<Happening>{} : race_.happenings(), race_.scene().time_s);
+  if (wanted_) talk_.tell(feel_.ball());
+  tell(!paused_);
+  ++frames_;
+}
+
+void Drive::tell(bool moved) {
+  const bool seldom = frames_ % kSeldom == 0;
+  server_.tell(race_.scene(), {mode_, paused_});
+  if (seldom) server_.tell(wanted_ ? view_of(feel_.ball()) : BallView{});
+  if (!moved) return;
+  for (const Played& played : feel_.played()) {
+    if (lasts(played) && !seldom) continue;
+    server_.tell(Felt{played.kind, played.direction, played.current_a / played.full_a,
+                      played.on_the_ball ? played.current_a : 0.0});
+  }
+  for (const Happening& happening : race_.happenings()) {
+    if (const auto* lap = std::get_if<LapDone>(&happening)) {
+      server_.tell_lap(lap->lap, lap->time_s, race_.scene().best_lap_s == lap->time_s);
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<HubSettings> listen_at(const std::string& text) {
+  const std::size_t colon = text.rfind(':');
+  if (colon == std::string::npos || colon == 0) return std::nullopt;
+  HubSettings settings;
+  settings.address = text.substr(0, colon);
+  if (settings.address.starts_with('[') && settings.address.ends_with(']')) {
+    settings.address = settings.address.substr(1, settings.address.size() - 2);
+  }
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data() + colon + 1, end, settings.port);
+  if (error != std::errc{} || rest != end) return std::nullopt;
+  return settings;
+}
+
+int drive(const DriveOptions& options, const std::function<bool()>& interrupted) {
+  std::unique_ptr<Drive> game;
+  try {
+    game = std::make_unique<Drive>(options);
+  } catch (const std::runtime_error& error) {
+    std::fprintf(stderr, "hedgehog-racer: %s\n", error.what());
+    return kCannotListen;
+  }
+  const bool six = options.page.address.find(':') != std::string::npos;
+  std::printf("http://%s%s%s:%u   open this in a browser; Ctrl-C ends the game\n", six ? "[" : "",
+              options.page.address.c_str(), six ? "]" : "", unsigned{game->port()});
+  std::fflush(stdout);
+  game->run(interrupted);
+  return 0;
+}
+
+}  // namespace hedgehog::racer

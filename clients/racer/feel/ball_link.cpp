@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "clients/racer/feel/ball_link.h"
+
+#include <utility>
+#include <variant>
+
+namespace hedgehog::racer {
+
+namespace {
+
+using client::Connection;
+using client::Milliseconds;
+using client::Outcome;
+using protocol::StatusKey;
+
+// A frame never waits.
+constexpr Milliseconds kNow{0};
+/// For the daemon, and then for each of its answers.
+constexpr Milliseconds kLooksFor{1000};
+constexpr double kTellsHz = 60.0;
+
+}  // namespace
+
+/// Says hello and asks to be told what a game wants to know: the telemetry has the state and the
+/// heat, so there is no need of events. Waits, so not for the game's thread.
+Outcome<BallLink::Arrival> BallLink::arrive(const std::vector<client::Address>& addresses) {
+  auto daemon = Connection::reopen(addresses, kLooksFor);
+  if (!daemon) return daemon.error();
+  const auto hello = daemon->hello("hedgehog-racer/" HEDGEHOG_VERSION, {}, kLooksFor);
+  if (!hello) return hello.error();
+  protocol::StatusKeys keys;
+  for (const auto key :
+       {StatusKey::kSimulated, StatusKey::kState, StatusKey::kRemedy, StatusKey::kTemperatureC,
+        StatusKey::kLimitA, StatusKey::kBurstS, StatusKey::kDerating, StatusKey::kOrientation}) {
+    keys.add(key);
+  }
+  const auto told = daemon->call(protocol::TelemetrySubscribe{kTellsHz, keys}, kLooksFor);
+  if (!told) return told.error();
+  return Arrival{std::move(*daemon), *hello};
+}
+
+BallLink::BallLink(std::vector<client::Address> addresses) : addresses_(std::move(addresses)) {
+  look_for_the_daemon();
+}
+
+BallLink::~BallLink() = default;
+
+/// In the background, because it may take a second; the race goes on. True when it was found.
+bool BallLink::look_for_the_daemon() {
+  if (arriving_.valid()) {
+    if (arriving_.wait_for(kNow) != std::future_status::ready) return false;
+    if (auto arrived = arriving_.get()) {
+      daemon_ = std::move(arrived->daemon);
+      hello_ = std::move(arrived->hello);
+      heard_at_ = Clock::now();
+      return true;
+    } else {
+      lose_the_daemon(arrived.error());
+    }
+  }
+  if (Clock::now() >= next_try_) arriving_ = std::async(std::launch::async, arrive, addresses_);
+  return false;
+}
+
+void BallLink::lose_the_daemon(const client::ClientError& why) {
+  daemon_.reset();
+  trouble_ = why.message;
+  next_try_ = Clock::now() + backoff_.next();
+}
+
+BallLink::Heard BallLink::listen() {
+  Heard heard;
+  if (!daemon_) heard.arrived = look_for_the_daemon();
+  while (daemon_) {
+    auto told = daemon_->next(kNow);
+    while (auto answer = daemon_->answer()) heard.answers.push_back(*std::move(answer));
+    if (!told) {
+      lose_the_daemon(told.error());
+    } else if (!*told) {
+      break;
+    } else if (auto* telemetry = std::get_if<protocol::TelemetryMessage>(&**told)) {
+      heard.statuses.push_back(std::move(telemetry->telemetry.status));
+      heard_at_ = Clock::now();
+      backoff_.reset();
+    }
+  }
+  return heard;
+}
+
+std::optional<protocol::Id> BallLink::ask(const protocol::Request& request) {
+  // What a silent daemon has waiting for it would all be felt at once when it goes on.
+  if (!hears()) return std::nullopt;
+  auto asked = daemon_->ask(request, kNow);
+  if (asked) return *std::move(asked);
+  lose_the_daemon(asked.error());
+  return std::nullopt;
+}
+
+void BallLink::notify(const protocol::Request& request) {
+  if (!daemon_) return;
+  if (const auto sent = daemon_->notify(request, kNow); !sent) lose_the_daemon(sent.error());
+}
+
+bool BallLink::hears() const { return daemon_ && Clock::now() - heard_at_ < kSilent; }
+
+std::string BallLink::trouble() const { return daemon_ ? "the daemon is silent" : trouble_; }
+
+}  // namespace hedgehog::racer

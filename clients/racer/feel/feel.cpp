@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include "clients/racer/feel/feel.h"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+namespace hedgehog::racer {
+
+namespace {
+
+using protocol::EffectParams;
+using protocol::EffectStart;
+using protocol::ErrorCode;
+using protocol::Method;
+
+// Who tilts a ball that is not heard of any more must not drive on as it was last held.
+constexpr std::int64_t kStaleMs = 100;
+// What is sent every frame ends this long after the last.
+constexpr std::int64_t kLeaseMs = 150;
+constexpr std::int64_t kHitMs = 180;
+constexpr std::int64_t kLandingMs = 140;
+// A blow is felt alone; the ground going round wins over the skid.
+constexpr std::int64_t kBlow = 7;
+constexpr std::int64_t kTumble = 6;
+constexpr std::int64_t kSkid = 5;
+// It lasts, so it is weaker than a blow can be: a share of full strength.
+constexpr double kTumbleStrength = 0.4;
+
+/// Why a refusal is of this game, not of the moment; empty: it is of the moment.
+std::string refusal_of_us(const protocol::RpcError& error) {
+  switch (error.code) {
+    case ErrorCode::kClaimed:
+      return "another client has the ball for itself";
+    case ErrorCode::kForbidden:
+    case ErrorCode::kUnauthorized:
+      return "the daemon lets this game only watch";
+    default:
+      return {};
+  }
+}
+
+}  // namespace
+
+void Feel::frame(const std::vector<Happening>& happenings, double time_s) {
+  time_s_ = time_s;
+  played_.clear();
+  listen();
+  for (const Happening& happening : happenings) {
+    std::visit([this](const auto& what) { play(what); }, happening);
+  }
+}
+
+/// On the side of the car that was hit.
+void Feel::play(const Hit& hit) { blow("hit", hit.direction, hit.impulse_n_s, kHitMs); }
+
+/// From below.
+void Feel::play(const Landing& landing) {
+  blow("landing", {0, 0, -1}, landing.impulse_n_s, kLandingMs);
+}
+
+void Feel::blow(const char* kind, const model::Vec3& direction, double impulse_n_s,
+                std::int64_t duration_ms) {
+  const int step = step_of(impulse_n_s);
+  if (!gate_.lets_through(step, time_s_)) {
+    ++summary_.left_out;
+    return;
+  }
+  EffectParams pulse;
+  pulse.direction = direction;
+  pulse.current_a = strength_of(step, limits().felt_a, full_a());
+  pulse.duration_ms = duration_ms;
+  pulse.priority = kBlow;
+  if (auto asked = play(kind, direction, {Method::kEffectPulse, pulse})) {
+    blows_.push_back(*std::move(asked));
+  } else {
+    ++summary_.refused;
+  }
+}
+
+/// The magnet goes on and off quickly, downwards (thesis, section 4.1), harder with less grip.
+void Feel::play(const Skid& skid) {
+  EffectParams buzz;
+  buzz.slot = "skid";
+  buzz.direction = protocol::Word::kDown;
+  buzz.waveform = model::Waveform::kSquare;
+  buzz.frequency_hz = 60.0;
+  buzz.current_a = skid_strength(skid.amount, limits().felt_a, full_a());
+  buzz.lease_ms = kLeaseMs;
+  buzz.priority = kSkid;
+  play("skid", {0, 0, -1}, {Method::kEffectVibrate, buzz});
+}
+
+/// Where the ground is goes round the ball as the car turns over.
+void Feel::play(const Tumble& tumble) {
+  EffectParams ground;
+  ground.slot = "tumble";
+  ground.direction = tumble.down;
+  ground.current_a = std::max(limits().felt_a, kTumbleStrength * full_a());
+  ground.lease_ms = kLeaseMs;
+  ground.priority = kTumble;
+  play("tumble", tumble.down, {Method::kEffectHold, ground});
+}
+
+std::optional<protocol::Id> Feel::play(const char* kind, const model::Vec3& direction,
+                                       EffectStart effect) {
+  // A ball may be set to less than what is felt.
+  const double most_a = limits().current_a;
+  const double current_a = std::min(effect.params.current_a.value_or(0.0), most_a);
+  effect.params.current_a = current_a;
+  // Asked even when the last was refused: that is how the game learns that it may play again.
+  auto asked = ask(effect);
+  played_.push_back({kind, direction, current_a, most_a, asked && refused_.empty()});
+  return asked;
+}
+
+void Feel::pause() { link_.notify(protocol::EffectStopAll{}); }
+
+std::optional<protocol::Id> Feel::ask(const protocol::Request& request) {
+  return ball_.state == "armed" ? link_.ask(request) : std::nullopt;
+}
+
+void Feel::listen() {
+  const BallLink::Heard heard = link_.listen();
+  if (heard.arrived) {
+    told_ns_ = 0;
+    refused_.clear();
+    if (link_.hello().role == protocol::Role::kObserve) {
+      refused_ = refusal_of_us({.code = ErrorCode::kForbidden, .message = {}});
+    }
+  }
+  for (const auto& answer : heard.answers) take(answer);
+  for (const auto& status : heard.statuses) take(status);
+  if (link_.hears()) return;
+  summary_.refused += static_cast<int>(blows_.size());
+  blows_.clear();
+  ball_ = {};
+  ball_.gain = gain_.now();
+  ball_.trouble = link_.trouble();
+}
+
+void Feel::take(const protocol::Reply& answer) {
+  if (answer.result) {
+    refused_.clear();
+  } else if (auto why = refusal_of_us(answer.result.error()); !why.empty()) {
+    refused_ = std::move(why);
+  }
+  const auto blow = std::find(blows_.begin(), blows_.end(), answer.id);
+  if (blow == blows_.end()) return;
+  blows_.erase(blow);
+  ++(answer.result ? summary_.pulses : summary_.refused);
+}
+
+void Feel::take(const protocol::Status& status) {
+  const double passed_s =
+      told_ns_ == 0 ? 0.0
+                    : std::clamp(1e-9 * static_cast<double>(status.time_ns - told_ns_), 0.0, 1.0);
+  told_ns_ = status.time_ns;
+  gain_.take(status.derating, status.burst_s, passed_s);
+
+  ball_.connected = true;
+  ball_.trouble = refused_;
+  ball_.simulated = status.simulated;
+  ball_.state = status.state;
+  ball_.remedy = status.remedy.value_or("");
+  ball_.gain = gain_.now();
+  ball_.derating = status.derating;
+  ball_.limit_a = status.limit_a;
+  ball_.temperature_c = status.temperature_c.model;
+  ball_.burst_s = status.burst_s;
+  ball_.orientation.reset();
+  if (status.orientation && status.orientation->age_ms <= kStaleMs) {
+    ball_.orientation = status.orientation->quaternion;
+  }
+
+  if (gain_.now() < 1.0) summary_.turned_down_s += passed_s;
+  if (status.derating) summary_.derated_s += passed_s;
+  summary_.least_gain = std::min(summary_.least_gain, gain_.now());
+  summary_.least_limit_a =
+      std::min(summary_.least_limit_a.value_or(status.limit_a), status.limit_a);
+  summary_.hottest_c = std::max(summary_.hottest_c, ball_.temperature_c);
+  summary_.tripped = summary_.tripped || status.state == "tripped";
+}
+
+}  // namespace hedgehog::racer

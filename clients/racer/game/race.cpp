@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include "clients/racer/game/race.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "clients/racer/game/blows.h"
+#include "clients/racer/game/car.h"
+#include "clients/racer/game/laps.h"
+#include "clients/racer/game/world.h"
+
+namespace hedgehog::racer {
+
+namespace {
+
+// A hop over a kerb is no flight.
+constexpr double kFlightS = 0.2;
+constexpr double kLeastLanding = 400.0;  // Newton seconds: half a metre a second
+// Slower than this, wheels that slide are not felt.
+constexpr double kSlowSkid = 1.5;  // m/s
+constexpr double kSkidBegins = 0.25;
+constexpr double kSkidEnds = 0.1;
+constexpr double kSkidSmoothing = 0.35;  // share of the newest step: about 40 ms
+// How far up may lean before the car turns over, and how far it must be back: cosines of 60 and 35
+// degrees.
+constexpr double kTurnsOver = 0.5;
+constexpr double kUpright = 0.82;
+constexpr double kLiesS = 3.0;
+constexpr double kLiesSlow = 1.5;  // m/s
+// What was knocked over stands again in the next lap, unless the car is that near.
+constexpr double kTidyAway = 20.0;  // metres
+constexpr double kLost = 15.0;      // metres beyond the edge of the road
+
+double within(double value, double least, double most) {
+  return std::isfinite(value) ? std::clamp(value, least, most) : 0.0;
+}
+
+}  // namespace
+
+struct Race::State {
+  explicit State(Track given) : track(std::move(given)), world(std::make_unique<World>(track)) {
+    look();
+  }
+
+  void recover() {
+    Pose pose = track.start;
+    if (!track.centre.empty()) {
+      const std::size_t count = track.centre.size();
+      std::size_t at = nearest_point(track.centre, scene.car.position);
+      for (std::size_t i = 0; i < count && !is_free(track.centre[at]); ++i) {
+        at = (at + count - 1) % count;
+      }
+      const Vec3& here = track.centre[at];
+      const Vec3 ahead = track.centre[(at + 1) % track.centre.size()] - here;
+      pose = flat_pose(here.x, here.y, 0.0,
+                       std::atan2(ahead.y, ahead.x) * 180.0 / 3.14159265358979323846);
+    }
+    world->place(pose);
+    flight_s = lies_s = skid = 0.0;
+    skids = tumbles = false;
+    look();
+  }
+
+  /// Nothing that the car would stand in or on.
+  bool is_free(const Vec3& place) const {
+    constexpr double kApart = 2.0 * kCarHalfSize.x;
+    const auto on = [&](const Ramp& ramp) {
+      const Vec3 there = rotate(conjugate(ramp.pose.orientation), place - ramp.pose.position);
+      return there.x > -kApart && there.x < ramp.length + kApart &&
+             std::abs(there.y) < 0.5 * ramp.width + kCarHalfSize.y;
+    };
+    const auto beside = [&](const Pose& obstacle) {
+      return std::hypot(obstacle.position.x - place.x, obstacle.position.y - place.y) < kApart;
+    };
+    return std::none_of(track.ramps.begin(), track.ramps.end(), on) &&
+           std::none_of(scene.obstacles.begin(), scene.obstacles.end(), beside);
+  }
+
+  /// What the world looks like now.
+  void look() {
+    scene.car = world->car();
+    scene.wheels = world->wheels();
+    scene.obstacles = world->obstacles();
+    scene.speed_mps = dot(world->velocity(), rotate(scene.car.orientation, {1, 0, 0}));
+    scene.lap_time_s = scene.time_s - lap_started_s;
+  }
+
+  void step(const Controls& asked) {
+    happenings.clear();
+    if (reset_asked) happenings.emplace_back(Reset{});
+    reset_asked = false;
+    scene.controls = {.steer = within(asked.steer, -1, 1),
+                      .throttle = within(asked.throttle, 0, 1),
+                      .brake = within(asked.brake, 0, 1)};
+    std::vector<Contact> contacts;
+    for (int i = 0; i < 2; ++i) {
+      world->step(scene.controls);
+      const std::vector<Contact> now = world->contacts();
+      contacts.insert(contacts.end(), now.begin(), now.end());
+    }
+    scene.time_s += kStepS;
+    look();
+    for (const Hit& hit : blows.take(contacts, scene.time_s)) happenings.emplace_back(hit);
+    note_flight(contacts);
+    note_skid();
+    note_tumble(!contacts.empty());
+    note_lap();
+  }
+
+  void note_flight(const std::vector<Contact>& contacts) {
+    const bool grounded =
+        !contacts.empty() || std::any_of(scene.wheels.begin(), scene.wheels.end(),
+                                         [](const Wheel& wheel) { return wheel.contact; });
+    const bool upright = up() > kTurnsOver;
+    // Of the step before, because the springs have begun to take it up in this one.
+    if (grounded && flight_s > kFlightS && upright && kCarMassKg * fall_mps > kLeastLanding) {
+      happenings.emplace_back(Landing{kCarMassKg * fall_mps});
+    }
+    flight_s = grounded ? 0.0 : flight_s + kStepS;
+    fall_mps = std::max(0.0, -world->velocity().z);
+  }
+
+  void note_skid() {
+    double sum = 0.0;
+    for (const Wheel& wheel : scene.wheels) sum += wheel.skid;
+    const Vec3 velocity = world->velocity();
+    const double speed = std::hypot(velocity.x, velocity.y);
+    const double now = speed < kSlowSkid ? 0.0 : sum / 4.0;
+    skid += kSkidSmoothing * (now - skid);
+    skids = skid > (skids ? kSkidEnds : kSkidBegins);
+    if (skids) happenings.emplace_back(Skid{std::min(skid, 1.0)});
+  }
+
+  void note_tumble(bool touches) {
+    tumbles = tumbles ? up() < kUpright : up() < kTurnsOver;
+    if (tumbles) {
+      happenings.emplace_back(Tumble{rotate(conjugate(scene.car.orientation), {0, 0, -1})});
+    }
+    const bool lies = tumbles && touches && norm(world->velocity()) < kLiesSlow;
+    lies_s = lies ? lies_s + kStepS : 0.0;
+    if (lies_s > kLiesS || lost()) {
+      recover();
+      reset_asked = true;
+    }
+  }
+
+  bool lost() const {
+    if (track.centre.empty()) return false;
+    const Vec3& here = scene.car.position;
+    const Vec3 away = track.centre[nearest_point(track.centre, here)] - here;
+    return std::hypot(away.x, away.y) > 0.5 * track.width + kLost || here.z < -5.0;
+  }
+
+  void note_lap() {
+    if (!laps.take(track.centre, scene.car.position)) return;
+    const double time_s = scene.time_s - lap_started_s;
+    happenings.emplace_back(LapDone{laps.done(), time_s});
+    scene.last_lap_s = time_s;
+    scene.best_lap_s = std::min(time_s, scene.best_lap_s.value_or(time_s));
+    lap_started_s = scene.time_s;
+    scene.lap = laps.done() + 1;
+    scene.lap_time_s = 0.0;
+    world->tidy(kTidyAway);
+  }
+
+  /// Cosine of how far the car leans.
+  double up() const { return rotate(scene.car.orientation, {0, 0, 1}).z; }
+
+  Track track;
+  std::unique_ptr<World> world;
+  Scene scene;
+  std::vector<Happening> happenings;
+  Blows blows;
+  Laps laps;
+  double flight_s = 0.0;
+  double fall_mps = 0.0;
+  double skid = 0.0;
+  bool skids = false;
+  bool tumbles = false;
+  double lies_s = 0.0;
+  double lap_started_s = 0.0;
+  bool reset_asked = false;
+};
+
+Race::Race(Track track) : state_(std::make_unique<State>(std::move(track))) {}
+Race::Race(Race&&) noexcept = default;
+Race& Race::operator=(Race&&) noexcept = default;
+Race::~Race() = default;
+
+const Scene& Race::step(const Controls& controls) {
+  state_->step(controls);
+  return state_->scene;
+}
+const Scene& Race::scene() const noexcept { return state_->scene; }
+const std::vector<Happening>& Race::happenings() const noexcept { return state_->happenings; }
+const Track& Race::track() const noexcept { return state_->track; }
+
+void Race::recover() {
+  state_->recover();
+  state_->reset_asked = true;
+}
+
+}  // namespace hedgehog::racer

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// The race: a car on a track, step by step. The same controls give the same scenes and happenings
+// bit for bit, on every run of one build.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "clients/racer/game/happening.h"
+#include "clients/racer/game/scene.h"
+#include "clients/racer/game/track.h"
+
+namespace hedgehog::racer {
+
+/// One thread at a time; reads no clock.
+class Race {
+ public:
+  /// What one step advances: a frame of a 60 Hz screen.
+  static constexpr double kStepS = 1.0 / 60.0;
+
+  explicit Race(Track track);
+  Race(Race&&) noexcept;
+  Race& operator=(Race&&) noexcept;
+  ~Race();
+
+  /// Advances by kStepS. Controls beyond their ranges are taken as the nearest allowed.
+  const Scene& step(const Controls& controls);
+  const Scene& scene() const noexcept;
+  /// Of the last step.
+  const std::vector<Happening>& happenings() const noexcept;
+  const Track& track() const noexcept;
+
+  /// Puts the car on its wheels in the middle of the road, at rest, before what stands in the way.
+  /// Tells `Reset` with the next step. A car that lies on its roof for 3 s is put back by itself.
+  void recover();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace hedgehog::racer

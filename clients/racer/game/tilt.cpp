@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "clients/racer/game/tilt.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hedgehog::racer {
+
+namespace {
+
+using model::Vec3;
+
+constexpr double kDegrees = 180.0 / 3.14159265358979323846;
+
+/// 0 within the dead zone, then in a straight line to 1.
+double share_of(double angle_deg) {
+  const double beyond = std::abs(angle_deg) - kTiltDeadZoneDeg;
+  const double share = std::clamp(beyond / (kTiltFullDeg - kTiltDeadZoneDeg), 0.0, 1.0);
+  return std::copysign(share, angle_deg);
+}
+
+}  // namespace
+
+Controls Tilt::controls(const model::Quaternion& ball) const noexcept {
+  // Up in the ball's own frame says how it is tilted, whichever way its front points.
+  const Vec3 neutral = rotate(conjugate(neutral_), {0, 0, 1});
+  const Vec3 up = rotate(conjugate(ball), {0, 0, 1});
+  const Vec3 front = unit_or(Vec3{1, 0, 0} - neutral.x * neutral, {0, 0, 1});
+  const Vec3 left = cross(neutral, front);
+  const double upright = dot(up, neutral);
+  const double forward = share_of(std::atan2(-dot(up, front), upright) * kDegrees);
+  const double right = share_of(std::atan2(dot(up, left), upright) * kDegrees);
+  return {.steer = right, .throttle = std::max(forward, 0.0), .brake = std::max(-forward, 0.0)};
+}
+
+}  // namespace hedgehog::racer

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "clients/racer/happening_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+
+#include "model/direction.h"
+
+namespace hedgehog::racer {
+
+namespace {
+
+__attribute__((format(printf, 1, 2))) std::string text(const char* format, ...) {
+  std::array<char, 200> line{};
+  va_list values;
+  va_start(values, format);
+  std::vsnprintf(line.data(), line.size(), format, values);
+  va_end(values);
+  return line.data();
+}
+
+std::string json(const Hit& hit) {
+  const model::Vec3& d = hit.direction;
+  return text(R"("hit","direction":[%.9g,%.9g,%.9g],"impulse_n_s":%.9g)", d.x, d.y, d.z,
+              hit.impulse_n_s);
+}
+std::string json(const Landing& landing) {
+  return text(R"("landing","impulse_n_s":%.9g)", landing.impulse_n_s);
+}
+std::string json(const Skid& skid) { return text(R"("skid","amount":%.9g)", skid.amount); }
+std::string json(const Tumble& tumble) {
+  return text(R"("tumble","down":[%.9g,%.9g,%.9g])", tumble.down.x, tumble.down.y, tumble.down.z);
+}
+std::string json(const LapDone& lap) {
+  return text(R"("lap","lap":%d,"lap_time_s":%.9g)", lap.lap, lap.time_s);
+}
+std::string json(const Reset&) { return R"("reset")"; }
+
+}  // namespace
+
+std::string to_json(const Happening& happening, double time_s) {
+  return text(R"({"time_s":%.9g,"type":)", time_s) +
+         std::visit([](const auto& what) { return json(what); }, happening) + "}";
+}
+
+std::string side_of(const model::Vec3& direction) {
+  constexpr std::array<const char*, 8> kSides{"front", "front left", "left",  "back left",
+                                              "back",  "back right", "right", "front right"};
+  const model::AzimuthElevation angles = model::angles_of(direction);
+  if (std::abs(angles.elevation_deg) > 60.0) return angles.elevation_deg > 0.0 ? "roof" : "below";
+  const auto eighth = static_cast<int>(std::lround(angles.azimuth_deg / 45.0));
+  return kSides[static_cast<std::size_t>((eighth + 8) % 8)];
+}
+
+std::string HappeningLog::ended(const char* what, const Lasting& lasting, double time_s) {
+  return text("%7.2f s  %s, %.1f s long, up to %.0f %%", time_s, what, time_s - lasting.since_s,
+              100.0 * lasting.most);
+}
+
+std::vector<std::string> HappeningLog::lines(const std::vector<Happening>& happenings,
+                                             double time_s) {
+  std::vector<std::string> lines;
+  bool skids = false;
+  bool tumbles = false;
+  for (const Happening& happening : happenings) {
+    if (const auto* hit = std::get_if<Hit>(&happening)) {
+      lines.push_back(text("%7.2f s  hit on the %s, %.0f N s", time_s,
+                           side_of(hit->direction).c_str(), hit->impulse_n_s));
+    } else if (const auto* landing = std::get_if<Landing>(&happening)) {
+      lines.push_back(text("%7.2f s  landing, %.0f N s", time_s, landing->impulse_n_s));
+    } else if (const auto* lap = std::get_if<LapDone>(&happening)) {
+      lines.push_back(text("%7.2f s  lap %d in %.2f s", time_s, lap->lap, lap->time_s));
+    } else if (std::holds_alternative<Reset>(happening)) {
+      lines.push_back(text("%7.2f s  put back on the road", time_s));
+    } else if (const auto* skid = std::get_if<Skid>(&happening)) {
+      skids = true;
+      if (skid_.since_s < 0.0) skid_.since_s = time_s;
+      skid_.most = std::max(skid_.most, skid->amount);
+    } else if (const auto* tumble = std::get_if<Tumble>(&happening)) {
+      tumbles = true;
+      if (tumble_.since_s < 0.0) tumble_.since_s = time_s;
+      // Of the way from its wheels to its roof.
+      const double over = std::acos(std::clamp(-tumble->down.z, -1.0, 1.0)) / std::acos(-1.0);
+      tumble_.most = std::max(tumble_.most, over);
+    }
+  }
+  if (!skids && skid_.since_s >= 0.0) {
+    lines.push_back(ended("skid", skid_, time_s));
+    skid_ = {};
+  }
+  if (!tumbles && tumble_.since_s >= 0.0) {
+    lines.push_back(ended("turned over", tumble_, time_s));
+    tumble_ = {};
+  }
+  return lines;
+}
+
+}  // namespace hedgehog::racer

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// What happens in the race, told to a person or to a program.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "clients/racer/game/happening.h"
+
+namespace hedgehog::racer {
+
+/// One JSON object: {"time_s":12.5,"type":"hit","direction":[0.64,-0.77,0],"impulse_n_s":3403.2}.
+/// Types: hit, landing, skid {amount}, tumble {down}, lap {lap, lap_time_s}, reset.
+std::string to_json(const Happening& happening, double time_s);
+
+/// Lines for a person; what lasts is told once, when it is over.
+class HappeningLog {
+ public:
+  /// The lines of one step; each step counts, with or without happenings.
+  std::vector<std::string> lines(const std::vector<Happening>& happenings, double time_s);
+
+ private:
+  struct Lasting {
+    double since_s = -1.0;
+    double most = 0.0;
+  };
+  static std::string ended(const char* what, const Lasting& lasting, double time_s);
+
+  Lasting skid_;
+  Lasting tumble_;
+};
+
+/// "front left", "back", "roof": one of eight sides, or up or down when it is mostly that.
+std::string side_of(const model::Vec3& direction);
+
+}  // namespace hedgehog::racer

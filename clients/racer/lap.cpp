@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include "clients/racer/lap.h"
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "clients/racer/feel/feel.h"
+#include "clients/racer/game/driver.h"
+#include "clients/racer/game/race.h"
+#include "clients/racer/happening_text.h"
+#include "clients/racer/pace.h"
+
+namespace hedgehog::racer {
+
+namespace {
+
+constexpr int kTripped = 1;
+constexpr int kUnavailable = 69;
+constexpr int kInterrupted = 130;
+constexpr std::chrono::milliseconds kArrives{5000};
+
+struct Count {
+  double driven_s = 0.0;
+  int laps = 0;
+  std::optional<double> best_lap_s{};
+  int hits = 0;
+  int landings = 0;
+  double skid_s = 0.0;
+  double tumble_s = 0.0;
+
+  void take(const Happening& happening) {
+    if (std::holds_alternative<Hit>(happening)) ++hits;
+    if (std::holds_alternative<Landing>(happening)) ++landings;
+    if (std::holds_alternative<LapDone>(happening)) ++laps;
+    if (std::holds_alternative<Skid>(happening)) skid_s += Race::kStepS;
+    if (std::holds_alternative<Tumble>(happening)) tumble_s += Race::kStepS;
+  }
+};
+
+bool is_ready(const BallReport& ball) {
+  return ball.connected && ball.state == "armed" && ball.trouble.empty();
+}
+
+/// Why there is nothing to feel; nothing: the ball is ready.
+std::optional<std::string> wait_for(Feel& feel) {
+  const auto until = std::chrono::steady_clock::now() + kArrives;
+  while (std::chrono::steady_clock::now() < until) {
+    feel.frame({}, 0.0);
+    if (is_ready(feel.ball())) return std::nullopt;
+    if (const std::string why = sentence(feel.ball()); !why.empty()) return why;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return "the daemon does not answer";
+}
+
+/// Why the ball was lost on the way; nothing: it is still there. One that is not heard may be about
+/// to speak again.
+std::optional<std::string> lost(Feel& feel, double time_s) {
+  const auto until = std::chrono::steady_clock::now() + kArrives;
+  for (;;) {
+    feel.frame({}, time_s);
+    const BallReport& ball = feel.ball();
+    if (is_ready(ball)) return std::nullopt;
+    if (ball.connected || std::chrono::steady_clock::now() > until) return sentence(ball);
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+}
+
+/// Whether the ball is somebody else's: nothing was felt and nothing will be.
+bool in_vain(const Feel& feel) {
+  return feel.ball().connected && !feel.ball().trouble.empty() && feel.summary().pulses == 0;
+}
+
+/// What is said last may still be under way.
+void hear_the_end(Feel& feel, double time_s) {
+  const auto until = std::chrono::steady_clock::now() + BallLink::kSilent;
+  while (!feel.answered() && std::chrono::steady_clock::now() < until) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    feel.frame({}, time_s);
+  }
+}
+
+void say_why(const std::string& why) {
+  std::fprintf(stderr, "hedgehog-racer: %s (lap --no-ball drives without a ball)\n", why.c_str());
+}
+
+std::string number(const std::optional<double>& value) {
+  return value ? std::to_string(*value) : "null";
+}
+
+void print_json(const Count& count, const Feel* feel) {
+  std::printf(R"({"type":"summary","driven_s":%.2f,"laps":%d,"best_lap_s":%s,"hits":%d,)",
+              count.driven_s, count.laps, number(count.best_lap_s).c_str(), count.hits);
+  std::printf(R"("landings":%d,"skid_s":%.2f,"tumble_s":%.2f,"ball":)", count.landings,
+              count.skid_s, count.tumble_s);
+  if (feel == nullptr) {
+    std::puts("null}");
+    return;
+  }
+  const BallSummary& ball = feel->summary();
+  std::printf(R"({"pulses":%d,"refused":%d,"left_out":%d,"turned_down_s":%.2f,"least_gain":%.3f,)",
+              ball.pulses, ball.refused, ball.left_out, ball.turned_down_s, ball.least_gain);
+  std::printf(R"("derated_s":%.2f,"least_limit_a":%s,"hottest_c":%s,"tripped":%s}})",
+              ball.derated_s, number(ball.least_limit_a).c_str(), number(ball.hottest_c).c_str(),
+              ball.tripped ? "true" : "false");
+  std::puts("");
+}
+
+void print(const Count& count, const Feel* feel) {
+  std::printf("driven        %.0f s, %d laps", count.driven_s, count.laps);
+  if (count.best_lap_s) std::printf(", the best in %.2f s", *count.best_lap_s);
+  std::printf("\nhappened      %d hits, %d landings, %.1f s of skidding", count.hits,
+              count.landings, count.skid_s);
+  if (count.tumble_s > 0.0) std::printf(", %.1f s of turning over", count.tumble_s);
+  std::puts("");
+  if (feel == nullptr) return;
+  const BallSummary& ball = feel->summary();
+  std::printf("felt          %d pulses; %d more were too soon after one as hard\n", ball.pulses,
+              ball.left_out);
+  if (ball.refused > 0)
+    std::printf("not felt      %d pulses that the ball did not take\n", ball.refused);
+  std::printf("turned down   by the game for %.1f s, at the least to %.0f %%\n", ball.turned_down_s,
+              100.0 * ball.least_gain);
+  std::printf("derated       by the daemon for %.1f s; never below %.1f A allowed\n",
+              ball.derated_s, ball.least_limit_a.value_or(0.0));
+  std::printf("hottest       %.1f °C, %s\n", ball.hottest_c.value_or(0.0),
+              ball.tripped ? "and the ball tripped" : "never tripped");
+}
+
+}  // namespace
+
+int drive_laps(const LapOptions& options, const std::function<bool()>& interrupted) {
+  std::unique_ptr<Feel> feel;
+  if (!options.addresses.empty()) {
+    feel = std::make_unique<Feel>(options.addresses);
+    if (const auto why_not = wait_for(*feel)) {
+      say_why(*why_not);
+      return kUnavailable;
+    }
+  }
+  Race race(home_track());
+  Driver driver;
+  HappeningLog log;
+  Count count;
+  Pace pace(options.speed);
+  const long steps = std::lround(options.seconds / Race::kStepS);
+  for (long step = 0; step < steps && !interrupted(); ++step) {
+    const Scene& scene = race.step(driver.drive(race.scene(), race.track()));
+    if (feel) feel->frame(race.happenings(), scene.time_s);
+    for (const Happening& happening : race.happenings()) {
+      count.take(happening);
+      if (options.json) std::puts(to_json(happening, scene.time_s).c_str());
+    }
+    if (!options.json) {
+      for (const std::string& line : log.lines(race.happenings(), scene.time_s)) {
+        std::puts(line.c_str());
+      }
+    }
+    std::fflush(stdout);
+    if (feel && in_vain(*feel)) {
+      say_why(feel->ball().trouble);
+      return kUnavailable;
+    }
+    if (feel) pace.wait();
+  }
+  count.driven_s = race.scene().time_s;
+  count.best_lap_s = race.scene().best_lap_s;
+  std::optional<std::string> why_lost;
+  if (feel && !interrupted()) why_lost = lost(*feel, count.driven_s);
+  if (feel) {
+    hear_the_end(*feel, count.driven_s);
+    feel->pause();
+  }
+  options.json ? print_json(count, feel.get()) : print(count, feel.get());
+  if (interrupted()) return kInterrupted;
+  if (feel && feel->summary().tripped) return kTripped;
+  if (why_lost) say_why(*why_lost);
+  return why_lost ? kUnavailable : 0;
+}
+
+}  // namespace hedgehog::racer

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+#include <optional>
+#include <string>
+
+#include "clients/racer/drive.h"
+#include "clients/racer/lap.h"
+#include "clients/racer/server/pages.h"
+
+namespace {
+
+using namespace hedgehog;
+
+constexpr int kUsage = 64;
+
+volatile std::sig_atomic_t interrupt_seen = 0;
+
+void note_interrupt(int) { interrupt_seen = 1; }
+
+bool interrupted() { return interrupt_seen != 0; }
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"The racing game that is felt on the ball.", "hedgehog-racer"};
+  app.set_version_flag("--version", std::string("hedgehog-racer " HEDGEHOG_VERSION));
+  app.require_subcommand(0, 1);
+
+  std::optional<std::string> address;
+  bool no_ball = false;
+  bool driver = false;
+  std::string listen = "127.0.0.1:7585";
+  std::string pages = racer::Pages::default_folder();
+  app.add_option("--listen", listen, "address:port of the page; port 0: a free one")
+      ->capture_default_str();
+  app.add_option("--address", address,
+                 "of the daemon: host:port or a socket's path (HEDGEHOG_ADDRESS)");
+  app.add_flag("--no-ball", no_ball, "looks for no daemon");
+  app.add_flag("--driver", driver, "the built-in driver begins");
+  app.add_option("--pages", pages, "the folder with the page's files");
+  racer::LapOptions laps;
+  CLI::App* lap = app.add_subcommand("lap", "the built-in driver drives, without a page");
+  lap->add_option("--address", address, "host:port or a socket's path (HEDGEHOG_ADDRESS)");
+  lap->add_flag("--no-ball", no_ball, "only tells what happens, as fast as it goes");
+  lap->add_option("--seconds", laps.seconds, "of the race")
+      ->check(CLI::Range(0.1, 86'400.0))
+      ->capture_default_str();
+  lap->add_option("--speed", laps.speed, "as many times as fast; the daemon must run so, too")
+      ->check(CLI::Range(0.1, 100.0))
+      ->capture_default_str();
+  lap->add_flag("--json", laps.json, "a JSON object a line");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& done) {
+    return app.exit(done);
+  } catch (const CLI::ParseError& error) {
+    app.exit(error);
+    return kUsage;
+  }
+  std::signal(SIGINT, note_interrupt);
+  std::signal(SIGTERM, note_interrupt);
+  std::signal(SIGHUP, note_interrupt);
+  if (!no_ball) {
+    const auto addresses = client::daemon_addresses(address);
+    if (!addresses) {
+      std::fprintf(stderr, "hedgehog-racer: %s\n", addresses.error().message.c_str());
+      return kUsage;
+    }
+    laps.addresses = *addresses;
+  }
+  if (lap->parsed()) return racer::drive_laps(laps, interrupted);
+  racer::DriveOptions drive;
+  const auto settings = racer::listen_at(listen);
+  if (!settings) {
+    std::fprintf(stderr, "hedgehog-racer: --listen: %s is no address:port\n", listen.c_str());
+    return kUsage;
+  }
+  drive.page = *settings;
+  drive.page.pages = pages;
+  drive.addresses = laps.addresses;
+  if (driver) drive.mode = racer::Mode::kDriver;
+  return racer::drive(drive, interrupted);
+}

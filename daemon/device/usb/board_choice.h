@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Which of the USB devices of this machine is the board, by the device file.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "daemon/device/sensors/discovery.h"
+#include "model/device_model.h"
+
+namespace hedgehog::device {
+
+/// A driver board's interface: the vendor's own class, and the protocol version of its frames.
+inline constexpr std::uint8_t kBoardClass = 0xFF;
+inline constexpr std::uint8_t kBoardSubclass = 0x48;
+
+/// What the device file says about the board.
+struct BoardIds {
+  std::vector<model::UsbId> ids;
+  /// Empty: any, as long as there is one only.
+  std::string serial;
+};
+
+/// "1.02" of bcdDevice 0102; empty: unknown.
+std::string firmware_of(const UsbDevice& device);
+/// "Hedgehog driver board (1209:0001), serial number 7, firmware 1.02".
+std::string describe_board(const UsbDevice& device);
+bool is_board(const UsbDevice& device, const BoardIds& wanted);
+
+/// An index into `devices` with the number of the interface, or a sentence why there is none.
+/// `seen`: something with the ids is connected.
+struct BoardChoice {
+  std::optional<std::size_t> index;
+  int interface = 0;
+  bool seen = false;
+  std::string failure;
+};
+BoardChoice choose_board(const std::vector<UsbDevice>& devices, const BoardIds& wanted);
+
+/// "it speaks version 2 of the board protocol, this hedgehogd version 1; ...".
+std::string foreign_version(int version);
+
+}  // namespace hedgehog::device

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/device_list.h"
+
+#include <algorithm>
+#include <atomic>
+#include <memory>
+#include <utility>
+
+#include "daemon/device/usb/board_choice.h"
+
+namespace hedgehog::daemon {
+namespace {
+
+using device::SensorKind;
+using protocol::SeenDevice;
+
+constexpr std::uint8_t kHubClass = 0x09;
+
+/// As configuration calls it.
+std::string type_of(SensorKind kind) {
+  switch (kind) {
+    case SensorKind::kHidSensor:
+      return "hid_sensor";
+    case SensorKind::kDualSense:
+      return "dualsense";
+    case SensorKind::kDualShock4:
+      return "dualshock4";
+    case SensorKind::kMti:
+      return "mti";
+    case SensorKind::kTemper:
+      return "temper";
+    case SensorKind::kClosedXsens:
+    case SensorKind::kNone:
+      break;
+  }
+  return {};
+}
+
+std::optional<std::string> given(const std::string& text) {
+  return text.empty() ? std::nullopt : std::optional(text);
+}
+
+/// "Pad (054c:0ce6): no permission" of that device: only "no permission".
+std::string without_name(const std::string& what, const std::string& name) {
+  return what.starts_with(name + ": ") ? what.substr(name.size() + 2) : what;
+}
+
+class Looker {
+ public:
+  explicit Looker(const DeviceFacts& facts) : facts_(facts) {}
+
+  void note(const device::UsbDevice& usb, const std::vector<device::HidDevice>& hid) {
+    SensorKind kind = kind_of(usb);
+    std::string name = device::describe(usb);
+    for (const device::HidDevice& one : hid) {
+      const bool same = one.usb && one.usb->bus == usb.place.bus &&
+                        one.usb->address == usb.place.address && kind_of(one) != SensorKind::kNone;
+      if (!same) continue;
+      kind = kind_of(one);
+      name = device::describe(one);
+    }
+    SeenDevice seen{"USB " + usb.port,
+                    device::usb_ids(usb.vendor, usb.product),
+                    usb.name,
+                    given(usb.serial),
+                    given(device::firmware_of(usb)),
+                    {},
+                    {}};
+    if (is_board(usb, facts_.board_ids)) {
+      judge_board(usb, seen);
+    } else if (kind != SensorKind::kNone || is_open(seen)) {
+      judge_sensor(kind, name, seen);
+    } else {
+      const bool hub = std::any_of(usb.interfaces.begin(), usb.interfaces.end(),
+                                   [](const auto& one) { return one.category == kHubClass; });
+      result_.others += hub || usb.port.starts_with("usb") ? 0 : 1;
+      return;
+    }
+    result_.devices.push_back(std::move(seen));
+  }
+
+  void note(const device::HidDevice& hid) {
+    if (hid.usb) return;
+    if (kind_of(hid) == SensorKind::kNone) {
+      ++result_.others;
+      return;
+    }
+    SeenDevice seen{hid.bluetooth ? "Bluetooth" : "HID",
+                    device::usb_ids(hid.vendor, hid.product),
+                    hid.name,
+                    given(hid.serial),
+                    {},
+                    {},
+                    {}};
+    judge_sensor(kind_of(hid), device::describe(hid), seen);
+    result_.devices.push_back(std::move(seen));
+  }
+
+  protocol::DevicesResult finish() {
+    for (const SensorLine& line : facts_.lines) {
+      const bool listed = std::any_of(judged_.begin(), judged_.end(),
+                                      [&](const std::string& type) { return type == line.type; });
+      if (!line.state.open && !listed) result_.missing.push_back({line.job, line.state.what});
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void judge_board(const device::UsbDevice& usb, SeenDevice& seen) {
+    judged_.emplace_back("usb");
+    if (!facts_.board) {
+      seen.why_not = "the ball is simulated (backend in the configuration)";
+    } else if (facts_.board->open && facts_.board->place == usb.place) {
+      seen.use = "board";
+    } else if (facts_.board->open) {
+      seen.why_not = "another board is used";
+    } else {
+      seen.why_not = without_name(facts_.board->what, device::describe_board(usb));
+    }
+  }
+
+  /// The sensor line that has this very device open.
+  const SensorLine* open_line(const SeenDevice& seen) const {
+    for (const SensorLine& line : facts_.lines) {
+      const std::string& serial = line.job == "imu" ? facts_.imu_serial : facts_.thermometer_serial;
+      if (line.job != "board" && line.state.open &&
+          line.state.what.find("(" + seen.ids + ")") != std::string::npos &&
+          (serial.empty() || serial == seen.serial.value_or(""))) {
+        return &line;
+      }
+    }
+    return nullptr;
+  }
+  bool is_open(const SeenDevice& seen) const { return open_line(seen) != nullptr; }
+
+  void judge_sensor(SensorKind kind, const std::string& name, SeenDevice& seen) {
+    const std::string type = type_of(kind);
+    if (seen.name.empty()) seen.name = device::words(kind);
+    if (const SensorLine* line = open_line(seen)) {
+      judged_.push_back(line->type);
+      seen.use = line->job;
+      return;
+    }
+    judged_.push_back(type);
+    const auto wanted = std::find_if(facts_.lines.begin(), facts_.lines.end(),
+                                     [&](const SensorLine& line) { return line.type == type; });
+    if (kind == SensorKind::kClosedXsens) {
+      seen.why_not = "only its maker's own closed software speaks with it";
+    } else if (wanted != facts_.lines.end()) {
+      seen.why_not =
+          wanted->state.open ? "another one is used" : without_name(wanted->state.what, name);
+    } else if (kind == SensorKind::kTemper) {
+      seen.why_not = "thermometer.type in the configuration is not \"temper\"";
+    } else {
+      seen.why_not =
+          "imu.type in the configuration is \"" + facts_.imu_type + "\", not \"" + type + "\"";
+    }
+  }
+
+  const DeviceFacts& facts_;
+  protocol::DevicesResult result_;
+  /// Types of which a device is listed.
+  std::vector<std::string> judged_;
+};
+
+}  // namespace
+
+protocol::DevicesResult seen_devices(const std::vector<device::UsbDevice>& usb,
+                                     const std::vector<device::HidDevice>& hid,
+                                     const DeviceFacts& facts) {
+  Looker looker(facts);
+  for (const device::UsbDevice& one : usb) looker.note(one, hid);
+  for (const device::HidDevice& one : hid) looker.note(one);
+  return looker.finish();
+}
+
+DeviceList::Ready DeviceList::look() {
+  struct Answer {
+    std::atomic<bool> there{false};
+    protocol::DevicesResult devices;
+  };
+  const auto answer = std::make_shared<Answer>();
+  DeviceFacts facts{{config_.device.usb, config_.device.usb_serial},
+                    sensors_.board(),
+                    std::string(config::name(config_.imu)),
+                    config_.imu_fitting.serial,
+                    config_.thermometer.serial,
+                    sensors_.list()};
+  const bool taken = looker_.post(server::DiskUse::kLook, [answer, facts = std::move(facts)] {
+    answer->devices = seen_devices(device::list_usb(), device::list_hid(), facts);
+    answer->there.store(true, std::memory_order_release);
+  });
+  if (!taken) return {};
+  return [answer]() -> std::optional<protocol::DevicesResult> {
+    if (!answer->there.load(std::memory_order_acquire)) return std::nullopt;
+    return answer->devices;
+  };
+}
+
+}  // namespace hedgehog::daemon

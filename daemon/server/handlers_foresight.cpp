@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// effect.preview, events.history: what would happen, and what has happened
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "daemon/server/effect_plan.h"
+#include "daemon/server/event_history.h"
+#include "daemon/server/handlers.h"
+#include "daemon/server/preview.h"
+#include "daemon/server/trip_recordings.h"
+
+namespace hedgehog::server {
+namespace {
+
+protocol::RpcError too_many_previews(bool own) {
+  constexpr std::int64_t kRetryMs = 20;
+  protocol::RpcError e =
+      protocol::busy(own ? "this connection's last preview is still being worked out"
+                         : "4 previews are being worked out already, and more would wait",
+                     kRetryMs);
+  e.limit = static_cast<std::int64_t>(own ? 1 : Preview::kMaxAtOnce);
+  return e;
+}
+
+}  // namespace
+
+Outcome effect_preview(Call& call, const protocol::EffectPreview& request) {
+  const Machine& machine = call.machine();
+  if (machine.now().state == control::State::kAbsent) {
+    return Answer(*not_playable(machine));
+  }
+  const auto plan = plan_start(call, *request.start);
+  if (plan.has_error()) {
+    return Answer(plan.error());
+  }
+  if (auto refused = no_orientation(machine, plan->spec)) {
+    return Answer(std::move(*refused));
+  }
+  if (!call.answered) {
+    return Answer(protocol::Done{});
+  }
+  auto& running = call.services.previews;
+  std::erase_if(running, [](const auto& entry) { return entry.second.expired(); });
+  const bool own = running.contains(call.session.id);
+  if (own || running.size() >= Preview::kMaxAtOnce) {
+    return Answer(too_many_previews(own));
+  }
+  auto preview = std::make_shared<Preview>(machine, *plan);
+  running.emplace(call.session.id, preview);
+  // Each slice brings it nearer, so there is nothing to give up, however slow this machine is.
+  return Deferred{[preview = std::move(preview)](Services&, bool) -> std::optional<Answer> {
+    if (!preview->advance(Preview::kSlice)) {
+      return std::nullopt;
+    }
+    return Answer(preview->result());
+  }};
+}
+
+Outcome events_history(Call& call, const protocol::EventsHistory& request) {
+  const TripRecordings* recordings = call.services.recordings;
+  return Encoded{std::make_shared<const std::string>(call.services.history.newest(
+      request,
+      [recordings](unsigned number) { return recordings != nullptr && recordings->has(number); }))};
+}
+
+}  // namespace hedgehog::server

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Who may speak HTTP and WebSocket to us. Any web page can reach loopback: one of a foreign site is
+// known by its `Origin`, one that got here by bending its own name to 127.0.0.1 (DNS rebinding) by
+// its `Host`. Pure functions.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "daemon/server/http/http_message.h"
+
+namespace hedgehog::server {
+
+/// "localhost", an address 127.x.x.x or "[::1]", with or without a port: ssh -L may have another.
+bool is_own_host(std::string_view host);
+
+/// Why not, as one sentence, and the `reason` of the metrics.
+struct Refusal {
+  HttpAnswer answer;
+  std::string_view reason;
+};
+
+/// nullopt: welcome. `allow_origins`: of the configuration, besides the pages we serve ourselves.
+std::optional<Refusal> refused(const HttpRequest& request,
+                               const std::vector<std::string>& allow_origins);
+
+}  // namespace hedgehog::server

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// What an effect will do, worked out on the model of the ball as it is now: the mixer, the limiter
+// and the fan of the control thread in front of the simulator's plant, in a world of their own.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include "daemon/server/effect_plan.h"
+#include "daemon/server/machine.h"
+#include "model/tick.h"
+#include "protocol/results.h"
+
+namespace hedgehog::server {
+
+/// io thread only. About 2 us a tick, so it is made in slices.
+class Preview {
+ public:
+  /// Of all connections together; each has one at most.
+  static constexpr std::size_t kMaxAtOnce = 4;
+  /// Ticks that io can spare at a time.
+  static constexpr model::Tick kSlice = 250;
+
+  /// As if `plan` began now on an armed ball whose sensors are sane, nobody else played, the ball
+  /// lay still, and a lease ran out once. `plan` and `machine` are not needed afterwards.
+  Preview(const Machine& machine, const EffectPlan& plan);
+  ~Preview();
+  Preview(const Preview&) = delete;
+  Preview& operator=(const Preview&) = delete;
+
+  /// `ticks` more, at most to the end. True: done.
+  bool advance(model::Tick ticks);
+  /// REQUIRES: done.
+  protocol::PreviewResult result() const;
+
+ private:
+  struct World;
+  void step();
+
+  std::unique_ptr<World> world_;
+};
+
+}  // namespace hedgehog::server

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+// What `hedgehogctl calibrate` makes of measurements, and the file it writes.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <string>
+
+#include "clients/ctl/calibrate/calibration.h"
+#include "clients/ctl/calibrate/winding_bench.h"
+#include "clients/ctl/calibrate/winding_fit.h"
+#include "protocol/server_codec.h"
+#include "tests/clients/fake_daemon.h"
+
+namespace hedgehog::client {
+namespace {
+
+// A winding with a millisecond's voltages, seen every fifth millisecond, to the milliampere.
+std::vector<WindingSample> driven(double r, double l, double frequency_hz, double offset_a) {
+  std::vector<WindingSample> seen;
+  const double keep = std::exp(-r * 1e-3 / l);
+  double current_a = 0.0;
+  for (int ms = 0; ms < 1400; ++ms) {
+    const double t_s = 1e-3 * ms;
+    const double v = 0.3 + 0.5 * std::sin(2.0 * std::numbers::pi * frequency_hz * t_s);
+    current_a = keep * current_a + (1.0 - keep) / r * v;
+    if (ms >= 200 && ms % 5 == 0) {
+      seen.push_back({t_s, std::round(1000.0 * current_a) / 1000.0 + offset_a, v});
+    }
+  }
+  return seen;
+}
+
+RC_GTEST_PROP(WindingFit, FindsWhatTheWindingIs, ()) {
+  const double r = *rc::gen::inRange(20, 200) / 100.0;
+  const double l = *rc::gen::inRange(30, 400) / 1e5;
+  const auto found = sine_impedance(driven(r, l, 47.0, 0.05), 47.0);
+  RC_ASSERT(found.has_value());
+  RC_ASSERT(std::abs(found->resistance_ohm / r - 1.0) < 0.02);
+  RC_ASSERT(std::abs(found->inductance_h / l - 1.0) < 0.02);
+}
+
+TEST(WindingFit, AConstantErrorOfTheSensorFallsOut) {
+  const std::vector<WindingSample> forth(10, {0.0, 1.0 + 0.07, 0.45});
+  const std::vector<WindingSample> back(10, {0.0, -1.0 + 0.07, -0.45});
+  EXPECT_NEAR(*steady_resistance(forth, back), 0.45, 1e-9);
+  EXPECT_LT(*steady_resistance(back, {10, {0.0, 2.0, -3.0}}), 1e9);
+  EXPECT_FALSE(steady_resistance({}, back));
+  EXPECT_FALSE(steady_resistance({{0, 0.015, 0.45}}, {{0, -0.015, -0.45}})) << "nothing flows";
+}
+
+TEST(WindingFit, NoiseAndTooFewSamplesAreNoWinding) {
+  EXPECT_FALSE(sine_impedance({}, 47.0));
+  std::vector<WindingSample> flat(100, {0.0, 1.0, 0.45});
+  for (std::size_t i = 0; i < flat.size(); ++i) flat[i].t_s = 5e-3 * static_cast<double>(i);
+  EXPECT_FALSE(sine_impedance(flat, 47.0));
+}
+
+TEST(Pushed, EachWindingOnAnAxisOfItsOwn) {
+  const auto sides = read_pushed({"x=back", "y=up", "z=left"});
+  ASSERT_TRUE(sides);
+  const auto matrix = coil_matrix(*sides);
+  ASSERT_TRUE(matrix);
+  // Column by column: what makes a field to the front, to the left, to the top.
+  EXPECT_EQ((*matrix)[0], (model::Vec3{-1, 0, 0}));
+  EXPECT_EQ((*matrix)[1], (model::Vec3{0, 0, 1}));
+  EXPECT_EQ((*matrix)[2], (model::Vec3{0, 1, 0}));
+  EXPECT_TRUE(read_pushed({}));
+  EXPECT_FALSE(coil_matrix({}));
+  for (const char* wrong : {"x=back", "x", "x=", "w=up", "x=sideways", "x:up"}) {
+    EXPECT_FALSE(read_pushed({wrong})) << wrong;
+  }
+  EXPECT_FALSE(read_pushed({"x=front", "y=back", "z=up"}));
+}
+
+TEST(Pushed, AnswersAreTakenAsPeopleGiveThem) {
+  for (const char* answer : {"left", "Left", " l", "LE\r", "lef "}) {
+    EXPECT_EQ(side_meant(answer), "left") << answer;
+  }
+  for (const char* answer : {"", " ", "lft", "lefty", "x", "up down", "-"}) {
+    EXPECT_EQ(side_meant(answer), "") << answer;
+  }
+}
+
+TEST(Pushed, TwoOnOneAxisAndLeftHandsAreSeen) {
+  EXPECT_EQ(same_axis({{"left", "front", "right"}}, 2), 0u);
+  EXPECT_EQ(same_axis({{"left", "front", "up"}}, 2), std::nullopt);
+  EXPECT_EQ(same_axis({{"left", "", ""}}, 0), std::nullopt);
+  EXPECT_FALSE(is_left_handed({{"front", "left", "up"}}));
+  EXPECT_FALSE(is_left_handed({{"left", "back", "up"}})) << "only turned";
+  EXPECT_TRUE(is_left_handed({{"left", "front", "up"}})) << "two swapped";
+  EXPECT_TRUE(is_left_handed({{"front", "left", "down"}})) << "one turned";
+  EXPECT_FALSE(is_left_handed({}));
+}
+
+TEST(WindingTrouble, IsNamedWithWhatToDo) {
+  using testing::HasSubstr;
+  constexpr std::array<double, 3> kForth{0.3, 0.04, 0.0};
+  constexpr std::array<double, 3> kBack{-0.3, 0.04, 0.0};
+  EXPECT_EQ(winding_trouble(0, kForth, kBack, 0.45), "") << "a sensor's constant error is none";
+  EXPECT_THAT(winding_trouble(1, kForth, kBack, 4.0), HasSubstr("winding y: when it is driven"));
+  EXPECT_THAT(winding_trouble(1, kForth, kBack, 4.0), HasSubstr("measured in x; compare"));
+  EXPECT_THAT(winding_trouble(2, {0.001, 0, 0}, {}, std::nullopt), HasSubstr("check its plug"));
+  EXPECT_THAT(winding_trouble(0, kBack, kForth, -0.45), HasSubstr("other way round"));
+  EXPECT_THAT(winding_trouble(0, kForth, kBack, 0.04), HasSubstr("0.04 ohm"));
+}
+
+/// A ball of which winding x carries 0.3 A from 0.1 s after it is asked to. Every request takes
+/// 0.15 s of its time.
+struct FakeBall {
+  std::int64_t every_ms = 5;
+  std::string state = "armed";
+  std::string reason = "none";
+
+  void operator()(FakePeer& peer) const {
+    std::int64_t now_ms = 1000;
+    std::int64_t flows_from_ms = 1'000'000;
+    bool subscribed = false;
+    const auto tell_until = [&](std::int64_t until_ms) {
+      for (; now_ms < until_ms; now_ms += every_ms) {
+        if (!subscribed) continue;
+        protocol::Status status;
+        status.time_ns = 1'000'000 * now_ms;
+        status.state = state;
+        status.reason = reason;
+        status.supply_v = 12.0;
+        status.current_a.x = now_ms < flows_from_ms ? 0.0 : 0.3;
+        protocol::StatusKeys keys;
+        for (const auto key : {protocol::StatusKey::kState, protocol::StatusKey::kReason,
+                               protocol::StatusKey::kSupplyV, protocol::StatusKey::kCurrentA}) {
+          keys.add(key);
+        }
+        peer.say(protocol::encode_telemetry({keys, status}));
+      }
+    };
+    for (std::string line; !(line = peer.read()).empty();) {
+      const auto request = nlohmann::json::parse(line);
+      const std::string method = request["method"];
+      const protocol::Id id{request["id"].dump()};
+      tell_until(now_ms + 150);
+      if (method == "ping") {
+        peer.say(protocol::encode_result(id, protocol::PingResult{1'000'000 * now_ms}));
+      } else if (method == "device.claim") {
+        peer.say(protocol::encode_result(id, protocol::ClaimResult{}));
+      } else if (method == "effect.hold") {
+        flows_from_ms = now_ms + 100;
+        peer.say(protocol::encode_result(id, protocol::Admission{}));
+        if (subscribed) tell_until(now_ms + 150 * every_ms);
+      } else if (method == "telemetry.subscribe") {
+        subscribed = true;
+        peer.say(protocol::encode_result(id, protocol::TelemetryResult{}));
+        if (flows_from_ms < 1'000'000) tell_until(now_ms + 150 * every_ms);
+      } else if (method == "effect.stop_all") {
+        subscribed = false;
+        peer.say(protocol::encode_result(id, protocol::StopResult{}));
+      } else {
+        peer.say(protocol::encode_result(id, protocol::Done{}));
+      }
+    }
+  }
+};
+
+/// What holding 0.3 A for 0.2 s gives, and the trip that was seen meanwhile.
+struct Held {
+  explicit Held(const FakeBall& ball) : daemon(ball) {
+    Session session{Connection::open({daemon.address()}).value(), false, {}};
+    WindingBench bench(session);
+    record = bench.hold(0, 1.0, 0.3, 0.2);
+    tripped = bench.tripped();
+  }
+  FakeDaemon daemon;
+  Outcome<WindingRecord> record = WindingRecord{};
+  std::optional<std::string> tripped;
+};
+
+TEST(WindingBench, CountsOnlyWhatWasToldOnceTheCurrentFlowed) {
+  const Held held({.every_ms = 5});
+  ASSERT_TRUE(held.record) << held.record.error().message;
+  EXPECT_GE(held.record->samples.size(), 35u);
+  EXPECT_DOUBLE_EQ(held.record->mean_a[0], 0.3);
+}
+
+TEST(WindingBench, GoesOnUntilItHasSeenEnough) {
+  const Held held({.every_ms = 100});
+  ASSERT_TRUE(held.record) << held.record.error().message;
+  EXPECT_EQ(held.record->samples.size(), 20u);
+  EXPECT_DOUBLE_EQ(held.record->mean_a[0], 0.3);
+}
+
+TEST(WindingBench, TooLittleTelemetryIsNoEmptyPlug) {
+  const Held held({.every_ms = 300});
+  ASSERT_FALSE(held.record);
+  EXPECT_EQ(held.record.error().failure, Failure::kTimeout);
+  EXPECT_THAT(held.record.error().message, testing::HasSubstr("too sparsely"));
+}
+
+TEST(WindingBench, TellsATripFromAnotherEnd) {
+  const Held tripped({.state = "tripped", .reason = "current_mismatch"});
+  EXPECT_FALSE(tripped.record);
+  EXPECT_EQ(tripped.tripped, "current_mismatch");
+  const Held stopped({.state = "disarmed", .reason = "emergency_stop"});
+  EXPECT_FALSE(stopped.record);
+  EXPECT_EQ(stopped.tripped, std::nullopt);
+}
+
+}  // namespace
+}  // namespace hedgehog::client

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// What `hedgehogctl preview` and `hedgehogctl trips` print.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <stdlib.h>
+#include <time.h>
+
+#include "clients/ctl/screen/preview_screen.h"
+#include "clients/ctl/screen/trips_screen.h"
+#include "clients/ctl/screen/words.h"
+
+namespace hedgehog::client {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(PreviewScreen, DrawsEachWindingToOneScaleAndSaysWhatHeatTakes) {
+  protocol::PreviewResult preview{.duration_ms = 10'000, .step_ms = 50};
+  for (int i = 0; i < 200; ++i) {
+    preview.current_a.push_back({0.0, i < 100 ? 15.0 : 9.0, -4.0});
+    preview.duty.push_back({0.0, 0.56, -0.15});
+  }
+  preview.peak_current_a = 15.52;
+  preview.temperature_c = 55;
+  preview.peak_temperature_c = 64.94;
+  preview.limited_by = "thermal";
+  preview.limited_from_ms = 5010;
+  preview.delivered = {0.6, 0.8};
+  const auto lines = preview_screen("pulse left", preview, true);
+  ASSERT_EQ(lines.size(), 7u);
+  EXPECT_EQ(lines[0], "pulse left, 10000 ms, if it began now. Nothing has moved.");
+  EXPECT_EQ(lines[1], "  x  nothing flows");
+  EXPECT_EQ(lines[2], "  y  9.0 to 15.0 A     " + std::string(25, '=') + std::string(25, '_'));
+  EXPECT_THAT(lines[3], HasSubstr("-4.0 to -4.0 A"));
+  EXPECT_EQ(lines[4], "  current      15.5 A at most, duty 56 %");
+  EXPECT_EQ(lines[5], "  temperature  55.0 °C now, 64.9 °C at most");
+  EXPECT_EQ(lines[6], "  limited by   heat, from 5.01 s on: 80 % on average, at least 60 %");
+  preview.limited_by.reset();
+  EXPECT_THAT(preview_screen("pulse left", preview, false)[6], HasSubstr("nothing"));
+  preview.current_a.clear();
+  EXPECT_EQ(preview_screen("x", preview, false)[2], "  y  nothing flows");
+}
+
+TEST(TripsScreen, IsNewestFirstAndLeavesRestartsOut) {
+  ::setenv("TZ", "UTC0", 1);
+  ::tzset();
+  const auto trip = [](const char* at, const char* reason) {
+    protocol::PastEvent event{.at = at, .event = {.type = "state_changed"}};
+    event.event.state = "tripped";
+    event.event.reason = reason;
+    event.event.current_a = 10.6;
+    return event;
+  };
+  protocol::HistoryResult history;
+  history.events.push_back(trip("2026-10-09T18:02:51.000Z", "fan_stopped"));
+  history.events[0].event.temperature_c = 61.0;
+  history.events[0].client = "hedgehogctl";
+  history.events[0].recording = "trip-0016";
+  history.events.push_back(trip("2026-11-20T23:14:07.412Z", "thermometer_disagrees"));
+  history.events.push_back(trip("2026-11-20T23:15:00.000Z", "fan_stopped"));
+  history.events[2].event.current_a.reset();
+  protocol::PastEvent armed{.at = "2026-11-21T00:00:00Z", .event = {.type = "state_changed"}};
+  armed.event.state = "armed";
+  history.events.push_back(armed);
+  const auto lines = trips_screen(history);
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_EQ(lines[0],
+            "  WHEN                 REASON               COIL CURRENT  PLAYING      BLACK BOX");
+  EXPECT_EQ(lines[1], "  2026-11-20 23:14:07  thermometer_disa…       -  10.6 A  -            -");
+  EXPECT_EQ(lines[2],
+            "  2026-10-09 18:02:51  fan_stopped       61.0 °C  10.6 A  hedgehogctl  trip-0016");
+  for (const std::string& line : lines) {
+    EXPECT_LE(columns(line), 80u);
+  }
+  EXPECT_EQ(trips_screen({}).front(), "  it has not tripped");
+  history.more = true;
+  EXPECT_EQ(trips_screen(history).size(), 4u);
+  EXPECT_EQ(trips_screen(history).back(), "  older ones are not shown");
+  EXPECT_EQ(trips_screen({{}, true}).front(), "  older ones are not shown")
+      << "it may have tripped";
+}
+
+}  // namespace
+}  // namespace hedgehog::client

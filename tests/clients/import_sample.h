@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// What the tests of the importers ask of an imported pattern.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "clients/lib/import/import.h"
+#include "model/keyframes.h"
+
+namespace hedgehog::client {
+
+/// The level that the pattern plays at `t_ms`.
+inline double level_at(const Imported& imported, double t_ms) {
+  std::vector<model::Keyframe> frames;
+  for (const protocol::Keyframe& k : imported.pattern.keyframes) {
+    frames.push_back({1, 0, 0, static_cast<float>(k.level), static_cast<std::uint16_t>(k.t_ms),
+                      k.ease.value_or(model::Ease::kLinear)});
+  }
+  return model::point_at(frames, t_ms).level;
+}
+
+/// What the daemon says against it; empty: it takes it.
+inline std::string complaint(const Imported& imported) {
+  protocol::Pattern named = imported.pattern;
+  named.name = "imported/sample";
+  const auto decoded = protocol::decode_pattern(protocol::encode_pattern(named));
+  return decoded ? std::string() : decoded.error().message;
+}
+
+}  // namespace hedgehog::client

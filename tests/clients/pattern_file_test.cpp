@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// What `hedgehogctl play` takes for a file, and what for the name of a pattern.
+#include "clients/ctl/verbs/pattern_file.h"
+#include "tests/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+namespace hedgehog::client {
+namespace {
+
+/// An empty working directory for as long as it lives.
+class EmptyFolder {
+ public:
+  EmptyFolder() { std::filesystem::current_path(folder_.path()); }
+  ~EmptyFolder() { std::filesystem::current_path(before_); }
+  EmptyFolder(const EmptyFolder&) = delete;
+  EmptyFolder& operator=(const EmptyFolder&) = delete;
+
+ private:
+  std::filesystem::path before_ = std::filesystem::current_path();
+  TemporaryFolder folder_;
+};
+
+TEST(PatternFile, ANameIsAFileWhenItEndsInJsonUnlessItIsAVendorsAndThereIsNoSuchFile) {
+  const EmptyFolder here;
+  EXPECT_FALSE(is_pattern_file("heartbeat"));
+  EXPECT_FALSE(is_pattern_file("acme/knock"));
+  EXPECT_TRUE(is_pattern_file("mine.json")) << "no shipped pattern ends so";
+  EXPECT_TRUE(is_pattern_file("/nowhere/mine.json"));
+  EXPECT_TRUE(is_pattern_file("Patterns/mine.json")) << "capitals are no pattern's name";
+  EXPECT_FALSE(is_pattern_file("acme/x.json")) << "a legal name, and no file";
+  EXPECT_TRUE(is_pattern_file("./acme/x.json"));
+  std::filesystem::create_directory("acme");
+  EXPECT_FALSE(is_pattern_file("acme/x.json"));
+  std::ofstream("acme/x.json") << "{}";
+  EXPECT_TRUE(is_pattern_file("acme/x.json")) << "the file is nearer";
+}
+
+}  // namespace
+}  // namespace hedgehog::client

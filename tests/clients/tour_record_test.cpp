@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// When the tour may be called a success.
+#include "clients/ctl/demo/tour_record.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace hedgehog::client {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+constexpr std::int64_t kBeganNs = 5'000'000'000;
+
+protocol::Status at_the_end(double least_limit_a, std::optional<std::int64_t> tripped_ns) {
+  protocol::Status status;
+  status.simulated = true;
+  status.limit_a = least_limit_a;
+  if (tripped_ns) {
+    status.last_trip = protocol::TripStatus{.reason = "sensor_open", .time_ns = *tripped_ns};
+  }
+  return status;
+}
+
+std::vector<std::string> failures(const protocol::Status& last, bool starts_warm) {
+  TourRecord record;
+  record.take(last);
+  return record.failures(last, kBeganNs, starts_warm);
+}
+
+TEST(TourRecord, OnlyTheWarmBallOfItsOwnHasToBeDerated) {
+  EXPECT_THAT(failures(at_the_end(15.0, {}), false), IsEmpty());
+  EXPECT_THAT(failures(at_the_end(8.7, {}), true), IsEmpty());
+  EXPECT_THAT(failures(at_the_end(15.0, {}), true),
+              ElementsAre("the long push was never derated: 15.0 A at least"));
+}
+
+TEST(TourRecord, ATripBeforeTheTourIsNoneOfIt) {
+  EXPECT_THAT(failures(at_the_end(15.0, kBeganNs - 1), false), IsEmpty());
+  EXPECT_THAT(failures(at_the_end(15.0, kBeganNs), false), ElementsAre("tripped: sensor_open"));
+}
+
+TEST(TourRecord, CurrentAfterTheEndIsAFailure) {
+  protocol::Status last = at_the_end(15.0, {});
+  last.current_a = {0, 0.5, 0};
+  EXPECT_THAT(failures(last, false), ElementsAre("0.50 A flow after the end"));
+}
+
+}  // namespace
+}  // namespace hedgehog::client

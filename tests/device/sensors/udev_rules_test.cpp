@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// systemd/60-hedgehog.rules names the devices that the code knows: no more, no fewer.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <set>
+
+#include "daemon/device/sensors/discovery.h"
+
+namespace hedgehog::device {
+namespace {
+
+using Ids = std::set<std::pair<int, int>>;
+
+std::string rules() {
+  std::ifstream in(HEDGEHOG_SOURCE_DIR "/systemd/60-hedgehog.rules");
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+int hex(const std::string& text) { return std::stoi(text, nullptr, 16); }
+
+/// Of lines with ATTR{idVendor} and ATTR{idProduct}.
+Ids usb_ids(const std::string& text) {
+  Ids ids;
+  const std::regex line(R"re(ATTR\{idVendor\}=="(\w+)", ATTR\{idProduct\}=="([\w|]+)")re");
+  const std::regex one(R"(\w+)");
+  for (std::sregex_iterator it(text.begin(), text.end(), line), end; it != end; ++it) {
+    const std::string products = (*it)[2];
+    for (std::sregex_iterator p(products.begin(), products.end(), one); p != end; ++p) {
+      ids.emplace(hex((*it)[1]), hex(p->str()));
+    }
+  }
+  return ids;
+}
+
+Ids hid_ids(const std::string& text) {
+  Ids ids;
+  const std::regex one(R"(\*:([0-9A-F]{4}):([0-9A-F]{4})\.\*)");
+  for (std::sregex_iterator it(text.begin(), text.end(), one), end; it != end; ++it) {
+    ids.emplace(hex((*it)[1]), hex((*it)[2]));
+  }
+  return ids;
+}
+
+template <class Device, class Wanted>
+Ids known(const std::set<int>& vendors, Wanted wanted) {
+  Ids ids;
+  for (const int vendor : vendors) {
+    for (int product = 0; product <= 0xFFFF; ++product) {
+      Device device;
+      device.vendor = static_cast<std::uint16_t>(vendor);
+      device.product = static_cast<std::uint16_t>(product);
+      if (wanted(kind_of(device))) ids.emplace(vendor, product);
+    }
+  }
+  return ids;
+}
+
+TEST(UdevRules, NameEveryHidDeviceThatIsKnown) {
+  EXPECT_EQ(hid_ids(rules()),
+            (known<HidDevice>({0x054C, 0x0C45, 0x413D, 0x1A86},
+                              [](SensorKind kind) { return kind != SensorKind::kNone; })));
+}
+
+TEST(UdevRules, NameTheMtiAndTheBoard) {
+  Ids expected =
+      known<UsbDevice>({0x2639}, [](SensorKind kind) { return kind == SensorKind::kMti; });
+  expected.emplace(0x1209, 0x0001);
+  EXPECT_EQ(usb_ids(rules()), expected);
+}
+
+TEST(UdevRules, GiveTheGroupAndNobodyElse) {
+  const std::string text = rules();
+  EXPECT_THAT(text, testing::Not(testing::HasSubstr("0666")));
+  const std::regex given(R"re(MODE="0660")re");
+  const std::regex group(R"re(GROUP="hedgehog")re");
+  const auto count = [&text](const std::regex& what) {
+    return std::distance(std::sregex_iterator(text.begin(), text.end(), what), {});
+  };
+  EXPECT_EQ(count(given), 6);
+  EXPECT_EQ(count(group), 6);
+}
+
+}  // namespace
+}  // namespace hedgehog::device

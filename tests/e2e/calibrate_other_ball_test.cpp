@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+// hedgehogctl calibrate on balls that are not what the daemon believes: what a bring-up meets.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <sstream>
+
+#include "model/vec3.h"
+#include "tests/e2e/daemon_process.h"
+#include "tests/e2e/program.h"
+#include "tests/e2e/raw_client.h"
+
+namespace hedgehog::e2e {
+namespace {
+
+using testing::HasSubstr;
+
+struct Ball {
+  friend void PrintTo(const Ball& ball, std::ostream* out) { *out << ball.name; }
+  const char* name;
+  std::array<double, 3> r25_ohm;
+  double inductance_h;
+  const char* matrix;
+  /// What a hand feels of windings x, y and z.
+  const char* pushed;
+};
+
+std::string file_of(const Ball& ball) {
+  const Json json{{"name", "truth"},
+                  {"r25_ohm", ball.r25_ohm},
+                  {"inductance_h", ball.inductance_h},
+                  {"coil_matrix", Json::parse(ball.matrix)}};
+  return json.dump();
+}
+
+/// Where the pins of the simulated ball come out most, while `direction` is driven in `frame`.
+std::string felt(RawClient& hand, const Json& direction, const std::string& frame,
+                 double current_a) {
+  const Json held = hand.call("effect.hold", {{"direction", direction},
+                                              {"frame", frame},
+                                              {"current_a", current_a},
+                                              {"slot", "felt"},
+                                              {"lease_ms", 10000}});
+  if (!held.contains("effect")) return held.dump();
+  const auto time_ns = [](const Json& told) { return told["time_ns"].get<std::int64_t>(); };
+  constexpr std::int64_t kSettledNs = 200'000'000;
+  // By the ball's own clock: what was told during an earlier hold may still wait to be read.
+  const auto settled_ns = time_ns(hand.call("device.status")) + kSettledNs;
+  hand.call("telemetry.subscribe", {{"rate_hz", 50}, {"fields", {"pins", "state", "reason"}}});
+  Json told;
+  do {
+    told = hand.notification("telemetry");
+  } while (time_ns(told) <= settled_ns && told["state"] == "armed");
+  if (told["state"] != "armed") return told.dump();
+  const Json& forces = told["pins"]["force_n"];
+  const auto pin = std::max_element(forces.begin(), forces.end()) - forces.begin();
+  const Json at = hand.call("device.describe")["pins"][static_cast<std::size_t>(pin)]["position"];
+  hand.call("effect.stop_all");
+  hand.call("telemetry.unsubscribe");
+  const std::array<double, 3> position = at;
+  const auto largest = std::max_element(position.begin(), position.end(), [](double a, double b) {
+    return std::abs(a) < std::abs(b);
+  });
+  constexpr std::array<std::array<const char*, 2>, 3> kSides{
+      {{"front", "back"}, {"left", "right"}, {"up", "down"}}};
+  return kSides[static_cast<std::size_t>(largest - position.begin())][*largest > 0 ? 0 : 1];
+}
+
+class OtherBall : public testing::TestWithParam<Ball> {
+ protected:
+  void start(const std::string& believed) {
+    home_.write("config/hedgehog/devices.d/truth.json", file_of(GetParam()));
+    home_.configure(R"({"device": ")" + believed + R"(", "simulator": {"device": "truth"}})");
+  }
+  Home home_;
+};
+
+TEST_P(OtherBall, IsFoundAndThenPushesWhereItIsAsked) {
+  const Ball& ball = GetParam();
+  start("hedgehog-86");
+  {
+    DaemonProcess daemon(home_, {"--speed", "4"});
+    RawClient hand(daemon.port());
+    EXPECT_EQ("x=" + felt(hand, {1, 0, 0}, "coil", 0.6) + ",y=" +
+                  felt(hand, {0, 1, 0}, "coil", 0.6) + ",z=" + felt(hand, {0, 0, 1}, "coil", 0.6),
+              ball.pushed);
+    const Ended ended =
+        Program(home_, HEDGEHOGCTL_PATH,
+                {"calibrate", "--out", home_.path("found.json"), "--pushed", ball.pushed},
+                {"HEDGEHOG_ADDRESS=" + daemon.socket()})
+            .wait();
+    ASSERT_EQ(ended.exit_code, 0) << ended.out << ended.err;
+    EXPECT_EQ(daemon.stop(), 0);
+  }
+  const Json found = Json::parse(home_.read("found.json"), nullptr, true, true);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(found["r25_ohm"][i].get<double>() / ball.r25_ohm[i], 1.0, 0.01) << i;
+  }
+  EXPECT_NEAR(found["inductance_h"].get<double>() / ball.inductance_h, 1.0, 0.03);
+  EXPECT_EQ(found["coil_matrix"], Json::parse(ball.matrix));
+
+  start("../../found.json");
+  DaemonProcess daemon(home_, {"--speed", "4"});
+  RawClient hand(daemon.port());
+  for (const std::string side : {"front", "back", "left", "right", "up", "down"}) {
+    EXPECT_EQ(felt(hand, side, "device", 5.0), side);
+  }
+  EXPECT_EQ(felt(hand, "left", "device", 15.0), "left") << "a burst is no fault";
+}
+
+constexpr Ball kBalls[] = {
+    {"SwappedLeads",
+     {0.45, 0.45, 0.45},
+     0.0015,
+     "[[0,1,0],[1,0,0],[0,0,1]]",
+     "x=left,y=front,z=up"},
+    {"TwentyPercent",
+     {0.36, 0.54, 0.45},
+     0.0019,
+     "[[1,0,0],[0,1,0],[0,0,-1]]",
+     "x=front,y=left,z=down"},
+    {"Beyond", {0.22, 0.90, 0.45}, 0.0010, "[[0,0,-1],[1,0,0],[0,-1,0]]", "x=down,y=front,z=right"},
+};
+INSTANTIATE_TEST_SUITE_P(Balls, OtherBall, testing::ValuesIn(kBalls),
+                         [](const auto& one) { return one.param.name; });
+
+class Bringup : public testing::Test {
+ protected:
+  void start(const std::string& truth) {
+    home_.write("config/hedgehog/devices.d/truth.json", truth);
+    home_.configure(R"({"simulator": {"device": "truth"}})");
+    daemon_.emplace(home_, std::vector<std::string>{"--speed", "4"});
+  }
+  std::vector<std::string> words() const {
+    return {"calibrate", "--out", home_.path("found.json")};
+  }
+  std::vector<std::string> where() const { return {"HEDGEHOG_ADDRESS=" + daemon_->socket()}; }
+  Home home_;
+  std::optional<DaemonProcess> daemon_;
+};
+
+TEST_F(Bringup, APersonIsAskedAgainUntilTheAnswersCanBe) {
+  start(R"({"coil_matrix": [[0, 1, 0], [1, 0, 0], [0, 0, 1]]})");
+  TerminalProgram screen(home_, HEDGEHOGCTL_PATH, words(), where());
+  RawClient hand(daemon_->port());
+  hand.call("events.subscribe", {{"scope", "all"}, {"types", {"effect_started"}}});
+  ASSERT_TRUE(screen.shows("Enter when you hold it: "));
+  screen.type("\r");
+  const auto answer = [&](const std::string& text, const std::string& then) {
+    screen.type(text + "\r");
+    ASSERT_TRUE(screen.shows(then)) << screen.shown();
+  };
+  ASSERT_TRUE(screen.shows("x pushes now, where? "));
+  answer("lft", "\"lft\" is no side.");
+  answer("", "x pushes now, where? ");
+  answer("left", "y pushes now, where? ");
+  answer("r", "x left and y right are on one axis, but each winding has its own. Feel again:");
+  answer("LEFT", "y pushes now, where? ");
+  answer("f", "z pushes now, where? ");
+  answer("up", "That is left-handed: two windings are swapped, or one is the other way round.");
+  EXPECT_EQ(screen.wait(), 0) << screen.shown();
+  const Json found = Json::parse(home_.read("found.json"), nullptr, true, true);
+  EXPECT_EQ(found["coil_matrix"], Json::parse("[[0,1,0],[1,0,0],[0,0,1]]"));
+  std::istringstream lines(screen.shown());
+  for (std::string line; std::getline(lines, line);) {
+    const auto columns = std::count_if(line.begin(), line.end(), [](char c) {
+      return c != '\r' && (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+    });
+    if (line.starts_with("wrote ")) continue;  // a path is as long as it is
+    EXPECT_LE(columns, 80) << line;
+  }
+}
+
+TEST_F(Bringup, SidesAreNotAskedForBeforeTheResistancesAreRight) {
+  start(R"({"r25_ohm": [0.45, 0.9, 0.45]})");
+  TerminalProgram screen(home_, HEDGEHOGCTL_PATH, words(), where());
+  EXPECT_EQ(screen.wait(), 0) << screen.shown();
+  EXPECT_THAT(screen.shown(), HasSubstr("The file until now says 0.4500"));
+  EXPECT_THAT(screen.shown(), HasSubstr("Start hedgehogd with the new file, then calibrate"));
+}
+
+TEST_F(Bringup, WhatEvenALittleCurrentTripsIsSaidWithWhatToDo) {
+  start(R"({"r25_ohm": [0.45, 0.08, 0.45]})");
+  const Ended ended = Program(home_, HEDGEHOGCTL_PATH, words(), where()).wait();
+  EXPECT_EQ(ended.exit_code, 1);
+  EXPECT_THAT(ended.err, HasSubstr("current_mismatch"));
+  EXPECT_THAT(ended.err, HasSubstr("winding y was driven with 0.3 A"));
+  EXPECT_THAT(ended.err, HasSubstr("measure it by hand, write it there (r25_ohm)"));
+  EXPECT_EQ(home_.read("found.json"), "");
+}
+
+TEST_F(Bringup, AGainThatWouldWeakenTheCurrentsIsNamed) {
+  start("{}");
+  RawClient(daemon_->port()).call("output.set_gain", {{"gain", 0.5}});
+  const Ended ended = Program(home_, HEDGEHOGCTL_PATH, words(), where()).wait();
+  EXPECT_EQ(ended.exit_code, 1);
+  EXPECT_THAT(ended.err, HasSubstr("the gain is 0.50"));
+  EXPECT_THAT(ended.err, HasSubstr("hedgehogctl gain 1"));
+}
+
+TEST_F(Bringup, TheBoardProcessHasTheTrueBallToo) {
+  home_.write("config/hedgehog/devices.d/truth.json", R"({"r25_ohm": [0.45, 0.9, 0.45]})");
+  home_.configure(R"({"simulator": {"device": "truth", "process": true}})");
+  daemon_.emplace(home_);
+  RawClient hand(daemon_->port());
+  hand.call("telemetry.subscribe", {{"rate_hz", 50}, {"fields", {"current_a"}}});
+  hand.call("effect.hold", {{"direction", "left"}, {"current_a", 1.2}, {"lease_ms", 10000}});
+  double flows_a = 0.0;
+  const auto halved = [&] {
+    flows_a = hand.notification("telemetry")["current_a"][1];
+    return std::abs(flows_a - 0.6) < 0.03;
+  };
+  EXPECT_TRUE(eventually(halved)) << flows_a;
+}
+
+}  // namespace
+}  // namespace hedgehog::e2e

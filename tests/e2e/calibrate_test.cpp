@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// hedgehogctl calibrate against a live daemon whose simulated ball is not the default one.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <csignal>
+
+#include "tests/e2e/daemon_process.h"
+#include "tests/e2e/program.h"
+#include "tests/e2e/raw_client.h"
+
+namespace hedgehog::e2e {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr const char* kOddBall = R"({"name": "odd", "r25_ohm": [0.400, 0.520, 0.463],
+  "inductance_h": 0.0021, "force_slope_n_a": 0.0131, "limits": {"current_a": 12}})";
+
+class Calibrate : public testing::Test {
+ protected:
+  void SetUp() override {
+    home_.configure(R"({"device": "odd"})");
+    home_.write("config/hedgehog/devices.d/odd.json", kOddBall);
+  }
+  Ended calibrate(const DaemonProcess& daemon, std::vector<std::string> more) const {
+    more.insert(more.begin(), {"calibrate", "--out", home_.path("found.json")});
+    return Program(home_, HEDGEHOGCTL_PATH, more, {"HEDGEHOG_ADDRESS=" + daemon.socket()}).wait();
+  }
+  Home home_;
+};
+
+TEST_F(Calibrate, FindsTheSimulatedWindingsAndWritesAFileThatTheDaemonReads) {
+  DaemonProcess daemon(home_, {"--speed", "5"});
+  const Ended ended = calibrate(daemon, {"--name", "ball-7", "--pushed", "x=front,y=left,z=down"});
+  ASSERT_EQ(ended.exit_code, 0) << ended.out << ended.err;
+  const Json file = Json::parse(home_.read("found.json"), nullptr, true, true);
+  EXPECT_EQ(file["name"], "ball-7");
+  constexpr std::array<double, 3> kOhm{0.400, 0.520, 0.463};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(file["r25_ohm"][i].get<double>(), kOhm[i], 0.005 * kOhm[i]) << i;
+  }
+  EXPECT_NEAR(file["inductance_h"].get<double>(), 0.0021, 0.03 * 0.0021);
+  EXPECT_EQ(file["coil_matrix"], Json::parse("[[1,0,0],[0,1,0],[0,0,-1]]"));
+  EXPECT_EQ(file["force_slope_n_a"], 0.0131);
+  EXPECT_EQ(file["limits"]["current_a"], 12);
+  EXPECT_EQ(daemon.stop(), 0);
+
+  home_.configure(R"({"device": "../../found.json"})");
+  const Ended checked = run_daemon(home_, {"--check-config"});
+  EXPECT_EQ(checked.exit_code, 0) << checked.err;
+}
+
+TEST_F(Calibrate, ReplacesNothingUnasked) {
+  DaemonProcess daemon(home_, {"--speed", "5"});
+  home_.write("found.json", "mine");
+  const Ended ended = calibrate(daemon, {});
+  EXPECT_EQ(ended.exit_code, 73);
+  EXPECT_THAT(ended.err, HasSubstr("--force replaces it"));
+  EXPECT_EQ(home_.read("found.json"), "mine");
+  EXPECT_EQ(calibrate(daemon, {"--force", "--pushed", "x=up,y=down"}).exit_code, 64);
+}
+
+TEST_F(Calibrate, CtrlCSwitchesTheCoilsOff) {
+  DaemonProcess daemon(home_);
+  Program running(home_, HEDGEHOGCTL_PATH, {"calibrate", "--out", home_.path("found.json")},
+                  {"HEDGEHOG_ADDRESS=" + daemon.socket()});
+  RawClient watcher(daemon.port());
+  watcher.call("events.subscribe", {{"scope", "all"}, {"types", {"effect_started"}}});
+  watcher.notification("event", "effect_started");
+  running.signal(SIGINT);
+  EXPECT_EQ(running.wait().exit_code, 130);
+  // The daemon may see the end of the connection a moment later.
+  EXPECT_TRUE(eventually([&] { return watcher.call("device.status")["effects"].empty(); }));
+  EXPECT_EQ(home_.read("found.json"), "");
+}
+
+TEST_F(Calibrate, ABallThatIsNotArmedIsNoWindingToMeasureByHand) {
+  DaemonProcess daemon(home_);
+  RawClient(daemon.port()).call("device.emergency_stop");
+  const Ended ended = calibrate(daemon, {});
+  EXPECT_EQ(ended.exit_code, 69);
+  EXPECT_THAT(ended.err, HasSubstr("the ball is disarmed: emergency_stop"));
+  EXPECT_THAT(ended.err, HasSubstr("hedgehogctl arm"));
+  EXPECT_THAT(ended.err, Not(HasSubstr("r25_ohm")));
+}
+
+TEST_F(Calibrate, ABallOfAnotherIsNoWindingToMeasureByHand) {
+  DaemonProcess daemon(home_);
+  RawClient other(daemon.port());
+  other.call("device.claim");
+  const Ended ended = calibrate(daemon, {});
+  EXPECT_EQ(ended.exit_code, 75);
+  EXPECT_THAT(ended.err, HasSubstr("another client has the ball for itself"));
+  EXPECT_THAT(ended.err, Not(HasSubstr("r25_ohm")));
+  EXPECT_EQ(home_.read("found.json"), "");
+}
+
+}  // namespace
+}  // namespace hedgehog::e2e

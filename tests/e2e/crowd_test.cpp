@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// More clients than there are places for.
+#include <gtest/gtest.h>
+
+#include <list>
+
+#include "tests/e2e/daemon_process.h"
+#include "tests/e2e/web_client.h"
+
+namespace hedgehog::e2e {
+namespace {
+
+TEST(Crowd, OnTcpKeepsNobodyFromTheEmergencyStop) {
+  const Home home;
+  home.configure(R"({"connections": {"max": 3}})");
+  DaemonProcess daemon(home);
+  std::list<RawClient> crowd;
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_TRUE(crowd.emplace_back(daemon.port()).call("ping").contains("time_ns"));
+  }
+  EXPECT_EQ(RawClient(daemon.port()).answer()["error"]["code"], -32001);
+
+  WebSocketClient page(daemon.http_port());
+  ASSERT_EQ(page.answer().status, 101);
+  EXPECT_EQ(page.call("device.emergency_stop")["state"], "disarmed");
+  std::list<WebSocketClient> pages;
+  for (int i = 1; i < 8; ++i) {
+    EXPECT_EQ(pages.emplace_back(daemon.http_port()).answer().status, 101);
+  }
+  EXPECT_EQ(WebSocketClient(daemon.http_port()).answer().status, 503);
+  EXPECT_EQ(web_get(daemon.http_port(), "/healthz").status, 200);
+
+  RawClient operators(daemon.socket());
+  EXPECT_EQ(operators.call("device.arm")["state"], "armed");
+  EXPECT_EQ(operators.call("device.emergency_stop")["state"], "disarmed");
+  crowd.clear();
+  pages.clear();
+  EXPECT_EQ(daemon.stop(), 0);
+}
+
+}  // namespace
+}  // namespace hedgehog::e2e

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+// Patterns with a real daemon: what flows, how they end, what is kept, and hedgehogctl's verbs.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "tests/e2e/daemon_process.h"
+#include "tests/e2e/program.h"
+#include "tests/e2e/raw_client.h"
+
+namespace hedgehog::e2e {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr int kUsage = 64;
+constexpr int kBadData = 65;
+constexpr int kNoInput = 66;
+constexpr int kInterrupted = 130;
+
+class Patterns : public testing::Test {
+ protected:
+  Ended ctl(const std::vector<std::string>& arguments) const {
+    return Program(home_, HEDGEHOGCTL_PATH, arguments, {"HEDGEHOG_ADDRESS=" + daemon_.socket()})
+        .wait();
+  }
+  Json currents() { return other_.call("device.status")["current_a"]; }
+
+  Home home_;
+  DaemonProcess daemon_{home_};
+  RawClient other_{daemon_.port()};
+};
+
+TEST_F(Patterns, WhatAPatternSaysFlowsThroughTheCoils) {
+  const Json steps = Json::parse(R"([{"t_ms":0,"direction":"up","level":0.4,"ease":"step"},
+      {"t_ms":400,"direction":"left","level":0.8,"ease":"step"},{"t_ms":800,"level":0}])");
+  RawClient client(daemon_.port());
+  client.call("telemetry.subscribe", {{"rate_hz", 100}, {"fields", {"current_a"}}});
+  other_.call("events.subscribe", {{"scope", "all"}, {"types", {"effect_ended"}}});
+  const Json a = client.call("effect.play", {{"keyframes", steps}, {"current_a", 10}});
+  EXPECT_EQ(a["current_a"], 8.0);
+  double up_a = 0.0;
+  double left_a = 0.0;
+  for (int i = 0; i < 100; ++i) {
+    const Json now = client.notification("telemetry")["current_a"];
+    if (std::abs(now[1].get<double>()) < 0.2) up_a = std::max(up_a, now[2].get<double>());
+    if (std::abs(now[2].get<double>()) < 0.2) left_a = std::max(left_a, now[1].get<double>());
+  }
+  EXPECT_NEAR(up_a, 4.0, 0.2);
+  EXPECT_NEAR(left_a, 8.0, 0.3);
+  EXPECT_EQ(other_.notification("event")["reason"], "completed");
+}
+
+TEST_F(Patterns, ALoopEndsByItsLeaseOrWithItsConnection) {
+  RawClient client(daemon_.port());
+  client.call("events.subscribe");
+  const Json loop{{"pattern", "orbit"}, {"loop", true}, {"lease_ms", 300}};
+  client.call("effect.play", loop);
+  EXPECT_EQ(client.notification("event", "effect_ended")["reason"], "expired");
+
+  other_.call("events.subscribe", {{"scope", "all"}, {"types", {"effect_ended"}}});
+  Json longer = loop;
+  longer["lease_ms"] = 10'000;
+  client.call("effect.play", longer);
+  client.close();
+  EXPECT_EQ(other_.notification("event")["reason"], "disconnected");
+  EXPECT_TRUE(eventually([&] {
+    const Json now = currents();
+    return std::abs(now[0].get<double>()) + std::abs(now[1].get<double>()) < 0.2;
+  }));
+}
+
+TEST_F(Patterns, HedgehogctlListsPlaysPutsGetsAndRemovesThem) {
+  EXPECT_THAT(ctl({"patterns"}).out, HasSubstr("  heartbeat              860 ms  "));
+  const Ended played = ctl({"play", "tick", "left", "--level", "0.5"});
+  EXPECT_EQ(played.exit_code, 0) << played.err;
+  EXPECT_THAT(played.out, HasSubstr("play tick left   7.5 A"));
+  EXPECT_THAT(played.out, HasSubstr("25 ms   completed"));
+  EXPECT_THAT(ctl({"play", "hartbeat"}).err, HasSubstr("did you mean 'heartbeat'?"));
+  EXPECT_EQ(ctl({"play", "orbit", "--loop", "--for", "0.4"}).exit_code, 0);
+
+  home_.write("mine.json", R"({"name":"acme/purr","keyframes":[{"t_ms":0,"level":1},
+                               {"t_ms":60,"level":0}]})");
+  const std::string file = home_.path("mine.json");
+  EXPECT_EQ(ctl({"play", file}).exit_code, 0) << "without putting it";
+  EXPECT_EQ(ctl({"patterns", "put", file}).exit_code, 0);
+  EXPECT_EQ(Json::parse(ctl({"patterns", "get", "acme/purr"}).out)["keyframes"].size(), 2u);
+  EXPECT_THAT(ctl({"--json", "patterns", "list"}).out, HasSubstr("acme/purr"));
+  EXPECT_EQ(ctl({"patterns", "remove", "acme/purr"}).exit_code, 0);
+  EXPECT_THAT(ctl({"patterns", "get", "acme/purr"}).err, HasSubstr("there is no 'acme/purr'"));
+  EXPECT_EQ(ctl({"play", home_.path("none.json")}).exit_code, kNoInput);
+  home_.write("bad.json", R"({"name":"a/b","keyframes":[]})");
+  EXPECT_EQ(ctl({"patterns", "put", home_.path("bad.json")}).exit_code, kBadData);
+}
+
+TEST_F(Patterns, AnAhapIsImportedAndWhatDoesNotMapIsSaid) {
+  home_.write("My Boing!.ahap", R"({"Version":1,"Pattern":[{"Event":{"Time":0,
+      "EventType":"HapticTransient","EventParameters":[
+      {"ParameterID":"HapticIntensity","ParameterValue":0.9},
+      {"ParameterID":"HapticSharpness","ParameterValue":0.4}]}}]})");
+  const std::string file = home_.path("My Boing!.ahap");
+  const Ended shown = ctl({"patterns", "import", file});
+  EXPECT_EQ(shown.exit_code, 0);
+  EXPECT_THAT(shown.err, HasSubstr("HapticSharpness is left out"));
+  EXPECT_EQ(Json::parse(shown.out)["name"], "imported/my-boing-");
+  EXPECT_EQ(ctl({"patterns", "import", file, "--name", "acme/boing", "--put"}).exit_code, 0);
+  EXPECT_EQ(ctl({"play", "acme/boing"}).exit_code, 0);
+  home_.write("no.hjif", "{\"a\":");
+  const Ended bad = ctl({"patterns", "import", home_.path("no.hjif")});
+  EXPECT_EQ(bad.exit_code, kBadData);
+  EXPECT_THAT(bad.err, HasSubstr("not JSON"));
+}
+
+TEST_F(Patterns, WhatIsImportedLongerThanOneEffectLastsSaysHowItIsPlayed) {
+  const auto ahap = [](const std::string& seconds) {
+    return R"({"Version":1,"Pattern":[{"Event":{"Time":0,"EventType":"HapticContinuous",
+        "EventDuration":)" +
+           seconds + R"(,"EventParameters":[
+        {"ParameterID":"HapticIntensity","ParameterValue":0.1}]}}]})";
+  };
+  home_.write("ten.ahap", ahap("10"));
+  home_.write("long.ahap", ahap("30.5"));
+  const std::string too_long =
+      "it takes 30.5 s, one effect 10 s at most: play it with --loop --for 30.5";
+  EXPECT_THAT(ctl({"patterns", "import", home_.path("ten.ahap")}).err, Not(HasSubstr("it takes")));
+  EXPECT_THAT(ctl({"patterns", "import", home_.path("long.ahap")}).err, HasSubstr(too_long));
+  const Ended put = ctl({"patterns", "import", home_.path("long.ahap"), "--put"});
+  EXPECT_EQ(put.exit_code, 0);
+  EXPECT_THAT(put.err, HasSubstr(too_long));
+  EXPECT_EQ(put.out, "imported/long is kept: hedgehogctl play imported/long --loop --for 30.5\n");
+  // What it says is what works: so it plays, and not without.
+  EXPECT_EQ(ctl({"play", "imported/long"}).exit_code, kUsage);
+  Program play(home_, HEDGEHOGCTL_PATH, {"play", "imported/long", "--loop", "--for", "30.5"},
+               {"HEDGEHOG_ADDRESS=" + daemon_.socket()});
+  EXPECT_TRUE(play.says("play imported/long"));
+  play.signal(SIGINT);
+  EXPECT_EQ(play.wait().exit_code, kInterrupted);
+}
+
+TEST(PatternsKept, APatternSurvivesAKilledDaemon) {
+  const Home home;
+  {
+    DaemonProcess daemon(home);
+    RawClient client(daemon.port());
+    client.call("pattern.put",
+                {{"name", "acme/kept"},
+                 {"keyframes", Json::parse(R"([{"t_ms":0,"level":1},{"t_ms":50,"level":0}])")}});
+    daemon.stop(SIGKILL);
+  }
+  DaemonProcess daemon(home);
+  RawClient client(daemon.port());
+  EXPECT_EQ(client.call("pattern.get", {{"name", "acme/kept"}})["duration_ms"], 50);
+}
+
+}  // namespace
+}  // namespace hedgehog::e2e

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// The racing game tells nothing as felt that the daemon does not carry out.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <functional>
+#include <string>
+
+#include "tests/e2e/racing.h"
+#include "tests/e2e/raw_client.h"
+
+namespace hedgehog::e2e {
+namespace {
+
+using racer::Feel;
+using testing::HasSubstr;
+
+TEST(Racer, AFrozenDaemonHoldsUpNoFrameAndIsToldAsSilent) {
+  const Home home;
+  DaemonProcess daemon(home);
+  Feel feel(addresses_of(daemon));
+  ASSERT_TRUE(connects(feel));
+  ASSERT_TRUE(eventually([&] {
+    feel.frame({}, 0.0);
+    return feel.ball().orientation.has_value();
+  }));
+  daemon.signal(SIGSTOP);
+  EXPECT_TRUE(eventually([&] {
+    feel.frame({racer::Hit{{1, 0, 0}, 500.0}}, 20.0);
+    return !feel.ball().connected;
+  }));
+  const auto before = std::chrono::steady_clock::now();
+  for (int frame = 0; frame < kFrames; ++frame) feel.frame({racer::Skid{0.5}}, frame / 60.0);
+  EXPECT_LT(std::chrono::steady_clock::now() - before, kHadTheyWaited / 50);
+  EXPECT_EQ(sentence(feel.ball()), "the daemon is silent");
+  EXPECT_FALSE(feel.ball().orientation.has_value());
+  feel.frame({racer::Hit{{1, 0, 0}, 500.0}, racer::Skid{0.5}}, 30.0);
+  for (const racer::Played& played : feel.played()) EXPECT_FALSE(played.on_the_ball) << played.kind;
+  EXPECT_EQ(feel.summary().pulses, 0);
+  daemon.signal(SIGCONT);
+  EXPECT_TRUE(eventually([&] {
+    feel.frame({}, 100.0);
+    return feel.ball().connected && feel.ball().orientation.has_value();
+  }));
+}
+
+TEST(Racer, ABallThatAnotherClientHasForItselfIsNotToldAsFelt) {
+  const Home home;
+  DaemonProcess daemon(home);
+  RawClient other(daemon.port());
+  other.call("device.claim");
+  Feel feel(addresses_of(daemon));
+  ASSERT_TRUE(connects(feel));
+  feel.frame({racer::Hit{{1, 0, 0}, 500.0}}, 1.0);
+  EXPECT_TRUE(eventually([&] {
+    feel.frame({racer::Skid{0.5}}, 1.1);
+    return !feel.ball().trouble.empty() && feel.answered();
+  }));
+  EXPECT_EQ(sentence(feel.ball()), "another client has the ball for itself");
+  EXPECT_FALSE(feel.played().back().on_the_ball);
+  EXPECT_EQ(feel.summary().pulses, 0);
+  EXPECT_EQ(feel.summary().refused, 1);
+  const Ended lap =
+      Program(home, HEDGEHOG_RACER_PATH, {"lap", "--speed", "20", "--address", daemon.socket()})
+          .wait();
+  EXPECT_EQ(lap.exit_code, 69);
+  EXPECT_THAT(lap.err, HasSubstr("another client has the ball for itself"));
+  other.call("device.release");
+  EXPECT_TRUE(eventually([&] {
+    feel.frame({racer::Skid{0.5}}, 3.0);
+    return feel.ball().trouble.empty() && feel.played().back().on_the_ball;
+  }));
+  feel.frame({racer::Hit{{1, 0, 0}, 500.0}}, 4.0);
+  EXPECT_TRUE(eventually([&] {
+    feel.frame({}, 4.1);
+    return feel.answered();
+  }));
+  EXPECT_EQ(feel.summary().pulses, 1);
+}
+
+TEST(Racer, ABlowThatNobodyWasAskedToPlayIsCountedAsNotFelt) {
+  const Home home;
+  DaemonProcess daemon(home);
+  RawClient other(daemon.port());
+  Feel feel(addresses_of(daemon));
+  ASSERT_TRUE(connects(feel));
+  other.call("device.emergency_stop");
+  ASSERT_TRUE(eventually([&] {
+    feel.frame({}, 0.0);
+    return feel.ball().state == "disarmed";
+  }));
+  feel.frame({racer::Hit{{1, 0, 0}, 500.0}}, 10.0);
+  EXPECT_EQ(feel.summary().refused, 1);
+  daemon.stop(SIGKILL);
+  ASSERT_TRUE(eventually([&] {
+    feel.frame({}, 11.0);
+    return !feel.ball().connected;
+  }));
+  feel.frame({racer::Landing{500.0}}, 20.0);
+  EXPECT_EQ(feel.summary().refused, 2);
+  EXPECT_EQ(feel.summary().pulses, 0);
+}
+
+/// Starts a lap of forty seconds, in four, and takes the ball from it at its first
+/// hit.
+Ended lap_that_loses_the_ball(const Home& home, const std::string& address,
+                              const std::function<void()>& take) {
+  Program lap(home, HEDGEHOG_RACER_PATH,
+              {"lap", "--speed", "10", "--seconds", "40", "--json", "--address", address});
+  EXPECT_TRUE(lap.says(R"("type":"hit")"));
+  take();
+  return lap.wait();
+}
+
+/// Every blow of the lap is in its summary, and some were not felt.
+void expect_every_blow_told(const Ended& ended) {
+  const Json told = Json::parse(ended.out.substr(ended.out.rfind("{\"type\":\"summary\"")));
+  const Json& ball = told["ball"];
+  EXPECT_GT(ball["refused"], 0) << told;
+  EXPECT_EQ(ball["pulses"].get<int>() + ball["refused"].get<int>() + ball["left_out"].get<int>(),
+            told["hits"].get<int>() + told["landings"].get<int>())
+      << told;
+}
+
+TEST(Racer, ALapThatEndsWithoutItsBallSaysSo) {
+  const Home home;
+  DaemonProcess daemon(home);
+  const Ended stopped = lap_that_loses_the_ball(
+      home, daemon.socket(), [&] { RawClient(daemon.port()).call("device.emergency_stop"); });
+  EXPECT_EQ(stopped.exit_code, 69);
+  EXPECT_THAT(stopped.err, HasSubstr("the ball is disarmed"));
+  expect_every_blow_told(stopped);
+
+  RawClient(daemon.port()).call("device.arm");
+  const Ended killed =
+      lap_that_loses_the_ball(home, daemon.socket(), [&] { daemon.stop(SIGKILL); });
+  EXPECT_EQ(killed.exit_code, 69);
+  EXPECT_THAT(killed.err, HasSubstr("no daemon answers"));
+  expect_every_blow_told(killed);
+}
+
+}  // namespace
+}  // namespace hedgehog::e2e

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+// The racing game on a real daemon: what hits the car pushes the ball's pins on that side, and a
+// hot ball is spared, not tripped.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/e2e/daemon_process.h"
+#include "tests/e2e/racing.h"
+#include "tests/e2e/raw_client.h"
+#include "tests/racer/tracks.h"
+
+namespace hedgehog::e2e {
+namespace {
+
+using racer::Feel;
+using racer::Race;
+using racer::Vec3;
+using testing::HasSubstr;
+
+Vec3 vector_of(const Json& xyz) { return {xyz[0], xyz[1], xyz[2]}; }
+
+/// The next push that telemetry tells, as the sum of its samples; then it waits for the silence
+/// after it.
+struct Push {
+  Vec3 current_a{};
+  double most_a = 0.0;
+};
+
+Push next_push(RawClient& observer) {
+  Push push;
+  EXPECT_TRUE(eventually([&] {
+    const Vec3 current = vector_of(observer.notification("telemetry")["current_a"]);
+    push.current_a = push.current_a + current;
+    push.most_a = std::max(push.most_a, norm(current));
+    return push.most_a > 1.0 && norm(current) < 0.05;
+  }));
+  return push;
+}
+
+RawClient& watching(RawClient& observer) {
+  observer.call("telemetry.subscribe", {{"rate_hz", 200}, {"fields", {"current_a"}}});
+  return observer;
+}
+
+/// Drives until something of that kind has happened and was played.
+template <class What>
+What drive_until(Race& race, Feel& feel, const racer::Controls& controls) {
+  for (int step = 0; step < 1200; ++step) {
+    race.step(controls);
+    feel.frame(race.happenings(), race.scene().time_s);
+    for (const racer::Happening& happening : race.happenings()) {
+      if (const auto* what = std::get_if<What>(&happening)) return *what;
+    }
+  }
+  ADD_FAILURE() << "it never happened";
+  return {};
+}
+
+TEST(Racer, AHitFromEachOfEightSidesPushesThere) {
+  const Home home;
+  DaemonProcess daemon(home);
+  RawClient observer(daemon.port());
+  watching(observer);
+  for (int eighth = 0; eighth < 8; ++eighth) {
+    SCOPED_TRACE(45 * eighth);
+    Feel feel(addresses_of(daemon));
+    ASSERT_TRUE(connects(feel));
+    Race race(racer::ball_thrown_from(45.0 * eighth, 100.0, 12.0));
+    const auto hit = drive_until<racer::Hit>(race, feel, {});
+    const Push push = next_push(observer);
+    EXPECT_LT(racer::angle_deg(push.current_a, racer::towards(45.0 * eighth)), 22.5);
+    EXPECT_LT(racer::angle_deg(push.current_a, hit.direction), 5.0);
+    EXPECT_NEAR(push.most_a, racer::strength_of(racer::step_of(hit.impulse_n_s), 2.1, 15.0), 0.5);
+    EXPECT_TRUE(eventually([&] {
+      feel.frame({}, race.scene().time_s);
+      return feel.answered();
+    }));
+    EXPECT_EQ(feel.summary().pulses, 1);
+  }
+}
+
+TEST(Racer, ALandingThumpsAndASkidBuzzesFromBelow) {
+  const Home home;
+  DaemonProcess daemon(home);
+  RawClient observer(daemon.port());
+  watching(observer);
+  Feel feel(addresses_of(daemon));
+  ASSERT_TRUE(connects(feel));
+  racer::Track track = racer::open_ground();
+  track.ramps.push_back({racer::flat_pose(25, 0, 0, 0), 6, 5, 1.0});
+  Race jump(track);
+  drive_until<racer::Landing>(jump, feel, {.throttle = 1.0});
+  EXPECT_LT(racer::angle_deg(next_push(observer).current_a, {0, 0, -1}), 5.0);
+
+  track = racer::open_ground();
+  track.patches.push_back({racer::flat_pose(0, 0, 0, 0), 200, 200, 0.1});
+  Race ice(track);
+  drive_until<racer::Skid>(ice, feel, {.steer = 0.5, .throttle = 1.0});
+  EXPECT_LT(racer::angle_deg(next_push(observer).current_a, {0, 0, -1}), 5.0);
+}
+
+TEST(Racer, WhereTheGroundIsGoesRoundTheBallInATumbleAndAPauseEndsIt) {
+  const Home home;
+  DaemonProcess daemon(home);
+  RawClient observer(daemon.port());
+  watching(observer);
+  Feel feel(addresses_of(daemon));
+  ASSERT_TRUE(connects(feel));
+  for (const Vec3& down : {Vec3{0, 1, 0}, {0, 0.6, 0.8}, {0, 0, 1}, {0, -1, 0}}) {
+    EXPECT_TRUE(eventually([&] {
+      feel.frame({racer::Tumble{down}}, 1.0);
+      const Vec3 current = vector_of(observer.notification("telemetry")["current_a"]);
+      return norm(current) > 3.0 && racer::angle_deg(current, down) < 3.0;
+    }));
+  }
+  feel.pause();
+  EXPECT_TRUE(eventually(
+      [&] { return norm(vector_of(observer.notification("telemetry")["current_a"])) < 0.05; }));
+}
+
+TEST(Racer, GoesOnWithoutADaemonAndIsFeltAgainWhenItIsBack) {
+  const Home home;
+  auto daemon = std::make_unique<DaemonProcess>(home);
+  const auto addresses = addresses_of(*daemon);
+  Feel feel(addresses);
+  ASSERT_TRUE(connects(feel));
+  EXPECT_EQ(daemon->stop(), 0);
+  EXPECT_TRUE(eventually([&] {
+    feel.frame({racer::Hit{{1, 0, 0}, 500.0}}, 1.0);
+    return !feel.ball().connected && !feel.ball().trouble.empty();
+  }));
+  const auto before = std::chrono::steady_clock::now();
+  for (int frame = 0; frame < kFrames; ++frame) feel.frame({racer::Skid{0.5}}, 2.0 + frame / 60.0);
+  EXPECT_LT(std::chrono::steady_clock::now() - before, kHadTheyWaited / 50);
+  daemon = std::make_unique<DaemonProcess>(home);
+  ASSERT_TRUE(connects(feel));
+  RawClient observer(daemon->port());
+  watching(observer);
+  feel.frame({racer::Hit{{0, -1, 0}, 2000.0}}, 30.0);
+  EXPECT_LT(racer::angle_deg(next_push(observer).current_a, {0, -1, 0}), 5.0);
+}
+
+TEST(Racer, ABallThatIsSetToLittleIsPlayedSoftly) {
+  const Home home;
+  home.configure(R"({"limits": {"current_a": 1.5}})");
+  DaemonProcess daemon(home);
+  RawClient observer(daemon.port());
+  watching(observer);
+  Feel feel(addresses_of(daemon));
+  ASSERT_TRUE(connects(feel));
+  feel.frame({racer::Hit{{0, 1, 0}, 8000.0}}, 1.0);
+  const Push push = next_push(observer);
+  EXPECT_LT(racer::angle_deg(push.current_a, {0, 1, 0}), 5.0);
+  EXPECT_LT(push.most_a, 1.7);
+}
+
+Ended run_racer(const Home& home, const std::vector<std::string>& words,
+                const std::string& address = "") {
+  return Program(home, HEDGEHOG_RACER_PATH, words, {"HEDGEHOG_ADDRESS=" + address}).wait();
+}
+
+Json last_line(const std::string& out) {
+  std::istringstream text(out);
+  std::string last;
+  for (std::string line; std::getline(text, line);) last = line;
+  return Json::parse(last);
+}
+
+/// Two minutes on a ball that is so warm at the start; what the summary says of the ball.
+Json two_minutes_from(double start_c) {
+  const Home home;
+  home.configure(R"({"simulator": {"start_temperature_c": )" + std::to_string(start_c) + "}}");
+  // Game and ball keep time each by itself; at this speed a busy machine keeps them together.
+  DaemonProcess daemon(home, {"--speed", "20"});
+  const Ended lap =
+      run_racer(home, {"lap", "--speed", "20", "--seconds", "120", "--json"}, daemon.socket());
+  EXPECT_EQ(lap.exit_code, 0) << lap.err;
+  const Json told = last_line(lap.out);
+  EXPECT_EQ(told["laps"], 4) << told;
+  EXPECT_EQ(told["ball"]["tripped"], false);
+  EXPECT_GT(told["ball"]["pulses"], 20);
+  EXPECT_TRUE(RawClient(daemon.port()).call("device.status")["last_trip"].is_null());
+  return told["ball"];
+}
+
+TEST(Racer, TwoMinutesOnAColdBallAreFeltWhole) {
+  const Json ball = two_minutes_from(25.0);
+  EXPECT_EQ(ball["turned_down_s"], 0.0) << ball;
+  EXPECT_EQ(ball["derated_s"], 0.0) << ball;
+  EXPECT_EQ(ball["least_limit_a"], 15.0) << ball;
+}
+
+TEST(Racer, TwoMinutesOnAHotBallNeverTripItAndTheSummarySaysWhatWasReduced) {
+  const Json ball = two_minutes_from(66.8);
+  EXPECT_GT(ball["turned_down_s"], 5.0) << ball;
+  EXPECT_GT(ball["derated_s"], 0.0) << ball;
+  EXPECT_LT(ball["least_gain"], 0.65) << ball;
+  EXPECT_GE(ball["least_gain"], 0.39) << ball;
+  EXPECT_LT(ball["least_limit_a"], 15.0) << ball;
+}
+
+TEST(Racer, TheLinesOfItsReadmeRun) {
+  const Home home;
+  DaemonProcess daemon(home, {"--speed", "60"});
+  std::ifstream text(std::string(HEDGEHOG_SOURCE_DIR) + "/clients/racer/README.md");
+  int ran = 0;
+  for (std::string line; std::getline(text, line);) {
+    if (line.rfind("    hedgehog-racer lap", 0) != 0) continue;
+    std::istringstream typed(line.substr(0, line.find('#')));
+    std::vector<std::string> words;
+    for (std::string word; typed >> word;) words.push_back(word);
+    words.erase(words.begin());
+    words.insert(words.end(), {"--speed", "60"});
+    const Ended ended = run_racer(home, words, daemon.socket());
+    EXPECT_EQ(ended.exit_code, 0) << line << "\n" << ended.err;
+    EXPECT_FALSE(ended.out.empty());
+    ++ran;
+  }
+  EXPECT_EQ(ran, 3);
+}
+
+TEST(Racer, TellsTheSameOnEveryRun) {
+  const Home home;
+  const Ended first = run_racer(home, {"lap", "--no-ball", "--json", "--seconds", "60"});
+  EXPECT_EQ(first.exit_code, 0);
+  EXPECT_EQ(last_line(first.out)["ball"], nullptr);
+  EXPECT_EQ(run_racer(home, {"lap", "--no-ball", "--json", "--seconds", "60"}).out, first.out);
+}
+
+TEST(Racer, MistakesAreUsageAndNoDaemonIsUnavailable) {
+  const Home home;
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"fly"}, {"lap", "--seconds", "-1"}, {"lap", "--address", "a:b"}}) {
+    EXPECT_EQ(run_racer(home, words).exit_code, 64);
+  }
+  const Ended alone = run_racer(home, {"lap"}, home.path("nobody.sock"));
+  EXPECT_EQ(alone.exit_code, 69);
+  EXPECT_THAT(alone.err, HasSubstr("no daemon answers at " + home.path("nobody.sock")));
+}
+
+}  // namespace
+}  // namespace hedgehog::e2e

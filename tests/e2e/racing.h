@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// The racing game's ball on a real daemon.
+#pragma once
+
+#include <chrono>
+#include <vector>
+
+#include "clients/racer/feel/feel.h"
+#include "tests/e2e/daemon_process.h"
+#include "tests/e2e/program.h"
+
+namespace hedgehog::e2e {
+
+inline std::vector<client::Address> addresses_of(const DaemonProcess& daemon) {
+  return {client::parse_address(daemon.socket()).value()};
+}
+
+/// So many frames, and how long they would take if each waited for the daemon as long as it may.
+inline constexpr int kFrames = 1000;
+inline constexpr auto kHadTheyWaited = kFrames * std::chrono::seconds(1);
+
+inline bool connects(racer::Feel& feel) {
+  return eventually([&] {
+    feel.frame({}, 0.0);
+    return feel.ball().connected;
+  });
+}
+
+}  // namespace hedgehog::e2e

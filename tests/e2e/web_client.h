@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// HTTP and WebSocket written out by hand, so that they can be wrong.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "tests/e2e/raw_client.h"
+
+namespace hedgehog::e2e {
+
+struct WebAnswer {
+  int status = 0;  // 0: closed without an answer
+  std::string head;
+  std::string body;
+  /// Of header `name`, in lower case; empty: there is none.
+  std::string header(std::string_view name) const;
+};
+
+/// One request on a connection of its own. `more`: header lines, each with CRLF.
+WebAnswer web_get(int port, const std::string& target, const std::string& more = "",
+                  const std::string& method = "GET");
+/// Whatever `bytes` get.
+WebAnswer web_say(int port, std::string_view bytes);
+
+class WebSocketClient {
+ public:
+  static constexpr int kText = 1;
+  static constexpr int kBinary = 2;
+  static constexpr int kClose = 8;
+  static constexpr int kPing = 9;
+  static constexpr int kPong = 10;
+
+  /// Says hello; `answer()` tells whether it was let in (101).
+  explicit WebSocketClient(int port, const std::string& more = "");
+  const WebAnswer& answer() const noexcept { return answer_; }
+
+  /// One frame. `last`: of its message.
+  bool frame(int opcode, std::string_view payload, bool last = true);
+  bool text(std::string_view message) { return frame(kText, message); }
+
+  struct Frame {
+    int opcode = 0;
+    std::string payload;
+  };
+  /// The next one but pings, which are answered. nullopt: the daemon has closed.
+  std::optional<Frame> next();
+  /// Sends a request and returns its result or error; notifications in between are skipped.
+  Json call(const std::string& method, const Json& params = Json::object());
+  Json json();
+  RawClient& socket() noexcept { return socket_; }
+
+ private:
+  std::optional<Frame> any();
+
+  RawClient socket_;
+  WebAnswer answer_;
+  int next_id_ = 0;
+};
+
+}  // namespace hedgehog::e2e

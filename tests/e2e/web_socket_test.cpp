@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// /ws is the same protocol as TCP, mistakes included.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/e2e/web_fixture.h"
+
+namespace hedgehog::e2e {
+namespace {
+
+constexpr std::size_t kLine = 65'536;
+const std::string kPing = R"({"jsonrpc":"2.0","id":1,"method":"ping"})";
+
+using WebSocket = Web;
+
+TEST_F(WebSocket, SpeaksTheSameProtocolAsTcp) {
+  WebSocketClient web(daemon_.http_port());
+  RawClient tcp(daemon_.port());
+  ASSERT_EQ(web.answer().status, 101);
+  Json hello = web.call("hello", {{"client", "page"}});
+  EXPECT_EQ(hello["role"], "operate");
+  hello.erase("connection");
+  Json other = tcp.call("hello", {{"client", "page"}});
+  other.erase("connection");
+  EXPECT_EQ(hello, other);
+  for (const std::string line :
+       {"{", "", "[]", "{}", R"({"jsonrpc":"2.0","id":1,"method":"no.such"})",
+        R"([{"jsonrpc":"2.0","id":1,"method":"no.such"},7])",
+        R"({"jsonrpc":"2.0","id":7,"method":"effect.pulse","params":{"direction":"sideways"}})",
+        R"({"jsonrpc":"2.0","id":7,"method":"effect.stop","params":{"effect":9}})"}) {
+    web.text(line);
+    tcp.send(line + "\n");
+    EXPECT_EQ(web.json(), tcp.answer()) << line;
+  }
+  const Json info = tcp.call("connection.list")["connections"];
+  ASSERT_EQ(info.size(), 2u);
+  EXPECT_EQ(info[0]["transport"], "websocket");
+  EXPECT_EQ(info[0]["client"], "page");
+  EXPECT_EQ(metric(R"(hedgehog_connections{device="ball",transport="websocket"})"), 1);
+}
+
+TEST_F(WebSocket, AMessageMayComeInFragmentsWithAPingInBetween) {
+  WebSocketClient web(daemon_.http_port());
+  web.frame(WebSocketClient::kText, kPing.substr(0, 9), false);
+  web.frame(WebSocketClient::kPing, "are you there");
+  web.frame(0, kPing.substr(9, 1), false);
+  web.frame(0, kPing.substr(10));
+  const auto pong = web.next();
+  ASSERT_TRUE(pong);
+  EXPECT_EQ(pong->opcode, WebSocketClient::kPong);
+  EXPECT_EQ(pong->payload, "are you there");
+  EXPECT_TRUE(web.json()["result"].contains("time_ns"));
+}
+
+TEST_F(WebSocket, AMessageOf64KiBIsServedAndALongerOneIsToldOnce) {
+  WebSocketClient web(daemon_.http_port());
+  web.text(kPing + std::string(kLine - kPing.size(), ' '));
+  EXPECT_TRUE(web.json().contains("result"));
+  web.text(kPing + std::string(kLine + 1 - kPing.size(), ' '));
+  EXPECT_EQ(web.json()["error"]["code"], -32700);
+  // A megabyte, in pieces; nothing of it is kept.
+  for (int i = 0; i < 64; ++i) {
+    web.frame(i == 0 ? WebSocketClient::kText : 0, std::string(16 * 1024, 'x'), i == 63);
+  }
+  EXPECT_EQ(web.json()["error"]["code"], -32700);
+  EXPECT_TRUE(web.call("ping").contains("time_ns"));
+}
+
+TEST_F(WebSocket, WhatIsNoWebSocketEndsTheConnectionOnly) {
+  WebSocketClient binary(daemon_.http_port());
+  binary.frame(WebSocketClient::kBinary, "{}");
+  EXPECT_EQ(binary.next().value_or(WebSocketClient::Frame{}).opcode, WebSocketClient::kClose);
+  WebSocketClient broken(daemon_.http_port());
+  broken.socket().send(std::string(20, '\xff'));
+  const auto end = broken.next();
+  EXPECT_TRUE(!end || end->opcode == WebSocketClient::kClose);
+  WebSocketClient unmasked(daemon_.http_port());
+  unmasked.socket().send(std::string("\x81\x02{}"));
+  const auto closed = unmasked.next();
+  EXPECT_TRUE(!closed || closed->opcode == WebSocketClient::kClose);
+  EXPECT_EQ(get("/healthz").status, 200);
+}
+
+TEST_F(WebSocket, EffectsEndWithTheirSocketHoweverItEnds) {
+  RawClient watcher(daemon_.port());
+  watcher.call("events.subscribe", {{"scope", "all"}, {"types", {"effect_ended"}}});
+  const Json hold{{"direction", "left"}, {"lease_ms", 10000}};
+  const auto ended = [&] { return watcher.notification("event")["reason"]; };
+  {
+    WebSocketClient web(daemon_.http_port());
+    web.call("effect.hold", hold);
+  }
+  EXPECT_EQ(ended(), "disconnected");
+  {
+    WebSocketClient web(daemon_.http_port());
+    web.call("effect.hold", hold);
+    web.socket().half_close();
+    EXPECT_EQ(ended(), "disconnected");
+  }
+  WebSocketClient web(daemon_.http_port());
+  web.call("effect.hold", hold);
+  web.frame(WebSocketClient::kClose, std::string("\x03\xe8", 2));
+  EXPECT_EQ(ended(), "disconnected");
+  EXPECT_EQ(web.next().value_or(WebSocketClient::Frame{}).opcode, WebSocketClient::kClose);
+}
+
+TEST_F(WebSocket, AShutdownIsSaidAndTheSocketClosed) {
+  WebSocketClient web(daemon_.http_port());
+  web.call("events.subscribe", {{"types", {"shutting_down"}}});
+  daemon_.signal(SIGTERM);
+  EXPECT_EQ(web.json()["params"]["type"], "shutting_down");
+  const auto bye = web.next();
+  ASSERT_TRUE(bye);
+  EXPECT_EQ(bye->opcode, WebSocketClient::kClose);
+  EXPECT_EQ(daemon_.stop(), 0);
+}
+
+}  // namespace
+}  // namespace hedgehog::e2e

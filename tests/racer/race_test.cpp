@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+// The car on the road: it goes where it is steered, slides where the road is slippery, flies, lands
+// and turns over, and does the same every time.
+#include <gtest/gtest.h>
+
+#include <utility>
+
+#include "clients/racer/game/car.h"
+#include "clients/racer/game/driver.h"
+#include "clients/racer/game/laps.h"
+#include "tests/racer/tracks.h"
+
+namespace hedgehog::racer {
+namespace {
+
+TEST(Car, GoesWhereItIsSteered) {
+  for (const double steer : {-0.3, 0.3}) {
+    Race race(open_ground());
+    drive<Hit>(race, 3.0, {.steer = steer, .throttle = 0.5});
+    EXPECT_GT(race.scene().speed_mps, 4.0);
+    // The left is y.
+    EXPECT_LT(steer * race.scene().car.position.y, -1.0);
+  }
+}
+
+TEST(Car, BrakesAndThenReverses) {
+  Race race(open_ground());
+  drive<Hit>(race, 3.0, {.throttle = 1.0});
+  const double fast = race.scene().speed_mps;
+  drive<Hit>(race, 0.5, {.brake = 1.0});
+  EXPECT_LT(race.scene().speed_mps, fast - 3.0);
+  drive<Hit>(race, 5.0, {.brake = 1.0});
+  EXPECT_LT(race.scene().speed_mps, -1.0);
+}
+
+TEST(Car, TakesControlsBeyondTheirRangesAsTheNearestAllowed) {
+  Race race(open_ground());
+  race.step({.steer = -7, .throttle = 2, .brake = -1});
+  EXPECT_EQ(race.scene().controls, (Controls{.steer = -1, .throttle = 1, .brake = 0}));
+  race.step({.steer = std::nan(""), .throttle = 0, .brake = 0});
+  EXPECT_EQ(race.scene().controls, Controls{});
+}
+
+/// Accelerates straight on and then rolls into a gentle bend.
+double most_skid(const Track& track) {
+  Race race(track);
+  drive<Skid>(race, 3.0, {.throttle = 1.0});
+  double most = 0.0;
+  for (const auto& skid : drive<Skid>(race, 1.0, {.steer = 0.15})) {
+    most = std::max(most, skid.what.amount);
+  }
+  return most;
+}
+
+TEST(Car, SkidsOnASlipperyPatchMoreThanOnTheDryRoad) {
+  Track icy = open_ground();
+  icy.patches.push_back({flat_pose(30, 0, 0, 0), 60, 40, 0.1});
+  EXPECT_LT(most_skid(open_ground()), 0.2);
+  EXPECT_GT(most_skid(icy), 0.4);
+}
+
+TEST(Car, FliesOverARampAndLandsHarderFromAHigherOne) {
+  double before = 0.0;
+  for (const double height : {0.5, 1.2}) {
+    Track track = open_ground();
+    track.ramps.push_back({flat_pose(25, 0, 0, 0), 6, 5, height});
+    Race race(track);
+    const auto landings = drive<Landing>(race, 7.0, {.throttle = 1.0});
+    ASSERT_FALSE(landings.empty()) << height;
+    EXPECT_GT(landings.front().what.impulse_n_s, 1.2 * before);
+    before = landings.front().what.impulse_n_s;
+  }
+}
+
+/// The wheels of one side go up, and the car over.
+Track corkscrew() {
+  Track track = open_ground();
+  track.ramps.push_back({flat_pose(25, 0.9, 0, 0), 5, 1.4, 1.6});
+  return track;
+}
+
+TEST(Car, TurnsOverWithTheGroundGoingRound) {
+  Race race(corkscrew());
+  const auto tumbles = drive<Tumble>(race, 6.0, {.throttle = 1.0});
+  ASSERT_FALSE(tumbles.empty());
+  double farthest = 0.0;
+  for (const auto& [time_s, tumble] : tumbles) {
+    EXPECT_NEAR(norm(tumble.down), 1.0, 1e-5);
+    farthest = std::max(farthest, angle_deg(tumble.down, {0, 0, -1}));
+  }
+  // It sweeps, it does not jump: told in every step, and at most 12 degrees further each time.
+  for (std::size_t i = 1; i < tumbles.size() && tumbles[i].time_s < tumbles[0].time_s + 0.5; ++i) {
+    EXPECT_LT(angle_deg(tumbles[i].what.down, tumbles[i - 1].what.down), 12.0);
+  }
+  EXPECT_GT(farthest, 85.0);
+}
+
+TEST(Car, ThatLiesOnItsRoofIsPutBack) {
+  Track track = open_ground();
+  track.start.position.z = 0.5;
+  track.start.orientation = model::axis_angle({1, 0, 0}, 180);
+  Race race(track);
+  EXPECT_FALSE(drive<Tumble>(race, 1.0, {}).empty());
+  EXPECT_TRUE(drive<Landing>(race, 1.0, {}).empty());
+  EXPECT_FALSE(drive<Reset>(race, 5.0, {}).empty());
+}
+
+TEST(Car, ThatIsPutBackStandsOnTheRoadBeforeTheJumpAndWhatIsInTheWay) {
+  const Track home = home_track();
+  const Pose jump = home.ramps.front().pose;
+  Track on_the_jump = home;
+  on_the_jump.start = {jump.position + rotate(jump.orientation, {4, 0, 1}), jump.orientation};
+  Track in_a_crate = home;
+  in_a_crate.start = home.obstacles.front().pose;
+  in_a_crate.start.position.z = 2.0;
+  for (const Track& track : {on_the_jump, in_a_crate}) {
+    Race race(track);
+    race.recover();
+    EXPECT_NEAR(race.scene().car.position.z, kCarStandsAt, 1e-6);
+    const Vec3 stood = race.scene().car.position;
+    EXPECT_TRUE(drive<Hit>(race, 1.0, {}).empty());
+    EXPECT_NEAR(race.scene().car.position.z, kCarStandsAt, 0.05);
+    EXPECT_LT(norm(race.scene().car.position - stood), 0.2);
+    EXPECT_LT(norm(stood - track.start.position), 15.0);
+  }
+}
+
+struct Lived {
+  std::vector<std::pair<double, Happening>> happenings;
+  Scene end;
+  friend bool operator==(const Lived&, const Lived&) = default;
+};
+
+Lived live(Race& race, double seconds) {
+  Lived lived;
+  Driver driver;
+  while (race.scene().time_s < seconds) {
+    race.step(driver.drive(race.scene(), race.track()));
+    for (const Happening& happening : race.happenings()) {
+      if (!std::holds_alternative<Reset>(happening)) {
+        lived.happenings.emplace_back(race.scene().time_s, happening);
+      }
+    }
+  }
+  lived.end = race.scene();
+  return lived;
+}
+
+template <class What>
+std::vector<What> all(const Lived& lived) {
+  std::vector<What> found;
+  for (const auto& [time_s, happening] : lived.happenings) {
+    if (const auto* what = std::get_if<What>(&happening)) found.push_back(*what);
+  }
+  return found;
+}
+
+TEST(TheDriver, LivesTheSameEveryTimeBitForBit) {
+  Race race(home_track());
+  const Lived first = live(race, 40.0);
+  EXPECT_GT(first.happenings.size(), 100U);
+  Race other(home_track());
+  EXPECT_EQ(live(other, 40.0), first);
+}
+
+TEST(TheDriver, FinishesFourLapsInTwoMinutesAndFeelsEverything) {
+  Race race(home_track());
+  const Lived lived = live(race, 120.0);
+  EXPECT_EQ(all<LapDone>(lived).size(), 4U);
+  EXPECT_GE(all<Landing>(lived).size(), 4U);
+  EXPECT_GT(all<Skid>(lived).size(), 300U);
+  int left = 0;
+  int right = 0;
+  int front = 0;
+  int back = 0;
+  for (const Hit& hit : all<Hit>(lived)) {
+    left += hit.direction.y > 0.5 ? 1 : 0;
+    right += hit.direction.y < -0.5 ? 1 : 0;
+    front += hit.direction.x > 0.9 ? 1 : 0;
+    back += hit.direction.x < -0.5 ? 1 : 0;
+  }
+  EXPECT_GE(left, 4);
+  EXPECT_GE(right, 4);
+  EXPECT_GE(front, 2);
+  EXPECT_GE(back, 2);
+  EXPECT_EQ(lived.end.lap, 5);
+  EXPECT_LT(lived.end.best_lap_s.value_or(99), 30.0);
+}
+
+TEST(TheDriver, BacksOutOfAWall) {
+  Track track = home_track();
+  // Nose to the wall, across the road.
+  track.start.orientation = model::axis_angle({0, 0, 1}, 90);
+  track.start.position.y += 3.0;
+  Race race(track);
+  const Lived lived = live(race, 45.0);
+  EXPECT_EQ(all<LapDone>(lived).size(), 1U);
+}
+
+TEST(Lap, IsTheWholeWayRoundWithoutShortCuts) {
+  const std::vector<Vec3> centre = home_track().centre;
+  Laps round;
+  Laps across;
+  int rounds = 0;
+  int crossings = 0;
+  for (std::size_t i = 0; i <= centre.size(); ++i) {
+    const Vec3& here = centre[i % centre.size()];
+    rounds += round.take(centre, here) ? 1 : 0;
+    // Half the way, and then straight over the grass to the other half.
+    if (i < centre.size() / 4 || i > centre.size() / 2)
+      crossings += across.take(centre, here) ? 1 : 0;
+  }
+  EXPECT_EQ(rounds, 1);
+  EXPECT_EQ(crossings, 0);
+}
+
+TEST(Lap, EndsAtTheFirstPointAfterAShortCutToo) {
+  const std::vector<Vec3> centre = home_track().centre;
+  const std::size_t count = centre.size();
+  Laps laps;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i >= count / 4 && i <= count / 2) continue;
+    EXPECT_FALSE(laps.take(centre, centre[i]));
+  }
+  EXPECT_FALSE(laps.take(centre, centre[0]));
+  for (int lap = 1; lap <= 3; ++lap) {
+    for (std::size_t i = 1; i < count; ++i) EXPECT_FALSE(laps.take(centre, centre[i])) << i;
+    EXPECT_TRUE(laps.take(centre, centre[0]));
+    EXPECT_EQ(laps.done(), lap);
+  }
+}
+
+TEST(Lap, IsNotDrivenBackwards) {
+  Track track = home_track();
+  Race race(track);
+  EXPECT_TRUE(drive<LapDone>(race, 6.0, {.brake = 1.0}).empty());
+  // Across the line again.
+  EXPECT_TRUE(drive<LapDone>(race, 4.0, {.throttle = 1.0}).empty());
+  EXPECT_EQ(race.scene().lap, 1);
+}
+
+}  // namespace
+}  // namespace hedgehog::racer

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// Small tracks, each for one happening, and a car that is driven over them without a clock.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <variant>
+#include <vector>
+
+#include "clients/racer/game/race.h"
+
+namespace hedgehog::racer {
+
+inline constexpr double kDegree = 3.14159265358979323846 / 180.0;
+
+inline Vec3 towards(double azimuth_deg) {
+  return {std::cos(azimuth_deg * kDegree), std::sin(azimuth_deg * kDegree), 0};
+}
+
+inline double angle_deg(const Vec3& a, const Vec3& b) {
+  return std::acos(std::clamp(dot(a, b) / (norm(a) * norm(b)), -1.0, 1.0)) / kDegree;
+}
+
+/// Nothing but ground; the car at the origin looks along x.
+inline Track open_ground() { return {}; }
+
+/// A heavy ball flies at the middle of the resting car.
+inline Track ball_thrown_from(double azimuth_deg, double mass_kg, double speed_mps) {
+  Track track = open_ground();
+  const Vec3 from = towards(azimuth_deg);
+  const Vec3 start = 5.0 * from + Vec3{0, 0, 1.1};
+  track.obstacles.push_back(
+      {Shape::kBall, {start, {}}, {0.35, 0.35, 0.35}, mass_kg, -speed_mps * from});
+  return track;
+}
+
+template <class What>
+struct At {
+  double time_s = 0.0;
+  What what{};
+};
+
+/// Drives for `seconds`; every happening of that kind.
+template <class What>
+std::vector<At<What>> drive(Race& race, double seconds, const Controls& controls) {
+  std::vector<At<What>> found;
+  for (double end = race.scene().time_s + seconds; race.scene().time_s < end;) {
+    race.step(controls);
+    for (const Happening& happening : race.happenings()) {
+      if (const auto* what = std::get_if<What>(&happening)) {
+        found.push_back({race.scene().time_s, *what});
+      }
+    }
+  }
+  return found;
+}
+
+}  // namespace hedgehog::racer

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Heat while control itself is late: what must hold for so many milliseconds, and what is known of
+// the ball, go by the clock and not by the step.
+#include "tests/safety/safe.h"
+
+namespace hedgehog::safety {
+namespace {
+
+using control::Reason;
+
+// Control that comes at every second, tenth, nineteenth tick only; the link holds the set-point.
+class LateAndHot : public ::testing::TestWithParam<int> {};
+
+TEST_P(LateAndHot, TheWatchdogStillTripsAtSeventy) {
+  rig::Rig rig(without_limiter());
+  rig.run_until_armed();
+  rig.start(rig::hold({0, 1, 0}, 15.0, 60'000));
+  rig.run(10);
+  while (rig.now() < 60'000 && rig.controller().state() == control::State::kArmed) {
+    rig.skip_control(GetParam());
+    rig.tick();
+  }
+  expect_tripped(rig, Reason::kOverheated);
+  EXPECT_GT(rig.plant().hottest_winding_c(), 69.5);
+  EXPECT_LT(rig.plant().hottest_winding_c(), 70.6);
+}
+
+TEST_P(LateAndHot, WhatIsKnownOfTheBallKeepsUp) {
+  rig::Rig rig;
+  rig.run_until_armed();
+  rig.start(rig::hold({1, 1, 1}, 9.0, 60'000));
+  rig.run(10);
+  double worst_core_k = 0.0;
+  double worst_winding_k = 0.0;
+  while (rig.now() < 45'000) {
+    rig.skip_control(GetParam());
+    rig.tick();
+    const model::ThermalState known = rig.controller().thermal().nodes;
+    const model::ThermalState real = rig.plant().heat();
+    worst_core_k = std::max(worst_core_k, std::abs(known.core_c - real.core_c));
+    for (std::size_t coil = 0; coil < model::kCoils; ++coil) {
+      const double error_k = known.winding_c[coil] - real.winding_c[coil];
+      worst_winding_k = std::max(worst_winding_k, std::abs(error_k));
+    }
+  }
+  EXPECT_EQ(name(rig.controller().state()), "armed");
+  EXPECT_GT(rig.plant().heat().core_c, 28.0);
+  // A current that is rounded to 1 mA may look 0.02 K off for ever, and the core is learnt by that.
+  EXPECT_LT(worst_core_k, 1.0);
+  EXPECT_LT(worst_winding_k, 0.5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Gap, LateAndHot, ::testing::Values(1, 9, 18));
+
+}  // namespace
+}  // namespace hedgehog::safety

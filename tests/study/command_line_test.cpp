@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// What the command line refuses before anything is done.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <vector>
+
+#include "clients/study/command_line.h"
+#include "clients/study/problem.h"
+#include "tests/temporary_folder.h"
+
+namespace hedgehog::study {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// In an empty folder, where nothing may have come into being afterwards.
+int asked(std::vector<const char*> words) {
+  const TemporaryFolder empty;
+  const fs::path before = fs::current_path();
+  words.insert(words.begin(), {"hedgehog-study", "-C", empty.path().c_str()});
+  const int code = run_command_line(static_cast<int>(words.size()), words.data());
+  fs::current_path(before);
+  EXPECT_TRUE(fs::is_empty(empty.path()));
+  return code;
+}
+
+TEST(CommandLine, TakesFiniteNumbersWithinTheirRange) {
+  for (const char* wrong : {"nan", "-nan", "inf", "0", "16", "1e400"}) {
+    EXPECT_EQ(asked({"levels", "--threshold-a", wrong}), EX_USAGE) << wrong;
+  }
+  for (const char* option : {"--force-percent", "--speed-percent"}) {
+    EXPECT_EQ(asked({"levels", option, "nan"}), EX_USAGE) << option;
+  }
+  EXPECT_EQ(asked({"levels", "--threshold-a", "2.1"}), 0);
+  // Before it is looked for a study, of which there is none.
+  for (const char* wrong : {"nan", "9", "31"}) {
+    EXPECT_EQ(asked({"run", "force-jnd", "--participant", "P01", "--hand-size", wrong}), EX_USAGE)
+        << wrong;
+  }
+  EXPECT_EQ(asked({"run", "force-jnd", "--participant", "P01", "--hand-size", "18.4"}), EX_NOINPUT);
+}
+
+TEST(CommandLine, MakesNoStudyInAFolderWithoutAName) { EXPECT_EQ(asked({"plan", ""}), EX_USAGE); }
+
+}  // namespace
+}  // namespace hedgehog::study

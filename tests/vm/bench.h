@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// What the tests in the guest stand on: the emulator and the daemon as processes, time as the guest
+// counts it, and the table of figures.
+#pragma once
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/types.h>
+
+#include <csignal>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tests/e2e/daemon_process.h"
+#include "tests/e2e/raw_client.h"
+
+namespace hedgehog::vm {
+
+using e2e::Home;
+using e2e::Json;
+using e2e::RawClient;
+
+/// CLOCK_MONOTONIC of the guest, which counts instructions: it stands still while the host is busy.
+double now_ms();
+/// Looks every 4 ms (later on, 50 ms) until `done`, for up to a minute of the guest's; false: it
+/// never was.
+bool eventually(const std::function<bool()>& done);
+void pause_ms(int milliseconds);
+/// What a shell says to it, both streams; REQUIRES that it ends by itself.
+std::string shell(const std::string& command);
+
+/// A line of the table that is printed after the last test.
+void figure(const std::string& what, double value, const std::string& unit);
+
+/// A child; killed at the end if it still runs.
+class Child {
+ public:
+  /// `user`: who it runs as; empty: root. Its output goes to the file `log`.
+  Child(const std::vector<std::string>& words, const std::vector<std::string>& environment,
+        const std::string& log, const std::string& user = "");
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+  ~Child();
+
+  pid_t pid() const noexcept { return pid_; }
+  bool ended();
+  /// Sends `signal` and waits for the end; the exit code, -1 when a signal ended it.
+  int stop(int signal = SIGTERM);
+
+ private:
+  pid_t pid_ = -1;
+};
+
+/// hedgehog-usbip on this guest's ports.
+class Emulator {
+ public:
+  /// `devices`: as on its command line.
+  Emulator(const Home& home, std::vector<std::string> devices);
+
+  /// The answer to a command.
+  std::string tell(const std::string& command) const;
+  /// Tells, and expects "ok".
+  void ok(const std::string& command) const { EXPECT_EQ(tell(command), "ok") << command; }
+  Json status(const std::string& device) const { return Json::parse(tell("status " + device)); }
+  /// The norm of the true currents.
+  double current_a() const;
+  /// The newest of that event in the board's trace.
+  Json last(const std::string& event) const;
+
+ private:
+  const Home& home_;
+  std::unique_ptr<Child> child_;
+};
+
+/// hedgehogd on real devices, and a client on its Unix socket, so of role operate.
+class Daemon {
+ public:
+  /// `variables`: NAME=VALUE on top of the home's.
+  explicit Daemon(const Home& home, const std::string& user = "",
+                  const std::vector<std::string>& variables = {});
+
+  RawClient& client() { return *client_; }
+  Json call(const std::string& method, const Json& params = Json::object()) {
+    return client_->call(method, params);
+  }
+  Json status() { return call("device.status"); }
+  std::string state() { return status()["state"]; }
+  bool is(const std::string& state) {
+    return eventually([&] { return this->state() == state; });
+  }
+  bool logs(const std::string& text) const;
+  std::string log() const { return home_.read("log"); }
+  /// Arms it as a person would: again until it is.
+  void arm();
+  /// A pulse upwards that has to end completed; the largest current that flowed, by the board.
+  double pulse(const Emulator& emulator, double current_a, int duration_ms);
+
+  int stop(int signal = SIGTERM) { return child_->stop(signal); }
+  pid_t pid() const noexcept { return child_->pid(); }
+
+  /// Of the process: open descriptors, KiB that it has written to, CPU time in ms.
+  int descriptors() const;
+  int memory_kib() const;
+  double cpu_ms() const;
+
+ private:
+  const Home& home_;
+  std::unique_ptr<Child> child_;
+  std::unique_ptr<RawClient> client_;
+};
+
+/// What the emulator can be, in its words.
+inline const std::vector<std::string> kEveryDevice{"board,unplugged", "mti,unplugged",
+                                                   "hid-sensor,unplugged", "dualsense,unplugged",
+                                                   "temper,unplugged"};
+
+/// A home, and the emulator in it with everything unplugged.
+class Bench : public testing::Test {
+ protected:
+  explicit Bench(std::vector<std::string> devices = {"board,unplugged"});
+  /// The daemon's configuration: the board by USB, and what `more` says.
+  void configure(const Json& more = Json::object()) const;
+
+  Home home_;
+  std::optional<Emulator> emulator_;
+};
+
+}  // namespace hedgehog::vm

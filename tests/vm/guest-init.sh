@@ -1,0 +1,30 @@
+#!/bin/busybox sh
+# SPDX-License-Identifier: MIT
+# shellcheck shell=dash
+# First process of the guest: makes the host's files its root, below a layer of memory that takes what is written.
+/bin/busybox --install -s /bin
+mount -t proc proc /proc
+mount -t sysfs sysfs /sys
+mount -t devtmpfs dev /dev
+for module in /modules/*; do insmod "$module"; done
+
+# Shared folders: tag, place, options.
+share() { mount -t 9p -o "trans=virtio,version=9p2000.L,msize=524288,$3" "$1" "$2" || poweroff -f; }
+share host /host ro,cache=loose
+mount -t tmpfs -o mode=755 memory /memory
+mkdir /memory/written /memory/work
+mount -t overlay -o lowerdir=/host,upperdir=/memory/written,workdir=/memory/work guest /guest || poweroff -f
+mount -t tmpfs -o mode=755 run /guest/run
+mkdir -p /guest/run/vm /guest/run/lock /dev/pts /dev/shm
+share talk /guest/run/vm rw
+read -r writable </guest/run/vm/writable
+if [ -n "$writable" ]; then
+  mkdir -p "/guest$writable"
+  share writable "/guest$writable" rw,cache=mmap
+fi
+mount -t devpts devpts /dev/pts
+mount -t tmpfs -o mode=1777 shm /dev/shm
+ln -s /proc/self/fd /dev/fd
+ifconfig lo 127.0.0.1 up
+for place in proc sys dev; do mount --move "/$place" "/guest/$place"; done
+exec switch_root /guest /bin/bash /run/vm/main

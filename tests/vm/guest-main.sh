@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: MIT
+# shellcheck shell=bash
+# On the host's files: modules, udev, the command, the end. Sourced by nobody; guest-init starts it as process 1.
+exec </dev/null >/dev/ttyS0 2>&1
+mkdir -p /lib/modules
+mount --bind "$(</run/vm/kernel)/lib/modules" /lib/modules
+modprobe -a vhci-hcd usbhid hid-generic
+/lib/systemd/systemd-udevd --daemon
+udevadm trigger --action=add --subsystem-match=usb --subsystem-match=hid --subsystem-match=hidraw
+udevadm settle
+
+# The second serial line is the command's output, as it is.
+stty -F /dev/ttyS1 raw -echo
+setsid bash /run/vm/command </dev/null >/dev/ttyS1 2>&1
+echo $? >/run/vm/exit
+stty -F /dev/ttyS1 raw # returns when everything has left
+sync
+/run/vm/busybox poweroff -f

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Debian's Chromium, without a screen, with WebGL in software. Nothing is downloaded.
+import { existsSync } from "node:fs";
+import { createRequire } from "node:module";
+
+const require = createRequire(`${process.env.HEDGEHOG_NODE_MODULES}/`);
+const { chromium } = require("playwright-core");
+export const kAxe = require.resolve("axe-core/axe.min.js");
+
+const kChromium = process.env.CHROMIUM ?? ["/usr/bin/chromium", "/usr/bin/chromium-browser"].find(existsSync);
+
+export const kDesktop = { viewport: { width: 1360, height: 860 } };
+export const kPhone = { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, isMobile: true, hasTouch: true };
+
+export function launch() {
+  return chromium.launch({
+    executablePath: kChromium,
+    args: ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking",
+      "--disable-component-update", "--disable-sync", "--enable-unsafe-swiftshader", "--host-resolver-rules=MAP *.example 127.0.0.1"],
+  });
+}
+
+/** What went wrong on the pages of a test: their own errors always, the browser's complaints unless they are expected. */
+export class Complaints {
+  errors = [];
+  /** For a test that kills what the page talks to, or has it refused. */
+  expected = false;
+
+  watch(page) {
+    page.on("pageerror", (error) => this.errors.push(error.stack));
+    page.on("console", (message) => {
+      if (message.type() === "error" && !this.expected) this.errors.push(message.text());
+    });
+  }
+
+  /** Those of the test that ended; the next one begins anew. */
+  take() {
+    const { errors } = this;
+    this.errors = [];
+    this.expected = false;
+    return errors;
+  }
+}

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// A real hedgehogd with folders of its own, for the browser to talk to.
+import { spawn } from "node:child_process";
+import { mkdtempSync, mkdirSync, rmSync, writeFileSync } from "node:fs";
+import net from "node:net";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+
+const kProgram = process.env.HEDGEHOGD;
+
+export class Daemon {
+  /** Listens on free ports; a `port` given is the HTTP one. In lock-step: a busy machine skips no tick. */
+  static async start({ port = 0, config = {}, more = [] } = {}) {
+    const daemon = new Daemon();
+    daemon.home = mkdtempSync(join(tmpdir(), "hedgehog-web-"));
+    mkdirSync(join(daemon.home, "config/hedgehog"), { recursive: true });
+    const settings = port ? { ...config, http: { listen: `127.0.0.1:${port}` } } : config;
+    writeFileSync(join(daemon.home, "config/hedgehog/hedgehogd.json"), JSON.stringify(settings));
+    daemon.process = spawn(kProgram, ["--simulate", "--speed", "1", "--listen", "127.0.0.1:0", "--log-level", "error", ...more], {
+      env: { PATH: process.env.PATH, HOME: daemon.home, XDG_CONFIG_HOME: `${daemon.home}/config`,
+        XDG_STATE_HOME: `${daemon.home}/state`, XDG_RUNTIME_DIR: `${daemon.home}/run` },
+      stdio: ["ignore", "pipe", "inherit"],
+    });
+    let out = "";
+    await new Promise((resolve, reject) => {
+      daemon.process.stdout.on("data", (text) => {
+        out += text;
+        if (out.includes("listening on /")) resolve();
+      });
+      daemon.process.on("exit", () => reject(new Error(`hedgehogd does not start: ${out}`)));
+    });
+    daemon.port = Number(/http:\/\/127\.0\.0\.1:(\d+)/.exec(out)[1]);
+    daemon.tcp = Number(/listening on 127\.0\.0\.1:(\d+)/.exec(out)[1]);
+    daemon.url = `http://127.0.0.1:${daemon.port}`;
+    return daemon;
+  }
+
+  /** One request on a TCP connection of its own; its result, or its error. */
+  call(method, params = {}) {
+    return new Promise((resolve, reject) => {
+      const socket = net.connect(this.tcp, "127.0.0.1");
+      let text = "";
+      socket.on("connect", () => socket.write(`${JSON.stringify({ jsonrpc: "2.0", id: 1, method, params })}\n`));
+      socket.on("error", reject);
+      socket.on("data", (bytes) => {
+        text += bytes;
+        if (!text.includes("\n")) return;
+        const answer = JSON.parse(text);
+        socket.end();
+        resolve(answer.result ?? answer.error);
+      });
+    });
+  }
+
+  /** How many effects ended so: an outcome of the protocol, such as "expired". */
+  async ended(outcome) {
+    const page = await (await fetch(`${this.url}/metrics`)).text();
+    const counts = [...page.matchAll(/effects_total\{[^}]*outcome="(\w+)"[^}]*\} (\d+)/g)];
+    return counts.filter(([, name]) => name === outcome).reduce((sum, [, , count]) => sum + Number(count), 0);
+  }
+
+  async end(signal = "SIGTERM") {
+    if (this.process.exitCode !== null || this.process.signalCode !== null) return;
+    const ended = new Promise((resolve) => this.process.once("exit", resolve));
+    this.process.kill("SIGCONT"); // a test that fails may leave it stopped
+    this.process.kill(signal);
+    await ended;
+    rmSync(this.home, { recursive: true, force: true });
+  }
+}

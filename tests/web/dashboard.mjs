@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// A daemon of its own for each test, and the pages that it serves, open in one browser.
+import assert from "node:assert/strict";
+import { after, afterEach, before, beforeEach } from "node:test";
+
+import { Complaints, kDesktop, launch } from "./browser.mjs";
+import { Daemon } from "./daemon.mjs";
+
+export const kPatience = { timeout: 30_000 };
+export let daemon;
+export let page;
+export const complaints = new Complaints();
+let browser;
+
+before(async () => { browser = await launch(); });
+after(async () => { await browser?.close(); });
+beforeEach(async () => { await startDaemon(); });
+afterEach(async () => {
+  await page?.context().close();
+  await daemon.end();
+  assert.deepEqual(complaints.take(), []);
+});
+
+export async function startDaemon(options) {
+  daemon = await Daemon.start(options);
+}
+
+/** `prepare(page)`: before anything is loaded. */
+export async function open(path = "/", device = kDesktop, prepare = () => {}) {
+  page = await (await browser.newContext(device)).newPage();
+  complaints.watch(page);
+  await prepare(page);
+  await page.goto(daemon.url + path);
+  await page.waitForSelector("body[data-link=open][data-state=armed]", kPatience);
+  await page.waitForFunction(() => window.dashboard.ball.pins.length === 86, null, kPatience);
+}
+
+export const until = (look, argument) => page.waitForFunction(look, argument, kPatience);

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// The orientation page in a browser, against a real daemon: up stays up, and what it says of itself is true.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { kDesktop } from "./browser.mjs";
+import { daemon, open, page, startDaemon, until } from "./dashboard.mjs";
+
+test("the orientation page keeps the push on top while the ball turns", async () => {
+  await open("/orientation.html");
+  await page.getByText("Steady, 5 A").click();
+  await page.getByRole("button", { name: "Show up" }).click();
+  await until(() => (window.dashboard.ball.arrowDirection()?.[2] ?? 0) > 0.98);
+  for (let i = 0; i < 12; ++i) await page.keyboard.press("ArrowDown");
+  await until(() => {
+    const { ball } = window.dashboard;
+    const arrow = ball.arrow.visible && ball.arrow.getWorldDirection(ball.camera.position.clone());
+    return arrow && arrow.z > 0.98 && Math.abs(ball.arrowDirection()[2]) < 0.2;
+  });
+  await page.getByRole("button", { name: "Stop showing" }).click();
+  await until(() => window.dashboard.ball.arrowDirection() === null);
+});
+
+const showUp = async () => {
+  await page.getByText("Steady, 5 A").click();
+  await page.getByRole("button", { name: "Show up" }).click();
+  await until(() => (window.dashboard.ball.arrowDirection()?.[2] ?? 0) > 0.98);
+};
+/** Looks again and again: what the daemon knows has no event for all of it. */
+const comes = async (look) => {
+  for (let looks = 0; !await look(); ++looks) {
+    assert.ok(looks < 600, `never: ${look}`);
+    await page.waitForTimeout(50);
+  }
+};
+const shows = () => daemon.call("device.status").then(({ effects }) => effects.some(({ slot }) => slot === "up"));
+
+test("a push that somebody ends is not shown as going on, and why it ended is said", async () => {
+  await open("/orientation.html");
+  await showUp();
+  await daemon.call("device.emergency_stop");
+  await until(() => document.getElementById("indicate").getAttribute("aria-pressed") === "false");
+  assert.match(await page.textContent("#said"), /^The coils are off; up is no longer shown/);
+  await daemon.call("device.arm");
+  await showUp();
+  await daemon.call("sim.set", { fault: { faults: ["sensor_open"] } });
+  await until(() => document.getElementById("indicate").textContent === "Show up");
+  assert.match(await page.textContent("#said"), /^The coils are off; up is no longer shown/);
+});
+
+test("a page that was held up for longer than its lease shows up again", async () => {
+  await open("/orientation.html");
+  await showUp();
+  await page.evaluate(() => {
+    const { link } = window.dashboard;
+    link.tells = link.tell;
+    link.tell = () => {};
+  });
+  await comes(async () => await daemon.ended("expired") > 0);
+  await page.evaluate(() => { window.dashboard.link.tell = window.dashboard.link.tells; });
+  await comes(shows);
+  await until(() => (window.dashboard.ball.arrowDirection()?.[2] ?? 0) > 0.98);
+  assert.equal(await page.getAttribute("#indicate", "aria-pressed"), "true");
+});
+
+test("a push that ended because nobody knew which way is up comes back with the orientation", async () => {
+  await daemon.end();
+  await startDaemon({ config: { imu: { type: "external" } } });
+  await open("/orientation.html");
+  const feed = () => page.evaluate(() => {
+    const { link } = window.dashboard;
+    window.feed = setInterval(() => link.tell("orientation.set", { quaternion: { w: 1, x: 0, y: 0, z: 0 } }), 20);
+  });
+  await feed();
+  await comes(() => daemon.call("device.status").then(({ orientation }) => orientation));
+  await showUp();
+  await page.evaluate(() => clearInterval(window.feed));
+  await comes(async () => await daemon.ended("orientation_lost") > 0);
+  await until(() => window.dashboard.ball.arrowDirection() === null);
+  await feed();
+  await until(() => (window.dashboard.ball.arrowDirection()?.[2] ?? 0) > 0.98);
+  assert.equal(await page.textContent("#indicate"), "Stop showing");
+});
+
+test("a phone's angles are the ball's: top to the front, screen up", async () => {
+  await open("/orientation.html");
+  const turned = (angles) => page.evaluate((a) => window.dashboard.quaternionOf(...a).toArray(), angles);
+  const near = (q, expected) => assert.ok(Math.abs(q.reduce((sum, v, i) => sum + v * expected[i], 0)) > 0.9999, q.join());
+  const half = Math.SQRT1_2;
+  // Flat, its top where the world's y is: the ball's front (x) looks along y.
+  near(await turned([0, 0, 0]), [0, 0, half, half]);
+  near(await turned([-90, 0, 0]), [0, 0, 0, 1]);
+  // Stood up (beta 90): the front looks up.
+  near(await turned([-90, 90, 0]), [0, -half, 0, half]);
+});
+
+/** The button, and what the browser tells of a phone that is tilted by so much. */
+const tiltPhone = async (beta) => {
+  await page.getByRole("button", { name: "Turn it with this phone" }).click();
+  await page.evaluate((angle) => dispatchEvent(
+    new DeviceOrientationEvent("deviceorientation", { alpha: 30, beta: angle, gamma: 0 })), beta);
+};
+const turnedBy = () => page.evaluate(() => 2 * Math.acos(Math.min(1, Math.abs(window.dashboard.ball.body.quaternion.w))));
+
+test("a phone whose turning the daemon takes turns the ball", async () => {
+  await open("/orientation.html");
+  await tiltPhone(50);
+  await until(() => document.getElementById("sensor").textContent === "The phone turns the ball.");
+  await comes(async () => Math.abs((await daemon.call("device.status")).orientation.up[2]) < 0.8);
+});
+
+test("a phone whose turning the daemon refuses is told why, and the ball is drawn as it is", async () => {
+  // The page takes this ball for a real one; the daemon knows better, and refuses in earnest.
+  await open("/orientation.html", kDesktop, (fresh) => fresh.routeWebSocket("**/ws", (socket) => {
+    const server = socket.connectToServer();
+    server.onMessage((text) => socket.send(text.replace('"simulated":true', '"simulated":false')));
+  }));
+  await tiltPhone(50);
+  await until(() => /^orientation\.set: the sensor is simulated/.test(document.getElementById("sensor").textContent));
+  assert.ok(await turnedBy() < 0.1);
+  await daemon.call("sim.set", { orientation: { w: 0, x: 1, y: 0, z: 0 } });
+  await comes(async () => await turnedBy() > 3);
+});

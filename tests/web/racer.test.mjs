@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+// The racing game in a browser: what happens in the race is seen on its page and felt on a real daemon's ball.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { after, afterEach, before, test } from "node:test";
+
+import { Complaints, kAxe, kDesktop, kPhone, launch } from "./browser.mjs";
+import { Daemon } from "./daemon.mjs";
+import { Racer } from "./racer.mjs";
+
+const kPatience = { timeout: 120_000 };
+/** Software draws it: few pixels are enough to see that there is a picture. */
+const kSmall = { viewport: { width: 640, height: 420 } };
+const complaints = new Complaints();
+let browser;
+let racer;
+let daemon;
+let page;
+
+before(async () => { browser = await launch(); });
+after(async () => { await browser?.close(); });
+afterEach(async () => {
+  await page?.context().close();
+  await racer?.end();
+  await daemon?.end();
+  page = racer = daemon = null;
+  assert.deepEqual(complaints.take(), []);
+});
+
+async function open(device = kSmall) {
+  page = await (await browser.newContext(device)).newPage();
+  complaints.watch(page);
+  await page.goto(racer.url);
+  await page.waitForSelector("body[data-link=open]", kPatience);
+  await page.waitForFunction(() => window.racer.frame > 1, null, kPatience);
+}
+
+const until = (look, argument) => page.waitForFunction(look, argument, kPatience);
+const at = () => page.evaluate(() => window.racer.scene().car.at);
+
+test("the race is drawn by WebGL 2, and the built-in driver's car moves", async () => {
+  racer = await Racer.start({ more: ["--driver"] });
+  await open();
+  const picture = await page.evaluate(() => {
+    const { renderer, camera, stage } = window.racer;
+    renderer.render(stage().root, camera);
+    const copy = Object.assign(document.createElement("canvas"), { width: 64, height: 64 });
+    const context = copy.getContext("2d");
+    context.drawImage(renderer.domElement, 0, 0, 64, 64);
+    const pixels = new Uint32Array(context.getImageData(0, 0, 64, 64).data.buffer);
+    return { colours: new Set(pixels).size, kind: renderer.getContext().constructor.name };
+  });
+  assert.equal(picture.kind, "WebGL2RenderingContext");
+  assert.ok(picture.colours > 100, `${picture.colours} colours`);
+  const start = await at();
+  await until((from) => {
+    const { position } = window.racer.stage().car.body;
+    return Math.hypot(position.x - from[0], position.y - from[1]) > 15;
+  }, start);
+  assert.ok(Number(await page.textContent("#speed")) > 10);
+  assert.ok(await page.isChecked("[value=driver]"));
+  assert.match(await page.textContent("#strength"), /^No ball/);
+  // What would be felt is shown all the same, without amperes.
+  await until(() => /^(Landing|Skidding|Hit): .*, \d+ %$/.test(document.getElementById("felt").textContent));
+});
+
+test("keys drive, let go, pause and put the car back", async () => {
+  racer = await Racer.start();
+  await open();
+  const start = await at();
+  await page.keyboard.down("ArrowUp");
+  await until(() => window.racer.scene().throttle === 1 && window.racer.scene().speed_mps > 3);
+  await page.keyboard.down("KeyA");
+  await until(() => window.racer.scene().steer < -0.5);
+  await page.keyboard.up("KeyA");
+  await page.keyboard.up("ArrowUp");
+  await until(() => window.racer.scene().throttle === 0 && window.racer.scene().steer === 0);
+  await page.keyboard.press("p");
+  await until(() => window.racer.scene().paused && !document.getElementById("paused").hidden);
+  const still = await at();
+  await page.waitForTimeout(300);
+  assert.deepEqual(await at(), still);
+  await page.getByRole("button", { name: "Pause" }).click();
+  await until(() => !window.racer.scene().paused);
+  assert.ok(Math.hypot(still[0] - start[0], still[1] - start[1]) > 1);
+  await page.keyboard.press("r");
+  await until(() => Math.abs(window.racer.scene().speed_mps) < 0.5);
+});
+
+test("a page that goes lets go of its keys", async () => {
+  racer = await Racer.start();
+  await open();
+  const other = await (await browser.newContext(kSmall)).newPage();
+  await other.goto(racer.url);
+  await other.waitForSelector("body[data-link=open]", kPatience);
+  await other.keyboard.down("KeyW");
+  await until(() => window.racer.scene().throttle === 1);
+  await other.context().close();
+  await until(() => window.racer.scene().throttle === 0);
+});
+
+test("a hit is seen on the ring and felt on the ball, and costs of its budget", async () => {
+  daemon = await Daemon.start();
+  racer = await Racer.start({ daemon, more: ["--driver"] });
+  await open();
+  await until(() => document.body.dataset.ball === "armed" && /°C/.test(document.getElementById("strength").textContent));
+  const meter = () => page.getAttribute("#budget", "aria-valuenow").then(Number);
+  const cool = await meter();
+  assert.ok(cool > 80, `${cool} %`);
+  assert.match(await page.textContent("#help"), /Turn the simulated ball/);
+  // Full throttle and full lock: into the wall beside the start.
+  await page.getByText("Keys", { exact: true }).click();
+  await page.keyboard.down("ArrowUp");
+  await page.keyboard.down("ArrowLeft");
+  const mark = await (await until(() => {
+    const { ring } = window.racer;
+    if (ring.last?.kind !== "hit") return false;
+    ring.draw();
+    const push = document.getElementById("push");
+    const [x, y] = ring.last.direction;
+    const words = document.getElementById("felt").textContent;
+    return Number(push.getAttribute("r")) > 3 && { x, y, cx: Number(push.getAttribute("cx")), cy: Number(push.getAttribute("cy")), words };
+  })).jsonValue();
+  assert.ok(Math.hypot(mark.cx + 38 * mark.y, mark.cy + 38 * mark.x) < 1, JSON.stringify(mark));
+  assert.match(mark.words, /^Hit: .*, \d+ %, \d+\.\d A$/);
+  await page.keyboard.up("ArrowLeft");
+  // The daemon has played it, and says for whom.
+  const ended = async () => /effects_total\{[^}]*"effect\.pulse"[^}]*\} [1-9]/.test(await (await fetch(`${daemon.url}/metrics`)).text());
+  for (let looks = 0; !await ended(); ++looks) {
+    assert.ok(looks < 300, "the daemon never said that a pulse ended");
+    await page.waitForTimeout(100);
+  }
+  assert.match(JSON.stringify(await daemon.call("connection.list")), /hedgehog-racer/);
+  // A warm ball has less left to give.
+  const warmth = { direction: "up", current_a: 15, duration_ms: 2000, priority: 9, on_close: "finish" };
+  for (let pushes = 0; await meter() >= cool - 10; ++pushes) {
+    assert.ok(pushes < 15, `${await meter()} % of ${cool} %`);
+    assert.ok((await daemon.call("effect.pulse", warmth)).accepted);
+    await page.waitForTimeout(1000);
+  }
+});
+
+test("tilting the simulated ball steers and drives", async () => {
+  daemon = await Daemon.start();
+  racer = await Racer.start({ daemon });
+  await open();
+  await until(() => window.racer.scene().mode === "ball");
+  const turn = (degrees, x, y) => {
+    const half = (degrees * Math.PI) / 360;
+    return { w: Math.cos(half), x: x * Math.sin(half), y: y * Math.sin(half), z: 0 };
+  };
+  const tilt = (quaternion) => daemon.call("sim.set", { orientation: quaternion });
+  await tilt(turn(25, 0, 1));
+  await until(() => window.racer.scene().throttle > 0.5 && window.racer.scene().speed_mps > 2);
+  await tilt(turn(25, -1, 0));
+  await until(() => window.racer.scene().steer < -0.5 && window.racer.scene().throttle < 0.1);
+  await page.keyboard.down("ArrowRight");
+  await until(() => window.racer.scene().mode === "keyboard" && window.racer.scene().steer > 0.5);
+});
+
+test("a game that goes is said each way, and the page comes back by itself", async () => {
+  racer = await Racer.start({ more: ["--driver"] });
+  await open();
+  const { port } = racer;
+  complaints.expected = true;
+  await racer.end("SIGKILL");
+  await page.waitForSelector("body[data-link=gone]", kPatience);
+  assert.match(await page.textContent("#gone"), /The game is gone \(it ended without a word\)/);
+  racer = await Racer.start({ port, more: ["--driver"] });
+  await page.waitForSelector("body[data-link=open]", kPatience);
+  assert.match(await page.textContent("#gone"), /The game is back/);
+  await racer.end("SIGTERM");
+  assert.equal(racer.process.exitCode, 0);
+  await until(() => /The game is gone \(it was stopped\)/.test(document.getElementById("gone").textContent));
+  racer = await Racer.start({ port, more: ["--driver"] });
+  await page.waitForSelector("body[data-link=open]", kPatience);
+  racer.process.kill("SIGSTOP");
+  await page.waitForSelector("body[data-link=silent]", kPatience);
+  racer.process.kill("SIGCONT");
+  await page.waitForSelector("body[data-link=open]", kPatience);
+});
+
+test("a ball that goes is said, and the race goes on", async () => {
+  daemon = await Daemon.start();
+  racer = await Racer.start({ daemon, more: ["--driver"] });
+  await open();
+  await page.waitForSelector("body[data-ball=armed]", kPatience);
+  await daemon.call("device.emergency_stop");
+  await until(() => /The ball is disarmed/.test(document.getElementById("help").textContent));
+  await daemon.end();
+  await page.waitForSelector("body[data-ball=none]", kPatience);
+  assert.match(await page.textContent("#strength"), /^No ball/);
+  const before = (await page.evaluate(() => window.racer.scene().time_s));
+  await until((then) => window.racer.scene().time_s > then + 0.5, before);
+});
+
+test("axe finds no serious fault, on a desk and on a phone, and thumbs can drive", async () => {
+  racer = await Racer.start();
+  for (const device of [kDesktop, kPhone]) {
+    await page?.context().close();
+    await open(device);
+    await page.evaluate(readFileSync(kAxe, "utf8"));
+    const { violations } = await page.evaluate(() => window.axe.run());
+    const serious = violations.filter(({ impact }) => ["serious", "critical"].includes(impact));
+    assert.deepEqual(serious.map(({ id, nodes }) => [id, nodes[0].html]), []);
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+    assert.ok(wide <= 0, `${wide} px too wide`);
+  }
+  const box = await page.getByRole("button", { name: "throttle" }).boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.down();
+  await until(() => window.racer.scene().throttle === 1);
+  await page.mouse.up();
+  await until(() => window.racer.scene().throttle === 0);
+});
+
+test("a page of another origin, and one under another name, get nothing", async () => {
+  racer = await Racer.start();
+  const { port } = racer;
+  page = await (await browser.newContext(kSmall)).newPage();
+  const refused = (url) => page.evaluate((to) => new Promise((resolve) => {
+    const socket = new WebSocket(to);
+    socket.onopen = () => { socket.close(); resolve(false); };
+    socket.onerror = () => resolve(true);
+  }), url);
+  await page.goto("about:blank");
+  assert.equal(await refused(`ws://127.0.0.1:${port}/ws`), true);
+  assert.equal(await refused(`ws://rebound.example:${port}/ws`), true);
+  assert.equal((await page.goto(`http://rebound.example:${port}/`)).status(), 421);
+});

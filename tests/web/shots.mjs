@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Pictures of the pages for a person to look at: shots.mjs FOLDER.
+import { mkdirSync } from "node:fs";
+
+import { kDesktop, kPhone, launch } from "./browser.mjs";
+import { Daemon } from "./daemon.mjs";
+import { Racer } from "./racer.mjs";
+
+const folder = process.argv[2];
+mkdirSync(folder, { recursive: true });
+const daemon = await Daemon.start();
+const racer = await Racer.start({ daemon, more: ["--driver"] });
+const browser = await launch();
+for (const [name, device] of [["desktop", kDesktop], ["phone", kPhone]]) {
+  const page = await (await browser.newContext(device)).newPage();
+  page.on("console", (message) => console.log(name, message.text()));
+  page.on("pageerror", (error) => console.log(name, error));
+  await page.goto(`${daemon.url}/`);
+  await page.waitForSelector("body[data-state=armed]");
+  await page.evaluate(() => window.dashboard.link.call("effect.hold",
+    { direction: [0.1, 1, 0.35], current_a: 15, lease_ms: 10000 }));
+  await page.waitForTimeout(7000);
+  await page.screenshot({ path: `${folder}/dashboard-${name}.png`, fullPage: name === "phone" });
+  await page.evaluate(() => window.dashboard.link.call("effect.stop_all"));
+  await page.goto(`${daemon.url}/orientation.html`);
+  await page.waitForSelector("body[data-state=armed]");
+  await page.locator("label", { hasText: "Steady" }).click();
+  await page.getByRole("button", { name: "Show up" }).click();
+  for (let i = 0; i < 6; ++i) await page.evaluate(() => window.dashboard.ball.turnBy(0.05, 0.12));
+  await page.waitForTimeout(1500);
+  await page.screenshot({ path: `${folder}/orientation-${name}.png` });
+  await page.goto(racer.url);
+  await page.waitForFunction(() => window.racer.ring.last?.kind === "hit" || window.racer.ring.last?.kind === "landing", null, { timeout: 90_000 });
+  await page.screenshot({ path: `${folder}/racer-${name}.png` });
+}
+await browser.close();
+await racer.end();
+await daemon.end();

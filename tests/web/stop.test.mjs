@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// The stop button of the dashboard and of the orientation page: it stops, or says at once and in sight that it did not.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { kDesktop, kPhone } from "./browser.mjs";
+import { complaints, daemon, kPatience, open, page, startDaemon, until } from "./dashboard.mjs";
+
+test("the stop button zeroes the coils, says so, and arming lets them be driven again", async () => {
+  await open();
+  await page.getByText("Circle").click();
+  await page.locator("#duration").fill("10");
+  await page.getByRole("button", { name: "up", exact: true }).click();
+  await until(() => /^[1-9].* of/.test(document.getElementById("current").textContent));
+  await page.getByRole("button", { name: "Stop", exact: true }).click();
+  await page.waitForSelector("body[data-state=disarmed]", kPatience);
+  await until(() => /^0\.0 A/.test(document.getElementById("current").textContent));
+  const status = await daemon.call("device.status");
+  assert.equal(status.reason, "emergency_stop");
+  assert.ok(Math.hypot(...status.current_a) < 0.1);
+  assert.match(await page.textContent(".state"), /Somebody pressed stop\..*hedgehogctl arm/s);
+  await page.getByRole("button", { name: "Arm the ball" }).click();
+  await until(() => ["armed", ""].includes(document.body.dataset.state) || document.querySelector("#said.bad"));
+  assert.equal(await page.textContent("#said"), "armed");
+  await page.waitForSelector("body[data-state=armed]", kPatience);
+});
+
+test("stop reaches the daemon although the page's own connection hangs", async () => {
+  await open();
+  await page.evaluate(() => { window.dashboard.link.socket.send = () => {}; });
+  await page.keyboard.press("Escape");
+  await page.waitForSelector("body[data-state=disarmed]", kPatience);
+});
+
+/** Of the screen, and nothing else lies over it. */
+const inSight = (selector) => page.evaluate((which) => {
+  const box = document.querySelector(which).getBoundingClientRect();
+  const over = document.elementFromPoint(box.x + box.width / 2, box.y + box.height / 2);
+  return box.height > 0 && box.top >= 0 && box.left >= 0 && box.bottom <= innerHeight && box.right <= innerWidth &&
+    over.matches(which);
+}, selector);
+
+for (const [path, device, where] of [["/", kDesktop, "a desk"], ["/", kPhone, "a phone"], ["/orientation.html", kPhone, "the orientation page"]]) {
+  test(`a daemon that hangs does not confirm the stop: said in sight on ${where}, until it has stopped after all`, async () => {
+    await open(path, device);
+    complaints.expected = true;
+    daemon.process.kill("SIGSTOP");
+    await page.getByRole("button", { name: "Stop", exact: true }).click();
+    await until(() => document.getElementById("unstopped")?.hidden === false);
+    assert.match(await page.textContent("#unstopped"), /does not confirm the stop.*pull the plug/);
+    assert.ok(await inSight("#unstopped"));
+    assert.ok(await inSight("#stop"));
+    assert.equal(await page.locator("#stop.pressed").count(), 0);
+    daemon.process.kill("SIGCONT");
+    await page.waitForSelector("body[data-state=disarmed]", kPatience);
+    await until(() => document.getElementById("unstopped").hidden && /^coils off/.test(document.getElementById("said").textContent));
+  });
+}
+
+test("space stops after the mouse has used the page, whatever it used", async () => {
+  await open();
+  const spaceStops = async () => {
+    await page.keyboard.press("Space");
+    await page.waitForSelector("body[data-state=disarmed]", kPatience);
+    await daemon.call("device.arm");
+    await page.waitForSelector("body[data-state=armed]", kPatience);
+  };
+  for (const used of ["#duration", "text=Vibration", "[data-direction=left]", "[data-turn='-1,0']", "[name=turn]"]) {
+    await page.locator(used).first().click();
+    await spaceStops();
+  }
+  assert.ok(await page.isChecked("[name=turn]"));
+  const pulses = async () => /effects_total\{[^}]*"effect\.vibrate"[^}]*\} (\d+)/.exec(await (await fetch(`${daemon.url}/metrics`)).text())[1];
+  assert.equal(await pulses(), "1");
+});
+
+test("keys that came to a control use it by space; a slider and a link have no use for space", async () => {
+  await open();
+  const to = async (selector) => {
+    for (let steps = 0; !await page.evaluate((which) => document.activeElement.matches(which), selector); ++steps) {
+      assert.ok(steps < 60, `${selector} is not reached`);
+      await page.keyboard.press("Tab");
+    }
+  };
+  await to("[data-direction=left]");
+  await page.keyboard.press("Space");
+  await until(() => /^left: /.test(document.getElementById("said").textContent));
+  assert.equal((await daemon.call("device.status")).state, "armed");
+  await to("#strength");
+  await page.keyboard.press("Space");
+  await page.waitForSelector("body[data-state=disarmed]", kPatience);
+  await daemon.call("device.arm");
+  await page.waitForSelector("body[data-state=armed]", kPatience);
+  await to("nav a");
+  await page.keyboard.press("Space");
+  await page.waitForSelector("body[data-state=disarmed]", kPatience);
+});
+
+test("space stops what a click began to show on the orientation page", async () => {
+  await open("/orientation.html");
+  await page.getByText("Steady, 5 A").click();
+  await page.getByRole("button", { name: "Show up" }).click();
+  await until(() => window.dashboard.ball.arrowDirection() !== null);
+  await page.keyboard.press("Space");
+  await page.waitForSelector("body[data-state=disarmed]", kPatience);
+});
+
+test("a stop that no daemon confirmed is said until one is back", async () => {
+  await open();
+  const { port } = daemon;
+  complaints.expected = true;
+  await daemon.end("SIGKILL");
+  await page.waitForSelector("body[data-link=gone]", kPatience);
+  await page.keyboard.press("Escape");
+  await until(() => document.getElementById("unstopped")?.hidden === false);
+  await startDaemon({ port });
+  await page.waitForSelector("body[data-link=open]", kPatience);
+  await until(() => document.getElementById("unstopped").hidden);
+});
+
+test("an answer that refuses the stop does not confirm it", async () => {
+  const refusal = { jsonrpc: "2.0", id: 1, error: { code: -32603, message: "no", data: { name: "internal" } } };
+  let connections = 0;
+  await open("/", kDesktop, (fresh) => fresh.routeWebSocket("**/ws", (socket) => {
+    if (++connections === 1) {
+      const server = socket.connectToServer();
+      socket.onMessage((text) => text.includes("emergency_stop") || server.send(text));
+    } else {
+      socket.onMessage(() => socket.send(JSON.stringify(refusal)));
+    }
+  }));
+  await page.keyboard.press("Escape");
+  await until(() => document.getElementById("unstopped")?.hidden === false);
+  assert.equal(connections, 2);
+  assert.equal(await page.getAttribute("body", "data-state"), "armed");
+});
