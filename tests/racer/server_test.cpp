@@ -65,8 +65,12 @@ class GameServer : public testing::Test {
                 const std::string& method = "GET") {
     return served([&] { return e2e::web_get(port(), target, more, method); });
   }
+  /// One that was let in is among the server's pages.
   std::unique_ptr<WebSocketClient> page(const std::string& more = "") {
-    return served([&] { return std::make_unique<WebSocketClient>(port(), more); });
+    const int before = server_.pages();
+    auto client = served([&] { return std::make_unique<WebSocketClient>(port(), more); });
+    while (client->answer().status == 101 && server_.pages() == before) serve();
+    return client;
   }
   Json heard(WebSocketClient& page) {
     return served([&] { return page.json(); });
