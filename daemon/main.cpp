@@ -61,6 +61,20 @@ int serve(const hedgehog::daemon::Options& options, const config::Paths& paths,
   }
 }
 
+/// "trip-0017", as the history names it, lies in the state directory. A file of that name is
+/// itself.
+std::string recording_file(const std::string& given, const hedgehog::daemon::Options& options,
+                           const config::Paths& paths) {
+  std::error_code unseen;
+  if (given.find('/') != std::string::npos || std::filesystem::exists(given, unseen)) {
+    return given;
+  }
+  const auto settings = config::load_config(paths, options.overrides);
+  const std::filesystem::path place =
+      settings.has_error() ? paths.state_directory : settings->state_directory;
+  return (place / (given + ".hhr")).string();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -69,11 +83,12 @@ int main(int argc, char** argv) {
     return *code;
   }
   const auto& options = std::get<hedgehog::daemon::Options>(parsed);
-  if (options.replay) {
-    return hedgehog::daemon::replay(*options.replay, std::cout, std::cerr);
-  }
   const config::Paths paths =
       config::find_paths(config::process_environment(), options.config_file);
+  if (options.replay) {
+    return hedgehog::daemon::replay(recording_file(*options.replay, options, paths), std::cout,
+                                    std::cerr);
+  }
   const auto settings = config::load_config(paths, options.overrides);
   if (settings.has_error()) {
     std::cerr << config::to_string(settings.error());

@@ -28,7 +28,7 @@ std::variant<Options, int> parse_options(int argc, const char* const* argv) {
   app.add_flag("--check-config", options.check_config, "say what is wrong with it (exit 78), or 0");
   app.add_flag("--print-config", options.print_config, "print every key and its value in effect");
   app.add_option("--replay", options.replay,
-                 "run a recording through the controller once more; JSON lines out")
+                 "run a recording (a file, or trip-0001) once more; JSON lines out")
       ->type_name("F");
   app.add_flag("--simulate", overrides.simulate, "a simulated ball, whatever the files say");
   app.add_option("--speed", options.speed,

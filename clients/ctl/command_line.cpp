@@ -237,6 +237,9 @@ class CommandLine {
     CLI::App* events = verb("events", "what happens, a line each",
                             [this](Session& session) { return run_events(session, events_); });
     events->add_option("--types", events_.types, "only these, with commas")->delimiter(',');
+    events->add_option("--since", events_.since,
+                       "what happened since (yesterday, 2h, 23:14), and ends");
+    events->add_flag("-f,--follow", events_.follow, "goes on after that");
     events->add_flag("--all")->description("everybody's effects: always so")->group("");
     CLI::App* pins = verb("pins", "the ball unrolled: which pins push now, and how far",
                           [this](Session& session) { return run_pins(session, pins_); });

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: MIT
-// What `hedgehogctl preview` and `hedgehogctl trips` print.
+// What `hedgehogctl preview`, `trips` and `events --since` print.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdlib.h>
 #include <time.h>
 
+#include "clients/ctl/screen/history_screen.h"
 #include "clients/ctl/screen/preview_screen.h"
 #include "clients/ctl/screen/trips_screen.h"
 #include "clients/ctl/screen/words.h"
+#include "clients/ctl/verbs/since_argument.h"
+#include "protocol/wall_time.h"
 
 namespace hedgehog::client {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 TEST(PreviewScreen, DrawsEachWindingToOneScaleAndSaysWhatHeatTakes) {
@@ -78,6 +82,50 @@ TEST(TripsScreen, IsNewestFirstAndLeavesRestartsOut) {
   EXPECT_EQ(trips_screen(history).back(), "  older ones are not shown");
   EXPECT_EQ(trips_screen({{}, true}).front(), "  older ones are not shown")
       << "it may have tripped";
+}
+
+TEST(HistoryScreen, HasALineADayAndALineAnEvent) {
+  ::setenv("TZ", "UTC0", 1);
+  ::tzset();
+  protocol::HistoryResult history;
+  EXPECT_THAT(history_screen(history), ElementsAre("  nothing has happened since"));
+  history.events.push_back(
+      {.at = "2026-11-20T23:14:07.412Z", .event = {.type = "state_changed", .state = "tripped"}});
+  history.events.back().event.reason = "sensor_frozen";
+  history.events.push_back(
+      {.at = "2026-11-20T23:14:07.413Z", .event = {.type = "effect_ended", .effect = 431}});
+  history.events.back().client = "Racer/1.2";
+  history.events.push_back({.at = "2026-11-21T00:00:00Z", .event = {.type = "derating_ended"}});
+  EXPECT_THAT(history_screen(history),
+              ElementsAre("  2026-11-20", "  23:14:07.412  state_changed  tripped: sensor_frozen",
+                          "  23:14:07.413  effect_ended  #431 (Racer/1.2)", "  2026-11-21",
+                          "  00:00:00.000  derating_ended"));
+}
+
+// Now is a Saturday's half past two in the night, an hour east of Greenwich.
+TEST(SinceArgument, IsADayATimeASpanOrExact) {
+  ::setenv("TZ", "CET-1", 1);
+  ::tzset();
+  const auto since = [](const std::string& text) {
+    const auto now_ms = protocol::parse_rfc3339("2026-11-21T01:30:00Z");
+    const auto time = since_rfc3339(text, *now_ms);
+    return time ? *time : "none";
+  };
+  EXPECT_EQ(since("today"), "2026-11-20T23:00:00.000Z");
+  EXPECT_EQ(since("yesterday"), "2026-11-19T23:00:00.000Z");
+  EXPECT_EQ(since("90s"), "2026-11-21T01:28:30.000Z");
+  EXPECT_EQ(since("30min"), "2026-11-21T01:00:00.000Z");
+  EXPECT_EQ(since("2h"), "2026-11-20T23:30:00.000Z");
+  EXPECT_EQ(since("3d"), "2026-11-18T01:30:00.000Z");
+  EXPECT_EQ(since("02:14"), "2026-11-21T01:14:00.000Z");
+  EXPECT_EQ(since("23:14"), "2026-11-20T22:14:00.000Z") << "the last time it was so";
+  EXPECT_EQ(since("2026-11-20"), "2026-11-19T23:00:00.000Z");
+  EXPECT_EQ(since("2026-11-20 23:14:07"), "2026-11-20T22:14:07.000Z");
+  EXPECT_EQ(since("2026-11-20T23:14:07.412Z"), "2026-11-20T23:14:07.412Z");
+  for (const char* bad : {"", "tomorrow", "2", "2 h", "-2h", "2fortnights", "25:00", "2026-13-01",
+                          "99999999999999999999d", "40000d", "2026-02-31"}) {
+    EXPECT_EQ(since(bad), "none") << bad;
+  }
 }
 
 }  // namespace

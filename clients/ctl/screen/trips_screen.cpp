@@ -1,26 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "clients/ctl/screen/trips_screen.h"
 
-#include <ctime>
-
 #include "clients/ctl/screen/words.h"
-#include "protocol/wall_time.h"
 
 namespace hedgehog::client {
 namespace {
-
-/// "2026-11-20 23:14:07", here; as it was sent when it is no time.
-std::string local_time(const std::string& at) {
-  const auto unix_ms = protocol::parse_rfc3339(at);
-  const std::time_t seconds = unix_ms ? static_cast<std::time_t>(*unix_ms / 1000) : 0;
-  std::tm parts{};
-  char text[32];
-  if (!unix_ms || ::localtime_r(&seconds, &parts) == nullptr ||
-      std::strftime(text, sizeof text, "%Y-%m-%d %H:%M:%S", &parts) == 0) {
-    return at;
-  }
-  return text;
-}
 
 std::string line_of(const std::string& when, const std::string& reason, const std::string& coil,
                     const std::string& current, const std::string& playing,
@@ -38,7 +22,7 @@ std::vector<std::string> trips_screen(const protocol::HistoryResult& history) {
       continue;
     }
     const protocol::Event& event = it->event;
-    lines.push_back(line_of(local_time(it->at), event.reason.value_or("-"),
+    lines.push_back(line_of(local_time(it->at, "%Y-%m-%d %H:%M:%S"), event.reason.value_or("-"),
                             event.temperature_c ? fixed(*event.temperature_c, 1) + " °C" : "-",
                             fixed(*event.current_a, 1) + " A",
                             it->client.value_or(it->method.value_or("-")),

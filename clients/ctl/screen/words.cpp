@@ -3,7 +3,10 @@
 
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <numbers>
+
+#include "protocol/wall_time.h"
 
 namespace hedgehog::client {
 
@@ -108,6 +111,18 @@ std::string time_words(double seconds) {
 
 std::string headroom_words(std::optional<double> seconds) {
   return seconds ? time_words(*seconds) : "for ever";
+}
+
+std::string local_time(const std::string& rfc3339, const char* format) {
+  const auto unix_ms = protocol::parse_rfc3339(rfc3339);
+  const std::time_t seconds = unix_ms ? static_cast<std::time_t>(*unix_ms / 1000) : 0;
+  std::tm parts{};
+  char text[32];
+  if (!unix_ms || ::localtime_r(&seconds, &parts) == nullptr ||
+      std::strftime(text, sizeof text, format, &parts) == 0) {
+    return rfc3339;
+  }
+  return text;
 }
 
 std::string tilt_words(double up_x, double up_y, double up_z, double heading_deg) {

@@ -32,6 +32,9 @@ std::string time_words(double seconds);
 /// "for ever" when there is no number.
 std::string headroom_words(std::optional<double> seconds);
 
+/// A time of RFC 3339 as it was here, in strftime's `format`; as it is when it is no time.
+std::string local_time(const std::string& rfc3339, const char* format);
+
 /// "tilted 12° left, 4° forward, heading 0°" of a ball whose `up` and front lie so; see
 /// protocol::OrientationStatus.
 std::string tilt_words(double up_x, double up_y, double up_z, double heading_deg);

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "clients/ctl/verbs/follow_verbs.h"
 
+#include <algorithm>
+#include <chrono>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
+#include "clients/ctl/screen/history_screen.h"
 #include "clients/ctl/screen/terminal.h"
 #include "clients/ctl/screen/watch_screen.h"
 #include "clients/ctl/screen/words.h"
 #include "clients/ctl/verbs/live.h"
+#include "clients/ctl/verbs/since_argument.h"
 
 namespace hedgehog::client {
 
@@ -19,6 +24,56 @@ void say_now(const protocol::EventsResult& now) {
   std::printf("  %s  %s%s, %s A allowed\n", time_of_day().c_str(), now.state.c_str(),
               now.reason ? (": " + *now.reason).c_str() : "", fixed(now.limit_a, 1).c_str());
   std::fflush(stdout);
+}
+
+std::int64_t unix_ms() {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return std::chrono::duration_cast<std::chrono::milliseconds>(now).count();
+}
+
+/// Prints what has happened since `options.since`.
+Outcome<protocol::HistoryResult> tell_past(Session& session, const EventsOptions& options) {
+  const auto since = since_rfc3339(*options.since, unix_ms());
+  if (!since) {
+    return since.error();
+  }
+  protocol::EventsHistory request{.since = *since, .types = options.types};
+  request.limit = protocol::EventsHistory::kMostEvents;
+  const auto text = session.connection.call_text(request);
+  if (!text) {
+    return text.error();
+  }
+  auto past = protocol::decode_result<protocol::HistoryResult>(*text);
+  if (!past) {
+    return ClientError{Failure::kProtocol, past.error().message, {}};
+  }
+  if (session.json) {
+    const auto told = nlohmann::ordered_json::parse(*text);
+    for (const auto& event : told["events"]) {
+      std::puts(event.dump().c_str());
+    }
+  } else {
+    for (const std::string& line : history_screen(*past)) {
+      std::puts(line.c_str());
+    }
+  }
+  std::fflush(stdout);
+  if (past->more) {
+    std::fprintf(
+        stderr,
+        "hedgehogctl: only the newest %zu are shown; --types or a later --since shows what "
+        "is missing\n",
+        past->events.size());
+  }
+  return *std::move(past);
+}
+
+/// What happened between the subscription and the look back is told by both.
+bool is_among(const protocol::HistoryResult& past, const protocol::Event& event) {
+  return std::any_of(past.events.begin(), past.events.end(), [&](const auto& one) {
+    return one.event.type == event.type && one.event.time_ns == event.time_ns &&
+           one.event.effect == event.effect;
+  });
 }
 
 }  // namespace
@@ -55,20 +110,36 @@ int run_watch(Session& session) {
 }
 
 int run_events(Session& session, const EventsOptions& options) {
-  // This program plays nothing, so effects of its own there are none.
-  const protocol::EventsSubscribe request{options.types, protocol::Scope::kAll};
   if (auto hello = session.connection.hello("hedgehogctl"); !hello) {
     return complain(hello.error());
   }
-  const auto subscribed = session.connection.call(request);
-  if (!subscribed) {
-    return complain(subscribed.error());
+  const bool only_past = options.since && !options.follow;
+  std::optional<protocol::EventsResult> now;
+  if (!only_past) {
+    // This program plays nothing, so effects of its own there are none.
+    const protocol::EventsSubscribe request{options.types, protocol::Scope::kAll};
+    auto subscribed = session.connection.call(request);
+    if (!subscribed) {
+      return complain(subscribed.error());
+    }
+    now = *std::move(subscribed);
+  }
+  Outcome<protocol::HistoryResult> past;
+  if (options.since) {
+    past = tell_past(session, options);
+    if (!past) {
+      return complain(past.error());
+    }
+  }
+  if (!now) {
+    return kDone;
   }
   if (!session.json) {
-    say_now(*subscribed);
+    say_now(*now);
   }
   return follow(session, [&](const Notification& told) {
-    if (const auto* event = std::get_if<protocol::EventMessage>(&told)) {
+    const auto* event = std::get_if<protocol::EventMessage>(&told);
+    if (event != nullptr && !is_among(*past, event->event)) {
       std::puts(session.json ? event->json.c_str()
                              : ("  " + time_of_day() + "  " + event_words(event->event)).c_str());
       std::fflush(stdout);

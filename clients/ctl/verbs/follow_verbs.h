@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,10 @@ int run_watch(Session& session);
 
 struct EventsOptions {
   std::vector<std::string> types;
+  /// As `since_rfc3339` reads it; nullopt: only what happens from now on.
+  std::optional<std::string> since;
+  /// With `since`: goes on with what happens, instead of ending.
+  bool follow = false;
 };
 int run_events(Session& session, const EventsOptions& options);
 

@@ -13,14 +13,13 @@ namespace hedgehog::client {
 /// The person's time of day, "14:03:21".
 std::string time_of_day();
 
-/// Calls `take` with each notification until Ctrl-C, until `take` returns
-/// false, or until the connection fails. Returns the exit code.
+/// Calls `take` with each notification until Ctrl-C, until `take` returns false, or until the
+/// connection fails. Returns the exit code.
 int follow(Session& session, const std::function<bool(const Notification&)>& take);
 
-/// The same with a picture in place of the terminal: `draw` returns its lines,
-/// none when the notification changes nothing. SPACE is the emergency stop, `q`
-/// leaves. A daemon that is silent, or does not answer the stop, is told in the
-/// place of the first line.
+/// The same with a picture in place of the terminal: `draw` returns its lines, none when the
+/// notification changes nothing. SPACE is the emergency stop, `q` leaves. A daemon that is silent,
+/// or does not answer the stop, is told in the place of the first line.
 int follow_drawing(Session& session,
                    const std::function<std::vector<std::string>(const Notification&)>& draw);
 

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// `hedgehogctl events --since ... -f` against a daemon that tells an event twice.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "clients/ctl/verbs/follow_verbs.h"
+#include "protocol/server_codec.h"
+#include "tests/clients/fake_daemon.h"
+
+namespace hedgehog::client {
+namespace {
+
+constexpr Milliseconds kLong{20'000};
+
+protocol::Event derating_ended(std::int64_t time_ns) {
+  protocol::Event event{.type = "derating_ended", .time_ns = time_ns};
+  event.limit_a = 15.0;
+  return event;
+}
+
+TEST(EventsVerb, WhatTheHistoryHasToldIsNotToldAgain) {
+  FakeDaemon daemon([](FakePeer& peer) {
+    peer.read();
+    peer.say(protocol::encode_result(protocol::Id::number(1), protocol::HelloResult{}));
+    peer.read();
+    peer.say(protocol::encode_result(protocol::Id::number(2),
+                                     protocol::EventsResult{.state = "armed", .limit_a = 15.0}));
+    peer.read();
+    // Between the subscription and the look back.
+    peer.say(protocol::encode_event(derating_ended(7)));
+    const protocol::PastEvent past{.at = "2026-11-20T23:14:07.412Z", .event = derating_ended(7)};
+    peer.say(protocol::encode_encoded(
+        protocol::Id::number(3),
+        protocol::encode_history({protocol::encode_past_event(past)}, true)));
+    peer.say(protocol::encode_event(derating_ended(8)));
+  });
+  Session session{Connection::open({daemon.address()}, kLong).value(), true, {}};
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run_events(session, {{}, "1h", true}), kUnavailable);
+  const std::string out = testing::internal::GetCapturedStdout();
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), testing::HasSubstr("only the newest 1"));
+  EXPECT_EQ(std::count(out.begin(), out.end(), '\n'), 2) << out;
+  EXPECT_THAT(out, testing::ContainsRegex("\"time_ns\":7.*\n.*\"time_ns\":8"));
+}
+
+}  // namespace
+}  // namespace hedgehog::client
