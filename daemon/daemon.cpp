@@ -16,6 +16,7 @@
 #include <iostream>
 #include <utility>
 
+#include "daemon/first_sight.h"
 #include "daemon/logging.h"
 #include "daemon/server/history_files.h"
 #include "daemon/server/remedy.h"
@@ -32,8 +33,6 @@ constexpr std::chrono::milliseconds kIdlePause{5};
 constexpr std::chrono::milliseconds kFarewell{1500};
 /// For those that wait for the disk, or to be worked out; control gives no more.
 constexpr std::chrono::milliseconds kLastAnswers{1000};
-/// The first client should not find a ball that is about to be armed.
-constexpr std::chrono::milliseconds kFirstSight{500};
 
 }  // namespace
 
@@ -118,7 +117,7 @@ void Daemon::open_doors() {
 
 asio::awaitable<void> Daemon::pump() {
   asio::steady_timer timer(io_);
-  const auto patience = std::chrono::steady_clock::now() + kFirstSight;
+  const FirstSight first_sight(std::chrono::steady_clock::now());
   while (!leaving_) {
     server_.pump();
     keeper_.pump();
@@ -129,7 +128,7 @@ asio::awaitable<void> Daemon::pump() {
     if (ready_) {
       manager_.status(status_line());
     } else if (machine_.now().state == control::State::kArmed ||
-               std::chrono::steady_clock::now() > patience) {
+               first_sight.over(std::chrono::steady_clock::now(), machinery_.loop().heartbeat())) {
       open_doors();
     }
     timer.expires_after(server_.busy() ? kBusyPause : kIdlePause);

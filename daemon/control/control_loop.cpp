@@ -3,6 +3,8 @@
 
 #include <pthread.h>
 
+#include <algorithm>
+
 #include "daemon/control/absolute_sleep.h"
 #include "daemon/control/loop_meter.h"
 #include "daemon/device/tick_clock.h"
@@ -68,7 +70,8 @@ void ControlLoop::leave() noexcept {
   std::int64_t next_ns = monotonic_ns();
   for (int i = 0; i < kSafePatienceTicks && !confirmed_; ++i) {
     confirmed_ = tick_.run_safe();
-    next_ns += kNanosecondsPerTick;
+    // Never a burst: the board has to be heard in between.
+    next_ns = std::max(next_ns, monotonic_ns()) + kNanosecondsPerTick;
     sleep_until_ns(next_ns);
   }
 }

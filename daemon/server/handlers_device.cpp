@@ -116,14 +116,15 @@ Outcome device_arm(Call& call, const protocol::DeviceArm&) {
   return Deferred{[seq = *seq, since = model::Tick{-1}](
                       Services& services, bool give_up) mutable -> std::optional<Answer> {
     const control::StatusSnapshot& now = services.machine.now();
+    const bool applied = now.applied_seq >= seq;
+    if (applied && now.state == control::State::kArmed) {
+      return Answer(state_result(services.machine, seq));
+    }
     if (give_up) {
       return Answer(control_stuck());
     }
-    if (now.applied_seq < seq) {
+    if (!applied) {
       return std::nullopt;
-    }
-    if (now.state == control::State::kArmed) {
-      return Answer(state_result(services.machine, seq));
     }
     since = since < 0 ? now.tick : since;
     const bool refused = now.arm_refusal != control::Reason::kNone;
@@ -145,13 +146,10 @@ Outcome device_emergency_stop(Call& call, const protocol::DeviceEmergencyStop&) 
   const model::Tick seen = machine.now().tick + 2;
   return Deferred{[seen](Services& services, bool give_up) -> std::optional<Answer> {
     const control::StatusSnapshot& now = services.machine.now();
-    if (give_up) {
-      return Answer(control_stuck());
+    if (now.tick >= seen && now.state != control::State::kArmed) {
+      return Answer(state_result(services.machine, services.machine.outbox().last_seq()));
     }
-    if (now.tick < seen || now.state == control::State::kArmed) {
-      return std::nullopt;
-    }
-    return Answer(state_result(services.machine, services.machine.outbox().last_seq()));
+    return give_up ? std::optional<Answer>(control_stuck()) : std::nullopt;
   }};
 }
 

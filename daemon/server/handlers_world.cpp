@@ -107,13 +107,10 @@ Outcome orientation_recenter(Call& call, const protocol::OrientationRecenter& re
     return Answer(queue_full(call.machine().outbox()));
   }
   return Deferred{[seq = *seq](Services& services, bool give_up) -> std::optional<Answer> {
-    if (give_up) {
-      return Answer(control_stuck());
+    if (services.machine.now().applied_seq >= seq) {
+      return Answer(protocol::RecenterResult{services.machine.now().yaw_offset_deg});
     }
-    if (services.machine.now().applied_seq < seq) {
-      return std::nullopt;
-    }
-    return Answer(protocol::RecenterResult{services.machine.now().yaw_offset_deg});
+    return give_up ? std::optional<Answer>(control_stuck()) : std::nullopt;
   }};
 }
 

@@ -177,9 +177,10 @@ Result<Runner::Early> Runner::play(const Trial& trial, std::string& fault) {
 
 Result<Runner::Early> Runner::ask(std::string& fault) {
   const Experiment experiment = journal_.run().header().experiment;
-  show(Phase::kQuestion);
+  // In this order: whoever answers at first sight is not taken for somebody who answered before.
   desk_.take_in();
   const auto asked_at = steady_clock::now();
+  show(Phase::kQuestion);
   while (true) {
     const Input input = desk_.wait(kGlance);
     // A key from before the question answers nothing.
