@@ -26,6 +26,7 @@ struct Impedance {
 };
 /// From a steady sine. Each millisecond's voltage V is constant, so with e = exp(-R T / L) the
 /// current is I(t) = e I(t - T) + (1 - e) / R V: of the two phasors, an equation for e and R.
+/// The inductance is good as long as a tenth of the current outlives the millisecond (e > 0.1).
 /// nullopt: they are not those of a winding.
 std::optional<Impedance> sine_impedance(const std::vector<WindingSample>& samples,
                                         double frequency_hz);
