@@ -11,9 +11,7 @@ using control::Reason;
 
 TEST(ControlLate, TheLinkIsSafeAfterTwentyMilliseconds) {
   rig::Rig rig;
-  rig.run_until_armed();
-  rig.start(rig::hold({1, 0, 0}, 5.0));
-  rig.run(100);
+  hold_five_ampere(rig);
   rig.skip_control(19);
   EXPECT_FALSE(asleep(rig));
   rig.skip_control(1);
@@ -34,9 +32,7 @@ TEST(ControlLate, TheLinkIsSafeAfterTwentyMilliseconds) {
 // The link gets a turn at every tenth tick only; what it repeats meanwhile feeds the dead-man.
 TEST(ControlLate, ALinkThatIsLateTooCountsMillisecondsAndNotItsSteps) {
   rig::Rig rig;
-  rig.run_until_armed();
-  rig.start(rig::hold({1, 0, 0}, 5.0));
-  rig.run(100);
+  hold_five_ampere(rig);
   const auto link_at_the_tenth = [&] {
     rig.freeze_host(9);
     rig.skip_control(1);

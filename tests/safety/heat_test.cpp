@@ -166,9 +166,7 @@ TEST(BoardsOwnLimits, ThoseOfAnEarlierConfigurationAreKeptTo) {
 
 TEST(AbsurdNumber, IsZeroForThatTickAndTold) {
   rig::Rig rig;
-  rig.run_until_armed();
-  rig.start(rig::hold({1, 0, 0}, 5.0));
-  rig.run(100);
+  hold_five_ampere(rig);
   const auto bad = rig.start(rig::hold({1, 0, 0}, std::numeric_limits<double>::quiet_NaN()));
   rig.tick();
   EXPECT_LE(rig.last_command().first_duty().x, 0.0) << "nothing is pushed in that tick";

@@ -24,6 +24,13 @@ inline rig::RigOptions without_limiter(double trip_c = 70.0) {
   return options;
 }
 
+/// Armed, with 5 A along x for 100 ms.
+inline void hold_five_ampere(rig::Rig& rig) {
+  rig.run_until_armed();
+  rig.start(rig::hold({1, 0, 0}, 5.0));
+  rig.run(100);
+}
+
 /// The bridges of the simulated board sleep and their duty is 0, on the board's side of the wire.
 inline bool asleep(rig::Rig& rig) {
   const board::BoardOutputs& out = rig.board().core().outputs();

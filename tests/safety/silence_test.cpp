@@ -102,9 +102,7 @@ TEST(EmergencyStop, OutlivesAnOlderArmingThatStillWaitsInTheQueue) {
 
 TEST(HostFrozen, TheBoardIsSafeAHundredMillisecondsAfterTheLastSetPoint) {
   rig::Rig rig;
-  rig.run_until_armed();
-  rig.start(rig::hold({1, 0, 0}, 5.0));
-  rig.run(100);
+  hold_five_ampere(rig);
   rig.freeze_host(99);
   EXPECT_FALSE(asleep(rig));
   rig.freeze_host(1 + 1);

@@ -17,8 +17,7 @@ struct ScreenStyle {
 /// "ball-7 · armed", green, amber or red where colours are wanted.
 std::string state_words(const protocol::Status& status, const ScreenStyle& style);
 
-/// "ball-7 · armed · 15.0 A allowed      SPACE stops   q quits": the first line
-/// of a live picture.
+/// "ball-7 · armed · 15.0 A allowed      SPACE stops   q quits": the first line of a live picture.
 std::string live_title(const protocol::Status& status, const ScreenStyle& style);
 /// The same when the rest of the picture may not be so: `doubt` says why.
 std::string doubtful_title(const std::string& doubt, const ScreenStyle& style);

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 #include <utility>
+
+#include "protocol/wall_time.h"
 
 namespace hedgehog::study {
 
@@ -50,19 +51,6 @@ const IntervalPlayed* test_of(const TrialRecord& trial) {
   return found == trial.intervals.end() ? nullptr : &*found;
 }
 
-/// "2026-11-21T15:04:05.123Z" in ns since 1970.
-std::optional<std::int64_t> utc_ns(const std::string& text) {
-  std::tm parts{};
-  int ms = 0;
-  if (std::sscanf(text.c_str(), "%4d-%2d-%2dT%2d:%2d:%2d.%3dZ", &parts.tm_year, &parts.tm_mon,
-                  &parts.tm_mday, &parts.tm_hour, &parts.tm_min, &parts.tm_sec, &ms) != 7) {
-    return std::nullopt;
-  }
-  parts.tm_year -= 1900;
-  parts.tm_mon -= 1;
-  return (static_cast<std::int64_t>(::timegm(&parts)) * 1000 + ms) * 1'000'000;
-}
-
 /// Device time as time since the first onset of the run. The device's clock begins anew with the
 /// daemon; from there on the journal's wall clock says how much later it was.
 class RunClock {
@@ -77,11 +65,11 @@ class RunClock {
     const IntervalPlayed& last = record.intervals.back();
     const bool absent = std::exchange(absent_, false);
     if (zero_ && before_ && (absent || first.command_ns < before_->command_ns)) {
-      const auto ended = utc_ns(before_->played);
-      const auto begun = utc_ns(record.time);
-      lost_ = lost_ || !ended || !begun;
+      const auto ended_ms = protocol::parse_rfc3339(before_->played);
+      const auto begun_ms = protocol::parse_rfc3339(record.time);
+      lost_ = lost_ || !ended_ms || !begun_ms;
       *zero_ += first.command_ns - before_->end_ns;
-      *zero_ -= lost_ ? 0 : std::max<std::int64_t>(0, *begun - *ended);
+      *zero_ -= lost_ ? 0 : 1'000'000 * std::max<std::int64_t>(0, *begun_ms - *ended_ms);
     }
     before_ = {first.command_ns, last.offset_ns.value_or(last.ack_ns), record.played};
     zero_ = zero_ ? zero_ : first.onset_ns;

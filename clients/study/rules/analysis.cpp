@@ -106,8 +106,7 @@ const char* meaning(Flag flag) noexcept {
       return "a scored trial had no current at all";
     case Flag::kDisagreement:
       return "the mean of the reversals lies outside of the fitted curve's 95 %: the answers do "
-             "not "
-             "tell which of the two is right";
+             "not tell which of the two is right";
     case Flag::kNotFinished:
       break;
   }
