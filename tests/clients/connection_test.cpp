@@ -38,12 +38,12 @@ std::int64_t time_of(const Notification& notification) {
 }
 
 TEST(Open, SaysWhereItLooked) {
-  const Address tcp = FakeDaemon::nobody();
-  const auto none = Connection::open({{.path = "/nowhere/hedgehogd.sock"}, tcp}, 200ms);
+  const SilentPort silent;
+  const auto none = Connection::open({{.path = "/nowhere.sock"}, silent.address()}, kLong);
   ASSERT_FALSE(none.has_value());
   EXPECT_EQ(none.error().failure, Failure::kNoDaemon);
   EXPECT_EQ(none.error().message,
-            "no daemon answers at /nowhere/hedgehogd.sock or " + to_string(tcp));
+            "no daemon answers at /nowhere.sock or " + to_string(silent.address()));
 }
 
 TEST(Open, SaysWhatElseIsWrong) {
@@ -53,7 +53,7 @@ TEST(Open, SaysWhatElseIsWrong) {
 
 TEST(Open, TakesTheFirstThatAnswers) {
   FakeDaemon daemon([](FakePeer& peer) { peer.read(); });
-  auto ball = Connection::open({FakeDaemon::nobody(), daemon.address()}, kLong);
+  auto ball = Connection::open({SilentPort().address(), daemon.address()}, kLong);
   ASSERT_TRUE(ball.has_value());
   EXPECT_EQ(ball->address(), daemon.address());
 }
@@ -73,7 +73,7 @@ TEST(Open, SpeaksOverAUnixSocketToo) {
 }
 
 TEST(Reopen, GivesUpWhenItsPatienceIsOver) {
-  const auto none = Connection::reopen({FakeDaemon::nobody()}, 250ms);
+  const auto none = Connection::reopen({SilentPort().address()}, 250ms);
   ASSERT_FALSE(none.has_value());
   EXPECT_EQ(none.error().failure, Failure::kNoDaemon);
 }

@@ -41,6 +41,17 @@ class FakePeer {
   boost::asio::streambuf buffer_;
 };
 
+/// A port where nobody listens, and nobody else can as long as this lives.
+class SilentPort {
+ public:
+  Address address() const { return {.host = "127.0.0.1", .port = socket_.local_endpoint().port()}; }
+
+ private:
+  boost::asio::io_context io_{1};
+  boost::asio::ip::tcp::socket socket_{io_,
+                                       {boost::asio::ip::address_v4::loopback(), std::uint16_t{0}}};
+};
+
 /// Listens at once; `conversation` runs when a client has come, and then the connection ends.
 class FakeDaemon {
  public:
@@ -62,14 +73,6 @@ class FakeDaemon {
 
   /// REQUIRES: it listens on TCP.
   Address address() const { return {.host = "127.0.0.1", .port = port_}; }
-
-  /// A port where nobody listens.
-  static Address nobody() {
-    boost::asio::io_context io;
-    boost::asio::ip::tcp::acceptor acceptor(
-        io, {boost::asio::ip::address_v4::loopback(), std::uint16_t{0}});
-    return {.host = "127.0.0.1", .port = acceptor.local_endpoint().port()};
-  }
 
  private:
   template <class Endpoint>

@@ -17,6 +17,9 @@
 namespace hedgehog::control {
 namespace {
 
+/// Device time runs up to a hundred times as fast here; nothing shall end by its lease.
+constexpr std::uint32_t kNeverOver = 600'000;
+
 /// io's side: a mailbox, and patience.
 class Io {
  public:
@@ -54,7 +57,7 @@ TEST(LockstepLoop, PlaysEffectsAndStopsSafely) {
   LockstepLoop loop(rig::RigOptions::armed_at_start(), *io.mailbox, *io.port, &io.recorder, {}, 20);
   loop.start();
   ASSERT_TRUE(io.armed());
-  io.start(3, rig::hold({1, 0, 0}, 5.0));
+  io.start(3, rig::hold({1, 0, 0}, 5.0, kNeverOver));
   ASSERT_TRUE(
       io.wait([&] { return io.status.applied_seq == 1 && io.status.board.current_a.x > 4.9; }));
   EXPECT_EQ(io.status.effects[3].effect, 1003u);
@@ -75,7 +78,7 @@ TEST(LockstepLoop, RunsMinutesOfHeatInSeconds) {
   LockstepLoop loop(rig::RigOptions::armed_at_start(), *io.mailbox, *io.port, nullptr, board, 100);
   loop.start();
   ASSERT_TRUE(io.armed());
-  io.start(0, rig::hold({1, 0, 0}, 15.0));
+  io.start(0, rig::hold({1, 0, 0}, 15.0, kNeverOver));
   ASSERT_TRUE(io.wait([&] { return io.status.derating; }));
   EXPECT_GT(io.status.thermal.hottest_c, 59.0);
 }
@@ -85,7 +88,7 @@ TEST(LockstepLoop, AnEmergencyStopWorksWithAFullQueue) {
   LockstepLoop loop(rig::RigOptions::armed_at_start(), *io.mailbox, *io.port, nullptr, {}, 10);
   loop.start();
   ASSERT_TRUE(io.armed());
-  io.start(0, rig::hold({1, 0, 0}, 5.0));
+  io.start(0, rig::hold({1, 0, 0}, 5.0, kNeverOver));
   ASSERT_TRUE(io.wait([&] { return io.status.limited_a.x > 4.9; }));
   while (io.mailbox->commands.push({++io.seq, SetGain{1.0}})) {
   }
@@ -102,16 +105,15 @@ TEST(LockstepLoop, NoEndedEventIsLostWhenNobodyReadsThem) {
   }
   loop.start();
   // Filled places' effects are started and end; io takes nothing.
-  const auto applied = [&](std::uint64_t seq) {
+  const auto come_to = [&](const std::function<bool(const StatusSnapshot&)>& there) {
     const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-    while (io.mailbox->status.read().applied_seq < seq && std::chrono::steady_clock::now() < until)
+    while (!there(io.mailbox->status.read()) && std::chrono::steady_clock::now() < until)
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
   };
-  while (io.mailbox->status.read().state != State::kArmed)
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  come_to([](const StatusSnapshot& s) { return s.state == State::kArmed; });
   for (std::uint8_t place = 0; place < kMaxEffects; ++place)
     io.start(place, rig::pulse({1, 0, 0}, 1.0, 5));
-  applied(kMaxEffects);
+  come_to([](const StatusSnapshot& s) { return s.applied_seq >= kMaxEffects; });
   int ended = 0;
   ASSERT_TRUE(io.wait([&] {
     ended = 0;
@@ -124,9 +126,8 @@ TEST(ControlLoop, ReportsAnAbsentBoardAndKeepsTicking) {
   Io io;
   ControlLoop loop(ControlSettings{}, *io.mailbox, *io.port, nullptr);
   loop.start();
-  ASSERT_TRUE(io.wait([&] { return io.status.tick > 20; }));
+  ASSERT_TRUE(io.wait([&] { return io.status.tick > 20 && loop.heartbeat() > 0; }));
   EXPECT_EQ(io.status.state, State::kAbsent);
-  EXPECT_GT(loop.heartbeat(), 0u);
   EXPECT_GT(io.port->commands.read().count, 0u);
   EXPECT_FALSE(io.port->commands.read().board.enable());
   EXPECT_FALSE(loop.stop()) << "nobody has confirmed anything";

@@ -205,8 +205,10 @@ TEST_F(Bringup, AGainThatWouldWeakenTheCurrentsIsNamed) {
 TEST_F(Bringup, TheBoardProcessHasTheTrueBallToo) {
   home_.write("config/hedgehog/devices.d/truth.json", R"({"r25_ohm": [0.45, 0.9, 0.45]})");
   home_.configure(R"({"simulator": {"device": "truth", "process": true}})");
-  daemon_.emplace(home_);
+  daemon_.emplace(home_, std::vector<std::string>{}, std::vector<std::string>{},
+                  DaemonProcess::Backend::kFree);
   RawClient hand(daemon_->port());
+  ASSERT_TRUE(eventually([&] { return hand.call("device.status")["state"] == "armed"; }));
   hand.call("telemetry.subscribe", {{"rate_hz", 50}, {"fields", {"current_a"}}});
   hand.call("effect.hold", {{"direction", "left"}, {"current_a", 1.2}, {"lease_ms", 10000}});
   double flows_a = 0.0;

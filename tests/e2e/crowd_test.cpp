@@ -5,6 +5,7 @@
 #include <list>
 
 #include "tests/e2e/daemon_process.h"
+#include "tests/e2e/program.h"
 #include "tests/e2e/web_client.h"
 
 namespace hedgehog::e2e {
@@ -13,7 +14,7 @@ namespace {
 TEST(Crowd, OnTcpKeepsNobodyFromTheEmergencyStop) {
   const Home home;
   home.configure(R"({"connections": {"max": 3}})");
-  DaemonProcess daemon(home);
+  DaemonProcess daemon(home, {}, {}, DaemonProcess::Backend::kFree);
   std::list<RawClient> crowd;
   for (int i = 0; i < 3; ++i) {
     EXPECT_TRUE(crowd.emplace_back(daemon.port()).call("ping").contains("time_ns"));
@@ -30,10 +31,18 @@ TEST(Crowd, OnTcpKeepsNobodyFromTheEmergencyStop) {
   EXPECT_EQ(WebSocketClient(daemon.http_port()).answer().status, 503);
   EXPECT_EQ(web_get(daemon.http_port(), "/healthz").status, 200);
 
-  RawClient operators(daemon.socket());
-  EXPECT_EQ(operators.call("device.arm")["state"], "armed");
-  EXPECT_EQ(operators.call("device.emergency_stop")["state"], "disarmed");
+  std::list<RawClient> operators;
+  for (int i = 0; i < 8; ++i) {
+    EXPECT_EQ(operators.emplace_back(daemon.socket()).call("device.arm")["state"], "armed");
+  }
+  EXPECT_EQ(RawClient(daemon.socket()).answer()["error"]["code"], -32001);
+  EXPECT_EQ(operators.back().call("device.emergency_stop")["state"], "disarmed");
   crowd.clear();
+  ASSERT_TRUE(eventually(
+      [&] { return operators.back().call("connection.list")["connections"].size() == 8 + 8; }));
+  EXPECT_EQ(RawClient(daemon.port()).answer()["error"]["code"], -32001)
+      << "pages and operators are clients too";
+  operators.clear();
   pages.clear();
   EXPECT_EQ(daemon.stop(), 0);
 }

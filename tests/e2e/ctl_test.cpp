@@ -177,6 +177,27 @@ TEST_F(Ctl, EventsGoOnUntilCtrlC) {
   EXPECT_EQ(events.wait().exit_code, kInterrupted);
 }
 
+TEST_F(Ctl, EventsGoOnAfterWhatHasHappened) {
+  EXPECT_EQ(ctl({"pulse", "left"}).exit_code, 0);
+  Program events(home_, HEDGEHOGCTL_PATH,
+                 {"events", "--since", "1h", "-f", "--types", "effect_ended", "--json"},
+                 variables());
+  ASSERT_TRUE(events.says("effect_ended"));
+  EXPECT_EQ(ctl({"pulse", "right"}).exit_code, 0);
+  const auto told = [&] {
+    std::vector<int> effects;
+    std::istringstream lines(events.out());
+    for (std::string line; std::getline(lines, line);)
+      effects.push_back(Json::parse(line)["effect"]);
+    return effects;
+  };
+  ASSERT_TRUE(eventually([&] { return told().size() == 2; })) << events.out();
+  EXPECT_NE(told()[0], told()[1]);
+  events.signal(SIGINT);
+  EXPECT_EQ(events.wait().exit_code, kInterrupted);
+  EXPECT_EQ(ctl({"events", "--since", ""}).exit_code, kUsage);
+}
+
 TEST_F(Ctl, TelemetryIsOneObjectALine) {
   const Ended ended =
       ctl({"telemetry", "--count", "3", "--fields", "temperature_c,pin", "--rate-hz", "50"});

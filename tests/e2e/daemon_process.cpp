@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -104,7 +105,10 @@ DaemonProcess::DaemonProcess(const Home& home, const std::vector<std::string>& m
                              const std::vector<std::string>& variables, Backend backend)
     : home_(home) {
   std::vector<std::string> words{"--listen", "127.0.0.1:0"};
-  if (backend == Backend::kSimulated) words.emplace_back("--simulate");
+  if (backend != Backend::kConfigured) words.emplace_back("--simulate");
+  if (backend == Backend::kInStep && std::find(more.begin(), more.end(), "--speed") == more.end()) {
+    words.insert(words.end(), {"--speed", "1"});
+  }
   words.insert(words.end(), more.begin(), more.end());
   pid_ = spawn(home, words, "out", "log", variables);
   const std::string tcp = "listening on 127.0.0.1:";

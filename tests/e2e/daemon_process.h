@@ -43,12 +43,16 @@ Ended run_daemon(const Home& home, const std::vector<std::string>& arguments);
 
 class DaemonProcess {
  public:
-  enum class Backend { kSimulated, kConfigured };
-  /// Starts `hedgehogd --simulate --listen 127.0.0.1:0` and `more`, and waits until it listens.
-  /// `variables`: NAME=VALUE on top of the home's. kConfigured: without --simulate.
+  /// kInStep, also of whatever has a --speed: the simulated ball keeps step with control in real
+  /// time, so a busy machine slows all of it down and skips nothing. kFree: threads of their own,
+  /// as with a real ball, and simulator.process. kConfigured: without
+  /// --simulate.
+  enum class Backend { kInStep, kFree, kConfigured };
+  /// Starts hedgehogd on a free port with `more`, and waits until it listens. `variables`:
+  /// NAME=VALUE on top of the home's.
   explicit DaemonProcess(const Home& home, const std::vector<std::string>& more = {},
                          const std::vector<std::string>& variables = {},
-                         Backend backend = Backend::kSimulated);
+                         Backend backend = Backend::kInStep);
   DaemonProcess(const DaemonProcess&) = delete;
   DaemonProcess& operator=(const DaemonProcess&) = delete;
   /// Kills it if it still runs.

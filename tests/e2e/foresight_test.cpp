@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// effect.preview and events.history of a real daemon, and hedgehogctl's preview and trips.
+// effect.preview and events.history of a real daemon, and hedgehogctl's preview, trips and
+// events --since.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -27,21 +28,26 @@ TEST(Foresight, APreviewMovesNothingAndSaysWhatIsThenMeasured) {
   DaemonProcess daemon(home);
   RawClient game(daemon.port());
   const Json params{{"direction", "left"}, {"current_a", 8}, {"duration_ms", 400}};
-  game.call("events.subscribe", {{"scope", "all"}});
   const Json told = game.call("effect.preview", {{"method", "effect.pulse"}, {"params", params}});
   EXPECT_EQ(told["duration_ms"], 400);
   EXPECT_NEAR(told["current_a"][50][1].get<double>(), 8.0, 0.1);
 
-  game.call("telemetry.subscribe", {{"rate_hz", 100}, {"fields", {"current_a", "effects"}}});
+  game.call("telemetry.subscribe",
+            {{"rate_hz", 100}, {"fields", {"current_a", "effects", "time_ns"}}});
   for (int i = 0; i < 10; ++i) {
     const Json telemetry = game.notification("telemetry");
     EXPECT_TRUE(telemetry["effects"].empty());
     EXPECT_LT(std::abs(telemetry["current_a"][1].get<double>()), 0.3);
   }
-  game.call("effect.pulse", params);
+  RawClient player(daemon.port());
+  player.call("events.subscribe");
+  player.call("effect.pulse", params);
+  const Json ended = player.notification("event", "effect_ended");
   double most_a = 0.0;
-  while (most_a < 1.0 || !game.notification("telemetry")["effects"].empty()) {
-    most_a = std::max(most_a, game.notification("telemetry")["current_a"][1].get<double>());
+  for (double seen_ns = 0.0; seen_ns < ended["time_ns"];) {
+    const Json telemetry = game.notification("telemetry");
+    seen_ns = telemetry["time_ns"];
+    most_a = std::max(most_a, telemetry["current_a"][1].get<double>());
   }
   EXPECT_NEAR(most_a, told["peak_current_a"].get<double>(), 0.3);
 
@@ -59,13 +65,13 @@ TEST(Foresight, WhoeverIsOwedAPreviewGetsItBeforeTheDaemonLeaves) {
   DaemonProcess daemon(home);
   RawClient game(daemon.port());
   game.send(R"({"jsonrpc":"2.0","id":"later","method":"effect.preview","params":)"
-            R"({"method":"effect.circle","params":{"duration_ms":10000}}})"
+            R"({"method":"effect.circle","params":{"duration_ms":3000}}})"
             "\n"
             R"({"jsonrpc":"2.0","id":"now","method":"ping"})"
             "\n");
   EXPECT_EQ(game.answer()["id"], "now");
   EXPECT_EQ(daemon.stop(), 0);
-  EXPECT_EQ(game.answer()["result"]["duration_ms"], 10000);
+  EXPECT_EQ(game.answer()["result"]["duration_ms"], 3000);
 }
 
 TEST(Foresight, ATripIsKnownAfterAKillAndARestartIsNone) {
@@ -96,6 +102,10 @@ TEST(Foresight, ATripIsKnownAfterAKillAndARestartIsNone) {
   const Json answer = Json::parse(ctl(home, daemon, {"--json", "trips"}).out);
   ASSERT_EQ(answer["events"].size(), 1u) << "that it is still tripped is no new trip";
   EXPECT_EQ(answer["events"][0]["method"], "effect.hold");
+  const Ended events = ctl(home, daemon, {"events", "--since", "1h", "--types", "state_changed"});
+  EXPECT_EQ(events.exit_code, 0) << events.err;
+  EXPECT_THAT(events.out, HasSubstr("state_changed  tripped: sensor_open"));
+  EXPECT_EQ(ctl(home, daemon, {"events", "--since", "once"}).exit_code, 64);
   EXPECT_EQ(daemon.stop(), 0);
   EXPECT_THAT(home.read("state/hedgehog/events.jsonl"), HasSubstr("shutting_down"));
   EXPECT_EQ(home.read("state/hedgehog/trip-0002.hhr"), "") << "nor is it recorded";

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "tests/e2e/daemon_process.h"
+#include "tests/e2e/program.h"
 #include "tests/e2e/raw_client.h"
 #include "tests/e2e/web_client.h"
 
@@ -18,7 +19,7 @@ constexpr int kConfig = 78;
 
 TEST(Start, SaysThatItSimulatesAndWhereItListens) {
   const Home home;
-  DaemonProcess daemon(home);
+  DaemonProcess daemon(home, {}, {}, DaemonProcess::Backend::kFree);
   EXPECT_NE(daemon.log().find("SIMULATOR"), std::string::npos);
   EXPECT_EQ(daemon.log().find("never_armed"), std::string::npos) << "it arms itself at once";
   struct stat s {};
@@ -98,7 +99,7 @@ TEST(Start, WithoutABoardItWaitsForOne) {
 
 TEST(End, SigtermMakesTheCoilsSafeTellsEverybodyAndExitsWith0) {
   const Home home;
-  DaemonProcess daemon(home);
+  DaemonProcess daemon(home, {}, {}, DaemonProcess::Backend::kFree);
   RawClient game(daemon.port());
   game.call("events.subscribe");
   game.call("effect.hold", {{"direction", "up"}, {"lease_ms", 10000}});
@@ -113,7 +114,7 @@ TEST(End, SigtermMakesTheCoilsSafeTellsEverybodyAndExitsWith0) {
 
 TEST(End, SigintIsAnOrderlyStopToo) {
   const Home home;
-  DaemonProcess daemon(home);
+  DaemonProcess daemon(home, {}, {}, DaemonProcess::Backend::kFree);
   EXPECT_EQ(daemon.stop(SIGINT), 0);
 }
 
@@ -129,8 +130,7 @@ TEST(Reload, TakesNewLimitsAndKeepsTheOldOnesWhenTheFileIsWrong) {
   EXPECT_EQ(game.call("hello")["limits"]["current_a"], 8);
   game.call("effect.pulse", {{"direction", "up"}});
   EXPECT_EQ(game.call("effect.pulse", {{"direction", "up"}, {"current_a", 9}})["code"], -32602);
-  while (game.call("device.status")["limit_a"] != 8) {
-  }
+  EXPECT_TRUE(eventually([&] { return game.call("device.status")["limit_a"] == 8; }));
   home.configure("{}");
   daemon.signal(SIGHUP);
   EXPECT_TRUE(daemon.logs("at the next start only"));
@@ -144,11 +144,12 @@ TEST(Reload, TakesNewLimitsAndKeepsTheOldOnesWhenTheFileIsWrong) {
 TEST(Memory, AnEmergencyStopOutlivesEvenAKill) {
   const Home home;
   {
-    DaemonProcess daemon(home);
+    DaemonProcess daemon(home, {}, {}, DaemonProcess::Backend::kFree);
     EXPECT_EQ(RawClient(daemon.port()).call("device.emergency_stop")["state"], "disarmed");
     // The answer may come before the disk is done.
-    while (home.read("state/hedgehog/state.json").find("emergency_stop") == std::string::npos) {
-    }
+    EXPECT_TRUE(eventually([&] {
+      return home.read("state/hedgehog/state.json").find("emergency_stop") != std::string::npos;
+    }));
     daemon.stop(SIGKILL);
   }
   {
@@ -185,7 +186,7 @@ TEST(Memory, ADiskThatRefusesAnEmergencyStopIsToldOfAndKeepsNoOrderlyStop) {
 TEST(Memory, ATripIsRecordedReplayableAndOutlivesARestart) {
   const Home home;
   {
-    DaemonProcess daemon(home);
+    DaemonProcess daemon(home, {}, {}, DaemonProcess::Backend::kFree);
     RawClient owner(daemon.port());
     owner.call("events.subscribe");
     owner.call("sim.set", {{"fault", {{"faults", {"sensor_open"}}}}});
@@ -193,7 +194,13 @@ TEST(Memory, ATripIsRecordedReplayableAndOutlivesARestart) {
     EXPECT_TRUE(daemon.logs("trip-0001.hhr"));
     daemon.stop(SIGKILL);
   }
-  const Ended replayed = run_daemon(home, {"--replay", home.path("state/hedgehog/trip-0001.hhr")});
+  EXPECT_EQ(run_daemon(home, {"--replay", home.path("state/hedgehog/trip-0001.hhr")}).exit_code, 0);
+  const Ended none = run_daemon(home, {"--replay", "trip-0099"});
+  EXPECT_EQ(none.exit_code, 66);
+  EXPECT_NE(none.err.find(home.path("state/hedgehog/trip-0099.hhr: cannot be read")),
+            std::string::npos)
+      << none.err;
+  const Ended replayed = run_daemon(home, {"--replay", "trip-0001"});
   EXPECT_EQ(replayed.exit_code, 0) << replayed.err;
   EXPECT_NE(replayed.out.find(R"("reason":"sensor_open")"), std::string::npos);
   EXPECT_NE(replayed.out.find(R"("different":0)"), std::string::npos);
@@ -205,16 +212,15 @@ TEST(Memory, ATripIsRecordedReplayableAndOutlivesARestart) {
 
 TEST(Memory, AHotBallIsHotAfterARestart) {
   const Home home;
-  double before_c = 0.0;
   {
     DaemonProcess daemon(home, {"--speed", "20"});
     RawClient game(daemon.port());
     game.call("telemetry.subscribe", {{"rate_hz", 10}, {"fields", {"temperature_c"}}});
-    while (before_c < 50.0) {
+    EXPECT_TRUE(eventually([&] {
       game.call("effect.hold",
                 {{"direction", "left"}, {"current_a", 15}, {"lease_ms", 10000}, {"slot", "heat"}});
-      before_c = game.notification("telemetry")["temperature_c"]["model"];
-    }
+      return game.notification("telemetry")["temperature_c"]["model"] > 50.0;
+    }));
     game.call("effect.stop_all");
     EXPECT_EQ(daemon.stop(), 0);
   }

@@ -39,20 +39,23 @@ TEST_F(Patterns, WhatAPatternSaysFlowsThroughTheCoils) {
   const Json steps = Json::parse(R"([{"t_ms":0,"direction":"up","level":0.4,"ease":"step"},
       {"t_ms":400,"direction":"left","level":0.8,"ease":"step"},{"t_ms":800,"level":0}])");
   RawClient client(daemon_.port());
-  client.call("telemetry.subscribe", {{"rate_hz", 100}, {"fields", {"current_a"}}});
+  client.call("telemetry.subscribe", {{"rate_hz", 100}, {"fields", {"current_a", "time_ns"}}});
   other_.call("events.subscribe", {{"scope", "all"}, {"types", {"effect_ended"}}});
   const Json a = client.call("effect.play", {{"keyframes", steps}, {"current_a", 10}});
   EXPECT_EQ(a["current_a"], 8.0);
+  const Json ended = other_.notification("event");
+  EXPECT_EQ(ended["reason"], "completed");
   double up_a = 0.0;
   double left_a = 0.0;
-  for (int i = 0; i < 100; ++i) {
-    const Json now = client.notification("telemetry")["current_a"];
+  for (double seen_ns = 0.0; seen_ns < ended["time_ns"];) {
+    const Json told = client.notification("telemetry");
+    seen_ns = told["time_ns"];
+    const Json& now = told["current_a"];
     if (std::abs(now[1].get<double>()) < 0.2) up_a = std::max(up_a, now[2].get<double>());
     if (std::abs(now[2].get<double>()) < 0.2) left_a = std::max(left_a, now[1].get<double>());
   }
   EXPECT_NEAR(up_a, 4.0, 0.2);
   EXPECT_NEAR(left_a, 8.0, 0.3);
-  EXPECT_EQ(other_.notification("event")["reason"], "completed");
 }
 
 TEST_F(Patterns, ALoopEndsByItsLeaseOrWithItsConnection) {

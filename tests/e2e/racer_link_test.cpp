@@ -55,7 +55,7 @@ TEST(Racer, ABallThatAnotherClientHasForItselfIsNotToldAsFelt) {
   feel.frame({racer::Hit{{1, 0, 0}, 500.0}}, 1.0);
   EXPECT_TRUE(eventually([&] {
     feel.frame({racer::Skid{0.5}}, 1.1);
-    return !feel.ball().trouble.empty() && feel.answered();
+    return sentence(feel.ball()) == "another client has the ball for itself" && feel.answered();
   }));
   EXPECT_EQ(sentence(feel.ball()), "another client has the ball for itself");
   EXPECT_FALSE(feel.played().back().on_the_ball);

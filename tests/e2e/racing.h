@@ -22,7 +22,7 @@ inline constexpr auto kHadTheyWaited = kFrames * std::chrono::seconds(1);
 inline bool connects(racer::Feel& feel) {
   return eventually([&] {
     feel.frame({}, 0.0);
-    return feel.ball().connected;
+    return feel.ball().connected && feel.ball().state == "armed";
   });
 }
 

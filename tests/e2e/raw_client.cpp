@@ -92,14 +92,17 @@ std::optional<std::string> RawClient::line() {
 }
 
 Json RawClient::answer() {
-  while (const auto text = line()) {
+  const auto deadline = std::chrono::steady_clock::now() + kPatienceAmongOthers;
+  while (std::chrono::steady_clock::now() < deadline) {
+    const auto text = line();
+    if (!text) break;
     Json message = Json::parse(*text);
     if (message.is_array() || !message.contains("method")) {
       return message;
     }
     notifications_.push_back(std::move(message));
   }
-  throw std::runtime_error("the daemon has closed");
+  throw std::runtime_error("no answer; the daemon has closed, or tells other things for minutes");
 }
 
 Json RawClient::call(const std::string& method, const Json& params) {

@@ -116,7 +116,7 @@ TEST_F(Study, TheBallIsItsAlone) {
 }
 
 TEST_F(Study, AnEmergencyStopVoidsTheTrialAndPausesUntilTheBallIsArmed) {
-  start_daemon(20);
+  start_daemon(5);
   remember_address();
   plan("th", "1", quick_path());
   RawClient hand(daemon_->port());
@@ -132,7 +132,7 @@ TEST_F(Study, AnEmergencyStopVoidsTheTrialAndPausesUntilTheBallIsArmed) {
 }
 
 TEST_F(Study, ABallThatIsUnpluggedVoidsTheTrialAndPausesUntilItIsBack) {
-  start_daemon(20);
+  start_daemon(5);
   remember_address();
   plan("th", "1", quick_path());
   const std::string name = "P01.quick.1.jsonl";
@@ -158,10 +158,10 @@ TEST_F(Study, ABallThatIsUnpluggedVoidsTheTrialAndPausesUntilItIsBack) {
 
 TEST_F(Study, AWarmBallIsLeftToCoolBeforeATrialWouldBeReduced) {
   home_.configure(R"({"simulator": {"start_temperature_c": 66}})");
-  start_daemon();
-  remember_address();
-  // 10 A at the start level; at 66 °C the law allows 7.
   plan("th", "1", quick_path());
+  // 10 A at the start level; at 66 °C the law allows 7. It cools from here on.
+  start_daemon(10);
+  remember_address();
   ASSERT_EQ(study({"run", "quick", "--participant", "P01", "--simulated"}).exit_code, 0);
   const auto lines = journal("P01.quick.1.jsonl");
   EXPECT_GE(count(lines, "paused"), 1);

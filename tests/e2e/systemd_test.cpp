@@ -110,7 +110,8 @@ class NotifySocket {
 TEST(Systemd, IsToldOfReadinessStatusReloadsLifeAndTheEnd) {
   const Home home;
   NotifySocket systemd(home.path("notify"));
-  DaemonProcess daemon(home, {}, {"NOTIFY_SOCKET=" + home.path("notify"), "WATCHDOG_USEC=40000"});
+  DaemonProcess daemon(home, {}, {"NOTIFY_SOCKET=" + home.path("notify"), "WATCHDOG_USEC=4000000"},
+                       DaemonProcess::Backend::kFree);
   EXPECT_NE(systemd.wait_for("READY=1").find("STATUS=SIMULATOR: armed"), std::string::npos);
   EXPECT_NE(systemd.wait_for("WATCHDOG=1"), "");
   RawClient(daemon.port()).call("device.emergency_stop");

@@ -3,10 +3,14 @@
 
 #include <algorithm>
 #include <cctype>
+#include <chrono>
 #include <stdexcept>
 
 namespace hedgehog::e2e {
 namespace {
+
+/// While pings or notifications keep coming.
+constexpr std::chrono::minutes kPatienceAmongOthers{2};
 
 WebAnswer read_answer(RawClient& socket, bool to_the_end) {
   WebAnswer answer;
@@ -77,10 +81,11 @@ bool WebSocketClient::frame(int opcode, std::string_view payload, bool last) {
 }
 
 std::optional<WebSocketClient::Frame> WebSocketClient::next() {
+  const auto deadline = std::chrono::steady_clock::now() + kPatienceAmongOthers;
   auto came = any();
   while (came && came->opcode == kPing) {
     frame(kPong, came->payload);
-    came = any();
+    came = std::chrono::steady_clock::now() < deadline ? any() : std::nullopt;
   }
   return came;
 }
@@ -112,11 +117,13 @@ Json WebSocketClient::call(const std::string& method, const Json& params) {
   const Json request{
       {"jsonrpc", "2.0"}, {"id", ++next_id_}, {"method", method}, {"params", params}};
   text(request.dump());
-  for (;;) {
+  const auto deadline = std::chrono::steady_clock::now() + kPatienceAmongOthers;
+  while (std::chrono::steady_clock::now() < deadline) {
     const Json message = json();
     if (message.contains("method")) continue;
     return message.contains("result") ? message["result"] : message["error"];
   }
+  throw std::runtime_error("no answer to " + request.dump());
 }
 
 }  // namespace hedgehog::e2e

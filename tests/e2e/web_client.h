@@ -44,7 +44,8 @@ class WebSocketClient {
     int opcode = 0;
     std::string payload;
   };
-  /// The next one but pings, which are answered. nullopt: the daemon has closed.
+  /// The next one but pings, which are answered. nullopt: the daemon has closed, or told
+  /// nothing else for minutes.
   std::optional<Frame> next();
   /// Sends a request and returns its result or error; notifications in between are skipped.
   Json call(const std::string& method, const Json& params = Json::object());

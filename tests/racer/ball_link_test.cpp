@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <boost/asio.hpp>
+#include <set>
 #include <thread>
 #include <vector>
 
@@ -20,11 +21,13 @@ TEST(BallLink, AsksADaemonThatRefusesItAgainAfterLongerAndLongerPauses) {
   tcp::acceptor acceptor(io, {asio::ip::address_v4::loopback(), std::uint16_t{0}});
   acceptor.non_blocking(true);
   std::vector<Clock::time_point> came;
+  std::set<std::string> troubles;
   BallLink link({{.host = "127.0.0.1", .port = acceptor.local_endpoint().port()}});
   // 0.1 + 0.2 + 0.4 s of pauses.
   const auto give_up = Clock::now() + std::chrono::seconds(20);
   while (came.size() < 4 && Clock::now() < give_up) {
     link.listen();
+    troubles.insert(link.trouble());
     EXPECT_FALSE(link.hears());
     boost::system::error_code none;
     tcp::socket game(io);
@@ -45,7 +48,7 @@ TEST(BallLink, AsksADaemonThatRefusesItAgainAfterLongerAndLongerPauses) {
   }
   ASSERT_EQ(came.size(), 4U);
   EXPECT_GE(came[3] - came[0], std::chrono::milliseconds(600));
-  EXPECT_EQ(link.trouble(), "busy: too many");
+  EXPECT_TRUE(troubles.contains("busy: too many"));
 }
 
 }  // namespace

@@ -64,7 +64,8 @@ class Access : public Bench {
   static std::vector<std::string> hidraw_nodes(const std::string& ids) {
     std::vector<std::string> nodes;
     for (const auto& entry : fs::directory_iterator("/sys/class/hidraw")) {
-      const std::string path = fs::canonical(entry.path()).string();
+      std::error_code gone;  // a driver may take it away meanwhile
+      const std::string path = fs::canonical(entry.path(), gone).string();
       if (path.find(ids) != std::string::npos)
         nodes.push_back("/dev/" + entry.path().filename().string());
     }

@@ -42,6 +42,7 @@ export class Daemon {
       let text = "";
       socket.on("connect", () => socket.write(`${JSON.stringify({ jsonrpc: "2.0", id: 1, method, params })}\n`));
       socket.on("error", reject);
+      socket.on("close", () => reject(new Error(`${method}: no answer`)));
       socket.on("data", (bytes) => {
         text += bytes;
         if (!text.includes("\n")) return;

@@ -46,10 +46,11 @@ test("a push moves the pins on its side, the arrow points there, and both rest a
   await page.locator("#duration").fill("2");
   for (const [side, axis, sign] of [["left", 1, 1], ["right", 1, -1], ["front", 0, 1], ["up", 2, 1]]) {
     await page.getByRole("button", { name: side, exact: true }).first().click();
-    await until(([i, s]) => s * (window.dashboard.ball.arrowDirection()?.[i] ?? 0) > 0.98 &&
-      Math.max(...window.dashboard.ball.pins.map((pin) => pin.extension)) > 0.03, [axis, sign]);
-    const out = await page.evaluate(() => window.dashboard.ball.pins
-      .map((pin) => ({ at: pin.direction.toArray(), mm: pin.extension })).sort((a, b) => b.mm - a.mm));
+    const out = await (await until(([i, s]) => {
+      const { ball } = window.dashboard;
+      const pins = ball.pins.map((pin) => ({ at: pin.direction.toArray(), mm: pin.extension })).sort((a, b) => b.mm - a.mm);
+      return s * (ball.arrowDirection()?.[i] ?? 0) > 0.98 && pins[0].mm > 0.03 && pins;
+    }, [axis, sign])).jsonValue();
     assert.ok(out[0].mm > 0.02, `${side}: ${out[0].mm} mm`);
     for (const pin of out.slice(0, 5)) assert.ok(sign * pin.at[axis] > 0.5, `${side}: ${pin.at}`);
     await until(() => window.dashboard.ball.arrowDirection() === null);
@@ -88,8 +89,14 @@ test("a pattern is chosen, played towards a side, and listed among what happened
   assert.ok(!await page.locator("#duration").isVisible());
   await page.selectOption("[name=pattern]", "heartbeat");
   assert.match(await page.textContent("#pattern-description"), /\w+/);
+  await page.evaluate(() => {
+    const effects = document.getElementById("effects");
+    new MutationObserver(() => {
+      window.listed ||= /play.*pad.*dashboard/.test(effects.textContent);
+    }).observe(effects, { childList: true, subtree: true, characterData: true });
+  });
   await page.getByRole("button", { name: "left", exact: true }).click();
-  await until(() => /play.*pad.*dashboard/.test(document.getElementById("effects").textContent));
+  await until(() => window.listed);
   await until(() => /play of dashboard: completed, 8\d\d ms/.test(document.getElementById("happened").textContent));
   await page.reload();
   await until(() => /play of dashboard: completed, 8\d\d ms/.test(document.getElementById("happened").textContent));
@@ -129,12 +136,9 @@ test("a fault of the simulated ball is shown in words, and mended", async () => 
 test("turning the simulated ball turns what the daemon knows", async () => {
   await open();
   for (let i = 0; i < 3; ++i) await page.getByRole("button", { name: "turn left" }).click();
-  const turned = await (async () => {
-    for (;;) {
-      const { quaternion: q } = (await daemon.call("device.status")).orientation;
-      if (Math.abs(q.z) > 0.3) return q;
-    }
-  })();
+  let turned = { z: 0 };
+  const patience = Date.now() + kPatience.timeout;
+  while (Math.abs(turned.z) < 0.3 && Date.now() < patience) turned = (await daemon.call("device.status")).orientation.quaternion;
   assert.ok(Math.abs(Math.abs(turned.z) - Math.sin(Math.PI / 8)) < 0.01, JSON.stringify(turned));
 });
 

@@ -74,6 +74,8 @@ test("a push that ended because nobody knew which way is up comes back with the 
   await feed();
   await comes(() => daemon.call("device.status").then(({ orientation }) => orientation));
   await showUp();
+  // Nobody's lease shall be over first.
+  await page.evaluate(() => window.dashboard.link.call("effect.update", { slot: "up", lease_ms: 10_000 }));
   await page.evaluate(() => clearInterval(window.feed));
   await comes(async () => await daemon.ended("orientation_lost") > 0);
   await until(() => window.dashboard.ball.arrowDirection() === null);
