@@ -6,7 +6,8 @@ import { after, afterEach, before, beforeEach } from "node:test";
 import { Complaints, kDesktop, launch } from "./browser.mjs";
 import { Daemon } from "./daemon.mjs";
 
-export const kPatience = { timeout: 30_000 };
+/** A busy machine draws a page without a graphics card in seconds. */
+export const kPatience = { timeout: 120_000 };
 export let daemon;
 export let page;
 export const complaints = new Complaints();
@@ -28,6 +29,7 @@ export async function startDaemon(options) {
 /** `prepare(page)`: before anything is loaded. */
 export async function open(path = "/", device = kDesktop, prepare = () => {}) {
   page = await (await browser.newContext(device)).newPage();
+  page.setDefaultTimeout(kPatience.timeout);
   complaints.watch(page);
   await prepare(page);
   await page.goto(daemon.url + path);

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { kDesktop } from "./browser.mjs";
-import { daemon, open, page, startDaemon, until } from "./dashboard.mjs";
+import { daemon, kPatience, open, page, startDaemon, until } from "./dashboard.mjs";
 
 test("the orientation page keeps the push on top while the ball turns", async () => {
   await open("/orientation.html");
@@ -28,8 +28,9 @@ const showUp = async () => {
 };
 /** Looks again and again: what the daemon knows has no event for all of it. */
 const comes = async (look) => {
-  for (let looks = 0; !await look(); ++looks) {
-    assert.ok(looks < 600, `never: ${look}`);
+  const patience = Date.now() + kPatience.timeout;
+  while (!await look()) {
+    assert.ok(Date.now() < patience, `never: ${look}`);
     await page.waitForTimeout(50);
   }
 };
@@ -96,11 +97,11 @@ test("a phone's angles are the ball's: top to the front, screen up", async () =>
   near(await turned([-90, 90, 0]), [0, -half, 0, half]);
 });
 
-/** The button, and what the browser tells of a phone that is tilted by so much. */
+/** The button, and what the browser tells again and again of a phone that is tilted by so much. */
 const tiltPhone = async (beta) => {
   await page.getByRole("button", { name: "Turn it with this phone" }).click();
-  await page.evaluate((angle) => dispatchEvent(
-    new DeviceOrientationEvent("deviceorientation", { alpha: 30, beta: angle, gamma: 0 })), beta);
+  await page.evaluate((angle) => setInterval(() => dispatchEvent(
+    new DeviceOrientationEvent("deviceorientation", { alpha: 30, beta: angle, gamma: 0 })), 50), beta);
 };
 const turnedBy = () => page.evaluate(() => 2 * Math.acos(Math.min(1, Math.abs(window.dashboard.ball.body.quaternion.w))));
 

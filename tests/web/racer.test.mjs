@@ -29,6 +29,7 @@ afterEach(async () => {
 
 async function open(device = kSmall) {
   page = await (await browser.newContext(device)).newPage();
+  page.setDefaultTimeout(kPatience.timeout);
   complaints.watch(page);
   await page.goto(racer.url);
   await page.waitForSelector("body[data-link=open]", kPatience);

@@ -17,4 +17,4 @@ export HEDGEHOGD HEDGEHOG_RACER HEDGEHOG_NODE_MODULES
 if [ "${2-}" = shots ]; then
   exec node "$here/shots.mjs" "${3:?run.sh BUILD shots FOLDER}"
 fi
-exec node --test --test-concurrency=1 --test-timeout=240000 "$here"/*.test.mjs
+exec node --test --test-concurrency=1 --test-timeout=480000 "$here"/*.test.mjs

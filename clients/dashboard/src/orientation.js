@@ -151,7 +151,7 @@ export function quaternionOf(alpha, beta, gamma) {
 let asking = false;
 async function turned(event) {
   if (event.alpha === null) {
-    $("sensor").textContent = "This device has no orientation sensor.";
+    if (!feed && !asking) $("sensor").textContent = "This device has no orientation sensor.";
     return;
   }
   if (!link.ready || asking) return;
