@@ -21,6 +21,7 @@
 #include "daemon/server/history_files.h"
 #include "daemon/server/remedy.h"
 #include "daemon/server/status_view.h"
+#include "protocol/wall_time.h"
 
 namespace hedgehog::daemon {
 namespace {
@@ -60,7 +61,7 @@ Daemon::Daemon(const Options& options, const config::Paths& paths, const config:
       server_(
           machine_, keeper_, patterns_, history_,
           [this](const control::Event& e, const server::Effect* x) { heard(e, x); },
-          server::wall_time_ms) {
+          protocol::unix_ms_now) {
   server_.set_devices(devices_);
   machine_.watch_board([this] { return machinery_.sensors().board_seen(); });
   server_.set_recordings(recordings_);

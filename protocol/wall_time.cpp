@@ -71,6 +71,11 @@ std::int64_t fraction_ms(Cursor& cursor) noexcept {
 
 }  // namespace
 
+std::int64_t unix_ms_now() {
+  const auto since_1970 = chrono::system_clock::now().time_since_epoch();
+  return chrono::duration_cast<chrono::milliseconds>(since_1970).count();
+}
+
 std::string rfc3339(std::int64_t unix_ms) {
   const std::int64_t ms = std::clamp<std::int64_t>(unix_ms, 0, kLastMs);
   const chrono::sys_days day{chrono::days{ms / kDayMs}};

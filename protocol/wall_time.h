@@ -9,6 +9,10 @@
 
 namespace hedgehog::protocol {
 
+/// Milliseconds since 1970 by the clock on the wall, which people may set; never in the control
+/// path.
+std::int64_t unix_ms_now();
+
 /// "2026-11-20T23:14:07.412Z" of milliseconds since 1970, 0..253402300799999 (year 9999).
 std::string rfc3339(std::int64_t unix_ms);
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <bitset>
-#include <chrono>
 #include <utility>
 #include <vector>
 
@@ -64,13 +63,6 @@ std::string with_recording(std::string_view json, unsigned recording) {
 }
 
 }  // namespace
-
-std::int64_t wall_time_ms() {
-  using std::chrono::milliseconds;
-  return std::chrono::duration_cast<milliseconds>(
-             std::chrono::system_clock::now().time_since_epoch())
-      .count();
-}
 
 EventHistory::EventHistory(Writer writer, const HistoryTexts& kept) : writer_(std::move(writer)) {
   for (std::size_t i = 0; i < kHistoryParts; ++i) {

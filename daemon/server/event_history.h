@@ -108,7 +108,4 @@ class EventHistory {
   std::optional<Ended> tripped_;
 };
 
-/// Milliseconds since 1970 by the clock on the wall, which people may set.
-std::int64_t wall_time_ms();
-
 }  // namespace hedgehog::server

@@ -2,7 +2,6 @@
 #include "clients/ctl/verbs/follow_verbs.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -12,6 +11,7 @@
 #include "clients/ctl/screen/words.h"
 #include "clients/ctl/verbs/live.h"
 #include "clients/ctl/verbs/since_argument.h"
+#include "protocol/wall_time.h"
 
 namespace hedgehog::client {
 
@@ -26,14 +26,9 @@ void say_now(const protocol::EventsResult& now) {
   std::fflush(stdout);
 }
 
-std::int64_t unix_ms() {
-  const auto now = std::chrono::system_clock::now().time_since_epoch();
-  return std::chrono::duration_cast<std::chrono::milliseconds>(now).count();
-}
-
 /// Prints what has happened since `options.since`.
 Outcome<protocol::HistoryResult> tell_past(Session& session, const EventsOptions& options) {
-  const auto since = since_rfc3339(*options.since, unix_ms());
+  const auto since = since_rfc3339(*options.since, protocol::unix_ms_now());
   if (!since) {
     return since.error();
   }

@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <ctime>
 #include <utility>
 
 #include "clients/ctl/screen/status_screen.h"
 #include "clients/ctl/screen/terminal.h"
+#include "clients/ctl/screen/words.h"
+#include "protocol/wall_time.h"
 
 namespace hedgehog::client {
 
@@ -102,12 +103,7 @@ int draw_until_left(Session& session,
 }  // namespace
 
 std::string time_of_day() {
-  const std::time_t now = std::time(nullptr);
-  std::tm local{};
-  localtime_r(&now, &local);
-  char text[16];
-  std::strftime(text, sizeof text, "%H:%M:%S", &local);
-  return text;
+  return local_time(protocol::rfc3339(protocol::unix_ms_now()), "%H:%M:%S");
 }
 
 int follow(Session& session, const std::function<bool(const Notification&)>& take) {

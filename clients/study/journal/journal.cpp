@@ -6,15 +6,13 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <chrono>
-#include <cstdio>
-#include <ctime>
 #include <fstream>
 #include <iterator>
 #include <system_error>
 #include <utility>
 
 #include "clients/study/journal/codec.h"
+#include "protocol/wall_time.h"
 
 namespace hedgehog::study {
 
@@ -70,19 +68,7 @@ Result<std::string> text_of(const fs::path& path) {
 
 }  // namespace
 
-std::string utc_now() {
-  const auto now = std::chrono::system_clock::now();
-  const auto ms =
-      std::chrono::duration_cast<std::chrono::milliseconds>(now.time_since_epoch()).count();
-  const std::time_t seconds = static_cast<std::time_t>(ms / 1000);
-  std::tm parts{};
-  gmtime_r(&seconds, &parts);
-  char text[32];
-  char whole[48];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%S", &parts);
-  std::snprintf(whole, sizeof whole, "%s.%03dZ", text, static_cast<int>(ms % 1000));
-  return whole;
-}
+std::string utc_now() { return protocol::rfc3339(protocol::unix_ms_now()); }
 
 Result<std::vector<Line>> read_journal(const fs::path& path) {
   const auto text = text_of(path);
