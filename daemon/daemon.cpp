@@ -19,6 +19,7 @@
 #include "daemon/first_sight.h"
 #include "daemon/logging.h"
 #include "daemon/server/history_files.h"
+#include "daemon/server/preview.h"
 #include "daemon/server/remedy.h"
 #include "daemon/server/status_view.h"
 #include "protocol/wall_time.h"
@@ -28,11 +29,12 @@ namespace {
 
 namespace asio = boost::asio;
 using boost::system::error_code;
+using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kBusyPause{1};
 constexpr std::chrono::milliseconds kIdlePause{5};
 constexpr std::chrono::milliseconds kFarewell{1500};
-/// For those that wait for the disk, or to be worked out; control gives no more.
+/// For those that wait for the disk; control gives no more. Previews have a pump for each slice.
 constexpr std::chrono::milliseconds kLastAnswers{1000};
 
 }  // namespace
@@ -77,8 +79,7 @@ int Daemon::run() {
 }
 
 void Daemon::introduce() {
-  const bool simulated = config_.backend == config::Backend::kSimulator;
-  if (simulated) {
+  if (config_.backend == config::Backend::kSimulator) {
     spdlog::warn(
         "hedgehogd {} on the SIMULATOR{}: nothing real moves{}", HEDGEHOG_VERSION,
         options_.speed.value_or(1) > 1 ? fmt::format(", {} times as fast", *options_.speed) : "",
@@ -118,7 +119,7 @@ void Daemon::open_doors() {
 
 asio::awaitable<void> Daemon::pump() {
   asio::steady_timer timer(io_);
-  const FirstSight first_sight(std::chrono::steady_clock::now());
+  const FirstSight first_sight(Clock::now());
   while (!leaving_) {
     server_.pump();
     keeper_.pump();
@@ -129,7 +130,7 @@ asio::awaitable<void> Daemon::pump() {
     if (ready_) {
       manager_.status(status_line());
     } else if (machine_.now().state == control::State::kArmed ||
-               first_sight.over(std::chrono::steady_clock::now(), machinery_.loop().heartbeat())) {
+               first_sight.over(Clock::now(), machinery_.loop().heartbeat())) {
       open_doors();
     }
     timer.expires_after(server_.busy() ? kBusyPause : kIdlePause);
@@ -159,8 +160,7 @@ asio::awaitable<void> Daemon::obey_signals() {
 asio::awaitable<void> Daemon::leave(std::string reason) {
   leaving_ = true;
   manager_.stopping();
-  const bool confirmed = machinery_.loop().stop();
-  if (confirmed) {
+  if (machinery_.loop().stop()) {
     spdlog::info("coils off, {:.1f} °C remembered", server::hottest_c(machine_));
   } else if (machine_.now().state == control::State::kAbsent) {
     spdlog::info("no ball is connected");
@@ -172,15 +172,16 @@ asio::awaitable<void> Daemon::leave(std::string reason) {
   keeper_.stopped_cleanly();
   asio::steady_timer timer(io_);
   error_code ignored;
-  const auto last_answer = std::chrono::steady_clock::now() + kLastAnswers;
-  while (server_.owes() && std::chrono::steady_clock::now() < last_answer) {
+  const auto last_answer = Clock::now() + kLastAnswers;
+  model::Tick pumps = 0;
+  while (server_.owes() && (pumps++ < server::Preview::kMaxSlices || Clock::now() < last_answer)) {
     timer.expires_after(kBusyPause);
     co_await timer.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
     server_.pump();
   }
   listener_.close();
-  const auto until = std::chrono::steady_clock::now() + kFarewell;
-  while ((!history_.flush() || !listener_.empty()) && std::chrono::steady_clock::now() < until) {
+  const auto until = Clock::now() + kFarewell;
+  while ((!history_.flush() || !listener_.empty()) && Clock::now() < until) {
     timer.expires_after(kIdlePause);
     co_await timer.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
   }

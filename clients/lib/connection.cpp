@@ -60,7 +60,7 @@ Outcome<Connection> Connection::reopen(const std::vector<Address>& addresses,
   Backoff backoff;
   for (;;) {
     const auto left = std::chrono::ceil<Milliseconds>(deadline - Clock::now());
-    auto connection = open(addresses, std::clamp(left, Milliseconds(0), kPatience));
+    auto connection = open(addresses, std::clamp(left, Milliseconds(0), kConnectTimeout));
     if (connection) return connection;
     const auto pause = backoff.next();
     if (Clock::now() + pause >= deadline) return connection;

@@ -19,6 +19,7 @@
 #include "clients/lib/backoff.h"
 #include "clients/lib/client_error.h"
 #include "clients/lib/line_socket.h"
+#include "clients/lib/patience.h"
 #include "clients/lib/result_of.h"
 #include "protocol/client_codec.h"
 
@@ -29,40 +30,44 @@ using Notification = std::variant<protocol::EventMessage, protocol::TelemetryMes
 /// One thread at a time. Movable. When it goes away the connection ends, and with it its effects.
 class Connection {
  public:
-  static constexpr Milliseconds kPatience{2000};
+  static constexpr Milliseconds kConnectTimeout{2000};
   /// Telemetry beyond this many unread notifications loses the oldest; events are never lost.
   static constexpr std::size_t kMaxTelemetry = 256;
 
   /// Connects to the first of `addresses` that answers. kNoDaemon: "no daemon answers at A or B".
   static Outcome<Connection> open(const std::vector<Address>& addresses,
-                                  Milliseconds patience = kPatience);
+                                  Milliseconds patience = kConnectTimeout);
   /// The same again and again, with the pauses of `Backoff`, until `patience` is over.
   static Outcome<Connection> reopen(const std::vector<Address>& addresses, Milliseconds patience);
 
-  /// Sends one of the requests of protocol/requests.h and waits for its answer.
+  /// Sends one of the requests of protocol/requests.h and waits for its answer: `response_timeout`
+  /// unless a call says otherwise.
   template <class Request>
-  Outcome<ResultOf<Request>> call(const Request& request, Milliseconds patience = kPatience) {
+  Outcome<ResultOf<Request>> call(const Request& request,
+                                  Milliseconds patience = response_timeout()) {
     return decoded<ResultOf<Request>>(call_text(request, patience));
   }
   /// The same, with the result as the JSON text that the daemon sent.
   Outcome<std::string> call_text(const protocol::Request& request,
-                                 Milliseconds patience = kPatience);
+                                 Milliseconds patience = response_timeout());
   /// The same for any method; `params_json` is an object or empty.
   Outcome<std::string> call_raw(std::string_view method, std::string_view params_json,
-                                Milliseconds patience = kPatience);
+                                Milliseconds patience = response_timeout());
 
   /// Sends a request that is carried out and never answered.
-  Outcome<void> notify(const protocol::Request& request, Milliseconds patience = kPatience);
+  Outcome<void> notify(const protocol::Request& request,
+                       Milliseconds patience = response_timeout());
 
   /// Sends a request and does not wait for its answer: `answer` has it when `next` or a call has
   /// read it.
-  Outcome<protocol::Id> ask(const protocol::Request& request, Milliseconds patience = kPatience);
+  Outcome<protocol::Id> ask(const protocol::Request& request,
+                            Milliseconds patience = response_timeout());
   /// The oldest answer to an `ask` that was read and not yet taken; reads nothing itself.
   std::optional<protocol::Reply> answer();
 
   /// Introduces `client` ("Racer/1.2"). Optional.
   Outcome<protocol::HelloResult> hello(std::string client, std::optional<std::string> token = {},
-                                       Milliseconds patience = kPatience);
+                                       Milliseconds patience = response_timeout());
 
   /// The oldest event or telemetry not yet taken; nullopt when none came within `patience` (0: only
   /// what is already there).

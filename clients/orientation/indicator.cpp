@@ -15,7 +15,7 @@ constexpr std::int64_t kLeaseMs = 500;
 constexpr milliseconds kReportEvery{1000};
 constexpr double kFollowHz = 100.0;
 constexpr double kReportHz = 10.0;
-// A daemon that leaves ends the effects first, and then the connection.
+// A daemon that shuts down ends the effects first and reports the shutdown then.
 constexpr milliseconds kFarewell{1000};
 // As old as the daemon lets a world-frame effect play on.
 constexpr std::int64_t kStaleMs = 100;
@@ -77,7 +77,8 @@ Outcome<void> Indicator::run(const std::function<bool()>& stop,
 }
 
 Outcome<void> Indicator::start() {
-  if (auto events = connection_.call(protocol::EventsSubscribe{{"effect_ended"}}); !events) {
+  const protocol::EventsSubscribe ends{{"effect_ended", "shutting_down"}};
+  if (auto events = connection_.call(ends); !events) {
     return events.error();
   }
   if (auto played = play({}); !played) {
@@ -128,13 +129,14 @@ Outcome<void> Indicator::take(const Notification& told,
     now.temperature_c = status.temperature_c.model.value_or(0.0);
     report(now);
   }
-  if (ended_) {
+  if (ended_ || shutting_down_) {
     return {};
   }
   return options_.loop == Loop::kClient ? follow(status) : renew();
 }
 
 void Indicator::take(const protocol::Event& event) {
+  shutting_down_ = shutting_down_ || event.type == "shutting_down";
   if (event.type != "effect_ended" || event.effect != effect_) {
     return;
   }
@@ -148,7 +150,7 @@ void Indicator::take(const protocol::Event& event) {
 }
 
 Outcome<void> Indicator::check_ended() const {
-  if (!ended_ || Clock::now() - ended_at_ < kFarewell) {
+  if (!ended_ || shutting_down_ || Clock::now() - ended_at_ < kFarewell) {
     return {};
   }
   return ClientError{Failure::kRefused, "somebody ended the push: " + *ended_, {}};

@@ -60,13 +60,14 @@ class Indicator {
   Outcome<void> renew();
   void take(const protocol::Event& event);
   Outcome<void> follow(const protocol::Status& status);
-  /// An error once the effect was ended by somebody else and the daemon is still there.
+  /// An error once the effect was ended by somebody else and the daemon stays.
   Outcome<void> check_ended() const;
 
   Connection& connection_;
   IndicatorOptions options_;
   std::uint32_t effect_ = 0;
   bool lapsed_ = false;
+  bool shutting_down_ = false;
   std::optional<std::string> ended_;
   Clock::time_point ended_at_{};
   Clock::time_point started_at_{};

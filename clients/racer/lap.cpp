@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "clients/racer/lap.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -46,27 +47,38 @@ bool is_ready(const BallReport& ball) {
   return ball.connected && ball.state == "armed" && ball.trouble.empty();
 }
 
-/// Why there is nothing to feel; nothing: the ball is ready.
+/// How long a ball that is not ready may take. A daemon that is there has the response timeout.
+std::chrono::milliseconds max_wait(const BallReport& ball) {
+  const bool may_answer = ball.late || ball.trouble.empty();
+  return may_answer ? std::max(kArrives, client::response_timeout()) : kArrives;
+}
+
+/// Why there is nothing to feel; nothing: the ball is ready. Waits only while it may become so.
 std::optional<std::string> wait_for(Feel& feel) {
-  const auto until = std::chrono::steady_clock::now() + kArrives;
-  while (std::chrono::steady_clock::now() < until) {
+  const auto begun = std::chrono::steady_clock::now();
+  for (;;) {
     feel.frame({}, 0.0);
-    if (is_ready(feel.ball())) return std::nullopt;
-    if (const std::string why = sentence(feel.ball()); !why.empty()) return why;
+    const BallReport& ball = feel.ball();
+    if (is_ready(ball)) return std::nullopt;
+    const std::string why = sentence(ball);
+    if (!why.empty() && !ball.late) return why;
+    if (std::chrono::steady_clock::now() - begun > max_wait(ball)) {
+      return why.empty() ? "the daemon does not answer" : why;
+    }
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
-  return "the daemon does not answer";
 }
 
 /// Why the ball was lost on the way; nothing: it is still there. One that is not heard may be about
 /// to speak again.
 std::optional<std::string> lost(Feel& feel, double time_s) {
-  const auto until = std::chrono::steady_clock::now() + kArrives;
+  const auto begun = std::chrono::steady_clock::now();
   for (;;) {
     feel.frame({}, time_s);
     const BallReport& ball = feel.ball();
     if (is_ready(ball)) return std::nullopt;
-    if (ball.connected || std::chrono::steady_clock::now() > until) return sentence(ball);
+    const bool over = std::chrono::steady_clock::now() - begun > max_wait(ball);
+    if (ball.connected || over) return sentence(ball);
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
 }
@@ -76,9 +88,9 @@ bool in_vain(const Feel& feel) {
   return feel.ball().connected && !feel.ball().trouble.empty() && feel.summary().pulses == 0;
 }
 
-/// What is said last may still be under way.
+/// Waits for the responses to the last blows; a daemon that falls silent has none.
 void hear_the_end(Feel& feel, double time_s) {
-  const auto until = std::chrono::steady_clock::now() + BallLink::kSilent;
+  const auto until = std::chrono::steady_clock::now() + client::response_timeout();
   while (!feel.answered() && std::chrono::steady_clock::now() < until) {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
     feel.frame({}, time_s);

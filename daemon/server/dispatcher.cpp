@@ -130,19 +130,21 @@ void Dispatcher::item(Session& session, protocol::Item& item, const std::shared_
   reply->answers.emplace_back();
   ++reply->open;
   waiting_.push_back({reply, reply->answers.size() - 1, *item.id, method,
-                      std::get<Deferred>(std::move(outcome)), std::chrono::steady_clock::now()});
+                      std::get<Deferred>(std::move(outcome)),
+                      PolledTime(PolledTime::Clock::now())});
 }
 
 void Dispatcher::poll() {
   if (waiting_.empty()) {
     return;
   }
-  const auto now = std::chrono::steady_clock::now();
+  const auto now = PolledTime::Clock::now();
   std::erase_if(waiting_, [&](Waiting& w) {
     if (!services_.sessions.contains(w.reply->session)) {
       return true;
     }
-    const auto answer = w.deferred.poll(services_, now - w.since > kPatience);
+    w.waited.poll(now);
+    const auto answer = w.deferred.poll(services_, w.waited.elapsed() > kPatience);
     if (!answer) {
       return false;
     }

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "daemon/server/polled_time.h"
 #include "daemon/server/services.h"
 #include "protocol/server_codec.h"
 
@@ -18,7 +19,7 @@ namespace hedgehog::server {
 /// io thread only.
 class Dispatcher {
  public:
-  /// The control thread has this long, on the wall, to make an answer possible.
+  /// The control thread has this long to make an answer possible, as `PolledTime` counts it.
   static constexpr std::chrono::seconds kPatience{2};
 
   explicit Dispatcher(Services& services) : services_(services) {}
@@ -55,7 +56,7 @@ class Dispatcher {
     protocol::Id id;
     std::string_view method;
     Deferred deferred;
-    std::chrono::steady_clock::time_point since;
+    PolledTime waited;
   };
 
   void item(Session& session, protocol::Item& item, const std::shared_ptr<Reply>& reply);

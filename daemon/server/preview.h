@@ -3,12 +3,14 @@
 // and the fan of the control thread in front of the simulator's plant, in a world of their own.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 
 #include "daemon/server/effect_plan.h"
 #include "daemon/server/machine.h"
 #include "model/tick.h"
+#include "protocol/effect_params.h"
 #include "protocol/results.h"
 
 namespace hedgehog::server {
@@ -20,6 +22,9 @@ class Preview {
   static constexpr std::size_t kMaxAtOnce = 4;
   /// Ticks that io can spare at a time.
   static constexpr model::Tick kSlice = 250;
+  /// Of one preview: no effect is longer, and a lease runs out once.
+  static constexpr model::Tick kMaxSlices =
+      std::max(protocol::kMaxDurationMs, protocol::kMaxLeaseMs) / kSlice;
 
   /// As if `plan` began now on an armed ball whose sensors are sane, nobody else played, the ball
   /// lay still, and a lease ran out once. `plan` and `machine` are not needed afterwards.

@@ -80,9 +80,11 @@ void Server::line(Session& session, std::string_view text) {
 
 void Server::pump() {
   machine_.refresh();
+  const auto now = PolledTime::Clock::now();
+  control_silent_.poll(now);
   if (machine_.now().tick != last_tick_) {
     last_tick_ = machine_.now().tick;
-    ticked_ = std::chrono::steady_clock::now();
+    control_silent_.restart(now);
   }
   keyframes_.applied(machine_.now().applied_seq);
   take_events();

@@ -15,6 +15,7 @@
 #include "daemon/server/effect_registry.h"
 #include "daemon/server/keyframe_room.h"
 #include "daemon/server/machine.h"
+#include "daemon/server/polled_time.h"
 #include "daemon/server/services.h"
 #include "daemon/server/session.h"
 #include "daemon/server/status_view.h"
@@ -60,9 +61,9 @@ class Server {
   const Services& services() const noexcept { return services_; }
   Counters& counters() noexcept { return services_.counters; }
   protocol::Status status() { return status_.status(false); }
-  /// Since the control thread was last seen to tick.
+  /// Since the control thread was last seen to tick, as of the last pump.
   std::chrono::steady_clock::duration control_silent() const noexcept {
-    return std::chrono::steady_clock::now() - ticked_;
+    return control_silent_.elapsed();
   }
   /// Tells everybody who listens to events.
   void say_shutting_down(std::string reason);
@@ -87,7 +88,7 @@ class Server {
   std::vector<ConnectionId> leaving_;
   ConnectionId last_id_ = 0;
   model::Tick last_tick_ = 0;
-  std::chrono::steady_clock::time_point ticked_ = std::chrono::steady_clock::now();
+  PolledTime control_silent_{PolledTime::Clock::now()};
 };
 
 }  // namespace hedgehog::server

@@ -24,9 +24,8 @@ namespace fs = std::filesystem;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kOneTry{300};
-constexpr int kTries = 40;
-/// A loaded machine takes seconds until a program has begun.
-constexpr milliseconds kFirstAnswer{10'000};
+/// A loaded machine takes seconds until a program has begun, and as long until it answers.
+constexpr milliseconds kMaxStart{60'000};
 constexpr int kCannotRun = 127;
 
 ClientError cannot_start(const std::string& why) {
@@ -110,10 +109,11 @@ Outcome<PrivateDaemon> PrivateDaemon::start(double start_temperature_c) {
   if (daemon.process_ < 0) {
     return cannot_start("no process can be made");
   }
-  for (int i = 0; i < kTries; ++i) {
+  const auto until = Clock::now() + kMaxStart;
+  while (Clock::now() < until) {
     auto connection = Connection::reopen({Address{.path = daemon.socket_, .host = {}}}, kOneTry);
     if (connection) {
-      const auto hello = connection->hello("hedgehogctl", std::nullopt, kFirstAnswer);
+      const auto hello = connection->hello("hedgehogctl", std::nullopt, kMaxStart);
       return hello ? Outcome<PrivateDaemon>(std::move(daemon))
                    : cannot_start(hello.error().message);
     }

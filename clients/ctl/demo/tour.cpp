@@ -66,7 +66,7 @@ TourChapter skid() {
 void hold(TourChapter& chapter, const std::string& slot, const std::string& params,
           const std::string& words) {
   chapter.steps.push_back({chapter.from, "effect.hold",
-                           "{" + params + R"(,"lease_ms":2000,"slot":")" + slot + R"("})", words});
+                           "{" + params + R"(,"lease_ms":10000,"slot":")" + slot + R"("})", words});
   const std::string slot_only = R"({"slot":")" + slot + R"("})";
   for (milliseconds at = chapter.from + kRenewal; at < chapter.to - kRenewal; at += kRenewal) {
     chapter.steps.push_back({at, "effect.update", slot_only, "", false});

@@ -17,8 +17,12 @@ namespace {
 constexpr double kPictureHz = 25.0;
 constexpr Milliseconds kPicturePeriod{40};
 constexpr std::size_t kPinsShown = 4;
+/// Shorter than the rest between two effects of the tour, 100 ms, so that they never add up.
+constexpr Milliseconds kMaxLate{50};
 /// A machine may be this busy; a ball that says nothing for longer is not coming back.
-constexpr Milliseconds kPatience{10'000};
+constexpr Milliseconds kMinPatience{10'000};
+
+Milliseconds patience() { return std::max(kMinPatience, response_timeout()); }
 
 }  // namespace
 
@@ -45,7 +49,7 @@ Outcome<void> TourPlayer::play() {
       break;
     }
   }
-  seconds_ = now_s();
+  seconds_ = now_s() + std::chrono::duration<double>(lost_).count();
   canvas_.reset();
   if (interrupted()) {
     const auto stopped = connection_.call(protocol::EffectStopAll{});
@@ -80,6 +84,9 @@ Outcome<void> TourPlayer::play_chapter(const TourChapter& chapter) {
     if (auto sent = send(step); !sent) {
       return sent;
     }
+    if (auto kept = keep_distance(step.at, chapter); !kept) {
+      return kept;
+    }
   }
   auto waited = wait_until(chapter.to, chapter);
   say_played();
@@ -90,18 +97,43 @@ Outcome<void> TourPlayer::play_chapter(const TourChapter& chapter) {
 }
 
 Outcome<void> TourPlayer::wait_until(Milliseconds at, const TourChapter& chapter) {
-  while (!interrupted() && now() < at) {
+  auto heard = take_waiting(chapter);
+  while (heard && !interrupted() && now() < at) {
     auto told = connection_.next(std::min(at - now(), kPicturePeriod));
     if (!told) {
       return told.error();
     }
     if (*told) {
       take(**told, chapter);
-    } else if (Clock::now() - told_at_ > kPatience) {
-      return ClientError{Failure::kTimeout, "the ball has said nothing for 10 s", {}};
+      heard = take_waiting(chapter);
+    } else if (Clock::now() - told_at_ > patience()) {
+      const auto seconds = std::chrono::duration<double>(patience()).count();
+      return ClientError{
+          Failure::kTimeout, "the ball has said nothing for " + fixed(seconds, 0) + " s", {}};
     }
   }
-  return {};
+  return heard ? keep_distance(at, chapter) : heard;
+}
+
+Outcome<void> TourPlayer::take_waiting(const TourChapter& chapter) {
+  for (;;) {
+    auto told = connection_.next(Milliseconds{0});
+    if (!told) {
+      return told.error();
+    }
+    if (!*told) {
+      return {};
+    }
+    take(**told, chapter);
+  }
+}
+
+Outcome<void> TourPlayer::keep_distance(Milliseconds at, const TourChapter& chapter) {
+  auto heard = take_waiting(chapter);
+  if (const Milliseconds late = now() - at; late > kMaxLate) {
+    lost_ += late;
+  }
+  return heard;
 }
 
 void TourPlayer::take(const Notification& told, const TourChapter& chapter) {
@@ -117,7 +149,7 @@ void TourPlayer::take(const Notification& told, const TourChapter& chapter) {
 }
 
 Outcome<void> TourPlayer::send(const TourStep& step) {
-  const auto answer = connection_.call_raw(step.method, step.params, kPatience);
+  const auto answer = connection_.call_raw(step.method, step.params, patience());
   if (answer) {
     return {};
   }
@@ -185,7 +217,7 @@ Milliseconds TourPlayer::now() const {
   // A ball that is slow, or waits, has no more time than it tells.
   const auto since = std::chrono::floor<Milliseconds>(Clock::now() - told_at_);
   const std::chrono::nanoseconds told(ball_.status.time_ns - start_ns_);
-  return std::chrono::floor<Milliseconds>(told) + std::min(since, kPicturePeriod);
+  return std::chrono::floor<Milliseconds>(told) + std::min(since, kPicturePeriod) - lost_;
 }
 
 double TourPlayer::now_s() const { return static_cast<double>(now().count()) / 1000.0; }

@@ -38,6 +38,10 @@ class TourPlayer {
   Outcome<void> play_chapter(const TourChapter& chapter);
   /// Until `at` after the start: takes what the daemon says, and draws.
   Outcome<void> wait_until(Milliseconds at, const TourChapter& chapter);
+  /// Takes what has come already.
+  Outcome<void> take_waiting(const TourChapter& chapter);
+  /// Delays the rest of the tour when `at` was missed by much: time lost stays lost.
+  Outcome<void> keep_distance(Milliseconds at, const TourChapter& chapter);
   void take(const Notification& told, const TourChapter& chapter);
   Outcome<void> send(const TourStep& step);
   void draw(const TourChapter& chapter);
@@ -46,7 +50,8 @@ class TourPlayer {
   void say_played();
   void say_derating(const protocol::Event& event);
   void say_rest(const TourChapter& chapter);
-  /// Since the start by the ball's clock: what it told last, and what has passed since.
+  /// Time of the tour by the ball's clock: what it told last, and what has passed since, without
+  /// what was lost.
   Milliseconds now() const;
   double now_s() const;
 
@@ -60,6 +65,7 @@ class TourPlayer {
   const TourStep* playing_ = nullptr;
   const TourStep* unsaid_ = nullptr;
   std::int64_t start_ns_ = 0;
+  Milliseconds lost_{};
   Clock::time_point told_at_{};
   double seconds_ = 0.0;
 };

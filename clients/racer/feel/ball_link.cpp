@@ -15,8 +15,7 @@ using protocol::StatusKey;
 
 // A frame never waits.
 constexpr Milliseconds kNow{0};
-/// For the daemon, and then for each of its answers.
-constexpr Milliseconds kLooksFor{1000};
+constexpr Milliseconds kConnectTimeout{1000};
 constexpr double kTellsHz = 60.0;
 
 }  // namespace
@@ -24,9 +23,9 @@ constexpr double kTellsHz = 60.0;
 /// Says hello and asks to be told what a game wants to know: the telemetry has the state and the
 /// heat, so there is no need of events. Waits, so not for the game's thread.
 Outcome<BallLink::Arrival> BallLink::arrive(const std::vector<client::Address>& addresses) {
-  auto daemon = Connection::reopen(addresses, kLooksFor);
+  auto daemon = Connection::reopen(addresses, kConnectTimeout);
   if (!daemon) return daemon.error();
-  const auto hello = daemon->hello("hedgehog-racer/" HEDGEHOG_VERSION, {}, kLooksFor);
+  const auto hello = daemon->hello("hedgehog-racer/" HEDGEHOG_VERSION);
   if (!hello) return hello.error();
   protocol::StatusKeys keys;
   for (const auto key :
@@ -34,7 +33,7 @@ Outcome<BallLink::Arrival> BallLink::arrive(const std::vector<client::Address>& 
         StatusKey::kLimitA, StatusKey::kBurstS, StatusKey::kDerating, StatusKey::kOrientation}) {
     keys.add(key);
   }
-  const auto told = daemon->call(protocol::TelemetrySubscribe{kTellsHz, keys}, kLooksFor);
+  const auto told = daemon->call(protocol::TelemetrySubscribe{kTellsHz, keys});
   if (!told) return told.error();
   return Arrival{std::move(*daemon), *hello};
 }
@@ -45,7 +44,7 @@ BallLink::BallLink(std::vector<client::Address> addresses) : addresses_(std::mov
 
 BallLink::~BallLink() = default;
 
-/// In the background, because it may take a second; the race goes on. True when it was found.
+/// In the background, because it may take seconds; the race goes on. True when it was found.
 bool BallLink::look_for_the_daemon() {
   if (arriving_.valid()) {
     if (arriving_.wait_for(kNow) != std::future_status::ready) return false;
@@ -65,6 +64,7 @@ bool BallLink::look_for_the_daemon() {
 void BallLink::lose_the_daemon(const client::ClientError& why) {
   daemon_.reset();
   trouble_ = why.message;
+  timed_out_ = why.failure == client::Failure::kTimeout;
   next_try_ = Clock::now() + backoff_.next();
 }
 
@@ -102,6 +102,8 @@ void BallLink::notify(const protocol::Request& request) {
 }
 
 bool BallLink::hears() const { return daemon_ && Clock::now() - heard_at_ < kSilent; }
+
+bool BallLink::is_late() const { return daemon_ ? !hears() : timed_out_; }
 
 std::string BallLink::trouble() const { return daemon_ ? "the daemon is silent" : trouble_; }
 

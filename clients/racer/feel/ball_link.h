@@ -29,7 +29,7 @@ class BallLink {
   explicit BallLink(std::vector<client::Address> addresses);
   BallLink(const BallLink&) = delete;
   BallLink& operator=(const BallLink&) = delete;
-  /// Waits for an attempt that is under way, a second or two.
+  /// Waits for an attempt that is under way: a second, and `response_timeout` twice at most.
   ~BallLink();
 
   /// Once a frame: what has come since, and looks for the daemon where there is none.
@@ -40,6 +40,8 @@ class BallLink {
 
   /// It is there and not silent.
   bool hears() const;
+  /// It is there, and silent or late with a response.
+  bool is_late() const;
   /// Why it does not hear, one sentence; empty while the first attempt is under way.
   std::string trouble() const;
   /// Of this conversation: limits and role.
@@ -62,6 +64,7 @@ class BallLink {
   protocol::HelloResult hello_{};
   Clock::time_point heard_at_{};
   std::string trouble_;
+  bool timed_out_ = false;  // the last attempt
 };
 
 }  // namespace hedgehog::racer

@@ -15,6 +15,8 @@ struct BallReport {
   /// Why nothing is felt, one sentence: not connected, or connected and refused to this game; empty
   /// while the daemon is still being looked for.
   std::string trouble{};
+  /// Not connected, but a daemon is there: it is silent, or its response timed out.
+  bool late = false;
   std::string state{};    // armed, disarmed, tripped, absent; empty: no daemon
   std::string remedy{};   // what to do about it; empty: nothing
   double gain = 1.0;      // the game's own, 1 = as strong as it may be

@@ -137,6 +137,7 @@ void Feel::listen() {
   ball_ = {};
   ball_.gain = gain_.now();
   ball_.trouble = link_.trouble();
+  ball_.late = link_.is_late();
 }
 
 void Feel::take(const protocol::Reply& answer) {
@@ -159,6 +160,7 @@ void Feel::take(const protocol::Status& status) {
   gain_.take(status.derating, status.burst_s, passed_s);
 
   ball_.connected = true;
+  ball_.late = false;
   ball_.trouble = refused_;
   ball_.simulated = status.simulated;
   ball_.state = status.state;

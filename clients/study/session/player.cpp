@@ -21,11 +21,10 @@ constexpr std::int64_t kRenewNs = 2'000 * kNsPerMs;
 constexpr double kTelemetryHz = 5.0;
 // Before the first interval, so that a hand may settle.
 constexpr std::int64_t kLeadMs = 500;
-constexpr Milliseconds kGlance{5};
+constexpr Milliseconds kNewsPoll{5};
 constexpr double kFullStrength = 0.98;
 // An effect is over by now, whatever the daemon says or does not say.
 constexpr std::int64_t kOverdueNs = 5'000 * kNsPerMs;
-constexpr std::chrono::seconds kStopPatience{5};
 // A tick or two at either end.
 constexpr std::int64_t kShortMs = 3;
 constexpr double kRounding = 1e-9;
@@ -225,11 +224,11 @@ Outcome<IntervalPlayed> Player::play(int interval, const Stimulus& stimulus, con
                                   pattern.duration_ms * kNsPerMs + kOverdueNs;
   std::optional<std::chrono::steady_clock::time_point> stopped_at;
   while (!ended_) {
-    if (auto kept = keep(kGlance); !kept) {
+    if (auto kept = keep(kNewsPoll); !kept) {
       return kept.error();
     }
     const auto now = std::chrono::steady_clock::now();
-    if (!ended_ && (device_ns_ > overdue_ns || (stopped_at && now - *stopped_at > kStopPatience))) {
+    if (!ended_ && (device_ns_ > overdue_ns || (stopped_at && now - *stopped_at > max_silence()))) {
       return client::ClientError{
           client::Failure::kProtocol, "the daemon never said that the circle ended", {}};
     }

@@ -2,6 +2,7 @@
 // The ball during a run: one circle after another, on the daemon's clock, and nobody else's.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <functional>
 #include <optional>
@@ -24,12 +25,17 @@ class Player {
  public:
   /// The daemon tells something five times a second of its own time.
   static constexpr client::Milliseconds kSilence{5'000};
+  /// A daemon that tells nothing for so long, or does not end what was stopped, counts as gone:
+  /// `kSilence`, or the response timeout where that is longer.
+  static client::Milliseconds max_silence() {
+    return std::max(kSilence, client::response_timeout());
+  }
 
   /// Connects, introduces itself, claims the ball. A daemon that tells nothing for `silence` counts
   /// as gone.
   static client::Outcome<Player> open(const std::vector<client::Address>& addresses,
                                       client::Milliseconds patience,
-                                      client::Milliseconds silence = kSilence);
+                                      client::Milliseconds silence = max_silence());
 
   const BallFacts& ball() const noexcept { return ball_; }
   /// How the experiment asks for more than this ball plays, as a sentence. Nothing: it does not.

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// How long a client waits for a response, and who may change it.
+#include "clients/lib/patience.h"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <string>
+
+namespace hedgehog::client {
+namespace {
+
+using namespace std::chrono_literals;
+
+std::chrono::milliseconds with(const std::optional<std::string>& value) {
+  return response_timeout([&](const std::string& name) {
+    EXPECT_EQ(name, "HEDGEHOG_PATIENCE_MS");
+    return value;
+  });
+}
+
+TEST(ResponseTimeout, IsTwoSecondsUnlessTheEnvironmentSaysOtherwise) {
+  EXPECT_EQ(with(std::nullopt), 2s);
+  EXPECT_EQ(with("60000"), 60s);
+  EXPECT_EQ(with("100"), 100ms);
+  EXPECT_EQ(with("600000"), 600s);
+}
+
+TEST(ResponseTimeout, IgnoresWhatIsNoIntegerOfItsRange) {
+  for (const char* nonsense : {"", "99", "600001", "-500", "+500", "5e3", "500ms", " 500", "500.0",
+                               "99999999999999999999"}) {
+    EXPECT_EQ(with(nonsense), 2s) << nonsense;
+  }
+}
+
+}  // namespace
+}  // namespace hedgehog::client

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// How long control or the disk may take, on a machine that holds up the whole process.
+#include "daemon/server/polled_time.h"
+
+#include <gtest/gtest.h>
+
+namespace hedgehog::server {
+namespace {
+
+using namespace std::chrono_literals;
+
+TEST(PolledTime, IsTheClockOfWhoPollsOften) {
+  PolledTime::Clock::time_point now{};
+  PolledTime waited(now);
+  for (int i = 0; i < 400; ++i) waited.poll(now += 5ms);
+  EXPECT_EQ(waited.elapsed(), 2s);
+  waited.restart(now);
+  EXPECT_EQ(waited.elapsed(), 0s);
+  waited.poll(now += 1ms);
+  EXPECT_EQ(waited.elapsed(), 1ms);
+}
+
+TEST(PolledTime, LeavesOutHowLongTheProcessWasHeldUp) {
+  PolledTime::Clock::time_point now{};
+  PolledTime waited(now);
+  waited.poll(now += 1h);
+  EXPECT_EQ(waited.elapsed(), PolledTime::kMaxStep);
+  for (int i = 0; i < 10; ++i) waited.poll(now += 20ms);
+  EXPECT_EQ(waited.elapsed(), PolledTime::kMaxStep + 200ms);
+}
+
+}  // namespace
+}  // namespace hedgehog::server
