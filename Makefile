@@ -10,6 +10,9 @@ FUZZ_SECONDS ?= 20
 VM_SECONDS ?= 900
 export JOBS
 
+# Takes the time of a command when HEDGEHOG_STAGES names a file.
+STAGE := cmake/stage.sh
+
 BUILD_DEPS := build/.packages-build
 TEST_DEPS := $(BUILD_DEPS) build/.packages-test
 
@@ -88,53 +91,56 @@ test-web: dashboard racer-page build/.packages-web $(TEST_DEPS)
 	@mkdir -p build/dev/share/hedgehog
 	@ln -sfn $(CURDIR)/$(DASHBOARD) build/dev/share/hedgehog/www
 	@ln -sfn $(CURDIR)/$(RACER) build/dev/share/hedgehog/racer
-	tests/web/run.sh build/dev
+	@$(STAGE) 'tests web' tests/web/run.sh build/dev
 
 demo: release
 	@build/release/clients/ctl/hedgehogctl demo --private $(ARGS)
 
-test: $(TEST_DEPS)
+.PHONY: dev
+dev: $(TEST_DEPS)
 	cmake --preset dev
-	cmake --build --preset dev
-	ctest --preset dev -j $(JOBS)
+	@$(STAGE) 'build dev' cmake --build --preset dev
+
+test: dev
+	tests/run.sh dev
 
 SANITIZER_OPTIONS ?= -DHEDGEHOG_ONE_THREAD_TESTS=ON
 asan tsan: $(TEST_DEPS)
 	cmake --preset $@ $(SANITIZER_OPTIONS)
-	cmake --build --preset $@
-	ctest --preset $@ -j $(JOBS)
+	@$(STAGE) 'build $@' cmake --build --preset $@
+	tests/run.sh $@
 
 fuzz: $(TEST_DEPS)
-	cmake --preset fuzz -DHEDGEHOG_FUZZ_SECONDS=$(FUZZ_SECONDS)
-	cmake --build --preset fuzz
-	ctest --preset fuzz -j $(JOBS)
+	cmake --preset asan -DHEDGEHOG_FUZZ_SECONDS=$(FUZZ_SECONDS)
+	@$(STAGE) 'build fuzzers' cmake --build --preset asan --target fuzzers
+	@$(STAGE) 'fuzz' ctest --preset fuzz -j $(JOBS)
 
+CHECKS ?= format shell tidy
 check: $(TEST_DEPS)
 	cmake --preset tidy
-	cmake/check.sh $(CHECKS)
+	@set -e; for one in $(CHECKS); do $(STAGE) "check $$one" cmake/check.sh "$$one"; done
 
-.PHONY: campaigns
-campaigns: $(TEST_DEPS)
+faults: $(TEST_DEPS)
 	cmake --preset bench
 	cmake --build --preset bench --target campaigns
-
-faults: campaigns
 	@set -e; for program in build/bench/tests/campaign/campaign_*; do echo "$$program"; "$$program"; done
 
 firmware: $(TEST_DEPS) build/.packages-firmware
-	@tests/firmware/build.sh build/firmware
+	@$(STAGE) 'build firmware' tests/firmware/build.sh build/firmware
 	cmake --preset dev
 	cmake --build --preset dev --target firmware_vectors
-	tests/firmware/compare.sh build/dev/tests/firmware/firmware_vectors build/firmware/vectors.elf
+	@$(STAGE) 'tests firmware' tests/firmware/compare.sh build/dev/tests/firmware/firmware_vectors build/firmware/vectors.elf
 
 test-usb: $(TEST_DEPS) build/.packages-vm
 	cmake --preset dev
-	cmake --build --preset dev --target test_usb
-	tests/vm/test.sh -t $(VM_SECONDS) build/dev/tests/vm/test_usb
+	@$(STAGE) 'build test_usb' cmake --build --preset dev --target test_usb
+	@$(STAGE) 'tests usb' tests/vm/run.sh -t $(VM_SECONDS) build/dev/tests/vm/test_usb --gtest_color=no
 
 .PHONY: faults-ci
-faults-ci: campaigns
-	ctest --preset campaign -j $(JOBS)
+faults-ci: $(TEST_DEPS)
+	cmake --preset dev
+	@$(STAGE) 'build campaigns' cmake --build --preset dev --target campaigns benchmarks
+	@$(STAGE) 'fault campaigns' ctest --preset campaign -j $(JOBS)
 
 # Ten simulated people through the three experiments, runner and daemon killed twenty times.
 .PHONY: rehearsal
@@ -142,27 +148,29 @@ REHEARSAL ?= short
 rehearsal: $(TEST_DEPS)
 	cmake --preset dev
 	cmake --build --preset dev --target test_e2e
-	HEDGEHOG_STUDY_REHEARSAL=$(REHEARSAL) build/dev/tests/test_e2e --gtest_filter='Kills.*'
+	HEDGEHOG_STUDY_REHEARSAL=$(REHEARSAL) $(STAGE) rehearsal build/dev/tests/test_e2e --gtest_filter='Kills.*'
 
 guards: $(TEST_DEPS)
-	tests/guards/remove_guards.sh $(ARGS)
+	@$(STAGE) guards tests/guards/remove_guards.sh $(ARGS)
 
 bench: $(TEST_DEPS)
 	cmake --preset bench
 	cmake --build --preset bench --target benchmarks
 	@set -e; for program in build/bench/tests/bench/bench_*; do "$$program" --benchmark_min_time=0.2; done
 
-# One after the other: each uses every core.
+# One after the other: each uses every core. What is quick and fails often comes first.
 test-all: $(TEST_DEPS)
-	$(MAKE) check CHECKS='format shell tidy-product'
+	$(MAKE) check CHECKS='format shell'
 	$(MAKE) firmware
-	$(MAKE) test-usb
+	$(MAKE) check CHECKS='tidy-product'
 	$(MAKE) faults-ci
 	$(MAKE) rehearsal
-	$(MAKE) fuzz FUZZ_SECONDS=10
-	$(MAKE) asan
-	$(MAKE) tsan SANITIZER_OPTIONS=-DHEDGEHOG_ONE_THREAD_TESTS=OFF
 	$(MAKE) test-web
+	$(MAKE) test-usb
+	$(MAKE) tsan SANITIZER_OPTIONS=-DHEDGEHOG_ONE_THREAD_TESTS=OFF
+	$(MAKE) asan
+	$(MAKE) fuzz FUZZ_SECONDS=10
+	$(MAKE) guards ARGS=--third
 
 clean:
 	rm -rf build

@@ -13,11 +13,6 @@ sources() {
   find model protocol daemon clients tests cmake -name '*.cpp' -o -name '*.h' | sort
 }
 
-# What is built here; headers are judged with whoever includes them.
-compiled() {
-  sed -n 's/^ *"file": "\(.*\)",\{0,1\}$/\1/p' build/tidy/compile_commands.json | grep -v '/build/' | sort -u
-}
-
 check_format() {
   sources | xargs clang-format --dry-run -Werror ||
     { echo "check: run clang-format -i on the files above"; failed=1; }
@@ -29,10 +24,13 @@ check_shell() {
     xargs grep -lE -m1 '^#!.*(/| )(ba)?sh$' | xargs shellcheck || failed=1
 }
 
+# What is built here, each file by itself, without batches and precompiled headers: a missing include is found too.
+# Headers are judged with whoever includes them. A linter prints its findings on stdout, all at once, only when it has
+# any; its counts go to stderr.
 check_tidy() {
-  # A linter says its findings on stdout, all at once, only when it has any; its counts go to stderr.
   # shellcheck disable=SC2016
-  compiled | grep -v "${1:-^$}" | xargs -n 1 -P "$jobs" sh -c \
+  sed -n 's/^ *"file": "\(.*\)",\{0,1\}$/\1/p' build/tidy/compile_commands.json | grep -v "/build/\|${1:-^$}" | sort -u |
+    xargs -n 1 -P "$jobs" sh -c \
     'found=$(clang-tidy -p build/tidy --quiet "$1" 2>/dev/null) || { printf "%s\n" "$found"; exit 1; }' tidy || failed=1
 }
 

@@ -14,7 +14,7 @@ if(NOT CMAKE_BUILD_TYPE)
 endif()
 
 # Development builds keep assert(); layers that simulate hours of heat ask for -O2 themselves (layer.cmake).
-set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O1 -g1")
+set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O0 -g1")
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
 add_compile_definitions($<$<CONFIG:RelWithDebInfo,Debug>:_GLIBCXX_ASSERTIONS>)
 
@@ -22,6 +22,11 @@ add_compile_definitions($<$<CONFIG:RelWithDebInfo,Debug>:_GLIBCXX_ASSERTIONS>)
 add_compile_options(-ffp-contract=off)
 include_directories(${PROJECT_SOURCE_DIR})
 add_compile_definitions(HEDGEHOG_VERSION="${PROJECT_VERSION}")
+
+if(HEDGEHOG_UNITY)
+  set(CMAKE_UNITY_BUILD ON)
+  set(CMAKE_UNITY_BUILD_BATCH_SIZE 16)
+endif()
 
 add_library(hedgehog_warnings INTERFACE)
 # -Wconversion means less to g++ than to clang; sign changes are left out for both.
@@ -31,6 +36,10 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   # g++ 12 sees overlaps and overruns in std::string that are none (its bugs 105329, 105651); AddressSanitizer sees the
   # real ones.
   target_compile_options(hedgehog_warnings INTERFACE -Wno-restrict -Wno-array-bounds -Wno-stringop-overflow)
+  if(HEDGEHOG_UNITY)
+    # To the compiler each source of a batch is a header; the ordinary builds keep the warning.
+    target_compile_options(hedgehog_warnings INTERFACE -Wno-subobject-linkage)
+  endif()
   if(HEDGEHOG_SANITIZE)
     # Instrumented code confuses the flow analysis; the plain builds keep the warning.
     target_compile_options(hedgehog_warnings INTERFACE -Wno-maybe-uninitialized)

@@ -4,12 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/units.h"
+
 namespace hedgehog::model {
-namespace {
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
-
-}  // namespace
+namespace {}  // namespace
 
 std::optional<Vec3> direction_named(std::string_view name) noexcept {
   for (const NamedDirection& known : kNamedDirections) {
@@ -27,8 +25,8 @@ std::string_view side_name(const Vec3& v) noexcept {
 }
 
 Vec3 vector_of(const AzimuthElevation& angles) noexcept {
-  const double azimuth = angles.azimuth_deg / kDegrees;
-  const double elevation = angles.elevation_deg / kDegrees;
+  const double azimuth = angles.azimuth_deg / kDegreesPerRadian;
+  const double elevation = angles.elevation_deg / kDegreesPerRadian;
   return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
           std::sin(elevation)};
 }
@@ -36,8 +34,8 @@ Vec3 vector_of(const AzimuthElevation& angles) noexcept {
 AzimuthElevation angles_of(const Vec3& v) noexcept {
   const double across = std::hypot(v.x, v.y);
   const bool has_azimuth = across > 1e-12 * norm(v);
-  return {has_azimuth ? std::atan2(v.y, v.x) * kDegrees : 0.0,
-          norm(v) > 0.0 ? std::atan2(v.z, across) * kDegrees : 0.0};
+  return {has_azimuth ? std::atan2(v.y, v.x) * kDegreesPerRadian : 0.0,
+          norm(v) > 0.0 ? std::atan2(v.z, across) * kDegreesPerRadian : 0.0};
 }
 
 }  // namespace hedgehog::model

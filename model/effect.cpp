@@ -10,13 +10,13 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kPitchDegrees = 23.5;
 /// A phase so close below a boundary has reached it: a hundred times 0.01 is a whole step.
-constexpr double kRounding = 1e-9;
+constexpr double kPhaseRounding = 1e-9;
 
-double whole(double x) noexcept { return std::floor(x + kRounding); }
+double whole(double x) noexcept { return std::floor(x + kPhaseRounding); }
 
 /// `x` wrapped into 0..`period`; tells whether it went round.
 bool wrap(double& x, double period) noexcept {
-  if (x < period - kRounding) return false;
+  if (x < period - kPhaseRounding) return false;
   x = std::max(0.0, x - whole(x / period) * period);
   return true;
 }
@@ -37,7 +37,7 @@ double waveform_level(const EffectSpec& spec, const EffectPhase& phase) noexcept
     case Waveform::kSine:
       return 0.5 - 0.5 * std::cos(2.0 * kPi * w);
     case Waveform::kSquare:
-      return w < spec.on_fraction - kRounding ? 1.0 : 0.0;
+      return w < spec.on_fraction - kPhaseRounding ? 1.0 : 0.0;
     case Waveform::kTriangle:
       return w < 0.5 ? 2.0 * w : 2.0 * (1.0 - w);
     case Waveform::kSawtooth:
@@ -90,8 +90,9 @@ Ring ring_of(const Trajectory& trajectory) noexcept {
 
 Vec3 direction_at(const Ring& ring, const EffectPhase& phase) noexcept {
   if (ring.steps == 0) return ring.along;
-  const double steps =
-      ring.smooth ? phase.steps : static_cast<double>(static_cast<int>(phase.steps + kRounding));
+  const double steps = ring.smooth
+                           ? phase.steps
+                           : static_cast<double>(static_cast<int>(phase.steps + kPhaseRounding));
   const double angle = 2.0 * kPi * steps / ring.steps;
   return ring.along + std::cos(angle) * ring.front + std::sin(angle) * ring.side;
 }
@@ -151,7 +152,7 @@ EffectPhase carried(const EffectSpec& from, const EffectSpec& to, EffectPhase ph
 
 Tick ticks_to_end(const Score& score, double at_ms) noexcept {
   const double left = std::max(0.0, score.length_ms - at_ms) / score.rate;
-  return static_cast<Tick>(std::ceil(left - kRounding));
+  return static_cast<Tick>(std::ceil(left - kPhaseRounding));
 }
 
 double rms_fraction(const EffectSpec& spec) noexcept {

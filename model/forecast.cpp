@@ -23,7 +23,7 @@ constexpr double kShortestS = 1e-3;
 constexpr double kLongestWhileFanIsOpenS = 2.0;
 // A device file may describe a ball so light that this ends before the horizon; an ordinary one
 // needs a third of it.
-constexpr int kMostSteps = 4000;
+constexpr int kMaxForecastSteps = 4000;
 
 /// The ball under a constant load, with its fan.
 class Course {
@@ -68,7 +68,7 @@ class Course {
     nodes_.core_c += dt_s / 6.0 * (k1.core_c + 2.0 * (k2.core_c + k3.core_c) + k4.core_c);
     time_s_ += dt_s;
     mean_a_ += (norm_a_ - mean_a_) * (1.0 - std::exp(-dt_s / kFanMeanS));
-    return time_s_ < kHorizonS && ++steps_ < kMostSteps;
+    return time_s_ < kHorizonS && ++steps_ < kMaxForecastSteps;
   }
 
   double hottest_c() const noexcept { return hottest_winding(nodes_); }

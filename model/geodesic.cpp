@@ -13,7 +13,7 @@ namespace {
 using Triangle = std::array<std::size_t, 3>;
 
 /// The same for rounding: half of the shortest distance that there can be is larger.
-constexpr double kSame = 1e-6;
+constexpr double kSamePoint = 1e-6;
 
 Geodesic icosahedron() {
   Geodesic ico;
@@ -43,7 +43,7 @@ Geodesic icosahedron() {
 /// The index of `p` in `points`, where it is put when it is new. The sides of two triangles meet in
 /// the same points but for rounding.
 std::size_t index_of(std::vector<Vec3>& points, const Vec3& p) {
-  const auto same = [&](const Vec3& q) { return norm(q - p) < kSame; };
+  const auto same = [&](const Vec3& q) { return norm(q - p) < kSamePoint; };
   const auto found = std::find_if(points.begin(), points.end(), same);
   if (found == points.end()) {
     points.push_back(p);
@@ -93,7 +93,7 @@ Patch patch_of(const Geodesic& ico, const Triangle& t) {
 Vec3 place(const Patch& patch, Weights weights) {
   std::array<Vec3, 3> corner = patch.corner;
   for (std::size_t k = 0; k < 3; ++k) {
-    if (weights[k] > -kSame) continue;
+    if (weights[k] > -kSamePoint) continue;
     const double over = weights[k];
     weights[(k + 1) % 3] += over;
     weights[(k + 2) % 3] += over;
@@ -129,7 +129,7 @@ Geodesic geodesic(int m, int n) {
           const Step sum = kind[0] + kind[1] + kind[2];
           const Weights middle = weights(i + sum.i / 3.0, j + sum.j / 3.0);
           // One whose middle lies on a side belongs to both: `known` takes it once.
-          if (*std::min_element(middle.begin(), middle.end()) < -kSame) continue;
+          if (*std::min_element(middle.begin(), middle.end()) < -kSamePoint) continue;
           for (std::size_t k = 0; k < 3; ++k) {
             const Weights w = weights(i + kind[k].i, j + kind[k].j);
             indices[k] = index_of(fine.points, place(patch, w));

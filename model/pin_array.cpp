@@ -22,7 +22,7 @@ Vec3 without_noise(Vec3 v) {
 }
 
 /// 0..2 pi anticlockwise from the front; what is at the front but for rounding is at 0.
-double azimuth_from_front(const Vec3& v) {
+double centre_azimuth(const Vec3& v) {
   const double azimuth = std::atan2(v.y, v.x);
   return azimuth < -1e-6 ? azimuth + 2.0 * std::numbers::pi : std::max(azimuth, 0.0);
 }
@@ -36,9 +36,8 @@ PinArray make_hedgehog_86() {
     for (const Goldberg::Face& face : tkd.faces) {
       if (face.ring == ring) members.push_back(without_noise(face.direction));
     }
-    std::sort(members.begin(), members.end(), [](const Vec3& a, const Vec3& b) {
-      return azimuth_from_front(a) < azimuth_from_front(b);
-    });
+    std::sort(members.begin(), members.end(),
+              [](const Vec3& a, const Vec3& b) { return centre_azimuth(a) < centre_azimuth(b); });
     array.ring_start.push_back(array.pins.size());
     for (const Vec3& position : members) {
       array.pins.push_back({static_cast<int>(array.pins.size()), ring, position});

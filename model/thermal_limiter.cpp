@@ -9,7 +9,7 @@ namespace {
 
 // Short against the 0.5 s that 15 A need for one kelvin, long against a tick of sensor noise.
 constexpr double kFilterS = 0.05;
-constexpr double kAbsurdA = 1000.0;
+constexpr double kMaxRequestA = 1000.0;
 
 }  // namespace
 
@@ -41,7 +41,7 @@ LimitedCurrents ThermalLimiter::limit(const CoilCurrents& wanted, const ThermalE
 
   const Vec3& a = wanted.a;
   const double length = norm(a);
-  rejected_ = !is_finite(a) || !(length <= kAbsurdA);
+  rejected_ = !is_finite(a) || !(length <= kMaxRequestA);
   if (rejected_ || length == 0.0) return LimitedCurrents();
   double scale = std::min(1.0, allowed_.value / length);
   for (int coil = 0; coil < kCoils; ++coil) {

@@ -15,7 +15,7 @@ constexpr double kWarmerS = 0.05;
 constexpr double kCoolerS = 0.5;
 // A winding this far below the room measures a fault, not a temperature.
 constexpr double kImpossiblyColdK = 20.0;
-constexpr double kAbsurdA = 100.0;
+constexpr double kMaxPlausibleA = 100.0;
 
 // Two filters on the thermistor; their difference is its slope, which gives the 2 s lead.
 constexpr double kSensorFastS = 0.25;
@@ -61,7 +61,7 @@ ThermalObserver::ThermalObserver(const CoilModel& coils, const ThermalModel& the
 
 void ThermalObserver::step(const ThermalMeasurement& m, double dt_s) noexcept {
   const bool currents_known =
-      believable(m.current_a, kAbsurdA) && believable(m.current_before_a, kAbsurdA);
+      believable(m.current_a, kMaxPlausibleA) && believable(m.current_before_a, kMaxPlausibleA);
   if (currents_known) {
     for (int coil = 0; coil < kCoils; ++coil) {
       const double from = m.current_before_a[coil];

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <compare>
+#include <numbers>
 
 namespace hedgehog::model {
 
@@ -42,5 +43,9 @@ using Newtons = Quantity<struct NewtonsUnit>;
 using Seconds = Quantity<struct SecondsUnit>;
 /// A temperature, or a difference of two (then in kelvins).
 using Celsius = Quantity<struct CelsiusUnit>;
+
+/// Angles are radians in arithmetic and degrees in names that end in `_deg`.
+inline constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
+inline constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 
 }  // namespace hedgehog::model

@@ -13,6 +13,7 @@
 
 #include "clients/study/experiment_file.h"
 #include "clients/study/journal/journal.h"
+#include "clients/study/sync_folder.h"
 
 namespace hedgehog::study {
 
@@ -34,14 +35,6 @@ Result<StudyPlan> read_plan(const fs::path& file) {
 Problem cannot(const fs::path& path) {
   return {EX_CANTCREAT,
           path.string() + ": " + std::error_code(errno, std::generic_category()).message()};
-}
-
-void sync_folder(const fs::path& path) {
-  const int folder = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (folder >= 0) {
-    ::fsync(folder);
-    ::close(folder);
-  }
 }
 
 /// The whole text or no file, whenever it is killed.

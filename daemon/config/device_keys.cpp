@@ -99,28 +99,28 @@ Reason read_arrangement(DeviceModel& device, const Value& value) {
 }
 
 std::vector<Key<DeviceModel>> make_device_keys() {
-  using D = DeviceModel;
-  std::vector<Key<D>> keys;
-  keys.push_back(name_key<D>(
+  using Device = DeviceModel;
+  std::vector<Key<Device>> keys;
+  keys.push_back(name_key<Device>(
       "name", [](auto& d) -> auto& { return d.name; }));
-  keys.push_back(name_key<D>(
+  keys.push_back(name_key<Device>(
       "model", [](auto& d) -> auto& { return d.model; }));
   keys.push_back(
-      {"arrangement", read_arrangement, [](const D& d) { return Value::of(d.arrangement); }});
+      {"arrangement", read_arrangement, [](const Device& d) { return Value::of(d.arrangement); }});
   // Numbering begins at the front, and ring 1 has a pin there.
-  keys.push_back(integer_key<D>(
+  keys.push_back(integer_key<Device>(
       "front_pin", 1, 1, [](auto& d) -> auto& { return d.front_pin; }));
   keys.push_back({"coil_matrix", read_matrix, write_matrix});
   keys.push_back({"r25_ohm",
-                  [](D& d, const Value& v) {
+                  [](Device& d, const Value& v) {
                     return read_three(v, 0.05, 10.0, d.coils.r25_ohm,
                                       "three resistances, 0.05 to 10");
                   },
-                  [](const D& d) {
+                  [](const Device& d) {
                     return three(d.coils.r25_ohm[0], d.coils.r25_ohm[1], d.coils.r25_ohm[2]);
                   }});
   const auto number = [&](const char* path, double min, double max, auto get) {
-    keys.push_back(number_key<D>(path, min, max, get));
+    keys.push_back(number_key<Device>(path, min, max, get));
   };
   number(
       "inductance_h", 1e-5, 0.1, [](auto& d) -> auto& { return d.coils.inductance_h; });
@@ -141,18 +141,18 @@ std::vector<Key<DeviceModel>> make_device_keys() {
   number(
       "thermal.core_to_room_still_k_w", 0.01, 100,
       [](auto& d) -> auto& { return d.thermal.core_to_room_still_k_w; });
-  keys.push_back(integer_key<D>(
+  keys.push_back(integer_key<Device>(
       "thermal.sensor_winding", 0, 2, [](auto& d) -> auto& { return d.thermal.sensor_winding; }));
   number(
       "thermal.sensor_lag_s", 0, 10, [](auto& d) -> auto& { return d.thermal.sensor_lag_s; });
   for (const LimitField& field : kLimitFields) {
     const auto member = field.member;
-    keys.push_back(number_key<D>(
+    keys.push_back(number_key<Device>(
         "limits." + std::string(field.name), field.min,
         field.max, [member](auto& d) -> auto& { return d.limits.*member; }));
   }
   keys.push_back({"usb", read_usb, write_usb});
-  keys.push_back(serial_key<D>(
+  keys.push_back(serial_key<Device>(
       "usb_serial", [](auto& d) -> auto& { return d.usb_serial; }));
   return keys;
 }

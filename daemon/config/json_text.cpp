@@ -14,7 +14,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMaxBytes = 1u << 20;
 constexpr std::size_t kMaxLevels = 16;
 
 /// How far the lexer has read. It reads a number one character too far.
@@ -181,7 +180,7 @@ Json to_library(const Value& value) {
 
 boost::system::result<Value, ConfigError> parse_json(std::string_view text,
                                                      const std::string& file) {
-  if (text.size() > kMaxBytes) return ConfigError{file, 0, "", "is larger than 1 MiB"};
+  if (text.size() > kMaxFileBytes) return ConfigError{file, 0, "", "is larger than 1 MiB"};
   Place place;
   Builder builder(place);
   const CountingIterator begin(text.data(), &place);

@@ -2,6 +2,7 @@
 // JSON with comments <-> Value.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -12,8 +13,11 @@
 
 namespace hedgehog::config {
 
+/// The largest file that is read, 1 MiB.
+inline constexpr std::size_t kMaxFileBytes = std::size_t{1} << 20;
+
 /// Reads `text`, `//` and `/* */` comments allowed. `file` is only for the error, which has the
-/// line. Refused besides wrong syntax: invalid UTF-8, more than 1 MiB, more than 16 levels.
+/// line. Refused besides wrong syntax: invalid UTF-8, more than kMaxFileBytes, more than 16 levels.
 boost::system::result<Value, ConfigError> parse_json(std::string_view text,
                                                      const std::string& file);
 

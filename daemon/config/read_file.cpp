@@ -6,12 +6,11 @@
 #include <array>
 #include <cerrno>
 
+#include "daemon/config/json_text.h"
 #include "daemon/config/load_config.h"
 
 namespace hedgehog::config {
 namespace {
-
-constexpr std::size_t kMaxBytes = 1u << 20;
 
 boost::system::error_code system_error(int code) {
   return {code, boost::system::system_category()};
@@ -42,7 +41,7 @@ boost::system::result<std::string> read_file(const std::string& path) {
   if (S_ISDIR(info.st_mode)) return system_error(EISDIR);
   std::string text;
   std::array<char, 65536> block{};
-  while (text.size() <= kMaxBytes) {
+  while (text.size() <= kMaxFileBytes) {
     const ssize_t got = ::read(file.get(), block.data(), block.size());
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) return system_error(errno);

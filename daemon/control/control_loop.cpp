@@ -16,8 +16,6 @@ using device::monotonic_ns;
 using model::kNanosecondsPerTick;
 using model::Tick;
 
-constexpr int kSafePatienceTicks = 100;
-
 }  // namespace
 
 ControlLoop::ControlLoop(const ControlSettings& settings, Mailbox& mailbox, device::LinkPort& port,
@@ -68,7 +66,7 @@ void ControlLoop::run() noexcept {
 void ControlLoop::leave() noexcept {
   tick_.shut_down();
   std::int64_t next_ns = monotonic_ns();
-  for (int i = 0; i < kSafePatienceTicks && !confirmed_; ++i) {
+  for (int i = 0; i < ControlTick::kMaxSafeTicks && !confirmed_; ++i) {
     confirmed_ = tick_.run_safe();
     // Never a burst: the board has to be heard in between.
     next_ns = std::max(next_ns, monotonic_ns()) + kNanosecondsPerTick;

@@ -29,8 +29,10 @@ class ControlTick {
 
   /// Ends all effects; from now on `run_safe` is called instead of `run`.
   void shut_down() noexcept;
-  /// Sends the safe command; true once the board says that its bridges sleep.
+  /// Sends the safe command; true once the board reports that its bridges sleep.
   bool run_safe() noexcept;
+  /// Ticks of `run_safe` before a loop ends without that report.
+  static constexpr int kMaxSafeTicks = 100;
 
  private:
   void gather(model::Tick tick, std::uint32_t skipped) noexcept;

@@ -4,18 +4,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/units.h"
+
 namespace hedgehog::control {
 namespace {
-
-constexpr double kDegrees = 180.0 / 3.14159265358979323846;
 
 /// Where the front (device x) points, seen from above. A front that points straight up or down has
 /// no azimuth; then the device's z axis, which lies level, stands for it.
 double azimuth_deg(const model::Quaternion& q) noexcept {
   const model::Vec3 front = rotate(q, {1, 0, 0});
-  if (std::hypot(front.x, front.y) > 1e-3) return std::atan2(front.y, front.x) * kDegrees;
+  if (std::hypot(front.x, front.y) > 1e-3)
+    return std::atan2(front.y, front.x) * model::kDegreesPerRadian;
   const model::Vec3 top = rotate(q, {0, 0, front.z > 0 ? -1.0 : 1.0});
-  return std::atan2(top.y, top.x) * kDegrees;
+  return std::atan2(top.y, top.x) * model::kDegreesPerRadian;
 }
 
 }  // namespace

@@ -16,7 +16,6 @@ using device::monotonic_ns;
 using model::kNanosecondsPerTick;
 using model::Tick;
 
-constexpr int kSafePatienceTicks = 100;
 constexpr int kSlowest = 1;
 constexpr int kFastest = 100;
 
@@ -67,7 +66,7 @@ void LockstepLoop::run() noexcept {
     heartbeat_.fetch_add(static_cast<std::uint64_t>(speed_), std::memory_order_relaxed);
   }
   tick_.shut_down();
-  for (int i = 0; i < kSafePatienceTicks && !confirmed_; ++i) {
+  for (int i = 0; i < ControlTick::kMaxSafeTicks && !confirmed_; ++i) {
     confirmed_ = tick_.run_safe();
     world_.step();
   }

@@ -5,12 +5,10 @@
 #include <utility>
 
 #include "daemon/device/tick_clock.h"
+#include "daemon/device/transport.h"
 
 namespace hedgehog::device {
 namespace {
-
-// More than a socket can hold after a pause, so that no old telemetry is left behind.
-constexpr int kPacketsPerTick = 512;
 
 // Milliseconds between two looks when there is no board and nobody to talk to.
 constexpr int kIdleTicks = 10;
@@ -47,7 +45,7 @@ void LinkThread::run() noexcept {
 
 void LinkThread::tick() noexcept {
   std::array<std::uint8_t, 2 * board::kFrameSize> packet;
-  for (int i = 0; i < kPacketsPerTick; ++i) {
+  for (int i = 0; i < kMaxPacketsPerTick; ++i) {
     const std::size_t length = transport_->receive(packet);
     if (length == 0) break;
     link_.receive(std::span(packet).first(length));

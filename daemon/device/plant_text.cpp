@@ -33,12 +33,6 @@ void visit(Plant& plant, Each each, Any any) {
 }
 
 // std::to_string would follow the locale and cut digits.
-std::string text_of(double value) {
-  std::array<char, 32> text;
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  return {text.data(), end};
-}
-
 std::optional<std::vector<double>> numbers_in(std::string_view text) {
   std::vector<double> numbers;
   const char* at = text.data();
@@ -55,6 +49,12 @@ std::optional<std::vector<double>> numbers_in(std::string_view text) {
 }
 
 }  // namespace
+
+std::string text_of(double value) {
+  std::array<char, 32> text;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  return {text.data(), end};
+}
 
 std::string plant_text(const model::PlantParameters& plant) {
   std::string text = std::to_string(plant.sensor_winding);

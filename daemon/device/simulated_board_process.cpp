@@ -24,12 +24,6 @@ namespace {
 constexpr int kChildFd = 3;
 
 // std::to_string would follow the locale and cut digits.
-std::string text_of(double value) {
-  std::array<char, 32> text;
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  return {text.data(), end};
-}
-
 std::string beside_own_program() {
   std::error_code error;
   const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe", error);

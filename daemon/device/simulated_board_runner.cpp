@@ -5,15 +5,9 @@
 #include <utility>
 
 #include "daemon/device/tick_clock.h"
+#include "daemon/device/transport.h"
 
 namespace hedgehog::device {
-namespace {
-
-// More than the host sends in a millisecond, and all that a socket holds after a pause.
-constexpr int kPacketsPerTick = 512;
-
-}  // namespace
-
 SimulatedBoardRunner::SimulatedBoardRunner(const SimulatedBoardOptions& options,
                                            std::unique_ptr<Transport> transport,
                                            std::FILE* trace) noexcept
@@ -39,7 +33,7 @@ void SimulatedBoardRunner::run(const std::atomic<bool>& stop) noexcept {
 
 void SimulatedBoardRunner::tick() noexcept {
   std::array<std::uint8_t, 2 * board::kFrameSize> packet;
-  for (int i = 0; i < kPacketsPerTick && transport_->open(); ++i) {
+  for (int i = 0; i < kMaxPacketsPerTick && transport_->open(); ++i) {
     const std::size_t length = transport_->receive(packet);
     if (length == 0) break;
     board_.receive(std::span(packet).first(length));

@@ -11,6 +11,10 @@
 
 namespace hedgehog::device {
 
+/// Packets read in one tick at most: more than a socket holds after a pause, so that no old
+/// telemetry is left behind, and a bound on the time that a flood takes.
+inline constexpr int kMaxPacketsPerTick = 512;
+
 /// Owned and used by the link thread alone. Never waits.
 class Transport {
  public:

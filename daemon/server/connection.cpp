@@ -17,7 +17,7 @@ namespace {
 namespace asio = boost::asio;
 using boost::system::error_code;
 
-constexpr std::chrono::seconds kFarewell{1};
+constexpr std::chrono::seconds kCloseTimeout{1};
 /// So long one client is served before the others get their turn.
 constexpr std::chrono::milliseconds kTurn{1};
 
@@ -76,7 +76,7 @@ void Connection::finish() {
   finishing_ = true;
   owed_.cancel();
   wake_.cancel();
-  farewell_.expires_after(kFarewell);
+  farewell_.expires_after(kCloseTimeout);
   farewell_.async_wait([self = shared_from_this()](error_code ec) {
     if (!ec) {
       self->abort();

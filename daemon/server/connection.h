@@ -8,6 +8,7 @@
 #include <boost/asio/steady_timer.hpp>
 #include <boost/system/error_code.hpp>
 #include <chrono>
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -20,6 +21,9 @@ namespace hedgehog::server {
 
 class Connection : public Sink, public std::enable_shared_from_this<Connection> {
  public:
+  /// Bytes read from a socket at a time.
+  static constexpr std::size_t kReadBytes = 16 * 1024;
+
   /// Starts its coroutines.
   void start();
   /// Sends what waits (1 s at most), then closes.

@@ -17,8 +17,6 @@ namespace {
 namespace asio = boost::asio;
 using boost::system::error_code;
 
-constexpr std::size_t kReadBytes = 16 * 1024;
-
 }  // namespace
 
 asio::awaitable<bool> LineConnection::take_lines(LineReader& reader) {

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// As it is on disk; nullopt: cannot be read, or is larger than any pattern.
-std::optional<std::string> content_of(const fs::path& path) {
+std::optional<std::string> read_file(const fs::path& path) {
   std::error_code ec;
   if (!fs::is_regular_file(path, ec) || fs::file_size(path, ec) > protocol::kMaxPatternBytes) {
     return std::nullopt;
@@ -112,7 +112,7 @@ std::vector<protocol::Pattern> PatternFiles::load() const {
 }
 
 void PatternFiles::load(const std::string& path, std::vector<protocol::Pattern>& kept) const {
-  const auto text = content_of(path);
+  const auto text = read_file(path);
   auto pattern =
       text
           ? protocol::decode_pattern(*text)

@@ -9,8 +9,8 @@
 namespace hedgehog::server {
 namespace {
 
-using Row = std::pair<std::string_view, device::SimFault>;
-constexpr std::array<Row, 13> kFaults{{
+using FaultName = std::pair<std::string_view, device::SimFault>;
+constexpr std::array<FaultName, 13> kFaults{{
     {"sensor_open", device::kSimSensorOpen},
     {"sensor_short", device::kSimSensorShort},
     {"sensor_frozen", device::kSimSensorFrozen},

@@ -15,7 +15,7 @@ namespace hedgehog::model {
 namespace {
 
 /// Heights and directions that differ by less are equal.
-constexpr double kSame = 1e-6;
+constexpr double kSameDirection = 1e-6;
 
 struct GoldbergName {
   int m = 0;
@@ -38,7 +38,7 @@ std::optional<GoldbergName> goldberg_named(std::string_view name) {
 
 double azimuth_from_front(const Vec3& v) {
   const double azimuth = std::atan2(v.y, v.x);
-  return azimuth < -kSame ? azimuth + 2.0 * std::numbers::pi : std::max(azimuth, 0.0);
+  return azimuth < -kSameDirection ? azimuth + 2.0 * std::numbers::pi : std::max(azimuth, 0.0);
 }
 
 /// Sorts by `row` first, then anticlockwise from the front, and numbers.
@@ -62,7 +62,7 @@ Arrangement arrangement_of(const Goldberg& gp, std::string name) {
     arrangement.shields.push_back({0, unit_or(vertex, {0, 0, 1})});
   }
   number(arrangement.shields,
-         [](const MagnetSite& site) { return std::lround(-site.direction.z / kSame); });
+         [](const MagnetSite& site) { return std::lround(-site.direction.z / kSameDirection); });
   return arrangement;
 }
 
@@ -83,7 +83,7 @@ MagnetResult<Arrangement> ball_86(std::string name, std::ptrdiff_t touching) {
   Arrangement ball = arrangement_of(tkd, std::move(name));
   std::vector<int> shields;
   for (const MagnetSite& shield : ball.shields) {
-    const auto same = [&](const Vec3& v) { return norm(v - shield.direction) < kSame; };
+    const auto same = [&](const Vec3& v) { return norm(v - shield.direction) < kSameDirection; };
     if (std::any_of(gone.begin(), gone.end(), same)) shields.push_back(shield.id);
   }
   const std::vector<int> pins{86, 87, 88, 89, 90, 91};

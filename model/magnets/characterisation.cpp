@@ -17,10 +17,10 @@ struct Sample {
 template <typename Function>
 double root_between(const Function& f, Sample a, Sample b) {
   constexpr double kCloseMm = 1e-6;
-  constexpr int kMostSteps = 60;
+  constexpr int kMaxSteps = 60;
   if (a.value == 0.0) return a.at;
   double last = a.at;
-  for (int i = 0; i < kMostSteps; ++i) {
+  for (int i = 0; i < kMaxSteps; ++i) {
     const double at = b.at - b.value * (b.at - a.at) / (b.value - a.value);
     const double value = f(at);
     if (value == 0.0 || std::abs(at - last) < kCloseMm) return at;
@@ -49,8 +49,8 @@ double vertex_of(const Sample& a, const Sample& b, const Sample& c) {
 template <typename Function>
 Sample minimum_between(const Function& f, Sample a, Sample b, Sample c) {
   constexpr double kCloseMm = 1e-3;
-  constexpr int kMostSteps = 8;
-  for (int i = 0; i < kMostSteps; ++i) {
+  constexpr int kMaxSteps = 8;
+  for (int i = 0; i < kMaxSteps; ++i) {
     const double at = vertex_of(a, b, c);
     if (std::abs(at - b.at) < kCloseMm) break;
     const Sample sample{at, f(at)};

@@ -6,8 +6,7 @@
 namespace hedgehog::model {
 namespace {
 
-constexpr double kMu0 = 4e-7 * std::numbers::pi;
-constexpr double kLargestMm = 1000.0;
+constexpr double kMaxMagnetMm = 1000.0;
 constexpr double kLargestRemanenceT = 2.0;
 
 double volume_mm3(const CylinderMagnet& magnet) noexcept {
@@ -17,7 +16,7 @@ double volume_mm3(const CylinderMagnet& magnet) noexcept {
 }  // namespace
 
 std::optional<std::string> problem_with(const CylinderMagnet& magnet, const std::string& what) {
-  const auto size_ok = [](double mm) { return mm > 0.0 && mm <= kLargestMm; };
+  const auto size_ok = [](double mm) { return mm > 0.0 && mm <= kMaxMagnetMm; };
   if (!size_ok(magnet.diameter_mm)) return what + ": the diameter must be above 0 and at most 1 m";
   if (!size_ok(magnet.height_mm)) return what + ": the height must be above 0 and at most 1 m";
   if (!(magnet.remanence_t > 0.0 && magnet.remanence_t <= kLargestRemanenceT)) {
@@ -27,7 +26,7 @@ std::optional<std::string> problem_with(const CylinderMagnet& magnet, const std:
 }
 
 double moment_a_m2(const CylinderMagnet& magnet) noexcept {
-  return magnet.remanence_t / kMu0 * volume_mm3(magnet) * 1e-9;
+  return magnet.remanence_t / kVacuumPermeability * volume_mm3(magnet) * 1e-9;
 }
 
 double mass_g(const CylinderMagnet& magnet) noexcept {

@@ -4,11 +4,14 @@
 // Lengths here and in all of model/magnets are millimetres, as on a drawing. Pure; any thread.
 #pragma once
 
+#include <numbers>
 #include <optional>
 #include <string>
 
 namespace hedgehog::model {
 
+/// Permeability of vacuum mu0, H/m; the CODATA value since 2019 differs by 2e-10 of it.
+inline constexpr double kVacuumPermeability = 4e-7 * std::numbers::pi;
 /// Residual flux density of N45 (thesis section 2.3).
 inline constexpr double kN45RemanenceT = 1.37;
 /// Sintered neodymium magnets, g/mm^3.

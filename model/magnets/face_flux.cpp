@@ -6,12 +6,11 @@
 #include <numbers>
 
 #include "model/magnets/disk_rule.h"
+#include "model/units.h"
 
 namespace hedgehog::model {
 namespace {
 
-constexpr double kMu0 = 4e-7 * std::numbers::pi;
-constexpr double kRadians = std::numbers::pi / 180.0;
 /// Relative to what the face would feel were nothing to cancel.
 constexpr double kRounding = 1e-14;
 /// Of the radius of a face to its distance from a rim; the theory ends at 1.
@@ -27,11 +26,11 @@ double decades_per_order(double q) noexcept { return -4.0 * std::log10(q) + 0.4;
 FaceFlux::FaceFlux(const MagnetPair& pair, double angle_deg, double other_offset_mm) noexcept
     : other_(pair.other),
       radius_mm_(pair.subject.radius_mm()),
-      sine_(std::sin(angle_deg * kRadians)),
-      cosine_(std::cos(angle_deg * kRadians)),
+      sine_(std::sin(angle_deg * kRadiansPerDegree)),
+      cosine_(std::cos(angle_deg * kRadiansPerDegree)),
       other_middle_mm_(pair.sphere_radius_mm + other_offset_mm + 0.5 * pair.other.height_mm),
-      newton_per_tesla_(pair.subject.remanence_t / kMu0 * std::numbers::pi * radius_mm_ *
-                        radius_mm_ * 1e-6) {}
+      newton_per_tesla_(pair.subject.remanence_t / kVacuumPermeability * std::numbers::pi *
+                        radius_mm_ * radius_mm_ * 1e-6) {}
 
 /// Along the subject's axis; `across` lies in the plane of both axes.
 double FaceFlux::axial_field(double across_mm, double beside_mm,

@@ -7,7 +7,7 @@
 namespace hedgehog::model {
 namespace {
 
-constexpr double kLargestMm = 1000.0;
+constexpr double kMaxSphereRadiusMm = 1000.0;
 
 /// The gap with the smallest angle, which for equal sizes is the smallest gap.
 std::optional<MagnetGap> nearest(const std::vector<MagnetSite>& a, MagnetKind kind_a,
@@ -38,7 +38,7 @@ std::string_view name_of(MagnetKind kind) noexcept {
 std::optional<std::string> problem_with(const ArraySizes& sizes) {
   if (auto problem = problem_with(sizes.pin, "the pin")) return problem;
   if (auto problem = problem_with(sizes.shield, "the shield")) return problem;
-  if (!(sizes.sphere_radius_mm > 0.0 && sizes.sphere_radius_mm <= kLargestMm)) {
+  if (!(sizes.sphere_radius_mm > 0.0 && sizes.sphere_radius_mm <= kMaxSphereRadiusMm)) {
     return "the radius of the sphere must be above 0 and at most 1 m";
   }
   return std::nullopt;

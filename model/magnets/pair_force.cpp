@@ -8,11 +8,10 @@
 #include <numbers>
 
 #include "model/magnets/face_flux.h"
+#include "model/units.h"
 
 namespace hedgehog::model {
 namespace {
-
-constexpr double kRadians = std::numbers::pi / 180.0;
 
 /// In the plane of both axes, the other's axis up.
 struct Point {
@@ -24,8 +23,8 @@ constexpr Point operator-(Point a, Point b) noexcept { return {a.x - b.x, a.z - 
 constexpr double dot(Point a, Point b) noexcept { return a.x * b.x + a.z * b.z; }
 
 double dipole_force_n(const MagnetPair& pair, const PairPlace& place) noexcept {
-  const double sine = std::sin(place.angle_deg * kRadians);
-  const double cosine = std::cos(place.angle_deg * kRadians);
+  const double sine = std::sin(place.angle_deg * kRadiansPerDegree);
+  const double cosine = std::cos(place.angle_deg * kRadiansPerDegree);
   const auto middle_m = [&](const CylinderMagnet& magnet, double offset_mm) {
     return 1e-3 * (pair.sphere_radius_mm + offset_mm + 0.5 * magnet.height_mm);
   };
@@ -113,8 +112,8 @@ PairForce pair_force(const MagnetPair& pair, const PairPlace& place,
 }
 
 double gap_mm(const MagnetPair& pair, const PairPlace& place) noexcept {
-  const auto subject =
-      outline(pair.subject, pair.sphere_radius_mm + place.offset_mm, place.angle_deg * kRadians);
+  const auto subject = outline(pair.subject, pair.sphere_radius_mm + place.offset_mm,
+                               place.angle_deg * kRadiansPerDegree);
   const auto other = outline(pair.other, pair.sphere_radius_mm + place.other_offset_mm, 0.0);
   const double apart = std::max(separation(subject, other), separation(other, subject));
   if (apart <= 0.0) return apart;

@@ -7,11 +7,7 @@
 #include "model/magnets/disk_rule.h"
 
 namespace hedgehog::model {
-namespace {
-
-constexpr double kMu0 = 4e-7 * std::numbers::pi;
-
-}  // namespace
+namespace {}  // namespace
 
 Vec3 field_at(const PlacedMagnet& magnet, const Vec3& point_mm) noexcept {
   const Vec3 r = point_mm - magnet.centre_mm;
@@ -44,7 +40,7 @@ Vec3 force_between(const PlacedMagnet& subject, const PlacedMagnet& other, int o
     }
   }
   const double area_m2 = std::numbers::pi * radius * radius * 1e-6;
-  return (subject.magnet.remanence_t / kMu0 * area_m2 / (4.0 * order)) * sum;
+  return (subject.magnet.remanence_t / kVacuumPermeability * area_m2 / (4.0 * order)) * sum;
 }
 
 }  // namespace hedgehog::model

@@ -7,17 +7,7 @@
 #include <cstddef>
 #include <cstdlib>
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define HEDGEHOG_COUNTS 0
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || \
-    __has_feature(memory_sanitizer)
-#define HEDGEHOG_COUNTS 0
-#endif
-#endif
-#ifndef HEDGEHOG_COUNTS
-#define HEDGEHOG_COUNTS 1
-#endif
+#include "tests/sanitized.h"
 
 namespace hedgehog::rig {
 namespace {
@@ -35,11 +25,11 @@ auto behind(const char* name) noexcept {
 
 std::uint64_t allocations() noexcept { return count; }
 std::uint64_t locks() noexcept { return lock_count; }
-bool can_count_allocations() noexcept { return HEDGEHOG_COUNTS != 0; }
+bool can_count_allocations() noexcept { return HEDGEHOG_SANITIZED == 0; }
 
 }  // namespace hedgehog::rig
 
-#if HEDGEHOG_COUNTS
+#if !HEDGEHOG_SANITIZED
 // glibc's own functions behind the ones that are replaced here; operator new calls malloc.
 extern "C" {
 // NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming): the names are glibc's

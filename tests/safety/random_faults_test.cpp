@@ -10,6 +10,7 @@
 #include "tests/rig/hours.h"
 #include "tests/rig/random_requests.h"
 #include "tests/rig/rig.h"
+#include "tests/sanitized.h"
 
 namespace hedgehog::safety {
 namespace {
@@ -87,11 +88,8 @@ TEST(RandomHours, OneOfEach) {
 // The windings' 5 A are promised for ever on a ball that matches its device file.
 class FiveAmpere : public ::testing::TestWithParam<model::Vec3> {};
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr int kForEverS = 1800;  // a sanitizer sees no more in four hours than in half of one
-#else
-constexpr int kForEverS = 4 * 3600;
-#endif
+// A sanitizer sees no more in four hours than in half of one.
+constexpr int kForEverS = HEDGEHOG_SANITIZED != 0 ? 1800 : 4 * 3600;
 
 TEST_P(FiveAmpere, ForFourHoursIsNeverReducedAndNeverTrips) {
   rig::Rig rig;

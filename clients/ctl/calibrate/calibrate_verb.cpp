@@ -25,7 +25,6 @@ namespace {
 
 constexpr int kCannotCreate = 73;
 constexpr double kFrequencyHz = 47.0;
-constexpr const char* kAxes = "xyz";
 /// The first look at a winding of which nothing is known, A: too little for the watchdog to take a
 /// winding of a third of its resistance, turned or swapped for a fault.
 constexpr double kGlanceA = 0.3;
@@ -138,7 +137,7 @@ class Calibrator {
     if (!sine) return give_up(sine.error());
     const auto impedance = sine_impedance(sine->samples, kFrequencyHz);
     if (!impedance) {
-      return say_wrong("the current of winding " + std::string(1, kAxes[coil]) +
+      return say_wrong("the current of winding " + std::string(1, kAxisNames[coil]) +
                        " does not follow the voltage");
     }
     const double resistance_ohm = *seen->resistance_ohm;
@@ -146,7 +145,7 @@ class Calibrator {
     found_.inductance_h[i] = impedance->inductance_h;
     found_.supply_v = seen->forth.supply_v;
     found_.current_a = std::max(found_.current_a, std::abs(seen->forth.mean_a[i]));
-    std::printf("  %c  %s ohm at %s °C, %s at 25 °C   %s mH   current as asked\n", kAxes[coil],
+    std::printf("  %c  %s ohm at %s °C, %s at 25 °C   %s mH   current as asked\n", kAxisNames[coil],
                 fixed(resistance_ohm, 4).c_str(), fixed(found_.sensor_c, 1).c_str(),
                 fixed(found_.r25_ohm[i], 4).c_str(),
                 fixed(1000.0 * found_.inductance_h[i], 3).c_str());
@@ -167,7 +166,7 @@ class Calibrator {
     const int code = give_up(error);
     if (interrupted() || !blames_resistance(bench_.tripped().value_or(""))) return code;
     std::ostringstream text;
-    text << "winding " << kAxes[coil] << " was driven with " << fixed(kGlanceA, 1)
+    text << "winding " << kAxisNames[coil] << " was driven with " << fixed(kGlanceA, 1)
          << " A. If all plugs are right it has less than a quarter of the "
          << fixed(before_.coils.r25_ohm[static_cast<std::size_t>(coil)], 2)
          << " ohm in the device file: measure it by hand, write it there (r25_ohm), restart "

@@ -9,8 +9,6 @@
 namespace hedgehog::client {
 namespace {
 
-constexpr const char* kAxes = "xyz";
-
 ClientError stopped(const std::string& why) { return {Failure::kClosed, why, {}}; }
 
 Outcome<std::string> answer_to(const std::string& question) {
@@ -31,7 +29,7 @@ Outcome<std::string> side_of(WindingBench& bench, std::size_t winding, double pu
     if (auto pushed = bench.push(static_cast<int>(winding), push_a); !pushed) {
       return pushed.error();
     }
-    const auto answer = answer_to(std::string("  ") + kAxes[winding] + " pushes now, where? ");
+    const auto answer = answer_to(std::string("  ") + kAxisNames[winding] + " pushes now, where? ");
     if (!answer) return answer.error();
     if (const std::string side = side_meant(*answer); !side.empty()) return side;
     if (answer->find_first_not_of(" \t\r") == std::string::npos) continue;
@@ -58,7 +56,7 @@ Outcome<PushedSides> ask_sides(WindingBench& bench, double push_a) {
     ++winding;
     if (!rival) continue;
     std::printf("  %c %s and %c %s are on one axis, but each winding has its own. Feel again:\n",
-                kAxes[*rival], felt.side[*rival].c_str(), kAxes[winding - 1],
+                kAxisNames[*rival], felt.side[*rival].c_str(), kAxisNames[winding - 1],
                 felt.side[winding - 1].c_str());
     felt = {};
     winding = 0;

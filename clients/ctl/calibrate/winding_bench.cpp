@@ -10,15 +10,13 @@ using protocol::EffectParams;
 using protocol::Method;
 
 constexpr double kTelemetryHz = 200.0;
-constexpr Milliseconds kGlance{50};
+constexpr Milliseconds kTelemetryPoll{50};
 /// Between two looks at whether somebody pressed Ctrl-C this many may pass without any telemetry.
-constexpr int kPatience = 60;
+constexpr int kMaxPolls = 60;
 constexpr double kSettleS = 0.2;
 constexpr double kSineS = 1.2;
 /// So long a current flows that is measured; it is stopped before.
 constexpr std::int64_t kFlowsMs = 5000;
-/// Fewer would make noise a winding, or a stall of this computer an empty plug.
-constexpr std::size_t kFewest = 20;
 constexpr std::int64_t kPushMs = 700;
 
 EffectParams along(int coil, double sign, double current_a) {
@@ -42,9 +40,9 @@ ClientError not_armed(const protocol::Status& status) {
 }  // namespace
 
 Outcome<protocol::Status> WindingBench::next() {
-  for (int i = 0; i < kPatience; ++i) {
+  for (int i = 0; i < kMaxPolls; ++i) {
     if (interrupted()) return trouble("interrupted");
-    auto told = session_.connection.next(kGlance);
+    auto told = session_.connection.next(kTelemetryPoll);
     if (!told) return told.error();
     if (!*told) continue;
     const auto* telemetry = std::get_if<protocol::TelemetryMessage>(&**told);
@@ -106,7 +104,7 @@ Outcome<WindingRecord> WindingBench::record(int coil, double take_s, double flow
     const double t_s = static_cast<double>(status->time_ns) * 1e-9;
     began = began.value_or(t_s);
     if (t_s < *began + kSettleS) continue;
-    if (t_s > *began + kSettleS + take_s && record.samples.size() >= kFewest) break;
+    if (t_s > *began + kSettleS + take_s && record.samples.size() >= kMinSamples) break;
     if (t_s > flows_until_s) {
       return ClientError{Failure::kTimeout,
                          "telemetry came too sparsely to measure a winding: let this computer or "

@@ -5,12 +5,16 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "clients/ctl/calibrate/winding_fit.h"
 #include "clients/ctl/verbs/session.h"
 
 namespace hedgehog::client {
+
+/// Names of the three windings on screen, by index.
+inline constexpr std::string_view kAxisNames = "xyz";
 
 /// What the daemon told of winding `coil` while it was driven.
 struct WindingRecord {

@@ -62,8 +62,7 @@ std::optional<double> steady_resistance(const std::vector<WindingSample>& forth,
 
 std::optional<Impedance> sine_impedance(const std::vector<WindingSample>& samples,
                                         double frequency_hz) {
-  constexpr std::size_t kFewest = 20;
-  if (samples.size() < kFewest) return std::nullopt;
+  if (samples.size() < kMinSamples) return std::nullopt;
   const double omega = 2.0 * std::numbers::pi * frequency_hz;
   const auto current = phasor(samples, omega, &WindingSample::current_a);
   const auto voltage = phasor(samples, omega, &WindingSample::voltage_v);

@@ -2,10 +2,14 @@
 // Resistance and inductance of a winding from what the board measured of it. Pure functions.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
 namespace hedgehog::client {
+
+/// Fewer samples would make noise a winding, or a stall of this computer an empty plug.
+inline constexpr std::size_t kMinSamples = 20;
 
 /// One millisecond of one winding: the current at its end, and the voltage during it.
 struct WindingSample {

@@ -11,12 +11,12 @@ namespace hedgehog::client {
 
 namespace {
 
-constexpr std::size_t kColumns = 79;
+constexpr std::size_t kScreenColumns = 79;
 
 /// `begin` at the left edge and `end` at the right one.
 std::string spread(const std::string& begin, const std::string& end) {
   const std::size_t taken = columns(begin) + columns(end);
-  return begin + std::string(taken < kColumns ? kColumns - taken : 1, ' ') + end;
+  return begin + std::string(taken < kScreenColumns ? kScreenColumns - taken : 1, ' ') + end;
 }
 
 std::string title_line(const Ball& ball, const TourChapter& chapter, bool ascii) {
@@ -56,7 +56,7 @@ std::vector<std::string> demo_screen(const Ball& ball, const TourChapter& chapte
   }
   lines.emplace_back();
   lines.push_back(caption_line(chapter, playing));
-  lines.push_back(cut(request_line(status, playing), kColumns));
+  lines.push_back(cut(request_line(status, playing), kScreenColumns));
   lines.emplace_back();
   lines.push_back(temperature_line(ball, thresholds_words(ball), style.ascii));
   lines.push_back(current_line(ball, allowed_words(ball), style.ascii));

@@ -15,7 +15,7 @@ namespace hedgehog::client {
 namespace {
 
 constexpr int kFront = 39;  // column of the front's meridian
-constexpr int kColumns = 79;
+constexpr int kMapColumns = 79;
 /// A ring gets narrower towards the poles, though less than on the ball: marks must not touch.
 struct Shape {
   double half_turn;  // columns from front to back where the ball is widest
@@ -26,7 +26,7 @@ constexpr Shape kMarks{30, 0.85};
 constexpr Shape kNumbers{37, 0.5};
 
 /// A column holds a character, and what goes before and behind it to colour it.
-using Row = std::array<std::string, kColumns>;
+using Row = std::array<std::string, kMapColumns>;
 
 std::string_view mark_of(double force_n, bool ascii) {
   if (force_n >= kStrongN) {

@@ -6,6 +6,7 @@
 #include <ctime>
 #include <numbers>
 
+#include "model/units.h"
 #include "protocol/wall_time.h"
 
 namespace hedgehog::client {
@@ -127,9 +128,8 @@ std::string local_time(const std::string& rfc3339, const char* format) {
 
 std::string tilt_words(double up_x, double up_y, double up_z, double heading_deg) {
   // Room-up leaning towards the ball's right means that the ball leans to its left.
-  constexpr double kDegrees = 180.0 / std::numbers::pi;
-  const double to_left = std::atan2(-up_y, up_z) * kDegrees;
-  const double forward = std::atan2(-up_x, std::hypot(up_y, up_z)) * kDegrees;
+  const double to_left = std::atan2(-up_y, up_z) * model::kDegreesPerRadian;
+  const double forward = std::atan2(-up_x, std::hypot(up_y, up_z)) * model::kDegreesPerRadian;
   const auto lean = [](double degrees, const char* plus, const char* minus) {
     return fixed(std::abs(degrees), 0) + "° " + (degrees >= 0.0 ? plus : minus);
   };

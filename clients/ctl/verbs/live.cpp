@@ -17,8 +17,8 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr milliseconds kGlance{50};
-constexpr milliseconds kGlanceWithKeys{20};
+constexpr milliseconds kEventPoll{50};
+constexpr milliseconds kKeyPoll{20};
 /// A daemon that has told nothing for so long is taken for silent; it tells ten
 /// times a second.
 constexpr milliseconds kSilent{2000};
@@ -77,7 +77,7 @@ int draw_until_left(Session& session,
   Trust trust(session.connection);
   std::vector<std::string> lines;
   while (!interrupted()) {
-    auto told = session.connection.next(kGlanceWithKeys);
+    auto told = session.connection.next(kKeyPoll);
     if (!told) {
       return exit_code_of(told.error());
     }
@@ -108,7 +108,7 @@ std::string time_of_day() {
 
 int follow(Session& session, const std::function<bool(const Notification&)>& take) {
   while (!interrupted()) {
-    auto told = session.connection.next(kGlance);
+    auto told = session.connection.next(kEventPoll);
     if (!told) {
       return complain(told.error());
     }

@@ -28,16 +28,16 @@ std::string seconds(std::int64_t ms) {
 
 /// A key frame a line, as the shipped ones are written.
 void print_pattern(const protocol::Pattern& pattern) {
-  const auto json = nlohmann::ordered_json::parse(protocol::encode_pattern(pattern));
+  const auto document = nlohmann::ordered_json::parse(protocol::encode_pattern(pattern));
   std::string out = "{\n";
-  for (const auto& [key, value] : json.items()) {
+  for (const auto& [key, value] : document.items()) {
     if (key != "keyframes") {
       out += "  \"" + key + "\": " + value.dump() + ",\n";
     }
   }
   out += "  \"keyframes\": [";
   const char* before = "\n    ";
-  for (const auto& frame : json["keyframes"]) {
+  for (const auto& frame : document["keyframes"]) {
     out += before + frame.dump();
     before = ",\n    ";
   }

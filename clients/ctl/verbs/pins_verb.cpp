@@ -15,7 +15,7 @@ namespace {
 
 using protocol::Status;
 
-constexpr double kRedrawHz = 10.0;
+constexpr double kPinsHz = 10.0;
 /// Lines that a person reads.
 constexpr double kLinesHz = 2.0;
 /// For one look the first notification should come at once.
@@ -36,8 +36,8 @@ void print_once(const Status& status, const ScreenStyle& style) {
   std::printf("    %s\n", line.c_str());
 }
 
-protocol::TelemetrySubscribe subscription(double rate_hz, bool json) {
-  if (!json) {
+protocol::TelemetrySubscribe subscription(double rate_hz, bool pins_only) {
+  if (!pins_only) {
     return {rate_hz, protocol::kEveryStatusKey};
   }
   protocol::StatusKeys pins;
@@ -50,7 +50,7 @@ int draw_pins(Session& session) {
   if (!ball) {
     return complain(ball.error());
   }
-  if (auto told = session.connection.call(subscription(kRedrawHz, false)); !told) {
+  if (auto told = session.connection.call(subscription(kPinsHz, false)); !told) {
     return complain(told.error());
   }
   return follow_drawing(session, [&](const Notification& told) {
@@ -69,7 +69,7 @@ int run_pins(Session& session, const PinsOptions& options) {
   if (options.live && options.count == 0 && !session.json && terminal_traits().picture) {
     return draw_pins(session);
   }
-  const double rate_hz = !options.live ? kSoonHz : session.json ? kRedrawHz : kLinesHz;
+  const double rate_hz = !options.live ? kSoonHz : session.json ? kPinsHz : kLinesHz;
   if (auto told = session.connection.call(subscription(rate_hz, session.json)); !told) {
     return complain(told.error());
   }

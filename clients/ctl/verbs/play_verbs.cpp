@@ -19,7 +19,7 @@ namespace {
 using nlohmann::json;
 using std::chrono::milliseconds;
 
-constexpr milliseconds kGlance{50};
+constexpr milliseconds kEndPoll{50};
 // Telemetry tells when to renew: its rate, like the lease, counts the device's time (--speed).
 constexpr double kRenewalHz = 20.0;
 constexpr int kHoldLeaseMs = 1000;
@@ -44,7 +44,7 @@ class Stay {
       return asked.error();
     }
     while (!interrupted()) {
-      auto told = session_.connection.next(kGlance);
+      auto told = session_.connection.next(kEndPoll);
       if (!told) {
         return told.error();
       }

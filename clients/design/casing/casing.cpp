@@ -9,13 +9,13 @@
 #include "clients/design/casing/stl.h"
 #include "clients/design/output/table.h"
 #include "clients/design/output/tool.h"
+#include "model/units.h"
 
 namespace hedgehog::design {
 namespace {
 
 using model::Vec3;
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kTabHeightMm = 3.0;
 constexpr double kWidestFanMm = 40.0;
 constexpr double kWallMm = 1.5;
@@ -70,8 +70,8 @@ Wall thinnest_wall(const Casing& casing, const model::Arrangement& array) {
 std::vector<double> notch_places(const Casing& casing) {
   const double r = outer_radius_mm(casing.sphere_mm, casing.pin, casing.shield) - kRoofMm / 2.0;
   const auto room_at = [&](double degrees) {
-    const Vec3 tab{r * std::cos(degrees * kDegree), r * std::sin(degrees * kDegree),
-                   kTabHeightMm / 2.0};
+    const Vec3 tab{r * std::cos(degrees * model::kRadiansPerDegree),
+                   r * std::sin(degrees * model::kRadiansPerDegree), kTabHeightMm / 2.0};
     double room = 1e9;
     for (const Vec3& pin : casing.pins) {
       if (model::dot(pin, tab) > 0.0) room = std::min(room, distance_to_axis(tab, pin));

@@ -7,18 +7,17 @@
 #include <sstream>
 
 #include "clients/design/casing/casing.h"
+#include "model/units.h"
 
 namespace hedgehog::design {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 std::string list_of(const std::vector<model::Vec3>& directions) {
   std::string text;
   for (const model::Vec3& d : directions) {
     std::array<char, 64> place{};
-    const double polar = std::acos(std::clamp(d.z, -1.0, 1.0)) / kDegree;
-    const double azimuth = std::atan2(d.y, d.x) / kDegree;
+    const double polar = std::acos(std::clamp(d.z, -1.0, 1.0)) / model::kRadiansPerDegree;
+    const double azimuth = std::atan2(d.y, d.x) / model::kRadiansPerDegree;
     std::snprintf(place.data(), place.size(), "  [%.5f, %.5f],\n", polar, azimuth);
     text += place.data();
   }

@@ -12,6 +12,7 @@
 #include "clients/design/input/number.h"
 #include "clients/design/output/table.h"
 #include "clients/design/output/tool.h"
+#include "model/units.h"
 
 namespace hedgehog::design {
 namespace {
@@ -20,7 +21,6 @@ using model::Vec3;
 
 // Spreadsheets put it in front.
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 std::string trimmed(std::string text) {
   const auto blank = " \t\r\"";
@@ -64,12 +64,12 @@ std::optional<Columns> columns_of(const std::vector<std::string>& head) {
 /// 0 on the poles, where there is none.
 double azimuth_deg(const Vec3& direction) {
   const bool on_axis = std::hypot(direction.x, direction.y) < 1e-9;
-  return on_axis ? 0.0 : std::atan2(direction.y, direction.x) / kDegree;
+  return on_axis ? 0.0 : std::atan2(direction.y, direction.x) / model::kRadiansPerDegree;
 }
 
-class Reader {
+class PositionsReader {
  public:
-  explicit Reader(std::string name) : name_(std::move(name)) { array_.name = name_; }
+  explicit PositionsReader(std::string name) : name_(std::move(name)) { array_.name = name_; }
 
   std::optional<Complaint> read(const std::string& line, const Columns& columns, int number) {
     const auto wrong = [&](const std::string& reason) {
@@ -120,7 +120,7 @@ Result<model::Arrangement> parse_positions(const std::string& text, const std::s
   if (line.starts_with(kByteOrderMark)) line.erase(0, kByteOrderMark.size());
   const auto columns = columns_of(cells_of(line));
   if (!columns) return Complaint{kBadData, shape};
-  Reader reader(name);
+  PositionsReader reader(name);
   for (int number = 2; std::getline(lines, line); ++number) {
     if (trimmed(line).empty()) continue;
     if (const auto wrong = reader.read(line, *columns, number)) return *wrong;
@@ -148,10 +148,11 @@ std::string positions_csv(const model::Arrangement& arrangement, const model::Ar
   const auto add = [&](const char* kind, const model::MagnetSite& site,
                        const model::CylinderMagnet& magnet) {
     const Vec3 place = sizes.sphere_radius_mm * site.direction;
-    table.add({kind, std::to_string(site.id), fixed(place.x, 6), fixed(place.y, 6),
-               fixed(place.z, 6), fixed(azimuth_deg(site.direction), 4),
-               fixed(std::asin(std::clamp(site.direction.z, -1.0, 1.0)) / kDegree, 4),
-               fixed(magnet.diameter_mm, 3), fixed(magnet.height_mm, 3)});
+    table.add(
+        {kind, std::to_string(site.id), fixed(place.x, 6), fixed(place.y, 6), fixed(place.z, 6),
+         fixed(azimuth_deg(site.direction), 4),
+         fixed(std::asin(std::clamp(site.direction.z, -1.0, 1.0)) / model::kRadiansPerDegree, 4),
+         fixed(magnet.diameter_mm, 3), fixed(magnet.height_mm, 3)});
   };
   for (const auto& site : arrangement.pins) add("pin", site, sizes.pin);
   for (const auto& site : arrangement.shields) add("shield", site, sizes.shield);

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "clients/racer/game/track.h"
+#include "model/units.h"
 
 namespace hedgehog::racer {
 
@@ -15,7 +16,7 @@ Pose beside(const Track& track, double along, double left, double z) {
   const auto at = static_cast<std::size_t>(along / spacing) % count;
   const Vec3 ahead = unit_or(track.centre[(at + 1) % count] - track.centre[at], {1, 0, 0});
   const Vec3 place = track.centre[at] + left * cross({0, 0, 1}, ahead);
-  return flat_pose(place.x, place.y, z, std::atan2(ahead.y, ahead.x) * 180.0 / 3.14159265358979);
+  return flat_pose(place.x, place.y, z, std::atan2(ahead.y, ahead.x) * model::kDegreesPerRadian);
 }
 
 void add_crate(Track& track, double along, double left, double mass_kg) {

@@ -9,6 +9,7 @@
 #include "clients/racer/game/car.h"
 #include "clients/racer/game/laps.h"
 #include "clients/racer/game/world.h"
+#include "model/units.h"
 
 namespace hedgehog::racer {
 
@@ -53,8 +54,8 @@ struct Race::State {
       }
       const Vec3& here = track.centre[at];
       const Vec3 ahead = track.centre[(at + 1) % track.centre.size()] - here;
-      pose = flat_pose(here.x, here.y, 0.0,
-                       std::atan2(ahead.y, ahead.x) * 180.0 / 3.14159265358979323846);
+      pose =
+          flat_pose(here.x, here.y, 0.0, std::atan2(ahead.y, ahead.x) * model::kDegreesPerRadian);
     }
     world->place(pose);
     flight_s = lies_s = skid = 0.0;

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/units.h"
+
 namespace hedgehog::racer {
 
 namespace {
 
 using model::Vec3;
-
-constexpr double kDegrees = 180.0 / 3.14159265358979323846;
 
 /// 0 within the dead zone, then in a straight line to 1.
 double share_of(double angle_deg) {
@@ -28,8 +28,8 @@ Controls Tilt::controls(const model::Quaternion& ball) const noexcept {
   const Vec3 front = unit_or(Vec3{1, 0, 0} - neutral.x * neutral, {0, 0, 1});
   const Vec3 left = cross(neutral, front);
   const double upright = dot(up, neutral);
-  const double forward = share_of(std::atan2(-dot(up, front), upright) * kDegrees);
-  const double right = share_of(std::atan2(dot(up, left), upright) * kDegrees);
+  const double forward = share_of(std::atan2(-dot(up, front), upright) * model::kDegreesPerRadian);
+  const double right = share_of(std::atan2(dot(up, left), upright) * model::kDegreesPerRadian);
   return {.steer = right, .throttle = std::max(forward, 0.0), .brake = std::max(-forward, 0.0)};
 }
 

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "model/units.h"
+
 namespace hedgehog::racer {
 
 namespace {
@@ -10,7 +12,6 @@ namespace {
 constexpr double kSpacing = 2.0;
 constexpr double kWallHeight = 1.0;
 constexpr double kWallThickness = 0.5;
-constexpr double kDegrees = 180.0 / 3.14159265358979323846;
 
 /// The Catmull-Rom spline between b and c.
 Vec3 between(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double t) {
@@ -46,7 +47,9 @@ Wall wall_along(const Vec3& from, const Vec3& to) {
   const Vec3 along = to - from;
   // A little longer than the gap, so that the outside of a bend is closed.
   const Vec3 half{0.5 * norm(along) + 0.2, 0.5 * kWallThickness, 0.5 * kWallHeight};
-  return {flat_pose(middle.x, middle.y, half.z, std::atan2(along.y, along.x) * kDegrees), half};
+  return {flat_pose(middle.x, middle.y, half.z,
+                    std::atan2(along.y, along.x) * model::kDegreesPerRadian),
+          half};
 }
 
 }  // namespace
@@ -81,8 +84,8 @@ Track road_through(const std::vector<Vec3>& corners, double width) {
     }
   }
   const Vec3 ahead = track.centre[1] - track.centre[0];
-  track.start =
-      flat_pose(track.centre[0].x, track.centre[0].y, 0.0, std::atan2(ahead.y, ahead.x) * kDegrees);
+  track.start = flat_pose(track.centre[0].x, track.centre[0].y, 0.0,
+                          std::atan2(ahead.y, ahead.x) * model::kDegreesPerRadian);
   return track;
 }
 

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "clients/study/journal/codec.h"
+#include "clients/study/sync_folder.h"
 #include "protocol/wall_time.h"
 
 namespace hedgehog::study {
@@ -47,15 +48,6 @@ Result<void> write_line(int file, const fs::path& path, const std::string& line)
     return cannot(EX_IOERR, path, reason_of(errno));
   }
   return {};
-}
-
-/// So that the file itself is there after a power cut.
-void sync_folder(const fs::path& path) {
-  const int folder = ::open(path.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (folder >= 0) {
-    ::fsync(folder);
-    ::close(folder);
-  }
 }
 
 Result<std::string> text_of(const fs::path& path) {
@@ -122,7 +114,7 @@ Result<Journal> Journal::create(const fs::path& path, const RunStarted& header) 
     ::close(file);
     return written.error();
   }
-  sync_folder(path);
+  sync_folder(path.parent_path());
   auto run = RecordedRun::replay({first});
   if (!run) {
     ::close(file);

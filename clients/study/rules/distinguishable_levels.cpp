@@ -13,7 +13,7 @@ namespace {
 constexpr double kPrimeOfJnd = 1.1902;
 constexpr double kTwoPrime = 2.0;
 // A ratio that is a whole number of steps shall not lose one to rounding.
-constexpr double kSlack = 1e-9;
+constexpr double kStepSlack = 1e-9;
 constexpr double kMostSteps = 1e9;
 
 // Of the thesis, section 3.2.4.
@@ -68,7 +68,7 @@ LevelCount count_levels(double low, double high, double fraction, Spacing spacin
       count.steps = std::log(high / low) / (apart * std::log1p(fraction)) * kPrimeOfJnd / kTwoPrime;
       break;
   }
-  count.levels = static_cast<int>(std::min(std::floor(count.steps + kSlack), kMostSteps)) + 1;
+  count.levels = static_cast<int>(std::min(std::floor(count.steps + kStepSlack), kMostSteps)) + 1;
   return count;
 }
 

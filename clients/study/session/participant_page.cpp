@@ -19,8 +19,8 @@ namespace hedgehog::study {
 
 namespace {
 
-constexpr std::chrono::milliseconds kGlance{20};
-constexpr std::chrono::milliseconds kLookAgain{200};
+constexpr std::chrono::milliseconds kKeyPoll{20};
+constexpr std::chrono::milliseconds kRetryPoll{200};
 
 std::optional<sockaddr_un> address_of(const std::filesystem::path& path) {
   sockaddr_un address{};
@@ -150,7 +150,7 @@ Result<void> run_participant_page(const std::filesystem::path& path,
       if (phase != Phase::kOver) {
         terminal.draw({"", "", "", "", "", "", "", "          Please wait."});
       }
-      terminal.key(kLookAgain);
+      terminal.key(kRetryPoll);
       continue;
     }
     pollfd waiting{server, POLLIN, 0};
@@ -172,7 +172,7 @@ Result<void> run_participant_page(const std::filesystem::path& path,
         pending.erase(0, end + 1);
       }
     }
-    const auto key = terminal.key(kGlance);
+    const auto key = terminal.key(kKeyPoll);
     if (key && phase == Phase::kQuestion && (key->what == '<' || key->what == '>')) {
       (void)::send(server, &key->what, 1, MSG_NOSIGNAL);
     }

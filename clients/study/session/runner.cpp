@@ -10,7 +10,7 @@ namespace {
 using client::Milliseconds;
 using std::chrono::steady_clock;
 
-constexpr Milliseconds kGlance{10};
+constexpr Milliseconds kDeskPoll{10};
 constexpr int kTooManyVoids = 5;
 constexpr int kTooManyTimeouts = 50;
 constexpr const char* kTimeout = "no answer in time";
@@ -182,7 +182,7 @@ Result<Runner::Early> Runner::ask(std::string& fault) {
   const auto asked_at = steady_clock::now();
   show(Phase::kQuestion);
   while (true) {
-    const Input input = desk_.wait(kGlance);
+    const Input input = desk_.wait(kDeskPoll);
     // A key from before the question answers nothing.
     const bool answers = input.kind == Input::Kind::kAnswer &&
                          fits(input.answer, experiment.task) && input.at >= asked_at;

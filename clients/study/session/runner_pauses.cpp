@@ -11,7 +11,7 @@ namespace {
 using client::Milliseconds;
 using std::chrono::steady_clock;
 
-constexpr Milliseconds kLookAgain{100};
+constexpr Milliseconds kStatusPoll{100};
 constexpr Milliseconds kReconnect{2000};
 // An unattended run does not wait for ever for a daemon or a ball.
 constexpr std::chrono::seconds kUnattendedPatience{120};
@@ -80,7 +80,7 @@ Result<Runner::Early> Runner::until_ready(const Trial& trial) {
     if (desk_.unattended() && (for_ever || steady_clock::now() - since > kUnattendedPatience)) {
       return stuck(now.why_not);
     }
-    if (auto seen = glance(kLookAgain); !seen) {
+    if (auto seen = glance(kStatusPoll); !seen) {
       return seen.error();
     }
     if (auto kept = player_->keep(Milliseconds{0}); !kept) {
@@ -109,7 +109,7 @@ Result<Runner::Early> Runner::pause(Phase phase, const std::string& why) {
   continue_asked_ = false;
   while (!continue_asked_) {
     show(phase, 0, why + "; c continues", true);
-    if (auto seen = glance(kLookAgain); !seen) {
+    if (auto seen = glance(kStatusPoll); !seen) {
       return seen.error();
     }
     if (asked_to_stop()) {
@@ -145,7 +145,7 @@ Result<Runner::Early> Runner::reconnect(const std::string& why) {
     if (again) {
       show(Phase::kPaused, 0, "another ball is there: " + again->ball().name);
     }
-    if (auto seen = glance(kLookAgain); !seen) {
+    if (auto seen = glance(kStatusPoll); !seen) {
       return seen.error();
     }
     if (asked_to_stop()) {

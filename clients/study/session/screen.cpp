@@ -13,7 +13,7 @@ constexpr int kChartRows = 9;
 constexpr std::size_t kChartColumns = 66;
 constexpr int kPhases = static_cast<int>(Phase::kOver) + 1;
 
-std::string number(double value) {
+std::string column(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%6.4g", value);
   return text;
@@ -31,7 +31,7 @@ std::vector<std::string> chart(const RunState& state) {
   std::vector<std::string> lines;
   for (int row = kChartRows - 1; row >= 0; --row) {
     const bool labelled = row % 4 == 0;
-    std::string line = (labelled ? number(top * row / (kChartRows - 1)) : std::string(6, ' ')) +
+    std::string line = (labelled ? column(top * row / (kChartRows - 1)) : std::string(6, ' ')) +
                        (labelled ? " ┤" : " │");
     for (std::size_t i = first; i < all.size(); ++i) {
       const int place = static_cast<int>(std::lround(all[i].level / top * (kChartRows - 1)));
@@ -93,7 +93,7 @@ std::vector<std::string> experimenter_lines(const View& view) {
   std::snprintf(ball, sizeof ball, "  %s%s", run.header().ball.name.c_str(),
                 run.header().ball.simulated ? " (simulated)" : "");
   const std::string warm =
-      view.temperature_c ? "   " + number(*view.temperature_c) + " °C" : std::string();
+      view.temperature_c ? "   " + column(*view.temperature_c) + " °C" : std::string();
   lines.push_back("");
   lines.push_back(ball + warm);
   lines.push_back("  " + view.message);

@@ -12,7 +12,7 @@ namespace hedgehog::study {
 namespace {
 
 // A rehearsal outlives a daemon that is being restarted.
-constexpr client::Milliseconds kPatience{60'000};
+constexpr client::Milliseconds kRehearsalPatience{60'000};
 constexpr int kBarWidth = 30;
 
 /// One run of a rehearsal: begun, or gone on with. 0: it is over.
@@ -22,7 +22,7 @@ int rehearse_one(const Start& start, const Participant& participant, const Exper
   if (runs.over) {
     return 0;
   }
-  auto player = Player::open(start.addresses, kPatience);
+  auto player = Player::open(start.addresses, kRehearsalPatience);
   if (!player) {
     return complain(player.error());
   }

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr client::Milliseconds kPatience{2000};
+constexpr client::Milliseconds kConnectPatience{2000};
 // The screen is taken over after it.
 constexpr std::chrono::seconds kReading{3};
 constexpr const char* kPage = "participant.sock";
@@ -111,7 +111,7 @@ int run_run(const RunOptions& options) {
   std::optional<Checklist> checklist;
   if (!options.simulated) {
     // Before anybody is asked anything; its claim would run out while people talk.
-    const auto there = Player::open(*addresses, kPatience);
+    const auto there = Player::open(*addresses, kConnectPatience);
     if (!there) {
       return complain(there.error());
     }
@@ -123,7 +123,7 @@ int run_run(const RunOptions& options) {
       return study::complain(EX_TEMPFAIL, "not everything is ready; nothing was begun");
     }
   }
-  auto player = Player::open(*addresses, kPatience);
+  auto player = Player::open(*addresses, kConnectPatience);
   if (!player) {
     return complain(player.error());
   }
@@ -176,7 +176,7 @@ int run_resume(const RunOptions& options) {
   }
   std::optional<Checklist> checklist;
   if (!journal->run().header().simulated_person) {
-    const auto there = Player::open(*addresses, kPatience);
+    const auto there = Player::open(*addresses, kConnectPatience);
     if (!there) {
       return complain(there.error());
     }
@@ -190,7 +190,7 @@ int run_resume(const RunOptions& options) {
       return study::complain(EX_TEMPFAIL, "not everything is ready; the run stays as it is");
     }
   }
-  auto player = Player::open(*addresses, kPatience);
+  auto player = Player::open(*addresses, kConnectPatience);
   if (!player) {
     return complain(player.error());
   }

@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/units.h"
+
 namespace hedgehog::device {
 namespace {
 
 using model::Quaternion;
 using model::Vec3;
 
-constexpr double kRadians = 3.14159265358979323846 / 180.0;
 constexpr double kMostDegS = 1e4;
 constexpr double kMostG = 100.0;
 constexpr double kMostDtS = 0.5;
@@ -58,7 +59,7 @@ void Fusion::start(const Vec3& accel_g) noexcept {
   const Vec3 front = rotate(q_, {1, 0, 0});
   const bool flat = std::hypot(front.x, front.y) > 1e-3;
   const double yaw = flat ? std::atan2(front.y, front.x) : 0.0;
-  q_ = normalised(model::axis_angle({0, 0, 1}, -yaw / kRadians) * q_);
+  q_ = normalised(model::axis_angle({0, 0, 1}, -yaw / model::kRadiansPerDegree) * q_);
   started_ = true;
 }
 
@@ -93,13 +94,13 @@ void Fusion::step(const MotionSample& s) noexcept {
     bias_deg_s_ = bias_deg_s_ + share * (mean_rate_deg_s_ - bias_deg_s_);
   } else if (age_s_ >= kSettleS) {
     const Vec3 error = rotate(conjugate(q_), tilt_error());
-    bias_deg_s_ = bias_deg_s_ - (kBiasGain * s.dt_s / kRadians) * error;
+    bias_deg_s_ = bias_deg_s_ - (kBiasGain * s.dt_s / model::kRadiansPerDegree) * error;
   }
   for (int axis = 0; axis < 3; ++axis) {
     bias_deg_s_[axis] = std::clamp(bias_deg_s_[axis], -kMostBiasDegS, kMostBiasDegS);
   }
   rate_deg_s_ = s.rate_deg_s - bias_deg_s_;
-  q_ = turned(q_, kRadians * rate_deg_s_, s.dt_s);
+  q_ = turned(q_, model::kRadiansPerDegree * rate_deg_s_, s.dt_s);
 
   if (std::abs(norm(s.accel_g) - 1.0) < kTrustG) {
     const double share = std::min(1.0, s.dt_s / std::min(kGravityS, age_s_));

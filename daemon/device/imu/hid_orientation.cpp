@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "model/units.h"
+
 namespace hedgehog::device {
 namespace {
 
@@ -23,8 +25,7 @@ constexpr HidUsage kReportAllEvents = sensor(0x0841);
 constexpr HidUsage kFullPower = sensor(0x0851);
 
 /// System nibble 2, "SI rotation": radians instead of degrees.
-constexpr std::uint32_t kRadians = 2;
-constexpr double kDegrees = 180.0 / 3.14159265358979323846;
+constexpr std::uint32_t kUnitRadians = 2;
 constexpr double kAbsurdDegS = 1e5;
 
 bool contains(const std::vector<HidUsage>& usages, HidUsage usage) {
@@ -158,8 +159,8 @@ std::optional<HidOrientationSample> HidOrientation::decode(std::span<const Byte>
     const HidElement& element = (*rate_)[static_cast<std::size_t>(axis)];
     const auto number = value(element, report);
     if (!number || std::abs(*number) > kAbsurdDegS) return sample;
-    const bool radians = (descriptor_.fields[element.field].unit & 0xF) == kRadians;
-    rate[axis] = radians ? kDegrees * *number : *number;
+    const bool radians = (descriptor_.fields[element.field].unit & 0xF) == kUnitRadians;
+    rate[axis] = radians ? model::kDegreesPerRadian * *number : *number;
   }
   sample.rate_deg_s = to_rep103(rate);
   return sample;

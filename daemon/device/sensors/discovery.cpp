@@ -71,7 +71,7 @@ std::string property(const std::string& uevent, const std::string& key) {
 constexpr int kUsbBus = 0x03;
 constexpr int kBluetoothBus = 0x05;
 
-std::optional<HidDevice> hid_device(const fs::path& entry) {
+std::optional<HidDevice> read_hid_device(const fs::path& entry) {
   // "0003:054C:0CE6.0007": bus, vendor, product, a running number.
   const std::string id = entry.filename().string();
   if (id.size() < 14) return std::nullopt;
@@ -191,7 +191,7 @@ std::vector<UsbDevice> list_usb(const std::string& sys) {
 std::vector<HidDevice> list_hid(const std::string& sys) {
   std::vector<HidDevice> devices;
   for (const fs::path& entry : entries(fs::path(sys) / "bus/hid/devices")) {
-    if (auto device = hid_device(entry)) devices.push_back(std::move(*device));
+    if (auto device = read_hid_device(entry)) devices.push_back(std::move(*device));
   }
   return devices;
 }

@@ -5,10 +5,11 @@
 #include <cmath>
 #include <utility>
 
+#include "model/units.h"
+
 namespace hedgehog::device {
 namespace {
 
-constexpr double kDegrees = 180.0 / 3.14159265358979323846;
 constexpr std::size_t kLongestReport = 1024;
 // A pad that paused may have been turned meanwhile. The clock of a DualShock 4 comes round in 350
 // ms, so a pause of that length has to be seen by the clock here; by then the kernel's queue of 64
@@ -24,7 +25,7 @@ model::Vec3 rate_between(const model::Quaternion& a, const model::Quaternion& b,
   if (d.w < 0.0) d = {-d.w, -d.x, -d.y, -d.z};
   const model::Vec3 v{d.x, d.y, d.z};
   const double sine = norm(v);
-  const double angle_deg = 2.0 * std::atan2(sine, d.w) * kDegrees;
+  const double angle_deg = 2.0 * std::atan2(sine, d.w) * model::kDegreesPerRadian;
   return sine > 1e-9 ? (angle_deg / (sine * dt_s)) * v : model::Vec3{};
 }
 
@@ -130,7 +131,8 @@ bool MtiImu::poll(std::chrono::milliseconds wait) {
   while (const auto sample = session_.next()) {
     const bool valid = !sample->status || (*sample->status & kOrientationValid) != 0;
     if (!valid || !sample->quaternion) continue;
-    sink_.publish(*sample->quaternion, kDegrees * sample->rate_rad_s.value_or(model::Vec3{}));
+    sink_.publish(*sample->quaternion,
+                  model::kDegreesPerRadian * sample->rate_rad_s.value_or(model::Vec3{}));
   }
   return true;
 }

@@ -11,7 +11,7 @@ namespace hedgehog::device {
 namespace {
 
 constexpr std::chrono::milliseconds kClosing{1000};
-constexpr std::chrono::milliseconds kWaitOnce{50};
+constexpr std::chrono::milliseconds kClosePoll{50};
 
 TransferEnd end_of(libusb_transfer_status status) noexcept {
   switch (status) {
@@ -74,8 +74,8 @@ class LibusbPort : public UsbPort {
   ~LibusbPort() override {
     for (int i = 0; i < kSlots; ++i) cancel(i);
     std::array<Completion, kSlots> ignored;
-    for (auto left = kClosing; busy() && left.count() > 0; left -= kWaitOnce) {
-      (void)poll(ignored, kWaitOnce);
+    for (auto left = kClosing; busy() && left.count() > 0; left -= kClosePoll) {
+      (void)poll(ignored, kClosePoll);
     }
     if (!busy()) return;
     // The kernel still owns them: lost memory is better than memory written to after its end.

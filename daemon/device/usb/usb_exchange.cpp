@@ -8,7 +8,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr milliseconds kWaitOnce{10};
+constexpr milliseconds kReadPoll{10};
 
 UsbTrouble trouble_of(TransferEnd end) noexcept {
   switch (end) {
@@ -93,7 +93,7 @@ bool UsbExchange::none_of(int first, int last) const noexcept {
 
 bool UsbExchange::wait_for(int first, int last, milliseconds patience) noexcept {
   for (milliseconds left = patience; !none_of(first, last) && left.count() > 0;) {
-    if (poll(kWaitOnce) == 0) left -= kWaitOnce;
+    if (poll(kReadPoll) == 0) left -= kReadPoll;
   }
   return none_of(first, last);
 }

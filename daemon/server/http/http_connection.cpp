@@ -30,12 +30,11 @@ using Request = http::request<http::string_body>;
 
 constexpr std::uint32_t kMaxHeaderBytes = 8 * 1024;
 constexpr std::uint64_t kMaxBodyBytes = 1024;
-constexpr std::size_t kReadBytes = 16 * 1024;
 constexpr std::chrono::seconds kPatience{30};
-constexpr std::chrono::seconds kFarewell{1};
+constexpr std::chrono::seconds kLingerTimeout{1};
 constexpr std::chrono::seconds kHandshake{10};
 /// A peer that answers no ping for so long is gone.
-constexpr std::chrono::seconds kSilence{60};
+constexpr std::chrono::seconds kMaxPeerSilence{60};
 constexpr const char* kContentPolicy =
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; "
     "font-src 'self'; connect-src 'self'; manifest-src 'self'; base-uri 'none'; "
@@ -75,7 +74,7 @@ asio::awaitable<bool> WebSocketConnection::read_message() {
   skipping_ = false;
   do {
     error_code ec;
-    co_await stream_.async_read_some(buffer_, kReadBytes,
+    co_await stream_.async_read_some(buffer_, Connection::kReadBytes,
                                      asio::redirect_error(asio::use_awaitable, ec));
     if (ec) {
       co_return false;
@@ -212,8 +211,8 @@ asio::awaitable<bool> send(beast::tcp_stream& stream, const HttpAnswer& answer, 
 asio::awaitable<void> leave(beast::tcp_stream& stream) {
   error_code ec;
   stream.socket().shutdown(asio::ip::tcp::socket::shutdown_send, ec);
-  stream.expires_after(kFarewell);
-  std::string sink(kReadBytes, '\0');
+  stream.expires_after(kLingerTimeout);
+  std::string sink(Connection::kReadBytes, '\0');
   while (!ec) {
     co_await stream.async_read_some(asio::buffer(sink),
                                     asio::redirect_error(asio::use_awaitable, ec));
@@ -224,7 +223,7 @@ asio::awaitable<void> become_web_socket(beast::tcp_stream stream, Request reques
                                         HttpDoor& door) {
   stream.expires_never();
   WebSocketConnection::Stream upgraded(std::move(stream));
-  upgraded.set_option(websocket::stream_base::timeout{kHandshake, kSilence, true});
+  upgraded.set_option(websocket::stream_base::timeout{kHandshake, kMaxPeerSilence, true});
   // Beast would close the connection over one that is too long; here it is told, as on TCP.
   upgraded.read_message_max(0);
   upgraded.text(true);

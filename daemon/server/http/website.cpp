@@ -13,7 +13,7 @@ namespace hedgehog::server {
 namespace {
 
 /// The control thread is allowed to miss this much before a monitor is told.
-constexpr std::chrono::seconds kSilence{1};
+constexpr std::chrono::seconds kMaxControlSilence{1};
 
 }  // namespace
 
@@ -60,7 +60,7 @@ HttpAnswer Website::answer(const HttpRequest& request) {
 
 HttpAnswer Website::health() const {
   const control::StatusSnapshot& now = server_.machine().now();
-  if (server_.control_silent() > kSilence) {
+  if (server_.control_silent() > kMaxControlSilence) {
     return http_error(503, "the control loop stands still");
   }
   std::string text = "ok\n" + std::string(control::name(now.state));

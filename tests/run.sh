@@ -1,0 +1,58 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# run.sh PRESET: the tests of a build, in two passes: those on virtual time, then those with the label `clock`, which run
+# real programs and threads on the real clock. Of these, and of no others, one that fails is run once more.
+# JOBS: cores to use. Exit: 0 all passed, else ctest's.
+set -u
+
+[ $# -eq 1 ] || { echo "run.sh PRESET" >&2; exit 64; }
+preset=$1
+cd "$(dirname -- "$0")/.." || exit 70
+results=$PWD/build/$preset/results
+mkdir -p "$results"
+jobs=${JOBS:-2}
+
+# pass NAME CTEST-OPTION...
+pass() {
+  local name=$1 code
+  shift
+  cmake/stage.sh "tests $preset $name" ctest --preset "$preset" --output-junit "$results/$name.xml" "$@" |
+    tee "$results/$name.log"
+  code=${PIPESTATUS[0]}
+  [ -z "${HEDGEHOG_STAGES-}" ] || record "$name" >>"$HEDGEHOG_STAGES"
+  return "$code"
+}
+
+# For the table of stages: how many ran, the time of each program, and who had to run twice.
+record() { # NAME
+  awk -v preset="$preset" '
+    function attribute(name,   at) {
+      return match($0, " " name "=\"[^\"]*\"") ? substr($0, RSTART + length(name) + 3, RLENGTH - length(name) - 4) : ""
+    }
+    # A line an attribute, before the first test.
+    split($0, part, "\"") == 3 && part[1] ~ /^\t(tests|failures|skipped)=$/ { total[substr(part[1], 2)] = part[2] }
+    /<testcase/ {
+      program = attribute("name")
+      sub(/\..*/, "", program)
+      time[program] += attribute("time")
+      count[program]++
+    }
+    END {
+      for (program in time) {
+        printf "program\t%s test_%s\t%.1f\t%d\n", preset, program, time[program], count[program] | "sort"
+      }
+      close("sort")
+      printf "tests\t%d\t%d\t%d\n", total["tests="], total["failures="], total["skipped="]
+    }' "$results/$1.xml"
+  # ctest names a test again each time it runs it.
+  sed -nE 's/^ *[0-9]+\/[0-9]+ Test +#[0-9]+: ([^ ]+) .*(Passed|\*\*\*).*/\1/p' "$results/$1.log" | sort | uniq -d |
+    sed "s/^/repeated\t$preset /"
+}
+
+pass virtual --label-exclude clock -j "$jobs"
+virtual=$?
+# They wait most of the time.
+pass clock --label-regex '^clock$' --repeat until-pass:2 -j "$((3 * jobs))"
+clock=$?
+[ "$virtual" -eq 0 ] || exit "$virtual"
+exit "$clock"
