@@ -4,11 +4,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <filesystem>
 
 #include "tests/clients/fake_daemon.h"
+#include "tests/temporary_folder.h"
 
 namespace hedgehog::client {
 namespace {
@@ -16,7 +14,6 @@ namespace {
 using namespace std::chrono_literals;
 using testing::HasSubstr;
 
-constexpr Milliseconds kLong{20'000};
 constexpr const char* kPong = R"({"jsonrpc":"2.0","id":1,"result":{"time_ns":42}})";
 constexpr const char* kShutdown =
     R"({"jsonrpc":"2.0","method":"event","params":{"type":"shutting_down","time_ns":7}})";
@@ -27,7 +24,7 @@ std::string telemetry(int time_ns) {
 }
 
 Connection connect(const FakeDaemon& daemon) {
-  return Connection::open({daemon.address()}, kLong).value();
+  return Connection::open({daemon.address()}, kLongPatience).value();
 }
 
 std::int64_t time_of(const Notification& notification) {
@@ -39,7 +36,7 @@ std::int64_t time_of(const Notification& notification) {
 
 TEST(Open, SaysWhereItLooked) {
   const SilentPort silent;
-  const auto none = Connection::open({{.path = "/nowhere.sock"}, silent.address()}, kLong);
+  const auto none = Connection::open({{.path = "/nowhere.sock"}, silent.address()}, kLongPatience);
   ASSERT_FALSE(none.has_value());
   EXPECT_EQ(none.error().failure, Failure::kNoDaemon);
   EXPECT_EQ(none.error().message,
@@ -53,23 +50,21 @@ TEST(Open, SaysWhatElseIsWrong) {
 
 TEST(Open, TakesTheFirstThatAnswers) {
   FakeDaemon daemon([](FakePeer& peer) { peer.read(); });
-  auto ball = Connection::open({SilentPort().address(), daemon.address()}, kLong);
+  auto ball = Connection::open({SilentPort().address(), daemon.address()}, kLongPatience);
   ASSERT_TRUE(ball.has_value());
   EXPECT_EQ(ball->address(), daemon.address());
 }
 
 TEST(Open, SpeaksOverAUnixSocketToo) {
-  const auto path = std::filesystem::temp_directory_path() /
-                    ("hedgehog-client-" + std::to_string(::getpid()) + ".sock");
-  std::filesystem::remove(path);
-  FakeDaemon daemon(path.string(), [](FakePeer& peer) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path("hedgehogd.sock");
+  FakeDaemon daemon(path, [](FakePeer& peer) {
     peer.read();
     peer.say(kPong);
   });
-  auto ball = Connection::open({{.path = path.string()}}, kLong);
+  auto ball = Connection::open({{.path = path}}, kLongPatience);
   ASSERT_TRUE(ball.has_value());
-  EXPECT_EQ(ball->call(protocol::Ping{}, kLong).value().time_ns, 42);
-  std::filesystem::remove(path);
+  EXPECT_EQ(ball->call(protocol::Ping{}, kLongPatience).value().time_ns, 42);
 }
 
 TEST(Reopen, GivesUpWhenItsPatienceIsOver) {
@@ -88,7 +83,7 @@ TEST(Reopen, ComesBackWhenTheDaemonDoes) {
     std::this_thread::sleep_for(150ms);
     acceptor.listen();
   });
-  EXPECT_TRUE(Connection::reopen({address}, kLong).has_value());
+  EXPECT_TRUE(Connection::reopen({address}, kLongPatience).has_value());
   later.join();
 }
 
@@ -112,7 +107,7 @@ TEST(Call, SendsOneLineAndReturnsTheTypedAnswer) {
   const protocol::EffectParams push{
       .direction = protocol::Word::kLeft, .level = 0.62, .duration_ms = 180};
   const auto felt =
-      ball.call(protocol::EffectStart{protocol::Method::kEffectPulse, push}, kLong).value();
+      ball.call(protocol::EffectStart{protocol::Method::kEffectPulse, push}, kLongPatience).value();
   EXPECT_EQ(felt.effect, 41U);
   EXPECT_EQ(felt.current_a, 9.3);
   EXPECT_EQ(felt.headroom_s, 21.4);
@@ -129,10 +124,10 @@ TEST(Call, ReadsAnswersHoweverTheyArrive) {
               R"({"jsonrpc":"2.0","id":2,"result":{"time_ns":43}})" + "\n" + telemetry(3) + "\n");
   });
   auto ball = connect(daemon);
-  EXPECT_EQ(ball.call(protocol::Ping{}, kLong).value().time_ns, 42);
-  EXPECT_EQ(ball.call(protocol::Ping{}, kLong).value().time_ns, 43);
+  EXPECT_EQ(ball.call(protocol::Ping{}, kLongPatience).value().time_ns, 42);
+  EXPECT_EQ(ball.call(protocol::Ping{}, kLongPatience).value().time_ns, 43);
   for (const int expected : {1, 2, 3}) {
-    EXPECT_EQ(time_of(ball.next(kLong).value().value()), expected);
+    EXPECT_EQ(time_of(ball.next(kLongPatience).value().value()), expected);
   }
 }
 
@@ -143,7 +138,7 @@ TEST(Call, ReturnsWhatTheDaemonRefuses) {
         R"({"jsonrpc":"2.0","id":1,"error":{"code":-32602,"message":"gain: 1.4 is above 1","data":{"name":"invalid_params","field":"gain","limit":1,"value":1.4}}})");
   });
   auto ball = connect(daemon);
-  const auto refused = ball.call(protocol::OutputSetGain{1.4}, kLong);
+  const auto refused = ball.call(protocol::OutputSetGain{1.4}, kLongPatience);
   ASSERT_FALSE(refused.has_value());
   EXPECT_EQ(refused.error().failure, Failure::kRefused);
   EXPECT_EQ(refused.error().message, "gain: 1.4 is above 1");
@@ -159,7 +154,8 @@ TEST(Call, TakesAnErrorWithoutIdAsItsOwn) {
         R"({"jsonrpc":"2.0","id":null,"error":{"code":-32001,"message":"busy: too many connections","data":{"name":"busy"}}})");
   });
   auto ball = connect(daemon);
-  EXPECT_EQ(ball.call(protocol::Ping{}, kLong).error().message, "busy: too many connections");
+  EXPECT_EQ(ball.call(protocol::Ping{}, kLongPatience).error().message,
+            "busy: too many connections");
 }
 
 TEST(Call, PassesOnWhatAPersonTyped) {
@@ -169,7 +165,8 @@ TEST(Call, PassesOnWhatAPersonTyped) {
     peer.say(R"({"jsonrpc":"2.0","id":1,"result":{"b":1,"a":[2]}})");
   });
   auto ball = connect(daemon);
-  EXPECT_EQ(ball.call_raw("future.method", R"({"x":1})", kLong).value(), R"({"b":1,"a":[2]})");
+  EXPECT_EQ(ball.call_raw("future.method", R"({"x":1})", kLongPatience).value(),
+            R"({"b":1,"a":[2]})");
   daemon.finish();
   EXPECT_EQ(line, R"({"jsonrpc":"2.0","id":1,"method":"future.method","params":{"x":1}})");
 }
@@ -186,7 +183,7 @@ TEST(Call, ThatIsNotAnsweredInTimeLeavesTheConnectionUsable) {
   ASSERT_FALSE(late.has_value());
   EXPECT_EQ(late.error().failure, Failure::kTimeout);
   EXPECT_EQ(late.error().message, "the daemon has not answered within 20 ms");
-  EXPECT_EQ(ball.call(protocol::Ping{}, kLong).value().time_ns, 43);
+  EXPECT_EQ(ball.call(protocol::Ping{}, kLongPatience).value().time_ns, 43);
 }
 
 TEST(Call, SaysWhenTheDaemonHasGoneAndKeepsItsLastWords) {
@@ -196,13 +193,13 @@ TEST(Call, SaysWhenTheDaemonHasGoneAndKeepsItsLastWords) {
   });
   auto ball = connect(daemon);
   for (int i = 0; i < 2; ++i) {
-    const auto gone = ball.call(protocol::Ping{}, kLong);
+    const auto gone = ball.call(protocol::Ping{}, kLongPatience);
     ASSERT_FALSE(gone.has_value());
     EXPECT_EQ(gone.error().failure, Failure::kClosed);
   }
-  const auto words = ball.next(kLong).value().value();
+  const auto words = ball.next(kLongPatience).value().value();
   EXPECT_EQ(std::get<protocol::EventMessage>(words).event.type, "shutting_down");
-  EXPECT_EQ(ball.next(kLong).error().failure, Failure::kClosed);
+  EXPECT_EQ(ball.next(kLongPatience).error().failure, Failure::kClosed);
 }
 
 TEST(Call, DoesNotTakeNonsenseForAnAnswer) {
@@ -212,7 +209,7 @@ TEST(Call, DoesNotTakeNonsenseForAnAnswer) {
     peer.read();
   });
   auto ball = connect(daemon);
-  EXPECT_EQ(ball.call(protocol::Ping{}, kLong).error().failure, Failure::kProtocol);
+  EXPECT_EQ(ball.call(protocol::Ping{}, kLongPatience).error().failure, Failure::kProtocol);
 }
 
 TEST(Call, GivesUpOnALineThatNeverEnds) {
@@ -222,16 +219,17 @@ TEST(Call, GivesUpOnALineThatNeverEnds) {
     peer.read();
   });
   auto ball = connect(daemon);
-  EXPECT_EQ(ball.call(protocol::Ping{}, kLong).error().failure, Failure::kProtocol);
+  EXPECT_EQ(ball.call(protocol::Ping{}, kLongPatience).error().failure, Failure::kProtocol);
 }
 
 TEST(Call, NeverSendsALineThatTheDaemonWouldRefuse) {
   std::string line;
   FakeDaemon daemon([&](FakePeer& peer) { line = peer.read(); });
   auto ball = connect(daemon);
-  const auto failed = ball.call_raw("x", "{\"y\":\"" + std::string(70'000, 'y') + "\"}", kLong);
+  const auto failed =
+      ball.call_raw("x", "{\"y\":\"" + std::string(70'000, 'y') + "\"}", kLongPatience);
   EXPECT_EQ(failed.error().failure, Failure::kProtocol);
-  EXPECT_TRUE(ball.notify(protocol::DeviceEmergencyStop{}, kLong).has_value());
+  EXPECT_TRUE(ball.notify(protocol::DeviceEmergencyStop{}, kLongPatience).has_value());
   daemon.finish();
   EXPECT_THAT(line, HasSubstr("device.emergency_stop"));
 }
@@ -239,7 +237,8 @@ TEST(Call, NeverSendsALineThatTheDaemonWouldRefuse) {
 TEST(Notify, SendsNoId) {
   std::string line;
   FakeDaemon daemon([&](FakePeer& peer) { line = peer.read(); });
-  EXPECT_TRUE(connect(daemon).notify(protocol::EffectStop{.effect = 41}, kLong).has_value());
+  EXPECT_TRUE(
+      connect(daemon).notify(protocol::EffectStop{.effect = 41}, kLongPatience).has_value());
   daemon.finish();
   EXPECT_EQ(line, R"({"jsonrpc":"2.0","method":"effect.stop","params":{"effect":41}})");
 }
@@ -256,15 +255,15 @@ TEST(Ask, DoesNotWaitAndItsAnswersComeWithWhatIsRead) {
     peer.say(R"({"jsonrpc":"2.0","id":3,"result":{"time_ns":43}})");
   });
   auto ball = connect(daemon);
-  EXPECT_EQ(ball.ask(protocol::EffectStopAll{}, kLong).value(), protocol::Id::number(1));
-  EXPECT_EQ(ball.ask(protocol::EffectStopAll{}, kLong).value(), protocol::Id::number(2));
-  EXPECT_EQ(time_of(ball.next(kLong).value().value()), 5);
+  EXPECT_EQ(ball.ask(protocol::EffectStopAll{}, kLongPatience).value(), protocol::Id::number(1));
+  EXPECT_EQ(ball.ask(protocol::EffectStopAll{}, kLongPatience).value(), protocol::Id::number(2));
+  EXPECT_EQ(time_of(ball.next(kLongPatience).value().value()), 5);
   EXPECT_TRUE(ball.answer().value().result.has_value());
   const auto refused = ball.answer().value();
   EXPECT_EQ(refused.id, protocol::Id::number(2));
   EXPECT_EQ(refused.result.error().code, protocol::ErrorCode::kClaimed);
   EXPECT_FALSE(ball.answer().has_value());
-  EXPECT_EQ(ball.call(protocol::Ping{}, kLong).value().time_ns, 43);
+  EXPECT_EQ(ball.call(protocol::Ping{}, kLongPatience).value().time_ns, 43);
 }
 
 TEST(Next, WithoutPatienceTakesOnlyWhatIsThere) {
@@ -275,7 +274,7 @@ TEST(Next, WithoutPatienceTakesOnlyWhatIsThere) {
   });
   auto ball = connect(daemon);
   EXPECT_EQ(ball.next(0ms).value(), std::nullopt);
-  ASSERT_TRUE(ball.call(protocol::Ping{}, kLong).has_value());
+  ASSERT_TRUE(ball.call(protocol::Ping{}, kLongPatience).has_value());
   EXPECT_EQ(time_of(ball.next(0ms).value().value()), 1);
   EXPECT_EQ(time_of(ball.next(0ms).value().value()), 2);
   EXPECT_EQ(ball.next(10ms).value(), std::nullopt) << "half a line is no line";
@@ -290,7 +289,7 @@ TEST(Next, LosesOldTelemetryButNoEvent) {
     peer.read();
   });
   auto ball = connect(daemon);
-  ASSERT_TRUE(ball.call(protocol::Ping{}, kLong).has_value());
+  ASSERT_TRUE(ball.call(protocol::Ping{}, kLongPatience).has_value());
   EXPECT_EQ(time_of(ball.next(0ms).value().value()), 7);
   for (int i = 45; i <= 300; ++i) EXPECT_EQ(time_of(ball.next(0ms).value().value()), 1000 + i);
   EXPECT_EQ(ball.next(0ms).value(), std::nullopt);

@@ -13,8 +13,6 @@
 namespace hedgehog::client {
 namespace {
 
-constexpr Milliseconds kLong{20'000};
-
 protocol::Event derating_ended(std::int64_t time_ns) {
   protocol::Event event{.type = "derating_ended", .time_ns = time_ns};
   event.limit_a = 15.0;
@@ -37,7 +35,7 @@ TEST(EventsVerb, WhatTheHistoryHasToldIsNotToldAgain) {
         protocol::encode_history({protocol::encode_past_event(past)}, true)));
     peer.say(protocol::encode_event(derating_ended(8)));
   });
-  Session session{Connection::open({daemon.address()}, kLong).value(), true, {}};
+  Session session{Connection::open({daemon.address()}, kLongPatience).value(), true, {}};
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
   EXPECT_EQ(run_events(session, {{}, "1h", true}), kUnavailable);

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <boost/asio.hpp>
+#include <chrono>
+#include <cstdlib>
 #include <functional>
 #include <istream>
 #include <memory>
@@ -14,6 +16,13 @@
 #include "clients/lib/address.h"
 
 namespace hedgehog::client {
+
+/// What must happen does so within this on a busy machine.
+inline constexpr std::chrono::milliseconds kLongPatience{20'000};
+
+/// The client library's response timeout in the test programs that talk to this daemon: set before
+/// `main`, as the library reads it once.
+inline const bool kResponseTimeoutSet = ::setenv("HEDGEHOG_PATIENCE_MS", "60000", 1) == 0;
 
 /// The daemon's end of the conversation.
 class FakePeer {

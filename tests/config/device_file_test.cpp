@@ -9,10 +9,6 @@
 namespace hedgehog::config {
 namespace {
 
-const std::string kDevice = "/etc/hedgehog/devices.d/mine.json";
-
-std::string wrong(const std::string& text) { return FakeFiles::with_device(text).errors(); }
-
 TEST(DeviceFile, EveryKeyArrives) {
   const FakeFiles fake = FakeFiles::with_device(R"({
     "name": "ball-7", "model": "hedgehog-86b", "arrangement": "tkD-86", "front_pin": 1,
@@ -51,35 +47,38 @@ TEST(DeviceFile, EveryKeyArrives) {
 }
 
 TEST(DeviceFile, AMatrixMustReachEveryDirection) {
-  EXPECT_EQ(wrong("{\n\"coil_matrix\": [[1, 0, 0], [0, 1, 0], [1, 1, 0]]}"),
-            kDevice + ":2: coil_matrix: must have a determinant other than 0: these rows leave " +
+  EXPECT_EQ(wrong_device("{\n\"coil_matrix\": [[1, 0, 0], [0, 1, 0], [1, 1, 0]]}"),
+            kDeviceFile +
+                ":2: coil_matrix: must have a determinant other than 0: these rows leave " +
                 "directions without a field\n");
-  EXPECT_EQ(wrong("{\"coil_matrix\": [[1, 0, 0], [0, 1], [0, 0, 1]]}"),
-            kDevice + ":1: coil_matrix: row 2: must be three rows of three numbers, such as " +
+  EXPECT_EQ(wrong_device("{\"coil_matrix\": [[1, 0, 0], [0, 1], [0, 0, 1]]}"),
+            kDeviceFile + ":1: coil_matrix: row 2: must be three rows of three numbers, such as " +
                 "[[1, 0, 0], [0, 1, 0], [0, 0, 1]], not a list\n");
-  EXPECT_EQ(wrong("{\"coil_matrix\": [[1, 0, 0], [0, 1, 0], [0, 0, 11]]}"),
-            kDevice + ":1: coil_matrix: row 3: number 3 must be -10 to 10, not 11\n");
+  EXPECT_EQ(wrong_device("{\"coil_matrix\": [[1, 0, 0], [0, 1, 0], [0, 0, 11]]}"),
+            kDeviceFile + ":1: coil_matrix: row 3: number 3 must be -10 to 10, not 11\n");
 }
 
 TEST(DeviceFile, WrongValuesAreNamed) {
-  EXPECT_EQ(wrong("{\"r25_ohm\": [0.45, 0, 0.45]}"),
-            kDevice + ":1: r25_ohm: number 2 must be 0.05 to 10, not 0\n");
-  EXPECT_EQ(wrong("{\"thermal\": {\"sensor_winding\": 3}}"),
-            kDevice + ":1: thermal.sensor_winding: must be 0 to 2, not 3\n");
-  EXPECT_EQ(wrong("{\"arrangement\": \"cD-42\"}"),
-            kDevice + ":1: arrangement: must be \"tkD-86\", not \"cD-42\"\n");
-  EXPECT_EQ(wrong("{\"limits\": {\"trip_c\": 90}}"),
-            kDevice + ":1: limits.trip_c: must be 30 to 75, not 90\n");
-  EXPECT_EQ(wrong("{\"name\": \"my ball\"}"),
-            kDevice + ":1: name: must be a name of 1 to 32 letters, digits, \"-\", \"_\" or " +
+  EXPECT_EQ(wrong_device("{\"r25_ohm\": [0.45, 0, 0.45]}"),
+            kDeviceFile + ":1: r25_ohm: number 2 must be 0.05 to 10, not 0\n");
+  EXPECT_EQ(wrong_device("{\"thermal\": {\"sensor_winding\": 3}}"),
+            kDeviceFile + ":1: thermal.sensor_winding: must be 0 to 2, not 3\n");
+  EXPECT_EQ(wrong_device("{\"arrangement\": \"cD-42\"}"),
+            kDeviceFile + ":1: arrangement: must be \"tkD-86\", not \"cD-42\"\n");
+  EXPECT_EQ(wrong_device("{\"limits\": {\"trip_c\": 90}}"),
+            kDeviceFile + ":1: limits.trip_c: must be 30 to 75, not 90\n");
+  EXPECT_EQ(wrong_device("{\"name\": \"my ball\"}"),
+            kDeviceFile + ":1: name: must be a name of 1 to 32 letters, digits, \"-\", \"_\" or " +
                 "\".\", not \"my ball\"\n");
-  EXPECT_EQ(wrong("{\"resistance_ohm\": 1}"), kDevice + ":1: resistance_ohm: unknown key\n");
+  EXPECT_EQ(wrong_device("{\"resistance_ohm\": 1}"),
+            kDeviceFile + ":1: resistance_ohm: unknown key\n");
 }
 
 TEST(DeviceFile, UsbIdsAreHexadecimalPairs) {
   for (const std::string id : {"1209", "1209:1", "1209-0001", "12g9:0001", "+209:0001", ""}) {
-    EXPECT_EQ(wrong("{\"usb\": [\"" + id + "\"]}"),
-              kDevice + ":1: usb: must be a list of \"vendor:product\" in hexadecimal, such as " +
+    EXPECT_EQ(wrong_device("{\"usb\": [\"" + id + "\"]}"),
+              kDeviceFile +
+                  ":1: usb: must be a list of \"vendor:product\" in hexadecimal, such as " +
                   "[\"1209:0001\"], not \"" + id + "\"\n");
   }
 }

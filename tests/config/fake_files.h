@@ -9,6 +9,8 @@
 
 namespace hedgehog::config {
 
+inline const std::string kDeviceFile = "/etc/hedgehog/devices.d/mine.json";
+
 struct FakeFiles {
   std::map<std::string, std::string> files;
   Overrides overrides;
@@ -39,7 +41,7 @@ struct FakeFiles {
   /// With `text` as the device file in use.
   static FakeFiles with_device(const std::string& text) {
     FakeFiles fake = with(R"({"device": "mine"})");
-    fake.files["/etc/hedgehog/devices.d/mine.json"] = text;
+    fake.files[kDeviceFile] = text;
     return fake;
   }
 
@@ -49,5 +51,10 @@ struct FakeFiles {
     return loaded ? "" : to_string(loaded.error());
   }
 };
+
+/// What is wrong with `text` as the device file.
+inline std::string wrong_device(const std::string& text) {
+  return FakeFiles::with_device(text).errors();
+}
 
 }  // namespace hedgehog::config

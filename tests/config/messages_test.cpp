@@ -11,10 +11,8 @@ namespace hedgehog::config {
 namespace {
 
 const std::string kFile = "/etc/hedgehog/hedgehogd.json";
-const std::string kDevice = "/etc/hedgehog/devices.d/mine.json";
 
 std::string wrong(const std::string& text) { return FakeFiles::with(text).errors(); }
-std::string wrong_device(const std::string& text) { return FakeFiles::with_device(text).errors(); }
 
 TEST(Messages, UnknownKeyWithTheNearestKnownOne) {
   EXPECT_EQ(wrong("{\n  \"limits\": {\n    \"curent_a\": 10\n  }\n}\n"),
@@ -71,7 +69,7 @@ TEST(Messages, AllAtOnceInTheOrderOfTheFile) {
 
 TEST(Messages, LimitsOnlyTighten) {
   FakeFiles fake = FakeFiles::with("{\"device\": \"mine\",\n\"limits\": {\"current_a\": 11}}");
-  fake.files[kDevice] = R"({"limits": {"current_a": 10}})";
+  fake.files[kDeviceFile] = R"({"limits": {"current_a": 10}})";
   EXPECT_EQ(fake.errors(), kFile + ":2: limits.current_a: must be at most 10, the limit in the " +
                                "device file, not 11: configuration only tightens\n");
   fake.files[kFile] = R"({"device": "mine", "limits": {"current_a": 9}})";
@@ -91,8 +89,9 @@ TEST(Messages, LimitsStayInOrder) {
             kFile + ":2: limits.trip_c: must be above limits.zero_c (69), not 65\n");
   EXPECT_EQ(wrong("{\"limits\": {\"current_a\": 3,\n\"continuous_a\": 4}}"),
             kFile + ":2: limits.continuous_a: must be at most limits.current_a (3), not 4\n");
-  EXPECT_EQ(wrong_device("{\"limits\":\n{\"sustain_c\": 50}}"),
-            kDevice + ":2: limits.sustain_c: must be above limits.derate_from_c (60), not 50\n");
+  EXPECT_EQ(
+      wrong_device("{\"limits\":\n{\"sustain_c\": 50}}"),
+      kDeviceFile + ":2: limits.sustain_c: must be above limits.derate_from_c (60), not 50\n");
 }
 
 TEST(Messages, OneAddressHasOneListener) {

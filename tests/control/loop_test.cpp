@@ -17,8 +17,9 @@
 namespace hedgehog::control {
 namespace {
 
-/// Device time runs up to a hundred times as fast here; nothing shall end by its lease.
-constexpr std::uint32_t kNeverOver = 600'000;
+/// Device time runs up to a hundred times as fast here; nothing shall end by its lease: these are
+/// eleven hours at that pace.
+constexpr std::uint32_t kNeverOver = 4'000'000'000;
 
 /// io's side: a mailbox, and patience.
 class Io {

@@ -4,11 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
+#include <string>
 
 #include "daemon/device/simulator_settings.h"
 #include "tests/rig/rig.h"
+#include "tests/temporary_folder.h"
 
 namespace hedgehog::control {
 namespace {
@@ -94,13 +94,10 @@ TEST(Replay, RefusesWhatIsNoRecordingOrOfAnotherBuild) {
 TEST(Replay, ReadsFiles) {
   FlightRecorder recorder;
   const auto bytes = recorded_trip(recorder);
-  const auto path = std::filesystem::temp_directory_path() /
-                    ("hedgehog-recording-test-" + std::to_string(getpid()));
-  std::ofstream(path, std::ios::binary)
-      .write(reinterpret_cast<const char*>(bytes.data()),
-             static_cast<std::streamsize>(bytes.size()));
-  const ReplayResult result = replay_recording(path.string(), {});
-  std::filesystem::remove(path);
+  const TemporaryFolder folder;
+  const std::string path =
+      folder.write("recording", {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  const ReplayResult result = replay_recording(path, {});
   EXPECT_EQ(result.error, ReplayError::kNone);
   EXPECT_EQ(result.different, 0u);
   EXPECT_EQ(result.written_by, build_id());

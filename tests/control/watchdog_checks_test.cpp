@@ -13,8 +13,6 @@
 namespace hedgehog::control {
 namespace {
 
-constexpr double kDt = model::kTickSeconds;
-
 TEST(CurrentCheck, AnIdleWindingMayCarryHalfAnAmpere) {
   CurrentCheck check{model::CoilModel{}};
   CurrentReading reading;
@@ -34,11 +32,11 @@ TEST(CurrentCheck, FollowsEveryDriveWithLAndROff) {
         for (const int delay : {0, 2, 4}) {
           CurrentCheck check{model::CoilModel{}};
           const double r = 0.45 * (1.0 + 0.00393 * (t - 25.0));
-          const double keep = std::exp(-r * kDt / (1.5e-3 * l_off));
+          const double keep = std::exp(-r * model::kTickSeconds / (1.5e-3 * l_off));
           std::array<double, 8> volts{};
           double current = 0.0;
           for (int i = 0; i < 5000; ++i) {
-            const double phase = std::fmod(i * kDt * hz, 1.0);
+            const double phase = std::fmod(i * model::kTickSeconds * hz, 1.0);
             // From one end to the other, as hard as the supply can.
             const double commanded = phase < 0.5 ? 12.0 : (phase < 0.6 ? -12.0 : 0.0);
             volts[static_cast<std::size_t>(i % 8)] = std::clamp(commanded, -7.0, 7.0);
@@ -125,7 +123,7 @@ TEST(CurrentCheck, OldFramesAfterALongGapAreNoFault) {
   for (int i = 0; i < 15; ++i) {
     ASSERT_EQ(name(check.step(reading)), "none") << i;
     reading.skipped = 0;
-    reading.since_s = kDt;
+    reading.since_s = model::kTickSeconds;
     reading.held_v = {};
   }
 }
@@ -162,7 +160,7 @@ TEST(HeatCheck, AWindingAtSeventyForFiftyMilliseconds) {
   for (int coil = 0; coil < model::kCoils; ++coil) {
     HeatCheck check;
     const auto drive = [&](double celsius) {
-      return check.step(steady(coil, -5.0, celsius), 70.0, kDt);
+      return check.step(steady(coil, -5.0, celsius), 70.0, model::kTickSeconds);
     };
     for (int i = 0; i < 5000; ++i) ASSERT_EQ(drive(69.5), Reason::kNone);
     EXPECT_NEAR(check.winding_c(coil), 69.5, 1e-6);
@@ -176,7 +174,7 @@ TEST(HeatCheck, AWindingAtSeventyForFiftyMilliseconds) {
 TEST(HeatCheck, AWindingIsJudgedByWhatFlowsAndNotByMemory) {
   HeatCheck check;
   const auto tick = [&](double current_a) {
-    return check.step(steady(1, current_a, 72.0), 70.0, kDt);
+    return check.step(steady(1, current_a, 72.0), 70.0, model::kTickSeconds);
   };
   for (int i = 0; i < 20; ++i) ASSERT_EQ(tick(6.0), Reason::kNone);
   ASSERT_TRUE(check.measuring(1));
@@ -198,25 +196,31 @@ TEST(HeatCheck, TheThermistorAtSeventyForFiftyMilliseconds) {
   reading.sensor = true;
   for (int round = 0; round < 100; ++round) {
     reading.sensor_c = 70.5;
-    for (int i = 0; i < 40; ++i) ASSERT_EQ(check.step(reading, 70.0, kDt), Reason::kNone);
+    for (int i = 0; i < 40; ++i)
+      ASSERT_EQ(check.step(reading, 70.0, model::kTickSeconds), Reason::kNone);
     reading.sensor_c = 69.5;
-    for (int i = 0; i < 40; ++i) ASSERT_EQ(check.step(reading, 70.0, kDt), Reason::kNone);
+    for (int i = 0; i < 40; ++i)
+      ASSERT_EQ(check.step(reading, 70.0, model::kTickSeconds), Reason::kNone);
   }
   reading.sensor_c = 70.0;
   int ticks = 1;
-  while (check.step(reading, 70.0, kDt) == Reason::kNone && ticks < 100) ++ticks;
+  while (check.step(reading, 70.0, model::kTickSeconds) == Reason::kNone && ticks < 100) ++ticks;
   EXPECT_EQ(ticks, 50);
 }
 
 TEST(FanCheck, ThreeSecondsWithoutATurn) {
   FanCheck check;
-  for (int i = 0; i < 10'000; ++i) ASSERT_EQ(check.step(0.0, 0.0, kDt), Reason::kNone);
-  for (int i = 0; i < 2999; ++i) ASSERT_EQ(check.step(1.0, 0.0, kDt), Reason::kNone);
-  EXPECT_EQ(name(check.step(1.0, 0.0, kDt)), "fan_stopped");
+  for (int i = 0; i < 10'000; ++i)
+    ASSERT_EQ(check.step(0.0, 0.0, model::kTickSeconds), Reason::kNone);
+  for (int i = 0; i < 2999; ++i)
+    ASSERT_EQ(check.step(1.0, 0.0, model::kTickSeconds), Reason::kNone);
+  EXPECT_EQ(name(check.step(1.0, 0.0, model::kTickSeconds)), "fan_stopped");
   check.reset();
-  for (int i = 0; i < 2000; ++i) ASSERT_EQ(check.step(1.0, 0.0, kDt), Reason::kNone);
-  check.step(1.0, 400.0, kDt);
-  for (int i = 0; i < 2999; ++i) ASSERT_EQ(check.step(1.0, 0.0, kDt), Reason::kNone);
+  for (int i = 0; i < 2000; ++i)
+    ASSERT_EQ(check.step(1.0, 0.0, model::kTickSeconds), Reason::kNone);
+  check.step(1.0, 400.0, model::kTickSeconds);
+  for (int i = 0; i < 2999; ++i)
+    ASSERT_EQ(check.step(1.0, 0.0, model::kTickSeconds), Reason::kNone);
 }
 
 TEST(BoardCheck, NamesTheGravestFault) {

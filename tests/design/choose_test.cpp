@@ -3,9 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <ctime>
+#include <limits>
 #include <stdexcept>
 
 #include "clients/design/complaint.h"
@@ -153,20 +155,26 @@ TEST(Search, FindsTheBallOfTheThesis) {
 }
 
 // Ten thousand designs in a minute are 6 ms each. Against a yardstick in the same run: the full
-// computation of one, some 10 ms; in a search a design takes a tenth of that.
+// computation of one, some 10 ms; in a search a design takes a tenth of that. In processor time, by
+// turns and the least of up to five each: what else the machine does only adds to it.
 TEST(Search, LooksAtADesignInAFractionOfWhatTheFullComputationTakes) {
   SearchSpace space{{"tkD"}, {{8, 10}}, {}, {35.0, 35.5, 36.0, 36.5}, {}};
   for (int i = 0; i <= 40; ++i) space.shields.push_back({3.0 + 0.05 * i, 10.0});
-  const auto search = Search::in(space, Demands{}).value();
-  const std::clock_t start = std::clock();
-  const auto outcome = search.run(1, [](std::size_t) {});
-  const std::clock_t middle = std::clock();
   Design design;
   design.array = "tkD";
-  ASSERT_TRUE(Study::of(design).has_value());
-  const auto full = static_cast<double>(std::clock() - middle);
-  EXPECT_EQ(outcome.looked_at, 164U);
-  EXPECT_LT(static_cast<double>(middle - start) / 164.0, full / 3.0);
+  double in_search = std::numeric_limits<double>::infinity();
+  double full = std::numeric_limits<double>::infinity();
+  for (int turn = 0; turn < 5 && !(in_search < full / 3.0); ++turn) {
+    const auto search = Search::in(space, Demands{}).value();
+    const std::clock_t start = std::clock();
+    const auto outcome = search.run(1, [](std::size_t) {});
+    const std::clock_t middle = std::clock();
+    ASSERT_TRUE(Study::of(design).has_value());
+    full = std::min(full, static_cast<double>(std::clock() - middle));
+    in_search = std::min(in_search, static_cast<double>(middle - start) / 164.0);
+    EXPECT_EQ(outcome.looked_at, 164U);
+  }
+  EXPECT_LT(in_search, full / 3.0);
 }
 
 TEST(Search, DemandsRuleDesignsOut) {

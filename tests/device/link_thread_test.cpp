@@ -49,16 +49,23 @@ bool latched(const LinkReport& report, const LinkCommand& command) {
          report.telemetry.arm_count == command.board.arm_count;
 }
 
-// Until the board drives; armed anew when a starved machine has let its dead-man end it before.
+// An arm request is repeated for 50 ms only: a board that did not run meanwhile has not had it.
+constexpr int kArmAgainMs = 2'000;
+
+// Until the board drives; armed anew when a starved machine has let its dead-man end it before, or
+// has lost the request. Two minutes of requests.
 bool arm_and_drive(LinkPort& port, LinkCommand& command) {
-  for (int attempt = 0; attempt < 20; ++attempt) {
+  for (int attempt = 0; attempt < 60; ++attempt) {
     if (!drive_until(port, command, false, [](const LinkReport& r) { return r.present; }))
       return false;
     ++command.board.arm_count;
     bool drives = false;
+    int asked_ms = 0;
     drive_until(port, command, true, [&](const LinkReport& r) {
       drives = r.telemetry.mode == BoardMode::kDriving && r.telemetry.current_a.x > 4.0;
-      return drives || !r.present || latched(r, command);
+      const bool lost =
+          ++asked_ms > kArmAgainMs && r.telemetry.arm_count != command.board.arm_count;
+      return drives || !r.present || latched(r, command) || lost;
     });
     if (drives) return true;
   }
@@ -159,12 +166,15 @@ TEST(LinkThreads, TheBoardGoesSafeByItselfWhenTheHostCloses) {
   // A host that drives and then is gone without a word.
   Link link;
   LinkCommand command;
+  int asked_ms = 0;
   for (int ms = 0; ms < 120'000 && !(link.report().telemetry.current_a.x > 4.0); ++ms) {
     Frame packet;
     while (transport->receive(packet) != 0) link.receive(packet);
     if (link.report().present) {
       const std::uint8_t armed = command.board.arm_count;
-      const bool again = armed == 0 || latched(link.report(), command);
+      const bool lost = ms > asked_ms + kArmAgainMs && link.report().telemetry.arm_count != armed;
+      const bool again = armed == 0 || latched(link.report(), command) || lost;
+      if (again) asked_ms = ms;
       command.board = BoardCommand::drive(limited({5, 0, 0}), kColdOhm, 1.5e-3, {5, 0, 0}, 12.0);
       command.board.arm_count = static_cast<std::uint8_t>(armed + (again ? 1 : 0));
     }

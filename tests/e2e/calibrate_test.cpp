@@ -5,7 +5,9 @@
 
 #include <array>
 #include <csignal>
+#include <functional>
 
+#include "tests/e2e/busy_machine.h"
 #include "tests/e2e/daemon_process.h"
 #include "tests/e2e/program.h"
 #include "tests/e2e/raw_client.h"
@@ -25,15 +27,19 @@ class Calibrate : public testing::Test {
     home_.configure(R"({"device": "odd"})");
     home_.write("config/hedgehog/devices.d/odd.json", kOddBall);
   }
-  Ended calibrate(const DaemonProcess& daemon, std::vector<std::string> more) const {
+  /// `meanwhile` is called again and again.
+  Ended calibrate(
+      const DaemonProcess& daemon, std::vector<std::string> more,
+      const std::function<void()>& meanwhile = [] {}) const {
     more.insert(more.begin(), {"calibrate", "--out", home_.path("found.json")});
-    return Program(home_, HEDGEHOGCTL_PATH, more, {"HEDGEHOG_ADDRESS=" + daemon.socket()}).wait();
+    Program program(home_, HEDGEHOGCTL_PATH, more, {"HEDGEHOG_ADDRESS=" + daemon.socket()});
+    return wait_renewing(program, meanwhile);
   }
   Home home_;
 };
 
 TEST_F(Calibrate, FindsTheSimulatedWindingsAndWritesAFileThatTheDaemonReads) {
-  DaemonProcess daemon(home_, {"--speed", "5"});
+  DaemonProcess daemon(home_);
   const Ended ended = calibrate(daemon, {"--name", "ball-7", "--pushed", "x=front,y=left,z=down"});
   ASSERT_EQ(ended.exit_code, 0) << ended.out << ended.err;
   const Json file = Json::parse(home_.read("found.json"), nullptr, true, true);
@@ -54,7 +60,7 @@ TEST_F(Calibrate, FindsTheSimulatedWindingsAndWritesAFileThatTheDaemonReads) {
 }
 
 TEST_F(Calibrate, ReplacesNothingUnasked) {
-  DaemonProcess daemon(home_, {"--speed", "5"});
+  DaemonProcess daemon(home_);
   home_.write("found.json", "mine");
   const Ended ended = calibrate(daemon, {});
   EXPECT_EQ(ended.exit_code, 73);
@@ -90,8 +96,7 @@ TEST_F(Calibrate, ABallThatIsNotArmedIsNoWindingToMeasureByHand) {
 TEST_F(Calibrate, ABallOfAnotherIsNoWindingToMeasureByHand) {
   DaemonProcess daemon(home_);
   RawClient other(daemon.port());
-  other.call("device.claim");
-  const Ended ended = calibrate(daemon, {});
+  const Ended ended = calibrate(daemon, {}, [&] { other.call("device.claim"); });
   EXPECT_EQ(ended.exit_code, 75);
   EXPECT_THAT(ended.err, HasSubstr("another client has the ball for itself"));
   EXPECT_THAT(ended.err, Not(HasSubstr("r25_ohm")));

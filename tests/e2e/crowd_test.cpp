@@ -14,7 +14,7 @@ namespace {
 TEST(Crowd, OnTcpKeepsNobodyFromTheEmergencyStop) {
   const Home home;
   home.configure(R"({"connections": {"max": 3}})");
-  DaemonProcess daemon(home, {}, {}, DaemonProcess::Backend::kFree);
+  DaemonProcess daemon(home);
   std::list<RawClient> crowd;
   for (int i = 0; i < 3; ++i) {
     EXPECT_TRUE(crowd.emplace_back(daemon.port()).call("ping").contains("time_ns"));

@@ -5,12 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "tests/e2e/busy_machine.h"
 #include "tests/e2e/daemon_process.h"
+#include "tests/e2e/exit_codes.h"
 #include "tests/e2e/program.h"
 #include "tests/e2e/raw_client.h"
 
@@ -22,16 +25,18 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-constexpr int kEndedOtherwise = 1;
-constexpr int kUsage = 64;
-constexpr int kUnavailable = 69;
-constexpr int kInterrupted = 130;
-
 class Ctl : public testing::Test {
  protected:
   std::vector<std::string> variables() const { return {"HEDGEHOG_ADDRESS=" + daemon_.socket()}; }
-  Ended ctl(const std::vector<std::string>& arguments) const {
-    return Program(home_, HEDGEHOGCTL_PATH, arguments, variables()).wait();
+  /// `renew` is called again and again.
+  Ended ctl(
+      const std::vector<std::string>& arguments, const std::function<void()>& renew = [] {}) const {
+    Program program(home_, HEDGEHOGCTL_PATH, arguments, variables());
+    return wait_renewing(program, renew);
+  }
+  /// Starts a push to the left, or renews it.
+  void push(double strength_a) {
+    keep_holding(other_, {{"direction", "left"}, {"current_a", strength_a}});
   }
   /// The strongest coil current, either way.
   double current_a() {
@@ -84,7 +89,7 @@ TEST_F(Ctl, PlayingVerbsStayUntilTheEffectHasEnded) {
       {{"pulse", "0,1,0"}, "at pin 34 .*completed"},
   };
   for (const Case& each : cases) {
-    const Ended ended = ctl(each.words);
+    const Ended ended = play_unexpired([&] { return ctl(each.words); });
     EXPECT_EQ(ended.exit_code, 0) << ended.err;
     EXPECT_THAT(ended.out, ContainsRegex(each.line));
   }
@@ -98,19 +103,24 @@ TEST_F(Ctl, PlayingVerbsStayUntilTheEffectHasEnded) {
 }
 
 TEST_F(Ctl, AnEffectThatSomebodyEndsExitsWith1) {
-  Program hold(home_, HEDGEHOGCTL_PATH, {"hold", "up"}, variables());
-  ASSERT_TRUE(hold.says("hold up"));
-  other_.call("device.emergency_stop");
-  const Ended ended = hold.wait();
+  const Ended ended = play_unexpired([&] {
+    other_.call("device.arm");
+    Program hold(home_, HEDGEHOGCTL_PATH, {"hold", "up"}, variables());
+    EXPECT_TRUE(hold.says("hold up"));
+    other_.call("device.emergency_stop");
+    return hold.wait();
+  });
   EXPECT_EQ(ended.exit_code, kEndedOtherwise);
   EXPECT_THAT(ended.out, ContainsRegex("ms   tripped\n$"));
 }
 
 TEST_F(Ctl, CtrlCExitsWith130AndTheCoilsGoToZero) {
-  Program hold(home_, HEDGEHOGCTL_PATH, {"hold", "up", "--current-a", "8"}, variables());
-  ASSERT_TRUE(eventually([&] { return current_a() > 6.0; }));
-  hold.signal(SIGINT);
-  const Ended ended = hold.wait();
+  const Ended ended = play_unexpired([&] {
+    Program hold(home_, HEDGEHOGCTL_PATH, {"hold", "up", "--current-a", "8"}, variables());
+    EXPECT_TRUE(eventually([&] { return current_a() > 6.0 || has_ended(hold); }));
+    hold.signal(SIGINT);
+    return hold.wait();
+  });
   EXPECT_EQ(ended.exit_code, kInterrupted);
   EXPECT_THAT(ended.out, HasSubstr("interrupted"));
   EXPECT_TRUE(eventually([&] { return current_a() < 0.05; }));
@@ -215,8 +225,10 @@ TEST_F(Ctl, TelemetryIsOneObjectALine) {
 
 TEST_F(Ctl, ClientsNamesWhoPlaysWhat) {
   other_.call("hello", {{"client", "Racer/1.2"}});
-  other_.call("effect.hold", {{"direction", "left"}, {"lease_ms", 10000}});
-  const Ended ended = ctl({"clients"});
+  const Ended ended = ctl({"clients"}, [&] {
+    other_.call("effect.stop_all");
+    other_.call("effect.hold", {{"direction", "left"}, {"lease_ms", 10'000}});
+  });
   EXPECT_EQ(ended.exit_code, 0);
   EXPECT_THAT(ended.out, ContainsRegex("Racer/1\\.2 +tcp +operate .* hold"));
   EXPECT_THAT(ended.out, ContainsRegex("hedgehogctl +unix +operate "));
@@ -224,16 +236,19 @@ TEST_F(Ctl, ClientsNamesWhoPlaysWhat) {
 
 TEST_F(Ctl, PinsShowsThePush) {
   EXPECT_THAT(ctl({"pins"}).out, testing::EndsWith("● strong\n"));
-  other_.call("effect.hold", {{"direction", "left"}, {"current_a", 12}, {"lease_ms", 10000}});
-  ASSERT_TRUE(eventually([&] { return current_a() > 11.0; }));
-  const Ended ended = ctl({"pins"});
+  const auto renew = [&] { push(12.0); };
+  ASSERT_TRUE(eventually([&] {
+    renew();
+    return current_a() > 11.0;
+  }));
+  const Ended ended = ctl({"pins"}, renew);
   EXPECT_THAT(ended.out, HasSubstr("●"));
   EXPECT_THAT(ended.out, ContainsRegex("0\\.1[0-9]+ N, 0\\.1[0-9] mm at pin 34\n"));
-  const Json pins = Json::parse(ctl({"pins", "--json"}).out)["pins"];
+  const Json pins = Json::parse(ctl({"pins", "--json"}, renew).out)["pins"];
   EXPECT_NEAR(pins["force_n"][34], 0.148, 0.005);
   EXPECT_NEAR(pins["extension_mm"][34], 0.183, 0.01);
 
-  const Ended lines = ctl({"pins", "--live", "--count", "2"});
+  const Ended lines = ctl({"pins", "--live", "--count", "2"}, renew);
   EXPECT_EQ(lines.exit_code, 0);
   EXPECT_EQ(std::count(lines.out.begin(), lines.out.end(), '\n'), 2);
   EXPECT_THAT(lines.out, ContainsRegex(" s +1[12]\\.[0-9] A +0\\.1[0-9]+ N +\\+0\\.1[0-9]+ mm at "

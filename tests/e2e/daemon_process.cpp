@@ -14,25 +14,12 @@
 #include <stdexcept>
 #include <thread>
 
+#include "tests/e2e/patience.h"
+
 namespace hedgehog::e2e {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::chrono::seconds kPatience{30};
-constexpr std::chrono::milliseconds kStep{5};
-
-template <class Done>
-bool wait_until(Done done) {
-  const auto until = std::chrono::steady_clock::now() + kPatience;
-  while (!done()) {
-    if (std::chrono::steady_clock::now() > until) {
-      return false;
-    }
-    std::this_thread::sleep_for(kStep);
-  }
-  return true;
-}
 
 pid_t spawn(const Home& home, std::vector<std::string> words, const std::string& out,
             const std::string& log, const std::vector<std::string>& variables = {}) {
@@ -84,10 +71,10 @@ Home::Home() {
 }
 
 std::vector<std::string> Home::environment() const {
-  std::vector<std::string> variables{"XDG_RUNTIME_DIR=" + path("run"),
-                                     "XDG_STATE_HOME=" + path("state"),
-                                     "XDG_CONFIG_HOME=" + path("config"), "HOME=" + folder_.path(),
-                                     "HEDGEHOG_SIMBOARD_TRACE=" + path("trace")};
+  std::vector<std::string> variables{
+      "XDG_RUNTIME_DIR=" + path("run"),           "XDG_STATE_HOME=" + path("state"),
+      "XDG_CONFIG_HOME=" + path("config"),        "HOME=" + folder_.path(),
+      "HEDGEHOG_SIMBOARD_TRACE=" + path("trace"), "HEDGEHOG_PATIENCE_MS=60000"};
   for (const char* name : {"PATH", "ASAN_OPTIONS", "TSAN_OPTIONS", "UBSAN_OPTIONS"}) {
     if (const char* value = std::getenv(name)) {
       variables.push_back(std::string(name) + "=" + value);

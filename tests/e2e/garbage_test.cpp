@@ -10,8 +10,6 @@
 namespace hedgehog::e2e {
 namespace {
 
-constexpr std::size_t kLine = 65'536;
-
 /// A request of exactly `bytes` bytes.
 std::string padded_ping(std::size_t bytes) {
   const std::string head = R"({"jsonrpc":"2.0","id":1,"method":"ping"})";
@@ -26,8 +24,7 @@ class Garbage : public testing::Test {
     effect_ = game_.call("effect.hold", {{"direction", "up"}, {"lease_ms", 10000}})["effect"];
   }
   void TearDown() override {
-    // Nothing was lost for the game: its effect still plays, and its next answer is the right one.
-    EXPECT_EQ(game_.call("effect.update", {{"effect", effect_}})["effect"], effect_);
+    play_on();
     EXPECT_EQ(game_.notification("event")["type"], "effect_started");
     EXPECT_EQ(game_.call("effect.stop", {{"effect", effect_}})["stopped"], 1);
     const Json ended = game_.notification("event");
@@ -35,7 +32,13 @@ class Garbage : public testing::Test {
     EXPECT_EQ(ended["reason"], "stopped");
   }
 
+  /// Renews the lease. Nothing was lost for the game: its effect still plays, and its next answer
+  /// is the right one.
+  void play_on() {
+    EXPECT_EQ(game_.call("effect.update", {{"effect", effect_}})["effect"], effect_);
+  }
   int code(std::string_view line) {
+    play_on();
     EXPECT_TRUE(client_.send(line));
     EXPECT_TRUE(client_.send("\n"));
     const Json answer = client_.answer();
@@ -51,9 +54,9 @@ class Garbage : public testing::Test {
 };
 
 TEST_F(Garbage, ALineOf64KiBIsServedAndALongerOneIsNot) {
-  EXPECT_EQ(code(padded_ping(kLine)), 0);
-  EXPECT_EQ(code(padded_ping(kLine) + "\r"), 0);
-  EXPECT_EQ(code(padded_ping(kLine + 1)), -32700);
+  EXPECT_EQ(code(padded_ping(kMaxLine)), 0);
+  EXPECT_EQ(code(padded_ping(kMaxLine) + "\r"), 0);
+  EXPECT_EQ(code(padded_ping(kMaxLine + 1)), -32700);
   expect_alive();
 }
 
@@ -135,17 +138,20 @@ TEST_F(Garbage, WhoFloodsWithoutReadingIsCutOffAndEndsWithItsEffects) {
   RawClient watcher(daemon_.port());
   watcher.call("events.subscribe", {{"scope", "all"}, {"types", {"effect_ended"}}});
   RawClient flood(daemon_.port());
-  flood.send(
-      R"({"jsonrpc":"2.0","method":"effect.hold","params":{"direction":"up","lease_ms":10000}})"
-      "\n");
+  flood.send(R"({"jsonrpc":"2.0","method":"effect.hold",)"
+             R"("params":{"direction":"up","lease_ms":10000,"slot":"flood"}})"
+             "\n");
   const std::string line = R"({"jsonrpc":"2.0","id":1,"method":"device.describe"})"
                            "\n";
-  std::string lines;
+  // Its lease is renewed for as long as the daemon reads.
+  std::string lines = R"({"jsonrpc":"2.0","method":"effect.update","params":{"slot":"flood"}})"
+                      "\n";
   for (int i = 0; i < 100; ++i) {
     lines += line;
   }
   bool open = true;
   for (int i = 0; i < 10'000 && open; ++i) {
+    play_on();
     open = flood.send(lines);
   }
   EXPECT_FALSE(open);

@@ -14,6 +14,7 @@
 #include "model/quaternion.h"
 #include "model/vec3.h"
 #include "tests/e2e/daemon_process.h"
+#include "tests/e2e/json_vector.h"
 #include "tests/e2e/program.h"
 #include "tests/e2e/raw_client.h"
 
@@ -27,8 +28,6 @@ using testing::HasSubstr;
 constexpr double kPinPitchDeg = 23.5;
 constexpr double kDegrees = 180.0 / 3.14159265358979323846;
 constexpr int kSamples = 30;
-
-Vec3 vector_of(const Json& xyz) { return {xyz[0], xyz[1], xyz[2]}; }
 
 Json json_of(const Quaternion& q) { return {{"w", q.w}, {"x", q.x}, {"y", q.y}, {"z", q.z}}; }
 

@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "tests/e2e/busy_machine.h"
 #include "tests/e2e/daemon_process.h"
+#include "tests/e2e/exit_codes.h"
 #include "tests/e2e/program.h"
 #include "tests/e2e/raw_client.h"
 
@@ -16,11 +18,6 @@ namespace {
 
 using testing::HasSubstr;
 using testing::Not;
-
-constexpr int kUsage = 64;
-constexpr int kBadData = 65;
-constexpr int kNoInput = 66;
-constexpr int kInterrupted = 130;
 
 class Patterns : public testing::Test {
  protected:
@@ -84,7 +81,10 @@ TEST_F(Patterns, HedgehogctlListsPlaysPutsGetsAndRemovesThem) {
   EXPECT_THAT(played.out, HasSubstr("play tick left   7.5 A"));
   EXPECT_THAT(played.out, HasSubstr("25 ms   completed"));
   EXPECT_THAT(ctl({"play", "hartbeat"}).err, HasSubstr("did you mean 'heartbeat'?"));
-  EXPECT_EQ(ctl({"play", "orbit", "--loop", "--for", "0.4"}).exit_code, 0);
+  const Ended looped = play_unexpired([&] {
+    return ctl({"play", "orbit", "--loop", "--for", "0.4"});
+  });
+  EXPECT_EQ(looped.exit_code, 0) << looped.out << looped.err;
 
   home_.write("mine.json", R"({"name":"acme/purr","keyframes":[{"t_ms":0,"level":1},
                                {"t_ms":60,"level":0}]})");
@@ -137,11 +137,14 @@ TEST_F(Patterns, WhatIsImportedLongerThanOneEffectLastsSaysHowItIsPlayed) {
   EXPECT_EQ(put.out, "imported/long is kept: hedgehogctl play imported/long --loop --for 30.5\n");
   // What it says is what works: so it plays, and not without.
   EXPECT_EQ(ctl({"play", "imported/long"}).exit_code, kUsage);
-  Program play(home_, HEDGEHOGCTL_PATH, {"play", "imported/long", "--loop", "--for", "30.5"},
-               {"HEDGEHOG_ADDRESS=" + daemon_.socket()});
-  EXPECT_TRUE(play.says("play imported/long"));
-  play.signal(SIGINT);
-  EXPECT_EQ(play.wait().exit_code, kInterrupted);
+  const Ended played = play_unexpired([&] {
+    Program play(home_, HEDGEHOGCTL_PATH, {"play", "imported/long", "--loop", "--for", "30.5"},
+                 {"HEDGEHOG_ADDRESS=" + daemon_.socket()});
+    EXPECT_TRUE(play.says("play imported/long"));
+    play.signal(SIGINT);
+    return play.wait();
+  });
+  EXPECT_EQ(played.exit_code, kInterrupted);
 }
 
 TEST(PatternsKept, APatternSurvivesAKilledDaemon) {

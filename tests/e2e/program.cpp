@@ -12,25 +12,12 @@
 #include <stdexcept>
 #include <thread>
 
+#include "tests/e2e/patience.h"
+
 namespace hedgehog::e2e {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-constexpr std::chrono::seconds kPatience{60};
-constexpr std::chrono::seconds kPatienceForTheEnd{120};
-constexpr std::chrono::milliseconds kStep{5};
-
-bool wait_for(std::chrono::seconds patience, const std::function<bool()>& done) {
-  const auto until = Clock::now() + patience;
-  while (!done()) {
-    if (Clock::now() > until) {
-      return false;
-    }
-    std::this_thread::sleep_for(kStep);
-  }
-  return true;
-}
 
 /// argv and envp, made before the fork: a child of a process with threads may not allocate.
 class Words {
@@ -80,7 +67,7 @@ int exit_code_of(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : 
 
 }  // namespace
 
-bool eventually(const std::function<bool()>& done) { return wait_for(kPatience, done); }
+bool eventually(const std::function<bool()>& done) { return wait_until(done); }
 
 Program::Program(const Home& home, const std::string& path, std::vector<std::string> arguments,
                  const std::vector<std::string>& variables)
@@ -112,7 +99,7 @@ bool Program::says(const std::string& text) const {
 Ended Program::wait() {
   int status = 0;
   const bool ended =
-      wait_for(kPatienceForTheEnd, [&] { return ::waitpid(pid_, &status, WNOHANG) == pid_; });
+      wait_until([&] { return ::waitpid(pid_, &status, WNOHANG) == pid_; }, kLongPatience);
   if (!ended) {
     end(pid_);
   }
@@ -178,10 +165,12 @@ bool TerminalProgram::is_as_a_shell_leaves_it() const {
 
 int TerminalProgram::wait() {
   int status = 0;
-  const bool ended = wait_for(kPatienceForTheEnd, [&] {
-    read_more();
-    return ::waitpid(pid_, &status, WNOHANG) == pid_;
-  });
+  const bool ended = wait_until(
+      [&] {
+        read_more();
+        return ::waitpid(pid_, &status, WNOHANG) == pid_;
+      },
+      kLongPatience);
   if (!ended) {
     end(pid_);
   }

@@ -32,7 +32,7 @@ class Program {
   std::string out() const { return home_.read(out_); }
   /// Waits until stdout has `text`.
   bool says(const std::string& text) const;
-  /// Waits for the end. The exit code is -1 when a signal, or this after two minutes, ended it.
+  /// Waits for the end. The exit code is -1 when a signal, or this after ten minutes, ended it.
   Ended wait();
 
  private:

@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <csignal>
 #include <functional>
 #include <string>
 
+#include "tests/e2e/busy_machine.h"
 #include "tests/e2e/racing.h"
 #include "tests/e2e/raw_client.h"
 
@@ -34,6 +36,7 @@ TEST(Racer, AFrozenDaemonHoldsUpNoFrameAndIsToldAsSilent) {
   for (int frame = 0; frame < kFrames; ++frame) feel.frame({racer::Skid{0.5}}, frame / 60.0);
   EXPECT_LT(std::chrono::steady_clock::now() - before, kHadTheyWaited / 50);
   EXPECT_EQ(sentence(feel.ball()), "the daemon is silent");
+  EXPECT_TRUE(feel.ball().late);
   EXPECT_FALSE(feel.ball().orientation.has_value());
   feel.frame({racer::Hit{{1, 0, 0}, 500.0}, racer::Skid{0.5}}, 30.0);
   for (const racer::Played& played : feel.played()) EXPECT_FALSE(played.on_the_ball) << played.kind;
@@ -43,17 +46,21 @@ TEST(Racer, AFrozenDaemonHoldsUpNoFrameAndIsToldAsSilent) {
     feel.frame({}, 100.0);
     return feel.ball().connected && feel.ball().orientation.has_value();
   }));
+  EXPECT_FALSE(feel.ball().late);
 }
 
 TEST(Racer, ABallThatAnotherClientHasForItselfIsNotToldAsFelt) {
   const Home home;
   DaemonProcess daemon(home);
   RawClient other(daemon.port());
-  other.call("device.claim");
+  const auto claim = [&] { other.call("device.claim"); };
+  claim();
   Feel feel(addresses_of(daemon));
   ASSERT_TRUE(connects(feel));
+  claim();
   feel.frame({racer::Hit{{1, 0, 0}, 500.0}}, 1.0);
   EXPECT_TRUE(eventually([&] {
+    claim();
     feel.frame({racer::Skid{0.5}}, 1.1);
     return sentence(feel.ball()) == "another client has the ball for itself" && feel.answered();
   }));
@@ -61,9 +68,8 @@ TEST(Racer, ABallThatAnotherClientHasForItselfIsNotToldAsFelt) {
   EXPECT_FALSE(feel.played().back().on_the_ball);
   EXPECT_EQ(feel.summary().pulses, 0);
   EXPECT_EQ(feel.summary().refused, 1);
-  const Ended lap =
-      Program(home, HEDGEHOG_RACER_PATH, {"lap", "--speed", "20", "--address", daemon.socket()})
-          .wait();
+  Program driver(home, HEDGEHOG_RACER_PATH, {"lap", "--speed", "20", "--address", daemon.socket()});
+  const Ended lap = wait_renewing(driver, claim);
   EXPECT_EQ(lap.exit_code, 69);
   EXPECT_THAT(lap.err, HasSubstr("another client has the ball for itself"));
   other.call("device.release");
@@ -71,6 +77,7 @@ TEST(Racer, ABallThatAnotherClientHasForItselfIsNotToldAsFelt) {
     feel.frame({racer::Skid{0.5}}, 3.0);
     return feel.ball().trouble.empty() && feel.played().back().on_the_ball;
   }));
+  ASSERT_TRUE(connects(feel, 4.0));
   feel.frame({racer::Hit{{1, 0, 0}, 500.0}}, 4.0);
   EXPECT_TRUE(eventually([&] {
     feel.frame({}, 4.1);
@@ -97,19 +104,22 @@ TEST(Racer, ABlowThatNobodyWasAskedToPlayIsCountedAsNotFelt) {
     feel.frame({}, 11.0);
     return !feel.ball().connected;
   }));
+  EXPECT_FALSE(feel.ball().late);
   feel.frame({racer::Landing{500.0}}, 20.0);
   EXPECT_EQ(feel.summary().refused, 2);
   EXPECT_EQ(feel.summary().pulses, 0);
 }
 
-/// Starts a lap of forty seconds, in four, and takes the ball from it at its first
-/// hit.
+/// Starts a lap of 100 s, in ten, and takes the ball from it at its first hit. The lap stands still
+/// meanwhile, so that it is not over before.
 Ended lap_that_loses_the_ball(const Home& home, const std::string& address,
                               const std::function<void()>& take) {
   Program lap(home, HEDGEHOG_RACER_PATH,
-              {"lap", "--speed", "10", "--seconds", "40", "--json", "--address", address});
+              {"lap", "--speed", "10", "--seconds", "100", "--json", "--address", address});
   EXPECT_TRUE(lap.says(R"("type":"hit")"));
+  lap.signal(SIGSTOP);
   take();
+  lap.signal(SIGCONT);
   return lap.wait();
 }
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "tests/e2e/daemon_process.h"
+#include "tests/e2e/json_vector.h"
 #include "tests/e2e/racing.h"
 #include "tests/e2e/raw_client.h"
 #include "tests/racer/tracks.h"
@@ -23,8 +24,6 @@ using racer::Feel;
 using racer::Race;
 using racer::Vec3;
 using testing::HasSubstr;
-
-Vec3 vector_of(const Json& xyz) { return {xyz[0], xyz[1], xyz[2]}; }
 
 /// The next push that telemetry tells, as the sum of its samples; then it waits for the silence
 /// after it.
@@ -54,6 +53,9 @@ template <class What>
 What drive_until(Race& race, Feel& feel, const racer::Controls& controls) {
   for (int step = 0; step < 1200; ++step) {
     race.step(controls);
+    if (!race.happenings().empty()) {
+      EXPECT_TRUE(connects(feel, race.scene().time_s));
+    }
     feel.frame(race.happenings(), race.scene().time_s);
     for (const racer::Happening& happening : race.happenings()) {
       if (const auto* what = std::get_if<What>(&happening)) return *what;
@@ -143,6 +145,7 @@ TEST(Racer, GoesOnWithoutADaemonAndIsFeltAgainWhenItIsBack) {
   ASSERT_TRUE(connects(feel));
   RawClient observer(daemon->port());
   watching(observer);
+  ASSERT_TRUE(connects(feel, 30.0));
   feel.frame({racer::Hit{{0, -1, 0}, 2000.0}}, 30.0);
   EXPECT_LT(racer::angle_deg(next_push(observer).current_a, {0, -1, 0}), 5.0);
 }

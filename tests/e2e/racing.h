@@ -19,9 +19,10 @@ inline std::vector<client::Address> addresses_of(const DaemonProcess& daemon) {
 inline constexpr int kFrames = 1000;
 inline constexpr auto kHadTheyWaited = kFrames * std::chrono::seconds(1);
 
-inline bool connects(racer::Feel& feel) {
+/// Waits until the daemon is heard and its ball armed: a silent one is asked for nothing.
+inline bool connects(racer::Feel& feel, double time_s = 0.0) {
   return eventually([&] {
-    feel.frame({}, 0.0);
+    feel.frame({}, time_s);
     return feel.ball().connected && feel.ball().state == "armed";
   });
 }

@@ -13,12 +13,12 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "tests/e2e/patience.h"
+
 namespace hedgehog::e2e {
 namespace {
 
-constexpr int kPatienceMs = 30'000;
-/// While others keep coming.
-constexpr std::chrono::minutes kPatienceAmongOthers{2};
+constexpr int kPatienceMs = std::chrono::milliseconds(kPatience).count();
 
 }  // namespace
 
@@ -92,7 +92,7 @@ std::optional<std::string> RawClient::line() {
 }
 
 Json RawClient::answer() {
-  const auto deadline = std::chrono::steady_clock::now() + kPatienceAmongOthers;
+  const auto deadline = std::chrono::steady_clock::now() + kLongPatience;
   while (std::chrono::steady_clock::now() < deadline) {
     const auto text = line();
     if (!text) break;
@@ -117,7 +117,7 @@ Json RawClient::call(const std::string& method, const Json& params) {
 }
 
 Json RawClient::notification(const std::string& method, const std::string& type) {
-  const auto deadline = std::chrono::steady_clock::now() + kPatienceAmongOthers;
+  const auto deadline = std::chrono::steady_clock::now() + kLongPatience;
   for (;;) {
     if (std::chrono::steady_clock::now() > deadline) {
       throw std::runtime_error("no " + method + " " + type + " in two minutes");

@@ -13,6 +13,9 @@ namespace hedgehog::e2e {
 
 using Json = nlohmann::json;
 
+/// Bytes of the longest line that the protocol allows.
+inline constexpr std::size_t kMaxLine = 65'536;
+
 class RawClient {
  public:
   /// TCP on 127.0.0.1, or a Unix socket.
@@ -27,7 +30,7 @@ class RawClient {
   /// What has come, at least one byte, or, when given, `count` bytes; nullopt when the daemon has
   /// closed.
   std::optional<std::string> bytes(std::size_t count = 0);
-  /// The next line; nullopt when the daemon has closed (or is silent for half a minute).
+  /// The next line; nullopt when the daemon has closed (or is silent for a minute).
   std::optional<std::string> line();
   /// The next line that is no notification.
   Json answer();

@@ -3,16 +3,18 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <algorithm>
+#include <chrono>
 #include <map>
 #include <memory>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "tests/e2e/busy_machine.h"
 #include "tests/e2e/daemon_process.h"
+#include "tests/e2e/patience.h"
 #include "tests/e2e/program.h"
 #include "tests/e2e/raw_client.h"
 
@@ -53,18 +55,10 @@ class Study : public testing::Test {
   Ended study(const std::vector<std::string>& words, const std::string& folder = "th") {
     return begin(words, folder)->wait();
   }
-  /// Waits for the end of a long program: `Program::wait` alone gives up after two minutes.
+  /// Waits for the end of a long program: `Program::wait` alone gives up after ten minutes.
   static Ended patiently(Program& program) {
-    constexpr int kMinutes = 15;
-    for (int minute = 0; minute < kMinutes; ++minute) {
-      if (eventually([&] {
-            siginfo_t end{};
-            const auto pid = static_cast<id_t>(program.pid());
-            return ::waitid(P_PID, pid, &end, WEXITED | WNOHANG | WNOWAIT) != 0 || end.si_pid != 0;
-          })) {
-        break;
-      }
-    }
+    constexpr std::chrono::minutes kWholeStudy{15};
+    wait_until([&] { return has_ended(program); }, kWholeStudy);
     return program.wait();
   }
   void plan(const std::string& folder, const std::string& people, const std::string& experiments) {

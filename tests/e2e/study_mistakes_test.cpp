@@ -73,7 +73,7 @@ TEST_F(Study, WhoAnswersTooLateIsAskedAgainAndIsNotTakenForABallThatDoesNotPlay)
 }
 
 TEST_F(Study, ARunStaysWithItsBall) {
-  start_daemon(5);
+  start_daemon(2);
   remember_address();
   plan("th", "1", quick_path());
   const std::string name = "P01.quick.1.jsonl";

@@ -3,9 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <thread>
-
+#include "tests/e2e/busy_machine.h"
 #include "tests/e2e/study_fixture.h"
 
 namespace hedgehog::e2e {
@@ -26,7 +24,8 @@ int asked(TerminalProgram& page) {
 }
 
 TEST_F(Study, APersonSeesTheQuestionAndNothingElse) {
-  start_daemon(5);
+  // Slowly: a claim lasts ten seconds of the ball.
+  start_daemon(2);
   remember_address();
   plan("th", "1", quick_path());
   // The page may be there first, and stays from run to run.
@@ -100,10 +99,8 @@ TEST_F(Study, APersonSeesTheQuestionAndNothingElse) {
   ASSERT_TRUE(again.shows("c begins"));
   again.type("c");
   ASSERT_TRUE(again.shows("Which one was stronger?"));
-  ASSERT_TRUE(eventually([&] {
-    page.type("\033[D");
-    return count(journal("P01.quick.1.jsonl"), "answered") >= 6;
-  }));
+  ASSERT_TRUE(type_until(page, "\033[D",
+                         [&] { return count(journal("P01.quick.1.jsonl"), "answered") >= 6; }));
   EXPECT_EQ(count(journal("P01.quick.1.jsonl"), "checklist"), 2);
   page.type("\003");
   EXPECT_EQ(page.wait(), 0);
@@ -138,10 +135,7 @@ TEST_F(Study, ADaemonThatDiesWhileAPersonThinksSpoilsNothing) {
   EXPECT_EQ(count(journal(name), "answered"), 1);
   start_daemon(20);
   const auto answers = [&](int wanted) {
-    return eventually([&] {
-      desk.type("\033[D");
-      return count(journal(name), "answered") >= wanted;
-    });
+    return type_until(desk, "\033[D", [&] { return count(journal(name), "answered") >= wanted; });
   };
   ASSERT_TRUE(answers(3));
   // Once, and not again for what was lost before; the trial that was played stays good.
@@ -156,7 +150,7 @@ TEST_F(Study, ADaemonThatDiesWhileAPersonThinksSpoilsNothing) {
 TEST_F(Study, APersonMayBeSlowRestAndPause) {
   start_daemon(20);
   remember_address();
-  home_.write("slow.json", quick(R"(, "response_limit_ms": 1000, "rest_every": 1)"));
+  home_.write("slow.json", quick(R"(, "response_limit_ms": 5000, "rest_every": 1)"));
   plan("th", "1", home_.path("slow.json"));
   TerminalProgram desk(home_, HEDGEHOG_STUDY_PATH, run_quick(), variables());
   ASSERT_TRUE(desk.shows("c continues"));
@@ -184,10 +178,7 @@ TEST_F(Study, APersonMayBeSlowRestAndPause) {
     }
     return answers;
   };
-  ASSERT_TRUE(eventually([&] {
-    desk.type("\033[C");
-    return scored() == 1;
-  }));
+  ASSERT_TRUE(type_until(desk, "\033[C", [&] { return scored() == 1; }));
   ASSERT_TRUE(desk.shows("REST"));
   desk.type("p");
   desk.type("c");
@@ -198,7 +189,7 @@ TEST_F(Study, APersonMayBeSlowRestAndPause) {
 }
 
 TEST_F(Study, AKeyFromBeforeTheQuestionAnswersNothing) {
-  start_daemon(5);
+  start_daemon(2);
   remember_address();
   std::string slow = quick();
   slow.replace(slow.find("300"), 3, "9000");

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// hedgehog-study with a real daemon, a hundred times as fast: timed by the device, alone with the
-// ball, and nothing lost whatever is killed.
+// hedgehog-study with a real daemon, up to a hundred times as fast: timed by the device, alone with
+// the ball, and nothing lost whatever is killed.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <memory>
 
+#include "tests/e2e/busy_machine.h"
 #include "tests/e2e/daemon_process.h"
 #include "tests/e2e/program.h"
 #include "tests/e2e/raw_client.h"
@@ -98,8 +99,12 @@ TEST_F(Study, TheBallIsItsAlone) {
   RawClient game(daemon_->port());
   {
     RawClient other(daemon_->port());
-    ASSERT_FALSE(other.call("device.claim", {{"lease_ms", 10000}}).contains("code"));
-    const Ended refused = study({"run", "quick", "--participant", "P01", "--simulated"});
+    const auto claim = [&] {
+      EXPECT_FALSE(other.call("device.claim", {{"lease_ms", 10000}}).contains("code"));
+    };
+    claim();
+    const auto without_ball = begin({"run", "quick", "--participant", "P01", "--simulated"});
+    const Ended refused = wait_renewing(*without_ball, claim);
     EXPECT_EQ(refused.exit_code, 75) << refused.err;
     EXPECT_TRUE(journal("P01.quick.1.jsonl").empty());
   }
@@ -116,7 +121,7 @@ TEST_F(Study, TheBallIsItsAlone) {
 }
 
 TEST_F(Study, AnEmergencyStopVoidsTheTrialAndPausesUntilTheBallIsArmed) {
-  start_daemon(5);
+  start_daemon(2);
   remember_address();
   plan("th", "1", quick_path());
   RawClient hand(daemon_->port());
@@ -132,13 +137,17 @@ TEST_F(Study, AnEmergencyStopVoidsTheTrialAndPausesUntilTheBallIsArmed) {
 }
 
 TEST_F(Study, ABallThatIsUnpluggedVoidsTheTrialAndPausesUntilItIsBack) {
-  start_daemon(5);
+  start_daemon(2);
   remember_address();
   plan("th", "1", quick_path());
   const std::string name = "P01.quick.1.jsonl";
   RawClient hand(daemon_->port());
   const auto running = begin({"run", "quick", "--participant", "P01", "--simulated"});
-  ASSERT_TRUE(eventually([&] { return count(journal(name), "answered") > 1; }));
+  // In the middle of a trial.
+  ASSERT_TRUE(eventually([&] {
+    const auto lines = journal(name);
+    return count(lines, "answered") > 1 && lines.back()["event"] == "trial_started";
+  }));
   hand.call("sim.set", {{"fault", {{"faults", {"silent"}}}}});
   ASSERT_TRUE(eventually([&] { return count(journal(name), "paused") == 1; }));
   EXPECT_EQ(hand.call("device.status")["state"], "absent");

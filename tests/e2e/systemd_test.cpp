@@ -13,6 +13,7 @@
 #include <string>
 
 #include "tests/e2e/daemon_process.h"
+#include "tests/e2e/patience.h"
 #include "tests/e2e/raw_client.h"
 
 namespace hedgehog::e2e {
@@ -83,7 +84,7 @@ class NotifySocket {
     address.sun_family = AF_UNIX;
     path.copy(address.sun_path, sizeof address.sun_path - 1);
     EXPECT_EQ(::bind(fd_, reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
-    const timeval patience{30, 0};
+    const timeval patience{kPatience.count(), 0};
     ::setsockopt(fd_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
   }
   ~NotifySocket() { ::close(fd_); }
@@ -110,8 +111,7 @@ class NotifySocket {
 TEST(Systemd, IsToldOfReadinessStatusReloadsLifeAndTheEnd) {
   const Home home;
   NotifySocket systemd(home.path("notify"));
-  DaemonProcess daemon(home, {}, {"NOTIFY_SOCKET=" + home.path("notify"), "WATCHDOG_USEC=4000000"},
-                       DaemonProcess::Backend::kFree);
+  DaemonProcess daemon(home, {}, {"NOTIFY_SOCKET=" + home.path("notify"), "WATCHDOG_USEC=4000000"});
   EXPECT_NE(systemd.wait_for("READY=1").find("STATUS=SIMULATOR: armed"), std::string::npos);
   EXPECT_NE(systemd.wait_for("WATCHDOG=1"), "");
   RawClient(daemon.port()).call("device.emergency_stop");

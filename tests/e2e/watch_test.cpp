@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/e2e/busy_machine.h"
 #include "tests/e2e/daemon_process.h"
 #include "tests/e2e/program.h"
 #include "tests/e2e/raw_client.h"
@@ -34,9 +35,9 @@ TEST_F(Watch, DrawsTheBallStopsItAtSpaceAndQuitsAtQ) {
   EXPECT_FALSE(watch_.is_as_a_shell_leaves_it());
 
   other_.call("events.subscribe", {{"types", {"state_changed"}}});
-  other_.call("effect.hold", {{"direction", "left"}, {"current_a", 12}, {"lease_ms", 10000}});
-  EXPECT_TRUE(watch_.shows("●"));
-  EXPECT_TRUE(watch_.shows("N at pin 34"));
+  const auto push = [&] { keep_holding(other_, {{"direction", "left"}, {"current_a", 12}}); };
+  EXPECT_TRUE(shows_renewing(watch_, "●", push));
+  EXPECT_TRUE(shows_renewing(watch_, "N at pin 34", push));
   EXPECT_TRUE(watch_.shows("effect_started"));
 
   watch_.type(" ");
@@ -118,8 +119,8 @@ TEST(LivePins, AreDrawnStoppedAtSpaceAndLeftAtQ) {
   ASSERT_TRUE(pins.shows(kEnter));
   EXPECT_TRUE(pins.shows("hundredths of a millimetre out of rest"));
   EXPECT_TRUE(pins.shows("all pins rest"));
-  other.call("effect.hold", {{"direction", {{"pin", 1}}}, {"current_a", 12}, {"lease_ms", 10000}});
-  EXPECT_TRUE(pins.shows("rests 0.50 mm out"));
+  const Json push{{"direction", {{"pin", 1}}}, {"current_a", 12}};
+  EXPECT_TRUE(shows_renewing(pins, "rests 0.50 mm out", [&] { keep_holding(other, push); }));
   other.call("events.subscribe", {{"types", {"state_changed"}}});
   pins.type(" ");
   EXPECT_EQ(other.notification("event", "state_changed")["reason"], "emergency_stop");

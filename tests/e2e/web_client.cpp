@@ -6,11 +6,10 @@
 #include <chrono>
 #include <stdexcept>
 
+#include "tests/e2e/patience.h"
+
 namespace hedgehog::e2e {
 namespace {
-
-/// While pings or notifications keep coming.
-constexpr std::chrono::minutes kPatienceAmongOthers{2};
 
 WebAnswer read_answer(RawClient& socket, bool to_the_end) {
   WebAnswer answer;
@@ -81,7 +80,7 @@ bool WebSocketClient::frame(int opcode, std::string_view payload, bool last) {
 }
 
 std::optional<WebSocketClient::Frame> WebSocketClient::next() {
-  const auto deadline = std::chrono::steady_clock::now() + kPatienceAmongOthers;
+  const auto deadline = std::chrono::steady_clock::now() + kLongPatience;
   auto came = any();
   while (came && came->opcode == kPing) {
     frame(kPong, came->payload);
@@ -117,7 +116,7 @@ Json WebSocketClient::call(const std::string& method, const Json& params) {
   const Json request{
       {"jsonrpc", "2.0"}, {"id", ++next_id_}, {"method", method}, {"params", params}};
   text(request.dump());
-  const auto deadline = std::chrono::steady_clock::now() + kPatienceAmongOthers;
+  const auto deadline = std::chrono::steady_clock::now() + kLongPatience;
   while (std::chrono::steady_clock::now() < deadline) {
     const Json message = json();
     if (message.contains("method")) continue;

@@ -11,6 +11,8 @@
 
 namespace hedgehog::e2e {
 
+inline const std::string kPingRequest = R"({"jsonrpc":"2.0","id":1,"method":"ping"})";
+
 struct PagesHome : Home {
   PagesHome() {
     write("www/index.html", "<!doctype html><title>ball</title>");

@@ -9,9 +9,6 @@
 namespace hedgehog::e2e {
 namespace {
 
-constexpr std::size_t kLine = 65'536;
-const std::string kPing = R"({"jsonrpc":"2.0","id":1,"method":"ping"})";
-
 using WebSocket = Web;
 
 TEST_F(WebSocket, SpeaksTheSameProtocolAsTcp) {
@@ -42,10 +39,10 @@ TEST_F(WebSocket, SpeaksTheSameProtocolAsTcp) {
 
 TEST_F(WebSocket, AMessageMayComeInFragmentsWithAPingInBetween) {
   WebSocketClient web(daemon_.http_port());
-  web.frame(WebSocketClient::kText, kPing.substr(0, 9), false);
+  web.frame(WebSocketClient::kText, kPingRequest.substr(0, 9), false);
   web.frame(WebSocketClient::kPing, "are you there");
-  web.frame(0, kPing.substr(9, 1), false);
-  web.frame(0, kPing.substr(10));
+  web.frame(0, kPingRequest.substr(9, 1), false);
+  web.frame(0, kPingRequest.substr(10));
   const auto pong = web.next();
   ASSERT_TRUE(pong);
   EXPECT_EQ(pong->opcode, WebSocketClient::kPong);
@@ -55,9 +52,9 @@ TEST_F(WebSocket, AMessageMayComeInFragmentsWithAPingInBetween) {
 
 TEST_F(WebSocket, AMessageOf64KiBIsServedAndALongerOneIsToldOnce) {
   WebSocketClient web(daemon_.http_port());
-  web.text(kPing + std::string(kLine - kPing.size(), ' '));
+  web.text(kPingRequest + std::string(kMaxLine - kPingRequest.size(), ' '));
   EXPECT_TRUE(web.json().contains("result"));
-  web.text(kPing + std::string(kLine + 1 - kPing.size(), ' '));
+  web.text(kPingRequest + std::string(kMaxLine + 1 - kPingRequest.size(), ' '));
   EXPECT_EQ(web.json()["error"]["code"], -32700);
   // A megabyte, in pieces; nothing of it is kept.
   for (int i = 0; i < 64; ++i) {

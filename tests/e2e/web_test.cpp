@@ -15,8 +15,6 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-const std::string kPing = R"({"jsonrpc":"2.0","id":1,"method":"ping"})";
-
 TEST_F(Web, ServesThePagesThatAreThereAndNothingElse) {
   const WebAnswer index = get("/");
   EXPECT_EQ(index.status, 200);
@@ -92,7 +90,7 @@ TEST_F(Web, ForeignPagesAreRefusedByNameOfTheKey) {
 
 TEST_F(Web, GarbageAndTooMuchAreRefused) {
   const int port = daemon_.http_port();
-  EXPECT_EQ(web_say(port, kPing + "\n\r\n\r\n").status, 400);
+  EXPECT_EQ(web_say(port, kPingRequest + "\n\r\n\r\n").status, 400);
   EXPECT_EQ(web_say(port, std::string("\0\xff\x16\x03\x01\r\n\r\n", 9)).status, 400);
   EXPECT_EQ(get("/", "X: " + std::string(9000, 'x') + "\r\n").status, 431);
   EXPECT_EQ(web_say(port, "GET /" + std::string(20'000, 'x')).status, 431);

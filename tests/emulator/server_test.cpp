@@ -6,12 +6,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/un.h>
-#include <unistd.h>
 
-#include <filesystem>
 #include <thread>
 
 #include "daemon/emulator/device_text.h"
+#include "tests/temporary_folder.h"
 
 namespace hedgehog::emulator {
 namespace {
@@ -22,10 +21,6 @@ using testing::HasSubstr;
 class Doors : public testing::Test {
  protected:
   void SetUp() override {
-    path_ = (std::filesystem::temp_directory_path() /
-             ("hedgehog-usbip-" + std::to_string(::getpid()) + "-" +
-              testing::UnitTest::GetInstance()->current_test_info()->name()))
-                .string();
     for (const char* text : {"board,serial=B7", "mti,unplugged"}) {
       auto made = make_device(text);
       hub_.add(made.name, std::move(made.gadget));
@@ -39,7 +34,6 @@ class Doors : public testing::Test {
   void TearDown() override {
     EXPECT_EQ(command("quit"), "ok");
     thread_.join();
-    ::unlink(path_.c_str());
   }
 
   FileDescriptor host() const {
@@ -81,11 +75,12 @@ class Doors : public testing::Test {
     return std::string("\x01\x11\x80\x03\0\0\0\0", 8) + bus_id;
   }
 
+  TemporaryFolder folder_;
+  std::string path_ = folder_.path("usbip.sock");
   Hub hub_{std::nullopt};
   std::optional<Server> server_;
   volatile std::sig_atomic_t stop_ = 0;
   std::thread thread_;
-  std::string path_;
   int port_ = 0;
 };
 

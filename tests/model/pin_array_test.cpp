@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
-double angle_deg(const Vec3& a, const Vec3& b) {
+double angle_between_deg(const Vec3& a, const Vec3& b) {
   return std::atan2(norm(cross(a, b)), dot(a, b)) * kDegrees;
 }
 
@@ -34,10 +34,10 @@ struct View {
 View view_of(const Goldberg& gp, const Goldberg::Face& face) {
   View view;
   for (const std::size_t i : face.corners) {
-    view.corners_deg.push_back(angle_deg(face.direction, gp.vertices[i]));
+    view.corners_deg.push_back(angle_between_deg(face.direction, gp.vertices[i]));
   }
   for (const std::size_t f : face.neighbours) {
-    view.neighbours_deg.push_back(angle_deg(face.direction, gp.faces[f].direction));
+    view.neighbours_deg.push_back(angle_between_deg(face.direction, gp.faces[f].direction));
   }
   std::sort(view.corners_deg.begin(), view.corners_deg.end());
   std::sort(view.neighbours_deg.begin(), view.neighbours_deg.end());
@@ -139,7 +139,7 @@ TEST(PinArray, ThePentagonIsOnTopAndTheFrontIsTheMeridianOfPin1) {
 
 TEST(PinArray, NothingPointsDownWhereTheFanIs) {
   const PinArray& array = hedgehog_86();
-  for (const Pin& pin : array.pins) EXPECT_LT(angle_deg(pin.position, {0, 0, 1}), 143.0);
+  for (const Pin& pin : array.pins) EXPECT_LT(angle_between_deg(pin.position, {0, 0, 1}), 143.0);
   const NearestPin down = nearest_pin(array, {0, 0, -1});
   EXPECT_EQ(array.pins[static_cast<std::size_t>(down.id)].ring, 7);
   EXPECT_NEAR(down.cosine, 0.79, 0.005);

@@ -10,12 +10,10 @@
 #include <type_traits>
 
 #include "model/forecast.h"
+#include "tests/model/non_finite.h"
 
 namespace hedgehog::model {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 static_assert(std::is_trivially_copyable_v<ThermalLimiter>);
 static_assert(std::is_trivially_copyable_v<ThermalObserver>);
@@ -36,17 +34,17 @@ Vec3 limited(const Vec3& wanted, const ThermalEstimate& estimate) {
 }
 
 /// A number between `low` and `high`, by RapidCheck.
-double between(double low, double high) {
+double any_number(double low, double high) {
   return low + (high - low) * *rc::gen::inRange(0, 1'000'001) * 1e-6;
 }
 
 Limits any_limits() {
   Limits l;
-  l.current_a = between(0.5, 15.0);
-  l.continuous_a = between(0.5, l.current_a);
-  l.derate_from_c = between(35.0, 60.0);
-  l.sustain_c = between(l.derate_from_c, 67.0);
-  l.zero_c = between(l.sustain_c, 69.0);
+  l.current_a = any_number(0.5, 15.0);
+  l.continuous_a = any_number(0.5, l.current_a);
+  l.derate_from_c = any_number(35.0, 60.0);
+  l.sustain_c = any_number(l.derate_from_c, 67.0);
+  l.zero_c = any_number(l.sustain_c, 69.0);
   return l;
 }
 
@@ -68,8 +66,8 @@ TEST(ThermalLaw, WhatIsNotANumberAllowsNothing) {
 
 RC_GTEST_PROP(ThermalLaw, NeverRisesWithTemperatureAndNeverExceedsTheLimits, ()) {
   const Limits limits = any_limits();
-  const double cooler = between(0.0, 80.0);
-  const double warmer = cooler + between(0.0, 20.0);
+  const double cooler = any_number(0.0, 80.0);
+  const double warmer = cooler + any_number(0.0, 20.0);
   const double low = allowed_current(limits, Celsius(warmer)).value;
   const double high = allowed_current(limits, Celsius(cooler)).value;
   RC_ASSERT(low <= high);
@@ -80,7 +78,7 @@ RC_GTEST_PROP(ThermalLaw, NeverRisesWithTemperatureAndNeverExceedsTheLimits, ())
 
 RC_GTEST_PROP(ThermalLaw, ItsInverseIsWhereTheForecastStops, ()) {
   const Limits limits = any_limits();
-  const double peak = between(0.1, limits.current_a);
+  const double peak = any_number(0.1, limits.current_a);
   const double t = derating_temperature(limits, Amps(peak)).value;
   RC_ASSERT(allowed_current(limits, Celsius(t - 0.01)).value >= peak * (1.0 - 1e-9));
   RC_ASSERT(allowed_current(limits, Celsius(t + 0.01)).value <= peak * (1.0 + 1e-9));
@@ -89,8 +87,8 @@ RC_GTEST_PROP(ThermalLaw, ItsInverseIsWhereTheForecastStops, ()) {
 RC_GTEST_PROP(ThermalLimiter, ScalesTheVectorAsAWholeToWhatIsAllowed, ()) {
   const Limits limits = any_limits();
   ThermalLimiter limiter(limits);
-  const Vec3 wanted{between(-40, 40), between(-40, 40), between(-40, 40)};
-  const double hottest = between(20.0, 75.0);
+  const Vec3 wanted{any_number(-40, 40), any_number(-40, 40), any_number(-40, 40)};
+  const double hottest = any_number(20.0, 75.0);
   const Vec3 got = limiter.limit({wanted}, at(hottest)).a();
   const double most = allowed_current(limits, Celsius(hottest)).value;
   RC_ASSERT(limiter.allowed().value == most);

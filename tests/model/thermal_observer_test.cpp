@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/model/non_finite.h"
 #include "tests/model/thermal_loop.h"
 
 namespace hedgehog::model {
@@ -87,8 +88,6 @@ TEST(ThermalObserver, WithoutAnyThermistorFromTheStartNothingIsTrusted) {
 }
 
 TEST(ThermalObserver, NumbersThatAreNotFiniteLeaveTheEstimateFinite) {
-  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   ThermalObserver observer;
   for (int tick = 0; tick < 200; ++tick) observer.step(carrying(0, 5.0, 45.0, 44.0));
   for (const double bad : {kNan, kInfinity, -kInfinity, 1e200}) {

@@ -6,6 +6,8 @@
 #include <optional>
 #include <sstream>
 
+#include "tests/protocol/child_path.h"
+
 namespace hedgehog::protocol {
 namespace {
 
@@ -29,19 +31,13 @@ std::optional<double> number_of(const Json& json) {
 
 std::string compare(const Json& expected, const Json& actual, const std::string& path);
 
-std::string child(std::string path, std::string_view name) {
-  path += '.';
-  path += name;
-  return path;
-}
-
 std::string compare_objects(const Json& expected, const Json& actual, const std::string& path) {
   const bool open = expected.find(kAnything) != nullptr;
   for (const auto& [name, value] : *expected.as<Json::Object>()) {
     if (name == kAnything) {
       continue;
     }
-    const std::string at = child(path, name);
+    const std::string at = child_path(path, name);
     const Json* other = actual.find(name);
     if (other == nullptr) {
       return at + " is missing";
@@ -52,7 +48,7 @@ std::string compare_objects(const Json& expected, const Json& actual, const std:
   }
   for (const auto& [name, value] : *actual.as<Json::Object>()) {
     if (!open && expected.find(name) == nullptr) {
-      return child(path, name) + " is not expected";
+      return child_path(path, name) + " is not expected";
     }
   }
   return {};

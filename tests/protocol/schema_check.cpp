@@ -2,6 +2,7 @@
 // Reading and printing of schemas: the small part of JSON Schema that ours use.
 #include <algorithm>
 
+#include "tests/protocol/child_path.h"
 #include "tests/protocol/schema.h"
 
 namespace hedgehog::protocol {
@@ -23,12 +24,6 @@ double as_number(const Json& value) {
   const auto* whole = value.as<std::int64_t>();
   const auto* number = value.as<double>();
   return whole != nullptr ? static_cast<double>(*whole) : number != nullptr ? *number : 0.0;
-}
-
-std::string child(std::string path, std::string_view name) {
-  path += '.';
-  path += name;
-  return path;
 }
 
 class Validator {
@@ -105,7 +100,7 @@ class Validator {
     if (keyword == "required" && value.find("…") == nullptr) {
       for (const Json& name : *rule.as<Json::List>()) {
         if (value.find(*name.as<std::string>()) == nullptr) {
-          return child(path, *name.as<std::string>()) + ": required";
+          return child_path(path, *name.as<std::string>()) + ": required";
         }
       }
     }
@@ -118,10 +113,11 @@ class Validator {
     for (const auto& [name, member] : *value.as<Json::Object>()) {
       const Json* property = rule.find(name);
       if (property == nullptr && closed) {
-        return child(path, name) + ": unknown";
+        return child_path(path, name) + ": unknown";
       }
       if (property != nullptr) {
-        if (std::string broken = check(*property, member, child(path, name)); !broken.empty()) {
+        if (std::string broken = check(*property, member, child_path(path, name));
+            !broken.empty()) {
           return broken;
         }
       }

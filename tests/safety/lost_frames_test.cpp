@@ -16,19 +16,19 @@ void run_with_half_the_frames(rig::Rig& rig, model::Tick ticks) {
   }
 }
 
-struct Fault {
+struct FaultAmongLostFrames {
   const char* name;
   std::uint16_t sim;
   int coil;
   Reason reason;
 };
 
-void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
+void PrintTo(const FaultAmongLostFrames& fault, std::ostream* out) { *out << fault.name; }
 
-class EverySecondFrameLost : public ::testing::TestWithParam<Fault> {};
+class EverySecondFrameLost : public ::testing::TestWithParam<FaultAmongLostFrames> {};
 
 TEST_P(EverySecondFrameLost, WrongCurrentsAreMadeSafeAndNamed) {
-  const Fault& fault = GetParam();
+  const FaultAmongLostFrames& fault = GetParam();
   rig::Rig rig;
   rig.run_until_armed();
   rig.start(rig::hold({1, 0, 0}, 5.0));
@@ -42,13 +42,13 @@ TEST_P(EverySecondFrameLost, WrongCurrentsAreMadeSafeAndNamed) {
   expect_zero(rig, 0);
 }
 
-const Fault kFaults[] = {
+const FaultAmongLostFrames kFaultsAmongLostFrames[] = {
     {"StuckBridgeIdle", device::kSimStuckBridge, 1, Reason::kUnexpectedCurrent},
     {"OpenWinding", device::kSimOpenWinding, 0, Reason::kCurrentMismatch},
     {"CurrentSense", device::kSimCurrentSense, 0, Reason::kCurrentMismatch},
 };
 
-INSTANTIATE_TEST_SUITE_P(Each, EverySecondFrameLost, ::testing::ValuesIn(kFaults),
+INSTANTIATE_TEST_SUITE_P(Each, EverySecondFrameLost, ::testing::ValuesIn(kFaultsAmongLostFrames),
                          [](const auto& fault) { return fault.param.name; });
 
 TEST(EverySecondFrameLost, AThermistorAtSeventyTrips) {
@@ -104,10 +104,10 @@ TEST(FramesInPairs, TakeNothingFromAPush) {
   EXPECT_NEAR(rig.current_a(), 12.0, 0.2);
 }
 
-class FaultWithFramesInPairs : public ::testing::TestWithParam<Fault> {};
+class FaultWithFramesInPairs : public ::testing::TestWithParam<FaultAmongLostFrames> {};
 
 TEST_P(FaultWithFramesInPairs, IsMadeSafeAndNamed) {
-  const Fault& fault = GetParam();
+  const FaultAmongLostFrames& fault = GetParam();
   rig::Rig rig;
   rig.run_until_armed();
   rig.start(rig::hold({1, 0, 0}, 5.0));
@@ -120,7 +120,7 @@ TEST_P(FaultWithFramesInPairs, IsMadeSafeAndNamed) {
   expect_zero(rig, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, FaultWithFramesInPairs, ::testing::ValuesIn(kFaults),
+INSTANTIATE_TEST_SUITE_P(Each, FaultWithFramesInPairs, ::testing::ValuesIn(kFaultsAmongLostFrames),
                          [](const auto& fault) { return fault.param.name; });
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace hedgehog::server {
 namespace {
 
-Json pulse() { return {{"direction", "left"}}; }
+Json left_pulse() { return {{"direction", "left"}}; }
 
 TEST(Registry, NoEffectHasTheNumberThatMarksAFreePlace) {
   EffectRegistry registry(std::numeric_limits<control::EffectId>::max() - 1);
@@ -35,7 +35,7 @@ TEST(Flood, WhoFloodsIsBusyAndOthersAreNot) {
     busy += Json::parse(line.text).value("error", Json::object()).value("code", 0) == -32001;
   }
   EXPECT_GT(busy, 500);
-  EXPECT_TRUE(rig.call(game, "effect.pulse", pulse()).contains("effect"));
+  EXPECT_TRUE(rig.call(game, "effect.pulse", left_pulse()).contains("effect"));
   rig.run(20);
   EXPECT_FALSE(rig.machine->outbox().waiting());
   EXPECT_EQ(rig.machine->now().applied_seq, rig.machine->outbox().last_seq());

@@ -9,13 +9,12 @@
 
 #include "clients/study/experiment_file.h"
 #include "clients/study/rules/trace.h"
+#include "tests/study/preset.h"
 
 namespace hedgehog::study {
 namespace {
 
 using nlohmann::json;
-
-Experiment preset(const std::string& name) { return find_experiment(name).value(); }
 
 Experiment experiment_of(const json& trace) {
   static const char* const kNames[] = {"force-threshold-thesis", "force-jnd", "speed-jnd"};

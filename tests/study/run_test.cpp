@@ -6,11 +6,10 @@
 
 #include "clients/study/experiment_file.h"
 #include "clients/study/rules/run.h"
+#include "tests/study/preset.h"
 
 namespace hedgehog::study {
 namespace {
-
-Experiment preset(const std::string& name) { return find_experiment(name).value(); }
 
 constexpr RunSeeds kSeeds{11, 22};
 

@@ -60,7 +60,7 @@ struct Mems {
 };
 
 /// The truth and the filter side by side.
-struct Bench {
+struct FusionBench {
   Mems mems;
   Quaternion truth;
   Fusion fusion;
@@ -82,7 +82,7 @@ struct Bench {
 RC_GTEST_PROP(FusionLaws, StaticTiltIsRightAtOnceAndStays, ()) {
   const double azimuth = *rc::gen::inRange(0, 360);
   const double tilt = *rc::gen::inRange(0, 181);
-  Bench bench;
+  FusionBench bench;
   bench.mems.random = model::RandomStream(*rc::gen::arbitrary<std::uint64_t>());
   const Vec3 axis = rotate(model::axis_angle({0, 0, 1}, azimuth), {1, 0, 0});
   bench.truth = model::axis_angle(axis, tilt);
@@ -95,7 +95,7 @@ RC_GTEST_PROP(FusionLaws, StaticTiltIsRightAtOnceAndStays, ()) {
 }
 
 TEST(Fusion, TheFrontBeginsAtAzimuthZero) {
-  Bench bench;
+  FusionBench bench;
   bench.mems = Mems::ideal();
   bench.truth = model::axis_angle({0, 0, 1}, 137.0) * model::axis_angle({0, 1, 0}, 20.0);
   bench.rest(kDt);
@@ -109,7 +109,7 @@ TEST(Fusion, QuarterTurnsWithinTwoDegrees) {
   for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
     for (const double angle : {90.0, -90.0, 180.0}) {
       for (const double seconds : {0.5, 2.0}) {
-        Bench bench;
+        FusionBench bench;
         bench.mems.bias_deg_s = {0.4, -0.3, 0.5};
         bench.rest(5.0);
         bench.turn(axis, angle, seconds);
@@ -123,7 +123,7 @@ TEST(Fusion, QuarterTurnsWithinTwoDegrees) {
 }
 
 TEST(Fusion, TenMinutesOfNoiseMoveRollAndPitchByLessThanOneDegree) {
-  Bench bench;
+  FusionBench bench;
   bench.mems.bias_deg_s = {0.8, -0.6, 0.5};
   double worst = 0.0;
   bench.rest(10.0);
@@ -138,7 +138,7 @@ TEST(Fusion, TenMinutesOfNoiseMoveRollAndPitchByLessThanOneDegree) {
 
 // A hand that is never still: 20 degrees to and fro about a changing axis, pushes of 0.2 g.
 TEST(Fusion, TenMinutesInTheHandKeepRollAndPitch) {
-  Bench bench;
+  FusionBench bench;
   bench.mems.bias_deg_s = {0.3, -0.4, 0.2};
   double worst = 0.0;
   bench.rest(5.0);
@@ -155,7 +155,7 @@ TEST(Fusion, TenMinutesInTheHandKeepRollAndPitch) {
 }
 
 TEST(Fusion, FindsTheBiasAtRestAroundEveryAxis) {
-  Bench bench;
+  FusionBench bench;
   bench.mems.bias_deg_s = {1.2, -0.9, 1.5};
   bench.rest(15.0);
   EXPECT_TRUE(bench.fusion.still());
@@ -164,7 +164,7 @@ TEST(Fusion, FindsTheBiasAtRestAroundEveryAxis) {
 }
 
 TEST(Fusion, FindsTheBiasOfRollAndPitchInMotionToo) {
-  Bench bench;
+  FusionBench bench;
   bench.mems.bias_deg_s = {1.0, -1.0, 0.0};
   for (int i = 0; i < 60; ++i) bench.turn({0, 0, 1}, i % 2 == 0 ? 60.0 : -60.0, 1.0);
   EXPECT_FALSE(bench.fusion.still());
@@ -174,7 +174,7 @@ TEST(Fusion, FindsTheBiasOfRollAndPitchInMotionToo) {
 
 // Shaken hard for a second, tilt is carried by the gyroscope alone.
 TEST(Fusion, AccelerationThatIsNotGravityIsNotBelieved) {
-  Bench bench;
+  FusionBench bench;
   bench.rest(5.0);
   for (int i = 0; i < 250; ++i) {
     bench.fusion.step(bench.mems.sample(bench.truth, {}, {1.5, 0.0, 0.0}));
@@ -185,7 +185,7 @@ TEST(Fusion, AccelerationThatIsNotGravityIsNotBelieved) {
 // The tilt anew, out of gravity; heading and bias as they were.
 TEST(Fusion, AfterATurnThatNobodySawItIsRightWithinTheSettleTime) {
   for (const double tilt : {0.0, 40.0, 90.0, 150.0, 175.0}) {
-    Bench bench;
+    FusionBench bench;
     bench.mems.bias_deg_s = {0.4, -0.3, 0.5};
     bench.rest(10.0);
     bench.turn({0, 0, 1}, 70.0, 1.0);
@@ -205,7 +205,7 @@ TEST(Fusion, AfterATurnThatNobodySawItIsRightWithinTheSettleTime) {
 }
 
 TEST(Fusion, NumbersThatCannotBeChangeNothing) {
-  Bench bench;
+  FusionBench bench;
   bench.rest(1.0);
   const Quaternion before = bench.fusion.sensor_to_world();
   const double nan = std::numeric_limits<double>::quiet_NaN();

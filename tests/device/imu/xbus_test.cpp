@@ -12,16 +12,13 @@
 
 #include "daemon/device/imu/mtdata2.h"
 #include "tests/device/hex.h"
+#include "tests/device/imu/mti_capture.h"
 
 namespace hedgehog::device {
 namespace {
 
 using testing::ElementsAre;
 
-const std::string kCaptureA =
-    "FA FF 36 4E 10 60 04 02 53 35 CB 20 10 10 3F 7F FA 66 BB 40 34 B8 3C 49 96 2D 3B 5A 1F 82 80 "
-    "20 0C 39 FF 91 01 BA EC DD 81 BA 86 53 80 40 20 0C BE 64 DB 99 BC E7 FF 83 41 1D C2 CF C0 20 "
-    "0C BE 90 48 80 3F 67 32 04 BF 54 89 04 E0 20 04 00 00 00 03 C9";
 const std::string kCaptureB =
     "FA FF 36 31 10 20 02 DF C5 10 60 04 00 45 9D A0 40 20 0C BE DC 9A FA 3F 54 9F 37 41 1C BB 70 "
     "80 20 0C BB AA 5C 80 3B 8C 55 01 BB 81 33 00 E0 20 04 00 00 00 81 45";

@@ -3,12 +3,12 @@
 #include "daemon/device/sensors/discovery.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 
 #include "tests/device/hid_examples.h"
+#include "tests/temporary_folder.h"
 
 namespace hedgehog::device {
 namespace {
@@ -18,13 +18,9 @@ namespace fs = std::filesystem;
 class FakeSys : public testing::Test {
  protected:
   void SetUp() override {
-    root_ =
-        fs::temp_directory_path() / ("hedgehog-sys-" + std::to_string(getpid()) + "-" +
-                                     testing::UnitTest::GetInstance()->current_test_info()->name());
     fs::create_directories(root_ / "bus/usb/devices");
     fs::create_directories(root_ / "bus/hid/devices");
   }
-  void TearDown() override { fs::remove_all(root_); }
 
   static void put(const fs::path& file, const std::string& text) {
     fs::create_directories(file.parent_path());
@@ -58,7 +54,8 @@ class FakeSys : public testing::Test {
   }
 
   std::string sys() const { return root_.string(); }
-  fs::path root_;
+  TemporaryFolder folder_;
+  fs::path root_ = folder_.path();
 };
 
 TEST_F(FakeSys, AnEmptyMachineHasNothing) {

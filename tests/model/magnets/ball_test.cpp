@@ -16,12 +16,12 @@ namespace {
 
 using testing::ElementsAre;
 
-constexpr ForceSettings kExact{ForceModel::kExact, 1e-6};
+constexpr ForceSettings kBallSettings{ForceModel::kExact, 1e-6};
 
 std::set<int> unstable_pins(const std::string& name) {
   std::set<int> unstable;
   for (const PinClass& pin_class : classes(name)) {
-    const Characterisation character = characterise({pin_class, {}, kExact});
+    const Characterisation character = characterise({pin_class, {}, kBallSettings});
     if (!character.stable()) unstable.insert(pin_class.pins.begin(), pin_class.pins.end());
   }
   return unstable;
@@ -57,7 +57,7 @@ TEST(Ball, RimOfTheBallWithTenShieldsRemoved) {
         Rim{"tkD-86-5", 77, 0.10, 0.40, 0.01}, Rim{"tkD-86-5", 76, -0.04, 0.37, 0.01}}) {
     const PinClass& pin_class = class_with(rim.array, rim.pin);
     EXPECT_EQ(pin_class.pins.size(), 5u);
-    const PinForce force(pin_class, {}, kExact);
+    const PinForce force(pin_class, {}, kBallSettings);
     const Characterisation character = characterise(force);
     EXPECT_NEAR(character.rest_mm.value(), rim.rest_mm, rim.within_mm) << rim.pin;
     EXPECT_NEAR(extension_mm(force, character, 0.4).value(), rim.extension_mm, rim.within_mm)
@@ -68,7 +68,7 @@ TEST(Ball, RimOfTheBallWithTenShieldsRemoved) {
 TEST(Ball, ElsewhereItBehavesSimilarly) {
   for (const PinClass& pin_class : classes("tkD-86")) {
     if (pin_class.pins.front() >= 76 || pin_class.to_shields.front().angle_deg < 11.0) continue;
-    const double rest = characterise({pin_class, {}, kExact}).rest_mm.value();
+    const double rest = characterise({pin_class, {}, kBallSettings}).rest_mm.value();
     EXPECT_GT(rest, 0.40);
     EXPECT_LT(rest, 0.56);
   }

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ctime>
 #include <map>
 #include <string>
 
@@ -18,7 +17,7 @@
 namespace hedgehog::model {
 namespace {
 
-constexpr ForceSettings kExact{ForceModel::kExact, 1e-7};
+constexpr ForceSettings kCurveSettings{ForceModel::kExact, 1e-7};
 constexpr ForceSettings kHybrid{ForceModel::kHybrid, 1e-7};
 constexpr ForceSettings kDipole{ForceModel::kDipole, 1e-7};
 constexpr ArraySizes kShields3{kThesisPinMagnet, {3.0, 10.0}, 35.0};
@@ -30,8 +29,8 @@ const PinClass& class_of(const std::string& name, std::size_t size) {
                        [&](const PinClass& c) { return c.pins.size() == size; });
 }
 
-PinForce force_of(const std::string& name, std::size_t size, const ForceSettings& settings = kExact,
-                  const ArraySizes& sizes = {}) {
+PinForce force_of(const std::string& name, std::size_t size,
+                  const ForceSettings& settings = kCurveSettings, const ArraySizes& sizes = {}) {
   return {class_of(name, size), sizes, settings};
 }
 
@@ -137,36 +136,6 @@ TEST(ForceCurve, IsTheSumOverAllPairs) {
   }
 }
 
-// Two of a kind in one run, in processor time. The ratio is some 130.
-TEST(ForceCurve, ByClassesIsManyTimesAsFastAsPinByPin) {
-  const ForceSettings settings{ForceModel::kExact, 1e-3};
-  const Arrangement& tkd = arrangement("tkD");
-  const ArraySizes sizes;
-  double sum_n = 0.0;
-  const auto add = [&](const std::vector<MagnetSite>& others, const MagnetPair& pair) {
-    for (const double offset_mm : kThesisGrid.offsets_mm()) {
-      for (const MagnetSite& other : others) {
-        const double apart_deg = angle_deg(tkd.pins.front().direction, other.direction);
-        if (apart_deg > 1.0)
-          sum_n += pair_force(pair, {apart_deg, offset_mm, 0.0}, settings).force_n;
-      }
-    }
-  };
-  const std::clock_t start = std::clock();
-  add(tkd.pins, sizes.pin_and_pin());
-  add(tkd.shields, sizes.pin_and_shield());
-  const std::clock_t middle = std::clock();
-  constexpr int kRuns = 5;
-  for (int run = 0; run < kRuns; ++run) {
-    for (const PinClass& pin_class : symmetry_classes(tkd)) {
-      sum_n += force_curve({pin_class, sizes, settings}).force_n.front();
-    }
-  }
-  const auto all_pins = static_cast<double>(middle - start) * static_cast<double>(tkd.pins.size());
-  const auto by_class = static_cast<double>(std::clock() - middle) / kRuns;
-  EXPECT_GT(all_pins, 25.0 * by_class);
-}
-
 TEST(ForceCurve, TheErrorBoundsWhatACoarserAccuracyCosts) {
   for (const double accuracy : {1e-2, 1e-3, 1e-5}) {
     const ForceSettings coarse{ForceModel::kExact, accuracy};
@@ -208,10 +177,10 @@ TEST(Thesis, ShieldsOf3MillimetresHoldNoPinAndOf4Every) {
   for (const auto& [name, minima] : least) {
     for (std::size_t i = 0; i < minima.size(); ++i) {
       const PinClass& pin_class = classes(name)[i];
-      const Characterisation thin = characterise({pin_class, kShields3, kExact});
+      const Characterisation thin = characterise({pin_class, kShields3, kCurveSettings});
       EXPECT_FALSE(thin.stable()) << name << i;
       EXPECT_NEAR(thin.minimum_n, minima[i], 6e-4) << name << i;
-      EXPECT_TRUE(characterise({pin_class, {}, kExact}).stable()) << name << i;
+      EXPECT_TRUE(characterise({pin_class, {}, kCurveSettings}).stable()) << name << i;
     }
   }
 }
@@ -222,7 +191,8 @@ TEST(Thesis, DipolesAloneAreQualitativelyWrong) {
        {std::pair{"cD", 12}, {"wD", 12}, {"wD", 60}, {"tkD", 12}, {"tkD", 60}, {"tkD", 20}}) {
     const auto count = static_cast<std::size_t>(size);
     EXPECT_TRUE(characterise(force_of(name, count, kDipole, kShields3)).stable()) << name << size;
-    EXPECT_FALSE(characterise(force_of(name, count, kExact, kShields3)).stable()) << name << size;
+    EXPECT_FALSE(characterise(force_of(name, count, kCurveSettings, kShields3)).stable())
+        << name << size;
   }
   const PinForce dipole = force_of("tkD", 60, kDipole);
   EXPECT_NEAR(characterise(dipole).rest_mm.value(), -0.005, 0.002);
@@ -273,7 +243,7 @@ TEST(Extension, IsNoneWhereTheArrayPullsLessThanTheCoilPushes) {
   ASSERT_TRUE(just_held);
   EXPECT_NEAR(*character.rest_mm + *just_held, character.minimum_mm, 0.1);
   EXPECT_EQ(extension_mm(force, character, 0.0), 0.0);
-  const PinForce expelled = force_of("cD", 30, kExact, kShields3);
+  const PinForce expelled = force_of("cD", 30, kCurveSettings, kShields3);
   EXPECT_EQ(extension_mm(expelled, characterise(expelled), 0.1), std::nullopt);
 }
 

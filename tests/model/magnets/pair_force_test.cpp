@@ -10,12 +10,12 @@
 #include "model/magnets/disk_rule.h"
 #include "model/magnets/face_flux.h"
 #include "model/magnets/placed_magnet.h"
+#include "model/units.h"
 #include "tests/model/magnets/reference_pairs.h"
 
 namespace hedgehog::model {
 namespace {
 
-constexpr double kRadians = std::numbers::pi / 180.0;
 constexpr ForceSettings kFine{ForceModel::kExact, 1e-9};
 
 double force_n(const MagnetPair& pair, double angle, double offset, ForceModel model) {
@@ -94,7 +94,7 @@ TEST(PairForce, NamesOfTheModels) {
 TEST(PairForce, GapOfThesisMagnets) {
   const MagnetPair pair;
   const double contact =
-      (std::asin(2.0 / std::hypot(35.0, 4.0)) + std::atan(4.0 / 35.0)) / kRadians;
+      (std::asin(2.0 / std::hypot(35.0, 4.0)) + std::atan(4.0 / 35.0)) / kRadiansPerDegree;
   EXPECT_NEAR(contact, 9.78, 0.01);
   EXPECT_NEAR(gap_mm(pair, {contact, 0.0, 0.0}), 0.0, 1e-9);
   EXPECT_GT(gap_mm(pair, {contact + 0.1, 0.0, 0.0}), 0.05);
@@ -161,11 +161,13 @@ TEST(CylinderMagnet, BadSizesHaveASentence) {
 
 // --- laws ---------------------------------------------------------------------------------------
 
-double between(double low, double high) {
+double any_between(double low, double high) {
   return low + (high - low) * *rc::gen::inRange(0, 10'001) / 10'000.0;
 }
 
-CylinderMagnet any_magnet() { return {between(2, 12), between(2, 15), between(0.5, 1.45)}; }
+CylinderMagnet any_magnet() {
+  return {any_between(2, 12), any_between(2, 15), any_between(0.5, 1.45)};
+}
 
 struct PairOnSphere {
   MagnetPair pair;
@@ -174,15 +176,15 @@ struct PairOnSphere {
 
 /// At least 0.1 mm apart.
 PairOnSphere any_pair() {
-  const PairOnSphere any{{any_magnet(), any_magnet(), between(15, 60)},
-                         {between(3, *rc::gen::element(40, 180)), between(-2.5, 12.5),
-                          *rc::gen::element(0.0, between(-1, 2))}};
+  const PairOnSphere any{{any_magnet(), any_magnet(), any_between(15, 60)},
+                         {any_between(3, *rc::gen::element(40, 180)), any_between(-2.5, 12.5),
+                          *rc::gen::element(0.0, any_between(-1, 2))}};
   RC_PRE(gap_mm(any.pair, any.place) >= 0.1);
   return any;
 }
 
 PlacedMagnet subject_of(const PairOnSphere& p) {
-  const double angle = p.place.angle_deg * kRadians;
+  const double angle = p.place.angle_deg * kRadiansPerDegree;
   const Vec3 axis{std::sin(angle), 0.0, std::cos(angle)};
   const double middle =
       p.pair.sphere_radius_mm + p.place.offset_mm + 0.5 * p.pair.subject.height_mm;
@@ -198,7 +200,7 @@ PlacedMagnet other_of(const PairOnSphere& p) {
 // The other path to the same force: whole disks, another order, no mirror plane.
 RC_GTEST_PROP(PairForceLaw, TheAccuracyAskedForIsMetAndTheErrorBounds, ()) {
   const PairOnSphere p = any_pair();
-  const double accuracy = std::pow(10.0, -between(2, 8));
+  const double accuracy = std::pow(10.0, -any_between(2, 8));
   const PairForce got = pair_force(p.pair, p.place, {ForceModel::kExact, accuracy});
   const PlacedMagnet subject = subject_of(p);
   const double fine_n = dot(force_between(subject, other_of(p), DiskRule::kMaxOrder), subject.axis);
@@ -224,8 +226,9 @@ RC_GTEST_PROP(PairForceLaw, TurnsAndMirrorsWithThePair, ()) {
   const PairOnSphere p = any_pair();
   const PlacedMagnet a = subject_of(p);
   const PlacedMagnet b = other_of(p);
-  const Vec3 axis = unit_or({between(-1, 1), between(-1, 1), between(-1, 1)}, {0, 0, 1});
-  const double turn = between(0.0, 6.28);
+  const Vec3 axis =
+      unit_or({any_between(-1, 1), any_between(-1, 1), any_between(-1, 1)}, {0, 0, 1});
+  const double turn = any_between(0.0, 6.28);
   const auto turned = [&](const Vec3& v) {
     return std::cos(turn) * v + std::sin(turn) * cross(axis, v) +
            (1.0 - std::cos(turn)) * dot(axis, v) * axis;
@@ -264,7 +267,7 @@ RC_GTEST_PROP(PairForceLaw, GrowsWithBothRemanences, ()) {
 // What is not dipole falls with the square of the distance.
 RC_GTEST_PROP(PairForceLaw, FarPairsTendToDipoles, ()) {
   const MagnetPair near{any_magnet(), any_magnet(), 200.0};
-  const double angle = between(30, 180);
+  const double angle = any_between(30, 180);
   const auto excess = [&](double sphere_mm) {
     MagnetPair pair = near;
     pair.sphere_radius_mm = sphere_mm;

@@ -16,7 +16,7 @@
 namespace hedgehog::model {
 namespace {
 
-constexpr ForceSettings kExact{ForceModel::kExact, 1e-6};
+constexpr ForceSettings kPinSettings{ForceModel::kExact, 1e-6};
 constexpr double kThesisForceN = 15.0 * kFeaCalibration.force_slope_n_a;
 
 // Looked up and solved for, pin by pin. A pin that rests below the shell starts from the shell.
@@ -24,7 +24,7 @@ TEST(PinCurves, AgreeWithTheExactExtension) {
   const PinCurves& curves = hedgehog_86_curves();
   ASSERT_EQ(curves.size(), 86u);
   for (const PinClass& pin_class : classes("tkD-86")) {
-    const PinForce force(pin_class, {}, kExact);
+    const PinForce force(pin_class, {}, kPinSettings);
     const Characterisation character = characterise(force);
     const double rest = std::max(0.0, *character.rest_mm);
     for (const int pin : pin_class.pins) {

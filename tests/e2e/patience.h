@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// How long a test waits for what must happen on a busy machine. None of it is ever asserted.
+#pragma once
+
+#include <chrono>
+#include <thread>
+
+namespace hedgehog::e2e {
+
+inline constexpr std::chrono::seconds kPatience{60};
+/// For a whole program, or for one message among others that keep coming.
+inline constexpr std::chrono::seconds kLongPatience{600};
+
+/// Polls `done` every 5 ms; false when it was not true within `patience`.
+template <class Done>
+bool wait_until(Done done, std::chrono::seconds patience = kPatience) {
+  constexpr std::chrono::milliseconds kStep{5};
+  const auto deadline = std::chrono::steady_clock::now() + patience;
+  while (!done()) {
+    if (std::chrono::steady_clock::now() > deadline) {
+      return false;
+    }
+    std::this_thread::sleep_for(kStep);
+  }
+  return true;
+}
+
+}  // namespace hedgehog::e2e

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// The numbers that no measurement is.
+#pragma once
+
+#include <limits>
+
+namespace hedgehog::model {
+
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+inline constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace hedgehog::model
