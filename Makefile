@@ -134,7 +134,7 @@ firmware: $(TEST_DEPS) build/.packages-firmware
 test-usb: $(TEST_DEPS) build/.packages-vm
 	cmake --preset dev
 	@$(STAGE) 'build test_usb' cmake --build --preset dev --target test_usb
-	@$(STAGE) 'tests usb' tests/vm/run.sh -t $(VM_SECONDS) build/dev/tests/vm/test_usb --gtest_color=no
+	@$(STAGE) 'tests usb' tests/vm/test.sh -t $(VM_SECONDS) build/dev/tests/vm/test_usb
 
 .PHONY: faults-ci
 faults-ci: $(TEST_DEPS)
@@ -170,7 +170,6 @@ test-all: $(TEST_DEPS)
 	$(MAKE) tsan SANITIZER_OPTIONS=-DHEDGEHOG_ONE_THREAD_TESTS=OFF
 	$(MAKE) asan
 	$(MAKE) fuzz FUZZ_SECONDS=10
-	$(MAKE) guards ARGS=--third
 
 clean:
 	rm -rf build
