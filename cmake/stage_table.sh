@@ -10,15 +10,15 @@ awk -F '\t' '
   function clock(s) { return sprintf("%d:%02d", int((s + 0.5) / 60), int(s + 0.5) % 60) }
   BEGIN { printf "\n%-34s %8s %8s\n", "stage", "clock", "cores" }
   $1 == "stage" {
-    printf "%-34s %8s %8.1f%s\n", $2, clock($3), $3 > 0 ? $4 / $3 : 0, $5 == 0 ? "" : "   exit " $5
+    printf "%-34s %8s %8.1f%s\n", $2, clock($3), ($3 > 0 ? $4 / $3 : 0), ($5 == 0 ? "" : "   exit " $5)
     wall += $3; cpu += $4
   }
   $1 == "program" { printf "  %-32s %8s          %d tests, their times added up\n", $2, clock($3), $4 }
   $1 == "repeated" { repeated = repeated "  " $2 "\n" }
   $1 == "tests" { run += $2; failed += $3; skipped += $4 }
   END {
-    printf "%-34s %8s %8.1f\n", "all stages", clock(wall), wall > 0 ? cpu / wall : 0
-    printf "\nrepeated, for a busy machine had made them late:%s\n", repeated == "" ? " none" : "\n" repeated
+    printf "%-34s %8s %8.1f\n", "all stages", clock(wall), (wall > 0 ? cpu / wall : 0)
+    printf "\nrepeated, for a busy machine had made them late:%s\n", (repeated == "" ? " none" : "\n" repeated)
     printf "\n%d passed, %d failed, %d skipped\n", run - failed - skipped, failed, skipped
   }' "$1"
 

@@ -49,7 +49,7 @@ record() { # NAME
     sed "s/^/repeated\t$preset /"
 }
 
-pass virtual --label-exclude clock -j "$jobs"
+pass virtual --label-exclude '^(clock|fuzz)$' -j "$jobs"
 virtual=$?
 # They wait most of the time.
 pass clock --label-regex '^clock$' --repeat until-pass:2 -j "$((3 * jobs))"

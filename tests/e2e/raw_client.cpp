@@ -120,7 +120,7 @@ Json RawClient::notification(const std::string& method, const std::string& type)
   const auto deadline = std::chrono::steady_clock::now() + kLongPatience;
   for (;;) {
     if (std::chrono::steady_clock::now() > deadline) {
-      throw std::runtime_error("no " + method + " " + type + " in two minutes");
+      throw std::runtime_error("no " + method + " " + type + " in ten minutes");
     }
     while (!notifications_.empty()) {
       const Json message = std::move(notifications_.front());

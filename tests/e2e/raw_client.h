@@ -37,7 +37,7 @@ class RawClient {
   /// Sends a request and returns its result, or its error.
   Json call(const std::string& method, const Json& params = Json::object());
   /// The params of the next notification `method` (of `type`, when given); others are skipped, for
-  /// two minutes.
+  /// ten minutes.
   Json notification(const std::string& method, const std::string& type = "");
   /// The daemon closes without another word but notifications.
   bool closed_by_daemon();
