@@ -225,10 +225,8 @@ TEST_F(Ctl, TelemetryIsOneObjectALine) {
 
 TEST_F(Ctl, ClientsNamesWhoPlaysWhat) {
   other_.call("hello", {{"client", "Racer/1.2"}});
-  const Ended ended = ctl({"clients"}, [&] {
-    other_.call("effect.stop_all");
-    other_.call("effect.hold", {{"direction", "left"}, {"lease_ms", 10'000}});
-  });
+  const Json hold{{"direction", "left"}, {"lease_ms", 10'000}};
+  const Ended ended = ctl({"clients"}, [&] { other_.call("effect.hold", hold); });
   EXPECT_EQ(ended.exit_code, 0);
   EXPECT_THAT(ended.out, ContainsRegex("Racer/1\\.2 +tcp +operate .* hold"));
   EXPECT_THAT(ended.out, ContainsRegex("hedgehogctl +unix +operate "));

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdlib>
 
-#include "tests/sanitized.h"
+#include "tests/rig/sanitized.h"
 
 namespace hedgehog::rig {
 namespace {

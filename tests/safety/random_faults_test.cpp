@@ -10,7 +10,7 @@
 #include "tests/rig/hours.h"
 #include "tests/rig/random_requests.h"
 #include "tests/rig/rig.h"
-#include "tests/sanitized.h"
+#include "tests/rig/sanitized.h"
 
 namespace hedgehog::safety {
 namespace {
