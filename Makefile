@@ -138,8 +138,8 @@ test-usb: $(TEST_DEPS) build/.packages-vm
 
 .PHONY: faults-ci
 faults-ci: $(TEST_DEPS)
-	cmake --preset dev
-	@$(STAGE) 'build campaigns' cmake --build --preset dev --target campaigns benchmarks
+	cmake --preset bench
+	@$(STAGE) 'build campaigns' cmake --build --preset bench --target campaigns benchmarks
 	@$(STAGE) 'fault campaigns' ctest --preset campaign -j $(JOBS)
 
 # Ten simulated people through the three experiments, runner and daemon killed twenty times.
