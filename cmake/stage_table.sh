@@ -18,7 +18,7 @@ awk -F '\t' '
   $1 == "tests" { run += $2; failed += $3; skipped += $4 }
   END {
     printf "%-34s %8s %8.1f\n", "all stages", clock(wall), (wall > 0 ? cpu / wall : 0)
-    printf "\nrepeated, for a busy machine had made them late:%s\n", (repeated == "" ? " none" : "\n" repeated)
+    printf "\nclock tests that were repeated:%s\n", (repeated == "" ? " none" : "\n" repeated)
     printf "\n%d passed, %d failed, %d skipped\n", run - failed - skipped, failed, skipped
   }' "$1"
 
