@@ -109,7 +109,7 @@ Outcome<void> TourPlayer::wait_until(Milliseconds at, const TourChapter& chapter
     } else if (Clock::now() - told_at_ > patience()) {
       const auto seconds = std::chrono::duration<double>(patience()).count();
       return ClientError{
-          Failure::kTimeout, "the ball has said nothing for " + fixed(seconds, 0) + " s", {}};
+          Failure::kTimeout, "the ball has sent nothing for " + fixed(seconds, 0) + " s", {}};
     }
   }
   return heard ? keep_distance(at, chapter) : heard;
