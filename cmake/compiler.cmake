@@ -14,11 +14,7 @@ if(NOT CMAKE_BUILD_TYPE)
 endif()
 
 # Development builds keep assert(); layers that simulate hours of heat ask for -O2 themselves (layer.cmake).
-set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O1 -g1")
-if(HEDGEHOG_SANITIZE MATCHES address)
-  # Instrumented and optimised code takes twice as long to compile, and is run once.
-  set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O0 -g1")
-endif()
+set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O0 -g1")
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
 add_compile_definitions($<$<CONFIG:RelWithDebInfo,Debug>:_GLIBCXX_ASSERTIONS>)
 
