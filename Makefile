@@ -24,7 +24,7 @@ help:
 	@echo 'make test-web   the pages in a browser without a screen'
 	@echo 'make test-all   everything: sanitizers, linters, fuzzers, fault campaigns (most of an hour)'
 	@echo 'make test-usb   real USB and HID: the daemon in a machine with Debian'"'"'s kernel, on emulated devices'
-	@echo 'make check      clang-format, clang-tidy, shellcheck'
+	@echo 'make check      clang-format, shellcheck, clang-tidy; each file compiled by itself'
 	@echo 'make asan       the tests under AddressSanitizer and UBSan'
 	@echo 'make tsan       the tests under ThreadSanitizer'
 	@echo 'make fuzz       each fuzzer for FUZZ_SECONDS=20'
@@ -104,9 +104,9 @@ dev: $(TEST_DEPS)
 test: dev
 	tests/run.sh dev
 
-SANITIZER_OPTIONS ?= -DHEDGEHOG_ONE_THREAD_TESTS=ON
-asan tsan: $(TEST_DEPS)
-	cmake --preset $@ $(SANITIZER_OPTIONS)
+# Their programs are driven by the end-to-end tests of dev.
+asan tsan: dev
+	cmake --preset $@
 	@$(STAGE) 'build $@' cmake --build --preset $@
 	tests/run.sh $@
 
@@ -115,9 +115,10 @@ fuzz: $(TEST_DEPS)
 	@$(STAGE) 'build fuzzers' cmake --build --preset asan --target fuzzers
 	@$(STAGE) 'fuzz' ctest --preset fuzz -j $(JOBS)
 
-CHECKS ?= format shell tidy
+CHECKS ?= format shell tidy alone
 check: $(TEST_DEPS)
 	cmake --preset tidy
+	cmake --preset alone
 	@set -e; for one in $(CHECKS); do $(STAGE) "check $$one" cmake/check.sh "$$one"; done
 
 faults: $(TEST_DEPS)
@@ -150,7 +151,7 @@ rehearsal: $(TEST_DEPS)
 	cmake --build --preset dev --target test_e2e
 	HEDGEHOG_STUDY_REHEARSAL=$(REHEARSAL) $(STAGE) rehearsal build/dev/tests/test_e2e --gtest_filter='Kills.*'
 
-guards: $(TEST_DEPS)
+guards: dev
 	@$(STAGE) guards tests/guards/remove_guards.sh $(ARGS)
 
 bench: $(TEST_DEPS)
@@ -158,18 +159,26 @@ bench: $(TEST_DEPS)
 	cmake --build --preset bench --target benchmarks
 	@set -e; for program in build/bench/tests/bench/bench_*; do "$$program" --benchmark_min_time=0.2; done
 
-# One after the other: each uses every core. What is quick and fails often comes first.
-test-all: $(TEST_DEPS)
-	$(MAKE) check CHECKS='format shell'
-	$(MAKE) firmware
-	$(MAKE) check CHECKS='tidy-product'
-	$(MAKE) faults-ci
+# What waits most of the time goes on beside what computes; its output comes when it has ended.
+.PHONY: waiting computing
+waiting:
 	$(MAKE) rehearsal
 	$(MAKE) test-web
 	$(MAKE) test-usb
-	$(MAKE) tsan SANITIZER_OPTIONS=-DHEDGEHOG_ONE_THREAD_TESTS=OFF
+
+computing:
+	$(MAKE) check CHECKS='tidy-product alone-product'
+	$(MAKE) guards ARGS=--third
+	$(MAKE) faults-ci
+	$(MAKE) tsan
 	$(MAKE) asan
 	$(MAKE) fuzz FUZZ_SECONDS=10
+
+# What is quick and fails often comes first.
+test-all: $(TEST_DEPS)
+	$(MAKE) check CHECKS='format shell'
+	$(MAKE) firmware
+	tests/side_by_side.sh waiting computing
 
 clean:
 	rm -rf build

@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Format, lint and shell checks over the whole tree. Needs `cmake --preset tidy` to have run. Exit: 0 clean, 1 not.
-# check.sh [format|shell|tidy|tidy-product]...; default the first three; tidy-product leaves the tests out.
+# Format, lint and shell checks over the whole tree. Needs `cmake --preset tidy` and `cmake --preset alone` to have run.
+# check.sh [format|shell|tidy|alone|tidy-product|alone-product]...; default the first four; the others leave the tests out.
+# Exit: 0 clean, 1 not.
 # JOBS: how many linters at once.
 set -u
 
@@ -24,25 +25,38 @@ check_shell() {
     xargs grep -lE -m1 '^#!.*(/| )(ba)?sh$' | xargs shellcheck || failed=1
 }
 
-# What is built here, each file by itself, without batches and precompiled headers: a missing include is found too.
-# Headers are judged with whoever includes them. A linter prints its findings on stdout, all at once, only when it has
-# any; its counts go to stderr.
+# files PRESET [WITHOUT]: what a preset compiles.
+files() {
+  sed -n 's/^ *"file": "\(.*\)",\{0,1\}$/\1/p' "build/$1/compile_commands.json" | grep -v "${2:-^$}" | sort -u
+}
+
+# In batches, which is three times as fast. Headers are judged with whoever includes them. A linter prints its findings
+# on stdout, all at once, only when it has any; its counts go to stderr.
 check_tidy() {
   # shellcheck disable=SC2016
-  sed -n 's/^ *"file": "\(.*\)",\{0,1\}$/\1/p' build/tidy/compile_commands.json | grep -v "/build/\|${1:-^$}" | sort -u |
-    xargs -n 1 -P "$jobs" sh -c \
+  files tidy "${1-}" | xargs -n 1 -P "$jobs" sh -c \
     'found=$(clang-tidy -p build/tidy --quiet "$1" 2>/dev/null) || { printf "%s\n" "$found"; exit 1; }' tidy || failed=1
 }
 
-[ $# -gt 0 ] || set -- format shell tidy
+# Each file by itself, without batches and precompiled headers, by the compiler of what ships: a missing include is found.
+check_alone() {
+  # A command a line; JSON escapes quotes.
+  sed -n 's/^ *"command": "\(.*\)",$/\1/p' build/alone/compile_commands.json | grep -v "${1:-^$}" |
+    sed 's/\\"/"/g; s/\\\\/\\/g; s/ -o [^ ]*\.o / -fsyntax-only /' | tr '\n' '\0' | (cd build/alone && xargs -0 -n 1 -P "$jobs" sh -c) ||
+    failed=1
+}
+
+[ $# -gt 0 ] || set -- format shell tidy alone
 for check in "$@"; do
   echo "check: $check"
   case $check in
     format) check_format ;;
     shell) check_shell ;;
     tidy) check_tidy ;;
+    alone) check_alone ;;
     tidy-product) check_tidy /tests/ ;;
-    *) echo "check.sh [format|shell|tidy|tidy-product]..." >&2; exit 64 ;;
+    alone-product) check_alone ' -c [^ ]*/tests/' ;;
+    *) echo "check.sh [format|shell|tidy|alone|tidy-product|alone-product]..." >&2; exit 64 ;;
   esac
 done
 exit "$failed"

@@ -25,7 +25,12 @@ add_compile_definitions(HEDGEHOG_VERSION="${PROJECT_VERSION}")
 
 if(HEDGEHOG_UNITY)
   set(CMAKE_UNITY_BUILD ON)
-  set(CMAKE_UNITY_BUILD_BATCH_SIZE 16)
+  set(CMAKE_UNITY_BUILD_BATCH_SIZE 16 CACHE STRING "Sources in a batch; 0: all of a target")
+  if(CMAKE_UNITY_BUILD_BATCH_SIZE)
+    # `make guards` changes these one at a time, so they are in no batch.
+    file(STRINGS ${PROJECT_SOURCE_DIR}/tests/guards/guards.txt HEDGEHOG_ALONE REGEX "^file ")
+    list(TRANSFORM HEDGEHOG_ALONE REPLACE "^file " "")
+  endif()
 endif()
 
 add_library(hedgehog_warnings INTERFACE)

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # run.sh PRESET: the tests of a build, in two passes: those on virtual time, then those with the label `clock`, which run
-# real programs and threads on the real clock. Of these, and of no others, one that fails is run once more.
+# real programs and threads on the real clock. Of these, and of no others, one that fails is run once more. A sanitizer's
+# programs are then driven by the end-to-end tests of `dev`, which are all `clock`.
 # JOBS: cores to use. Exit: 0 all passed, else ctest's.
 set -u
 
@@ -12,16 +13,18 @@ results=$PWD/build/$preset/results
 mkdir -p "$results"
 jobs=${JOBS:-2}
 
-# pass NAME CTEST-OPTION...
+failed=0
+# pass NAME TEST-PRESET CTEST-OPTION...
 pass() {
   local name=$1 code
-  shift
-  cmake/stage.sh "tests $preset $name" ctest --preset "$preset" --output-junit "$results/$name.xml" "$@" |
+  cmake/stage.sh "tests $preset $name" ctest --preset "$2" --output-junit "$results/$name.xml" "${@:3}" |
     tee "$results/$name.log"
   code=${PIPESTATUS[0]}
   [ -z "${HEDGEHOG_STAGES-}" ] || record "$name" >>"$HEDGEHOG_STAGES"
-  return "$code"
+  [ "$code" -eq 0 ] || failed=$code
 }
+# They wait most of the time.
+clock=(--repeat until-pass:2 -j "$((3 * jobs))")
 
 # For the table of stages: how many ran, the time of each program, and who had to run twice.
 record() { # NAME
@@ -45,14 +48,13 @@ record() { # NAME
       printf "tests\t%d\t%d\t%d\n", total["tests="], total["failures="], total["skipped="]
     }' "$results/$1.xml"
   # ctest names a test again each time it runs it.
-  sed -nE 's/^ *[0-9]+\/[0-9]+ Test +#[0-9]+: ([^ ]+) .*(Passed|\*\*\*).*/\1/p' "$results/$1.log" | sort | uniq -d |
+  sed -nE 's/^ *([0-9]+\/[0-9]+ )?Test +#[0-9]+: ([^ ]+) .*(Passed|\*\*\*).*/\2/p' "$results/$1.log" | sort | uniq -d |
     sed "s/^/repeated\t$preset /"
 }
 
-pass virtual --label-exclude '^(clock|fuzz)$' -j "$jobs"
-virtual=$?
-# They wait most of the time.
-pass clock --label-regex '^clock$' --repeat until-pass:2 -j "$((3 * jobs))"
-clock=$?
-[ "$virtual" -eq 0 ] || exit "$virtual"
-exit "$clock"
+pass virtual "$preset" --label-exclude '^(clock|fuzz)$' -j "$jobs"
+pass clock "$preset" --label-regex '^clock$' "${clock[@]}"
+case $preset in
+  asan | tsan) pass programs "$preset-programs" "${clock[@]}" ;;
+esac
+exit "$failed"

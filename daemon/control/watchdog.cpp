@@ -20,6 +20,12 @@ bool is_possible(double sensor_c) noexcept {
   return sensor_c >= SensorCheck::kLowestC && sensor_c <= SensorCheck::kHighestC;
 }
 
+// These stop the ball in every state; the others only one that is armed.
+bool stops_unarmed(Reason reason) noexcept {
+  return reason == Reason::kUnexpectedCurrent || reason == Reason::kOverheated ||
+         reason == Reason::kBoardStuckBridge;
+}
+
 }  // namespace
 
 Watchdog::Watchdog(const model::CoilModel& coils, int sensor_winding,

@@ -70,10 +70,4 @@ class Watchdog {
   BoardCheck board_;
 };
 
-/// These stop the ball in every state; the others only one that is armed.
-constexpr bool stops_unarmed(Reason reason) noexcept {
-  return reason == Reason::kUnexpectedCurrent || reason == Reason::kOverheated ||
-         reason == Reason::kBoardStuckBridge;
-}
-
 }  // namespace hedgehog::control

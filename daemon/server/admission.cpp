@@ -11,9 +11,6 @@
 namespace hedgehog::server {
 namespace {
 
-/// Rounding is no reduction.
-constexpr double kEpsilonA = 1e-6;
-
 bool sounds(const Machine& machine, const Effect& e) {
   const control::EffectStatus& live = machine.now().effects[e.place];
   if (live.effect == e.id) {
@@ -49,7 +46,7 @@ double unmeasured_share(const Machine& machine, const model::Vec3& current_a) {
   for (int coil = 0; coil < model::kCoils; ++coil) {
     const double asked_a = std::abs(current_a[coil]);
     if (!machine.now().thermal.measured[static_cast<std::size_t>(coil)] &&
-        asked_a > machine.limits().continuous_a + kEpsilonA) {
+        asked_a > machine.limits().continuous_a + kRoundingA) {
       share = std::min(share, machine.limits().continuous_a / asked_a);
     }
   }
@@ -99,14 +96,14 @@ protocol::Admission admission(const Machine& machine, EffectRegistry& effects,
     out.limited_by = "configuration";
   }
   double flowing_a = asked.peak_a() * factor;
-  if (flowing_a > config.limits.current_a + kEpsilonA) {
+  if (flowing_a > config.limits.current_a + kRoundingA) {
     out.limited_by = "mix";
     factor *= config.limits.current_a / flowing_a;
     flowing_a = config.limits.current_a;
   }
   out.headroom_s = machine.forecaster().seconds_to_derating(machine.forecast_start(),
                                                             scaled(asked, factor).asked());
-  if (flowing_a > now.limit_a + kEpsilonA) {
+  if (flowing_a > now.limit_a + kRoundingA) {
     out.limited_by = "thermal";
     factor *= std::max(0.0, now.limit_a) / flowing_a;
     out.headroom_s = 0.0;

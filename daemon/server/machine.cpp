@@ -69,9 +69,8 @@ model::ForecastStart Machine::forecast_start() const noexcept {
 }
 
 bool Machine::skin_reduces(double current_a) const noexcept {
-  constexpr double kEpsilonA = 1e-6;
   return config_.thermometer.role == device::ThermometerRole::kShell &&
-         current_a > snapshot_.limit_a + kEpsilonA;
+         current_a > snapshot_.limit_a + kRoundingA;
 }
 
 bool Machine::board_holds_back() const noexcept {

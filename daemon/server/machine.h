@@ -21,6 +21,9 @@
 
 namespace hedgehog::server {
 
+/// A current that is less by no more than this is not reduced, only rounded.
+constexpr double kRoundingA = 1e-6;
+
 /// The driver board as the bus shows it.
 struct BoardSeen {
   /// Why one that is connected is not used; empty: nothing speaks against it.

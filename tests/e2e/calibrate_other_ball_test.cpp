@@ -13,6 +13,7 @@
 #include "tests/e2e/busy_machine.h"
 #include "tests/e2e/daemon_process.h"
 #include "tests/e2e/program.h"
+#include "tests/e2e/programs.h"
 #include "tests/e2e/raw_client.h"
 
 namespace hedgehog::e2e {
@@ -91,7 +92,7 @@ TEST_P(OtherBall, IsFoundAndThenPushesWhereItIsAsked) {
                   felt(hand, {0, 1, 0}, "coil", 0.6) + ",z=" + felt(hand, {0, 0, 1}, "coil", 0.6),
               ball.pushed);
     const Ended ended =
-        Program(home_, HEDGEHOGCTL_PATH,
+        Program(home_, hedgehogctl(),
                 {"calibrate", "--out", home_.path("found.json"), "--pushed", ball.pushed},
                 {"HEDGEHOG_ADDRESS=" + daemon.socket()})
             .wait();
@@ -147,7 +148,7 @@ class Bringup : public testing::Test {
 
 TEST_F(Bringup, APersonIsAskedAgainUntilTheAnswersCanBe) {
   start(R"({"coil_matrix": [[0, 1, 0], [1, 0, 0], [0, 0, 1]]})");
-  TerminalProgram screen(home_, HEDGEHOGCTL_PATH, words(), where());
+  TerminalProgram screen(home_, hedgehogctl(), words(), where());
   RawClient hand(daemon_->port());
   hand.call("events.subscribe", {{"scope", "all"}, {"types", {"effect_started"}}});
   ASSERT_TRUE(screen.shows("Enter when you hold it: "));
@@ -179,7 +180,7 @@ TEST_F(Bringup, APersonIsAskedAgainUntilTheAnswersCanBe) {
 
 TEST_F(Bringup, SidesAreNotAskedForBeforeTheResistancesAreRight) {
   start(R"({"r25_ohm": [0.45, 0.9, 0.45]})");
-  TerminalProgram screen(home_, HEDGEHOGCTL_PATH, words(), where());
+  TerminalProgram screen(home_, hedgehogctl(), words(), where());
   EXPECT_EQ(screen.wait(), 0) << screen.shown();
   EXPECT_THAT(screen.shown(), HasSubstr("The file until now says 0.4500"));
   EXPECT_THAT(screen.shown(), HasSubstr("Start hedgehogd with the new file, then calibrate"));
@@ -187,7 +188,7 @@ TEST_F(Bringup, SidesAreNotAskedForBeforeTheResistancesAreRight) {
 
 TEST_F(Bringup, WhatEvenALittleCurrentTripsIsSaidWithWhatToDo) {
   start(R"({"r25_ohm": [0.45, 0.08, 0.45]})");
-  const Ended ended = Program(home_, HEDGEHOGCTL_PATH, words(), where()).wait();
+  const Ended ended = Program(home_, hedgehogctl(), words(), where()).wait();
   EXPECT_EQ(ended.exit_code, 1);
   EXPECT_THAT(ended.err, HasSubstr("current_mismatch"));
   EXPECT_THAT(ended.err, HasSubstr("winding y was driven with 0.3 A"));
@@ -198,7 +199,7 @@ TEST_F(Bringup, WhatEvenALittleCurrentTripsIsSaidWithWhatToDo) {
 TEST_F(Bringup, AGainThatWouldWeakenTheCurrentsIsNamed) {
   start("{}");
   RawClient(daemon_->port()).call("output.set_gain", {{"gain", 0.5}});
-  const Ended ended = Program(home_, HEDGEHOGCTL_PATH, words(), where()).wait();
+  const Ended ended = Program(home_, hedgehogctl(), words(), where()).wait();
   EXPECT_EQ(ended.exit_code, 1);
   EXPECT_THAT(ended.err, HasSubstr("the gain is 0.50"));
   EXPECT_THAT(ended.err, HasSubstr("hedgehogctl gain 1"));

@@ -10,6 +10,7 @@
 #include "tests/e2e/busy_machine.h"
 #include "tests/e2e/daemon_process.h"
 #include "tests/e2e/program.h"
+#include "tests/e2e/programs.h"
 #include "tests/e2e/raw_client.h"
 
 namespace hedgehog::e2e {
@@ -32,7 +33,7 @@ class Calibrate : public testing::Test {
       const DaemonProcess& daemon, std::vector<std::string> more,
       const std::function<void()>& meanwhile = [] {}) const {
     more.insert(more.begin(), {"calibrate", "--out", home_.path("found.json")});
-    Program program(home_, HEDGEHOGCTL_PATH, more, {"HEDGEHOG_ADDRESS=" + daemon.socket()});
+    Program program(home_, hedgehogctl(), more, {"HEDGEHOG_ADDRESS=" + daemon.socket()});
     return wait_renewing(program, meanwhile);
   }
   Home home_;
@@ -71,7 +72,7 @@ TEST_F(Calibrate, ReplacesNothingUnasked) {
 
 TEST_F(Calibrate, CtrlCSwitchesTheCoilsOff) {
   DaemonProcess daemon(home_);
-  Program running(home_, HEDGEHOGCTL_PATH, {"calibrate", "--out", home_.path("found.json")},
+  Program running(home_, hedgehogctl(), {"calibrate", "--out", home_.path("found.json")},
                   {"HEDGEHOG_ADDRESS=" + daemon.socket()});
   RawClient watcher(daemon.port());
   watcher.call("events.subscribe", {{"scope", "all"}, {"types", {"effect_started"}}});

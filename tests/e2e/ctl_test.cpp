@@ -15,6 +15,7 @@
 #include "tests/e2e/daemon_process.h"
 #include "tests/e2e/exit_codes.h"
 #include "tests/e2e/program.h"
+#include "tests/e2e/programs.h"
 #include "tests/e2e/raw_client.h"
 
 namespace hedgehog::e2e {
@@ -31,7 +32,7 @@ class Ctl : public testing::Test {
   /// `renew` is called again and again.
   Ended ctl(
       const std::vector<std::string>& arguments, const std::function<void()>& renew = [] {}) const {
-    Program program(home_, HEDGEHOGCTL_PATH, arguments, variables());
+    Program program(home_, hedgehogctl(), arguments, variables());
     return wait_renewing(program, renew);
   }
   /// Starts a push to the left, or renews it.
@@ -105,7 +106,7 @@ TEST_F(Ctl, PlayingVerbsStayUntilTheEffectHasEnded) {
 TEST_F(Ctl, AnEffectThatSomebodyEndsExitsWith1) {
   const Ended ended = play_unexpired([&] {
     other_.call("device.arm");
-    Program hold(home_, HEDGEHOGCTL_PATH, {"hold", "up"}, variables());
+    Program hold(home_, hedgehogctl(), {"hold", "up"}, variables());
     EXPECT_TRUE(hold.says("hold up"));
     other_.call("device.emergency_stop");
     return hold.wait();
@@ -116,7 +117,7 @@ TEST_F(Ctl, AnEffectThatSomebodyEndsExitsWith1) {
 
 TEST_F(Ctl, CtrlCExitsWith130AndTheCoilsGoToZero) {
   const Ended ended = play_unexpired([&] {
-    Program hold(home_, HEDGEHOGCTL_PATH, {"hold", "up", "--current-a", "8"}, variables());
+    Program hold(home_, hedgehogctl(), {"hold", "up", "--current-a", "8"}, variables());
     EXPECT_TRUE(eventually([&] { return current_a() > 6.0 || has_ended(hold); }));
     hold.signal(SIGINT);
     return hold.wait();
@@ -176,7 +177,7 @@ TEST_F(Ctl, ForecastSaysHowLong) {
 }
 
 TEST_F(Ctl, EventsGoOnUntilCtrlC) {
-  Program events(home_, HEDGEHOGCTL_PATH, {"events"}, variables());
+  Program events(home_, hedgehogctl(), {"events"}, variables());
   ASSERT_TRUE(events.says("armed, 15.0 A allowed"));
   EXPECT_EQ(ctl({"pulse", "left"}).exit_code, 0);
   EXPECT_TRUE(events.says("effect_started  #"));
@@ -189,7 +190,7 @@ TEST_F(Ctl, EventsGoOnUntilCtrlC) {
 
 TEST_F(Ctl, EventsGoOnAfterWhatHasHappened) {
   EXPECT_EQ(ctl({"pulse", "left"}).exit_code, 0);
-  Program events(home_, HEDGEHOGCTL_PATH,
+  Program events(home_, hedgehogctl(),
                  {"events", "--since", "1h", "-f", "--types", "effect_ended", "--json"},
                  variables());
   ASSERT_TRUE(events.says("effect_ended"));
@@ -285,12 +286,12 @@ TEST(CtlAlone, SaysWhereItLookedWhenNoDaemonAnswers) {
   } catch (const std::runtime_error&) {
   }
   const Home home;
-  const Ended status = Program(home, HEDGEHOGCTL_PATH, {"status"}).wait();
+  const Ended status = Program(home, hedgehogctl(), {"status"}).wait();
   EXPECT_EQ(status.exit_code, kUnavailable);
   EXPECT_THAT(status.err, HasSubstr(home.path("run/hedgehog/hedgehogd.sock")));
   EXPECT_THAT(status.err, HasSubstr("127.0.0.1:7586"));
   EXPECT_THAT(status.err, HasSubstr("hedgehogd --simulate"));
-  const Ended check = Program(home, HEDGEHOGCTL_PATH, {"check"}).wait();
+  const Ended check = Program(home, hedgehogctl(), {"check"}).wait();
   EXPECT_EQ(check.exit_code, 2);
   EXPECT_THAT(check.out, testing::StartsWith("HEDGEHOG CRITICAL - no daemon answers"));
 }

@@ -15,6 +15,7 @@
 #include <thread>
 
 #include "tests/e2e/patience.h"
+#include "tests/e2e/programs.h"
 
 namespace hedgehog::e2e {
 namespace {
@@ -25,7 +26,7 @@ pid_t spawn(const Home& home, std::vector<std::string> words, const std::string&
             const std::string& log, const std::vector<std::string>& variables = {}) {
   home.write(out, "");
   home.write(log, "");
-  words.insert(words.begin(), HEDGEHOGD_PATH);
+  words.insert(words.begin(), hedgehogd());
   std::vector<std::string> environment = home.environment();
   environment.insert(environment.end(), variables.begin(), variables.end());
   std::vector<char*> argv;
@@ -46,7 +47,7 @@ pid_t spawn(const Home& home, std::vector<std::string> words, const std::string&
   if (pid == 0) {
     ::dup2(::open(out_path.c_str(), O_WRONLY | O_APPEND), STDOUT_FILENO);
     ::dup2(::open(log_path.c_str(), O_WRONLY | O_APPEND), STDERR_FILENO);
-    ::execve(HEDGEHOGD_PATH, argv.data(), envp.data());
+    ::execve(argv[0], argv.data(), envp.data());
     ::_exit(127);
   }
   return pid;

@@ -12,6 +12,7 @@
 
 #include "tests/e2e/daemon_process.h"
 #include "tests/e2e/program.h"
+#include "tests/e2e/programs.h"
 
 namespace hedgehog::e2e {
 namespace {
@@ -64,7 +65,7 @@ std::vector<double> currents(const std::string& text, const std::string& words) 
 }
 
 TEST_F(Demo, PlaysEveryChapterAndKeepsItsPromises) {
-  Program demo(home_, HEDGEHOGCTL_PATH, {"demo", "--private"}, variables());
+  Program demo(home_, hedgehogctl(), {"demo", "--private"}, variables());
   const Ended ended = demo.wait();
   ASSERT_EQ(ended.exit_code, 0) << ended.out << ended.err;
   EXPECT_EQ(ended.err, "");
@@ -104,7 +105,7 @@ TEST_F(Demo, PlaysEveryChapterAndKeepsItsPromises) {
 }
 
 TEST_F(Demo, CtrlCEndsItsDaemonToo) {
-  Program demo(home_, HEDGEHOGCTL_PATH, {"demo", "--private"}, variables());
+  Program demo(home_, hedgehogctl(), {"demo", "--private"}, variables());
   ASSERT_TRUE(demo.says("pulse left"));
   EXPECT_EQ(processes(), 1);
   EXPECT_EQ(left_behind().size(), 1u);
@@ -117,7 +118,7 @@ TEST_F(Demo, CtrlCEndsItsDaemonToo) {
 }
 
 TEST_F(Demo, OnATerminalItDrawsAndCtrlCGivesTheTerminalBack) {
-  TerminalProgram demo(home_, HEDGEHOGCTL_PATH, {"demo", "--private"}, variables());
+  TerminalProgram demo(home_, hedgehogctl(), {"demo", "--private"}, variables());
   ASSERT_TRUE(demo.shows("\033[?1049h"));
   EXPECT_TRUE(demo.shows("a push has a side"));
   EXPECT_TRUE(demo.shows(R"("direction":"left","current_a":10,"duration_ms":400)"));

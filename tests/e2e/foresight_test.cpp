@@ -11,6 +11,7 @@
 
 #include "tests/e2e/daemon_process.h"
 #include "tests/e2e/program.h"
+#include "tests/e2e/programs.h"
 #include "tests/e2e/raw_client.h"
 
 namespace hedgehog::e2e {
@@ -20,7 +21,7 @@ using ::testing::HasSubstr;
 
 Ended ctl(const Home& home, const DaemonProcess& daemon,
           const std::vector<std::string>& arguments) {
-  return Program(home, HEDGEHOGCTL_PATH, arguments, {"HEDGEHOG_ADDRESS=" + daemon.socket()}).wait();
+  return Program(home, hedgehogctl(), arguments, {"HEDGEHOG_ADDRESS=" + daemon.socket()}).wait();
 }
 
 TEST(Foresight, APreviewMovesNothingAndSaysWhatIsThenMeasured) {

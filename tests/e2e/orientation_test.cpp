@@ -16,6 +16,7 @@
 #include "tests/e2e/daemon_process.h"
 #include "tests/e2e/json_vector.h"
 #include "tests/e2e/program.h"
+#include "tests/e2e/programs.h"
 #include "tests/e2e/raw_client.h"
 
 namespace hedgehog::e2e {
@@ -100,7 +101,7 @@ class Indicator : public testing::TestWithParam<Case> {
 TEST_P(Indicator, PointsUpInTheRoomHoweverTheBallIsTurned) {
   DaemonProcess daemon(home_);
   World world(daemon);
-  Program program(home_, HEDGEHOG_ORIENTATION_PATH, words(), variables(daemon));
+  Program program(home_, hedgehog_orientation(), words(), variables(daemon));
   for (const Quaternion& q : turns()) {
     ASSERT_FALSE(world.turn(q).contains("code"));
     ASSERT_TRUE(eventually([&] {
@@ -138,7 +139,7 @@ TEST_P(Indicator, ASilentSensorEndsThePushAndItComesBackWithTheSensor) {
     world.feed(q);
     return world.hand().call("device.status")["orientation"].is_object();
   }));
-  Program program(home_, HEDGEHOG_ORIENTATION_PATH, words(), variables(daemon));
+  Program program(home_, hedgehog_orientation(), words(), variables(daemon));
   const auto fed_until_it_pushes_up = [&] {
     return eventually([&] {
       world.feed(q);
@@ -163,7 +164,7 @@ TEST_P(Indicator, ASilentSensorEndsThePushAndItComesBackWithTheSensor) {
 TEST_P(Indicator, EndsAfterItsSecondsWith0AndNothingFlows) {
   DaemonProcess daemon(home_);
   World world(daemon);
-  Program program(home_, HEDGEHOG_ORIENTATION_PATH, words({"--seconds", "0.5"}), variables(daemon));
+  Program program(home_, hedgehog_orientation(), words({"--seconds", "0.5"}), variables(daemon));
   const Ended ended = program.wait();
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   EXPECT_TRUE(eventually([&] {
@@ -181,14 +182,14 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(IndicatorAlone, OnceEndsWith69WhenTheDaemonGoes) {
   const Home home;
   DaemonProcess daemon(home);
-  Program program(home, HEDGEHOG_ORIENTATION_PATH, {"--once"},
+  Program program(home, hedgehog_orientation(), {"--once"},
                   {"HEDGEHOG_ADDRESS=" + daemon.socket()});
   ASSERT_TRUE(program.says("up is up"));
   EXPECT_EQ(daemon.stop(), 0);
   const Ended ended = program.wait();
   EXPECT_EQ(ended.exit_code, 69);
   EXPECT_THAT(ended.err, HasSubstr("hedgehog-orientation: "));
-  const Ended again = Program(home, HEDGEHOG_ORIENTATION_PATH, {"--once"},
+  const Ended again = Program(home, hedgehog_orientation(), {"--once"},
                               {"HEDGEHOG_ADDRESS=" + home.path("nobody.sock")})
                           .wait();
   EXPECT_EQ(again.exit_code, 69);
@@ -198,7 +199,7 @@ TEST(IndicatorAlone, OnceEndsWith69WhenTheDaemonGoes) {
 TEST(IndicatorAlone, WaitsForADaemonThatComesBack) {
   const Home home;
   auto daemon = std::make_unique<DaemonProcess>(home);
-  Program program(home, HEDGEHOG_ORIENTATION_PATH, {"--style", "steady"},
+  Program program(home, hedgehog_orientation(), {"--style", "steady"},
                   {"HEDGEHOG_ADDRESS=" + daemon->socket()});
   ASSERT_TRUE(program.says("up is up"));
   EXPECT_EQ(daemon->stop(), 0);
@@ -218,14 +219,14 @@ TEST(IndicatorAlone, DoesNotPushAgainstAnEmergencyStop) {
   const Home home;
   DaemonProcess daemon(home);
   RawClient other(daemon.port());
-  Program program(home, HEDGEHOG_ORIENTATION_PATH, {}, {"HEDGEHOG_ADDRESS=" + daemon.socket()});
+  Program program(home, hedgehog_orientation(), {}, {"HEDGEHOG_ADDRESS=" + daemon.socket()});
   ASSERT_TRUE(program.says("up is up"));
   other.call("device.emergency_stop");
   const Ended stopped = program.wait();
   EXPECT_EQ(stopped.exit_code, 69);
   EXPECT_THAT(stopped.err, HasSubstr("somebody ended the push: tripped"));
   const Ended refused =
-      Program(home, HEDGEHOG_ORIENTATION_PATH, {}, {"HEDGEHOG_ADDRESS=" + daemon.socket()}).wait();
+      Program(home, hedgehog_orientation(), {}, {"HEDGEHOG_ADDRESS=" + daemon.socket()}).wait();
   EXPECT_EQ(refused.exit_code, 69);
   EXPECT_THAT(refused.err, HasSubstr("hedgehogctl arm"));
 }
@@ -236,7 +237,7 @@ TEST(IndicatorAlone, MistakesAreUsage) {
                                                 {"--seconds", "-1"},
                                                 {"--loud"},
                                                 {"--address", "foo:bar"}}) {
-    EXPECT_EQ(Program(home, HEDGEHOG_ORIENTATION_PATH, words).wait().exit_code, 64);
+    EXPECT_EQ(Program(home, hedgehog_orientation(), words).wait().exit_code, 64);
   }
 }
 

@@ -11,6 +11,7 @@
 #include "tests/e2e/daemon_process.h"
 #include "tests/e2e/exit_codes.h"
 #include "tests/e2e/program.h"
+#include "tests/e2e/programs.h"
 #include "tests/e2e/raw_client.h"
 
 namespace hedgehog::e2e {
@@ -22,7 +23,7 @@ using testing::Not;
 class Patterns : public testing::Test {
  protected:
   Ended ctl(const std::vector<std::string>& arguments) const {
-    return Program(home_, HEDGEHOGCTL_PATH, arguments, {"HEDGEHOG_ADDRESS=" + daemon_.socket()})
+    return Program(home_, hedgehogctl(), arguments, {"HEDGEHOG_ADDRESS=" + daemon_.socket()})
         .wait();
   }
   Json currents() { return other_.call("device.status")["current_a"]; }
@@ -138,7 +139,7 @@ TEST_F(Patterns, WhatIsImportedLongerThanOneEffectLastsSaysHowItIsPlayed) {
   // What it says is what works: so it plays, and not without.
   EXPECT_EQ(ctl({"play", "imported/long"}).exit_code, kUsage);
   const Ended played = play_unexpired([&] {
-    Program play(home_, HEDGEHOGCTL_PATH, {"play", "imported/long", "--loop", "--for", "30.5"},
+    Program play(home_, hedgehogctl(), {"play", "imported/long", "--loop", "--for", "30.5"},
                  {"HEDGEHOG_ADDRESS=" + daemon_.socket()});
     EXPECT_TRUE(play.says("play imported/long"));
     play.signal(SIGINT);

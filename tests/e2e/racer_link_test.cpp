@@ -9,6 +9,7 @@
 #include <string>
 
 #include "tests/e2e/busy_machine.h"
+#include "tests/e2e/programs.h"
 #include "tests/e2e/racing.h"
 #include "tests/e2e/raw_client.h"
 
@@ -68,7 +69,7 @@ TEST(Racer, ABallThatAnotherClientHasForItselfIsNotToldAsFelt) {
   EXPECT_FALSE(feel.played().back().on_the_ball);
   EXPECT_EQ(feel.summary().pulses, 0);
   EXPECT_EQ(feel.summary().refused, 1);
-  Program driver(home, HEDGEHOG_RACER_PATH, {"lap", "--speed", "20", "--address", daemon.socket()});
+  Program driver(home, hedgehog_racer(), {"lap", "--speed", "20", "--address", daemon.socket()});
   const Ended lap = wait_renewing(driver, claim);
   EXPECT_EQ(lap.exit_code, 69);
   EXPECT_THAT(lap.err, HasSubstr("another client has the ball for itself"));
@@ -114,7 +115,7 @@ TEST(Racer, ABlowThatNobodyWasAskedToPlayIsCountedAsNotFelt) {
 /// meanwhile, so that it is not over before.
 Ended lap_that_loses_the_ball(const Home& home, const std::string& address,
                               const std::function<void()>& take) {
-  Program lap(home, HEDGEHOG_RACER_PATH,
+  Program lap(home, hedgehog_racer(),
               {"lap", "--speed", "10", "--seconds", "100", "--json", "--address", address});
   EXPECT_TRUE(lap.says(R"("type":"hit")"));
   lap.signal(SIGSTOP);

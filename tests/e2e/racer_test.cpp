@@ -13,6 +13,7 @@
 
 #include "tests/e2e/daemon_process.h"
 #include "tests/e2e/json_vector.h"
+#include "tests/e2e/programs.h"
 #include "tests/e2e/racing.h"
 #include "tests/e2e/raw_client.h"
 #include "tests/racer/tracks.h"
@@ -166,7 +167,7 @@ TEST(Racer, ABallThatIsSetToLittleIsPlayedSoftly) {
 
 Ended run_racer(const Home& home, const std::vector<std::string>& words,
                 const std::string& address = "") {
-  return Program(home, HEDGEHOG_RACER_PATH, words, {"HEDGEHOG_ADDRESS=" + address}).wait();
+  return Program(home, hedgehog_racer(), words, {"HEDGEHOG_ADDRESS=" + address}).wait();
 }
 
 Json last_line(const std::string& out) {
@@ -181,9 +182,10 @@ Json two_minutes_from(double start_c) {
   const Home home;
   home.configure(R"({"simulator": {"start_temperature_c": )" + std::to_string(start_c) + "}}");
   // Game and ball keep time each by itself; at this speed a busy machine keeps them together.
-  DaemonProcess daemon(home, {"--speed", "20"});
+  const std::string speed = std::to_string(attainable_speed(20));
+  DaemonProcess daemon(home, {"--speed", speed});
   const Ended lap =
-      run_racer(home, {"lap", "--speed", "20", "--seconds", "120", "--json"}, daemon.socket());
+      run_racer(home, {"lap", "--speed", speed, "--seconds", "120", "--json"}, daemon.socket());
   EXPECT_EQ(lap.exit_code, 0) << lap.err;
   const Json told = last_line(lap.out);
   EXPECT_EQ(told["laps"], 4) << told;
@@ -211,7 +213,8 @@ TEST(Racer, TwoMinutesOnAHotBallNeverTripItAndTheSummarySaysWhatWasReduced) {
 
 TEST(Racer, TheLinesOfItsReadmeRun) {
   const Home home;
-  DaemonProcess daemon(home, {"--speed", "60"});
+  const std::string speed = std::to_string(attainable_speed(60));
+  DaemonProcess daemon(home, {"--speed", speed});
   std::ifstream text(std::string(HEDGEHOG_SOURCE_DIR) + "/clients/racer/README.md");
   int ran = 0;
   for (std::string line; std::getline(text, line);) {
@@ -220,7 +223,7 @@ TEST(Racer, TheLinesOfItsReadmeRun) {
     std::vector<std::string> words;
     for (std::string word; typed >> word;) words.push_back(word);
     words.erase(words.begin());
-    words.insert(words.end(), {"--speed", "60"});
+    words.insert(words.end(), {"--speed", speed});
     const Ended ended = run_racer(home, words, daemon.socket());
     EXPECT_EQ(ended.exit_code, 0) << line << "\n" << ended.err;
     EXPECT_FALSE(ended.out.empty());

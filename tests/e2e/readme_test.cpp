@@ -10,6 +10,7 @@
 
 #include "tests/e2e/daemon_process.h"
 #include "tests/e2e/program.h"
+#include "tests/e2e/programs.h"
 #include "tests/e2e/raw_client.h"
 #include "tests/protocol/example_file.h"
 
@@ -74,7 +75,7 @@ TEST(Readme, TheLinesForHedgehogctlRun) {
       continue;
     }
     const Ended ended =
-        Program(home, HEDGEHOGCTL_PATH, words, {"HEDGEHOG_ADDRESS=" + daemon.socket()}).wait();
+        Program(home, hedgehogctl(), words, {"HEDGEHOG_ADDRESS=" + daemon.socket()}).wait();
     EXPECT_EQ(ended.exit_code, 0) << line << "\n" << ended.err;
     ++seen;
   }

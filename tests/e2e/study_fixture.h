@@ -16,6 +16,7 @@
 #include "tests/e2e/daemon_process.h"
 #include "tests/e2e/patience.h"
 #include "tests/e2e/program.h"
+#include "tests/e2e/programs.h"
 #include "tests/e2e/raw_client.h"
 
 namespace hedgehog::e2e {
@@ -50,7 +51,7 @@ class Study : public testing::Test {
 
   std::unique_ptr<Program> begin(std::vector<std::string> words, const std::string& folder = "th") {
     words.insert(words.begin(), {"-C", home_.path(folder)});
-    return std::make_unique<Program>(home_, HEDGEHOG_STUDY_PATH, words, variables());
+    return std::make_unique<Program>(home_, hedgehog_study(), words, variables());
   }
   Ended study(const std::vector<std::string>& words, const std::string& folder = "th") {
     return begin(words, folder)->wait();
@@ -62,7 +63,7 @@ class Study : public testing::Test {
     return program.wait();
   }
   void plan(const std::string& folder, const std::string& people, const std::string& experiments) {
-    Program program(home_, HEDGEHOG_STUDY_PATH,
+    Program program(home_, hedgehog_study(),
                     {"plan", home_.path(folder), "--participants", people, "--experiments",
                      experiments, "--seed", "3"});
     const Ended ended = program.wait();

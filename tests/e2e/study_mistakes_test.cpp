@@ -6,6 +6,7 @@
 
 #include <fstream>
 
+#include "tests/e2e/programs.h"
 #include "tests/e2e/study_fixture.h"
 
 namespace hedgehog::e2e {
@@ -200,7 +201,7 @@ TEST_F(Study, TraceSaysEverySharedTraceAsJson) {
   static const char* const kNames[] = {"force-threshold", "force-jnd", "speed-jnd"};
   for (const Json& expected : shared) {
     SCOPED_TRACE(expected["id"].get<std::string>());
-    Program program(home_, HEDGEHOG_STUDY_PATH,
+    Program program(home_, hedgehog_study(),
                     {"trace", kNames[expected["experiment"].get<int>() - 1], "--responses",
                      expected["responses"], "--json"});
     const Ended ended = program.wait();
@@ -210,7 +211,7 @@ TEST_F(Study, TraceSaysEverySharedTraceAsJson) {
       EXPECT_EQ(said[key], expected[key]) << key;
     }
   }
-  Program none(home_, HEDGEHOG_STUDY_PATH, {"trace", "force-jnd", "--responses", "", "--json"});
+  Program none(home_, hedgehog_study(), {"trace", "force-jnd", "--responses", "", "--json"});
   const Ended ended = none.wait();
   EXPECT_EQ(ended.exit_code, 0);
   EXPECT_EQ(Json::parse(ended.out)["levels"], Json::array());

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/e2e/busy_machine.h"
+#include "tests/e2e/programs.h"
 #include "tests/e2e/study_fixture.h"
 
 namespace hedgehog::e2e {
@@ -29,10 +30,10 @@ TEST_F(Study, APersonSeesTheQuestionAndNothingElse) {
   remember_address();
   plan("th", "1", quick_path());
   // The page may be there first, and stays from run to run.
-  TerminalProgram page(home_, HEDGEHOG_STUDY_PATH, {"-C", home_.path("th"), "participant"});
+  TerminalProgram page(home_, hedgehog_study(), {"-C", home_.path("th"), "participant"});
   ASSERT_TRUE(page.shows("Please wait."));
   TerminalProgram desk(
-      home_, HEDGEHOG_STUDY_PATH,
+      home_, hedgehog_study(),
       {"-C", home_.path("th"), "run", "quick", "--participant", "P01", "--experimenter", "E1",
        "--consent", "sheet 014", "--age-band", "22-29", "--dominant-hand", "right"},
       variables());
@@ -88,7 +89,7 @@ TEST_F(Study, APersonSeesTheQuestionAndNothingElse) {
   EXPECT_EQ(lines[1]["hand_size_cm"], 18.4);
   EXPECT_EQ(lines[1]["consent"], "sheet 014");
 
-  TerminalProgram again(home_, HEDGEHOG_STUDY_PATH, {"-C", home_.path("th"), "resume", "--blind"},
+  TerminalProgram again(home_, hedgehog_study(), {"-C", home_.path("th"), "resume", "--blind"},
                         variables());
   ASSERT_TRUE(again.shows("headphones"));
   again.type("y\n");
@@ -107,8 +108,7 @@ TEST_F(Study, APersonSeesTheQuestionAndNothingElse) {
   again.type("q");
   EXPECT_EQ(again.wait(), 75);
   // What is blind stays so, whether anybody thinks of it or not.
-  TerminalProgram third(home_, HEDGEHOG_STUDY_PATH, {"-C", home_.path("th"), "resume"},
-                        variables());
+  TerminalProgram third(home_, hedgehog_study(), {"-C", home_.path("th"), "resume"}, variables());
   ASSERT_TRUE(third.shows("headphones"));
   third.type("y\ny\n");
   ASSERT_TRUE(third.shows("c begins"));
@@ -125,7 +125,7 @@ TEST_F(Study, ADaemonThatDiesWhileAPersonThinksSpoilsNothing) {
   remember_address();
   plan("th", "1", quick_path());
   const std::string name = "P01.quick.1.jsonl";
-  TerminalProgram desk(home_, HEDGEHOG_STUDY_PATH, run_quick(), variables());
+  TerminalProgram desk(home_, hedgehog_study(), run_quick(), variables());
   ASSERT_TRUE(desk.shows("c continues"));
   desk.type("c");
   ASSERT_TRUE(desk.shows("waiting for the answer"));
@@ -152,7 +152,7 @@ TEST_F(Study, APersonMayBeSlowRestAndPause) {
   remember_address();
   home_.write("slow.json", quick(R"(, "response_limit_ms": 5000, "rest_every": 1)"));
   plan("th", "1", home_.path("slow.json"));
-  TerminalProgram desk(home_, HEDGEHOG_STUDY_PATH, run_quick(), variables());
+  TerminalProgram desk(home_, hedgehog_study(), run_quick(), variables());
   ASSERT_TRUE(desk.shows("c continues"));
   desk.type("c");
   // Nobody answers: void, and the same level again.
@@ -196,8 +196,8 @@ TEST_F(Study, AKeyFromBeforeTheQuestionAnswersNothing) {
   home_.write("slow.json", slow);
   plan("th", "1", home_.path("slow.json"));
   const std::string name = "P01.quick.1.jsonl";
-  TerminalProgram page(home_, HEDGEHOG_STUDY_PATH, {"-C", home_.path("th"), "participant"});
-  TerminalProgram desk(home_, HEDGEHOG_STUDY_PATH, run_quick(), variables());
+  TerminalProgram page(home_, hedgehog_study(), {"-C", home_.path("th"), "participant"});
+  TerminalProgram desk(home_, hedgehog_study(), run_quick(), variables());
   ASSERT_TRUE(desk.shows("c continues"));
   ASSERT_TRUE(page.shows("Your hand"));
   desk.type("c");

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "tests/e2e/programs.h"
 #include "tests/e2e/study_fixture.h"
 
 namespace hedgehog::e2e {
@@ -84,7 +85,7 @@ TEST_F(Study, TheLinesOfItsReadmeRun) {
     if (has("run")) {
       words.emplace_back("--simulated");
     }
-    Program command(home_, HEDGEHOG_STUDY_PATH, words, variables());
+    Program command(home_, hedgehog_study(), words, variables());
     const Ended ended = command.wait();
     EXPECT_EQ(ended.exit_code, 0) << line << "\n" << ended.err;
     ++ran;

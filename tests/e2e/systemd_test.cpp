@@ -14,6 +14,7 @@
 
 #include "tests/e2e/daemon_process.h"
 #include "tests/e2e/patience.h"
+#include "tests/e2e/programs.h"
 #include "tests/e2e/raw_client.h"
 
 namespace hedgehog::e2e {
@@ -44,7 +45,7 @@ class Unit : public testing::TestWithParam<const char*> {
     std::string text{std::istreambuf_iterator<char>(in), {}};
     const std::string program = "/usr/bin/hedgehogd";
     for (auto at = text.find(program); at != std::string::npos; at = text.find(program, at + 1)) {
-      text.replace(at, program.size(), HEDGEHOGD_PATH);
+      text.replace(at, program.size(), hedgehogd());
     }
     home_.write("units/" + name, text);
     std::string unit = name;

@@ -9,6 +9,7 @@
 #include "tests/e2e/busy_machine.h"
 #include "tests/e2e/daemon_process.h"
 #include "tests/e2e/program.h"
+#include "tests/e2e/programs.h"
 #include "tests/e2e/raw_client.h"
 
 namespace hedgehog::e2e {
@@ -22,8 +23,7 @@ class Watch : public testing::Test {
   Home home_;
   DaemonProcess daemon_{home_};
   RawClient other_{daemon_.port()};
-  TerminalProgram watch_{
-      home_, HEDGEHOGCTL_PATH, {"watch"}, {"HEDGEHOG_ADDRESS=" + daemon_.socket()}};
+  TerminalProgram watch_{home_, hedgehogctl(), {"watch"}, {"HEDGEHOG_ADDRESS=" + daemon_.socket()}};
 };
 
 TEST_F(Watch, DrawsTheBallStopsItAtSpaceAndQuitsAtQ) {
@@ -94,7 +94,7 @@ TEST(LivePictures, SayThatASilentDaemonsPictureIsOldAndThatAStopHasNoAnswer) {
   for (const std::vector<std::string>& verb :
        {std::vector<std::string>{"watch"}, {"pins", "--live"}}) {
     SCOPED_TRACE(verb.front());
-    TerminalProgram live(home, HEDGEHOGCTL_PATH, verb, {"HEDGEHOG_ADDRESS=" + daemon.socket()});
+    TerminalProgram live(home, hedgehogctl(), verb, {"HEDGEHOG_ADDRESS=" + daemon.socket()});
     ASSERT_TRUE(live.shows("A allowed"));
     daemon.signal(SIGSTOP);
     EXPECT_TRUE(live.shows("silent: what stands here is old"));
@@ -114,7 +114,7 @@ TEST(LivePins, AreDrawnStoppedAtSpaceAndLeftAtQ) {
   Home home;
   DaemonProcess daemon(home);
   RawClient other(daemon.port());
-  TerminalProgram pins(home, HEDGEHOGCTL_PATH, {"pins", "--live"},
+  TerminalProgram pins(home, hedgehogctl(), {"pins", "--live"},
                        {"HEDGEHOG_ADDRESS=" + daemon.socket()});
   ASSERT_TRUE(pins.shows(kEnter));
   EXPECT_TRUE(pins.shows("hundredths of a millimetre out of rest"));

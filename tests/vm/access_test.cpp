@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "tests/e2e/programs.h"
 #include "tests/vm/bench.h"
 
 namespace hedgehog::vm {
@@ -25,7 +26,7 @@ class Access : public Bench {
     // A path that everybody may walk, wherever the build is.
     shell("mkdir -p /run/hedgehog-test && touch /run/hedgehog-test/hedgehogd");
     const char* other = std::getenv("HEDGEHOGD");
-    shell(std::string("mount --bind ") + (other != nullptr ? other : HEDGEHOGD_PATH) +
+    shell(std::string("mount --bind ") + (other != nullptr ? other : e2e::hedgehogd()) +
           " /run/hedgehog-test/hedgehogd");
     ::setenv("HEDGEHOGD", "/run/hedgehog-test/hedgehogd", 1);
   }

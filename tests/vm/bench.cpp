@@ -20,10 +20,14 @@
 #include <stdexcept>
 #include <utility>
 
+#include "tests/e2e/programs.h"
+
 namespace hedgehog::vm {
 namespace {
 
 namespace fs = std::filesystem;
+using e2e::hedgehog_usbip;
+using e2e::hedgehogd;
 
 constexpr double kPatienceMs = 60'000;
 constexpr double kOftenMs = 1'000;
@@ -144,7 +148,7 @@ int Child::stop(int signal) {
 }
 
 Emulator::Emulator(const Home& home, std::vector<std::string> devices) : home_(home) {
-  std::vector<std::string> words{HEDGEHOG_USBIP_PATH, "--vhci", "--control", home.path("control")};
+  std::vector<std::string> words{hedgehog_usbip(), "--vhci", "--control", home.path("control")};
   words.insert(words.end(), devices.begin(), devices.end());
   child_ = std::make_unique<Child>(words, home.environment(), home.path("emulator"));
   const bool listens = eventually([&] {
@@ -192,10 +196,9 @@ Daemon::Daemon(const Home& home, const std::string& user, const std::vector<std:
   const char* other = std::getenv("HEDGEHOGD");
   std::vector<std::string> environment = home.environment();
   environment.insert(environment.end(), variables.begin(), variables.end());
-  child_ =
-      std::make_unique<Child>(std::vector<std::string>{other != nullptr ? other : HEDGEHOGD_PATH,
-                                                       "--listen", "127.0.0.1:0"},
-                              environment, home.path("log"), user);
+  child_ = std::make_unique<Child>(
+      std::vector<std::string>{other != nullptr ? other : hedgehogd(), "--listen", "127.0.0.1:0"},
+      environment, home.path("log"), user);
   const std::string socket = home.path("run/hedgehog/hedgehogd.sock");
   const bool listens = eventually([&] {
     const int fd = connect_to(socket);

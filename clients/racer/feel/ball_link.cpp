@@ -17,6 +17,8 @@ using protocol::StatusKey;
 constexpr Milliseconds kNow{0};
 constexpr Milliseconds kConnectTimeout{1000};
 constexpr double kTellsHz = 60.0;
+// Of a daemon that tells faster than this machine understands, the rest is for the next frame.
+constexpr int kMessagesPerFrame = 100;
 
 }  // namespace
 
@@ -71,7 +73,7 @@ void BallLink::lose_the_daemon(const client::ClientError& why) {
 BallLink::Heard BallLink::listen() {
   Heard heard;
   if (!daemon_) heard.arrived = look_for_the_daemon();
-  while (daemon_) {
+  for (int messages = 0; daemon_ && messages < kMessagesPerFrame; ++messages) {
     auto told = daemon_->next(kNow);
     while (auto answer = daemon_->answer()) heard.answers.push_back(*std::move(answer));
     if (!told) {

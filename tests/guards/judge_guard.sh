@@ -1,0 +1,67 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# judge_guard.sh FOLDER: whether the tests miss the guard that remove_guards.sh took out in FOLDER/source. Makes
+# FOLDER/missed when each line of FOLDER/red has a failing test.
+set -euo pipefail
+
+folder=$1
+dev=build/dev
+hazard=$(<"$folder/hazard")
+guard=$(<"$folder/guard")
+
+give_up() { # sentence log
+  printf 'BROKEN    %-34.34s %s: %s\n' "$hazard" "$guard" "$1"
+  tail -n 20 "$2"
+  exit 1
+}
+
+# The changed files, compiled as the build compiles them; a guard that is gone leaves variables unused.
+objects=()
+while IFS= read -r file; do
+  command=$(ninja -C "$dev" -t commands all | grep -m1 -F -- " -c $PWD/$file") ||
+    give_up "$file is in a batch, or not compiled" /dev/null
+  object=$PWD/$folder/$(basename -- "$file").o
+  command=${command%% -MD *}" -w -o $object -c $PWD/$folder/source/$file"
+  (cd "$dev" && bash -c "$command") >"$folder/log" 2>&1 || give_up "does not compile without it" "$folder/log"
+  objects+=("$object")
+done <"$folder/files"
+
+# link PLACE: that program of the build with the changed objects. The archives' own are then left out by the linker.
+link() {
+  local command
+  command=$(ninja -C "$dev" -t commands "$1" | tail -n 1)
+  mkdir -p "$(dirname -- "$folder/$1")"
+  (cd "$dev" && bash -c "${command/ -o $1 / ${objects[*]} -o $PWD/$folder/$1 }") >"$folder/log" 2>&1 ||
+    give_up "does not link without it" "$folder/log"
+}
+
+# The names of the failed tests of one program.
+failures_of() { # program filter
+  local program=$folder/tests/test_$1 out status=0
+  if [ "$1" = e2e ]; then
+    # There the guard is the daemon's.
+    [ -e "$folder/daemon/hedgehogd" ] || link daemon/hedgehogd
+    program=$dev/tests/test_e2e
+  elif [ ! -e "$program" ]; then
+    link "tests/test_$1"
+  fi
+  out=$(HEDGEHOG_PROGRAMS=$folder timeout 300 "$program" --gtest_filter="$2" --gtest_brief=1 2>&1) || status=$?
+  [ "$status" -ne 0 ] || return 0
+  printf '%s\n' "$out" | sed -nE 's/^\[  FAILED  \] ([^ ,]+).* \([0-9]+ ms\)$/\1/p' | sort -u | grep . ||
+    echo "test_$1 ended with $status"
+}
+
+found='' blind=''
+while read -r program filter; do
+  names=$(failures_of "$program" "$filter")
+  [ -n "$names" ] || blind+=" $program $filter;"
+  found+=$names$'\n'
+done <"$folder/red"
+found=$(printf '%s' "$found" | grep . || true)
+if [ -n "$blind" ]; then
+  printf 'SURVIVED  %-34.34s %s:%s\n' "$hazard" "$guard" "$blind"
+  exit 1
+fi
+touch "$folder/missed"
+printf 'red %4d  %-34.34s %s: %s\n' "$(printf '%s\n' "$found" | wc -l)" "$hazard" "$guard" \
+  "$(printf '%s\n' "$found" | head -n 2 | paste -sd ' ')"
