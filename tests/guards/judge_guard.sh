@@ -5,23 +5,27 @@
 set -euo pipefail
 
 folder=$1
+top=$PWD
 dev=build/dev
 hazard=$(<"$folder/hazard")
 guard=$(<"$folder/guard")
 
 give_up() { # sentence log
-  printf 'BROKEN    %-34.34s %s: %s\n' "$hazard" "$guard" "$1"
-  tail -n 20 "$2"
+  {
+    printf 'BROKEN    %-34.34s %s: %s\n' "$hazard" "$guard" "$1"
+    tail -n 20 "$2"
+  } >&2
   exit 1
 }
 
 # The changed files, compiled as the build compiles them; a guard that is gone leaves variables unused.
 objects=()
 while IFS= read -r file; do
-  command=$(ninja -C "$dev" -t commands all | grep -m1 -F -- " -c $PWD/$file") ||
-    give_up "$file is in a batch, or not compiled" /dev/null
-  object=$PWD/$folder/$(basename -- "$file").o
-  command=${command%% -MD *}" -w -o $object -c $PWD/$folder/source/$file"
+  command=$(ninja -C "$dev" -t commands all | awk -v end=" -c $top/$file" \
+    'substr($0, length($0) - length(end) + 1) == end && !found++')
+  [ -n "$command" ] || give_up "$file is in a batch, or not compiled" /dev/null
+  object=$top/$folder/$(basename -- "$file").o
+  command=${command%% -MD *}" -w -o $object -c $top/$folder/source/$file"
   (cd "$dev" && bash -c "$command") >"$folder/log" 2>&1 || give_up "does not compile without it" "$folder/log"
   objects+=("$object")
 done <"$folder/files"
@@ -31,7 +35,7 @@ link() {
   local command
   command=$(ninja -C "$dev" -t commands "$1" | tail -n 1)
   mkdir -p "$(dirname -- "$folder/$1")"
-  (cd "$dev" && bash -c "${command/ -o $1 / ${objects[*]} -o $PWD/$folder/$1 }") >"$folder/log" 2>&1 ||
+  (cd "$dev" && bash -c "${command/ -o $1 / ${objects[*]} -o $top/$folder/$1 }") >"$folder/log" 2>&1 ||
     give_up "does not link without it" "$folder/log"
 }
 
