@@ -39,6 +39,10 @@ help:
 # make run and make race may start at once, in two terminals: what both need is made once.
 ONE_AT_A_TIME := flock build/.lock
 
+# Ninja configures again when a list of targets changes. Where targets are made side by side, dev is built by one.
+CONFIGURED_DEV := build/dev/build.ninja
+BUILD_DEV := $(ONE_AT_A_TIME) cmake --build --preset dev
+
 build/.packages-%: cmake/apt/%.txt cmake/bootstrap.sh
 	@mkdir -p build
 	@$(ONE_AT_A_TIME) cmake/bootstrap.sh $*
@@ -85,9 +89,8 @@ run: release
 	@$(MAKE) --no-print-directory dashboard || echo 'make: no dashboard this time; /ws, /metrics and /healthz work' >&2
 	build/release/daemon/hedgehogd --simulate $(ARGS)
 
-test-web: dashboard racer-page build/.packages-web $(TEST_DEPS)
-	cmake --preset dev
-	cmake --build --preset dev --target hedgehogd hedgehog-racer
+test-web: dashboard racer-page build/.packages-web $(CONFIGURED_DEV)
+	@$(BUILD_DEV) --target hedgehogd hedgehog-racer
 	@mkdir -p build/dev/share/hedgehog
 	@ln -sfn $(CURDIR)/$(DASHBOARD) build/dev/share/hedgehog/www
 	@ln -sfn $(CURDIR)/$(RACER) build/dev/share/hedgehog/racer
@@ -96,10 +99,13 @@ test-web: dashboard racer-page build/.packages-web $(TEST_DEPS)
 demo: release
 	@build/release/clients/ctl/hedgehogctl demo --private $(ARGS)
 
-.PHONY: dev
-dev: $(TEST_DEPS)
+$(CONFIGURED_DEV): CMakePresets.json $(TEST_DEPS)
 	cmake --preset dev
-	@$(STAGE) 'build dev' cmake --build --preset dev
+	@touch $@
+
+.PHONY: dev
+dev: $(CONFIGURED_DEV)
+	@$(STAGE) 'build dev' $(BUILD_DEV)
 
 test: dev
 	tests/run.sh dev
@@ -126,15 +132,13 @@ faults: $(TEST_DEPS)
 	cmake --build --preset bench --target campaigns
 	@set -e; for program in build/bench/tests/campaign/campaign_*; do echo "$$program"; "$$program"; done
 
-firmware: $(TEST_DEPS) build/.packages-firmware
+firmware: $(CONFIGURED_DEV) build/.packages-firmware
 	@$(STAGE) 'build firmware' tests/firmware/build.sh build/firmware
-	cmake --preset dev
-	cmake --build --preset dev --target firmware_vectors
+	@$(BUILD_DEV) --target firmware_vectors
 	@$(STAGE) 'tests firmware' tests/firmware/compare.sh build/dev/tests/firmware/firmware_vectors build/firmware/vectors.elf
 
-test-usb: $(TEST_DEPS) build/.packages-vm
-	cmake --preset dev
-	@$(STAGE) 'build test_usb' cmake --build --preset dev --target test_usb
+test-usb: $(CONFIGURED_DEV) build/.packages-vm
+	@$(STAGE) 'build test_usb' $(BUILD_DEV) --target test_usb
 	@$(STAGE) 'tests usb' tests/vm/test.sh -t $(VM_SECONDS) build/dev/tests/vm/test_usb
 
 .PHONY: faults-ci
@@ -146,9 +150,8 @@ faults-ci: $(TEST_DEPS)
 # Ten simulated people through the three experiments, runner and daemon killed twenty times.
 .PHONY: rehearsal
 REHEARSAL ?= short
-rehearsal: $(TEST_DEPS)
-	cmake --preset dev
-	cmake --build --preset dev --target test_e2e
+rehearsal: $(CONFIGURED_DEV)
+	@$(BUILD_DEV) --target test_e2e
 	HEDGEHOG_STUDY_REHEARSAL=$(REHEARSAL) $(STAGE) rehearsal build/dev/tests/test_e2e --gtest_filter='Kills.*'
 
 guards: dev

@@ -82,6 +82,27 @@ Violations check_machine_paths(const SourceFile& file) {
   return violations;
 }
 
+Violations check_using(const SourceFile& file) {
+  static const std::regex kBrings(R"(^(?:using [\w:]*::(\w+);|namespace (\w+) = [\w:]+;).*)");
+  Violations violations;
+  if (!file.path.ends_with(".cpp")) return violations;
+  for (std::size_t i = 0; i < file.lines.size(); ++i) {
+    std::smatch brings;
+    if (!std::regex_match(file.lines[i], brings, kBrings)) continue;
+    const std::string name = brings[1].matched ? brings[1] : brings[2];
+    const std::regex word("(^|[^\\w])" + name + "([^\\w]|$)");
+    const bool used =
+        std::any_of(file.lines.begin(), file.lines.end(), [&](const std::string& line) {
+          return &line != &file.lines[i] && line.find(name) != std::string::npos &&
+                 std::regex_search(line, word);
+        });
+    if (!used) {
+      violations.push_back(file.path + ":" + std::to_string(i + 1) + ": nothing uses " + name);
+    }
+  }
+  return violations;
+}
+
 Violations check_links(const SourceFile& file, const SourceTree& tree) {
   static const std::regex kLink(R"(\]\(([^)#\s]+)(#[^)]*)?\))");
   Violations violations;

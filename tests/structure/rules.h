@@ -26,6 +26,10 @@ Violations check_file_shape(const SourceFile& file);
 // No path of somebody's machine.
 Violations check_machine_paths(const SourceFile& file);
 
+// What a source file brings in with `using a::b;` or `namespace b = a;` occurs in it once more.
+// (clang-tidy knows this too, but not of sources in a batch.)
+Violations check_using(const SourceFile& file);
+
 // Relative links of a Markdown file lead somewhere.
 Violations check_links(const SourceFile& file, const SourceTree& tree);
 

@@ -102,6 +102,15 @@ TEST(MachinePathRule, FindsOnlyWherePathsStart) {
   EXPECT_THAT(check_machine_paths({"a.md", {"see docs" + home, "/etc/hedgehog/"}}), IsEmpty());
 }
 
+TEST(UsingRule, WantsTheNameOnceMore) {
+  EXPECT_THAT(check_using({"a.cpp", {"using b::C;", "C c;"}}), IsEmpty());
+  EXPECT_THAT(check_using({"a.cpp", {"using b::C;", "Cc c;"}}),
+              ElementsAre("a.cpp:1: nothing uses C"));
+  EXPECT_THAT(check_using({"a.cpp", {"namespace fs = std::filesystem;"}}),
+              ElementsAre("a.cpp:1: nothing uses fs"));
+  EXPECT_THAT(check_using({"a.h", {"using b::C;"}}), IsEmpty());
+}
+
 TEST(LinkRule, ResolvesRelativeToTheFile) {
   const SourceTree tree{{}, {"protocol"}, {"protocol/README.md"}};
   EXPECT_THAT(check_links({"README.md", {"[p](protocol/README.md#errors) [f](protocol/)"}}, tree),

@@ -44,6 +44,8 @@ TEST_F(Tree, FilesAreShortAndLicensed) { EXPECT_THAT(everywhere(check_file_shape
 
 TEST_F(Tree, NamesNoMachine) { EXPECT_THAT(everywhere(check_machine_paths), IsEmpty()); }
 
+TEST_F(Tree, UsesWhatItBringsIn) { EXPECT_THAT(everywhere(check_using), IsEmpty()); }
+
 TEST_F(Tree, LinksLeadSomewhere) {
   EXPECT_THAT(everywhere([](const SourceFile& file) { return check_links(file, tree()); }),
               IsEmpty());
