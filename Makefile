@@ -40,6 +40,7 @@ help:
 ONE_AT_A_TIME := flock build/.lock
 
 # Ninja configures again when a list of targets changes. Where targets are made side by side, dev is built by one.
+BUILD_BENCH := flock build/.lock-bench cmake --build --preset bench
 CONFIGURED_DEV := build/dev/build.ninja
 BUILD_DEV := $(ONE_AT_A_TIME) cmake --build --preset dev
 
@@ -99,8 +100,9 @@ test-web: dashboard racer-page build/.packages-web $(CONFIGURED_DEV)
 demo: release
 	@build/release/clients/ctl/hedgehogctl demo --private $(ARGS)
 
-$(CONFIGURED_DEV): CMakePresets.json $(TEST_DEPS)
-	cmake --preset dev
+CONFIGURED_BENCH := build/bench/build.ninja
+build/%/build.ninja: CMakePresets.json $(TEST_DEPS)
+	cmake --preset $*
 	@touch $@
 
 .PHONY: dev
@@ -127,9 +129,8 @@ check: $(TEST_DEPS)
 	cmake --preset alone
 	@set -e; for one in $(CHECKS); do $(STAGE) "check $$one" cmake/check.sh "$$one"; done
 
-faults: $(TEST_DEPS)
-	cmake --preset bench
-	cmake --build --preset bench --target campaigns
+faults: $(CONFIGURED_BENCH)
+	$(BUILD_BENCH) --target campaigns
 	@set -e; for program in build/bench/tests/campaign/campaign_*; do echo "$$program"; "$$program"; done
 
 firmware: $(CONFIGURED_DEV) build/.packages-firmware
@@ -137,14 +138,15 @@ firmware: $(CONFIGURED_DEV) build/.packages-firmware
 	@$(BUILD_DEV) --target firmware_vectors
 	@$(STAGE) 'tests firmware' tests/firmware/compare.sh build/dev/tests/firmware/firmware_vectors build/firmware/vectors.elf
 
-test-usb: $(CONFIGURED_DEV) build/.packages-vm
+# On what ships, for the guest's figures are of its code.
+test-usb: $(CONFIGURED_DEV) $(CONFIGURED_BENCH) build/.packages-vm
 	@$(STAGE) 'build test_usb' $(BUILD_DEV) --target test_usb
-	@$(STAGE) 'tests usb' tests/vm/test.sh -t $(VM_SECONDS) build/dev/tests/vm/test_usb
+	@$(STAGE) 'build programs for usb' $(BUILD_BENCH) --target hedgehogd hedgehog-usbip
+	@HEDGEHOG_PROGRAMS=$(CURDIR)/build/bench $(STAGE) 'tests usb' tests/vm/test.sh -t $(VM_SECONDS) build/dev/tests/vm/test_usb
 
 .PHONY: faults-ci
-faults-ci: $(TEST_DEPS)
-	cmake --preset bench
-	@$(STAGE) 'build campaigns' cmake --build --preset bench --target campaigns benchmarks
+faults-ci: $(CONFIGURED_BENCH)
+	@$(STAGE) 'build campaigns' $(BUILD_BENCH) --target campaigns benchmarks
 	@$(STAGE) 'fault campaigns' ctest --preset campaign -j $(JOBS)
 
 # Ten simulated people through the three experiments, runner and daemon killed twenty times.
@@ -157,9 +159,8 @@ rehearsal: $(CONFIGURED_DEV)
 guards: dev
 	@$(STAGE) guards tests/guards/remove_guards.sh $(ARGS)
 
-bench: $(TEST_DEPS)
-	cmake --preset bench
-	cmake --build --preset bench --target benchmarks
+bench: $(CONFIGURED_BENCH)
+	$(BUILD_BENCH) --target benchmarks
 	@set -e; for program in build/bench/tests/bench/bench_*; do "$$program" --benchmark_min_time=0.2; done
 
 # What waits most of the time goes on beside what computes; its output comes when it has ended.
@@ -181,6 +182,7 @@ computing:
 test-all: $(TEST_DEPS)
 	$(MAKE) check CHECKS='format shell'
 	$(MAKE) firmware
+	$(MAKE) $(CONFIGURED_BENCH)
 	tests/side_by_side.sh waiting computing
 
 clean:

@@ -13,7 +13,6 @@
 namespace hedgehog::racer {
 namespace {
 
-
 TEST(Door, KnowsItsOwnNames) {
   const Door door{"127.0.0.1", 7585};
   for (const char* ours :
