@@ -39,10 +39,12 @@ help:
 # make run and make race may start at once, in two terminals: what both need is made once.
 ONE_AT_A_TIME := flock build/.lock
 
-# Ninja configures again when a list of targets changes. Where targets are made side by side, dev is built by one.
-BUILD_BENCH := flock build/.lock-bench cmake --build --preset bench
+# Targets that are made side by side share these builds: each is configured once (ninja does it again when a list of
+# files changes) and built by one ninja at a time.
 CONFIGURED_DEV := build/dev/build.ninja
+CONFIGURED_BENCH := build/bench/build.ninja
 BUILD_DEV := $(ONE_AT_A_TIME) cmake --build --preset dev
+BUILD_BENCH := flock build/.lock-bench cmake --build --preset bench
 
 build/.packages-%: cmake/apt/%.txt cmake/bootstrap.sh
 	@mkdir -p build
@@ -100,7 +102,6 @@ test-web: dashboard racer-page build/.packages-web $(CONFIGURED_DEV)
 demo: release
 	@build/release/clients/ctl/hedgehogctl demo --private $(ARGS)
 
-CONFIGURED_BENCH := build/bench/build.ninja
 build/%/build.ninja: CMakePresets.json $(TEST_DEPS)
 	cmake --preset $*
 	@touch $@
@@ -125,8 +126,6 @@ fuzz: $(TEST_DEPS)
 
 CHECKS ?= format shell tidy alone
 check: $(TEST_DEPS)
-	cmake --preset tidy
-	cmake --preset alone
 	@set -e; for one in $(CHECKS); do $(STAGE) "check $$one" cmake/check.sh "$$one"; done
 
 faults: $(CONFIGURED_BENCH)

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Format, lint and shell checks over the whole tree. Needs `cmake --preset tidy` and `cmake --preset alone` to have run.
+# Format, lint and shell checks over the whole tree. Findings are printed.
 # check.sh [format|shell|tidy|alone|tidy-product|alone-product]...; default the first four; the others leave the tests out.
 # Exit: 0 clean, 1 not.
 # JOBS: how many linters at once.
@@ -25,6 +25,12 @@ check_shell() {
     xargs grep -lE -m1 '^#!.*(/| )(ba)?sh$' | xargs shellcheck || failed=1
 }
 
+# configure PRESET: writes the commands that would compile the tree.
+configure() {
+  mkdir -p build
+  cmake --preset "$1" >"build/$1.log" 2>&1 || { cat "build/$1.log"; exit 1; }
+}
+
 # files PRESET [WITHOUT]: what a preset compiles.
 files() {
   sed -n 's/^ *"file": "\(.*\)",\{0,1\}$/\1/p' "build/$1/compile_commands.json" | grep -v "${2:-^$}" | sort -u
@@ -33,6 +39,7 @@ files() {
 # In batches, which is three times as fast. Headers are judged with whoever includes them. A linter prints its findings
 # on stdout, all at once, only when it has any; its counts go to stderr.
 check_tidy() {
+  configure tidy
   # shellcheck disable=SC2016
   files tidy "${1-}" | xargs -n 1 -P "$jobs" sh -c \
     'found=$(clang-tidy -p build/tidy --quiet "$1" 2>/dev/null) || { printf "%s\n" "$found"; exit 1; }' tidy || failed=1
@@ -40,6 +47,7 @@ check_tidy() {
 
 # Each file by itself, without batches and precompiled headers, by the compiler of what ships: a missing include is found.
 check_alone() {
+  configure alone
   # A command a line; JSON escapes quotes.
   sed -n 's/^ *"command": "\(.*\)",$/\1/p' build/alone/compile_commands.json | grep -v "${1:-^$}" |
     sed 's/\\"/"/g; s/\\\\/\\/g; s/ -o [^ ]*\.o / -fsyntax-only /' | tr '\n' '\0' | (cd build/alone && xargs -0 -n 1 -P "$jobs" sh -c) ||

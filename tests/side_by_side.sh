@@ -8,9 +8,9 @@ set -u
 # Each is a make of its own: they share no jobs.
 unset MAKEFLAGS MAKELEVEL MFLAGS
 log=$(mktemp)
-trap 'rm -f "$log"' EXIT
 make "$1" >"$log" 2>&1 &
 quiet=$!
+trap 'kill "$quiet" 2>/dev/null; rm -f "$log"' EXIT
 code=0
 make "$2" || code=$?
 wait "$quiet" || code=$?

@@ -17,7 +17,8 @@ using protocol::StatusKey;
 constexpr Milliseconds kNow{0};
 constexpr Milliseconds kConnectTimeout{1000};
 constexpr double kTellsHz = 60.0;
-// Of a daemon that tells faster than this machine understands, the rest is for the next frame.
+// On a machine that decodes more slowly than telemetry comes, reading would never end. The rest is
+// read in the next frame.
 constexpr int kMessagesPerFrame = 100;
 
 }  // namespace
