@@ -166,7 +166,13 @@ std::string Emulator::tell(const std::string& command) const {
   const std::string line = command + "\n";
   std::string answer;
   if (fd >= 0 && ::send(fd, line.data(), line.size(), MSG_NOSIGNAL) > 0) {
-    for (char c = 0; ::recv(fd, &c, 1, 0) == 1 && c != '\n';) answer += c;
+    char chunk[1024];
+    while (answer.find('\n') == std::string::npos) {
+      const auto n = ::recv(fd, chunk, sizeof chunk, 0);
+      if (n <= 0) break;
+      answer.append(chunk, static_cast<std::size_t>(n));
+    }
+    if (answer.ends_with('\n')) answer.pop_back();
   }
   ::close(fd);
   return answer;
