@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # judge_guard.sh FOLDER: whether the tests miss the guard that remove_guards.sh took out in FOLDER/source. Makes
-# FOLDER/missed when each line of FOLDER/red has a failing test.
+# FOLDER/seen_red when each line of FOLDER/red has a failing test.
 set -euo pipefail
 
 folder=$1
@@ -11,6 +11,7 @@ hazard=$(<"$folder/hazard")
 guard=$(<"$folder/guard")
 
 give_up() { # sentence log
+  touch "$folder/broken"
   {
     printf 'BROKEN    %-34.34s %s: %s\n' "$hazard" "$guard" "$1"
     tail -n 20 "$2"
@@ -23,7 +24,7 @@ objects=()
 while IFS= read -r file; do
   command=$(ninja -C "$dev" -t commands all | awk -v end=" -c $top/$file" \
     'substr($0, length($0) - length(end) + 1) == end && !found++')
-  [ -n "$command" ] || give_up "$file is in a batch, or not compiled" /dev/null
+  [ -n "$command" ] || give_up "$file is compiled in a batch, or not at all: cmake --preset dev" /dev/null
   object=$top/$folder/$(basename -- "$file").o
   command=${command%% -MD *}" -w -o $object -c $top/$folder/source/$file"
   (cd "$dev" && bash -c "$command") >"$folder/log" 2>&1 || give_up "does not compile without it" "$folder/log"
@@ -33,10 +34,12 @@ done <"$folder/files"
 # link PLACE: that program of the build with the changed objects. The archives' own are then left out by the linker.
 link() {
   local command
-  command=$(ninja -C "$dev" -t commands "$1" | tail -n 1)
+  command=$(ninja -C "$dev" -t commands "$1" 2>/dev/null | tail -n 1)
+  [ -n "$command" ] || give_up "there is no $1" /dev/null
   mkdir -p "$(dirname -- "$folder/$1")"
   (cd "$dev" && bash -c "${command/ -o $1 / ${objects[*]} -o $top/$folder/$1 }") >"$folder/log" 2>&1 ||
     give_up "does not link without it" "$folder/log"
+  [ -x "$folder/$1" ] || give_up "$1 is linked by another command" /dev/null
 }
 
 # The names of the failed tests of one program.
@@ -51,6 +54,7 @@ failures_of() { # program filter
   fi
   out=$(HEDGEHOG_PROGRAMS=$folder timeout 300 "$program" --gtest_filter="$2" --gtest_brief=1 2>&1) || status=$?
   [ "$status" -ne 0 ] || return 0
+  [ "$status" -ne 124 ] || give_up "test_$1 $2 did not end" /dev/null
   printf '%s\n' "$out" | sed -nE 's/^\[  FAILED  \] ([^ ,]+).* \([0-9]+ ms\)$/\1/p' | sort -u | grep . ||
     echo "test_$1 ended with $status"
 }
@@ -58,6 +62,8 @@ failures_of() { # program filter
 found='' blind=''
 while read -r program filter; do
   names=$(failures_of "$program" "$filter")
+  # A substitution cannot end the script.
+  [ ! -e "$folder/broken" ] || exit 1
   [ -n "$names" ] || blind+=" $program $filter;"
   found+=$names$'\n'
 done <"$folder/red"
@@ -66,6 +72,6 @@ if [ -n "$blind" ]; then
   printf 'SURVIVED  %-34.34s %s:%s\n' "$hazard" "$guard" "$blind"
   exit 1
 fi
-touch "$folder/missed"
+touch "$folder/seen_red"
 printf 'red %4d  %-34.34s %s: %s\n' "$(printf '%s\n' "$found" | wc -l)" "$hazard" "$guard" \
   "$(printf '%s\n' "$found" | head -n 2 | paste -sd ' ')"

@@ -53,6 +53,12 @@ TEST(Guards, StandWhereTheListSays) {
     } else if (line.starts_with("cut ")) {
       EXPECT_EQ(count(text, with_line_ends(line.substr(4))), 1) << line;
       ++guards;
+    } else if (line.starts_with("red ")) {
+      const std::string program = line.substr(4, line.find(' ', 4) - 4);
+      const bool has_tests = std::any_of(
+          tree.files.begin(), tree.files.end(),
+          [&](const SourceFile& file) { return file.path.starts_with("tests/" + program + "/"); });
+      EXPECT_TRUE(has_tests) << line;
     }
   }
   EXPECT_GE(guards, 49);
