@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: MIT
-// The game's line to a daemon that does not want it.
+// The game's line to a daemon: one that does not want it, one that tells much at once.
 #include "clients/racer/feel/ball_link.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <boost/asio.hpp>
+#include <nlohmann/json.hpp>
+#include <numeric>
 #include <set>
+#include <string>
 #include <thread>
 #include <vector>
+
+#include "tests/clients/fake_daemon.h"
 
 namespace hedgehog::racer {
 namespace {
@@ -15,6 +21,36 @@ namespace {
 namespace asio = boost::asio;
 using asio::ip::tcp;
 using Clock = BallLink::Clock;
+using client::FakeDaemon;
+using client::FakePeer;
+using nlohmann::json;
+
+constexpr const char* kHello = R"({"server": "hedgehogd", "version": "1", "protocol": "1.0",
+  "connection": 1, "role": "operate", "state": "armed", "reason": null, "remedy": null,
+  "methods": [], "device": {"name": "ball", "model": "hedgehog-86", "simulated": true},
+  "limits": {"current_a": 15, "continuous_a": 5, "felt_a": 2.1, "duration_ms": 10000,
+    "lease_ms": 10000, "effects": 32, "frequency_hz": 250, "telemetry_hz": 200,
+    "line_bytes": 65536}})";
+
+void answer(FakePeer& peer, const json& result) {
+  const json id = json::parse(peer.read())["id"];
+  peer.say(json{{"jsonrpc", "2.0"}, {"id", id}, {"result", result}}.dump());
+}
+
+/// Answers hello and telemetry.subscribe, tells `count` statuses at once, and waits for the end.
+FakeDaemon::Conversation telling_at_once(int count) {
+  return [count](FakePeer& peer) {
+    answer(peer, json::parse(kHello));
+    answer(peer, {{"rate_hz", 60}, {"fields", {"time_ns"}}});
+    std::string lines;
+    for (int i = 0; i < count; ++i) {
+      lines += R"({"jsonrpc":"2.0","method":"telemetry","params":{"time_ns":)" + std::to_string(i) +
+               "}}\n";
+    }
+    peer.send(lines);
+    peer.read();
+  };
+}
 
 TEST(BallLink, AsksADaemonThatRefusesItAgainAfterLongerAndLongerPauses) {
   asio::io_context io;
@@ -49,6 +85,26 @@ TEST(BallLink, AsksADaemonThatRefusesItAgainAfterLongerAndLongerPauses) {
   ASSERT_EQ(came.size(), 4U);
   EXPECT_GE(came[3] - came[0], std::chrono::milliseconds(600));
   EXPECT_TRUE(troubles.contains("busy: too many"));
+}
+
+TEST(BallLink, ReadsABoundedNumberOfMessagesInAFrameAndTheRestInTheNext) {
+  constexpr int kTold = 250;
+  const FakeDaemon daemon(telling_at_once(kTold));
+  BallLink link({daemon.address()});
+  std::size_t most = 0;
+  std::vector<std::int64_t> times;
+  const auto give_up = Clock::now() + client::kLongPatience;
+  while (times.size() < kTold && Clock::now() < give_up) {
+    const auto heard = link.listen();
+    most = std::max(most, heard.statuses.size());
+    for (const auto& status : heard.statuses) times.push_back(status.time_ns);
+    // So that what is told lies there at once.
+    if (times.empty()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  std::vector<std::int64_t> told(kTold);
+  std::iota(told.begin(), told.end(), 0);
+  EXPECT_EQ(times, told) << link.trouble();
+  EXPECT_LE(most, 100U);
 }
 
 }  // namespace
