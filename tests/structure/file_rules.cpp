@@ -83,7 +83,7 @@ Violations check_machine_paths(const SourceFile& file) {
 }
 
 Violations check_using(const SourceFile& file) {
-  static const std::regex kBrings(R"(^(?:using [\w:]*::(\w+);|namespace (\w+) = [\w:]+;).*)");
+  static const std::regex kBrings(R"(^\s*(?:using [\w:]*::(\w+);|namespace (\w+) = [\w:]+;).*)");
   Violations violations;
   if (!file.path.ends_with(".cpp")) return violations;
   for (std::size_t i = 0; i < file.lines.size(); ++i) {
@@ -93,12 +93,23 @@ Violations check_using(const SourceFile& file) {
     const std::regex word("(^|[^\\w])" + name + "([^\\w]|$)");
     const bool used =
         std::any_of(file.lines.begin(), file.lines.end(), [&](const std::string& line) {
-          return &line != &file.lines[i] && line.find(name) != std::string::npos &&
-                 std::regex_search(line, word);
+          const std::string code = line.substr(0, line.find("//"));
+          return &line != &file.lines[i] && code.find(name) != std::string::npos &&
+                 std::regex_search(code, word);
         });
     if (!used) {
       violations.push_back(file.path + ":" + std::to_string(i + 1) + ": nothing uses " + name);
     }
+  }
+  return violations;
+}
+
+Violations check_included_sources(const SourceFile& file) {
+  static const std::regex kIncludesSource(R"(^\s*#\s*include\s*["<].*\.(c|cc|cpp|cxx)[">].*)");
+  Violations violations;
+  for (std::size_t i = 0; i < file.lines.size(); ++i) {
+    if (!std::regex_match(file.lines[i], kIncludesSource)) continue;
+    violations.push_back(file.path + ":" + std::to_string(i + 1) + ": includes a source file");
   }
   return violations;
 }

@@ -30,6 +30,9 @@ Violations check_machine_paths(const SourceFile& file);
 // (clang-tidy knows this too, but not of sources in a batch.)
 Violations check_using(const SourceFile& file);
 
+// No #include of a source file; batches of the build are not in the tree.
+Violations check_included_sources(const SourceFile& file);
+
 // Relative links of a Markdown file lead somewhere.
 Violations check_links(const SourceFile& file, const SourceTree& tree);
 

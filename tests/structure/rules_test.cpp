@@ -108,7 +108,15 @@ TEST(UsingRule, WantsTheNameOnceMore) {
               ElementsAre("a.cpp:1: nothing uses C"));
   EXPECT_THAT(check_using({"a.cpp", {"namespace fs = std::filesystem;"}}),
               ElementsAre("a.cpp:1: nothing uses fs"));
+  EXPECT_THAT(check_using({"a.cpp", {"  using b::c;", "// c"}}),
+              ElementsAre("a.cpp:1: nothing uses c"));
   EXPECT_THAT(check_using({"a.h", {"using b::C;"}}), IsEmpty());
+}
+
+TEST(IncludedSourceRule, FindsSourcesOnly) {
+  EXPECT_THAT(check_included_sources({"a.cpp", {"#include \"b.cpp\""}}),
+              ElementsAre("a.cpp:1: includes a source file"));
+  EXPECT_THAT(check_included_sources({"a.cpp", {"#include \"b.h\"", "// b.cpp"}}), IsEmpty());
 }
 
 TEST(LinkRule, ResolvesRelativeToTheFile) {
