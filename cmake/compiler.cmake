@@ -28,6 +28,7 @@ if(HEDGEHOG_UNITY)
   set(CMAKE_UNITY_BUILD_BATCH_SIZE 16 CACHE STRING "Sources in a batch; 0: all of a target")
   if(CMAKE_UNITY_BUILD_BATCH_SIZE)
     # `make guards` changes these one at a time, so they are in no batch.
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/guards/guards.txt)
     file(STRINGS ${PROJECT_SOURCE_DIR}/tests/guards/guards.txt HEDGEHOG_ALONE REGEX "^file ")
     list(TRANSFORM HEDGEHOG_ALONE REPLACE "^file " "")
   endif()
@@ -41,12 +42,4 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   # g++ 12 sees overlaps and overruns in std::string that are none (its bugs 105329, 105651); AddressSanitizer sees the
   # real ones.
   target_compile_options(hedgehog_warnings INTERFACE -Wno-restrict -Wno-array-bounds -Wno-stringop-overflow)
-  if(HEDGEHOG_UNITY)
-    # To the compiler each source of a batch is a header; the ordinary builds keep the warning.
-    target_compile_options(hedgehog_warnings INTERFACE -Wno-subobject-linkage)
-  endif()
-  if(HEDGEHOG_SANITIZE)
-    # Instrumented code confuses the flow analysis; the plain builds keep the warning.
-    target_compile_options(hedgehog_warnings INTERFACE -Wno-maybe-uninitialized)
-  endif()
 endif()

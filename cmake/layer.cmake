@@ -65,10 +65,13 @@ function(hedgehog_program name main)
   endif()
 endfunction()
 
+# ccache gives a header object back with the time of its first making.
+set(pch_options $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess> "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")
+
 function(hedgehog_reuse_pch target owner)
   if(HEDGEHOG_PCH)
     target_precompile_headers(${target} REUSE_FROM ${owner})
-    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+    target_compile_options(${target} PRIVATE ${pch_options})
   endif()
 endfunction()
 
@@ -76,6 +79,6 @@ endfunction()
 function(hedgehog_own_pch target)
   if(HEDGEHOG_PCH)
     target_precompile_headers(${target} PRIVATE ${ARGN})
-    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+    target_compile_options(${target} PRIVATE ${pch_options})
   endif()
 endfunction()

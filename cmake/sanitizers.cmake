@@ -7,22 +7,20 @@ if(HEDGEHOG_FUZZ)
     message(FATAL_ERROR "HEDGEHOG_FUZZ needs clang")
   endif()
   # What -fsanitize=fuzzer-no-link stands for; that itself would be refused beside a precompiled header without it.
-  set(HEDGEHOG_FUZZ_COVERAGE -fsanitize-coverage=inline-8bit-counters,indirect-calls,trace-cmp,pc-table)
+  set(HEDGEHOG_FUZZ_COVERAGE
+      -fsanitize-coverage=inline-8bit-counters,indirect-calls,trace-cmp,pc-table,stack-depth
+      -fno-builtin-memcmp -fno-builtin-bcmp -fno-builtin-strcmp -fno-builtin-strncmp -fno-builtin-strcasecmp
+      -fno-builtin-strncasecmp -fno-builtin-strstr -fno-builtin-strcasestr -fno-builtin-memmem)
 endif()
 
 if(HEDGEHOG_SANITIZE)
   set(flags -fsanitize=${HEDGEHOG_SANITIZE} -fno-omit-frame-pointer)
   if(HEDGEHOG_SANITIZE MATCHES undefined)
-    # AddressSanitizer sees what object-size sees, which doubles the time of optimised code and sees nothing in other.
-    list(APPEND flags -fno-sanitize-recover=undefined -fno-sanitize=object-size)
+    list(APPEND flags -fno-sanitize-recover=undefined)
     if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
       # Asio calls handlers through function pointers of another type.
-      list(APPEND flags -fno-sanitize=function)
+      list(APPEND flags -fno-sanitize=function -fsanitize-ignorelist=${CMAKE_CURRENT_LIST_DIR}/sanitizers_ignore.txt)
     endif()
-  endif()
-  if(HEDGEHOG_SANITIZE MATCHES thread AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-    # g++ warns about Asio's atomic_thread_fence, which TSan does not model.
-    add_compile_options(-Wno-tsan)
   endif()
   add_compile_options(${flags})
   add_link_options(${flags})

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# stage_table.sh STAGES JSON: what stage.sh and tests/run.sh wrote, as a table on stdout and as JSON in a file. The last
-# line counts the tests that ctest ran.
+# stage_table.sh STAGES JSON: what stage.sh, tests/run.sh, tests/vm/test.sh and .ci/run wrote, as a table on stdout and as
+# JSON in a file. The last line counts the tests that ctest ran.
 set -eu
 
 [ $# -eq 2 ] || { echo "stage_table.sh STAGES JSON" >&2; exit 64; }
@@ -34,9 +34,12 @@ awk -F '\t' '
     programs = programs comma[2] sprintf("\n    {\"program\": %s, \"tests\": %s, \"sum_s\": %s}", text($2), $4, $3)
     comma[2] = ","
   }
+  $1 == "whole" { whole = $2 }
   $1 == "repeated" { repeated = repeated comma[3] "\n    " text($2); comma[3] = "," }
   $1 == "tests" { run += $2; failed += $3; skipped += $4 }
   END {
-    printf "{\n  \"stages\": [%s\n  ],\n  \"programs\": [%s\n  ],\n  \"repeated\": [%s],\n", stages, programs, repeated
+    printf "{\n"
+    if (whole) printf "  \"whole_s\": %s,\n", whole
+    printf "  \"stages\": [%s\n  ],\n  \"programs\": [%s\n  ],\n  \"repeated\": [%s],\n", stages, programs, repeated
     printf "  \"tests\": {\"passed\": %d, \"failed\": %d, \"skipped\": %d}\n}\n", run - failed - skipped, failed, skipped
   }' "$1" >"$2"

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# run.sh PRESET: the tests of a build, in two passes: those on virtual time, then those with the label `clock`, which run
-# real programs and threads on the real clock. Of these, and of no others, one that fails is run once more. A sanitizer's
-# programs are then driven by the end-to-end tests of `dev`, which are all `clock`.
+# run.sh PRESET: the tests of a build, in passes: those on virtual time, then those with the label `clock`, which run real
+# programs and threads on the real clock. Of these, and of no others, one that fails is run once more. The programs of a
+# sanitizer, and of `bench`, are driven by the end-to-end tests of `dev`, which are all `clock`.
 # JOBS: cores to use. Exit: 0 all passed, else ctest's.
 set -u
 
@@ -52,9 +52,15 @@ record() { # NAME
     sed "s/^/repeated\t$preset /"
 }
 
-pass virtual "$preset" --label-exclude '^(clock|fuzz)$' -j "$jobs"
-pass clock "$preset" --label-regex '^clock$' "${clock[@]}"
+tests() {
+  pass virtual "$preset" --label-exclude '^(clock|fuzz)$' -j "$jobs"
+  pass clock "$preset" --label-regex '^clock$' "${clock[@]}"
+}
+programs() { pass programs "$preset-programs" "${clock[@]}"; }
+
 case $preset in
-  asan | tsan) pass programs "$preset-programs" "${clock[@]}" ;;
+  bench) programs ;;
+  asan | tsan) tests; programs ;;
+  *) tests ;;
 esac
 exit "$failed"

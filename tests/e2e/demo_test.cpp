@@ -23,7 +23,13 @@ using testing::ElementsAre;
 
 class Demo : public testing::Test {
  protected:
-  Demo() { fs::create_directories(home_.path("tmp")); }
+  /// As installed: the daemon beside the program.
+  Demo() {
+    fs::create_directories(home_.path("tmp"));
+    fs::create_directories(home_.path("bin"));
+    fs::copy_file(hedgehogctl(), installed_);
+    fs::create_symlink(hedgehogd(), home_.path("bin/hedgehogd"));
+  }
 
   std::vector<std::string> variables() const { return {"TMPDIR=" + home_.path("tmp")}; }
   /// What the demo has put among the temporary files.
@@ -43,6 +49,7 @@ class Demo : public testing::Test {
   }
 
   Home home_;
+  const std::string installed_ = home_.path("bin/hedgehogctl");
 };
 
 /// The first capture of each match of `pattern`, line by line.
@@ -65,7 +72,7 @@ std::vector<double> currents(const std::string& text, const std::string& words) 
 }
 
 TEST_F(Demo, PlaysEveryChapterAndKeepsItsPromises) {
-  Program demo(home_, hedgehogctl(), {"demo", "--private"}, variables());
+  Program demo(home_, installed_, {"demo", "--private"}, variables());
   const Ended ended = demo.wait();
   ASSERT_EQ(ended.exit_code, 0) << ended.out << ended.err;
   EXPECT_EQ(ended.err, "");
@@ -105,7 +112,7 @@ TEST_F(Demo, PlaysEveryChapterAndKeepsItsPromises) {
 }
 
 TEST_F(Demo, CtrlCEndsItsDaemonToo) {
-  Program demo(home_, hedgehogctl(), {"demo", "--private"}, variables());
+  Program demo(home_, installed_, {"demo", "--private"}, variables());
   ASSERT_TRUE(demo.says("pulse left"));
   EXPECT_EQ(processes(), 1);
   EXPECT_EQ(left_behind().size(), 1u);
@@ -118,7 +125,7 @@ TEST_F(Demo, CtrlCEndsItsDaemonToo) {
 }
 
 TEST_F(Demo, OnATerminalItDrawsAndCtrlCGivesTheTerminalBack) {
-  TerminalProgram demo(home_, hedgehogctl(), {"demo", "--private"}, variables());
+  TerminalProgram demo(home_, installed_, {"demo", "--private"}, variables());
   ASSERT_TRUE(demo.shows("\033[?1049h"));
   EXPECT_TRUE(demo.shows("a push has a side"));
   EXPECT_TRUE(demo.shows(R"("direction":"left","current_a":10,"duration_ms":400)"));

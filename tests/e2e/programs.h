@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The programs under test: paths in the build folder that the environment's HEDGEHOG_PROGRAMS
-// names, where that has the program, else in this build's.
+// names, or in this build's where that has no such program but a daemon.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ std::string hedgehog_racer();
 std::string hedgehog_study();
 std::string hedgehog_usbip();
 
-/// A --speed, at most `wanted`, that these programs keep up with: a sanitizer's are slower.
+/// A --speed that these programs keep up with: `wanted`, or the environment's HEDGEHOG_SPEED_LIMIT.
 int attainable_speed(int wanted);
 
 }  // namespace hedgehog::e2e

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "tests/model/thermal_loop.h"
+#include "tests/rig/sanitized.h"
 
 namespace hedgehog::model {
 namespace {
@@ -130,7 +131,7 @@ class Demand {
 };
 
 TEST(HeatLoop, AnHourOfTheWorstOnRandomBallsNeitherTripsNorOverheats) {
-  for (std::uint64_t seed = 1; seed <= 48; ++seed) {
+  for (std::uint64_t seed = 1; seed <= repetitions(48U); ++seed) {
     const PlantParameters real = random_plant(seed);
     RandomStream random(seed + 10'000);
     ThermalLoop loop(real, random.uniform(18.0, 32.0), device_file_of(real));
@@ -144,7 +145,7 @@ TEST(HeatLoop, AnHourOfTheWorstOnRandomBallsNeitherTripsNorOverheats) {
 }
 
 TEST(HeatLoop, TheSameAtOneMillisecond) {
-  for (std::uint64_t seed = 101; seed <= 104; ++seed) {
+  for (std::uint64_t seed = 101; seed <= 100 + repetitions(4U); ++seed) {
     const PlantParameters real = random_plant(seed);
     ThermalLoop loop(real, 32.0, device_file_of(real));
     Demand demand(static_cast<int>(seed) % Demand::kKinds, seed);
@@ -174,7 +175,7 @@ double lie(int fault, double t_s, double real_c, double first_c) {
 // With nobody watching: the watchdog would have cut the current after half a second.
 TEST(HeatLoop, AThermistorThatLiesLowDoesNotBurnAWindingThoughR25IsOffByOnePercent) {
   for (int fault = 0; fault < 5; ++fault) {
-    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    for (std::uint64_t seed = 1; seed <= repetitions(12U); ++seed) {
       const PlantParameters real = random_plant(100 * seed + static_cast<std::uint64_t>(fault));
       CoilModel known = device_file_of(real);
       for (double& r25 : known.r25_ohm) r25 *= 1.01;

@@ -17,6 +17,7 @@
 #include "clients/study/journal/codec.h"
 #include "clients/study/journal/journal.h"
 #include "clients/study/rules/observer.h"
+#include "tests/rig/sanitized.h"
 #include "tests/temporary_folder.h"
 
 namespace hedgehog::study {
@@ -161,7 +162,9 @@ TEST_F(Files, AJournalTornAtAnyByteOfATrialGoesOnToTheSameLevelsAndKeepsEveryByt
   for (std::size_t cut = first; cut < last_trial; cut += 1213) {
     cuts.push_back(cut);
   }
-  for (std::size_t cut = last_trial; cut < text.size(); ++cut) {
+  const std::size_t bytes = text.size() - last_trial;
+  const std::size_t apart = bytes / repetitions(bytes);
+  for (std::size_t cut = last_trial; cut < text.size(); cut += apart) {
     cuts.push_back(cut);
   }
   for (const std::size_t cut : cuts) {
