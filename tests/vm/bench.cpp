@@ -31,7 +31,6 @@ using e2e::hedgehogd;
 
 constexpr double kPatienceMs = 60'000;
 constexpr double kOftenMs = 1'000;
-constexpr int kLookMs = 4;
 constexpr int kSeldomMs = 50;
 
 std::vector<char*> pointers(std::vector<std::string>& words) {
@@ -84,12 +83,12 @@ double now_ms() {
 
 void pause_ms(int milliseconds) { ::usleep(static_cast<useconds_t>(1000 * milliseconds)); }
 
-bool eventually(const std::function<bool()>& done) {
+bool eventually(const std::function<bool()>& done, int look_ms) {
   const double from = now_ms();
   while (!done()) {
     const double waited = now_ms() - from;
     if (waited > kPatienceMs) return false;
-    pause_ms(waited < kOftenMs ? kLookMs : kSeldomMs);
+    pause_ms(waited < kOftenMs ? look_ms : kSeldomMs);
   }
   return true;
 }

@@ -25,9 +25,9 @@ using e2e::RawClient;
 
 /// CLOCK_MONOTONIC of the guest, which counts instructions: it stands still while the host is busy.
 double now_ms();
-/// Looks every 4 ms (later on, 50 ms) until `done`, for up to a minute of the guest's; false: it
-/// never was.
-bool eventually(const std::function<bool()>& done);
+/// Looks every `look_ms` (later on, 50 ms) until `done`, for up to a minute of the guest's; false:
+/// it never was.
+bool eventually(const std::function<bool()>& done, int look_ms = 4);
 void pause_ms(int milliseconds);
 /// What a shell says to it, both streams; REQUIRES that it ends by itself.
 std::string shell(const std::string& command);
@@ -89,7 +89,7 @@ class Daemon {
   Json status() { return call("device.status"); }
   std::string state() { return status()["state"]; }
   bool is(const std::string& state) {
-    return eventually([&] { return this->state() == state; });
+    return eventually([&] { return this->state() == state; }, 20);
   }
   bool logs(const std::string& text) const;
   std::string log() const { return home_.read("log"); }
