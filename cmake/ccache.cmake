@@ -8,5 +8,6 @@ if(HEDGEHOG_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
       CCACHE_SLOPPINESS=pch_defines,time_macros
       CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}
       CCACHE_NOHASHDIR=1
+      CCACHE_DEPEND=1 # no preprocessing before a compilation: most builds are from nothing
       ${HEDGEHOG_CCACHE})
 endif()
