@@ -24,11 +24,10 @@ class Access : public Bench {
     shell("systemd-sysusers " HEDGEHOG_SOURCE_DIR "/systemd/hedgehog.sysusers");
     ASSERT_NE(::getgrnam("hedgehog"), nullptr);
     // A path that everybody may walk, wherever the build is.
-    shell("mkdir -p /run/hedgehog-test && touch /run/hedgehog-test/hedgehogd");
-    const char* other = std::getenv("HEDGEHOGD");
-    shell(std::string("mount --bind ") + (other != nullptr ? other : e2e::hedgehogd()) +
-          " /run/hedgehog-test/hedgehogd");
-    ::setenv("HEDGEHOGD", "/run/hedgehog-test/hedgehogd", 1);
+    const char* programs = std::getenv("HEDGEHOG_PROGRAMS");
+    shell("mkdir -p /run/hedgehog-test && mount --bind " +
+          std::string(programs != nullptr ? programs : HEDGEHOG_BUILD_DIR) + " /run/hedgehog-test");
+    ::setenv("HEDGEHOG_PROGRAMS", "/run/hedgehog-test", 1);
   }
   static void install_rules() {
     shell("mkdir -p /run/udev/rules.d && cp " HEDGEHOG_SOURCE_DIR

@@ -198,12 +198,10 @@ Daemon::Daemon(const Home& home, const std::string& user, const std::vector<std:
     : home_(home) {
   home.write("log", "");
   if (!user.empty()) shell("chown -R " + user + ": " + home.path(""));
-  const char* other = std::getenv("HEDGEHOGD");
   std::vector<std::string> environment = home.environment();
   environment.insert(environment.end(), variables.begin(), variables.end());
-  child_ = std::make_unique<Child>(
-      std::vector<std::string>{other != nullptr ? other : hedgehogd(), "--listen", "127.0.0.1:0"},
-      environment, home.path("log"), user);
+  child_ = std::make_unique<Child>(std::vector<std::string>{hedgehogd(), "--listen", "127.0.0.1:0"},
+                                   environment, home.path("log"), user);
   const std::string socket = home.path("run/hedgehog/hedgehogd.sock");
   const bool listens = eventually([&] {
     const int fd = connect_to(socket);
