@@ -177,10 +177,11 @@ bench: $(CONFIGURED_BENCH)
 waiting:
 	$(MAKE) rehearsal
 	$(MAKE) test-web
+	$(MAKE) test-shipped
 	$(MAKE) test-usb
 
 computing:
-	$(MAKE) test-shipped
+	$(MAKE) shipped
 	$(MAKE) check CHECKS=tidy-product
 	$(MAKE) guards ARGS=--third
 	$(MAKE) faults-ci
