@@ -22,7 +22,7 @@ help:
 	@echo 'make demo       a 40-second tour in this terminal, on a daemon of its own'
 	@echo 'make test       build and run the tests (the first time: minutes)'
 	@echo 'make test-web   the pages in a browser without a screen'
-	@echo 'make test-all   everything: linters, what ships, fault campaigns, pages, USB, sanitizers, fuzzers (half an hour)'
+	@echo 'make test-all   everything: linters, what ships, fault campaigns, pages, USB, sanitizers, fuzzers (40 minutes)'
 	@echo 'make test-usb   real USB and HID: the daemon in a machine with Debian'"'"'s kernel, on emulated devices'
 	@echo 'make check      clang-format, shellcheck, clang-tidy; each file compiled by itself'
 	@echo 'make asan       the tests under AddressSanitizer and UBSan'

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The game's line to a daemon: one that does not want it, one that tells much at once.
+// The game's connection to a daemon: one that refuses it, one that sends many messages at once.
 #include "clients/racer/feel/ball_link.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <boost/asio.hpp>
+#include <future>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <set>
@@ -37,9 +38,10 @@ void answer(FakePeer& peer, const json& result) {
   peer.say(json{{"jsonrpc", "2.0"}, {"id", id}, {"result", result}}.dump());
 }
 
-/// Answers hello and telemetry.subscribe, tells `count` statuses at once, and waits for the end.
-FakeDaemon::Conversation telling_at_once(int count) {
-  return [count](FakePeer& peer) {
+/// Answers hello and telemetry.subscribe, sends `count` telemetry messages at once, sets `sent`,
+/// and waits for the end.
+FakeDaemon::Conversation sending_at_once(int count, std::promise<void>& sent) {
+  return [count, &sent](FakePeer& peer) {
     answer(peer, json::parse(kHello));
     answer(peer, {{"rate_hz", 60}, {"fields", {"time_ns"}}});
     std::string lines;
@@ -48,6 +50,7 @@ FakeDaemon::Conversation telling_at_once(int count) {
                "}}\n";
     }
     peer.send(lines);
+    sent.set_value();
     peer.read();
   };
 }
@@ -88,22 +91,23 @@ TEST(BallLink, AsksADaemonThatRefusesItAgainAfterLongerAndLongerPauses) {
 }
 
 TEST(BallLink, ReadsABoundedNumberOfMessagesInAFrameAndTheRestInTheNext) {
-  constexpr int kTold = 250;
-  const FakeDaemon daemon(telling_at_once(kTold));
+  constexpr int kMessages = 250;
+  std::promise<void> sent;
+  const FakeDaemon daemon(sending_at_once(kMessages, sent));
   BallLink link({daemon.address()});
+  ASSERT_EQ(sent.get_future().wait_for(client::kLongPatience), std::future_status::ready);
   std::size_t most = 0;
   std::vector<std::int64_t> times;
   const auto give_up = Clock::now() + client::kLongPatience;
-  while (times.size() < kTold && Clock::now() < give_up) {
+  while (times.size() < kMessages && Clock::now() < give_up) {
     const auto heard = link.listen();
     most = std::max(most, heard.statuses.size());
     for (const auto& status : heard.statuses) times.push_back(status.time_ns);
-    // So that what is told lies there at once.
-    if (times.empty()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    std::this_thread::yield();
   }
-  std::vector<std::int64_t> told(kTold);
-  std::iota(told.begin(), told.end(), 0);
-  EXPECT_EQ(times, told) << link.trouble();
+  std::vector<std::int64_t> expected(kMessages);
+  std::iota(expected.begin(), expected.end(), 0);
+  EXPECT_EQ(times, expected) << link.trouble();
   EXPECT_LE(most, 100U);
 }
 
