@@ -2,7 +2,7 @@
 # The menu. What it does stands in CMakePresets.json and cmake/.
 
 .DEFAULT_GOAL := help
-.PHONY: help deps run race demo test test-web test-usb test-all check bench asan tsan fuzz faults guards firmware clean
+.PHONY: help deps run race demo test test-web test-usb test-all check bench asan tsan fuzz faults guards mutations coverage firmware clean
 
 JOBS ?= $(shell nproc)
 ARGS ?=
@@ -31,6 +31,8 @@ help:
 	@echo 'make faults     the fault campaigns at full length'
 	@echo 'make rehearsal  a study of ten simulated people under twenty kills (REHEARSAL=whole: 5 s circles)'
 	@echo 'make guards     each safety guard taken out once: a test must go red'
+	@echo 'make mutations  safety code with one operator, constant or statement wrong: a test must go red (ARGS=--changed: your lines)'
+	@echo 'make coverage   every line of board core, limiter and watchdog is executed by the tests'
 	@echo 'make firmware   the board core for a Cortex-M0+: its size, its worst stack'
 	@echo 'make bench      the benchmarks'
 	@echo 'make deps       install what is missing (Debian, Ubuntu: apt)'
@@ -168,6 +170,12 @@ rehearsal: $(CONFIGURED_DEV)
 guards: dev
 	@$(STAGE) guards tests/guards/remove_guards.sh $(ARGS)
 
+mutations: dev
+	@$(STAGE) mutations tests/mutations/mutate.sh $(ARGS)
+
+coverage: dev
+	@$(STAGE) coverage tests/mutations/coverage.sh
+
 bench: $(CONFIGURED_BENCH)
 	$(LOCK_BENCH) $(BUILD_BENCH) --target benchmarks
 	@set -e; for program in build/bench/tests/bench/bench_*; do "$$program" --benchmark_min_time=0.2; done
@@ -180,10 +188,14 @@ waiting:
 	$(MAKE) test-shipped
 	$(MAKE) test-usb
 
+# Whose mutants have all been judged once; the other files of tests/mutations/scope.txt still have survivors.
+MUTATED := board_core.cpp heat_budget.h persistence.h thermal_limiter.cpp link.cpp
 computing:
 	$(MAKE) shipped
 	$(MAKE) check CHECKS=tidy-product
 	$(MAKE) guards ARGS=--third
+	$(MAKE) mutations ARGS="--changed $(MUTATED:%=--file %)"
+	$(MAKE) coverage
 	$(MAKE) faults-ci
 	$(MAKE) tsan
 	$(MAKE) asan

@@ -27,10 +27,13 @@ if(HEDGEHOG_UNITY)
   set(CMAKE_UNITY_BUILD ON)
   set(CMAKE_UNITY_BUILD_BATCH_SIZE 16 CACHE STRING "Sources in a batch; 0: all of a target")
   if(CMAKE_UNITY_BUILD_BATCH_SIZE)
-    # `make guards` changes these one at a time, so they are in no batch.
-    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/guards/guards.txt)
-    file(STRINGS ${PROJECT_SOURCE_DIR}/tests/guards/guards.txt HEDGEHOG_ALONE REGEX "^file ")
-    list(TRANSFORM HEDGEHOG_ALONE REPLACE "^file " "")
+    # `make guards`, `make mutations` and `make coverage` compile these one at a time, so they are in no batch.
+    foreach(list guards/guards mutations/scope)
+      set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${list}.txt)
+      file(STRINGS ${PROJECT_SOURCE_DIR}/tests/${list}.txt found REGEX "^(file|covered) ")
+      list(APPEND HEDGEHOG_ALONE ${found})
+    endforeach()
+    list(TRANSFORM HEDGEHOG_ALONE REPLACE "^[a-z]+ ([^ ]+).*" "\\1")
   endif()
 endif()
 

@@ -16,13 +16,13 @@
 #include <iostream>
 #include <utility>
 
-#include "daemon/first_sight.h"
+#include "base/wall_time.h"
 #include "daemon/logging.h"
-#include "daemon/server/history_files.h"
-#include "daemon/server/preview.h"
-#include "daemon/server/remedy.h"
-#include "daemon/server/status_view.h"
-#include "protocol/wall_time.h"
+#include "daemon/server/device/remedy.h"
+#include "daemon/server/disk/load_saved_state.h"
+#include "daemon/server/effects/preview.h"
+#include "daemon/server/history/history_files.h"
+#include "daemon/startup_grace.h"
 
 namespace hedgehog::daemon {
 namespace {
@@ -33,7 +33,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kBusyPause{1};
 constexpr std::chrono::milliseconds kIdlePause{5};
-constexpr std::chrono::milliseconds kFarewell{1500};
+constexpr std::chrono::milliseconds kShutdownPatience{1500};
 /// For those that wait for the disk; control gives no more. Previews have a pump for each slice.
 constexpr std::chrono::milliseconds kLastAnswers{1000};
 
@@ -45,35 +45,35 @@ Daemon::Daemon(const Options& options, const config::Paths& paths, const config:
       config_(config),
       signals_(io_, SIGINT, SIGTERM, SIGHUP),
       listener_(io_, config),
-      saved_(server::load_saved_state(config.state_directory)),
-      machinery_([&]() -> Machinery {
+      saved_(server::load_saved_state(config.state_directory, server::ball_of(config))),
+      threads_([&]() -> DeviceThreads {
         // The doors first: a second daemon must not touch the board of the first.
         listener_.open(config);
-        const StartState start = start_state(config, saved_, server::wall_time_s());
+        const StartState start = start_state(config, saved_, server::boot_time_now());
         return {config, start.settings, start.simulated_c, options.speed};
       }()),
-      machine_(config, machinery_.mailbox(), machinery_.port(), machinery_.loop().origin_ns()),
-      keeper_(config.state_directory, disk_, machine_, saved_),
-      devices_(config_, machinery_.sensors(), look_),
+      device_view_(config, threads_.mailbox(), threads_.port(), threads_.loop().origin_ns()),
+      state_store_(config.state_directory, disk_, device_view_, saved_),
+      devices_(config_, threads_.sensors(), look_),
       pattern_files_(config.state_directory, disk_),
       patterns_(pattern_files_, pattern_files_.load()),
       history_(server::history_writer(config.state_directory, disk_),
                server::load_history(config.state_directory)),
-      recordings_(config.state_directory, disk_, machinery_.recorder(), history_.last_recording()),
+      recordings_(config.state_directory, disk_, threads_.recorder(), history_.last_recording()),
       server_(
-          machine_, keeper_, patterns_, history_,
-          [this](const control::Event& e, const server::Effect* x) { heard(e, x); },
-          protocol::unix_ms_now) {
+          device_view_, state_store_, patterns_, history_,
+          [this](const control::Event& e, const server::Effect* x) { on_event(e, x); },
+          base::unix_ms_now) {
   server_.set_devices(devices_);
-  machine_.watch_board([this] { return machinery_.sensors().board_seen(); });
+  device_view_.set_board_info_source([this] { return threads_.sensors().board_seen(); });
   server_.set_recordings(recordings_);
 }
 
 int Daemon::run() {
-  machinery_.loop().start();
+  threads_.loop().start();
   introduce();
   asio::co_spawn(io_, pump(), asio::detached);
-  asio::co_spawn(io_, obey_signals(), asio::detached);
+  asio::co_spawn(io_, handle_signals(), asio::detached);
   io_.run();
   return EX_OK;
 }
@@ -89,25 +89,17 @@ void Daemon::introduce() {
   } else {
     spdlog::info("hedgehogd {}", HEDGEHOG_VERSION);
   }
-  for (const std::string& file : config_.files) {
-    spdlog::info("configured by {}", file);
-  }
+  for (const std::string& file : config_.files) spdlog::info("configured by {}", file);
   spdlog::info("{} ({}), limits {} A, {} A for ever; state in {}", config_.device.name,
                config_.device.model, config_.limits.current_a, config_.limits.continuous_a,
                config_.state_directory);
-  if (saved_ && saved_->latch != control::Reason::kNone) {
-    spdlog::warn("the last run ended with a latch: {}", control::name(saved_->latch));
-  }
-  if (!options_.speed && !machinery_.loop().realtime()) {
+  if (!options_.speed && !threads_.loop().realtime())
     spdlog::warn("no real-time scheduling (LimitRTPRIO, ulimit -r); a busy machine may skip ticks");
-  }
 }
 
-void Daemon::open_doors() {
+void Daemon::start_listening() {
   ready_ = true;
-  if (first_sight_) {
-    log_state(*std::exchange(first_sight_, std::nullopt));
-  }
+  if (start_blocker_) log_state(*std::exchange(start_blocker_, std::nullopt));
   listener_.start(server_);
   for (const std::string& address : listener_.addresses()) {
     spdlog::info("listening on {}", address);
@@ -119,36 +111,32 @@ void Daemon::open_doors() {
 
 asio::awaitable<void> Daemon::pump() {
   asio::steady_timer timer(io_);
-  const FirstSight first_sight(Clock::now());
-  while (!leaving_) {
+  const StartupGrace startup_grace(Clock::now());
+  while (!stopping_) {
     server_.pump();
-    keeper_.pump();
-    for (const std::string& line : machinery_.sensors().news()) {
-      spdlog::info("{}", line);
-    }
-    manager_.alive(machinery_.loop().heartbeat());
-    if (ready_) {
+    state_store_.pump();
+    for (const std::string& line : threads_.sensors().messages()) spdlog::info("{}", line);
+    for (const std::string& line : warnings_.step(device_view_)) spdlog::warn("{}", line);
+    manager_.alive(threads_.loop().heartbeat());
+    if (ready_)
       manager_.status(status_line());
-    } else if (machine_.now().state == control::State::kArmed ||
-               first_sight.over(Clock::now(), machinery_.loop().heartbeat())) {
-      open_doors();
-    }
+    else if (device_view_.now().state == control::State::kArmed ||
+             startup_grace.over(Clock::now(), threads_.loop().heartbeat()))
+      start_listening();
     timer.expires_after(server_.busy() ? kBusyPause : kIdlePause);
     error_code ignored;
     co_await timer.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
   }
 }
 
-asio::awaitable<void> Daemon::obey_signals() {
+asio::awaitable<void> Daemon::handle_signals() {
   for (;;) {
     error_code ec;
     const int signal = co_await signals_.async_wait(asio::redirect_error(asio::use_awaitable, ec));
-    if (ec) {
-      co_return;
-    }
+    if (ec) co_return;
     if (signal == SIGHUP) {
       reload();
-    } else if (!leaving_) {
+    } else if (!stopping_) {
       asio::co_spawn(io_, leave(signal == SIGINT ? "interrupted" : "stop"), asio::detached);
     } else if (signal == SIGINT) {
       // The coils have been safe since the first signal.
@@ -158,36 +146,35 @@ asio::awaitable<void> Daemon::obey_signals() {
 }
 
 asio::awaitable<void> Daemon::leave(std::string reason) {
-  leaving_ = true;
+  stopping_ = true;
   manager_.stopping();
-  if (machinery_.loop().stop()) {
-    spdlog::info("coils off, {:.1f} °C remembered", server::hottest_c(machine_));
-  } else if (machine_.now().state == control::State::kAbsent) {
+  if (threads_.loop().stop())
+    spdlog::info("coils off, {:.1f} °C remembered", device_view_.hottest_c());
+  else if (device_view_.now().state == control::State::kAbsent)
     spdlog::info("no ball is connected");
-  } else {
+  else
     spdlog::warn("the board has not confirmed that the coils are off; its dead-man does it");
-  }
   server_.pump();
-  server_.say_shutting_down(std::move(reason));
-  keeper_.stopped_cleanly();
+  server_.announce_shutdown(std::move(reason));
+  state_store_.stopped_cleanly();
   asio::steady_timer timer(io_);
   error_code ignored;
   const auto last_answer = Clock::now() + kLastAnswers;
   model::Tick pumps = 0;
-  while (server_.owes() && (pumps++ < server::Preview::kMaxSlices || Clock::now() < last_answer)) {
+  while (server_.has_pending() &&
+         (pumps++ < server::Preview::kMaxSlices || Clock::now() < last_answer)) {
     timer.expires_after(kBusyPause);
     co_await timer.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
     server_.pump();
   }
   listener_.close();
-  const auto until = Clock::now() + kFarewell;
+  const auto until = Clock::now() + kShutdownPatience;
   while ((!history_.flush() || !listener_.empty()) && Clock::now() < until) {
     timer.expires_after(kIdlePause);
     co_await timer.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
   }
-  if (!history_.flush()) {
+  if (!history_.flush())
     spdlog::warn("the disk is slow; the next start may not know what happened last");
-  }
   io_.stop();
 }
 
@@ -209,17 +196,15 @@ void Daemon::reload() {
   const bool too_wide =
       !model::is_within(next.limits, next.device.limits) ||
       device::BoardLimits::of(next.limits).wider_than(device::BoardLimits::of(config_.limits));
-  if (too_wide) {
-    next.limits = config_.limits;
-  }
+  if (too_wide) next.limits = config_.limits;
   if (!(next.limits == config_.limits) &&
-      !machine_.outbox().add(0, control::SetLimits{next.limits})) {
+      !device_view_.outbox().add(0, control::SetLimits{next.limits})) {
     spdlog::error("busy; the new limits were not taken, reload again");
     next.limits = config_.limits;
   }
-  machine_.outbox().commit();
+  device_view_.outbox().commit();
   config_ = next;
-  machine_.set_config(next);
+  device_view_.set_config(next);
   listener_.set_config(next);
   set_log_level(next.log_level);
   spdlog::info("configuration reloaded{}",
@@ -230,7 +215,7 @@ void Daemon::reload() {
 }
 
 void Daemon::log_state(const control::Event& event) {
-  const auto remedy = server::remedy(event.state, event.reason, machine_.remedy_facts());
+  const auto remedy = server::remedy(event.state, event.reason, device_view_.remedy_facts());
   const auto level = event.state == control::State::kTripped ? spdlog::level::err
                      : event.state == control::State::kArmed ? spdlog::level::info
                                                              : spdlog::level::warn;
@@ -239,27 +224,25 @@ void Daemon::log_state(const control::Event& event) {
                   ? ""
                   : fmt::format(": {}", control::name(event.reason)),
               remedy ? ". " + *remedy : "");
-  if (event.state == control::State::kArmed && machine_.board_holds_back()) {
+  if (event.state == control::State::kArmed && device_view_.board_holds_back())
     spdlog::warn("the board keeps tighter limits than configured: unplug the ball's supply once");
-  }
 }
 
-void Daemon::heard(const control::Event& event, const server::Effect*) {
+void Daemon::on_event(const control::Event& event, const server::Effect*) {
   using control::EventType;
   switch (event.type) {
     case EventType::kStateChanged: {
       // Not worth a warning when it arms itself before the first client can see it.
-      first_sight_.reset();
+      start_blocker_.reset();
       if (!ready_ && event.state == control::State::kDisarmed &&
-          event.reason == control::Reason::kNeverArmed) {
-        first_sight_ = event;
-      } else {
+          event.reason == control::Reason::kNeverArmed)
+        start_blocker_ = event;
+      else
         log_state(event);
-      }
-      keeper_.state_changed(event.state);
+      state_store_.state_changed(event.state);
       if (event.state == control::State::kTripped) {
         // The latch goes to disk before anything that takes longer.
-        keeper_.remember_latch(event.reason);
+        state_store_.persist_latch(event.reason);
       }
       return;
     }
@@ -285,15 +268,12 @@ void Daemon::heard(const control::Event& event, const server::Effect*) {
 }
 
 std::string Daemon::status_line() const {
-  const control::StatusSnapshot& now = machine_.now();
-  std::string line = machine_.simulated() ? "SIMULATOR: " : "";
+  const control::StatusSnapshot& now = device_view_.now();
+  std::string line = device_view_.simulated() ? "SIMULATOR: " : "";
   line += std::string(control::name(now.state));
-  if (now.reason != control::Reason::kNone) {
+  if (now.reason != control::Reason::kNone)
     line += " (" + std::string(control::name(now.reason)) + ")";
-  }
-  if (const auto remedy = machine_.remedy_now()) {
-    line += ". " + *remedy;
-  }
+  if (const auto remedy = device_view_.remedy_now()) line += ". " + *remedy;
   return line;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The whole daemon, put together: threads, server, doors, signals.
+// The assembled process: threads, server, listeners, signals.
 #pragma once
 
 #include <boost/asio/awaitable.hpp>
@@ -10,18 +10,19 @@
 
 #include "daemon/config/load_config.h"
 #include "daemon/device_list.h"
-#include "daemon/machinery.h"
+#include "daemon/device_threads.h"
 #include "daemon/options.h"
-#include "daemon/server/disk_thread.h"
-#include "daemon/server/event_history.h"
-#include "daemon/server/listener.h"
-#include "daemon/server/machine.h"
-#include "daemon/server/pattern_files.h"
-#include "daemon/server/pattern_library.h"
-#include "daemon/server/saved_state.h"
-#include "daemon/server/server.h"
-#include "daemon/server/state_keeper.h"
-#include "daemon/server/trip_recordings.h"
+#include "daemon/server/device/ball_warnings.h"
+#include "daemon/server/device/device_view.h"
+#include "daemon/server/device/file_state_store.h"
+#include "daemon/server/disk/disk_thread.h"
+#include "daemon/server/disk/pattern_files.h"
+#include "daemon/server/disk/pattern_library.h"
+#include "daemon/server/disk/saved_state.h"
+#include "daemon/server/history/event_history.h"
+#include "daemon/server/history/trip_recordings.h"
+#include "daemon/server/net/listener.h"
+#include "daemon/server/rpc/server.h"
 #include "daemon/service_manager.h"
 
 namespace hedgehog::daemon {
@@ -38,13 +39,13 @@ class Daemon {
 
  private:
   boost::asio::awaitable<void> pump();
-  boost::asio::awaitable<void> obey_signals();
+  boost::asio::awaitable<void> handle_signals();
   boost::asio::awaitable<void> leave(std::string reason);
   void reload();
-  void heard(const control::Event& event, const server::Effect* effect);
+  void on_event(const control::Event& event, const server::Effect* effect);
   void log_state(const control::Event& event);
   void introduce();
-  void open_doors();
+  void start_listening();
   std::string status_line() const;
 
   Options options_;
@@ -55,11 +56,12 @@ class Daemon {
   ServiceManager manager_;
   server::Listener listener_;
   std::optional<server::SavedState> saved_;
-  Machinery machinery_;
+  DeviceThreads threads_;
   server::DiskThread look_{"look"};
   server::DiskThread disk_;
-  server::Machine machine_;
-  server::StateKeeper keeper_;
+  server::DeviceView device_view_;
+  server::FileStateStore state_store_;
+  server::BallWarnings warnings_;
   DeviceList devices_;
   server::PatternFiles pattern_files_;
   server::PatternLibrary patterns_;
@@ -68,17 +70,17 @@ class Daemon {
   server::Server server_;
   bool ready_ = false;
   /// Why the ball was not armed at its first sight, until it is or the doors open.
-  std::optional<control::Event> first_sight_;
-  bool leaving_ = false;
+  std::optional<control::Event> start_blocker_;
+  bool stopping_ = false;
 };
 
-/// What the controller is told at the start, from configuration and from what was saved.
+/// Settings of the controller at the start, from configuration and saved state.
 struct StartState {
   control::ControlSettings settings;
   /// Temperature of the simulated ball.
   double simulated_c = 25.0;
 };
 StartState start_state(const config::Config& config, const std::optional<server::SavedState>& saved,
-                       double wall_time_s);
+                       const server::BootTime& now);
 
 }  // namespace hedgehog::daemon

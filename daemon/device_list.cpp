@@ -45,9 +45,9 @@ std::string without_name(const std::string& what, const std::string& name) {
   return what.starts_with(name + ": ") ? what.substr(name.size() + 2) : what;
 }
 
-class Looker {
+class BusScan {
  public:
-  explicit Looker(const DeviceFacts& facts) : facts_(facts) {}
+  explicit BusScan(const DeviceFacts& facts) : facts_(facts) {}
 
   void note(const device::UsbDevice& usb, const std::vector<device::HidDevice>& hid) {
     SensorKind kind = kind_of(usb);
@@ -108,15 +108,14 @@ class Looker {
  private:
   void judge_board(const device::UsbDevice& usb, SeenDevice& seen) {
     judged_.emplace_back("usb");
-    if (!facts_.board) {
+    if (!facts_.board)
       seen.why_not = "the ball is simulated (backend in the configuration)";
-    } else if (facts_.board->open && facts_.board->place == usb.place) {
+    else if (facts_.board->open && facts_.board->place == usb.place)
       seen.use = "board";
-    } else if (facts_.board->open) {
+    else if (facts_.board->open)
       seen.why_not = "another board is used";
-    } else {
+    else
       seen.why_not = without_name(facts_.board->what, device::describe_board(usb));
-    }
   }
 
   /// The sensor line that has this very device open.
@@ -125,9 +124,8 @@ class Looker {
       const std::string& serial = line.job == "imu" ? facts_.imu_serial : facts_.thermometer_serial;
       if (line.job != "board" && line.state.open &&
           line.state.what.find("(" + seen.ids + ")") != std::string::npos &&
-          (serial.empty() || serial == seen.serial.value_or(""))) {
+          (serial.empty() || serial == seen.serial.value_or("")))
         return &line;
-      }
     }
     return nullptr;
   }
@@ -168,10 +166,10 @@ class Looker {
 protocol::DevicesResult seen_devices(const std::vector<device::UsbDevice>& usb,
                                      const std::vector<device::HidDevice>& hid,
                                      const DeviceFacts& facts) {
-  Looker looker(facts);
-  for (const device::UsbDevice& one : usb) looker.note(one, hid);
-  for (const device::HidDevice& one : hid) looker.note(one);
-  return looker.finish();
+  BusScan scan(facts);
+  for (const device::UsbDevice& one : usb) scan.note(one, hid);
+  for (const device::HidDevice& one : hid) scan.note(one);
+  return scan.finish();
 }
 
 DeviceList::Ready DeviceList::look() {
@@ -186,7 +184,7 @@ DeviceList::Ready DeviceList::look() {
                     config_.imu_fitting.serial,
                     config_.thermometer.serial,
                     sensors_.list()};
-  const bool taken = looker_.post(server::DiskUse::kLook, [answer, facts = std::move(facts)] {
+  const bool taken = scan_thread_.post(server::DiskUse::kLook, [answer, facts = std::move(facts)] {
     answer->devices = seen_devices(device::list_usb(), device::list_hid(), facts);
     answer->there.store(true, std::memory_order_release);
   });

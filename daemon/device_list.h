@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// device.list: which devices are there, what each is used for, and why the others are not.
+// device.list: devices on the buses, the use of each, and why the others are unused.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,8 @@
 #include "daemon/device/sensors/discovery.h"
 #include "daemon/device/usb/board_finder.h"
 #include "daemon/sensors.h"
-#include "daemon/server/device_looker.h"
-#include "daemon/server/disk_thread.h"
+#include "daemon/server/device/device_scanner.h"
+#include "daemon/server/disk/disk_thread.h"
 #include "protocol/results.h"
 
 namespace hedgehog::daemon {
@@ -20,7 +20,7 @@ namespace hedgehog::daemon {
 struct DeviceFacts {
   device::BoardIds board_ids;
   /// nullopt: the board is simulated.
-  std::optional<device::BoardSight> board;
+  std::optional<device::BoardUsbInfo> board;
   std::string imu_type = "none";
   std::string imu_serial;
   std::string thermometer_serial;
@@ -34,16 +34,16 @@ protocol::DevicesResult seen_devices(const std::vector<device::UsbDevice>& usb,
                                      const DeviceFacts& facts);
 
 /// io thread; looks on `looker`, a thread that may hang. The references outlive it.
-class DeviceList final : public server::DeviceLooker {
+class DeviceList final : public server::DeviceScanner {
  public:
-  DeviceList(const config::Config& config, const Sensors& sensors, server::DiskThread& looker)
-      : config_(config), sensors_(sensors), looker_(looker) {}
+  DeviceList(const config::Config& config, const Sensors& sensors, server::DiskThread& scan_thread)
+      : config_(config), sensors_(sensors), scan_thread_(scan_thread) {}
   Ready look() override;
 
  private:
   const config::Config& config_;
   const Sensors& sensors_;
-  server::DiskThread& looker_;
+  server::DiskThread& scan_thread_;
 };
 
 }  // namespace hedgehog::daemon

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where log lines go: to the journal when systemd reads our stderr, else to stderr, in colour on a
+// Destination of log lines: the journal when systemd reads our stderr, else stderr, in colour on a
 // terminal. io and disk threads only; the real-time threads never log.
 #pragma once
 

@@ -32,17 +32,14 @@ void keep_memory_still() {
   rlimit limit{};
   if (getrlimit(RLIMIT_MEMLOCK, &limit) != 0 ||
       (limit.rlim_cur != RLIM_INFINITY && limit.rlim_cur < kLockedBytes) ||
-      mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) != 0) {
+      mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) != 0)
     spdlog::info("memory is not locked (LimitMEMLOCK, ulimit -l)");
-  }
 }
 
 void make_state_directory(const std::string& path) {
   std::error_code ec;
   std::filesystem::create_directories(path, ec);
-  if (ec) {
-    throw std::runtime_error(path + ": " + ec.message());
-  }
+  if (ec) throw std::runtime_error(path + ": " + ec.message());
 }
 
 int serve(const hedgehog::daemon::Options& options, const config::Paths& paths,
@@ -51,9 +48,7 @@ int serve(const hedgehog::daemon::Options& options, const config::Paths& paths,
   std::signal(SIGPIPE, SIG_IGN);
   try {
     make_state_directory(settings.state_directory);
-    if (!options.speed) {
-      keep_memory_still();
-    }
+    if (!options.speed) keep_memory_still();
     return hedgehog::daemon::Daemon(options, paths, settings).run();
   } catch (const std::exception& e) {
     spdlog::error("{}", e.what());
@@ -66,9 +61,7 @@ int serve(const hedgehog::daemon::Options& options, const config::Paths& paths,
 std::string recording_file(const std::string& given, const hedgehog::daemon::Options& options,
                            const config::Paths& paths) {
   std::error_code unseen;
-  if (given.find('/') != std::string::npos || std::filesystem::exists(given, unseen)) {
-    return given;
-  }
+  if (given.find('/') != std::string::npos || std::filesystem::exists(given, unseen)) return given;
   const auto settings = config::load_config(paths, options.overrides);
   const std::filesystem::path place =
       settings.has_error() ? paths.state_directory : settings->state_directory;
@@ -79,9 +72,7 @@ std::string recording_file(const std::string& given, const hedgehog::daemon::Opt
 
 int main(int argc, char** argv) {
   const auto parsed = hedgehog::daemon::parse_options(argc, argv);
-  if (const int* code = std::get_if<int>(&parsed)) {
-    return *code;
-  }
+  if (const int* code = std::get_if<int>(&parsed)) return *code;
   const auto& options = std::get<hedgehog::daemon::Options>(parsed);
   const config::Paths paths =
       config::find_paths(config::process_environment(), options.config_file);
@@ -94,11 +85,7 @@ int main(int argc, char** argv) {
     std::cerr << config::to_string(settings.error());
     return EX_CONFIG;
   }
-  if (options.print_config) {
-    std::cout << config::print_config(*settings);
-  }
-  if (options.print_config || options.check_config) {
-    return EX_OK;
-  }
+  if (options.print_config) std::cout << config::print_config(*settings);
+  if (options.print_config || options.check_config) return EX_OK;
   return serve(options, paths, *settings);
 }

@@ -46,9 +46,8 @@ std::variant<Options, int> parse_options(int argc, const char* const* argv) {
   app.set_version_flag("--version", kVersion);
   try {
     app.parse(argc, argv);
-    if (options.speed && !overrides.simulate) {
+    if (options.speed && !overrides.simulate)
       throw CLI::ValidationError("--speed", "only with --simulate: a real ball keeps real time");
-    }
   } catch (const CLI::Success& e) {
     return app.exit(e);
   } catch (const CLI::ParseError& e) {

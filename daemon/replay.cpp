@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "daemon/control/recording.h"
+#include "daemon/control/recording/recording.h"
 
 namespace hedgehog::daemon {
 namespace {
@@ -15,9 +15,7 @@ using Json = nlohmann::ordered_json;
 
 Json events_of(const control::ReplayedTick& t) {
   Json names = Json::array();
-  for (const control::Event& event : t.events) {
-    names.push_back(control::name(event.type));
-  }
+  for (const control::Event& event : t.events) names.push_back(control::name(event.type));
   return names;
 }
 
@@ -34,9 +32,8 @@ Json tick_of(const control::ReplayedTick& t) {
             {"measured_a", model::norm(t.inputs.board.current_a)},
             {"events", events_of(t)},
             {"same", t.same}};
-  if (t.replayed.reason != control::Reason::kNone) {
+  if (t.replayed.reason != control::Reason::kNone)
     json["reason"] = control::name(t.replayed.reason);
-  }
   return json;
 }
 

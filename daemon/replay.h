@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// hedgehogd --replay F: a flight recording through the controller once more, without device or
+// hedgehogd --replay F: replays a flight recording through the controller, without device or
 // socket.
 #pragma once
 

@@ -56,9 +56,9 @@ Sensors::Sensors(const config::Config& config, control::Mailbox& mailbox, const 
                   mailbox.orientation.write(sample);
                 }}));
   if (config.thermometer.type == config::ThermometerType::kTemper) {
-    device::ThermometerSink sink{tick, [&mailbox](const device::ThermometerSample& sample) {
-                                   mailbox.thermometer.write(sample);
-                                 }};
+    device::ThermometerSink sink{
+        tick,
+        [&mailbox](const device::ThermometerSample& sample) { mailbox.thermometer.write(sample); }};
     add("thermometer", "temper",
         std::make_unique<device::TemperSensor>(
             [serial = config.thermometer.serial] {
@@ -76,30 +76,29 @@ void Sensors::add(const std::string& job, const std::string& type,
 
 device::SensorState Sensors::state(const Reader& reader) const {
   if (reader.thread) return reader.thread->state();
-  const device::BoardSight sight = board_->sight();
-  return {sight.open, sight.what, static_cast<unsigned>(sight.opened)};
+  const device::BoardUsbInfo usb_info = board_->usb_info();
+  return {usb_info.open, usb_info.what, static_cast<unsigned>(usb_info.opened)};
 }
 
 std::vector<SensorLine> Sensors::list() const {
   std::vector<SensorLine> lines;
-  for (const Reader& reader : readers_) {
+  for (const Reader& reader : readers_)
     lines.push_back({reader.line.job, reader.line.type, state(reader)});
-  }
   return lines;
 }
 
-std::optional<device::BoardSight> Sensors::board() const {
-  return board_ != nullptr ? std::optional(board_->sight()) : std::nullopt;
+std::optional<device::BoardUsbInfo> Sensors::board() const {
+  return board_ != nullptr ? std::optional(board_->usb_info()) : std::nullopt;
 }
 
-server::BoardSeen Sensors::board_seen() const {
+server::BoardInfo Sensors::board_seen() const {
   if (board_ == nullptr) return {};
-  device::BoardSight sight = board_->sight();
-  if (sight.open || !sight.seen) sight.what.clear();
-  return {std::move(sight.what), std::move(sight.serial), std::move(sight.firmware)};
+  device::BoardUsbInfo usb_info = board_->usb_info();
+  if (usb_info.open || !usb_info.seen) usb_info.what.clear();
+  return {std::move(usb_info.what), std::move(usb_info.serial), std::move(usb_info.firmware)};
 }
 
-std::vector<std::string> Sensors::news() {
+std::vector<std::string> Sensors::messages() {
   std::vector<std::string> sentences;
   const auto now = std::chrono::steady_clock::now();
   if (now - looked_ < kLookEvery) return sentences;

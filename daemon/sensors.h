@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The readers of the sensors that configuration names, and what they and the board on USB say about
-// themselves.
+// Reader threads of the configured sensors, and the state of these and of the board on USB.
 #pragma once
 
 #include <chrono>
@@ -10,11 +9,11 @@
 #include <vector>
 
 #include "daemon/config/config.h"
-#include "daemon/control/loop.h"
+#include "daemon/control/loop/loop.h"
 #include "daemon/control/mailbox.h"
 #include "daemon/device/sensors/sensor_thread.h"
 #include "daemon/device/usb/usb_board.h"
-#include "daemon/server/machine.h"
+#include "daemon/server/device/device_view.h"
 
 namespace hedgehog::daemon {
 
@@ -35,11 +34,11 @@ class Sensors {
   std::vector<SensorLine> list() const;
   /// A sentence for each sensor that came, went, or is missing for another reason than before;
   /// looks twice a second at most.
-  std::vector<std::string> news();
+  std::vector<std::string> messages();
   /// nullopt: it is simulated.
-  std::optional<device::BoardSight> board() const;
-  /// What of it is to be told to clients.
-  server::BoardSeen board_seen() const;
+  std::optional<device::BoardUsbInfo> board() const;
+  /// The part of it that clients get.
+  server::BoardInfo board_seen() const;
 
  private:
   struct Reader {

@@ -9,9 +9,7 @@ namespace hedgehog::daemon {
 
 ServiceManager::ServiceManager() {
   std::uint64_t period_us = 0;
-  if (sd_watchdog_enabled(0, &period_us) > 0) {
-    interval_ = std::chrono::microseconds(period_us / 2);
-  }
+  if (sd_watchdog_enabled(0, &period_us) > 0) interval_ = std::chrono::microseconds(period_us / 2);
 }
 
 void ServiceManager::ready(const std::string& status) {
@@ -35,9 +33,7 @@ void ServiceManager::stopping() { sd_notify(0, "STOPPING=1\nSTATUS=coils off, le
 
 void ServiceManager::alive(std::uint64_t heartbeat) {
   const auto now = std::chrono::steady_clock::now();
-  if (interval_.count() == 0 || heartbeat == heartbeat_ || now - fed_ < interval_) {
-    return;
-  }
+  if (interval_.count() == 0 || heartbeat == heartbeat_ || now - fed_ < interval_) return;
   heartbeat_ = heartbeat;
   fed_ = now;
   sd_notify(0, "WATCHDOG=1");

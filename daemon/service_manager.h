@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What systemd wants to know (sd_notify). Does nothing when it did not start us.
+// systemd readiness, watchdog and status notifications. No-op outside systemd.
 #pragma once
 
 #include <chrono>

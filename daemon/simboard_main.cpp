@@ -11,8 +11,8 @@
 #include <optional>
 #include <string_view>
 
-#include "daemon/device/plant_text.h"
-#include "daemon/device/simulated_board_runner.h"
+#include "daemon/device/simulator/plant_text.h"
+#include "daemon/device/simulator/simulated_board_runner.h"
 #include "daemon/device/socket_transport.h"
 
 namespace {
@@ -27,11 +27,15 @@ constexpr int kExitCannotCreate = 73;
 
 constexpr char kUsage[] =
     "usage: hedgehog-simboard --fd N [--start-temperature C] [--ambient C] [--seed N] [--plant P]\n"
-    "                         [--trace F]\n"
+    "                         [--front-end E] [--thermistors N] [--parts N] [--trace F]\n"
     "  --fd N                   the inherited SOCK_SEQPACKET socket to the host\n"
     "  --start-temperature C    of the ball, degrees Celsius (default: the room's)\n"
     "  --ambient C              of the room, degrees Celsius (default 25)\n"
-    "  --seed N                 of the thermistor's noise (default 1)\n"
+    "  --seed N                 of all noise (default 1)\n"
+    "  --front-end E            in_line (default), driver_cs or ideal\n"
+    "  --thermistors N          1 or 3; 0 (default): three with in_line, one with the others\n"
+    "  --parts N                seed of the electronics' parts within their tolerances; 0 "
+    "(default): typical ones\n"
     "  --plant P                the ball, as numbers by comma (default: the built-in one)\n"
     "  --trace F                append a JSON line to F at each change of mode and at the end\n";
 
@@ -41,6 +45,7 @@ struct Arguments {
   double start_c = 0.0;
   bool start_given = false;
   std::uint64_t seed = 1;
+  hedgehog::device::FrontEndChoice front_end;
   std::optional<hedgehog::model::PlantParameters> plant;
   const char* trace = nullptr;
 };
@@ -65,6 +70,15 @@ bool read_arguments(int count, char** words, Arguments& arguments) {
       good = arguments.start_given = parse(value, arguments.start_c);
     } else if (name == "--seed") {
       good = parse(value, arguments.seed);
+    } else if (name == "--front-end") {
+      const auto kind = hedgehog::device::front_end_kind(value);
+      good = kind.has_value();
+      if (good) arguments.front_end.kind = *kind;
+    } else if (name == "--thermistors") {
+      int& wanted = arguments.front_end.thermistors;
+      good = parse(value, wanted) && (wanted == 0 || wanted == 1 || wanted == 3);
+    } else if (name == "--parts") {
+      good = parse(value, arguments.front_end.seed);
     } else if (name == "--plant") {
       arguments.plant = hedgehog::device::plant_from(value);
       good = arguments.plant.has_value();
@@ -107,6 +121,7 @@ int main(int argument_count, char** words) {
   options.start_c = arguments.start_given ? arguments.start_c : arguments.ambient_c;
   if (arguments.plant) options.plant = *arguments.plant;
   options.plant.seed = arguments.seed;
+  options.front_end = arguments.front_end;
   SimulatedBoardRunner runner(
       options, std::make_unique<SocketTransport>(FileDescriptor(arguments.fd)), trace);
   const std::atomic<bool> never{false};

@@ -1,23 +1,27 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <limits>
 
 #include "daemon/daemon.h"
+#include "model/thermal_decay.h"
 #include "model/thermal_flow.h"
 
 namespace hedgehog::daemon {
 
 StartState start_state(const config::Config& config, const std::optional<server::SavedState>& saved,
-                       double wall_time_s) {
+                       const server::BootTime& now) {
   const bool simulated = config.backend == config::Backend::kSimulator;
   StartState start;
   control::ControlSettings& s = start.settings;
   s.coils = config.device.coils;
   s.thermal = config.device.thermal;
+  s.uncertainty = config.device.uncertainty;
   s.thermometer = config.thermometer.role;
   s.limits = config.limits;
   s.ceiling = config.device.limits;
   s.gain = saved && saved->gain ? *saved->gain : config.gain;
   s.latch = saved ? saved->latch : control::Reason::kNone;
+  if (saved) s.rearms = saved->rearms;
   const bool clean = saved && saved->clean_stop;
   s.arm_at_start =
       simulated || (config.arm_at_start == config::ArmAtStart::kAfterCleanStop && clean);
@@ -38,12 +42,14 @@ StartState start_state(const config::Config& config, const std::optional<server:
   } else if (saved && saved->heat_known) {
     s.start_known = true;
     s.start_measured = saved->measured;
-    s.start = server::decayed(config.device.thermal, saved->heat, saved->room_c,
-                              wall_time_s - saved->wall_time_s);
-    s.start_room_c = saved->room_c;
-    if (simulated) {
-      start.simulated_c = model::hottest_winding(s.start);
-    }
+    s.start = model::decayed(config.device.thermal, saved->heat, saved->ambient_c,
+                             server::seconds_between(saved->saved_at, now));
+    // The thermal constants, by which it has cooled since, are within 20 %.
+    constexpr double kPerKelvin = 0.12;
+    const double cooled_k = model::hottest_winding(saved->heat) - model::hottest_winding(s.start);
+    s.start_deviation_k += kPerKelvin * std::max(0.0, cooled_k);
+    s.start_room_c = saved->ambient_c;
+    if (simulated) start.simulated_c = model::hottest_winding(s.start);
   }
   return start;
 }

@@ -52,6 +52,12 @@ constexpr Celsius temperature_at(Ohms r25, Ohms r) noexcept {
   return Celsius(25.0 + (r / r25 - 1.0) / kCopperPerKelvin);
 }
 
+/// Kelvins for which the resistance of a winding at `t` changes by its own amount: what a share of
+/// error in it is worth.
+constexpr double kelvins_per_share(Celsius t) noexcept {
+  return 1.0 / kCopperPerKelvin + t.value - 25.0;
+}
+
 /// The winding currents that make the field `demand`.
 constexpr CoilCurrents currents_for(const FieldDemand& demand, const CoilModel& coils) noexcept {
   return {coils.matrix * demand.a};

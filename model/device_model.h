@@ -11,6 +11,7 @@
 #include "model/coils.h"
 #include "model/limits.h"
 #include "model/thermal_model.h"
+#include "model/thermal_uncertainty.h"
 
 namespace hedgehog::model {
 
@@ -32,6 +33,8 @@ struct DeviceModel {
   int front_pin = 1;
   CoilModel coils;
   ThermalModel thermal;
+  /// By how much this ball may differ from `thermal` and `coils.r25_ohm`.
+  ThermalUncertainty uncertainty;
   double force_slope_n_a = kMeasuredCalibration.force_slope_n_a;
   /// Configuration may only tighten these.
   Limits limits;

@@ -118,9 +118,9 @@ EffectPhase advanced(const EffectSpec& spec, const Ring& ring, EffectPhase phase
     wrap(phase.steps, ring.steps);
   }
   if (spec.trajectory.path == Path::kKeyframes) {
-    const Score& score = spec.trajectory.score;
-    phase.steps += score.rate * static_cast<double>(ticks);
-    if (score.loop) wrap(phase.steps, score.length_ms);
+    const KeyframePlayback& playback = spec.trajectory.playback;
+    phase.steps += playback.rate * static_cast<double>(ticks);
+    if (playback.loop) wrap(phase.steps, playback.length_ms);
   }
   return phase;
 }
@@ -131,9 +131,8 @@ EffectPhase advanced(const EffectSpec& spec, EffectPhase phase) noexcept {
 
 EffectPhase carried(const EffectSpec& from, const EffectSpec& to, EffectPhase phase) noexcept {
   if (from.trajectory.path == Path::kKeyframes && to.trajectory.path == Path::kKeyframes &&
-      from.trajectory.score.same_frames(to.trajectory.score)) {
+      from.trajectory.playback.same_frames(to.trajectory.playback))
     return phase;
-  }
   if (from.trajectory.path != Path::kCircle || to.trajectory.path != Path::kCircle) {
     phase.steps = 0.0;
     return phase;
@@ -150,8 +149,8 @@ EffectPhase carried(const EffectSpec& from, const EffectSpec& to, EffectPhase ph
   return phase;
 }
 
-Tick ticks_to_end(const Score& score, double at_ms) noexcept {
-  const double left = std::max(0.0, score.length_ms - at_ms) / score.rate;
+Tick ticks_to_end(const KeyframePlayback& playback, double at_ms) noexcept {
+  const double left = std::max(0.0, playback.length_ms - at_ms) / playback.rate;
   return static_cast<Tick>(std::ceil(left - kPhaseRounding));
 }
 

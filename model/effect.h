@@ -19,7 +19,7 @@ enum class Frame : std::uint8_t { kDevice, kWorld, kCoil };
 enum class Waveform : std::uint8_t { kConstant, kSine, kSquare, kTriangle, kSawtooth, kNoise };
 
 /// kKeyframes: which of the key frames that the control thread holds are played, and how.
-struct Score {
+struct KeyframePlayback {
   std::uint16_t first = 0;
   std::uint16_t count = 0;
   /// Time of the last one, at least 1.
@@ -34,7 +34,7 @@ struct Score {
   Quaternion turn;
 
   /// The same key frames stand there.
-  bool same_frames(const Score& other) const noexcept {
+  bool same_frames(const KeyframePlayback& other) const noexcept {
     return first == other.first && count == other.count;
   }
 };
@@ -52,7 +52,7 @@ struct Trajectory {
   bool clockwise = false;
   /// false: the field jumps from pin to pin ("pin"); true: it glides ("smooth").
   bool smooth = false;
-  Score score;
+  KeyframePlayback playback;
 };
 
 /// Linear rise and fall inside the duration, in ticks; levels are fractions of the strength (0..1).
@@ -144,7 +144,7 @@ EffectPhase advanced(const EffectSpec& spec, EffectPhase phase) noexcept;
 EffectPhase carried(const EffectSpec& from, const EffectSpec& to, EffectPhase phase) noexcept;
 
 /// Ticks that the key frames take from `at_ms` on.
-Tick ticks_to_end(const Score& score, double at_ms) noexcept;
+Tick ticks_to_end(const KeyframePlayback& playback, double at_ms) noexcept;
 
 /// Root mean square over one period of the waveform, as a fraction of the peak (square with
 /// on_fraction f: sqrt(f)).

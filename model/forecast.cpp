@@ -6,178 +6,120 @@
 #include <limits>
 #include <span>
 
+#include "model/heat_course.h"
+#include "model/shell_limit.h"
+
 namespace hedgehog::model {
 namespace {
 
-constexpr double kHorizonS = 4.0 * 3600.0;
-// Slower than this nothing will be crossed any more: what is still to come is this times the time
-// constant of the whole ball, 0.05 K with its fan and 0.13 K without.
-constexpr double kSettledK_s = 1e-4;
-// A winding that carries less is not measured by its own resistance (see WindingMeter).
-constexpr double kMeasuredA = 1.5;
+/// What limits the current, C.
+struct Heat {
+  double hottest_c = 0.0;
+  double skin_c = 0.0;
 
-// A step is as long as the nodes stay within this (crossings are interpolated linearly) and the
-// integration is stable and exact to a hundredth of a kelvin, but at least a tick.
-constexpr double kStepK = 0.5;
-constexpr double kShortestS = 1e-3;
-constexpr double kLongestWhileFanIsOpenS = 2.0;
-// A device file may describe a ball so light that this ends before the horizon; an ordinary one
-// needs a third of it.
-constexpr int kMaxForecastSteps = 4000;
-
-/// The ball under a constant load, with its fan.
-class Course {
- public:
-  Course(const CoilModel& coils, const ThermalModel& thermal, const ForecastStart& start,
-         const Vec3& rms_a) noexcept
-      : coils_(coils), thermal_(thermal), nodes_(start.nodes), mean_a_(start.mean_current_a) {
-    load_.room_c = start.room_c;
-    load_.fan_running = start.fan_running && start.fan_works;
-    fan_works_ = start.fan_works;
-    norm_a_ = norm(rms_a);
-    for (int coil = 0; coil < kCoils; ++coil) {
-      const auto i = static_cast<std::size_t>(coil);
-      squares_a2_[i] = rms_a[coil] * rms_a[coil];
-      load_.guessed[i] = std::abs(rms_a[coil]) < kMeasuredA;
-    }
-    // Gershgorin: no eigenvalue of the four nodes is beyond twice the diagonal of its row.
-    const double to_room_k_w =
-        std::min(thermal.core_to_room_fan_k_w, thermal.core_to_room_still_k_w);
-    const double core =
-        (2.0 * kCoils / thermal.winding_to_core_k_w + 1.0 / to_room_k_w) / thermal.core_j_k;
-    const double winding = 2.0 / (thermal.winding_to_core_k_w * thermal.winding_j_k);
-    longest_s_ = 1.0 / std::max(core, winding);
-  }
-
-  /// One step; false once nothing moves any more or the horizon is reached.
-  bool step() noexcept {
-    run_fan();
-    const ThermalState k1 = rates(nodes_);
-    const bool mean_settled = std::abs(norm_a_ - mean_a_) < 0.01;
-    const double fastest = steepest(k1);
-    if (fastest <= kSettledK_s && mean_settled) return false;
-    double dt_s = mean_settled ? longest_s_ : std::min(longest_s_, kLongestWhileFanIsOpenS);
-    dt_s = std::max(kShortestS, std::min(dt_s, kStepK / fastest));
-    const ThermalState k2 = rates(advanced(nodes_, k1, 0.5 * dt_s));
-    const ThermalState k3 = rates(advanced(nodes_, k2, 0.5 * dt_s));
-    const ThermalState k4 = rates(advanced(nodes_, k3, dt_s));
-    for (std::size_t i = 0; i < kCoils; ++i)
-      nodes_.winding_c[i] +=
-          dt_s / 6.0 *
-          (k1.winding_c[i] + 2.0 * (k2.winding_c[i] + k3.winding_c[i]) + k4.winding_c[i]);
-    nodes_.core_c += dt_s / 6.0 * (k1.core_c + 2.0 * (k2.core_c + k3.core_c) + k4.core_c);
-    time_s_ += dt_s;
-    mean_a_ += (norm_a_ - mean_a_) * (1.0 - std::exp(-dt_s / kFanMeanS));
-    return time_s_ < kHorizonS && ++steps_ < kMaxForecastSteps;
-  }
-
-  double hottest_c() const noexcept { return hottest_winding(nodes_); }
-  double time_s() const noexcept { return time_s_; }
-
- private:
-  static double steepest(const ThermalState& rate) noexcept {
-    double fastest = std::abs(rate.core_c);
-    for (const double r : rate.winding_c) fastest = std::max(fastest, std::abs(r));
-    return fastest;
-  }
-
-  void run_fan() noexcept {
-    const double hottest = hottest_c();
-    if (hottest > kFanOnC || mean_a_ > kFanOnA) load_.fan_running = fan_works_;
-    if (hottest < kFanOffC && mean_a_ <= kFanOnA) load_.fan_running = false;
-  }
-
-  ThermalState rates(const ThermalState& nodes) noexcept {
-    for (std::size_t i = 0; i < kCoils; ++i)
-      load_.loss_w[i] = squares_a2_[i] *
-                        resistance_at(Ohms(coils_.r25_ohm[i]), Celsius(nodes.winding_c[i])).value;
-    return heating_rates(thermal_, nodes, load_);
-  }
-
-  const CoilModel& coils_;
-  const ThermalModel& thermal_;
-  ThermalState nodes_;
-  HeatLoad load_;
-  std::array<double, kCoils> squares_a2_{};
-  double norm_a_ = 0.0;
-  double mean_a_ = 0.0;
-  double time_s_ = 0.0;
-  double longest_s_ = 1.0;
-  int steps_ = 0;
-  bool fan_works_ = true;
+  explicit Heat(const HeatCourse& course) noexcept
+      : hottest_c(course.hottest_c()), skin_c(course.skin_c()) {}
 };
 
-/// A temperature that is awaited on a course.
+/// Temperatures that are awaited on a course: rising, either of them; falling, both.
 struct Crossing {
   double goal_c = 0.0;
+  double skin_goal_c = std::numeric_limits<double>::infinity();
   bool rising = true;
   std::optional<double> at_s{};
 
-  bool reached(double t) const noexcept { return rising ? t >= goal_c : t <= goal_c; }
+  bool reached(const Heat& heat) const noexcept {
+    return rising ? heat.hottest_c >= goal_c || heat.skin_c >= skin_goal_c
+                  : heat.hottest_c <= goal_c && heat.skin_c <= skin_goal_c;
+  }
+  /// At which share of the way from `before`, not reached, to `now`, reached.
+  double share(const Heat& before, const Heat& now) const noexcept {
+    const double by_winding = share(before.hottest_c, now.hottest_c, goal_c);
+    const double by_skin = share(before.skin_c, now.skin_c, skin_goal_c);
+    return rising ? std::min(by_winding, by_skin) : std::max(by_winding, by_skin);
+  }
+
+ private:
+  double share(double before_c, double now_c, double goal) const noexcept {
+    const bool was = rising ? before_c >= goal : before_c <= goal;
+    const bool is = rising ? now_c >= goal : now_c <= goal;
+    if (was) return 0.0;
+    return is ? (goal - before_c) / (now_c - before_c) : 1.0;
+  }
 };
 
-/// When the hottest winding first is at each of `crossings`; runs until the last of them.
-void await(Course course, std::span<Crossing> crossings) noexcept {
-  double before_c = course.hottest_c();
+/// When the ball first is at each of `crossings`; runs until the last of them.
+void await(HeatCourse course, std::span<Crossing> crossings) noexcept {
+  Heat before(course);
   bool open = false;
   for (Crossing& c : crossings) {
-    if (c.reached(before_c)) c.at_s = 0.0;
+    if (c.reached(before)) c.at_s = 0.0;
     open = open || !c.at_s;
   }
   for (bool more = true; more && open;) {
     const double before_s = course.time_s();
     more = course.step();
-    const double now_c = course.hottest_c();
+    const Heat now(course);
     open = false;
     for (Crossing& c : crossings) {
       if (c.at_s) continue;
-      if (!std::isfinite(now_c)) {
+      if (!std::isfinite(now.hottest_c)) {
         if (c.rising) c.at_s = before_s;
         continue;
       }
-      if (c.reached(now_c)) {
-        const double share = (c.goal_c - before_c) / (now_c - before_c);
-        c.at_s = before_s + share * (course.time_s() - before_s);
-      } else {
+      if (c.reached(now))
+        c.at_s = before_s + c.share(before, now) * (course.time_s() - before_s);
+      else
         open = true;
-      }
     }
-    before_c = now_c;
+    before = now;
   }
 }
 
-std::optional<double> time_to(const Course& course, double goal_c, bool rising) noexcept {
-  Crossing crossing{goal_c, rising};
+/// Above which less than `peak_a` is allowed.
+Crossing derating_at(const Limits& limits, const ForecastStart& start, double peak_a) noexcept {
+  const Amps peak(std::min(peak_a, limits.current_a));
+  return {derating_temperature(limits, peak).value - start.above_k,
+          shell_derating_temperature(peak).value};
+}
+
+std::optional<double> time_to(const HeatCourse& course, Crossing crossing) noexcept {
   await(course, {&crossing, 1});
   return crossing.at_s;
 }
 
-/// The hottest winding when all has settled with `rms_a`, by the fixed point in closed form;
-/// infinity when the copper runs away.
-double settled_c(const CoilModel& coils, const ThermalModel& thermal, double room_c,
-                 double to_room_k_w, const Vec3& rms_a) noexcept {
+struct Settled {
+  double hottest_c = std::numeric_limits<double>::infinity();
+  double core_c = std::numeric_limits<double>::infinity();
+};
+
+/// Where all settles with `rms_a`, by the fixed point in closed form; infinity when the copper runs
+/// away.
+Settled settled(const CoilModel& coils, const ThermalModel& thermal, double ambient_c,
+                double to_room_k_w, const Vec3& rms_a) noexcept {
   // T_i = (core + h_i (1 - 25 a)) / (1 - h_i a) with h_i = R12 R25 I_i^2; the loss follows from
   // T_i - core = R12 P_i, and core = room + R2 sum P is linear in the core.
   const double cold = 1.0 - 25.0 * kCopperPerKelvin;
   double constant_w = 0.0;
   double per_core_w_k = 0.0;
   for (int coil = 0; coil < kCoils; ++coil) {
-    const double watt25 = rms_a[coil] * rms_a[coil] * coils.r25_ohm[static_cast<std::size_t>(coil)];
-    const double left = 1.0 - thermal.winding_to_core_k_w * watt25 * kCopperPerKelvin;
-    if (left <= 0.0) return std::numeric_limits<double>::infinity();
+    const auto i = static_cast<std::size_t>(coil);
+    const double watt25 = rms_a[coil] * rms_a[coil] * coils.r25_ohm[i];
+    const double left = 1.0 - thermal.winding_to_core_k_w[i] * watt25 * kCopperPerKelvin;
+    if (left <= 0.0) return {};
     constant_w += watt25 * cold / left;
     per_core_w_k += watt25 * kCopperPerKelvin / left;
   }
   const double left = 1.0 - to_room_k_w * per_core_w_k;
-  if (left <= 0.0) return std::numeric_limits<double>::infinity();
-  const double core_c = (room_c + to_room_k_w * constant_w) / left;
+  if (left <= 0.0) return {};
+  const double core_c = (ambient_c + to_room_k_w * constant_w) / left;
   double hottest = core_c;
   for (int coil = 0; coil < kCoils; ++coil) {
-    const double h = thermal.winding_to_core_k_w * rms_a[coil] * rms_a[coil] *
-                     coils.r25_ohm[static_cast<std::size_t>(coil)];
+    const auto i = static_cast<std::size_t>(coil);
+    const double h = thermal.winding_to_core_k_w[i] * rms_a[coil] * rms_a[coil] * coils.r25_ohm[i];
     hottest = std::max(hottest, (core_c + h * cold) / (1.0 - h * kCopperPerKelvin));
   }
-  return hottest;
+  return {hottest, core_c};
 }
 
 Vec3 along(int coil, double current_a) noexcept {
@@ -209,8 +151,8 @@ Celsius derating_temperature(const Limits& limits, Amps peak) noexcept {
 std::optional<double> Forecaster::seconds_to_derating(const ForecastStart& start,
                                                       const AskedCurrents& asked) const noexcept {
   if (!(asked.peak_a > 0.0)) return std::nullopt;
-  return time_to(Course(coils_, thermal_, start, asked.rms_a),
-                 derating_temperature(limits_, Amps(asked.peak_a)).value, true);
+  return time_to(HeatCourse(coils_, thermal_, start, asked.rms_a),
+                 derating_at(limits_, start, asked.peak_a));
 }
 
 std::optional<double> Forecaster::burst_s(const ForecastStart& start) const noexcept {
@@ -222,7 +164,9 @@ std::optional<double> Forecaster::burst_s(const ForecastStart& start) const noex
 }
 
 std::optional<double> Forecaster::recovery_s(const ForecastStart& start) const noexcept {
-  return time_to(Course(coils_, thermal_, start, Vec3{}), limits_.derate_from_c, false);
+  return time_to(HeatCourse(coils_, thermal_, start, Vec3{}),
+                 {limits_.derate_from_c - start.above_k,
+                  shell_derating_temperature(Amps(limits_.current_a)).value, false});
 }
 
 double Forecaster::sustainable_a(const ForecastStart& start,
@@ -240,9 +184,12 @@ double Forecaster::sustainable_a(const ForecastStart& start,
   double high = limits_.current_a;
   for (int halving = 0; halving < 40; ++halving) {
     const double peak = 0.5 * (low + high);
-    const double settled =
-        settled_c(coils_, thermal_, start.room_c, to_room_k_w, (peak / asked.peak_a) * asked.rms_a);
-    (settled < derating_temperature(limits_, Amps(peak)).value ? low : high) = peak;
+    const Settled end = settled(coils_, thermal_, start.ambient_c, to_room_k_w,
+                                (peak / asked.peak_a) * asked.rms_a);
+    const Crossing derating = derating_at(limits_, start, peak);
+    const double skin_c = settled_skin_c(end.core_c, start.ambient_c) + start.skin_above_k;
+    const bool unreduced = end.hottest_c < derating.goal_c && !(skin_c >= derating.skin_goal_c);
+    (unreduced ? low : high) = peak;
   }
   return low;
 }
@@ -251,9 +198,9 @@ Forecast Forecaster::under_load(const ForecastStart& start,
                                 const AskedCurrents& asked) const noexcept {
   std::array<Crossing, 2> rise;
   rise[0].goal_c = limits_.trip_c;
-  rise[1].goal_c = derating_temperature(limits_, Amps(asked.peak_a)).value;
+  rise[1] = derating_at(limits_, start, asked.peak_a);
   const bool derates = asked.peak_a > 0.0;
-  await(Course(coils_, thermal_, start, asked.rms_a), std::span(rise).first(derates ? 2 : 1));
+  await(HeatCourse(coils_, thermal_, start, asked.rms_a), std::span(rise).first(derates ? 2 : 1));
   Forecast f;
   f.seconds_to_limit = rise[0].at_s;
   f.seconds_to_derating = rise[1].at_s;

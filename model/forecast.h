@@ -5,21 +5,11 @@
 
 #include <optional>
 
+#include "model/forecast_start.h"
 #include "model/limits.h"
 #include "model/thermal_flow.h"
 
 namespace hedgehog::model {
-
-/// From what a forecast starts: the observer's estimate and the fan. Trivially copyable.
-struct ForecastStart {
-  ThermalState nodes;
-  double room_c = 25.0;
-  /// The fan as it is, and whether it can run at all (false: dead, foretold without it).
-  bool fan_running = false;
-  bool fan_works = true;
-  /// The 30 s mean of |I| now, A; above 3 A it keeps the fan running.
-  double mean_current_a = 0.0;
-};
 
 /// What is asked: the rms current of each winding, and the highest norm that occurs in the pattern.
 struct AskedCurrents {
@@ -32,7 +22,7 @@ struct AskedCurrents {
 
 /// Seconds from now; none = never (within 4 h).
 struct Forecast {
-  /// Until the law first allows less than the asked peak.
+  /// Until the law, or the skin, first allows less than the asked peak.
   std::optional<double> seconds_to_derating;
   /// Until a winding would be at `Limits::trip_c` (70 C), if nothing were reduced.
   std::optional<double> seconds_to_limit;
@@ -42,12 +32,6 @@ struct Forecast {
   /// Coils off from now on: until the full `Limits::current_a` is allowed again.
   std::optional<double> recovery_s;
 };
-
-/// The fan as the controller runs it: on above 40 C or a 30 s mean above 3 A, off below 35 C.
-inline constexpr double kFanOnC = 40.0;
-inline constexpr double kFanOffC = 35.0;
-inline constexpr double kFanOnA = 3.0;
-inline constexpr double kFanMeanS = 30.0;
 
 /// The temperature above which less than `peak_a` is allowed: the inverse of `allowed_current`. A
 /// peak above `limits.current_a` counts as that.

@@ -80,9 +80,8 @@ Patch patch_of(const Geodesic& ico, const Triangle& t) {
       const bool shares = std::count(other.begin(), other.end(), a) == 1 &&
                           std::count(other.begin(), other.end(), b) == 1;
       if (!shares || std::count(other.begin(), other.end(), t[k]) == 1) continue;
-      for (const std::size_t far : other) {
+      for (const std::size_t far : other)
         if (far != a && far != b) patch.beyond[k] = ico.points[far];
-      }
     }
   }
   return patch;

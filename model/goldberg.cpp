@@ -36,9 +36,8 @@ Goldberg dual_of(const Geodesic& fine) {
       face.neighbours.push_back(t[(k + 1) % 3]);
     }
   }
-  for (std::size_t f = 0; f < gp.faces.size(); ++f) {
+  for (std::size_t f = 0; f < gp.faces.size(); ++f)
     sort_corners(gp.faces[f], gp.vertices, fine.points[f]);
-  }
   return gp;
 }
 
@@ -79,9 +78,8 @@ void step_to_planes(const Goldberg& gp, double part, Steps& steps) {
     }
     normal = unit_or(normal, {0, 0, 1});
     const Vec3 centre = mean_of(face.corners, gp.vertices);
-    for (const std::size_t i : face.corners) {
+    for (const std::size_t i : face.corners)
       steps[i] = steps[i] + (part * dot(normal, centre - gp.vertices[i])) * normal;
-    }
   }
 }
 
@@ -147,9 +145,8 @@ Goldberg canonical_goldberg(int m, int n) {
   assert(m >= 1 && n >= 0 && m + n <= kMaxGoldberg);
   Goldberg gp = dual_of(geodesic(m, n));
   make_canonical(gp);
-  for (Goldberg::Face& face : gp.faces) {
+  for (Goldberg::Face& face : gp.faces)
     face.direction = unit_or(mean_of(face.corners, gp.vertices), {0, 0, 1});
-  }
   number_rings(gp);
   return gp;
 }

@@ -44,9 +44,8 @@ KeyframePoint point_at(std::span<const Keyframe> frames, double at_ms) noexcept 
                                      [](double at, const Keyframe& k) { return at < k.t_ms; });
   if (next == frames.begin()) return {frames.front().direction(), 0.0};
   const Keyframe& from = *(next - 1);
-  if (next == frames.end()) {
+  if (next == frames.end())
     return {from.direction(), at_ms > from.t_ms ? 0.0 : static_cast<double>(from.level)};
-  }
   const double share = eased(from.ease, (at_ms - from.t_ms) / (next->t_ms - from.t_ms));
   const double start = from.level;
   return {

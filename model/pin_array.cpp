@@ -15,9 +15,8 @@ constexpr int kRings = 8;
 
 /// Rounding noise off the axes, so that the top pin is (0,0,1) and not almost so.
 Vec3 without_noise(Vec3 v) {
-  for (int axis = 0; axis < 3; ++axis) {
+  for (int axis = 0; axis < 3; ++axis)
     if (std::abs(v[axis]) < 1e-9) v[axis] = 0.0;
-  }
   return unit_or(v, {0, 0, 1});
 }
 
@@ -33,15 +32,13 @@ PinArray make_hedgehog_86() {
   array.arrangement = "tkD-86";
   for (int ring = 0; ring < kRings; ++ring) {
     std::vector<Vec3> members;
-    for (const Goldberg::Face& face : tkd.faces) {
+    for (const Goldberg::Face& face : tkd.faces)
       if (face.ring == ring) members.push_back(without_noise(face.direction));
-    }
     std::sort(members.begin(), members.end(),
               [](const Vec3& a, const Vec3& b) { return centre_azimuth(a) < centre_azimuth(b); });
     array.ring_start.push_back(array.pins.size());
-    for (const Vec3& position : members) {
+    for (const Vec3& position : members)
       array.pins.push_back({static_cast<int>(array.pins.size()), ring, position});
-    }
   }
   array.ring_start.push_back(array.pins.size());
   return array;

@@ -5,14 +5,23 @@
 #include <cmath>
 
 namespace hedgehog::model {
+namespace {
+
+// An explicit step moves a node by no more of its distance to its neighbours.
+constexpr double kMaxStepShare = 0.5;
+// As many as the lightest ball needs that a device file and sim.set can describe.
+constexpr double kMaxParts = 1000.0;
+
+}  // namespace
 
 PlantParameters PlantParameters::of(const CoilModel& coils, const ThermalModel& thermal) noexcept {
   PlantParameters parameters;
-  parameters.winding_j_k.fill(thermal.winding_j_k);
+  parameters.winding_j_k = thermal.winding_j_k;
   parameters.core_j_k = thermal.core_j_k;
-  parameters.winding_to_core_k_w.fill(thermal.winding_to_core_k_w);
+  parameters.winding_to_core_k_w = thermal.winding_to_core_k_w;
   parameters.core_to_room_fan_k_w = thermal.core_to_room_fan_k_w;
   parameters.core_to_room_still_k_w = thermal.core_to_room_still_k_w;
+  parameters.fan_full_rpm = thermal.fan_full_rpm;
   parameters.r25_ohm = coils.r25_ohm;
   parameters.inductance_h = coils.inductance_h;
   parameters.coil_matrix = coils.matrix;
@@ -22,15 +31,16 @@ PlantParameters PlantParameters::of(const CoilModel& coils, const ThermalModel& 
   return parameters;
 }
 
-Plant::Plant(const PlantParameters& parameters, double room_c) noexcept
-    : parameters_(parameters), noise_(parameters.seed), room_c_(room_c) {
-  set_heat({{room_c, room_c, room_c}, room_c});
+Plant::Plant(const PlantParameters& parameters, double ambient_c) noexcept
+    : parameters_(parameters), noise_(parameters.seed), ambient_c_(ambient_c) {
+  set_heat({{ambient_c, ambient_c, ambient_c}, ambient_c});
 }
 
 void Plant::set_heat(const ThermalState& heat) noexcept {
   heat_ = heat;
-  sensor_c_ = heat.winding_c[static_cast<std::size_t>(parameters_.sensor_winding)];
-  reading_c_ = sensor_c_;
+  thermistor_c_ = heat.winding_c;
+  reading_c_ = sensor_body_c();
+  skin_c_ = ambient_c_ + parameters_.skin_share * (heat.core_c - ambient_c_);
 }
 
 double Plant::hottest_winding_c() const noexcept {
@@ -39,7 +49,13 @@ double Plant::hottest_winding_c() const noexcept {
 
 double Plant::resistance_ohm(int coil) const noexcept {
   const auto i = static_cast<std::size_t>(coil);
-  return resistance_at(Ohms(parameters_.r25_ohm[i]), Celsius(heat_.winding_c[i])).value;
+  const double left = (1.0 - errors_.shorted_turns[i]) * errors_.resistance_gain[i];
+  return resistance_at(Ohms(left * parameters_.r25_ohm[i]), Celsius(heat_.winding_c[i])).value;
+}
+
+double Plant::inductance_h(std::size_t coil) const noexcept {
+  const double left = 1.0 - errors_.shorted_turns[coil];
+  return left * left * parameters_.inductance_h;
 }
 
 PinMotion Plant::pins(const PinArray& array, const PinCurves& curves) const {
@@ -68,7 +84,7 @@ void Plant::step_winding(int coil, BridgeState bridge, double voltage_v, double 
     return;
   }
   const double resistance = resistance_ohm(coil);
-  const double rate = resistance / parameters_.inductance_h;
+  const double rate = resistance / inductance_h(static_cast<std::size_t>(coil));
   double duration = dt_s;
   double voltage = voltage_v;
   if (bridge == BridgeState::kAsleep) {
@@ -95,23 +111,55 @@ void Plant::step_fan(double duty, double dt_s) noexcept {
   fan_speed_ += (goal - fan_speed_) * std::min(1.0, dt_s / parameters_.fan_spin_up_s);
 }
 
-void Plant::step_heat(double dt_s) noexcept {
+double Plant::to_room_w_k() const noexcept {
   const double still = 1.0 / parameters_.core_to_room_still_k_w;
   const double blown = 1.0 / parameters_.core_to_room_fan_k_w;
-  const double to_room_w_k = still + (blown - still) * fan_speed_;
-  double into_core_w = to_room_w_k * (room_c_ - heat_.core_c);
+  return errors_.cooling_gain * (still + (blown - still) * fan_speed_);
+}
+
+double Plant::fastest_per_s() const noexcept {
+  double from_core_w_k = to_room_w_k();
+  double fastest = 0.0;
+  for (std::size_t i = 0; i < kCoils; ++i) {
+    const double to_core_w_k = 1.0 / parameters_.winding_to_core_k_w[i];
+    from_core_w_k += to_core_w_k;
+    fastest = std::max(fastest, to_core_w_k / parameters_.winding_j_k[i]);
+  }
+  return std::max(fastest, from_core_w_k / parameters_.core_j_k) / errors_.heat_capacity_gain;
+}
+
+void Plant::step_heat(double dt_s) noexcept {
+  const double parts =
+      std::clamp(std::ceil(dt_s * fastest_per_s() / kMaxStepShare), 1.0, kMaxParts);
+  for (int part = 0; part < static_cast<int>(parts); ++part) step_nodes(dt_s / parts);
+  step_thermistors(dt_s);
+  const double skin_c = ambient_c_ + parameters_.skin_share * (heat_.core_c - ambient_c_);
+  skin_c_ += (skin_c - skin_c_) * std::min(1.0, dt_s / parameters_.skin_lag_s);
+}
+
+void Plant::step_nodes(double dt_s) noexcept {
+  const double to_room_w_k = this->to_room_w_k();
+  const double step_s = dt_s / errors_.heat_capacity_gain;
+  double into_core_w = to_room_w_k * (ambient_c_ - heat_.core_c);
   for (std::size_t i = 0; i < kCoils; ++i) {
     const double loss_w =
         resistance_ohm(static_cast<int>(i)) * mean_square_a2_[static_cast<int>(i)];
     const double to_core_w =
         (heat_.winding_c[i] - heat_.core_c) / parameters_.winding_to_core_k_w[i];
     into_core_w += to_core_w;
-    heat_.winding_c[i] += (loss_w - to_core_w) * dt_s / parameters_.winding_j_k[i];
+    heat_.winding_c[i] += (loss_w - to_core_w) * step_s / parameters_.winding_j_k[i];
   }
-  heat_.core_c += into_core_w * dt_s / parameters_.core_j_k;
-  const double at = heat_.winding_c[static_cast<std::size_t>(parameters_.sensor_winding)];
-  sensor_c_ += (at - sensor_c_) * std::min(1.0, dt_s / parameters_.sensor_lag_s);
-  reading_c_ = sensor_c_ + parameters_.sensor_noise_k * noise_.gaussian();
+  heat_.core_c += into_core_w * step_s / parameters_.core_j_k;
+}
+
+void Plant::step_thermistors(double dt_s) noexcept {
+  const double share = std::min(1.0, dt_s / parameters_.sensor_lag_s);
+  for (std::size_t i = 0; i < kCoils; ++i) {
+    const double at =
+        heat_.winding_c[i] + errors_.lost_contact[i] * (heat_.core_c - heat_.winding_c[i]);
+    thermistor_c_[i] += (at - thermistor_c_[i]) * share;
+  }
+  reading_c_ = sensor_body_c() + parameters_.sensor_noise_k * noise_.gaussian();
 }
 
 }  // namespace hedgehog::model

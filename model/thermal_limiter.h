@@ -29,7 +29,7 @@ class ThermalLimiter {
   /// The norm allowed at the last `limit`, ampere: the law at the low-pass filtered temperature,
   /// under the ceiling.
   Amps allowed() const noexcept { return allowed_; }
-  /// True when the last `limit` had to replace a number that was not finite or absurd (> 1000 A) by
+  /// True when the last `limit` had to replace a number that was not finite or above 1000 A by
   /// zero.
   bool rejected() const noexcept { return rejected_; }
 

@@ -12,22 +12,19 @@ namespace hedgehog::model {
 
 /// Heat capacities in J/K and thermal resistances in K/W of one ball. Trivially copyable.
 struct ThermalModel {
-  double winding_j_k = 58.81;
+  std::array<double, kCoils> winding_j_k{58.81, 58.81, 58.81};
   double core_j_k = 84.4;
-  double winding_to_core_k_w = 1.0;
+  std::array<double, kCoils> winding_to_core_k_w{1.0, 1.0, 1.0};
   double core_to_room_fan_k_w = 1.8;
   double core_to_room_still_k_w = 5.0;
   /// On which winding (0..2) the thermistor sits, and how it lags, seconds (first order).
   int sensor_winding = 0;
   double sensor_lag_s = 2.0;
+  /// What the fan's tachometer shows at full duty, 1/min.
+  double fan_full_rpm = 7200.0;
 
   friend constexpr bool operator==(const ThermalModel&, const ThermalModel&) noexcept = default;
 };
-
-/// An undriven winding is never thought cooler than it is: it cools towards the core at this
-/// fraction of the nominal rate (windings and their joints scatter by 20 %). Shared by observer and
-/// forecast, so that a recovery is foretold as the limiter will see it.
-inline constexpr double kUndrivenCooling = 0.8;
 
 /// Temperatures of the four nodes, degrees Celsius.
 struct ThermalState {

@@ -15,9 +15,7 @@ RpcError not_understood(std::string what) {
 
 std::string opening(const std::optional<Id>& id, std::string_view method) {
   std::string out = "{\"jsonrpc\":\"2.0\"";
-  if (id) {
-    out += ",\"id\":" + id->json;
-  }
+  if (id) out += ",\"id\":" + id->json;
   out += ",\"method\":";
   append_string(out, method);
   return out;
@@ -27,30 +25,18 @@ std::string opening(const std::optional<Id>& id, std::string_view method) {
 template <class T>
 Result<T> read(const Json& json, std::string_view what) {
   T value{};
-  Reader reader(json, Reader::Manner::kLenient, what);
+  Reader reader(json, Reader::Strictness::kLenient, what);
   reader.value(value);
-  if (reader.error()) {
-    return not_understood(reader.error()->message);
-  }
+  if (reader.error()) return not_understood(reader.error()->message);
   return value;
 }
 
 std::optional<ErrorValue> as_value(const Json* json) {
-  if (json == nullptr) {
-    return std::nullopt;
-  }
-  if (const auto* flag = json->as<bool>()) {
-    return *flag;
-  }
-  if (const auto* whole = json->as<std::int64_t>()) {
-    return *whole;
-  }
-  if (const auto* number = json->as<double>()) {
-    return *number;
-  }
-  if (const auto* text = json->as<std::string>()) {
-    return *text;
-  }
+  if (json == nullptr) return std::nullopt;
+  if (const auto* flag = json->as<bool>()) return *flag;
+  if (const auto* integer = json->as<std::int64_t>()) return *integer;
+  if (const auto* number = json->as<double>()) return *number;
+  if (const auto* text = json->as<std::string>()) return *text;
   return std::nullopt;
 }
 
@@ -67,9 +53,7 @@ RpcError read_error(const Json& json) {
       member<std::int64_t>(json, "code").value_or(static_cast<int>(ErrorCode::kInternalError)));
   made.message = member<std::string>(json, "message").value_or("the server gave no reason");
   const Json* data = json.find("data");
-  if (data == nullptr) {
-    return made;
-  }
+  if (data == nullptr) return made;
   made.field = member<std::string>(*data, "field");
   made.limit = as_value(data->find("limit"));
   made.value = as_value(data->find("value"));
@@ -80,9 +64,9 @@ RpcError read_error(const Json& json) {
   made.retry_after_ms = member<std::int64_t>(*data, "retry_after_ms");
   made.device = member<std::string>(*data, "device");
   if (const Json* limit = data->find("limit_a")) {
-    const auto* whole = limit->as<std::int64_t>();
-    made.limit_a = whole == nullptr ? member<double>(*data, "limit_a")
-                                    : std::optional<double>(static_cast<double>(*whole));
+    const auto* integer = limit->as<std::int64_t>();
+    made.limit_a = integer == nullptr ? member<double>(*data, "limit_a")
+                                      : std::optional<double>(static_cast<double>(*integer));
   }
   return made;
 }
@@ -103,20 +87,16 @@ Result<Message> read_notification(const std::string& method, const Json* params)
 }
 
 Result<Message> read_message(const Json& json) {
-  if (json.as<Json::Object>() == nullptr) {
+  if (json.as<Json::Object>() == nullptr)
     return not_understood("a message is an object, not " + std::string(json.kind()));
-  }
-  if (const auto method = member<std::string>(json, "method")) {
+  if (const auto method = member<std::string>(json, "method"))
     return read_notification(*method, json.find("params"));
-  }
   const Json* id = json.find("id");
   Id answered{id == nullptr ? "null" : to_text(*id)};
-  if (const Json* failed = json.find("error")) {
+  if (const Json* failed = json.find("error"))
     return Message{Reply{std::move(answered), read_error(*failed)}};
-  }
-  if (const Json* result = json.find("result")) {
+  if (const Json* result = json.find("result"))
     return Message{Reply{std::move(answered), to_text(*result)}};
-  }
   return not_understood("it has neither method nor result nor error");
 }
 
@@ -126,9 +106,7 @@ std::string encode_request(const std::optional<Id>& id, const Request& request) 
   std::string out = opening(id, name(method_of(request)));
   std::string params;
   std::visit([&](const auto& value) { append(params, value); }, request);
-  if (params != "{}") {
-    out += ",\"params\":" + params;
-  }
+  if (params != "{}") out += ",\"params\":" + params;
   out += '}';
   return out;
 }
@@ -147,17 +125,13 @@ std::string encode_raw_request(const std::optional<Id>& id, std::string_view met
 Result<std::vector<Message>> decode_messages(std::string_view line) {
   constexpr std::size_t kNesting = 64;
   const Result<Json> parsed = parse_json(line, kNesting);
-  if (!parsed) {
-    return not_understood(parsed.error().message);
-  }
+  if (!parsed) return not_understood(parsed.error().message);
   std::vector<Message> messages;
   const auto* batch = parsed->as<Json::List>();
   const Json::List single = batch == nullptr ? Json::List{*parsed} : Json::List{};
   for (const Json& json : batch == nullptr ? single : *batch) {
     Result<Message> message = read_message(json);
-    if (!message) {
-      return message.error();
-    }
+    if (!message) return message.error();
     messages.push_back(std::move(*message));
   }
   return messages;
@@ -167,9 +141,7 @@ template <class T>
 Result<T> decode_result(std::string_view json) {
   constexpr std::size_t kNesting = 64;
   const Result<Json> parsed = parse_json(json, kNesting);
-  if (!parsed) {
-    return not_understood(parsed.error().message);
-  }
+  if (!parsed) return not_understood(parsed.error().message);
   return read<T>(*parsed, "the result");
 }
 
@@ -193,6 +165,7 @@ template Result<PatternSummary> decode_result<PatternSummary>(std::string_view);
 template Result<PatternsResult> decode_result<PatternsResult>(std::string_view);
 template Result<PatternResult> decode_result<PatternResult>(std::string_view);
 template Result<SimResult> decode_result<SimResult>(std::string_view);
+template Result<SimTruthResult> decode_result<SimTruthResult>(std::string_view);
 template Result<Status> decode_result<Status>(std::string_view);
 template Result<Description> decode_result<Description>(std::string_view);
 

@@ -36,7 +36,9 @@ void describe(Fields& f, PatternGet& v);
 void describe(Fields& f, PatternPut& v);
 void describe(Fields& f, PatternRemove& v);
 void describe(Fields& f, SimFault& v);
+void describe(Fields& f, SimError& v);
 void describe(Fields& f, SimSet& v);
+void describe(Fields& f, SimTruth& v);
 /// Methods without parameters.
 template <class Empty>
 requires std::is_empty_v<Empty>
@@ -54,6 +56,7 @@ void describe(Fields& f, EffectStatus& v);
 void describe(Fields& f, LatenessStatus& v);
 void describe(Fields& f, LoopStatus& v);
 void describe(Fields& f, LinkStatus& v);
+void describe(Fields& f, Disagreement& v);
 void describe(Fields& f, TripStatus& v);
 void describe(Fields& f, PinsStatus& v);
 void describe(Fields& f, Status& v);
@@ -87,9 +90,13 @@ void describe(Fields& f, PatternSummary& v);
 void describe(Fields& f, PatternsResult& v);
 void describe(Fields& f, PatternResult& v);
 void describe(Fields& f, SimResult& v);
+void describe(Fields& f, SimTruthResult& v);
 
 void describe(Fields& f, PinDescription& v);
+void describe(Fields& f, WindingDescription& v);
 void describe(Fields& f, CoilsDescription& v);
+void describe(Fields& f, ThermalDescription& v);
+void describe(Fields& f, UncertaintyDescription& v);
 void describe(Fields& f, LimitsDescription& v);
 void describe(Fields& f, CalibrationDescription& v);
 void describe(Fields& f, BoardDescription& v);

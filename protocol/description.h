@@ -20,12 +20,42 @@ struct PinDescription {
   friend bool operator==(const PinDescription&, const PinDescription&) = default;
 };
 
+/// What a winding was measured to be at the start, beside the device file; null: not yet.
+struct WindingDescription {
+  std::optional<double> r25_ohm{};
+  /// From the device file's, and from an earlier start's, shares: 0.05 is 5 % more.
+  std::optional<double> from_file{};
+  std::optional<double> from_kept{};
+  friend bool operator==(const WindingDescription&, const WindingDescription&) = default;
+};
+
 struct CoilsDescription {
   std::array<model::Vec3, 3> matrix{};  // rows; demand (device frame) -> winding currents
   std::array<double, 3> r25_ohm{};
   double inductance_h = 0.0;
   double supply_v = 0.0;
+  std::optional<std::vector<WindingDescription>> measured{};  // absent: from an older daemon
   friend bool operator==(const CoilsDescription&, const CoilsDescription&) = default;
+};
+
+/// Heat capacities and thermal resistances, as in the device file.
+struct ThermalDescription {
+  std::array<double, 3> winding_j_k{};
+  double core_j_k = 0.0;
+  std::array<double, 3> winding_to_core_k_w{};
+  double core_to_room_fan_k_w = 0.0;
+  double core_to_room_still_k_w = 0.0;
+  std::int64_t sensor_winding = 0;  // 0..2
+  double sensor_lag_s = 0.0;
+  friend bool operator==(const ThermalDescription&, const ThermalDescription&) = default;
+};
+
+/// By how much the ball may differ from its device file.
+struct UncertaintyDescription {
+  double thermal = 0.0;       // a share, within which all values lie
+  double resistance = 0.0;    // standard deviation, a share
+  double thermistor_k = 0.0;  // standard deviation
+  friend bool operator==(const UncertaintyDescription&, const UncertaintyDescription&) = default;
 };
 
 struct LimitsDescription {
@@ -66,6 +96,8 @@ struct Description {
   std::string arrangement{};
   std::vector<PinDescription> pins{};
   CoilsDescription coils{};
+  ThermalDescription thermal{};
+  UncertaintyDescription uncertainty{};
   LimitsDescription limits{};
   CalibrationDescription calibration{};
   double gain = 1.0;  // output.set_gain

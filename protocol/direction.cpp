@@ -16,9 +16,8 @@ struct Resolver {
 
   Result<model::Vec3> operator()(const model::Vec3& v) const {
     const double longest = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
-    if (!model::is_finite(v) || longest == 0.0) {
+    if (!model::is_finite(v) || longest == 0.0)
       return invalid_params(field, "a vector without length points nowhere");
-    }
     // Scaled first, so that neither tiny nor huge lengths vanish in their squares.
     return model::unit_or({v.x / longest, v.y / longest, v.z / longest}, {1, 0, 0});
   }
@@ -26,15 +25,13 @@ struct Resolver {
     return model::vector_of({angles.azimuth_deg, angles.elevation_deg});
   }
   Result<model::Vec3> operator()(const PinNumber& number) const {
-    if (const model::Pin* pin = pins.find(number.pin)) {
-      return pin->position;
-    }
+    if (const model::Pin* pin = pins.find(number.pin)) return pin->position;
     const auto last = static_cast<double>(pins.pins.size()) - 1.0;
     return out_of_range(std::string(field) + ".pin", number.pin < 0 ? 0.0 : last,
                         static_cast<double>(number.pin));
   }
-  Result<model::Vec3> operator()(Word word) const {
-    return model::kNamedDirections[static_cast<std::size_t>(word)].vector;
+  Result<model::Vec3> operator()(Word enumerator) const {
+    return model::kNamedDirections[static_cast<std::size_t>(enumerator)].vector;
   }
 };
 

@@ -29,7 +29,7 @@ struct PinNumber {
 };
 
 enum class Word : std::uint8_t { kUp, kDown, kLeft, kRight, kFront, kBack };
-std::string_view name(Word word) noexcept;
+std::string_view name(Word enumerator) noexcept;
 
 /// Vec3: any non-zero finite length.
 using Direction = std::variant<model::Vec3, Angles, PinNumber, Word>;

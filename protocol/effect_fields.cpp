@@ -19,31 +19,27 @@ constexpr Spec kLease{.min = kMinLeaseMs, .max = kMaxLeaseMs, .rounded = true};
 
 /// Refuses when more than one of them was said; `names` reads "level, current_a and force_n".
 void at_most_one(Fields& f, std::string_view names,
-                 std::initializer_list<std::pair<std::string_view, bool>> said) {
+                 std::initializer_list<std::pair<std::string_view, bool>> given) {
   std::string_view first;
-  for (const auto& [name, is_said] : said) {
-    if (is_said && !first.empty()) {
+  for (const auto& [name, is_given] : given) {
+    if (is_given && !first.empty()) {
       f.fail(invalid_params(
           name, std::string(first) + " is said too; say only one of " + std::string(names)));
       return;
     }
-    first = is_said ? name : first;
+    first = is_given ? name : first;
   }
 }
 
 }  // namespace
 
 std::optional<RpcError> check_end(const EffectParams& v) {
-  if (v.lease_ms && v.fade_ms.value_or(0) > 0) {
+  if (v.lease_ms && v.fade_ms.value_or(0) > 0)
     return invalid_params("fade_ms", "an effect with lease_ms has no known end to fade to");
-  }
-  if (v.lease_ms && v.on_close == OnClose::kFinish) {
+  if (v.lease_ms && v.on_close == OnClose::kFinish)
     return invalid_params("on_close", "only an effect with duration_ms can finish");
-  }
   const std::optional<std::int64_t>& duration = v.duration_ms;
-  if (!duration) {
-    return std::nullopt;
-  }
+  if (!duration) return std::nullopt;
   const std::int64_t attack = v.attack_ms.value_or(0);
   const std::int64_t fade = v.fade_ms.value_or(0);
   if (attack + fade > *duration) {
@@ -76,9 +72,8 @@ std::optional<RpcError> check_keyframes(const std::vector<Keyframe>& keyframes) 
                           static_cast<double>(keyframes[i].t_ms));
     }
   }
-  if (keyframes.empty() || keyframes.back().t_ms < 1) {
+  if (keyframes.empty() || keyframes.back().t_ms < 1)
     return invalid_params("keyframes", "the last t_ms must be at least 1");
-  }
   return std::nullopt;
 }
 
@@ -96,19 +91,14 @@ void check(Fields& f, const EffectParams& v, Method method) {
   at_most_one(f, "pattern and keyframes",
               {{"pattern", v.pattern.has_value()}, {"keyframes", v.keyframes.has_value()}});
   if (v.keyframes) {
-    if (auto wrong = check_keyframes(*v.keyframes)) {
-      f.fail(*std::move(wrong));
-    }
+    if (auto wrong = check_keyframes(*v.keyframes)) f.fail(*std::move(wrong));
   }
-  if (method == Method::kEffectPlay && !v.pattern && !v.keyframes) {
+  if (method == Method::kEffectPlay && !v.pattern && !v.keyframes)
     f.fail(invalid_params("pattern", "is missing; say the name of one, or keyframes"));
-  }
-  if (auto wrong = check_end(method == Method::kEffectUpdate ? v : with_defaults(method, v))) {
+  if (auto wrong = check_end(method == Method::kEffectUpdate ? v : with_defaults(method, v)))
     f.fail(*std::move(wrong));
-  }
-  if ((method == Method::kEffectPulse || method == Method::kEffectHold) && !v.direction) {
+  if ((method == Method::kEffectPulse || method == Method::kEffectHold) && !v.direction)
     f.fail(invalid_params("direction", "is missing; for example \"direction\":\"left\""));
-  }
 }
 
 }  // namespace
@@ -124,9 +114,7 @@ void describe(Fields& f, EffectParams& v, Method method) {
   const bool circle = method == Method::kEffectCircle;
   const bool update = method == Method::kEffectUpdate;
   const bool play = method == Method::kEffectPlay;
-  if (!circle && !play) {
-    f.optional("direction", v.direction);
-  }
+  if (!circle && !play) f.optional("direction", v.direction);
   if (play || update) {
     f.optional("pattern", v.pattern, {.min = 1, .max = kMaxPatternName});
     f.optional("keyframes", v.keyframes, kKeyframes);
@@ -161,16 +149,12 @@ void describe(Fields& f, EffectParams& v, Method method) {
   f.optional("slot", v.slot, {.min = 1, .max = kMaxSlotCharacters});
   f.optional("priority", v.priority, {.min = 0, .max = 9});
   f.optional("if_limited", v.if_limited);
-  if (f.checks()) {
-    check(f, v, method);
-  }
+  if (f.checks()) check(f, v, method);
 }
 
 EffectParams with_defaults(Method method, EffectParams params) {
   const auto fill = [](auto& field, auto value) {
-    if (!field) {
-      field = value;
-    }
+    if (!field) field = value;
   };
   const bool circle = method == Method::kEffectCircle;
   const bool vibrate = method == Method::kEffectVibrate;
@@ -181,9 +165,7 @@ EffectParams with_defaults(Method method, EffectParams params) {
     fill(params.sense, Sense::kCounterClockwise);
     fill(params.stepping, Stepping::kPin);
   }
-  if (vibrate) {
-    fill(params.direction, Direction{Word::kDown});
-  }
+  if (vibrate) fill(params.direction, Direction{Word::kDown});
   const bool play = method == Method::kEffectPlay;
   if (play) {
     fill(params.rate, 1.0);
@@ -201,11 +183,10 @@ EffectParams with_defaults(Method method, EffectParams params) {
   if (!params.duration_ms && !params.lease_ms) {
     constexpr std::int64_t kPulseMs = 150;
     constexpr std::int64_t kSecondMs = 1000;
-    if (method == Method::kEffectHold || params.loop.value_or(false)) {
+    if (method == Method::kEffectHold || params.loop.value_or(false))
       params.lease_ms = kSecondMs;
-    } else if (!play) {
+    else if (!play)
       params.duration_ms = method == Method::kEffectPulse ? kPulseMs : kSecondMs;
-    }
   }
   fill(params.on_close, OnClose::kStop);
   fill(params.priority, std::int64_t{5});

@@ -12,9 +12,8 @@ namespace {
 
 ErrorValue number(double value) {
   constexpr double kExact = 9'007'199'254'740'992.0;
-  if (std::fabs(value) < kExact && value == std::trunc(value)) {
+  if (std::fabs(value) < kExact && value == std::trunc(value))
     return static_cast<std::int64_t>(value);
-  }
   return value;
 }
 
@@ -26,9 +25,7 @@ std::string text(double value) {
 
 std::string join(std::initializer_list<std::string_view> parts) {
   std::string out;
-  for (const std::string_view part : parts) {
-    out += part;
-  }
+  for (const std::string_view part : parts) out += part;
   return out;
 }
 
@@ -125,20 +122,12 @@ RpcError busy(std::string_view what, std::int64_t retry_after_ms) {
 
 RpcError not_armed(std::string_view state, std::string_view reason, std::string_view remedy) {
   std::string message = join({"not_armed: the ball is ", state});
-  if (!reason.empty()) {
-    message += join({" (", reason, ")"});
-  }
-  if (!remedy.empty()) {
-    message += join({". ", remedy});
-  }
+  if (!reason.empty()) message += join({" (", reason, ")"});
+  if (!remedy.empty()) message += join({". ", remedy});
   RpcError made = error(ErrorCode::kNotArmed, std::move(message));
   made.state = state;
-  if (!reason.empty()) {
-    made.reason = reason;
-  }
-  if (!remedy.empty()) {
-    made.remedy = remedy;
-  }
+  if (!reason.empty()) made.reason = reason;
+  if (!remedy.empty()) made.remedy = remedy;
   made.role_needed = Role::kOperate;
   return made;
 }

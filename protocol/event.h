@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace hedgehog::protocol {
 
@@ -22,6 +23,16 @@ struct EventDelivery {
   double min = 1.0;
   double mean = 1.0;
   friend bool operator==(const EventDelivery&, const EventDelivery&) = default;
+};
+
+/// Measurements that contradict each other.
+struct Disagreement {
+  /// The winding, 0..2.
+  std::int64_t coil = 0;
+  /// Of `resistance current heat_balance thermistor supply_current supply_voltage` two or, where
+  /// they cannot be told apart, more.
+  std::vector<std::string> between{};
+  friend bool operator==(const Disagreement&, const Disagreement&) = default;
 };
 
 /// Fields that a type does not have are nullopt and not written.
@@ -53,6 +64,8 @@ struct Event {
   // also state_changed, of a trip: the hottest, unless nothing was known, and what flowed (always)
   std::optional<double> temperature_c{};
   std::optional<double> current_a{};
+  // state_changed, of a trip by measurements_disagree
+  std::optional<Disagreement> disagreement{};
 
   // device_attached, device_detached: "board" or "imu"
   std::optional<std::string> device{};

@@ -40,11 +40,10 @@ void Fields::direction(Direction& v) {
         return;
     }
   }
-  std::visit([&](auto& said) { value(said); }, v);
+  std::visit([&](auto& given) { value(given); }, v);
   const auto* vector = std::get_if<model::Vec3>(&v);
-  if (checks() && vector != nullptr && *vector == model::Vec3{}) {
+  if (checks() && vector != nullptr && *vector == model::Vec3{})
     fail(invalid_params(path(), "[0,0,0] points nowhere"));
-  }
 }
 
 }  // namespace hedgehog::protocol

@@ -91,11 +91,11 @@ class Fields {
   virtual void end_list() = 0;
 
   virtual void boolean(bool& v) = 0;
-  virtual void whole(std::int64_t& v, const Spec& spec) = 0;
+  virtual void integer(std::int64_t& v, const Spec& spec) = 0;
   virtual void number(double& v, const Spec& spec) = 0;
   virtual void text(std::string& v, const Spec& spec) = 0;
   /// One of `names`, by index.
-  virtual void word(std::size_t& index, std::span<const std::string_view> names) = 0;
+  virtual void enumerator(std::size_t& index, std::span<const std::string_view> names) = 0;
   virtual void numbers(std::span<double> v, const Spec& spec) = 0;
   virtual void direction(Direction& v);
 
@@ -110,9 +110,7 @@ class Fields {
   template <class T>
   void maybe(std::string_view name, Presence presence, std::optional<T>& v, const Spec& spec) {
     if (open(name, presence, v.has_value())) {
-      if (!v) {
-        v.emplace();
-      }
+      if (!v) v.emplace();
       value(*v, spec);
       close();
     }
@@ -151,16 +149,15 @@ void Fields::value(T& v, const Spec& spec) {
     auto wide = static_cast<std::int64_t>(v);
     Spec bounds = spec;
     bounds.min = std::max(bounds.min, static_cast<double>(std::numeric_limits<T>::min()));
-    if constexpr (sizeof(T) < sizeof(std::int64_t)) {
+    if constexpr (sizeof(T) < sizeof(std::int64_t))
       bounds.max = std::min(bounds.max, static_cast<double>(std::numeric_limits<T>::max()));
-    }
-    whole(wide, bounds);
+    integer(wide, bounds);
     v = static_cast<T>(wide);
   } else if constexpr (std::is_same_v<T, std::string>) {
     text(v, spec);
   } else if constexpr (std::is_enum_v<T>) {
     auto index = static_cast<std::size_t>(v);
-    word(index, names_of(v));
+    enumerator(index, names_of(v));
     v = static_cast<T>(index);
   } else if constexpr (std::is_same_v<T, model::Vec3>) {
     std::array<double, 3> parts{v.x, v.y, v.z};

@@ -21,9 +21,8 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
   bool boolean(bool value) override { return put({value}); }
   bool number_integer(number_integer_t value) override { return put({value}); }
   bool number_unsigned(number_unsigned_t value) override {
-    if (value <= static_cast<number_unsigned_t>(INT64_MAX)) {
+    if (value <= static_cast<number_unsigned_t>(INT64_MAX))
       return put({static_cast<std::int64_t>(value)});
-    }
     return put({static_cast<double>(value)});
   }
   bool number_float(number_float_t value, const string_t&) override { return put({value}); }
@@ -53,9 +52,7 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
   }
 
   Result<Json> finish(bool good) && {
-    if (good) {
-      return std::move(root_);
-    }
+    if (good) return std::move(root_);
     return error(ErrorCode::kParseError, "parse_error: the line is not JSON: " + problem_);
   }
 
@@ -80,13 +77,12 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
   }
   // Not inlined: at -O2 g++ 12 takes the variant's other alternatives for uninitialised values.
   [[gnu::noinline]] bool put(Json&& json) {
-    if (levels_.empty()) {
+    if (levels_.empty())
       root_ = std::move(json);
-    } else if (auto* list = std::get_if<Json::List>(&levels_.back().json.value)) {
+    else if (auto* list = std::get_if<Json::List>(&levels_.back().json.value))
       list->push_back(std::move(json));
-    } else {
+    else
       std::get<Json::Object>(levels_.back().json.value).back().second = std::move(json);
-    }
     return true;
   }
 
@@ -100,9 +96,7 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
 
 const Json* Json::find(std::string_view name) const noexcept {
   const Object* object = as<Object>();
-  if (object == nullptr) {
-    return nullptr;
-  }
+  if (object == nullptr) return nullptr;
   const auto found = std::find_if(object->begin(), object->end(),
                                   [&](const auto& member) { return member.first == name; });
   return found == object->end() ? nullptr : &found->second;

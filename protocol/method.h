@@ -44,6 +44,7 @@ enum class Method : std::uint8_t {
   kPatternRemove,
   kPing,
   kSimSet,
+  kSimTruth,
   kTelemetrySubscribe,
   kTelemetryUnsubscribe,
   kThermalForecast,
@@ -57,7 +58,7 @@ struct MethodInfo {
 };
 
 /// Sorted by name. Also the content of `hello.methods`.
-inline constexpr std::array<MethodInfo, 33> kMethods{{
+inline constexpr std::array<MethodInfo, 34> kMethods{{
     {Method::kConnectionList, "connection.list", Role::kOperate},
     {Method::kDeviceArm, "device.arm", Role::kOperate},
     {Method::kDeviceClaim, "device.claim", Role::kOperate},
@@ -88,6 +89,7 @@ inline constexpr std::array<MethodInfo, 33> kMethods{{
     {Method::kPatternRemove, "pattern.remove", Role::kPlay},
     {Method::kPing, "ping", std::nullopt},
     {Method::kSimSet, "sim.set", Role::kOperate},
+    {Method::kSimTruth, "sim.truth", Role::kOperate},
     {Method::kTelemetrySubscribe, "telemetry.subscribe", Role::kObserve},
     {Method::kTelemetryUnsubscribe, "telemetry.unsubscribe", Role::kObserve},
     {Method::kThermalForecast, "thermal.forecast", Role::kObserve},

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "model/spelling.h"
+#include "base/spelling.h"
 #include "protocol/event.h"
 
 namespace hedgehog::protocol {
@@ -27,9 +27,7 @@ constexpr std::array<std::string_view, 5> kEffectMethods{
 template <class E>
 std::optional<E> named(std::string_view text, Names names) noexcept {
   const auto found = std::find(names.begin(), names.end(), text);
-  if (found == names.end()) {
-    return std::nullopt;
-  }
+  if (found == names.end()) return std::nullopt;
   return static_cast<E>(found - names.begin());
 }
 
@@ -64,7 +62,9 @@ Names names_of(model::Ease) noexcept { return kEases; }
 Names names_of(model::EffectMethod) noexcept { return kEffectMethods; }
 
 std::string_view name(Role role) noexcept { return kRoles[static_cast<std::size_t>(role)]; }
-std::string_view name(Word word) noexcept { return kWords[static_cast<std::size_t>(word)]; }
+std::string_view name(Word enumerator) noexcept {
+  return kWords[static_cast<std::size_t>(enumerator)];
+}
 std::string_view name(model::Frame frame) noexcept {
   return kFrames[static_cast<std::size_t>(frame)];
 }
@@ -83,31 +83,24 @@ std::optional<Method> method_named(std::string_view text) noexcept {
   const auto found = std::lower_bound(
       kMethods.begin(), kMethods.end(), text,
       [](const MethodInfo& row, std::string_view wanted) { return row.name < wanted; });
-  if (found == kMethods.end() || found->name != text) {
-    return std::nullopt;
-  }
+  if (found == kMethods.end() || found->name != text) return std::nullopt;
   return found->method;
 }
 
 std::string_view nearest(std::string_view text, Names names) {
   constexpr std::size_t kLongest = 64;
-  if (text.size() > kLongest || text.empty()) {
-    return {};
-  }
-  for (const auto& [theirs, ours] : kElsewhere) {
-    if (theirs == text && std::find(names.begin(), names.end(), ours) != names.end()) {
-      return ours;
-    }
-  }
+  if (text.size() > kLongest || text.empty()) return {};
+  for (const auto& [theirs, ours] : kElsewhere)
+    if (theirs == text && std::find(names.begin(), names.end(), ours) != names.end()) return ours;
   std::string_view best;
-  std::size_t least = std::max<std::size_t>(2, text.size() / 3) + 1;
+  std::size_t lowest = std::max<std::size_t>(2, text.size() / 3) + 1;
   for (const std::string_view candidate : names) {
     // "duration" for "duration_ms": only the unit was forgotten.
     const bool forgot_unit = candidate.size() > text.size() && candidate.starts_with(text) &&
                              (candidate[text.size()] == '_' || candidate[text.size()] == '.');
-    const std::size_t apart = forgot_unit ? 0 : model::edits_between(text, candidate);
-    if (apart < least) {
-      least = apart;
+    const std::size_t apart = forgot_unit ? 0 : base::edits_between(text, candidate);
+    if (apart < lowest) {
+      lowest = apart;
       best = candidate;
     }
   }
@@ -116,24 +109,17 @@ std::string_view nearest(std::string_view text, Names names) {
 
 std::string shortened(std::string_view text) {
   constexpr std::size_t kShown = 64;
-  if (text.size() <= kShown) {
-    return std::string(text);
-  }
+  if (text.size() <= kShown) return std::string(text);
   std::size_t end = kShown;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u) {
-    --end;
-  }
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u) --end;
   return std::string(text.substr(0, end)) + "…";
 }
 
 std::string hint(std::string_view text, Names names) {
-  if (const std::string_view meant = nearest(text, names); !meant.empty()) {
+  if (const std::string_view meant = nearest(text, names); !meant.empty())
     return "; did you mean '" + std::string(meant) + "'?";
-  }
   constexpr std::size_t kFew = 8;
-  if (names.empty() || names.size() > kFew) {
-    return {};
-  }
+  if (names.empty() || names.size() > kFew) return {};
   std::string list = "; there is ";
   for (std::size_t i = 0; i < names.size(); ++i) {
     list += i == 0 ? "" : i + 1 == names.size() ? " and " : ", ";

@@ -17,17 +17,17 @@ bool is_word(char c) noexcept { return (c >= 'a' && c <= 'z') || (c >= '0' && c 
 
 bool is_part(std::string_view part) noexcept {
   return !part.empty() && part.size() <= kMaxPart && is_word(part.front()) &&
-         std::all_of(part.begin(), part.end(),
-                     [](char c) { return is_word(c) || c == '_' || c == '-' || c == '.'; });
+         std::all_of(
+             part.begin(), part.end(),
+             [](char c) { return is_word(c) || c == '_' || c == '-' || c == '.'; });
 }
 
 }  // namespace
 
 std::optional<PatternOwner> owner_of(std::string_view name) noexcept {
   const std::size_t slash = name.find('/');
-  if (slash == std::string_view::npos) {
+  if (slash == std::string_view::npos)
     return is_part(name) ? std::optional(PatternOwner::kShipped) : std::nullopt;
-  }
   return is_part(name.substr(0, slash)) && is_part(name.substr(slash + 1))
              ? std::optional(PatternOwner::kVendor)
              : std::nullopt;
@@ -40,9 +40,7 @@ void describe(Fields& f, Pattern& v) {
   f.optional("frequency_hz", v.frequency_hz, {.min = 0.5, .max = 250});
   f.optional("on_fraction", v.on_fraction, {.min = 0.05, .max = 0.95});
   f.required("keyframes", v.keyframes, {.items = model::kMaxKeyframes});
-  if (!f.checks()) {
-    return;
-  }
+  if (!f.checks()) return;
   if (!owner_of(v.name)) {
     RpcError error = invalid_params(
         "name", "'" + shortened(v.name) +
@@ -50,9 +48,7 @@ void describe(Fields& f, Pattern& v) {
     error.value = shortened(v.name);
     f.fail(std::move(error));
   }
-  if (auto wrong = check_keyframes(v.keyframes)) {
-    f.fail(*std::move(wrong));
-  }
+  if (auto wrong = check_keyframes(v.keyframes)) f.fail(*std::move(wrong));
 }
 
 void describe(Fields& f, PatternPut& v) { describe(f, v.pattern); }
@@ -87,15 +83,11 @@ RpcError no_such_pattern(std::string_view field, std::string_view name,
 Result<Pattern> decode_pattern(std::string_view json) {
   constexpr std::size_t kNesting = 8;
   const Result<Json> parsed = parse_json(json, kNesting);
-  if (!parsed) {
-    return parsed.error();
-  }
+  if (!parsed) return parsed.error();
   Pattern pattern;
-  Reader reader(*parsed, Reader::Manner::kStrict, "a pattern");
+  Reader reader(*parsed, Reader::Strictness::kStrict, "a pattern");
   reader.value(pattern);
-  if (reader.error()) {
-    return *reader.error();
-  }
+  if (reader.error()) return *reader.error();
   return pattern;
 }
 

@@ -8,47 +8,40 @@ namespace hedgehog::protocol {
 namespace {
 
 std::size_t characters(std::string_view text) noexcept {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u;  // not a continuation byte of UTF-8
-  }));
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(),
+      [](char c) {
+        return (static_cast<unsigned char>(c) & 0xC0u) !=
+               0x80u;  // not a continuation byte of UTF-8
+      }));
 }
 
 /// C0, DEL or C1 (U+0080..U+009F), which would write into a log or move a terminal's cursor.
 bool has_control_character(std::string_view text) noexcept {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto byte = static_cast<unsigned char>(text[i]);
-    if (byte < 0x20u || byte == 0x7fu) {
+    if (byte < 0x20u || byte == 0x7fu) return true;
+    if (byte == 0xc2u && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xa0u)
       return true;
-    }
-    if (byte == 0xc2u && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xa0u) {
-      return true;
-    }
   }
   return false;
 }
 
 /// What was said, as far as it may stand in `data.value`.
 std::optional<ErrorValue> as_value(const Json& json) {
-  if (const auto* flag = json.as<bool>()) {
-    return *flag;
-  }
-  if (const auto* whole = json.as<std::int64_t>()) {
-    return *whole;
-  }
-  if (const auto* number = json.as<double>()) {
-    return *number;
-  }
+  if (const auto* flag = json.as<bool>()) return *flag;
+  if (const auto* integer = json.as<std::int64_t>()) return *integer;
+  if (const auto* number = json.as<double>()) return *number;
   constexpr std::size_t kShown = 256;
-  if (const auto* text = json.as<std::string>(); text != nullptr && text->size() <= kShown) {
+  if (const auto* text = json.as<std::string>(); text != nullptr && text->size() <= kShown)
     return *text;
-  }
   return std::nullopt;
 }
 
 }  // namespace
 
-Reader::Reader(const Json& root, Manner manner, std::string_view what)
-    : strict_(manner == Manner::kStrict), what_(what) {
+Reader::Reader(const Json& root, Strictness strictness, std::string_view what)
+    : strict_(strictness == Strictness::kStrict), what_(what) {
   places_.push_back({&root, {}});
 }
 
@@ -61,17 +54,13 @@ Kind Reader::kind() const noexcept {
 bool Reader::has(std::string_view name) const noexcept { return here().find(name) != nullptr; }
 
 void Reader::fail(RpcError&& error) {
-  if (!error_) {
-    error_ = std::move(error);
-  }
+  if (!error_) error_ = std::move(error);
 }
 
 std::string Reader::path() const {
   std::string path;
   for (const Place& place : places_) {
-    if (!path.empty() && !place.name.starts_with('[')) {
-      path += '.';
-    }
+    if (!path.empty() && !place.name.starts_with('[')) path += '.';
     path += place.name;
   }
   return path.empty() ? "params" : path;
@@ -101,9 +90,7 @@ bool Reader::open(std::string_view name, Presence presence, bool) {
     }
     return false;
   }
-  if (!strict_ && member->as<std::nullptr_t>() != nullptr) {
-    return false;
-  }
+  if (!strict_ && member->as<std::nullptr_t>() != nullptr) return false;
   places_.push_back({member, std::string(name)});
   return true;
 }
@@ -120,9 +107,7 @@ bool Reader::begin_object() {
 }
 
 void Reader::end_object() {
-  if (!strict_) {
-    return;
-  }
+  if (!strict_) return;
   const Place& place = places_.back();
   for (const auto& [name, member] : *place.json->as<Json::Object>()) {
     if (std::find(place.known.begin(), place.known.end(), name) == place.known.end()) {
@@ -160,17 +145,16 @@ bool Reader::begin_item(std::size_t index) {
 }
 
 void Reader::boolean(bool& v) {
-  if (const auto* flag = here().as<bool>()) {
+  if (const auto* flag = here().as<bool>())
     v = *flag;
-  } else {
+  else
     wrong_type("true or false");
-  }
 }
 
 std::optional<double> Reader::number_in_range(const Json& json, const Spec& spec) {
   double value = 0.0;
-  if (const auto* whole = json.as<std::int64_t>()) {
-    value = static_cast<double>(*whole);
+  if (const auto* integer = json.as<std::int64_t>()) {
+    value = static_cast<double>(*integer);
   } else if (const auto* number = json.as<double>()) {
     value = *number;
   } else {
@@ -184,11 +168,9 @@ std::optional<double> Reader::number_in_range(const Json& json, const Spec& spec
   return value;
 }
 
-void Reader::whole(std::int64_t& v, const Spec& spec) {
+void Reader::integer(std::int64_t& v, const Spec& spec) {
   const std::optional<double> value = number_in_range(here(), spec);
-  if (!value) {
-    return;
-  }
+  if (!value) return;
   if (const auto* exact = here().as<std::int64_t>()) {
     v = *exact;
     return;
@@ -205,9 +187,7 @@ void Reader::whole(std::int64_t& v, const Spec& spec) {
 }
 
 void Reader::number(double& v, const Spec& spec) {
-  if (const std::optional<double> value = number_in_range(here(), spec)) {
-    v = *value;
-  }
+  if (const std::optional<double> value = number_in_range(here(), spec)) v = *value;
 }
 
 void Reader::text(std::string& v, const Spec& spec) {
@@ -234,7 +214,7 @@ void Reader::text(std::string& v, const Spec& spec) {
   v = *text;
 }
 
-void Reader::word(std::size_t& index, std::span<const std::string_view> names) {
+void Reader::enumerator(std::size_t& index, std::span<const std::string_view> names) {
   const auto* text = here().as<std::string>();
   if (text == nullptr) {
     wrong_type("a string");
@@ -266,9 +246,7 @@ void Reader::numbers(std::span<double> v, const Spec& spec) {
   }
   for (std::size_t i = 0; i < v.size(); ++i) {
     begin_item(i);
-    if (const std::optional<double> value = number_in_range(here(), spec)) {
-      v[i] = *value;
-    }
+    if (const std::optional<double> value = number_in_range(here(), spec)) v[i] = *value;
     close();
   }
 }

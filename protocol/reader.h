@@ -15,10 +15,10 @@ namespace hedgehog::protocol {
 /// error all the same.
 class Reader final : public Fields {
  public:
-  enum class Manner : std::uint8_t { kStrict, kLenient };
+  enum class Strictness : std::uint8_t { kStrict, kLenient };
 
   /// `what` is how messages call the whole: "effect.pulse", "the result". `root` must outlive this.
-  Reader(const Json& root, Manner manner, std::string_view what);
+  Reader(const Json& root, Strictness strictness, std::string_view what);
 
   /// The first thing that was wrong.
   const std::optional<RpcError>& error() const noexcept { return error_; }
@@ -40,10 +40,10 @@ class Reader final : public Fields {
   void end_list() override {}
 
   void boolean(bool& v) override;
-  void whole(std::int64_t& v, const Spec& spec) override;
+  void integer(std::int64_t& v, const Spec& spec) override;
   void number(double& v, const Spec& spec) override;
   void text(std::string& v, const Spec& spec) override;
-  void word(std::size_t& index, std::span<const std::string_view> names) override;
+  void enumerator(std::size_t& index, std::span<const std::string_view> names) override;
   void numbers(std::span<double> v, const Spec& spec) override;
 
   struct Place {

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/wall_time.h"
 #include "protocol/describe.h"
-#include "protocol/wall_time.h"
 
 namespace hedgehog::protocol {
 namespace {
@@ -11,11 +11,10 @@ namespace {
 constexpr Spec kEffectNumber{.min = 1};
 
 void exactly_one(Fields& f, bool effect, bool slot) {
-  if (effect && slot) {
+  if (effect && slot)
     f.fail(invalid_params("slot", "effect is said too; say only one of effect and slot"));
-  } else if (!effect && !slot) {
+  else if (!effect && !slot)
     f.fail(invalid_params("effect", "is missing; say effect or slot"));
-  }
 }
 
 /// Clients round quaternions; what is off by more than that is a mistake.
@@ -30,9 +29,8 @@ void normalise(Fields& f, std::string_view field, model::Quaternion& q) {
     return;
   }
   constexpr double kExact = 1e-12;
-  if (std::fabs(length - 1.0) > kExact) {
+  if (std::fabs(length - 1.0) > kExact)
     q = {q.w / length, q.x / length, q.y / length, q.z / length};
-  }
 }
 
 void check_known(Fields& f, const std::vector<std::string>& types) {
@@ -49,40 +47,29 @@ void check_known(Fields& f, const std::vector<std::string>& types) {
 
 std::vector<StatusKey> listed(StatusKeys keys) {
   std::vector<StatusKey> list;
-  for (std::size_t i = 0; i < kStatusKeyNames.size(); ++i) {
-    if (keys.contains(static_cast<StatusKey>(i))) {
-      list.push_back(static_cast<StatusKey>(i));
-    }
-  }
+  for (std::size_t i = 0; i < kStatusKeyNames.size(); ++i)
+    if (keys.contains(static_cast<StatusKey>(i))) list.push_back(static_cast<StatusKey>(i));
   return list;
 }
 
 StatusKeys as_set(const std::vector<StatusKey>& list) {
   StatusKeys keys;
-  for (const StatusKey key : list) {
-    keys.add(key);
-  }
+  for (const StatusKey key : list) keys.add(key);
   return keys;
 }
 
 /// A start that is only talked about: `method` names it, `params` are its parameters.
 void method_and_params(Fields& f, std::optional<EffectStart>& start) {
   std::optional<model::EffectMethod> method;
-  if (start) {
-    method = effect_of(start->method);
-  }
+  if (start) method = effect_of(start->method);
   f.optional("method", method);
-  if (method && !start) {
-    start.emplace(EffectStart{.method = method_of(*method)});
-  }
+  if (method && !start) start.emplace(EffectStart{.method = method_of(*method)});
   const bool has_params = f.has("params");
-  if (f.checks() && !method && has_params) {
+  if (f.checks() && !method && has_params)
     f.fail(invalid_params("method", "is missing beside params"));
-  }
   f.optional("params", start);
-  if (f.checks() && start && !has_params) {
+  if (f.checks() && start && !has_params)
     f.fail(invalid_params("params", "is missing beside method"));
-  }
 }
 
 }  // namespace
@@ -107,26 +94,21 @@ void describe(Fields& f, EffectStart& v) { describe(f, v.params, v.method); }
 void describe(Fields& f, EffectUpdate& v) {
   f.optional("effect", v.effect, kEffectNumber);
   describe(f, v.params, Method::kEffectUpdate);
-  if (f.checks()) {
-    exactly_one(f, v.effect.has_value(), v.params.slot.has_value());
-  }
+  if (f.checks()) exactly_one(f, v.effect.has_value(), v.params.slot.has_value());
 }
 
 void describe(Fields& f, EffectStop& v) {
   f.optional("effect", v.effect, kEffectNumber);
   f.optional("slot", v.slot, {.min = 1, .max = kMaxSlotCharacters});
-  if (f.checks()) {
-    exactly_one(f, v.effect.has_value(), v.slot.has_value());
-  }
+  if (f.checks()) exactly_one(f, v.effect.has_value(), v.slot.has_value());
 }
 
 void describe(Fields& f, EffectStopAll& v) { f.defaulted("scope", v.scope); }
 
 void describe(Fields& f, EffectPreview& v) {
   method_and_params(f, v.start);
-  if (f.checks() && !v.start) {
+  if (f.checks() && !v.start)
     f.fail(invalid_params("method", "is missing; for example \"effect.pulse\""));
-  }
 }
 
 void describe(Fields& f, DeviceClaim& v) {
@@ -140,26 +122,20 @@ void describe(Fields& f, ThermalForecast& v) {
   f.optional("direction", v.direction);
   method_and_params(f, v.start);
   f.optional("effect", v.effect, kEffectNumber);
-  if (!f.checks()) {
-    return;
-  }
-  const int said = (v.current_a ? 1 : 0) + (v.start ? 1 : 0) + (v.effect ? 1 : 0);
-  if (said != 1) {
-    f.fail(invalid_params(said == 0  ? "current_a"
+  if (!f.checks()) return;
+  const int given = (v.current_a ? 1 : 0) + (v.start ? 1 : 0) + (v.effect ? 1 : 0);
+  if (given != 1) {
+    f.fail(invalid_params(given == 0 ? "current_a"
                           : v.effect ? "effect"
                                      : "method",
                           "say exactly one of current_a, method with params, and effect"));
   }
-  if (v.direction && !v.current_a) {
-    f.fail(invalid_params("direction", "goes with current_a only"));
-  }
+  if (v.direction && !v.current_a) f.fail(invalid_params("direction", "goes with current_a only"));
 }
 
 void describe(Fields& f, OrientationSet& v) {
   f.required("quaternion", v.quaternion);
-  if (f.checks()) {
-    normalise(f, "quaternion", v.quaternion);
-  }
+  if (f.checks()) normalise(f, "quaternion", v.quaternion);
 }
 
 void describe(Fields& f, OrientationRecenter& v) {
@@ -171,9 +147,8 @@ void describe(Fields& f, TelemetrySubscribe& v) {
   std::vector<StatusKey> list = listed(v.fields);
   f.defaulted("fields", list, {}, v.fields != kTelemetryDefault);
   v.fields = as_set(list);
-  if (f.checks() && v.fields.empty()) {
+  if (f.checks() && v.fields.empty())
     f.fail(invalid_params("fields", "the list is empty; leave it out for all but pins"));
-  }
 }
 
 void describe(Fields& f, TelemetryResult& v) {
@@ -186,21 +161,17 @@ void describe(Fields& f, TelemetryResult& v) {
 void describe(Fields& f, EventsSubscribe& v) {
   f.defaulted("types", v.types, {}, !v.types.empty());
   f.defaulted("scope", v.scope);
-  if (f.checks()) {
-    check_known(f, v.types);
-  }
+  if (f.checks()) check_known(f, v.types);
 }
 
 void describe(Fields& f, EventsHistory& v) {
   f.optional("since", v.since, {.min = 1, .max = 40});
   f.defaulted("types", v.types, {}, !v.types.empty());
   f.defaulted("trips", v.trips);
-  f.defaulted("limit", v.limit, {.min = 1, .max = EventsHistory::kMostEvents});
-  if (!f.checks()) {
-    return;
-  }
+  f.defaulted("limit", v.limit, {.min = 1, .max = EventsHistory::kMaxEvents});
+  if (!f.checks()) return;
   check_known(f, v.types);
-  if (v.since && !parse_rfc3339(*v.since)) {
+  if (v.since && !base::parse_rfc3339(*v.since)) {
     RpcError error = invalid_params("since", "must be a time like 2026-11-20T23:14:07Z (RFC 3339)");
     error.value = *v.since;
     f.fail(std::move(error));
@@ -212,13 +183,21 @@ void describe(Fields& f, SimFault& v) {
   f.defaulted("coil", v.coil, {.min = 0, .max = 2});
 }
 
+void describe(Fields& f, SimError& v) {
+  f.required("kind", v.kind, {.min = 1, .max = 40});
+  f.optional("coil", v.coil, {.min = 0, .max = 2});
+  f.required("value", v.value);
+  f.defaulted("ramp_s", v.ramp_s, {.min = 0, .max = 86400});
+}
+
+void describe(Fields&, SimTruth&) {}
+
 void describe(Fields& f, SimSet& v) {
   f.optional("orientation", v.orientation);
   f.optional("ambient_c", v.ambient_c, {.min = -20, .max = 60});
   f.optional("fault", v.fault);
-  if (f.checks() && v.orientation) {
-    normalise(f, "orientation", *v.orientation);
-  }
+  f.optional("errors", v.errors, {.items = kMaxSimErrors});
+  if (f.checks() && v.orientation) normalise(f, "orientation", *v.orientation);
 }
 
 void describe(Fields& f, Request& v) {

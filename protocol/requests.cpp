@@ -36,6 +36,7 @@ struct MethodOf {
   Method operator()(const PatternRemove&) const { return Method::kPatternRemove; }
   Method operator()(const ConnectionList&) const { return Method::kConnectionList; }
   Method operator()(const SimSet&) const { return Method::kSimSet; }
+  Method operator()(const SimTruth&) const { return Method::kSimTruth; }
 };
 
 }  // namespace
@@ -100,6 +101,8 @@ Request empty_request(Method method) {
       return Ping{};
     case Method::kSimSet:
       return SimSet{};
+    case Method::kSimTruth:
+      return SimTruth{};
     case Method::kTelemetrySubscribe:
       return TelemetrySubscribe{};
     case Method::kTelemetryUnsubscribe:

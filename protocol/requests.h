@@ -12,6 +12,7 @@
 #include "protocol/effect_params.h"
 #include "protocol/method.h"
 #include "protocol/pattern.h"
+#include "protocol/sim_error.h"
 #include "protocol/status_keys.h"
 
 namespace hedgehog::protocol {
@@ -134,11 +135,11 @@ struct EventsUnsubscribe {
 };
 
 struct EventsHistory {
-  static constexpr std::int64_t kMostEvents = 1000;
+  static constexpr std::int64_t kMaxEvents = 1000;
   std::optional<std::string> since{};  // RFC 3339
   std::vector<std::string> types{};    // empty: all
   bool trips = false;                  // nothing but trips
-  std::int64_t limit = 100;            // 1..kMostEvents
+  std::int64_t limit = 100;            // 1..kMaxEvents
   friend bool operator==(const EventsHistory&, const EventsHistory&) = default;
 };
 
@@ -175,7 +176,12 @@ struct SimSet {
   std::optional<model::Quaternion> orientation{};
   std::optional<double> ambient_c{};  // -20..60
   std::optional<SimFault> fault{};
+  std::optional<std::vector<SimError>> errors{};  // replaces all
   friend bool operator==(const SimSet&, const SimSet&) = default;
+};
+
+struct SimTruth {
+  friend bool operator==(const SimTruth&, const SimTruth&) = default;
 };
 
 using Request =
@@ -184,7 +190,7 @@ using Request =
                  OutputSetGain, ThermalForecast, OrientationSet, OrientationRecenter,
                  TelemetrySubscribe, TelemetryUnsubscribe, EventsSubscribe, EventsUnsubscribe,
                  EffectPreview, EventsHistory, PatternList, PatternGet, PatternPut, PatternRemove,
-                 ConnectionList, DeviceList, SimSet>;
+                 ConnectionList, DeviceList, SimSet, SimTruth>;
 
 /// The method that `request` calls.
 Method method_of(const Request& request) noexcept;

@@ -19,6 +19,7 @@ void describe(Fields& f, HelloLimits& v) {
   f.required("frequency_hz", v.frequency_hz);
   f.required("telemetry_hz", v.telemetry_hz);
   f.required("line_bytes", v.line_bytes);
+  f.optional("burst_s", v.burst_s, decimals(1));
 }
 
 void describe(Fields& f, HelloResult& v) {
@@ -122,7 +123,7 @@ void describe(Fields& f, DevicesResult& v) {
 }
 
 void describe(Fields& f, PreviewResult& v) {
-  constexpr std::size_t kSteps = PreviewResult::kMostSteps;
+  constexpr std::size_t kSteps = PreviewResult::kMaxSteps;
   f.required("duration_ms", v.duration_ms);
   f.required("step_ms", v.step_ms);
   f.required("duty", v.duty, {.decimals = 4, .items = kSteps});
@@ -139,6 +140,15 @@ void describe(Fields& f, SimResult& v) {
   f.required("ambient_c", v.ambient_c, decimals(2));
   f.required("faults", v.faults);
   f.required("coil", v.coil);
+  f.required("errors", v.errors, {.items = kMaxSimErrors});
+}
+
+void describe(Fields& f, SimTruthResult& v) {
+  f.required("coils_c", v.coils_c, decimals(3));
+  f.required("core_c", v.core_c, decimals(3));
+  f.required("skin_c", v.skin_c, decimals(3));
+  f.required("current_a", v.current_a, decimals(3));
+  f.required("ambient_c", v.ambient_c, decimals(2));
 }
 
 void describe(Fields& f, PinDescription& v) {
@@ -148,15 +158,36 @@ void describe(Fields& f, PinDescription& v) {
   f.required("rest_mm", v.rest_mm, decimals(3));
 }
 
+void describe(Fields& f, WindingDescription& v) {
+  f.nullable("r25_ohm", v.r25_ohm, decimals(4));
+  f.nullable("from_file", v.from_file, decimals(4));
+  f.nullable("from_kept", v.from_kept, decimals(4));
+}
+
 void describe(Fields& f, CoilsDescription& v) {
   std::vector<model::Vec3> rows(v.matrix.begin(), v.matrix.end());
   f.required("matrix", rows);
-  for (std::size_t i = 0; i < v.matrix.size() && i < rows.size(); ++i) {
-    v.matrix[i] = rows[i];
-  }
+  for (std::size_t i = 0; i < v.matrix.size() && i < rows.size(); ++i) v.matrix[i] = rows[i];
   f.required("r25_ohm", v.r25_ohm);
   f.required("inductance_h", v.inductance_h);
   f.required("supply_v", v.supply_v);
+  f.optional("measured", v.measured);
+}
+
+void describe(Fields& f, ThermalDescription& v) {
+  f.required("winding_j_k", v.winding_j_k);
+  f.required("core_j_k", v.core_j_k);
+  f.required("winding_to_core_k_w", v.winding_to_core_k_w);
+  f.required("core_to_room_fan_k_w", v.core_to_room_fan_k_w);
+  f.required("core_to_room_still_k_w", v.core_to_room_still_k_w);
+  f.required("sensor_winding", v.sensor_winding);
+  f.required("sensor_lag_s", v.sensor_lag_s);
+}
+
+void describe(Fields& f, UncertaintyDescription& v) {
+  f.required("thermal", v.thermal);
+  f.required("resistance", v.resistance);
+  f.required("thermistor_k", v.thermistor_k);
 }
 
 void describe(Fields& f, LimitsDescription& v) {
@@ -193,6 +224,8 @@ void describe(Fields& f, Description& v) {
   f.required("arrangement", v.arrangement);
   f.required("pins", v.pins);
   f.required("coils", v.coils);
+  f.required("thermal", v.thermal);
+  f.required("uncertainty", v.uncertainty);
   f.required("limits", v.limits);
   f.required("calibration", v.calibration);
   f.required("gain", v.gain, decimals(4));

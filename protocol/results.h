@@ -15,6 +15,7 @@
 #include "protocol/event.h"
 #include "protocol/pattern.h"
 #include "protocol/role.h"
+#include "protocol/sim_error.h"
 #include "protocol/status.h"
 
 namespace hedgehog::protocol {
@@ -36,6 +37,9 @@ struct HelloLimits {
   double frequency_hz = 250.0;
   double telemetry_hz = 200.0;
   std::int64_t line_bytes = 65'536;
+  // How long current_a can flow from a ball as warm as its room, by its instruments; left out: for
+  // ever.
+  std::optional<double> burst_s{};
   friend bool operator==(const HelloLimits&, const HelloLimits&) = default;
 };
 
@@ -176,7 +180,7 @@ struct DevicesResult {
 
 /// effect.preview. The lists have an item for every `step_ms`, the mean over it; x, y, z.
 struct PreviewResult {
-  static constexpr std::int64_t kMostSteps = 200;
+  static constexpr std::int64_t kMaxSteps = 200;
   std::int64_t duration_ms = 0;
   std::int64_t step_ms = 1;
   std::vector<std::array<double, 3>> duty{};       // of each bridge, -1..1
@@ -232,7 +236,17 @@ struct SimResult {
   double ambient_c = 25.0;
   std::vector<std::string> faults{};
   std::int64_t coil = 0;
+  std::vector<SimError> errors{};
   friend bool operator==(const SimResult&, const SimResult&) = default;
+};
+/// sim.truth: the simulated ball as it really is, whatever is measured of it.
+struct SimTruthResult {
+  std::vector<double> coils_c{};  // each winding
+  double core_c = 0.0;
+  double skin_c = 0.0;
+  std::vector<double> current_a{};
+  double ambient_c = 0.0;
+  friend bool operator==(const SimTruthResult&, const SimTruthResult&) = default;
 };
 
 /// device.release, orientation.set, telemetry.unsubscribe, events.unsubscribe: {}.
@@ -244,6 +258,6 @@ using ResultValue =
     std::variant<Done, HelloResult, PingResult, Admission, StopResult, StateResult, ClaimResult,
                  GainResult, ForecastResult, RecenterResult, TelemetryResult, EventsResult,
                  ConnectionsResult, PreviewResult, HistoryResult, PatternSummary, PatternsResult,
-                 PatternResult, DevicesResult, SimResult, Status, Description>;
+                 PatternResult, DevicesResult, SimResult, SimTruthResult, Status, Description>;
 
 }  // namespace hedgehog::protocol

@@ -21,9 +21,7 @@ RpcError invalid_request(std::string what) {
 std::optional<Id> read_id(const Json& json) {
   if (const auto* number = json.as<double>()) {
     constexpr double kExact = 9'007'199'254'740'992.0;
-    if (std::fabs(*number) > kExact) {
-      return std::nullopt;
-    }
+    if (std::fabs(*number) > kExact) return std::nullopt;
   } else if (json.as<std::nullptr_t>() == nullptr && json.as<std::int64_t>() == nullptr &&
              json.as<std::string>() == nullptr) {
     return std::nullopt;
@@ -34,9 +32,7 @@ std::optional<Id> read_id(const Json& json) {
 RpcError no_such_method(const std::string& method) {
   std::vector<std::string_view> names;
   names.reserve(kMethods.size());
-  for (const MethodInfo& row : kMethods) {
-    names.push_back(row.name);
-  }
+  for (const MethodInfo& row : kMethods) names.push_back(row.name);
   const std::string shown = shortened(method);
   RpcError made = error(ErrorCode::kMethodNotFound, "method_not_found: there is no method '" +
                                                         shown + "'" + hint(method, names));
@@ -52,11 +48,9 @@ Result<Request> read_params(Method method, const Json* params) {
         "params", "must be an object with parameters by name, not " + std::string(params->kind()));
   }
   Request request = empty_request(method);
-  Reader reader(params == nullptr ? kNone : *params, Reader::Manner::kStrict, name(method));
+  Reader reader(params == nullptr ? kNone : *params, Reader::Strictness::kStrict, name(method));
   describe(reader, request);
-  if (reader.error()) {
-    return *reader.error();
-  }
+  if (reader.error()) return *reader.error();
   return request;
 }
 
@@ -70,28 +64,22 @@ Item read_item(const Json& json) {
                    invalid_request("a request is an object, not " + std::string(json.kind())));
   }
   std::optional<Id> id;
-  if (const Json* said = json.find("id")) {
-    id = read_id(*said);
-    if (!id) {
-      return refused(Id{}, invalid_request("id must be a string, a number or null"));
-    }
+  if (const Json* given = json.find("id")) {
+    id = read_id(*given);
+    if (!id) return refused(Id{}, invalid_request("id must be a string, a number or null"));
   }
   // Whoever cannot be recognised as a notification is answered, as JSON-RPC 2.0 section 5 asks.
   const Id answer_to = id.value_or(Id{});
   const Json* version = json.find("jsonrpc");
   const auto* version_text = version == nullptr ? nullptr : version->as<std::string>();
-  if (version_text == nullptr || *version_text != "2.0") {
+  if (version_text == nullptr || *version_text != "2.0")
     return refused(answer_to, invalid_request("\"jsonrpc\":\"2.0\" is missing"));
-  }
   const Json* called = json.find("method");
   const auto* method_text = called == nullptr ? nullptr : called->as<std::string>();
-  if (method_text == nullptr) {
+  if (method_text == nullptr)
     return refused(answer_to, invalid_request("method is missing or not a string"));
-  }
   const std::optional<Method> method = method_named(*method_text);
-  if (!method) {
-    return refused(std::move(id), no_such_method(*method_text));
-  }
+  if (!method) return refused(std::move(id), no_such_method(*method_text));
   return {std::move(id), method, read_params(*method, json.find("params"))};
 }
 
@@ -202,9 +190,7 @@ std::string encode_value(const ResultValue& result) {
   std::string out;
   if (const auto* hello = std::get_if<HelloResult>(&result); hello && hello->methods.empty()) {
     HelloResult filled = *hello;
-    for (const MethodInfo& row : kMethods) {
-      filled.methods.emplace_back(row.name);
-    }
+    for (const MethodInfo& row : kMethods) filled.methods.emplace_back(row.name);
     append(out, filled);
   } else {
     std::visit([&](const auto& value) { append(out, value); }, result);
@@ -243,15 +229,11 @@ std::string encode_past_event(const PastEvent& event) {
 
 Result<PastEvent> decode_past_event(std::string_view json) {
   const Result<Json> parsed = parse_json(json, kMaxNesting);
-  if (!parsed) {
-    return parsed.error();
-  }
+  if (!parsed) return parsed.error();
   PastEvent event;
-  Reader reader(*parsed, Reader::Manner::kLenient, "an event");
+  Reader reader(*parsed, Reader::Strictness::kLenient, "an event");
   reader.value(event);
-  if (reader.error()) {
-    return *reader.error();
-  }
+  if (reader.error()) return *reader.error();
   return event;
 }
 

@@ -11,6 +11,7 @@
 
 #include "model/quaternion.h"
 #include "model/vec3.h"
+#include "protocol/event.h"
 #include "protocol/status_keys.h"
 
 namespace hedgehog::protocol {
@@ -21,13 +22,20 @@ struct TemperatureStatus {
   std::array<double, 3> coils{};
   std::optional<std::int64_t> age_ms{};  // null: there never was a reading
   std::optional<double>
-      thermometer{};  // the second one; left out when there is none or it is silent
+      thermometer{};              // the second one; left out when there is none or it is silent
+  std::optional<double> upper{};  // the most that the hottest can be, which is what is limited by
+  std::optional<double> core{};   // between the windings, as estimated
+  /// Of the windings x, y, z; left out unless the board has one on each, and all answer.
+  std::optional<std::array<double, 3>> sensors{};
+  std::optional<double> skin{};  // the most that the shell is, or will be; limits too
   friend bool operator==(const TemperatureStatus&, const TemperatureStatus&) = default;
 };
 
 struct FanStatus {
   std::optional<double> speed_rpm{};
   double duty = 0.0;  // 0..1
+  /// By its speed it cools, and the estimate counts on that; absent: from an older daemon.
+  std::optional<bool> cooling{};
   friend bool operator==(const FanStatus&, const FanStatus&) = default;
 };
 
@@ -79,6 +87,7 @@ struct TripStatus {
   std::int64_t time_ns = 0;
   std::optional<double> temperature_c{};
   double current_a = 0.0;
+  std::optional<Disagreement> disagreement{};  // of measurements_disagree
   friend bool operator==(const TripStatus&, const TripStatus&) = default;
 };
 

@@ -16,9 +16,7 @@ void describe_only(Fields& f, Status& v, StatusKeys keys) {
   // Each key is described where it stands, so that the order of the object is that of the enum.
   const auto shows = [&](StatusKey key) { return keys.contains(key); };
   const auto required = [&](StatusKey key, auto& value, const Spec& spec = {}) {
-    if (shows(key)) {
-      f.required(name(key), value, spec);
-    }
+    if (shows(key)) f.required(name(key), value, spec);
   };
   const auto nullable = [&](StatusKey key, auto& value, const Spec& spec = {}) {
     if (shows(key)) {
@@ -61,6 +59,10 @@ void describe(Fields& f, TemperatureStatus& v) {
   f.nullable("sensor", v.sensor, kDegreesC);
   f.nullable("model", v.model, kDegreesC);
   f.required("coils", v.coils, kDegreesC);
+  f.optional("upper", v.upper, kDegreesC);
+  f.optional("core", v.core, kDegreesC);
+  f.optional("sensors", v.sensors, kDegreesC);
+  f.optional("skin", v.skin, kDegreesC);
   f.nullable("age_ms", v.age_ms);
   f.optional("thermometer", v.thermometer, kDegreesC);
 }
@@ -68,6 +70,7 @@ void describe(Fields& f, TemperatureStatus& v) {
 void describe(Fields& f, FanStatus& v) {
   f.nullable("speed_rpm", v.speed_rpm, decimals(0));
   f.required("duty", v.duty, kRatio);
+  f.optional("cooling", v.cooling);
 }
 
 void describe(Fields& f, OrientationStatus& v) {
@@ -108,11 +111,17 @@ void describe(Fields& f, LinkStatus& v) {
   f.required("errors", v.errors);
 }
 
+void describe(Fields& f, Disagreement& v) {
+  f.required("coil", v.coil);
+  f.required("between", v.between);
+}
+
 void describe(Fields& f, TripStatus& v) {
   f.required("reason", v.reason);
   f.required("time_ns", v.time_ns);
   f.nullable("temperature_c", v.temperature_c, kDegreesC);
   f.required("current_a", v.current_a, kAmps);
+  f.optional("disagreement", v.disagreement);
 }
 
 void describe(Fields& f, PinsStatus& v) {
@@ -122,20 +131,15 @@ void describe(Fields& f, PinsStatus& v) {
 
 void describe(Fields& f, Status& v) {
   StatusKeys keys = kTelemetryDefault;
-  if (!v.pins.empty() || f.has(name(StatusKey::kPins))) {
-    keys.add(StatusKey::kPins);
-  }
+  if (!v.pins.empty() || f.has(name(StatusKey::kPins))) keys.add(StatusKey::kPins);
   describe_only(f, v, keys);
 }
 
 void describe(Fields& f, Telemetry& v) {
   if (f.reads()) {
     v.keys = {};
-    for (std::size_t i = 0; i < kStatusKeyNames.size(); ++i) {
-      if (f.has(kStatusKeyNames[i])) {
-        v.keys.add(static_cast<StatusKey>(i));
-      }
-    }
+    for (std::size_t i = 0; i < kStatusKeyNames.size(); ++i)
+      if (f.has(kStatusKeyNames[i])) v.keys.add(static_cast<StatusKey>(i));
   } else {
     v.keys.add(StatusKey::kTimeNs);
   }
@@ -156,7 +160,7 @@ void describe(Fields& f, PastEvent& v) {
 }
 
 void describe(Fields& f, HistoryResult& v) {
-  f.required("events", v.events, {.items = EventsHistory::kMostEvents});
+  f.required("events", v.events, {.items = EventsHistory::kMaxEvents});
   f.required("more", v.more);
 }
 
@@ -165,9 +169,7 @@ void describe(Fields& f, Event& v) {
   f.required("time_ns", v.time_ns);
   f.optional("state", v.state);
   f.optional("effect", v.effect);
-  if (v.effect) {
-    f.nullable("slot", v.slot);
-  }
+  if (v.effect) f.nullable("slot", v.slot);
   f.optional("seq", v.seq);
   if (v.state) {
     f.nullable("reason", v.reason);
@@ -185,6 +187,7 @@ void describe(Fields& f, Event& v) {
   f.optional("limit_a", v.limit_a, kAmps);
   f.optional("temperature_c", v.temperature_c, kDegreesC);
   f.optional("current_a", v.current_a, kAmps);
+  f.optional("disagreement", v.disagreement);
   f.optional("device", v.device);
   f.optional("skipped", v.skipped);
 }

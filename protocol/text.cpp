@@ -18,12 +18,8 @@ std::size_t utf8_length(std::string_view text) noexcept {
     return byte(i) >= low && byte(i) <= high;
   };
   const unsigned first = byte(0);
-  if (first < 0x80) {
-    return 1;
-  }
-  if (first >= 0xC2 && first <= 0xDF) {
-    return tail(1) ? 2 : 0;
-  }
+  if (first < 0x80) return 1;
+  if (first >= 0xC2 && first <= 0xDF) return tail(1) ? 2 : 0;
   if (first >= 0xE0 && first <= 0xEF) {
     const unsigned low = first == 0xE0 ? 0xA0 : 0x80;
     const unsigned high = first == 0xED ? 0x9F : 0xBF;
@@ -115,10 +111,10 @@ void append_number(std::string& out, double number) {
   }
   constexpr double kWhole = 1e15;
   std::array<char, 40> text{};
-  const bool whole = std::fabs(number) < kWhole && number == std::trunc(number);
-  const auto end = whole ? std::to_chars(text.data(), text.data() + text.size(),
-                                         static_cast<std::int64_t>(number))
-                         : std::to_chars(text.data(), text.data() + text.size(), number);
+  const bool integer = std::fabs(number) < kWhole && number == std::trunc(number);
+  const auto end = integer ? std::to_chars(text.data(), text.data() + text.size(),
+                                           static_cast<std::int64_t>(number))
+                           : std::to_chars(text.data(), text.data() + text.size(), number);
   out.append(text.data(), end.ptr);
 }
 

@@ -9,9 +9,7 @@ namespace hedgehog::protocol {
 namespace {
 
 double to_decimals(double value, int decimals) {
-  if (decimals < 0) {
-    return value;
-  }
+  if (decimals < 0) return value;
   const double scale = std::pow(10.0, decimals);
   const double scaled = std::round(value * scale) / scale;
   // Beyond 2^53 there are no decimals left to round, and scaling would overflow.
@@ -21,17 +19,11 @@ double to_decimals(double value, int decimals) {
 }  // namespace
 
 bool Writer::open(std::string_view name, Presence presence, bool present) {
-  if (!present && presence != Presence::kNullable) {
-    return false;
-  }
-  if (out_.back() != '{') {
-    out_ += ',';
-  }
+  if (!present && presence != Presence::kNullable) return false;
+  if (out_.back() != '{') out_ += ',';
   append_string(out_, name);
   out_ += ':';
-  if (!present) {
-    out_ += "null";
-  }
+  if (!present) out_ += "null";
   return present;
 }
 
@@ -48,9 +40,7 @@ std::size_t Writer::begin_list(std::size_t size, const Spec&) {
 }
 
 bool Writer::begin_item(std::size_t index) {
-  if (index > 0) {
-    out_ += ',';
-  }
+  if (index > 0) out_ += ',';
   return true;
 }
 
@@ -58,7 +48,7 @@ void Writer::end_list() { out_ += ']'; }
 
 void Writer::boolean(bool& v) { out_ += v ? "true" : "false"; }
 
-void Writer::whole(std::int64_t& v, const Spec&) { out_ += std::to_string(v); }
+void Writer::integer(std::int64_t& v, const Spec&) { out_ += std::to_string(v); }
 
 void Writer::number(double& v, const Spec& spec) {
   append_number(out_, to_decimals(v, spec.decimals));
@@ -66,7 +56,7 @@ void Writer::number(double& v, const Spec& spec) {
 
 void Writer::text(std::string& v, const Spec&) { append_string(out_, v); }
 
-void Writer::word(std::size_t& index, std::span<const std::string_view> names) {
+void Writer::enumerator(std::size_t& index, std::span<const std::string_view> names) {
   append_string(out_, index < names.size() ? names[index] : std::string_view{});
 }
 

@@ -23,10 +23,10 @@ class Writer final : public Fields {
   void end_list() override;
 
   void boolean(bool& v) override;
-  void whole(std::int64_t& v, const Spec& spec) override;
+  void integer(std::int64_t& v, const Spec& spec) override;
   void number(double& v, const Spec& spec) override;
   void text(std::string& v, const Spec& spec) override;
-  void word(std::size_t& index, std::span<const std::string_view> names) override;
+  void enumerator(std::size_t& index, std::span<const std::string_view> names) override;
   void numbers(std::span<double> v, const Spec& spec) override;
 
   std::string& out_;

@@ -18,12 +18,12 @@ namespace hedgehog {
 
 /// In memory where there is much room, so that no slow disk holds a test up; TMPDIR wins.
 inline std::filesystem::path temporary_place() {
-  constexpr std::uintmax_t kRoom = std::uintmax_t{512} << 20;
+  constexpr std::uintmax_t kAmbient = std::uintmax_t{512} << 20;
   const char* const memory = "/dev/shm";
   struct statvfs there {};
   const bool fits = std::getenv("TMPDIR") == nullptr && ::statvfs(memory, &there) == 0 &&
-                    (there.f_flag & ST_NOEXEC) == 0 && there.f_bavail * there.f_frsize >= kRoom &&
-                    ::access(memory, W_OK) == 0;
+                    (there.f_flag & ST_NOEXEC) == 0 &&
+                    there.f_bavail * there.f_frsize >= kAmbient && ::access(memory, W_OK) == 0;
   return fits ? std::filesystem::path(memory) : std::filesystem::temp_directory_path();
 }
 
@@ -32,9 +32,8 @@ class TemporaryFolder {
   /// An empty one below `place`. Throws std::system_error.
   explicit TemporaryFolder(const std::filesystem::path& place = temporary_place()) {
     path_ = (place / "hedgehog-test-XXXXXX").string();
-    if (::mkdtemp(path_.data()) == nullptr) {
+    if (::mkdtemp(path_.data()) == nullptr)
       throw std::system_error(errno, std::generic_category(), path_);
-    }
   }
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;

@@ -62,7 +62,7 @@ class CommandLine {
                      unknown.front().c_str());
         return kUsage;
       }
-      return say_usage(error);
+      return print_usage(error);
     }
     return verb_();
   }
@@ -71,15 +71,14 @@ class CommandLine {
   using Verb = std::function<int(Session&)>;
 
   /// What is wrong, in the words of every other complaint, and where to read on.
-  int say_usage(const CLI::ParseError& error) const {
+  int print_usage(const CLI::ParseError& error) const {
     const auto verbs = app_.get_subcommands();
     const std::string verb = verbs.empty() ? "" : " " + verbs.front()->get_name();
     std::string what = error.what();
-    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError)) {
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError))
       what = "'" + extra_word() + "' is not understood";
-    } else if (verbs.empty() && error.get_name() == "RequiredError") {
+    else if (verbs.empty() && error.get_name() == "RequiredError")
       what = "a verb is missing";
-    }
     std::fprintf(stderr, "hedgehogctl%s: %s; hedgehogctl%s --help says more\n", verb.c_str(),
                  what.c_str(), verb.c_str());
     return kUsage;
@@ -184,9 +183,7 @@ class CommandLine {
     patterns->require_subcommand(0, 1);
     patterns->fallthrough();
     patterns->callback([this, patterns] {
-      if (patterns->get_subcommands().empty()) {
-        connected(run_pattern_list);
-      }
+      if (patterns->get_subcommands().empty()) connected(run_pattern_list);
     });
     verb_of(patterns, "list", "what there is", run_pattern_list);
     CLI::App* get = verb_of(patterns, "get", "one of them as JSON", [this](Session& session) {
@@ -229,7 +226,11 @@ class CommandLine {
         ->add_option("--pushed", calibrate_.pushed,
                      "which side each winding pushes, instead of asking: x=front,y=left,z=up")
         ->delimiter(',');
-    calibrate->add_flag("--force", calibrate_.force, "replaces a file that is there");
+    calibrate->add_flag("--thermal", calibrate_.thermal,
+                        "heats and cools the ball for half an hour too, for its thermal constants");
+    calibrate->add_flag(
+        "--force", calibrate_.force,
+        "replaces a file that is there; calibrates a ball that is not at one temperature");
   }
 
   void add_following() {

@@ -36,7 +36,7 @@ class CommandLine {
     } catch (const CLI::Success& done) {
       return app_.exit(done, out_, err_);
     } catch (const CLI::ParseError& error) {
-      return say_usage(error);
+      return print_usage(error);
     }
     const Format format = json_ ? Format::kJson : csv_ ? Format::kCsv : Format::kText;
     const auto done = verb_({out_, err_, format});
@@ -53,17 +53,15 @@ class CommandLine {
  private:
   using Verb = std::function<Result<void>(const Screen&)>;
 
-  int say_usage(const CLI::ParseError& error) {
+  int print_usage(const CLI::ParseError& error) {
     const auto verbs = app_.get_subcommands();
     const std::string verb = verbs.empty() ? "" : " " + verbs.front()->get_name();
     std::string what = error.what();
     const auto unknown = app_.remaining(true);
-    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError) &&
-        !unknown.empty()) {
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError) && !unknown.empty())
       what = "'" + unknown.front() + "' is not understood";
-    } else if (verbs.empty()) {
+    else if (verbs.empty())
       what = unknown.empty() ? "a verb is missing" : "there is no verb '" + unknown.front() + "'";
-    }
     err_ << "hedgehog-design" << verb << ": " << what << "; hedgehog-design" << verb
          << " --help says more\n";
     return kUsage;
@@ -169,7 +167,7 @@ class CommandLine {
                      "how much weaker all shields may be, %, 0 to 50")
         ->capture_default_str();
     choose
-        ->add_option("--least-extension", choose_.least_extension_mm,
+        ->add_option("--least-extension", choose_.min_extension_mm,
                      "of the commonest pins, mm, 0 to 1.5")
         ->capture_default_str();
     choose->add_option("--threads", choose_.threads, "all cores when not said")

@@ -50,9 +50,8 @@ std::string ClassStudy::name() const {
 }
 
 std::optional<double> thesis_extension_mm(const std::string& array, std::size_t size) noexcept {
-  for (const Printed& printed : kTable21) {
+  for (const Printed& printed : kTable21)
     if (printed.array == array && printed.size == size) return printed.extension_mm;
-  }
   return {};
 }
 
@@ -86,10 +85,9 @@ const ClassStudy& Study::commonest() const noexcept {
 
 std::vector<int> Study::pins_that(Standing standing) const {
   std::vector<int> ids;
-  for (const ClassStudy& one : classes_) {
+  for (const ClassStudy& one : classes_)
     if (one.standing() == standing)
       ids.insert(ids.end(), one.pins().pins.begin(), one.pins().pins.end());
-  }
   std::sort(ids.begin(), ids.end());
   return ids;
 }

@@ -92,14 +92,12 @@ Outcome<std::vector<Address>> daemon_addresses(const std::optional<std::string>&
   }
   std::vector<Address> all;
   const auto add = [&](Address address) {
-    for (const Address& known : all) {
+    for (const Address& known : all)
       if (known == address) return;
-    }
     all.push_back(std::move(address));
   };
-  if (const auto runtime = variable("RUNTIME_DIRECTORY")) {
+  if (const auto runtime = variable("RUNTIME_DIRECTORY"))
     add(unix_socket(in_folder(runtime->substr(0, runtime->find(':')))));
-  }
   add(unix_socket(in_folder("/run/hedgehog")));
   if (const auto runtime = variable("XDG_RUNTIME_DIR")) {
     add(unix_socket(in_folder(*runtime + "/hedgehog")));

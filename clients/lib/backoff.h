@@ -11,12 +11,12 @@ class Backoff {
  public:
   using Milliseconds = std::chrono::milliseconds;
   static constexpr Milliseconds kFirst{100};
-  static constexpr Milliseconds kMost{5000};
+  static constexpr Milliseconds kMaxPause{5000};
 
   /// The pause before the next attempt.
   Milliseconds next() noexcept {
     const Milliseconds pause = pause_;
-    pause_ = std::min(2 * pause_, kMost);
+    pause_ = std::min(2 * pause_, kMaxPause);
     return pause;
   }
   /// After a success.

@@ -108,9 +108,8 @@ std::string reason(const error_code& error) {
 
 ClientError ended(const error_code& error) {
   if (error == asio::error::eof || error == asio::error::connection_reset ||
-      error == asio::error::broken_pipe) {
+      error == asio::error::broken_pipe)
     return {Failure::kClosed, "the daemon closed the connection", {}};
-  }
   return {Failure::kClosed, "the connection to the daemon is lost: " + reason(error), {}};
 }
 
@@ -143,9 +142,8 @@ Outcome<void> LineSocket::write(std::string_view line, Clock::time_point deadlin
   if (!finished.error) return {};
   error_code ignored;
   impl_->socket.close(ignored);
-  if (finished.error == asio::error::timed_out) {
+  if (finished.error == asio::error::timed_out)
     return ClientError{Failure::kClosed, "the daemon does not read what it is sent", {}};
-  }
   return ended(finished.error);
 }
 

@@ -45,6 +45,7 @@ HEDGEHOG_ANSWERS(PatternRemove, Done);
 HEDGEHOG_ANSWERS(ConnectionList, ConnectionsResult);
 HEDGEHOG_ANSWERS(DeviceList, DevicesResult);
 HEDGEHOG_ANSWERS(SimSet, SimResult);
+HEDGEHOG_ANSWERS(SimTruth, SimTruthResult);
 
 #undef HEDGEHOG_ANSWERS
 

@@ -16,7 +16,7 @@ constexpr milliseconds kReportEvery{1000};
 constexpr double kFollowHz = 100.0;
 constexpr double kReportHz = 10.0;
 // A daemon that shuts down ends the effects first and reports the shutdown then.
-constexpr milliseconds kFarewell{1000};
+constexpr milliseconds kShutdownPatience{1000};
 // As old as the daemon lets a world-frame effect play on.
 constexpr std::int64_t kStaleMs = 100;
 
@@ -39,9 +39,8 @@ protocol::EffectStart effect_of(Style style) {
 protocol::StatusKeys followed_keys() {
   protocol::StatusKeys keys;
   for (const auto key : {protocol::StatusKey::kOrientation, protocol::StatusKey::kPin,
-                         protocol::StatusKey::kForceN, protocol::StatusKey::kTemperatureC}) {
+                         protocol::StatusKey::kForceN, protocol::StatusKey::kTemperatureC})
     keys.add(key);
-  }
   return keys;
 }
 
@@ -52,25 +51,15 @@ Indicator::Indicator(Connection& connection, const IndicatorOptions& options)
 
 Outcome<void> Indicator::run(const std::function<bool()>& stop,
                              const std::function<void(const IndicatorReport&)>& report) {
-  if (auto started = start(); !started) {
-    return started;
-  }
+  if (auto started = start(); !started) return started;
   while (!stop()) {
-    if (options_.duration && Clock::now() - started_at_ >= *options_.duration) {
-      break;
+    if (options_.duration && Clock::now() - started_at_ >= *options_.duration) break;
+    auto notification = connection_.next(milliseconds{50});
+    if (!notification) return notification.error();
+    if (*notification) {
+      if (auto taken = take(**notification, report); !taken) return taken;
     }
-    auto told = connection_.next(milliseconds{50});
-    if (!told) {
-      return told.error();
-    }
-    if (*told) {
-      if (auto taken = take(**told, report); !taken) {
-        return taken;
-      }
-    }
-    if (auto ended = check_ended(); !ended) {
-      return ended;
-    }
+    if (auto ended = check_ended(); !ended) return ended;
   }
   const auto stopped = connection_.call(protocol::EffectStopAll{});
   return stopped ? Outcome<void>() : Outcome<void>(stopped.error());
@@ -78,68 +67,52 @@ Outcome<void> Indicator::run(const std::function<bool()>& stop,
 
 Outcome<void> Indicator::start() {
   const protocol::EventsSubscribe ends{{"effect_ended", "shutting_down"}};
-  if (auto events = connection_.call(ends); !events) {
-    return events.error();
-  }
-  if (auto played = play({}); !played) {
-    return played;
-  }
+  if (auto events = connection_.call(ends); !events) return events.error();
+  if (auto played = play({}); !played) return played;
   const double rate_hz = options_.loop == Loop::kClient ? kFollowHz : kReportHz;
   if (auto telemetry = connection_.call(protocol::TelemetrySubscribe{rate_hz, followed_keys()});
-      !telemetry) {
+      !telemetry)
     return telemetry.error();
-  }
   started_at_ = Clock::now();
   return {};
 }
 
 Outcome<void> Indicator::play(const std::optional<model::Vec3>& direction) {
   protocol::EffectStart effect = effect_of(options_.style);
-  if (direction) {
-    effect.params.direction = *direction;
-  }
-  if (options_.loop == Loop::kDaemon) {
-    effect.params.frame = model::Frame::kWorld;
-  }
+  if (direction) effect.params.direction = *direction;
+  if (options_.loop == Loop::kDaemon) effect.params.frame = model::Frame::kWorld;
   const auto admitted = connection_.call(effect);
-  if (!admitted) {
-    return admitted.error();
-  }
+  if (!admitted) return admitted.error();
   effect_ = admitted->effect;
   lapsed_ = false;
   return {};
 }
 
-Outcome<void> Indicator::take(const Notification& told,
+Outcome<void> Indicator::take(const Notification& notification,
                               const std::function<void(const IndicatorReport&)>& report) {
-  if (const auto* event = std::get_if<protocol::EventMessage>(&told)) {
+  if (const auto* event = std::get_if<protocol::EventMessage>(&notification)) {
     take(event->event);
     return {};
   }
-  const auto* message = std::get_if<protocol::TelemetryMessage>(&told);
+  const auto* message = std::get_if<protocol::TelemetryMessage>(&notification);
   const protocol::Status& status = message->telemetry.status;
   if (Clock::now() - reported_ >= kReportEvery) {
     reported_ = Clock::now();
     IndicatorReport now;
-    if (status.orientation && status.orientation->age_ms <= kStaleMs) {
+    if (status.orientation && status.orientation->age_ms <= kStaleMs)
       now.up = status.orientation->up;
-    }
     now.pin = status.pin;
     now.force_n = status.force_n;
     now.temperature_c = status.temperature_c.model.value_or(0.0);
     report(now);
   }
-  if (ended_ || shutting_down_) {
-    return {};
-  }
+  if (ended_ || shutting_down_) return {};
   return options_.loop == Loop::kClient ? follow(status) : renew();
 }
 
 void Indicator::take(const protocol::Event& event) {
   shutting_down_ = shutting_down_ || event.type == "shutting_down";
-  if (event.type != "effect_ended" || event.effect != effect_) {
-    return;
-  }
+  if (event.type != "effect_ended" || event.effect != effect_) return;
   // The lease ran out: up was not known, or this program was held up. It goes on when it can.
   if (event.reason == "expired" || event.reason == "orientation_lost") {
     lapsed_ = true;
@@ -150,9 +123,7 @@ void Indicator::take(const protocol::Event& event) {
 }
 
 Outcome<void> Indicator::check_ended() const {
-  if (!ended_ || shutting_down_ || Clock::now() - ended_at_ < kFarewell) {
-    return {};
-  }
+  if (!ended_ || shutting_down_ || Clock::now() - ended_at_ < kShutdownPatience) return {};
   return ClientError{Failure::kRefused, "somebody ended the push: " + *ended_, {}};
 }
 
@@ -161,9 +132,7 @@ Outcome<void> Indicator::follow(const protocol::Status& status) {
     // Not renewed either: what points at an up that nobody knows ends by its lease.
     return {};
   }
-  if (lapsed_) {
-    return play(status.orientation->up);
-  }
+  if (lapsed_) return play(status.orientation->up);
   EffectParams params;
   params.slot = kSlot;
   params.direction = status.orientation->up;
@@ -171,9 +140,7 @@ Outcome<void> Indicator::follow(const protocol::Status& status) {
 }
 
 Outcome<void> Indicator::renew() {
-  if (lapsed_) {
-    return play({});
-  }
+  if (lapsed_) return play({});
   EffectParams params;
   params.slot = kSlot;
   return connection_.notify(protocol::EffectUpdate{std::nullopt, params});

@@ -54,7 +54,7 @@ class Indicator {
 
   Outcome<void> start();
   Outcome<void> play(const std::optional<model::Vec3>& direction);
-  Outcome<void> take(const Notification& told,
+  Outcome<void> take(const Notification& notification,
                      const std::function<void(const IndicatorReport&)>& report);
   /// With each telemetry: its rate, like the lease, counts the device's time.
   Outcome<void> renew();

@@ -23,7 +23,7 @@ void note_interrupt(int) { interrupt_seen = 1; }
 
 bool interrupted() { return interrupt_seen != 0; }
 
-void say(const IndicatorReport& report) {
+void print(const IndicatorReport& report) {
   if (!report.up) {
     std::puts("up is not known: the orientation sensor is silent");
   } else {
@@ -47,23 +47,15 @@ int run(const std::vector<Address>& addresses, const IndicatorOptions& options, 
   while (true) {
     if (connection) {
       (void)connection->hello("hedgehog-orientation/" HEDGEHOG_VERSION);
-      const auto outcome = Indicator(*connection, options).run(interrupted, say);
-      if (interrupted()) {
-        return kInterrupted;
-      }
-      if (outcome) {
-        return 0;
-      }
+      const auto outcome = Indicator(*connection, options).run(interrupted, print);
+      if (interrupted()) return kInterrupted;
+      if (outcome) return 0;
       std::fprintf(stderr, "hedgehog-orientation: %s\n", outcome.error().message.c_str());
-      if (is_final(outcome.error())) {
-        return kUnavailable;
-      }
+      if (is_final(outcome.error())) return kUnavailable;
     } else {
       std::fprintf(stderr, "hedgehog-orientation: %s\n", connection.error().message.c_str());
     }
-    if (!wait || interrupted()) {
-      return interrupted() ? kInterrupted : kUnavailable;
-    }
+    if (!wait || interrupted()) return interrupted() ? kInterrupted : kUnavailable;
     std::fputs("hedgehog-orientation: waiting for the daemon\n", stderr);
     do {
       connection = Connection::reopen(addresses, milliseconds{1000});
@@ -101,9 +93,7 @@ int main(int argc, char** argv) {
   }
   options.loop = loop == "client" ? Loop::kClient : Loop::kDaemon;
   options.style = style == "steady" ? Style::kSteady : Style::kPulse;
-  if (seconds) {
-    options.duration = milliseconds(static_cast<std::int64_t>(*seconds * 1000.0));
-  }
+  if (seconds) options.duration = milliseconds(static_cast<std::int64_t>(*seconds * 1000.0));
   std::signal(SIGINT, note_interrupt);
   std::signal(SIGTERM, note_interrupt);
   std::signal(SIGHUP, note_interrupt);

@@ -52,17 +52,17 @@ BallView view_of(const BallReport& ball) {
 /// Says on the terminal what the ball does, when it changes.
 class Talk {
  public:
-  void tell(const BallReport& ball) {
+  void publish(const BallReport& ball) {
     std::string text = sentence(ball);
     if (!ball.connected && !text.empty()) text += "; driving works without a ball";
-    if (text.empty() || text == said_) return;
-    said_ = text;
-    std::puts(said_.c_str());
+    if (text.empty() || text == reported_) return;
+    reported_ = text;
+    std::puts(reported_.c_str());
     std::fflush(stdout);
   }
 
  private:
-  std::string said_;
+  std::string reported_;
 };
 
 class Drive {
@@ -82,7 +82,7 @@ class Drive {
       server_.serve_until(pace.next());
     }
     feel_.pause();
-    server_.say_goodbye("it was stopped");
+    server_.announce_shutdown("it was stopped");
   }
   std::uint16_t port() const noexcept { return server_.port(); }
 
@@ -91,7 +91,7 @@ class Drive {
   void obey(const Asked& asked);
   void take_the_wheel(Mode mode);
   Controls controls(const Asked& asked);
-  void tell(bool moved);
+  void publish(bool moved);
   /// How the ball is; nothing: not known.
   const std::optional<model::Quaternion>& held() const { return feel_.ball().orientation; }
 
@@ -149,26 +149,24 @@ void Drive::frame() {
   obey(asked);
   if (!paused_) race_.step(controls(asked));
   feel_.frame(paused_ ? std::vector<Happening>{} : race_.happenings(), race_.scene().time_s);
-  if (wanted_) talk_.tell(feel_.ball());
-  tell(!paused_);
+  if (wanted_) talk_.publish(feel_.ball());
+  publish(!paused_);
   ++frames_;
 }
 
-void Drive::tell(bool moved) {
+void Drive::publish(bool moved) {
   const bool seldom = frames_ % kSeldom == 0;
-  server_.tell(race_.scene(), {mode_, paused_});
-  if (seldom) server_.tell(wanted_ ? view_of(feel_.ball()) : BallView{});
+  server_.publish(race_.scene(), {mode_, paused_});
+  if (seldom) server_.publish(wanted_ ? view_of(feel_.ball()) : BallView{});
   if (!moved) return;
   for (const Played& played : feel_.played()) {
     if (lasts(played) && !seldom) continue;
-    server_.tell(Felt{played.kind, played.direction, played.current_a / played.full_a,
-                      played.on_the_ball ? played.current_a : 0.0});
+    server_.publish(Felt{played.kind, played.direction, played.current_a / played.full_a,
+                         played.on_the_ball ? played.current_a : 0.0});
   }
-  for (const Happening& happening : race_.happenings()) {
-    if (const auto* lap = std::get_if<LapDone>(&happening)) {
-      server_.tell_lap(lap->lap, lap->time_s, race_.scene().best_lap_s == lap->time_s);
-    }
-  }
+  for (const Happening& happening : race_.happenings())
+    if (const auto* lap = std::get_if<LapDone>(&happening))
+      server_.publish_lap(lap->lap, lap->time_s, race_.scene().best_lap_s == lap->time_s);
 }
 
 }  // namespace
@@ -178,9 +176,8 @@ std::optional<HubSettings> listen_at(const std::string& text) {
   if (colon == std::string::npos || colon == 0) return std::nullopt;
   HubSettings settings;
   settings.address = text.substr(0, colon);
-  if (settings.address.starts_with('[') && settings.address.ends_with(']')) {
+  if (settings.address.starts_with('[') && settings.address.ends_with(']'))
     settings.address = settings.address.substr(1, settings.address.size() - 2);
-  }
   const char* const end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data() + colon + 1, end, settings.port);
   if (error != std::errc{} || rest != end) return std::nullopt;

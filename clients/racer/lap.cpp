@@ -62,9 +62,8 @@ std::optional<std::string> wait_for(Feel& feel) {
     if (is_ready(ball)) return std::nullopt;
     const std::string why = sentence(ball);
     if (!why.empty() && !ball.late) return why;
-    if (std::chrono::steady_clock::now() - begun > max_wait(ball)) {
+    if (std::chrono::steady_clock::now() - begun > max_wait(ball))
       return why.empty() ? "the daemon does not answer" : why;
-    }
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
 }
@@ -97,7 +96,7 @@ void hear_the_end(Feel& feel, double time_s) {
   }
 }
 
-void say_why(const std::string& why) {
+void print_reason(const std::string& why) {
   std::fprintf(stderr, "hedgehog-racer: %s (lap --no-ball drives without a ball)\n", why.c_str());
 }
 
@@ -116,9 +115,9 @@ void print_json(const Count& count, const Feel* feel) {
   }
   const BallSummary& ball = feel->summary();
   std::printf(R"({"pulses":%d,"refused":%d,"left_out":%d,"turned_down_s":%.2f,"least_gain":%.3f,)",
-              ball.pulses, ball.refused, ball.left_out, ball.turned_down_s, ball.least_gain);
+              ball.pulses, ball.refused, ball.left_out, ball.turned_down_s, ball.min_gain);
   std::printf(R"("derated_s":%.2f,"least_limit_a":%s,"hottest_c":%s,"tripped":%s}})",
-              ball.derated_s, number(ball.least_limit_a).c_str(), number(ball.hottest_c).c_str(),
+              ball.derated_s, number(ball.min_limit_a).c_str(), number(ball.hottest_c).c_str(),
               ball.tripped ? "true" : "false");
   std::puts("");
 }
@@ -137,9 +136,9 @@ void print(const Count& count, const Feel* feel) {
   if (ball.refused > 0)
     std::printf("not felt      %d pulses that the ball did not take\n", ball.refused);
   std::printf("turned down   by the game for %.1f s, at the least to %.0f %%\n", ball.turned_down_s,
-              100.0 * ball.least_gain);
+              100.0 * ball.min_gain);
   std::printf("derated       by the daemon for %.1f s; never below %.1f A allowed\n",
-              ball.derated_s, ball.least_limit_a.value_or(0.0));
+              ball.derated_s, ball.min_limit_a.value_or(0.0));
   std::printf("hottest       %.1f °C, %s\n", ball.hottest_c.value_or(0.0),
               ball.tripped ? "and the ball tripped" : "never tripped");
 }
@@ -151,7 +150,7 @@ int drive_laps(const LapOptions& options, const std::function<bool()>& interrupt
   if (!options.addresses.empty()) {
     feel = std::make_unique<Feel>(options.addresses);
     if (const auto why_not = wait_for(*feel)) {
-      say_why(*why_not);
+      print_reason(*why_not);
       return kUnavailable;
     }
   }
@@ -168,14 +167,12 @@ int drive_laps(const LapOptions& options, const std::function<bool()>& interrupt
       count.take(happening);
       if (options.json) std::puts(to_json(happening, scene.time_s).c_str());
     }
-    if (!options.json) {
-      for (const std::string& line : log.lines(race.happenings(), scene.time_s)) {
+    if (!options.json)
+      for (const std::string& line : log.lines(race.happenings(), scene.time_s))
         std::puts(line.c_str());
-      }
-    }
     std::fflush(stdout);
     if (feel && in_vain(*feel)) {
-      say_why(feel->ball().trouble);
+      print_reason(feel->ball().trouble);
       return kUnavailable;
     }
     if (feel) pace.wait();
@@ -191,7 +188,7 @@ int drive_laps(const LapOptions& options, const std::function<bool()>& interrupt
   options.json ? print_json(count, feel.get()) : print(count, feel.get());
   if (interrupted()) return kInterrupted;
   if (feel && feel->summary().tripped) return kTripped;
-  if (why_lost) say_why(*why_lost);
+  if (why_lost) print_reason(*why_lost);
   return why_lost ? kUnavailable : 0;
 }
 

@@ -25,25 +25,26 @@ namespace {
 CLI::Validator plain_name() {
   return {[](const std::string& id) {
             const bool plain =
-                !id.empty() && std::all_of(id.begin(), id.end(), [](unsigned char c) {
-                  return std::isalnum(c) != 0 || c == '_' || c == '-';
-                });
+                !id.empty() &&
+                std::all_of(
+                    id.begin(), id.end(),
+                    [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-'; });
             return plain ? std::string() : std::string("letters, digits, '_' and '-' only");
           },
           "ID"};
 }
 
 /// CLI::Range lets "nan" through, which is neither below nor above anything.
-CLI::Validator finite(double least, double most) {
+CLI::Validator finite(double lowest, double highest) {
   char range[64];
-  std::snprintf(range, sizeof range, "FLOAT in [%g - %g]", least, most);
-  return {[least, most](const std::string& text) {
+  std::snprintf(range, sizeof range, "FLOAT in [%g - %g]", lowest, highest);
+  return {[lowest, highest](const std::string& text) {
             double value = 0.0;
             const bool within =
-                CLI::detail::lexical_cast(text, value) && value >= least && value <= most;
+                CLI::detail::lexical_cast(text, value) && value >= lowest && value <= highest;
             char problem[96];
-            std::snprintf(problem, sizeof problem, "must be a number from %g to %g, not ", least,
-                          most);
+            std::snprintf(problem, sizeof problem, "must be a number from %g to %g, not ", lowest,
+                          highest);
             return within ? std::string() : problem + text;
           },
           range};
@@ -83,9 +84,7 @@ class CommandLine {
       app_.exit(error, std::cerr, std::cerr);
       return EX_USAGE;
     }
-    if (!folder_.empty()) {
-      std::filesystem::current_path(folder_);
-    }
+    if (!folder_.empty()) std::filesystem::current_path(folder_);
     return chosen_();
   }
 
@@ -125,7 +124,7 @@ class CommandLine {
         ->check(CLI::Range(1, 99'999))
         ->capture_default_str();
     verb->add_option("--seed", plan_.seed, "of everything drawn")
-        ->check(CLI::Range(std::uint64_t{0}, kMostSeed))
+        ->check(CLI::Range(std::uint64_t{0}, kMaxSeed))
         ->capture_default_str();
     verb->add_option("--experiments", plan_.experiments, "with commas; default: the thesis' three")
         ->delimiter(',');

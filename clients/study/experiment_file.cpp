@@ -14,9 +14,9 @@ namespace {
 using nlohmann::json;
 
 // What the daemon can play (protocol/README.md).
-constexpr double kMostCurrentA = 15.0;
-constexpr double kMostSpeed = 100.0;
-constexpr double kLeastSpeed = 0.1;
+constexpr double kMaxCurrentA = 15.0;
+constexpr double kMaxSpeed = 100.0;
+constexpr double kMinSpeed = 0.1;
 constexpr double kLongestMs = 10'000;
 constexpr double kMany = 1'000'000;
 
@@ -33,9 +33,7 @@ class Reader {
 
   void number(const char* key, double low, double high, double& value) {
     const json* found = find(key);
-    if (found == nullptr) {
-      return;
-    }
+    if (found == nullptr) return;
     if (!found->is_number() || !(found->get<double>() >= low && found->get<double>() <= high)) {
       wrong(key, "must be a number from " + plain(low) + " to " + plain(high) + ", not " +
                      found->dump());
@@ -48,20 +46,17 @@ class Reader {
   void integer(const char* key, double low, double high, Integer& value) {
     double read = static_cast<double>(value);
     number(key, low, high, read);
-    if (read != std::floor(read)) {
-      wrong(key, "must be a whole number, not " + plain(read));
-    }
+    if (read != std::floor(read)) wrong(key, "must be a whole number, not " + plain(read));
     value = static_cast<Integer>(read);
   }
 
   void level(const char* key, int decimals, double low, double high, Level& value) {
     double read = to_value(value, decimals);
     number(key, low, high, read);
-    if (const auto exact = from_value(read, decimals)) {
+    if (const auto exact = from_value(read, decimals))
       value = *exact;
-    } else {
+    else
       wrong(key, "has more than " + std::to_string(decimals) + " decimals");
-    }
   }
 
   void boolean(const char* key, bool& value) {
@@ -89,14 +84,10 @@ class Reader {
 
   int word(const char* key, int value, std::initializer_list<Word> words) {
     const json* found = find(key);
-    if (found == nullptr) {
-      return value;
-    }
+    if (found == nullptr) return value;
     std::string choice;
     for (const Word& candidate : words) {
-      if (found->is_string() && found->get<std::string>() == candidate.text) {
-        return candidate.value;
-      }
+      if (found->is_string() && found->get<std::string>() == candidate.text) return candidate.value;
       choice += (choice.empty() ? "\"" : ", \"") + std::string(candidate.text) + "\"";
     }
     wrong(key, "must be one of " + choice + ", not " + found->dump());
@@ -109,16 +100,11 @@ class Reader {
     return at == object_.end() ? nullptr : &*at;
   }
   void require(const char* key) {
-    if (find(key) == nullptr) {
-      wrong(key, "is missing");
-    }
+    if (find(key) == nullptr) wrong(key, "is missing");
   }
   void refuse_unknown() {
-    for (const auto& [key, value] : object_.items()) {
-      if (!asked_.contains(key)) {
-        wrong(key, "unknown key");
-      }
-    }
+    for (const auto& [key, value] : object_.items())
+      if (!asked_.contains(key)) wrong(key, "unknown key");
   }
 
   void wrong(const std::string& key, const std::string& reason) {
@@ -169,24 +155,20 @@ void read_stages(Reader& reader, const json& stages, double ratio, int decimals,
 /// What only shows when everything is read.
 void check_together(Reader& reader, const Experiment& e) {
   const StaircaseRule& rule = e.rule;
-  if (rule.floor > rule.start || rule.start > rule.ceiling) {
+  if (rule.floor > rule.start || rule.start > rule.ceiling)
     reader.wrong("start", "must lie between floor and ceiling");
-  }
-  if (rule.discard >= rule.total_reversals() && !rule.stages.empty()) {
+  if (rule.discard >= rule.total_reversals() && !rule.stages.empty())
     reader.wrong("discard", "leaves no reversal for the mean");
-  }
   if ((e.task == Task::kYesNo) != (e.quantity == Quantity::kCurrentA)) {
     reader.wrong("level",
                  "\"yes_no\" goes with \"current_a\", \"two_intervals\" with a percentage");
   }
-  if (e.catch_one_in != 0 && (e.task != Task::kYesNo || e.catch_one_in < 3)) {
+  if (e.catch_one_in != 0 && (e.task != Task::kYesNo || e.catch_one_in < 3))
     reader.wrong("catch_one_in", "0, or for \"yes_no\" 3 and more (never two in a row)");
-  }
-  if (e.task == Task::kTwoIntervals && e.pattern.current_a <= 0.0) {
+  if (e.task == Task::kTwoIntervals && e.pattern.current_a <= 0.0)
     reader.wrong("current_a", "must be above 0: the reference of two intervals is felt");
-  }
   const Stimulus most = test_stimulus(e, rule.ceiling);
-  if (most.current_a > kMostCurrentA + 1e-9 || most.speed_pins_s > kMostSpeed + 1e-9) {
+  if (most.current_a > kMaxCurrentA + 1e-9 || most.speed_pins_s > kMaxSpeed + 1e-9) {
     reader.wrong("ceiling", "is " + Reader::plain(most.current_a) + " A at " +
                                 Reader::plain(most.speed_pins_s) +
                                 " pins/s; a ball plays at most 15 A and 100 pins/s");
@@ -195,13 +177,11 @@ void check_together(Reader& reader, const Experiment& e) {
 
 Experiment read_experiment(Reader& r) {
   Experiment e;
-  for (const char* key : {"name", "task", "level", "question", "start", "ceiling", "stages"}) {
+  for (const char* key : {"name", "task", "level", "question", "start", "ceiling", "stages"})
     r.require(key);
-  }
   r.text("name", e.name);
-  if (e.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") != std::string::npos) {
+  if (e.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") != std::string::npos)
     r.wrong("name", "takes small letters, digits and '-' only: files are called after it");
-  }
   r.text("question", e.question);
   e.task = static_cast<Task>(r.word("task", 0,
                                     {{"yes_no", static_cast<int>(Task::kYesNo)},
@@ -217,9 +197,8 @@ Experiment read_experiment(Reader& r) {
   r.level("ceiling", decimals, 0, kMany, e.rule.ceiling);
   double ratio = 1.0;
   r.number("step_ratio", 0.01, 100, ratio);
-  if (const json* stages = r.find("stages")) {
+  if (const json* stages = r.find("stages"))
     read_stages(r, *stages, ratio, decimals, e.rule.stages);
-  }
   r.integer("positives_down", 1, 10, e.rule.positives_down);
   r.integer("negatives_up", 1, 10, e.rule.negatives_up);
   r.boolean("quick_start", e.rule.quick_start);
@@ -227,8 +206,8 @@ Experiment read_experiment(Reader& r) {
   r.integer("max_trials", 1, kMany, e.rule.max_trials);
   r.integer("duration_ms", 100, kLongestMs, e.pattern.duration_ms);
   r.integer("gap_ms", 0, kLongestMs, e.pattern.gap_ms);
-  r.number("current_a", 0, kMostCurrentA, e.pattern.current_a);
-  r.number("speed_pins_s", kLeastSpeed, kMostSpeed, e.pattern.speed_pins_s);
+  r.number("current_a", 0, kMaxCurrentA, e.pattern.current_a);
+  r.number("speed_pins_s", kMinSpeed, kMaxSpeed, e.pattern.speed_pins_s);
   r.number("ring_deg", 1, 179, e.pattern.ring_deg);
   e.pattern.clockwise = r.word("sense", 0, {{"ccw", 0}, {"cw", 1}}) == 1;
   e.order = static_cast<IntervalOrder>(
@@ -254,14 +233,11 @@ Result<Experiment> parse_experiment(std::string_view text, const std::string& fi
     return Problem{EX_CONFIG, file + ":" + std::to_string(line_of_byte(text, error.byte)) +
                                   ": this is no JSON"};
   }
-  if (!object.is_object()) {
+  if (!object.is_object())
     return Problem{EX_CONFIG, file + ":1: an experiment is an object in braces"};
-  }
   Reader reader(object, text, file);
   Experiment experiment = read_experiment(reader);
-  if (!reader.problems().empty()) {
-    return Problem{EX_CONFIG, reader.problems()};
-  }
+  if (!reader.problems().empty()) return Problem{EX_CONFIG, reader.problems()};
   return experiment;
 }
 

@@ -27,23 +27,18 @@ const char* name_of(Quantity quantity) {
 }  // namespace
 
 Result<Experiment> find_experiment(const std::string& name_or_file) {
-  for (const Preset& preset : presets()) {
-    if (preset.name == name_or_file) {
-      return parse_experiment(preset.text, name_or_file);
-    }
-  }
+  for (const Preset& preset : presets())
+    if (preset.name == name_or_file) return parse_experiment(preset.text, name_or_file);
   if (name_or_file.find('/') == std::string::npos && !name_or_file.ends_with(".json")) {
     std::string known;
-    for (const Preset& preset : presets()) {
+    for (const Preset& preset : presets())
       known += (known.empty() ? "" : ", ") + std::string(preset.name);
-    }
     return Problem{EX_USAGE, "no experiment is called " + name_or_file + "; there are " + known +
                                  ", or name a file"};
   }
   std::ifstream file(name_or_file, std::ios::binary);
-  if (!file || std::filesystem::is_directory(name_or_file)) {
+  if (!file || std::filesystem::is_directory(name_or_file))
     return Problem{EX_NOINPUT, name_or_file + ": cannot be read"};
-  }
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   return parse_experiment(text, name_or_file);
 }

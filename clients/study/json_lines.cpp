@@ -22,14 +22,11 @@ std::optional<std::size_t> place_of(std::string_view text, const std::string& ke
       --depth;
     } else if (text[at] == '"') {
       const std::size_t begin = at;
-      for (++at; at < text.size() && text[at] != '"'; ++at) {
-        at += text[at] == '\\' ? 1 : 0;
-      }
+      for (++at; at < text.size() && text[at] != '"'; ++at) at += text[at] == '\\' ? 1 : 0;
       const std::size_t next = text.find_first_not_of(" \t\r\n", std::min(at + 1, text.size()));
       if (depth == 1 && next != std::string_view::npos && text[next] == ':' &&
-          text.substr(begin, at + 1 - begin) == wanted) {
+          text.substr(begin, at + 1 - begin) == wanted)
         return begin;
-      }
     }
   }
   return std::nullopt;

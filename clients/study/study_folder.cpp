@@ -11,9 +11,9 @@
 #include <regex>
 #include <system_error>
 
+#include "base/atomic_file.h"
 #include "clients/study/experiment_file.h"
 #include "clients/study/journal/journal.h"
-#include "clients/study/sync_folder.h"
 
 namespace hedgehog::study {
 
@@ -26,47 +26,23 @@ constexpr const char* kFile = "study.json";
 Result<StudyPlan> read_plan(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   auto plan = parse_plan(std::string{std::istreambuf_iterator<char>(in), {}});
-  if (!plan) {
-    return Problem{EX_DATAERR, file.string() + ": " + plan.error().message};
-  }
+  if (!plan) return Problem{EX_DATAERR, file.string() + ": " + plan.error().message};
   return plan;
 }
 
-Problem cannot(const fs::path& path) {
-  return {EX_CANTCREAT,
-          path.string() + ": " + std::error_code(errno, std::generic_category()).message()};
-}
-
-/// The whole text or no file, whenever it is killed.
 Result<void> write_whole(const fs::path& file, const std::string& text) {
-  const fs::path unfinished = file.string() + "." + std::to_string(::getpid()) + ".part";
-  const int out = ::open(unfinished.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
-  if (out < 0) {
-    return cannot(file);
-  }
-  const bool written = ::write(out, text.data(), text.size()) == static_cast<ssize_t>(text.size());
-  const bool kept = ::fsync(out) == 0;
-  ::close(out);
+  constexpr mode_t kForEverybody = 0644;
+  const std::string problem = base::write_file_atomically(file.string(), text, kForEverybody);
+  if (!problem.empty()) return Problem{EX_IOERR, problem};
   std::error_code failed;
-  if (written && kept) {
-    fs::rename(unfinished, file, failed);
-  }
-  if (!written || !kept || failed) {
-    fs::remove(unfinished, failed);
-    return Problem{EX_IOERR, file.string() + ": cannot be written"};
-  }
-  const fs::path folder = fs::absolute(file, failed).parent_path();
-  sync_folder(folder);
-  sync_folder(folder.parent_path());
+  base::sync_folder(fs::absolute(file, failed).parent_path().parent_path().string());
   return {};
 }
 
 /// Copies an experiment's file to experiments/NAME.json.
 Result<void> adopt(const fs::path& study, const fs::path& file) {
   const auto experiment = find_experiment(file.string());
-  if (!experiment) {
-    return experiment.error();
-  }
+  if (!experiment) return experiment.error();
   const fs::path own = study / "experiments" / (experiment->name + ".json");
   std::error_code failed;
   if (fs::exists(own, failed)) {  // of a plan that was killed
@@ -86,18 +62,11 @@ Result<StudyFolder> StudyFolder::create(const fs::path& path, const StudyPlan& p
                                         const std::vector<fs::path>& experiments) {
   std::error_code failed;
   const fs::path file = path / kFile;
-  if (fs::exists(file, failed)) {
-    return Problem{EX_CANTCREAT, file.string() + " is there already"};
-  }
+  if (fs::exists(file, failed)) return Problem{EX_CANTCREAT, file.string() + " is there already"};
   fs::create_directories(path / "journal", failed);
-  for (const fs::path& experiment : experiments) {
-    if (auto adopted = adopt(path, experiment); !adopted) {
-      return adopted.error();
-    }
-  }
-  if (auto written = write_whole(file, plan_text(plan)); !written) {
-    return written.error();
-  }
+  for (const fs::path& experiment : experiments)
+    if (auto adopted = adopt(path, experiment); !adopted) return adopted.error();
+  if (auto written = write_whole(file, plan_text(plan)); !written) return written.error();
   StudyFolder folder;
   folder.path_ = path;
   folder.plan_ = plan;
@@ -110,9 +79,7 @@ Result<StudyFolder> StudyFolder::find(const fs::path& from) {
   for (fs::path folder = start;; folder = folder.parent_path()) {
     if (fs::exists(folder / kFile, failed)) {
       auto plan = read_plan(folder / kFile);
-      if (!plan) {
-        return plan.error();
-      }
+      if (!plan) return plan.error();
       StudyFolder study;
       study.path_ = folder;
       study.plan_ = *std::move(plan);
@@ -139,13 +106,9 @@ Result<Experiment> StudyFolder::experiment(const std::string& name_or_file) cons
 }
 
 Result<void> StudyFolder::is_unmistakable(const Experiment& experiment) const {
-  if (auto checked = is_no_other_preset(experiment); !checked) {
-    return checked;
-  }
+  if (auto checked = is_no_other_preset(experiment); !checked) return checked;
   for (const JournalName& name : journals()) {
-    if (name.experiment != experiment.name) {
-      continue;
-    }
+    if (name.experiment != experiment.name) continue;
     // What cannot be read says so where it is read.
     const auto lines = read_journal(name.path);
     const auto* header =
@@ -160,26 +123,17 @@ Result<void> StudyFolder::is_unmistakable(const Experiment& experiment) const {
 
 Result<void> StudyFolder::is_unmistakable(const std::string& participant) const {
   const std::string label = bids_label(participant);
-  if (label.empty()) {
-    return Problem{EX_USAGE, participant + " has neither a letter nor a digit"};
-  }
+  if (label.empty()) return Problem{EX_USAGE, participant + " has neither a letter nor a digit"};
   const auto check = [&](const std::string& other) -> Result<void> {
-    if (other != participant && bids_label(other) == label) {
+    if (other != participant && bids_label(other) == label)
       return Problem{EX_USAGE, participant + " would be taken for " + other +
                                    " in an export to BIDS: take another name"};
-    }
     return {};
   };
-  for (const Participant& planned : plan_.participants) {
-    if (auto checked = check(planned.id); !checked) {
-      return checked;
-    }
-  }
-  for (const JournalName& name : journals()) {
-    if (auto checked = check(name.participant); !checked) {
-      return checked;
-    }
-  }
+  for (const Participant& planned : plan_.participants)
+    if (auto checked = check(planned.id); !checked) return checked;
+  for (const JournalName& name : journals())
+    if (auto checked = check(name.participant); !checked) return checked;
   return {};
 }
 
@@ -190,9 +144,8 @@ std::vector<JournalName> StudyFolder::journals() const {
   for (const auto& entry : fs::directory_iterator(path_ / "journal", failed)) {
     std::smatch parts;
     const std::string name = entry.path().filename().string();
-    if (std::regex_match(name, parts, kName)) {
+    if (std::regex_match(name, parts, kName))
       found.push_back({parts[1], parts[2], std::stoi(parts[3]), entry.path()});
-    }
   }
   std::sort(found.begin(), found.end(), [](const JournalName& a, const JournalName& b) {
     return std::tie(a.participant, a.experiment, a.run) <

@@ -39,17 +39,13 @@ std::vector<std::vector<int>> latin_square(int count) {
   std::vector<int> first{0};
   for (int step = 1; static_cast<int>(first.size()) < count; ++step) {
     first.push_back(step);
-    if (static_cast<int>(first.size()) < count) {
-      first.push_back(count - step);
-    }
+    if (static_cast<int>(first.size()) < count) first.push_back(count - step);
   }
   std::vector<std::vector<int>> rows;
   for (int row = 0; row < count; ++row) {
     std::vector<int> shifted;
     shifted.reserve(first.size());
-    for (const int place : first) {
-      shifted.push_back((place + row) % count);
-    }
+    for (const int place : first) shifted.push_back((place + row) % count);
     rows.push_back(shifted);
   }
   // Of an odd number one square cannot balance who follows whom; its mirror image behind it does.
@@ -73,9 +69,8 @@ StudyPlan make_plan(int participants, std::vector<std::string> experiments, std:
     Participant p;
     p.id = participant_id(i + 1);
     p.seed = drawn_seed(seed, {static_cast<std::uint64_t>(i)});
-    for (const int place : square[static_cast<std::size_t>(i) % square.size()]) {
+    for (const int place : square[static_cast<std::size_t>(i) % square.size()])
       p.order.push_back(plan.experiments[static_cast<std::size_t>(place)]);
-    }
     plan.participants.push_back(p);
   }
   return plan;
@@ -96,9 +91,8 @@ RunSeeds run_seeds(const Participant& participant, const std::string& experiment
 
 std::string plan_text(const StudyPlan& plan) {
   ordered_json participants = ordered_json::array();
-  for (const Participant& p : plan.participants) {
+  for (const Participant& p : plan.participants)
     participants.push_back({{"id", p.id}, {"order", p.order}, {"seed", p.seed}});
-  }
   const ordered_json file{{"seed", plan.seed},
                           {"experiments", plan.experiments},
                           {"created", plan.created},
@@ -115,9 +109,8 @@ Result<StudyPlan> parse_plan(std::string_view text) {
     plan.experiments = json.at("experiments").get<std::vector<std::string>>();
     plan.created = json.at("created");
     plan.software_version = json.at("software_version");
-    for (const ordered_json& p : json.at("participants")) {
+    for (const ordered_json& p : json.at("participants"))
       plan.participants.push_back({p.at("id"), p.at("order"), p.at("seed")});
-    }
     return plan;
   } catch (const std::exception& error) {
     return Problem{EX_DATAERR, error.what()};

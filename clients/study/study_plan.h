@@ -13,7 +13,7 @@
 namespace hedgehog::study {
 
 /// The largest seed that any JSON reader keeps.
-constexpr std::uint64_t kMostSeed = (std::uint64_t{1} << 53) - 1;
+constexpr std::uint64_t kMaxSeed = (std::uint64_t{1} << 53) - 1;
 
 struct Participant {
   std::string id{};

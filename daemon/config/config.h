@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Everything that configuration decides, read, checked and complete: no optional means "look
-// elsewhere" any more. What each value does for the user stands in config/hedgehogd.json. A plain
+// elsewhere" any more. Each key is documented in config/hedgehogd.json. A plain
 // value; any thread.
 #pragma once
 
@@ -12,6 +12,7 @@
 
 #include "daemon/config/listen_address.h"
 #include "daemon/config/sensor_settings.h"
+#include "daemon/device/simulator/front_end.h"
 #include "model/device_model.h"
 #include "model/limits.h"
 
@@ -43,10 +44,15 @@ struct SimulatorSettings {
   std::optional<double> start_temperature_c;
   /// The simulated board is the process `hedgehog-simboard` instead of a thread.
   bool process = false;
-  std::uint32_t seed = 1;
+  /// The board's electronics, and its thermistors, 1 or 3; nullopt: three with in_line, one with
+  /// the others.
+  device::FrontEndKind front_end = device::FrontEndKind::kInLine;
+  std::optional<int> thermistors;
+  /// Of all noise, and of the electronics' parts within their tolerances; 0: typical parts.
+  std::uint32_t seed = 0;
   /// Of the ball that is simulated, as Config::device_file; empty: the daemon's own.
   std::string device_file;
-  /// What that file says; nullopt: the simulated ball is as the daemon believes.
+  /// The content of that file; nullopt: the simulated ball matches the device file.
   std::optional<model::DeviceModel> ball;
   friend bool operator==(const SimulatorSettings&, const SimulatorSettings&) = default;
 };
@@ -63,7 +69,7 @@ struct Config {
   Backend backend = Backend::kSimulator;
   /// Name of the device file, or its path when it has a slash.
   std::string device_file = "hedgehog-86";
-  /// What that file says.
+  /// The content of that file.
   model::DeviceModel device;
   /// The device's limits as tightened here; is_within(limits, device.limits).
   model::Limits limits;

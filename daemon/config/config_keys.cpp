@@ -11,14 +11,12 @@ namespace {
 using D = Draft;
 
 Reason read_addresses(Draft& draft, const Value& value) {
-  if (value.kind != Value::Kind::kArray) {
+  if (value.kind != Value::Kind::kArray)
     return must_be(R"(a list of addresses, such as ["127.0.0.1:7586", "[::1]:7586"])", value);
-  }
   std::vector<ListenAddress> addresses;
   for (const Value& element : value.elements) {
-    if (element.kind != Value::Kind::kText) {
+    if (element.kind != Value::Kind::kText)
       return must_be(R"(a list of texts such as "127.0.0.1:7586")", element);
-    }
     const auto address = parse_listen_address(element.text);
     if (!address) return describe(element) + ": " + address.error().reason;
     const bool twice = address->port != 0 &&
@@ -32,9 +30,8 @@ Reason read_addresses(Draft& draft, const Value& value) {
 
 Value write_addresses(const Draft& draft) {
   std::vector<Value> texts;
-  for (const ListenAddress& address : draft.config.listen.tcp) {
+  for (const ListenAddress& address : draft.config.listen.tcp)
     texts.push_back(Value::of(to_string(address)));
-  }
   return Value::array(std::move(texts));
 }
 
@@ -43,9 +40,8 @@ Reason read_http_listen(Draft& draft, const Value& value) {
     draft.config.http.listen = std::nullopt;
     return {};
   }
-  if (value.kind != Value::Kind::kText) {
+  if (value.kind != Value::Kind::kText)
     return must_be(R"(an address such as "127.0.0.1:7587", or null)", value);
-  }
   const auto address = parse_listen_address(value.text);
   if (!address) return describe(value) + ": " + address.error().reason;
   draft.config.http.listen = *address;
@@ -68,9 +64,8 @@ Reason read_origins(Draft& draft, const Value& value) {
                                                              : 0;
     const bool bare = scheme > 0 && text.size() > scheme &&
                       text.find_first_of("/ *\"\\", scheme) == std::string::npos;
-    if (element.kind != Value::Kind::kText || !bare) {
+    if (element.kind != Value::Kind::kText || !bare)
       return must_be(shape + ", without a path or \"*\"", element);
-    }
     origins.push_back(text);
   }
   draft.config.http.allow_origins = std::move(origins);
@@ -92,16 +87,15 @@ Key<D> path_key(std::string path, bool absolute, bool nullable, Get get) {
               get(d).clear();
               return {};
             }
-            const bool clean = std::all_of(v.text.begin(), v.text.end(), [](char c) {
-              return static_cast<unsigned char>(c) >= 0x20 && c != 0x7f;
-            });
+            const bool clean = std::all_of(
+                v.text.begin(), v.text.end(),
+                [](char c) { return static_cast<unsigned char>(c) >= 0x20 && c != 0x7f; });
             const bool good = v.kind == Value::Kind::kText && !v.text.empty() && clean &&
                               v.text.size() <= 1024 && (!absolute || v.text.front() == '/');
-            if (!good) {
+            if (!good)
               return must_be(std::string(absolute ? "an absolute path" : "a path") +
                                  (nullable ? " or null" : ""),
                              v);
-            }
             get(d) = v.text;
             return {};
           },
@@ -128,6 +122,22 @@ void add_listeners(std::vector<Key<D>>& keys) {
       [](auto& d) -> auto& { return d.config.telemetry_max_rate_hz; }));
 }
 
+Reason read_thermistors(Draft& draft, const Value& value) {
+  if (value.kind == Value::Kind::kNull) {
+    draft.config.simulator.thermistors = std::nullopt;
+    return {};
+  }
+  if (value.kind != Value::Kind::kNumber || (value.number != 1.0 && value.number != 3.0))
+    return must_be("1, 3 or null", value);
+  draft.config.simulator.thermistors = static_cast<int>(value.number);
+  return {};
+}
+
+Value write_thermistors(const Draft& draft) {
+  const auto& thermistors = draft.config.simulator.thermistors;
+  return thermistors ? Value::of(static_cast<double>(*thermistors)) : Value{};
+}
+
 void add_simulator(std::vector<Key<D>>& keys) {
   keys.push_back(number_key<D>(
       "simulator.ambient_c", -20, 60,
@@ -140,6 +150,14 @@ void add_simulator(std::vector<Key<D>>& keys) {
   keys.push_back(path_key(
       "simulator.device", false, true,
       [](auto& d) -> auto& { return d.config.simulator.device_file; }));
+  constexpr Choices<device::FrontEndKind, 3> kFrontEnds{
+      {{"in_line", device::FrontEndKind::kInLine},
+       {"driver_cs", device::FrontEndKind::kDriverCs},
+       {"ideal", device::FrontEndKind::kIdeal}}};
+  keys.push_back(choice_key<D>(
+      "simulator.front_end", kFrontEnds,
+      [](auto& d) -> auto& { return d.config.simulator.front_end; }));
+  keys.push_back({"simulator.thermistors", read_thermistors, write_thermistors});
   keys.push_back(integer_key<D>(
       "simulator.seed", 0, 4294967295.0, [](auto& d) -> auto& { return d.config.simulator.seed; }));
 }

@@ -11,6 +11,7 @@
 #include "daemon/config/key_tree.h"
 #include "daemon/config/limit_keys.h"
 #include "model/pin_array.h"
+#include "model/thermal_decay.h"
 
 namespace hedgehog::config {
 namespace {
@@ -43,9 +44,8 @@ Reason read_matrix(DeviceModel& device, const Value& value) {
     matrix.row[r] = {row[0], row[1], row[2]};
   }
   // A calibrated matrix is near a permutation with signs, so that its determinant is near 1 or -1.
-  if (const double det = model::determinant(matrix); !(std::abs(det) >= 0.001)) {
+  if (const double det = model::determinant(matrix); !(std::abs(det) >= 0.001))
     return "must have a determinant other than 0: these rows leave directions without a field";
-  }
   device.coils.matrix = matrix;
   return {};
 }
@@ -54,6 +54,25 @@ Value write_matrix(const DeviceModel& device) {
   std::vector<Value> rows;
   for (const model::Vec3& row : device.coils.matrix.row) rows.push_back(three(row.x, row.y, row.z));
   return Value::array(std::move(rows));
+}
+
+/// A number for all windings, or one for each.
+template <class Get>
+Key<DeviceModel> windings_key(std::string path, double min, double max, Get get) {
+  return {std::move(path),
+          [=](DeviceModel& d, const Value& v) -> Reason {
+            if (v.kind == Value::Kind::kArray)
+              return read_three(v, min, max, get(d), "one number, or three: of x, y, z");
+            double common = 0.0;
+            Reason reason = read_number(v, min, max, common);
+            if (reason.empty()) get(d).fill(common);
+            return reason;
+          },
+          [=](const DeviceModel& d) {
+            const std::array<double, 3>& each = get(d);
+            const bool common = each[0] == each[1] && each[1] == each[2];
+            return common ? Value::of(each[0]) : three(each[0], each[1], each[2]);
+          }};
 }
 
 bool parse_hex4(std::string_view digits, std::uint16_t& out) {
@@ -70,9 +89,8 @@ Reason read_usb(DeviceModel& device, const Value& value) {
     model::UsbId id;
     const std::string_view text = element.text;
     if (element.kind != Value::Kind::kText || text.size() != 9 || text[4] != ':' ||
-        !parse_hex4(text.substr(0, 4), id.vendor) || !parse_hex4(text.substr(5), id.product)) {
+        !parse_hex4(text.substr(0, 4), id.vendor) || !parse_hex4(text.substr(5), id.product))
       return must_be(shape, element);
-    }
     ids.push_back(id);
   }
   device.usb = std::move(ids);
@@ -91,9 +109,8 @@ Value write_usb(const DeviceModel& device) {
 
 Reason read_arrangement(DeviceModel& device, const Value& value) {
   const std::string& known = model::hedgehog_86().arrangement;
-  if (value.kind != Value::Kind::kText || value.text != known) {
+  if (value.kind != Value::Kind::kText || value.text != known)
     return must_be('"' + known + '"', value);
-  }
   device.arrangement = value.text;
   return {};
 }
@@ -128,13 +145,13 @@ std::vector<Key<DeviceModel>> make_device_keys() {
       "supply_v", 5.0, 24.0, [](auto& d) -> auto& { return d.coils.supply_v; });
   number(
       "force_slope_n_a", 0.001, 0.1, [](auto& d) -> auto& { return d.force_slope_n_a; });
-  number(
-      "thermal.winding_j_k", 1, 10000, [](auto& d) -> auto& { return d.thermal.winding_j_k; });
+  keys.push_back(windings_key(
+      "thermal.winding_j_k", 1, 10000, [](auto& d) -> auto& { return d.thermal.winding_j_k; }));
   number(
       "thermal.core_j_k", 1, 10000, [](auto& d) -> auto& { return d.thermal.core_j_k; });
-  number(
+  keys.push_back(windings_key(
       "thermal.winding_to_core_k_w", 0.01, 100,
-      [](auto& d) -> auto& { return d.thermal.winding_to_core_k_w; });
+      [](auto& d) -> auto& { return d.thermal.winding_to_core_k_w; }));
   number(
       "thermal.core_to_room_fan_k_w", 0.01, 100,
       [](auto& d) -> auto& { return d.thermal.core_to_room_fan_k_w; });
@@ -144,7 +161,21 @@ std::vector<Key<DeviceModel>> make_device_keys() {
   keys.push_back(integer_key<Device>(
       "thermal.sensor_winding", 0, 2, [](auto& d) -> auto& { return d.thermal.sensor_winding; }));
   number(
-      "thermal.sensor_lag_s", 0, 10, [](auto& d) -> auto& { return d.thermal.sensor_lag_s; });
+      "thermal.sensor_lag_s", model::kMinSensorLagS, 10,
+      [](auto& d) -> auto& { return d.thermal.sensor_lag_s; });
+  number(
+      "thermal.fan_rpm", 300, 30000, [](auto& d) -> auto& { return d.thermal.fan_full_rpm; });
+  constexpr model::ThermalUncertainty kMin = model::kMinUncertainty;
+  constexpr model::ThermalUncertainty kMax = model::kMaxUncertainty;
+  number(
+      "uncertainty.thermal", kMin.thermal, kMax.thermal,
+      [](auto& d) -> auto& { return d.uncertainty.thermal; });
+  number(
+      "uncertainty.resistance", kMin.resistance, kMax.resistance,
+      [](auto& d) -> auto& { return d.uncertainty.resistance; });
+  number(
+      "uncertainty.thermistor_k", kMin.thermistor_k, kMax.thermistor_k,
+      [](auto& d) -> auto& { return d.uncertainty.thermistor_k; });
   for (const LimitField& field : kLimitFields) {
     const auto member = field.member;
     keys.push_back(number_key<Device>(
@@ -155,6 +186,22 @@ std::vector<Key<DeviceModel>> make_device_keys() {
   keys.push_back(serial_key<Device>(
       "usb_serial", [](auto& d) -> auto& { return d.usb_serial; }));
   return keys;
+}
+
+// Lighter nodes than the integration can follow would make the estimate oscillate or diverge.
+void check_thermal(const model::ThermalModel& thermal, const Origins& origins,
+                   const std::string& file, ConfigErrors& errors) {
+  const model::NodeTimeConstants time = model::node_time_constants(thermal);
+  const auto check = [&](const char* key, const std::string& what, double seconds) {
+    if (seconds >= model::kMinTimeConstantS) return;
+    errors.push_back(error_at(
+        origins, key,
+        what + " must be at least " + describe(Value::of(model::kMinTimeConstantS)) + " s, not " +
+            describe(Value::of(seconds)) + ": no estimate of heat could follow it",
+        file));
+  };
+  check("thermal.winding_j_k", "times winding_to_core_k_w", time.winding_s);
+  check("thermal.core_j_k", "over all conductances of the core", time.core_s);
 }
 
 }  // namespace
@@ -170,7 +217,10 @@ DeviceModel read_device(const Value& root, const std::string& file, ConfigErrors
   const std::size_t before = errors.size();
   read_keys(root, file, device_keys(), device, origins, errors);
   // Numbers that are wrong by themselves need no second complaint.
-  if (errors.size() == before) check_order(device.limits, origins, file, errors);
+  if (errors.size() == before) {
+    check_order(device.limits, origins, file, errors);
+    check_thermal(device.thermal, origins, file, errors);
+  }
   return device;
 }
 

@@ -133,15 +133,13 @@ class Builder final : public Json::json_sax_t {
 ConfigError syntax_error(const std::string& what, const std::string& file, int line_read) {
   ConfigError error{file, line_read, "", what};
   constexpr std::string_view kLine = "at line ";
-  if (const std::size_t at = what.find(kLine); at != std::string::npos) {
+  if (const std::size_t at = what.find(kLine); at != std::string::npos)
     error.line = std::atoi(what.c_str() + at + kLine.size());
-  }
   constexpr std::string_view kParsing = "while parsing ";
-  if (const std::size_t at = what.find(kParsing); at != std::string::npos) {
+  if (const std::size_t at = what.find(kParsing); at != std::string::npos)
     error.reason = what.substr(at + kParsing.size());
-  } else if (const std::size_t bracket = what.find("] "); bracket != std::string::npos) {
+  else if (const std::size_t bracket = what.find("] "); bracket != std::string::npos)
     error.reason = what.substr(bracket + 2);
-  }
   error.reason = "not valid JSON: " + error.reason;
   return error;
 }
@@ -154,9 +152,8 @@ Json to_library(const Value& value) {
       return value.boolean;
     case Value::Kind::kNumber:
       // 15 rather than 15.0; both read back the same.
-      if (std::abs(value.number) < 1e15 && value.number == std::floor(value.number)) {
+      if (std::abs(value.number) < 1e15 && value.number == std::floor(value.number))
         return static_cast<std::int64_t>(value.number);
-      }
       return value.number;
     case Value::Kind::kText:
       return value.text;
@@ -167,9 +164,8 @@ Json to_library(const Value& value) {
     }
     case Value::Kind::kObject: {
       Json object = Json::object();
-      for (std::size_t i = 0; i < value.keys.size(); ++i) {
+      for (std::size_t i = 0; i < value.keys.size(); ++i)
         object[value.keys[i]] = to_library(value.elements[i]);
-      }
       return object;
     }
   }
@@ -185,9 +181,8 @@ boost::system::result<Value, ConfigError> parse_json(std::string_view text,
   Builder builder(place);
   const CountingIterator begin(text.data(), &place);
   const CountingIterator end(text.data() + text.size(), &place);
-  if (Json::sax_parse(begin, end, &builder, Json::input_format_t::json, true, true)) {
+  if (Json::sax_parse(begin, end, &builder, Json::input_format_t::json, true, true))
     return std::move(builder.root);
-  }
   if (builder.too_deep) return ConfigError{file, place.line, "", "more than 16 levels deep"};
   return syntax_error(builder.reason, file, place.line);
 }

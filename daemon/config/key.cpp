@@ -18,18 +18,15 @@ Reason must_be(const std::string& what, const Value& got) {
 }
 
 Reason read_number(const Value& value, double min, double max, double& out) {
-  if (value.kind != Value::Kind::kNumber) {
-    return must_be("a number, " + range(min, max), value);
-  }
+  if (value.kind != Value::Kind::kNumber) return must_be("a number, " + range(min, max), value);
   if (!(value.number >= min && value.number <= max)) return must_be(range(min, max), value);
   out = value.number;
   return {};
 }
 
 Reason read_integer(const Value& value, double min, double max, double& out) {
-  if (value.kind != Value::Kind::kNumber || value.number != std::floor(value.number)) {
+  if (value.kind != Value::Kind::kNumber || value.number != std::floor(value.number))
     return must_be("a whole number, " + range(min, max), value);
-  }
   return read_number(value, min, max, out);
 }
 
@@ -44,9 +41,8 @@ Reason read_name(const Value& value, std::string& out) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_' || c == '.';
   };
   if (value.kind != Value::Kind::kText || value.text.empty() || value.text.size() > 32 ||
-      !std::all_of(value.text.begin(), value.text.end(), allowed)) {
+      !std::all_of(value.text.begin(), value.text.end(), allowed))
     return must_be("a name of 1 to 32 letters, digits, \"-\", \"_\" or \".\"", value);
-  }
   out = value.text;
   return {};
 }
@@ -56,9 +52,7 @@ Reason read_serial(const Value& value, std::string& out) {
                                      [](char c) { return c > 0x20 && c < 0x7f; });
   const bool text = value.kind == Value::Kind::kText && printable && !value.text.empty() &&
                     value.text.size() <= 126;
-  if (value.kind != Value::Kind::kNull && !text) {
-    return must_be("a serial number or null", value);
-  }
+  if (value.kind != Value::Kind::kNull && !text) return must_be("a serial number or null", value);
   out = value.text;
   return {};
 }

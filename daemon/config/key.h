@@ -114,9 +114,8 @@ Key<Target> choice_key(std::string path, Choices<Enum, n> choices, Get get) {
             return must_be(allowed, v);
           },
           [=](const Target& t) {
-            for (const auto& [name, value] : choices) {
+            for (const auto& [name, value] : choices)
               if (value == get(t)) return Value::of(std::string(name));
-            }
             return Value{};
           }};
 }

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "model/spelling.h"
+#include "base/spelling.h"
 
 namespace hedgehog::config {
 namespace {
@@ -19,12 +19,9 @@ std::string_view last_part(std::string_view path) {
 /// Every key and every section that leads to one.
 std::set<std::string> known_names(const std::vector<std::string>& paths) {
   std::set<std::string> names(paths.begin(), paths.end());
-  for (const std::string& path : paths) {
-    for (std::size_t dot = path.find('.'); dot != std::string::npos;
-         dot = path.find('.', dot + 1)) {
+  for (const std::string& path : paths)
+    for (std::size_t dot = path.find('.'); dot != std::string::npos; dot = path.find('.', dot + 1))
       names.insert(path.substr(0, dot));
-    }
-  }
   return names;
 }
 
@@ -35,7 +32,7 @@ Reason unknown_key(const std::string& path, const std::vector<std::string>& path
   if (path.size() <= 64) {
     for (const std::string& name : known_names(paths)) {
       const std::size_t edits =
-          last_part(name) == last_part(path) ? 1 : model::edits_between(path, name);
+          last_part(name) == last_part(path) ? 1 : base::edits_between(path, name);
       if (edits < fewest) {
         fewest = edits;
         nearest = name;
@@ -58,11 +55,10 @@ class Matcher {
     for (std::size_t i = 0; i < section.keys.size(); ++i) {
       const std::string path = prefix + section.keys[i];
       const Value& value = section.elements[i];
-      if (!seen.insert(section.keys[i]).second) {
+      if (!seen.insert(section.keys[i]).second)
         refuse(value, path, "given twice");
-      } else {
+      else
         member(value, path);
-      }
     }
   }
 
@@ -78,13 +74,12 @@ class Matcher {
     const bool is_section = std::any_of(paths_.begin(), paths_.end(), [&](const std::string& p) {
       return p.starts_with(path + ".");
     });
-    if (!is_section) {
+    if (!is_section)
       refuse(value, path, unknown_key(path, paths_));
-    } else if (value.kind != Value::Kind::kObject) {
+    else if (value.kind != Value::Kind::kObject)
       refuse(value, path, must_be("an object", value));
-    } else {
+    else
       match(value, path + ".");
-    }
   }
 
   void refuse(const Value& value, const std::string& path, Reason reason) {

@@ -11,8 +11,9 @@ std::string key_of(const LimitField& field) { return "limits." + std::string(fie
 std::string text_of(double number) { return describe(Value::of(number)); }
 
 const LimitField& field_of(double model::Limits::*member) {
-  return *std::find_if(kLimitFields.begin(), kLimitFields.end(),
-                       [=](const LimitField& f) { return f.member == member; });
+  return *std::find_if(
+      kLimitFields.begin(), kLimitFields.end(),
+      [=](const LimitField& f) { return f.member == member; });
 }
 
 }  // namespace

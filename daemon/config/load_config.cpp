@@ -41,9 +41,7 @@ class Loader {
       const bool chosen = http != origins_.end() && http->second.file == paths_.config_file;
       if (!chosen && config.http.listen) config.http.listen->port = 0;
     }
-    if (overrides.log_level) {
-      option("--log-level", "log.level", Value::of(*overrides.log_level));
-    }
+    if (overrides.log_level) option("--log-level", "log.level", Value::of(*overrides.log_level));
   }
 
   void settle() {
@@ -63,18 +61,16 @@ class Loader {
     if (file.empty()) return false;
     const auto text = reader_(file);
     if (!text) {
-      if (required || !is_missing(text.error())) {
+      if (required || !is_missing(text.error()))
         errors_.push_back({file, 0, "", text.error().message()});
-      }
       return false;
     }
     draft_.config.files.push_back(file);
     auto root = parse_json(*text, file);
-    if (!root) {
+    if (!root)
       errors_.push_back(root.error());
-    } else {
+    else
       read_keys(*root, file, config_keys(), draft_, origins_, errors_);
-    }
     return true;
   }
 
@@ -90,9 +86,8 @@ class Loader {
     const std::filesystem::path beside = std::filesystem::path(paths_.config_file).parent_path();
     if (name.find('/') != std::string::npos) return {(beside / name).lexically_normal()};
     std::vector<std::string> files{beside / "devices.d" / (name + ".json")};
-    for (const std::string& directory : paths_.device_directories) {
+    for (const std::string& directory : paths_.device_directories)
       files.push_back(std::filesystem::path(directory) / (name + ".json"));
-    }
     return files;
   }
 
@@ -101,15 +96,12 @@ class Loader {
     const std::size_t before = errors_.size();
     config.device = find_device("device", config.device_file);
     const std::string& truth = config.simulator.device_file;
-    if (config.backend == Backend::kSimulator && !truth.empty()) {
+    if (config.backend == Backend::kSimulator && !truth.empty())
       config.simulator.ball = find_device("simulator.device", truth);
-    }
     // What a broken device file allows is not known, so nothing can be said about tightening.
     if (errors_.size() != before) return;
     config.limits = tightened(config.device.limits, draft_.limits, origins_, errors_);
-    if (errors_.size() == before) {
-      check_order(config.limits, origins_, paths_.config_file, errors_);
-    }
+    if (errors_.size() == before) check_order(config.limits, origins_, paths_.config_file, errors_);
   }
 
   /// `key`: who wants the file of that `name`.
@@ -133,9 +125,8 @@ class Loader {
       return {};
     }
     // The ball of the thesis is built in, so that a bare executable runs.
-    if (name != model::DeviceModel{}.model) {
+    if (name != model::DeviceModel{}.model)
       errors_.push_back(error_at(origins_, key, "there is no " + tried, paths_.config_file));
-    }
     return {};
   }
 
@@ -145,9 +136,8 @@ class Loader {
     if (config.http.pages.empty()) config.http.pages = paths_.pages_directory;
     if (config.runtime_directory.empty()) config.runtime_directory = paths_.runtime_directory;
     std::string& socket = config.listen.unix_socket;
-    if (!socket.empty() && socket.front() != '/') {
+    if (!socket.empty() && socket.front() != '/')
       socket = std::filesystem::path(config.runtime_directory) / socket;
-    }
     // sockaddr_un has 108 bytes with the closing zero.
     if (socket.size() > 107) {
       errors_.push_back(error_at(origins_, "listen.unix",
@@ -189,9 +179,8 @@ boost::system::result<Config, ConfigErrors> load_config(const Paths& paths,
 
 std::string print_config(const Config& config) {
   Draft draft{config, {}, config.imu};
-  for (std::size_t i = 0; i < kLimitFields.size(); ++i) {
+  for (std::size_t i = 0; i < kLimitFields.size(); ++i)
     draft.limits[i] = config.limits.*kLimitFields[i].member;
-  }
   return to_json(write_keys(config_keys(), draft));
 }
 

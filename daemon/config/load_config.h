@@ -17,7 +17,7 @@
 
 namespace hedgehog::config {
 
-/// What the command line says.
+/// Options of the command line.
 struct Overrides {
   /// --simulate: the simulator, whatever the files say.
   bool simulate = false;

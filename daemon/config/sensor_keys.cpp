@@ -34,9 +34,8 @@ constexpr Choices<ThermometerRole, 3> kRoles{{{"none", ThermometerRole::kNone},
 }  // namespace
 
 std::string_view name(ImuType type) noexcept {
-  for (const auto& [text, value] : kImuTypes) {
+  for (const auto& [text, value] : kImuTypes)
     if (value == type) return text;
-  }
   return "none";
 }
 
@@ -66,20 +65,16 @@ void settle_sensors(Draft& draft, const Origins& origins, const std::string& fil
   };
   const bool simulator = config.backend == Backend::kSimulator;
   config.imu = draft.imu.value_or(simulator ? ImuType::kSimulator : ImuType::kNone);
-  if (!simulator && config.imu == ImuType::kSimulator) {
+  if (!simulator && config.imu == ImuType::kSimulator)
     wrong("imu.type", "\"simulator\" goes with backend \"simulator\" only");
-  }
-  if (!device::Mounting::of(config.imu_fitting.front, config.imu_fitting.up)) {
+  if (!device::Mounting::of(config.imu_fitting.front, config.imu_fitting.up))
     wrong("imu.up", "must be neither the side of imu.front nor the opposite one");
-  }
   ThermometerSettings& thermometer = config.thermometer;
   const bool fitted = thermometer.type != ThermometerType::kNone;
-  if (fitted && thermometer.role == ThermometerRole::kNone) {
+  if (fitted && thermometer.role == ThermometerRole::kNone)
     wrong("thermometer.role", "must be \"coil\" or \"shell\" when there is a thermometer");
-  }
-  if (!fitted && thermometer.role != ThermometerRole::kNone) {
+  if (!fitted && thermometer.role != ThermometerRole::kNone)
     wrong("thermometer.role", "needs a thermometer: thermometer.type is \"none\"");
-  }
   // A real thermometer says nothing about a simulated coil.
   if (simulator && thermometer.role == ThermometerRole::kCoil) thermometer = {};
 }

@@ -52,11 +52,10 @@ void Value::put(const std::string& path, Value value) {
     found = keys.end() - 1;
   }
   Value& place = elements[static_cast<std::size_t>(found - keys.begin())];
-  if (dot == std::string::npos) {
+  if (dot == std::string::npos)
     place = std::move(value);
-  } else {
+  else
     place.put(path.substr(dot + 1), std::move(value));
-  }
 }
 
 std::string describe(const Value& value) {

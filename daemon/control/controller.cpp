@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "model/rearm.h"
+#include "model/shell_limit.h"
 #include "model/tick.h"
 
 namespace hedgehog::control {
@@ -18,18 +19,18 @@ using model::Vec3;
 // The link makes the board safe after 20 ms without a set-point, so no more than that was heated.
 constexpr Tick kLongestGap = 20;
 // How often the same complaint is worth an event.
-constexpr Tick kComplaintEvery = model::kTicksPerSecond;
-constexpr double kAbsurdHoldS = 0.05;
-constexpr double kBlindAfterS = 0.5;
+constexpr Tick kReportEvery = model::kTicksPerSecond;
+constexpr double kNonFiniteHoldS = 0.05;
 
 }  // namespace
 
 Controller::Controller(const ControlSettings& settings) noexcept
     : settings_(settings),
       limits_(settings.limits),
-      observer_(settings.coils, settings.thermal, settings.start),
+      observer_(settings.coils, settings.thermal, {}),
+      skin_(settings.thermal),
       limiter_(settings.limits),
-      watchdog_(settings.coils, settings.thermal.sensor_winding, settings.thermometer),
+      watchdog_(settings.coils, settings.thermal, settings.thermometer),
       states_(settings) {}
 
 device::BoardCommand Controller::step(const StepInputs& inputs, EventList& events) noexcept {
@@ -37,35 +38,33 @@ device::BoardCommand Controller::step(const StepInputs& inputs, EventList& event
   now_ = inputs.tick;
   const Tick ticks = 1 + static_cast<Tick>(inputs.skipped);
   const double dt_s = kTickSeconds * static_cast<double>(std::min(ticks, kLongestGap));
-  say_overrun(inputs.skipped, events);
+  report_overrun(inputs.skipped, events);
 
-  hold_flow(inputs.skipped);
+  advance_skipped_ticks(inputs.skipped);
   const Reason found = sense(inputs, dt_s);
-  follow_board(found, inputs.board_present, inputs.board_fresh);
+  update_state(found, inputs.board_present, inputs.board_fresh);
 
   const bool emergency = inputs.emergency_generation != emergency_generation_;
   emergency_generation_ = inputs.emergency_generation;
-  for (int i = 0; i < inputs.stop_count; ++i) {
+  for (int i = 0; i < inputs.stop_count; ++i)
     mixer_.stop(inputs.stops[static_cast<std::size_t>(i)], now_, events);
-  }
-  for (int i = 0; i < inputs.command_count; ++i) {
-    take(inputs.commands[static_cast<std::size_t>(i)], events);
-  }
+  for (int i = 0; i < inputs.command_count; ++i)
+    apply_command(inputs.commands[static_cast<std::size_t>(i)], events);
   // After the commands, so that no arming of the same tick survives it.
   if (emergency) states_.emergency_stop(now_);
 
   const State before = states_.state();
-  states_.step(board_, inputs.board_fresh, arm_refusal(), now_);
+  states_.step(board_, inputs.board_fresh, arming_blocker(), now_);
   if (states_.state() != before) {
     if (states_.armed()) watchdog_.begin_armed();
     // A board that does not give up its latch.
-    if (states_.state() == State::kTripped) note_trip(states_.reason());
+    if (states_.state() == State::kTripped) record_trip(states_.reason());
   }
 
-  const bool playing = push(dt_s, events);
-  command_ = drive(playing, dt_s);
-  predict_flow();
-  say_changes(events);
+  const bool playing = compute_currents(dt_s, events);
+  command_ = compute_command(playing, dt_s);
+  predict_currents();
+  report_changes(events);
   started_ = true;
   return command_;
 }
@@ -73,89 +72,42 @@ device::BoardCommand Controller::step(const StepInputs& inputs, EventList& event
 Reason Controller::sense(const StepInputs& inputs, double dt_s) noexcept {
   if (inputs.board_fresh) {
     board_ = inputs.board;
-    keep_limits();
+    apply_board_limits();
   }
   pair_.step(inputs.board_fresh, inputs.board);
-  const Reason found = watchdog_.step(
-      {inputs.board_present, inputs.board_fresh, board_, pair_, command_, limits_.trip_c,
-       1 + static_cast<Tick>(inputs.skipped), states_.armed(), now_, inputs.thermometer});
-  watch_measuring(dt_s);
+  const Reason found =
+      watchdog_.step({inputs.board_present, inputs.board_fresh, board_, pair_, command_,
+                      limits_.trip_c, 1 + static_cast<Tick>(inputs.skipped), states_.armed(),
+                      states_.arming(), now_, inputs.thermometer});
+  track_measuring(dt_s);
   heading_.step(inputs.orientation, now_);
-  observe(dt_s);
-  return found;
+  const Reason estimated = update_estimate(dt_s);
+  if (found == Reason::kMeasurementsDisagree)
+    disagreement_ = watchdog_.disagreement();
+  else if (estimated == Reason::kMeasurementsDisagree)
+    disagreement_ = estimate_.disagreement();
+  return found != Reason::kNone ? found : estimated;
 }
 
-void Controller::keep_limits() noexcept {
-  limits_ = limits_within(settings_.limits, board_);
-  limiter_.set_limits(limits_);
-}
-
-void Controller::watch_measuring(double dt_s) noexcept {
-  if (!command_.enable()) return;
-  if (unpaired_.step(!pair_.consecutive(), dt_s, kBlindAfterS)) blind_ = true;
-  if (!unpaired_.suspicious()) blind_ = false;
-}
-
-void Controller::start_observer(double sensor_c) noexcept {
-  model::ThermalState start;
-  start.winding_c.fill(sensor_c);
-  start.core_c = sensor_c;
-  if (settings_.start_known) {
-    for (std::size_t i = 0; i < model::kCoils; ++i) {
-      start.winding_c[i] = std::max(settings_.start.winding_c[i], sensor_c);
-    }
-    start.core_c = std::max(settings_.start.core_c, sensor_c);
-  }
-  observer_ = model::ThermalObserver(settings_.coils, settings_.thermal, start);
-  if (settings_.start_known) {
-    observer_.trust_start(settings_.start_measured);
-    if (std::isfinite(settings_.start_room_c)) observer_.set_room(settings_.start_room_c);
-  }
-  observing_ = true;
-}
-
-void Controller::observe(double dt_s) noexcept {
-  const bool usable = watchdog_.sensor().usable();
-  if (!observing_) {
-    if (!usable) return;
-    start_observer(board_.sensor_c);
-  }
-  model::ThermalMeasurement m;
-  m.electrical_valid = pair_.electrical();
-  m.voltage_v = pair_.voltage_v();
-  m.current_before_a = pair_.fresh() ? pair_.before_a() : flowing_a_;
-  m.current_a = pair_.fresh() ? pair_.after_a() : flowing_a_;
-  m.sensor_c = board_.sensor_c;
-  m.sensor_valid = usable;
-  m.fan_running = board_.fan_rpm >= FanCheck::kLeastRpm;
-  observer_.step(m, dt_s);
-}
-
-model::ThermalEstimate Controller::thermal() const noexcept {
-  model::ThermalEstimate known = observer_.estimate();
-  if (!observing_) known.hottest_c = std::numeric_limits<double>::infinity();
-  return known;
-}
-
-void Controller::follow_board(Reason found, bool present, bool fresh) noexcept {
+void Controller::update_state(Reason found, bool present, bool fresh) noexcept {
   const BoardCheck& board = watchdog_.board();
   if (!board.alive()) {
     const bool silent = !present || fresh ? board.age() >= BoardCheck::kSilence / 2 : true;
     const Reason gone = silent ? Reason::kTelemetryLost : Reason::kNoBoard;
-    if (states_.armed()) note_trip(gone);
+    if (states_.armed()) record_trip(gone);
     states_.board_gone(gone, now_);
     return;
   }
   states_.board_alive(board_, now_);
   if (found != Reason::kNone) {
-    if (states_.state() != State::kTripped) note_trip(found);
+    if (states_.state() != State::kTripped) record_trip(found);
     states_.trip(found, now_);
   } else if (board.restarted()) {
     states_.board_restarted(now_);
   }
 }
 
-void Controller::take(const Command& command, EventList& events) noexcept {
+void Controller::apply_command(const Command& command, EventList& events) noexcept {
   applied_seq_ = command.seq;
   if (const auto* start = std::get_if<StartEffect>(&command.what)) {
     mixer_.start(*start, command.seq, now_, events);
@@ -164,7 +116,7 @@ void Controller::take(const Command& command, EventList& events) noexcept {
   } else if (const auto* frames = std::get_if<LoadKeyframes>(&command.what)) {
     mixer_.load(*frames);
   } else if (const auto* arm = std::get_if<Arm>(&command.what)) {
-    if (arm->generation == emergency_generation_) states_.arm(arm_refusal(), now_);
+    if (arm->generation == emergency_generation_) states_.arm(arming_blocker(), now_);
   } else if (const auto* recenter = std::get_if<Recenter>(&command.what)) {
     heading_.recenter(recenter->azimuth_deg);
   } else if (const auto* gain = std::get_if<SetGain>(&command.what)) {
@@ -172,42 +124,44 @@ void Controller::take(const Command& command, EventList& events) noexcept {
   } else if (const auto* limits = std::get_if<SetLimits>(&command.what)) {
     if (is_within(limits->limits, settings_.ceiling)) {
       settings_.limits = limits->limits;
-      keep_limits();
+      apply_board_limits();
     }
+  } else if (std::holds_alternative<ForgetBall>(command.what)) {
+    forget_ball();
   }
 }
 
-Reason Controller::arm_refusal() const noexcept {
-  const Reason doubt = watchdog_.doubt();
-  if (doubt != Reason::kNone) return doubt;
+Reason Controller::arming_blocker() const noexcept {
+  const Reason arming_blocker = watchdog_.arming_blocker();
+  if (arming_blocker != Reason::kNone) return arming_blocker;
   // A board's latch for heat may be older than this daemon.
   constexpr std::uint16_t kByHeat = device::kFaultOverHeat | device::kFaultHeatBudget;
   const auto board_heat = static_cast<std::uint16_t>(board_.faults & kByHeat);
   const Reason why = board_heat != 0 ? reason_of_faults(board_heat) : states_.reason();
+  // What is forgotten may have been a trip by heat.
   const bool by_heat = why == Reason::kOverheated || why == Reason::kBoardOverHeat ||
-                       why == Reason::kBoardHeatBudget;
+                       why == Reason::kBoardHeatBudget || why == Reason::kStateLost;
   const model::ThermalEstimate& thermal = observer_.estimate();
-  const double cool_c = model::rearm_below_c(limits_, thermal.room_c);
+  const double cool_c = model::rearm_below_c(limits_, thermal.ambient_c);
   if (by_heat && !(thermal.hottest_c < cool_c)) return why;
-  if (states_.reason() == Reason::kShellHot && watchdog_.thermometer().reducing()) {
+  if (states_.reason() == Reason::kShellHot && watchdog_.thermometer().too_warm_to_arm())
     return Reason::kShellHot;
-  }
   const FanCheck& fan = watchdog_.fan();
-  if (fan.stopped() || (states_.reason() == Reason::kFanStopped && fan.standing())) {
+  if (fan.stopped() || (states_.reason() == Reason::kFanStopped && fan.standing()))
     return Reason::kFanStopped;
-  }
-  return Reason::kNone;
+  return states_.rearm_wait(now_) > 0 ? states_.latch() : Reason::kNone;
 }
 
-bool Controller::push(double dt_s, EventList& events) noexcept {
+bool Controller::compute_currents(double dt_s, EventList& events) noexcept {
   const MixResult mix = mixer_.mix(
       {now_, states_.armed(), heading_.fresh(), heading_.device_to_world(), settings_.gain},
       events);
   const Vec3 wanted = currents_for(mix.field, settings_.coils).a + mix.coil_a;
   demand_a_ = mix.field.a + field_of({mix.coil_a}, settings_.coils).a;
   model::ThermalEstimate thermal = this->thermal();
-  if (blind_) thermal.measured = {};
-  limiter_.set_ceiling(watchdog_.thermometer().allowed(limits_));
+  for (std::size_t i = 0; i < model::kCoils; ++i)
+    if (blind_ || unmeasured_s_[i] > kBlindAfterS) thermal.measured[i] = false;
+  limiter_.set_ceiling(model::shell_allowed_current(limits_, skin().bound_c));
   passed_ = limiter_.limit({wanted}, thermal, dt_s);
   if (!states_.armed()) passed_ = model::LimitedCurrents();  // the watchdog's gate
 
@@ -215,59 +169,62 @@ bool Controller::push(double dt_s, EventList& events) noexcept {
   mixer_.account(asked_a > 0.0 ? norm(passed_.a()) / asked_a : 1.0);
   derating_.step(mix.any ? std::min(asked_a, limits_.current_a) : 0.0, limiter_.allowed().value,
                  now_);
-  reject(dt_s, events);
+  reject_non_finite(dt_s, events);
   return mix.playing;
 }
 
-void Controller::reject(double dt_s, EventList& events) noexcept {
+void Controller::reject_non_finite(double dt_s, EventList& events) noexcept {
   const bool rejected = limiter_.rejected();
   if (rejected) demand_a_ = {};
-  if (rejected && now_ - rejected_said_ >= kComplaintEvery) {
-    rejected_said_ = now_;
-    say(EventType::kRejectedNumber, events);
+  if (rejected && now_ - last_rejection_report_ >= kReportEvery) {
+    last_rejection_report_ = now_;
+    report(EventType::kRejectedNumber, events);
   }
-  if (absurd_.step(rejected, dt_s, kAbsurdHoldS) && states_.armed()) {
-    note_trip(Reason::kInternal);
+  if (non_finite_.step(rejected, dt_s, kNonFiniteHoldS) && states_.armed()) {
+    record_trip(Reason::kInternal);
     states_.trip(Reason::kInternal, now_);
   }
 }
 
-device::BoardCommand Controller::drive(bool playing, double dt_s) noexcept {
+device::BoardCommand Controller::compute_command(bool playing, double dt_s) noexcept {
   device::BoardCommand command;
   // While no effect plays the bridges sleep: duty 0 alone would be a brake that keeps them awake.
   if (states_.armed() && playing) {
     command =
         device::BoardCommand::drive(passed_, observer_.estimate().resistance_ohm,
-                                    settings_.coils.inductance_h, flowing_a_, board_.supply_v);
+                                    settings_.coils.inductance_h, predicted_a_, board_.supply_v);
   }
-  command.fan = fan_.step(thermal().hottest_c, norm(pair_.after_a()), dt_s);
+  command.fan = fan_.step(thermal().hottest_c, norm(present_a()), dt_s);
   if (states_.state() == State::kTripped) command.fan = 255;
   command.arm_count = states_.arm_count();
   return command;
 }
 
-void Controller::predict_flow() noexcept { let_flow(board_.supply_v * command_.first_duty(), 1); }
-
-void Controller::hold_flow(Tick skipped) noexcept {
-  if (skipped == 0) return;
-  const Tick held = std::min(skipped, kLongestGap - 1);
-  let_flow(board_.supply_v * command_.duty(), held);
-  // Asleep since then. The diodes end the current sooner than this, so no boost gets too large.
-  let_flow({}, skipped - held);
+void Controller::predict_currents() noexcept {
+  advance_currents(board_.supply_v * command_.first_duty(), 1);
 }
 
-void Controller::let_flow(const Vec3& voltage, Tick ticks) noexcept {
+void Controller::advance_skipped_ticks(Tick skipped) noexcept {
+  if (skipped == 0) return;
+  const Tick held = std::min(skipped, kLongestGap - 1);
+  advance_currents(board_.supply_v * command_.duty(), held);
+  // Asleep since then. The diodes end the current sooner than this, so no boost gets too large.
+  advance_currents({}, skipped - held);
+}
+
+void Controller::advance_currents(const Vec3& voltage, Tick ticks) noexcept {
   for (int coil = 0; coil < model::kCoils; ++coil) {
     const double r = observer_.estimate().resistance_ohm[static_cast<std::size_t>(coil)];
     const double goal = voltage[coil] / r;
     const double keep =
         std::exp(-r * kTickSeconds * static_cast<double>(ticks) / settings_.coils.inductance_h);
-    flowing_a_[coil] = goal + keep * (flowing_a_[coil] - goal);
+    predicted_a_[coil] = goal + keep * (predicted_a_[coil] - goal);
   }
 }
 
-void Controller::note_trip(Reason reason) noexcept {
-  last_trip_ = {reason, now_, thermal().hottest_c, norm(pair_.after_a())};
+void Controller::record_trip(Reason reason) noexcept {
+  last_trip_ = {reason, now_, thermal().hottest_c, norm(pair_.after_a()), {}};
+  if (reason == Reason::kMeasurementsDisagree) last_trip_.disagreement = disagreement_;
 }
 
 }  // namespace hedgehog::control

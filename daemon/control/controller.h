@@ -5,19 +5,21 @@
 
 #include <type_traits>
 
-#include "daemon/control/control_settings.h"
-#include "daemon/control/debounce.h"
+#include "daemon/control/checks/estimate_check.h"
+#include "daemon/control/checks/fault_debounce.h"
+#include "daemon/control/checks/telemetry_pair.h"
+#include "daemon/control/checks/watchdog.h"
 #include "daemon/control/derating.h"
-#include "daemon/control/event_list.h"
+#include "daemon/control/effects/mixer.h"
 #include "daemon/control/fan.h"
 #include "daemon/control/heading.h"
-#include "daemon/control/mixer.h"
 #include "daemon/control/snapshot.h"
-#include "daemon/control/state_machine.h"
+#include "daemon/control/state/control_settings.h"
+#include "daemon/control/state/event_list.h"
+#include "daemon/control/state/state_machine.h"
 #include "daemon/control/step_inputs.h"
-#include "daemon/control/telemetry_pair.h"
-#include "daemon/control/watchdog.h"
 #include "daemon/device/board_io.h"
+#include "model/skin_estimate.h"
 #include "model/thermal_limiter.h"
 #include "model/thermal_observer.h"
 
@@ -50,37 +52,50 @@ class Controller {
 
  private:
   Reason sense(const StepInputs& inputs, double dt_s) noexcept;
-  /// While driven without two frames in a row no winding is measured by its V/I.
-  void watch_measuring(double dt_s) noexcept;
-  void keep_limits() noexcept;
+  static constexpr double kBlindAfterS = 0.5;
+  /// While driven without two frames in a row, or with readings that do not show it, a winding is
+  /// not measured by its V/I.
+  void track_measuring(double dt_s) noexcept;
+  void apply_board_limits() noexcept;
   void start_observer(double sensor_c) noexcept;
-  void observe(double dt_s) noexcept;
-  void follow_board(Reason found, bool present, bool fresh) noexcept;
-  void take(const Command& command, EventList& events) noexcept;
-  Reason arm_refusal() const noexcept;
+  /// The reason to trip by the estimate, or kNone.
+  Reason update_estimate(double dt_s) noexcept;
+  model::ThermalMeasurement measurement() const noexcept;
+  double sensor_c() const noexcept;
+  /// Its current was measured at both ends of the last millisecond.
+  bool is_measured(int coil) const noexcept;
+  /// The windings' currents, A: where they were not measured, those that our commands make flow.
+  model::Vec3 present_a() const noexcept;
+  SkinStatus skin() const noexcept;
+  void update_state(Reason found, bool present, bool fresh) noexcept;
+  void apply_command(const Command& command, EventList& events) noexcept;
+  void forget_ball() noexcept;
+  Reason arming_blocker() const noexcept;
   /// True while an effect plays.
-  bool push(double dt_s, EventList& events) noexcept;
-  device::BoardCommand drive(bool playing, double dt_s) noexcept;
-  void predict_flow() noexcept;
+  bool compute_currents(double dt_s, EventList& events) noexcept;
+  device::BoardCommand compute_command(bool playing, double dt_s) noexcept;
+  void predict_currents() noexcept;
   /// Without new set-points the board holds the last one, until the link makes it safe.
-  void hold_flow(model::Tick skipped) noexcept;
-  void let_flow(const model::Vec3& voltage, model::Tick ticks) noexcept;
-  void note_trip(Reason reason) noexcept;
-  void reject(double dt_s, EventList& events) noexcept;
-  void say(EventType type, EventList& events, std::uint64_t count = 0) const noexcept;
-  void say_overrun(std::uint32_t skipped, EventList& events) noexcept;
-  struct Said {
+  void advance_skipped_ticks(model::Tick skipped) noexcept;
+  void advance_currents(const model::Vec3& voltage, model::Tick ticks) noexcept;
+  void record_trip(Reason reason) noexcept;
+  void reject_non_finite(double dt_s, EventList& events) noexcept;
+  void report(EventType type, EventList& events, std::uint64_t count = 0) const noexcept;
+  void report_overrun(std::uint32_t skipped, EventList& events) noexcept;
+  struct Reported {
     State state = State::kAbsent;
     Reason reason = Reason::kNoBoard;
     bool attached = false;
     bool oriented = false;
     bool derating = false;
   };
-  void say_changes(EventList& events) noexcept;
+  void report_changes(EventList& events) noexcept;
 
   ControlSettings settings_;
   model::Limits limits_;  // of the settings, as far as the board allows them
   model::ThermalObserver observer_;
+  EstimateCheck estimate_;
+  model::SkinEstimate skin_;
   model::ThermalLimiter limiter_;
   Mixer mixer_;
   Watchdog watchdog_;
@@ -89,9 +104,14 @@ class Controller {
   Heading heading_;
   Derating derating_;
   TelemetryPair pair_;
-  Debounce absurd_;
-  Debounce unpaired_;
+  FaultDebounce non_finite_;
+  FaultDebounce unpaired_;
   bool blind_ = false;  // so each winding is held to continuous_a
+  /// Of each winding: for how long it has been driven without its V/I, so that it is held too.
+  std::array<double, model::kCoils> unmeasured_s_{};
+  model::Vec3 recent_peak_a_;
+  /// For how long the bridges have been asleep.
+  double asleep_s_ = 0.0;
 
   model::Tick now_ = 0;
   bool started_ = false;    // a step has been made
@@ -101,14 +121,15 @@ class Controller {
   device::BoardTelemetry board_;
   device::BoardCommand command_;
   /// What our commands should have made flow, A: for the voltage of the next one.
-  model::Vec3 flowing_a_;
+  model::Vec3 predicted_a_;
   model::Vec3 demand_a_;
   model::LimitedCurrents passed_;
+  Disagreement disagreement_;
   Trip last_trip_;
-  Said said_;  // what events have told so far
-  model::Tick overrun_said_ = -1'000'000;
-  std::uint64_t overrun_unsaid_ = 0;
-  model::Tick rejected_said_ = -1'000'000;
+  Reported reported_;  // as of the last events
+  model::Tick last_overrun_report_ = -1'000'000;
+  std::uint64_t unreported_overruns_ = 0;
+  model::Tick last_rejection_report_ = -1'000'000;
 };
 
 static_assert(std::is_trivially_copyable_v<Controller>);

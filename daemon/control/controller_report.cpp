@@ -11,7 +11,7 @@ void Controller::end_all(EndReason reason, EventList& events) noexcept {
   mixer_.end_all(reason, now_, events);
 }
 
-void Controller::say(EventType type, EventList& events, std::uint64_t count) const noexcept {
+void Controller::report(EventType type, EventList& events, std::uint64_t count) const noexcept {
   Event event;
   event.type = type;
   event.state = states_.state();
@@ -22,33 +22,32 @@ void Controller::say(EventType type, EventList& events, std::uint64_t count) con
   event.current_a = norm(pair_.after_a());
   event.temperature_c = thermal().hottest_c;
   event.count = count;
+  if (event.trip) event.disagreement = last_trip_.disagreement;
   events.push(event);
 }
 
-void Controller::say_overrun(std::uint32_t skipped, EventList& events) noexcept {
+void Controller::report_overrun(std::uint32_t skipped, EventList& events) noexcept {
   constexpr model::Tick kEvery = model::kTicksPerSecond;
-  overrun_unsaid_ += started_ ? skipped : 0;
-  if (overrun_unsaid_ == 0 || now_ - overrun_said_ < kEvery) return;
-  say(EventType::kOverrun, events, overrun_unsaid_);
-  overrun_said_ = now_;
-  overrun_unsaid_ = 0;
+  unreported_overruns_ += started_ ? skipped : 0;
+  if (unreported_overruns_ == 0 || now_ - last_overrun_report_ < kEvery) return;
+  report(EventType::kOverrun, events, unreported_overruns_);
+  last_overrun_report_ = now_;
+  unreported_overruns_ = 0;
 }
 
-void Controller::say_changes(EventList& events) noexcept {
+void Controller::report_changes(EventList& events) noexcept {
   const bool attached = watchdog_.board().alive();
-  if (attached != said_.attached) {
-    say(attached ? EventType::kDeviceAttached : EventType::kDeviceDetached, events);
+  if (attached != reported_.attached)
+    report(attached ? EventType::kDeviceAttached : EventType::kDeviceDetached, events);
+  if (states_.state() != reported_.state || states_.reason() != reported_.reason)
+    report(EventType::kStateChanged, events);
+  if (heading_.present() && heading_.fresh() != reported_.oriented) {
+    report(heading_.fresh() ? EventType::kOrientationRestored : EventType::kOrientationLost,
+           events);
   }
-  if (states_.state() != said_.state || states_.reason() != said_.reason) {
-    say(EventType::kStateChanged, events);
-  }
-  if (heading_.present() && heading_.fresh() != said_.oriented) {
-    say(heading_.fresh() ? EventType::kOrientationRestored : EventType::kOrientationLost, events);
-  }
-  if (derating_.active() != said_.derating) {
-    say(derating_.active() ? EventType::kDeratingStarted : EventType::kDeratingEnded, events);
-  }
-  said_ = {states_.state(), states_.reason(), attached, heading_.fresh(), derating_.active()};
+  if (derating_.active() != reported_.derating)
+    report(derating_.active() ? EventType::kDeratingStarted : EventType::kDeratingEnded, events);
+  reported_ = {states_.state(), states_.reason(), attached, heading_.fresh(), derating_.active()};
 }
 
 void Controller::fill(StatusSnapshot& s) const noexcept {
@@ -56,17 +55,27 @@ void Controller::fill(StatusSnapshot& s) const noexcept {
   s.state = states_.state();
   s.reason = states_.reason();
   s.since = states_.since();
-  s.arm_refusal = arm_refusal();
+  s.arming_blocker = arming_blocker();
   s.latch = states_.latch();
+  s.rearm_wait = states_.rearm_wait(now_);
+  s.rearms = states_.rearms();
 
   s.board_present = watchdog_.board().alive();
   s.board = board_;
   s.sensor_age_s = watchdog_.sensor().age_s();
   s.sensor_valid = s.board_present && watchdog_.sensor().usable();
+  s.fan_cooling = watchdog_.fan().cooling();
+  s.fan_works = watchdog_.fan().works();
   s.thermometer_known = watchdog_.thermometer().known();
   s.thermometer_c = watchdog_.thermometer().celsius();
 
   s.thermal = thermal();
+  for (int coil = 0; coil < model::kCoils; ++coil) {
+    const model::WindingThermometer& winding = observer_.winding(coil);
+    const bool known = observing_ && winding.referenced();
+    s.r25_ohm[static_cast<std::size_t>(coil)] = known ? winding.r25_ohm() : 0.0;
+  }
+  s.skin = skin();
   s.limit_a = limiter_.allowed().value;
   s.derating = derating_.active();
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is an effect being reduced because the ball is warm? With patience, so that a vibration does not
-// begin and end a derating in each of its periods.
+// Detects thermal derating of the active effects. With a hold time, so that a vibration does not
+// toggle it every period.
 #pragma once
 
 #include "model/tick.h"

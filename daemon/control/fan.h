@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// When the fan turns (DESIGN section 6, "Fan"): full if any winding is above 40 C or the 30 s mean
-// of |I| above 3 A, off below 35 C.
+// The fan's law (DESIGN section 6, "Fan"): full if any winding is above 40 C or the 30 s mean of
+// |I| above 3 A, off below 35 C.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How the ball lies in the room: the sensor's orientation, turned so that the front points where
-// the last `orientation.recenter` said, and whether it is fresh.
+// Orientation of the ball: the sensor's, rotated so that the front points where the last
+// `orientation.recenter` set it, and its freshness.
 #pragma once
 
 #include "daemon/device/orientation.h"

@@ -8,13 +8,13 @@
 #include <boost/lockfree/spsc_queue.hpp>
 #include <cstdint>
 
-#include "daemon/control/command.h"
-#include "daemon/control/event.h"
+#include "base/triple_buffer.h"
+#include "daemon/control/effects/command.h"
 #include "daemon/control/snapshot.h"
+#include "daemon/control/state/event.h"
 #include "daemon/control/step_inputs.h"
 #include "daemon/device/orientation.h"
 #include "daemon/device/thermometer/sample.h"
-#include "model/triple_buffer.h"
 
 namespace hedgehog::control {
 
@@ -79,13 +79,13 @@ struct Mailbox {
   /// io -> control: add one for device.emergency_stop.
   std::atomic<std::uint32_t> emergency_generation{0};
   /// The orientation sensor's reader (or io, for `external` and the simulator) -> control.
-  model::TripleBuffer<device::OrientationSample> orientation;
+  base::TripleBuffer<device::OrientationSample> orientation;
   /// The second thermometer's reader -> control.
-  model::TripleBuffer<device::ThermometerSample> thermometer;
+  base::TripleBuffer<device::ThermometerSample> thermometer;
 
   /// control -> io.
   boost::lockfree::spsc_queue<Event, boost::lockfree::capacity<kEvents>> events;
-  model::TripleBuffer<StatusSnapshot> status;
+  base::TripleBuffer<StatusSnapshot> status;
 };
 
 }  // namespace hedgehog::control

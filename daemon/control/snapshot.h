@@ -7,11 +7,14 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "daemon/control/command.h"
-#include "daemon/control/histogram.h"
-#include "daemon/control/state.h"
+#include "base/histogram.h"
+#include "daemon/control/effects/command.h"
+#include "daemon/control/state/disagreement.h"
+#include "daemon/control/state/rearm_backoff.h"
+#include "daemon/control/state/state.h"
 #include "daemon/device/board_io.h"
 #include "model/quaternion.h"
+#include "model/skin_estimate.h"
 #include "model/thermal_observer.h"
 #include "model/tick.h"
 
@@ -34,9 +37,9 @@ struct LoopStatistics {
   double lateness_p50_us = 0.0;
   double lateness_p99_us = 0.0;
   double lateness_max_us = 0.0;
-  Histogram lateness;
+  base::Histogram lateness;
   /// What a tick took.
-  Histogram work;
+  base::Histogram work;
 };
 
 /// Sums since the start, of every tick: bursts of 150 ms would fall between two looks.
@@ -48,7 +51,7 @@ struct Totals {
   /// An effect was being reduced.
   double derated_s = 0.0;
   /// From a request's being read to its set-point's going to the link.
-  Histogram request_to_coil;
+  base::Histogram request_to_coil;
 };
 
 struct Trip {
@@ -56,6 +59,17 @@ struct Trip {
   model::Tick tick = -1;
   double temperature_c = 0.0;
   double current_a = 0.0;
+  /// Of kMeasurementsDisagree.
+  Disagreement disagreement;
+};
+
+/// Trivially copyable.
+struct SkinStatus {
+  model::SkinEstimate estimate;
+  /// What limits the current is so far above `estimate.heated_c()`, K: the margin, or what a probe
+  /// under the skin shows.
+  double above_k = 0.0;
+  double bound_c = 25.0;
 };
 
 struct StatusSnapshot {
@@ -64,9 +78,12 @@ struct StatusSnapshot {
   Reason reason = Reason::kNoBoard;
   model::Tick since = 0;
   /// Reason of a trip that would come back at once if armed now (kNone: arming is possible).
-  Reason arm_refusal = Reason::kNone;
+  Reason arming_blocker = Reason::kNone;
   /// The latch that must survive a restart (kNone: none).
   Reason latch = Reason::kNone;
+  /// Ticks until that latch may be cleared, and how often it was, by reason.
+  model::Tick rearm_wait = 0;
+  RearmCounts rearms{};
 
   bool board_present = false;
   device::BoardTelemetry board;
@@ -75,11 +92,19 @@ struct StatusSnapshot {
   /// The thermistor reading as judged by the watchdog: usable or not.
   bool sensor_valid = false;
 
+  /// The fan counts as cooling the core, by its tachometer; it does so when it is driven.
+  bool fan_cooling = false;
+  bool fan_works = true;
+
   /// The second thermometer; known: one is configured, and answers.
   bool thermometer_known = false;
   double thermometer_c = 0.0;
 
   model::ThermalEstimate thermal;
+  /// R25 of each winding as compared with a thermistor since the start, ohm, with this board's
+  /// gains in it; 0: not yet.
+  std::array<double, model::kCoils> r25_ohm{};
+  SkinStatus skin;
   double limit_a = 0.0;   // allowed now
   bool derating = false;  // an effect is being reduced now
 

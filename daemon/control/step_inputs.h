@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "daemon/control/command.h"
-#include "daemon/control/event.h"
+#include "daemon/control/effects/command.h"
+#include "daemon/control/state/event.h"
 #include "daemon/device/board_io.h"
 #include "daemon/device/orientation.h"
 #include "daemon/device/thermometer/sample.h"

@@ -10,7 +10,8 @@
 
 #include "daemon/device/board_core/frame.h"
 #include "daemon/device/board_io.h"
-#include "daemon/device/simulator_settings.h"
+#include "daemon/device/simulator/plant_truth.h"
+#include "daemon/device/simulator/simulator_settings.h"
 #include "model/limits.h"
 
 namespace hedgehog::device {
@@ -38,7 +39,11 @@ struct BoardLimits {
 Frame encode_set_point(const BoardCommand& command, std::uint32_t sequence) noexcept;
 Frame encode_arm(std::uint8_t count, std::uint32_t sequence) noexcept;
 Frame encode_limits(const BoardLimits& limits, std::uint32_t sequence) noexcept;
+/// Without its errors: each is a frame of its own.
 Frame encode_simulator(const SimulatorSettings& settings, std::uint32_t sequence) noexcept;
+/// Error `index` of `list`. REQUIRES: `index` < `list.count`.
+Frame encode_simulator_error(const SimulatorErrorList& list, std::uint8_t index,
+                             std::uint32_t sequence) noexcept;
 
 /// What one packet from the board holds. `telemetry` is valid when `error` is kNone.
 struct DecodedTelemetry {
@@ -49,7 +54,25 @@ struct DecodedTelemetry {
 /// Any bytes. A well-formed frame of another type counts as kType.
 DecodedTelemetry decode_telemetry(std::span<const std::uint8_t> packet) noexcept;
 
+/// What the simulated board's plant really is; nullopt: some other packet.
+std::optional<PlantTruth> decode_truth(std::span<const std::uint8_t> packet) noexcept;
+
 /// For the simulated board.
 SimulatorSettings decode_simulator(std::span<const std::uint8_t, board::kFrameSize> frame) noexcept;
+Frame encode_truth(const PlantTruth& truth, std::uint32_t sequence) noexcept;
+
+/// Puts a list of errors together from frames that may be lost or come again. The simulated board.
+class SimulatorErrorReader {
+ public:
+  /// A whole list that is new, or nullopt. Any bytes of that type.
+  std::optional<SimulatorErrorList> take(
+      std::span<const std::uint8_t, board::kFrameSize> frame) noexcept;
+
+ private:
+  SimulatorErrorList list_;
+  std::uint64_t arrived_ = 0;  // bit n: error n
+  bool begun_ = false;
+  bool taken_ = false;
+};
 
 }  // namespace hedgehog::device

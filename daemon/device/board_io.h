@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 
+#include "model/current_accuracy.h"
 #include "model/limited_currents.h"
 #include "model/vec3.h"
 
@@ -24,8 +25,10 @@ enum BoardFault : std::uint16_t {
   kFaultBridge = 1u << 4,       // a bridge signals FLT
   kFaultSensorOpen = 1u << 5,   // thermistor line at the rail
   kFaultSensorShort = 1u << 6,  // thermistor line at ground
-  kFaultStuckBridge = 1u << 7,  // |I| > 0.5 A for 20 ms after the safe state: supply switch opened
+  kFaultStuckBridge = 1u << 7,  // current for 20 ms after the safe state: supply switch opened
   kFaultSupply = 1u << 8,       // supply voltage out of 6.5..30 V
+  kFaultUnexpectedCurrent = 1u << 9,  // more current than the duties can drive
+  kFaultCurrentSense = 1u << 10,      // a driven winding's current is not measured
 };
 
 /// Mode of the board core.
@@ -84,12 +87,24 @@ class BoardCommand {
   std::array<std::int16_t, model::kCoils> boost_q15_{};
 };
 
+/// Of each winding: was its current measured? A driver's own sensor sees none while its bridge
+/// brakes.
+using Measured = std::array<bool, model::kCoils>;
+
 /// What the frame right before another one said. Trivially copyable.
 struct FrameBefore {
   /// False when that frame was lost.
   bool known = false;
   bool bridges_awake = false;
   model::Vec3 current_a;
+  Measured measured{true, true, true};
+};
+
+/// One of the board's thermistors.
+enum class ThermistorState : std::uint8_t { kNone, kRead, kOpen, kShorted };
+struct Thermistor {
+  ThermistorState state = ThermistorState::kNone;
+  double celsius = 0.0;  // only while kRead
 };
 
 /// What the board measured, as of its last frame. Trivially copyable.
@@ -102,10 +117,19 @@ struct BoardTelemetry {
   /// The board's own clock, ms.
   std::uint32_t board_ms = 0;
   model::Vec3 current_a;
+  /// Where false, `current_a` is 0 and says nothing.
+  Measured measured{true, true, true};
+  model::CurrentAccuracy accuracy = model::kDriverCsAccuracy;
   /// Duty as applied at the bridges over the last millisecond, -1..1; zero when they sleep.
   model::Vec3 duty;
   double supply_v = 0.0;
-  /// The thermistor; meaningless when kFaultSensorOpen or kFaultSensorShort is set.
+  /// What the bridges draw from the supply; of boards that measure it.
+  bool supply_current_known = false;
+  double supply_current_a = 0.0;
+  /// 1: on the winding that the device file names; otherwise one on each winding in their order.
+  int thermistors = 1;
+  std::array<Thermistor, model::kCoils> thermistor{};
+  /// The first thermistor; meaningless when kFaultSensorOpen or kFaultSensorShort is set.
   double sensor_c = 0.0;
   double fan_rpm = 0.0;
   double fan_duty = 0.0;
@@ -117,7 +141,9 @@ struct BoardTelemetry {
   std::uint16_t faults = 0;
   /// Thermistor conversions so far, mod 256: stands still when the sensor is not read any more.
   std::uint8_t sensor_conversions = 0;
+  /// 1.0 boards say nothing about what they measure.
   std::uint16_t protocol_version = 1;
+  std::uint16_t protocol_minor = 1;
   /// The board's own limits in force, and how full the fuller of its I^2 t budgets is (1 = trip).
   double limit_sensor_c = 75.0;
   double limit_current_a = 16.5;
@@ -125,6 +151,21 @@ struct BoardTelemetry {
   /// Filled in by the link, which sees every frame: control may see only every second one.
   FrameBefore before;
 };
+
+/// The thermistor on winding `coil`, 0..2: that winding's own, or the only one there is.
+/// kNone until the board has sent it.
+inline Thermistor thermistor_on(const BoardTelemetry& board, int coil) noexcept {
+  return board.thermistors > 1 ? board.thermistor[static_cast<std::size_t>(coil)]
+                               : Thermistor{ThermistorState::kRead, board.sensor_c};
+}
+
+/// What flows in the windings, A: as measured while the bridges are awake; while they sleep less
+/// than half an ampere is the noise of the sensors.
+inline model::Vec3 flowing_a(const BoardTelemetry& board) noexcept {
+  constexpr double kStuckA = 0.5;
+  const bool flows = board.bridges_awake || norm(board.current_a) > kStuckA;
+  return flows ? board.current_a : model::Vec3{};
+}
 
 /// Counters of the link since the start.
 struct LinkCounters {

@@ -12,6 +12,7 @@ constexpr std::uint32_t kLongestGapMs = 10'000;
 // Frames that say what holds for long are repeated, in case one was lost.
 constexpr int kLimitsEveryTicks = 1000;
 constexpr int kSimulatorEveryTicks = 100;
+constexpr std::uint32_t kThermistorFrames = 100;
 
 }  // namespace
 
@@ -19,6 +20,10 @@ void Link::receive(std::span<const std::uint8_t> packet) noexcept {
   const DecodedTelemetry decoded = decode_telemetry(packet);
   if (decoded.error == board::FrameError::kNone) {
     note_telemetry(decoded.telemetry);
+    return;
+  }
+  if (const auto truth = decode_truth(packet)) {
+    truth_ = *truth;
     return;
   }
   ++report_.counters.errors;
@@ -40,9 +45,8 @@ void Link::note_telemetry(BoardTelemetry telemetry) noexcept {
       return;
     }
     if (newer && !absent) report_.counters.lost += telemetry.sequence - last.sequence - 1;
-    if (newer && telemetry.sequence == last.sequence + 1) {
-      telemetry.before = {true, last.bridges_awake, last.current_a};
-    }
+    if (newer && telemetry.sequence == last.sequence + 1)
+      telemetry.before = {true, last.bridges_awake, last.current_a, last.measured};
     // A board that started anew must not be armed by what was asked of it before.
     if (restarted) {
       arm_ticks_left_ = 0;
@@ -50,6 +54,7 @@ void Link::note_telemetry(BoardTelemetry telemetry) noexcept {
       arm_offset_ = static_cast<std::uint8_t>(last.arm_count - telemetry.arm_count);
     }
   }
+  keep_thermistors(telemetry);
   telemetry_seen_ = true;
   telemetry.arm_count = static_cast<std::uint8_t>(telemetry.arm_count + arm_offset_);
   ticks_without_telemetry_ = 0;
@@ -65,14 +70,37 @@ void Link::note_telemetry(BoardTelemetry telemetry) noexcept {
   report_.telemetry = telemetry;
 }
 
+// The thermistors after the first take turns; one that has had none for long is not known.
+void Link::keep_thermistors(BoardTelemetry& telemetry) noexcept {
+  const bool absent = ticks_without_telemetry_ >= kAbsentTicks;
+  for (std::size_t k = 1; k < telemetry.thermistor.size(); ++k) {
+    std::uint32_t& age = thermistor_age_[k];
+    if (telemetry.thermistor[k].state != ThermistorState::kNone) {
+      age = 0;
+      continue;
+    }
+    age = absent ? kThermistorFrames : std::min(age + 1, kThermistorFrames);
+    const bool fitted = k < static_cast<std::size_t>(telemetry.thermistors);
+    if (fitted && age < kThermistorFrames)
+      telemetry.thermistor[k] = report_.telemetry.thermistor[k];
+  }
+}
+
+void Link::set_simulator(const SimulatorSettings& simulator) noexcept {
+  if (simulator_ != simulator) {
+    simulator_due_ticks_ = 0;
+    simulator_part_ = 0;
+  }
+  simulator_ = simulator;
+}
+
 void Link::skip(std::uint64_t ticks) noexcept {
   // No count here goes further.
   const auto passed = static_cast<int>(std::min<std::uint64_t>(ticks, kLimitsEveryTicks));
   ticks_without_telemetry_ = std::min(ticks_without_telemetry_ + passed, kAbsentTicks);
   ticks_without_command_ = std::min(ticks_without_command_ + passed, kOverdueTicks);
-  for (int* left : {&arm_ticks_left_, &limits_due_ticks_, &simulator_due_ticks_}) {
+  for (int* left : {&arm_ticks_left_, &limits_due_ticks_, &simulator_due_ticks_})
     *left = std::max(*left - passed, 0);
-  }
 }
 
 LinkFrames Link::step(LinkPort& port) noexcept {
@@ -112,9 +140,7 @@ BoardCommand Link::choose(const LinkCommand& command) noexcept {
   const bool overdue = ticks_without_command_ >= kOverdueTicks;
   if (overdue && !overdue_) ++report_.counters.overdue;
   overdue_ = overdue;
-  if (!overdue && report_.present) {
-    return fresh ? command.board : command.board.held();
-  }
+  if (!overdue && report_.present) return fresh ? command.board : command.board.held();
 
   BoardCommand safe;
   const bool control_is_stuck = overdue && last_count_ != 0;
@@ -130,18 +156,25 @@ void Link::note_arm(std::uint8_t wanted) noexcept {
 }
 
 std::optional<Frame> Link::next_other() noexcept {
-  if (arm_ticks_left_ > 0) {
+  if (arm_ticks_left_ > 0)
     return encode_arm(static_cast<std::uint8_t>(requested_arm_ - arm_offset_), ++sequence_);
-  }
   if (limits_ && report_.present && limits_due_ticks_ == 0) {
     limits_due_ticks_ = kLimitsEveryTicks;
     return encode_limits(*limits_, ++sequence_);
   }
-  if (simulator_ && simulator_due_ticks_ == 0) {
-    simulator_due_ticks_ = kSimulatorEveryTicks;
-    return encode_simulator(*simulator_, ++sequence_);
-  }
+  if (simulator_ && simulator_due_ticks_ == 0) return next_simulator();
   return std::nullopt;
+}
+
+Frame Link::next_simulator() noexcept {
+  const int part = simulator_part_++;
+  if (simulator_part_ > simulator_->errors.count) {
+    simulator_part_ = 0;
+    simulator_due_ticks_ = kSimulatorEveryTicks;
+  }
+  if (part == 0) return encode_simulator(*simulator_, ++sequence_);
+  return encode_simulator_error(simulator_->errors, static_cast<std::uint8_t>(part - 1),
+                                ++sequence_);
 }
 
 }  // namespace hedgehog::device

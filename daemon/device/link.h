@@ -3,6 +3,7 @@
 // that arrived say.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -46,10 +47,7 @@ class Link {
     limits_due_ticks_ = 0;
   }
   /// What the simulated board's world shall be like: sent when it changes, and now and then.
-  void set_simulator(const SimulatorSettings& simulator) noexcept {
-    if (simulator_ != simulator) simulator_due_ticks_ = 0;
-    simulator_ = simulator;
-  }
+  void set_simulator(const SimulatorSettings& simulator) noexcept;
 
   /// Milliseconds without a step. Tell it before what arrived meanwhile.
   void skip(std::uint64_t ticks) noexcept;
@@ -65,6 +63,8 @@ class Link {
 
   /// What has arrived so far; presence and the counters of what was sent as of the last `step`.
   const LinkReport& report() const noexcept { return report_; }
+  /// The simulated board's last report of its plant.
+  const PlantTruth& truth() const noexcept { return truth_; }
 
  private:
   void note_telemetry(BoardTelemetry telemetry) noexcept;
@@ -72,6 +72,8 @@ class Link {
   BoardCommand choose(const LinkCommand& command) noexcept;
   void note_arm(std::uint8_t wanted) noexcept;
   std::optional<Frame> next_other() noexcept;
+  Frame next_simulator() noexcept;
+  void keep_thermistors(BoardTelemetry& telemetry) noexcept;
 
   std::optional<BoardLimits> limits_;
   LinkReport report_;
@@ -91,6 +93,11 @@ class Link {
   int limits_due_ticks_ = 0;
   int simulator_due_ticks_ = 0;
   std::optional<SimulatorSettings> simulator_;
+  /// 0: the settings themselves; from 1 on their errors.
+  int simulator_part_ = 0;
+  PlantTruth truth_;
+  /// Frames since each thermistor's last turn; long ago at first.
+  std::array<std::uint32_t, model::kCoils> thermistor_age_{1000, 1000, 1000};
 };
 
 }  // namespace hedgehog::device

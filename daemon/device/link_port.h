@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// What passes between the control thread and the link: the latest set-point down, the latest
-// telemetry up, and, with the simulated board only, what the simulated world shall be like.
+// Exchange between the control thread and the link: the latest set-point down, the latest telemetry
+// up, and, with the simulated board only, the settings of the simulated world.
 #pragma once
 
 #include <cstdint>
 
+#include "base/triple_buffer.h"
 #include "daemon/device/board_codec.h"
 #include "daemon/device/board_io.h"
-#include "daemon/device/simulator_settings.h"
-#include "model/triple_buffer.h"
+#include "daemon/device/simulator/simulator_settings.h"
 
 namespace hedgehog::device {
 
@@ -30,12 +30,14 @@ struct LinkReport {
 };
 
 struct LinkPort {
-  model::TripleBuffer<LinkCommand> commands;
-  model::TripleBuffer<LinkReport> reports;
+  base::TripleBuffer<LinkCommand> commands;
+  base::TripleBuffer<LinkReport> reports;
   /// io -> link; used by the simulated board only.
-  model::TripleBuffer<SimulatorSettings> simulator;
+  base::TripleBuffer<SimulatorSettings> simulator;
+  /// link -> io; of the simulated board only.
+  base::TripleBuffer<PlantTruth> truth;
   /// io -> link: at the start, and when they became tighter.
-  model::TripleBuffer<BoardLimits> limits;
+  base::TripleBuffer<BoardLimits> limits;
 };
 
 }  // namespace hedgehog::device

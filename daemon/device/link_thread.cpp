@@ -54,6 +54,7 @@ void LinkThread::tick() noexcept {
   transport_->send(frames.set_point);
   if (frames.other) transport_->send(*frames.other);
   port_.reports.write(link_.report());
+  if (link_.truth().known) port_.truth.write(link_.truth());
 }
 
 }  // namespace hedgehog::device

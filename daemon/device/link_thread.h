@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The thread that owns the transport: once a millisecond, what control said goes to the board, and
-// what the board said goes to control. While no board is there it looks every 10 ms.
+// The thread that owns the transport: once a millisecond it sends control's set-point and receives
+// the board's telemetry. Without a board it retries every 10 ms.
 #pragma once
 
 #include <atomic>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the ball lies in the room, as its orientation sensor last said.
+// Orientation of the ball as of its sensor's last sample.
 #pragma once
 
 #include "model/quaternion.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The beat of a real-time thread: absolute sleeps on CLOCK_MONOTONIC, and the scheduling that goes
-// with them.
+// Period of a real-time thread: absolute sleeps on CLOCK_MONOTONIC, and its scheduling class.
 #pragma once
 
 #include <cstdint>

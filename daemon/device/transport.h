@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How frames get to the board and back: the narrowest interface at the edge of the hardware. USB
-// and the simulated board's socket implement it.
+// Transport of frames to the board and back. USB and the simulated board's socket implement it.
 #pragma once
 
 #include <cstddef>

@@ -35,9 +35,8 @@ BoardGadget::BoardGadget(const BoardSettings& settings)
       file_(settings.trace.empty() ? nullptr : std::fopen(settings.trace.c_str(), "ae")),
       board_(settings.board),
       trace_(file_.get()) {
-  if (!settings.trace.empty() && !file_) {
+  if (!settings.trace.empty() && !file_)
     throw std::system_error(errno, std::generic_category(), settings.trace);
-  }
   trace_.note(board_, "start");
 }
 

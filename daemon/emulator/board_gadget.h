@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <memory>
 
-#include "daemon/device/simulated_board.h"
-#include "daemon/device/simulated_board_trace.h"
+#include "daemon/device/simulator/simulated_board.h"
+#include "daemon/device/simulator/simulated_board_trace.h"
 #include "daemon/emulator/gadget.h"
 
 namespace hedgehog::emulator {

@@ -43,9 +43,8 @@ Exported Gadget::exported() const {
   Exported made;
   made.vendor = shape_.vendor;
   made.product = shape_.product;
-  for (const InterfaceShape& interface : shape_.interfaces) {
+  for (const InterfaceShape& interface : shape_.interfaces)
     made.interfaces.push_back({interface.code, interface.subclass, interface.protocol});
-  }
   return made;
 }
 
@@ -150,9 +149,8 @@ std::optional<Bytes> Gadget::descriptor(const SetupPacket& setup) const {
   const auto type = static_cast<std::uint8_t>(setup.value >> 8);
   if (setup.type == kToHost && type == kDeviceDescriptor) return device_descriptor();
   if (setup.type == kToHost && type == kConfigurationDescriptor) return configuration_descriptor();
-  if (setup.type == kToHost && type == kStringDescriptor) {
+  if (setup.type == kToHost && type == kStringDescriptor)
     return string_descriptor(setup.value & 0xFF);
-  }
   const bool known = setup.type == kToInterface && setup.index < shape_.interfaces.size();
   if (!known || shape_.interfaces[setup.index].code != kHidClass) return std::nullopt;
   const InterfaceShape& interface = shape_.interfaces[setup.index];

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint8_t kIn = 0x80;
 /// A host that does not read its answers is not worth more memory than this.
-constexpr std::size_t kMostUnsent = std::size_t{1} << 20;
+constexpr std::size_t kMaxUnsent = std::size_t{1} << 20;
 
 bool would_block() { return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR; }
 
@@ -87,8 +87,8 @@ void HostSession::unlink(const HostMessage& message) {
   std::size_t taken_back = 0;
   for (auto* waiting : {&reads_, &writes_}) {
     for (auto& [endpoint, transfers] : *waiting) {
-      taken_back +=
-          std::erase_if(transfers, [&](const Transfer& t) { return t.sequence == message.victim; });
+      taken_back += std::erase_if(
+          transfers, [&](const Transfer& t) { return t.sequence == message.victim; });
     }
   }
   send(encode_unlinked(message.sequence, taken_back > 0 ? kTransferUnlinked : kTransferDone));
@@ -135,7 +135,7 @@ void HostSession::send(const Bytes& bytes) {
   const bool empty = unsent_.empty();
   unsent_.insert(unsent_.end(), bytes.begin(), bytes.end());
   if (empty) flush();
-  if (unsent_.size() > kMostUnsent) open_ = false;
+  if (unsent_.size() > kMaxUnsent) open_ = false;
 }
 
 void HostSession::flush() {

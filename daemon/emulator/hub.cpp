@@ -16,7 +16,7 @@ namespace hedgehog::emulator {
 namespace {
 
 constexpr unsigned kBus = 1;
-constexpr int kMostStalls = 1000;
+constexpr int kMaxStalls = 1000;
 
 std::optional<std::uint8_t> endpoint_address(const std::string& text) {
   std::uint8_t value = 0;
@@ -74,9 +74,8 @@ std::string Hub::execute(Device& device, std::span<const std::string> words) {
   if (verb == "stall" && (words.size() == 2 || words.size() == 3)) {
     const auto address = endpoint_address(words[1]);
     const auto times = number<int>(words.size() == 3 ? words[2] : "1");
-    if (!address || !times || *times < 1 || *times > kMostStalls) {
+    if (!address || !times || *times < 1 || *times > kMaxStalls)
       return "error: stall DEVICE ENDPOINT [TIMES], as in `stall board 81 3`";
-    }
     gadget.halt(*address, *times);
     return "ok";
   }
@@ -87,9 +86,8 @@ std::string Hub::plug(Device& device) {
   if (device.plugged) return "error: " + device.name + " is plugged in already";
   if (vhci_) {
     int ends[2];
-    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
       throw std::system_error(errno, std::generic_category(), "socketpair");
-    }
     device::FileDescriptor ours(ends[0]);
     const device::FileDescriptor kernels(ends[1]);
     const auto index = static_cast<unsigned>(&device - devices_.data());
@@ -128,9 +126,8 @@ void Hub::step() {
 }
 
 void Hub::each_session(const std::function<void(HostSession&)>& visit) {
-  for (Device& device : devices_) {
+  for (Device& device : devices_)
     if (device.session) visit(*device.session);
-  }
 }
 
 void Hub::tidy() {
@@ -142,7 +139,7 @@ void Hub::tidy() {
   }
 }
 
-Exported Hub::told(std::size_t index) const {
+Exported Hub::exported(std::size_t index) const {
   Exported made = devices_[index].gadget->exported();
   made.bus = kBus;
   made.address = static_cast<std::uint32_t>(index) + 1;
@@ -152,9 +149,8 @@ Exported Hub::told(std::size_t index) const {
 
 std::vector<Exported> Hub::exported() const {
   std::vector<Exported> found;
-  for (std::size_t i = 0; i < devices_.size(); ++i) {
-    if (devices_[i].plugged && !devices_[i].session) found.push_back(told(i));
-  }
+  for (std::size_t i = 0; i < devices_.size(); ++i)
+    if (devices_[i].plugged && !devices_[i].session) found.push_back(exported(i));
   return found;
 }
 

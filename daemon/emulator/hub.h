@@ -50,7 +50,7 @@ class Hub {
     std::unique_ptr<HostSession> session;
   };
   Device* find(const std::string& name);
-  Exported told(std::size_t index) const;
+  Exported exported(std::size_t index) const;
   std::string execute(Device& device, std::span<const std::string> words);
   std::string plug(Device& device);
   std::string unplug(Device& device, bool cut);

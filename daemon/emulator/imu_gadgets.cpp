@@ -142,7 +142,7 @@ MtiGadget::MtiGadget(const std::string& serial)
                  serial,
                  {{0xFF, 0, 0, {{0x02, true, 64}, {0x81, true, 64}}, {}}}}) {}
 
-void MtiGadget::say(XbusId id, std::span<const Byte> payload) {
+void MtiGadget::print(XbusId id, std::span<const Byte> payload) {
   // A message is a stream of bytes to its connector, cut into packets of 64.
   const Bytes bytes = device::encode_xbus(id, payload);
   for (std::size_t at = 0; at < bytes.size(); at += 64) {
@@ -162,23 +162,22 @@ void MtiGadget::answer(const device::XbusMessage& message) {
   constexpr Byte kInvalidParameter = 0x04;
   if (message.id == XbusId::kGotoConfig) {
     measuring_ = false;
-    say(XbusId::kGotoConfigAck);
+    print(XbusId::kGotoConfigAck);
   } else if (message.id == XbusId::kGotoMeasurement) {
     measuring_ = true;
-    say(XbusId::kGotoMeasurementAck);
+    print(XbusId::kGotoMeasurementAck);
   } else if (message.id == XbusId::kSetOutputConfiguration) {
     const auto asked = device::decode_outputs(message.payload);
     std::uint16_t rate = 100;
-    for (const device::MtOutput& output : asked.value_or(std::vector<device::MtOutput>{})) {
+    for (const device::MtOutput& output : asked.value_or(std::vector<device::MtOutput>{}))
       if (output.rate_hz != 0xFFFF) rate = output.rate_hz;
-    }
     if (!asked || rate == 0 || rate > kFastestHz) {
-      say(XbusId::kError, Bytes{kInvalidParameter});
+      print(XbusId::kError, Bytes{kInvalidParameter});
       return;
     }
     outputs_ = *asked;
     period_ms_ = 1000 / rate;
-    say(XbusId::kOutputConfiguration, message.payload);
+    print(XbusId::kOutputConfiguration, message.payload);
   }
 }
 
@@ -206,7 +205,7 @@ void MtiGadget::report() {
       put_u32(payload, kValid);
     }
   }
-  say(XbusId::kMtData2, payload);
+  print(XbusId::kMtData2, payload);
 }
 
 HidSensorGadget::HidSensorGadget(const std::string& serial)
@@ -231,13 +230,11 @@ void HidSensorGadget::report() {
 
 std::optional<Bytes> HidSensorGadget::own_control(const SetupPacket& setup,
                                                   std::span<const Byte> data) {
-  if (setup.type == kHidToHost && setup.request == kHidGetReport) {
+  if (setup.type == kHidToHost && setup.request == kHidGetReport)
     return Bytes(feature_.begin(), feature_.end());
-  }
   if (setup.type != kHidToDevice) return std::nullopt;
-  if (setup.request == kHidSetReport && data.size() == feature_.size() && data[0] == 1) {
+  if (setup.request == kHidSetReport && data.size() == feature_.size() && data[0] == 1)
     std::copy(data.begin(), data.end(), feature_.begin());
-  }
   return Bytes{};
 }
 

@@ -49,7 +49,7 @@ class MtiGadget : public ImuGadget {
 
  private:
   void answer(const device::XbusMessage& message);
-  void say(device::XbusId id, std::span<const Byte> payload = {});
+  void print(device::XbusId id, std::span<const Byte> payload = {});
 
   device::XbusParser parser_;
   std::vector<device::MtOutput> outputs_;

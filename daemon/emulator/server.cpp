@@ -58,16 +58,14 @@ FileDescriptor listen_tcp(const std::string& address) {
   const std::size_t colon = address.rfind(':');
   if (colon == std::string::npos) throw std::runtime_error(address + ": not ADDRESS:PORT");
   std::string host = address.substr(0, colon);
-  if (host.size() > 2 && host.front() == '[' && host.back() == ']') {
+  if (host.size() > 2 && host.front() == '[' && host.back() == ']')
     host = host.substr(1, host.size() - 2);
-  }
   addrinfo hints{};
   hints.ai_socktype = SOCK_STREAM;
   hints.ai_flags = AI_NUMERICHOST | AI_NUMERICSERV | AI_PASSIVE;
   addrinfo* found = nullptr;
-  if (const int error = ::getaddrinfo(host.c_str(), address.c_str() + colon + 1, &hints, &found)) {
+  if (const int error = ::getaddrinfo(host.c_str(), address.c_str() + colon + 1, &hints, &found))
     throw std::runtime_error(address + ": " + ::gai_strerror(error));
-  }
   FileDescriptor socket(::socket(found->ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
   const int yes = 1;
   ::setsockopt(socket.get(), SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
@@ -122,22 +120,21 @@ void Server::accept(const FileDescriptor& listener, bool commands) {
 void Server::read(Peer& peer) {
   std::array<char, kLongestLine> chunk;
   // Not more than an import is long: what comes after it belongs to the device.
-  const std::size_t room =
+  const std::size_t capacity =
       peer.commands
           ? chunk.size()
           : std::max(kOperationHead + kBusId, peer.received.size() + 1) - peer.received.size();
-  const ssize_t got = ::read(peer.socket.get(), chunk.data(), room);
+  const ssize_t got = ::read(peer.socket.get(), chunk.data(), capacity);
   if (got < 0 && (errno == EINTR || errno == EAGAIN)) return;
   if (got <= 0) {
     peer.over = true;
     return;
   }
   peer.received.append(chunk.data(), static_cast<std::size_t>(got));
-  if (peer.commands) {
+  if (peer.commands)
     obey(peer);
-  } else {
+  else
     export_to(peer);
-  }
 }
 
 void Server::obey(Peer& peer) {
@@ -172,8 +169,8 @@ void Server::run(const volatile std::sig_atomic_t& stop) {
   std::vector<pollfd> waited;
   while (stop == 0 && !hub_.over()) {
     waited.clear();
-    const auto wait_for = [&waited](int fd, bool room = false) {
-      waited.push_back({fd, static_cast<short>(room ? POLLIN | POLLOUT : POLLIN), 0});
+    const auto wait_for = [&waited](int fd, bool capacity = false) {
+      waited.push_back({fd, static_cast<short>(capacity ? POLLIN | POLLOUT : POLLIN), 0});
     };
     wait_for(beat.get());
     wait_for(imports_.get());
@@ -188,17 +185,15 @@ void Server::run(const volatile std::sig_atomic_t& stop) {
     const bool importer = came();
     const bool commander = came();
     std::vector<Peer*> talking;
-    for (Peer& peer : peers_) {
+    for (Peer& peer : peers_)
       if (came()) talking.push_back(&peer);
-    }
     // Before the beat: what a host sent in this millisecond counts in it.
     hub_.each_session([&](HostSession& session) {
       if (came()) session.ready();
     });
     std::uint64_t beats = 0;
-    if (ticked && ::read(beat.get(), &beats, sizeof beats) == sizeof beats) {
+    if (ticked && ::read(beat.get(), &beats, sizeof beats) == sizeof beats)
       for (beats = std::min(beats, kCatchUp); beats > 0; --beats) hub_.step();
-    }
     for (Peer* peer : talking) read(*peer);
     if (importer) accept(imports_, false);
     if (commander) accept(commands_, true);

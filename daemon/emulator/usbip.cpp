@@ -25,10 +25,10 @@ Bytes answer(std::uint32_t command, std::uint32_t sequence, std::int32_t status)
   return bytes;
 }
 
-void put_text(Bytes& to, const std::string& text, std::size_t room) {
-  const std::size_t end = to.size() + room;
+void put_text(Bytes& to, const std::string& text, std::size_t capacity) {
+  const std::size_t end = to.size() + capacity;
   to.insert(to.end(), text.begin(),
-            text.begin() + static_cast<std::ptrdiff_t>(std::min(text.size(), room - 1)));
+            text.begin() + static_cast<std::ptrdiff_t>(std::min(text.size(), capacity - 1)));
   to.resize(end);
 }
 
@@ -42,9 +42,8 @@ void put_device(Bytes& to, const Exported& device) {
   put_text(to, "/sys/devices/emulated/" + device.bus_id, kPath);
   put_text(to, device.bus_id, kBusId);
   for (const std::uint32_t number : {device.bus, device.address, device.speed}) put_u32(to, number);
-  for (const std::uint32_t number : {device.vendor, device.product, device.release}) {
+  for (const std::uint32_t number : {device.vendor, device.product, device.release})
     put_u16(to, number);
-  }
   // Class, subclass and protocol are those of its interfaces; one configuration, number 1.
   to.insert(to.end(), {0, 0, 0, 1, 1, static_cast<Byte>(device.interfaces.size())});
 }
@@ -109,9 +108,8 @@ Bytes encode_list(std::span<const Exported> devices) {
   put_u32(bytes, static_cast<std::uint32_t>(devices.size()));
   for (const Exported& device : devices) {
     put_device(bytes, device);
-    for (const auto& interface : device.interfaces) {
+    for (const auto& interface : device.interfaces)
       bytes.insert(bytes.end(), {interface.code, interface.subclass, interface.protocol, 0});
-    }
   }
   return bytes;
 }

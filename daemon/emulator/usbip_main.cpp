@@ -61,11 +61,10 @@ int run(const Options& options) {
     std::cerr << "hedgehog-usbip: " << e.what() << "\n";
     return EX_CANTCREAT;
   }
-  if (imports.get() >= 0) {
+  if (imports.get() >= 0)
     std::cout << "listening on port " << emulator::port_of(imports.get()) << std::endl;
-  } else {
+  else
     std::cout << "ready" << std::endl;
-  }
   emulator::Server(hub, std::move(imports), std::move(commands), true).run(stop);
   return EX_OK;
 }

@@ -23,9 +23,8 @@ constexpr int kFree = 4;
 int Vhci::free_port() const {
   // hub port state speed device socket bus-id, a line each below a headline.
   std::ifstream in(folder_ + "/status");
-  if (!in) {
+  if (!in)
     throw std::runtime_error(folder_ + ": no such controller; load it with `modprobe vhci-hcd`");
-  }
   for (std::string line; std::getline(in, line);) {
     std::istringstream words(line);
     std::string hub;
@@ -40,9 +39,8 @@ void Vhci::write(const std::string& file, const std::string& text) const {
   const std::string path = folder_ + "/" + file;
   const device::FileDescriptor out(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
   const auto size = static_cast<ssize_t>(text.size());
-  if (out.get() < 0 || ::write(out.get(), text.data(), text.size()) != size) {
+  if (out.get() < 0 || ::write(out.get(), text.data(), text.size()) != size)
     throw std::system_error(errno, std::generic_category(), path);
-  }
 }
 
 int Vhci::attach(int socket, unsigned device_id) const {

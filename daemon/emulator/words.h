@@ -23,9 +23,8 @@ std::optional<Number> number(std::string_view text) {
 inline std::vector<std::string> split(const std::string& text, char between) {
   std::vector<std::string> parts;
   std::istringstream in(text);
-  for (std::string part; std::getline(in, part, between);) {
+  for (std::string part; std::getline(in, part, between);)
     if (!part.empty()) parts.push_back(part);
-  }
   return parts;
 }
 

@@ -53,14 +53,12 @@ void number(std::vector<MagnetSite>& sites, Row row) {
 
 Arrangement arrangement_of(const Goldberg& gp, std::string name) {
   Arrangement arrangement{std::move(name), {}, {}};
-  for (std::size_t i = 0; i < gp.faces.size(); ++i) {
+  for (std::size_t i = 0; i < gp.faces.size(); ++i)
     arrangement.pins.push_back({static_cast<int>(i), gp.faces[i].direction});
-  }
   number(arrangement.pins,
          [&](const MagnetSite& site) { return gp.faces[static_cast<std::size_t>(site.id)].ring; });
-  for (const Vec3& vertex : gp.vertices) {
+  for (const Vec3& vertex : gp.vertices)
     arrangement.shields.push_back({0, unit_or(vertex, {0, 0, 1})});
-  }
   number(arrangement.shields,
          [](const MagnetSite& site) { return std::lround(-site.direction.z / kSameDirection); });
   return arrangement;
@@ -76,9 +74,8 @@ MagnetResult<Arrangement> ball_86(std::string name, std::ptrdiff_t touching) {
     const auto touches = [&](const Goldberg::Face& face) {
       return face.ring >= kTopRings && std::count(face.corners.begin(), face.corners.end(), v) > 0;
     };
-    if (std::count_if(tkd.faces.begin(), tkd.faces.end(), touches) >= touching) {
+    if (std::count_if(tkd.faces.begin(), tkd.faces.end(), touches) >= touching)
       gone.push_back(unit_or(tkd.vertices[v], {0, 0, 1}));
-    }
   }
   Arrangement ball = arrangement_of(tkd, std::move(name));
   std::vector<int> shields;

@@ -85,9 +85,8 @@ std::optional<double> extension_under(const PinForce& force, const Characterisat
     return force.at(offset_mm).force_n + push(offset_mm);
   };
   std::vector<Sample> samples;
-  for (std::size_t i = 0; i < character.curve.offsets_mm.size(); ++i) {
+  for (std::size_t i = 0; i < character.curve.offsets_mm.size(); ++i)
     samples.push_back(sample_of(character.curve, i));
-  }
   // The grid may step over the very bottom.
   samples.push_back({character.minimum_mm, character.minimum_n});
   std::sort(samples.begin(), samples.end(),
@@ -124,13 +123,12 @@ Characterisation characterise(const PinForce& force, const OffsetGrid& grid) {
       break;
     }
   }
-  const auto least = std::min_element(curve.force_n.begin() + static_cast<std::ptrdiff_t>(from),
-                                      curve.force_n.end());
-  const auto at = static_cast<std::size_t>(least - curve.force_n.begin());
+  const auto lowest = std::min_element(curve.force_n.begin() + static_cast<std::ptrdiff_t>(from),
+                                       curve.force_n.end());
+  const auto at = static_cast<std::size_t>(lowest - curve.force_n.begin());
   Sample minimum = sample_of(curve, at);
-  if (at > 0 && at + 1 < points) {
+  if (at > 0 && at + 1 < points)
     minimum = minimum_between(value, sample_of(curve, at - 1), minimum, sample_of(curve, at + 1));
-  }
   result.minimum_mm = minimum.at;
   result.minimum_n = minimum.value;
   return result;
@@ -141,23 +139,25 @@ std::vector<Characterisation> characterise(const std::vector<PinClass>& classes,
                                            const OffsetGrid& grid) {
   std::vector<Characterisation> all;
   all.reserve(classes.size());
-  for (const PinClass& pin_class : classes) {
+  for (const PinClass& pin_class : classes)
     all.push_back(characterise(PinForce(pin_class, sizes, settings), grid));
-  }
   return all;
 }
 
 std::optional<double> extension_mm(const PinForce& force, const Characterisation& character,
                                    double coil_force_n) {
-  return extension_under(force, character, [&](double) { return coil_force_n; });
+  return extension_under(
+      force, character, [&](double) { return coil_force_n; });
 }
 
 std::optional<double> extension_mm(const PinForce& force, const Characterisation& character,
                                    const Electromagnet& coil, double current_a) {
-  return extension_under(force, character, [&](double offset_mm) {
-    return coil_force_n(coil, current_a, force.sizes().pin, force.sizes().sphere_radius_mm, 0.0,
-                        offset_mm);
-  });
+  return extension_under(
+      force, character,
+      [&](double offset_mm) {
+        return coil_force_n(coil, current_a, force.sizes().pin, force.sizes().sphere_radius_mm, 0.0,
+                            offset_mm);
+      });
 }
 
 }  // namespace hedgehog::model

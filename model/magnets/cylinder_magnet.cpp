@@ -19,9 +19,8 @@ std::optional<std::string> problem_with(const CylinderMagnet& magnet, const std:
   const auto size_ok = [](double mm) { return mm > 0.0 && mm <= kMaxMagnetMm; };
   if (!size_ok(magnet.diameter_mm)) return what + ": the diameter must be above 0 and at most 1 m";
   if (!size_ok(magnet.height_mm)) return what + ": the height must be above 0 and at most 1 m";
-  if (!(magnet.remanence_t > 0.0 && magnet.remanence_t <= kLargestRemanenceT)) {
+  if (!(magnet.remanence_t > 0.0 && magnet.remanence_t <= kLargestRemanenceT))
     return what + ": the remanence must be above 0 and at most 2 T";
-  }
   return std::nullopt;
 }
 

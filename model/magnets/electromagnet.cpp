@@ -40,13 +40,11 @@ double coil_force_n(const Electromagnet& coil, double current_a, const CylinderM
 
 std::vector<Activation> activation_spread(const Arrangement& arrangement, int aimed) {
   Vec3 field{0, 0, 1};
-  for (const MagnetSite& pin : arrangement.pins) {
+  for (const MagnetSite& pin : arrangement.pins)
     if (pin.id == aimed) field = pin.direction;
-  }
   std::vector<Activation> spread;
-  for (const MagnetSite& pin : arrangement.pins) {
+  for (const MagnetSite& pin : arrangement.pins)
     spread.push_back({pin.id, angle_deg(field, pin.direction), dot(field, pin.direction)});
-  }
   std::stable_sort(spread.begin(), spread.end(), [](const Activation& a, const Activation& b) {
     return a.fraction > b.fraction;
   });

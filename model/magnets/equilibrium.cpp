@@ -101,12 +101,9 @@ Eigen::VectorXd rests_alone(const Arrangement& arrangement, const ArraySizes& si
       Eigen::VectorXd::Zero(static_cast<Eigen::Index>(arrangement.pins.size()));
   for (const PinClass& pin_class : symmetry_classes(arrangement)) {
     const auto character = characterise(PinForce(pin_class, sizes, rough), {-1.5, 2.5, 0.5});
-    for (std::size_t i = 0; i < arrangement.pins.size(); ++i) {
-      if (std::binary_search(pin_class.pins.begin(), pin_class.pins.end(),
-                             arrangement.pins[i].id)) {
+    for (std::size_t i = 0; i < arrangement.pins.size(); ++i)
+      if (std::binary_search(pin_class.pins.begin(), pin_class.pins.end(), arrangement.pins[i].id))
         offsets[static_cast<Eigen::Index>(i)] = character.rest_mm.value_or(0.0);
-      }
-    }
   }
   return offsets;
 }
@@ -116,7 +113,7 @@ Eigen::VectorXd rests_alone(const Arrangement& arrangement, const ArraySizes& si
 MagnetResult<Equilibrium> find_equilibrium(const Arrangement& arrangement, const ArraySizes& sizes,
                                            const ForceSettings& settings,
                                            std::span<const double> coil_force_n) {
-  constexpr int kMostIterations = 30;
+  constexpr int kMaxDescents = 30;
   constexpr double kSettledMm = 1e-6;
   constexpr double kLongestStepMm = 0.5;
   constexpr double kFarthestMm = 10.0;
@@ -127,11 +124,10 @@ MagnetResult<Equilibrium> find_equilibrium(const Arrangement& arrangement, const
                        std::to_string(arrangement.pins.size()) + " pins"};
   }
   Eigen::VectorXd push = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(arrangement.pins.size()));
-  if (!coil_force_n.empty()) {
+  if (!coil_force_n.empty())
     push = Eigen::Map<const Eigen::VectorXd>(coil_force_n.data(), push.size());
-  }
   Eigen::VectorXd offsets = rests_alone(arrangement, sizes);
-  for (int i = 1; i <= kMostIterations; ++i) {
+  for (int i = 1; i <= kMaxDescents; ++i) {
     const Balance balance = balance_at(arrangement, sizes, settings, offsets);
     const Eigen::VectorXd force = balance.force_n + push;
     Eigen::VectorXd step = balance.stiffness_n_mm.partialPivLu().solve(force);

@@ -120,9 +120,8 @@ PairForce settle(const FaceFlux& flux, double bottom_mm, FaceForce& bottom, doub
     const bool top_is_worse = top.error_n > bottom.error_n;
     FaceForce& worse = top_is_worse ? top : bottom;
     if (error_n <= wanted_n || worse.order >= DiskRule::kMaxOrder ||
-        worse.error_n <= 2.0 * kRounding * larger_n) {
+        worse.error_n <= 2.0 * kRounding * larger_n)
       return {force_n, error_n};
-    }
     worse = flux.refined(top_is_worse ? top_mm : bottom_mm, worse, 0.5 * wanted_n);
   }
 }

@@ -38,9 +38,8 @@ std::string_view name_of(MagnetKind kind) noexcept {
 std::optional<std::string> problem_with(const ArraySizes& sizes) {
   if (auto problem = problem_with(sizes.pin, "the pin")) return problem;
   if (auto problem = problem_with(sizes.shield, "the shield")) return problem;
-  if (!(sizes.sphere_radius_mm > 0.0 && sizes.sphere_radius_mm <= kMaxSphereRadiusMm)) {
+  if (!(sizes.sphere_radius_mm > 0.0 && sizes.sphere_radius_mm <= kMaxSphereRadiusMm))
     return "the radius of the sphere must be above 0 and at most 1 m";
-  }
   return std::nullopt;
 }
 
@@ -52,18 +51,16 @@ std::vector<MagnetGap> smallest_gaps(const Arrangement& arrangement, const Array
   std::vector<MagnetGap> gaps;
   for (const auto& gap : {nearest(pins, kPin, pins, kPin, sizes.pin_and_pin()),
                           nearest(pins, kPin, shields, kShield, sizes.pin_and_shield()),
-                          nearest(shields, kShield, shields, kShield, sizes.shield_and_shield())}) {
+                          nearest(shields, kShield, shields, kShield, sizes.shield_and_shield())})
     if (gap) gaps.push_back(*gap);
-  }
   return gaps;
 }
 
 std::optional<MagnetError> check_fit(const Arrangement& arrangement, const ArraySizes& sizes) {
   if (auto problem = problem_with(sizes)) return MagnetError{*problem};
   std::optional<MagnetGap> worst;
-  for (const MagnetGap& gap : smallest_gaps(arrangement, sizes)) {
+  for (const MagnetGap& gap : smallest_gaps(arrangement, sizes))
     if (gap.gap_mm <= 0.0 && (!worst || gap.gap_mm < worst->gap_mm)) worst = gap;
-  }
   if (!worst) return std::nullopt;
   std::array<char, 64> depth{};
   std::snprintf(depth.data(), depth.size(), "%.2f mm at %.2f degrees", -worst->gap_mm,

@@ -99,9 +99,8 @@ std::string_view name_of(ForceModel model) noexcept {
 }
 
 std::optional<ForceModel> force_model_named(std::string_view name) noexcept {
-  for (const ForceModel model : {ForceModel::kExact, ForceModel::kHybrid, ForceModel::kDipole}) {
+  for (const ForceModel model : {ForceModel::kExact, ForceModel::kHybrid, ForceModel::kDipole})
     if (name == name_of(model)) return model;
-  }
   return std::nullopt;
 }
 

@@ -28,12 +28,9 @@ PinCurves::PinCurves(const Arrangement& arrangement, const ArraySizes& sizes,
       // Beyond the strongest pull nothing holds the pin on its way out.
       if (i > 0) holding[i] = std::max(holding[i], holding[i - 1]);
     }
-    for (std::size_t i = 0; i < arrangement.pins.size(); ++i) {
-      if (std::binary_search(pin_class.pins.begin(), pin_class.pins.end(),
-                             arrangement.pins[i].id)) {
+    for (std::size_t i = 0; i < arrangement.pins.size(); ++i)
+      if (std::binary_search(pin_class.pins.begin(), pin_class.pins.end(), arrangement.pins[i].id))
         class_of_[i] = static_cast<std::uint16_t>(classes_.size());
-      }
-    }
     classes_.push_back(holding);
   }
 }

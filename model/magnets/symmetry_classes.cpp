@@ -19,17 +19,17 @@ View view_from(const MagnetSite& pin, const Arrangement& arrangement) {
     if (other.id == pin.id) continue;
     view.pins_deg.push_back(angle_deg(pin.direction, other.direction));
   }
-  for (const MagnetSite& shield : arrangement.shields) {
+  for (const MagnetSite& shield : arrangement.shields)
     view.shields_deg.push_back(angle_deg(pin.direction, shield.direction));
-  }
   std::sort(view.pins_deg.begin(), view.pins_deg.end());
   std::sort(view.shields_deg.begin(), view.shields_deg.end());
   return view;
 }
 
 bool same(const std::vector<double>& a, const std::vector<double>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](double x, double y) { return std::abs(x - y) <= kSameAngleDeg; });
+  return std::equal(
+      a.begin(), a.end(), b.begin(), b.end(),
+      [](double x, double y) { return std::abs(x - y) <= kSameAngleDeg; });
 }
 
 /// Neighbours in the list that `belongs(first, angle)` calls one become their mean.

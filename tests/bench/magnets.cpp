@@ -52,11 +52,9 @@ BENCHMARK(characterise_tkd)->ArgName("digits")->Arg(3)->Arg(6)->Unit(benchmark::
 void curves_of_tkd(benchmark::State& state) {
   const ForceSettings settings{ForceModel::kExact, accuracy_of(state)};
   const auto classes = symmetry_classes(tkd());
-  for (auto _ : state) {
-    for (const PinClass& pin_class : classes) {
+  for (auto _ : state)
+    for (const PinClass& pin_class : classes)
       benchmark::DoNotOptimize(force_curve({pin_class, {}, settings}));
-    }
-  }
 }
 BENCHMARK(curves_of_tkd)->ArgName("digits")->Arg(3)->Arg(6)->Unit(benchmark::kMillisecond);
 
@@ -89,11 +87,9 @@ void naive_tkd(benchmark::State& state) {
       }
     }
     const std::clock_t middle = std::clock();
-    for (int run = 0; run < kRuns; ++run) {
-      for (const PinClass& pin_class : classes) {
+    for (int run = 0; run < kRuns; ++run)
+      for (const PinClass& pin_class : classes)
         benchmark::DoNotOptimize(force_curve({pin_class, sizes, settings}));
-      }
-    }
     naive += middle - start;
     by_class += std::clock() - middle;
   }
@@ -128,9 +124,8 @@ void search_one_design(benchmark::State& state) {
 BENCHMARK(search_one_design)->Unit(benchmark::kMillisecond);
 
 void equilibrium_of_tkd(benchmark::State& state) {
-  for (auto _ : state) {
+  for (auto _ : state)
     benchmark::DoNotOptimize(find_equilibrium(tkd(), {}, {ForceModel::kExact, 1e-6}));
-  }
 }
 BENCHMARK(equilibrium_of_tkd)->Unit(benchmark::kMillisecond);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What one tick of the mixer costs: nothing playing, and so many gliding circles with a sine, the
 // dearest effect there is. Budget at 64: 8 us.
-#include "daemon/control/mixer.h"
+#include "daemon/control/effects/mixer.h"
 
 #include <benchmark/benchmark.h>
 

@@ -23,9 +23,8 @@ Environment with(std::map<std::string, std::string> variables) {
 
 std::vector<std::string> places(const std::optional<std::string>& flag, const Environment& env) {
   std::vector<std::string> all;
-  for (const Address& address : daemon_addresses(flag, env).value()) {
+  for (const Address& address : daemon_addresses(flag, env).value())
     all.push_back(to_string(address));
-  }
   return all;
 }
 

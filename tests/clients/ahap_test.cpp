@@ -153,9 +153,7 @@ TEST(Ahap, WhatDoesNotMapIsSaid) {
 
 TEST(Ahap, LongOnesAreSimplifiedNotRefused) {
   std::string many;
-  for (int n = 0; n < 200; ++n) {
-    many += (n == 0 ? "" : ",") + transient(0.06 * n, 0.3 + 0.003 * n);
-  }
+  for (int n = 0; n < 200; ++n) many += (n == 0 ? "" : ",") + transient(0.06 * n, 0.3 + 0.003 * n);
   const auto i = import_pattern(ahap(many)).value();
   EXPECT_LE(i.pattern.keyframes.size(), 256u);
   EXPECT_THAT(i.notes, Contains(HasSubstr("more than 256")));
@@ -179,9 +177,8 @@ std::string random_entry() {
   const std::string time = R"(,"Time":)" + std::to_string(some(0, 80));
   if (*rc::gen::inRange(0, 4) > 0) {
     std::string parameters = R"({"ParameterID":"HapticIntensity","ParameterValue":1})";
-    for (const char* name : {"HapticIntensity", "AttackTime", "DecayTime", "ReleaseTime"}) {
+    for (const char* name : {"HapticIntensity", "AttackTime", "DecayTime", "ReleaseTime"})
       if (*rc::gen::arbitrary<bool>()) parameters += value(name, some(0, 1));
-    }
     parameters += value("Sustained", *rc::gen::inRange(0, 2));
     const bool tap = *rc::gen::arbitrary<bool>();
     return R"({"Event":{"EventType":")" +

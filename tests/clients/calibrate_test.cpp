@@ -28,9 +28,8 @@ std::vector<WindingSample> driven(double r, double l, double frequency_hz, doubl
     const double t_s = 1e-3 * ms;
     const double v = 0.3 + 0.5 * std::sin(2.0 * std::numbers::pi * frequency_hz * t_s);
     current_a = keep * current_a + (1.0 - keep) / r * v;
-    if (ms >= 200 && ms % 5 == 0) {
+    if (ms >= 200 && ms % 5 == 0)
       seen.push_back({t_s, std::round(1000.0 * current_a) / 1000.0 + offset_a, v});
-    }
   }
   return seen;
 }
@@ -54,6 +53,16 @@ TEST(WindingFit, AConstantErrorOfTheSensorFallsOut) {
   EXPECT_FALSE(steady_resistance({{0, 0.015, 0.45}}, {{0, -0.015, -0.45}})) << "nothing flows";
 }
 
+TEST(WindingFit, TheErrorFollowsTheScatterOfTheCurrents) {
+  std::vector<WindingSample> forth(100, {0.0, 1.0, 0.45});
+  std::vector<WindingSample> back(100, {0.0, -1.0, -0.45});
+  EXPECT_EQ(steady_resistance_error(forth, back), 0.0);
+  for (std::size_t i = 0; i < forth.size(); ++i)
+    forth[i].current_a = back[i].current_a = i % 2 == 0 ? 1.04 : 0.96;
+  for (WindingSample& one : back) one.current_a -= 2.0;
+  EXPECT_NEAR(steady_resistance_error(forth, back), 0.04 / 2.0 * std::sqrt(2.0 / 100.0), 5e-5);
+}
+
 TEST(WindingFit, NoiseAndTooFewSamplesAreNoWinding) {
   EXPECT_FALSE(sine_impedance({}, 47.0));
   std::vector<WindingSample> flat(100, {0.0, 1.0, 0.45});
@@ -72,19 +81,16 @@ TEST(Pushed, EachWindingOnAnAxisOfItsOwn) {
   EXPECT_EQ((*matrix)[2], (model::Vec3{0, 1, 0}));
   EXPECT_TRUE(read_pushed({}));
   EXPECT_FALSE(coil_matrix({}));
-  for (const char* wrong : {"x=back", "x", "x=", "w=up", "x=sideways", "x:up"}) {
+  for (const char* wrong : {"x=back", "x", "x=", "w=up", "x=sideways", "x:up"})
     EXPECT_FALSE(read_pushed({wrong})) << wrong;
-  }
   EXPECT_FALSE(read_pushed({"x=front", "y=back", "z=up"}));
 }
 
 TEST(Pushed, AnswersAreTakenAsPeopleGiveThem) {
-  for (const char* answer : {"left", "Left", " l", "LE\r", "lef "}) {
+  for (const char* answer : {"left", "Left", " l", "LE\r", "lef "})
     EXPECT_EQ(side_meant(answer), "left") << answer;
-  }
-  for (const char* answer : {"", " ", "lft", "lefty", "x", "up down", "-"}) {
+  for (const char* answer : {"", " ", "lft", "lefty", "x", "up down", "-"})
     EXPECT_EQ(side_meant(answer), "") << answer;
-  }
 }
 
 TEST(Pushed, TwoOnOneAxisAndLeftHandsAreSeen) {
@@ -132,10 +138,9 @@ struct FakeBall {
         status.current_a.x = now_ms < flows_from_ms ? 0.0 : 0.3;
         protocol::StatusKeys keys;
         for (const auto key : {protocol::StatusKey::kState, protocol::StatusKey::kReason,
-                               protocol::StatusKey::kSupplyV, protocol::StatusKey::kCurrentA}) {
+                               protocol::StatusKey::kSupplyV, protocol::StatusKey::kCurrentA})
           keys.add(key);
-        }
-        peer.say(protocol::encode_telemetry({keys, status}));
+        peer.send_line(protocol::encode_telemetry({keys, status}));
       }
     };
     for (std::string line; !(line = peer.read()).empty();) {
@@ -144,22 +149,22 @@ struct FakeBall {
       const protocol::Id id{request["id"].dump()};
       tell_until(now_ms + 150);
       if (method == "ping") {
-        peer.say(protocol::encode_result(id, protocol::PingResult{1'000'000 * now_ms}));
+        peer.send_line(protocol::encode_result(id, protocol::PingResult{1'000'000 * now_ms}));
       } else if (method == "device.claim") {
-        peer.say(protocol::encode_result(id, protocol::ClaimResult{}));
+        peer.send_line(protocol::encode_result(id, protocol::ClaimResult{}));
       } else if (method == "effect.hold") {
         flows_from_ms = now_ms + 100;
-        peer.say(protocol::encode_result(id, protocol::Admission{}));
+        peer.send_line(protocol::encode_result(id, protocol::Admission{}));
         if (subscribed) tell_until(now_ms + 150 * every_ms);
       } else if (method == "telemetry.subscribe") {
         subscribed = true;
-        peer.say(protocol::encode_result(id, protocol::TelemetryResult{}));
+        peer.send_line(protocol::encode_result(id, protocol::TelemetryResult{}));
         if (flows_from_ms < 1'000'000) tell_until(now_ms + 150 * every_ms);
       } else if (method == "effect.stop_all") {
         subscribed = false;
-        peer.say(protocol::encode_result(id, protocol::StopResult{}));
+        peer.send_line(protocol::encode_result(id, protocol::StopResult{}));
       } else {
-        peer.say(protocol::encode_result(id, protocol::Done{}));
+        peer.send_line(protocol::encode_result(id, protocol::Done{}));
       }
     }
   }

@@ -28,9 +28,8 @@ Connection connect(const FakeDaemon& daemon) {
 }
 
 std::int64_t time_of(const Notification& notification) {
-  if (const auto* event = std::get_if<protocol::EventMessage>(&notification)) {
+  if (const auto* event = std::get_if<protocol::EventMessage>(&notification))
     return event->event.time_ns;
-  }
   return std::get<protocol::TelemetryMessage>(notification).telemetry.status.time_ns;
 }
 
@@ -60,7 +59,7 @@ TEST(Open, SpeaksOverAUnixSocketToo) {
   const std::string path = folder.path("hedgehogd.sock");
   FakeDaemon daemon(path, [](FakePeer& peer) {
     peer.read();
-    peer.say(kPong);
+    peer.send_line(kPong);
   });
   auto ball = Connection::open({{.path = path}}, kLongPatience);
   ASSERT_TRUE(ball.has_value());
@@ -89,9 +88,8 @@ TEST(Reopen, ComesBackWhenTheDaemonDoes) {
 
 TEST(Backoff, DoublesFromATenthOfASecondToFive) {
   Backoff backoff;
-  for (const int expected : {100, 200, 400, 800, 1600, 3200, 5000, 5000}) {
+  for (const int expected : {100, 200, 400, 800, 1600, 3200, 5000, 5000})
     EXPECT_EQ(backoff.next(), Milliseconds(expected));
-  }
   backoff.reset();
   EXPECT_EQ(backoff.next(), 100ms);
 }
@@ -100,7 +98,7 @@ TEST(Call, SendsOneLineAndReturnsTheTypedAnswer) {
   std::string line;
   FakeDaemon daemon([&](FakePeer& peer) {
     line = peer.read();
-    peer.say(
+    peer.send_line(
         R"({"jsonrpc":"2.0","id":1,"result":{"effect":41,"accepted":true,"limited_by":null,"current_a":9.3,"force_n":0.115,"pin":34,"headroom_s":21.4,"seq":9120,"new_field":1}})");
   });
   auto ball = connect(daemon);
@@ -126,15 +124,14 @@ TEST(Call, ReadsAnswersHoweverTheyArrive) {
   auto ball = connect(daemon);
   EXPECT_EQ(ball.call(protocol::Ping{}, kLongPatience).value().time_ns, 42);
   EXPECT_EQ(ball.call(protocol::Ping{}, kLongPatience).value().time_ns, 43);
-  for (const int expected : {1, 2, 3}) {
+  for (const int expected : {1, 2, 3})
     EXPECT_EQ(time_of(ball.next(kLongPatience).value().value()), expected);
-  }
 }
 
 TEST(Call, ReturnsWhatTheDaemonRefuses) {
   FakeDaemon daemon([](FakePeer& peer) {
     peer.read();
-    peer.say(
+    peer.send_line(
         R"({"jsonrpc":"2.0","id":1,"error":{"code":-32602,"message":"gain: 1.4 is above 1","data":{"name":"invalid_params","field":"gain","limit":1,"value":1.4}}})");
   });
   auto ball = connect(daemon);
@@ -150,7 +147,7 @@ TEST(Call, ReturnsWhatTheDaemonRefuses) {
 TEST(Call, TakesAnErrorWithoutIdAsItsOwn) {
   FakeDaemon daemon([](FakePeer& peer) {
     peer.read();
-    peer.say(
+    peer.send_line(
         R"({"jsonrpc":"2.0","id":null,"error":{"code":-32001,"message":"busy: too many connections","data":{"name":"busy"}}})");
   });
   auto ball = connect(daemon);
@@ -162,7 +159,7 @@ TEST(Call, PassesOnWhatAPersonTyped) {
   std::string line;
   FakeDaemon daemon([&](FakePeer& peer) {
     line = peer.read();
-    peer.say(R"({"jsonrpc":"2.0","id":1,"result":{"b":1,"a":[2]}})");
+    peer.send_line(R"({"jsonrpc":"2.0","id":1,"result":{"b":1,"a":[2]}})");
   });
   auto ball = connect(daemon);
   EXPECT_EQ(ball.call_raw("future.method", R"({"x":1})", kLongPatience).value(),
@@ -175,8 +172,8 @@ TEST(Call, ThatIsNotAnsweredInTimeLeavesTheConnectionUsable) {
   FakeDaemon daemon([](FakePeer& peer) {
     peer.read();
     peer.read();
-    peer.say(kPong);
-    peer.say(R"({"jsonrpc":"2.0","id":2,"result":{"time_ns":43}})");
+    peer.send_line(kPong);
+    peer.send_line(R"({"jsonrpc":"2.0","id":2,"result":{"time_ns":43}})");
   });
   auto ball = connect(daemon);
   const auto late = ball.call(protocol::Ping{}, 20ms);
@@ -189,7 +186,7 @@ TEST(Call, ThatIsNotAnsweredInTimeLeavesTheConnectionUsable) {
 TEST(Call, SaysWhenTheDaemonHasGoneAndKeepsItsLastWords) {
   FakeDaemon daemon([](FakePeer& peer) {
     peer.read();
-    peer.say(kShutdown);
+    peer.send_line(kShutdown);
   });
   auto ball = connect(daemon);
   for (int i = 0; i < 2; ++i) {
@@ -205,7 +202,7 @@ TEST(Call, SaysWhenTheDaemonHasGoneAndKeepsItsLastWords) {
 TEST(Call, DoesNotTakeNonsenseForAnAnswer) {
   FakeDaemon daemon([](FakePeer& peer) {
     peer.read();
-    peer.say("HTTP/1.1 400 Bad Request");
+    peer.send_line("HTTP/1.1 400 Bad Request");
     peer.read();
   });
   auto ball = connect(daemon);
@@ -247,12 +244,12 @@ TEST(Ask, DoesNotWaitAndItsAnswersComeWithWhatIsRead) {
   FakeDaemon daemon([](FakePeer& peer) {
     peer.read();
     peer.read();
-    peer.say(R"({"jsonrpc":"2.0","id":1,"result":{"stopped":0,"seq":3}})");
-    peer.say(
+    peer.send_line(R"({"jsonrpc":"2.0","id":1,"result":{"stopped":0,"seq":3}})");
+    peer.send_line(
         R"({"jsonrpc":"2.0","id":2,"error":{"code":-32009,"message":"claimed: by another","data":{"name":"claimed"}}})");
-    peer.say(telemetry(5));
+    peer.send_line(telemetry(5));
     peer.read();
-    peer.say(R"({"jsonrpc":"2.0","id":3,"result":{"time_ns":43}})");
+    peer.send_line(R"({"jsonrpc":"2.0","id":3,"result":{"time_ns":43}})");
   });
   auto ball = connect(daemon);
   EXPECT_EQ(ball.ask(protocol::EffectStopAll{}, kLongPatience).value(), protocol::Id::number(1));
@@ -283,9 +280,9 @@ TEST(Next, WithoutPatienceTakesOnlyWhatIsThere) {
 TEST(Next, LosesOldTelemetryButNoEvent) {
   FakeDaemon daemon([](FakePeer& peer) {
     peer.read();
-    peer.say(kShutdown);
-    for (int i = 1; i <= 300; ++i) peer.say(telemetry(1000 + i));
-    peer.say(kPong);
+    peer.send_line(kShutdown);
+    for (int i = 1; i <= 300; ++i) peer.send_line(telemetry(1000 + i));
+    peer.send_line(kPong);
     peer.read();
   });
   auto ball = connect(daemon);

@@ -32,9 +32,8 @@ TEST(DevicesScreen, WhatIsUsedAndWhyTheOthersAreNot) {
                   "                        open it; the udev rule gives it to the group hedgehog",
                   "  missing               thermometer: no TEMPer thermometer is connected",
                   "  and 2 more that are nothing to hedgehogd"));
-  for (const std::string& line : devices_screen(seen, std::string(32, 'b'))) {
+  for (const std::string& line : devices_screen(seen, std::string(32, 'b')))
     EXPECT_LE(columns(line), 80u) << line;
-  }
 }
 
 TEST(DevicesScreen, ABareMachine) {

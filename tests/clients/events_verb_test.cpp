@@ -22,18 +22,18 @@ protocol::Event derating_ended(std::int64_t time_ns) {
 TEST(EventsVerb, WhatTheHistoryHasToldIsNotToldAgain) {
   FakeDaemon daemon([](FakePeer& peer) {
     peer.read();
-    peer.say(protocol::encode_result(protocol::Id::number(1), protocol::HelloResult{}));
+    peer.send_line(protocol::encode_result(protocol::Id::number(1), protocol::HelloResult{}));
     peer.read();
-    peer.say(protocol::encode_result(protocol::Id::number(2),
-                                     protocol::EventsResult{.state = "armed", .limit_a = 15.0}));
+    peer.send_line(protocol::encode_result(
+        protocol::Id::number(2), protocol::EventsResult{.state = "armed", .limit_a = 15.0}));
     peer.read();
     // Between the subscription and the look back.
-    peer.say(protocol::encode_event(derating_ended(7)));
+    peer.send_line(protocol::encode_event(derating_ended(7)));
     const protocol::PastEvent past{.at = "2026-11-20T23:14:07.412Z", .event = derating_ended(7)};
-    peer.say(protocol::encode_encoded(
+    peer.send_line(protocol::encode_encoded(
         protocol::Id::number(3),
         protocol::encode_history({protocol::encode_past_event(past)}, true)));
-    peer.say(protocol::encode_event(derating_ended(8)));
+    peer.send_line(protocol::encode_event(derating_ended(8)));
   });
   Session session{Connection::open({daemon.address()}, kLongPatience).value(), true, {}};
   testing::internal::CaptureStdout();

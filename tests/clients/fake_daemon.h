@@ -43,7 +43,7 @@ class FakePeer {
     boost::system::error_code ignored;
     boost::asio::write(socket_, boost::asio::buffer(bytes), ignored);
   }
-  void say(std::string_view line) { send(std::string(line) + "\n"); }
+  void send_line(std::string_view line) { send(std::string(line) + "\n"); }
 
  private:
   Socket socket_;
@@ -88,9 +88,8 @@ class FakeDaemon {
   FakeDaemon(const Endpoint& endpoint, Conversation conversation) {
     using Protocol = typename Endpoint::protocol_type;
     auto acceptor = std::make_shared<typename Protocol::acceptor>(io_, endpoint);
-    if constexpr (requires { acceptor->local_endpoint().port(); }) {
+    if constexpr (requires { acceptor->local_endpoint().port(); })
       port_ = acceptor->local_endpoint().port();
-    }
     thread_ = std::thread([acceptor, conversation = std::move(conversation)] {
       FakePeer peer{FakePeer::Socket(acceptor->accept())};
       conversation(peer);

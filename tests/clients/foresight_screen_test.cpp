@@ -5,12 +5,12 @@
 #include <stdlib.h>
 #include <time.h>
 
+#include "base/wall_time.h"
 #include "clients/ctl/screen/history_screen.h"
 #include "clients/ctl/screen/preview_screen.h"
 #include "clients/ctl/screen/trips_screen.h"
 #include "clients/ctl/screen/words.h"
 #include "clients/ctl/verbs/since_argument.h"
-#include "protocol/wall_time.h"
 
 namespace hedgehog::client {
 namespace {
@@ -73,9 +73,7 @@ TEST(TripsScreen, IsNewestFirstAndLeavesRestartsOut) {
   EXPECT_EQ(lines[1], "  2026-11-20 23:14:07  thermometer_disa…       -  10.6 A  -            -");
   EXPECT_EQ(lines[2],
             "  2026-10-09 18:02:51  fan_stopped       61.0 °C  10.6 A  hedgehogctl  trip-0016");
-  for (const std::string& line : lines) {
-    EXPECT_LE(columns(line), 80u);
-  }
+  for (const std::string& line : lines) EXPECT_LE(columns(line), 80u);
   EXPECT_EQ(trips_screen({}).front(), "  it has not tripped");
   history.more = true;
   EXPECT_EQ(trips_screen(history).size(), 4u);
@@ -107,7 +105,7 @@ TEST(SinceArgument, IsADayATimeASpanOrExact) {
   ::setenv("TZ", "CET-1", 1);
   ::tzset();
   const auto since = [](const std::string& text) {
-    const auto now_ms = protocol::parse_rfc3339("2026-11-21T01:30:00Z");
+    const auto now_ms = base::parse_rfc3339("2026-11-21T01:30:00Z");
     const auto time = since_rfc3339(text, *now_ms);
     return time ? *time : "none";
   };
@@ -123,9 +121,8 @@ TEST(SinceArgument, IsADayATimeASpanOrExact) {
   EXPECT_EQ(since("2026-11-20 23:14:07"), "2026-11-20T22:14:07.000Z");
   EXPECT_EQ(since("2026-11-20T23:14:07.412Z"), "2026-11-20T23:14:07.412Z");
   for (const char* bad : {"", "tomorrow", "2", "2 h", "-2h", "2fortnights", "25:00", "2026-13-01",
-                          "99999999999999999999d", "40000d", "2026-02-31"}) {
+                          "99999999999999999999d", "40000d", "2026-02-31"})
     EXPECT_EQ(since(bad), "none") << bad;
-  }
 }
 
 }  // namespace

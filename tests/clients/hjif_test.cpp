@@ -148,12 +148,10 @@ TEST(Hjif, CubicCurvesAreTheEaseSmooth) {
   EXPECT_THAT(i.notes, IsEmpty());
   EXPECT_LE(i.pattern.keyframes.size(), 5u);
   const auto smooth = [](double u) { return u * u * (3 - 2 * u); };
-  for (int t_ms = 105; t_ms < 200; t_ms += 5) {
+  for (int t_ms = 105; t_ms < 200; t_ms += 5)
     EXPECT_NEAR(level_at(i, t_ms), 0.8 * smooth((t_ms - 100) / 100.0), 1e-4) << t_ms;
-  }
-  for (int t_ms = 205; t_ms < 400; t_ms += 5) {
+  for (int t_ms = 205; t_ms < 400; t_ms += 5)
     EXPECT_NEAR(level_at(i, t_ms), 0.8 - 0.6 * smooth((t_ms - 200) / 200.0), 1e-4) << t_ms;
-  }
   const auto both =
       import_pattern(hjif(band("Curve", effect, "Cubic") + "," +
                           band("Curve", basis(150, key(0, 0.1) + "," + key(20, 0.1)))))

@@ -28,9 +28,8 @@ TEST(ResponseTimeout, IsTwoSecondsUnlessTheEnvironmentSaysOtherwise) {
 
 TEST(ResponseTimeout, IgnoresWhatIsNoIntegerOfItsRange) {
   for (const char* nonsense : {"", "99", "600001", "-500", "+500", "5e3", "500ms", " 500", "500.0",
-                               "99999999999999999999"}) {
+                               "99999999999999999999"})
     EXPECT_EQ(with(nonsense), 2s) << nonsense;
-  }
 }
 
 }  // namespace

@@ -43,9 +43,7 @@ RC_GTEST_PROP(BallNumbers, StandApartInEightyColumns, ()) {
   for (std::size_t row = 0; row < 8; ++row) {
     RC_ASSERT(columns(lines[row + 1]) <= 79u);
     std::istringstream text(lines[row + 1]);
-    for (std::string word; text >> word;) {
-      drawn.insert(word);
-    }
+    for (std::string word; text >> word;) drawn.insert(word);
     for (const model::Pin& pin : model::hedgehog_86().ring(row)) {
       const std::string number =
           fixed(100.0 * motion.extension_mm[static_cast<std::size_t>(pin.id)], 0);
@@ -79,9 +77,7 @@ TEST(PinsScreen, SaysWhoIsFarthestOutIn80By22) {
                            {4, {}, 1, 0.5}, {5, {}, 1, 0.5}, {6, {}, 2, 0.5}, {7, {}, 2, 0.56}};
   const auto lines = pins_screen(ball, {});
   EXPECT_LE(lines.size(), 22u);
-  for (const std::string& line : lines) {
-    EXPECT_LE(columns(line), 80u) << line;
-  }
+  for (const std::string& line : lines) EXPECT_LE(columns(line), 80u) << line;
   EXPECT_THAT(lines[0], HasSubstr("SPACE stops   q quits"));
   EXPECT_THAT(lines[11], HasSubstr("hundredths of a millimetre"));
   EXPECT_THAT(

@@ -31,12 +31,10 @@ std::vector<double> forces_of(const model::Vec3& demand_a) {
 
 std::size_t marks(const std::vector<std::string>& lines, const std::string& mark) {
   std::size_t count = 0;
-  for (std::size_t row = 1; row + 1 < lines.size(); ++row) {
+  for (std::size_t row = 1; row + 1 < lines.size(); ++row)
     for (std::size_t at = lines[row].find(mark); at != std::string::npos;
-         at = lines[row].find(mark, at + mark.size())) {
+         at = lines[row].find(mark, at + mark.size()))
       ++count;
-    }
-  }
   return count;
 }
 
@@ -82,9 +80,7 @@ TEST(BallMap, ShowsAPushToTheLeftOnTheLeft) {
   const auto lines = ball_map(forces_of({0, 15, 0}), {true, std::nullopt});
   for (std::size_t row = 2; row < 9; ++row) {
     const std::size_t strongest = lines[row].find('@');
-    if (strongest != std::string::npos) {
-      EXPECT_LT(lines[row].rfind('@'), 39u) << lines[row];
-    }
+    if (strongest != std::string::npos) EXPECT_LT(lines[row].rfind('@'), 39u) << lines[row];
   }
   EXPECT_GT(marks(lines, "@"), 10u);
 }
@@ -103,9 +99,7 @@ TEST(BallMap, MarksWhatIsUpInTheRoom) {
 RC_GTEST_PROP(BallMap, NeverLeavesEightyColumns, ()) {
   const auto part = [] { return *rc::gen::inRange(-150, 151) / 10.0; };
   const auto lines = ball_map(forces_of({part(), part(), part()}), {});
-  for (const std::string& line : lines) {
-    RC_ASSERT(columns(line) <= 79u);
-  }
+  for (const std::string& line : lines) RC_ASSERT(columns(line) <= 79u);
 }
 
 TEST(Bar, FillsFromTheLeft) {
@@ -140,9 +134,7 @@ TEST(Words, CutByCharactersNotBytes) {
 
 TEST(StatusScreen, SaysEverythingInEightyColumns) {
   const auto lines = status_screen(warm_ball(), {});
-  for (const std::string& line : lines) {
-    EXPECT_LE(columns(line), 80u) << line;
-  }
+  for (const std::string& line : lines) EXPECT_LE(columns(line), 80u) << line;
   EXPECT_THAT(lines[0], StartsWith("  ball-7 · armed"));
   EXPECT_THAT(lines[0], EndsWith("hedgehogd 1.0.0, up 3 d 4 h, USB"));
   EXPECT_THAT(lines, testing::Contains(StartsWith("  temperature    41.2 °C  ━━━━━━━━━")));
@@ -182,14 +174,10 @@ TEST(WatchScreen, FitsATerminalOf24Rows) {
   protocol::Event started;
   started.type = "effect_started";
   started.effect = 431;
-  for (int i = 0; i < 9; ++i) {
-    screen.take(started, "14:03:21");
-  }
+  for (int i = 0; i < 9; ++i) screen.take(started, "14:03:21");
   const auto lines = screen.lines(ball);
   EXPECT_LE(lines.size(), 24u);
-  for (const std::string& line : lines) {
-    EXPECT_LE(columns(line), 80u) << line;
-  }
+  for (const std::string& line : lines) EXPECT_LE(columns(line), 80u) << line;
   EXPECT_THAT(lines[0], HasSubstr("SPACE stops   q quits"));
   EXPECT_EQ(lines.back(), "  14:03:21  effect_started  #431");
 }
@@ -199,9 +187,7 @@ TEST(DemoScreen, FitsATerminalOf22Rows) {
     const TourStep* playing = chapter.steps.empty() ? nullptr : &chapter.steps.front();
     const auto lines = demo_screen(warm_ball(), chapter, playing, {});
     EXPECT_LE(lines.size(), 22u);
-    for (const std::string& line : lines) {
-      EXPECT_LE(columns(line), 80u) << line;
-    }
+    for (const std::string& line : lines) EXPECT_LE(columns(line), 80u) << line;
   }
 }
 
@@ -225,11 +211,8 @@ TEST(Tour, LastsAtMostFortySecondsAndNeverGoesBack) {
 }
 
 TEST(Tour, TurnsOnlyASimulatedBall) {
-  for (const TourChapter& chapter : tour(false)) {
-    for (const TourStep& step : chapter.steps) {
-      EXPECT_NE(step.method, "sim.set");
-    }
-  }
+  for (const TourChapter& chapter : tour(false))
+    for (const TourStep& step : chapter.steps) EXPECT_NE(step.method, "sim.set");
 }
 
 }  // namespace

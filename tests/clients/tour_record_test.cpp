@@ -13,13 +13,12 @@ using testing::IsEmpty;
 
 constexpr std::int64_t kBeganNs = 5'000'000'000;
 
-protocol::Status at_the_end(double least_limit_a, std::optional<std::int64_t> tripped_ns) {
+protocol::Status at_the_end(double min_limit_a, std::optional<std::int64_t> tripped_ns) {
   protocol::Status status;
   status.simulated = true;
-  status.limit_a = least_limit_a;
-  if (tripped_ns) {
+  status.limit_a = min_limit_a;
+  if (tripped_ns)
     status.last_trip = protocol::TripStatus{.reason = "sensor_open", .time_ns = *tripped_ns};
-  }
   return status;
 }
 

@@ -14,9 +14,10 @@ TEST(DeviceFile, EveryKeyArrives) {
     "name": "ball-7", "model": "hedgehog-86b", "arrangement": "tkD-86", "front_pin": 1,
     "coil_matrix": [[0, 1, 0], [-1.02, 0, 0.01], [0, 0, 0.98]], "r25_ohm": [0.612, 0.598, 0.641],
     "inductance_h": 0.002, "supply_v": 15, "force_slope_n_a": 0.0127,
-    "thermal": {"winding_j_k": 60, "core_j_k": 90, "winding_to_core_k_w": 1.1,
+    "thermal": {"winding_j_k": 60, "core_j_k": 90, "winding_to_core_k_w": [1.1, 1, 0.9],
                 "core_to_room_fan_k_w": 1.9, "core_to_room_still_k_w": 5.5, "sensor_winding": 2,
-                "sensor_lag_s": 1.5},
+                "sensor_lag_s": 1.5, "fan_rpm": 4500},
+    "uncertainty": {"thermal": 0.06, "resistance": 0.01, "thermistor_k": 1},
     "limits": {"current_a": 12, "continuous_a": 4, "felt_a": 2, "derate_from_c": 55,
                "sustain_c": 60, "zero_c": 62, "trip_c": 64, "rearm_c": 40},
     "usb": ["1209:0001", "CAFE:4011"]})");
@@ -29,13 +30,15 @@ TEST(DeviceFile, EveryKeyArrives) {
   EXPECT_EQ(d.coils.inductance_h, 0.002);
   EXPECT_EQ(d.coils.supply_v, 15);
   EXPECT_EQ(d.force_slope_n_a, 0.0127);
-  EXPECT_EQ(d.thermal.winding_j_k, 60);
+  EXPECT_EQ(d.thermal.winding_j_k, (std::array<double, 3>{60, 60, 60}));
   EXPECT_EQ(d.thermal.core_j_k, 90);
-  EXPECT_EQ(d.thermal.winding_to_core_k_w, 1.1);
+  EXPECT_EQ(d.thermal.winding_to_core_k_w, (std::array<double, 3>{1.1, 1, 0.9}));
   EXPECT_EQ(d.thermal.core_to_room_fan_k_w, 1.9);
   EXPECT_EQ(d.thermal.core_to_room_still_k_w, 5.5);
   EXPECT_EQ(d.thermal.sensor_winding, 2);
   EXPECT_EQ(d.thermal.sensor_lag_s, 1.5);
+  EXPECT_EQ(d.thermal.fan_full_rpm, 4500);
+  EXPECT_EQ(d.uncertainty, (model::ThermalUncertainty{0.06, 0.01, 1}));
   EXPECT_EQ(d.limits, (model::Limits{12, 4, 2, 55, 60, 62, 64, 40}));
   EXPECT_EQ(d.usb, (std::vector<model::UsbId>{{0x1209, 1}, {0xcafe, 0x4011}}));
   // Nobody tightened anything, so the ball's own limits hold.
@@ -72,6 +75,42 @@ TEST(DeviceFile, WrongValuesAreNamed) {
                 "\".\", not \"my ball\"\n");
   EXPECT_EQ(wrong_device("{\"resistance_ohm\": 1}"),
             kDeviceFile + ":1: resistance_ohm: unknown key\n");
+}
+
+TEST(DeviceFile, HeatThatNoEstimateCouldFollowIsRefused) {
+  EXPECT_EQ(wrong_device("{\"thermal\": {\n\"winding_j_k\": 2, \"winding_to_core_k_w\": 0.4}}"),
+            kDeviceFile + ":2: thermal.winding_j_k: times winding_to_core_k_w must be at least 1 " +
+                "s, not 0.8: no estimate of heat could follow it\n");
+  EXPECT_EQ(wrong_device("{\"thermal\": {\"core_j_k\": 2.5, \"core_to_room_fan_k_w\": 1}}"),
+            kDeviceFile + ":1: thermal.core_j_k: over all conductances of the core must be at " +
+                "least 1 s, not 0.625: no estimate of heat could follow it\n");
+  EXPECT_EQ(wrong_device("{\"thermal\": {\"sensor_lag_s\": 0}}"),
+            kDeviceFile + ":1: thermal.sensor_lag_s: must be 0.1 to 10, not 0\n");
+  EXPECT_EQ(FakeFiles::with_device("{\"thermal\": {\"winding_j_k\": 2, \"winding_to_core_k_w\": "
+                                   "0.5, \"core_j_k\": 7}}")
+                .errors(),
+            "");
+}
+
+TEST(DeviceFile, WithoutUncertaintiesTheBallIsKnownToAFifth) {
+  EXPECT_EQ(FakeFiles::with_device("{}").load()->device.uncertainty,
+            (model::ThermalUncertainty{0.2, 0.03, 0.5}));
+}
+
+TEST(DeviceFile, AnUncertaintyThatIsTooSmallToBeTrueIsRefused) {
+  EXPECT_EQ(wrong_device("{\"uncertainty\": {\"thermal\": 0.01}}"),
+            kDeviceFile + ":1: uncertainty.thermal: must be 0.05 to 0.5, not 0.01\n");
+  EXPECT_EQ(wrong_device("{\"uncertainty\": {\"resistance\": 0.009}}"),
+            kDeviceFile + ":1: uncertainty.resistance: must be 0.01 to 0.2, not 0.009\n");
+  EXPECT_EQ(wrong_device("{\"uncertainty\": {\"thermistor_k\": 0}}"),
+            kDeviceFile + ":1: uncertainty.thermistor_k: must be 0.3 to 3, not 0\n");
+  EXPECT_EQ(wrong_device("{\"uncertainty\": 0.05}"),
+            kDeviceFile + ":1: uncertainty: must be an object, not 0.05\n");
+  EXPECT_EQ(wrong_device("{\"thermal\": {\"winding_j_k\": [60, 60]}}"),
+            kDeviceFile +
+                ":1: thermal.winding_j_k: must be one number, or three: of x, y, z, not a list\n");
+  EXPECT_EQ(wrong_device("{\"thermal\": {\"winding_j_k\": [60, 0, 60]}}"),
+            kDeviceFile + ":1: thermal.winding_j_k: number 2 must be 1 to 10000, not 0\n");
 }
 
 TEST(DeviceFile, UsbIdsAreHexadecimalPairs) {

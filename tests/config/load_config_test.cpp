@@ -24,11 +24,10 @@ std::string shipped(const std::string& name) {
 void collect_paths(const Value& section, const std::string& prefix, std::set<std::string>& paths) {
   for (std::size_t i = 0; i < section.keys.size(); ++i) {
     const std::string path = prefix + section.keys[i];
-    if (section.elements[i].kind == Value::Kind::kObject) {
+    if (section.elements[i].kind == Value::Kind::kObject)
       collect_paths(section.elements[i], path + ".", paths);
-    } else {
+    else
       paths.insert(path);
-    }
   }
 }
 
@@ -90,7 +89,7 @@ constexpr const char* kEverythingElse = R"({
   "connections": {"max": 8, "queue_bytes": 262144}, "telemetry": {"max_rate_hz": 50},
   "log": {"level": "debug"}, "state_directory": "/srv/state", "runtime_directory": "/srv/run",
   "simulator": {"ambient_c": 18, "start_temperature_c": 53, "process": true, "seed": 4294967295,
-                "device": "truth"}
+                "device": "truth", "front_end": "driver_cs", "thermistors": 3}
 })";
 
 FakeFiles everything_else() {
@@ -123,7 +122,8 @@ TEST(LoadConfig, EveryKeyArrives) {
   EXPECT_EQ(c.runtime_directory, "/srv/run");
   model::DeviceModel truth;
   truth.coils.r25_ohm = {0.5, 0.4, 0.6};
-  EXPECT_EQ(c.simulator, (SimulatorSettings{18, 53, true, 4294967295u, "truth", truth}));
+  EXPECT_EQ(c.simulator, (SimulatorSettings{18, 53, true, device::FrontEndKind::kDriverCs, 3,
+                                            4294967295u, "truth", truth}));
 }
 
 TEST(LoadConfig, WhatIsPrintedLoadsBackToTheSame) {

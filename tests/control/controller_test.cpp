@@ -2,7 +2,7 @@
 // The controller as a whole: arming, following, telling, never allocating.
 #include <gtest/gtest.h>
 
-#include "daemon/device/simulator_settings.h"
+#include "daemon/device/simulator/simulator_settings.h"
 #include "tests/rig/rig.h"
 
 namespace hedgehog::control {
@@ -39,14 +39,14 @@ TEST(Arming, SaysWhyNotAndWaitsForASaneSensor) {
   rig.run(100);
   EXPECT_EQ(name(rig.controller().state()), "disarmed")
       << "a broken sensor trips an armed ball only";
-  EXPECT_EQ(name(rig.snapshot().arm_refusal), "sensor_open");
+  EXPECT_EQ(name(rig.snapshot().arming_blocker), "sensor_open");
   EXPECT_FALSE(rig.snapshot().sensor_valid);
   rig.arm();
   rig.run(400);
   EXPECT_EQ(name(rig.controller().state()), "disarmed");
   rig.set_faults(0);
   rig.run(100);
-  EXPECT_EQ(name(rig.snapshot().arm_refusal), "none");
+  EXPECT_EQ(name(rig.snapshot().arming_blocker), "none");
   rig.arm();
   rig.run(20);
   EXPECT_EQ(name(rig.controller().state()), "armed");
@@ -198,6 +198,39 @@ TEST(Heading, RecentreTurnsWorldEffects) {
   rig.run(100);
   EXPECT_NEAR(rig.plant().current_a().y, -5.0, 0.05);
   EXPECT_NEAR(rig.snapshot().yaw_offset_deg, 0.0, 1e-9);
+}
+
+// A driver's own sensor sees no current while its bridge brakes.
+TEST(FanByCurrent, CountsWhatIsExpectedWhereNothingIsMeasured) {
+  ControlSettings settings = rig::RigOptions::armed_at_start();
+  Controller controller(settings);
+  StepInputs inputs;
+  EventList events;
+  inputs.board_present = inputs.board_fresh = true;
+  inputs.board.mode = device::BoardMode::kReady;
+  inputs.board.supply_v = 12.0;
+  inputs.board.measured = {false, false, false};
+  inputs.board.sensor_c = 25.0;
+  device::BoardCommand command;
+  int ticks = 0;
+  for (; ticks < 40'000 && command.fan == 0; ++ticks) {
+    ++inputs.tick;
+    ++inputs.board.sequence;
+    inputs.board.sensor_conversions = static_cast<std::uint8_t>(ticks / 10);
+    inputs.board.arm_count = command.arm_count;
+    inputs.board.bridges_awake = command.enable();
+    inputs.board.mode = command.enable() ? device::BoardMode::kDriving : device::BoardMode::kReady;
+    inputs.board.duty = command.duty();
+    inputs.command_count = controller.effects_empty() && controller.state() == State::kArmed;
+    StartEffect start;
+    start.effect = static_cast<EffectId>(ticks) + 1;
+    start.spec = rig::pulse({1, 0, 0}, 5.0, 10'000);
+    inputs.commands[0] = {static_cast<std::uint64_t>(ticks) + 1, start};
+    command = controller.step(inputs, events);
+  }
+  ASSERT_EQ(name(controller.state()), "armed") << name(controller.reason());
+  EXPECT_LT(controller.thermal().hottest_c, Fan::kOnAboveC) << "it is not by heat";
+  EXPECT_NEAR(ticks * 1e-3, 30.0 * std::log(5.0 / 2.0), 1.0);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "daemon/control/recording.h"
+#include "daemon/control/recording/recording.h"
 #include "tests/control/mixer_harness.h"
 #include "tests/rig/rig.h"
 
@@ -25,20 +25,20 @@ model::EffectSpec play(double rate = 1.0) {
   model::EffectSpec spec;
   spec.method = model::EffectMethod::kPlay;
   spec.trajectory.path = model::Path::kKeyframes;
-  spec.trajectory.score = {.first = 30,
-                           .count = 3,
-                           .length_ms = 100,
-                           .ends_with_pattern = true,
-                           .rate = rate,
-                           .turn = {}};
-  spec.duration = model::ticks_to_end(spec.trajectory.score, 0);
+  spec.trajectory.playback = {.first = 30,
+                              .count = 3,
+                              .length_ms = 100,
+                              .ends_with_pattern = true,
+                              .rate = rate,
+                              .turn = {}};
+  spec.duration = model::ticks_to_end(spec.trajectory.playback, 0);
   return spec;
 }
 
 model::EffectSpec looped(model::Tick lease = 1000) {
   model::EffectSpec spec = play();
-  spec.trajectory.score.loop = true;
-  spec.trajectory.score.ends_with_pattern = false;
+  spec.trajectory.playback.loop = true;
+  spec.trajectory.playback.ends_with_pattern = false;
   spec.duration = 0;
   spec.lease = lease;
   return spec;
@@ -63,7 +63,7 @@ TEST_F(PlayTest, AsksForWhatTheKeyFramesSay) {
 
 TEST_F(PlayTest, IsTurned) {
   auto spec = play();
-  spec.trajectory.score.turn = model::turn_from_front({0, 1, 0});
+  spec.trajectory.playback.turn = model::turn_from_front({0, 1, 0});
   start(spec);
   run(40);
   const Vec3 demand = tick();
@@ -91,9 +91,7 @@ TEST_F(PlayTest, ANewRateOnTheWayEndsWithThePatternAllTheSame) {
 TEST_F(PlayTest, ALoopBeginsAgainUntilItsLeaseIsOut) {
   const auto effect = start(looped(1000));
   const auto demands = run(1000);
-  for (std::size_t i = 100; i < 1000; ++i) {
-    ASSERT_NEAR(demands[i].x, demands[i - 100].x, 1e-6) << i;
-  }
+  for (std::size_t i = 100; i < 1000; ++i) ASSERT_NEAR(demands[i].x, demands[i - 100].x, 1e-6) << i;
   EXPECT_EQ(tick(), Vec3());
   EXPECT_EQ(ended(effect).end_reason, EndReason::kExpired);
 }
@@ -118,7 +116,7 @@ TEST_F(PlayTest, APatternThatIsStartedTwiceIsFeltTwice) {
 
 TEST_F(PlayTest, ALeasedPatternThatDoesNotLoopIsFeltTwiceToo) {
   auto once = looped(3000);
-  once.trajectory.score.loop = false;
+  once.trajectory.playback.loop = false;
   const auto first = start(once);
   run(300);
   EXPECT_EQ(tick(), Vec3()) << "it rests after its end";
@@ -134,7 +132,7 @@ TEST_F(PlayTest, OtherKeyFramesBeginAtTheirBeginning) {
   other.first = 200;
   mixer.load(other);
   auto spec = looped();
-  spec.trajectory.score.first = 200;
+  spec.trajectory.playback.first = 200;
   update(playing, spec);
   EXPECT_NEAR(tick().x, 5 * 1 / 40.0, 1e-6);
 }
@@ -153,11 +151,11 @@ TEST_F(PlayTest, TheWaveformAndTheEnvelopeGoOnTop) {
 
 TEST_F(PlayTest, KeyFramesBeyondTheRoomAreSilentNotRead) {
   LoadKeyframes beyond = kBump;
-  beyond.first = kKeyframeRoom - 1;
+  beyond.first = kKeyframeCapacity - 1;
   mixer.load(beyond);
   auto spec = play();
-  spec.trajectory.score.first = kKeyframeRoom - 1;
-  spec.trajectory.score.count = 60'000;
+  spec.trajectory.playback.first = kKeyframeCapacity - 1;
+  spec.trajectory.playback.count = 60'000;
   start(spec);
   for (const Vec3& demand : run(100)) EXPECT_EQ(demand, Vec3());
 }
@@ -176,7 +174,7 @@ TEST(PlayRecording, ReplaysBitForBitAlsoWithKeyFramesFromBeforeIt) {
       rig.command(other);
     }
     model::EffectSpec spec = i % 2 == 0 ? play(1.0 + i * 0.01) : looped(100 + i);
-    spec.trajectory.score.turn = model::axis_angle({0, 0, 1}, i * 7.0);
+    spec.trajectory.playback.turn = model::axis_angle({0, 0, 1}, i * 7.0);
     rig.start(spec);
     rig.run(100);
   }

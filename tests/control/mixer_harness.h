@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "daemon/control/mixer.h"
+#include "daemon/control/effects/mixer.h"
 
 namespace hedgehog::control {
 
@@ -85,9 +85,8 @@ class MixerHarness {
 
   /// The end of `effect`, if it has ended.
   std::optional<Event> end_of(EffectId effect) const {
-    for (const Event& event : events) {
+    for (const Event& event : events)
       if (event.type == EventType::kEffectEnded && event.effect == effect) return event;
-    }
     return std::nullopt;
   }
   std::optional<EndReason> reason_of(EffectId effect) const {

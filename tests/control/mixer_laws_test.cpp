@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "daemon/control/mixer.h"
+#include "daemon/control/effects/mixer.h"
 #include "tests/control/mixer_harness.h"
 
 namespace hedgehog::control {
@@ -104,11 +104,10 @@ RC_GTEST_PROP(MixerLaws, UpdatesAndReplacementsNeverJump, ()) {
   for (int i = 0; i < 60; ++i) {
     spec.frequency_hz = tenths(5, 400);
     spec.strength_a = tenths(10, 151);
-    if (*rc::gen::arbitrary<bool>()) {
+    if (*rc::gen::arbitrary<bool>())
       h.update(effect, spec);
-    } else {
+    else
       effect = h.start(spec, effect);
-    }
     for (int j = *rc::gen::inRange(1, 20); j > 0; --j) {
       const double level = h.tick().x / spec.strength_a;
       const double steepest = waveform == model::Waveform::kSine ? 3.1416 : 2.0;

@@ -3,7 +3,7 @@
 // "mixing", "Frames", `effect_ended`).
 #include <gtest/gtest.h>
 
-#include "daemon/control/mixer.h"
+#include "daemon/control/effects/mixer.h"
 #include "tests/control/mixer_harness.h"
 
 namespace hedgehog::control {

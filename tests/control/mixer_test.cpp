@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // When effects begin and how they end (DESIGN section 4, "shape", "end", "slot").
-#include "daemon/control/mixer.h"
+#include "daemon/control/effects/mixer.h"
 
 #include <gtest/gtest.h>
 

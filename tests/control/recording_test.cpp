@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // A recording replays bit for bit, and only then.
-#include "daemon/control/recording.h"
+#include "daemon/control/recording/recording.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "daemon/device/simulator_settings.h"
+#include "daemon/device/simulator/simulator_settings.h"
 #include "tests/rig/rig.h"
 #include "tests/temporary_folder.h"
 

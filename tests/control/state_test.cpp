@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // States and their names, fan, heading and the lateness statistics.
-#include "daemon/control/state.h"
+#include "daemon/control/state/state.h"
 
 #include <gtest/gtest.h>
 
 #include "daemon/control/fan.h"
 #include "daemon/control/heading.h"
-#include "daemon/control/lateness.h"
-#include "daemon/control/state_machine.h"
+#include "daemon/control/loop/lateness.h"
+#include "daemon/control/state/state_machine.h"
 
 namespace hedgehog::control {
 namespace {
@@ -128,9 +128,8 @@ TEST(StateMachine, ABoardThatComesLongAfterTheStartIsAHotPlug) {
     StateMachine states{settings};
     states.board_gone(Reason::kNoBoard, 0);
     states.board_alive(ready(0), seen);
-    for (model::Tick t = seen; t < seen + 10; ++t) {
+    for (model::Tick t = seen; t < seen + 10; ++t)
       states.step(ready(states.arm_count()), true, Reason::kNone, t);
-    }
     EXPECT_EQ(states.armed(), seen == 1);
     EXPECT_EQ(states.reason(), seen == 1 ? Reason::kNone : Reason::kHotPlug);
   }

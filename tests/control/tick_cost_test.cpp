@@ -5,8 +5,8 @@
 #include <memory>
 #include <mutex>
 
-#include "daemon/control/control_tick.h"
-#include "daemon/device/lock_step.h"
+#include "daemon/control/loop/control_tick.h"
+#include "daemon/device/simulator/lock_step.h"
 #include "tests/rig/allocation_guard.h"
 #include "tests/rig/random_requests.h"
 #include "tests/rig/rig.h"
@@ -31,7 +31,8 @@ class TickCost : public testing::Test {
       start.spec = rig::random_effect(random_, temper_);
       if (tick % 3 == 0) {
         start.spec.trajectory.path = model::Path::kKeyframes;
-        start.spec.trajectory.score = {.first = place, .count = 11, .length_ms = 500, .turn = {}};
+        start.spec.trajectory.playback = {
+            .first = place, .count = 11, .length_ms = 500, .turn = {}};
         LoadKeyframes load{.first = place, .count = 11, .frames = {}};
         for (std::size_t i = 0; i < load.frames.size(); ++i) {
           load.frames[i].level = static_cast<float>(i) / 11.0F;
@@ -78,7 +79,7 @@ TEST_F(TickCost, NoAllocationAndNoLock) {
   Event event;
   for (model::Tick tick = 1; tick < 6000; ++tick) {
     ask(tick);
-    if (tick == 5800) world_.board().apply({25.0, device::kSimSensorOpen, 0});
+    if (tick == 5800) world_.board().apply({25.0, device::kSimSensorOpen, 0, {}});
     const std::uint64_t allocations_before = rig::allocations();
     const std::uint64_t locks_before = rig::locks();
     control_.run(tick, tick % 100 == 0 ? 3 : 0, {});

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "daemon/control/board_check.h"
-#include "daemon/control/current_check.h"
-#include "daemon/control/fan_check.h"
-#include "daemon/control/heat_check.h"
+#include "daemon/control/checks/board_check.h"
+#include "daemon/control/checks/current_check.h"
+#include "daemon/control/checks/fan_check.h"
+#include "daemon/control/checks/over_temperature_check.h"
 #include "model/tick.h"
 
 namespace hedgehog::control {
@@ -149,21 +149,31 @@ TEST(CurrentCheck, LostFramesDoNotStopTheClock) {
 HeatReading steady(int coil, double current_a, double celsius) {
   HeatReading reading;
   reading.electrical = true;
-  reading.sensor = true;
-  reading.sensor_c = 30.0;
+  reading.thermistors.valid[0] = true;
+  reading.thermistors.celsius[0] = 30.0;
   reading.before_a[coil] = reading.after_a[coil] = current_a;
   reading.voltage_v[coil] = current_a * 0.45 * (1.0 + 0.00393 * (celsius - 25.0));
   return reading;
 }
 
-TEST(HeatCheck, AWindingAtSeventyForFiftyMilliseconds) {
+/// A check that knows the resistance of winding `coil`: it was driven while the ball was at 30 C.
+OverTemperatureCheck referenced(int coil) {
+  OverTemperatureCheck check;
+  check.start_rested();
+  for (int i = 0; i < 300; ++i)
+    check.step(steady(coil, i < 10 ? 0.0 : 15.0, 30.0), 70.0, model::kTickSeconds);
+  EXPECT_TRUE(check.referenced(coil));
+  return check;
+}
+
+TEST(OverTemperatureCheck, AWindingAtSeventyForFiftyMilliseconds) {
   for (int coil = 0; coil < model::kCoils; ++coil) {
-    HeatCheck check;
+    OverTemperatureCheck check = referenced(coil);
     const auto drive = [&](double celsius) {
       return check.step(steady(coil, -5.0, celsius), 70.0, model::kTickSeconds);
     };
     for (int i = 0; i < 5000; ++i) ASSERT_EQ(drive(69.5), Reason::kNone);
-    EXPECT_NEAR(check.winding_c(coil), 69.5, 1e-6);
+    EXPECT_NEAR(check.winding_c(coil), 69.5, 0.3);
     int ticks = 0;
     while (drive(71.0) == Reason::kNone && ticks < 1000) ++ticks;
     EXPECT_LT(ticks, 130);
@@ -171,8 +181,8 @@ TEST(HeatCheck, AWindingAtSeventyForFiftyMilliseconds) {
   }
 }
 
-TEST(HeatCheck, AWindingIsJudgedByWhatFlowsAndNotByMemory) {
-  HeatCheck check;
+TEST(OverTemperatureCheck, AWindingIsJudgedByWhatFlowsAndNotByMemory) {
+  OverTemperatureCheck check = referenced(1);
   const auto tick = [&](double current_a) {
     return check.step(steady(1, current_a, 72.0), 70.0, model::kTickSeconds);
   };
@@ -190,19 +200,30 @@ TEST(HeatCheck, AWindingIsJudgedByWhatFlowsAndNotByMemory) {
   EXPECT_LE(driven, 120);
 }
 
-TEST(HeatCheck, TheThermistorAtSeventyForFiftyMilliseconds) {
-  HeatCheck check;
+TEST(OverTemperatureCheck, AWindingThatIsColderThanAnyRoomForHalfASecondIsAMismatch) {
+  OverTemperatureCheck check;
+  int ticks = 0;
+  while (check.step(steady(2, 8.0, -60.0), 70.0, model::kTickSeconds) == Reason::kNone &&
+         ticks < 2000)
+    ++ticks;
+  EXPECT_GE(ticks, 499);
+  EXPECT_LT(ticks, 700);
+  EXPECT_EQ(check.step(steady(2, 8.0, -60.0), 70.0, model::kTickSeconds), Reason::kCurrentMismatch);
+}
+
+TEST(OverTemperatureCheck, TheThermistorAtSeventyForFiftyMilliseconds) {
+  OverTemperatureCheck check;
   HeatReading reading;
-  reading.sensor = true;
+  reading.thermistors.valid[0] = true;
   for (int round = 0; round < 100; ++round) {
-    reading.sensor_c = 70.5;
+    reading.thermistors.celsius[0] = 70.5;
     for (int i = 0; i < 40; ++i)
       ASSERT_EQ(check.step(reading, 70.0, model::kTickSeconds), Reason::kNone);
-    reading.sensor_c = 69.5;
+    reading.thermistors.celsius[0] = 69.5;
     for (int i = 0; i < 40; ++i)
       ASSERT_EQ(check.step(reading, 70.0, model::kTickSeconds), Reason::kNone);
   }
-  reading.sensor_c = 70.0;
+  reading.thermistors.celsius[0] = 70.0;
   int ticks = 1;
   while (check.step(reading, 70.0, model::kTickSeconds) == Reason::kNone && ticks < 100) ++ticks;
   EXPECT_EQ(ticks, 50);

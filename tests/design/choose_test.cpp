@@ -183,7 +183,7 @@ TEST(Search, DemandsRuleDesignsOut) {
   };
   const SearchSpace thesis{{"tkD"}, {{8, 10}}, {{4, 10}}, {35.0}, {}};
   EXPECT_EQ(front_size(thesis, {.margin = 0.2}), 0U);
-  EXPECT_EQ(front_size(thesis, {.least_extension_mm = 0.7}), 0U);
+  EXPECT_EQ(front_size(thesis, {.min_extension_mm = 0.7}), 0U);
   EXPECT_EQ(front_size(thesis, {.wall_mm = 0.5}), 0U);  // 0.38 mm are there
   EXPECT_EQ(front_size(thesis, {.travel_mm = 1.0}), 0U);
   // 3 mm shields hold nothing; cD's class of 30 is not held against 0.4 N.

@@ -201,9 +201,8 @@ TEST(Pictures, HaveLabelledAxesWithUnits) {
   ASSERT_EQ(curves.exit_code, 0) << curves.err << "(gnuplot must be installed: make deps)";
   const std::string svg = folder.read("c.svg");
   for (const char* words : {"offset of the pin (mm)", "force on the pin, outwards (N)",
-                            "tkD, 4 mm shields", "(thesis 3.5)", "thesis' rest 0.45 mm"}) {
+                            "tkD, 4 mm shields", "(thesis 3.5)", "thesis' rest 0.45 mm"})
     EXPECT_TRUE(svg.find(words) != std::string::npos) << words;
-  }
   EXPECT_THAT(folder.read("c.png"), StartsWith("\x89PNG"));
   ASSERT_EQ(ask({"electromagnet", "--svg", folder.path("e.svg")}).exit_code, 0);
   EXPECT_THAT(folder.read("e.svg"), HasSubstr("current (A)"));

@@ -36,9 +36,8 @@ TEST(Sizes, RangesHaveSteps) {
   EXPECT_EQ(parse_range("3..5/0.05", 1, 0, 9, "").value().size(), 41U);
   EXPECT_EQ(parse_sizes("3..4/0.5x8..10", 0.1, "").value().size(), 9U);
   for (const char* wrong :
-       {"", "..", "3..", "5..3", "3..5/0", "3..5/-1", "3..5/1e-9", "3..99", "a..b"}) {
+       {"", "..", "3..", "5..3", "3..5/0", "3..5/-1", "3..5/1e-9", "3..99", "a..b"})
     EXPECT_FALSE(parse_range(wrong, 1, 0, 9, "--x").has_value()) << wrong;
-  }
 }
 
 TEST(Arrays, AreKnownByName) {

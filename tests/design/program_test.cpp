@@ -235,9 +235,8 @@ TEST(Readme, EveryCommandRuns) {
     EXPECT_EQ(answer.exit_code, 0) << command << "\n" << answer.err;
   }
   for (const char* made : {"casing.scad", "my-ball.json", "report.html", "curves.svg", "curves.png",
-                           "coil.png", "pins.csv"}) {
+                           "coil.png", "pins.csv"})
     EXPECT_GT(folder.read(made).size(), 100U) << made;
-  }
 }
 
 }  // namespace

@@ -22,9 +22,8 @@ using testing::StartsWith;
 using Json = nlohmann::json;
 
 Json of_class(const Json& classes, int size) {
-  for (const Json& one : classes) {
+  for (const Json& one : classes)
     if (one.at("size") == size) return one;
-  }
   return nullptr;
 }
 
@@ -147,9 +146,8 @@ TEST(Table, StandsBesideTheThesis) {
   const Json rows = ask({"table", "--json"}).json().at("rows");
   ASSERT_EQ(rows.size(), 7U);
   const auto row = [&](const std::string& array, int size) {
-    for (const Json& one : rows) {
+    for (const Json& one : rows)
       if (one.at("array") == array && one.at("class_size") == size) return one;
-    }
     return Json();
   };
   EXPECT_NEAR(row("tkD", 12).at("extension_mm"), 0.113, 0.002);

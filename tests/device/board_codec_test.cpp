@@ -100,7 +100,7 @@ TEST(GoldenFrame, Limits) {
 }
 
 TEST(GoldenFrame, SimulatorSettings) {
-  const SimulatorSettings settings{31.5, kSimStuckBridge | kSimSilent, 2};
+  const SimulatorSettings settings{31.5, kSimStuckBridge | kSimSilent, 2, {}};
   EXPECT_EQ(hex(encode_simulator(settings, 4)),
             "48017f0004000000 4e0c400402000000 0000000000000000 0000000000000000 0000000000000000 "
             "0000000000000000 0000000000000000 00000000554c3e08");
@@ -140,6 +140,48 @@ TEST(BoardCodec, DecodesTelemetryIntoUnits) {
   EXPECT_EQ(telemetry.limit_sensor_c, 75.0);
   EXPECT_EQ(telemetry.limit_current_a, 16.5);
   EXPECT_EQ(telemetry.heat_used, 0.769);
+}
+
+// A board of 1.0 sends nothing in byte 45: it knows a current only while it drives the winding.
+TEST(BoardCodec, ABoardOfTheFirstVersionKnowsLeast) {
+  board::TelemetryFrame values;
+  values.duty_q15[1] = -100;
+  values.sensor_cc = 3000;
+  Frame frame;
+  board::write_frame(values, frame.data());
+  const BoardTelemetry telemetry = decode_telemetry(frame).telemetry;
+  EXPECT_EQ(telemetry.protocol_minor, 0);
+  EXPECT_EQ(telemetry.measured, (Measured{false, true, false}));
+  EXPECT_EQ(telemetry.thermistors, 1);
+  EXPECT_EQ(thermistor_on(telemetry, 2).celsius, 30.0) << "the only one there is";
+  EXPECT_FALSE(telemetry.supply_current_known);
+}
+
+TEST(BoardCodec, ABoardSaysWhatItMeasures) {
+  board::TelemetryFrame values;
+  values.currents_measured = 5;
+  values.thermistors = 3;
+  values.supply_current_measured = true;
+  values.supply_ma = 60'000;
+  values.sensor_cc = 3000;
+  values.other_thermistor = 2;
+  values.other_cc = -1050;
+  Frame frame;
+  board::write_frame(values, frame.data());
+  EXPECT_EQ(frame[45], 0b10'1'11'101);
+  BoardTelemetry telemetry = decode_telemetry(frame).telemetry;
+  EXPECT_EQ(telemetry.protocol_minor, 1);
+  EXPECT_EQ(telemetry.measured, (Measured{true, false, true}));
+  EXPECT_EQ(telemetry.thermistors, 3);
+  EXPECT_EQ(thermistor_on(telemetry, 0).celsius, 30.0);
+  EXPECT_EQ(thermistor_on(telemetry, 1).state, ThermistorState::kNone) << "not yet its turn";
+  EXPECT_EQ(thermistor_on(telemetry, 2).celsius, -10.5);
+  EXPECT_TRUE(telemetry.supply_current_known);
+  EXPECT_EQ(telemetry.supply_current_a, 60.0);
+  values.other_cc = board::kOpenCc;
+  board::write_frame(values, frame.data());
+  telemetry = decode_telemetry(frame).telemetry;
+  EXPECT_EQ(thermistor_on(telemetry, 2).state, ThermistorState::kOpen);
 }
 
 TEST(BoardCodec, AModeFromTheFutureIsNotOneThatDrives) {

@@ -61,7 +61,7 @@ TEST(Arming, TheSameCountArmsOnlyOnce) {
 TEST(Arming, IsRefusedWhileTheFaultIsStillThere) {
   CoreBench bench;
   bench.arm_and_drive();
-  bench.inputs.sensor_open = true;
+  bench.inputs.thermistor[0].open = true;
   bench.run(kSensorBrokenMs);
   ASSERT_TRUE(bench.latched_by(kSensorOpen));
   bench.feed();
@@ -69,7 +69,7 @@ TEST(Arming, IsRefusedWhileTheFaultIsStillThere) {
   bench.step();
   EXPECT_TRUE(bench.latched_by(kSensorOpen)) << "not armed for a single millisecond";
   EXPECT_EQ(bench.telemetry().arm_count, bench.arm_count) << "refused, but answered";
-  bench.inputs.sensor_open = false;
+  bench.inputs.thermistor[0].open = false;
   bench.run(10);
   EXPECT_TRUE(bench.latched_by(kSensorOpen)) << "a fault that is gone stays latched";
   bench.arm_and_drive();

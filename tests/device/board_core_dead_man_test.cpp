@@ -76,6 +76,7 @@ TEST_F(DeadMan, LimitsAndSimulatorFramesDoNotFeed) {
   for (int ms = 0; ms < 100; ++ms) {
     bench.send(LimitsFrame{0, 7500, 16500, 1000});
     bench.send(SimulatorFrame{});
+    bench.send(SimulatorErrorFrame{});
     bench.step();
   }
   EXPECT_TRUE(bench.latched_by(kDeadMan));
@@ -170,12 +171,12 @@ TEST(DeadManAfterPowerUp, TheFanRunsWithoutAHostWhenItIsWarmOrUnknown) {
   bench.feeding = false;
   bench.run(1);
   EXPECT_EQ(bench.outputs.fan, 0);
-  bench.inputs.sensor_cc = kFanFromCc;
+  bench.inputs.thermistor[0].cc = kFanFromCc;
   bench.run(1);
   EXPECT_EQ(bench.outputs.fan, 255);
   CoreBench blind;
   blind.feeding = false;
-  blind.inputs.sensor_converted = false;
+  blind.inputs.thermistors_converted = false;
   blind.run(1);
   EXPECT_EQ(blind.outputs.fan, 255);
 }

@@ -45,6 +45,7 @@ TEST(BoardHeat, EightAmperesInEachOfThreeWindingsEndByTheSumOfTheDevice) {
 
 TEST(BoardHeat, LatchesTheCoreAndCoolsDownBeforeItCanBeArmed) {
   CoreBench bench;
+  bench.set_point.duty_q15[2] = 20'000;
   bench.arm_and_drive();
   bench.inputs.current_ma[2] = 15000;
   int ms = 0;
@@ -64,7 +65,7 @@ TEST(BoardHeat, LatchesTheCoreAndCoolsDownBeforeItCanBeArmed) {
 }
 
 // Full demand along one, two or three windings, limited by the law alone: what the board sees.
-double fullest_budget(const model::Vec3& shares, double stronger, double room_c) {
+double fullest_budget(const model::Vec3& shares, double stronger, double ambient_c) {
   model::PlantParameters parameters;
   for (std::size_t k = 0; k < 3; ++k) {
     parameters.winding_j_k[k] *= stronger;
@@ -72,7 +73,7 @@ double fullest_budget(const model::Vec3& shares, double stronger, double room_c)
   }
   parameters.core_j_k *= stronger;
   parameters.core_to_room_fan_k_w /= stronger;
-  model::Plant plant(parameters, room_c);
+  model::Plant plant(parameters, ambient_c);
   const model::Limits limits;
   HeatBudget winding[3] = {HeatBudget(kWindingTauShift), HeatBudget(kWindingTauShift),
                            HeatBudget(kWindingTauShift)};

@@ -10,6 +10,8 @@ namespace {
 struct Limit : testing::Test {
   CoreBench bench;
   void SetUp() override {
+    // Duties that can drive any current, so that none is unexpected.
+    for (std::int16_t& duty : bench.set_point.duty_q15) duty = INT16_MAX;
     bench.arm_and_drive();
     ASSERT_TRUE(bench.drives());
   }
@@ -55,26 +57,26 @@ TEST_F(Limit, TheLargestReadingsDoNotOverflow) {
 }
 
 TEST_F(Limit, ASensorAboveSeventyFiveDegreesLatches) {
-  bench.inputs.sensor_cc = 7500;
+  bench.inputs.thermistor[0].cc = 7500;
   bench.run(500);
   EXPECT_TRUE(bench.drives());
-  bench.inputs.sensor_cc = 7501;
+  bench.inputs.thermistor[0].cc = 7501;
   expect_latch_after(50, kOverHeat);
 }
 
 TEST_F(Limit, AnOpenSensorLatches) {
-  bench.inputs.sensor_open = true;
+  bench.inputs.thermistor[0].open = true;
   expect_latch_after(20, kSensorOpen);
 }
 
 TEST_F(Limit, AShortedSensorLatches) {
-  bench.inputs.sensor_short = true;
+  bench.inputs.thermistor[0].shorted = true;
   expect_latch_after(20, kSensorShort);
 }
 
 TEST_F(Limit, TheReadingOfABrokenSensorIsNoTemperature) {
-  bench.inputs.sensor_open = true;
-  bench.inputs.sensor_cc = 30000;
+  bench.inputs.thermistor[0].open = true;
+  bench.inputs.thermistor[0].cc = 30000;
   bench.run(1000);
   EXPECT_FALSE(bench.has(kOverHeat));
 }
@@ -109,9 +111,9 @@ TEST_F(Limit, TheSupplyMustBeInTheBridgesRange) {
 }
 
 TEST_F(Limit, ANamedFaultIsKeptBesideTheDeadMan) {
-  bench.inputs.sensor_short = true;
+  bench.inputs.thermistor[0].shorted = true;
   bench.run(20);
-  bench.inputs.sensor_short = false;
+  bench.inputs.thermistor[0].shorted = false;
   bench.feeding = false;
   bench.run(500);
   EXPECT_TRUE(bench.latched_by(kSensorShort));
@@ -147,6 +149,7 @@ TEST_F(SupplySwitch, HalfAnAmpereIsAllowed) {
 
 TEST_F(SupplySwitch, CurrentWhileDrivingIsNotStuck) {
   bench.set_point.enable = true;
+  bench.set_point.duty_q15[1] = 20'000;
   bench.inputs.current_ma[1] = 15000;
   bench.run(1000);
   EXPECT_TRUE(bench.outputs.supply_switch_closed);
@@ -183,7 +186,7 @@ TEST_F(Limit, CanNeverBeLoosened) {
   EXPECT_EQ(bench.core.limits().current_ma, 8000);
   EXPECT_EQ(bench.core.limits().winding_a2s, BoardLimits{}.winding_a2s / 2);
   EXPECT_EQ(bench.core.limits().device_a2s, BoardLimits{}.device_a2s / 2);
-  bench.inputs.sensor_cc = 6001;
+  bench.inputs.thermistor[0].cc = 6001;
   expect_latch_after(50, kOverHeat);
 }
 

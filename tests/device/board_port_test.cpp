@@ -46,38 +46,117 @@ TEST(BoardPort, TheNtcIsReadWithinAFifthOfAKelvinWhereItMatters) {
 
 TEST(BoardPort, ABrokenWireIsNoTemperature) {
   RawInputs raw;
-  raw.ntc_adc = 4095;
-  EXPECT_TRUE(measured(kWiring, raw, {}).sensor_open);
-  raw.ntc_adc = 0;
-  EXPECT_TRUE(measured(kWiring, raw, {}).sensor_short);
+  raw.ntc_adc[0] = 4095;
+  EXPECT_TRUE(measured(kWiring, raw, {}).thermistor[0].open);
+  raw.ntc_adc[0] = 0;
+  EXPECT_TRUE(measured(kWiring, raw, {}).thermistor[0].shorted);
   for (const double celsius : {-40.0, 25.0, 125.0}) {
-    raw.ntc_adc = adc_of_ntc(celsius);
-    EXPECT_FALSE(measured(kWiring, raw, {}).sensor_open) << celsius;
-    EXPECT_FALSE(measured(kWiring, raw, {}).sensor_short) << celsius;
+    raw.ntc_adc[0] = adc_of_ntc(celsius);
+    EXPECT_FALSE(measured(kWiring, raw, {}).thermistor[0].open) << celsius;
+    EXPECT_FALSE(measured(kWiring, raw, {}).thermistor[0].shorted) << celsius;
   }
 }
 
-TEST(BoardPort, CurrentHasTheSignOfItsBridgeAndNoneWhileItBrakesOrSleeps) {
+TEST(BoardPort, AsManyThermistorsAreReadAsAreWired) {
   RawInputs raw;
-  for (auto& adc : raw.cs_adc) adc = adc_of_mv(50 + 15 * 20);  // offset, 15 A
-  BoardInputs in = measured(kWiring, raw, driven(8000, -8000, 0));
-  EXPECT_NEAR(in.current_ma[0], 15'000, 50);
-  EXPECT_NEAR(in.current_ma[1], -15'000, 50);
-  EXPECT_EQ(in.current_ma[2], 0) << "braking: CS says nothing";
+  raw.ntc_adc[0] = adc_of_ntc(30.0);
+  raw.ntc_adc[1] = adc_of_ntc(50.0);
+  raw.ntc_adc[2] = 0;
+  const BoardInputs one = measured(kWiring, raw, {});
+  EXPECT_EQ(one.thermistors, 1);
+  EXPECT_NEAR(one.thermistor[0].cc, 3000, 20);
+  EXPECT_FALSE(one.thermistor[2].shorted) << "there is none";
+  const BoardInputs three = measured(reference_wiring(), raw, {});
+  EXPECT_EQ(three.thermistors, 3);
+  EXPECT_NEAR(three.thermistor[1].cc, 5000, 20);
+  EXPECT_TRUE(three.thermistor[2].shorted);
+}
+
+TEST(BoardPort, CsHasTheSignOfItsBridgeAndMeasuresNothingWhileItSleeps) {
+  RawInputs raw;
+  for (auto& adc : raw.current_adc) adc = adc_of_mv(50 + 15 * 20);  // zero, 15 A
+  const BoardInputs in = measured(kWiring, raw, driven(8000, -8000, 8000));
+  EXPECT_NEAR(in.current_ma[0], 15'000, 20);
+  EXPECT_NEAR(in.current_ma[1], -15'000, 20);
+  EXPECT_EQ(in.currents_measured, 7);
   BoardOutputs asleep = driven(8000);
   asleep.awake = false;
   EXPECT_EQ(measured(kWiring, raw, asleep).current_ma[0], 0);
-  raw.cs_adc[0] = adc_of_mv(49);
-  EXPECT_EQ(measured(kWiring, raw, driven(8000)).current_ma[0], 0) << "below the offset";
+  EXPECT_EQ(measured(kWiring, raw, asleep).currents_measured, 0);
 }
 
-TEST(BoardPort, AShuntSeesABridgeThatIsStuckWhileItSleeps) {
-  Wiring wiring;
-  wiring.shunt_mv_per_a = 50;
+// The hole of the first version: whatever flowed in a winding that was not driven was thrown away.
+TEST(BoardPort, CsOfABridgeThatIsNotDrivenCountsOnlyWhenItShowsACurrent) {
   RawInputs raw;
-  raw.shunt_adc = adc_of_mv(100);
-  EXPECT_NEAR(measured(wiring, raw, {}).current_ma[0], 2000, 20);
-  EXPECT_EQ(measured(kWiring, raw, {}).current_ma[0], 0) << "there is none";
+  for (auto& adc : raw.current_adc) adc = adc_of_mv(50);
+  EXPECT_EQ(measured(kWiring, raw, driven(0, 0, 0)).currents_measured, 0) << "braking";
+  raw.current_adc[1] = adc_of_mv(50 + 2.7 * 20);  // a PWM line that is stuck at 10 %
+  const BoardInputs in = measured(kWiring, raw, driven(0, 0, 0));
+  EXPECT_EQ(in.currents_measured, 2);
+  EXPECT_NEAR(in.current_ma[1], 2700, 40);
+}
+
+TEST(BoardPort, CsMeasuresNothingInAnOnTimeTooShortForIt) {
+  RawInputs raw;
+  for (auto& adc : raw.current_adc) adc = adc_of_mv(50 + 20);  // 1 A
+  const auto shortly = static_cast<std::int16_t>(kMinSampledDutyQ15 - 1);
+  EXPECT_EQ(measured(kWiring, raw, driven(shortly, -shortly, kMinSampledDutyQ15)).currents_measured,
+            4);
+  raw.current_adc[0] = adc_of_mv(50 + 3 * 20);
+  EXPECT_EQ(measured(kWiring, raw, driven(shortly, -shortly, 0)).currents_measured & 1, 1)
+      << "more than that duty can drive";
+}
+
+TEST(BoardPort, CsBelowItsZeroIsACurrentAgainstTheBridgeAndNotMeasured) {
+  RawInputs raw;
+  raw.current_adc[0] = adc_of_mv(50 - 0.3 * 20);
+  raw.current_adc[1] = adc_of_mv(50 - 0.1 * 20);
+  const BoardInputs in = measured(kWiring, raw, driven(8000, 8000));
+  EXPECT_EQ(in.currents_measured & 3, 2);
+  EXPECT_EQ(in.current_ma[1], 0) << "a little below is the scatter of the zero";
+}
+
+TEST(BoardPort, AnAmplifierInTheLeadMeasuresBothSignsAlways) {
+  const Wiring wiring = reference_wiring();
+  RawInputs raw;
+  raw.current_adc[0] = adc_of_mv(1650 + 15 * 50);
+  raw.current_adc[1] = adc_of_mv(1650 - 15 * 50);
+  raw.current_adc[2] = adc_of_mv(1650);
+  for (const BoardOutputs& outputs : {BoardOutputs{}, driven(0), driven(-8000, 8000, 1)}) {
+    const BoardInputs in = measured(wiring, raw, outputs);
+    EXPECT_NEAR(in.current_ma[0], 15'000, 17);
+    EXPECT_NEAR(in.current_ma[1], -15'000, 17);
+    EXPECT_NEAR(in.current_ma[2], 0, 17);
+    EXPECT_EQ(in.currents_measured, 7);
+  }
+}
+
+// Converted 60, 40 and 20 us early, a current is taken to its millisecond's end.
+TEST(BoardPort, CurrentsAreTakenToTheEndOfTheirMillisecond) {
+  const Wiring wiring = reference_wiring();
+  BoardInputs last;
+  RawInputs raw;
+  // From 2 A on by 10 A a millisecond; the other way; resting.
+  raw.current_adc[0] = adc_of_mv(1650 + 50 * (2.0 + 9.4));
+  raw.current_adc[1] = adc_of_mv(1650 + 50 * (2.0 - 9.6));
+  raw.current_adc[2] = adc_of_mv(1650 + 50 * 2.0);
+  for (std::int16_t& current : last.current_ma) current = 2000;
+  const BoardInputs in = measured(wiring, raw, driven(8000), &last);
+  EXPECT_NEAR(in.current_ma[0], 12'000, 20);
+  EXPECT_NEAR(in.current_ma[1], -8000, 20);
+  EXPECT_NEAR(in.current_ma[2], 2000, 20);
+  last.currents_measured = 0;
+  EXPECT_NEAR(measured(wiring, raw, driven(8000), &last).current_ma[0], 11'400, 20);
+}
+
+TEST(BoardPort, AShuntMeasuresWhatTheBridgesDraw) {
+  RawInputs raw;
+  raw.shunt_adc = adc_of_mv(200);
+  const BoardInputs in = measured(reference_wiring(), raw, {});
+  EXPECT_TRUE(in.supply_current_measured);
+  EXPECT_NEAR(in.supply_ma, 2000, 10);
+  EXPECT_FALSE(measured(kWiring, raw, {}).supply_current_measured) << "there is none";
+  EXPECT_EQ(measured(kWiring, raw, {}).supply_ma, 0);
 }
 
 TEST(BoardPort, SupplyTachAndFaults) {
@@ -117,16 +196,31 @@ TEST(BoardPort, AsleepNothingIsDrivenWhateverTheDutySays) {
   EXPECT_FALSE(safe_pins(kWiring).awake);
 }
 
+TEST(BoardPort, NoDividerAndNoConverterOverflows) {
+  Wiring wiring;
+  wiring.supply_upper_ohm = 65535;
+  wiring.supply_lower_ohm = 6553;
+  RawInputs raw;
+  raw.supply_adc = wiring.adc_full;
+  EXPECT_NEAR(measured(wiring, raw, {}).supply_mv, 36'300, 10);
+  wiring.adc_full = 65535;
+  wiring.adc_reference_mv = 5000;
+  raw.supply_adc = 65535;
+  EXPECT_NEAR(measured(wiring, raw, {}).supply_mv, 55'000, 10);
+}
+
 RC_GTEST_PROP(BoardPortLaws, AnyNumbersStayInRange, ()) {
   RawInputs raw;
-  for (auto& adc : raw.cs_adc) adc = *rc::gen::arbitrary<std::uint16_t>();
+  for (auto& adc : raw.current_adc) adc = *rc::gen::arbitrary<std::uint16_t>();
   raw.supply_adc = *rc::gen::arbitrary<std::uint16_t>();
-  raw.ntc_adc = *rc::gen::arbitrary<std::uint16_t>();
+  for (auto& adc : raw.ntc_adc) adc = *rc::gen::arbitrary<std::uint16_t>();
   raw.shunt_adc = *rc::gen::arbitrary<std::uint16_t>();
   raw.tach_period_us = *rc::gen::arbitrary<std::uint32_t>();
   const auto duty = *rc::gen::arbitrary<std::int16_t>();
   const BoardInputs in = measured(kWiring, raw, driven(duty, duty, duty));
-  RC_ASSERT(in.sensor_cc >= -4000 && in.sensor_cc <= 12500);
+  for (const Wiring& wiring : {kWiring, reference_wiring()})
+    for (const ThermistorInput& one : measured(wiring, raw, driven(duty)).thermistor)
+      RC_ASSERT(one.cc >= -4000 && one.cc <= 12500);
   const PinOutputs pins = pins_for(kWiring, driven(duty, duty, duty));
   RC_ASSERT(pins.pwm[0] <= kWiring.pwm_top);
   RC_ASSERT((in.current_ma[0] == 0) || ((in.current_ma[0] < 0) == pins.reverse[0]));
@@ -157,9 +251,9 @@ TEST(BoardMillisecond, DrivesThePinsAndMakesThemSafeInSilence) {
   BoardCore core;
   FakeMicrocontroller board;
   board.raw.supply_adc = adc_of_mv(12'000.0 / 11.0);
-  board.raw.ntc_adc = adc_of_ntc(30.0);
+  board.raw.ntc_adc[0] = adc_of_ntc(30.0);
   board.raw.ntc_converted = true;
-  for (auto& adc : board.raw.cs_adc) adc = adc_of_mv(50);
+  for (auto& adc : board.raw.current_adc) adc = adc_of_mv(50);
   std::uint32_t sequence = 0;
   const auto queue = [&](auto values) {
     std::vector<std::uint8_t> frame(kFrameSize);

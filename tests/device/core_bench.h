@@ -22,8 +22,8 @@ struct CoreBench {
 
   explicit CoreBench(const BoardLimits& limits = {}) : core(limits) {
     inputs.supply_mv = 12000;
-    inputs.sensor_cc = 2500;
-    inputs.sensor_converted = true;
+    inputs.thermistor[0].cc = 2500;
+    inputs.thermistors_converted = true;
     set_point.enable = true;
     set_point.duty_q15[0] = 8000;
   }

@@ -13,9 +13,8 @@ namespace hedgehog::device {
 inline std::vector<std::uint8_t> from_hex(const std::string& text) {
   std::istringstream words(text);
   std::vector<std::uint8_t> bytes;
-  for (unsigned byte = 0; words >> std::hex >> byte;) {
+  for (unsigned byte = 0; words >> std::hex >> byte;)
     bytes.push_back(static_cast<std::uint8_t>(byte));
-  }
   return bytes;
 }
 

@@ -12,8 +12,8 @@
 #include <thread>
 #include <vector>
 
-#include "daemon/device/simulated_board_process.h"
-#include "daemon/device/simulated_board_runner.h"
+#include "daemon/device/simulator/simulated_board_process.h"
+#include "daemon/device/simulator/simulated_board_runner.h"
 #include "daemon/device/socket_transport.h"
 #include "daemon/device/tick_clock.h"
 #include "tests/device/limited.h"
@@ -102,11 +102,10 @@ struct Trace {
   // The last line with this event and, when given, mode.
   std::string line(const std::string& event, const std::string& mode = {}) const {
     std::string found;
-    for (const std::string& one : lines_of(path)) {
+    for (const std::string& one : lines_of(path))
       if (value_of(one, "event") == "\"" + event + "\"" &&
           (mode.empty() || value_of(one, "mode") == "\"" + mode + "\""))
         found = one;
-    }
     return found;
   }
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The simulated ball as a word of hedgehog-simboard's command line.
-#include "daemon/device/plant_text.h"
+#include "daemon/device/simulator/plant_text.h"
 
 #include <gtest/gtest.h>
 
@@ -41,9 +41,8 @@ TEST(PlantText, EveryNumberArrivesAndNothingElseIsTaken) {
   for (const std::string& wrong :
        {std::string(), text + ",1", text + ",", "3" + text.substr(1), "0.5" + text.substr(1),
         "x" + text, text.substr(0, text.rfind(',')), "nan" + text.substr(1),
-        "2,-" + text.substr(2)}) {
+        "2,-" + text.substr(2)})
     EXPECT_FALSE(plant_from(wrong)) << wrong;
-  }
 }
 
 }  // namespace

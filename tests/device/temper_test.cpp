@@ -86,9 +86,8 @@ RC_GTEST_PROP(TemperLaws, AnyBytesGiveAPossibleTemperatureOrNone, (std::vector<B
   for (const char* firmware : {"TEMPerF1.4", "TEMPer2_V3.9", "TEMPer2_M12_V1.3"}) {
     const auto reading = decode_temper(*temper_model(firmware), answer);
     if (!reading) continue;
-    for (const auto& value : {reading->internal_c, reading->external_c}) {
+    for (const auto& value : {reading->internal_c, reading->external_c})
       if (value) RC_ASSERT(*value >= -40.0 && *value <= 125.0);
-    }
   }
 }
 

@@ -86,7 +86,7 @@ TEST_P(OtherBall, IsFoundAndThenPushesWhereItIsAsked) {
   const Ball& ball = GetParam();
   start("hedgehog-86");
   {
-    DaemonProcess daemon(home_);
+    DaemonProcess daemon(home_, {"--speed", "3"});
     RawClient hand(daemon.port());
     EXPECT_EQ("x=" + felt(hand, {1, 0, 0}, "coil", 0.6) + ",y=" +
                   felt(hand, {0, 1, 0}, "coil", 0.6) + ",z=" + felt(hand, {0, 0, 1}, "coil", 0.6),
@@ -100,18 +100,16 @@ TEST_P(OtherBall, IsFoundAndThenPushesWhereItIsAsked) {
     EXPECT_EQ(daemon.stop(), 0);
   }
   const Json found = Json::parse(home_.read("found.json"), nullptr, true, true);
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; i < 3; ++i)
     EXPECT_NEAR(found["r25_ohm"][i].get<double>() / ball.r25_ohm[i], 1.0, 0.01) << i;
-  }
   EXPECT_NEAR(found["inductance_h"].get<double>() / ball.inductance_h, 1.0, 0.03);
   EXPECT_EQ(found["coil_matrix"], Json::parse(ball.matrix));
 
   start("../../found.json");
   DaemonProcess daemon(home_);
   RawClient hand(daemon.port());
-  for (const std::string side : {"front", "back", "left", "right", "up", "down"}) {
+  for (const std::string side : {"front", "back", "left", "right", "up", "down"})
     EXPECT_EQ(felt(hand, side, "device", 5.0), side);
-  }
   EXPECT_EQ(felt(hand, "left", "device", 15.0), "left") << "a burst is no fault";
 }
 

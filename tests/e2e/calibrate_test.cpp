@@ -40,19 +40,21 @@ class Calibrate : public testing::Test {
 };
 
 TEST_F(Calibrate, FindsTheSimulatedWindingsAndWritesAFileThatTheDaemonReads) {
-  DaemonProcess daemon(home_);
+  DaemonProcess daemon(home_, {"--speed", "4"});
   const Ended ended = calibrate(daemon, {"--name", "ball-7", "--pushed", "x=front,y=left,z=down"});
   ASSERT_EQ(ended.exit_code, 0) << ended.out << ended.err;
   const Json file = Json::parse(home_.read("found.json"), nullptr, true, true);
   EXPECT_EQ(file["name"], "ball-7");
   constexpr std::array<double, 3> kOhm{0.400, 0.520, 0.463};
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; i < 3; ++i)
     EXPECT_NEAR(file["r25_ohm"][i].get<double>(), kOhm[i], 0.005 * kOhm[i]) << i;
-  }
   EXPECT_NEAR(file["inductance_h"].get<double>(), 0.0021, 0.03 * 0.0021);
   EXPECT_EQ(file["coil_matrix"], Json::parse("[[1,0,0],[0,1,0],[0,0,-1]]"));
   EXPECT_EQ(file["force_slope_n_a"], 0.0131);
   EXPECT_EQ(file["limits"]["current_a"], 12);
+  EXPECT_EQ(file["thermal"]["core_j_k"], 84.4) << "not measured: as it was";
+  EXPECT_EQ(file["uncertainty"],
+            (Json{{"thermal", 0.2}, {"resistance", 0.01}, {"thermistor_k", 0.5}}));
   EXPECT_EQ(daemon.stop(), 0);
 
   home_.configure(R"({"device": "../../found.json"})");
@@ -68,6 +70,27 @@ TEST_F(Calibrate, ReplacesNothingUnasked) {
   EXPECT_THAT(ended.err, HasSubstr("--force replaces it"));
   EXPECT_EQ(home_.read("found.json"), "mine");
   EXPECT_EQ(calibrate(daemon, {"--force", "--pushed", "x=up,y=down"}).exit_code, 64);
+}
+
+TEST_F(Calibrate, AWarmBallIsRefusedUnlessForcedAndThenCountsAsKnownBadly) {
+  DaemonProcess daemon(home_, {"--speed", "4"});
+  RawClient hand(daemon.port());
+  hand.call("events.subscribe", {{"types", {"effect_ended"}}});
+  hand.call("effect.pulse", {{"direction", "left"}, {"current_a", 12}, {"duration_ms", 8000}});
+  hand.notification("event", "effect_ended");
+  const Ended refused = calibrate(daemon, {});
+  EXPECT_EQ(refused.exit_code, 75);
+  EXPECT_THAT(refused.err, HasSubstr("not at one temperature: winding y is "));
+  EXPECT_THAT(refused.err, HasSubstr("K warmer than the thermometer"));
+  EXPECT_THAT(refused.err, HasSubstr("Let the ball rest for "));
+  EXPECT_EQ(home_.read("found.json"), "");
+
+  const Ended forced = calibrate(daemon, {"--force"});
+  ASSERT_EQ(forced.exit_code, 0) << forced.err;
+  EXPECT_THAT(forced.out, HasSubstr("Forced: the ball is not at one temperature"));
+  const std::string text = home_.read("found.json");
+  EXPECT_THAT(text, HasSubstr("// Forced: "));
+  EXPECT_GT(Json::parse(text, nullptr, true, true)["uncertainty"]["resistance"], 0.03);
 }
 
 TEST_F(Calibrate, CtrlCSwitchesTheCoilsOff) {

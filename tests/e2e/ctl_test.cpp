@@ -43,9 +43,7 @@ class Ctl : public testing::Test {
   double current_a() {
     const Json currents = other_.call("device.status")["current_a"];
     double most = 0.0;
-    for (const Json& current : currents) {
-      most = std::max(most, std::abs(current.get<double>()));
-    }
+    for (const Json& current : currents) most = std::max(most, std::abs(current.get<double>()));
     return most;
   }
 
@@ -60,17 +58,14 @@ TEST_F(Ctl, StatusIsThereForPeopleAndForPrograms) {
   EXPECT_THAT(text.err, IsEmpty());
   for (const char* word :
        {"ball · armed", "SIMULATED", "temperature ", "current ", "force ", "headroom ", "coils ",
-        "fan ", "orientation ", "loop ", "playing        nothing", "last trip         none"}) {
+        "fan ", "orientation ", "loop ", "playing        nothing", "last trip         none"})
     EXPECT_THAT(text.out, HasSubstr(word));
-  }
   EXPECT_THAT(text.out, Not(HasSubstr("\033"))) << "no colour into a file";
   const Ended json = ctl({"status", "--json"});
   EXPECT_EQ(json.exit_code, 0);
   const Json told = Json::parse(json.out);
   const Json asked = other_.call("device.status");
-  for (const auto& [key, value] : asked.items()) {
-    EXPECT_TRUE(told.contains(key)) << key;
-  }
+  for (const auto& [key, value] : asked.items()) EXPECT_TRUE(told.contains(key)) << key;
   EXPECT_EQ(told["state"], "armed");
 }
 

@@ -33,13 +33,9 @@ pid_t spawn(const Home& home, std::vector<std::string> words, const std::string&
   std::vector<char*> envp;
   argv.reserve(words.size() + 1);
   envp.reserve(environment.size() + 1);
-  for (std::string& word : words) {
-    argv.push_back(word.data());
-  }
+  for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
-  for (std::string& variable : environment) {
-    envp.push_back(variable.data());
-  }
+  for (std::string& variable : environment) envp.push_back(variable.data());
   envp.push_back(nullptr);
   const std::string out_path = home.path(out);
   const std::string log_path = home.path(log);
@@ -76,11 +72,8 @@ std::vector<std::string> Home::environment() const {
       "XDG_RUNTIME_DIR=" + path("run"),           "XDG_STATE_HOME=" + path("state"),
       "XDG_CONFIG_HOME=" + path("config"),        "HOME=" + folder_.path(),
       "HEDGEHOG_SIMBOARD_TRACE=" + path("trace"), "HEDGEHOG_PATIENCE_MS=60000"};
-  for (const char* name : {"PATH", "ASAN_OPTIONS", "TSAN_OPTIONS", "UBSAN_OPTIONS"}) {
-    if (const char* value = std::getenv(name)) {
-      variables.push_back(std::string(name) + "=" + value);
-    }
-  }
+  for (const char* name : {"PATH", "ASAN_OPTIONS", "TSAN_OPTIONS", "UBSAN_OPTIONS"})
+    if (const char* value = std::getenv(name)) variables.push_back(std::string(name) + "=" + value);
   return variables;
 }
 
@@ -94,9 +87,8 @@ DaemonProcess::DaemonProcess(const Home& home, const std::vector<std::string>& m
     : home_(home) {
   std::vector<std::string> words{"--listen", "127.0.0.1:0"};
   if (backend != Backend::kConfigured) words.emplace_back("--simulate");
-  if (backend == Backend::kInStep && std::find(more.begin(), more.end(), "--speed") == more.end()) {
+  if (backend == Backend::kInStep && std::find(more.begin(), more.end(), "--speed") == more.end())
     words.insert(words.end(), {"--speed", "1"});
-  }
   words.insert(words.end(), more.begin(), more.end());
   pid_ = spawn(home, words, "out", "log", variables);
   const std::string tcp = "listening on 127.0.0.1:";
@@ -108,14 +100,12 @@ DaemonProcess::DaemonProcess(const Home& home, const std::vector<std::string>& m
     return (at != std::string::npos && out.find('\n', at) != std::string::npos) ||
            ::waitpid(pid_, nullptr, WNOHANG) == pid_;
   });
-  if (!listens || out.find(tcp) == std::string::npos) {
+  if (!listens || out.find(tcp) == std::string::npos)
     throw std::runtime_error("hedgehogd does not start:\n" + log());
-  }
   port_ = std::stoi(out.substr(out.find(tcp) + tcp.size()));
   const std::string http = "listening on http://127.0.0.1:";
-  if (out.find(http) != std::string::npos) {
+  if (out.find(http) != std::string::npos)
     http_port_ = std::stoi(out.substr(out.find(http) + http.size()));
-  }
   const auto begin = out.find(local) + local.size() - 1;
   socket_ = out.substr(begin, out.find('\n', begin) - begin);
 }

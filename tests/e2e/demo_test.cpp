@@ -56,18 +56,16 @@ class Demo : public testing::Test {
 std::vector<std::string> captures(const std::string& text, const std::string& pattern) {
   const std::regex regex(pattern);
   std::vector<std::string> found;
-  for (std::sregex_iterator at(text.begin(), text.end(), regex), end; at != end; ++at) {
+  for (std::sregex_iterator at(text.begin(), text.end(), regex), end; at != end; ++at)
     found.push_back((*at)[1]);
-  }
   return found;
 }
 
 /// The ampere on the lines that begin with `words`.
 std::vector<double> currents(const std::string& text, const std::string& words) {
   std::vector<double> found;
-  for (const std::string& number : captures(text, " s  " + words + R"( +([\d.]+) A)")) {
+  for (const std::string& number : captures(text, " s  " + words + R"( +([\d.]+) A)"))
     found.push_back(std::stod(number));
-  }
   return found;
 }
 

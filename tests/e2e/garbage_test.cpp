@@ -90,9 +90,7 @@ TEST_F(Garbage, WhatIsNoRequestIsInvalid) {
   EXPECT_EQ(code("[" +
                  [] {
                    std::string items = "1";
-                   for (int i = 0; i < 64; ++i) {
-                     items += ",1";
-                   }
+                   for (int i = 0; i < 64; ++i) items += ",1";
                    return items;
                  }() +
                  "]"),
@@ -146,9 +144,7 @@ TEST_F(Garbage, WhoFloodsWithoutReadingIsCutOffAndEndsWithItsEffects) {
   // Its lease is renewed for as long as the daemon reads.
   std::string lines = R"({"jsonrpc":"2.0","method":"effect.update","params":{"slot":"flood"}})"
                       "\n";
-  for (int i = 0; i < 100; ++i) {
-    lines += line;
-  }
+  for (int i = 0; i < 100; ++i) lines += line;
   bool open = true;
   for (int i = 0; i < 10'000 && open; ++i) {
     play_on();

@@ -168,7 +168,7 @@ TEST(Reload, TakesNewLimitsAndKeepsTheOldOnesWhenTheFileIsWrong) {
   EXPECT_EQ(game.call("hello")["limits"]["current_a"], 8);
 }
 
-TEST(Memory, AnEmergencyStopOutlivesEvenAKill) {
+TEST(StateStore, AnEmergencyStopOutlivesEvenAKill) {
   const Home home;
   {
     DaemonProcess daemon(home, {}, {}, DaemonProcess::Backend::kFree);
@@ -200,7 +200,7 @@ TEST(Memory, AnEmergencyStopOutlivesEvenAKill) {
   EXPECT_EQ(RawClient(again.port()).call("hello")["state"], "armed");
 }
 
-TEST(Memory, ADiskThatRefusesAnEmergencyStopIsToldOfAndKeepsNoOrderlyStop) {
+TEST(StateStore, ADiskThatRefusesAnEmergencyStopIsToldOfAndKeepsNoOrderlyStop) {
   const Home home;
   DaemonProcess(home).stop();
   ASSERT_EQ(Json::parse(home.read("state/hedgehog/state.json"))["clean_stop"], true);
@@ -227,7 +227,7 @@ bool trips_by_an_open_sensor(const Home& home) {
   return true;
 }
 
-TEST(Memory, ATripIsRecordedReplayableAndOutlivesARestart) {
+TEST(StateStore, ATripIsRecordedReplayableAndOutlivesARestart) {
   std::unique_ptr<Home> fresh;
   ASSERT_TRUE(eventually([&] {
     fresh = std::make_unique<Home>();
@@ -250,7 +250,7 @@ TEST(Memory, ATripIsRecordedReplayableAndOutlivesARestart) {
   EXPECT_EQ(hello["reason"], "sensor_open");
 }
 
-TEST(Memory, AHotBallIsHotAfterARestart) {
+TEST(StateStore, AHotBallIsHotAfterARestart) {
   const Home home;
   {
     DaemonProcess daemon(home, {"--speed", "5"});
@@ -269,14 +269,16 @@ TEST(Memory, AHotBallIsHotAfterARestart) {
   daemon.stop();
   home.write("state/hedgehog/state.json", R"({"version":1,"winding_c":[1e9)");
   DaemonProcess damaged(home);
-  EXPECT_TRUE(damaged.logs("damaged"));
-  const Json held =
-      RawClient(damaged.port()).call("effect.pulse", {{"direction", "left"}, {"current_a", 15}});
+  EXPECT_TRUE(damaged.logs("state.json: damaged. Whether the ball had tripped"));
+  RawClient owner(damaged.port());
+  EXPECT_EQ(owner.call("hello")["reason"], "state_lost");
+  EXPECT_TRUE(eventually([&] { return owner.call("device.arm").value("state", "") == "armed"; }));
+  const Json held = owner.call("effect.pulse", {{"direction", "left"}, {"current_a", 15}});
   EXPECT_EQ(held["limited_by"], "thermal");
   EXPECT_NEAR(held["current_a"].get<double>(), 5.0, 1e-6);
 }
 
-TEST(Memory, TheGainIsTheOwners) {
+TEST(StateStore, TheGainIsTheOwners) {
   const Home home;
   {
     DaemonProcess daemon(home);

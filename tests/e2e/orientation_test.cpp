@@ -236,9 +236,8 @@ TEST(IndicatorAlone, MistakesAreUsage) {
   for (const std::vector<std::string>& words : {std::vector<std::string>{"--loop", "sideways"},
                                                 {"--seconds", "-1"},
                                                 {"--loud"},
-                                                {"--address", "foo:bar"}}) {
+                                                {"--address", "foo:bar"}})
     EXPECT_EQ(Program(home, hedgehog_orientation(), words).wait().exit_code, 64);
-  }
 }
 
 }  // namespace

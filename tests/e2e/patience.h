@@ -17,9 +17,7 @@ bool wait_until(Done done, std::chrono::seconds patience = kPatience) {
   constexpr std::chrono::milliseconds kStep{5};
   const auto deadline = std::chrono::steady_clock::now() + patience;
   while (!done()) {
-    if (std::chrono::steady_clock::now() > deadline) {
-      return false;
-    }
+    if (std::chrono::steady_clock::now() > deadline) return false;
     std::this_thread::sleep_for(kStep);
   }
   return true;

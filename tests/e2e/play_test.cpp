@@ -27,19 +27,17 @@ std::string replay(const protocol::Example& example, RawClient& client) {
       client.send(line.text + "\n");
       continue;
     }
-    for (;;) {
+    constexpr int kMaxOthers = 200;
+    for (int others = 0;; ++others) {
+      if (others == kMaxOthers)
+        return where + "it did not come among " + std::to_string(others) + " notifications";
       const auto got = client.line();
-      if (!got) {
-        return where + "the daemon closed";
-      }
+      if (!got) return where + "the daemon closed";
       const std::string difference = protocol::mismatch(line.text, *got);
-      if (difference.empty()) {
-        break;
-      }
+      if (difference.empty()) break;
       const Json message = Json::parse(*got);
-      if (message.is_array() || !message.contains("method")) {
+      if (message.is_array() || !message.contains("method"))
         return where + difference + "\n  got " + *got;
-      }
     }
   }
   return {};
@@ -166,8 +164,8 @@ bool is_at_rest(const Home& home) {
   const auto drove = std::find_if(lines.rbegin(), lines.rend(),
                                   [](const Json& line) { return line["mode"] == "driving"; });
   if (drove == lines.rend()) return false;
-  const auto latched = std::find_if(drove.base(), lines.end(),
-                                    [](const Json& line) { return line["mode"] == "latched"; });
+  const auto latched = std::find_if(
+      drove.base(), lines.end(), [](const Json& line) { return line["mode"] == "latched"; });
   return std::any_of(latched, lines.end(),
                      [](const Json& line) { return line["event"] == "zero"; });
 }

@@ -27,20 +27,12 @@ class Words {
       : arguments_(std::move(arguments)) {
     arguments_.insert(arguments_.begin(), path);
     std::map<std::string, std::string> named;
-    for (const auto& list : {home.environment(), variables}) {
-      for (const std::string& variable : list) {
+    for (const auto& list : {home.environment(), variables})
+      for (const std::string& variable : list)
         named[variable.substr(0, variable.find('='))] = variable;
-      }
-    }
-    for (auto& [name, variable] : named) {
-      variables_.push_back(variable);
-    }
-    for (std::string& word : arguments_) {
-      argv_.push_back(word.data());
-    }
-    for (std::string& variable : variables_) {
-      envp_.push_back(variable.data());
-    }
+    for (auto& [name, variable] : named) variables_.push_back(variable);
+    for (std::string& word : arguments_) argv_.push_back(word.data());
+    for (std::string& variable : variables_) envp_.push_back(variable.data());
     argv_.push_back(nullptr);
     envp_.push_back(nullptr);
   }
@@ -100,9 +92,7 @@ Ended Program::wait() {
   int status = 0;
   const bool ended =
       wait_until([&] { return ::waitpid(pid_, &status, WNOHANG) == pid_; }, kLongPatience);
-  if (!ended) {
-    end(pid_);
-  }
+  if (!ended) end(pid_);
   pid_ = -1;
   return {ended ? exit_code_of(status) : -1, home_.read(out_), home_.read(err_)};
 }
@@ -117,25 +107,18 @@ TerminalProgram::TerminalProgram(const Home& home, const std::string& path,
   size.ws_col = 80;
   size.ws_row = 24;
   pid_ = ::forkpty(&terminal_, nullptr, nullptr, &size);
-  if (pid_ == 0) {
-    words.execute();
-  }
-  if (pid_ < 0) {
-    throw std::runtime_error("no pseudo terminal");
-  }
+  if (pid_ == 0) words.execute();
+  if (pid_ < 0) throw std::runtime_error("no pseudo terminal");
 }
 
 TerminalProgram::~TerminalProgram() {
   end(pid_);
-  if (terminal_ >= 0) {
-    ::close(terminal_);
-  }
+  if (terminal_ >= 0) ::close(terminal_);
 }
 
 void TerminalProgram::type(const std::string& keys) const {
-  if (::write(terminal_, keys.data(), keys.size()) != static_cast<ssize_t>(keys.size())) {
+  if (::write(terminal_, keys.data(), keys.size()) != static_cast<ssize_t>(keys.size()))
     throw std::runtime_error("the terminal takes no keys");
-  }
 }
 
 void TerminalProgram::read_more() {
@@ -143,9 +126,7 @@ void TerminalProgram::read_more() {
   while (::poll(&waiting, 1, 0) == 1) {
     char bytes[4096];
     const ssize_t count = ::read(terminal_, bytes, sizeof bytes);
-    if (count <= 0) {
-      return;
-    }
+    if (count <= 0) return;
     shown_.append(bytes, static_cast<std::size_t>(count));
   }
 }
@@ -171,9 +152,7 @@ int TerminalProgram::wait() {
         return ::waitpid(pid_, &status, WNOHANG) == pid_;
       },
       kLongPatience);
-  if (!ended) {
-    end(pid_);
-  }
+  if (!ended) end(pid_);
   pid_ = -1;
   read_more();
   return ended ? exit_code_of(status) : -1;

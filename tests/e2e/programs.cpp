@@ -17,9 +17,8 @@ std::string program(const std::string& place) {
   if (const char* other = std::getenv("HEDGEHOG_PROGRAMS")) {
     const fs::path folder = fs::absolute(other);
     if (fs::exists(folder / place)) return folder / place;
-    if (!fs::exists(folder / kDaemon)) {
+    if (!fs::exists(folder / kDaemon))
       throw std::runtime_error("HEDGEHOG_PROGRAMS: no " + (folder / kDaemon).string());
-    }
   }
   return HEDGEHOG_BUILD_DIR "/" + place;
 }

@@ -54,13 +54,10 @@ template <class What>
 What drive_until(Race& race, Feel& feel, const racer::Controls& controls) {
   for (int step = 0; step < 1200; ++step) {
     race.step(controls);
-    if (!race.happenings().empty()) {
-      EXPECT_TRUE(connects(feel, race.scene().time_s));
-    }
+    if (!race.happenings().empty()) EXPECT_TRUE(connects(feel, race.scene().time_s));
     feel.frame(race.happenings(), race.scene().time_s);
-    for (const racer::Happening& happening : race.happenings()) {
+    for (const racer::Happening& happening : race.happenings())
       if (const auto* what = std::get_if<What>(&happening)) return *what;
-    }
   }
   ADD_FAILURE() << "it never happened";
   return {};
@@ -243,9 +240,8 @@ TEST(Racer, TellsTheSameOnEveryRun) {
 TEST(Racer, MistakesAreUsageAndNoDaemonIsUnavailable) {
   const Home home;
   for (const std::vector<std::string>& words :
-       {std::vector<std::string>{"fly"}, {"lap", "--seconds", "-1"}, {"lap", "--address", "a:b"}}) {
+       {std::vector<std::string>{"fly"}, {"lap", "--seconds", "-1"}, {"lap", "--address", "a:b"}})
     EXPECT_EQ(run_racer(home, words).exit_code, 64);
-  }
   const Ended alone = run_racer(home, {"lap"}, home.path("nobody.sock"));
   EXPECT_EQ(alone.exit_code, 69);
   EXPECT_THAT(alone.err, HasSubstr("no daemon answers at " + home.path("nobody.sock")));

@@ -27,9 +27,8 @@ RawClient::RawClient(int port) : fd_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXE
   address.sin_family = AF_INET;
   address.sin_port = htons(static_cast<std::uint16_t>(port));
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  if (::connect(fd_, reinterpret_cast<sockaddr*>(&address), sizeof address) != 0) {
+  if (::connect(fd_, reinterpret_cast<sockaddr*>(&address), sizeof address) != 0)
     throw std::runtime_error(std::string("connect: ") + std::strerror(errno));
-  }
   const int on = 1;
   ::setsockopt(fd_, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
 }
@@ -39,17 +38,14 @@ RawClient::RawClient(const std::string& socket_path)
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   socket_path.copy(address.sun_path, sizeof address.sun_path - 1);
-  if (::connect(fd_, reinterpret_cast<sockaddr*>(&address), sizeof address) != 0) {
+  if (::connect(fd_, reinterpret_cast<sockaddr*>(&address), sizeof address) != 0)
     throw std::runtime_error(socket_path + ": " + std::strerror(errno));
-  }
 }
 
 bool RawClient::send(std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t sent = ::send(fd_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
-    if (sent <= 0) {
-      return false;
-    }
+    if (sent <= 0) return false;
     bytes.remove_prefix(static_cast<std::size_t>(sent));
   }
   return true;
@@ -60,18 +56,13 @@ bool RawClient::receive() {
   char bytes[16 * 1024];
   const ssize_t count =
       ::poll(&waiting, 1, kPatienceMs) == 1 ? ::recv(fd_, bytes, sizeof bytes, 0) : -1;
-  if (count > 0) {
-    buffer_.append(bytes, static_cast<std::size_t>(count));
-  }
+  if (count > 0) buffer_.append(bytes, static_cast<std::size_t>(count));
   return count > 0;
 }
 
 std::optional<std::string> RawClient::bytes(std::size_t count) {
-  while (buffer_.size() < std::max<std::size_t>(count, 1)) {
-    if (!receive()) {
-      return std::nullopt;
-    }
-  }
+  while (buffer_.size() < std::max<std::size_t>(count, 1))
+    if (!receive()) return std::nullopt;
   std::string taken = buffer_.substr(0, count == 0 ? buffer_.size() : count);
   buffer_.erase(0, taken.size());
   return taken;
@@ -85,9 +76,7 @@ std::optional<std::string> RawClient::line() {
       buffer_.erase(0, end + 1);
       return text;
     }
-    if (!receive()) {
-      return std::nullopt;
-    }
+    if (!receive()) return std::nullopt;
   }
 }
 
@@ -97,9 +86,7 @@ Json RawClient::answer() {
     const auto text = line();
     if (!text) break;
     Json message = Json::parse(*text);
-    if (message.is_array() || !message.contains("method")) {
-      return message;
-    }
+    if (message.is_array() || !message.contains("method")) return message;
     notifications_.push_back(std::move(message));
   }
   throw std::runtime_error("no answer; the daemon has closed, or tells other things for minutes");
@@ -110,43 +97,33 @@ Json RawClient::call(const std::string& method, const Json& params) {
       {"jsonrpc", "2.0"}, {"id", ++next_id_}, {"method", method}, {"params", params}};
   send(request.dump() + "\n");
   const Json reply = answer();
-  if (reply.value("id", Json()) != next_id_) {
+  if (reply.value("id", Json()) != next_id_)
     throw std::runtime_error("not the answer to " + request.dump() + ": " + reply.dump());
-  }
   return reply.contains("result") ? reply["result"] : reply["error"];
 }
 
 Json RawClient::notification(const std::string& method, const std::string& type) {
   const auto deadline = std::chrono::steady_clock::now() + kLongPatience;
   for (;;) {
-    if (std::chrono::steady_clock::now() > deadline) {
+    if (std::chrono::steady_clock::now() > deadline)
       throw std::runtime_error("no " + method + " " + type + " in ten minutes");
-    }
     while (!notifications_.empty()) {
       const Json message = std::move(notifications_.front());
       notifications_.pop_front();
       if (message["method"] == method &&
-          (type.empty() || message["params"].value("type", "") == type)) {
+          (type.empty() || message["params"].value("type", "") == type))
         return message["params"];
-      }
     }
     const auto text = line();
-    if (!text) {
-      throw std::runtime_error("the daemon has closed before " + method + " " + type);
-    }
+    if (!text) throw std::runtime_error("the daemon has closed before " + method + " " + type);
     Json message = Json::parse(*text);
-    if (message.contains("method")) {
-      notifications_.push_back(std::move(message));
-    }
+    if (message.contains("method")) notifications_.push_back(std::move(message));
   }
 }
 
 bool RawClient::closed_by_daemon() {
-  while (const auto text = line()) {
-    if (!Json::parse(*text).contains("method")) {
-      return false;
-    }
-  }
+  while (const auto text = line())
+    if (!Json::parse(*text).contains("method")) return false;
   return true;
 }
 

@@ -20,9 +20,7 @@ namespace {
 std::vector<std::string> lines_of(const std::string& file) {
   std::ifstream text(std::string(HEDGEHOG_SOURCE_DIR) + "/" + file);
   std::vector<std::string> lines;
-  for (std::string line; std::getline(text, line);) {
-    lines.push_back(line);
-  }
+  for (std::string line; std::getline(text, line);) lines.push_back(line);
   return lines;
 }
 
@@ -41,9 +39,7 @@ TEST(Readme, TheLinesForNcAreAnsweredAsShown) {
   int sent = 0;
   int shown = 0;
   for (const std::string& line : lines_of("README.md")) {
-    if (line.rfind("{\"jsonrpc\"", 0) != 0) {
-      continue;
-    }
+    if (line.rfind("{\"jsonrpc\"", 0) != 0) continue;
     if (line.find("\"method\"") != std::string::npos) {
       nc.send(line + "\n");
       answer = nc.answer().dump();
@@ -67,13 +63,10 @@ TEST(Readme, TheLinesForHedgehogctlRun) {
     std::string program;
     std::vector<std::string> words;
     text >> program;
-    for (std::string word; text >> word;) {
-      words.push_back(word);
-    }
+    for (std::string word; text >> word;) words.push_back(word);
     const bool typed = line.rfind("    hedgehogctl ", 0) == 0;
-    if (!typed || words.at(0) == "watch") {  // watch_test has a terminal for it
+    if (!typed || words.at(0) == "watch")  // watch_test has a terminal for it
       continue;
-    }
     const Ended ended =
         Program(home, hedgehogctl(), words, {"HEDGEHOG_ADDRESS=" + daemon.socket()}).wait();
     EXPECT_EQ(ended.exit_code, 0) << line << "\n" << ended.err;
@@ -85,18 +78,15 @@ TEST(Readme, TheLinesForHedgehogctlRun) {
 TEST(Readme, AOneShotThroughNcIsFelt) {
   const Home home;
   if (Program(home, "/bin/sh", {"-c", "nc -h 2>&1 | grep -q -e -N"}).wait().exit_code != 0 &&
-      Program(home, "/bin/sh", {"-c", "nc -h 2>&1 | grep -q OpenBSD"}).wait().exit_code != 0) {
+      Program(home, "/bin/sh", {"-c", "nc -h 2>&1 | grep -q OpenBSD"}).wait().exit_code != 0)
     FAIL() << "netcat-openbsd is missing: make deps installs it";
-  }
   DaemonProcess daemon(home);
   RawClient watcher(daemon.port());
   watcher.call("events.subscribe", {{"scope", "all"}, {"types", {"effect_ended"}}});
   int seen = 0;
   for (std::string line : lines_of("clients/README.md")) {
     const std::string port = " 7586";
-    if (line.rfind("echo '{", 0) != 0) {
-      continue;
-    }
+    if (line.rfind("echo '{", 0) != 0) continue;
     ASSERT_THAT(line, testing::AllOf(testing::HasSubstr("nc -N"), testing::EndsWith(port)));
     line.replace(line.size() - port.size(), port.size(), " " + std::to_string(daemon.port()));
     const Ended ended = Program(home, "/bin/sh", {"-c", line}).wait();

@@ -96,9 +96,7 @@ class Study : public testing::Test {
     std::istringstream text(home_.read(folder + "/journal/" + name));
     for (std::string line; std::getline(text, line);) {
       const Json parsed = Json::parse(line, nullptr, false);
-      if (parsed.is_object()) {
-        lines.push_back(parsed);
-      }
+      if (parsed.is_object()) lines.push_back(parsed);
     }
     return lines;
   }
@@ -111,8 +109,8 @@ class Study : public testing::Test {
     return found;
   }
   static int count(const std::vector<Json>& lines, const std::string& event) {
-    return static_cast<int>(std::count_if(lines.begin(), lines.end(),
-                                          [&](const Json& l) { return l["event"] == event; }));
+    return static_cast<int>(std::count_if(
+        lines.begin(), lines.end(), [&](const Json& l) { return l["event"] == event; }));
   }
 
   Home home_;

@@ -34,12 +34,9 @@ class Kills : public Study {
   Form form() {
     const char* said = std::getenv("HEDGEHOG_STUDY_REHEARSAL");
     const std::string which = said != nullptr ? said : "";
-    if (which == "whole") {
-      return {"10", {"force-threshold", "force-jnd", "speed-jnd"}, 20, 8000};
-    }
-    if (which == "short") {
+    if (which == "whole") return {"10", {"force-threshold", "force-jnd", "speed-jnd"}, 20, 8000};
+    if (which == "short")
       return {"10", {hasty("force-threshold"), hasty("force-jnd"), hasty("speed-jnd")}, 20, 2500};
-    }
     return {"3", {quick_path(), home_.path("quick-yes-no.json")}, 6, 250};
   }
 
@@ -75,9 +72,8 @@ class Kills : public Study {
 
   std::vector<std::vector<Json>> journals(const std::string& folder) const {
     std::vector<std::vector<Json>> all;
-    for (const auto& file : fs::directory_iterator(home_.path(folder + "/journal"))) {
+    for (const auto& file : fs::directory_iterator(home_.path(folder + "/journal")))
       all.push_back(journal(file.path().filename().string(), folder));
-    }
     return all;
   }
   int count_all(const std::string& folder, const std::string& event) const {
@@ -86,9 +82,8 @@ class Kills : public Study {
     return sum;
   }
   bool in_trial(const std::string& folder) const {
-    for (const auto& lines : journals(folder)) {
+    for (const auto& lines : journals(folder))
       if (!lines.empty() && lines.back()["event"] == "trial_started") return true;
-    }
     return false;
   }
 
@@ -110,9 +105,8 @@ class Kills : public Study {
 TEST_F(Kills, AtAnyMomentChangeNoLevelAndNoAnswer) {
   const Form form = this->form();
   std::string experiments;
-  for (const std::string& experiment : form.experiments) {
+  for (const std::string& experiment : form.experiments)
     experiments += (experiments.empty() ? "" : ",") + experiment;
-  }
   start_daemon();
   remember_address();
   plan("calm", form.people, experiments);
@@ -148,9 +142,7 @@ TEST_F(Kills, AtAnyMomentChangeNoLevelAndNoAnswer) {
   while (true) {
     const Ended ended = patiently(*runner);
     ASSERT_NE(ended.exit_code, -1);
-    if (ended.exit_code == 0) {
-      break;
-    }
+    if (ended.exit_code == 0) break;
     runner = begin({"rehearse"}, "shaken");
   }
   voids_ = 0;
@@ -162,9 +154,7 @@ TEST_F(Kills, AtAnyMomentChangeNoLevelAndNoAnswer) {
     EXPECT_GT(said.size(), 5U) << run;
   }
   EXPECT_EQ(thresholds("shaken"), thresholds("calm"));
-  for (const auto& [run, threshold] : thresholds("calm")) {
-    EXPECT_TRUE(threshold.is_string()) << run;
-  }
+  for (const auto& [run, threshold] : thresholds("calm")) EXPECT_TRUE(threshold.is_string()) << run;
 }
 
 }  // namespace

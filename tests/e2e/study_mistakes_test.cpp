@@ -207,9 +207,8 @@ TEST_F(Study, TraceSaysEverySharedTraceAsJson) {
     const Ended ended = program.wait();
     ASSERT_EQ(ended.exit_code, 0) << ended.err;
     const Json said = Json::parse(ended.out);
-    for (const char* key : {"levels", "reversal_levels", "threshold", "status"}) {
+    for (const char* key : {"levels", "reversal_levels", "threshold", "status"})
       EXPECT_EQ(said[key], expected[key]) << key;
-    }
   }
   Program none(home_, hedgehog_study(), {"trace", "force-jnd", "--responses", "", "--json"});
   const Ended ended = none.wait();

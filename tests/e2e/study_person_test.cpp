@@ -18,9 +18,8 @@ int asked(TerminalProgram& page) {
   page.shows(question);
   int times = 0;
   for (auto at = page.shown().find(question); at != std::string::npos;
-       at = page.shown().find(question, at + 1)) {
+       at = page.shown().find(question, at + 1))
     ++times;
-  }
   return times;
 }
 
@@ -73,17 +72,13 @@ TEST_F(Study, APersonSeesTheQuestionAndNothingElse) {
   EXPECT_EQ(count(journal("P01.quick.1.jsonl"), "note"), 0);
   desk.type("ed\n");
   ASSERT_TRUE(eventually([&] { return count(journal("P01.quick.1.jsonl"), "note") == 1; }));
-  for (const Json& line : journal("P01.quick.1.jsonl")) {
-    if (line["event"] == "note") {
-      EXPECT_EQ(line["text"], "coughed");
-    }
-  }
+  for (const Json& line : journal("P01.quick.1.jsonl"))
+    if (line["event"] == "note") EXPECT_EQ(line["text"], "coughed");
   desk.type("q");
   EXPECT_EQ(desk.wait(), 75);
   EXPECT_TRUE(desk.is_as_a_shell_leaves_it());
-  for (const char* secret : {"level", "reversal", "%", "scored", "trial", "P01"}) {
+  for (const char* secret : {"level", "reversal", "%", "scored", "trial", "P01"})
     EXPECT_THAT(page.shown(), testing::Not(HasSubstr(secret)));
-  }
   const auto lines = journal("P01.quick.1.jsonl");
   EXPECT_EQ(lines[1]["event"], "checklist");
   EXPECT_EQ(lines[1]["hand_size_cm"], 18.4);
@@ -115,9 +110,8 @@ TEST_F(Study, APersonSeesTheQuestionAndNothingElse) {
   third.type("q");
   EXPECT_EQ(third.wait(), 75);
   EXPECT_THAT(third.shown(), testing::Not(HasSubstr("level")));
-  for (const char* secret : {"level", "trial", "scored", "kept", "reversal", "%"}) {
+  for (const char* secret : {"level", "trial", "scored", "kept", "reversal", "%"})
     EXPECT_THAT(again.shown(), testing::Not(HasSubstr(secret)));
-  }
 }
 
 TEST_F(Study, ADaemonThatDiesWhileAPersonThinksSpoilsNothing) {
@@ -159,13 +153,11 @@ TEST_F(Study, APersonMayBeSlowRestAndPause) {
   const std::string name = "P01.quick.1.jsonl";
   ASSERT_TRUE(eventually([&] { return count(journal(name), "trial_started") >= 3; }));
   std::vector<Json> trials;
-  for (const Json& line : journal(name)) {
-    if (line["event"] == "trial_started") {
+  for (const Json& line : journal(name))
+    if (line["event"] == "trial_started")
       trials.push_back(line);
-    } else if (line["event"] == "voided") {
+    else if (line["event"] == "voided")
       EXPECT_EQ(line["reason"], "no answer in time");
-    }
-  }
   EXPECT_EQ(trials[1]["attempt"], 2);
   EXPECT_EQ(trials[1]["level"], trials[0]["level"]);
   // Practice and one scored trial are answered; then it is time for a rest.

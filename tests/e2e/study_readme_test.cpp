@@ -29,9 +29,8 @@ TEST_F(Study, AnalysesAndExportsWhatWasMeasured) {
   const std::string page = home_.read("th/analysis/report.html");
   EXPECT_THAT(page, HasSubstr("P02, quick"));  // a figure's title
   EXPECT_THAT(page, HasSubstr("about 10"));
-  for (const char* figure : {"groups.svg", "groups.png", "P01.quick.1.svg", "P02.quick.1.png"}) {
+  for (const char* figure : {"groups.svg", "groups.png", "P01.quick.1.svg", "P02.quick.1.png"})
     EXPECT_GT(fs::file_size(home_.path(std::string("th/analysis/figures/") + figure)), 2000U);
-  }
   ASSERT_EQ(study({"export"}).exit_code, 0);
   EXPECT_EQ(study({"export"}).exit_code, 73);
   ASSERT_EQ(study({"export", "--format", "bids"}).exit_code, 0);
@@ -58,17 +57,13 @@ TEST_F(Study, TheLinesOfItsReadmeRun) {
   const std::string program = "hedgehog-study ";
   for (std::string line; std::getline(text, line);) {
     const auto begin = line.find_first_not_of(' ');
-    if (begin == std::string::npos || begin < 4) {
-      continue;
-    }
+    if (begin == std::string::npos || begin < 4) continue;
     line.erase(0, begin);
     if (line.rfind("cd ", 0) == 0) {
       folder = home_.path(line.substr(3));
       continue;
     }
-    if (line.rfind(program, 0) != 0) {
-      continue;
-    }
+    if (line.rfind(program, 0) != 0) continue;
     std::vector<std::string> words{"-C", folder};
     std::istringstream rest(line.substr(program.size()));
     for (std::string word; rest >> word;) {
@@ -79,12 +74,8 @@ TEST_F(Study, TheLinesOfItsReadmeRun) {
     const auto has = [&](const char* word) {
       return std::find(words.begin(), words.end(), word) != words.end();
     };
-    if (has("rehearse") || (has("analyse") && has("rehearsal"))) {
-      continue;
-    }
-    if (has("run")) {
-      words.emplace_back("--simulated");
-    }
+    if (has("rehearse") || (has("analyse") && has("rehearsal"))) continue;
+    if (has("run")) words.emplace_back("--simulated");
     Program command(home_, hedgehog_study(), words, variables());
     const Ended ended = command.wait();
     EXPECT_EQ(ended.exit_code, 0) << line << "\n" << ended.err;

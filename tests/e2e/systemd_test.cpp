@@ -29,9 +29,8 @@ Said run(const std::string& command) {
   Said said;
   std::FILE* pipe = ::popen((command + " 2>&1").c_str(), "r");
   std::array<char, 4096> buffer{};
-  for (std::size_t n = 0; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) {
+  for (std::size_t n = 0; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
     said.text.append(buffer.data(), n);
-  }
   said.exit_code = WEXITSTATUS(::pclose(pipe));
   return said;
 }
@@ -44,14 +43,11 @@ class Unit : public testing::TestWithParam<const char*> {
     std::ifstream in(std::string(HEDGEHOG_SOURCE_DIR) + "/systemd/" + name);
     std::string text{std::istreambuf_iterator<char>(in), {}};
     const std::string program = "/usr/bin/hedgehogd";
-    for (auto at = text.find(program); at != std::string::npos; at = text.find(program, at + 1)) {
+    for (auto at = text.find(program); at != std::string::npos; at = text.find(program, at + 1))
       text.replace(at, program.size(), hedgehogd());
-    }
     home_.write("units/" + name, text);
     std::string unit = name;
-    if (const auto at = unit.find("@."); at != std::string::npos) {
-      unit.insert(at + 1, "ball-7");
-    }
+    if (const auto at = unit.find("@."); at != std::string::npos) unit.insert(at + 1, "ball-7");
     return home_.path("units/" + unit);
   }
   Home home_;
@@ -95,13 +91,9 @@ class NotifySocket {
     for (;;) {
       std::array<char, 4096> buffer{};
       const ssize_t count = ::recv(fd_, buffer.data(), buffer.size(), 0);
-      if (count <= 0) {
-        return {};
-      }
+      if (count <= 0) return {};
       std::string text(buffer.data(), static_cast<std::size_t>(count));
-      if (text.find(word) != std::string::npos) {
-        return text;
-      }
+      if (text.find(word) != std::string::npos) return text;
     }
   }
 

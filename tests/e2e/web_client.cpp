@@ -106,9 +106,8 @@ std::optional<WebSocketClient::Frame> WebSocketClient::any() {
 
 Json WebSocketClient::json() {
   const auto frame = next();
-  if (!frame || frame->opcode != kText) {
+  if (!frame || frame->opcode != kText)
     throw std::runtime_error("no text frame: " + (frame ? frame->payload : "closed"));
-  }
   return Json::parse(frame->payload);
 }
 

@@ -57,9 +57,8 @@ TEST_F(WebSocket, AMessageOf64KiBIsServedAndALongerOneIsToldOnce) {
   web.text(kPingRequest + std::string(kMaxLine + 1 - kPingRequest.size(), ' '));
   EXPECT_EQ(web.json()["error"]["code"], -32700);
   // A megabyte, in pieces; nothing of it is kept.
-  for (int i = 0; i < 64; ++i) {
+  for (int i = 0; i < 64; ++i)
     web.frame(i == 0 ? WebSocketClient::kText : 0, std::string(16 * 1024, 'x'), i == 63);
-  }
   EXPECT_EQ(web.json()["error"]["code"], -32700);
   EXPECT_TRUE(web.call("ping").contains("time_ns"));
 }

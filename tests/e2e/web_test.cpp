@@ -26,9 +26,8 @@ TEST_F(Web, ServesThePagesThatAreThereAndNothingElse) {
   EXPECT_EQ(get("/app.js").header("content-type"), "text/javascript; charset=utf-8");
   EXPECT_EQ(get("/deep/style.css").status, 200);
   for (const std::string path : {"/secret.key", "/../outside.html", "/www/../../outside.html",
-                                 "/%2e%2e/outside.html", "//index.html", "/deep", "/deep/", "*"}) {
+                                 "/%2e%2e/outside.html", "//index.html", "/deep", "/deep/", "*"})
     EXPECT_EQ(get(path).status, 404) << path;
-  }
 }
 
 TEST_F(Web, APageThatHasNotChangedIsNotSentAgain) {
@@ -51,9 +50,8 @@ TEST_F(Web, HeadIsGetWithoutTheBody) {
 TEST_F(Web, OnlyOwnNamesAreServed) {
   const std::string port = std::to_string(daemon_.http_port());
   const std::string with_port = "127.0.0.1:" + port;
-  for (const char* host : {"localhost:1", "LOCALHOST", with_port.c_str(), "127.9.9.9", "[::1]:7"}) {
+  for (const char* host : {"localhost:1", "LOCALHOST", with_port.c_str(), "127.9.9.9", "[::1]:7"})
     EXPECT_EQ(get("/healthz", std::string("Host: ") + host + "\r\n").status, 200) << host;
-  }
   for (const std::string host : {"evil.example", "127.0.0.1.evil.example", "localhost.evil.example",
                                  "127.1", "128.0.0.1", "[::1", "localhost:x", "", "[::2]"}) {
     const WebAnswer answer = get("/healthz", "Host: " + host + "\r\n");
@@ -140,9 +138,8 @@ TEST_F(Web, MetricsIntegrateWhatHappensBetweenTwoLooks) {
   EXPECT_EQ(metric(R"(hedgehog_requests_total{device="ball",method="effect.pulse",code="0"})"), 1);
   EXPECT_EQ(metric(R"(hedgehog_request_to_coil_seconds_count{device="ball"})"), 1);
   for (const char* ticks : {R"(hedgehog_tick_lateness_seconds_bucket{device="ball",le="+Inf"})",
-                            R"(hedgehog_tick_work_seconds_count{device="ball"})"}) {
+                            R"(hedgehog_tick_work_seconds_count{device="ball"})"})
     EXPECT_TRUE(eventually([&] { return metric(ticks) > 100; })) << ticks;
-  }
 }
 
 TEST(WebOff, IsNotThereWhenItIsNotWanted) {

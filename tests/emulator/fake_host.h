@@ -34,9 +34,8 @@ class FakeHost {
                        const std::array<Byte, 8>& setup = {}) {
     Bytes bytes;
     for (const std::uint32_t word :
-         {1u, ++sequence_, 0u, in ? 1u : 0u, std::uint32_t{endpoint}, 0u, length, 0u, 0u, 0u}) {
+         {1u, ++sequence_, 0u, in ? 1u : 0u, std::uint32_t{endpoint}, 0u, length, 0u, 0u, 0u})
       put_u32(bytes, word);
-    }
     bytes.insert(bytes.end(), setup.begin(), setup.end());
     bytes.insert(bytes.end(), data.begin(), data.end());
     send(bytes);
@@ -54,9 +53,8 @@ class FakeHost {
   /// Nothing: no answer so far. REQUIRES: what was asked for with IN transfers is told to `next`.
   std::optional<Done> next(bool in = false) {
     Bytes head(kTransferHead);
-    if (::recv(ours_.get(), head.data(), head.size(), MSG_DONTWAIT) != kTransferHead) {
+    if (::recv(ours_.get(), head.data(), head.size(), MSG_DONTWAIT) != kTransferHead)
       return std::nullopt;
-    }
     Done done{device::big_u32(&head[0]),
               device::big_u32(&head[4]),
               static_cast<std::int32_t>(device::big_u32(&head[20])),

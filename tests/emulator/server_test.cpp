@@ -113,9 +113,8 @@ TEST_F(Doors, ImportOneForOneHostAtATime) {
   }
   // What is asked right behind the import belongs to the device: its serial number.
   Bytes question;
-  for (const std::uint32_t word : {1u, 1u, 0u, 1u, 0u, 0u, 255u, 0u, 0u, 0u}) {
+  for (const std::uint32_t word : {1u, 1u, 0u, 1u, 0u, 0u, 255u, 0u, 0u, 0u})
     put_u32(question, word);
-  }
   question.insert(question.end(), {0x80, 6, 3, 3, 0x09, 0x04, 255, 0});
   send(socket, std::string(question.begin(), question.end()));
   EXPECT_EQ(receive(socket, kTransferHead + 6).substr(kTransferHead),

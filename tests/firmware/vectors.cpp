@@ -61,8 +61,8 @@ struct Bench {
 
   Bench() noexcept {
     inputs.supply_mv = 12000;
-    inputs.sensor_cc = 2500;
-    inputs.sensor_converted = true;
+    inputs.thermistor[0].cc = 2500;
+    inputs.thermistors_converted = true;
     set_point.enable = true;
     set_point.duty_q15[0] = 8000;
     set_point.boost_q15[0] = 1000;
@@ -90,9 +90,8 @@ struct Bench {
     core.write_telemetry(telemetry);
     // Every byte that the board says, one millisecond chained to the next: the hash so far stands
     // in for the frame's own check sum, with which the sum over all would be a constant.
-    for (unsigned i = 0; i < 4; ++i) {
+    for (unsigned i = 0; i < 4; ++i)
       telemetry[kFrameSize - 4 + i] = static_cast<uint8_t>(hash >> (8 * i));
-    }
     hash = crc32(telemetry, sizeof(telemetry));
   }
   void run(int ms) noexcept {
@@ -114,9 +113,8 @@ struct Result {
     Line made;
     made.text(name).text(": mode ").hex(static_cast<uint32_t>(bench.core.mode()), 1);
     made.text(" faults ").hex(bench.core.faults(), 4).text(" duty ");
-    for (const int16_t duty : bench.core.outputs().duty_q15) {
+    for (const int16_t duty : bench.core.outputs().duty_q15)
       made.hex(static_cast<uint16_t>(duty), 4).text(" ");
-    }
     made.text("ms ").hex(bench.core.now_ms()).text(" hash ").hex(bench.hash);
     if (!expected) made.text(" UNEXPECTED");
     good = good && expected;
@@ -132,11 +130,27 @@ void faults(Result& result) noexcept {
   };
   const Case cases[] = {
       {"dead man", kDeadMan, [](Bench& b) { b.feeding = false; }},
-      {"over current", kOverCurrent, [](Bench& b) { b.inputs.current_ma[0] = 17000; }},
-      {"over heat", kOverHeat, [](Bench& b) { b.inputs.sensor_cc = 7600; }},
+      {"over current", kOverCurrent,
+       [](Bench& b) {
+         b.set_point.duty_q15[0] = 20'000;
+         b.inputs.current_ma[0] = 17000;
+       }},
+      {"unexpected current", kUnexpectedCurrent, [](Bench& b) { b.inputs.current_ma[2] = -800; }},
+      {"excess in the supply line", kUnexpectedCurrent,
+       [](Bench& b) {
+         b.inputs.supply_current_measured = true;
+         b.inputs.supply_ma = 5000;
+       }},
+      {"current not measured", kCurrentSense, [](Bench& b) { b.inputs.currents_measured = 6; }},
+      {"third sensor hot", kOverHeat,
+       [](Bench& b) {
+         b.inputs.thermistors = 3;
+         b.inputs.thermistor[2].cc = 7600;
+       }},
+      {"over heat", kOverHeat, [](Bench& b) { b.inputs.thermistor[0].cc = 7600; }},
       {"bridge", kBridge, [](Bench& b) { b.inputs.bridge_faults = 2; }},
-      {"sensor open", kSensorOpen, [](Bench& b) { b.inputs.sensor_open = true; }},
-      {"sensor short", kSensorShort, [](Bench& b) { b.inputs.sensor_short = true; }},
+      {"sensor open", kSensorOpen, [](Bench& b) { b.inputs.thermistor[0].open = true; }},
+      {"sensor short", kSensorShort, [](Bench& b) { b.inputs.thermistor[0].shorted = true; }},
       {"supply low", kSupply, [](Bench& b) { b.inputs.supply_mv = 6000; }},
       {"stuck bridge", kStuckBridge,
        [](Bench& b) {
@@ -160,6 +174,7 @@ void faults(Result& result) noexcept {
   // The I^2 t sums are 64 bits wide: the compiler's runtime divides them.
   Bench heat;
   heat.arm();
+  heat.set_point.duty_q15[1] = 16'000;
   heat.inputs.current_ma[1] = 14500;
   heat.run(90'000);
   result.line("heat budget", heat, (heat.core.faults() & kHeatBudget) != 0);
@@ -171,17 +186,22 @@ void soup(Result& result, uint32_t seed, int ms) noexcept {
   Bench bench;
   bench.arm();
   for (int i = 0; i < ms; ++i) {
-    if (noise.below(50) == 0) {
+    if (noise.below(50) == 0)
       bench.inputs.current_ma[noise.below(3)] = static_cast<int16_t>(noise.next());
-    } else if (noise.below(10) == 0) {
+    else if (noise.below(10) == 0)
       for (int16_t& current : bench.inputs.current_ma) current = 0;
-    }
     if (noise.below(100) == 0) {
-      bench.inputs.sensor_cc = static_cast<int16_t>(noise.below(9000));
+      bench.inputs.currents_measured =
+          static_cast<uint8_t>(noise.below(4) == 0 ? noise.below(8) : 7u);
+      bench.inputs.supply_current_measured = noise.below(2) != 0;
+      bench.inputs.supply_ma = static_cast<uint16_t>(noise.below(4) == 0 ? noise.next() : 0u);
+      bench.inputs.thermistors = static_cast<uint8_t>(1 + noise.below(3));
+      for (ThermistorInput& one : bench.inputs.thermistor)
+        one.cc = static_cast<int16_t>(noise.below(9000));
       bench.inputs.supply_mv = static_cast<uint16_t>(noise.below(40000));
       bench.inputs.bridge_faults = static_cast<uint8_t>(noise.below(16) == 0 ? noise.next() : 0u);
-      bench.inputs.sensor_open = noise.below(20) == 0;
-      bench.inputs.sensor_short = noise.below(20) == 0;
+      bench.inputs.thermistor[0].open = noise.below(20) == 0;
+      bench.inputs.thermistor[0].shorted = noise.below(20) == 0;
       bench.set_point.enable = noise.below(4) != 0;
       for (int k = 0; k < kWindings; ++k) {
         bench.set_point.duty_q15[k] = static_cast<int16_t>(noise.next());
@@ -203,12 +223,12 @@ void soup(Result& result, uint32_t seed, int ms) noexcept {
   }
 }
 
-void port(Result& result) noexcept {
-  const Wiring wiring;
+void port(Result& result, const char* name, const Wiring& wiring) noexcept {
   uint32_t hash = 0;
   for (uint32_t adc = 0; adc <= wiring.adc_full; ++adc) {
     RawInputs raw;
-    raw.ntc_adc = raw.supply_adc = raw.cs_adc[0] = static_cast<uint16_t>(adc);
+    raw.ntc_adc[0] = raw.supply_adc = raw.current_adc[0] = raw.shunt_adc =
+        static_cast<uint16_t>(adc);
     raw.tach_period_us = adc * adc;
     BoardOutputs outputs;
     outputs.awake = true;
@@ -216,20 +236,21 @@ void port(Result& result) noexcept {
     const BoardInputs in = measured(wiring, raw, outputs);
     const PinOutputs pins = pins_for(wiring, outputs);
     const uint32_t words[] = {hash,
-                              static_cast<uint16_t>(in.sensor_cc),
+                              static_cast<uint16_t>(in.thermistor[0].cc),
+                              in.currents_measured,
+                              in.supply_ma,
                               static_cast<uint16_t>(in.current_ma[0]),
                               in.supply_mv,
                               in.fan_rpm,
                               pins.pwm[0],
                               pins.reverse[0]};
     uint8_t bytes[sizeof(words)];
-    for (unsigned i = 0; i < sizeof(bytes); ++i) {
+    for (unsigned i = 0; i < sizeof(bytes); ++i)
       bytes[i] = static_cast<uint8_t>(words[i / 4] >> (8 * (i % 4)));
-    }
     hash = crc32(bytes, sizeof(bytes));
   }
   Line line;
-  result.say(line.text("port: hash ").hex(hash).end());
+  result.say(line.text(name).text(": hash ").hex(hash).end());
 }
 
 }  // namespace
@@ -242,10 +263,11 @@ bool run_vectors(Say say) noexcept {
   Line line;
   say(line.text("crc32: ").hex(crc).end());
   faults(result);
-  port(result);
+  port(result, "port with CS", Wiring{});
+  port(result, "port with shunts", reference_wiring());
   for (uint32_t seed = 1; seed <= 3; ++seed) soup(result, seed, 40'000);
   // Otherwise the soup was too thin to show anything.
-  const bool rich = result.modes == 0xE && result.seen == 0x1FF;
+  const bool rich = result.modes == 0xE && result.seen == 0x7FF;
   Line met;
   say(met.text("met: modes ").hex(result.modes, 1).text(" faults ").hex(result.seen, 4).end());
   result.good = result.good && rich;

@@ -28,9 +28,8 @@ std::span<const std::uint8_t> packet(std::span<const std::uint8_t> said,
   buffer[0] = board::kFrameMagic;
   buffer[1] = board::kProtocolVersion;
   const std::uint32_t sum = board::crc32(buffer.data(), kCrcAt);
-  for (std::size_t i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < 4; ++i)
     buffer[kCrcAt + i] = static_cast<std::uint8_t>(sum >> (8 * i));
-  }
   return {buffer.data(), board::kFrameSize};
 }
 
@@ -40,8 +39,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   board::BoardCore core{board::BoardLimits{}};
   board::BoardInputs inputs;
   inputs.supply_mv = 12000;
-  inputs.sensor_cc = 2500;
-  inputs.sensor_converted = true;
+  inputs.thermistor[0].cc = 2500;
+  inputs.thermistors_converted = true;
   hedgehog::device::Link link;
   std::array<std::uint8_t, 2 * board::kFrameSize> buffer;
   std::span<const std::uint8_t> rest(data, size);
@@ -53,9 +52,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     link.receive(bytes);
     const board::BoardOutputs outputs = core.step(inputs);
     const bool drives = core.mode() == board::Mode::kDriving;
-    for (const std::int16_t duty : outputs.duty_q15) {
+    for (const std::int16_t duty : outputs.duty_q15)
       if (!drives && (outputs.awake || duty != 0)) std::abort();
-    }
     (void)link.step({});
   }
   return 0;

@@ -14,9 +14,7 @@ namespace {
 using namespace hedgehog::protocol;
 
 void require(bool condition) {
-  if (!condition) {
-    std::abort();
-  }
+  if (!condition) std::abort();
 }
 
 void check(const Item& item) {
@@ -40,9 +38,7 @@ void check(const Item& item) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view line(reinterpret_cast<const char*>(data), size);
-  for (const Item& item : decode_line(line).items) {
-    check(item);
-  }
+  for (const Item& item : decode_line(line).items) check(item);
   (void)decode_messages(line);
   (void)decode_result<Status>(line);
   (void)decode_result<Description>(line);

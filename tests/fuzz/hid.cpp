@@ -11,9 +11,7 @@ namespace {
 using namespace hedgehog::device;
 
 void require(bool condition) {
-  if (!condition) {
-    std::abort();
-  }
+  if (!condition) std::abort();
 }
 
 }  // namespace

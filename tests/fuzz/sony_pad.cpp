@@ -15,9 +15,7 @@ namespace {
 using namespace hedgehog::device;
 
 void require(bool condition) {
-  if (!condition) {
-    std::abort();
-  }
+  if (!condition) std::abort();
 }
 
 /// The rest of the input, cut to the length of the report, under its id and, over Bluetooth, with a

@@ -11,9 +11,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const auto& model : {named, temper_model("TEMPerF1.4"), temper_model("TEMPer2_V3.9")}) {
     const auto reading = model ? decode_temper(*model, bytes) : std::nullopt;
     if (!reading) continue;
-    for (const auto& value : {reading->internal_c, reading->external_c}) {
+    for (const auto& value : {reading->internal_c, reading->external_c})
       if (value && !(*value >= -40.0 && *value <= 125.0)) std::abort();
-    }
   }
   return 0;
 }

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <variant>
 
-#include "clients/racer/server/door.h"
+#include "clients/racer/server/host_check.h"
 #include "clients/racer/server/messages.h"
-#include "daemon/server/http/doorkeeper.h"
+#include "daemon/server/net/http/origin_check.h"
 
 namespace {
 
@@ -23,10 +23,14 @@ void hold(bool law) {
 }
 
 bool same_but_for_case(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) {
-    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
-    return lower(x) == lower(y);
-  });
+  return std::equal(
+      a.begin(), a.end(), b.begin(), b.end(),
+      [](char x, char y) {
+        const auto lower = [](char c) {
+          return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+        };
+        return lower(x) == lower(y);
+      });
 }
 
 /// A page may come in only from the place that it was served by.
@@ -47,8 +51,8 @@ void knock(std::string_view host, std::string_view origin) {
     const std::string& words = *refused->answer.body;
     hold(std::all_of(words.begin(), words.end() - 1, [](char c) { return c >= 0x20 && c < 0x7f; }));
   }
-  const racer::Door door{"127.0.0.1", 7585};
-  hold(!door.may_connect(host, origin) || is_at(origin, host));
+  const racer::HostCheck endpoint{"127.0.0.1", 7585};
+  hold(!endpoint.may_connect(host, origin) || is_at(origin, host));
 }
 
 void tell(std::string_view text) {

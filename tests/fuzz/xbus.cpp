@@ -12,18 +12,13 @@ namespace {
 using namespace hedgehog::device;
 
 void require(bool condition) {
-  if (!condition) {
-    std::abort();
-  }
+  if (!condition) std::abort();
 }
 
 void check(const MtSample& sample) {
-  if (sample.quaternion) {
-    require(std::abs(norm(*sample.quaternion) - 1.0) < 1e-9);
-  }
-  for (const auto& v : {sample.euler_deg, sample.acceleration_m_s2, sample.rate_rad_s}) {
+  if (sample.quaternion) require(std::abs(norm(*sample.quaternion) - 1.0) < 1e-9);
+  for (const auto& v : {sample.euler_deg, sample.acceleration_m_s2, sample.rate_rad_s})
     require(!v || is_finite(*v));
-  }
 }
 
 }  // namespace
@@ -37,16 +32,11 @@ extern "C" int LLVMFuzzerTestOneInput(const Byte* data, std::size_t size) {
     XbusParser second;
     second.feed(again);
     require(second.next() == message);
-    if (const auto outputs = decode_outputs(message->payload)) {
+    if (const auto outputs = decode_outputs(message->payload))
       require(encode_outputs(*outputs) == message->payload);
-    }
-    if (const auto sample = decode_mtdata2(message->payload)) {
-      check(*sample);
-    }
+    if (const auto sample = decode_mtdata2(message->payload)) check(*sample);
   }
-  if (const auto sample = decode_mtdata2(bytes)) {
-    check(*sample);
-  }
+  if (const auto sample = decode_mtdata2(bytes)) check(*sample);
   // As a tracker in the middle of a talk.
   MtiSession session;
   double now_s = 0.0;

@@ -6,7 +6,10 @@ set -euo pipefail
 
 folder=$1
 top=$PWD
-dev=build/dev
+# shellcheck source=tests/relink.sh
+. tests/relink.sh
+list_commands build/guards/commands
+dev=$relink_dev
 hazard=$(<"$folder/hazard")
 guard=$(<"$folder/guard")
 
@@ -19,27 +22,23 @@ give_up() { # sentence log
   exit 1
 }
 
-# The changed files, compiled as the build compiles them; a guard that is gone leaves variables unused.
+# A guard that is gone leaves variables unused.
 objects=()
 while IFS= read -r file; do
-  command=$(ninja -C "$dev" -t commands all | awk -v end=" -c $top/$file" \
-    'substr($0, length($0) - length(end) + 1) == end && !found++')
-  [ -n "$command" ] || give_up "$file is compiled in a batch, or not at all: cmake --preset dev" /dev/null
   object=$top/$folder/$(basename -- "$file").o
-  command=${command%% -MD *}" -w -o $object -c $top/$folder/source/$file"
-  (cd "$dev" && bash -c "$command") >"$folder/log" 2>&1 || give_up "does not compile without it" "$folder/log"
+  compile_as_built "$file" "$top/$folder/source/$file" "$object" >"$folder/log" 2>&1 || case $? in
+    2) give_up "$file is compiled in a batch, or not at all: cmake --preset dev" /dev/null ;;
+    *) give_up "does not compile without it" "$folder/log" ;;
+  esac
   objects+=("$object")
 done <"$folder/files"
 
-# link PLACE: that program of the build with the changed objects. The archives' own are then left out by the linker.
+# link PLACE: that program of the build with the changed objects.
 link() {
-  local command
-  command=$(ninja -C "$dev" -t commands "$1" 2>/dev/null | tail -n 1)
-  [ -n "$command" ] || give_up "there is no $1" /dev/null
-  mkdir -p "$(dirname -- "$folder/$1")"
-  (cd "$dev" && bash -c "${command/ -o $1 / ${objects[*]} -o $top/$folder/$1 }") >"$folder/log" 2>&1 ||
-    give_up "does not link without it" "$folder/log"
-  [ -x "$folder/$1" ] || give_up "$1 is linked by another command" /dev/null
+  link_as_built "$1" "$top/$folder/$1" "${objects[@]}" >"$folder/log" 2>&1 || case $? in
+    2) give_up "there is no $1" /dev/null ;;
+    *) give_up "does not link without it" "$folder/log" ;;
+  esac
 }
 
 # The names of the failed tests of one program.

@@ -71,6 +71,9 @@ while IFS= read -r line; do
   esac
 done <tests/guards/guards.txt
 
+# shellcheck source=tests/relink.sh
+. tests/relink.sh
+list_commands "$work/commands"
 guards_with() { find "$work" -name "$1" -printf '%h\n' | sort -t/ -k3 -n; }
 guards_with selected | xargs -r -P "${JOBS:-2}" -n 1 tests/guards/judge_guard.sh || true
 wanted=$(guards_with selected | wc -l)

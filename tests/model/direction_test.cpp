@@ -25,9 +25,8 @@ TEST(Direction, NamesAreXForwardYLeftZUp) {
 }
 
 TEST(Direction, OtherWordsAreNone) {
-  for (const char* word : {"", "Left", "forward", "lef", "left ", "north"}) {
+  for (const char* word : {"", "Left", "forward", "lef", "left ", "north"})
     EXPECT_EQ(direction_named(word), std::nullopt) << word;
-  }
 }
 
 TEST(Direction, AzimuthRunsAnticlockwiseSeenFromAbove) {

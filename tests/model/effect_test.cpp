@@ -35,18 +35,16 @@ EffectSpec circle(double ring_deg = 90, double speed = 10, bool smooth = false) 
 std::vector<double> levels(const EffectSpec& spec, int ticks) {
   std::vector<double> out;
   EffectPhase phase;
-  for (int i = 0; i < ticks; ++i, phase = advanced(spec, phase)) {
+  for (int i = 0; i < ticks; ++i, phase = advanced(spec, phase))
     out.push_back(level_at(spec, phase));
-  }
   return out;
 }
 
 std::vector<Vec3> directions(const EffectSpec& spec, int ticks) {
   std::vector<Vec3> out;
   EffectPhase phase;
-  for (int i = 0; i < ticks; ++i, phase = advanced(spec, phase)) {
+  for (int i = 0; i < ticks; ++i, phase = advanced(spec, phase))
     out.push_back(direction_at(spec.trajectory, phase));
-  }
   return out;
 }
 
@@ -55,9 +53,8 @@ double distance(const Vec3& a, const Vec3& b) { return norm(a - b); }
 
 TEST(Waveforms, ASquareOf2HzAnd15PercentIsOn75TicksOf500) {
   const auto level = levels(vibration(Waveform::kSquare, 2, 0.15), 2000);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < 2000; ++i)
     ASSERT_EQ(level[static_cast<std::size_t>(i)], i % 500 < 75 ? 1.0 : 0.0) << i;
-  }
 }
 
 TEST(Waveforms, ASineStartsAtRestAndPeaksInTheMiddleOfItsPeriod) {
@@ -114,9 +111,8 @@ RC_GTEST_PROP(Waveforms, StayBetweenRestAndStrength, ()) {
   spec.duration = *rc::gen::inRange(1, 600);
   spec.envelope = {*rc::gen::inRange(0, 600), *rc::gen::inRange(0, 600),
                    *rc::gen::inRange(0, 101) / 100.0, *rc::gen::inRange(0, 101) / 100.0};
-  for (const double x : levels(spec, static_cast<int>(spec.duration))) {
+  for (const double x : levels(spec, static_cast<int>(spec.duration)))
     RC_ASSERT(x >= 0.0 && x <= 1.0);
-  }
 }
 
 TEST(Envelopes, RiseAndFallLinearlyInsideTheDuration) {

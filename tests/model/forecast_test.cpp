@@ -6,7 +6,10 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
+#include <limits>
 
+#include "model/plant.h"
+#include "model/shell_limit.h"
 #include "tests/model/thermal_loop.h"
 
 namespace hedgehog::model {
@@ -24,11 +27,18 @@ ForecastStart warm(double celsius) {
   return start;
 }
 
+/// As the limiter's observer sees that ball.
+ForecastStart seen(ForecastStart start) {
+  ThermalLoop loop(PlantParameters{}, start.ambient_c);
+  loop.start_at(start.nodes);
+  start.above_k = loop.observer.estimate().hottest_c - hottest_winding(start.nodes);
+  return start;
+}
+
 /// Seconds until the limiter first takes something away in the closed loop; -1: not in 4 h.
 double loop_seconds_to_derating(const ForecastStart& start, const Vec3& wanted) {
-  ThermalLoop loop(PlantParameters{}, start.room_c);
+  ThermalLoop loop(PlantParameters{}, start.ambient_c);
   loop.start_at(start.nodes);
-  loop.observer.set_room(start.room_c);
   for (int tick = 1; tick < 4 * 3600 * 1000; ++tick) {
     loop.tick(wanted);
     if (norm(loop.driven) < norm(wanted) - 1e-6) return tick * 1e-3;
@@ -38,7 +48,7 @@ double loop_seconds_to_derating(const ForecastStart& start, const Vec3& wanted) 
 
 TEST(Forecast, AgreesWithThePlantWithin5PercentFromColdAndWarm) {
   for (const double celsius : {25.0, 45.0}) {
-    const ForecastStart start = warm(celsius);
+    const ForecastStart start = seen(warm(celsius));
     for (const double current : {6.0, 8.0, 10.0, 12.0, 15.0}) {
       const auto foretold =
           kNominal.seconds_to_derating(start, AskedCurrents::constant({0, current, 0}));
@@ -50,13 +60,14 @@ TEST(Forecast, AgreesWithThePlantWithin5PercentFromColdAndWarm) {
 }
 
 TEST(Forecast, AgreesWithThePlantWhereItTakesLong) {
-  const double edge = kNominal.sustainable_a(cold(), AskedCurrents::constant({0, 0, 1}));
+  const ForecastStart start = seen(cold());
+  const double edge = kNominal.sustainable_a(start, AskedCurrents::constant({0, 0, 1}));
   for (const double current : {1.03 * edge, 1.1 * edge}) {
     const auto foretold =
-        kNominal.seconds_to_derating(cold(), AskedCurrents::constant({0, 0, current}));
+        kNominal.seconds_to_derating(start, AskedCurrents::constant({0, 0, current}));
     ASSERT_TRUE(foretold.has_value());
     EXPECT_GT(*foretold, 300.0);
-    const double real = loop_seconds_to_derating(cold(), {0, 0, current});
+    const double real = loop_seconds_to_derating(start, {0, 0, current});
     EXPECT_NEAR(*foretold, real, 0.05 * real) << current << " A";
   }
 }
@@ -138,7 +149,8 @@ TEST(Forecast, RecoveryIsWhatTheLimiterThenAllows) {
   ASSERT_LT(loop.limiter.allowed().value, 15.0);
   ForecastStart start;
   start.nodes = loop.observer.estimate().nodes;
-  start.room_c = loop.observer.estimate().room_c;
+  start.ambient_c = loop.observer.estimate().ambient_c;
+  start.above_k = loop.observer.estimate().hottest_c - hottest_winding(start.nodes);
   start.fan_running = true;
   start.mean_current_a = 10.0;
   const auto foretold = kNominal.recovery_s(start);
@@ -151,7 +163,7 @@ TEST(Forecast, RecoveryIsWhatTheLimiterThenAllows) {
   EXPECT_NEAR(*foretold, real, 0.1 * real);
   EXPECT_EQ(kNominal.recovery_s(cold()), 0.0);
   ForecastStart desert = warm(65.0);
-  desert.room_c = 62.0;
+  desert.ambient_c = 62.0;
   EXPECT_FALSE(kNominal.recovery_s(desert).has_value());
 }
 
@@ -195,6 +207,73 @@ RC_GTEST_PROP(Forecast, MoreCurrentOrAWarmerBallIsNeverForetoldLonger, ()) {
   const double base = seconds(current, celsius);
   RC_ASSERT(seconds(current + between(0.1, 1.0), celsius) <= base);
   RC_ASSERT(seconds(current, celsius + between(0.1, 5.0)) <= base * 1.02 + 0.1);
+}
+
+/// A skin that limits, on a ball that has been `start` for long.
+ForecastStart with_skin(ForecastStart start) {
+  start.skin = SkinEstimate(ThermalModel{});
+  start.skin_above_k = SkinEstimate::kMinMarginK;
+  return start;
+}
+
+/// Seconds until the plant's skin, by the estimate, first allows less; -1: not in an hour.
+double plant_seconds_to_skin(double ambient_c, const Vec3& wanted) {
+  const double current_a = norm(wanted);
+  Plant plant(PlantParameters{}, ambient_c);
+  SkinEstimate skin{ThermalModel{}};
+  constexpr double kStepS = 0.02;
+  for (int step = 0; step < 180'000; ++step) {
+    SkinInputs in;
+    in.nodes = plant.heat();
+    in.ambient_c = ambient_c;
+    in.to_room_k_w = plant.fan_rpm() > 300.0 ? 1.8 : 5.0;
+    skin.step(in, kStepS);
+    if (shell_allowed_current(Limits{}, skin.celsius()).value < current_a - 1e-6)
+      return step * kStepS;
+    plant.step_thermal({wanted.x * wanted.x, wanted.y * wanted.y, wanted.z * wanted.z}, 1.0,
+                       kStepS);
+  }
+  return -1.0;
+}
+
+TEST(Forecast, KnowsTheSkinWithin5Percent) {
+  for (const double ambient_c : {25.0, 32.0}) {
+    ForecastStart start = warm(ambient_c);
+    start.ambient_c = ambient_c;
+    start = with_skin(start);
+    for (const double current_a : {6.0, 9.0, 15.0}) {
+      const double each_a = current_a / std::sqrt(3.0);
+      const Vec3 wanted{each_a, -each_a, each_a};
+      const auto foretold = kNominal.seconds_to_derating(start, AskedCurrents::constant(wanted));
+      ASSERT_TRUE(foretold.has_value());
+      const double real = plant_seconds_to_skin(ambient_c, wanted);
+      EXPECT_NEAR(*foretold, real, 0.05 * real) << current_a << " A at " << ambient_c << " C";
+    }
+  }
+}
+
+TEST(Forecast, TheSkinLeavesFiveAmpereForEverOnlyInACoolRoom) {
+  const auto sustained = [](double ambient_c, double above_k) {
+    ForecastStart start = with_skin(warm(ambient_c));
+    start.ambient_c = ambient_c;
+    start.skin_above_k = above_k;
+    return kNominal.sustainable_a(start, AskedCurrents::constant({1, 0, 0}));
+  };
+  EXPECT_GE(sustained(25.0, SkinEstimate::kMinMarginK), 5.0);
+  EXPECT_NEAR(sustained(32.0, SkinEstimate::kMinMarginK), 3.9, 0.2);
+  EXPECT_EQ(sustained(32.0, -5.0), sustained(32.0, -std::numeric_limits<double>::infinity()))
+      << "a probe under a shell that insulates leaves what the windings leave";
+  EXPECT_EQ(sustained(25.0, std::numeric_limits<double>::infinity()), 0.0) << "a silent probe";
+}
+
+TEST(Forecast, RecoveryWaitsForTheSkinToo) {
+  ForecastStart start = warm(50.0);
+  const auto winding_s = kNominal.recovery_s(start);
+  const auto skin_s = kNominal.recovery_s(with_skin(start));
+  EXPECT_EQ(winding_s, 0.0);
+  ASSERT_TRUE(skin_s.has_value());
+  EXPECT_GT(*skin_s, 60.0);
+  EXPECT_EQ(kNominal.burst_s(with_skin(start)), 0.0);
 }
 
 }  // namespace

@@ -123,7 +123,7 @@ EffectSpec play(double rate, bool loop) {
   EffectSpec spec;
   spec.method = EffectMethod::kPlay;
   spec.trajectory.path = Path::kKeyframes;
-  spec.trajectory.score = {.count = 2, .length_ms = 100, .loop = loop, .rate = rate, .turn = {}};
+  spec.trajectory.playback = {.count = 2, .length_ms = 100, .loop = loop, .rate = rate, .turn = {}};
   return spec;
 }
 
@@ -142,10 +142,10 @@ TEST(Keyframes, ALoopBeginsAgainWhereItEnds) {
 }
 
 TEST(Keyframes, TheEndComesWithTheLengthOverTheRate) {
-  EXPECT_EQ(ticks_to_end(play(1, false).trajectory.score, 0), 100);
-  EXPECT_EQ(ticks_to_end(play(2, false).trajectory.score, 50), 25);
-  EXPECT_EQ(ticks_to_end(play(3, false).trajectory.score, 0), 34);
-  EXPECT_EQ(ticks_to_end(play(1, false).trajectory.score, 150), 0);
+  EXPECT_EQ(ticks_to_end(play(1, false).trajectory.playback, 0), 100);
+  EXPECT_EQ(ticks_to_end(play(2, false).trajectory.playback, 50), 25);
+  EXPECT_EQ(ticks_to_end(play(3, false).trajectory.playback, 0), 34);
+  EXPECT_EQ(ticks_to_end(play(1, false).trajectory.playback, 150), 0);
 }
 
 }  // namespace

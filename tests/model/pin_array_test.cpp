@@ -33,12 +33,10 @@ struct View {
 
 View view_of(const Goldberg& gp, const Goldberg::Face& face) {
   View view;
-  for (const std::size_t i : face.corners) {
+  for (const std::size_t i : face.corners)
     view.corners_deg.push_back(angle_between_deg(face.direction, gp.vertices[i]));
-  }
-  for (const std::size_t f : face.neighbours) {
+  for (const std::size_t f : face.neighbours)
     view.neighbours_deg.push_back(angle_between_deg(face.direction, gp.faces[f].direction));
-  }
   std::sort(view.corners_deg.begin(), view.corners_deg.end());
   std::sort(view.neighbours_deg.begin(), view.neighbours_deg.end());
   return view;
@@ -179,9 +177,8 @@ RC_GTEST_PROP(PinArray, NoOtherPinIsNearer, (int x, int y, int z)) {
   RC_PRE(norm(wanted) > 0.0);
   const PinArray& array = hedgehog_86();
   const NearestPin found = nearest_pin(array, wanted);
-  for (const Pin& pin : array.pins) {
+  for (const Pin& pin : array.pins)
     RC_ASSERT(dot(pin.position, wanted) / norm(wanted) <= found.cosine + 1e-6);
-  }
 }
 
 }  // namespace

@@ -118,9 +118,7 @@ TEST(Plant, BrakeAndSleepEndTheCurrentWithinFiveTimeConstants) {
     for (int tick = 0; tick < 17; ++tick) plant.step(off, 1e-3);
     EXPECT_LT(norm(plant.current_a()), 0.15);
     EXPECT_LT(std::abs(plant.current_a().x), 0.1);
-    if (bridge == BridgeState::kAsleep) {
-      EXPECT_EQ(plant.current_a(), Vec3{});
-    }
+    if (bridge == BridgeState::kAsleep) EXPECT_EQ(plant.current_a(), Vec3{});
   }
 }
 

@@ -65,7 +65,7 @@ TEST(HeatLoop, FifteenAmpereAreFullFor22SecondsThenGiveWay) {
       if (tick == 32'000) after_half_a_minute = norm(loop.driven);
     }
     EXPECT_NEAR(full_s, 22.0, 1.0);
-    EXPECT_NEAR(after_half_a_minute, 9.0, 0.5);
+    EXPECT_NEAR(after_half_a_minute, 8.5, 0.5) << "one thermistor costs half a kelvin";
     EXPECT_GT(norm(loop.driven), 5.0) << "reduced, never cut";
     EXPECT_LT(loop.hottest_ever_c, 67.0);
     EXPECT_EQ(loop.longest_above_trip_s, 0.0);
@@ -213,11 +213,11 @@ TEST(HeatLoop, AThermistorThatJumpsUpIsTreatedAsHot) {
 TEST(HeatLoop, AfterARestartAHotWindingIsFoundBeforeItIsDrivenHard) {
   ThermalLoop loop(PlantParameters{}, 25.0);
   loop.start_at({{40.0, 65.0, 40.0}, 40.0});
-  loop.observer = ThermalObserver(CoilModel{}, ThermalModel{}, {{40, 40, 40}, 40});
+  loop.observer = ThermalObserver(CoilModel{}, ThermalModel{}, {{{40, 40, 40}, 40}});
   loop.tick({0, 15, 0});
   EXPECT_NEAR(norm(loop.driven), 5.0, 1e-9);
   for (int tick = 0; tick < 400; ++tick) loop.tick({0, 15, 0});
-  EXPECT_NEAR(loop.observer.estimate().nodes.winding_c[1], loop.plant.heat().winding_c[1], 1.0);
+  EXPECT_GT(loop.observer.estimate().upper_c[1], loop.plant.heat().winding_c[1]);
   EXPECT_LT(norm(loop.driven), 10.0);
   EXPECT_LT(loop.hottest_ever_c, 67.5);
 }

@@ -64,6 +64,16 @@ TEST(ThermalLaw, WhatIsNotANumberAllowsNothing) {
   EXPECT_EQ(allowed(-kInfinity), 0.0);
 }
 
+TEST(ThermalLaw, WhoseStretchesAreEmptyStepsDown) {
+  Limits step;
+  step.derate_from_c = step.sustain_c = step.zero_c = 60.0;
+  EXPECT_EQ(allowed_current(step, Celsius(59.999)).value, 15.0);
+  EXPECT_EQ(allowed_current(step, Celsius(60.0)).value, 0.0);
+  step.zero_c = 69.0;
+  EXPECT_EQ(allowed_current(step, Celsius(60.0)).value, 15.0);
+  EXPECT_NEAR(allowed_current(step, Celsius(60.001)).value, 5.0, 1e-3);
+}
+
 RC_GTEST_PROP(ThermalLaw, NeverRisesWithTemperatureAndNeverExceedsTheLimits, ()) {
   const Limits limits = any_limits();
   const double cooler = any_number(0.0, 80.0);
@@ -101,7 +111,46 @@ RC_GTEST_PROP(ThermalLimiter, ScalesTheVectorAsAWholeToWhatIsAllowed, ()) {
 
 TEST(ThermalLimiter, PassesWhatIsAllowedUntouched) {
   EXPECT_EQ(limited({3, -4, 12}, at(40.0)), (Vec3{3, -4, 12}));
+  EXPECT_EQ(limited({0, 1, 0}, at(40.0)), (Vec3{0, 1, 0}));
   EXPECT_NEAR(norm(limited({30, 0, 40}, at(40.0))), 15.0, 1e-12);
+}
+
+TEST(ThermalLimiter, FollowsTheTemperatureWithinFiftyMilliseconds) {
+  ThermalLimiter limiter{Limits{}};
+  limiter.limit({{15, 0, 0}}, at(60.0));
+  for (int tick = 0; tick < 50; ++tick) limiter.limit({{15, 0, 0}}, at(66.0));
+  const double filtered_c = 66.0 - 6.0 * std::pow(1.0 - 1.0 / 50.0, 50);
+  EXPECT_NEAR(limiter.allowed().value, allowed(filtered_c), 1e-9);
+}
+
+TEST(ThermalLimiter, AfterALongGapTakesTheTemperatureAsItIs) {
+  ThermalLimiter limiter{Limits{}};
+  limiter.limit({{15, 0, 0}}, at(30.0));
+  limiter.limit({{15, 0, 0}}, at(68.0), 0.5);
+  EXPECT_NEAR(limiter.allowed().value, 2.5, 1e-12);
+}
+
+TEST(ThermalLimiter, AllowsNoMoreThanItsCeiling) {
+  ThermalLimiter limiter{Limits{}};
+  for (const double ceiling_a : {7.0, 0.5, 0.0}) {
+    limiter.set_ceiling(Amps(ceiling_a));
+    EXPECT_NEAR(norm(limiter.limit({{12, 0, 9}}, at(30.0)).a()), ceiling_a, 1e-12);
+    EXPECT_EQ(limiter.allowed().value, ceiling_a);
+  }
+  for (const double none : {-1.0, kNan}) {
+    limiter.set_ceiling(Amps(none));
+    EXPECT_EQ(limiter.limit({{12, 0, 9}}, at(30.0)).a(), Vec3{});
+    EXPECT_EQ(limiter.allowed().value, 0.0);
+  }
+  ThermalLimiter hot{Limits{}};
+  hot.set_ceiling(Amps(7.0));
+  EXPECT_EQ(hot.limit({{12, 0, 9}}, at(68.0)).a(), (2.5 * Vec3{0.8, 0, 0.6})) << "the law is less";
+}
+
+TEST(ThermalLimiter, AThousandAmpereIsStillAWish) {
+  ThermalLimiter limiter{Limits{}};
+  EXPECT_EQ(limiter.limit({{1000, 0, 0}}, at(25.0)).a(), (Vec3{15, 0, 0}));
+  EXPECT_FALSE(limiter.rejected());
 }
 
 TEST(ThermalLimiter, WhatIsNotFiniteOrAbsurdBecomesZeroAndIsSaid) {

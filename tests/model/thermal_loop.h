@@ -16,16 +16,19 @@ namespace hedgehog::model {
 class ThermalLoop {
  public:
   /// `known` is what the device file says, `real` is the ball.
-  ThermalLoop(const PlantParameters& real, double room_c, const CoilModel& known = {})
-      : plant(real, room_c), known_(known) {
+  ThermalLoop(const PlantParameters& real, double ambient_c, const CoilModel& known = {})
+      : plant(real, ambient_c), known_(known) {
     thermal_.sensor_winding = real.sensor_winding;
     start_at(plant.heat());
   }
 
   void start_at(const ThermalState& heat) {
     plant.set_heat(heat);
-    observer = ThermalObserver(known_, thermal_, heat);
-    observer.trust_start({true, true, true});
+    ThermalStart start;
+    start.nodes = heat;
+    start.known = true;
+    start.measured.fill(true);
+    observer = ThermalObserver(known_, thermal_, start);
   }
 
   /// One tick at 1 ms with real voltages and currents. `sensor_c` is what the thermistor says.
@@ -98,8 +101,9 @@ class ThermalLoop {
     m.current_before_a = before;
     m.current_a = after;
     m.electrical_valid = true;
-    m.sensor_c = sensor_c;
-    m.sensor_valid = sensor_valid;
+    const auto own = static_cast<std::size_t>(thermal_.sensor_winding);
+    m.thermistors.celsius[own] = sensor_c;
+    m.thermistors.valid[own] = sensor_valid;
     m.fan_running = plant.fan_rpm() > 0.5 * plant.parameters().fan_full_rpm;
     observer.step(m, dt_s);
     bool above = sensor_valid && sensor_c >= 70.0;

@@ -18,9 +18,18 @@ namespace {
 ThermalMeasurement quiet(double sensor_c) {
   ThermalMeasurement m;
   m.electrical_valid = true;
-  m.sensor_c = sensor_c;
-  m.sensor_valid = true;
+  m.thermistors.celsius[0] = sensor_c;
+  m.thermistors.valid[0] = true;
   return m;
+}
+
+/// A ball that is known to be all at `celsius`.
+ThermalStart known(double celsius) {
+  ThermalStart start;
+  start.nodes = {{celsius, celsius, celsius}, celsius};
+  start.known = true;
+  start.measured.fill(true);
+  return start;
 }
 
 /// The measurement when winding `coil` of 0.45 ohm at 25 C carries `current` at `celsius`.
@@ -36,10 +45,30 @@ ThermalMeasurement carrying(int coil, double current, double celsius, double sen
 TEST(ThermalObserver, FindsAWindingThatBurnsWhileTheThermistorStaysCool) {
   ThermalObserver observer;
   for (int tick = 0; tick < 500; ++tick) observer.step(carrying(2, 5.0, 65.0, 25.0));
-  EXPECT_NEAR(observer.estimate().nodes.winding_c[2], 65.0, 0.5);
-  EXPECT_NEAR(observer.estimate().hottest_c, 65.0, 0.5);
+  // Nothing is known of it but V/I and a resistance that may be off by some per cent.
+  EXPECT_GT(observer.estimate().upper_c[2], 65.0);
+  EXPECT_GT(observer.estimate().hottest_c, 65.0);
   EXPECT_NEAR(observer.estimate().resistance_ohm[2], resistance_at(Ohms(0.45), Celsius(65.0)).value,
               0.001);
+}
+
+// Neither floor believes the filter, nor each other.
+TEST(ThermalObserver, TheBoundStandsOnResistanceWhereTheFilterDoesNotUseIt) {
+  ThermalObserver observer(CoilModel{}, ThermalModel{}, known(25.0));
+  for (int tick = 0; tick < 1000; ++tick) observer.step(carrying(1, 10.0, 25.0, 25.0));
+  ASSERT_TRUE(observer.winding(1).referenced());
+  for (int tick = 0; tick < 1000; ++tick) observer.step(carrying(1, 10.0, 68.0, 25.0));
+  EXPECT_FALSE(observer.judgement(1).resistance.used);
+  EXPECT_LT(observer.filter().winding_c(1), 40.0);
+  EXPECT_GT(observer.estimate().upper_c[1], 66.0);
+}
+
+TEST(ThermalObserver, TheBoundStandsOnEnergyWhereResistanceAndThermistorSeeNone) {
+  ThermalObserver observer(CoilModel{}, ThermalModel{}, known(25.0));
+  for (int tick = 0; tick < 25'000; ++tick) observer.step(carrying(1, 15.0, 25.0, 25.0));
+  // 100 W into 59 J/K, both 20 % in its favour, and some into the core.
+  EXPECT_GT(observer.estimate().upper_c[1], 45.0);
+  EXPECT_GT(observer.estimate().hottest_c, 45.0);
 }
 
 TEST(ThermalObserver, MarksAWindingMeasuredWithinTensOfMillisecondsAndOnlyThatOne) {
@@ -54,22 +83,22 @@ TEST(ThermalObserver, MarksAWindingMeasuredWithinTensOfMillisecondsAndOnlyThatOn
 }
 
 TEST(ThermalObserver, TheThermistorCountsWithALeadOfTwoSeconds) {
-  ThermalObserver observer(CoilModel{}, ThermalModel{}, {{30, 30, 30}, 30});
+  ThermalObserver observer(CoilModel{}, ThermalModel{}, known(30.0));
   double body_c = 30.0;
   for (int tick = 0; tick < 10'000; ++tick) {
     body_c += 1.5e-3;  // 1.5 K/s
     observer.step(quiet(body_c));
   }
   EXPECT_NEAR(observer.estimate().sensor_lead_c, body_c + 3.0, 0.1);
-  EXPECT_GE(observer.estimate().hottest_c, observer.estimate().sensor_lead_c);
+  EXPECT_GT(observer.estimate().hottest_c, body_c + 0.4);
 }
 
 TEST(ThermalObserver, ASilentThermistorNeverMakesItCoolerAndSoonCountsAsHot) {
-  ThermalObserver observer(CoilModel{}, ThermalModel{}, {{50, 50, 50}, 50});
+  ThermalObserver observer(CoilModel{}, ThermalModel{}, known(50.0));
   for (int tick = 0; tick < 3000; ++tick) observer.step(quiet(58.0));
   const double before = observer.estimate().hottest_c;
   ThermalMeasurement silent = quiet(20.0);
-  silent.sensor_valid = false;
+  silent.thermistors.valid[0] = false;
   for (int tick = 0; tick < 90; ++tick) {
     observer.step(silent);
     EXPECT_GE(observer.estimate().hottest_c, before - 0.05);
@@ -77,7 +106,8 @@ TEST(ThermalObserver, ASilentThermistorNeverMakesItCoolerAndSoonCountsAsHot) {
   for (int tick = 0; tick < 20; ++tick) observer.step(silent);
   EXPECT_TRUE(std::isinf(observer.estimate().hottest_c));
   for (int tick = 0; tick < 10; ++tick) observer.step(quiet(57.0));
-  EXPECT_NEAR(observer.estimate().hottest_c, 57.5, 1.0) << "and it comes back";
+  EXPECT_LT(observer.estimate().hottest_c, 62.0) << "and it comes back";
+  EXPECT_GT(observer.estimate().hottest_c, 57.0);
 }
 
 TEST(ThermalObserver, WithoutAnyThermistorFromTheStartNothingIsTrusted) {
@@ -88,7 +118,7 @@ TEST(ThermalObserver, WithoutAnyThermistorFromTheStartNothingIsTrusted) {
 }
 
 TEST(ThermalObserver, NumbersThatAreNotFiniteLeaveTheEstimateFinite) {
-  ThermalObserver observer;
+  ThermalObserver observer(CoilModel{}, ThermalModel{}, known(45.0));
   for (int tick = 0; tick < 200; ++tick) observer.step(carrying(0, 5.0, 45.0, 44.0));
   for (const double bad : {kNan, kInfinity, -kInfinity, 1e200}) {
     ThermalMeasurement m = carrying(0, 5.0, 45.0, 44.0);
@@ -98,33 +128,70 @@ TEST(ThermalObserver, NumbersThatAreNotFiniteLeaveTheEstimateFinite) {
     m.voltage_v.y = bad == 1e200 ? kNan : bad;
     observer.step(m);
     m = carrying(0, 5.0, 45.0, 44.0);
-    m.sensor_c = bad == 1e200 ? kNan : bad;
+    m.thermistors.celsius[0] = bad == 1e200 ? kNan : bad;
     observer.step(m);
   }
   for (int tick = 0; tick < 200; ++tick) observer.step(carrying(0, 5.0, 45.0, 44.0));
   EXPECT_NEAR(observer.estimate().nodes.winding_c[0], 45.0, 0.5);
   EXPECT_TRUE(std::isfinite(observer.estimate().hottest_c));
-  EXPECT_TRUE(std::isfinite(observer.estimate().room_c));
+  EXPECT_TRUE(std::isfinite(observer.estimate().ambient_c));
+}
+
+TEST(ThermalObserver, AResistanceThatCannotBeStaysWithinAFactorOfTwo) {
+  ThermalObserver observer(CoilModel{}, ThermalModel{}, known(25.0));
+  for (const double factor : {-1.0, 0.0, 0.01, 100.0}) {
+    for (int tick = 0; tick < 1000; ++tick) {
+      ThermalMeasurement m = carrying(1, 10.0, 25.0, 25.0);
+      m.voltage_v[1] *= factor;
+      observer.step(m);
+      EXPECT_GE(observer.estimate().resistance_ohm[1], 0.45 / 2.5) << factor;
+      EXPECT_LE(observer.estimate().resistance_ohm[1], 0.45 * 2.5) << factor;
+    }
+  }
+}
+
+// A saved temperature that the thermistor contradicts tells nothing of the other windings.
+TEST(ThermalObserver, AStartThatIsKnownToAKelvinMakesAReferenceAndNoOther) {
+  for (const double deviation_k : {0.3, 5.0}) {
+    ThermalStart start = known(60.0);
+    start.deviation_k = deviation_k;
+    ThermalObserver observer(CoilModel{}, ThermalModel{}, start);
+    for (int tick = 0; tick < 1000; ++tick) observer.step(carrying(1, 10.0, 60.0, 60.0));
+    EXPECT_EQ(observer.winding(1).referenced(), deviation_k < 1.0) << deviation_k;
+  }
+}
+
+TEST(ThermalObserver, AThermistorThatIsWarmIsNeverCappedWhileNothingIsKnown) {
+  ThermalStart start;
+  start.nodes = {{68.0, 68.0, 68.0}, 68.0};
+  ThermalObserver guessed(CoilModel{}, ThermalModel{}, start);
+  guessed.step(quiet(68.0));
+  EXPECT_GE(guessed.estimate().hottest_c, 68.0);
+  ThermalObserver cold;
+  for (int tick = 0; tick < 100; ++tick) cold.step(quiet(68.0));
+  EXPECT_TRUE(cold.settling());
+  EXPECT_GE(cold.estimate().hottest_c, 68.0);
+  EXPECT_GE(cold.estimate().upper_c[0], 68.0);
 }
 
 TEST(ThermalObserver, ALooseThermistorCoolsItsWindingOnlySlowly) {
-  ThermalObserver observer(CoilModel{}, ThermalModel{}, {{60, 60, 60}, 60});
+  ThermalObserver observer(CoilModel{}, ThermalModel{}, known(60.0));
   ThermalObserver without = observer;
   for (int tick = 0; tick < 10'000; ++tick) {
     observer.step(quiet(25.0));
-    without.step(quiet(without.estimate().expected_sensor_c));
+    without.step(quiet(without.filter().thermistor_c(0)));
   }
   EXPECT_GT(observer.estimate().nodes.winding_c[0], without.estimate().nodes.winding_c[0] - 0.5);
 }
 
 TEST(ThermalObserver, LearnsARoomThatWasGuessedWrong) {
   Plant plant(PlantParameters{}, 31.0);
-  ThermalObserver observer(CoilModel{}, ThermalModel{}, ThermalState{});
+  ThermalObserver observer(CoilModel{}, ThermalModel{}, known(25.0));
   for (int step = 0; step < 3 * 3600 * 50; ++step) {
     plant.step_thermal({}, 0.0, 20e-3);
     observer.step(quiet(plant.sensor_c()), 20e-3);
   }
-  EXPECT_NEAR(observer.estimate().room_c, 31.0, 1.0);
+  EXPECT_NEAR(observer.estimate().ambient_c, 31.0, 1.0);
   EXPECT_NEAR(observer.estimate().nodes.core_c, 31.0, 1.0);
 }
 
@@ -132,14 +199,14 @@ TEST(ThermalObserver, AtRestWithFiveAmpereCoreAndRoomStayRight) {
   ThermalLoop loop(PlantParameters{}, 25.0);
   for (int step = 0; step < 3600 * 50; ++step) loop.coarse_tick({0, 0, 5});
   EXPECT_NEAR(loop.observer.estimate().nodes.core_c, loop.plant.heat().core_c, 0.5);
-  EXPECT_NEAR(loop.observer.estimate().room_c, 25.0, 0.5);
+  EXPECT_NEAR(loop.observer.estimate().ambient_c, 25.0, 0.5);
 }
 
-/// Ten minutes of random currents on a random ball. `worst_k` is the largest error of a winding
-/// that has been driven above 1.5 A for a second, `lowest_k` the worst underestimate of any other.
+/// Ten minutes of random currents on a random ball: the largest error of a winding that has been
+/// driven above 1.5 A for a second, and how far the worst of all was above its bound.
 struct Errors {
   double worst_k = 0.0;
-  double lowest_k = 0.0;
+  double above_bound_k = -kInfinity;
 };
 
 Errors observe_random_ball(std::uint64_t seed) {
@@ -161,22 +228,21 @@ Errors observe_random_ball(std::uint64_t seed) {
     for (int coil = 0; coil < kCoils; ++coil) {
       const auto i = static_cast<std::size_t>(coil);
       driven_s[i] = std::abs(loop.driven[coil]) > 1.5 ? driven_s[i] + 20e-3 : 0.0;
-      const double error_k =
-          loop.observer.estimate().nodes.winding_c[i] - loop.plant.heat().winding_c[i];
+      const ThermalEstimate& estimate = loop.observer.estimate();
+      const double real_c = loop.plant.heat().winding_c[i];
       if (driven_s[i] > 1.0)
-        errors.worst_k = std::max(errors.worst_k, std::abs(error_k));
-      else
-        errors.lowest_k = std::min(errors.lowest_k, error_k);
+        errors.worst_k = std::max(errors.worst_k, std::abs(estimate.nodes.winding_c[i] - real_c));
+      errors.above_bound_k = std::max(errors.above_bound_k, real_c - estimate.upper_c[i]);
     }
   }
   return errors;
 }
 
-RC_GTEST_PROP(ThermalObserver, IsWithinOneKelvinOfADrivenWindingOnAnyBall, ()) {
+RC_GTEST_PROP(ThermalObserver, ItsBoundHoldsOnAnyBall, ()) {
   const auto seed = *rc::gen::arbitrary<std::uint64_t>();
   const Errors errors = observe_random_ball(seed);
-  RC_ASSERT(errors.worst_k < 1.0);
-  RC_ASSERT(errors.lowest_k > -6.0);
+  RC_ASSERT(errors.worst_k < 2.5);
+  RC_ASSERT(errors.above_bound_k < 0.0);
 }
 
 }  // namespace

@@ -17,8 +17,8 @@ RpcError no_pulse(std::string_view more) {
 }
 
 TEST(EffectParams, DirectionsAreKeptAsTheyWereSaid) {
-  const auto direction = [](std::string_view said) {
-    return accepted<EffectStart>("effect.pulse", R"({"direction":)" + std::string(said) + "}")
+  const auto direction = [](std::string_view given) {
+    return accepted<EffectStart>("effect.pulse", R"({"direction":)" + std::string(given) + "}")
         .params.direction.value();
   };
   EXPECT_EQ(direction("\"left\""), Direction{Word::kLeft});
@@ -30,9 +30,9 @@ TEST(EffectParams, DirectionsAreKeptAsTheyWereSaid) {
 }
 
 TEST(EffectParams, DirectionsThatAreNone) {
-  const auto field = [](std::string_view said) {
-    const RpcError error = refused("effect.pulse", R"({"direction":)" + std::string(said) + "}");
-    EXPECT_EQ(error.code, ErrorCode::kInvalidParams) << said;
+  const auto field = [](std::string_view given) {
+    const RpcError error = refused("effect.pulse", R"({"direction":)" + std::string(given) + "}");
+    EXPECT_EQ(error.code, ErrorCode::kInvalidParams) << given;
     return error.field.value_or("");
   };
   EXPECT_EQ(field("[0,0,0]"), "direction");
@@ -86,15 +86,15 @@ class Bounds : public testing::TestWithParam<Bound> {};
 
 TEST_P(Bounds, BothEndsAreAllowedAndNothingBeyond) {
   const Bound& bound = GetParam();
-  const auto said = [&](double value) {
+  const auto given = [&](double value) {
     return R"({"axis":"up",")" + bound.field + "\":" + std::to_string(value) + "}";
   };
-  accepted<EffectStart>("effect.circle", said(bound.low));
-  accepted<EffectStart>("effect.circle", said(bound.high));
-  const RpcError below = refused("effect.circle", said(bound.low - bound.step));
+  accepted<EffectStart>("effect.circle", given(bound.low));
+  accepted<EffectStart>("effect.circle", given(bound.high));
+  const RpcError below = refused("effect.circle", given(bound.low - bound.step));
   EXPECT_EQ(below.field, bound.field);
   EXPECT_THAT(below.message, HasSubstr(" is below "));
-  const RpcError above = refused("effect.circle", said(bound.high + bound.step));
+  const RpcError above = refused("effect.circle", given(bound.high + bound.step));
   EXPECT_EQ(above.field, bound.field);
   EXPECT_THAT(above.message, HasSubstr(" is above "));
   EXPECT_TRUE(above.limit && above.value);
@@ -173,18 +173,14 @@ TEST(EffectParams, FinishOnCloseIsForShortEffects) {
 TEST(EffectParams, SlotHasOneToThirtyTwoCharacters) {
   EXPECT_EQ(pulse(R"("slot":"engine")").slot, "engine");
   std::string umlauts;
-  for (int i = 0; i < 32; ++i) {
-    umlauts += "ü";
-  }
+  for (int i = 0; i < 32; ++i) umlauts += "ü";
   EXPECT_EQ(pulse("\"slot\":\"" + umlauts + "\"").slot, umlauts);
   EXPECT_EQ(no_pulse("\"slot\":\"" + umlauts + "u\"").message,
             "slot: has 33 characters, more than 32");
   EXPECT_EQ(no_pulse(R"("slot":"")").field, "slot");
-  for (const char* unprintable :
-       {R"("slot":"a\nb")", R"("slot":"\u001b[31m")", R"("slot":"\u0000")", R"("slot":"\u007f")",
-        R"("slot":"\u0085")"}) {
+  for (const char* unprintable : {R"("slot":"a\nb")", R"("slot":"\u001b[31m")",
+                                  R"("slot":"\u0000")", R"("slot":"\u007f")", R"("slot":"\u0085")"})
     EXPECT_EQ(no_pulse(unprintable).message, "slot: has a control character");
-  }
   EXPECT_EQ(pulse(R"("slot":"\u00a0")").slot, "\u00a0");
   EXPECT_EQ(no_pulse(R"("slot":5)").message, "slot: must be a string, not a number");
 }

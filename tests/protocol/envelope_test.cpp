@@ -12,11 +12,10 @@ TEST(Envelope, IdComesBackAsItWasSent) {
     const Item item = only(R"({"jsonrpc":"2.0","id":)" + id + R"(,"method":"ping"})");
     ASSERT_TRUE(item.id.has_value()) << id;
     EXPECT_TRUE(item.request.has_value());
-    if (id != "\"\\u00e4\"") {
+    if (id != "\"\\u00e4\"")
       EXPECT_EQ(item.id->json, id);
-    } else {
+    else
       EXPECT_EQ(item.id->json, "\"ä\"");
-    }
   }
 }
 
@@ -69,9 +68,8 @@ TEST(Envelope, WhatIsNotJsonIsAParseError) {
         "[\"\xed\xa0\x80\"]",
         "POST /ws HTTP/1.1",
         "{\"a\":1,\"a\":2}",
-        "{\"jsonrpc\":\"2.0\",\"id\":1,\"method\":\"ping\",\"params\":{\"x\":1,\"x\":1}}"}) {
+        "{\"jsonrpc\":\"2.0\",\"id\":1,\"method\":\"ping\",\"params\":{\"x\":1,\"x\":1}}"})
     EXPECT_EQ(refused_line(line).code, ErrorCode::kParseError) << line;
-  }
 }
 
 TEST(Envelope, AParseErrorSaysWhere) {
@@ -88,9 +86,7 @@ TEST(Envelope, NestingIsBoundedHoweverLongTheLine) {
   EXPECT_THAT(refused_line(nested(kMaxLineBytes / 2)).message, HasSubstr("nested"));
   EXPECT_EQ(refused_line(std::string(kMaxLineBytes, '[')).code, ErrorCode::kParseError);
   std::string objects;
-  for (int i = 0; i < 10'000; ++i) {
-    objects += "{\"a\":";
-  }
+  for (int i = 0; i < 10'000; ++i) objects += "{\"a\":";
   EXPECT_EQ(refused_line(objects).code, ErrorCode::kParseError);
   // a batch of one list: not too deep, but no request
   EXPECT_EQ(decode_line("[[]]").items.at(0).request.error().code, ErrorCode::kInvalidRequest);
@@ -101,9 +97,8 @@ TEST(Envelope, WhatIsJsonButNoRequestIsAnInvalidRequest) {
        {"null", "1", "\"ping\"", "true", "{}", R"({"method":"ping"})",
         R"({"jsonrpc":"1.0","method":"ping"})", R"({"jsonrpc":2.0,"method":"ping"})",
         R"({"jsonrpc":"2.0"})", R"({"jsonrpc":"2.0","method":5})",
-        R"({"jsonrpc":"2.0","result":{}})"}) {
+        R"({"jsonrpc":"2.0","result":{}})"})
     EXPECT_EQ(refused_line(line).code, ErrorCode::kInvalidRequest) << line;
-  }
   const Item item = only(R"({"jsonrpc":"2.0","id":9,"method":5})");
   EXPECT_EQ(item.id, Id::number(9));
 }

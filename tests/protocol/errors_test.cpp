@@ -53,9 +53,7 @@ TEST(Errors, EveryCodeHasItsNameAndNumber) {
                                                             {-32007, "refused_thermal"},
                                                             {-32008, "no_such_pattern"},
                                                             {-32009, "claimed"}};
-  for (const auto& [code, text] : documented) {
-    EXPECT_EQ(name(static_cast<ErrorCode>(code)), text);
-  }
+  for (const auto& [code, text] : documented) EXPECT_EQ(name(static_cast<ErrorCode>(code)), text);
 }
 
 TEST(Errors, ClientsGetThemBackWhole) {
@@ -90,9 +88,8 @@ TEST(Client, ReadsBatchesAndSkipsWhatItDoesNotKnow) {
 
 TEST(Client, WhatIsNoAnswerIsAnError) {
   for (const std::string line : {"", "HTTP/1.1 400", "{}", "[1]", R"({"id":1})",
-                                 R"({"method":"event","params":{"type":5}})"}) {
+                                 R"({"method":"event","params":{"type":5}})"})
     EXPECT_FALSE(decode_messages(line).has_value()) << line;
-  }
   // an error without its parts is still an error
   const auto bare = *decode_messages(R"({"id":1,"error":{}})");
   EXPECT_FALSE(std::get<Reply>(bare.at(0)).result.has_value());

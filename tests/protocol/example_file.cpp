@@ -20,12 +20,8 @@ bool is_anything(const Json& json) {
 }
 
 std::optional<double> number_of(const Json& json) {
-  if (const auto* whole = json.as<std::int64_t>()) {
-    return static_cast<double>(*whole);
-  }
-  if (const auto* number = json.as<double>()) {
-    return *number;
-  }
+  if (const auto* integer = json.as<std::int64_t>()) return static_cast<double>(*integer);
+  if (const auto* number = json.as<double>()) return *number;
   return std::nullopt;
 }
 
@@ -34,23 +30,14 @@ std::string compare(const Json& expected, const Json& actual, const std::string&
 std::string compare_objects(const Json& expected, const Json& actual, const std::string& path) {
   const bool open = expected.find(kAnything) != nullptr;
   for (const auto& [name, value] : *expected.as<Json::Object>()) {
-    if (name == kAnything) {
-      continue;
-    }
+    if (name == kAnything) continue;
     const std::string at = child_path(path, name);
     const Json* other = actual.find(name);
-    if (other == nullptr) {
-      return at + " is missing";
-    }
-    if (std::string different = compare(value, *other, at); !different.empty()) {
-      return different;
-    }
+    if (other == nullptr) return at + " is missing";
+    if (std::string different = compare(value, *other, at); !different.empty()) return different;
   }
-  for (const auto& [name, value] : *actual.as<Json::Object>()) {
-    if (!open && expected.find(name) == nullptr) {
-      return child_path(path, name) + " is not expected";
-    }
-  }
+  for (const auto& [name, value] : *actual.as<Json::Object>())
+    if (!open && expected.find(name) == nullptr) return child_path(path, name) + " is not expected";
   return {};
 }
 
@@ -60,22 +47,18 @@ std::string compare_lists(const Json::List& expected, const Json::List& actual,
   const bool open = expected.size() > 1 && is_anything(expected.back()) &&
                     !is_anything(expected[expected.size() - 2]);
   const std::size_t fixed = expected.size() - (open ? 1 : 0);
-  if (actual.size() < fixed || (!open && actual.size() != fixed)) {
+  if (actual.size() < fixed || (!open && actual.size() != fixed))
     return path + " has " + std::to_string(actual.size()) + " items";
-  }
   for (std::size_t i = 0; i < fixed; ++i) {
     const std::string at = path + "[" + std::to_string(i) + "]";
-    if (std::string different = compare(expected[i], actual[i], at); !different.empty()) {
+    if (std::string different = compare(expected[i], actual[i], at); !different.empty())
       return different;
-    }
   }
   return {};
 }
 
 std::string compare(const Json& expected, const Json& actual, const std::string& path) {
-  if (is_anything(expected)) {
-    return {};
-  }
+  if (is_anything(expected)) return {};
   std::string differs = path + " is " + to_text(actual) + ", not " + to_text(expected);
   const auto wanted = number_of(expected);
   const auto got = number_of(actual);
@@ -83,15 +66,10 @@ std::string compare(const Json& expected, const Json& actual, const std::string&
     constexpr double kEqual = 1e-9;
     return std::fabs(*wanted - *got) <= kEqual ? std::string() : differs;
   }
-  if (expected.value.index() != actual.value.index()) {
-    return differs;
-  }
-  if (expected.as<Json::Object>() != nullptr) {
-    return compare_objects(expected, actual, path);
-  }
-  if (const auto* list = expected.as<Json::List>()) {
+  if (expected.value.index() != actual.value.index()) return differs;
+  if (expected.as<Json::Object>() != nullptr) return compare_objects(expected, actual, path);
+  if (const auto* list = expected.as<Json::List>())
     return compare_lists(*list, *actual.as<Json::List>(), path);
-  }
   return to_text(expected) == to_text(actual) ? std::string() : differs;
 }
 
@@ -106,17 +84,14 @@ std::vector<Example> read_examples(std::string_view markdown) {
     ++number;
     if (line.starts_with("```")) {
       inside = !inside && line == "```hedgehog";
-      if (inside) {
-        examples.emplace_back();
-      }
+      if (inside) examples.emplace_back();
       continue;
     }
     constexpr std::string_view kSent = "→ ";
     constexpr std::string_view kReceived = "← ";
     const bool sent = line.starts_with(kSent);
-    if (inside && (sent || line.starts_with(kReceived))) {
+    if (inside && (sent || line.starts_with(kReceived)))
       examples.back().lines.push_back({sent, line.substr(kSent.size()), number});
-    }
   }
   return examples;
 }
@@ -135,9 +110,7 @@ std::string mismatch(const Json& expected, const Json& actual) {
 std::string mismatch(std::string_view expected, std::string_view actual) {
   const auto wanted = parse_json(expected, kNesting);
   const auto got = parse_json(actual, kNesting);
-  if (!wanted || !got) {
-    return !wanted ? "what is expected is not JSON" : "what came is not JSON";
-  }
+  if (!wanted || !got) return !wanted ? "what is expected is not JSON" : "what came is not JSON";
   return mismatch(*wanted, *got);
 }
 

@@ -9,7 +9,9 @@ namespace {
 
 bool coin() { return *rc::gen::inRange(0, 2) == 1; }
 
-std::int64_t whole(std::int64_t low, std::int64_t high) { return *rc::gen::inRange(low, high + 1); }
+std::int64_t integer(std::int64_t low, std::int64_t high) {
+  return *rc::gen::inRange(low, high + 1);
+}
 
 double between(double low, double high) {
   constexpr int kSteps = 1'000'000;
@@ -17,16 +19,14 @@ double between(double low, double high) {
 }
 
 template <class E>
-E word() {
+E enumerator() {
   const auto count = static_cast<int>(names_of(E{}).size());
   return static_cast<E>(*rc::gen::inRange(0, count));
 }
 
 template <class T, class Make>
 void maybe(std::optional<T>& field, Make make) {
-  if (coin()) {
-    field = make();
-  }
+  if (coin()) field = make();
 }
 
 std::string slot() {
@@ -41,9 +41,9 @@ Direction direction() {
     case 1:
       return Angles{between(-360, 360), between(-90, 90)};
     case 2:
-      return PinNumber{whole(0, 85)};
+      return PinNumber{integer(0, 85)};
     default:
-      return word<Word>();
+      return enumerator<Word>();
   }
 }
 
@@ -54,14 +54,14 @@ model::Quaternion quaternion() {
 }
 
 std::vector<Keyframe> keyframes() {
-  std::vector<Keyframe> made(static_cast<std::size_t>(whole(1, 6)));
+  std::vector<Keyframe> made(static_cast<std::size_t>(integer(1, 6)));
   std::int64_t t_ms = 0;
   for (Keyframe& k : made) {
-    t_ms += whole(1, 9000);
+    t_ms += integer(1, 9000);
     k.t_ms = t_ms;
     k.level = between(0, 1);
     maybe(k.direction, direction);
-    maybe(k.ease, word<model::Ease>);
+    maybe(k.ease, enumerator<model::Ease>);
   }
   return made;
 }
@@ -72,8 +72,9 @@ std::string pattern_name() {
 
 Pattern pattern() {
   Pattern made{.name = pattern_name(), .description = slot(), .keyframes = keyframes()};
-  maybe(made.waveform, word<model::Waveform>);
-  maybe(made.frequency_hz, [] { return between(0.5, 250); });
+  maybe(made.waveform, enumerator<model::Waveform>);
+  maybe(
+      made.frequency_hz, [] { return between(0.5, 250); });
   maybe(made.on_fraction, [] { return between(0.05, 0.95); });
   return made;
 }
@@ -81,16 +82,16 @@ Pattern pattern() {
 void fill_end(EffectParams& p, std::int64_t default_ms) {
   const int kind = *rc::gen::inRange(0, 3);
   if (kind == 1) {
-    p.lease_ms = whole(kMinLeaseMs, kMaxLeaseMs);
-    maybe(p.attack_ms, [] { return whole(0, 10'000); });
+    p.lease_ms = integer(kMinLeaseMs, kMaxLeaseMs);
+    maybe(p.attack_ms, [] { return integer(0, 10'000); });
     return;
   }
-  if (kind == 2) {
-    p.duration_ms = whole(1, kMaxDurationMs);
-  }
+  if (kind == 2) p.duration_ms = integer(1, kMaxDurationMs);
   const std::int64_t duration = p.duration_ms.value_or(default_ms);
-  maybe(p.attack_ms, [&] { return whole(0, duration); });
-  maybe(p.fade_ms, [&] { return whole(0, duration - p.attack_ms.value_or(0)); });
+  maybe(
+      p.attack_ms, [&] { return integer(0, duration); });
+  maybe(
+      p.fade_ms, [&] { return integer(0, duration - p.attack_ms.value_or(0)); });
   maybe(p.on_close,
         [&] { return coin() && duration <= kMaxFinishMs ? OnClose::kFinish : OnClose::kStop; });
 }
@@ -100,27 +101,26 @@ EffectParams effect_params(Method method) {
   const bool circle = method == Method::kEffectCircle;
   const bool update = method == Method::kEffectUpdate;
   const bool play = method == Method::kEffectPlay;
-  if (method == Method::kEffectPulse || method == Method::kEffectHold) {
+  if (method == Method::kEffectPulse || method == Method::kEffectHold)
     p.direction = direction();
-  } else if (!circle && !play) {
+  else if (!circle && !play)
     maybe(p.direction, direction);
-  }
   if (play || update) {
-    if (coin()) {
+    if (coin())
       p.pattern = pattern_name();
-    } else if (play || coin()) {
+    else if (play || coin())
       p.keyframes = keyframes();
-    }
     maybe(p.rotate_to, direction);
     maybe(p.rate, [] { return between(0.1, 10); });
     maybe(p.loop, coin);
   }
   if (circle || update) {
     maybe(p.axis, direction);
-    maybe(p.ring_deg, [] { return between(0, 180); });
+    maybe(
+        p.ring_deg, [] { return between(0, 180); });
     maybe(p.speed_pins_s, [] { return between(0.1, 100); });
-    maybe(p.sense, word<Sense>);
-    maybe(p.stepping, word<Stepping>);
+    maybe(p.sense, enumerator<Sense>);
+    maybe(p.stepping, enumerator<Stepping>);
   }
   switch (*rc::gen::inRange(0, 4)) {
     case 0:
@@ -135,20 +135,22 @@ EffectParams effect_params(Method method) {
     default:
       break;
   }
-  maybe(p.frame, word<model::Frame>);
+  maybe(p.frame, enumerator<model::Frame>);
   maybe(p.gain, [] { return between(0, 1); });
-  if (coin()) {
-    maybe(p.start_at_ns, [] { return whole(0, std::int64_t{1} << 60); });
-  } else {
-    maybe(p.delay_ms, [] { return whole(0, 10'000); });
-  }
-  maybe(p.attack_level, [] { return between(0, 1); });
+  if (coin())
+    maybe(p.start_at_ns, [] { return integer(0, std::int64_t{1} << 60); });
+  else
+    maybe(
+        p.delay_ms, [] { return integer(0, 10'000); });
+  maybe(
+      p.attack_level, [] { return between(0, 1); });
   maybe(p.fade_level, [] { return between(0, 1); });
-  maybe(p.waveform, word<model::Waveform>);
-  maybe(p.frequency_hz, [] { return between(0.5, 250); });
+  maybe(p.waveform, enumerator<model::Waveform>);
+  maybe(
+      p.frequency_hz, [] { return between(0.5, 250); });
   maybe(p.on_fraction, [] { return between(0.05, 0.95); });
   if (method == Method::kEffectHold) {
-    p.lease_ms = whole(kMinLeaseMs, kMaxLeaseMs);
+    p.lease_ms = integer(kMinLeaseMs, kMaxLeaseMs);
   } else {
     fill_end(p, method == Method::kEffectPulse ? 150 : 1000);
     if (p.loop.value_or(false) && !p.duration_ms) {
@@ -156,19 +158,19 @@ EffectParams effect_params(Method method) {
       p.on_close.reset();
     }
   }
-  maybe(p.priority, [] { return whole(0, 9); });
-  maybe(p.if_limited, word<IfLimited>);
+  maybe(p.priority, [] { return integer(0, 9); });
+  maybe(p.if_limited, enumerator<IfLimited>);
   return p;
 }
 
 EffectStart start() {
-  const Method method = method_of(word<model::EffectMethod>());
+  const Method method = method_of(enumerator<model::EffectMethod>());
   EffectStart made{method, effect_params(method)};
   maybe(made.params.slot, slot);
   return made;
 }
 
-EffectNumber number() { return static_cast<EffectNumber>(whole(1, 4'294'967'295)); }
+EffectNumber number() { return static_cast<EffectNumber>(integer(1, 4'294'967'295)); }
 
 ThermalForecast forecast() {
   ThermalForecast made;
@@ -191,8 +193,8 @@ TelemetrySubscribe telemetry() {
   made.rate_hz = between(0.1, 200);
   if (coin()) {
     made.fields = {};
-    made.fields.add(word<StatusKey>());
-    made.fields.add(word<StatusKey>());
+    made.fields.add(enumerator<StatusKey>());
+    made.fields.add(enumerator<StatusKey>());
   }
   return made;
 }
@@ -200,8 +202,15 @@ TelemetrySubscribe telemetry() {
 SimSet sim_set() {
   SimSet made;
   maybe(made.orientation, quaternion);
-  maybe(made.ambient_c, [] { return between(-20, 60); });
-  maybe(made.fault, [] { return SimFault{{"fan_stopped", "sensor_open"}, whole(0, 2)}; });
+  maybe(
+      made.ambient_c, [] { return between(-20, 60); });
+  maybe(
+      made.errors,
+      [] {
+        return std::vector<SimError>{{"current_gain", integer(0, 2), 1.05, 120.0},
+                                     {"cooling_gain", std::nullopt, 0.5, 0.0}};
+      });
+  maybe(made.fault, [] { return SimFault{{"fan_stopped", "sensor_open"}, integer(0, 2)}; });
   return made;
 }
 
@@ -212,17 +221,16 @@ Request filled(Request request) {
     maybe(hello->token, slot);
   } else if (auto* update = std::get_if<EffectUpdate>(&request)) {
     update->params = effect_params(Method::kEffectUpdate);
-    if (coin()) {
+    if (coin())
       update->effect = number();
-    } else {
+    else
       update->params.slot = slot();
-    }
   } else if (auto* stop = std::get_if<EffectStop>(&request)) {
     coin() ? void(stop->effect = number()) : void(stop->slot = slot());
   } else if (auto* all = std::get_if<EffectStopAll>(&request)) {
-    all->scope = word<Scope>();
+    all->scope = enumerator<Scope>();
   } else if (auto* claim = std::get_if<DeviceClaim>(&request)) {
-    claim->lease_ms = whole(kMinLeaseMs, kMaxLeaseMs);
+    claim->lease_ms = integer(kMinLeaseMs, kMaxLeaseMs);
   } else if (auto* gain = std::get_if<OutputSetGain>(&request)) {
     gain->gain = between(0, 1);
   } else if (auto* orientation = std::get_if<OrientationSet>(&request)) {
@@ -231,13 +239,13 @@ Request filled(Request request) {
     recenter->azimuth_deg = between(-360, 360);
   } else if (auto* events = std::get_if<EventsSubscribe>(&request)) {
     events->types = coin() ? std::vector<std::string>{"overrun"} : std::vector<std::string>{};
-    events->scope = word<Scope>();
+    events->scope = enumerator<Scope>();
   } else if (auto* preview = std::get_if<EffectPreview>(&request)) {
     preview->start = start();
   } else if (auto* history = std::get_if<EventsHistory>(&request)) {
     maybe(history->since, [] { return std::string("2026-11-20T23:14:07.5+01:00"); });
     history->types = coin() ? std::vector<std::string>{"overrun"} : std::vector<std::string>{};
-    history->limit = whole(1, 1000);
+    history->limit = integer(1, 1000);
   } else if (auto* put = std::get_if<PatternPut>(&request)) {
     put->pattern = pattern();
   } else if (auto* get = std::get_if<PatternGet>(&request)) {
@@ -268,9 +276,8 @@ rc::Gen<Request> random_request() {
 std::vector<std::string> parameter_names(Method method) {
   const Json schema = schema_of_params(method);
   std::vector<std::string> names;
-  for (const auto& [name, property] : *schema.find("properties")->as<Json::Object>()) {
+  for (const auto& [name, property] : *schema.find("properties")->as<Json::Object>())
     names.push_back(name);
-  }
   return names;
 }
 

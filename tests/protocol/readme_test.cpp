@@ -47,25 +47,19 @@ TEST_F(Readme, EveryMethodHasAnExampleAndEveryParameterIsNamed) {
   std::set<Method> shown;
   for (const Example& example : examples_) {
     for (const ExampleLine& line : example.lines) {
-      for (const Item& item : line.sent ? decode_line(line.text).items : std::vector<Item>{}) {
-        if (item.method) {
-          shown.insert(*item.method);
-        }
-      }
+      for (const Item& item : line.sent ? decode_line(line.text).items : std::vector<Item>{})
+        if (item.method) shown.insert(*item.method);
     }
   }
   for (const MethodInfo& row : kMethods) {
     EXPECT_TRUE(shown.contains(row.method)) << row.name;
-    for (const std::string& parameter : parameter_names(row.method)) {
+    for (const std::string& parameter : parameter_names(row.method))
       EXPECT_NE(text.find("`" + parameter + "`"), std::string::npos) << row.name << parameter;
-    }
   }
-  for (const std::string_view type : kEventTypes) {
+  for (const std::string_view type : kEventTypes)
     EXPECT_NE(text.find("`" + std::string(type) + "`"), std::string::npos) << type;
-  }
-  for (const std::string_view key : kStatusKeyNames) {
+  for (const std::string_view key : kStatusKeyNames)
     EXPECT_NE(text.find("`" + std::string(key) + "`"), std::string::npos) << key;
-  }
 }
 
 /// What an answer must be, by the text of its id.
@@ -99,25 +93,21 @@ TEST_F(Readme, AnswersAreWhatTheCodeAndTheSchemaSay) {
             const bool batch = json->as<Json::List>() != nullptr;
             EXPECT_EQ(batch ? "" : violation(messages_, "Request", *json), "") << line.number;
           }
-          if (item.id) {
+          if (item.id)
             asked.insert_or_assign(item.id->json, std::move(item));
-          } else {
+          else
             EXPECT_TRUE(item.request.has_value()) << "line " << line.number;
-          }
         }
         continue;
       }
       const Result<Json> json = parse_json(line.text, 64);
       ASSERT_TRUE(json.has_value()) << "line " << line.number;
-      if (json->find("method") != nullptr) {
+      if (json->find("method") != nullptr)
         EXPECT_EQ(violation(messages_, "Notification", *json), "") << line.number;
-      } else if (const auto* batch = json->as<Json::List>()) {
-        for (const Json& one : *batch) {
-          check_answer(messages_, one, asked, line.number);
-        }
-      } else {
+      else if (const auto* batch = json->as<Json::List>())
+        for (const Json& one : *batch) check_answer(messages_, one, asked, line.number);
+      else
         check_answer(messages_, *json, asked, line.number);
-      }
     }
   }
 }
@@ -149,9 +139,8 @@ TEST_F(Readme, EquivalentsPointWhereTheirTestVectorsSay) {
     const std::smatch& match = *it;
     const auto theirs = parse_json("[" + match[2].str() + "]", 2)->value;
     Vector from{};
-    for (std::size_t i = 0; i < from.size(); ++i) {
+    for (std::size_t i = 0; i < from.size(); ++i)
       from[i] = static_cast<double>(*std::get<Json::List>(theirs)[i].as<std::int64_t>());
-    }
     const Vector to = formulas.at(match[1].str())(from);
     std::string written = "[";
     for (const double part : to) {

@@ -12,9 +12,7 @@ TEST(Methods, TableIsSortedAndAddressedByTheEnumerator) {
   for (std::size_t i = 0; i < kMethods.size(); ++i) {
     EXPECT_EQ(static_cast<std::size_t>(kMethods[i].method), i);
     EXPECT_EQ(method_named(kMethods[i].name), kMethods[i].method);
-    if (i > 0) {
-      EXPECT_LT(kMethods[i - 1].name, kMethods[i].name);
-    }
+    if (i > 0) EXPECT_LT(kMethods[i - 1].name, kMethods[i].name);
   }
   EXPECT_EQ(method_named("effect.pulsee"), std::nullopt);
   EXPECT_EQ(method_named(""), std::nullopt);
@@ -168,6 +166,13 @@ TEST(Requests, Simulator) {
   EXPECT_EQ(set.fault->faults, std::vector<std::string>{"fan_stopped"});
   EXPECT_EQ(set.fault->coil, 2);
   EXPECT_EQ(accepted<SimSet>("sim.set", R"({"fault":{}})").fault, SimFault{});
+  const SimSet errors = accepted<SimSet>(
+      "sim.set",
+      R"({"errors":[{"kind":"current_gain","coil":1,"value":1.05,"ramp_s":120},{"kind":"tach_gain","value":2}]})");
+  ASSERT_EQ(errors.errors->size(), 2u);
+  EXPECT_EQ(errors.errors->at(0), (SimError{"current_gain", 1, 1.05, 120.0}));
+  EXPECT_EQ(errors.errors->at(1), (SimError{"tach_gain", std::nullopt, 2.0, 0.0}));
+  EXPECT_EQ(refused("sim.set", R"({"errors":[{"kind":"current_gain"}]})").field, "errors[0].value");
   EXPECT_EQ(refused("sim.set", R"({"fault":{"coil":3}})").field, "fault.coil");
   EXPECT_EQ(refused("sim.set", R"({"ambient_c":200})").field, "ambient_c");
 }

@@ -153,6 +153,9 @@ TEST(Results, EveryKindComesBackTheSame) {
   description.pins = {{0, {0, 0, 1}, 0, 0.0}, {1, {0.5, 0, 0.5}, 1, 0.522}};
   description.coils.matrix = {model::Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
   description.coils.r25_ohm = {0.45, 0.46, 0.44};
+  description.coils.measured = {{0.4512, 0.0027, -0.012}, {0.46, 0.0, std::nullopt}, {}};
+  description.thermal = {{60, 58, 57}, 84, {1, 0.9, 1.1}, 1.8, 5, 2, 1.5};
+  description.uncertainty = {0.06, 0.01, 0.5};
   description.board = {"simulator", true, std::nullopt, "1.2"};
   EXPECT_EQ(*decode_result<Description>(result_of(description)), description);
   TelemetryResult telemetry{100.0, {}};
@@ -161,7 +164,9 @@ TEST(Results, EveryKindComesBackTheSame) {
   EXPECT_EQ(*decode_result<TelemetryResult>(result_of(telemetry)), telemetry);
   const EventsResult events{"armed", std::nullopt, true, 9.31};
   EXPECT_EQ(*decode_result<EventsResult>(result_of(events)), events);
-  const SimResult sim{25, {"fan_stopped"}, 1};
+  const SimResult sim{25, {"fan_stopped"}, 1, {{"pwm_stuck", 2, 0.3, 0.0}}};
+  const SimTruthResult truth{{60, 30, 30}, 40, 35, {5, 0, -1}, 25};
+  EXPECT_EQ(*decode_result<SimTruthResult>(result_of(truth)), truth);
   EXPECT_EQ(*decode_result<SimResult>(result_of(sim)), sim);
   EXPECT_EQ(*decode_result<StopResult>(result_of(StopResult{3, 9160})), (StopResult{3, 9160}));
   EXPECT_EQ(*decode_result<ClaimResult>(result_of(ClaimResult{500})), ClaimResult{500});

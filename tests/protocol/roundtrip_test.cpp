@@ -20,9 +20,7 @@ RC_GTEST_PROP(Laws, EveryValidRequestArrivesAsItWasMeant, ()) {
   RC_ASSERT(incoming.items.size() == 1u);
   const Item& item = incoming.items.front();
   RC_ASSERT(item.id == id);
-  if (!item.request) {
-    RC_FAIL(item.request.error().message);
-  }
+  if (!item.request) RC_FAIL(item.request.error().message);
   RC_ASSERT(*item.request == request);
   RC_ASSERT(item.method == method_of(request));
 }
@@ -37,9 +35,7 @@ void check_answerable(const Incoming& incoming) {
   RC_ASSERT(!incoming.items.empty());
   RC_ASSERT(incoming.items.size() <= kMaxBatch);
   for (const Item& item : incoming.items) {
-    if (item.request) {
-      continue;
-    }
+    if (item.request) continue;
     const RpcError& error = item.request.error();
     RC_ASSERT(name(error.code) != "server_error");
     RC_ASSERT(!error.message.empty());

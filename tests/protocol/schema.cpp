@@ -22,9 +22,7 @@ Json constant(std::string_view text) { return object({{"const", text_json(text)}
 
 Json list(std::initializer_list<std::string_view> texts) {
   Json::List items;
-  for (const std::string_view text : texts) {
-    items.push_back(text_json(text));
-  }
+  for (const std::string_view text : texts) items.push_back(text_json(text));
   return {std::move(items)};
 }
 
@@ -34,11 +32,11 @@ void require_only(Json& schema, std::initializer_list<std::string_view> names) {
 }
 
 Json direction_schema() {
-  Json word = SchemaFields::of(Word{}, true);
+  Json enumerator = SchemaFields::of(Word{}, true);
   Json vector = SchemaFields::of(model::Vec3{}, true);
   Json pin = SchemaFields::of(PinNumber{}, true);
   Json angles = SchemaFields::of(Angles{}, true);
-  return object({{"anyOf", {Json::List{word, vector, pin, angles}}}});
+  return object({{"anyOf", {Json::List{enumerator, vector, pin, angles}}}});
 }
 
 Json error_schema() {
@@ -86,9 +84,7 @@ Json event_schema() {
   Json schema = SchemaFields::of(Event{}, false);
   require_only(schema, {"type", "time_ns"});
   Json::List names;
-  for (const std::string_view name : kEventTypes) {
-    names.push_back(text_json(name));
-  }
+  for (const std::string_view name : kEventTypes) names.push_back(text_json(name));
   // Examples, not an enum: clients must bear types that are not known yet.
   members(*member(*member(schema, "properties"), "type")).emplace_back("examples", Json{names});
   return schema;
@@ -104,17 +100,14 @@ Json history_schema() {
 /// References to what messages.schema.json defines, from another file.
 void refer_to_messages(Json& json) {
   if (auto* list = std::get_if<Json::List>(&json.value)) {
-    for (Json& item : *list) {
-      refer_to_messages(item);
-    }
+    for (Json& item : *list) refer_to_messages(item);
   } else if (auto* object = std::get_if<Json::Object>(&json.value)) {
     for (auto& [name, value] : *object) {
       const auto* text = value.as<std::string>();
-      if (name == "$ref" && text != nullptr && text->starts_with('#')) {
+      if (name == "$ref" && text != nullptr && text->starts_with('#'))
         value = text_json("messages.schema.json" + *text);
-      } else {
+      else
         refer_to_messages(value);
-      }
     }
   }
 }
@@ -127,19 +120,14 @@ Json schema_of_params(Method method) {
       std::visit([](const auto& value) { return SchemaFields::of(value, true); }, request);
   for (auto& [name, property] : members(*member(schema, "properties"))) {
     const bool nested = method == Method::kThermalForecast || method == Method::kEffectPreview;
-    if (nested && name == "params") {
-      property = type("object");
-    }
-    if (const std::string_view meaning = meaning_of(name); !meaning.empty()) {
+    if (nested && name == "params") property = type("object");
+    if (const std::string_view meaning = meaning_of(name); !meaning.empty())
       members(property).emplace_back("description", text_json(meaning));
-    }
   }
-  if (method == Method::kEffectPreview) {
+  if (method == Method::kEffectPreview)
     members(schema).emplace_back("required", list({"method", "params"}));
-  }
-  if (method == Method::kEffectPulse || method == Method::kEffectHold) {
+  if (method == Method::kEffectPulse || method == Method::kEffectHold)
     members(schema).emplace_back("required", list({"direction"}));
-  }
   return schema;
 }
 
@@ -190,6 +178,8 @@ std::string result_name(Method method) {
       return "Ping";
     case Method::kSimSet:
       return "SimulatedWorld";
+    case Method::kSimTruth:
+      return "SimulatedTruth";
     case Method::kTelemetrySubscribe:
       return "TelemetrySubscription";
     case Method::kThermalForecast:
@@ -211,9 +201,7 @@ Json messages_schema() {
   Json telemetry = SchemaFields::of(Telemetry{kEveryStatusKey, {}}, false);
   require_only(telemetry, {"time_ns"});
   Json::List requests;
-  for (const MethodInfo& row : kMethods) {
-    requests.push_back(request_schema(row));
-  }
+  for (const MethodInfo& row : kMethods) requests.push_back(request_schema(row));
   Json defs = object({
       {"Direction", direction_schema()},
       {"Admission", SchemaFields::of(Admission{}, false)},
@@ -234,6 +222,7 @@ Json messages_schema() {
       {"Ping", SchemaFields::of(PingResult{}, false)},
       {"Recentered", SchemaFields::of(RecenterResult{}, false)},
       {"SimulatedWorld", SchemaFields::of(SimResult{}, false)},
+      {"SimulatedTruth", SchemaFields::of(SimTruthResult{}, false)},
       {"State", SchemaFields::of(StateResult{}, false)},
       {"Status", std::move(status)},
       {"Stopped", SchemaFields::of(StopResult{}, false)},

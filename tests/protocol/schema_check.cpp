@@ -9,21 +9,17 @@ namespace hedgehog::protocol {
 namespace {
 
 bool is_of(const Json& value, const std::string& type) {
-  if (type == "integer") {
-    return value.as<std::int64_t>() != nullptr;
-  }
-  if (type == "number") {
-    return value.as<std::int64_t>() != nullptr || value.as<double>() != nullptr;
-  }
+  if (type == "integer") return value.as<std::int64_t>() != nullptr;
+  if (type == "number") return value.as<std::int64_t>() != nullptr || value.as<double>() != nullptr;
   constexpr std::string_view kTypes[] = {"null",   "boolean", "number", "number",
                                          "string", "array",   "object"};
   return kTypes[value.value.index()] == type;
 }
 
 double as_number(const Json& value) {
-  const auto* whole = value.as<std::int64_t>();
+  const auto* integer = value.as<std::int64_t>();
   const auto* number = value.as<double>();
-  return whole != nullptr ? static_cast<double>(*whole) : number != nullptr ? *number : 0.0;
+  return integer != nullptr ? static_cast<double>(*integer) : number != nullptr ? *number : 0.0;
 }
 
 class Validator {
@@ -32,18 +28,14 @@ class Validator {
 
   std::string check(const Json& schema, const Json& value, const std::string& path) const {
     const auto* text = value.as<std::string>();
-    if (text != nullptr && *text == "…") {
-      return {};
-    }
+    if (text != nullptr && *text == "…") return {};
     if (const Json* ref = schema.find("$ref")) {
       const std::string name = ref->as<std::string>()->substr(std::string("#/$defs/").size());
       return check(*root_.find("$defs")->find(name), value, path);
     }
-    for (const auto& [keyword, rule] : *schema.as<Json::Object>()) {
-      if (std::string broken = apply(keyword, rule, schema, value, path); !broken.empty()) {
+    for (const auto& [keyword, rule] : *schema.as<Json::Object>())
+      if (std::string broken = apply(keyword, rule, schema, value, path); !broken.empty())
         return broken;
-      }
-    }
     return {};
   }
 
@@ -63,17 +55,13 @@ class Validator {
       std::string closest;
       for (const Json& one : *rule.as<Json::List>()) {
         const std::string broken = check(one, value, path);
-        if (broken.empty()) {
-          return {};
-        }
+        if (broken.empty()) return {};
         closest = std::max(closest, broken,
                            [](const auto& a, const auto& b) { return a.size() < b.size(); });
       }
       return closest;
     }
-    if (keyword == "const") {
-      return to_text(rule) == to_text(value) ? "" : path + ": const";
-    }
+    if (keyword == "const") return to_text(rule) == to_text(value) ? "" : path + ": const";
     if (keyword == "enum") {
       const auto& allowed = *rule.as<Json::List>();
       const bool good = std::any_of(allowed.begin(), allowed.end(), [&](const Json& one) {
@@ -88,21 +76,14 @@ class Validator {
       return good ? "" : path + ": " + keyword;
     }
     if (keyword == "items") {
-      for (const Json& item : *value.as<Json::List>()) {
-        if (std::string broken = check(rule, item, path + "[]"); !broken.empty()) {
-          return broken;
-        }
-      }
+      for (const Json& item : *value.as<Json::List>())
+        if (std::string broken = check(rule, item, path + "[]"); !broken.empty()) return broken;
     }
-    if (keyword == "properties") {
-      return members(rule, schema, value, path);
-    }
+    if (keyword == "properties") return members(rule, schema, value, path);
     if (keyword == "required" && value.find("…") == nullptr) {
-      for (const Json& name : *rule.as<Json::List>()) {
-        if (value.find(*name.as<std::string>()) == nullptr) {
+      for (const Json& name : *rule.as<Json::List>())
+        if (value.find(*name.as<std::string>()) == nullptr)
           return child_path(path, *name.as<std::string>()) + ": required";
-        }
-      }
     }
     return {};
   }
@@ -112,14 +93,10 @@ class Validator {
     const bool closed = schema.find("additionalProperties") != nullptr;
     for (const auto& [name, member] : *value.as<Json::Object>()) {
       const Json* property = rule.find(name);
-      if (property == nullptr && closed) {
-        return child_path(path, name) + ": unknown";
-      }
+      if (property == nullptr && closed) return child_path(path, name) + ": unknown";
       if (property != nullptr) {
-        if (std::string broken = check(*property, member, child_path(path, name));
-            !broken.empty()) {
+        if (std::string broken = check(*property, member, child_path(path, name)); !broken.empty())
           return broken;
-        }
       }
     }
     return {};

@@ -7,9 +7,8 @@ namespace hedgehog::protocol {
 namespace {
 
 Json number_json(double value) {
-  if (value == std::trunc(value) && std::fabs(value) < 1e15) {
+  if (value == std::trunc(value) && std::fabs(value) < 1e15)
     return {static_cast<std::int64_t>(value)};
-  }
   return {value};
 }
 
@@ -41,9 +40,8 @@ void SchemaFields::close() {
     level.json = object(
         {{"anyOf", {Json::List{std::move(level.json), object({{"type", text_json("null")}})}}}});
   }
-  if (level.presence != Presence::kOptional) {
+  if (level.presence != Presence::kOptional)
     stack_.back().required.push_back(text_json(level.name));
-  }
   stack_.back().properties.emplace_back(level.name, std::move(level.json));
 }
 
@@ -55,21 +53,15 @@ bool SchemaFields::begin_object() {
 void SchemaFields::end_object() {
   Level& level = stack_.back();
   put("properties", {std::move(level.properties)});
-  if (!level.required.empty()) {
-    put("required", {std::move(level.required)});
-  }
+  if (!level.required.empty()) put("required", {std::move(level.required)});
   level.properties.clear();
   level.required.clear();
-  if (closed_) {
-    put("additionalProperties", {false});
-  }
+  if (closed_) put("additionalProperties", {false});
 }
 
 std::size_t SchemaFields::begin_list(std::size_t, const Spec& spec) {
   put("type", text_json("array"));
-  if (spec.items != Spec{}.items) {
-    put("maxItems", {static_cast<std::int64_t>(spec.items)});
-  }
+  if (spec.items != Spec{}.items) put("maxItems", {static_cast<std::int64_t>(spec.items)});
   return 1;
 }
 
@@ -82,49 +74,31 @@ bool SchemaFields::begin_item(std::size_t) {
 
 void SchemaFields::boolean(bool&) { put("type", text_json("boolean")); }
 
-void SchemaFields::whole(std::int64_t&, const Spec& spec) {
+void SchemaFields::integer(std::int64_t&, const Spec& spec) {
   put("type", text_json(spec.rounded ? "number" : "integer"));
   Spec bounds = spec;
   // The ends of the C++ types say nothing.
-  if (std::fabs(bounds.min) > 1e15) {
-    bounds.min = -std::numeric_limits<double>::infinity();
-  }
-  if (std::fabs(bounds.max) > 1e15) {
-    bounds.max = std::numeric_limits<double>::infinity();
-  }
-  if (std::isfinite(bounds.min)) {
-    put("minimum", number_json(bounds.min));
-  }
-  if (std::isfinite(bounds.max)) {
-    put("maximum", number_json(bounds.max));
-  }
+  if (std::fabs(bounds.min) > 1e15) bounds.min = -std::numeric_limits<double>::infinity();
+  if (std::fabs(bounds.max) > 1e15) bounds.max = std::numeric_limits<double>::infinity();
+  if (std::isfinite(bounds.min)) put("minimum", number_json(bounds.min));
+  if (std::isfinite(bounds.max)) put("maximum", number_json(bounds.max));
 }
 
 void SchemaFields::number(double&, const Spec& spec) {
   put("type", text_json("number"));
-  if (std::isfinite(spec.min)) {
-    put("minimum", number_json(spec.min));
-  }
-  if (std::isfinite(spec.max)) {
-    put("maximum", number_json(spec.max));
-  }
+  if (std::isfinite(spec.min)) put("minimum", number_json(spec.min));
+  if (std::isfinite(spec.max)) put("maximum", number_json(spec.max));
 }
 
 void SchemaFields::text(std::string&, const Spec& spec) {
   put("type", text_json("string"));
-  if (spec.min > 0) {
-    put("minLength", number_json(spec.min));
-  }
-  if (std::isfinite(spec.max)) {
-    put("maxLength", number_json(spec.max));
-  }
+  if (spec.min > 0) put("minLength", number_json(spec.min));
+  if (std::isfinite(spec.max)) put("maxLength", number_json(spec.max));
 }
 
-void SchemaFields::word(std::size_t&, std::span<const std::string_view> names) {
+void SchemaFields::enumerator(std::size_t&, std::span<const std::string_view> names) {
   Json::List list;
-  for (const std::string_view name : names) {
-    list.push_back(text_json(name));
-  }
+  for (const std::string_view name : names) list.push_back(text_json(name));
   put("enum", {std::move(list)});
 }
 

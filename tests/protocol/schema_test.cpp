@@ -28,9 +28,7 @@ std::string contents(const std::string& file) {
 }
 
 void expect_current(const std::string& file, const Json& made) {
-  if (std::getenv("HEDGEHOG_WRITE_SCHEMA") != nullptr) {
-    std::ofstream(path_of(file)) << pretty(made);
-  }
+  if (std::getenv("HEDGEHOG_WRITE_SCHEMA") != nullptr) std::ofstream(path_of(file)) << pretty(made);
   EXPECT_TRUE(contents(file) == pretty(made)) << file << " is not what the code says; see the top "
                                               << "of this test for how to renew it";
 }
@@ -43,13 +41,10 @@ TEST(Schema, FilesAreCurrent) {
 TEST(Schema, OpenRpcHasExactlyTheMethodsOfTheTable) {
   const Json document = *parse_json(contents("openrpc.json"), 64);
   std::set<std::string> documented;
-  for (const Json& method : *document.find("methods")->as<Json::List>()) {
+  for (const Json& method : *document.find("methods")->as<Json::List>())
     documented.insert(*method.find("name")->as<std::string>());
-  }
   std::set<std::string> served;
-  for (const MethodInfo& row : kMethods) {
-    served.emplace(row.name);
-  }
+  for (const MethodInfo& row : kMethods) served.emplace(row.name);
   EXPECT_EQ(documented, served);
 }
 
@@ -59,9 +54,8 @@ TEST(Schema, ParametersAreThoseThatDecodingKnows) {
        {"direction",   "level",        "current_a",   "force_n",     "gain",         "frame",
         "start_at_ns", "delay_ms",     "attack_ms",   "fade_ms",     "attack_level", "fade_level",
         "waveform",    "frequency_hz", "on_fraction", "duration_ms", "lease_ms",     "on_close",
-        "slot",        "priority",     "if_limited"}) {
+        "slot",        "priority",     "if_limited"})
     EXPECT_NE(std::find(pulse.begin(), pulse.end(), name), pulse.end()) << name;
-  }
   EXPECT_EQ(pulse.size(), 21u);
   EXPECT_EQ(parameter_names(Method::kEffectCircle).size(), 20u + 5u);
   EXPECT_EQ(parameter_names(Method::kPing).size(), 0u);
@@ -69,9 +63,8 @@ TEST(Schema, ParametersAreThoseThatDecodingKnows) {
 
 TEST(Schema, EveryDefinitionThatIsNamedExists) {
   const Json messages = messages_schema();
-  for (const MethodInfo& row : kMethods) {
+  for (const MethodInfo& row : kMethods)
     EXPECT_NE(messages.find("$defs")->find(result_name(row.method)), nullptr) << row.name;
-  }
 }
 
 TEST(Schema, TellsRightFromWrong) {

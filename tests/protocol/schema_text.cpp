@@ -37,6 +37,7 @@ std::string_view summary_of(Method method) {
       {Method::kPatternRemove, "Forgets a pattern that was put."},
       {Method::kPing, "The device time."},
       {Method::kSimSet, "Changes the simulated world."},
+      {Method::kSimTruth, "The simulated ball as it really is."},
       {Method::kTelemetrySubscribe, "Asks for the status again and again."},
       {Method::kTelemetryUnsubscribe, "Ends the subscription to telemetry."},
       {Method::kThermalForecast, "How long a current or an effect can flow."},
@@ -95,6 +96,7 @@ std::string_view meaning_of(std::string_view parameter) {
       {"params", "The parameters of that method."},
       {"ambient_c", "Temperature of the simulated room."},
       {"fault", "Replaces all simulated faults; {} mends the ball."},
+      {"errors", "Replaces all errors of measurement and of the ball; [] ends them."},
   };
   const auto found = kMeanings.find(parameter);
   return found == kMeanings.end() ? std::string_view{} : found->second;

@@ -35,7 +35,7 @@ constexpr const char* kHello = R"({"server": "hedgehogd", "version": "1", "proto
 
 void answer(FakePeer& peer, const json& result) {
   const json id = json::parse(peer.read())["id"];
-  peer.say(json{{"jsonrpc", "2.0"}, {"id", id}, {"result", result}}.dump());
+  peer.send_line(json{{"jsonrpc", "2.0"}, {"id", id}, {"result", result}}.dump());
 }
 
 /// Answers hello and telemetry.subscribe, sends `count` telemetry messages at once, sets `sent`,
@@ -45,10 +45,9 @@ FakeDaemon::Conversation sending_at_once(int count, std::promise<void>& sent) {
     answer(peer, json::parse(kHello));
     answer(peer, {{"rate_hz", 60}, {"fields", {"time_ns"}}});
     std::string lines;
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < count; ++i)
       lines += R"({"jsonrpc":"2.0","method":"telemetry","params":{"time_ns":)" + std::to_string(i) +
                "}}\n";
-    }
     peer.send(lines);
     sent.set_value();
     peer.read();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Who may come in, where the game listens, and what it takes from a page.
-#include "clients/racer/server/door.h"
+#include "clients/racer/server/host_check.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,38 +13,34 @@
 namespace hedgehog::racer {
 namespace {
 
-TEST(Door, KnowsItsOwnNames) {
-  const Door door{"127.0.0.1", 7585};
+TEST(HostCheck, KnowsItsOwnNames) {
+  const HostCheck host_check{"127.0.0.1", 7585};
   for (const char* ours :
-       {"127.0.0.1:7585", "localhost:7585", "LocalHost:7585", "[::1]:7585", "127.9.9.9:7585"}) {
-    EXPECT_TRUE(door.is_ours(ours)) << ours;
-  }
+       {"127.0.0.1:7585", "localhost:7585", "LocalHost:7585", "[::1]:7585", "127.9.9.9:7585"})
+    EXPECT_TRUE(host_check.is_ours(ours)) << ours;
   for (const char* foreign :
        {"", ":7585", "127.0.0.1", "127.0.0.1:7586", "127.0.0.1:75850", "example.com:7585",
         "127.0.0.1.example.com:7585", "localhost.example:7585", "192.168.1.5:7585", "[::2]:7585",
-        "127.1:7585", "localhost:7585:7585", "[localhost]:7585"}) {
-    EXPECT_FALSE(door.is_ours(foreign)) << foreign;
-  }
-  EXPECT_TRUE((Door{"192.168.1.5", 80}.is_ours("192.168.1.5")));
-  EXPECT_FALSE((Door{"192.168.1.5", 80}.is_ours("192.168.1.6")));
-  EXPECT_TRUE((Door{"0.0.0.0", 7585}.is_ours("10.0.0.7:7585")));
-  EXPECT_FALSE((Door{"0.0.0.0", 7585}.is_ours("bent.example:7585")));
+        "127.1:7585", "localhost:7585:7585", "[localhost]:7585"})
+    EXPECT_FALSE(host_check.is_ours(foreign)) << foreign;
+  EXPECT_TRUE((HostCheck{"192.168.1.5", 80}.is_ours("192.168.1.5")));
+  EXPECT_FALSE((HostCheck{"192.168.1.5", 80}.is_ours("192.168.1.6")));
+  EXPECT_TRUE((HostCheck{"0.0.0.0", 7585}.is_ours("10.0.0.7:7585")));
+  EXPECT_FALSE((HostCheck{"0.0.0.0", 7585}.is_ours("bent.example:7585")));
   // And its own page only.
-  EXPECT_TRUE(door.may_connect("localhost:7585", std::nullopt));
-  EXPECT_TRUE(door.may_connect("localhost:7585", "http://localhost:7585"));
+  EXPECT_TRUE(host_check.may_connect("localhost:7585", std::nullopt));
+  EXPECT_TRUE(host_check.may_connect("localhost:7585", "http://localhost:7585"));
   for (const char* origin : {"http://localhost:7586", "http://127.0.0.1:7585", "null", "",
-                             "https://localhost:7585", "http://evil.example"}) {
-    EXPECT_FALSE(door.may_connect("localhost:7585", origin)) << origin;
-  }
+                             "https://localhost:7585", "http://evil.example"})
+    EXPECT_FALSE(host_check.may_connect("localhost:7585", origin)) << origin;
 }
 
 TEST(ListenAt, TakesAnAddressWithAPort) {
   EXPECT_EQ(listen_at("127.0.0.1:0").value().port, 0);
   EXPECT_EQ(listen_at("[::1]:7585").value().address, "::1");
   for (const char* text : {"", "7585", ":7585", "127.0.0.1", "127.0.0.1:", "127.0.0.1:70000",
-                           "127.0.0.1:7585x", "127.0.0.1:-1"}) {
+                           "127.0.0.1:7585x", "127.0.0.1:-1"})
     EXPECT_FALSE(listen_at(text)) << text;
-  }
 }
 
 TEST(PageMessages, AreTakenOrRefusedWithASentence) {

@@ -15,7 +15,7 @@ constexpr double kFelt = 2.1;
 constexpr double kFull = 15.0;
 
 TEST(Steps, AreToldApartByPeopleAtFullStrengthAndTurnedDown) {
-  for (const double gain : {1.0, Gain::kLeast}) {
+  for (const double gain : {1.0, Gain::kMin}) {
     EXPECT_DOUBLE_EQ(strength_of(0, kFelt, gain * kFull), kFelt);
     EXPECT_DOUBLE_EQ(strength_of(kSteps - 1, kFelt, gain * kFull), gain * kFull);
     for (int step = 1; step < kSteps; ++step) {
@@ -71,9 +71,8 @@ TEST(PulseGate, LetsOneThroughInAQuarterSecondUnlessAHarderComes) {
 RC_GTEST_PROP(PulseGate, NeverFiresFasterThanFourTimesASecondAndTheSteps, ()) {
   PulseGate gate;
   int through = 0;
-  for (int frame = 0; frame < 600; ++frame) {
+  for (int frame = 0; frame < 600; ++frame)
     if (gate.lets_through(*rc::gen::inRange(0, kSteps), frame / 60.0)) ++through;
-  }
   RC_ASSERT(through <= 40 + 10 * kSteps);
 }
 
@@ -89,7 +88,7 @@ TEST(GainRule, GoesDownWithinSecondsAndComesBackSlowly) {
   gain.take(true, 0.0, 0.5);
   EXPECT_NEAR(gain.now(), 0.7, 1e-9);
   for (int i = 0; i < 10; ++i) gain.take(true, 0.0, 0.5);
-  EXPECT_EQ(gain.now(), Gain::kLeast);
+  EXPECT_EQ(gain.now(), Gain::kMin);
   gain.take(false, std::nullopt, 10.0);
   EXPECT_NEAR(gain.now(), 0.6, 1e-9);
   for (int i = 0; i < 30; ++i) gain.take(false, std::nullopt, 1.0);

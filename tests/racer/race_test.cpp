@@ -46,9 +46,8 @@ double most_skid(const Track& track) {
   Race race(track);
   drive<Skid>(race, 3.0, {.throttle = 1.0});
   double most = 0.0;
-  for (const auto& skid : drive<Skid>(race, 1.0, {.steer = 0.15})) {
+  for (const auto& skid : drive<Skid>(race, 1.0, {.steer = 0.15}))
     most = std::max(most, skid.what.amount);
-  }
   return most;
 }
 
@@ -89,9 +88,8 @@ TEST(Car, TurnsOverWithTheGroundGoingRound) {
     farthest = std::max(farthest, angle_deg(tumble.down, {0, 0, -1}));
   }
   // It sweeps, it does not jump: told in every step, and at most 12 degrees further each time.
-  for (std::size_t i = 1; i < tumbles.size() && tumbles[i].time_s < tumbles[0].time_s + 0.5; ++i) {
+  for (std::size_t i = 1; i < tumbles.size() && tumbles[i].time_s < tumbles[0].time_s + 0.5; ++i)
     EXPECT_LT(angle_deg(tumbles[i].what.down, tumbles[i - 1].what.down), 12.0);
-  }
   EXPECT_GT(farthest, 85.0);
 }
 
@@ -136,11 +134,9 @@ Lived live(Race& race, double seconds) {
   Driver driver;
   while (race.scene().time_s < seconds) {
     race.step(driver.drive(race.scene(), race.track()));
-    for (const Happening& happening : race.happenings()) {
-      if (!std::holds_alternative<Reset>(happening)) {
+    for (const Happening& happening : race.happenings())
+      if (!std::holds_alternative<Reset>(happening))
         lived.happenings.emplace_back(race.scene().time_s, happening);
-      }
-    }
   }
   lived.end = race.scene();
   return lived;
@@ -149,9 +145,8 @@ Lived live(Race& race, double seconds) {
 template <class What>
 std::vector<What> all(const Lived& lived) {
   std::vector<What> found;
-  for (const auto& [time_s, happening] : lived.happenings) {
+  for (const auto& [time_s, happening] : lived.happenings)
     if (const auto* what = std::get_if<What>(&happening)) found.push_back(*what);
-  }
   return found;
 }
 

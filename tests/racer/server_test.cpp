@@ -109,9 +109,8 @@ TEST_F(GameServer, ServesThePageWithStrictHeaders) {
 TEST_F(GameServer, SaysHowThePageIsBuiltWhereItIsMissing) {
   Server bare({.port = 0, .pages = "/no/<such>/folder"}, a_track());
   auto asked = std::async(std::launch::async, [&] { return e2e::web_get(bare.port(), "/"); });
-  while (asked.wait_for(milliseconds{0}) != std::future_status::ready) {
+  while (asked.wait_for(milliseconds{0}) != std::future_status::ready)
     bare.serve_until(steady_clock::now() + milliseconds{1});
-  }
   const WebAnswer answer = asked.get();
   EXPECT_EQ(answer.status, 200);
   EXPECT_THAT(answer.body, HasSubstr("make race"));
@@ -134,9 +133,10 @@ TEST_F(GameServer, RefusesForeignNamesAndForeignPages) {
 TEST_F(GameServer, TellsTheTrackFirstThenWhatHappens) {
   const auto page = this->page();
   EXPECT_EQ(heard(*page)["type"], "track");
-  server_.tell(Felt{"hit", {0, 1, 0}, 0.5, 6.0});
-  server_.tell(scene_at(1.5), {Mode::kDriver, true});
-  server_.tell(BallView{.connected = true, .state = "armed", .temperature_c = 41.0, .gain = 0.8});
+  server_.publish(Felt{"hit", {0, 1, 0}, 0.5, 6.0});
+  server_.publish(scene_at(1.5), {Mode::kDriver, true});
+  server_.publish(
+      BallView{.connected = true, .state = "armed", .temperature_c = 41.0, .gain = 0.8});
   const Json hit = heard(*page);
   EXPECT_EQ(hit["type"], "felt");
   EXPECT_EQ(hit["direction"], Json({0.0, 1.0, 0.0}));
@@ -155,7 +155,7 @@ TEST_F(GameServer, AnswersNonsenseAndLivesOn) {
   EXPECT_EQ(heard(*page)["type"], "refused");
   page->text(R"({"type":"keys","steer":7})");
   EXPECT_THAT(heard(*page)["why"], HasSubstr("steer must be -1 to 1"));
-  page->text(std::string(Hub::kMaxHeardBytes + 1, ' '));
+  page->text(std::string(Hub::kMaxReceivedBytes + 1, ' '));
   const auto last = served([&] { return page->next(); });
   EXPECT_TRUE(!last || last->opcode == WebSocketClient::kClose);
   EXPECT_EQ(get("/").status, 200);
@@ -227,7 +227,7 @@ TEST_F(GameServer, APageThatReadsSlowlyLosesFramesAndHoldsNobodyUp) {
     return true;
   });
   for (int i = 1; i <= kFrames; ++i) {
-    server_.tell(scene_at(i, 500), {});
+    server_.publish(scene_at(i, 500), {});
     while (told < i && reader.wait_for(milliseconds{0}) != std::future_status::ready) serve();
   }
   EXPECT_TRUE(reader.get()) << "the quick page gets every frame";
@@ -258,9 +258,8 @@ TEST_F(GameServer, TakesItsLeaveInWords) {
   heard(*page);
   // Its patience is short; a busy machine may need a second one.
   auto last = std::async(std::launch::async, [&] { return page->json(); });
-  while (last.wait_for(milliseconds{0}) != std::future_status::ready) {
-    server_.say_goodbye("somebody pressed Ctrl-C");
-  }
+  while (last.wait_for(milliseconds{0}) != std::future_status::ready)
+    server_.announce_shutdown("somebody pressed Ctrl-C");
   EXPECT_EQ(last.get(), (Json{{"type", "goodbye"}, {"reason", "somebody pressed Ctrl-C"}}));
 }
 

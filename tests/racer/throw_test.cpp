@@ -52,14 +52,13 @@ TEST(Blow, IsToldAgainOnlyWhenTheContactEndedOrItIsMuchHarderOrOnAnotherSide) {
   const Vec3 left{0, 1, 0};
   Blows blows;
   EXPECT_EQ(blows.take(touch(500, left), 1.0).size(), 1U);
-  for (int step = 1; step < 60; ++step) {
+  for (int step = 1; step < 60; ++step)
     EXPECT_TRUE(blows.take(touch(400, left), 1.0 + step / 60.0).empty()) << step;
-  }
   EXPECT_EQ(blows.take(touch(1100, left), 2.0).size(), 1U);
   EXPECT_EQ(blows.take(touch(500, {1, 0, 0}), 2.2).size(), 1U);
   EXPECT_TRUE(blows.take(touch(500, {1, 0, 0}), 2.4).empty());
   EXPECT_EQ(blows.take(touch(500, {1, 0, 0}), 2.7).size(), 1U);
-  EXPECT_TRUE(blows.take(touch(Blows::kLeastImpulse - 1, {1, 0, 0}), 5.0).empty());
+  EXPECT_TRUE(blows.take(touch(Blows::kMinImpulse - 1, {1, 0, 0}), 5.0).empty());
 }
 
 TEST(Blow, GrowsWithTheSpeedAndTheMassOfWhatIsThrown) {

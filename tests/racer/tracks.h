@@ -47,11 +47,9 @@ std::vector<At<What>> drive(Race& race, double seconds, const Controls& controls
   std::vector<At<What>> found;
   for (double end = race.scene().time_s + seconds; race.scene().time_s < end;) {
     race.step(controls);
-    for (const Happening& happening : race.happenings()) {
-      if (const auto* what = std::get_if<What>(&happening)) {
+    for (const Happening& happening : race.happenings())
+      if (const auto* what = std::get_if<What>(&happening))
         found.push_back({race.scene().time_s, *what});
-      }
-    }
   }
   return found;
 }

@@ -4,6 +4,7 @@
 
 #include "tests/rig/hours.h"
 #include "tests/rig/random_requests.h"
+#include "tests/rig/thermal_ball.h"
 
 namespace hedgehog::rig {
 namespace {
@@ -54,10 +55,14 @@ std::uint64_t act(Rig& rig, Client& client, model::RandomStream& random) {
 
 }  // namespace
 
-HourResult full_hour(std::uint64_t seed, double seconds) {
+HourResult full_hour(std::uint64_t seed, double seconds, const device::FrontEndChoice& front_end,
+                     double hand) {
   model::RandomStream random(seed);
   RigOptions options;
   options.board = random_board(random);
+  options.board.front_end = front_end;
+  options.board.plant.core_to_room_fan_k_w *= hand;
+  options.board.plant.core_to_room_still_k_w *= hand;
   options.control.start.winding_c.fill(options.board.start_c);
   options.control.start.core_c = options.board.start_c;
   options.control.start_room_c = options.board.ambient_c;
@@ -75,17 +80,20 @@ HourResult full_hour(std::uint64_t seed, double seconds) {
                      std::to_string(result.hottest_c) + " C";
   };
   for (Tick i = 0; i < ticks && result.failure.empty(); ++i) {
-    for (Client& client : clients) {
+    for (Client& client : clients)
       if (rig.now() >= client.next) result.effects += act(rig, client, random);
-    }
     rig.tick();
     if (i % 4096 == 0) rig.forget_events();
     if (rig.controller().derating()) ++derated;
     result.hottest_c = std::max(result.hottest_c, rig.plant().hottest_winding_c());
+    const std::string skin =
+        follow_skin(result, rig.plant().skin_c(), static_cast<double>(i) * model::kTickSeconds);
+    if (!skin.empty()) fail(skin);
     silent = rig.controller().effects_empty() ? silent + 1 : 0;
     if (silent > kDecay && rig.current_a() > 0.1) fail("a coil was driven though nothing played");
     if (rig.controller().state() != control::State::kArmed) {
-      fail("not armed: " + std::string(name(rig.controller().reason())));
+      fail("not armed: " +
+           words({rig.controller().reason(), rig.controller().last_trip().disagreement}));
     }
   }
   if (result.failure.empty() && result.hottest_c > kHottestAllowedC) fail("too hot");

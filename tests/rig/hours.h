@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <string>
 
+#include "daemon/device/simulator/front_end.h"
+
 namespace hedgehog::rig {
 
 struct HourResult {
@@ -13,19 +15,38 @@ struct HourResult {
   std::string failure;
   /// Hottest winding of the plant, C, and the share of the hour in which heat reduced effects.
   double hottest_c = 0.0;
+  /// The plant's skin at its warmest, ever and after 10 minutes, C.
+  double skin_c = 0.0;
+  double held_skin_c = 0.0;
   double derated = 0.0;
   std::uint64_t effects = 0;
+  /// So long was it played, s.
+  double seconds = 0.0;
 };
 
 /// A winding may not get hotter than this in any of the hours, C.
 inline constexpr double kHottestAllowedC = 73.5;
+/// Nor the skin than this, ever and after so many seconds.
+inline constexpr double kSkinAllowedC = 48.0;
+inline constexpr double kHeldSkinAllowedC = 43.0;
+inline constexpr double kHeldAfterS = 600.0;
 
-/// Observer, limiter, the watchdog's thermistor and heat checks and the fan, fed with mean-square
-/// currents. `seconds` of device time; equal seeds give equal hours.
-HourResult thermal_hour(std::uint64_t seed, double seconds = 3600.0);
+/// The skin of one more step at `now_s`; empty, or what is wrong with it.
+std::string follow_skin(HourResult& result, double skin_c, double now_s);
 
-/// Controller, link and simulated board. Also checks that no coil is driven once the last effect
-/// has ended.
-HourResult full_hour(std::uint64_t seed, double seconds = 3600.0);
+/// A ball of the family (thermal_ball.h) in steps of 20 ms. `seconds` of device time; equal seeds
+/// give equal hours. `hand`: so many times as hard it is to cool (2: in a closed hand).
+HourResult thermal_hour(std::uint64_t seed, double seconds = 3600.0,
+                        const device::FrontEndChoice& front_end = {},
+                        double thermal_tolerance = 0.2, double hand = 1.0);
+
+/// The same after `calibrate --thermal` of that ball.
+HourResult calibrated_hour(std::uint64_t seed, double seconds = 3600.0,
+                           const device::FrontEndChoice& front_end = {});
+
+/// Controller, link and simulated board with this front end. Also checks that no coil is driven
+/// once the last effect has ended.
+HourResult full_hour(std::uint64_t seed, double seconds = 3600.0,
+                     const device::FrontEndChoice& front_end = {}, double hand = 1.0);
 
 }  // namespace hedgehog::rig

@@ -140,9 +140,9 @@ void Rig::set_faults(std::uint16_t faults, int coil) {
   board_.apply(settings);
 }
 
-void Rig::set_room(double room_c) {
+void Rig::set_ambient(double ambient_c) {
   device::SimulatorSettings settings = board_.settings();
-  settings.ambient_c = room_c;
+  settings.ambient_c = ambient_c;
   board_.apply(settings);
 }
 
@@ -164,8 +164,8 @@ bool Rig::playing(EffectId effect) const noexcept {
 }
 
 int Rig::count(control::EventType type) const noexcept {
-  return static_cast<int>(std::count_if(log_.begin(), log_.end(),
-                                        [&](const auto& event) { return event.type == type; }));
+  return static_cast<int>(std::count_if(
+      log_.begin(), log_.end(), [&](const auto& event) { return event.type == type; }));
 }
 
 const control::Event* Rig::last(control::EventType type) const noexcept {

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "daemon/control/controller.h"
-#include "daemon/control/flight_recorder.h"
+#include "daemon/control/recording/flight_recorder.h"
 #include "daemon/device/link.h"
-#include "daemon/device/simulated_board.h"
+#include "daemon/device/simulator/simulated_board.h"
 #include "model/random_stream.h"
 
 namespace hedgehog::rig {
@@ -72,7 +72,7 @@ class Rig {
   void emergency_stop() noexcept { ++inputs_.emergency_generation; }
   /// Breaks (or mends) the simulated hardware now.
   void set_faults(std::uint16_t faults, int coil = 0);
-  void set_room(double room_c);
+  void set_ambient(double ambient_c);
   /// The next `frames` telemetry frames are lost on the way.
   void lose_telemetry(int frames) noexcept { lose_ = frames; }
   /// The next telemetry frame comes a tick late, together with the one after it.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The control thread is late or stuck, alone or together with the link.
-#include "daemon/device/simulator_settings.h"
+#include "daemon/device/simulator/simulator_settings.h"
 #include "tests/safety/safe.h"
 
 namespace hedgehog::safety {

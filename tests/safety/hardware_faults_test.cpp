@@ -3,7 +3,7 @@
 // ticks, zero at the plant after 5 L/R, the named latch, one event.
 #include <algorithm>
 
-#include "daemon/device/simulator_settings.h"
+#include "daemon/device/simulator/simulator_settings.h"
 #include "tests/safety/safe.h"
 
 namespace hedgehog::safety {
@@ -133,7 +133,7 @@ TEST(FanFault, NoTachometerForThreeSecondsTrips) {
 
   // Still standing: refused. Mended: it turns, and arming works.
   rig.run(1000);
-  EXPECT_EQ(name(rig.snapshot().arm_refusal), "fan_stopped");
+  EXPECT_EQ(name(rig.snapshot().arming_blocker), "fan_stopped");
   rig.arm();
   rig.run(400);
   EXPECT_EQ(name(rig.controller().state()), "tripped");
@@ -151,9 +151,9 @@ TEST(FanFault, KeepsABallFromBeingArmedThatWasNeverArmed) {
   rig::Rig rig(options);
   rig.set_faults(device::kSimFanStopped);
   rig.run(2900);
-  EXPECT_EQ(name(rig.snapshot().arm_refusal), "none") << "a fan may take its time to start";
+  EXPECT_EQ(name(rig.snapshot().arming_blocker), "none") << "a fan may take its time to start";
   rig.run(200);
-  EXPECT_EQ(name(rig.snapshot().arm_refusal), "fan_stopped");
+  EXPECT_EQ(name(rig.snapshot().arming_blocker), "fan_stopped");
   rig.arm();
   rig.run(400);
   EXPECT_EQ(name(rig.controller().state()), "disarmed");

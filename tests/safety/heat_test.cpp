@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "daemon/device/board_codec.h"
-#include "daemon/device/simulator_settings.h"
+#include "daemon/device/simulator/simulator_settings.h"
 #include "tests/safety/safe.h"
 
 namespace hedgehog::safety {
@@ -27,6 +27,15 @@ double hottest_until_stopped(rig::Rig& rig, const model::Vec3& axis, double curr
   return hottest;
 }
 
+/// The ball is at `celsius`, as it was when it was seen last, in a much hotter room.
+void start_at(rig::RigOptions& options, double celsius, double ambient_c) {
+  options.board.start_c = celsius;
+  options.board.ambient_c = ambient_c;
+  options.control.start.winding_c.fill(celsius);
+  options.control.start.core_c = celsius;
+  options.control.start_room_c = ambient_c;
+}
+
 class WithoutLimiter : public ::testing::TestWithParam<int> {};
 
 TEST_P(WithoutLimiter, TheWatchdogTripsAtSeventyByTheWindingsOwnResistance) {
@@ -38,23 +47,24 @@ TEST_P(WithoutLimiter, TheWatchdogTripsAtSeventyByTheWindingsOwnResistance) {
   EXPECT_TRUE(asleep(rig));
   EXPECT_LT(rig.current_a(), kZeroA);
   expect_tripped(rig, Reason::kOverheated);
+  // 2.4 K/s for the 50 ms it must last, and a share of the noise of a real board.
   EXPECT_GT(hottest, 69.5);
-  EXPECT_LT(hottest, 70.5);
+  EXPECT_LT(hottest, 70.75);
 }
 
 INSTANTIATE_TEST_SUITE_P(EachWinding, WithoutLimiter, ::testing::Values(0, 1, 2));
 
 TEST(TooHot, TheRawThermistorTripsWithoutAnyCurrent) {
   rig::RigOptions options;
-  options.board.start_c = 69.0;
-  options.board.ambient_c = 120.0;
+  start_at(options, 68.0, 120.0);
   options.board.plant.sensor_noise_k = 0.0;
   rig::Rig warm(options);
   warm.run_until_armed();
-  ASSERT_TRUE(warm.run_until([&] { return warm.plant().sensor_c() >= 69.99; }, 60'000));
+  // The converter and the thermistor's curve are right to 0.25 K, the estimate to half a kelvin.
+  ASSERT_TRUE(warm.run_until([&] { return warm.plant().sensor_c() >= 69.0; }, 60'000));
   EXPECT_EQ(name(warm.controller().state()), "armed") << name(warm.controller().reason());
-  ASSERT_TRUE(warm.run_until([&] { return warm.plant().sensor_c() >= 70.0; }, 1000));
-  ASSERT_TRUE(warm.run_until([&] { return warm.controller().state() == control::State::kTripped; },
+  ASSERT_TRUE(warm.run_until([&] { return warm.plant().sensor_c() >= 70.3; }, 60'000) &&
+              warm.run_until([&] { return warm.controller().state() == control::State::kTripped; },
                              50 + 12));
   expect_zero(warm, 2);
   expect_tripped(warm, Reason::kOverheated);
@@ -68,9 +78,10 @@ TEST(TooHot, ArmingWaitsUntilItIsCool) {
   rig.arm();
   rig.run(400);
   EXPECT_EQ(name(rig.controller().state()), "tripped");
-  EXPECT_EQ(name(rig.snapshot().arm_refusal), "overheated");
+  EXPECT_EQ(name(rig.snapshot().arming_blocker), "overheated");
   // below max(45 C, room + 10 K)
-  ASSERT_TRUE(rig.run_until([&] { return rig.snapshot().arm_refusal == Reason::kNone; }, 300'000));
+  ASSERT_TRUE(
+      rig.run_until([&] { return rig.snapshot().arming_blocker == Reason::kNone; }, 300'000));
   EXPECT_LT(rig.plant().hottest_winding_c(), 45.5);
   EXPECT_GT(rig.plant().hottest_winding_c(), 42.0);
   rig.arm();
@@ -115,7 +126,9 @@ TEST(BoardsOwnLimits, ThermistorAboveSeventyFive) {
 }
 
 TEST(BoardsOwnLimits, HeatBudgetOfAWindingWithoutThermistor) {
-  rig::Rig rig(without_limiter(300.0));
+  rig::RigOptions options = without_limiter(300.0);
+  options.board.front_end.thermistors = 1;
+  rig::Rig rig(options);
   rig.run_until_armed();
   hottest_until_stopped(rig, {0, 1, 0}, 14.0, 300.0);
   EXPECT_TRUE(asleep(rig));
@@ -153,14 +166,13 @@ TEST(BoardsOwnLimits, ThoseOfAnEarlierConfigurationAreKeptTo) {
   EXPECT_NEAR(rig.current_a(), 3.0, 0.02);
 
   rig::RigOptions options;
-  options.board.start_c = 61.0;
-  options.board.ambient_c = 120.0;
+  start_at(options, 61.0, 120.0);
   rig::Rig warm(options);
   warm.board().receive(device::encode_limits({67.0, 5.5, 1.0}, 1));
   warm.run_until_armed();
   EXPECT_TRUE(
       warm.run_until([&] { return warm.controller().state() != control::State::kArmed; }, 30'000));
-  EXPECT_NEAR(warm.plant().sensor_c(), 62.0, 0.5);
+  EXPECT_NEAR(warm.plant().sensor_c(), 61.75, 0.5);
   expect_tripped(warm, Reason::kOverheated);
 }
 
@@ -196,7 +208,7 @@ TEST(Restart, UnknownWindingsAreHeldToFiveAmpereUntilMeasured) {
   rig.start(rig::hold({0, 0, 1}, 15.0));
   rig.run(2);
   EXPECT_NEAR(rig.snapshot().limited_a.z, 5.0, 1e-9);
-  ASSERT_TRUE(rig.run_until([&] { return norm(rig.snapshot().limited_a) > 14.9; }, 100));
+  ASSERT_TRUE(rig.run_until([&] { return norm(rig.snapshot().limited_a) > 14.9; }, 300));
   EXPECT_TRUE(rig.snapshot().thermal.measured[2]);
   EXPECT_FALSE(rig.snapshot().thermal.measured[0]) << "the undriven ones do not hold it back";
 }
@@ -227,8 +239,9 @@ TEST(Restart, HeatOfAWindingThatNeverMeasuredItselfIsRememberedToo) {
   rig.arm();
   rig.run(300);
   EXPECT_EQ(name(rig.controller().state()), "tripped");
-  EXPECT_EQ(name(rig.snapshot().arm_refusal), "overheated");
-  ASSERT_TRUE(rig.run_until([&] { return rig.snapshot().arm_refusal == Reason::kNone; }, 600'000));
+  EXPECT_EQ(name(rig.snapshot().arming_blocker), "overheated");
+  ASSERT_TRUE(
+      rig.run_until([&] { return rig.snapshot().arming_blocker == Reason::kNone; }, 600'000));
   EXPECT_LT(rig.snapshot().thermal.hottest_c, 46.0);
 }
 

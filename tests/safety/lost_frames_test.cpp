@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every second telemetry frame is lost, so that no two belong together: what the ball can still
 // judge by a single frame it must.
-#include "daemon/device/simulator_settings.h"
+#include "daemon/device/simulator/simulator_settings.h"
 #include "tests/safety/safe.h"
 
 namespace hedgehog::safety {

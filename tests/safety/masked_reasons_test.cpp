@@ -3,7 +3,7 @@
 // for heat is not armed before it has cooled down.
 #include <cmath>
 
-#include "daemon/device/simulator_settings.h"
+#include "daemon/device/simulator/simulator_settings.h"
 #include "tests/safety/safe.h"
 
 namespace hedgehog::safety {
@@ -31,7 +31,7 @@ TEST(MaskedReasons, ABoardLatchedForHeatIsNotArmedAtStartBeforeItIsCool) {
   rig.board() = board;
   rig.run(500);
   EXPECT_EQ(name(rig.controller().state()), "disarmed");
-  EXPECT_EQ(name(rig.snapshot().arm_refusal), "board_over_heat");
+  EXPECT_EQ(name(rig.snapshot().arming_blocker), "board_over_heat");
   ASSERT_TRUE(
       rig.run_until([&] { return rig.controller().state() == control::State::kArmed; }, 3'000'000));
   EXPECT_LT(rig.plant().sensor_c(), 60.0);

@@ -12,7 +12,7 @@ namespace {
 using model::Tick;
 
 constexpr double kAskedA = 8.0;
-constexpr double kMostA = 8.5;
+constexpr double kMaxA = 8.5;
 
 struct Vibration {
   rig::Rig rig;
@@ -48,7 +48,7 @@ struct Vibration {
   }
   void expect_as_asked(double seconds) {
     record();
-    EXPECT_LT(peak_a, kMostA);
+    EXPECT_LT(peak_a, kMaxA);
     EXPECT_GT(peak_a, 0.9 * kAskedA);
     EXPECT_NEAR(above_half_ms / (seconds * 1000.0), 0.5, 0.1) << "it still vibrates";
     EXPECT_EQ(name(rig.controller().state()), "armed") << "being late is no fault of the ball";
@@ -91,11 +91,10 @@ TEST(Overdrive, ControlAndLinkPauseAtRandom) {
   while (ran < 8000) {
     vibration.tick();
     const Tick late = random.uniform(0.0, 1.0) < 0.2 ? static_cast<Tick>(random.uniform(1, 8)) : 0;
-    if (random.bits() % 2 == 0) {
+    if (random.bits() % 2 == 0)
       vibration.skip_control(late);
-    } else {
+    else
       vibration.freeze_host(late);
-    }
     ran += 1 + late;
   }
   vibration.expect_as_asked(static_cast<double>(ran) / 1000.0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Somebody falls silent: a client, io, the whole host, the board, the orientation sensor. For
 // control and the link see control_late_test.cpp.
-#include "daemon/device/simulator_settings.h"
+#include "daemon/device/simulator/simulator_settings.h"
 #include "tests/safety/safe.h"
 
 namespace hedgehog::safety {

@@ -15,12 +15,14 @@ struct Outcome {
 };
 
 /// Holds `asked_a` in `winding`, which has `share` of the resistance that the file says.
-Outcome held(int winding, double share, double asked_a, int most_s, double room_c = 25.0) {
+Outcome held(int winding, double share, double asked_a, int most_s, double ambient_c = 25.0,
+             int thermistors = 3) {
   rig::RigOptions options;
+  options.board.front_end.thermistors = thermistors;
   options.board.plant.r25_ohm[static_cast<std::size_t>(winding)] *= share;
-  options.board.ambient_c = options.board.start_c = room_c;
-  options.control.start.winding_c.fill(room_c);
-  options.control.start.core_c = options.control.start_room_c = room_c;
+  options.board.ambient_c = options.board.start_c = ambient_c;
+  options.control.start.winding_c.fill(ambient_c);
+  options.control.start.core_c = options.control.start_room_c = ambient_c;
   rig::Rig rig(options);
   rig.run_until_armed();
   model::Vec3 along{};
@@ -37,44 +39,44 @@ Outcome held(int winding, double share, double asked_a, int most_s, double room_
   return outcome;
 }
 
-// Winding 0 carries the thermistor, which contradicts by itself.
 TEST(WrongFile, TooLittleResistanceStopsTheBallBeforeItIsWarm) {
   for (const int winding : {0, 1, 2}) {
     for (const double share : {0.5, 0.7, 0.8, 0.9}) {
       for (const double asked_a : {3.0, 5.0, 8.0, 12.0}) {
-        const Outcome outcome = held(winding, share, asked_a, 10);
-        EXPECT_NE(outcome.reason, Reason::kNone) << winding << " x" << share << " " << asked_a;
+        const Outcome outcome = held(winding, share, asked_a, 10, 25.0, 1);
+        EXPECT_TRUE(outcome.reason == Reason::kMeasurementsDisagree ||
+                    outcome.reason == Reason::kCurrentMismatch)
+            << winding << " x" << share << " " << asked_a << ": " << name(outcome.reason);
         EXPECT_LT(outcome.seconds, 1.6) << winding << " x" << share << " " << asked_a;
         EXPECT_LT(outcome.hottest_c, 30.0) << winding << " x" << share << " " << asked_a;
-        if (winding != 0) {
-          EXPECT_EQ(name(outcome.reason), "current_mismatch") << share << " " << asked_a;
-        }
       }
     }
   }
 }
 
 TEST(WrongFile, TooMuchResistanceLooksLikeHeat) {
-  for (const double share : {1.2, 2.0}) {
-    for (const double asked_a : {5.0, 15.0}) {
+  for (const double share : {1.2, 2.0})
+    for (const double asked_a : {5.0, 15.0})
       EXPECT_LT(held(1, share, asked_a, 10).seconds, 1.1) << share << " " << asked_a;
+}
+
+// The resistance is measured anew at each cold start, so a file that is a little off costs nothing.
+TEST(WrongFile, FivePercentMakeNoDifference) {
+  for (const int thermistors : {1, 3}) {
+    for (const int winding : {0, 1, 2}) {
+      const Outcome outcome = held(winding, 0.95, 12.0, 120, 25.0, thermistors);
+      EXPECT_EQ(name(outcome.reason), "none") << winding << " " << thermistors;
+      EXPECT_LT(outcome.hottest_c, 69.0) << winding << " " << thermistors;
     }
   }
 }
 
-// What no check sees is bounded: 1 % is 2.5 K (DESIGN section 6).
-TEST(WrongFile, FivePercentIsTwelveKelvin) {
-  const Outcome outcome = held(1, 0.95, 12.0, 120);
-  EXPECT_EQ(name(outcome.reason), "none");
-  EXPECT_LT(outcome.hottest_c, 69.0 + 14.0);
-}
-
 TEST(WrongFile, ARightOneAndAColdRoomAreNoFault) {
-  for (const double room_c : {5.0, 25.0}) {
+  for (const double ambient_c : {5.0, 25.0}) {
     for (const double share : {0.97, 1.0, 1.03}) {
       for (const double asked_a : {1.6, 5.0, 15.0}) {
-        const Outcome outcome = held(1, share, asked_a, 20, room_c);
-        EXPECT_EQ(name(outcome.reason), "none") << room_c << " x" << share << " " << asked_a;
+        const Outcome outcome = held(1, share, asked_a, 20, ambient_c);
+        EXPECT_EQ(name(outcome.reason), "none") << ambient_c << " x" << share << " " << asked_a;
       }
     }
   }

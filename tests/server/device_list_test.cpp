@@ -28,7 +28,7 @@ device::HidDevice temper(int address) {
 DeviceFacts facts() {
   DeviceFacts facts;
   facts.board_ids.ids = {{0x1209, 0x0001}};
-  facts.board = device::BoardSight{};
+  facts.board = device::BoardUsbInfo{};
   return facts;
 }
 
@@ -94,7 +94,7 @@ TEST(DeviceList, WhatIsMissingAndWhatIsNothingToUs) {
   EXPECT_EQ(seen.missing[0].why, "no driver board is connected (1209:0001)");
 }
 
-struct SlowLooker : server::DeviceLooker {
+struct SlowLooker : server::DeviceScanner {
   Ready look() override {
     return [this]() -> std::optional<protocol::DevicesResult> {
       if (--pumps > 0) return std::nullopt;

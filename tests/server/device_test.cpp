@@ -99,9 +99,7 @@ TEST(Device, AHotBallReducesAndRefusesWhoWouldRatherNot) {
   EXPECT_EQ(refused["data"]["value"], 15);
   EXPECT_GT(refused["data"]["retry_after_ms"].get<int>(), 0);
   bool said = false;
-  for (const Json& event : rig.heard(game)) {
-    said = said || event["type"] == "derating_started";
-  }
+  for (const Json& event : rig.on_event(game)) said = said || event["type"] == "derating_started";
   EXPECT_TRUE(said);
   EXPECT_EQ(rig.call(game, "device.status")["derating"], true);
 }
@@ -197,20 +195,20 @@ TEST(Device, TelemetryKeepsItsRateInDeviceTime) {
   EXPECT_EQ(rig.call(game, "telemetry.subscribe", {{"rate_hz", 500}})["data"]["limit"], 200);
   rig.call(game, "telemetry.subscribe", {{"rate_hz", 200}, {"fields", {"orientation"}}});
   rig.run(1000);
-  const auto heard = rig.heard(game, LineKind::kTelemetry);
-  EXPECT_NEAR(static_cast<double>(heard.size()), 200.0, 1.0);
-  EXPECT_EQ(heard[0].size(), 2u);  // time_ns and what was asked for
-  EXPECT_TRUE(heard[0].contains("time_ns"));
+  const auto on_event = rig.on_event(game, LineKind::kTelemetry);
+  EXPECT_NEAR(static_cast<double>(on_event.size()), 200.0, 1.0);
+  EXPECT_EQ(on_event[0].size(), 2u);  // time_ns and what was asked for
+  EXPECT_TRUE(on_event[0].contains("time_ns"));
   rig.call(game, "telemetry.subscribe", {{"rate_hz", 10}, {"fields", {"pins", "pin"}}});
   rig.call(game, "effect.pulse", {{"direction", "left"}});
   rig.run(100);
-  const auto whole = rig.heard(game, LineKind::kTelemetry);
+  const auto whole = rig.on_event(game, LineKind::kTelemetry);
   ASSERT_FALSE(whole.empty());
   EXPECT_EQ(whole.back()["pins"]["force_n"].size(), 86u);
   rig.call(game, "telemetry.unsubscribe");
-  rig.heard(game, LineKind::kTelemetry);
+  rig.on_event(game, LineKind::kTelemetry);
   rig.run(200);
-  EXPECT_TRUE(rig.heard(game, LineKind::kTelemetry).empty());
+  EXPECT_TRUE(rig.on_event(game, LineKind::kTelemetry).empty());
 }
 
 }  // namespace

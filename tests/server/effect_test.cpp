@@ -28,7 +28,7 @@ TEST(Effects, AStartIsAdmittedAndPlays) {
   EXPECT_NEAR(rig.plant_current_a(), 9.3, 0.3);
   rig.run(200);
   EXPECT_LT(rig.plant_current_a(), 0.1);
-  const auto events = rig.heard(game);
+  const auto events = rig.on_event(game);
   ASSERT_EQ(events.size(), 2u);
   EXPECT_EQ(events[0]["type"], "effect_started");
   EXPECT_EQ(events[0]["seq"], a["seq"]);
@@ -82,7 +82,7 @@ TEST(Effects, ASlotIsReplacedInOneTickAndBelongsToItsConnection) {
   const Json second = rig.call(game, "effect.vibrate", engine);
   EXPECT_NE(second["effect"], first["effect"]);
   rig.run(5);
-  const auto events = rig.heard(game);
+  const auto events = rig.on_event(game);
   ASSERT_EQ(events.size(), 3u);
   EXPECT_EQ(events[1]["type"] == "effect_ended" ? events[1]["reason"] : events[2]["reason"],
             "replaced");
@@ -119,15 +119,15 @@ TEST(Effects, WhenAConnectionEndsItsEffectsEndAtTheNextTick) {
   rig.call(game, "effect.hold", {{"direction", "up"}, {"lease_ms", 5000}});
   rig.call(game, "effect.pulse", pulse({{"on_close", "finish"}, {"duration_ms", 300}}));
   rig.run(50);
-  rig.heard(operators);
+  rig.on_event(operators);
   rig.disconnect(game);
   rig.run(2);
-  auto events = rig.heard(operators);
+  auto events = rig.on_event(operators);
   ASSERT_EQ(events.size(), 1u);
   EXPECT_EQ(events[0]["reason"], "disconnected");
   EXPECT_GT(rig.plant_current_a(), 1.0);
   rig.run(300);
-  events = rig.heard(operators);
+  events = rig.on_event(operators);
   ASSERT_EQ(events.size(), 1u);
   EXPECT_EQ(events[0]["reason"], "completed");
   EXPECT_LT(rig.plant_current_a(), 0.1);
@@ -142,8 +142,8 @@ TEST(Effects, EventsOfOthersAreForThoseWhoAskForAll) {
   rig.call(some, "events.subscribe", {{"scope", "all"}, {"types", {"effect_ended"}}});
   rig.call(game, "effect.pulse", pulse({{"duration_ms", 10}}));
   rig.run(50);
-  EXPECT_TRUE(rig.heard(mine).empty());
-  EXPECT_EQ(rig.heard(some).size(), 1u);
+  EXPECT_TRUE(rig.on_event(mine).empty());
+  EXPECT_EQ(rig.on_event(some).size(), 1u);
 }
 
 TEST(Effects, ThirtyTwoEachAndSixtyFourInAll) {
@@ -208,9 +208,8 @@ TEST(Effects, ABatchIsAppliedInOneTick) {
   FakeClient& game = rig.connect();
   rig.call(game, "events.subscribe");
   Json batch = Json::array();
-  for (int i = 0; i < 32; ++i) {
+  for (int i = 0; i < 32; ++i)
     batch.push_back({{"jsonrpc", "2.0"}, {"method", "effect.pulse"}, {"params", pulse()}});
-  }
   batch.push_back({{"jsonrpc", "2.0"}, {"id", "a"}, {"method", "ping"}});
   batch.push_back({{"jsonrpc", "2.0"}, {"id", "b"}, {"method", "device.arm"}});
   batch.push_back({{"jsonrpc", "2.0"}, {"id", "c"}, {"method", "nonsense"}});
@@ -220,11 +219,9 @@ TEST(Effects, ABatchIsAppliedInOneTick) {
   EXPECT_EQ(answers[1]["id"], "b");
   EXPECT_EQ(answers[2]["error"]["code"], -32601);
   rig.run(5);
-  const auto events = rig.heard(game);
+  const auto events = rig.on_event(game);
   ASSERT_EQ(events.size(), 32u);
-  for (const Json& event : events) {
-    EXPECT_EQ(event["time_ns"], events[0]["time_ns"]);
-  }
+  for (const Json& event : events) EXPECT_EQ(event["time_ns"], events[0]["time_ns"]);
 }
 
 TEST(Effects, OneThatHasEndedByItselfIsNotMixedWithTheNext) {
@@ -232,10 +229,8 @@ TEST(Effects, OneThatHasEndedByItselfIsNotMixedWithTheNext) {
   FakeClient& game = rig.connect();
   const Json strong{{"direction", "left"}, {"current_a", 12}, {"duration_ms", 50}};
   rig.call(game, "effect.pulse", strong);
-  const auto plays = [&rig] { return rig.machine->now().effects[0].effect == 1; };
-  for (int i = 0; i < 10 && !plays(); ++i) {
-    rig.run(1);
-  }
+  const auto plays = [&rig] { return rig.device_view->now().effects[0].effect == 1; };
+  for (int i = 0; i < 10 && !plays(); ++i) rig.run(1);
   ASSERT_TRUE(plays());
   EXPECT_EQ(rig.call(game, "effect.pulse", strong)["limited_by"], "mix");
   rig.run(60);

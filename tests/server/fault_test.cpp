@@ -2,7 +2,7 @@
 // What a client hears when something is wrong with the ball: faults, arming, absence, remedies.
 #include <gtest/gtest.h>
 
-#include "daemon/server/remedy.h"
+#include "daemon/server/device/remedy.h"
 #include "tests/server/server_rig.h"
 
 namespace hedgehog::server {
@@ -24,7 +24,7 @@ TEST(Faults, AFaultTripsWithItsNameAndArmingSaysWhyNot) {
   const Json refused = rig.call(owner, "device.arm");
   EXPECT_EQ(refused["code"], -32000);
   EXPECT_EQ(refused["data"]["reason"], "sensor_open");
-  const auto events = rig.heard(owner);
+  const auto events = rig.on_event(owner);
   ASSERT_FALSE(events.empty());
   EXPECT_EQ(events[0]["type"], "state_changed");
   EXPECT_EQ(events[0]["reason"], "sensor_open");
@@ -50,20 +50,20 @@ TEST(Faults, TheBoardGuardsTheLimitsOfTheConfiguration) {
   config.limits.current_a = 8.0;
   config.limits.trip_c = 62.0;
   ServerRig rig(config);
-  EXPECT_DOUBLE_EQ(rig.machine->now().board.limit_current_a, 8.8);
-  EXPECT_DOUBLE_EQ(rig.machine->now().board.limit_sensor_c, 67.0);
+  EXPECT_DOUBLE_EQ(rig.device_view->now().board.limit_current_a, 8.8);
+  EXPECT_DOUBLE_EQ(rig.device_view->now().board.limit_sensor_c, 67.0);
   config.limits.current_a = 6.0;
-  rig.machine->set_config(config);
+  rig.device_view->set_config(config);
   rig.run(5);
-  EXPECT_DOUBLE_EQ(rig.machine->now().board.limit_current_a, 6.6);
-  EXPECT_FALSE(rig.machine->board_holds_back());
+  EXPECT_DOUBLE_EQ(rig.device_view->now().board.limit_current_a, 6.6);
+  EXPECT_FALSE(rig.device_view->board_holds_back());
   config.limits.current_a = 8.0;
-  rig.machine->set_config(config);
+  rig.device_view->set_config(config);
   rig.run(5);
-  EXPECT_TRUE(rig.machine->board_holds_back()) << "until its power-up";
+  EXPECT_TRUE(rig.device_view->board_holds_back()) << "until its power-up";
   ServerRig usual;
-  EXPECT_DOUBLE_EQ(usual.machine->now().board.limit_current_a, 16.5);
-  EXPECT_DOUBLE_EQ(usual.machine->now().board.limit_sensor_c, 75.0);
+  EXPECT_DOUBLE_EQ(usual.device_view->now().board.limit_current_a, 16.5);
+  EXPECT_DOUBLE_EQ(usual.device_view->now().board.limit_sensor_c, 75.0);
 }
 
 TEST(Faults, ATripIsRememberedWithWhatItWasAndWhoPlayed) {
@@ -194,15 +194,13 @@ std::string batch(std::size_t count, const std::string& method, bool answered) {
 
 TEST(Faults, ABatchMayAskForEightAndANotificationForNone) {
   ServerRig rig;
-  for (int i = 1; i <= 5'000; ++i) {
+  for (int i = 1; i <= 5'000; ++i)
     rig.history.record({.type = "derating_ended", .time_ns = i}, i, nullptr);
-  }
   FakeClient& client = rig.connect(protocol::Role::kObserve);
   const Json answers = rig.say(client, batch(64, "events.history", true));
   ASSERT_EQ(answers.size(), 64u);
-  for (std::size_t i = 0; i < answers.size(); ++i) {
+  for (std::size_t i = 0; i < answers.size(); ++i)
     EXPECT_EQ(answers[i].contains("result"), i < 8) << i;
-  }
   EXPECT_EQ(answers[8]["error"]["code"], -32001);
   EXPECT_EQ(answers[8]["error"]["data"]["limit"], 8);
   const auto asked = rig.server->counters().requests;
@@ -213,7 +211,7 @@ TEST(Faults, ABatchMayAskForEightAndANotificationForNone) {
 TEST(Faults, WhoAsksADaemonThatEndsIsToldSoAndAStopIsStillALatch) {
   ServerRig rig;
   FakeClient& game = rig.connect();
-  rig.server->say_shutting_down("stop");
+  rig.server->announce_shutdown("stop");
   const std::map<std::string, Json> asked{{"effect.pulse", {{"direction", "left"}}},
                                           {"output.set_gain", {{"gain", 0.5}}},
                                           {"ping", Json::object()}};
@@ -235,7 +233,7 @@ TEST(Faults, WhoAsksADaemonThatEndsIsToldSoAndAStopIsStillALatch) {
   EXPECT_EQ(stopped["result"]["state"], "disarmed");
   EXPECT_EQ(stopped["result"]["reason"], "emergency_stop");
   EXPECT_EQ(stopped["result"]["remedy"], "Run: hedgehogctl arm");
-  EXPECT_FALSE(rig.server->owes());
+  EXPECT_FALSE(rig.server->has_pending());
 }
 
 }  // namespace

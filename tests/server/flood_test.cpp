@@ -32,23 +32,20 @@ TEST(Flood, WhoFloodsIsBusyAndOthersAreNot) {
     rig.server->line(flood.session,
                      R"({"jsonrpc":"2.0","id":1,"method":"effect.vibrate","params":{"slot":"x"}})");
   }
-  for (const auto& line : flood.lines) {
+  for (const auto& line : flood.lines)
     busy += Json::parse(line.text).value("error", Json::object()).value("code", 0) == -32001;
-  }
   EXPECT_GT(busy, 500);
   EXPECT_TRUE(rig.call(game, "effect.pulse", left_pulse()).contains("effect"));
   rig.run(20);
-  EXPECT_FALSE(rig.machine->outbox().waiting());
-  EXPECT_EQ(rig.machine->now().applied_seq, rig.machine->outbox().last_seq());
+  EXPECT_FALSE(rig.device_view->outbox().waiting());
+  EXPECT_EQ(rig.device_view->now().applied_seq, rig.device_view->outbox().last_seq());
 }
 
 TEST(Flood, OfManyKeepsNobodyOut) {
   ServerRig rig;
   FakeClient& game = rig.connect();
   std::vector<FakeClient*> flood;
-  for (int i = 0; i < 12; ++i) {
-    flood.push_back(&rig.connect());
-  }
+  for (int i = 0; i < 12; ++i) flood.push_back(&rig.connect());
   int served = 0;
   constexpr int kPulses = repetitions(10);
   for (int tick = 0; tick < 20 * kPulses; ++tick) {
@@ -73,14 +70,14 @@ TEST(Registry, ManyEndingOnesLeaveAsManyPlacesToOthersAndTheLastToNewcomers) {
   std::vector<int> held;
   for (ConnectionId owner = 1; owner <= 8; ++owner) {
     held.push_back(0);
-    while (registry.room(owner, false) == EffectRegistry::Room::kYes) {
+    while (registry.capacity(owner, false) == EffectRegistry::Capacity::kYes) {
       registry.add(owner).ending = true;
       ++held.back();
     }
   }
   EXPECT_EQ(held, (std::vector{32, 32, 28, 14, 7, 4, 2, 1}));
-  EXPECT_EQ(registry.room(8, false), EffectRegistry::Room::kPlacesFull);
-  EXPECT_EQ(registry.room(9, false), EffectRegistry::Room::kYes);
+  EXPECT_EQ(registry.capacity(8, false), EffectRegistry::Capacity::kPlacesFull);
+  EXPECT_EQ(registry.capacity(9, false), EffectRegistry::Capacity::kYes);
 }
 
 }  // namespace

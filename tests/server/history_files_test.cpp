@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The event history on a real disk, and times of day as it writes them.
-#include "daemon/server/history_files.h"
+#include "daemon/server/history/history_files.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <string>
 
-#include "protocol/wall_time.h"
+#include "base/wall_time.h"
 #include "tests/temporary_folder.h"
 
 namespace hedgehog::server {
@@ -72,20 +72,18 @@ TEST_F(HistoryFiles, AnAppendThatFailsHalfwayLeavesNothingAndTurnsNothingOverTwi
 }
 
 TEST(WallTime, IsRfc3339BothWays) {
-  using protocol::parse_rfc3339;
-  using protocol::rfc3339;
-  EXPECT_EQ(rfc3339(0), "1970-01-01T00:00:00.000Z");
-  EXPECT_EQ(rfc3339(1'795'216'447'412), "2026-11-20T23:14:07.412Z");
-  for (const std::int64_t ms : {0LL, 951'782'400'000LL, 1'795'216'447'412LL}) {
-    EXPECT_EQ(parse_rfc3339(rfc3339(ms)), ms);
-  }
-  EXPECT_EQ(parse_rfc3339("2026-11-21T00:14:07.4129+01:00"), 1'795'216'447'412);
-  EXPECT_EQ(parse_rfc3339("2026-11-20 23:14:07z"), 1'795'216'447'000);
+  using base::parse_rfc3339;
+  using base::rfc3339;
+  EXPECT_EQ(base::rfc3339(0), "1970-01-01T00:00:00.000Z");
+  EXPECT_EQ(base::rfc3339(1'795'216'447'412), "2026-11-20T23:14:07.412Z");
+  for (const std::int64_t ms : {0LL, 951'782'400'000LL, 1'795'216'447'412LL})
+    EXPECT_EQ(base::parse_rfc3339(base::rfc3339(ms)), ms);
+  EXPECT_EQ(base::parse_rfc3339("2026-11-21T00:14:07.4129+01:00"), 1'795'216'447'412);
+  EXPECT_EQ(base::parse_rfc3339("2026-11-20 23:14:07z"), 1'795'216'447'000);
   for (const char* wrong : {"", "yesterday", "2026-11-21", "2026-02-30T00:00:00Z",
                             "2026-11-21T24:00:00Z", "2026-11-21T01:14:07", "2026-11-21T01:14:07ZZ",
-                            "2026-11-21T01:14:07.Z", "2026-11-21T01:14:07+25:00"}) {
-    EXPECT_EQ(parse_rfc3339(wrong), std::nullopt) << wrong;
-  }
+                            "2026-11-21T01:14:07.Z", "2026-11-21T01:14:07+25:00"})
+    EXPECT_EQ(base::parse_rfc3339(wrong), std::nullopt) << wrong;
 }
 
 }  // namespace

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "daemon/server/event_history.h"
+#include "base/wall_time.h"
+#include "daemon/server/history/event_history.h"
 #include "protocol/client_codec.h"
 #include "protocol/server_codec.h"
-#include "protocol/wall_time.h"
 #include "tests/server/server_rig.h"
 
 namespace hedgehog::server {
@@ -39,7 +39,7 @@ TEST(History, TypesSinceAndLimitChoose) {
   const Json all = ask({{"types", {"effect_ended"}}});
   ASSERT_EQ(all["events"].size(), 10u);
   EXPECT_EQ(all["more"], false);
-  EXPECT_EQ(all["events"][9]["at"], protocol::rfc3339(rig.wall_ms() - 9)) << "5 ms and a tick";
+  EXPECT_EQ(all["events"][9]["at"], base::rfc3339(rig.wall_ms() - 9)) << "5 ms and a tick";
   const Json three = ask({{"types", {"effect_ended"}}, {"limit", 3}});
   ASSERT_EQ(three["events"].size(), 3u);
   EXPECT_EQ(three["more"], true);
@@ -73,9 +73,7 @@ struct Disk {
   EventHistory::Writer writer() {
     return [this](HistoryPart part, const std::string& lines, bool begin_file) {
       HistoryText& text = texts[static_cast<std::size_t>(part)];
-      if (begin_file) {
-        text.full = std::exchange(text.filling, {});
-      }
+      if (begin_file) text.full = std::exchange(text.filling, {});
       text.filling += lines;
       return done_work();
     };
@@ -125,9 +123,7 @@ TEST(History, IsBoundedAndAGameCannotPushTripsOut) {
   EXPECT_EQ(events.events.back().event.effect, 11'000u);
   EXPECT_TRUE(events.more);
   std::size_t bytes = 0;
-  for (const auto& event : events.events) {
-    bytes += protocol::encode_past_event(event).size();
-  }
+  for (const auto& event : events.events) bytes += protocol::encode_past_event(event).size();
   EXPECT_LT(bytes, 65'000u) << "an answer is a line that clients read";
 
   const EventHistory again(disk.writer(), disk.texts);
@@ -191,9 +187,7 @@ TEST(History, ADiskWithoutRoomOrWithAProblemIsAskedAgainForTheSame) {
   history.record(ended(1), 1'000, nullptr);
   history.pump(1'000);
   history.record(ended(2), 2'000, nullptr);
-  for (int second = 2; second < 9; ++second) {
-    history.pump(second * 1'000);
-  }
+  for (int second = 2; second < 9; ++second) history.pump(second * 1'000);
   ASSERT_EQ(asked.size(), 3u);
   EXPECT_EQ(lines_in(asked[0]), 1u);
   EXPECT_EQ(lines_in(asked[1]), 2u);
@@ -202,15 +196,15 @@ TEST(History, ADiskWithoutRoomOrWithAProblemIsAskedAgainForTheSame) {
 
 TEST(History, WhatADiskWithoutRoomMissesIsBounded) {
   Disk disk;
-  bool room = false;
+  bool capacity = false;
   EventHistory history(
       [&, write = disk.writer()](HistoryPart part, const std::string& lines, bool begin_file) {
-        return room ? write(part, lines, begin_file) : nullptr;
+        return capacity ? write(part, lines, begin_file) : nullptr;
       },
       {});
   for (std::uint32_t i = 1; i <= 6'000; ++i) history.record(ended(i), i, nullptr);
   EXPECT_FALSE(history.flush());
-  room = true;
+  capacity = true;
   flush(history);
   EXPECT_EQ(lines_in(disk.effects().filling), EventHistory::kMaxEach) << "the newest of them";
   EXPECT_NE(disk.effects().filling.find("\"effect\":6000,"), std::string::npos);
@@ -262,7 +256,7 @@ TEST(History, AClockThatWasSetBackHidesNothingNew) {
   ASSERT_EQ(ends.size(), 10u);
   EXPECT_EQ(ends.back().event.effect, 25u);
   EXPECT_EQ(ends.front().event.effect, 16u);
-  EXPECT_EQ(newest(history, 2).events.back().at, protocol::rfc3339(25'000));
+  EXPECT_EQ(newest(history, 2).events.back().at, base::rfc3339(25'000));
 }
 
 TEST(History, ALongLineHidesNothing) {

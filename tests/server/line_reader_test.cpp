@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "daemon/server/line_reader.h"
+#include "daemon/server/net/line_reader.h"
 
 #include <gtest/gtest.h>
 
@@ -19,9 +19,8 @@ std::vector<std::string> read(const std::vector<std::string>& pieces) {
   std::vector<std::string> lines;
   for (const std::string& piece : pieces) {
     reader.feed(piece);
-    while (const auto line = reader.next()) {
+    while (const auto line = reader.next())
       lines.push_back(line->too_long ? "TOO LONG" : std::string(line->text));
-    }
   }
   return lines;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Patterns on a real disk: what a restart finds, and what a slow or failing disk does to others.
-#include "daemon/server/pattern_files.h"
+#include "daemon/server/disk/pattern_files.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -15,10 +15,11 @@
 #include <future>
 #include <mutex>
 
-#include "daemon/control/flight_recorder.h"
-#include "daemon/server/machine.h"
-#include "daemon/server/state_keeper.h"
-#include "daemon/server/trip_recordings.h"
+#include "daemon/control/recording/flight_recorder.h"
+#include "daemon/server/device/device_view.h"
+#include "daemon/server/device/file_state_store.h"
+#include "daemon/server/disk/load_saved_state.h"
+#include "daemon/server/history/trip_recordings.h"
 
 namespace {
 
@@ -90,14 +91,14 @@ TEST_F(OnDisk, ARestartFindsThemAndLeavesOutWhatIsDamaged) {
 
 TEST_F(OnDisk, OfMoreThanThereMayBeTheFirstByNameAreRead) {
   const auto name = [](std::size_t i) { return "acme/" + std::to_string(1000 + i); };
-  constexpr std::size_t kMost = PatternLibrary::kMaxPut;
-  for (std::size_t i = kMost + 2; i-- > 0;)
+  constexpr std::size_t kMaxPatterns = PatternLibrary::kMaxPut;
+  for (std::size_t i = kMaxPatterns + 2; i-- > 0;)
     write("patterns/" + name(i) + ".json", pattern(name(i)));
   DiskThread disk;
   const auto found = PatternFiles(state_, disk).load();
-  ASSERT_EQ(found.size(), kMost);
+  ASSERT_EQ(found.size(), kMaxPatterns);
   EXPECT_EQ(found.front().name, name(0));
-  EXPECT_EQ(found.back().name, name(kMost - 1));
+  EXPECT_EQ(found.back().name, name(kMaxPatterns - 1));
 }
 
 TEST_F(OnDisk, AFolderThatCannotBeReadHidesNoOther) {
@@ -116,9 +117,8 @@ TEST_F(OnDisk, AFolderThatCannotBeReadHidesNoOther) {
         std::_Exit(names() == readable ? 0 : 1);
       },
       testing::ExitedWithCode(0), "locked-a: Permission denied");
-  for (const char vendor : std::string("abcdefgh")) {
+  for (const char vendor : std::string("abcdefgh"))
     fs::permissions(state_ + "/patterns/locked-" + vendor, fs::perms::owner_all);
-  }
 }
 
 TEST_F(OnDisk, WhatIsPutOrRemovedIsSafeWithItsFolders) {
@@ -169,7 +169,7 @@ TEST_F(OnDisk, WhatFailsIsSaid) {
 TEST_F(OnDisk, ADiskFullOfPatternsStillTakesALatchAndATripAndFirst) {
   const auto mailbox = std::make_unique<control::Mailbox>();
   const auto port = std::make_unique<device::LinkPort>();
-  Machine machine(config::Config{}, *mailbox, *port, 0);
+  DeviceView device_view(config::Config{}, *mailbox, *port, 0);
   control::FlightRecorder recorder;
   const auto trip = [&] {
     const control::Controller controller{control::ControlSettings{}};
@@ -191,10 +191,10 @@ TEST_F(OnDisk, ADiskFullOfPatternsStillTakesALatchAndATripAndFirst) {
     }
     while (disk.post(DiskUse::kHistory, [] {})) {
     }
-    StateKeeper keeper(state_, disk, machine, std::nullopt);
+    FileStateStore keeper(state_, disk, device_view, std::nullopt);
     TripRecordings recordings(state_, disk, recorder, 0);
     for (int i = 0; i < 200; ++i) {  // as many as somebody likes to ask for
-      keeper.remember_latch(control::Reason::kEmergencyStop);
+      keeper.persist_latch(control::Reason::kEmergencyStop);
       recordings.tripped();
     }
     EXPECT_TRUE(disk.post(DiskUse::kSafety, [&] {

@@ -56,9 +56,8 @@ TEST(Patterns, LookingNeedsObservePuttingNeedsPlay) {
 TEST(Patterns, ThereAreAtMost256OfThem) {
   ServerRig rig;
   FakeClient& game = rig.connect();
-  for (int i = 0; i < 256; ++i) {
+  for (int i = 0; i < 256; ++i)
     ASSERT_TRUE(rig.call(game, "pattern.put", knock("acme/" + std::to_string(i))).contains("name"));
-  }
   const Json refused = rig.call(game, "pattern.put", knock("acme/more"));
   EXPECT_EQ(refused["code"], -32001);
   EXPECT_EQ(refused["data"]["limit"], 256);
@@ -137,9 +136,8 @@ TEST(Patterns, TheListIsOfNowAndFitsALineHoweverMuchIsSaid) {
   FakeClient& game = rig.connect();
   const auto listed = [&](const std::string& name) {
     const Json list = rig.call(game, "pattern.list");
-    for (const Json& one : list["patterns"]) {
+    for (const Json& one : list["patterns"])
       if (one["name"] == name) return one;
-    }
     return Json();
   };
   EXPECT_TRUE(listed("acme/knock").is_null());
@@ -170,14 +168,11 @@ TEST(Patterns, ABatchGetsEightLists) {
   ServerRig rig;
   FakeClient& game = rig.connect(protocol::Role::kObserve);
   Json batch = Json::array();
-  for (int i = 0; i < 64; ++i) {
+  for (int i = 0; i < 64; ++i)
     batch.push_back({{"jsonrpc", "2.0"}, {"id", i}, {"method", "pattern.list"}});
-  }
   const Json answers = rig.say(game, batch.dump());
   ASSERT_EQ(answers.size(), 64u);
-  for (std::size_t i = 0; i < 64; ++i) {
-    EXPECT_EQ(answers[i].contains("result"), i < 8) << i;
-  }
+  for (std::size_t i = 0; i < 64; ++i) EXPECT_EQ(answers[i].contains("result"), i < 8) << i;
   EXPECT_EQ(answers[8]["error"]["data"]["limit"], 8);
   EXPECT_EQ(rig.say(game, batch.dump())[7].contains("result"), true)
       << "the next batch has its own";

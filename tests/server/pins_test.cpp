@@ -17,9 +17,9 @@ constexpr std::size_t kPentagonPin = 0;
 /// What telemetry says of the pins now.
 Json pins_now(ServerRig& rig, FakeClient& client) {
   rig.call(client, "telemetry.subscribe", {{"rate_hz", 200}, {"fields", {"pins"}}});
-  rig.heard(client, LineKind::kTelemetry);
+  rig.on_event(client, LineKind::kTelemetry);
   rig.run(10);
-  return rig.heard(client, LineKind::kTelemetry).back()["pins"];
+  return rig.on_event(client, LineKind::kTelemetry).back()["pins"];
 }
 
 void hold(ServerRig& rig, FakeClient& client, const Json& direction, double current_a) {
@@ -140,9 +140,8 @@ TEST(Pins, AreThoseOfTheSimulatedBallWhateverIsBelieved) {
   const Json told = pins_now(rig, game);
   const model::PinMotion real =
       rig.world.board().plant().pins(model::hedgehog_86(), model::hedgehog_86_curves());
-  for (std::size_t pin = 0; pin < 86; ++pin) {
+  for (std::size_t pin = 0; pin < 86; ++pin)
     EXPECT_NEAR(told["force_n"][pin], real.force_n[pin], 2e-4) << pin;
-  }
   const auto most = std::max_element(real.force_n.begin(), real.force_n.end());
   const auto at = static_cast<std::size_t>(most - real.force_n.begin());
   EXPECT_GT(model::hedgehog_86().pins[at].position.y, 0.9) << "the left, not the front, pushes";
@@ -170,11 +169,9 @@ TEST(Pins, WhatIsAskedAndDoesNotFlowMovesNothing) {
   rig.call(game, "effect.hold", {{"direction", "left"}, {"current_a", 5}});
   rig.run(100);
   double asked_n = 0.0;
-  for (const Json& told : rig.heard(game, LineKind::kTelemetry)) {
+  for (const Json& told : rig.on_event(game, LineKind::kTelemetry)) {
     asked_n = std::max(asked_n, told["force_n"].get<double>());
-    for (const Json& out : told["pins"]["extension_mm"]) {
-      EXPECT_EQ(out, 0.0);
-    }
+    for (const Json& out : told["pins"]["extension_mm"]) EXPECT_EQ(out, 0.0);
   }
   EXPECT_GT(asked_n, 0.05);
 }

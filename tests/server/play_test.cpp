@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "daemon/server/score.h"
+#include "daemon/server/effects/keyframe_track.h"
 #include "tests/server/pattern_examples.h"
 
 namespace hedgehog::server {
@@ -23,7 +23,7 @@ TEST(Play, TheKeyFramesFlowThroughTheCoils) {
   rig.run(200);
   EXPECT_LT(rig.plant_current_a(), 0.1);
   rig.run(200);
-  const auto events = rig.heard(game);
+  const auto events = rig.on_event(game);
   ASSERT_EQ(events.size(), 2u);
   EXPECT_EQ(events[1]["reason"], "completed");
   EXPECT_EQ(events[1]["offset_ns"].get<std::int64_t>() - events[1]["onset_ns"].get<std::int64_t>(),
@@ -63,7 +63,7 @@ TEST(Play, EveryShippedPatternPlaysToItsEnd) {
     const Json a = rig.call(game, "effect.play", {{"pattern", pattern["name"]}, {"rate", 2}});
     EXPECT_NEAR(a["current_a"].get<double>(), 5.0, 0.8) << pattern["name"];
     rig.run(pattern["duration_ms"].get<model::Tick>() / 2 + 20);
-    const auto ended = rig.heard(game);
+    const auto ended = rig.on_event(game);
     ASSERT_EQ(ended.size(), 1u) << pattern["name"];
     EXPECT_EQ(ended[0]["reason"], "completed") << pattern["name"];
   }
@@ -82,7 +82,7 @@ TEST(Play, ALoopEndsByItsLeaseWithItsConnectionAndByAStop) {
   EXPECT_GT(rig.plant_current_a(), 4.5) << "the update renewed the lease";
   rig.run(40);
   EXPECT_LT(rig.plant_current_a(), 0.1);
-  EXPECT_EQ(rig.heard(game).back()["reason"], "expired");
+  EXPECT_EQ(rig.on_event(game).back()["reason"], "expired");
 
   FakeClient& other = rig.connect();
   rig.call(other, "effect.play", loop);
@@ -170,14 +170,14 @@ TEST(Play, BothMomentsAreIntegratedNotSampled) {
     comb.push_back(frame(10 * i + 1, 0, model::Ease::kStep));
   }
   comb.push_back(frame(1000, 0, model::Ease::kStep));
-  const ScorePtr score = make_score(comb, model::hedgehog_86()).value();
-  EXPECT_NEAR(score->mean_over(1000).first.x, 0.1, 1e-9);
-  EXPECT_NEAR(score->mean_over(1000).second.row[0].x, 0.1, 1e-9);
-  EXPECT_NEAR(score->mean_over(1).second.row[0].x, 1.0, 1e-9);
+  const KeyframeTrackPtr track = make_keyframe_track(comb, model::hedgehog_86()).value();
+  EXPECT_NEAR(track->mean_over(1000).first.x, 0.1, 1e-9);
+  EXPECT_NEAR(track->mean_over(1000).second.row[0].x, 0.1, 1e-9);
+  EXPECT_NEAR(track->mean_over(1).second.row[0].x, 1.0, 1e-9);
   // A ramp: mean 1/2, mean square 1/3; its first half 1/4 and 1/12.
-  const ScorePtr ramp =
-      make_score({frame(0, 0, model::Ease::kLinear), frame(500, 1, model::Ease::kLinear)},
-                 model::hedgehog_86())
+  const KeyframeTrackPtr ramp =
+      make_keyframe_track({frame(0, 0, model::Ease::kLinear), frame(500, 1, model::Ease::kLinear)},
+                          model::hedgehog_86())
           .value();
   EXPECT_NEAR(ramp->mean_over(500).first.x, 0.5, 1e-9);
   EXPECT_NEAR(ramp->mean_over(500).second.row[0].x, 1.0 / 3, 1e-9);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How long control or the disk may take, on a machine that holds up the whole process.
-#include "daemon/server/polled_time.h"
+#include "daemon/server/session/polled_time.h"
 
 #include <gtest/gtest.h>
 

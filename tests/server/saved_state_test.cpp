@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "daemon/server/saved_state.h"
+#include "daemon/server/disk/saved_state.h"
+#include "base/atomic_file.h"
 
 #include <gtest/gtest.h>
 
@@ -7,10 +8,11 @@
 #include <filesystem>
 #include <fstream>
 
-#include "daemon/control/state_machine.h"
+#include "daemon/control/state/state_machine.h"
 #include "daemon/daemon.h"
-#include "daemon/server/disk_thread.h"
-#include "daemon/server/trip_recordings.h"
+#include "daemon/server/disk/disk_thread.h"
+#include "daemon/server/history/trip_recordings.h"
+#include "model/thermal_flow.h"
 #include "tests/temporary_folder.h"
 
 namespace hedgehog::server {
@@ -18,14 +20,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kBoot = "8f1c2a30-0000-4000-8000-000000000001";
+
 SavedState hot() {
   SavedState s;
-  s.wall_time_s = 1000.0;
+  s.saved_at = {kBoot, 1000.0};
   s.heat = {{50.0, 60.0, 55.0}, 45.0};
-  s.room_c = 25.0;
+  s.ambient_c = 25.0;
   s.heat_known = true;
   s.measured = {false, true, false};
   s.latch = control::Reason::kSensorFrozen;
+  s.rearms[static_cast<std::size_t>(control::Reason::kSensorFrozen)] = 4;
   s.gain = 0.5;
   return s;
 }
@@ -38,6 +43,8 @@ TEST(SavedState, ComesBackAsItWas) {
   EXPECT_EQ(read->gain, 0.5);
   EXPECT_TRUE(read->heat_known);
   EXPECT_EQ(read->measured, hot().measured);
+  EXPECT_EQ(read->saved_at, hot().saved_at);
+  EXPECT_EQ(read->rearms, hot().rearms);
 }
 
 TEST(SavedState, WhatCannotBeIsNotBelieved) {
@@ -52,36 +59,80 @@ TEST(SavedState, WhatCannotBeIsNotBelieved) {
   EXPECT_FALSE(decode_saved_state(encode(impossible)));
 }
 
-TEST(SavedState, CoolsWhileTheDaemonIsAwayAndNeverBelowTheRoom) {
-  const model::ThermalModel ball;
-  const auto soon = decayed(ball, hot().heat, 25.0, 10.0);
-  EXPECT_LT(soon.winding_c[1], 60.0);
-  EXPECT_GT(soon.winding_c[1], 55.0);
-  const auto later = decayed(ball, hot().heat, 25.0, 3600.0 * 24);
-  EXPECT_NEAR(later.winding_c[1], 25.0, 0.01);
-  EXPECT_EQ(decayed(ball, hot().heat, 25.0, -5.0).winding_c, hot().heat.winding_c);
+/// The hottest node of a real ball that starts at `now`, after hot().
+double hottest_at(const BootTime& now) {
+  config::Config real;
+  real.backend = config::Backend::kUsb;
+  return model::hottest_winding(daemon::start_state(real, hot(), now).settings.start);
+}
+
+TEST(StartState, OnlyTheClockOfTheBootCreditsCooling) {
+  EXPECT_LT(hottest_at({kBoot, 1060.0}), 57.0);
+  EXPECT_EQ(hottest_at({kBoot, 1000.0}), 60.0);
+  EXPECT_EQ(hottest_at({kBoot, 400.0}), 60.0) << "a virtual machine that was put back";
+  EXPECT_EQ(hottest_at({"", 90000.0}), 60.0) << "a kernel without a boot id";
+  SavedState of_day = hot();
+  of_day.saved_at = {};
+  config::Config real;
+  real.backend = config::Backend::kUsb;
+  const auto start = daemon::start_state(real, of_day, {kBoot, 90000.0}).settings.start;
+  EXPECT_EQ(start.winding_c, hot().heat.winding_c) << "a file without boot id";
+}
+
+TEST(StartState, AfterARebootOnlyTheTimeSinceThatIsCertain) {
+  const char* other = "8f1c2a30-0000-4000-8000-000000000002";
+  EXPECT_EQ(hottest_at({other, 0.0}), 60.0);
+  EXPECT_NEAR(hottest_at({other, 60.0}), hottest_at({kBoot, 1060.0}), 1e-9);
+  EXPECT_LT(hottest_at({other, 40.0}), 60.0) << "later than 1000 s of the boot before";
+}
+
+TEST(BootTime, IsOfThisBootAndGoesOn) {
+  const BootTime first = boot_time_now();
+  const BootTime second = boot_time_now();
+  EXPECT_EQ(first.boot_id.size(), 36u);
+  EXPECT_EQ(first.boot_id, second.boot_id);
+  EXPECT_GT(first.seconds, 0.0);
+  EXPECT_GE(seconds_between(first, second), 0.0);
+  EXPECT_EQ(seconds_between(second, {first.boot_id, 0.0}), 0.0);
 }
 
 TEST(StartState, AFileThatIsMissingOrDamagedIsNotTrusted) {
   config::Config real;
   real.backend = config::Backend::kUsb;
-  EXPECT_FALSE(daemon::start_state(real, std::nullopt, 1000.0).settings.start_known);
-  EXPECT_FALSE(daemon::start_state(real, SavedState{}, 1000.0).settings.start_known);
+  EXPECT_FALSE(daemon::start_state(real, std::nullopt, BootTime{}).settings.start_known);
+  EXPECT_FALSE(daemon::start_state(real, SavedState{}, BootTime{}).settings.start_known);
   config::Config simulator;
-  EXPECT_FALSE(daemon::start_state(simulator, SavedState{}, 1000.0).settings.start_known);
-  EXPECT_TRUE(daemon::start_state(simulator, std::nullopt, 1000.0).settings.start_known);
-  const auto warm = daemon::start_state(real, hot(), 1010.0).settings;
+  EXPECT_FALSE(daemon::start_state(simulator, SavedState{}, BootTime{}).settings.start_known);
+  EXPECT_TRUE(daemon::start_state(simulator, std::nullopt, BootTime{}).settings.start_known);
+  config::Config measured = real;
+  measured.device.uncertainty.thermal = 0.06;
+  EXPECT_EQ(daemon::start_state(measured, std::nullopt, BootTime{}).settings.uncertainty.thermal,
+            0.06);
+  const auto warm = daemon::start_state(real, hot(), BootTime{kBoot, 1010.0}).settings;
   EXPECT_TRUE(warm.start_known);
   EXPECT_GT(warm.start.winding_c[1], 55.0);
   EXPECT_EQ(warm.start_measured, hot().measured);
+  EXPECT_EQ(warm.rearms, hot().rearms);
+}
+
+TEST(StartState, ALostStateStartsTrippedAndUnknown) {
+  for (const config::Backend backend : {config::Backend::kSimulator, config::Backend::kUsb}) {
+    config::Config config;
+    config.backend = backend;
+    const auto settings = daemon::start_state(config, lost_state(), BootTime{}).settings;
+    EXPECT_EQ(settings.latch, control::Reason::kStateLost);
+    EXPECT_FALSE(settings.start_known);
+    EXPECT_EQ(settings.start_measured, (std::array<bool, model::kCoils>{}));
+  }
 }
 
 TEST(StartState, ASimulatedBallIsNeverPluggedInLate) {
   config::Config config;
   config.backend = config::Backend::kUsb;
-  EXPECT_EQ(daemon::start_state(config, std::nullopt, 0.0).settings.start_patience, 10'000);
+  EXPECT_EQ(daemon::start_state(config, std::nullopt, BootTime{}).settings.start_patience, 10'000);
   config.backend = config::Backend::kSimulator;
-  const control::ControlSettings settings = daemon::start_state(config, std::nullopt, 0.0).settings;
+  const control::ControlSettings settings =
+      daemon::start_state(config, std::nullopt, BootTime{}).settings;
   control::StateMachine states{settings};
   device::BoardTelemetry board;
   board.mode = device::BoardMode::kReady;
@@ -97,38 +148,37 @@ TEST(StartState, ArmsARealBallOnlyAfterACleanStop) {
   real.backend = config::Backend::kUsb;
   SavedState last = hot();
   last.latch = control::Reason::kNone;
-  EXPECT_FALSE(daemon::start_state(real, std::nullopt, 0.0).settings.arm_at_start);
-  EXPECT_EQ(daemon::start_state(real, std::nullopt, 0.0).settings.start_reason,
+  EXPECT_FALSE(daemon::start_state(real, std::nullopt, BootTime{}).settings.arm_at_start);
+  EXPECT_EQ(daemon::start_state(real, std::nullopt, BootTime{}).settings.start_reason,
             control::Reason::kNeverArmed);
-  EXPECT_FALSE(daemon::start_state(real, last, 0.0).settings.arm_at_start);
-  EXPECT_EQ(daemon::start_state(real, last, 0.0).settings.start_reason,
+  EXPECT_FALSE(daemon::start_state(real, last, BootTime{}).settings.arm_at_start);
+  EXPECT_EQ(daemon::start_state(real, last, BootTime{}).settings.start_reason,
             control::Reason::kUncleanStop);
   last.clean_stop = true;
-  EXPECT_TRUE(daemon::start_state(real, last, 0.0).settings.arm_at_start);
+  EXPECT_TRUE(daemon::start_state(real, last, BootTime{}).settings.arm_at_start);
   real.arm_at_start = config::ArmAtStart::kNever;
-  EXPECT_FALSE(daemon::start_state(real, last, 0.0).settings.arm_at_start);
-  EXPECT_EQ(daemon::start_state(real, hot(), 0.0).settings.latch, control::Reason::kSensorFrozen);
+  EXPECT_FALSE(daemon::start_state(real, last, BootTime{}).settings.arm_at_start);
+  EXPECT_EQ(daemon::start_state(real, hot(), BootTime{}).settings.latch,
+            control::Reason::kSensorFrozen);
 }
 
 TEST(Disk, AFileIsTheOldOneOrTheNewOne) {
   const TemporaryFolder folder;
   const std::string path = folder.path() + "/state.json";
-  EXPECT_EQ(write_file_atomically(path, "one"), "");
-  EXPECT_EQ(write_file_atomically(path, "two"), "");
+  EXPECT_EQ(base::write_file_atomically(path, "one"), "");
+  EXPECT_EQ(base::write_file_atomically(path, "two"), "");
   std::string text;
   std::getline(std::ifstream(path), text);
   EXPECT_EQ(text, "two");
   EXPECT_FALSE(fs::exists(path + ".new"));
-  EXPECT_NE(write_file_atomically(folder.path() + "/no/such/folder", "x"), "");
+  EXPECT_NE(base::write_file_atomically(folder.path() + "/no/such/folder", "x"), "");
 }
 
 TEST(Disk, TheThreadDoesWhatIsQueuedBeforeItEnds) {
   int done = 0;
   {
     DiskThread disk;
-    for (int i = 0; i < 10; ++i) {
-      EXPECT_TRUE(disk.post(DiskUse::kSafety, [&done] { ++done; }));
-    }
+    for (int i = 0; i < 10; ++i) EXPECT_TRUE(disk.post(DiskUse::kSafety, [&done] { ++done; }));
   }
   EXPECT_EQ(done, 10);
 }
@@ -146,9 +196,8 @@ TEST(TripRecordings, ANumberThatTheHistoryNamesIsNeverGivenAgain) {
   EXPECT_EQ(recording_name(17), "trip-0017");
   EXPECT_EQ(recording_number("trip-0017"), 17u);
   EXPECT_EQ(recording_number("trip-12345"), 12345u);
-  for (const char* wrong : {"", "trip-", "trip-1x", "trip-99999999999", "../trip-0001"}) {
+  for (const char* wrong : {"", "trip-", "trip-1x", "trip-99999999999", "../trip-0001"})
     EXPECT_EQ(recording_number(wrong), 0u) << wrong;
-  }
 }
 
 TEST(TripRecordings, AreNumberedOnAndTheOldestGo) {

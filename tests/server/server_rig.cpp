@@ -9,7 +9,8 @@ namespace {
 constexpr std::int64_t kEpochNs = 5'000'000'000;
 constexpr model::Tick kPatience = 1000;
 
-control::ControlSettings armed_settings(const config::Config& config) {
+control::ControlSettings armed_settings(const config::Config& config,
+                                        const device::SimulatedBoardOptions& board) {
   control::ControlSettings s;
   s.coils = config.device.coils;
   s.thermal = config.device.thermal;
@@ -18,6 +19,9 @@ control::ControlSettings armed_settings(const config::Config& config) {
   s.arm_at_start = true;
   s.start_known = true;
   s.start_measured.fill(true);
+  s.start.winding_c.fill(board.start_c);
+  s.start.core_c = board.start_c;
+  s.start_room_c = board.ambient_c;
   return s;
 }
 
@@ -25,15 +29,15 @@ control::ControlSettings armed_settings(const config::Config& config) {
 
 ServerRig::ServerRig(config::Config settings, const device::SimulatedBoardOptions& board)
     : config(std::move(settings)), world(*port, board) {
-  control =
-      std::make_unique<control::ControlTick>(armed_settings(config), *mailbox, *port, nullptr);
-  machine = std::make_unique<Machine>(config, *mailbox, *port, kEpochNs);
+  control = std::make_unique<control::ControlTick>(armed_settings(config, board), *mailbox, *port,
+                                                   nullptr);
+  device_view = std::make_unique<DeviceView>(config, *mailbox, *port, kEpochNs);
   server = std::make_unique<Server>(
-      *machine, memory, patterns, history,
+      *device_view, memory, patterns, history,
       [this](const control::Event& event, const Effect*) { events.push_back(event); },
       [this] { return wall_ms(); });
   run(200);
-  EXPECT_EQ(machine->now().state, control::State::kArmed);
+  EXPECT_EQ(device_view->now().state, control::State::kArmed);
 }
 
 FakeClient& ServerRig::connect(protocol::Role role) {
@@ -59,7 +63,7 @@ void ServerRig::run_unheard(model::Tick ticks) {
   for (model::Tick i = 0; i < ticks; ++i) {
     control->run(++tick_, 0, {});
     world.step();
-    machine->refresh();
+    device_view->refresh();
   }
 }
 
@@ -87,16 +91,14 @@ Json ServerRig::call(FakeClient& client, const std::string& method, const Json& 
   return answer.contains("result") ? answer["result"] : answer.value("error", Json::object());
 }
 
-std::vector<Json> ServerRig::heard(FakeClient& client, LineKind kind) {
+std::vector<Json> ServerRig::on_event(FakeClient& client, LineKind kind) {
   std::vector<Json> found;
   std::deque<FakeClient::Line> rest;
-  for (FakeClient::Line& line : client.lines) {
-    if (line.kind == kind) {
+  for (FakeClient::Line& line : client.lines)
+    if (line.kind == kind)
       found.push_back(Json::parse(line.text)["params"]);
-    } else {
+    else
       rest.push_back(std::move(line));
-    }
-  }
   client.lines.swap(rest);
   return found;
 }

@@ -11,20 +11,20 @@
 #include <vector>
 
 #include "daemon/config/config.h"
-#include "daemon/control/control_tick.h"
-#include "daemon/device/lock_step.h"
-#include "daemon/server/event_history.h"
-#include "daemon/server/pattern_library.h"
-#include "daemon/server/server.h"
+#include "daemon/control/loop/control_tick.h"
+#include "daemon/device/simulator/lock_step.h"
+#include "daemon/server/disk/pattern_library.h"
+#include "daemon/server/history/event_history.h"
+#include "daemon/server/rpc/server.h"
 
 namespace hedgehog::server {
 
 using Json = nlohmann::json;
 
-class FakeMemory final : public Memory {
+class FakeMemory final : public StateStore {
  public:
-  void remember_gain(double value) override { gain = value; }
-  void remember_latch(control::Reason reason) override { latch = reason; }
+  void persist_gain(double value) override { gain = value; }
+  void persist_latch(control::Reason reason) override { latch = reason; }
   double gain = -1.0;
   control::Reason latch = control::Reason::kNone;
 };
@@ -88,7 +88,7 @@ class ServerRig {
   /// The same for a line of any kind; the whole answer.
   Json say(FakeClient& client, const std::string& line);
   /// Everything of `kind` that came since the last call.
-  std::vector<Json> heard(FakeClient& client, LineKind kind = LineKind::kEvent);
+  std::vector<Json> on_event(FakeClient& client, LineKind kind = LineKind::kEvent);
   double plant_current_a() { return model::norm(world.board().plant().current_a()); }
 
   config::Config config;
@@ -108,7 +108,7 @@ class ServerRig {
   std::int64_t wall_ms() const { return 1'795'216'447'000 + tick_; }
   std::unique_ptr<control::ControlTick> control;
   device::LockStep world;
-  std::unique_ptr<Machine> machine;
+  std::unique_ptr<DeviceView> device_view;
   std::unique_ptr<Server> server;
   std::vector<control::Event> events;
 

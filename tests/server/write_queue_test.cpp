@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "daemon/server/write_queue.h"
+#include "daemon/server/session/write_queue.h"
 
 #include <gtest/gtest.h>
 
@@ -31,29 +31,21 @@ TEST(WriteQueue, SendsInOrderWithLineEnds) {
 
 TEST(WriteQueue, ASlowReaderLosesTelemetryFirst) {
   WriteQueue queue(kMax);
-  for (int i = 0; i < 20; ++i) {
-    EXPECT_TRUE(queue.push(std::string(99, 't'), LineKind::kTelemetry));
-  }
+  for (int i = 0; i < 20; ++i) EXPECT_TRUE(queue.push(std::string(99, 't'), LineKind::kTelemetry));
   EXPECT_EQ(queue.bytes(), 500u);  // half of it
   EXPECT_EQ(queue.telemetry_dropped(), 15u);
 }
 
 TEST(WriteQueue, AnswersAndEventsPushTelemetryOut) {
   WriteQueue queue(kMax);
-  for (int i = 0; i < 5; ++i) {
-    EXPECT_TRUE(queue.push(std::string(99, 't'), LineKind::kTelemetry));
-  }
-  for (int i = 0; i < 10; ++i) {
-    EXPECT_TRUE(queue.push(std::string(99, 'e'), LineKind::kEvent));
-  }
+  for (int i = 0; i < 5; ++i) EXPECT_TRUE(queue.push(std::string(99, 't'), LineKind::kTelemetry));
+  for (int i = 0; i < 10; ++i) EXPECT_TRUE(queue.push(std::string(99, 'e'), LineKind::kEvent));
   EXPECT_EQ(drain(queue).find('t'), std::string::npos);
 }
 
 TEST(WriteQueue, WhoReadsNothingMustGo) {
   WriteQueue queue(kMax);
-  for (int i = 0; i < 10; ++i) {
-    EXPECT_TRUE(queue.push(std::string(99, 'e'), LineKind::kEvent));
-  }
+  for (int i = 0; i < 10; ++i) EXPECT_TRUE(queue.push(std::string(99, 'e'), LineKind::kEvent));
   EXPECT_FALSE(queue.push("e", LineKind::kEvent));
 }
 
@@ -62,9 +54,7 @@ TEST(WriteQueue, WhatIsBeingSentStaysWhereItIs) {
   EXPECT_TRUE(queue.push(std::string(299, 't'), LineKind::kTelemetry));
   const std::string& sending = queue.take();
   const char* const at = sending.data();
-  for (int i = 0; i < 7; ++i) {
-    EXPECT_TRUE(queue.push(std::string(99, 'e'), LineKind::kEvent));
-  }
+  for (int i = 0; i < 7; ++i) EXPECT_TRUE(queue.push(std::string(99, 'e'), LineKind::kEvent));
   EXPECT_FALSE(queue.push(std::string(99, 'e'), LineKind::kEvent));
   EXPECT_EQ(sending.data(), at);
   EXPECT_EQ(sending, std::string(299, 't') + "\n");

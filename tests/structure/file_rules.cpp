@@ -54,9 +54,8 @@ Violations check_file_shape(const SourceFile& file) {
   static const std::regex kSnakeCase("[a-z][a-z0-9_]*\\.(h|cpp)");
   if (!std::regex_match(file_name(file.path), kSnakeCase)) broken("name is not snake_case");
   if (file.path.ends_with(".h") &&
-      std::find(file.lines.begin(), file.lines.end(), "#pragma once") == file.lines.end()) {
+      std::find(file.lines.begin(), file.lines.end(), "#pragma once") == file.lines.end())
     broken("has no #pragma once");
-  }
   return violations;
 }
 
@@ -97,9 +96,8 @@ Violations check_using(const SourceFile& file) {
           return &line != &file.lines[i] && code.find(name) != std::string::npos &&
                  std::regex_search(code, word);
         });
-    if (!used) {
+    if (!used)
       violations.push_back(file.path + ":" + std::to_string(i + 1) + ": nothing uses " + name);
-    }
   }
   return violations;
 }

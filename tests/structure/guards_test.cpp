@@ -18,24 +18,19 @@ const SourceFile* find(const SourceTree& tree, const std::string& path) {
 
 std::string text_of(const SourceFile& file) {
   std::string text;
-  for (const std::string& line : file.lines) {
-    text += line + "\n";
-  }
+  for (const std::string& line : file.lines) text += line + "\n";
   return text;
 }
 
 int count(const std::string& text, const std::string& part) {
   int found = 0;
-  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
-    ++found;
-  }
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
   return found;
 }
 
 std::string with_line_ends(std::string text) {
-  for (auto at = text.find("\\n"); at != std::string::npos; at = text.find("\\n")) {
+  for (auto at = text.find("\\n"); at != std::string::npos; at = text.find("\\n"))
     text.replace(at, 2, "\n");
-  }
   return text;
 }
 

@@ -25,29 +25,58 @@ constexpr std::string_view kSystemd = "systemd/";
 // The longest matching folder decides, so board_core is stricter than the device layer around it.
 const std::vector<Layer>& layers() {
   static const std::vector<Layer> kLayers{
-      {"model", {}, {kAsio, kBeast, kJson, kSpdlog, kCli, kSystemd, "sys/", "unistd.h", "thread"}},
-      {"protocol", {"model"}, {kAsio, kBeast, kSpdlog, kCli, kSystemd}},
+      {"base", {}, {kAsio, kBeast, kJson, kSpdlog, kCli, kSystemd}},
+      {"model",
+       {"base"},
+       {kAsio, kBeast, kJson, kSpdlog, kCli, kSystemd, "sys/", "unistd.h", "thread"}},
+      {"protocol", {"base", "model"}, {kAsio, kBeast, kSpdlog, kCli, kSystemd}},
       {"daemon/device/board_core", {}, {}},
       {"daemon/device",
-       {"model", "daemon/device/board_core"},
+       {"base", "model", "daemon/device/board_core"},
        {kAsio, kBeast, kJson, kSpdlog, kCli, kSystemd}},
-      {"daemon/emulator", {"model", "daemon/device"}, {kAsio, kBeast, kJson, kSpdlog, kSystemd}},
+      {"daemon/emulator",
+       {"base", "model", "daemon/device"},
+       {kAsio, kBeast, kJson, kSpdlog, kSystemd}},
       {"daemon/control",
-       {"model", "daemon/device"},
+       {"base", "model", "daemon/device"},
        {kAsio, kBeast, kJson, kSpdlog, kCli, kSystemd}},
       {"daemon/config",
-       {"model", "daemon/device", "daemon/control"},
+       {"base", "model", "daemon/device", "daemon/control"},
        {kAsio, kBeast, kSpdlog, kCli, kSystemd}},
-      {"daemon/server",
-       {"model", "protocol", "daemon/device", "daemon/control", "daemon/config"},
+      {"daemon/server/session",
+       {"base", "model", "protocol", "daemon/device", "daemon/control", "daemon/config"},
+       {kCli, kBeast, kJson, kSpdlog, kSystemd}},
+      {"daemon/server/disk",
+       {"base", "model", "protocol", "daemon/device", "daemon/control", "daemon/config"},
+       {kCli, kBeast, kSystemd}},
+      {"daemon/server/device",
+       {"base", "model", "protocol", "daemon/device", "daemon/control", "daemon/config",
+        "daemon/server/session", "daemon/server/disk"},
+       {kCli, kBeast, kSystemd}},
+      {"daemon/server/effects",
+       {"base", "model", "protocol", "daemon/device", "daemon/control", "daemon/config",
+        "daemon/server/session", "daemon/server/disk", "daemon/server/device"},
+       {kCli, kAsio, kBeast, kJson, kSpdlog, kSystemd}},
+      {"daemon/server/history",
+       {"base", "model", "protocol", "daemon/device", "daemon/control", "daemon/config",
+        "daemon/server/disk", "daemon/server/effects"},
+       {kCli, kAsio, kBeast, kSystemd}},
+      {"daemon/server/rpc",
+       {"base", "model", "protocol", "daemon/device", "daemon/control", "daemon/config",
+        "daemon/server/session", "daemon/server/disk", "daemon/server/device",
+        "daemon/server/effects", "daemon/server/history"},
+       {kCli, kAsio, kBeast, kSystemd}},
+      {"daemon/server/net",
+       {"base", "model", "protocol", "daemon/device", "daemon/control", "daemon/config",
+        "daemon/server/session", "daemon/server/rpc"},
        {kCli}},
-      {"daemon", {"model", "protocol", "daemon"}, {}},
-      {"clients/lib", {"model", "protocol"}, {kSpdlog, kCli, kSystemd}},
-      {"clients", {"model", "protocol", "clients/lib"}, {}},
+      {"daemon", {"base", "model", "protocol", "daemon"}, {}},
+      {"clients/lib", {"base", "model", "protocol"}, {kSpdlog, kCli, kSystemd}},
+      {"clients", {"base", "model", "protocol", "clients/lib"}, {}},
       {"tests/rig",
-       {"model", "daemon/device", "daemon/control"},
+       {"base", "model", "daemon/device", "daemon/control"},
        {kAsio, kBeast, kJson, kSpdlog, kCli, kSystemd}},
-      {"tests", {"model", "protocol", "daemon", "clients"}, {}},
+      {"tests", {"base", "model", "protocol", "daemon", "clients"}, {}},
   };
   return kLayers;
 }
@@ -113,14 +142,12 @@ std::string library_reason(const SourceFile& file, const Layer& layer, const std
     const bool allowed = header == "stdint.h" || header == "stddef.h";
     return allowed ? "" : "the board core is freestanding: <stdint.h> and <stddef.h> only";
   }
-  if (file.path.ends_with(".h") && header.starts_with(kJson) && !is_inside(file.path, "tests")) {
+  if (file.path.ends_with(".h") && header.starts_with(kJson) && !is_inside(file.path, "tests"))
     return "nlohmann/json belongs into .cpp files";
-  }
   for (std::string_view prefix : layer.may_not_know) {
     const bool whole_name = !prefix.ends_with('/') && prefix.find('/') == std::string_view::npos;
-    if (whole_name ? header == prefix : header.starts_with(prefix)) {
+    if (whole_name ? header == prefix : header.starts_with(prefix))
       return "<" + header + "> has no business in " + std::string(layer.folder);
-    }
   }
   return "";
 }
@@ -135,9 +162,8 @@ Violations check_layer_includes(const SourceFile& file) {
     const std::optional<Include> include = parse_include(file.lines[i]);
     if (!include) continue;
     if (!include->quoted) {
-      if (layer_of(include->header) != nullptr) {
+      if (layer_of(include->header) != nullptr)
         violations.push_back(at(file, i, "own headers are included with quotes"));
-      }
     } else if (layer_of(include->header) == nullptr) {
       violations.push_back(
           at(file, i, "\"" + include->header + "\" does not start at the repository root"));

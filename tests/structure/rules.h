@@ -33,6 +33,9 @@ Violations check_using(const SourceFile& file);
 // No #include of a source file; batches of the build are not in the tree.
 Violations check_included_sources(const SourceFile& file);
 
+// Names of the product use the terms of CONTRIBUTING.md.
+Violations check_terms(const SourceFile& file);
+
 // Relative links of a Markdown file lead somewhere.
 Violations check_links(const SourceFile& file, const SourceTree& tree);
 

@@ -113,6 +113,16 @@ TEST(UsingRule, WantsTheNameOnceMore) {
   EXPECT_THAT(check_using({"a.h", {"using b::C;"}}), IsEmpty());
 }
 
+TEST(TermRule, FindsWordsInNamesOnly) {
+  const auto terms = [](const std::string& line) { return check_terms({"daemon/a.h", {line}}); };
+  EXPECT_THAT(terms("bool toldAgain = isOwed(kMaxSaid_s);"), testing::SizeIs(3));
+  EXPECT_THAT(terms("bool tell_all();"),
+              ElementsAre("daemon/a.h:1: tell_all: not \"tell\" but print, publish, report"));
+  EXPECT_THAT(terms("int retold = assaid(\"it is said\");  // as was told"), IsEmpty());
+  EXPECT_THAT(terms(R"~(f(R"({"told":1})", tell);)~"), testing::SizeIs(1));
+  EXPECT_THAT(check_terms({"tests/a.cpp", {"int told;"}}), IsEmpty());
+}
+
 TEST(IncludedSourceRule, FindsSourcesOnly) {
   EXPECT_THAT(check_included_sources({"a.cpp", {"#include \"b.cpp\""}}),
               ElementsAre("a.cpp:1: includes a source file"));

@@ -38,11 +38,10 @@ SourceTree read_tree(const fs::path& root) {
   for (fs::recursive_directory_iterator it(root), end; it != end; ++it) {
     const std::string path = it->path().lexically_relative(root).generic_string();
     if (it->is_directory()) {
-      if (path == "build" || is_skipped(it->path())) {
+      if (path == "build" || is_skipped(it->path()))
         it.disable_recursion_pending();
-      } else {
+      else
         tree.folders.push_back(path);
-      }
     } else if (it->is_regular_file()) {
       tree.names.push_back(path);
       if (is_text(it->path())) tree.files.push_back({path, read_lines(it->path())});

@@ -48,6 +48,8 @@ TEST_F(Tree, UsesWhatItBringsIn) { EXPECT_THAT(everywhere(check_using), IsEmpty(
 
 TEST_F(Tree, IncludesNoSources) { EXPECT_THAT(everywhere(check_included_sources), IsEmpty()); }
 
+TEST_F(Tree, NamesAreTerms) { EXPECT_THAT(everywhere(check_terms), IsEmpty()); }
+
 TEST_F(Tree, LinksLeadSomewhere) {
   EXPECT_THAT(everywhere([](const SourceFile& file) { return check_links(file, tree()); }),
               IsEmpty());

@@ -26,12 +26,10 @@ int asked(std::vector<const char*> words) {
 }
 
 TEST(CommandLine, TakesFiniteNumbersWithinTheirRange) {
-  for (const char* wrong : {"nan", "-nan", "inf", "0", "16", "1e400"}) {
+  for (const char* wrong : {"nan", "-nan", "inf", "0", "16", "1e400"})
     EXPECT_EQ(asked({"levels", "--threshold-a", wrong}), EX_USAGE) << wrong;
-  }
-  for (const char* option : {"--force-percent", "--speed-percent"}) {
+  for (const char* option : {"--force-percent", "--speed-percent"})
     EXPECT_EQ(asked({"levels", option, "nan"}), EX_USAGE) << option;
-  }
   EXPECT_EQ(asked({"levels", "--threshold-a", "2.1"}), 0);
   // Before it is looked for a study, of which there is none.
   for (const char* wrong : {"nan", "9", "31"}) {

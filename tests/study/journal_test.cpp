@@ -52,9 +52,7 @@ Answer answer_to(const Trial& trial, const Experiment& e) {
   const Observer o{Curve::kWeibull, e.task == Task::kYesNo ? 2.1 : 20, 3, 0.5, 0.02, 0.6};
   const bool positive = simulated_answer(o, to_value(trial.level, e.decimals()), 7,
                                          static_cast<std::uint64_t>(trial.kind), trial.number);
-  if (e.task == Task::kYesNo) {
-    return positive ? Answer::kYes : Answer::kNo;
-  }
+  if (e.task == Task::kYesNo) return positive ? Answer::kYes : Answer::kNo;
   return (trial.interval_of_test == 1) == positive ? Answer::kFirst : Answer::kSecond;
 }
 
@@ -63,28 +61,25 @@ using Put = std::function<bool(const Event&)>;
 /// Takes the run to its end, or until nothing more can be put; as the program does: an open trial
 /// is void.
 void go_on(const RecordedRun& run, const Put& put) {
-  if (run.open() && !put(Voided{"interrupted"})) {
-    return;
-  }
+  if (run.open() && !put(Voided{"interrupted"})) return;
   while (!run.over()) {
     const Trial trial = *run.state().next();
     if (!put(TrialStarted{trial}) || !put(played(1)) ||
-        !put(Answered{answer_to(trial, run.header().experiment), 640})) {
+        !put(Answered{answer_to(trial, run.header().experiment), 640}))
       return;
-    }
   }
 }
 
 /// To the end, or for so many events.
 void go_on(Journal& journal, int events = 1'000'000) {
-  go_on(journal.run(), [&](const Event& event) {
-    if (events-- <= 0) {
-      return false;
-    }
-    const bool written = journal.append(event).has_value();
-    EXPECT_TRUE(written);
-    return written;
-  });
+  go_on(
+      journal.run(),
+      [&](const Event& event) {
+        if (events-- <= 0) return false;
+        const bool written = journal.append(event).has_value();
+        EXPECT_TRUE(written);
+        return written;
+      });
 }
 
 std::string text_of(const fs::path& path) {
@@ -159,14 +154,10 @@ TEST_F(Files, AJournalTornAtAnyByteOfATrialGoesOnToTheSameLevelsAndKeepsEveryByt
   ASSERT_GT(last_trial, first);
   // Of the bytes before the last trial some: behind them much has to be played again.
   std::vector<std::size_t> cuts;
-  for (std::size_t cut = first; cut < last_trial; cut += 1213) {
-    cuts.push_back(cut);
-  }
+  for (std::size_t cut = first; cut < last_trial; cut += 1213) cuts.push_back(cut);
   const std::size_t bytes = text.size() - last_trial;
   const std::size_t apart = bytes / repetitions(bytes);
-  for (std::size_t cut = last_trial; cut < text.size(); cut += apart) {
-    cuts.push_back(cut);
-  }
+  for (std::size_t cut = last_trial; cut < text.size(); cut += apart) cuts.push_back(cut);
   for (const std::size_t cut : cuts) {
     const fs::path path = folder_ / std::to_string(cut);
     std::ofstream(path, std::ios::binary) << text.substr(0, cut);
@@ -221,9 +212,8 @@ TEST_F(Files, NoBeginningOfALineIsTakenForTheWhole) {
   for (std::size_t begin = 0; begin < text.size(); begin = text.find('\n', begin) + 1) {
     const std::size_t whole = text.find('\n', begin) - begin;
     EXPECT_TRUE(decode(text.substr(begin, whole)).has_value());
-    for (std::size_t length = 0; length < whole; ++length) {
+    for (std::size_t length = 0; length < whole; ++length)
       ASSERT_FALSE(decode(text.substr(begin, length)).has_value()) << text.substr(begin, length);
-    }
   }
 }
 
@@ -235,9 +225,8 @@ TEST_F(Files, ADamagedLineIsNoTornOneWhereverItIs) {
   }
   const std::string text = text_of(path);
   std::vector<std::size_t> ends;
-  for (auto at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1)) {
+  for (auto at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1))
     ends.push_back(at);
-  }
   for (std::size_t line = 0; line < ends.size(); ++line) {
     std::string damaged = text;
     damaged.erase(ends[line] - 3, 3);

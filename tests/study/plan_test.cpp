@@ -58,9 +58,8 @@ TEST(Plan, EachExperimentStandsInEachPlaceAndBehindEachOtherEquallyOften) {
     for (const auto& row : rows) {
       for (int place = 0; place < count; ++place) {
         ++places[{place, row[static_cast<std::size_t>(place)]}];
-        if (&row - rows.data() < count) {
+        if (&row - rows.data() < count)
           first_places.emplace(place, row[static_cast<std::size_t>(place)]);
-        }
         if (place > 0) {
           ++followers[{row[static_cast<std::size_t>(place - 1)],
                        row[static_cast<std::size_t>(place)]}];
@@ -69,13 +68,10 @@ TEST(Plan, EachExperimentStandsInEachPlaceAndBehindEachOtherEquallyOften) {
     }
     EXPECT_EQ(static_cast<int>(first_places.size()), count * count);
     EXPECT_EQ(static_cast<int>(places.size()), count * count);
-    for (const auto& [which, times] : places) {
+    for (const auto& [which, times] : places)
       EXPECT_EQ(times, static_cast<int>(rows.size()) / count);
-    }
     EXPECT_EQ(static_cast<int>(followers.size()), count * (count - 1));
-    for (const auto& [which, times] : followers) {
-      EXPECT_EQ(times, followers.begin()->second);
-    }
+    for (const auto& [which, times] : followers) EXPECT_EQ(times, followers.begin()->second);
   }
 }
 

@@ -52,11 +52,11 @@ FakeDaemon::Conversation never_ending(std::int64_t tick_ms) {
       const std::string method = asked["method"];
       if (asked.contains("id")) {
         const json result = method == "ping" ? json{{"time_ns", time_ns}} : answers.at(method);
-        peer.say(json{{"jsonrpc", "2.0"}, {"id", asked["id"]}, {"result", result}}.dump());
+        peer.send_line(json{{"jsonrpc", "2.0"}, {"id", asked["id"]}, {"result", result}}.dump());
       }
       for (int i = 0; method == "ping" && tick_ms > 0 && i < 10; ++i) {
         time_ns += tick_ms * 1'000'000;
-        peer.say(
+        peer.send_line(
             json{{"jsonrpc", "2.0"}, {"method", "telemetry"}, {"params", {{"time_ns", time_ns}}}}
                 .dump());
       }
@@ -68,9 +68,7 @@ client::Outcome<IntervalPlayed> played_by(
     const FakeDaemon& daemon, const std::function<bool()>& abort = [] { return false; },
     client::Milliseconds silence = 20s) {
   auto player = Player::open({daemon.address()}, 5s, silence);
-  if (!player) {
-    return player.error();
-  }
+  if (!player) return player.error();
   return player->play(1, {5.0, 10.0}, Pattern{}, std::nullopt, abort);
 }
 

@@ -22,18 +22,14 @@ using testing::HasSubstr;
 
 std::map<std::string, std::string> named(const std::vector<std::string>& row) {
   std::map<std::string, std::string> cells;
-  for (std::size_t i = 0; i < row.size(); ++i) {
-    cells[columns()[i].name] = row[i];
-  }
+  for (std::size_t i = 0; i < row.size(); ++i) cells[columns()[i].name] = row[i];
   return cells;
 }
 
 TEST(Rows, AreOneForEachPresentationBlock) {
   const auto rows = rows_of(recorded());
   ASSERT_EQ(rows.size(), 4U);
-  for (const auto& row : rows) {
-    ASSERT_EQ(row.size(), columns().size());
-  }
+  for (const auto& row : rows) ASSERT_EQ(row.size(), columns().size());
   EXPECT_EQ(columns().size(), 33U);
   auto practice = named(rows[0]);
   EXPECT_EQ(practice["kind"], "practice");
@@ -79,9 +75,7 @@ std::vector<std::string> onsets(const std::vector<Begun>& trials) {
     lines.push_back({static_cast<std::int64_t>(lines.size()) + 1, utc, event});
   };
   for (const Begun& begun : trials) {
-    if (begun.resumed) {
-      put(begun.utc, Remark{"resumed", "ball"});
-    }
+    if (begun.resumed) put(begun.utc, Remark{"resumed", "ball"});
     put(begun.utc, TrialStarted{*RecordedRun::replay(lines).value().state().next()});
     IntervalPlayed played = good(1, 5);
     played.command_ns = begun.command_ms * 1'000'000;
@@ -91,9 +85,8 @@ std::vector<std::string> onsets(const std::vector<Begun>& trials) {
     put(begun.played_utc, Answered{Answer::kFirst, 640});
   }
   std::vector<std::string> found;
-  for (const auto& row : rows_of(RecordedRun::replay(lines).value())) {
+  for (const auto& row : rows_of(RecordedRun::replay(lines).value()))
     found.push_back(named(row)["onset"]);
-  }
   return found;
 }
 

@@ -32,9 +32,7 @@ const json& traces() {
 std::vector<std::string> text(const std::vector<Level>& levels, const Experiment& e) {
   std::vector<std::string> decimals;
   decimals.reserve(levels.size());
-  for (const Level level : levels) {
-    decimals.push_back(exact_decimal(level, e.decimals()));
-  }
+  for (const Level level : levels) decimals.push_back(exact_decimal(level, e.decimals()));
   return decimals;
 }
 
@@ -67,9 +65,7 @@ TEST(Traces, AgreeEventByEvent) {
     const Trace t = std::get<Trace>(trace(e, expected["responses"].get<std::string>()));
     std::size_t scored = 0;
     for (const json& event : expected["events"]) {
-      if (event["kind"] != "scored") {
-        continue;
-      }
+      if (event["kind"] != "scored") continue;
       SCOPED_TRACE(event.dump());
       const Step& step = t.steps[scored++];
       EXPECT_EQ(exact_decimal(step.level, e.decimals()), event["level"]);
@@ -92,17 +88,13 @@ TEST(Traces, AreTheSameWhenTheStaircaseIsRestoredAfterEveryFewEvents) {
       std::vector<Level> levels;
       Staircase staircase(e.rule);
       for (const char token : expected["responses"].get<std::string>()) {
-        if (staircase.over()) {
-          break;
-        }
+        if (staircase.over()) break;
         if (levels.size() % static_cast<std::size_t>(few) == 0) {
           const StaircaseState saved = staircase.state();
           staircase = Staircase(e.rule, saved);
         }
         levels.push_back(token == 'Y' || token == 'N' ? 0 : staircase.level());
-        if (token == '0' || token == '1') {
-          staircase.answer(token == '1');
-        }
+        if (token == '0' || token == '1') staircase.answer(token == '1');
       }
       EXPECT_EQ(json(text(levels, e)), expected["levels"]);
       EXPECT_EQ(json(text(staircase.state().reversals, e)), expected["reversal_levels"]);
@@ -170,9 +162,8 @@ RC_GTEST_PROP(Staircase, VoidsAndCatchTrialsAnywhereChangeNothing, ()) {
   const Experiment e = preset("force-threshold");
   std::string mixed;
   const std::string plain = answers();
-  for (const char token : plain) {
+  for (const char token : plain)
     mixed += *rc::gen::element<std::string>("", "T", "Y", "N", "TYT") + token;
-  }
   const Trace a = std::get<Trace>(trace(e, plain));
   const Trace b = std::get<Trace>(trace(e, mixed));
   RC_ASSERT(a.steps == b.steps);
@@ -191,9 +182,7 @@ RC_GTEST_PROP(Staircase, StaysWithinItsLimitsAndTurnsWhereItSays, ()) {
     RC_ASSERT(step.next.value_or(e.rule.floor) >= e.rule.floor);
     const bool turns = step.move != 0 && direction != 0 && step.move != direction;
     RC_ASSERT(turns == (step.reversal > 0));
-    if (turns) {
-      RC_ASSERT(t.reversals[reversals++] == step.level);
-    }
+    if (turns) RC_ASSERT(t.reversals[reversals++] == step.level);
     direction = step.move != 0 ? step.move : direction;
   }
   RC_ASSERT(reversals == t.reversals.size());

@@ -78,9 +78,8 @@ TEST(Run, CatchTrialsAreOneInSixNeverTheFirstNeverTwoInARowAndMoveNothing) {
 
 TEST(Run, TheTestIsInEitherIntervalHalfOfTheTime) {
   int second = 0;
-  for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+  for (std::uint64_t seed = 0; seed < 2000; ++seed)
     second += RunState(preset("force-jnd"), {seed, 0}, false).next()->interval_of_test - 1;
-  }
   EXPECT_NEAR(second, 1000, 100);
 }
 
@@ -90,9 +89,7 @@ TEST(Run, BalancedOrderTakesTheOppositeForTheSecondOfEachPair) {
   RunState run(e, kSeeds, false);
   int first = 0;
   while (const auto trial = run.next()) {
-    if (trial->number % 2 == 0) {
-      EXPECT_EQ(trial->interval_of_test, 3 - first);
-    }
+    if (trial->number % 2 == 0) EXPECT_EQ(trial->interval_of_test, 3 - first);
     first = trial->interval_of_test;
     run.answer(trial->number % 3 == 0 ? Answer::kFirst : right(*trial));
   }

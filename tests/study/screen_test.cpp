@@ -48,19 +48,17 @@ TEST(Participant, IsNeverToldLevelCorrectnessOrProgress) {
       all += line + "\n";
     }
     EXPECT_EQ(all.find_first_of("0123456789"), std::string::npos) << all;
-    for (const char* secret : {"wrong", "right", "level", "reversal", "trial", "correct"}) {
+    for (const char* secret : {"wrong", "right", "level", "reversal", "trial", "correct"})
       EXPECT_THAT(all, testing::Not(HasSubstr(secret)));
-    }
   }
 }
 
 TEST(Experimenter, SeesTheStaircase) {
   const RecordedRun run = recorded();
   std::string all;
-  for (const std::string& line : experimenter_lines(
-           {&run, Phase::kQuestion, 2, "30.0 °C, next trial at full strength", 30})) {
+  for (const std::string& line :
+       experimenter_lines({&run, Phase::kQuestion, 2, "30.0 °C, next trial at full strength", 30}))
     all += line + "\n";
-  }
   EXPECT_THAT(all, HasSubstr("P01 · force-jnd · scored trial 3 · waiting for the answer"));
   EXPECT_THAT(all, HasSubstr("level 109.024 %   reversals 1 of 10   voids 1"));
 }

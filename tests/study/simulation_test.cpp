@@ -39,9 +39,8 @@ TEST_P(TwoThousandPeople, LieWithinThreeStandardErrorsOfTheReference) {
   EXPECT_NEAR(s.error_5, reference.error_5, 3 * std::sqrt(2.0) * reference.spread_5);
   EXPECT_NEAR(s.error_95, reference.error_95, 3 * std::sqrt(2.0) * reference.spread_95);
   double fourth = 0.0;
-  for (const SimulatedRun& run : runs) {
+  for (const SimulatedRun& run : runs)
     fourth += std::pow(run.estimate - run.true_point - s.bias, 4) / kPeople;
-  }
   const double kurtosis = fourth / std::pow(s.error_sd, 4);
   EXPECT_NEAR(s.error_sd, reference.error_sd,
               3 * root * s.error_sd * std::sqrt((kurtosis - 1) / 4));
@@ -106,11 +105,10 @@ RunState answered(const Experiment& e, const Observer& o, std::uint64_t seed) {
     const bool positive = draw(seed, Purpose::kAnswer,
                                {static_cast<std::uint64_t>(trial->number),
                                 static_cast<std::uint64_t>(trial->kind)}) < o.positive_at(level);
-    if (e.task == Task::kYesNo) {
+    if (e.task == Task::kYesNo)
       run.answer(positive ? Answer::kYes : Answer::kNo);
-    } else {
+    else
       run.answer((trial->interval_of_test == 1) == positive ? Answer::kFirst : Answer::kSecond);
-    }
   }
   return run;
 }

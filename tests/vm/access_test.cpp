@@ -99,9 +99,8 @@ TEST_F(Access, TheRulesAreWhatUdevUnderstands) {
 
 TEST_F(Access, TheRulesGiveEveryDeviceToTheGroupAndTheDaemonPlaysAsItsUser) {
   install_rules();
-  for (const char* device : {"board", "mti", "hid-sensor", "dualsense", "temper"}) {
+  for (const char* device : {"board", "mti", "hid-sensor", "dualsense", "temper"})
     emulator_->ok(std::string("plug ") + device);
-  }
   for (const char* product : {"Hedgehog driver board", "MTi-30", "Orientation sensor"}) {
     EXPECT_TRUE(eventually([&] { return is_the_groups(usb_node(product)); }))
         << product << shell("ls -l " + usb_node(product));

@@ -155,9 +155,8 @@ Emulator::Emulator(const Home& home, std::vector<std::string> devices) : home_(h
     if (fd >= 0) ::close(fd);
     return fd >= 0 || child_->ended();
   });
-  if (!listens || child_->ended()) {
+  if (!listens || child_->ended())
     throw std::runtime_error("hedgehog-usbip does not start: " + home_.read("emulator"));
-  }
 }
 
 std::string Emulator::tell(const std::string& command) const {
@@ -245,9 +244,8 @@ int Daemon::descriptors() const {
 int Daemon::memory_kib() const {
   std::ifstream in("/proc/" + std::to_string(child_->pid()) + "/smaps_rollup");
   constexpr std::string_view kOwn = "Anonymous:";
-  for (std::string line; std::getline(in, line);) {
+  for (std::string line; std::getline(in, line);)
     if (line.starts_with(kOwn)) return std::stoi(line.substr(kOwn.size()));
-  }
   return 0;
 }
 
@@ -260,9 +258,8 @@ double Daemon::cpu_ms() const {
 }
 
 Bench::Bench(std::vector<std::string> devices) {
-  for (std::string& device : devices) {
+  for (std::string& device : devices)
     if (device.starts_with("board,")) device += ",trace=" + home_.path("trace");
-  }
   emulator_.emplace(home_, std::move(devices));
 }
 

@@ -5,9 +5,8 @@ import { after, afterEach, before, beforeEach } from "node:test";
 
 import { Complaints, kDesktop, launch } from "./browser.mjs";
 import { Daemon } from "./daemon.mjs";
+import { kPatience } from "./patience.mjs";
 
-/** A busy machine draws a page without a graphics card in seconds. */
-export const kPatience = { timeout: 120_000 };
 export let daemon;
 export let page;
 export const complaints = new Complaints();

@@ -5,7 +5,8 @@ import { createServer } from "node:http";
 import { test } from "node:test";
 
 import { kAxe, kDesktop, kPhone } from "./browser.mjs";
-import { complaints, daemon, kPatience, open, page, startDaemon, until } from "./dashboard.mjs";
+import { complaints, daemon, open, page, startDaemon, until } from "./dashboard.mjs";
+import { kPatience } from "./patience.mjs";
 
 /** How many colours the canvas shows. */
 const coloursDrawn = () => page.evaluate(() => {

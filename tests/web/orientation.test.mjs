@@ -4,7 +4,8 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { kDesktop } from "./browser.mjs";
-import { daemon, kPatience, open, page, startDaemon, until } from "./dashboard.mjs";
+import { daemon, open, page, startDaemon, until } from "./dashboard.mjs";
+import { comes } from "./patience.mjs";
 
 test("the orientation page keeps the push on top while the ball turns", async () => {
   await open("/orientation.html");
@@ -27,13 +28,6 @@ const showUp = async () => {
   await until(() => (window.dashboard.ball.arrowDirection()?.[2] ?? 0) > 0.98);
 };
 /** Looks again and again: what the daemon knows has no event for all of it. */
-const comes = async (look) => {
-  const patience = Date.now() + kPatience.timeout;
-  while (!await look()) {
-    assert.ok(Date.now() < patience, `never: ${look}`);
-    await page.waitForTimeout(50);
-  }
-};
 const shows = () => daemon.call("device.status").then(({ effects }) => effects.some(({ slot }) => slot === "up"));
 
 test("a push that somebody ends is not shown as going on, and why it ended is said", async () => {

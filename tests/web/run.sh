@@ -1,10 +1,12 @@
-#!/bin/sh
+#!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # run.sh BUILD [shots FOLDER]: the pages of that build in a browser, tested or drawn. BUILD has the programs and,
 # in share/hedgehog/www and share/hedgehog/racer, the pages.
-set -eu
+# A browser and real programs on the real clock, as what has the label `clock` (tests/run.sh): tests that fail are run once
+# more, alone, and named in the table of stages. Exit: 0 all passed, at once or the second time.
+set -euo pipefail
 
-here=$(cd -- "$(dirname -- "$0")" && pwd)
+here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
 root=$(cd -- "$here/../.." && pwd)
 build=$(cd -- "${1:?run.sh BUILD}" && pwd)
 packages=$root/build/npm/web
@@ -17,4 +19,23 @@ export HEDGEHOGD HEDGEHOG_RACER HEDGEHOG_NODE_MODULES
 if [ "${2-}" = shots ]; then
   exec node "$here/shots.mjs" "${3:?run.sh BUILD shots FOLDER}"
 fi
-exec node --test --test-concurrency=1 --test-timeout=480000 "$here"/*.test.mjs
+run=(node --test --test-concurrency=1 --test-timeout=480000 --test-reporter=tap)
+
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+result=0
+"${run[@]}" "$here"/*.test.mjs | tee "$log" || result=$?
+[ "$result" -ne 0 ] || exit 0
+
+# A file that cannot be read is a test that failed, too; no name of a test selects it.
+mapfile -t failed < <(sed -nE 's/^not ok [0-9]+ - //p' "$log")
+[ "${#failed[@]}" -gt 0 ] || exit "$result"
+again=()
+for name in "${failed[@]}"; do
+  [[ $name != *.mjs ]] || exit "$result"
+  [ -z "${HEDGEHOG_STAGES-}" ] || printf 'repeated\tweb %s\n' "$name" >>"$HEDGEHOG_STAGES"
+  echo "run once more: $name"
+  # A name is no regular expression.
+  again+=(--test-name-pattern="^$(sed 's/[][(){}\\.*^?+|/$]/\\&/g' <<<"$name")\$")
+done
+"${run[@]}" "${again[@]}" "$here"/*.test.mjs

@@ -4,7 +4,8 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { kDesktop, kPhone } from "./browser.mjs";
-import { complaints, daemon, kPatience, open, page, startDaemon, until } from "./dashboard.mjs";
+import { complaints, daemon, open, page, startDaemon, until } from "./dashboard.mjs";
+import { kPatience } from "./patience.mjs";
 
 test("the stop button zeroes the coils, says so, and arming lets them be driven again", async () => {
   await open();

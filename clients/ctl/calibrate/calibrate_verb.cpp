@@ -3,244 +3,112 @@
 
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
 #include <optional>
-#include <sstream>
-#include <string_view>
 #include <utility>
 
 #include "clients/ctl/calibrate/calibration.h"
-#include "clients/ctl/calibrate/felt_sides.h"
-#include "clients/ctl/calibrate/winding_bench.h"
-#include "clients/ctl/screen/words.h"
-#include "model/coils.h"
+#include "clients/ctl/calibrate/heat_progress.h"
+#include "clients/ctl/calibrate/heating.h"
+#include "clients/ctl/calibrate/winding_calibration.h"
 
 namespace hedgehog::client {
 namespace {
 
 constexpr int kCannotCreate = 73;
-constexpr double kFrequencyHz = 47.0;
-/// The first look at a winding of which nothing is known, A: too little for the watchdog to take a
-/// winding of a third of its resistance, turned or swapped for a fault.
-constexpr double kGlanceA = 0.3;
-constexpr double kGlanceS = 0.2;
-constexpr double kTakeS = 0.6;
-/// Below 1.5 A a wrong resistance cannot look like heat.
-constexpr double kUnknownA = 1.2;
-/// What a person feels well, A; only where the daemon knows the resistance to `kKnown`.
-constexpr double kPushA = 3.0;
-constexpr double kKnown = 0.03;
-/// More than windings of one kind differ.
-constexpr double kOdd = 0.25;
-/// Windings of a ball at rest are this close to their thermometer.
-constexpr double kRestK = 2.0;
 
-/// A trip that a resistance far from the device file's brings about; any other trip, a refusal or a
-/// lost daemon says nothing of the winding.
-bool blames_resistance(std::string_view reason) {
-  return reason == "current_mismatch" || reason == "sensor_frozen" || reason == "sensor_disagrees";
+int cannot_write(const std::string& path) {
+  print_error(path + ": cannot be written");
+  return kCannotCreate;
 }
 
-int say_wrong(const std::string& what) {
-  std::fprintf(stderr, "hedgehogctl calibrate: %s\n", what.c_str());
-  return kEndedOtherwise;
+/// Whole or not at all: a device file that ends in its middle is worse than the one before.
+bool replace_file(const std::string& path, const std::string& text) {
+  const std::string unfinished = path + ".new";
+  std::ofstream file(unfinished, std::ios::trunc);
+  file << text;
+  file.close();
+  std::error_code failed;
+  if (file) std::filesystem::rename(unfinished, path, failed);
+  if (!file || failed) std::filesystem::remove(unfinished, failed);
+  return file && !failed;
 }
 
-int give_up(const ClientError& error) {
-  if (!interrupted()) return complain(error);
-  std::fputs("hedgehogctl calibrate: interrupted; the coils are off, nothing was written\n",
-             stderr);
-  return kInterrupted;
+int write(const Session& session, const CalibrateOptions& options, const Calibration& found,
+          const protocol::Description& before) {
+  if (!replace_file(options.out, device_file(found, before))) return cannot_write(options.out);
+  if (session.json) {
+    std::puts(nlohmann::json{{"written", options.out}}.dump().c_str());
+    return kDone;
+  }
+  const std::string name = std::filesystem::path(options.out).stem().string();
+  std::printf(
+      "wrote %s\n"
+      "To use it: copy it into /etc/hedgehog/devices.d, write \"device\": \"%s\"\n"
+      "into /etc/hedgehog/hedgehogd.json, restart hedgehogd.\n",
+      options.out.c_str(), name.c_str());
+  return kDone;
 }
 
-class Calibrator {
- public:
-  Calibrator(Session& session, const CalibrateOptions& options, PushedSides pushed,
-             const protocol::Description& before)
-      : bench_(session), options_(options), before_(before) {
-    asks_ = options.pushed.empty() && isatty(STDIN_FILENO) != 0;
-    found_.pushed = std::move(pushed);
-    found_.name = options.name.empty() ? before.name : options.name;
-  }
+std::string contents_of(const std::string& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
 
-  int run() {
-    if (before_.gain < 1.0) {
-      return say_wrong("the gain is " + fixed(before_.gain, 2) +
-                       " and would weaken every current; run: hedgehogctl gain 1");
+/// Windings, then heat; or heat from where an interrupted run has stopped.
+int calibrate_heat(Session& session, const CalibrateOptions& options, const PushedSides& pushed,
+                   const protocol::Description& before) {
+  const std::string path = options.out + ".progress";
+  HeatProgress progress;
+  if (access(path.c_str(), F_OK) == 0) {
+    auto earlier = read_progress(contents_of(path));
+    const auto status = session.connection.call(protocol::DeviceStatus{});
+    if (!status) return complain(status.error());
+    const std::string why =
+        earlier ? incompatible(*earlier, before, status->temperature_c) : "it is damaged";
+    if (!why.empty()) {
+      print_error(path + " cannot go on: " + why + ". Remove it to begin anew");
+      return kBadData;
     }
-    const auto rest = bench_.rest();
-    if (!rest) return give_up(rest.error());
-    std::printf(
-        "%s: one winding at a time, never more than %s A.\nCtrl-C switches the coils off.\n",
-        before_.name.c_str(),
-        fixed(asks_ ? std::max(options_.current_a, kPushA) : options_.current_a, 1).c_str());
-    found_.sensor_c = *rest->sensor;
-    warn_of_heat(*rest);
-    for (int coil = 0; coil < 3; ++coil) {
-      if (const int code = measure(coil); code != kDone) return code;
-    }
-    if (const int code = learn_sides(); code != kDone) return code;
-    return write();
+    progress = *std::move(earlier);
+  } else {
+    progress.ball = identity_of(before);
+    const int code = calibrate_windings(session, options, pushed, before, progress.windings);
+    if (code != kDone) return code;
   }
-
- private:
-  void warn_of_heat(const protocol::TemperatureStatus& rest) const {
-    double apart_k = 0.0;
-    for (const double winding_c : rest.coils) {
-      apart_k = std::max(apart_k, std::abs(winding_c - found_.sensor_c));
-    }
-    if (apart_k < kRestK) return;
-    std::printf(
-        "A winding and its thermometer are %s K apart: r25_ohm will be up to %s %% wrong. Let the\n"
-        "ball rest for ten minutes and calibrate again.\n",
-        fixed(apart_k, 0).c_str(), fixed(100.0 * model::kCopperPerKelvin * apart_k, 1).c_str());
-  }
-
-  struct Steady {
-    WindingRecord forth, back;
-    std::optional<double> resistance_ohm;
-  };
-  Outcome<Steady> steady(int coil, double current_a, double take_s) {
-    auto forth = bench_.hold(coil, 1.0, current_a, take_s);
-    if (!forth) return forth.error();
-    auto back = bench_.hold(coil, -1.0, current_a, take_s);
-    if (!back) return back.error();
-    const auto resistance = steady_resistance(forth->samples, back->samples);
-    return Steady{*std::move(forth), *std::move(back), resistance};
-  }
-
-  static std::string trouble_of(int coil, const Steady& seen) {
-    return winding_trouble(coil, seen.forth.mean_a, seen.back.mean_a, seen.resistance_ohm);
-  }
-
-  int measure(int coil) {
-    const auto i = static_cast<std::size_t>(coil);
-    const auto glance = steady(coil, kGlanceA, kGlanceS);
-    if (!glance) return give_up_at_first_sight(coil, glance.error());
-    if (const auto trouble = trouble_of(coil, *glance); !trouble.empty()) return say_wrong(trouble);
-    const double believed_ohm = at_rest(before_.coils.r25_ohm[i]);
-    const double ratio = *glance->resistance_ohm / believed_ohm;
-    const bool known = std::abs(ratio - 1.0) < kKnown;
-    // The daemon thinks in its own resistance, so less of it brings more current.
-    const double current_a =
-        (known ? options_.current_a : std::min(options_.current_a, kUnknownA)) *
-        std::min(1.0, ratio);
-    const auto seen = steady(coil, current_a, kTakeS);
-    if (!seen) return give_up(seen.error());
-    if (const auto trouble = trouble_of(coil, *seen); !trouble.empty()) return say_wrong(trouble);
-    const auto sine = bench_.sine(coil, current_a, kFrequencyHz);
-    if (!sine) return give_up(sine.error());
-    const auto impedance = sine_impedance(sine->samples, kFrequencyHz);
-    if (!impedance) {
-      return say_wrong("the current of winding " + std::string(1, kAxisNames[coil]) +
-                       " does not follow the voltage");
-    }
-    const double resistance_ohm = *seen->resistance_ohm;
-    found_.r25_ohm[i] = resistance_ohm / at_rest(1.0);
-    found_.inductance_h[i] = impedance->inductance_h;
-    found_.supply_v = seen->forth.supply_v;
-    found_.current_a = std::max(found_.current_a, std::abs(seen->forth.mean_a[i]));
-    std::printf("  %c  %s ohm at %s °C, %s at 25 °C   %s mH   current as asked\n", kAxisNames[coil],
-                fixed(resistance_ohm, 4).c_str(), fixed(found_.sensor_c, 1).c_str(),
-                fixed(found_.r25_ohm[i], 4).c_str(),
-                fixed(1000.0 * found_.inductance_h[i], 3).c_str());
-    if (std::abs(found_.r25_ohm[i] / before_.coils.r25_ohm[i] - 1.0) > kOdd) {
-      std::printf("     The file until now says %s: is it wound so, or a bad contact, a short?\n",
-                  fixed(before_.coils.r25_ohm[i], 4).c_str());
-    }
-    std::fflush(stdout);
-    return kDone;
-  }
-
-  /// A resistance at 25 Celsius, as it is now.
-  double at_rest(double r25_ohm) const {
-    return r25_ohm * (1.0 + model::kCopperPerKelvin * (found_.sensor_c - 25.0));
-  }
-
-  int give_up_at_first_sight(int coil, const ClientError& error) const {
-    const int code = give_up(error);
-    if (interrupted() || !blames_resistance(bench_.tripped().value_or(""))) return code;
-    std::ostringstream text;
-    text << "winding " << kAxisNames[coil] << " was driven with " << fixed(kGlanceA, 1)
-         << " A. If all plugs are right it has less than a quarter of the "
-         << fixed(before_.coils.r25_ohm[static_cast<std::size_t>(coil)], 2)
-         << " ohm in the device file: measure it by hand, write it there (r25_ohm), restart "
-            "hedgehogd and calibrate again";
-    return say_wrong(text.str());
-  }
-
-  bool resistance_known(std::size_t winding) const {
-    return std::abs(found_.r25_ohm[winding] / before_.coils.r25_ohm[winding] - 1.0) < kKnown;
-  }
-
-  int learn_sides() {
-    if (!asks_) {
-      if (!coil_matrix(found_.pushed)) {
-        std::puts("The coil matrix stays as it was: nobody said which side each winding pushes.");
-      }
-      return kDone;
-    }
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (!resistance_known(i)) {
-        std::puts(
-            "The coil matrix stays as it was: the resistances in force are too far from these\n"
-            "for a push that can be felt. Start hedgehogd with the new file, then calibrate\n"
-            "once more: you will be asked which side each winding pushes.");
-        return kDone;
-      }
-    }
-    auto felt = ask_sides(bench_, kPushA);
-    if (!felt) return give_up(felt.error());
-    found_.pushed = *std::move(felt);
-    return kDone;
-  }
-
-  int write() const {
-    std::ofstream file(options_.out, std::ios::trunc);
-    file << device_file(found_, before_);
-    file.close();
-    if (!file) {
-      say_wrong(options_.out + ": cannot be written");
-      return kCannotCreate;
-    }
-    const std::string name = std::filesystem::path(options_.out).stem().string();
-    std::printf(
-        "wrote %s\n"
-        "To use it: copy it into /etc/hedgehog/devices.d, write \"device\": \"%s\"\n"
-        "into /etc/hedgehog/hedgehogd.json, restart hedgehogd.\n",
-        options_.out.c_str(), name.c_str());
-    return kDone;
-  }
-
-  WindingBench bench_;
-  const CalibrateOptions& options_;
-  const protocol::Description& before_;
-  Calibration found_;
-  /// A person is there who can feel, and nobody has said it yet.
-  bool asks_ = false;
-};
+  HeatProgressFile file(path, progress);
+  if (!file.ok()) return cannot_write(path);
+  if (const int code = heat_and_cool(session, before, file, progress); code != kDone) return code;
+  Calibration found = progress.windings;
+  if (const int code = fit_heat(session, progress, before, found); code != kDone) return code;
+  const int code = write(session, options, found, before);
+  if (code == kDone) file.remove();
+  return code;
+}
 
 }  // namespace
 
 int run_calibrate(Session& session, const CalibrateOptions& options) {
   const auto pushed = read_pushed(options.pushed);
   if (!pushed) {
-    say_wrong("--pushed is like x=front,y=left,z=up, each winding on an axis of its own");
+    print_error("--pushed is like x=front,y=left,z=up, each winding on an axis of its own");
     return kUsage;
   }
   if (!options.force && access(options.out.c_str(), F_OK) == 0) {
-    say_wrong(options.out + " is there already; --force replaces it");
+    print_error(options.out + " is there already; --force replaces it");
     return kCannotCreate;
   }
   if (auto hello = session.connection.hello("hedgehogctl"); !hello) return complain(hello.error());
   const auto before = session.connection.call(protocol::DeviceDescribe{});
   if (!before) return complain(before.error());
-  return Calibrator(session, options, *pushed, *before).run();
+  if (options.thermal) return calibrate_heat(session, options, *pushed, *before);
+  Calibration found;
+  const int code = calibrate_windings(session, options, *pushed, *before, found);
+  return code == kDone ? write(session, options, found, *before) : code;
 }
 
 }  // namespace hedgehog::client

@@ -18,7 +18,10 @@ struct CalibrateOptions {
   double current_a = 1.2;
   /// "x=front" and so on; empty: a person is asked, when there is a terminal.
   std::vector<std::string> pushed;
+  /// Replaces a file that is there, and measures a ball that is not at one temperature.
   bool force = false;
+  /// Heats and cools the ball too, and finds its thermal constants.
+  bool thermal = false;
 };
 
 int run_calibrate(Session& session, const CalibrateOptions& options);

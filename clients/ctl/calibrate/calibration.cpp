@@ -6,6 +6,9 @@
 #include <cstdio>
 #include <sstream>
 
+#include "model/coils.h"
+#include "model/thermal_uncertainty.h"
+
 namespace hedgehog::client {
 namespace {
 
@@ -24,8 +27,9 @@ constexpr std::array<Side, 6> kSides{{{"front", 0, 1.0},
 /// More than the noise of a current sensor.
 constexpr double kFlowsA = 0.03;
 /// What a device file takes.
-constexpr double kLeastOhm = 0.05;
-constexpr double kMostOhm = 10.0;
+constexpr double kMinOhm = 0.05;
+constexpr double kMaxOhm = 10.0;
+constexpr double kMaxLagS = 10.0;
 
 const Side* side_named(std::string_view name) {
   const auto found = std::find_if(kSides.begin(), kSides.end(),
@@ -45,9 +49,8 @@ std::string three(const std::array<double, 3>& values) {
 
 std::string matrix_text(const std::array<model::Vec3, 3>& rows) {
   std::string text = "[";
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; i < 3; ++i)
     text += (i == 0 ? "" : ", ") + three({rows[i].x, rows[i].y, rows[i].z});
-  }
   return text + "]";
 }
 
@@ -70,7 +73,7 @@ std::string winding_trouble(int coil, const std::array<double, 3>& forth_a,
   } else if (*resistance_ohm < 0.0) {
     text << "its current sensor reads the other way round; turn it on the board, a device file "
             "cannot";
-  } else if (*resistance_ohm < kLeastOhm || *resistance_ohm > kMostOhm) {
+  } else if (*resistance_ohm < kMinOhm || *resistance_ohm > kMaxOhm) {
     text << number(*resistance_ohm, "%.2f")
          << " ohm, and a device file takes 0.05 to 10; check its plug, and the winding for a short";
   } else {
@@ -84,9 +87,8 @@ std::string side_meant(std::string_view answer) {
   const std::size_t from = answer.find_first_not_of(kSpace);
   if (from == std::string_view::npos) return {};
   std::string word(answer.substr(from, answer.find_last_not_of(kSpace) + 1 - from));
-  for (char& c : word) {
+  for (char& c : word)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
   // The first letters differ, so any beginning says which.
   const auto* found = std::find_if(kSides.begin(), kSides.end(),
                                    [&](const Side& side) { return side.name.starts_with(word); });
@@ -128,21 +130,78 @@ std::optional<std::array<model::Vec3, 3>> coil_matrix(const PushedSides& pushed)
   return rows;
 }
 
+namespace {
+
+protocol::ThermalDescription described(const model::ThermalFound& found) {
+  const model::ThermalModel& t = found.thermal;
+  return {t.winding_j_k,
+          t.core_j_k,
+          t.winding_to_core_k_w,
+          t.core_to_room_fan_k_w,
+          t.core_to_room_still_k_w,
+          t.sensor_winding,
+          std::min(t.sensor_lag_s, kMaxLagS)};
+}
+
+std::string heat_comment(const std::optional<model::ThermalFound>& found) {
+  if (!found) return "  // Not measured: as it was.\n";
+  const auto percent = [](double share) { return number(100.0 * share, "%.1f"); };
+  const auto& d = found->deviation;
+  const auto each = [&](const std::array<double, 3>& shares) {
+    return percent(shares[0]) + ", " + percent(shares[1]) + ", " + percent(shares[2]);
+  };
+  return "  // By heating and cooling. Standard deviations in %: windings " + each(d.winding_j_k) +
+         "; to the core " + each(d.winding_to_core_k_w) + ";\n  // core " + percent(d.core_j_k) +
+         "; to the room with fan " + percent(d.core_to_room_fan_k_w) + ", without " +
+         percent(d.core_to_room_still_k_w) +
+         ", which is not in \"uncertainty\": a warm ball has its fan on.\n";
+}
+
+std::string heat_text(const Calibration& measured, const protocol::Description& before) {
+  const protocol::ThermalDescription t =
+      measured.thermal ? described(*measured.thermal) : before.thermal;
+  const double uncertainty =
+      measured.thermal ? measured.thermal->uncertainty : before.uncertainty.thermal;
+  return heat_comment(measured.thermal) +
+         "  \"thermal\": {\n"
+         "    \"winding_j_k\": " +
+         three(t.winding_j_k) + ",\n    \"core_j_k\": " + number(t.core_j_k) +
+         ",\n    \"winding_to_core_k_w\": " + three(t.winding_to_core_k_w) +
+         ",\n    \"core_to_room_fan_k_w\": " + number(t.core_to_room_fan_k_w) +
+         ",\n    \"core_to_room_still_k_w\": " + number(t.core_to_room_still_k_w) +
+         ",\n    \"sensor_winding\": " + std::to_string(t.sensor_winding) +
+         ",\n    \"sensor_lag_s\": " + number(t.sensor_lag_s) +
+         "\n  },\n"
+         "  \"uncertainty\": {\n"
+         "    \"thermal\": " +
+         number(uncertainty, "%.3f") +
+         ",\n    \"resistance\": " + number(resistance_uncertainty(measured), "%.3f") +
+         ",\n    \"thermistor_k\": " + number(before.uncertainty.thermistor_k) + "\n  },\n";
+}
+
+}  // namespace
+
+double resistance_uncertainty(const Calibration& measured) {
+  const double by_heat = model::kCopperPerKelvin * measured.apart_k;
+  const double share = measured.resistance_share + (measured.unrest.empty() ? 0.0 : by_heat);
+  return std::clamp(share, model::kMinUncertainty.resistance, model::kMaxUncertainty.resistance);
+}
+
 std::string device_file(const Calibration& measured, const protocol::Description& before) {
   const auto& l = before.limits;
   const auto matrix = coil_matrix(measured.pushed);
   const double inductance_h =
       (measured.inductance_h[0] + measured.inductance_h[1] + measured.inductance_h[2]) / 3.0;
-  std::string text =
-      "// Measured by hedgehogctl calibrate with " + number(measured.current_a) + " A at " +
-      number(measured.sensor_c, "%.1f") + " degrees Celsius, supply " +
-      number(measured.supply_v, "%.2f") +
-      " V.\n"
-      "// The protocol does not tell thermal, usb and usb_serial: copy them from the file before,\n"
-      "// where they differ from a hedgehog-86.\n"
-      "{\n"
-      "  \"name\": \"" +
-      measured.name + "\",\n";
+  std::string text = "// Measured by hedgehogctl calibrate with " + number(measured.current_a) +
+                     " A at " + number(measured.sensor_c, "%.1f") + " degrees Celsius, supply " +
+                     number(measured.supply_v, "%.2f") + " V.\n" +
+                     (measured.unrest.empty() ? "" : "// Forced: " + measured.unrest + ".\n") +
+                     "// The protocol does not tell usb and usb_serial: copy them from the file "
+                     "before, where they\n"
+                     "// differ from a hedgehog-86.\n"
+                     "{\n"
+                     "  \"name\": \"" +
+                     measured.name + "\",\n";
   text +=
       matrix
           ? "  // By the sides that a person felt; how strong each winding is was not measured.\n"
@@ -156,6 +215,7 @@ std::string device_file(const Calibration& measured, const protocol::Description
   text += "  \"inductance_h\": " + number(inductance_h) + ",\n";
   text += "  \"supply_v\": " + number(before.coils.supply_v) + ",\n";
   text += "  \"force_slope_n_a\": " + number(before.calibration.force_n_per_a) + ",\n";
+  text += heat_text(measured, before);
   text += "  \"limits\": {\n";
   const std::array<std::pair<const char*, double>, 8> limits{{{"current_a", l.current_a},
                                                               {"continuous_a", l.continuous_a},

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "model/identification/thermal_fit.h"
 #include "protocol/description.h"
 
 namespace hedgehog::client {
@@ -41,7 +42,17 @@ struct Calibration {
   double current_a = 0.0;
   double supply_v = 0.0;
   PushedSides pushed;
+  /// Standard deviation of `r25_ohm`, a share, for a ball that was at one temperature.
+  double resistance_share = 0.03;
+  /// Why it was not, and by how much the thermometer may differ from a winding, K; "": it was.
+  std::string unrest;
+  double apart_k = 0.0;
+  /// Of `calibrate --thermal`; nullopt: not measured.
+  std::optional<model::ThermalFound> thermal;
 };
+
+/// Standard deviation of `r25_ohm` with all that is known, within what a device file takes.
+double resistance_uncertainty(const Calibration& measured);
 
 /// The coil matrix that follows; nullopt: not all sides are known, or two are of one axis.
 std::optional<std::array<model::Vec3, 3>> coil_matrix(const PushedSides& pushed);

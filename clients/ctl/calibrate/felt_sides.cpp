@@ -26,9 +26,7 @@ Outcome<std::string> answer_to(const std::string& question) {
 /// Pushes until the answer is a side.
 Outcome<std::string> side_of(WindingBench& bench, std::size_t winding, double push_a) {
   for (;;) {
-    if (auto pushed = bench.push(static_cast<int>(winding), push_a); !pushed) {
-      return pushed.error();
-    }
+    if (auto pushed = bench.push(static_cast<int>(winding), push_a); !pushed) return pushed.error();
     const auto answer = answer_to(std::string("  ") + kAxisNames[winding] + " pushes now, where? ");
     if (!answer) return answer.error();
     if (const std::string side = side_meant(*answer); !side.empty()) return side;

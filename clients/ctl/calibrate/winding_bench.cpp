@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "clients/ctl/calibrate/armed_status.h"
+
 namespace hedgehog::client {
 namespace {
 
@@ -10,9 +12,7 @@ using protocol::EffectParams;
 using protocol::Method;
 
 constexpr double kTelemetryHz = 200.0;
-constexpr Milliseconds kTelemetryPoll{50};
-/// Between two looks at whether somebody pressed Ctrl-C this many may pass without any telemetry.
-constexpr int kMaxPolls = 60;
+constexpr double kWaitingHz = 5.0;
 constexpr double kSettleS = 0.2;
 constexpr double kSineS = 1.2;
 /// So long a current flows that is measured; it is stopped before.
@@ -30,29 +30,13 @@ EffectParams along(int coil, double sign, double current_a) {
   return params;
 }
 
-ClientError trouble(const std::string& message) { return {Failure::kClosed, message, {}}; }
-
-ClientError not_armed(const protocol::Status& status) {
-  return trouble("the ball is " + status.state + ": " + status.reason.value_or("") + ". " +
-                 status.remedy.value_or(""));
-}
-
 }  // namespace
 
 Outcome<protocol::Status> WindingBench::next() {
-  for (int i = 0; i < kMaxPolls; ++i) {
-    if (interrupted()) return trouble("interrupted");
-    auto told = session_.connection.next(kTelemetryPoll);
-    if (!told) return told.error();
-    if (!*told) continue;
-    const auto* telemetry = std::get_if<protocol::TelemetryMessage>(&**told);
-    if (telemetry == nullptr) continue;
-    const protocol::Status& status = telemetry->telemetry.status;
-    if (status.state == "armed") return status;
-    if (status.state == "tripped") tripped_ = status.reason.value_or("");
-    return not_armed(status);
-  }
-  return trouble("the daemon tells nothing any more");
+  auto status = next_status(session_);
+  if (!status || status->state == "armed") return status;
+  if (status->state == "tripped") tripped_ = status->reason.value_or("");
+  return not_armed(*status);
 }
 
 Outcome<double> WindingBench::start(Method method, const EffectParams& params) {
@@ -60,38 +44,32 @@ Outcome<double> WindingBench::start(Method method, const EffectParams& params) {
   if (!before) return before.error();
   if (auto begun = play(method, params); !begun) return begun.error();
   using protocol::StatusKey;
-  protocol::StatusKeys keys;
-  for (const StatusKey key : {StatusKey::kState, StatusKey::kReason, StatusKey::kRemedy,
-                              StatusKey::kCurrentA, StatusKey::kDuty, StatusKey::kSupplyV}) {
-    keys.add(key);
-  }
-  // Only now, so that nothing is told of the time before.
-  const protocol::TelemetrySubscribe wanted{kTelemetryHz, keys};
-  if (auto told = session_.connection.call(wanted); !told) return told.error();
+  // Only now, so that none is of the time before.
+  if (auto subscribed = subscribe(session_, kTelemetryHz,
+                                  {StatusKey::kCurrentA, StatusKey::kDuty, StatusKey::kSupplyV});
+      !subscribed)
+    return subscribed.error();
   return 1e-9 * static_cast<double>(before->time_ns) + 1e-3 * static_cast<double>(kFlowsMs);
 }
 
 Outcome<void> WindingBench::play(Method method, const EffectParams& params) {
   // Nobody else plays meanwhile; it ends with the connection.
-  if (auto claimed = session_.connection.call(protocol::DeviceClaim{}); !claimed) {
+  if (auto claimed = session_.connection.call(protocol::DeviceClaim{}); !claimed)
     return claimed.error();
-  }
-  if (auto begun = session_.connection.call(protocol::EffectStart{method, params}); !begun) {
+  if (auto begun = session_.connection.call(protocol::EffectStart{method, params}); !begun)
     return begun.error();
-  }
   return {};
 }
 
 Outcome<void> WindingBench::stop() {
   if (auto done = session_.connection.call(protocol::EffectStopAll{}); !done) return done.error();
-  if (auto done = session_.connection.call(protocol::TelemetryUnsubscribe{}); !done) {
+  if (auto done = session_.connection.call(protocol::TelemetryUnsubscribe{}); !done)
     return done.error();
-  }
-  // What was told before that.
+  // What came before that.
   for (;;) {
-    auto told = session_.connection.next(Milliseconds(0));
-    if (!told) return told.error();
-    if (!*told) return {};
+    auto notification = session_.connection.next(Milliseconds(0));
+    if (!notification) return notification.error();
+    if (!*notification) return {};
   }
 }
 
@@ -111,25 +89,34 @@ Outcome<WindingRecord> WindingBench::record(int coil, double take_s, double flow
                          "the network do less, then calibrate again",
                          {}};
     }
-    if (!status->supply_v) return trouble("the daemon does not tell the supply voltage");
+    if (!status->supply_v) return measuring_failed("the daemon does not report the supply voltage");
     record.supply_v = *status->supply_v;
     record.samples.push_back(
         {t_s, status->current_a[coil], status->duty[coil] * *status->supply_v});
-    for (int any = 0; any < 3; ++any) {
+    for (int any = 0; any < 3; ++any)
       record.mean_a[static_cast<std::size_t>(any)] += status->current_a[any];
-    }
   }
   for (double& mean : record.mean_a) mean /= static_cast<double>(record.samples.size());
   if (auto stopped = stop(); !stopped) return stopped.error();
   return record;
 }
 
-Outcome<protocol::TemperatureStatus> WindingBench::rest() {
+Outcome<void> WindingBench::wait_until(double t_s) {
+  if (auto subscribed = subscribe(session_, kWaitingHz, {}); !subscribed) return subscribed.error();
+  for (;;) {
+    const auto status = next();
+    if (!status) return status.error();
+    if (1e-9 * static_cast<double>(status->time_ns) >= t_s) return stop();
+  }
+}
+
+Outcome<protocol::Status> WindingBench::rest() {
   const auto status = session_.connection.call(protocol::DeviceStatus{});
   if (!status) return status.error();
   if (status->state != "armed") return not_armed(*status);
-  if (!status->temperature_c.sensor) return trouble("the coil thermometer does not answer");
-  return status->temperature_c;
+  if (!status->temperature_c.sensor)
+    return measuring_failed("the coil thermometer does not answer");
+  return *status;
 }
 
 Outcome<WindingRecord> WindingBench::hold(int coil, double sign, double current_a, double take_s) {

@@ -29,9 +29,10 @@ class WindingBench {
  public:
   explicit WindingBench(Session& session) : session_(session) {}
 
-  /// The temperatures of a ball at rest, Celsius; the sensor's is there. An error when the ball is
-  /// not armed.
-  Outcome<protocol::TemperatureStatus> rest();
+  /// The status of an armed ball whose thermometer answers; an error when it is not so.
+  Outcome<protocol::Status> rest();
+  /// Nothing flows until `t_s` of device time.
+  Outcome<void> wait_until(double t_s);
   /// A steady current, `sign` * `current_a`, measured once it has settled, for `take_s`.
   Outcome<WindingRecord> hold(int coil, double sign, double current_a, double take_s);
   /// A sine between 0 and `current_a`.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "clients/ctl/calibrate/winding_fit.h"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -36,9 +37,8 @@ std::optional<Phasor> phasor(const std::vector<WindingSample>& samples, double o
   for (const WindingSample& one : samples) {
     const double angle = omega * (one.t_s - samples.front().t_s);
     const model::Vec3 basis{1.0, std::cos(angle), std::sin(angle)};
-    for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t row = 0; row < 3; ++row)
       normal.row[row] = normal.row[row] + basis[static_cast<int>(row)] * basis;
-    }
     right = right + one.*what * basis;
   }
   const auto count = static_cast<double>(samples.size());
@@ -51,13 +51,26 @@ std::optional<Phasor> phasor(const std::vector<WindingSample>& samples, double o
 }  // namespace
 
 std::optional<double> steady_resistance(const std::vector<WindingSample>& forth,
-                                        const std::vector<WindingSample>& back, double least_a) {
+                                        const std::vector<WindingSample>& back, double min_a) {
   if (forth.empty() || back.empty()) return std::nullopt;
   const Mean one = mean_of(forth);
   const Mean other = mean_of(back);
   const double current_a = one.current_a - other.current_a;
-  if (std::abs(current_a) < 2.0 * least_a) return std::nullopt;
+  if (std::abs(current_a) < 2.0 * min_a) return std::nullopt;
   return (one.voltage_v - other.voltage_v) / current_a;
+}
+
+double steady_resistance_error(const std::vector<WindingSample>& forth,
+                               const std::vector<WindingSample>& back) {
+  double variance = 0.0;
+  for (const auto* samples : {&forth, &back}) {
+    const double mean_a = mean_of(*samples).current_a;
+    const auto count = static_cast<double>(samples->size());
+    double squares = 0.0;
+    for (const WindingSample& one : *samples) squares += std::pow(one.current_a - mean_a, 2.0);
+    variance += squares / (count * std::max(1.0, count - 1.0));
+  }
+  return std::sqrt(variance) / std::abs(mean_of(forth).current_a - mean_of(back).current_a);
 }
 
 std::optional<Impedance> sine_impedance(const std::vector<WindingSample>& samples,

@@ -19,10 +19,14 @@ struct WindingSample {
 };
 
 /// Ohm, from a steady current one way and then the other: a constant error of the current sensor
-/// falls out. nullopt: not even `least_a` flowed each way.
+/// falls out. nullopt: not even `min_a` flowed each way.
 std::optional<double> steady_resistance(const std::vector<WindingSample>& forth,
                                         const std::vector<WindingSample>& back,
-                                        double least_a = 0.02);
+                                        double min_a = 0.02);
+
+/// Standard deviation of that, a share, by the scatter of the currents. REQUIRES: it is known.
+double steady_resistance_error(const std::vector<WindingSample>& forth,
+                               const std::vector<WindingSample>& back);
 
 struct Impedance {
   double resistance_ohm = 0.0;

@@ -13,8 +13,10 @@ namespace hedgehog::client {
 
 namespace {
 
-/// "A ball in mid-game": from here a 15 A push reaches the derating within the tour.
-constexpr double kWarmStartC = 53.0;
+/// "A ball in mid-game": from here a 15 A push reaches the derating within the tour. In a room so
+/// cold that the shell of a ball that warm may still be held.
+constexpr double kWarmStartC = 52.0;
+constexpr double kColdAmbientC = 0.0;
 
 bool ask_holder(const Ball& ball) {
   std::printf(
@@ -26,14 +28,14 @@ bool ask_holder(const Ball& ball) {
   return key == '\n' && !interrupted();
 }
 
-void say_summary(const TourRecord& record, const protocol::LimitsDescription& limits,
-                 const protocol::Status& last, double seconds) {
+void print_summary(const TourRecord& record, const protocol::LimitsDescription& limits,
+                   const protocol::Status& last, double seconds) {
   std::printf("\n %s s: 6 pulses, a circle, a skid, a compass, one long push. All coils are off.\n",
               fixed(seconds, 0).c_str());
-  const bool derated = record.least_limit_a() < limits.current_a;
+  const bool derated = record.min_limit_a() < limits.current_a;
   std::printf(" Hottest %s °C (trips at %s). The long push was %s.\n",
               fixed(record.hottest_c(), 1).c_str(), fixed(limits.trip_c, 0).c_str(),
-              derated ? ("derated to " + fixed(record.least_limit_a(), 1) + " A, never cut").c_str()
+              derated ? ("derated to " + fixed(record.min_limit_a(), 1) + " A, never cut").c_str()
                       : "never derated");
   const protocol::LoopStatus& loop = last.loop;
   std::printf(" %s ticks, %s skipped, latest %s ms.\n\n",
@@ -42,7 +44,7 @@ void say_summary(const TourRecord& record, const protocol::LimitsDescription& li
               fixed(loop.lateness_us.max / 1000.0, 2).c_str());
 }
 
-void say_next() {
+void print_next() {
   std::puts("   make run                  a simulated ball to look at, http://127.0.0.1:7587");
   std::puts("   make race                 hedgehog-racer, a game, http://127.0.0.1:7585");
   std::puts("   hedgehogctl pulse left    push the left palm yourself");
@@ -51,35 +53,24 @@ void say_next() {
 
 int play(Session& session, const DemoOptions& options) {
   auto ball = look(session.connection);
-  if (!ball) {
-    return complain(ball.error());
-  }
-  if (!ball->status.simulated && !options.confirmed && !ask_holder(*ball)) {
-    return kInterrupted;
-  }
+  if (!ball) return complain(ball.error());
+  if (!ball->status.simulated && !options.confirmed && !ask_holder(*ball)) return kInterrupted;
   TourPlayer player(session.connection, *ball, session.style);
   const auto outcome = player.play();
-  if (!outcome) {
-    return complain(outcome.error());
-  }
+  if (!outcome) return complain(outcome.error());
   if (interrupted()) {
     std::fputs("hedgehogctl: interrupted; the coils are off\n", stderr);
     return kInterrupted;
   }
   const auto last = session.connection.call(protocol::DeviceStatus{});
-  if (!last) {
-    return complain(last.error());
-  }
+  if (!last) return complain(last.error());
   const std::vector<std::string> failures =
       player.record().failures(*last, player.began_ns(), options.private_daemon);
-  for (const std::string& failure : failures) {
+  for (const std::string& failure : failures)
     std::fprintf(stderr, "hedgehogctl: demo: %s\n", failure.c_str());
-  }
-  if (!failures.empty()) {
-    return kEndedOtherwise;
-  }
-  say_summary(player.record(), player.limits(), *last, player.seconds());
-  say_next();
+  if (!failures.empty()) return kEndedOtherwise;
+  print_summary(player.record(), player.limits(), *last, player.seconds());
+  print_next();
   return kDone;
 }
 
@@ -89,7 +80,7 @@ int run_demo(const CommonOptions& common, const DemoOptions& options) {
   CommonOptions chosen = common;
   std::unique_ptr<PrivateDaemon> daemon;
   if (options.private_daemon) {
-    auto started = PrivateDaemon::start(kWarmStartC);
+    auto started = PrivateDaemon::start(kWarmStartC, kColdAmbientC);
     if (!started) {
       std::fprintf(stderr, "hedgehogctl: %s\n", started.error().message.c_str());
       return kUnavailable;

@@ -28,9 +28,7 @@ std::string title_line(const Ball& ball, const TourChapter& chapter, bool ascii)
 }
 
 std::string request_line(const protocol::Status& status, const TourStep* playing) {
-  if (playing == nullptr) {
-    return "";
-  }
+  if (playing == nullptr) return "";
   return "   " + left(playing->method, 15) + playing->params +
          (status.derating ? R"(   limited_by: "thermal")" : "");
 }
@@ -47,13 +45,10 @@ std::vector<std::string> demo_screen(const Ball& ball, const TourChapter& chapte
                                      const TourStep* playing, const ScreenStyle& style) {
   const protocol::Status& status = ball.status;
   std::optional<model::Vec3> up;
-  if (chapter.number == 4 && status.orientation) {
-    up = status.orientation->up;
-  }
+  if (chapter.number == 4 && status.orientation) up = status.orientation->up;
   std::vector<std::string> lines{title_line(ball, chapter, style.ascii), ""};
-  for (std::string& line : ball_map(status.pins.force_n, {.ascii = style.ascii, .room_up = up})) {
+  for (std::string& line : ball_map(status.pins.force_n, {.ascii = style.ascii, .room_up = up}))
     lines.push_back(std::move(line));
-  }
   lines.emplace_back();
   lines.push_back(caption_line(chapter, playing));
   lines.push_back(cut(request_line(status, playing), kScreenColumns));

@@ -36,21 +36,18 @@ ClientError cannot_start(const std::string& why) {
 std::string daemon_program() {
   std::error_code failed;
   const fs::path here = fs::read_symlink("/proc/self/exe", failed).parent_path();
-  for (const fs::path& candidate : {here / "hedgehogd", here / "../../daemon/hedgehogd"}) {
-    if (fs::exists(candidate, failed)) {
-      return candidate.string();
-    }
-  }
+  for (const fs::path& candidate : {here / "hedgehogd", here / "../../daemon/hedgehogd"})
+    if (fs::exists(candidate, failed)) return candidate.string();
   return "hedgehogd";
 }
 
-bool write_config(const fs::path& folder, double start_temperature_c) {
+bool write_config(const fs::path& folder, double start_temperature_c, double ambient_c) {
   std::ofstream file(folder / "hedgehogd.json");
   file << "{\"state_directory\": " << folder << ",\n \"runtime_directory\": " << folder
        << ",\n \"listen\": {\"tcp\": [], \"unix\": \"hedgehogd.sock\"},\n"
           " \"http\": {\"listen\": null},\n"
           " \"simulator\": {\"start_temperature_c\": "
-       << start_temperature_c << "}}\n";
+       << start_temperature_c << ", \"ambient_c\": " << ambient_c << "}}\n";
   return file.good();
 }
 
@@ -60,13 +57,9 @@ bool write_config(const fs::path& folder, double start_temperature_c) {
   // outlives us.
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGTERM);
-  if (getppid() != parent) {
-    _exit(kCannotRun);
-  }
+  if (getppid() != parent) _exit(kCannotRun);
   const int log = open((folder / "log").c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
-  if (log < 0 || dup2(log, STDOUT_FILENO) < 0 || dup2(log, STDERR_FILENO) < 0) {
-    _exit(kCannotRun);
-  }
+  if (log < 0 || dup2(log, STDOUT_FILENO) < 0 || dup2(log, STDERR_FILENO) < 0) _exit(kCannotRun);
   const std::string config = (folder / "hedgehogd.json").string();
   // In lock-step: a machine that is busy slows the ball down, it does not make it stutter.
   execlp(program.c_str(), program.c_str(), "--config", config.c_str(), "--simulate", "--speed", "1",
@@ -77,9 +70,7 @@ bool write_config(const fs::path& folder, double start_temperature_c) {
 pid_t spawn(const std::string& program, const fs::path& folder) {
   const pid_t parent = getpid();
   const pid_t process = fork();
-  if (process == 0) {
-    become(program, folder, parent);
-  }
+  if (process == 0) become(program, folder, parent);
   return process;
 }
 
@@ -92,7 +83,7 @@ std::string log_of(const fs::path& folder) {
 
 }  // namespace
 
-Outcome<PrivateDaemon> PrivateDaemon::start(double start_temperature_c) {
+Outcome<PrivateDaemon> PrivateDaemon::start(double start_temperature_c, double ambient_c) {
   std::string pattern = (fs::temp_directory_path() / "hedgehog-demo-XXXXXX").string();
   if (mkdtemp(pattern.data()) == nullptr) {
     return cannot_start("no temporary folder: " +
@@ -101,14 +92,11 @@ Outcome<PrivateDaemon> PrivateDaemon::start(double start_temperature_c) {
   PrivateDaemon daemon;
   daemon.folder_ = pattern;
   daemon.socket_ = pattern + "/hedgehogd.sock";
-  if (!write_config(pattern, start_temperature_c)) {
+  if (!write_config(pattern, start_temperature_c, ambient_c))
     return cannot_start(pattern + " cannot be written");
-  }
   const std::string program = daemon_program();
   daemon.process_ = spawn(program, pattern);
-  if (daemon.process_ < 0) {
-    return cannot_start("no process can be made");
-  }
+  if (daemon.process_ < 0) return cannot_start("no process can be made");
   const auto until = Clock::now() + kMaxStart;
   while (Clock::now() < until) {
     auto connection = Connection::reopen({Address{.path = daemon.socket_, .host = {}}}, kOneTry);
@@ -141,9 +129,7 @@ PrivateDaemon::~PrivateDaemon() {
 }
 
 int PrivateDaemon::stop() {
-  if (process_ < 0) {
-    return 0;
-  }
+  if (process_ < 0) return 0;
   kill(process_, SIGTERM);
   int status = 0;
   pid_t ended = -1;

@@ -15,8 +15,8 @@ namespace hedgehog::client {
 class PrivateDaemon {
  public:
   /// Starts hedgehogd, which is looked for beside this program, in the build folder, then in PATH,
-  /// and waits until it listens. The ball starts at `start_temperature_c`.
-  static Outcome<PrivateDaemon> start(double start_temperature_c);
+  /// and waits until it listens. The ball starts at `start_temperature_c` in a room of `ambient_c`.
+  static Outcome<PrivateDaemon> start(double start_temperature_c, double ambient_c);
 
   PrivateDaemon(PrivateDaemon&& other) noexcept;
   PrivateDaemon& operator=(PrivateDaemon&&) = delete;

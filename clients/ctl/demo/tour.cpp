@@ -68,9 +68,8 @@ void hold(TourChapter& chapter, const std::string& slot, const std::string& para
   chapter.steps.push_back({chapter.from, "effect.hold",
                            "{" + params + R"(,"lease_ms":10000,"slot":")" + slot + R"("})", words});
   const std::string slot_only = R"({"slot":")" + slot + R"("})";
-  for (milliseconds at = chapter.from + kRenewal; at < chapter.to - kRenewal; at += kRenewal) {
+  for (milliseconds at = chapter.from + kRenewal; at < chapter.to - kRenewal; at += kRenewal)
     chapter.steps.push_back({at, "effect.update", slot_only, "", false});
-  }
   chapter.steps.push_back({chapter.to - milliseconds{50}, "effect.stop", slot_only, "", false});
 }
 
@@ -100,9 +99,7 @@ TourChapter compass(bool simulated) {
                 : "Turn the ball. The triangle is up in the room; the push stays there.",
       {}};
   hold(chapter, "up", R"("direction":"up","frame":"world","current_a":5)", "hold up");
-  if (simulated) {
-    roll(chapter);
-  }
+  if (simulated) roll(chapter);
   return chapter;
 }
 
@@ -132,8 +129,9 @@ std::vector<TourChapter> tour(bool simulated) {
   std::vector<TourChapter> chapters{title(), sides(), circle(), skid(), compass(simulated),
                                     heat(),  rest()};
   for (TourChapter& chapter : chapters) {
-    std::stable_sort(chapter.steps.begin(), chapter.steps.end(),
-                     [](const TourStep& a, const TourStep& b) { return a.at < b.at; });
+    std::stable_sort(
+        chapter.steps.begin(), chapter.steps.end(),
+        [](const TourStep& a, const TourStep& b) { return a.at < b.at; });
   }
   return chapters;
 }

@@ -34,20 +34,14 @@ TourPlayer::TourPlayer(Connection& connection, Ball ball, const ScreenStyle& sty
       chapters_(tour(ball_.status.simulated)) {}
 
 Outcome<void> TourPlayer::play() {
-  if (auto subscribed = subscribe(); !subscribed) {
-    return subscribed.error();
-  }
-  if (picture_) {
-    canvas_ = std::make_unique<Canvas>();
-  }
+  if (auto subscribed = subscribe(); !subscribed) return subscribed.error();
+  if (picture_) canvas_ = std::make_unique<Canvas>();
   start_ns_ = ball_.status.time_ns;
-  told_at_ = Clock::now();
+  received_at_ = Clock::now();
   Outcome<void> outcome;
   for (const TourChapter& chapter : chapters_) {
     outcome = play_chapter(chapter);
-    if (!outcome || interrupted()) {
-      break;
-    }
+    if (!outcome || interrupted()) break;
   }
   seconds_ = now_s() + std::chrono::duration<double>(lost_).count();
   canvas_.reset();
@@ -61,9 +55,7 @@ Outcome<void> TourPlayer::play() {
 Outcome<void> TourPlayer::subscribe() {
   const auto telemetry =
       connection_.call(protocol::TelemetrySubscribe{kPictureHz, protocol::kEveryStatusKey});
-  if (!telemetry) {
-    return telemetry.error();
-  }
+  if (!telemetry) return telemetry.error();
   const auto events = connection_.call(protocol::EventsSubscribe{});
   return events ? Outcome<void>() : Outcome<void>(events.error());
 }
@@ -71,117 +63,90 @@ Outcome<void> TourPlayer::subscribe() {
 Outcome<void> TourPlayer::play_chapter(const TourChapter& chapter) {
   playing_ = nullptr;
   for (const TourStep& step : chapter.steps) {
-    if (auto waited = wait_until(step.at, chapter); !waited || interrupted()) {
-      return waited;
-    }
+    if (auto waited = wait_until(step.at, chapter); !waited || interrupted()) return waited;
     if (step.shown) {
-      say_played();
-      unsaid_ = playing_ = &step;
+      print_played();
+      pending_step_ = playing_ = &step;
       record_.take_pins();
       record_.take_strongest();
-      record_.take_most_felt();
+      record_.take_max_felt();
     }
-    if (auto sent = send(step); !sent) {
-      return sent;
-    }
-    if (auto kept = keep_distance(step.at, chapter); !kept) {
-      return kept;
-    }
+    if (auto sent = send(step); !sent) return sent;
+    if (auto kept = keep_distance(step.at, chapter); !kept) return kept;
   }
   auto waited = wait_until(chapter.to, chapter);
-  say_played();
-  if (&chapter == &chapters_.back()) {
-    say_rest(chapter);
-  }
+  print_played();
+  if (&chapter == &chapters_.back()) print_rest(chapter);
   return waited;
 }
 
 Outcome<void> TourPlayer::wait_until(Milliseconds at, const TourChapter& chapter) {
-  auto heard = take_waiting(chapter);
-  while (heard && !interrupted() && now() < at) {
-    auto told = connection_.next(std::min(at - now(), kPicturePeriod));
-    if (!told) {
-      return told.error();
-    }
-    if (*told) {
-      take(**told, chapter);
-      heard = take_waiting(chapter);
-    } else if (Clock::now() - told_at_ > patience()) {
+  auto received = take_waiting(chapter);
+  while (received && !interrupted() && now() < at) {
+    auto notification = connection_.next(std::min(at - now(), kPicturePeriod));
+    if (!notification) return notification.error();
+    if (*notification) {
+      take(**notification, chapter);
+      received = take_waiting(chapter);
+    } else if (Clock::now() - received_at_ > patience()) {
       const auto seconds = std::chrono::duration<double>(patience()).count();
       return ClientError{
           Failure::kTimeout, "the ball has sent nothing for " + fixed(seconds, 0) + " s", {}};
     }
   }
-  return heard ? keep_distance(at, chapter) : heard;
+  return received ? keep_distance(at, chapter) : received;
 }
 
 Outcome<void> TourPlayer::take_waiting(const TourChapter& chapter) {
   for (;;) {
-    auto told = connection_.next(Milliseconds{0});
-    if (!told) {
-      return told.error();
-    }
-    if (!*told) {
-      return {};
-    }
-    take(**told, chapter);
+    auto notification = connection_.next(Milliseconds{0});
+    if (!notification) return notification.error();
+    if (!*notification) return {};
+    take(**notification, chapter);
   }
 }
 
 Outcome<void> TourPlayer::keep_distance(Milliseconds at, const TourChapter& chapter) {
-  auto heard = take_waiting(chapter);
-  if (const Milliseconds late = now() - at; late > kMaxLate) {
-    lost_ += late;
-  }
-  return heard;
+  auto received = take_waiting(chapter);
+  if (const Milliseconds late = now() - at; late > kMaxLate) lost_ += late;
+  return received;
 }
 
-void TourPlayer::take(const Notification& told, const TourChapter& chapter) {
-  if (const auto* event = std::get_if<protocol::EventMessage>(&told)) {
+void TourPlayer::take(const Notification& notification, const TourChapter& chapter) {
+  if (const auto* event = std::get_if<protocol::EventMessage>(&notification)) {
     record_.take(event->event);
-    say_derating(event->event);
+    print_derating(event->event);
     return;
   }
-  ball_.status = std::get<protocol::TelemetryMessage>(told).telemetry.status;
-  told_at_ = Clock::now();
+  ball_.status = std::get<protocol::TelemetryMessage>(notification).telemetry.status;
+  received_at_ = Clock::now();
   record_.take(ball_.status);
   draw(chapter);
 }
 
 Outcome<void> TourPlayer::send(const TourStep& step) {
   const auto answer = connection_.call_raw(step.method, step.params, patience());
-  if (answer) {
-    return {};
-  }
-  if (answer.error().failure != Failure::kRefused) {
-    return answer.error();
-  }
+  if (answer) return {};
+  if (answer.error().failure != Failure::kRefused) return answer.error();
   record_.refused(step.method + ": " + answer.error().message);
   return {};
 }
 
 void TourPlayer::draw(const TourChapter& chapter) {
-  if (canvas_ != nullptr) {
-    canvas_->draw(demo_screen(ball_, chapter, playing_, style_));
-  }
+  if (canvas_ != nullptr) canvas_->draw(demo_screen(ball_, chapter, playing_, style_));
 }
 
-void TourPlayer::say_played() {
-  if (unsaid_ == nullptr) {
-    return;
-  }
-  const TourStep& step = *std::exchange(unsaid_, nullptr);
+void TourPlayer::print_played() {
+  if (pending_step_ == nullptr) return;
+  const TourStep& step = *std::exchange(pending_step_, nullptr);
   const auto strongest = record_.take_strongest();
   const std::vector<std::int64_t> pins = record_.take_pins();
-  if (picture_ || !strongest) {
-    return;
-  }
-  std::string felt = std::to_string(record_.take_most_felt()) + " pins felt";
+  if (picture_ || !strongest) return;
+  std::string felt = std::to_string(record_.take_max_felt()) + " pins felt";
   if (step.method == "effect.circle") {
     felt = "pins";
-    for (std::size_t i = 0; i < std::min(pins.size(), kPinsShown); ++i) {
+    for (std::size_t i = 0; i < std::min(pins.size(), kPinsShown); ++i)
       felt += " " + std::to_string(pins[i]);
-    }
     felt += " … (" + std::to_string(pins.size()) + " passed)";
   }
   std::printf("%5.1f s  %s %s A   %s   %s °C\n", static_cast<double>(step.at.count()) / 1000.0,
@@ -190,21 +155,17 @@ void TourPlayer::say_played() {
   std::fflush(stdout);
 }
 
-void TourPlayer::say_derating(const protocol::Event& event) {
-  if (picture_ || event.type != "derating_started") {
-    return;
-  }
-  say_played();
+void TourPlayer::print_derating(const protocol::Event& event) {
+  if (picture_ || event.type != "derating_started") return;
+  print_played();
   std::printf("%5.1f s  %s %s A allowed   %s °C\n", now_s(), left("derating", 17).c_str(),
               right(fixed(event.limit_a.value_or(0.0), 1), 5).c_str(),
               fixed(event.temperature_c.value_or(0.0), 1).c_str());
   std::fflush(stdout);
 }
 
-void TourPlayer::say_rest(const TourChapter& chapter) {
-  if (picture_) {
-    return;
-  }
+void TourPlayer::print_rest(const TourChapter& chapter) {
+  if (picture_) return;
   const protocol::Status& status = ball_.status;
   std::printf("%5.1f s  %s %s A allowed   %s °C\n",
               static_cast<double>(chapter.to.count()) / 1000.0, left(chapter.title, 17).c_str(),
@@ -215,9 +176,9 @@ void TourPlayer::say_rest(const TourChapter& chapter) {
 
 Milliseconds TourPlayer::now() const {
   // A ball that is slow, or waits, has no more time than it tells.
-  const auto since = std::chrono::floor<Milliseconds>(Clock::now() - told_at_);
-  const std::chrono::nanoseconds told(ball_.status.time_ns - start_ns_);
-  return std::chrono::floor<Milliseconds>(told) + std::min(since, kPicturePeriod) - lost_;
+  const auto since = std::chrono::floor<Milliseconds>(Clock::now() - received_at_);
+  const std::chrono::nanoseconds reported(ball_.status.time_ns - start_ns_);
+  return std::chrono::floor<Milliseconds>(reported) + std::min(since, kPicturePeriod) - lost_;
 }
 
 double TourPlayer::now_s() const { return static_cast<double>(now().count()) / 1000.0; }

@@ -42,14 +42,14 @@ class TourPlayer {
   Outcome<void> take_waiting(const TourChapter& chapter);
   /// Delays the rest of the tour when `at` was missed by much: time lost stays lost.
   Outcome<void> keep_distance(Milliseconds at, const TourChapter& chapter);
-  void take(const Notification& told, const TourChapter& chapter);
+  void take(const Notification& notification, const TourChapter& chapter);
   Outcome<void> send(const TourStep& step);
   void draw(const TourChapter& chapter);
   /// Lines for a pipe: the step that has just been played, or a derating.
   /// The line of the step that has not got one yet, with what it reached so far.
-  void say_played();
-  void say_derating(const protocol::Event& event);
-  void say_rest(const TourChapter& chapter);
+  void print_played();
+  void print_derating(const protocol::Event& event);
+  void print_rest(const TourChapter& chapter);
   /// Time of the tour by the ball's clock: what it told last, and what has passed since, without
   /// what was lost.
   Milliseconds now() const;
@@ -63,10 +63,10 @@ class TourPlayer {
   std::unique_ptr<Canvas> canvas_;
   TourRecord record_;
   const TourStep* playing_ = nullptr;
-  const TourStep* unsaid_ = nullptr;
+  const TourStep* pending_step_ = nullptr;
   std::int64_t start_ns_ = 0;
   Milliseconds lost_{};
-  Clock::time_point told_at_{};
+  Clock::time_point received_at_{};
   double seconds_ = 0.0;
 };
 

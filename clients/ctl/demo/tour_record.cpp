@@ -17,8 +17,9 @@ constexpr double kZeroA = 0.1;
 constexpr double kLongPushA = 15.0;
 
 long felt_pins(const protocol::Status& status) {
-  return std::count_if(status.pins.force_n.begin(), status.pins.force_n.end(),
-                       [](double force_n) { return force_n >= kFeltN; });
+  return std::count_if(
+      status.pins.force_n.begin(), status.pins.force_n.end(),
+      [](double force_n) { return force_n >= kFeltN; });
 }
 
 }  // namespace
@@ -27,14 +28,10 @@ void TourRecord::take(const protocol::Status& status) {
   const auto& temperature = status.temperature_c;
   hottest_c_ =
       std::max({hottest_c_, temperature.model.value_or(0.0), temperature.sensor.value_or(0.0)});
-  least_limit_a_ = std::min(least_limit_a_, status.limit_a);
-  if (status.pin && (pins_.empty() || pins_.back() != *status.pin)) {
-    pins_.push_back(*status.pin);
-  }
-  most_felt_ = std::max(most_felt_, felt_pins(status));
-  if (!strongest_ || current_norm_a(status) > current_norm_a(*strongest_)) {
-    strongest_ = status;
-  }
+  min_limit_a_ = std::min(min_limit_a_, status.limit_a);
+  if (status.pin && (pins_.empty() || pins_.back() != *status.pin)) pins_.push_back(*status.pin);
+  max_felt_ = std::max(max_felt_, felt_pins(status));
+  if (!strongest_ || current_norm_a(status) > current_norm_a(*strongest_)) strongest_ = status;
 }
 
 void TourRecord::take(const protocol::Event& event) {
@@ -42,9 +39,8 @@ void TourRecord::take(const protocol::Event& event) {
     failures_.push_back("the ball is " + event.state.value_or("?") + ": " +
                         event.reason.value_or(""));
   }
-  if (event.type == "effect_ended" && event.reason != "completed" && event.reason != "stopped") {
+  if (event.type == "effect_ended" && event.reason != "completed" && event.reason != "stopped")
     failures_.push_back("an effect ended " + event.reason.value_or("?"));
-  }
 }
 
 std::vector<std::int64_t> TourRecord::take_pins() { return std::exchange(pins_, {}); }
@@ -53,20 +49,17 @@ std::optional<protocol::Status> TourRecord::take_strongest() {
   return std::exchange(strongest_, std::nullopt);
 }
 
-long TourRecord::take_most_felt() { return std::exchange(most_felt_, 0); }
+long TourRecord::take_max_felt() { return std::exchange(max_felt_, 0); }
 
 std::vector<std::string> TourRecord::failures(const protocol::Status& last, std::int64_t began_ns,
                                               bool starts_warm) const {
   std::vector<std::string> found = failures_;
-  if (last.last_trip && last.last_trip->time_ns >= began_ns) {
+  if (last.last_trip && last.last_trip->time_ns >= began_ns)
     found.push_back("tripped: " + last.last_trip->reason);
-  }
-  if (starts_warm && !(least_limit_a_ < kLongPushA)) {
-    found.push_back("the long push was never derated: " + fixed(least_limit_a_, 1) + " A at least");
-  }
-  if (current_norm_a(last) > kZeroA) {
+  if (starts_warm && !(min_limit_a_ < kLongPushA))
+    found.push_back("the long push was never derated: " + fixed(min_limit_a_, 1) + " A at least");
+  if (current_norm_a(last) > kZeroA)
     found.push_back(fixed(current_norm_a(last), 2) + " A flow after the end");
-  }
   return found;
 }
 

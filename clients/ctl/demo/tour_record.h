@@ -27,10 +27,10 @@ class TourRecord {
   std::optional<protocol::Status> take_strongest();
   /// The most pins that were felt at once since the last call. Not those of the strongest status:
   /// in a vibration the current still flows when the push of this tick is over.
-  long take_most_felt();
+  long take_max_felt();
 
   double hottest_c() const noexcept { return hottest_c_; }
-  double least_limit_a() const noexcept { return least_limit_a_; }
+  double min_limit_a() const noexcept { return min_limit_a_; }
   /// What went wrong, a line each; empty: all is well. `last` is the status after the end,
   /// `began_ns` when the tour began, by the ball's clock: what tripped earlier is none of it.
   /// `starts_warm`: the long push must have been derated; a cold ball need not.
@@ -39,10 +39,10 @@ class TourRecord {
 
  private:
   double hottest_c_ = 0.0;
-  double least_limit_a_ = 1e9;
+  double min_limit_a_ = 1e9;
   std::vector<std::int64_t> pins_;
   std::optional<protocol::Status> strongest_;
-  long most_felt_ = 0;
+  long max_felt_ = 0;
   std::vector<std::string> failures_;
 };
 

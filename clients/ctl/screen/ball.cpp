@@ -18,9 +18,7 @@ constexpr double kScaleAboveTripC = 8.0;
 }  // namespace
 
 std::string effect_words(const protocol::EffectStatus& effect) {
-  if (effect.slot) {
-    return *effect.slot;
-  }
+  if (effect.slot) return *effect.slot;
   const std::size_t dot = effect.method.find('.');
   return dot == std::string::npos ? effect.method : effect.method.substr(dot + 1);
 }

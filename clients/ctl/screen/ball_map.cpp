@@ -29,15 +29,9 @@ constexpr Shape kNumbers{37, 0.5};
 using Row = std::array<std::string, kMapColumns>;
 
 std::string_view mark_of(double force_n, bool ascii) {
-  if (force_n >= kStrongN) {
-    return ascii ? "@" : "●";
-  }
-  if (force_n >= kClearN) {
-    return ascii ? "O" : "○";
-  }
-  if (force_n >= kFeltN) {
-    return ascii ? "o" : "∘";
-  }
+  if (force_n >= kStrongN) return ascii ? "@" : "●";
+  if (force_n >= kClearN) return ascii ? "O" : "○";
+  if (force_n >= kFeltN) return ascii ? "o" : "∘";
   return ascii ? "." : "·";
 }
 
@@ -68,9 +62,7 @@ std::vector<std::string> unrolled(const Shape& shape, Put put) {
   std::vector<std::string> lines{std::string(kFront - 1, ' ') + "up"};
   for (std::size_t r = 0; r < array.rings(); ++r) {
     Row row;
-    for (const model::Pin& pin : array.ring(r)) {
-      put(row, column_of(pin.position, shape), pin.id);
-    }
+    for (const model::Pin& pin : array.ring(r)) put(row, column_of(pin.position, shape), pin.id);
     lines.push_back(text_of(row));
   }
   return lines;
@@ -111,20 +103,14 @@ std::vector<std::string> ball_numbers(std::span<const double> extension_mm,
     const bool rests = number == "0";
     const auto last = static_cast<std::size_t>(rests ? column : column + 1);
     const std::size_t first = last + 1 - number.size();
-    for (std::size_t i = 0; i < number.size(); ++i) {
-      row[first + i] = number[i];
-    }
-    if (rests) {
-      row[last] = style.ascii ? "." : "·";
-    }
+    for (std::size_t i = 0; i < number.size(); ++i) row[first + i] = number[i];
+    if (rests) row[last] = style.ascii ? "." : "·";
     const double force = at(force_n, pin);
     if (style.colour && (force >= kStrongN || force < kFeltN)) {
       row[first] = (force >= kStrongN ? "\033[1m" : "\033[2m") + row[first];
       row[last] += "\033[0m";
     }
-    if (pin == up_pin) {
-      row[first - 1] = triangle(style.ascii);
-    }
+    if (pin == up_pin) row[first - 1] = triangle(style.ascii);
   });
   lines.emplace_back(
       "   back             left              front              right             back");

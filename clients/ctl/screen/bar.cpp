@@ -28,26 +28,23 @@ std::string bar(double value, double low, double high, std::span<const double> m
     const bool marked = std::any_of(marks.begin(), marks.end(), [&](double mark) {
       return column_of(mark, low, high) == column + 1;
     });
-    if (ascii) {
+    if (ascii)
       line += marked ? '|' : full ? '=' : '-';
-    } else {
+    else
       line += marked ? (full ? "╋" : "┊") : full ? "━" : "─";
-    }
   }
   return line;
 }
 
-std::string sparkline(std::span<const double> values, double least_span, bool ascii) {
+std::string sparkline(std::span<const double> values, double min_span, bool ascii) {
   static constexpr std::array<std::string_view, 8> kBlocks{"▁", "▂", "▃", "▄", "▅", "▆", "▇", "█"};
   static constexpr std::array<std::string_view, 8> kAscii{"_", "_", ".", ".", "-", "-", "=", "="};
-  if (values.empty()) {
-    return {};
-  }
-  const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  const double span = std::max(*most - *least, least_span);
+  if (values.empty()) return {};
+  const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
+  const double span = std::max(*highest - *lowest, min_span);
   std::string line;
   for (const double value : values) {
-    const double step = (value - *least) / span * 7.0;
+    const double step = (value - *lowest) / span * 7.0;
     line += (ascii ? kAscii : kBlocks)[static_cast<std::size_t>(std::clamp(step, 0.0, 7.0))];
   }
   return line;

@@ -13,8 +13,8 @@ inline constexpr int kBarColumns = 26;
 /// With `ascii`: = - |.
 std::string bar(double value, double low, double high, std::span<const double> marks, bool ascii);
 
-/// The last `values` as eight-step blocks, scaled between their own extremes (at least `least_span`
+/// The last `values` as eight-step blocks, scaled between their own extremes (at least `min_span`
 /// apart).
-std::string sparkline(std::span<const double> values, double least_span, bool ascii);
+std::string sparkline(std::span<const double> values, double min_span, bool ascii);
 
 }  // namespace hedgehog::client

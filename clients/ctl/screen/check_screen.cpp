@@ -18,21 +18,13 @@ struct Health {
 Health health_of(const Ball& ball) {
   const Status& status = ball.status;
   const std::string is = status.device + " " + status.state;
-  if (status.state == "tripped" || status.state == "absent") {
+  if (status.state == "tripped" || status.state == "absent")
     return {2, "CRITICAL", is + ": " + status.reason.value_or("")};
-  }
-  if (status.state != "armed") {
-    return {1, "WARNING", is + ": " + status.reason.value_or("")};
-  }
-  if (status.derating || status.limit_a < ball.hello.limits.current_a) {
+  if (status.state != "armed") return {1, "WARNING", is + ": " + status.reason.value_or("")};
+  if (status.derating || status.limit_a < ball.hello.limits.current_a)
     return {1, "WARNING", is + ", derated"};
-  }
-  if (!status.temperature_c.sensor) {
-    return {1, "WARNING", is + ", no temperature"};
-  }
-  if (status.loop.lateness_us.p99 > kLateUs) {
-    return {1, "WARNING", is + ", its loop is late"};
-  }
+  if (!status.temperature_c.sensor) return {1, "WARNING", is + ", no temperature"};
+  if (status.loop.lateness_us.p99 > kLateUs) return {1, "WARNING", is + ", its loop is late"};
   return {0, "OK", is};
 }
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "clients/ctl/screen/history_screen.h"
 
+#include "base/wall_time.h"
 #include "clients/ctl/screen/watch_screen.h"
 #include "clients/ctl/screen/words.h"
-#include "protocol/wall_time.h"
 
 namespace hedgehog::client {
 namespace {
 
 /// "23:14:04.402"
 std::string clock_of(const std::string& at) {
-  const auto unix_ms = protocol::parse_rfc3339(at);
+  const auto unix_ms = base::parse_rfc3339(at);
   const std::string ms = std::to_string(1000 + unix_ms.value_or(0) % 1000).substr(1);
   return local_time(at, "%H:%M:%S") + "." + ms;
 }
@@ -29,9 +29,7 @@ std::vector<std::string> history_screen(const protocol::HistoryResult& history) 
     lines.push_back("  " + clock_of(past.at) + "  " + event_words(past.event) +
                     (past.client ? " (" + *past.client + ")" : ""));
   }
-  if (lines.empty()) {
-    lines.emplace_back("  nothing has happened since");
-  }
+  if (lines.empty()) lines.emplace_back("  nothing has happened since");
   return lines;
 }
 

@@ -27,7 +27,8 @@ std::size_t common_size(const protocol::PinsStatus& pins) {
 std::vector<std::size_t> pins_out(const protocol::PinsStatus& pins) {
   std::vector<std::size_t> out(common_size(pins));
   std::iota(out.begin(), out.end(), std::size_t{0});
-  std::erase_if(out, [&](std::size_t pin) { return pins.extension_mm[pin] < kStillMm; });
+  std::erase_if(
+      out, [&](std::size_t pin) { return pins.extension_mm[pin] < kStillMm; });
   std::stable_sort(out.begin(), out.end(), [&](std::size_t a, std::size_t b) {
     return pins.extension_mm[a] > pins.extension_mm[b];
   });
@@ -56,9 +57,7 @@ std::string pin_line(const Ball& ball, std::size_t pin, bool ascii) {
 }  // namespace
 
 std::string aimed_pin_words(const protocol::Status& status) {
-  if (!status.pin) {
-    return "nothing pushes";
-  }
+  if (!status.pin) return "nothing pushes";
   const auto pin = static_cast<std::size_t>(*status.pin);
   const std::string out =
       pin < common_size(status.pins) ? ", " + fixed(status.pins.extension_mm[pin], 2) + " mm" : "";
@@ -68,15 +67,12 @@ std::string aimed_pin_words(const protocol::Status& status) {
 std::vector<std::string> pins_screen(const Ball& ball, const ScreenStyle& style) {
   const protocol::Status& status = ball.status;
   std::optional<model::Vec3> up;
-  if (status.orientation) {
-    up = status.orientation->up;
-  }
+  if (status.orientation) up = status.orientation->up;
   std::vector<std::string> lines{live_title(status, style)};
   for (std::string& line :
        ball_numbers(status.pins.extension_mm, status.pins.force_n,
-                    {.ascii = style.ascii, .room_up = up, .colour = style.colour})) {
+                    {.ascii = style.ascii, .room_up = up, .colour = style.colour}))
     lines.push_back(std::move(line));
-  }
   lines.push_back("    " + left("hundredths of a millimetre out of rest", 46) +
                   count_words(status.pins));
   lines.push_back(status.remedy ? "  " + *status.remedy : "");
@@ -95,9 +91,7 @@ std::string pins_line(const protocol::Status& status) {
   const std::vector<std::size_t> out = pins_out(status.pins);
   std::string line = right(fixed(static_cast<double>(status.time_ns) / 1e9, 2) + " s", 14) +
                      right(fixed(current_norm_a(status), 1) + " A", 9) + "   ";
-  if (out.empty()) {
-    return line + "all pins rest";
-  }
+  if (out.empty()) return line + "all pins rest";
   const std::size_t pin = out.front();
   return line + fixed(status.pins.force_n[pin], 3) + " N   " +
          fixed_signed(status.pins.extension_mm[pin], 3) + " mm at pin " + std::to_string(pin) +

@@ -24,28 +24,22 @@ std::vector<double> curve(const std::vector<std::array<double, 3>>& steps, std::
     const std::size_t first = i * steps.size() / columns;
     const std::size_t last = (i + 1) * steps.size() / columns;
     double sum = 0.0;
-    for (std::size_t k = first; k < last; ++k) {
-      sum += steps[k][axis];
-    }
+    for (std::size_t k = first; k < last; ++k) sum += steps[k][axis];
     means.push_back(sum / static_cast<double>(last - first));
   }
   return means;
 }
 
 double span_of(const std::vector<double>& values) {
-  const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  return values.empty() ? 0.0 : *most - *least;
+  const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
+  return values.empty() ? 0.0 : *highest - *lowest;
 }
 
 std::string percent(double ratio) { return fixed(100.0 * ratio, 0) + " %"; }
 
 std::string limits_words(const protocol::PreviewResult& preview) {
-  if (!preview.limited_by) {
-    return "nothing: all of it is felt";
-  }
-  if (*preview.limited_by != "thermal") {
-    return "the owner's gain";
-  }
+  if (!preview.limited_by) return "nothing: all of it is felt";
+  if (*preview.limited_by != "thermal") return "the owner's gain";
   const double from_s = static_cast<double>(preview.limited_from_ms.value_or(0)) / 1000.0;
   return "heat, from " + fixed(from_s, 2) + " s on: " + percent(preview.delivered.mean) +
          " on average, at least " + percent(preview.delivered.min);
@@ -57,32 +51,30 @@ std::vector<std::string> preview_screen(const std::string& what,
                                         const protocol::PreviewResult& preview, bool ascii) {
   std::array<std::vector<double>, 3> curves;
   double span_a = kNothingA;
-  double most_duty = 0.0;
+  double max_duty = 0.0;
   for (std::size_t axis = 0; axis < curves.size(); ++axis) {
     curves[axis] = curve(preview.current_a, axis);
     span_a = std::max(span_a, span_of(curves[axis]));
-    for (const auto& duty : preview.duty) {
-      most_duty = std::max(most_duty, std::abs(duty[axis]));
-    }
+    for (const auto& duty : preview.duty) max_duty = std::max(max_duty, std::abs(duty[axis]));
   }
   std::vector<std::string> lines{what + ", " + std::to_string(preview.duration_ms) +
                                  " ms, if it began now. Nothing has moved."};
   for (std::size_t axis = 0; axis < curves.size(); ++axis) {
-    const auto [least, most] =
+    const auto [lowest, highest] =
         std::minmax_element(preview.current_a.begin(), preview.current_a.end(),
                             [axis](const auto& a, const auto& b) { return a[axis] < b[axis]; });
     std::string line = std::string("  ") + "xyz"[axis] + "  ";
-    if (least == preview.current_a.end() ||
-        std::max(std::abs((*least)[axis]), std::abs((*most)[axis])) < kNothingA) {
+    if (lowest == preview.current_a.end() ||
+        std::max(std::abs((*lowest)[axis]), std::abs((*highest)[axis])) < kNothingA) {
       line += "nothing flows";
     } else {
-      line += left(fixed((*least)[axis], 1) + " to " + fixed((*most)[axis], 1) + " A", 18) +
+      line += left(fixed((*lowest)[axis], 1) + " to " + fixed((*highest)[axis], 1) + " A", 18) +
               sparkline(curves[axis], span_a, ascii);
     }
     lines.push_back(std::move(line));
   }
   lines.push_back("  current      " + fixed(preview.peak_current_a, 1) + " A at most, duty " +
-                  percent(most_duty));
+                  percent(max_duty));
   lines.push_back("  temperature  " + fixed(preview.temperature_c, 1) + " °C now, " +
                   fixed(preview.peak_temperature_c, 1) + " °C at most");
   lines.push_back("  limited by   " + limits_words(preview));

@@ -27,9 +27,7 @@ std::string title_line(const Ball& ball, const ScreenStyle& style) {
 }
 
 std::string force_line(const Status& status) {
-  if (!status.pin) {
-    return row("force", "0.000 N", "nothing pushes");
-  }
+  if (!status.pin) return row("force", "0.000 N", "nothing pushes");
   return row(
       "force", fixed(status.force_n, 3) + " N",
       "at pin " + std::to_string(*status.pin) + ", " + std::string(model::side_name(status.field)));
@@ -37,9 +35,7 @@ std::string force_line(const Status& status) {
 
 std::string headroom_line(const Ball& ball) {
   const Status& status = ball.status;
-  if (status.state != "armed") {
-    return row("headroom", "none", "nothing may flow");
-  }
+  if (status.state != "armed") return row("headroom", "none", "nothing may flow");
   std::string behind = "at this current";
   if (status.burst_s) {
     behind += "; " + fixed(ball.hello.limits.current_a, 0) + " A for " +
@@ -64,9 +60,7 @@ std::string fan_line(const Status& status) {
 }
 
 std::string orientation_line(const Status& status) {
-  if (!status.orientation) {
-    return row("orientation", "none", "no sensor");
-  }
+  if (!status.orientation) return row("orientation", "none", "no sensor");
   const auto& orientation = *status.orientation;
   const model::Vec3 front = rotate(orientation.quaternion, {1, 0, 0});
   const double heading = std::atan2(front.y, front.x) * 180.0 / std::numbers::pi;
@@ -84,9 +78,7 @@ std::string loop_line(const Status& status) {
 }
 
 void append_playing(const Status& status, std::vector<std::string>& lines) {
-  if (status.effects.empty()) {
-    lines.push_back(row("playing", "nothing", ""));
-  }
+  if (status.effects.empty()) lines.push_back(row("playing", "nothing", ""));
   for (std::size_t i = 0; i < status.effects.size(); ++i) {
     const protocol::EffectStatus& effect = status.effects[i];
     const std::string left_words =
@@ -100,9 +92,7 @@ void append_playing(const Status& status, std::vector<std::string>& lines) {
 }
 
 std::string last_trip_line(const Status& status) {
-  if (!status.last_trip) {
-    return row("last trip", "none", "since the start");
-  }
+  if (!status.last_trip) return row("last trip", "none", "since the start");
   const double ago_s = static_cast<double>(status.time_ns - status.last_trip->time_ns) / 1e9;
   return row("last trip", time_words(ago_s), "ago: " + status.last_trip->reason);
 }
@@ -119,9 +109,7 @@ std::string with_keys(const std::string& plain, const std::string& words) {
 
 std::string state_words(const Status& status, const ScreenStyle& style) {
   std::string words = status.state == "tripped" ? "TRIPPED" : status.state;
-  if (status.reason) {
-    words += ": " + *status.reason;
-  }
+  if (status.reason) words += ": " + *status.reason;
   if (style.colour) {
     const char* colour = status.state == "tripped" ? "\033[31m"
                          : status.derating         ? "\033[33m"
@@ -139,8 +127,8 @@ std::string live_title(const Status& status, const ScreenStyle& style) {
                    state_words(status, style) + allowed);
 }
 
-std::string doubtful_title(const std::string& doubt, const ScreenStyle& style) {
-  return with_keys(doubt, style.colour ? "\033[31m" + doubt + "\033[0m" : doubt);
+std::string warning_title(const std::string& warning, const ScreenStyle& style) {
+  return with_keys(warning, style.colour ? "\033[31m" + warning + "\033[0m" : warning);
 }
 
 std::vector<std::string> status_screen(const Ball& ball, const ScreenStyle& style) {

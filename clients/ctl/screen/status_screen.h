@@ -19,8 +19,8 @@ std::string state_words(const protocol::Status& status, const ScreenStyle& style
 
 /// "ball-7 · armed · 15.0 A allowed      SPACE stops   q quits": the first line of a live picture.
 std::string live_title(const protocol::Status& status, const ScreenStyle& style);
-/// The same when the rest of the picture may not be so: `doubt` says why.
-std::string doubtful_title(const std::string& doubt, const ScreenStyle& style);
+/// The same when the rest of the picture may not be so: `warning` says why.
+std::string warning_title(const std::string& warning, const ScreenStyle& style);
 
 std::vector<std::string> status_screen(const Ball& ball, const ScreenStyle& style);
 

@@ -13,8 +13,8 @@ namespace hedgehog::client {
 
 namespace {
 
-constexpr int kLeastColumns = 80;
-constexpr int kLeastRows = 22;
+constexpr int kMinColumns = 80;
+constexpr int kMinRows = 22;
 
 std::string_view environment(const char* name) {
   const char* value = std::getenv(name);
@@ -48,7 +48,7 @@ TerminalTraits terminal_traits() {
   traits.colour = !dumb && environment("NO_COLOR").empty();
   winsize size{};
   const bool known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  traits.picture = !dumb && known && size.ws_col >= kLeastColumns && size.ws_row >= kLeastRows;
+  traits.picture = !dumb && known && size.ws_col >= kMinColumns && size.ws_row >= kMinRows;
   return traits;
 }
 
@@ -66,17 +66,13 @@ Canvas::Canvas() {
 Canvas::~Canvas() {
   put("\033[?25h\033[?1049l");
   std::fflush(stdout);
-  if (has_keys_) {
-    tcsetattr(STDIN_FILENO, TCSANOW, &before_);
-  }
+  if (has_keys_) tcsetattr(STDIN_FILENO, TCSANOW, &before_);
 }
 
 void Canvas::draw(const std::vector<std::string>& lines) {
   for (std::size_t row = 0; row < lines.size() || row < shown_.size(); ++row) {
     const std::string_view line = row < lines.size() ? std::string_view{lines[row]} : "";
-    if (row < shown_.size() && shown_[row] == line) {
-      continue;
-    }
+    if (row < shown_.size() && shown_[row] == line) continue;
     std::printf("\033[%zu;1H", row + 1);
     put(line);
     put("\033[K");
@@ -91,9 +87,7 @@ std::string Canvas::typed() {
   while (has_keys_ && poll(&waiting, 1, 0) == 1) {
     char bytes[64];
     const ssize_t count = read(STDIN_FILENO, bytes, sizeof bytes);
-    if (count <= 0) {
-      break;
-    }
+    if (count <= 0) break;
     keys.append(bytes, static_cast<std::size_t>(count));
   }
   return keys;

@@ -18,9 +18,7 @@ std::string line_of(const std::string& when, const std::string& reason, const st
 std::vector<std::string> trips_screen(const protocol::HistoryResult& history) {
   std::vector<std::string> lines;
   for (auto it = history.events.rbegin(); it != history.events.rend(); ++it) {
-    if (!protocol::is_trip(it->event)) {
-      continue;
-    }
+    if (!protocol::is_trip(it->event)) continue;
     const protocol::Event& event = it->event;
     lines.push_back(line_of(local_time(it->at, "%Y-%m-%d %H:%M:%S"), event.reason.value_or("-"),
                             event.temperature_c ? fixed(*event.temperature_c, 1) + " °C" : "-",
@@ -32,11 +30,10 @@ std::vector<std::string> trips_screen(const protocol::HistoryResult& history) {
     lines.insert(lines.begin(),
                  line_of("WHEN", "REASON", "COIL", "CURRENT", "PLAYING", "BLACK BOX"));
   }
-  if (history.more) {
+  if (history.more)
     lines.emplace_back("  older ones are not shown");
-  } else if (lines.empty()) {
+  else if (lines.empty())
     lines.emplace_back("  it has not tripped");
-  }
   return lines;
 }
 

@@ -23,9 +23,7 @@ std::string push_words(const protocol::Status& status) {
 
 std::string headroom_words_of(const Ball& ball) {
   const protocol::Status& status = ball.status;
-  if (status.state != "armed") {
-    return row("headroom", "none", "nothing may flow");
-  }
+  if (status.state != "armed") return row("headroom", "none", "nothing may flow");
   std::string behind = status.derating ? "derated now" : "at this current";
   if (status.burst_s) {
     behind +=
@@ -48,44 +46,33 @@ std::string loop_words_of(const protocol::Status& status) {
 void WatchScreen::take(const protocol::Status& status) {
   const auto& temperature = status.temperature_c;
   const std::optional<double> shown = temperature.sensor ? temperature.sensor : temperature.model;
-  if (!shown || status.time_ns < next_sample_ns_) {
-    return;
-  }
+  if (!shown || status.time_ns < next_sample_ns_) return;
   next_sample_ns_ = status.time_ns + kSampleNs;
   minute_c_.push_back(*shown);
-  if (minute_c_.size() > kMinuteColumns) {
-    minute_c_.pop_front();
-  }
+  if (minute_c_.size() > kMinuteColumns) minute_c_.pop_front();
 }
 
 void WatchScreen::take(const protocol::Event& event, const std::string& clock) {
   happened_.push_front("  " + clock + "  " + event_words(event));
-  if (happened_.size() > kHappenings) {
-    happened_.pop_back();
-  }
+  if (happened_.size() > kHappenings) happened_.pop_back();
 }
 
 std::string WatchScreen::minute_line() const {
-  if (minute_c_.empty()) {
-    return row("last minute", "", "");
-  }
+  if (minute_c_.empty()) return row("last minute", "", "");
   const std::vector<double> values(minute_c_.begin(), minute_c_.end());
-  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
   return row("last minute", "",
-             left(sparkline(values, 4.0, style_.ascii), kMinuteColumns) + "  " + fixed(*least, 0) +
-                 " to " + fixed(*most, 0) + (style_.ascii ? " C" : " °C"));
+             left(sparkline(values, 4.0, style_.ascii), kMinuteColumns) + "  " + fixed(*lowest, 0) +
+                 " to " + fixed(*highest, 0) + (style_.ascii ? " C" : " °C"));
 }
 
 std::vector<std::string> WatchScreen::lines(const Ball& ball) const {
   const protocol::Status& status = ball.status;
   std::vector<std::string> lines{live_title(status, style_)};
   std::optional<model::Vec3> up;
-  if (status.orientation) {
-    up = status.orientation->up;
-  }
-  for (std::string& line : ball_map(status.pins.force_n, {.ascii = style_.ascii, .room_up = up})) {
+  if (status.orientation) up = status.orientation->up;
+  for (std::string& line : ball_map(status.pins.force_n, {.ascii = style_.ascii, .room_up = up}))
     lines.push_back(std::move(line));
-  }
   lines.push_back("    " + left(ball_map_legend(style_.ascii), 44) + push_words(status));
   lines.push_back(status.remedy ? "  " + *status.remedy : "");
   const auto& temperature = status.temperature_c;
@@ -110,36 +97,19 @@ std::vector<std::string> WatchScreen::lines(const Ball& ball) const {
 
 std::string event_words(const protocol::Event& event) {
   std::string words = event.type;
-  if (event.effect) {
+  if (event.effect)
     words += "  #" + std::to_string(*event.effect) + (event.slot ? " " + *event.slot : "");
-  }
-  if (event.state) {
-    words += "  " + *event.state;
-  }
-  if (event.reason) {
-    words += (event.state ? ": " : "  ") + *event.reason;
-  }
-  if (event.onset_ns && event.offset_ns) {
+  if (event.state) words += "  " + *event.state;
+  if (event.reason) words += (event.state ? ": " : "  ") + *event.reason;
+  if (event.onset_ns && event.offset_ns)
     words += ", " + std::to_string((*event.offset_ns - *event.onset_ns) / 1'000'000) + " ms";
-  }
-  if (event.delivered && event.delivered->mean < 0.995) {
+  if (event.delivered && event.delivered->mean < 0.995)
     words += ", " + fixed(100.0 * event.delivered->mean, 0) + " % of its strength";
-  }
-  if (event.limit_a) {
-    words += "  " + fixed(*event.limit_a, 1) + " A allowed";
-  }
-  if (event.temperature_c) {
-    words += " at " + fixed(*event.temperature_c, 1) + " °C";
-  }
-  if (event.current_a) {
-    words += ", " + fixed(*event.current_a, 1) + " A";
-  }
-  if (event.device) {
-    words += "  " + *event.device;
-  }
-  if (event.skipped) {
-    words += "  " + std::to_string(*event.skipped) + " ticks skipped";
-  }
+  if (event.limit_a) words += "  " + fixed(*event.limit_a, 1) + " A allowed";
+  if (event.temperature_c) words += " at " + fixed(*event.temperature_c, 1) + " °C";
+  if (event.current_a) words += ", " + fixed(*event.current_a, 1) + " A";
+  if (event.device) words += "  " + *event.device;
+  if (event.skipped) words += "  " + std::to_string(*event.skipped) + " ticks skipped";
   return words;
 }
 

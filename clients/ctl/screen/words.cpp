@@ -6,8 +6,8 @@
 #include <ctime>
 #include <numbers>
 
+#include "base/wall_time.h"
 #include "model/units.h"
-#include "protocol/wall_time.h"
 
 namespace hedgehog::client {
 
@@ -27,9 +27,7 @@ double without_negative_zero(double value, int digits) {
 std::string two_parts(std::int64_t large, const char* large_unit, std::int64_t small,
                       const char* small_unit) {
   std::string text = std::to_string(large) + " " + large_unit;
-  if (small != 0) {
-    text += " " + std::to_string(small) + " " + small_unit;
-  }
+  if (small != 0) text += " " + std::to_string(small) + " " + small_unit;
   return text;
 }
 
@@ -56,9 +54,7 @@ std::string grouped(double value) {
 
 std::size_t columns(std::string_view text) {
   std::size_t count = 0;
-  for (const char byte : text) {
-    count += (static_cast<unsigned char>(byte) & 0xC0u) != 0x80u ? 1 : 0;
-  }
+  for (const char byte : text) count += (static_cast<unsigned char>(byte) & 0xC0u) != 0x80u ? 1 : 0;
   return count;
 }
 
@@ -73,16 +69,12 @@ std::string left(std::string_view text, std::size_t width) {
 }
 
 std::string cut(std::string_view text, std::size_t width) {
-  if (columns(text) <= width) {
-    return std::string(text);
-  }
+  if (columns(text) <= width) return std::string(text);
   std::string shown;
   std::size_t taken = 0;
   for (const char byte : text) {
     const bool starts = (static_cast<unsigned char>(byte) & 0xC0u) != 0x80u;
-    if (starts && ++taken == width) {
-      break;
-    }
+    if (starts && ++taken == width) break;
     shown += byte;
   }
   return shown + "…";
@@ -94,19 +86,11 @@ std::string row(std::string_view name, std::string_view value, std::string_view 
 }
 
 std::string time_words(double seconds) {
-  if (seconds < 9.95) {
-    return fixed(seconds, seconds == std::floor(seconds) ? 0 : 1) + " s";
-  }
+  if (seconds < 9.95) return fixed(seconds, seconds == std::floor(seconds) ? 0 : 1) + " s";
   const auto s = static_cast<std::int64_t>(std::llround(seconds));
-  if (s < 60) {
-    return std::to_string(s) + " s";
-  }
-  if (s < 3600) {
-    return two_parts(s / 60, "min", s % 60, "s");
-  }
-  if (s < 86'400) {
-    return two_parts(s / 3600, "h", s % 3600 / 60, "min");
-  }
+  if (s < 60) return std::to_string(s) + " s";
+  if (s < 3600) return two_parts(s / 60, "min", s % 60, "s");
+  if (s < 86'400) return two_parts(s / 3600, "h", s % 3600 / 60, "min");
   return two_parts(s / 86'400, "d", s % 86'400 / 3600, "h");
 }
 
@@ -114,15 +98,14 @@ std::string headroom_words(std::optional<double> seconds) {
   return seconds ? time_words(*seconds) : "for ever";
 }
 
-std::string local_time(const std::string& rfc3339, const char* format) {
-  const auto unix_ms = protocol::parse_rfc3339(rfc3339);
+std::string local_time(const std::string& time, const char* format) {
+  const auto unix_ms = base::parse_rfc3339(time);
   const std::time_t seconds = unix_ms ? static_cast<std::time_t>(*unix_ms / 1000) : 0;
   std::tm parts{};
   char text[32];
   if (!unix_ms || ::localtime_r(&seconds, &parts) == nullptr ||
-      std::strftime(text, sizeof text, format, &parts) == 0) {
-    return rfc3339;
-  }
+      std::strftime(text, sizeof text, format, &parts) == 0)
+    return time;
   return text;
 }
 
@@ -133,9 +116,8 @@ std::string tilt_words(double up_x, double up_y, double up_z, double heading_deg
   const auto lean = [](double degrees, const char* plus, const char* minus) {
     return fixed(std::abs(degrees), 0) + "° " + (degrees >= 0.0 ? plus : minus);
   };
-  if (std::abs(to_left) < 0.5 && std::abs(forward) < 0.5) {
+  if (std::abs(to_left) < 0.5 && std::abs(forward) < 0.5)
     return "level, heading " + fixed(heading_deg, 0) + "°";
-  }
   return "tilted " + lean(to_left, "left", "right") + ", " + lean(forward, "forward", "back") +
          ", heading " + fixed(heading_deg, 0) + "°";
 }

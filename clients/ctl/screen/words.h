@@ -33,7 +33,7 @@ std::string time_words(double seconds);
 std::string headroom_words(std::optional<double> seconds);
 
 /// A time of RFC 3339 as it was here, in strftime's `format`; as it is when it is no time.
-std::string local_time(const std::string& rfc3339, const char* format);
+std::string local_time(const std::string& time, const char* format);
 
 /// "tilted 12° left, 4° forward, heading 0°" of a ball whose `up` and front lie so; see
 /// protocol::OrientationStatus.

@@ -5,13 +5,13 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "base/wall_time.h"
 #include "clients/ctl/screen/history_screen.h"
 #include "clients/ctl/screen/terminal.h"
 #include "clients/ctl/screen/watch_screen.h"
 #include "clients/ctl/screen/words.h"
 #include "clients/ctl/verbs/live.h"
 #include "clients/ctl/verbs/since_argument.h"
-#include "protocol/wall_time.h"
 
 namespace hedgehog::client {
 
@@ -20,37 +20,27 @@ namespace {
 constexpr double kRedrawHz = 10.0;
 
 /// From where the events go on, so that a quiet ball is not taken for a deaf program.
-void say_now(const protocol::EventsResult& now) {
+void print_now(const protocol::EventsResult& now) {
   std::printf("  %s  %s%s, %s A allowed\n", time_of_day().c_str(), now.state.c_str(),
               now.reason ? (": " + *now.reason).c_str() : "", fixed(now.limit_a, 1).c_str());
   std::fflush(stdout);
 }
 
 /// Prints what has happened since `options.since`.
-Outcome<protocol::HistoryResult> tell_past(Session& session, const EventsOptions& options) {
-  const auto since = since_rfc3339(*options.since, protocol::unix_ms_now());
-  if (!since) {
-    return since.error();
-  }
+Outcome<protocol::HistoryResult> print_past(Session& session, const EventsOptions& options) {
+  const auto since = since_rfc3339(*options.since, base::unix_ms_now());
+  if (!since) return since.error();
   protocol::EventsHistory request{.since = *since, .types = options.types};
-  request.limit = protocol::EventsHistory::kMostEvents;
+  request.limit = protocol::EventsHistory::kMaxEvents;
   const auto text = session.connection.call_text(request);
-  if (!text) {
-    return text.error();
-  }
+  if (!text) return text.error();
   auto past = protocol::decode_result<protocol::HistoryResult>(*text);
-  if (!past) {
-    return ClientError{Failure::kProtocol, past.error().message, {}};
-  }
+  if (!past) return ClientError{Failure::kProtocol, past.error().message, {}};
   if (session.json) {
-    const auto told = nlohmann::ordered_json::parse(*text);
-    for (const auto& event : told["events"]) {
-      std::puts(event.dump().c_str());
-    }
+    const auto history = nlohmann::ordered_json::parse(*text);
+    for (const auto& event : history["events"]) std::puts(event.dump().c_str());
   } else {
-    for (const std::string& line : history_screen(*past)) {
-      std::puts(line.c_str());
-    }
+    for (const std::string& line : history_screen(*past)) std::puts(line.c_str());
   }
   std::fflush(stdout);
   if (past->more) {
@@ -65,10 +55,12 @@ Outcome<protocol::HistoryResult> tell_past(Session& session, const EventsOptions
 
 /// What happened between the subscription and the look back is told by both.
 bool is_among(const protocol::HistoryResult& past, const protocol::Event& event) {
-  return std::any_of(past.events.begin(), past.events.end(), [&](const auto& one) {
-    return one.event.type == event.type && one.event.time_ns == event.time_ns &&
-           one.event.effect == event.effect;
-  });
+  return std::any_of(
+      past.events.begin(), past.events.end(),
+      [&](const auto& one) {
+        return one.event.type == event.type && one.event.time_ns == event.time_ns &&
+               one.event.effect == event.effect;
+      });
 }
 
 }  // namespace
@@ -81,59 +73,44 @@ int run_watch(Session& session) {
     return kUsage;
   }
   auto ball = look(session.connection);
-  if (!ball) {
-    return complain(ball.error());
-  }
+  if (!ball) return complain(ball.error());
   const protocol::EventsSubscribe everything{{}, protocol::Scope::kAll};
-  if (auto events = session.connection.call(everything); !events) {
-    return complain(events.error());
-  }
+  if (auto events = session.connection.call(everything); !events) return complain(events.error());
   const protocol::TelemetrySubscribe request{kRedrawHz, protocol::kEveryStatusKey};
-  if (auto telemetry = session.connection.call(request); !telemetry) {
+  if (auto telemetry = session.connection.call(request); !telemetry)
     return complain(telemetry.error());
-  }
   WatchScreen screen(session.style);
-  return follow_drawing(session, [&](const Notification& told) -> std::vector<std::string> {
-    if (const auto* telemetry = std::get_if<protocol::TelemetryMessage>(&told)) {
+  return follow_drawing(session, [&](const Notification& notification) -> std::vector<std::string> {
+    if (const auto* telemetry = std::get_if<protocol::TelemetryMessage>(&notification)) {
       ball->status = telemetry->telemetry.status;
       screen.take(ball->status);
       return screen.lines(*ball);
     }
-    screen.take(std::get<protocol::EventMessage>(told).event, time_of_day());
+    screen.take(std::get<protocol::EventMessage>(notification).event, time_of_day());
     return {};
   });
 }
 
 int run_events(Session& session, const EventsOptions& options) {
-  if (auto hello = session.connection.hello("hedgehogctl"); !hello) {
-    return complain(hello.error());
-  }
+  if (auto hello = session.connection.hello("hedgehogctl"); !hello) return complain(hello.error());
   const bool only_past = options.since && !options.follow;
   std::optional<protocol::EventsResult> now;
   if (!only_past) {
     // This program plays nothing, so effects of its own there are none.
     const protocol::EventsSubscribe request{options.types, protocol::Scope::kAll};
     auto subscribed = session.connection.call(request);
-    if (!subscribed) {
-      return complain(subscribed.error());
-    }
+    if (!subscribed) return complain(subscribed.error());
     now = *std::move(subscribed);
   }
   Outcome<protocol::HistoryResult> past;
   if (options.since) {
-    past = tell_past(session, options);
-    if (!past) {
-      return complain(past.error());
-    }
+    past = print_past(session, options);
+    if (!past) return complain(past.error());
   }
-  if (!now) {
-    return kDone;
-  }
-  if (!session.json) {
-    say_now(*now);
-  }
-  return follow(session, [&](const Notification& told) {
-    const auto* event = std::get_if<protocol::EventMessage>(&told);
+  if (!now) return kDone;
+  if (!session.json) print_now(*now);
+  return follow(session, [&](const Notification& notification) {
+    const auto* event = std::get_if<protocol::EventMessage>(&notification);
     if (event != nullptr && !is_among(*past, event->event)) {
       std::puts(session.json ? event->json.c_str()
                              : ("  " + time_of_day() + "  " + event_words(event->event)).c_str());
@@ -156,15 +133,12 @@ int run_telemetry(Session& session, const TelemetryOptions& options) {
       request.fields.add(*key);
     }
   }
-  if (auto hello = session.connection.hello("hedgehogctl"); !hello) {
-    return complain(hello.error());
-  }
-  if (auto subscribed = session.connection.call(request); !subscribed) {
+  if (auto hello = session.connection.hello("hedgehogctl"); !hello) return complain(hello.error());
+  if (auto subscribed = session.connection.call(request); !subscribed)
     return complain(subscribed.error());
-  }
   std::int64_t count = 0;
-  return follow(session, [&](const Notification& told) {
-    if (const auto* telemetry = std::get_if<protocol::TelemetryMessage>(&told)) {
+  return follow(session, [&](const Notification& notification) {
+    if (const auto* telemetry = std::get_if<protocol::TelemetryMessage>(&notification)) {
       std::puts(telemetry->json.c_str());
       std::fflush(stdout);
       ++count;

@@ -6,10 +6,10 @@
 #include <cstdio>
 #include <utility>
 
+#include "base/wall_time.h"
 #include "clients/ctl/screen/status_screen.h"
 #include "clients/ctl/screen/terminal.h"
 #include "clients/ctl/screen/words.h"
-#include "protocol/wall_time.h"
 
 namespace hedgehog::client {
 
@@ -32,31 +32,25 @@ class Trust {
 
   explicit Trust(Connection& connection) : connection_(connection) {}
 
-  void heard() { heard_at_ = Clock::now(); }
+  void received() { received_at_ = Clock::now(); }
   /// Does not wait for the answer: it may stand behind whatever the socket
   /// still holds.
   void stop() {
     (void)connection_.ask(protocol::DeviceEmergencyStop{});
-    if (!unanswered_) {
-      stopped_at_ = Clock::now();
-    }
+    if (!unanswered_) stopped_at_ = Clock::now();
     unanswered_ = true;
   }
   /// What the person has to know before anything else; empty: all is well.
-  std::string doubt() {
-    while (connection_.answer()) {
-      unanswered_ = false;
-    }
+  std::string warning() {
+    while (connection_.answer()) unanswered_ = false;
     const auto now = Clock::now();
-    if (unanswered_ && now - stopped_at_ > kAnswers) {
-      return "stop sent, no answer: pull the plug";
-    }
-    return now - heard_at_ > kSilent ? "hedgehogd is silent: what stands here is old" : "";
+    if (unanswered_ && now - stopped_at_ > kAnswers) return "stop sent, no answer: pull the plug";
+    return now - received_at_ > kSilent ? "hedgehogd is silent: what stands here is old" : "";
   }
 
  private:
   Connection& connection_;
-  Clock::time_point heard_at_ = Clock::now();
+  Clock::time_point received_at_ = Clock::now();
   Clock::time_point stopped_at_{};
   bool unanswered_ = false;  // since then
 };
@@ -65,9 +59,7 @@ class Trust {
 bool press(const std::string& keys, Trust& trust) {
   // A stop is a stop whatever is typed around it; leaving is not worth guessing
   // about, and the 'q' of an escape sequence is a key of the number pad.
-  if (keys.find(' ') != std::string::npos) {
-    trust.stop();
-  }
+  if (keys.find(' ') != std::string::npos) trust.stop();
   return keys.find('q') == std::string::npos || keys.find('\033') != std::string::npos;
 }
 
@@ -77,44 +69,33 @@ int draw_until_left(Session& session,
   Trust trust(session.connection);
   std::vector<std::string> lines;
   while (!interrupted()) {
-    auto told = session.connection.next(kKeyPoll);
-    if (!told) {
-      return exit_code_of(told.error());
-    }
-    if (*told) {
-      trust.heard();
-      if (std::vector<std::string> fresh = draw(**told); !fresh.empty()) {
+    auto notification = session.connection.next(kKeyPoll);
+    if (!notification) return exit_code_of(notification.error());
+    if (*notification) {
+      trust.received();
+      if (std::vector<std::string> fresh = draw(**notification); !fresh.empty())
         lines = std::move(fresh);
-      }
     }
     std::vector<std::string> shown = lines;
-    if (const std::string doubt = trust.doubt(); !doubt.empty()) {
+    if (const std::string warning = trust.warning(); !warning.empty()) {
       shown.resize(std::max(shown.size(), std::size_t{1}));
-      shown.front() = doubtful_title(doubt, session.style);
+      shown.front() = warning_title(warning, session.style);
     }
     canvas.draw(shown);
-    if (!press(canvas.typed(), trust)) {
-      return kDone;
-    }
+    if (!press(canvas.typed(), trust)) return kDone;
   }
   return kInterrupted;
 }
 
 }  // namespace
 
-std::string time_of_day() {
-  return local_time(protocol::rfc3339(protocol::unix_ms_now()), "%H:%M:%S");
-}
+std::string time_of_day() { return local_time(base::rfc3339(base::unix_ms_now()), "%H:%M:%S"); }
 
 int follow(Session& session, const std::function<bool(const Notification&)>& take) {
   while (!interrupted()) {
-    auto told = session.connection.next(kEventPoll);
-    if (!told) {
-      return complain(told.error());
-    }
-    if (*told && !take(**told)) {
-      return kDone;
-    }
+    auto notification = session.connection.next(kEventPoll);
+    if (!notification) return complain(notification.error());
+    if (*notification && !take(**notification)) return kDone;
   }
   return kInterrupted;
 }
@@ -122,9 +103,7 @@ int follow(Session& session, const std::function<bool(const Notification&)>& tak
 int follow_drawing(Session& session,
                    const std::function<std::vector<std::string>(const Notification&)>& draw) {
   const int code = draw_until_left(session, draw);
-  if (code == kUnavailable) {
-    std::fputs("hedgehogctl: the daemon ended the connection\n", stderr);
-  }
+  if (code == kUnavailable) std::fputs("hedgehogctl: the daemon ended the connection\n", stderr);
   return code;
 }
 

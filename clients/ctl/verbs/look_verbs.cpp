@@ -18,9 +18,7 @@ namespace {
 using nlohmann::json;
 
 void print(const std::vector<std::string>& lines) {
-  for (const std::string& line : lines) {
-    std::puts(line.c_str());
-  }
+  for (const std::string& line : lines) std::puts(line.c_str());
 }
 
 std::string forecast_words(std::optional<double> seconds) {
@@ -30,9 +28,7 @@ std::string forecast_words(std::optional<double> seconds) {
 /// How many others are connected; nothing: this one's role may not ask.
 std::optional<std::size_t> others_of(Connection& connection, const Ball& ball) {
   const auto list = connection.call(protocol::ConnectionList{});
-  if (!list) {
-    return std::nullopt;
-  }
+  if (!list) return std::nullopt;
   return static_cast<std::size_t>(
       std::count_if(list->connections.begin(), list->connections.end(),
                     [&](const auto& info) { return info.connection != ball.hello.connection; }));
@@ -43,42 +39,31 @@ std::optional<std::size_t> others_of(Connection& connection, const Ball& ball) {
 int run_status(Session& session) {
   if (session.json) {
     const auto text = session.connection.call_text(protocol::DeviceStatus{});
-    if (!text) {
-      return complain(text.error());
-    }
+    if (!text) return complain(text.error());
     std::puts(text->c_str());
     return kDone;
   }
   const auto ball = look(session.connection);
-  if (!ball) {
-    return complain(ball.error());
-  }
+  if (!ball) return complain(ball.error());
   print(status_screen(*ball, session.style));
   return kDone;
 }
 
 int run_clients(Session& session) {
-  if (auto hello = session.connection.hello("hedgehogctl"); !hello) {
-    return complain(hello.error());
-  }
+  if (auto hello = session.connection.hello("hedgehogctl"); !hello) return complain(hello.error());
   const auto text = session.connection.call_text(protocol::ConnectionList{});
-  if (!text) {
-    return complain(text.error());
-  }
+  if (!text) return complain(text.error());
   if (session.json) {
     std::puts(text->c_str());
     return kDone;
   }
   const auto list = protocol::decode_result<protocol::ConnectionsResult>(*text);
-  if (!list) {
-    return complain({Failure::kProtocol, list.error().message, {}});
-  }
+  if (!list) return complain({Failure::kProtocol, list.error().message, {}});
   std::puts("    #  CLIENT                VIA   ROLE      SINCE         PLAYS");
   for (const protocol::ConnectionInfo& info : list->connections) {
     std::string plays;
-    for (const protocol::EffectStatus& effect : info.effects) {
+    for (const protocol::EffectStatus& effect : info.effects)
       plays += (plays.empty() ? "" : ", ") + effect_words(effect);
-    }
     std::printf("%5lld  %s%s%s%s%s%s\n", static_cast<long long>(info.connection),
                 left(cut(info.client.value_or("-"), 20), 22).c_str(),
                 left(info.transport, 6).c_str(), left(protocol::name(info.role), 10).c_str(),
@@ -91,43 +76,31 @@ int run_clients(Session& session) {
 int run_trips(Session& session) {
   protocol::EventsHistory request;
   request.trips = true;
-  request.limit = protocol::EventsHistory::kMostEvents;
+  request.limit = protocol::EventsHistory::kMaxEvents;
   const auto text = session.connection.call_text(request);
-  if (!text) {
-    return complain(text.error());
-  }
+  if (!text) return complain(text.error());
   if (session.json) {
     std::puts(text->c_str());
     return kDone;
   }
   const auto history = protocol::decode_result<protocol::HistoryResult>(*text);
-  if (!history) {
-    return complain({Failure::kProtocol, history.error().message, {}});
-  }
+  if (!history) return complain({Failure::kProtocol, history.error().message, {}});
   print(trips_screen(*history));
   return kDone;
 }
 
 int run_devices(Session& session) {
   const auto hello = session.connection.hello("hedgehogctl");
-  if (!hello) {
-    return complain(hello.error());
-  }
+  if (!hello) return complain(hello.error());
   const auto text = session.connection.call_text(protocol::DeviceList{});
-  if (!text) {
-    return complain(text.error());
-  }
+  if (!text) return complain(text.error());
   if (session.json) {
     std::puts(text->c_str());
     return kDone;
   }
   const auto list = protocol::decode_result<protocol::DevicesResult>(*text);
-  if (!list) {
-    return complain({Failure::kProtocol, list.error().message, {}});
-  }
-  if (hello->device.simulated) {
-    std::printf("  %s is simulated\n", hello->device.name.c_str());
-  }
+  if (!list) return complain({Failure::kProtocol, list.error().message, {}});
+  if (hello->device.simulated) std::printf("  %s is simulated\n", hello->device.name.c_str());
   print(devices_screen(*list, hello->device.name));
   return kDone;
 }
@@ -136,23 +109,17 @@ int run_forecast(Session& session, const ForecastOptions& options) {
   json params{{"current_a", options.current_a}};
   if (!options.direction.empty()) {
     const auto direction = direction_json(options.direction);
-    if (!direction) {
-      return complain(direction.error());
-    }
+    if (!direction) return complain(direction.error());
     params["direction"] = json::parse(*direction);
   }
   const auto text = session.connection.call_raw("thermal.forecast", params.dump());
-  if (!text) {
-    return complain(text.error());
-  }
+  if (!text) return complain(text.error());
   if (session.json) {
     std::puts(text->c_str());
     return kDone;
   }
   const auto forecast = protocol::decode_result<protocol::ForecastResult>(*text);
-  if (!forecast) {
-    return complain({Failure::kProtocol, forecast.error().message, {}});
-  }
+  if (!forecast) return complain({Failure::kProtocol, forecast.error().message, {}});
   std::printf(
       "%s A from now, %s:\n", fixed(options.current_a, 1).c_str(),
       options.direction.empty() ? "on the coil that bears it least" : options.direction.c_str());

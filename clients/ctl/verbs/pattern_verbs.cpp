@@ -30,11 +30,8 @@ std::string seconds(std::int64_t ms) {
 void print_pattern(const protocol::Pattern& pattern) {
   const auto document = nlohmann::ordered_json::parse(protocol::encode_pattern(pattern));
   std::string out = "{\n";
-  for (const auto& [key, value] : document.items()) {
-    if (key != "keyframes") {
-      out += "  \"" + key + "\": " + value.dump() + ",\n";
-    }
-  }
+  for (const auto& [key, value] : document.items())
+    if (key != "keyframes") out += "  \"" + key + "\": " + value.dump() + ",\n";
   out += "  \"keyframes\": [";
   const char* before = "\n    ";
   for (const auto& frame : document["keyframes"]) {
@@ -52,9 +49,7 @@ std::string more_to_play(const protocol::Pattern& pattern) {
 
 int put(Session& session, const protocol::Pattern& pattern) {
   const auto answer = session.connection.call_text(protocol::PatternPut{pattern});
-  if (!answer) {
-    return complain(answer.error());
-  }
+  if (!answer) return complain(answer.error());
   if (session.json) {
     std::puts(answer->c_str());
     return kDone;
@@ -74,25 +69,21 @@ std::string part_of(const std::string& path) {
     return good ? low : '-';
   });
   part.erase(0, part.find_first_not_of('-'));
-  constexpr std::size_t kMost = 32;
-  return part.empty() ? "pattern" : part.substr(0, kMost);
+  constexpr std::size_t kMaxName = 32;
+  return part.empty() ? "pattern" : part.substr(0, kMaxName);
 }
 
 }  // namespace
 
 int run_pattern_list(Session& session) {
   const auto answer = session.connection.call_text(protocol::PatternList{});
-  if (!answer) {
-    return complain(answer.error());
-  }
+  if (!answer) return complain(answer.error());
   if (session.json) {
     std::puts(answer->c_str());
     return kDone;
   }
   const auto list = protocol::decode_result<protocol::PatternsResult>(*answer);
-  if (!list) {
-    return complain({Failure::kProtocol, list.error().message, {}});
-  }
+  if (!list) return complain({Failure::kProtocol, list.error().message, {}});
   for (const protocol::PatternSummary& p : list->patterns) {
     const std::string head = "  " + left(p.name, kNameColumns) +
                              right(std::to_string(p.duration_ms) + " ms", kTimeColumns) + "  ";
@@ -103,9 +94,7 @@ int run_pattern_list(Session& session) {
 
 int run_pattern_get(Session& session, const std::string& name) {
   const auto answer = session.connection.call(protocol::PatternGet{name});
-  if (!answer) {
-    return complain(answer.error());
-  }
+  if (!answer) return complain(answer.error());
   print_pattern(answer->pattern);
   return kDone;
 }
@@ -117,18 +106,14 @@ int run_pattern_put(Session& session, const std::string& file) {
 
 int run_pattern_remove(Session& session, const std::string& name) {
   const auto answer = session.connection.call_text(protocol::PatternRemove{name});
-  if (!answer) {
-    return complain(answer.error());
-  }
+  if (!answer) return complain(answer.error());
   std::puts(session.json ? answer->c_str() : (name + " is gone").c_str());
   return kDone;
 }
 
 int run_pattern_import(const CommonOptions& common, const ImportOptions& options) {
   const auto text = read_text(options.file);
-  if (!text) {
-    return complain(text.error());
-  }
+  if (!text) return complain(text.error());
   auto imported = import_pattern(*text);
   if (!imported) {
     ClientError error = imported.error();
@@ -142,9 +127,8 @@ int run_pattern_import(const CommonOptions& common, const ImportOptions& options
                               " s, one effect " + seconds(protocol::kMaxDurationMs) +
                               " s at most: play it with " + more);
   }
-  for (const std::string& note : imported->notes) {
+  for (const std::string& note : imported->notes)
     std::fprintf(stderr, "hedgehogctl: %s: %s\n", options.file.c_str(), note.c_str());
-  }
   if (!options.put) {
     print_pattern(imported->pattern);
     return kDone;

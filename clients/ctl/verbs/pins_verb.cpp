@@ -23,13 +23,10 @@ constexpr double kSoonHz = 50.0;
 
 void print_once(const Status& status, const ScreenStyle& style) {
   std::optional<model::Vec3> up;
-  if (status.orientation) {
-    up = status.orientation->up;
-  }
+  if (status.orientation) up = status.orientation->up;
   for (const std::string& line :
-       ball_map(status.pins.force_n, {.ascii = style.ascii, .room_up = up})) {
+       ball_map(status.pins.force_n, {.ascii = style.ascii, .room_up = up}))
     std::puts(line.c_str());
-  }
   const std::string legend = ball_map_legend(style.ascii);
   const std::string line =
       status.pin ? left(legend, 44) + aimed_pin_words(status) : std::string(legend);
@@ -37,9 +34,7 @@ void print_once(const Status& status, const ScreenStyle& style) {
 }
 
 protocol::TelemetrySubscribe subscription(double rate_hz, bool pins_only) {
-  if (!pins_only) {
-    return {rate_hz, protocol::kEveryStatusKey};
-  }
+  if (!pins_only) return {rate_hz, protocol::kEveryStatusKey};
   protocol::StatusKeys pins;
   pins.add(protocol::StatusKey::kPins);
   return {rate_hz, pins};
@@ -47,17 +42,12 @@ protocol::TelemetrySubscribe subscription(double rate_hz, bool pins_only) {
 
 int draw_pins(Session& session) {
   auto ball = look(session.connection);
-  if (!ball) {
-    return complain(ball.error());
-  }
-  if (auto told = session.connection.call(subscription(kPinsHz, false)); !told) {
-    return complain(told.error());
-  }
-  return follow_drawing(session, [&](const Notification& told) {
-    const auto* telemetry = std::get_if<protocol::TelemetryMessage>(&told);
-    if (telemetry == nullptr) {
-      return std::vector<std::string>{};
-    }
+  if (!ball) return complain(ball.error());
+  if (auto subscribed = session.connection.call(subscription(kPinsHz, false)); !subscribed)
+    return complain(subscribed.error());
+  return follow_drawing(session, [&](const Notification& notification) {
+    const auto* telemetry = std::get_if<protocol::TelemetryMessage>(&notification);
+    if (telemetry == nullptr) return std::vector<std::string>{};
     ball->status = telemetry->telemetry.status;
     return pins_screen(*ball, session.style);
   });
@@ -66,24 +56,21 @@ int draw_pins(Session& session) {
 }  // namespace
 
 int run_pins(Session& session, const PinsOptions& options) {
-  if (options.live && options.count == 0 && !session.json && terminal_traits().picture) {
+  if (options.live && options.count == 0 && !session.json && terminal_traits().picture)
     return draw_pins(session);
-  }
   const double rate_hz = !options.live ? kSoonHz : session.json ? kPinsHz : kLinesHz;
-  if (auto told = session.connection.call(subscription(rate_hz, session.json)); !told) {
-    return complain(told.error());
-  }
+  if (auto subscribed = session.connection.call(subscription(rate_hz, session.json)); !subscribed)
+    return complain(subscribed.error());
   const std::int64_t wanted = options.live ? options.count : 1;
   std::int64_t count = 0;
-  return follow(session, [&](const Notification& told) {
-    if (const auto* telemetry = std::get_if<protocol::TelemetryMessage>(&told)) {
-      if (session.json) {
+  return follow(session, [&](const Notification& notification) {
+    if (const auto* telemetry = std::get_if<protocol::TelemetryMessage>(&notification)) {
+      if (session.json)
         std::puts(telemetry->json.c_str());
-      } else if (options.live) {
+      else if (options.live)
         std::puts(pins_line(telemetry->telemetry.status).c_str());
-      } else {
+      else
         print_once(telemetry->telemetry.status, session.style);
-      }
       std::fflush(stdout);
       ++count;
     }

@@ -40,22 +40,16 @@ class Stay {
       : session_(session), effect_(effect), held_(options.held()), hold_s_(options.hold_s) {}
 
   Outcome<std::optional<protocol::EventMessage>> wait() {
-    if (auto asked = ask_for_time(); !asked) {
-      return asked.error();
-    }
+    if (auto asked = ask_for_time(); !asked) return asked.error();
     while (!interrupted()) {
-      auto told = session_.connection.next(kEndPoll);
-      if (!told) {
-        return told.error();
-      }
-      if (!*told) {
-        continue;
-      }
-      if (const auto* event = std::get_if<protocol::EventMessage>(&**told)) {
-        if (event->event.type == "effect_ended" && event->event.effect == effect_) {
+      auto notification = session_.connection.next(kEndPoll);
+      if (!notification) return notification.error();
+      if (!*notification) continue;
+      if (const auto* event = std::get_if<protocol::EventMessage>(&**notification)) {
+        if (event->event.type == "effect_ended" && event->event.effect == effect_)
           return std::optional(*event);
-        }
-      } else if (auto kept = keep_going(std::get<protocol::TelemetryMessage>(**told)); !kept) {
+      } else if (auto kept = keep_going(std::get<protocol::TelemetryMessage>(**notification));
+                 !kept) {
         return kept.error();
       }
     }
@@ -67,9 +61,7 @@ class Stay {
 
  private:
   Outcome<void> ask_for_time() {
-    if (!held_) {
-      return {};
-    }
+    if (!held_) return {};
     protocol::StatusKeys only_time;
     only_time.add(protocol::StatusKey::kTimeNs);
     const auto asked =
@@ -83,9 +75,7 @@ class Stay {
       started_ = true;
       start_ns_ = now_ns;
     }
-    if (stopped_) {
-      return {};
-    }
+    if (stopped_) return {};
     if (hold_s_ && static_cast<double>(now_ns - start_ns_) * 1e-9 >= *hold_s_) {
       stopped_ = true;
       return session_.connection.notify(protocol::EffectStop{effect_, std::nullopt});
@@ -109,25 +99,21 @@ std::string words_of(const PlayOptions& options) {
   return verb_of(options.method) + pattern + direction;
 }
 
-void say_start(const PlayOptions& options, const protocol::Admission& admission) {
+void print_start(const PlayOptions& options, const protocol::Admission& admission) {
   std::printf("%s   %s A   %s N at pin %lld", left(words_of(options), 10).c_str(),
               fixed(admission.current_a, 1).c_str(), fixed(admission.force_n, 3).c_str(),
               static_cast<long long>(admission.pin));
-  if (admission.limited_by) {
-    std::printf("   limited by %s", admission.limited_by->c_str());
-  }
+  if (admission.limited_by) std::printf("   limited by %s", admission.limited_by->c_str());
   std::fflush(stdout);
 }
 
-void say_end(const protocol::Event& event, const std::string& reason) {
+void print_end(const protocol::Event& event, const std::string& reason) {
   std::int64_t played_ms = 0;
-  if (event.onset_ns && event.offset_ns) {
+  if (event.onset_ns && event.offset_ns)
     played_ms = (*event.offset_ns - *event.onset_ns) / 1'000'000;
-  }
   std::printf("   %lld ms   %s", static_cast<long long>(played_ms), reason.c_str());
-  if (event.delivered && event.delivered->mean < 0.995) {
+  if (event.delivered && event.delivered->mean < 0.995)
     std::printf(", %s %% of its strength", fixed(100.0 * event.delivered->mean, 0).c_str());
-  }
   std::puts("");
 }
 
@@ -137,9 +123,7 @@ Outcome<std::string> play_params(const PlayOptions& options) {
   json params = json::object();
   if (!options.direction.empty()) {
     auto direction = direction_json(options.direction);
-    if (!direction) {
-      return direction.error();
-    }
+    if (!direction) return direction.error();
     params[options.method == "effect.play" ? "rotate_to" : "direction"] = json::parse(*direction);
   }
   if (!options.pattern.empty()) {
@@ -153,69 +137,46 @@ Outcome<std::string> play_params(const PlayOptions& options) {
       params.erase("description");
     }
   }
-  if (options.loop) {
-    params["loop"] = true;
-  }
-  if (options.held()) {
-    params["lease_ms"] = kHoldLeaseMs;
-  }
-  for (const auto& [name, text] : options.params) {
+  if (options.loop) params["loop"] = true;
+  if (options.held()) params["lease_ms"] = kHoldLeaseMs;
+  for (const auto& [name, text] : options.params)
     params[name] = name == "slot" ? json(text) : typed(text);
-  }
   return params.dump();
 }
 
 int run_preview(Session& session, const PlayOptions& options) {
   const auto params = play_params(options);
-  if (!params) {
-    return complain(params.error());
-  }
+  if (!params) return complain(params.error());
   json asked{{"method", options.method}, {"params", json::parse(*params)}};
-  if (options.hold_s) {
-    asked["params"]["lease_ms"] = 1000.0 * *options.hold_s;
-  }
+  if (options.hold_s) asked["params"]["lease_ms"] = 1000.0 * *options.hold_s;
   const auto answer = session.connection.call_raw("effect.preview", asked.dump());
-  if (!answer) {
-    return complain(answer.error());
-  }
+  if (!answer) return complain(answer.error());
   if (session.json) {
     std::puts(answer->c_str());
     return kDone;
   }
   const auto preview = protocol::decode_result<protocol::PreviewResult>(*answer);
-  if (!preview) {
-    return complain({Failure::kProtocol, preview.error().message, {}});
-  }
-  for (const std::string& line : preview_screen(words_of(options), *preview, session.style.ascii)) {
+  if (!preview) return complain({Failure::kProtocol, preview.error().message, {}});
+  for (const std::string& line : preview_screen(words_of(options), *preview, session.style.ascii))
     std::puts(line.c_str());
-  }
   return kDone;
 }
 
 int run_play(Session& session, const PlayOptions& options) {
   const auto params = play_params(options);
-  if (!params) {
-    return complain(params.error());
-  }
-  if (auto hello = session.connection.hello("hedgehogctl"); !hello) {
-    return complain(hello.error());
-  }
-  if (auto events = session.connection.call(protocol::EventsSubscribe{{"effect_ended"}}); !events) {
+  if (!params) return complain(params.error());
+  if (auto hello = session.connection.hello("hedgehogctl"); !hello) return complain(hello.error());
+  if (auto events = session.connection.call(protocol::EventsSubscribe{{"effect_ended"}}); !events)
     return complain(events.error());
-  }
   const auto answer = session.connection.call_raw(options.method, *params);
-  if (!answer) {
-    return complain(answer.error());
-  }
+  if (!answer) return complain(answer.error());
   const auto admission = protocol::decode_result<protocol::Admission>(*answer);
-  if (!admission) {
-    return complain({Failure::kProtocol, admission.error().message, {}});
-  }
+  if (!admission) return complain({Failure::kProtocol, admission.error().message, {}});
   if (session.json) {
     std::puts(answer->c_str());
     std::fflush(stdout);
   } else {
-    say_start(options, *admission);
+    print_start(options, *admission);
   }
 
   Stay stay(session, admission->effect, options);
@@ -225,17 +186,15 @@ int run_play(Session& session, const PlayOptions& options) {
     return complain(ended.error());
   }
   if (!*ended) {
-    if (!session.json) {
-      std::puts("   interrupted");
-    }
+    if (!session.json) std::puts("   interrupted");
     return kInterrupted;
   }
   const bool complete = (*ended)->event.reason == "completed" || stay.stopped_in_time();
   if (session.json) {
     std::puts((*ended)->json.c_str());
   } else {
-    say_end((*ended)->event,
-            stay.stopped_in_time() ? "completed" : (*ended)->event.reason.value_or(""));
+    print_end((*ended)->event,
+              stay.stopped_in_time() ? "completed" : (*ended)->event.reason.value_or(""));
   }
   return complete ? kDone : kEndedOtherwise;
 }

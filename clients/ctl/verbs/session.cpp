@@ -17,13 +17,9 @@ void note_interrupt(int) { interrupt_seen = 1; }
 
 Outcome<Session> open_session(const CommonOptions& options) {
   const auto addresses = daemon_addresses(options.address);
-  if (!addresses) {
-    return addresses.error();
-  }
+  if (!addresses) return addresses.error();
   auto connection = Connection::open(*addresses);
-  if (!connection) {
-    return connection.error();
-  }
+  if (!connection) return connection.error();
   const TerminalTraits traits = terminal_traits();
   return Session{
       *std::move(connection), options.json, {.colour = traits.colour, .ascii = traits.ascii}};
@@ -32,19 +28,13 @@ Outcome<Session> open_session(const CommonOptions& options) {
 Outcome<Ball> look(Connection& connection) {
   Ball ball;
   auto hello = connection.hello("hedgehogctl");
-  if (!hello) {
-    return hello.error();
-  }
+  if (!hello) return hello.error();
   ball.hello = *std::move(hello);
   auto description = connection.call(protocol::DeviceDescribe{});
-  if (!description) {
-    return description.error();
-  }
+  if (!description) return description.error();
   ball.description = *std::move(description);
   auto status = connection.call(protocol::DeviceStatus{});
-  if (!status) {
-    return status.error();
-  }
+  if (!status) return status.error();
   ball.status = *std::move(status);
   return ball;
 }

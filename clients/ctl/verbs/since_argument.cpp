@@ -6,7 +6,7 @@
 #include <ctime>
 #include <optional>
 
-#include "protocol/wall_time.h"
+#include "base/wall_time.h"
 
 namespace hedgehog::client {
 namespace {
@@ -20,21 +20,17 @@ struct Unit {
 constexpr std::array kUnits{Unit{"s", kSecondMs}, Unit{"min", 60 * kSecondMs},
                             Unit{"h", 3600 * kSecondMs}, Unit{"d", 86'400 * kSecondMs}};
 /// Nothing is older than a century.
-constexpr std::int64_t kMostDays = 36'500;
+constexpr std::int64_t kMaxDays = 36'500;
 
 /// "2h" in ms.
 std::optional<std::int64_t> span_ms(std::string_view text) {
   std::int64_t count = 0;
   const char* const end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, count);
-  if (error != std::errc() || count < 0) {
-    return std::nullopt;
-  }
-  for (const Unit& unit : kUnits) {
-    if (unit.name == std::string_view(rest, end) && count <= kMostDays * kUnits[3].ms / unit.ms) {
+  if (error != std::errc() || count < 0) return std::nullopt;
+  for (const Unit& unit : kUnits)
+    if (unit.name == std::string_view(rest, end) && count <= kMaxDays * kUnits[3].ms / unit.ms)
       return count * unit.ms;
-    }
-  }
   return std::nullopt;
 }
 
@@ -66,14 +62,10 @@ std::optional<std::int64_t> local_ms(const std::string& text, std::int64_t now_m
   midnight.tm_hour = midnight.tm_min = midnight.tm_sec = 0;
   std::tm yesterday = midnight;
   --yesterday.tm_mday;
-  if (text == "today" || text == "yesterday") {
-    return ms_of(text == "today" ? midnight : yesterday);
-  }
+  if (text == "today" || text == "yesterday") return ms_of(text == "today" ? midnight : yesterday);
   std::tm time = midnight;
   if (reads(text, "%H:%M", time) || reads(text, "%H:%M:%S", time)) {
-    if (ms_of(time) > now_ms) {
-      --time.tm_mday;
-    }
+    if (ms_of(time) > now_ms) --time.tm_mday;
     return ms_of(time);
   }
   std::tm day{};
@@ -89,15 +81,9 @@ std::optional<std::int64_t> local_ms(const std::string& text, std::int64_t now_m
 }  // namespace
 
 Outcome<std::string> since_rfc3339(const std::string& text, std::int64_t now_ms) {
-  if (const auto ago = span_ms(text)) {
-    return protocol::rfc3339(now_ms - *ago);
-  }
-  if (const auto here = local_ms(text, now_ms)) {
-    return protocol::rfc3339(*here);
-  }
-  if (const auto exact = protocol::parse_rfc3339(text)) {
-    return protocol::rfc3339(*exact);
-  }
+  if (const auto ago = span_ms(text)) return base::rfc3339(now_ms - *ago);
+  if (const auto here = local_ms(text, now_ms)) return base::rfc3339(*here);
+  if (const auto exact = base::parse_rfc3339(text)) return base::rfc3339(*exact);
   return ClientError{Failure::kBadAddress,
                      "since: '" + text +
                          "' is neither today or yesterday, nor so long ago (30min, 2h, 3d), nor a "

@@ -8,7 +8,7 @@ import { Pad } from "./pad.js";
 import { Simulator } from "./simulator.js";
 import { stopButton } from "./stop.js";
 import { watch } from "./watch.js";
-import { amperes, degrees, kStates, reason, seconds, whither } from "./words.js";
+import { amperes, contradiction, degrees, kStates, reason, seconds, whither } from "./words.js";
 
 const kTelemetry = {
   rate_hz: 25,
@@ -57,13 +57,13 @@ function showState(status) {
   $("remedy").textContent = status.remedy ? `${status.remedy}.` : "";
   $("arm").hidden = $("arm").dataset.may !== "true" || !["disarmed", "tripped"].includes(state);
   const trip = status.last_trip;
-  $("trip").textContent = trip ? `Last trip: ${reason(trip.reason)}` : "";
+  $("trip").textContent = trip ? `Last trip: ${[reason(trip.reason), contradiction(trip.disagreement)].filter(Boolean).join(" ")}` : "";
 }
 
 function showNumbers(status) {
   const flows = Math.hypot(...status.current_a);
   const t = status.temperature_c;
-  $("temperature").textContent = `${degrees(t.sensor)} · model ${degrees(t.model)}`;
+  $("temperature").textContent = `${degrees(t.sensor)} · model ${degrees(t.model)}${t.upper === undefined ? "" : `, at most ${degrees(t.upper)}`}${t.skin === undefined ? "" : ` · skin at most ${degrees(t.skin)}`}`;
   $("current").textContent = `${amperes(flows)} of ${amperes(status.limit_a)}`;
   $("duty").textContent = status.duty.map((d) => `${(100 * Math.abs(d)).toFixed(0)} %`).join(" · ");
   $("headroom").textContent = seconds(status.headroom_s);

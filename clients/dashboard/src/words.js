@@ -30,6 +30,8 @@ const kReasons = {
   thermometer_lost: "The second thermometer is silent.",
   thermometer_disagrees: "The two thermometers disagree.",
   shell_hot: "The ball's skin is too warm to hold.",
+  state_lost: "Its saved state is damaged or of another ball, so a trip may be forgotten.",
+  measurements_disagree: "Measurements contradict each other.",
   internal: "The control loop met a number that cannot be.",
   board_dead_man: "The board heard nothing for 100 ms and switched off by itself.",
   board_over_current: "The board measured too much current.",
@@ -42,6 +44,12 @@ const kReasons = {
 /** "sensor_open" as a person reads it; of any value. */
 const words = (name) => String(name ?? "").replaceAll("_", " ");
 
+/** "winding y: resistance, heat balance"; of a trip that names no contradiction nothing. */
+export function contradiction(found) {
+  if (!found) return "";
+  return `winding ${"xyz"[found.coil] ?? found.coil}: ${found.between.map(words).join(", ")}`;
+}
+
 export function reason(name) {
   if (!name) return "";
   return kReasons[name] ?? `${words(name)}.`;
@@ -51,7 +59,7 @@ export function reason(name) {
 export function happening(event) {
   switch (event.type) {
     case "state_changed": {
-      const measured = [event.temperature_c === undefined ? "" : degrees(event.temperature_c),
+      const measured = [contradiction(event.disagreement), event.temperature_c === undefined ? "" : degrees(event.temperature_c),
         event.current_a === undefined ? "" : amperes(event.current_a), event.client ?? ""].filter(Boolean);
       const why = reason(event.reason).replace(/\.$/, "");
       return [kStates[event.state] ?? event.state, why, measured.join(", ")].filter(Boolean).join(" · ");

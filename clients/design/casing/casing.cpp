@@ -72,18 +72,16 @@ std::vector<double> notch_places(const Casing& casing) {
   const auto room_at = [&](double degrees) {
     const Vec3 tab{r * std::cos(degrees * model::kRadiansPerDegree),
                    r * std::sin(degrees * model::kRadiansPerDegree), kTabHeightMm / 2.0};
-    double room = 1e9;
-    for (const Vec3& pin : casing.pins) {
-      if (model::dot(pin, tab) > 0.0) room = std::min(room, distance_to_axis(tab, pin));
-    }
-    return room;
+    double clearance = 1e9;
+    for (const Vec3& pin : casing.pins)
+      if (model::dot(pin, tab) > 0.0) clearance = std::min(clearance, distance_to_axis(tab, pin));
+    return clearance;
   };
   std::vector<double> places;
   for (const int aimed : {40, 150, 265}) {
     int best = aimed;
-    for (int degrees = aimed - 12; degrees <= aimed + 12; ++degrees) {
+    for (int degrees = aimed - 12; degrees <= aimed + 12; ++degrees)
       if (room_at(degrees) > room_at(best) + 1e-9) best = degrees;
-    }
     places.push_back(best);
   }
   return places;

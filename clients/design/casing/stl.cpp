@@ -54,14 +54,12 @@ Result<Surface> check_stl(const std::string& text) {
     ++surface.triangles;
     surface.volume_mm3 +=
         model::dot(corners.at(a), model::cross(corners.at(b), corners.at(c))) / 6.0;
-    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
+    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
       ++edges[std::minmax(from, to)][from < to ? 0 : 1];
-    }
   }
   if (seen == 0 || seen % 3 != 0) return Complaint{kBadData, "has no whole triangles"};
-  for (const auto& [edge, ways] : edges) {
+  for (const auto& [edge, ways] : edges)
     if (ways[0] != 1 || ways[1] != 1) ++surface.open_edges;
-  }
   return surface;
 }
 

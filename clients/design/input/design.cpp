@@ -6,8 +6,8 @@
 #include <cctype>
 #include <regex>
 
+#include "base/spelling.h"
 #include "clients/design/input/positions_file.h"
-#include "model/spelling.h"
 
 namespace hedgehog::design {
 namespace {
@@ -27,7 +27,7 @@ Complaint unknown(const std::string& name) {
   static constexpr std::array kNames{"cD",    "wD",     "tkD",     "cD-36",
                                      "wD-66", "tkD-86", "GP(2,2)", "GP(4,1)"};
   const auto distance = [wanted = lower_case(name)](const char* known) {
-    return model::edits_between(wanted, lower_case(known));
+    return base::edits_between(wanted, lower_case(known));
   };
   const auto nearest =
       std::min_element(kNames.begin(), kNames.end(),
@@ -54,22 +54,23 @@ std::vector<int> pins_at_the_bottom(const Arrangement& array) {
   return ids;
 }
 
-/// The shields that stand at a corner of `least` or more of the faces of these pins: a shield
+/// The shields that stand at a corner of `min_faces` or more of the faces of these pins: a shield
 /// belongs to the three pins that are nearest to it.
 std::vector<int> shields_touching(const Arrangement& array, const std::vector<int>& removed,
-                                  int least) {
+                                  int min_faces) {
   std::vector<int> ids;
   for (const MagnetSite& shield : array.shields) {
     std::vector<MagnetSite> pins = array.pins;
-    std::partial_sort(pins.begin(), pins.begin() + 3, pins.end(),
-                      [&](const MagnetSite& a, const MagnetSite& b) {
-                        return model::dot(a.direction, shield.direction) >
-                               model::dot(b.direction, shield.direction);
-                      });
+    std::partial_sort(
+        pins.begin(), pins.begin() + 3, pins.end(),
+        [&](const MagnetSite& a, const MagnetSite& b) {
+          return model::dot(a.direction, shield.direction) >
+                 model::dot(b.direction, shield.direction);
+        });
     const auto touched = std::count_if(pins.begin(), pins.begin() + 3, [&](const MagnetSite& pin) {
       return std::find(removed.begin(), removed.end(), pin.id) != removed.end();
     });
-    if (touched >= least) ids.push_back(shield.id);
+    if (touched >= min_faces) ids.push_back(shield.id);
   }
   return ids;
 }
@@ -97,16 +98,15 @@ Result<Arrangement> find_arrangement(const std::string& name) {
   }
   // The ball of the thesis has pin numbers of its own.
   if (auto known = model::arrangement_named(name)) return *known;
-  const int least = parts[3] == "5" ? 3 : parts[3] == "20" ? 1 : 2;
+  const int min_faces = parts[3] == "5" ? 3 : parts[3] == "20" ? 1 : 2;
   const std::vector<int> pins = pins_at_the_bottom(*whole);
-  const std::vector<int> shields = shields_touching(*whole, pins, least);
+  const std::vector<int> shields = shields_touching(*whole, pins, min_faces);
   auto opened = model::without(std::move(*whole), pins, shields);
   if (!opened) return Complaint{kInternal, opened.error().message};
   opened->name = name;
   // An array of its own, not one with gaps in its numbers.
-  for (auto* sites : {&opened->pins, &opened->shields}) {
+  for (auto* sites : {&opened->pins, &opened->shields})
     for (std::size_t i = 0; i < sites->size(); ++i) (*sites)[i].id = static_cast<int>(i);
-  }
   return *opened;
 }
 
@@ -125,9 +125,8 @@ Result<Arrangement> buildable_arrangement(const Design& design) {
   if (const auto problem = model::problem_with(design.sizes())) return Complaint{kUsage, *problem};
   auto array = arrangement_of(design);
   if (!array) return array.error();
-  if (const auto problem = model::check_fit(*array, design.sizes())) {
+  if (const auto problem = model::check_fit(*array, design.sizes()))
     return Complaint{kBadData, array->name + ": " + problem->message};
-  }
   return *array;
 }
 

@@ -38,9 +38,8 @@ Reader size_key(Size Design::*member) {
 Reader number_key(double Design::*member, double min, double max) {
   return [member, min, max](const Json& value, Design& design) -> std::string {
     const double number = value.is_number() ? value.get<double>() : std::nan("");
-    if (!(number >= min && number <= max)) {
+    if (!(number >= min && number <= max))
       return "must be a number from " + to_text(min) + " to " + to_text(max);
-    }
     design.*member = number;
     return "";
   };

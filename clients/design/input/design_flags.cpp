@@ -41,15 +41,13 @@ Result<void> take_ids(const std::optional<std::string>& typed, const char* flag,
 Result<void> take_settings(const DesignFlags& flags, model::ForceSettings& out) {
   if (flags.model) {
     const auto known = model::force_model_named(*flags.model);
-    if (!known) {
+    if (!known)
       return Complaint{kUsage, "--model: '" + *flags.model + "' is none of exact, hybrid, dipole"};
-    }
     out.model = *known;
   }
   if (!flags.accuracy) return {};
-  if (!(*flags.accuracy >= model::kFinestAccuracy && *flags.accuracy <= model::kCoarsestAccuracy)) {
+  if (!(*flags.accuracy >= model::kFinestAccuracy && *flags.accuracy <= model::kCoarsestAccuracy))
     return Complaint{kUsage, "--accuracy: must be from 1e-10 to 0.1, a part of the force"};
-  }
   out.accuracy = *flags.accuracy;
   return {};
 }
@@ -63,9 +61,8 @@ Result<std::vector<int>> parse_ids(const std::string& text, const std::string& w
   std::istringstream parts(text);
   for (std::string part; std::getline(parts, part, ',');) {
     std::smatch found;
-    if (!std::regex_match(part, found, kIds)) {
+    if (!std::regex_match(part, found, kIds))
       return Complaint{kUsage, what + ": '" + part + "' is no id; ids are given as 3,7-9"};
-    }
     const int first = std::stoi(found[1]);
     const int last = found[2].matched ? std::stoi(found[2]) : first;
     if (last < first)
@@ -99,9 +96,8 @@ Result<Design> design_from(const DesignFlags& flags) {
         take_number(flags.coil_force_n, 0.001, 100, "--coil-force", " N", design.coil_force_n),
         take_ids(flags.removed_pins, "--remove-pins", design.removed_pins),
         take_ids(flags.removed_shields, "--remove-shields", design.removed_shields),
-        take_settings(flags, design.settings)}) {
+        take_settings(flags, design.settings)})
     if (!taken) return taken.error();
-  }
   return design;
 }
 

@@ -48,9 +48,8 @@ struct Columns {
 
 std::optional<Columns> columns_of(const std::vector<std::string>& head) {
   const auto find = [&head](const std::string& name) -> std::optional<std::size_t> {
-    for (std::size_t i = 0; i < head.size(); ++i) {
+    for (std::size_t i = 0; i < head.size(); ++i)
       if (head[i] == name || head[i] == name + "_mm") return i;
-    }
     return {};
   };
   const auto kind = find("kind");
@@ -84,9 +83,8 @@ class PositionsReader {
     const auto z = parse_number<double>(cells[columns.z]);
     if (!x || !y || !z) return wrong("x, y and z must be numbers");
     const Vec3 place{*x, *y, *z};
-    if (!model::is_finite(place) || model::norm(place) < 1e-9) {
+    if (!model::is_finite(place) || model::norm(place) < 1e-9)
       return wrong("x, y and z are no direction from the centre");
-    }
     auto& sites = kind == "pin" ? array_.pins : array_.shields;
     auto& ids = kind == "pin" ? pin_ids_ : shield_ids_;
     const auto id =

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kMinMm = 0.1;
 constexpr double kMaxMm = 100.0;
-constexpr double kMostSteps = 1000;
+constexpr double kMaxSteps = 1000;
 
 std::optional<double> finite_number(std::string_view text) {
   const auto number = parse_number<double>(text);
@@ -61,7 +61,7 @@ Result<std::vector<double>> parse_range(std::string_view text, double step, doub
   }
   if (*last < *first) return complaint(what, quoted(text) + " ends below where it begins");
   const double count = std::floor((*last - *first) / step + 1e-6) + 1.0;
-  if (count > kMostSteps) return complaint(what, quoted(text) + " has more than 1000 steps");
+  if (count > kMaxSteps) return complaint(what, quoted(text) + " has more than 1000 steps");
   std::vector<double> values;
   values.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < static_cast<int>(count); ++i) values.push_back(*first + i * step);
@@ -72,9 +72,8 @@ Result<Size> parse_size(std::string_view text, const std::string& what) {
   const auto parts = halves(text);
   const auto diameter = parts ? finite_number((*parts)[0]) : std::nullopt;
   const auto height = parts ? finite_number((*parts)[1]) : std::nullopt;
-  if (!diameter || !height) {
+  if (!diameter || !height)
     return complaint(what, quoted(text) + " is not a magnet: DIAMETERxHEIGHT in mm, such as 8x10");
-  }
   for (const double mm : {*diameter, *height}) {
     if (mm < kMinMm || mm > kMaxMm) {
       return complaint(what, quoted(text) + ": " + to_text(mm) +
@@ -95,9 +94,8 @@ Result<std::vector<Size>> parse_sizes(std::string_view text, double step, const 
   const auto heights = parse_range((*parts)[1], 1.0, kMinMm, kMaxMm, what);
   if (!heights) return heights.error();
   std::vector<Size> sizes;
-  for (const double diameter : *diameters) {
+  for (const double diameter : *diameters)
     for (const double height : *heights) sizes.push_back({diameter, height});
-  }
   return sizes;
 }
 

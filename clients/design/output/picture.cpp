@@ -23,13 +23,11 @@ constexpr int kTitleHeight = 44;
 /// A single-quoted gnuplot string: nothing in it is interpreted but the quote, which is doubled.
 std::string quoted(const std::string& text) {
   std::string safe = "'";
-  for (const char c : text) {
-    if (c == '\n') {
+  for (const char c : text)
+    if (c == '\n')
       safe += ' ';
-    } else {
+    else
       safe += c == '\'' ? std::string("''") : std::string(1, c);
-    }
-  }
   return safe + "'";
 }
 
@@ -53,11 +51,10 @@ std::string style_of(const Series& series) {
 }
 
 void write_range(std::ostream& out, const char* axis, const Point& range) {
-  if (range.x == range.y) {
+  if (range.x == range.y)
     out << "set " << axis << "range [*:*]\n";
-  } else {
+  else
     out << "set " << axis << "range [" << range.x << ":" << range.y << "]\n";
-  }
 }
 
 void write_panel(std::ostream& out, const Panel& panel, std::size_t number) {
@@ -89,9 +86,8 @@ void write_panel(std::ostream& out, const Panel& panel, std::size_t number) {
 }
 
 Result<void> check_drawable(const std::string& path) {
-  if (!path.ends_with(".svg") && !path.ends_with(".png")) {
+  if (!path.ends_with(".svg") && !path.ends_with(".png"))
     return Complaint{kUsage, path + ": a picture's name ends in .svg or .png"};
-  }
   return check_writable(path);
 }
 

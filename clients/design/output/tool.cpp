@@ -19,9 +19,8 @@ namespace {
 std::string last_line(const std::string& text) {
   std::istringstream lines(text);
   std::string last;
-  for (std::string line; std::getline(lines, line);) {
+  for (std::string line; std::getline(lines, line);)
     if (line.find_first_not_of(" \t\r") != std::string::npos) last = line;
-  }
   return last;
 }
 
@@ -32,8 +31,8 @@ Complaint cannot_be_written(const std::string& path, int error) {
 }  // namespace
 
 Result<void> run_tool(const std::vector<std::string>& argv, const std::string& package) {
-  const auto said = TemporaryFile::make(".txt");
-  if (!said) return said.error();
+  const auto output = TemporaryFile::make(".txt");
+  if (!output) return output.error();
   std::vector<std::string> words = argv;
   std::vector<char*> pointers;
   pointers.reserve(words.size() + 1);
@@ -43,8 +42,8 @@ Result<void> run_tool(const std::vector<std::string>& argv, const std::string& p
   posix_spawn_file_actions_t files;
   posix_spawn_file_actions_init(&files);
   posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, said->path().c_str(), O_WRONLY | O_APPEND,
-                                   0);
+  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, output->path().c_str(),
+                                   O_WRONLY | O_APPEND, 0);
   posix_spawn_file_actions_adddup2(&files, STDOUT_FILENO, STDERR_FILENO);
   pid_t pid = -1;
   const int failure =
@@ -59,7 +58,7 @@ Result<void> run_tool(const std::vector<std::string>& argv, const std::string& p
   while (::waitpid(pid, &status, 0) < 0 && errno == EINTR) {
   }
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
-  const auto text = read_file(said->path());
+  const auto text = read_file(output->path());
   return Complaint{kToolFailed,
                    argv.front() + " failed: " + (text ? last_line(*text) : "it says nothing")};
 }

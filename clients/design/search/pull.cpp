@@ -30,9 +30,8 @@ std::vector<double> nodes_for(const std::vector<double>& diameters_mm) {
 std::vector<double> weights_for(const std::vector<double>& nodes) {
   std::vector<double> weights(nodes.size(), 1.0);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    for (std::size_t j = 0; j < nodes.size(); ++j) {
+    for (std::size_t j = 0; j < nodes.size(); ++j)
       if (i != j) weights[i] /= nodes[i] - nodes[j];
-    }
   }
   return weights;
 }
@@ -71,10 +70,9 @@ std::vector<double> Pull::force_n(double diameter_mm, double strength) const {
   }
   std::vector<double> force = from_pins_n_;
   const double scale = strength * diameter_mm * diameter_mm;
-  for (std::size_t node = 0; node < part.size(); ++node) {
+  for (std::size_t node = 0; node < part.size(); ++node)
     for (std::size_t i = 0; i < force.size(); ++i)
       force[i] += scale * part[node] * from_shields_[node][i];
-  }
   return force;
 }
 

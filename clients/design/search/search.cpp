@@ -43,8 +43,8 @@ std::optional<Reach> reach_of(const std::vector<model::PinClass>& classes,
       commonest = {rest_mm, moved_mm - std::max(rest_mm, 0.0)};
     }
   }
-  return commonest.extension_mm >= demands.least_extension_mm ? std::optional(commonest)
-                                                              : std::nullopt;
+  return commonest.extension_mm >= demands.min_extension_mm ? std::optional(commonest)
+                                                            : std::nullopt;
 }
 
 double nearest_shields_deg(const model::Arrangement& array) {
@@ -110,11 +110,9 @@ std::vector<Search::Job> Search::jobs() const {
   std::vector<Job> jobs;
   for (const Array& array : arrays_) {
     for (const Size& pin : space_.pins) {
-      for (const double sphere_mm : space_.spheres_mm) {
-        for (const auto& [height_mm, of_height] : diameters) {
+      for (const double sphere_mm : space_.spheres_mm)
+        for (const auto& [height_mm, of_height] : diameters)
           jobs.push_back({&array, pin, height_mm, of_height, sphere_mm});
-        }
-      }
     }
   }
   return jobs;
@@ -178,7 +176,7 @@ bool Search::holds_opened(const Found& found) const {
     pulls.emplace_back(one, found.design.sizes(), std::vector{diameter_mm});
   // How far the commonest move is asked of the whole array: opened, no class is the commonest.
   Demands each = demands_;
-  each.least_extension_mm = 0.0;
+  each.min_extension_mm = 0.0;
   return reach_of(array->opened_classes, pulls, diameter_mm, found.design.coil_force_n, each)
       .has_value();
 }

@@ -32,7 +32,7 @@ struct Demands {
   /// Every pin must rest, be held and have room even when all shields are weaker by this part.
   double margin = 0.02;
   /// Of the commonest pins, with the coil's full force.
-  double least_extension_mm = 0.5;
+  double min_extension_mm = 0.5;
   /// No pin may be pushed farther out than this: there is the casing.
   double travel_mm = 1.5;
 };

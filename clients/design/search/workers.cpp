@@ -13,7 +13,7 @@
 namespace hedgehog::design {
 
 void work_through(std::size_t count, int threads, const std::function<void(std::size_t)>& work,
-                  const std::function<void(std::size_t)>& told) {
+                  const std::function<void(std::size_t)>& progress) {
   constexpr std::chrono::milliseconds kBetween{100};
   std::atomic<std::size_t> next{0};
   std::mutex mutex;
@@ -40,13 +40,13 @@ void work_through(std::size_t count, int threads, const std::function<void(std::
     all_done.wait_for(lock, kBetween);
     const std::size_t so_far = done;
     lock.unlock();
-    if (so_far < count) told(so_far);
+    if (so_far < count) progress(so_far);
     lock.lock();
   }
   lock.unlock();
   pool.clear();
   if (first_thrown) std::rethrow_exception(first_thrown);
-  told(count);
+  progress(count);
 }
 
 }  // namespace hedgehog::design

@@ -8,9 +8,9 @@
 namespace hedgehog::design {
 
 /// Calls `work(0)` to `work(count - 1)`, each once, on `threads` threads (at least 1), in any
-/// order; `told(done)` every 100 ms and at the end, on the calling thread. Returns when all is
+/// order; `progress(done)` every 100 ms and at the end, on the calling thread. Returns when all is
 /// done. What a piece throws first is thrown on once all threads have ended.
 void work_through(std::size_t count, int threads, const std::function<void(std::size_t)>& work,
-                  const std::function<void(std::size_t)>& told);
+                  const std::function<void(std::size_t)>& progress);
 
 }  // namespace hedgehog::design

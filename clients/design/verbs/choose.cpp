@@ -27,30 +27,28 @@ Result<Demands> demands_of(const ChooseOptions& options) {
   };
   for (const Limit& limit :
        {Limit{"--wall", options.wall_mm, 20.0}, Limit{"--margin", options.margin_percent, 50.0},
-        Limit{"--least-extension", options.least_extension_mm, 1.5}}) {
+        Limit{"--least-extension", options.min_extension_mm, 1.5}}) {
     if (!(limit.value >= 0.0 && limit.value <= limit.most)) {
       return Complaint{kUsage,
                        std::string(limit.flag) + ": must be from 0 to " + to_text(limit.most)};
     }
   }
-  return Demands{options.wall_mm, options.margin_percent / 100.0, options.least_extension_mm};
+  return Demands{options.wall_mm, options.margin_percent / 100.0, options.min_extension_mm};
 }
 
 /// Each once, where it first stands.
 std::vector<std::string> distinct(const std::vector<std::string>& names) {
   std::vector<std::string> once;
-  for (const std::string& name : names) {
+  for (const std::string& name : names)
     if (std::find(once.begin(), once.end(), name) == once.end()) once.push_back(name);
-  }
   return once;
 }
 
 Result<SearchSpace> space_of(const ChooseOptions& options) {
   SearchSpace space;
   space.arrays = distinct(options.arrays);
-  if (space.arrays.empty()) {
+  if (space.arrays.empty())
     space.arrays = {"GP(1,1)", "cD", "wD", "tkD", "GP(2,2)", "GP(3,1)", "GP(4,0)"};
-  }
   const auto pins = parse_sizes(options.pins, 0.5, "--pins");
   if (!pins) return pins.error();
   const auto shields = parse_sizes(options.shields, 0.05, "--shields");
@@ -65,8 +63,8 @@ Result<SearchSpace> space_of(const ChooseOptions& options) {
     if (!forces) return forces.error();
     space.coil_forces_n = *forces;
   }
-  constexpr std::size_t kMost = 5'000'000;
-  if (space.size() > kMost) {
+  constexpr std::size_t kMaxCandidates = 5'000'000;
+  if (space.size() > kMaxCandidates) {
     return Complaint{
         kUsage,
         "these are " + std::to_string(space.size()) +
@@ -142,16 +140,14 @@ Picture picture_of(const std::vector<Found>& front) {
               {0, 0},
               {0, 0}};
   std::vector<std::string> arrays;
-  for (const Found& one : front) {
+  for (const Found& one : front)
     if (std::find(arrays.begin(), arrays.end(), one.design.array) == arrays.end())
       arrays.push_back(one.design.array);
-  }
   for (std::size_t a = 0; a < arrays.size(); ++a) {
     Series series{arrays[a], {}, Series::Style::kMarks, static_cast<int>(a)};
-    for (const Found& one : front) {
+    for (const Found& one : front)
       if (one.design.array == arrays[a])
         series.points.push_back({one.outer_diameter_mm, one.extension_mm});
-    }
     panel.series.push_back(std::move(series));
   }
   panel.series.push_back(
@@ -199,9 +195,8 @@ void print_text(const SearchOutcome& outcome, double seconds, const ChooseOption
     return;
   }
   out << "\n" << table_of(outcome.front, kShownRows).text();
-  if (outcome.front.size() > kShownRows) {
+  if (outcome.front.size() > kShownRows)
     out << "  and " << outcome.front.size() - kShownRows << " more: --csv or --json lists them\n";
-  }
   out << "\n"
       << wrapped(
              "rest and moves: of the commonest pins of the whole array, which move from the shell "
@@ -224,9 +219,8 @@ Result<void> run_choose(const ChooseOptions& options, const Screen& screen) {
   if (!search) return search.error();
   for (const auto& possible :
        {options.pictures.check(),
-        options.save.empty() ? Result<void>() : check_writable(options.save)}) {
+        options.save.empty() ? Result<void>() : check_writable(options.save)})
     if (!possible) return possible.error();
-  }
   const auto cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   Bar bar(screen.err, space->size());
   const auto begin = std::chrono::steady_clock::now();

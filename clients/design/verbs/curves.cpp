@@ -39,9 +39,8 @@ Json study_json(const Study& study, const model::OffsetGrid& grid) {
             {"accuracy", design.settings.accuracy},
             {"coil_force_n", design.coil_force_n},
             {"classes", Json::array()}};
-  for (const ClassStudy& one : study.classes()) {
+  for (const ClassStudy& one : study.classes())
     root["classes"].push_back(class_json(one, model::force_curve(one.force, grid)));
-  }
   return root;
 }
 

@@ -43,9 +43,8 @@ void print_text(const Study& study, const CoilStudy& coil, std::ostream& out) {
   const double travel_mm = model::PinTravel{}.highest_mm;
   if (std::any_of(coil.rows.begin(), coil.rows.end(), [&](const CoilRow& row) {
         return row.fea_mm.value_or(0.0) > travel_mm || row.measured_mm.value_or(0.0) > travel_mm;
-      })) {
+      }))
     out << "  the casing stops a pin after " << to_text(travel_mm) << " mm\n\n";
-  }
   out << wrapped(
              "simulated: 0.4 N at 15 A on the thesis' pin (Fig. 2.9); measured: 0.0126 N/A (Table "
              "3.1). The"
@@ -70,15 +69,15 @@ Series marks(const std::string& name, std::vector<Point> points, int colour) {
 }  // namespace
 
 std::size_t CoilStudy::pins_above(double fraction) const noexcept {
-  return static_cast<std::size_t>(
-      std::count_if(spread.begin(), spread.end(),
-                    [&](const model::Activation& one) { return one.fraction >= fraction - 1e-9; }));
+  return static_cast<std::size_t>(std::count_if(
+      spread.begin(), spread.end(),
+      [&](const model::Activation& one) { return one.fraction >= fraction - 1e-9; }));
 }
 
 std::size_t CoilStudy::pins_pulled_in() const noexcept {
-  return static_cast<std::size_t>(
-      std::count_if(spread.begin(), spread.end(),
-                    [](const model::Activation& one) { return one.fraction < -1e-9; }));
+  return static_cast<std::size_t>(std::count_if(
+      spread.begin(), spread.end(),
+      [](const model::Activation& one) { return one.fraction < -1e-9; }));
 }
 
 Result<CoilStudy> study_coil(const Study& study, std::optional<int> pin,
@@ -128,9 +127,9 @@ Table coil_table(const CoilStudy& coil) {
   return table;
 }
 
-Result<Picture> coil_picture(const Study& study, int pin, double most_a) {
+Result<Picture> coil_picture(const Study& study, int pin, double max_a) {
   std::vector<double> currents;
-  for (int i = 0; i <= 60; ++i) currents.push_back(most_a / 60.0 * i);
+  for (int i = 0; i <= 60; ++i) currents.push_back(max_a / 60.0 * i);
   const auto coil = study_coil(study, pin, currents);
   if (!coil) return coil.error();
   std::vector<Point> fea_force;
@@ -145,12 +144,12 @@ Result<Picture> coil_picture(const Study& study, int pin, double most_a) {
   }
   const std::string aimed =
       "pin " + std::to_string(pin) + ", class of " + std::to_string(coil->class_size);
-  Panel force{"Force on it at rest",     "current (A)", "force outwards (N)", {}, {},
-              {0, most_a * 31.0 / 30.0}, {0, 0}};
+  Panel force{"Force on it at rest",    "current (A)", "force outwards (N)", {}, {},
+              {0, max_a * 31.0 / 30.0}, {0, 0}};
   force.series = {{"electromagnet as simulated", fea_force, Series::Style::kLine, 0},
                   {"electromagnet as measured", measured_force, Series::Style::kLine, 1}};
-  Panel extension{"How far it moves out",    "current (A)", "extension (mm)", {}, {},
-                  {0, most_a * 31.0 / 30.0}, {0, 0}};
+  Panel extension{"How far it moves out",   "current (A)", "extension (mm)", {}, {},
+                  {0, max_a * 31.0 / 30.0}, {0, 0}};
   extension.series = {{"electromagnet as simulated", fea_mm, Series::Style::kLine, 0},
                       {"electromagnet as measured", measured_mm, Series::Style::kLine, 1}};
   if (has_thesis_magnets(study.design()) && study.arrangement().name.starts_with("tkD")) {

@@ -38,8 +38,8 @@ Result<CoilStudy> study_coil(const Study& study, std::optional<int> pin,
                              const std::vector<double>& currents_a);
 
 Table coil_table(const CoilStudy& coil);
-/// Force and extension against current up to `most_a`, and the spread against the angle, with the
+/// Force and extension against current up to `max_a`, and the spread against the angle, with the
 /// thesis' values.
-Result<Picture> coil_picture(const Study& study, int pin, double most_a);
+Result<Picture> coil_picture(const Study& study, int pin, double max_a);
 
 }  // namespace hedgehog::design

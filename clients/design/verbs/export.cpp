@@ -40,12 +40,10 @@ Result<void> deliver(const std::string& file, const std::string& content, const 
 
 Result<Casing> casing_of(const ExportOptions& options, const Design& design,
                          const model::Arrangement& array) {
-  if (options.facets < 8 || options.facets > 64 || options.facets % 4 != 0) {
+  if (options.facets < 8 || options.facets > 64 || options.facets % 4 != 0)
     return Complaint{kUsage, "--facets: must be 8 to 64, a multiple of 4"};
-  }
-  if (!(options.clearance_mm >= 0.0 && options.clearance_mm <= 2.0)) {
+  if (!(options.clearance_mm >= 0.0 && options.clearance_mm <= 2.0))
     return Complaint{kUsage, "--clearance: must be from 0 to 2 mm"};
-  }
   Casing casing;
   casing.sphere_mm = design.sphere_mm;
   casing.pin = design.magnet;
@@ -120,9 +118,8 @@ Result<void> write_casing(const ExportOptions& options, const Design& design,
 
 Result<void> run_export(const ExportOptions& options, const Screen& screen) {
   const bool casing = !options.scad.empty() || !options.stl.empty();
-  if (!options.csv && !options.json && !casing && options.device.empty()) {
+  if (!options.csv && !options.json && !casing && options.device.empty())
     return Complaint{kUsage, "say what: --csv, --json, --scad FILE, --stl FOLDER, --device FILE"};
-  }
   const auto design = design_from(options.design);
   if (!design) return design.error();
   const auto array = buildable_arrangement(*design);
@@ -136,9 +133,8 @@ Result<void> run_export(const ExportOptions& options, const Screen& screen) {
     if (!done) return done.error();
   }
   if (!options.device.empty()) {
-    if (options.device == "-") {
+    if (options.device == "-")
       return Complaint{kUsage, "--device: the file's name is the ball's; '-' is none"};
-    }
     const auto text = device_text(*design, fs::path(options.device).stem().string());
     if (!text) return text.error();
     const auto written = write_new(options.device, *text);

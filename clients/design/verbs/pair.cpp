@@ -28,12 +28,10 @@ Result<void> run_pair(const PairOptions& options, const Screen& screen) {
     if (!other) return other.error();
     design->shield = *other;
   }
-  if (!(options.angle_deg >= 0.0 && options.angle_deg <= 180.0)) {
+  if (!(options.angle_deg >= 0.0 && options.angle_deg <= 180.0))
     return Complaint{kUsage, "--angle: must be from 0 to 180 degrees"};
-  }
-  if (!(std::abs(options.offset_mm) <= 100.0)) {
+  if (!(std::abs(options.offset_mm) <= 100.0))
     return Complaint{kUsage, "--offset: must be from -100 to 100 mm"};
-  }
   if (const auto problem = model::problem_with(design->sizes())) return Complaint{kUsage, *problem};
   const model::MagnetPair pair = design->sizes().pin_and_shield();
   const model::PairPlace place{options.angle_deg, options.offset_mm, 0.0};

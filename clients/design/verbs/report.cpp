@@ -121,10 +121,9 @@ Result<std::string> thesis_html(const Design& design) {
   if (!svg) return svg.error();
   std::string html = heading("For comparison: the arrays of the thesis (Table 2.1, Fig. 2.10)") +
                      extension_table(*rows).html();
-  for (const ExtensionRow& row : *rows) {
+  for (const ExtensionRow& row : *rows)
     if (!row.reason.empty())
       html += paragraph(row.array + ", class of " + std::to_string(row.size) + ": " + row.reason);
-  }
   return html + *svg;
 }
 

@@ -34,15 +34,16 @@ std::string state_of(const ClassStudy& one) {
 
 /// How hard, N at the shell: the least and the most of all pins that are.
 std::string pressed_text(const Study& study) {
-  double least = 0.0;
+  double lowest = 0.0;
   double most = 0.0;
   for (const ClassStudy& one : study.classes()) {
     if (one.standing() != Standing::kPressed) continue;
     const double pull_n = -one.force.at(0.0).force_n;
-    least = least == 0.0 ? pull_n : std::min(least, pull_n);
+    lowest = lowest == 0.0 ? pull_n : std::min(lowest, pull_n);
     most = std::max(most, pull_n);
   }
-  const std::string range = fixed(least, 2) + (most - least < 0.005 ? "" : " to " + fixed(most, 2));
+  const std::string range =
+      fixed(lowest, 2) + (most - lowest < 0.005 ? "" : " to " + fixed(most, 2));
   return "pressed onto the shell with " + range +
          " N and without a rest, the shields are too strong: ";
 }
@@ -159,9 +160,8 @@ Result<void> run_stability(const StabilityOptions& options, const Screen& screen
   const auto study = Study::of(*design);
   if (!study) return study.error();
   std::optional<model::MagnetResult<model::Equilibrium>> together;
-  if (options.together) {
+  if (options.together)
     together = model::find_equilibrium(study->arrangement(), design->sizes(), design->settings);
-  }
   switch (screen.format) {
     case Format::kJson:
       screen.out << json_of(*study, together).dump(2) << "\n";

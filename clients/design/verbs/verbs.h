@@ -65,7 +65,7 @@ struct ChooseOptions {
   std::string coil_forces;
   double wall_mm = 0.3;
   double margin_percent = 2.0;
-  double least_extension_mm = 0.5;
+  double min_extension_mm = 0.5;
   int threads = 0;
   std::string save;
   PictureFiles pictures;

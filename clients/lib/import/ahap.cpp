@@ -29,8 +29,9 @@ class IntensityControl {
  public:
   void add(Control control) { controls_.push_back(std::move(control)); }
   void finish() {
-    std::stable_sort(controls_.begin(), controls_.end(),
-                     [](const Control& a, const Control& b) { return a.start_ms < b.start_ms; });
+    std::stable_sort(
+        controls_.begin(), controls_.end(),
+        [](const Control& a, const Control& b) { return a.start_ms < b.start_ms; });
   }
   double before(double t_ms) const noexcept {
     const auto next = std::lower_bound(controls_.begin(), controls_.end(), t_ms,
@@ -59,21 +60,16 @@ class Ahap {
  public:
   Outcome<Reading> read(const ForeignJson& file) {
     const auto* entries = member(file, "Pattern").as<ForeignJson::List>();
-    if (entries == nullptr) {
-      return bad_data("Pattern: an AHAP file has a list of that name");
-    }
+    if (entries == nullptr) return bad_data("Pattern: an AHAP file has a list of that name");
     if (entries->size() > kMaxImportEvents) {
       return bad_data("Pattern: has " + std::to_string(entries->size()) + " entries, more than " +
                       std::to_string(kMaxImportEvents));
     }
-    for (const ForeignJson& entry : *entries) {
-      take(entry);
-    }
+    for (const ForeignJson& entry : *entries) take(entry);
     control_.finish();
-    constexpr std::size_t kMostWork = 200'000;
-    if (events_.size() * (points_ + 1) > kMostWork) {
+    constexpr std::size_t kMaxWork = 200'000;
+    if (events_.size() * (points_ + 1) > kMaxWork)
       return bad_data("Pattern: too many events under too many points of curves");
-    }
     if (points_ >= kMaxImportPoints) note("points of curves beyond 4000 are left out");
     return Reading{.description = one_line(text(member(file, "Metadata"), "Description")),
                    .layers = controlled(),
@@ -89,9 +85,8 @@ class Ahap {
 
   static Values values_of(const ForeignJson& event) {
     Values values;
-    for (const ForeignJson& one : list(event, "EventParameters")) {
+    for (const ForeignJson& one : list(event, "EventParameters"))
       values[text(one, "ParameterID")] = number(one, "ParameterValue", 0.0, -1e6, 1e6);
-    }
     return values;
   }
   static double value(const Values& values, const char* name, double otherwise, double low,
@@ -101,13 +96,12 @@ class Ahap {
   }
 
   void take(const ForeignJson& entry) {
-    if (const ForeignJson& event = member(entry, "Event"); is_object(event)) {
+    if (const ForeignJson& event = member(entry, "Event"); is_object(event))
       take_event(event);
-    } else if (const ForeignJson& curve = member(entry, "ParameterCurve"); is_object(curve)) {
+    else if (const ForeignJson& curve = member(entry, "ParameterCurve"); is_object(curve))
       take_curve(curve);
-    } else if (const ForeignJson& parameter = member(entry, "Parameter"); is_object(parameter)) {
+    else if (const ForeignJson& parameter = member(entry, "Parameter"); is_object(parameter))
       take_parameter(parameter);
-    }
   }
 
   void take_event(const ForeignJson& event) {
@@ -115,18 +109,16 @@ class Ahap {
     const double start_ms = 1000.0 * number(event, "Time", 0.0, 0.0, kFarS);
     const Values values = values_of(event);
     const double level = value(values, "HapticIntensity", 1.0, 0.0, 1.0);
-    if (values.contains("HapticSharpness")) {
+    if (values.contains("HapticSharpness"))
       note("HapticSharpness is left out: a push has no pitch; say frequency_hz when you play it");
-    }
-    if (type == "HapticTransient") {
+    if (type == "HapticTransient")
       events_.push_back({{{start_ms, level}, {start_ms + kTransientMs, level}}});
-    } else if (type == "HapticContinuous") {
+    else if (type == "HapticContinuous")
       take_continuous(event, values, start_ms, level);
-    } else if (type.starts_with("Audio")) {
+    else if (type.starts_with("Audio"))
       note("audio events are left out");
-    } else {
+    else
       note("events of the type '" + one_line(type) + "' are left out");
-    }
   }
 
   void take_continuous(const ForeignJson& event, const Values& values, double start_ms,
@@ -147,8 +139,8 @@ class Ahap {
     layer.points.push_back({start_ms + full_ms, peak});
     double last = peak;
     if (value(values, "Sustained", 1, 0, 1) <= 0.5 && left_ms > 0.0) {
-      const double said_ms = 1000.0 * value(values, "DecayTime", 0, 0, 1);
-      const double decay_ms = said_ms > 0.0 ? said_ms : left_ms;
+      const double given_ms = 1000.0 * value(values, "DecayTime", 0, 0, 1);
+      const double decay_ms = given_ms > 0.0 ? given_ms : left_ms;
       last = decay_ms > left_ms ? peak * (1.0 - left_ms / decay_ms) : 0.0;
       layer.points.push_back({start_ms + full_ms + std::min(decay_ms, left_ms), last});
     } else {
@@ -207,9 +199,8 @@ class Ahap {
           bend(event, *from_ms, t_ms, end, layer);
           layer.points.push_back({t_ms, end});
         }
-        if (t_ms < last_ms) {
+        if (t_ms < last_ms)
           layer.points.push_back({t_ms, event.after(t_ms) * control_.after(t_ms)});
-        }
         from_ms = t_ms;
       }
       layers.push_back(std::move(layer));

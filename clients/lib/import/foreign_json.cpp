@@ -25,12 +25,11 @@ bool is_object(const ForeignJson& json) noexcept {
 std::optional<double> number(const ForeignJson& json, std::string_view name, double low,
                              double high) noexcept {
   const ForeignJson& value = member(json, name);
-  if (const auto* whole = value.as<std::int64_t>()) {
+  if (const auto* whole = value.as<std::int64_t>())
     return std::clamp(static_cast<double>(*whole), low, high);
-  }
-  const auto* said = value.as<double>();
-  return said != nullptr && std::isfinite(*said) ? std::optional(std::clamp(*said, low, high))
-                                                 : std::nullopt;
+  const auto* given = value.as<double>();
+  return given != nullptr && std::isfinite(*given) ? std::optional(std::clamp(*given, low, high))
+                                                   : std::nullopt;
 }
 
 double number(const ForeignJson& json, std::string_view name, double otherwise, double low,
@@ -39,27 +38,25 @@ double number(const ForeignJson& json, std::string_view name, double otherwise, 
 }
 
 std::string text(const ForeignJson& json, std::string_view name) {
-  const auto* said = member(json, name).as<std::string>();
-  return said == nullptr ? std::string() : *said;
+  const auto* given = member(json, name).as<std::string>();
+  return given == nullptr ? std::string() : *given;
 }
 
-std::string one_line(std::string said) {
-  constexpr std::size_t kMost = 200;
-  for (std::size_t i = 0; i < said.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(said[i]);
-    if (byte < 0x20 || byte == 0x7f) {
-      said[i] = ' ';
-    } else if (byte == 0xc2 && i + 1 < said.size() &&
-               static_cast<unsigned char>(said[i + 1]) < 0xa0) {
-      said.replace(i, 2, " ");  // U+0080..U+009F
-    }
+std::string one_line(std::string given) {
+  constexpr std::size_t kMaxShown = 200;
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(given[i]);
+    if (byte < 0x20 || byte == 0x7f)
+      given[i] = ' ';
+    else if (byte == 0xc2 && i + 1 < given.size() &&
+             static_cast<unsigned char>(given[i + 1]) < 0xa0)
+      given.replace(i, 2, " ");  // U+0080..U+009F
   }
-  std::size_t end = std::min(kMost, said.size());
-  while (end > 0 && end < said.size() && (static_cast<unsigned char>(said[end]) & 0xC0u) == 0x80u) {
+  std::size_t end = std::min(kMaxShown, given.size());
+  while (end > 0 && end < given.size() && (static_cast<unsigned char>(given[end]) & 0xC0u) == 0x80u)
     --end;
-  }
-  said.resize(end);
-  return said;
+  given.resize(end);
+  return given;
 }
 
 }  // namespace hedgehog::client

@@ -29,6 +29,6 @@ std::string text(const ForeignJson& json, std::string_view name);
 
 /// What a terminal and `pattern.put` bear of it: no control characters, at most 200 bytes, whole
 /// characters.
-std::string one_line(std::string said);
+std::string one_line(std::string given);
 
 }  // namespace hedgehog::client

@@ -24,13 +24,10 @@ class Hjif {
  public:
   Outcome<Reading> read(const ForeignJson& file) {
     const auto* perceptions = member(file, "perceptions").as<ForeignJson::List>();
-    if (perceptions == nullptr) {
+    if (perceptions == nullptr)
       return bad_data("perceptions: an hjif file has a list of that name");
-    }
     ms_per_tick_ = 1000.0 / number(file, "timescale", 1000.0, 1e-3, 1e9);
-    for (const ForeignJson& perception : *perceptions) {
-      take_perception(perception);
-    }
+    for (const ForeignJson& perception : *perceptions) take_perception(perception);
     if (effects_ > kMaxImportEvents) {
       return bad_data("the file has more than " + std::to_string(kMaxImportEvents) +
                       " effects and key frames");
@@ -54,18 +51,14 @@ class Hjif {
       return;
     }
     library_.clear();
-    for (const ForeignJson& effect : list(perception, "effect_library")) {
+    for (const ForeignJson& effect : list(perception, "effect_library"))
       library_[number(effect, "id", -1, -1, 1e9)] = &effect;
-    }
     for (const ForeignJson& channel : list(perception, "channels")) {
       gain_ = number(channel, "gain", 1.0, -100.0, 100.0);
       const std::size_t before = layers_.size();
-      if (is_object(member(channel, "direction"))) {
+      if (is_object(member(channel, "direction")))
         note("a channel's direction is left out: say rotate_to when you play it");
-      }
-      for (const ForeignJson& band : list(channel, "bands")) {
-        take_band(band);
-      }
+      for (const ForeignJson& band : list(channel, "bands")) take_band(band);
       channels_ += layers_.size() > before ? 1 : 0;
     }
   }
@@ -78,18 +71,16 @@ class Hjif {
       return;
     }
     const std::string curve = text(band, "curve_type");
-    if (type == "Curve" && !curve.empty() && curve != "Linear" && curve != "Cubic") {
+    if (type == "Curve" && !curve.empty() && curve != "Linear" && curve != "Cubic")
       note("curves of the type '" + one_line(curve) + "' are drawn with straight lines");
-    }
     for (const ForeignJson& effect : list(band, "effects")) {
       const ForeignJson* basis = basis_of(effect);
       if (basis == nullptr) continue;
       const double position_ms = ms_per_tick_ * number(effect, "position", 0.0, 0.0, kFar);
-      if (type == "Transient") {
+      if (type == "Transient")
         take_transients(*basis, position_ms);
-      } else {
+      else
         take_effect(type == "VectorialWave", curve == "Cubic", *basis, position_ms);
-      }
     }
   }
 
@@ -151,9 +142,7 @@ class Hjif {
       if (++effects_ > kMaxImportEvents) return;
       const double t_ms = time_of(key, position_ms);
       end_ms = std::max(end_ms, t_ms);
-      if (const auto level = level_of(key)) {
-        layer.points.push_back({t_ms, *level, cubic && !wave});
-      }
+      if (const auto level = level_of(key)) layer.points.push_back({t_ms, *level, cubic && !wave});
       if (const auto hz = hz_of(key)) pitches.push_back({t_ms, *hz});
     }
     if (layer.points.empty()) {
@@ -165,21 +154,18 @@ class Hjif {
     }
     std::stable_sort(layer.points.begin(), layer.points.end(),
                      [](const Layer::Point& a, const Layer::Point& b) { return a.t_ms < b.t_ms; });
-    if (layer.points.front().t_ms > position_ms) {
+    if (layer.points.front().t_ms > position_ms)
       layer.points.insert(layer.points.begin(), {position_ms, layer.points.front().level});
-    }
-    if (wave && layer.points.back().t_ms < end_ms) {
+    if (wave && layer.points.back().t_ms < end_ms)
       layer.points.push_back({end_ms, layer.points.back().level});
-    }
     if (layer.points.back().t_ms <= position_ms) {
       note("effects that last no time are left out");
       return;
     }
-    if (wave) {
+    if (wave)
       count_wave(text(effect, "base_signal"), layer, pitches);
-    } else {
+    else
       pushes_ = true;
-    }
     layers_.push_back(std::move(layer));
   }
 
@@ -216,14 +202,12 @@ class Hjif {
     const auto signal = kSignals.find(wave_);
     if (signal == kSignals.end()) note("the signal '" + one_line(wave_) + "' is felt as a sine");
     reading.waveform = signal == kSignals.end() ? Waveform::kSine : signal->second;
-    constexpr double kLeastHz = 0.5;
-    constexpr double kMostHz = 250.0;
+    constexpr double kMinHz = 0.5;
+    constexpr double kMaxHz = 250.0;
     const double mean_hz = weight_ > 0.0 ? frequency_sum_ / weight_ : lowest_hz_;
-    reading.frequency_hz = std::round(10.0 * std::clamp(mean_hz, kLeastHz, kMostHz)) / 10.0;
-    if (highest_hz_ - lowest_hz_ > 1.0) {
-      note("frequencies that change are felt as their mean");
-    }
-    if (mean_hz > kMostHz || mean_hz < kLeastHz) note("the frequency is cut to 0.5..250 Hz");
+    reading.frequency_hz = std::round(10.0 * std::clamp(mean_hz, kMinHz, kMaxHz)) / 10.0;
+    if (highest_hz_ - lowest_hz_ > 1.0) note("frequencies that change are felt as their mean");
+    if (mean_hz > kMaxHz || mean_hz < kMinHz) note("the frequency is cut to 0.5..250 Hz");
   }
 
   double ms_per_tick_ = 1.0;

@@ -23,9 +23,8 @@ Outcome<Imported> made_of(Reading reading) {
   if (made.late) notes.add("what begins after 60 s is left out");
   if (made.cut) notes.add("what lasts longer is cut at 60 s");
   if (made.clipped) notes.add("what overlaps adds up to more than 1 and is cut there");
-  if (made.simplified) {
+  if (made.simplified)
     notes.add("it has more than 256 points; those that matter least are left out");
-  }
   Imported imported;
   imported.pattern.description = std::move(reading.description);
   imported.pattern.waveform = reading.waveform;

@@ -19,9 +19,8 @@ namespace hedgehog::client {
 class Notes {
  public:
   void add(std::string sentence) {
-    if (std::find(all_.begin(), all_.end(), sentence) == all_.end()) {
+    if (std::find(all_.begin(), all_.end(), sentence) == all_.end())
       all_.push_back(std::move(sentence));
-    }
   }
   const std::vector<std::string>& all() const noexcept { return all_; }
 

@@ -62,20 +62,19 @@ std::vector<Point> simplified(const std::vector<Point>& line, double tolerance) 
   }
   keep_needed(line, from, line.size() - 1, tolerance, kept);
   std::vector<Point> left;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    if (kept[i]) {
-      left.push_back(line[i]);
-    }
-  }
+  for (std::size_t i = 0; i < line.size(); ++i)
+    if (kept[i]) left.push_back(line[i]);
   return left;
 }
 
 /// Whether nothing but `layer` is felt between `a` and `b`.
 bool alone(const std::vector<Layer>& layers, const Layer& layer, const Point& a, const Point& b) {
-  return std::none_of(layers.begin(), layers.end(), [&](const Layer& other) {
-    return &other != &layer && other.points.front().t_ms < b.t_ms &&
-           other.points.back().t_ms > a.t_ms;
-  });
+  return std::none_of(
+      layers.begin(), layers.end(),
+      [&](const Layer& other) {
+        return &other != &layer && other.points.front().t_ms < b.t_ms &&
+               other.points.back().t_ms > a.t_ms;
+      });
 }
 
 /// When the sum bends, and which of those times begin a smooth way.
@@ -95,9 +94,8 @@ void add_smooth(const std::vector<Layer>& layers, const Layer& layer, bool may_e
       continue;
     }
     const double end_ms = std::min(b.t_ms, kLongestMs);
-    for (int piece = 1; piece < kPieces; ++piece) {
+    for (int piece = 1; piece < kPieces; ++piece)
       times.bends.insert(a.t_ms + (end_ms - a.t_ms) * piece / kPieces);
-    }
   }
 }
 
@@ -105,9 +103,7 @@ Times times_of(const std::vector<Layer>& layers, bool may_ease) {
   Times times;
   for (const Layer& layer : layers) {
     if (layer.points.front().t_ms >= kLongestMs) continue;
-    for (const Point& point : layer.points) {
-      times.bends.insert(std::min(point.t_ms, kLongestMs));
-    }
+    for (const Point& point : layer.points) times.bends.insert(std::min(point.t_ms, kLongestMs));
     add_smooth(layers, layer, may_ease, times);
   }
   return times;
@@ -130,12 +126,8 @@ std::vector<Point> line_of(const std::vector<Layer>& layers, bool may_ease, bool
     before = cut(before);
     after = cut(after);
     const double whole_ms = std::round(t_ms);
-    if (t_ms > 0.0) {
-      line.push_back({whole_ms, before});
-    }
-    if (std::abs(after - before) > kExact || line.empty()) {
-      line.push_back({whole_ms, after});
-    }
+    if (t_ms > 0.0) line.push_back({whole_ms, before});
+    if (std::abs(after - before) > kExact || line.empty()) line.push_back({whole_ms, after});
     line.back().smooth = times.smooth.count(t_ms) > 0;
   }
   return line;
@@ -146,18 +138,14 @@ std::vector<Point> line_of(const std::vector<Layer>& layers, bool may_ease, bool
 double Layer::before(double t_ms) const noexcept {
   const auto at = std::lower_bound(points.begin(), points.end(), t_ms,
                                    [](const Point& p, double t) { return p.t_ms < t; });
-  if (at == points.begin() || at == points.end()) {
-    return 0.0;
-  }
+  if (at == points.begin() || at == points.end()) return 0.0;
   return between(*(at - 1), *at, t_ms);
 }
 
 double Layer::after(double t_ms) const noexcept {
   const auto at = std::upper_bound(points.begin(), points.end(), t_ms,
                                    [](double t, const Point& p) { return t < p.t_ms; });
-  if (at == points.begin() || at == points.end()) {
-    return 0.0;
-  }
+  if (at == points.begin() || at == points.end()) return 0.0;
   return between(*(at - 1), *at, t_ms);
 }
 
@@ -176,22 +164,17 @@ Keyframes keyframes_of(const std::vector<Layer>& layers) {
     made.cut = made.cut || (!late && layer.points.back().t_ms > kLongestMs);
   }
   std::vector<Point> line = line_of(layers, true, made.clipped);
-  std::vector<Point> least = simplified(line, kExact);
-  made.simplified = least.size() > model::kMaxKeyframes;
-  if (made.simplified) {
-    line = line_of(layers, false, made.clipped);
-  }
-  for (double tolerance = 0.002; least.size() > model::kMaxKeyframes; tolerance *= 1.5) {
-    least = simplified(line, tolerance);
-  }
-  for (const Point& point : least) {
+  std::vector<Point> kept = simplified(line, kExact);
+  made.simplified = kept.size() > model::kMaxKeyframes;
+  if (made.simplified) line = line_of(layers, false, made.clipped);
+  for (double tolerance = 0.002; kept.size() > model::kMaxKeyframes; tolerance *= 1.5)
+    kept = simplified(line, tolerance);
+  for (const Point& point : kept) {
     constexpr double kDecimals = 1e4;
     protocol::Keyframe frame;
     frame.t_ms = static_cast<std::int64_t>(point.t_ms);
     frame.level = std::round(point.level * kDecimals) / kDecimals;
-    if (point.smooth) {
-      frame.ease = model::Ease::kSmooth;
-    }
+    if (point.smooth) frame.ease = model::Ease::kSmooth;
     made.frames.push_back(frame);
   }
   return made;

@@ -16,7 +16,7 @@ using protocol::StatusKey;
 // A frame never waits.
 constexpr Milliseconds kNow{0};
 constexpr Milliseconds kConnectTimeout{1000};
-constexpr double kTellsHz = 60.0;
+constexpr double kTelemetryHz = 60.0;
 // On a machine that decodes more slowly than telemetry comes, reading would never end. The rest is
 // read in the next frame.
 constexpr int kMessagesPerFrame = 100;
@@ -33,11 +33,10 @@ Outcome<BallLink::Arrival> BallLink::arrive(const std::vector<client::Address>& 
   protocol::StatusKeys keys;
   for (const auto key :
        {StatusKey::kSimulated, StatusKey::kState, StatusKey::kRemedy, StatusKey::kTemperatureC,
-        StatusKey::kLimitA, StatusKey::kBurstS, StatusKey::kDerating, StatusKey::kOrientation}) {
+        StatusKey::kLimitA, StatusKey::kBurstS, StatusKey::kDerating, StatusKey::kOrientation})
     keys.add(key);
-  }
-  const auto told = daemon->call(protocol::TelemetrySubscribe{kTellsHz, keys});
-  if (!told) return told.error();
+  const auto subscribed = daemon->call(protocol::TelemetrySubscribe{kTelemetryHz, keys});
+  if (!subscribed) return subscribed.error();
   return Arrival{std::move(*daemon), *hello};
 }
 
@@ -54,7 +53,7 @@ bool BallLink::look_for_the_daemon() {
     if (auto arrived = arriving_.get()) {
       daemon_ = std::move(arrived->daemon);
       hello_ = std::move(arrived->hello);
-      heard_at_ = Clock::now();
+      received_at_ = Clock::now();
       return true;
     } else {
       lose_the_daemon(arrived.error());
@@ -71,23 +70,23 @@ void BallLink::lose_the_daemon(const client::ClientError& why) {
   next_try_ = Clock::now() + backoff_.next();
 }
 
-BallLink::Heard BallLink::listen() {
-  Heard heard;
-  if (!daemon_) heard.arrived = look_for_the_daemon();
+BallLink::Received BallLink::listen() {
+  Received received;
+  if (!daemon_) received.arrived = look_for_the_daemon();
   for (int messages = 0; daemon_ && messages < kMessagesPerFrame; ++messages) {
-    auto told = daemon_->next(kNow);
-    while (auto answer = daemon_->answer()) heard.answers.push_back(*std::move(answer));
-    if (!told) {
-      lose_the_daemon(told.error());
-    } else if (!*told) {
+    auto notification = daemon_->next(kNow);
+    while (auto answer = daemon_->answer()) received.answers.push_back(*std::move(answer));
+    if (!notification) {
+      lose_the_daemon(notification.error());
+    } else if (!*notification) {
       break;
-    } else if (auto* telemetry = std::get_if<protocol::TelemetryMessage>(&**told)) {
-      heard.statuses.push_back(std::move(telemetry->telemetry.status));
-      heard_at_ = Clock::now();
+    } else if (auto* telemetry = std::get_if<protocol::TelemetryMessage>(&**notification)) {
+      received.statuses.push_back(std::move(telemetry->telemetry.status));
+      received_at_ = Clock::now();
       backoff_.reset();
     }
   }
-  return heard;
+  return received;
 }
 
 std::optional<protocol::Id> BallLink::ask(const protocol::Request& request) {
@@ -104,7 +103,7 @@ void BallLink::notify(const protocol::Request& request) {
   if (const auto sent = daemon_->notify(request, kNow); !sent) lose_the_daemon(sent.error());
 }
 
-bool BallLink::hears() const { return daemon_ && Clock::now() - heard_at_ < kSilent; }
+bool BallLink::hears() const { return daemon_ && Clock::now() - received_at_ < kSilent; }
 
 bool BallLink::is_late() const { return daemon_ ? !hears() : timed_out_; }
 

@@ -20,7 +20,7 @@ class BallLink {
   /// A daemon that has told nothing for so long is taken for gone until it speaks.
   static constexpr std::chrono::milliseconds kSilent{500};
 
-  struct Heard {
+  struct Received {
     bool arrived = false;  // a new conversation began: what was asked before is never answered
     std::vector<protocol::Status> statuses{};
     std::vector<protocol::Reply> answers{};  // to `ask`
@@ -33,7 +33,7 @@ class BallLink {
   ~BallLink();
 
   /// Once a frame: what has come since, and looks for the daemon where there is none.
-  Heard listen();
+  Received listen();
   /// Nothing: there is nobody to hear it.
   std::optional<protocol::Id> ask(const protocol::Request& request);
   void notify(const protocol::Request& request);
@@ -62,7 +62,7 @@ class BallLink {
   Clock::time_point next_try_{};
   std::optional<client::Connection> daemon_;
   protocol::HelloResult hello_{};
-  Clock::time_point heard_at_{};
+  Clock::time_point received_at_{};
   std::string trouble_;
   bool timed_out_ = false;  // the last attempt
 };

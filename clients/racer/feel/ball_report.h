@@ -42,9 +42,9 @@ struct BallSummary {
   int refused = 0;           // that it refused, never answered, or was not there to be asked
   int left_out = 0;          // hits too soon after a stronger or equal one
   double turned_down_s = 0;  // the game's own gain was below 1; device time
-  double least_gain = 1.0;
+  double min_gain = 1.0;
   double derated_s = 0;  // the daemon reduced what was played; device time
-  std::optional<double> least_limit_a{};
+  std::optional<double> min_limit_a{};
   std::optional<double> hottest_c{};
   bool tripped = false;
 };

@@ -46,9 +46,8 @@ void Feel::frame(const std::vector<Happening>& happenings, double time_s) {
   time_s_ = time_s;
   played_.clear();
   listen();
-  for (const Happening& happening : happenings) {
+  for (const Happening& happening : happenings)
     std::visit([this](const auto& what) { play(what); }, happening);
-  }
 }
 
 /// On the side of the car that was hit.
@@ -71,11 +70,10 @@ void Feel::blow(const char* kind, const model::Vec3& direction, double impulse_n
   pulse.current_a = strength_of(step, limits().felt_a, full_a());
   pulse.duration_ms = duration_ms;
   pulse.priority = kBlow;
-  if (auto asked = play(kind, direction, {Method::kEffectPulse, pulse})) {
+  if (auto asked = play(kind, direction, {Method::kEffectPulse, pulse}))
     blows_.push_back(*std::move(asked));
-  } else {
+  else
     ++summary_.refused;
-  }
 }
 
 /// The magnet goes on and off quickly, downwards (thesis, section 4.1), harder with less grip.
@@ -105,12 +103,12 @@ void Feel::play(const Tumble& tumble) {
 std::optional<protocol::Id> Feel::play(const char* kind, const model::Vec3& direction,
                                        EffectStart effect) {
   // A ball may be set to less than what is felt.
-  const double most_a = limits().current_a;
-  const double current_a = std::min(effect.params.current_a.value_or(0.0), most_a);
+  const double max_a = limits().current_a;
+  const double current_a = std::min(effect.params.current_a.value_or(0.0), max_a);
   effect.params.current_a = current_a;
   // Asked even when the last was refused: that is how the game learns that it may play again.
   auto asked = ask(effect);
-  played_.push_back({kind, direction, current_a, most_a, asked && refused_.empty()});
+  played_.push_back({kind, direction, current_a, max_a, asked && refused_.empty()});
   return asked;
 }
 
@@ -121,16 +119,15 @@ std::optional<protocol::Id> Feel::ask(const protocol::Request& request) {
 }
 
 void Feel::listen() {
-  const BallLink::Heard heard = link_.listen();
-  if (heard.arrived) {
-    told_ns_ = 0;
+  const BallLink::Received received = link_.listen();
+  if (received.arrived) {
+    received_ns_ = 0;
     refused_.clear();
-    if (link_.hello().role == protocol::Role::kObserve) {
+    if (link_.hello().role == protocol::Role::kObserve)
       refused_ = refusal_of_us({.code = ErrorCode::kForbidden, .message = {}});
-    }
   }
-  for (const auto& answer : heard.answers) take(answer);
-  for (const auto& status : heard.statuses) take(status);
+  for (const auto& answer : received.answers) take(answer);
+  for (const auto& status : received.statuses) take(status);
   if (link_.hears()) return;
   summary_.refused += static_cast<int>(blows_.size());
   blows_.clear();
@@ -141,11 +138,10 @@ void Feel::listen() {
 }
 
 void Feel::take(const protocol::Reply& answer) {
-  if (answer.result) {
+  if (answer.result)
     refused_.clear();
-  } else if (auto why = refusal_of_us(answer.result.error()); !why.empty()) {
+  else if (auto why = refusal_of_us(answer.result.error()); !why.empty())
     refused_ = std::move(why);
-  }
   const auto blow = std::find(blows_.begin(), blows_.end(), answer.id);
   if (blow == blows_.end()) return;
   blows_.erase(blow);
@@ -154,9 +150,10 @@ void Feel::take(const protocol::Reply& answer) {
 
 void Feel::take(const protocol::Status& status) {
   const double passed_s =
-      told_ns_ == 0 ? 0.0
-                    : std::clamp(1e-9 * static_cast<double>(status.time_ns - told_ns_), 0.0, 1.0);
-  told_ns_ = status.time_ns;
+      received_ns_ == 0
+          ? 0.0
+          : std::clamp(1e-9 * static_cast<double>(status.time_ns - received_ns_), 0.0, 1.0);
+  received_ns_ = status.time_ns;
   gain_.take(status.derating, status.burst_s, passed_s);
 
   ball_.connected = true;
@@ -171,15 +168,13 @@ void Feel::take(const protocol::Status& status) {
   ball_.temperature_c = status.temperature_c.model;
   ball_.burst_s = status.burst_s;
   ball_.orientation.reset();
-  if (status.orientation && status.orientation->age_ms <= kStaleMs) {
+  if (status.orientation && status.orientation->age_ms <= kStaleMs)
     ball_.orientation = status.orientation->quaternion;
-  }
 
   if (gain_.now() < 1.0) summary_.turned_down_s += passed_s;
   if (status.derating) summary_.derated_s += passed_s;
-  summary_.least_gain = std::min(summary_.least_gain, gain_.now());
-  summary_.least_limit_a =
-      std::min(summary_.least_limit_a.value_or(status.limit_a), status.limit_a);
+  summary_.min_gain = std::min(summary_.min_gain, gain_.now());
+  summary_.min_limit_a = std::min(summary_.min_limit_a.value_or(status.limit_a), status.limit_a);
   summary_.hottest_c = std::max(summary_.hottest_c, ball_.temperature_c);
   summary_.tripped = summary_.tripped || status.state == "tripped";
 }

@@ -73,7 +73,7 @@ class Feel {
   BallReport ball_;
   BallSummary summary_;
   double time_s_ = 0.0;
-  std::int64_t told_ns_ = 0;  // device time of the last telemetry
+  std::int64_t received_ns_ = 0;  // device time of the last telemetry
 };
 
 }  // namespace hedgehog::racer

@@ -11,7 +11,7 @@ namespace hedgehog::racer {
 class Gain {
  public:
   /// Below 40 % the steps of a blow would be too close to be told apart, see steps.h.
-  static constexpr double kLeast = 0.4;
+  static constexpr double kMin = 0.4;
   /// Full strength should be possible for so long, 16 blows; with nothing in hand the game plays
   /// at 70 %.
   static constexpr double kEnoughS = 3.0;
@@ -25,7 +25,7 @@ class Gain {
   /// nothing: for ever. `passed_s`: since the last call, device time.
   void take(bool derating, const std::optional<double>& burst_s, double passed_s) noexcept {
     const double in_hand = burst_s ? std::clamp(*burst_s / kEnoughS, 0.0, 1.0) : 1.0;
-    const double goal = derating ? kLeast : kNothingInHand + (1.0 - kNothingInHand) * in_hand;
+    const double goal = derating ? kMin : kNothingInHand + (1.0 - kNothingInHand) * in_hand;
     now_ = goal < now_ ? std::max(goal, now_ - kDownPerS * passed_s)
                        : std::min(goal, now_ + kUpPerS * passed_s);
   }

@@ -34,9 +34,9 @@ inline double strength_of(int step, double felt_a, double full_a) noexcept {
 }
 
 /// A skid lasts, so it is weaker than a blow can be: a share of full strength. `amount`: 0 to 1.
-inline constexpr double kSkidMost = 0.5;
+inline constexpr double kMaxSkid = 0.5;
 inline double skid_strength(double amount, double felt_a, double full_a) noexcept {
-  return felt_a + amount * (std::max(felt_a, kSkidMost * full_a) - felt_a);
+  return felt_a + amount * (std::max(felt_a, kMaxSkid * full_a) - felt_a);
 }
 
 /// Keeps pulses apart: one in 0.25 s, unless a harder one comes, which goes at once.

@@ -42,15 +42,15 @@ std::vector<Hit> Blows::take(const std::vector<Contact>& contacts, double time_s
     Touch& touch = touches_[body];
     const Vec3 direction = unit_or(contact.towards, {1, 0, 0});
     const bool apart = touch.last_s < 0.0 || time_s - touch.last_s > kApartS;
-    const bool rested = touch.told_s < 0.0 || time_s - touch.told_s > kRestS;
+    const bool rested = touch.reported_s < 0.0 || time_s - touch.reported_s > kRestS;
     const bool harder = contact.impulse > kHarder * touch.impulse;
     const bool elsewhere = dot(direction, touch.direction) < kOtherSide;
     if (apart) touch.impulse = 0.0;
     touch.last_s = time_s;
-    if (contact.impulse < kLeastImpulse) continue;
+    if (contact.impulse < kMinImpulse) continue;
     if (apart || touch.impulse == 0.0 || (rested && (harder || elsewhere))) {
       hits.push_back({direction, contact.impulse});
-      touch.told_s = time_s;
+      touch.reported_s = time_s;
       touch.impulse = contact.impulse;
       touch.direction = direction;
     }

@@ -18,7 +18,7 @@ model::Vec3 felt_direction(const Contact& contact) noexcept;
 class Blows {
  public:
   /// Less is not worth telling: 0.15 m/s of the car.
-  static constexpr double kLeastImpulse = 120.0;
+  static constexpr double kMinImpulse = 120.0;
 
   /// The blows of one step of the race, `time_s` after the start; `contacts` are those of its
   /// steps of the world. The ground is no blow: it is a landing, or felt by the roof.
@@ -26,9 +26,9 @@ class Blows {
 
  private:
   struct Touch {
-    double last_s = -1.0;  // when there was contact
-    double told_s = -1.0;  // when a blow was told
-    double impulse = 0.0;  // of that blow
+    double last_s = -1.0;      // when there was contact
+    double reported_s = -1.0;  // when a blow was reported
+    double impulse = 0.0;      // of that blow
     Vec3 direction{};
   };
   std::map<int, Touch> touches_;

@@ -25,10 +25,10 @@ inline constexpr double kGrip = 1.5;
 /// How far the front wheels turn with the steering at its stop, in radians: 32 degrees at walking
 /// pace; the faster, the less, down to a little more than the dry road allows.
 inline double steering_lock(double speed_mps) noexcept {
-  constexpr double kMostRad = 0.56;
+  constexpr double kMaxRad = 0.56;
   constexpr double kSideways = kGrip * 9.81;
   const double square = std::max(speed_mps * speed_mps, 1.0);
-  return std::min(kMostRad, 1.15 * std::atan(2.0 * kAxleX * kSideways / square));
+  return std::min(kMaxRad, 1.15 * std::atan(2.0 * kAxleX * kSideways / square));
 }
 /// How high the origin is when the car stands.
 inline constexpr double kCarStandsAt = 0.66;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kSideways = 11.0;  // m/s^2 that the driver dares in a bend
 constexpr double kBraking = 7.0;    // m/s^2 that it counts on
-constexpr double kMostSpeed = 18.0;
+constexpr double kMaxSpeed = 18.0;
 constexpr double kPatienceS = 1.0;
 constexpr double kReverseS = 1.2;
 
@@ -32,7 +32,7 @@ double bend(const std::vector<Vec3>& centre, std::size_t at) {
 
 /// As fast as every bend of the next 60 m allows.
 double allowed_speed(const std::vector<Vec3>& centre, std::size_t at) {
-  double allowed = kMostSpeed;
+  double allowed = kMaxSpeed;
   for (std::size_t k = 0; k < 30; ++k) {
     const double there = kSideways / std::max(bend(centre, at + k), 1e-3);
     allowed = std::min(allowed, std::sqrt(there + 2.0 * kBraking * 2.0 * static_cast<double>(k)));

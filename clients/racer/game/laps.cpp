@@ -27,8 +27,8 @@ bool Laps::take(const std::vector<model::Vec3>& centre, const model::Vec3& posit
   const bool over_the_line = static_cast<long>(point_) + moved >= count;
   point_ = now;
   // Across the infield is no way.
-  constexpr long kMost = 8;
-  if (moved <= kMost && moved >= -kMost) way_ += moved;
+  constexpr long kMaxMoved = 8;
+  if (moved <= kMaxMoved && moved >= -kMaxMoved) way_ += moved;
   if (!over_the_line) return false;
   const bool whole = way_ >= count;
   way_ = static_cast<long>(now);

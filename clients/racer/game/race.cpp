@@ -17,7 +17,7 @@ namespace {
 
 // A hop over a kerb is no flight.
 constexpr double kFlightS = 0.2;
-constexpr double kLeastLanding = 400.0;  // Newton seconds: half a metre a second
+constexpr double kMinLanding = 400.0;  // Newton seconds: half a metre a second
 // Slower than this, wheels that slide are not felt.
 constexpr double kSlowSkid = 1.5;  // m/s
 constexpr double kSkidBegins = 0.25;
@@ -33,8 +33,8 @@ constexpr double kLiesSlow = 1.5;  // m/s
 constexpr double kTidyAway = 20.0;  // metres
 constexpr double kLost = 15.0;      // metres beyond the edge of the road
 
-double within(double value, double least, double most) {
-  return std::isfinite(value) ? std::clamp(value, least, most) : 0.0;
+double within(double value, double min, double max) {
+  return std::isfinite(value) ? std::clamp(value, min, max) : 0.0;
 }
 
 }  // namespace
@@ -49,9 +49,8 @@ struct Race::State {
     if (!track.centre.empty()) {
       const std::size_t count = track.centre.size();
       std::size_t at = nearest_point(track.centre, scene.car.position);
-      for (std::size_t i = 0; i < count && !is_free(track.centre[at]); ++i) {
+      for (std::size_t i = 0; i < count && !is_free(track.centre[at]); ++i)
         at = (at + count - 1) % count;
-      }
       const Vec3& here = track.centre[at];
       const Vec3 ahead = track.centre[(at + 1) % track.centre.size()] - here;
       pose =
@@ -115,9 +114,8 @@ struct Race::State {
                                          [](const Wheel& wheel) { return wheel.contact; });
     const bool upright = up() > kTurnsOver;
     // Of the step before, because the springs have begun to take it up in this one.
-    if (grounded && flight_s > kFlightS && upright && kCarMassKg * fall_mps > kLeastLanding) {
+    if (grounded && flight_s > kFlightS && upright && kCarMassKg * fall_mps > kMinLanding)
       happenings.emplace_back(Landing{kCarMassKg * fall_mps});
-    }
     flight_s = grounded ? 0.0 : flight_s + kStepS;
     fall_mps = std::max(0.0, -world->velocity().z);
   }
@@ -135,9 +133,8 @@ struct Race::State {
 
   void note_tumble(bool touches) {
     tumbles = tumbles ? up() < kUpright : up() < kTurnsOver;
-    if (tumbles) {
+    if (tumbles)
       happenings.emplace_back(Tumble{rotate(conjugate(scene.car.orientation), {0, 0, -1})});
-    }
     const bool lies = tumbles && touches && norm(world->velocity()) < kLiesSlow;
     lies_s = lies ? lies_s + kStepS : 0.0;
     if (lies_s > kLiesS || lost()) {

@@ -22,9 +22,8 @@ Vec3 between(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double 
 /// Points kSpacing apart, as nearly as they fit into the closed line through `fine`.
 std::vector<Vec3> evenly(const std::vector<Vec3>& fine) {
   double length = 0.0;
-  for (std::size_t i = 0; i < fine.size(); ++i) {
+  for (std::size_t i = 0; i < fine.size(); ++i)
     length += norm(fine[(i + 1) % fine.size()] - fine[i]);
-  }
   const auto count = static_cast<std::size_t>(length / kSpacing);
   const double spacing = length / static_cast<double>(count);
   std::vector<Vec3> points;
@@ -34,9 +33,8 @@ std::vector<Vec3> evenly(const std::vector<Vec3>& fine) {
     const double reach = norm(step);
     for (double at = spacing * static_cast<double>(points.size());
          at < walked + reach && points.size() < count;
-         at = spacing * static_cast<double>(points.size())) {
+         at = spacing * static_cast<double>(points.size()))
       points.push_back(fine[i] + ((at - walked) / reach) * step);
-    }
     walked += reach;
   }
   return points;
@@ -79,9 +77,8 @@ Track road_through(const std::vector<Vec3>& corners, double width) {
       const double out = side * 0.5 * (width + kWallThickness);
       edge.push_back(track.centre[i] + out * cross({0, 0, 1}, ahead));
     }
-    for (std::size_t i = 0; i < edge.size(); ++i) {
+    for (std::size_t i = 0; i < edge.size(); ++i)
       track.walls.push_back(wall_along(edge[i], edge[(i + 1) % edge.size()]));
-    }
   }
   const Vec3 ahead = track.centre[1] - track.centre[0];
   track.start = flat_pose(track.centre[0].x, track.centre[0].y, 0.0,

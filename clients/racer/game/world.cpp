@@ -79,9 +79,7 @@ struct World::Bodies {
       }
       add(std::move(walls), 0.0, Pose{}, Contact::kWalls, 0.15);
     }
-    for (const Ramp& ramp : track.ramps) {
-      add(shape_of(ramp), 0.0, ramp.pose, Contact::kRamps, 0.5);
-    }
+    for (const Ramp& ramp : track.ramps) add(shape_of(ramp), 0.0, ramp.pose, Contact::kRamps, 0.5);
     for (const Obstacle& obstacle : track.obstacles) {
       btRigidBody& body = add(shape_of(obstacle), obstacle.mass_kg, obstacle.pose,
                               static_cast<int>(movable.size()), 0.5);
@@ -235,9 +233,8 @@ std::array<Wheel, 4> World::wheels() const {
 
 std::vector<Pose> World::obstacles() const {
   std::vector<Pose> poses;
-  for (const btRigidBody* body : bodies_->movable) {
+  for (const btRigidBody* body : bodies_->movable)
     poses.push_back(from_bullet(body->getWorldTransform()));
-  }
   return poses;
 }
 

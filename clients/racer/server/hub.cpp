@@ -20,7 +20,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "clients/racer/server/door.h"
+#include "clients/racer/server/host_check.h"
 #include "clients/racer/server/open_page.h"
 #include "clients/racer/server/pages.h"
 
@@ -40,9 +40,9 @@ constexpr std::chrono::seconds kPatience{15};
 constexpr std::chrono::seconds kHandshake{5};
 /// A page that answers no ping for so long is gone.
 constexpr std::chrono::seconds kSilence{10};
-constexpr std::chrono::milliseconds kGoodbye{500};
+constexpr std::chrono::milliseconds kCloseFrame{500};
 /// For the pages, although the game is late.
-constexpr std::chrono::milliseconds kLeast{1};
+constexpr std::chrono::milliseconds kMinWait{1};
 /// What the kernel may hold for a page: what lies there is old.
 constexpr int kSendBufferBytes = 32 * 1024;
 constexpr const char* kContentPolicy =
@@ -71,9 +71,8 @@ asio::awaitable<bool> send_answer(beast::tcp_stream& stream, const Answer& answe
   response.set("Cross-Origin-Resource-Policy", "same-origin");
   response.set("Referrer-Policy", "no-referrer");
   response.set("X-Content-Type-Options", "nosniff");
-  if (answer.status == http::status::method_not_allowed) {
+  if (answer.status == http::status::method_not_allowed)
     response.set(http::field::allow, "GET, HEAD");
-  }
   response.body() = {answer.body.data(), answer.body.size()};
   response.prepare_payload();
   response.keep_alive(keep_alive);
@@ -106,7 +105,7 @@ struct Hub::Rooms {
 
   Callbacks callbacks;
   Pages files;
-  Door door;
+  HostCheck host_check;
   std::string greeting;
   // Before the context, whose end destroys the coroutines that own the pages.
   std::set<OpenPage*> pages;
@@ -130,7 +129,7 @@ void Hub::Rooms::listen(const HubSettings& settings) {
     throw std::runtime_error("cannot listen on " + where + ": " + ec.message() +
                              "; --listen chooses another port, 0 a free one");
   }
-  door = {address.to_string(), acceptor.local_endpoint().port()};
+  host_check = {address.to_string(), acceptor.local_endpoint().port()};
 }
 
 asio::awaitable<void> Hub::Rooms::accept() {
@@ -153,9 +152,8 @@ asio::awaitable<void> Hub::Rooms::accept() {
 
 Answer Hub::Rooms::answer(const Request& request) const {
   const std::string target(request.target());
-  if (request.method() != http::verb::get && request.method() != http::verb::head) {
+  if (request.method() != http::verb::get && request.method() != http::verb::head)
     return sentence(http::status::method_not_allowed, "only GET and HEAD here\n");
-  }
   const PageFile* file = files.find(target.substr(0, target.find('?')));
   if (file != nullptr) return {http::status::ok, file->type, file->bytes};
   return sentence(http::status::not_found, "there is no such page\n");
@@ -190,10 +188,10 @@ asio::awaitable<void> Hub::Rooms::serve(Tcp::socket socket) {
     if (origin != request.end()) from = origin->value();
     const bool socket_wanted = websocket::is_upgrade(request) && request.target() == "/ws";
     Answer reply{};
-    if (!door.is_ours(host)) {
+    if (!host_check.is_ours(host)) {
       reply = sentence(http::status::misdirected_request,
                        "that is no name of this machine: use http://127.0.0.1 and this port\n");
-    } else if (!door.may_connect(host, from)) {
+    } else if (!host_check.may_connect(host, from)) {
       reply = sentence(http::status::forbidden, "pages of other sites may not connect\n");
     } else if (socket_wanted && pages.size() < static_cast<std::size_t>(kMaxPages)) {
       co_await talk(std::move(stream), std::move(request));
@@ -214,7 +212,7 @@ asio::awaitable<void> Hub::Rooms::talk(beast::tcp_stream plain, Request request)
   plain.expires_never();
   const auto page = std::make_shared<OpenPage>(++last_id, OpenPage::Stream(std::move(plain)));
   page->stream.set_option(websocket::stream_base::timeout{kHandshake, kSilence, true});
-  page->stream.read_message_max(kMaxHeardBytes);
+  page->stream.read_message_max(kMaxReceivedBytes);
   page->stream.text(true);
   page->stream.auto_fragment(false);
   error_code ec;
@@ -223,14 +221,14 @@ asio::awaitable<void> Hub::Rooms::talk(beast::tcp_stream plain, Request request)
   pages.insert(page.get());
   if (!greeting.empty()) page->queue(greeting);
   asio::co_spawn(context, write(page), asio::detached);
-  beast::flat_buffer heard;
+  beast::flat_buffer received;
   while (page->open) {
-    heard.clear();
-    co_await page->stream.async_read(heard, asio::redirect_error(asio::use_awaitable, ec));
+    received.clear();
+    co_await page->stream.async_read(received, asio::redirect_error(asio::use_awaitable, ec));
     if (ec) break;
-    const asio::const_buffer bytes = heard.cdata();
+    const asio::const_buffer bytes = received.cdata();
     const std::string back =
-        callbacks.heard(page->id, {static_cast<const char*>(bytes.data()), bytes.size()});
+        callbacks.received(page->id, {static_cast<const char*>(bytes.data()), bytes.size()});
     if (!back.empty()) page->queue(back);
   }
   pages.erase(page.get());
@@ -260,7 +258,7 @@ Hub::Hub(const HubSettings& settings, Callbacks callbacks)
 Hub::~Hub() = default;
 
 void Hub::serve_until(std::chrono::steady_clock::time_point deadline) {
-  rooms_->context.run_until(std::max(deadline, std::chrono::steady_clock::now() + kLeast));
+  rooms_->context.run_until(std::max(deadline, std::chrono::steady_clock::now() + kMinWait));
 }
 
 void Hub::greet_with(std::string text) { rooms_->greeting = std::move(text); }
@@ -273,13 +271,12 @@ void Hub::send_latest(std::size_t kind, std::string_view text) {
   for (OpenPage* page : rooms_->pages) page->replace(kind, text);
 }
 
-void Hub::say_goodbye(std::string_view text) {
+void Hub::announce_shutdown(std::string_view text) {
   send(text);
-  const auto deadline = std::chrono::steady_clock::now() + kGoodbye;
+  const auto deadline = std::chrono::steady_clock::now() + kCloseFrame;
   const auto waits = [this] {
-    for (const OpenPage* page : rooms_->pages) {
+    for (const OpenPage* page : rooms_->pages)
       if (!page->idle()) return true;
-    }
     return false;
   };
   while (waits() && rooms_->context.run_one_until(deadline) != 0) {
@@ -288,6 +285,6 @@ void Hub::say_goodbye(std::string_view text) {
 
 int Hub::pages() const noexcept { return static_cast<int>(rooms_->pages.size()); }
 
-std::uint16_t Hub::port() const noexcept { return rooms_->door.port; }
+std::uint16_t Hub::port() const noexcept { return rooms_->host_check.port; }
 
 }  // namespace hedgehog::racer

@@ -29,7 +29,7 @@ class Hub {
 
   struct Callbacks {
     /// A page sent a text message. What it returns, unless empty, is sent back.
-    std::function<std::string(PageId, std::string_view)> heard;
+    std::function<std::string(PageId, std::string_view)> received;
     std::function<void(PageId)> left;
   };
 
@@ -38,7 +38,7 @@ class Hub {
   static constexpr int kMaxConnections = 64;
   /// Messages that wait for one page, besides the latest frame of each kind.
   static constexpr std::size_t kMaxWaiting = 64;
-  static constexpr std::size_t kMaxHeardBytes = 4096;
+  static constexpr std::size_t kMaxReceivedBytes = 4096;
 
   /// Listens. std::runtime_error: it cannot, as a sentence.
   Hub(const HubSettings& settings, Callbacks callbacks);
@@ -59,7 +59,7 @@ class Hub {
   static constexpr std::size_t kKinds = 2;
 
   /// The last message; what waits is sent, half a second at most.
-  void say_goodbye(std::string_view text);
+  void announce_shutdown(std::string_view text);
 
   int pages() const noexcept;
   std::uint16_t port() const noexcept;

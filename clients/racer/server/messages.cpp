@@ -54,12 +54,12 @@ Json with(const Pose& pose, Json more) {
 }
 
 /// A number of `message` in [least, most]; `why` says what is wrong with it.
-double number_in(const Json& message, const char* key, double least, std::string& why) {
+double number_in(const Json& message, const char* key, double lowest, std::string& why) {
   const auto found = message.find(key);
   if (found == message.end()) return 0.0;
   const double value = found->is_number() ? found->get<double>() : std::nan("");
-  if (value >= least && value <= 1.0) return value;
-  why = std::string(key) + " must be " + (least < 0.0 ? "-1 to 1" : "0 to 1");
+  if (value >= lowest && value <= 1.0) return value;
+  why = std::string(key) + " must be " + (lowest < 0.0 ? "-1 to 1" : "0 to 1");
   return 0.0;
 }
 
@@ -92,9 +92,8 @@ PageMessage mode(const Json& message) {
 std::string_view name(Mode mode) noexcept { return kModes[static_cast<std::size_t>(mode)].second; }
 
 std::optional<Mode> mode_of(std::string_view name) noexcept {
-  for (const auto& [mode, word] : kModes) {
+  for (const auto& [mode, word] : kModes)
     if (word == name) return mode;
-  }
   return std::nullopt;
 }
 
@@ -186,7 +185,7 @@ std::string lap_text(int lap, double time_s, bool best) {
   return Json{{"type", "lap"}, {"lap", lap}, {"time_s", rounded(time_s)}, {"best", best}}.dump();
 }
 
-std::string goodbye_text(std::string_view reason) {
+std::string shutdown_text(std::string_view reason) {
   return Json{{"type", "goodbye"}, {"reason", reason}}.dump();
 }
 
@@ -198,9 +197,8 @@ std::string refusal_text(std::string_view why) {
 PageMessage page_message(std::string_view text) {
   const Json message = Json::parse(text, nullptr, false);
   const auto type = message.is_object() ? message.find("type") : message.end();
-  if (!message.is_object() || type == message.end() || !type->is_string()) {
+  if (!message.is_object() || type == message.end() || !type->is_string())
     return NotUnderstood{"send one JSON object with a type"};
-  }
   const std::string& word = type->get_ref<const std::string&>();
   if (word == "keys") return keys(message);
   if (word == "reset") return ResetWanted{};

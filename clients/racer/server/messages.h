@@ -55,7 +55,7 @@ std::string ball_text(const BallView& ball);
 std::string felt_text(const Felt& felt);
 std::string lap_text(int lap, double time_s, bool best);
 /// The game ends, by itself.
-std::string goodbye_text(std::string_view reason);
+std::string shutdown_text(std::string_view reason);
 std::string refusal_text(std::string_view why);
 
 struct KeysHeld {

@@ -27,9 +27,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kTypes{{
 }};
 
 std::string_view type_of(const fs::path& file) {
-  for (const auto& [ending, type] : kTypes) {
+  for (const auto& [ending, type] : kTypes)
     if (file.extension() == ending) return type;
-  }
   return {};
 }
 
@@ -48,15 +47,11 @@ Pages::Pages(const std::string& folder) {
   std::error_code ec;
   for (fs::directory_iterator it(folder, ec), end; !ec && it != end; it.increment(ec)) {
     const std::string_view type = type_of(it->path());
-    if (type.empty() || it->is_symlink() || !it->is_regular_file()) {
-      continue;
-    }
+    if (type.empty() || it->is_symlink() || !it->is_regular_file()) continue;
     std::ifstream file(it->path(), std::ios::binary);
     std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
     total += bytes.size();
-    if (total > kMaxBytes) {
-      break;
-    }
+    if (total > kMaxBytes) break;
     files_.insert_or_assign("/" + it->path().filename().string(),
                             PageFile{std::string(type), std::move(bytes)});
   }

@@ -13,41 +13,40 @@ constexpr std::size_t kBallKind = 1;
 }  // namespace
 
 Server::Server(const HubSettings& settings, const Track& track)
-    : hub_(settings, {[this](Hub::PageId page, std::string_view text) { return heard(page, text); },
-                      [this](Hub::PageId page) { left(page); }}) {
+    : hub_(settings,
+           {[this](Hub::PageId page, std::string_view text) { return received(page, text); },
+            [this](Hub::PageId page) { left(page); }}) {
   hub_.greet_with(track_text(track));
 }
 
-void Server::tell(const Scene& scene, const Stand& stand) {
+void Server::publish(const Scene& scene, const Stand& stand) {
   if (hub_.pages() > 0) hub_.send_latest(kSceneKind, scene_text(scene, stand));
 }
 
-void Server::tell(const BallView& ball) {
+void Server::publish(const BallView& ball) {
   if (hub_.pages() > 0) hub_.send_latest(kBallKind, ball_text(ball));
 }
 
-void Server::tell(const Felt& felt) {
+void Server::publish(const Felt& felt) {
   if (hub_.pages() > 0) hub_.send(felt_text(felt));
 }
 
-void Server::tell_lap(int lap, double time_s, bool best) { hub_.send(lap_text(lap, time_s, best)); }
+void Server::publish_lap(int lap, double time_s, bool best) {
+  hub_.send(lap_text(lap, time_s, best));
+}
 
 Asked Server::take(std::chrono::steady_clock::time_point now) {
-  if (now > keys_end_) {
-    asked_.keys = {};
-  }
+  if (now > keys_end_) asked_.keys = {};
   const Controls keys = asked_.keys;
   return std::exchange(asked_, Asked{.keys = keys});
 }
 
-std::string Server::heard(Hub::PageId page, std::string_view text) {
+std::string Server::received(Hub::PageId page, std::string_view text) {
   const PageMessage message = page_message(text);
   if (const auto* held = std::get_if<KeysHeld>(&message)) {
     const Controls before = std::exchange(held_[page], held->controls);
     const bool pressed = held->controls != before && held->controls != Controls{};
-    if (page != steers_ && !pressed) {
-      return {};
-    }
+    if (page != steers_ && !pressed) return {};
     asked_.keys = held->controls;
     steers_ = page;
     keys_end_ = std::chrono::steady_clock::now() + kKeysLease;

@@ -43,19 +43,19 @@ class Server {
   void serve_until(std::chrono::steady_clock::time_point deadline) { hub_.serve_until(deadline); }
 
   /// The newest counts: a page that is too slow misses the others.
-  void tell(const Scene& scene, const Stand& stand);
-  void tell(const BallView& ball);
+  void publish(const Scene& scene, const Stand& stand);
+  void publish(const BallView& ball);
   /// One after the other.
-  void tell(const Felt& felt);
-  void tell_lap(int lap, double time_s, bool best);
-  void say_goodbye(std::string_view reason) { hub_.say_goodbye(goodbye_text(reason)); }
+  void publish(const Felt& felt);
+  void publish_lap(int lap, double time_s, bool best);
+  void announce_shutdown(std::string_view reason) { hub_.announce_shutdown(shutdown_text(reason)); }
 
   Asked take(std::chrono::steady_clock::time_point now = std::chrono::steady_clock::now());
   int pages() const noexcept { return hub_.pages(); }
   std::uint16_t port() const noexcept { return hub_.port(); }
 
  private:
-  std::string heard(Hub::PageId page, std::string_view text);
+  std::string received(Hub::PageId page, std::string_view text);
   void left(Hub::PageId page);
 
   Asked asked_{};

@@ -86,9 +86,7 @@ void write(ordered_json& out, const TrialStarted& e) {
 
 TrialStarted read_trial_started(const ordered_json& in) {
   const auto kind = trial_kind_named(in.at("kind").get<std::string>());
-  if (!kind) {
-    throw std::runtime_error("unknown kind of trial");
-  }
+  if (!kind) throw std::runtime_error("unknown kind of trial");
   return {{*kind, in.at("trial"), in.at("attempt"), in.at("level"), in.at("interval_of_test")}};
 }
 
@@ -134,9 +132,7 @@ void write(ordered_json& out, const Answered& e) {
 
 Answered read_answered(const ordered_json& in) {
   const auto answer = answer_named(in.at("answer").get<std::string>());
-  if (!answer) {
-    throw std::runtime_error("unknown answer");
-  }
+  if (!answer) throw std::runtime_error("unknown answer");
   return {*answer, in.at("response_ms")};
 }
 
@@ -152,24 +148,12 @@ void write(ordered_json& out, const Remark& e) {
 
 Event read_event(const ordered_json& in) {
   const std::string event = in.at("event");
-  if (event == "run_started") {
-    return read_run_started(in);
-  }
-  if (event == "checklist") {
-    return read_checklist(in);
-  }
-  if (event == "trial_started") {
-    return read_trial_started(in);
-  }
-  if (event == "interval") {
-    return read_interval(in);
-  }
-  if (event == "answered") {
-    return read_answered(in);
-  }
-  if (event == "voided") {
-    return Voided{in.at("reason")};
-  }
+  if (event == "run_started") return read_run_started(in);
+  if (event == "checklist") return read_checklist(in);
+  if (event == "trial_started") return read_trial_started(in);
+  if (event == "interval") return read_interval(in);
+  if (event == "answered") return read_answered(in);
+  if (event == "voided") return Voided{in.at("reason")};
   return Remark{event, in.at("text")};
 }
 

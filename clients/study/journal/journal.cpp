@@ -11,9 +11,9 @@
 #include <system_error>
 #include <utility>
 
+#include "base/atomic_file.h"
+#include "base/wall_time.h"
 #include "clients/study/journal/codec.h"
-#include "clients/study/sync_folder.h"
-#include "protocol/wall_time.h"
 
 namespace hedgehog::study {
 
@@ -36,44 +36,32 @@ Result<void> write_line(int file, const fs::path& path, const std::string& line)
   std::string_view rest = line;
   while (!rest.empty()) {
     const ssize_t written = ::write(file, rest.data(), rest.size());
-    if (written < 0 && errno == EINTR) {
-      continue;
-    }
-    if (written < 0) {
-      return cannot(EX_IOERR, path, reason_of(errno));
-    }
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return cannot(EX_IOERR, path, reason_of(errno));
     rest.remove_prefix(static_cast<std::size_t>(written));
   }
-  if (::fsync(file) != 0) {
-    return cannot(EX_IOERR, path, reason_of(errno));
-  }
+  if (::fsync(file) != 0) return cannot(EX_IOERR, path, reason_of(errno));
   return {};
 }
 
 Result<std::string> text_of(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
-  if (!file) {
-    return cannot(EX_NOINPUT, path, "cannot be read");
-  }
+  if (!file) return cannot(EX_NOINPUT, path, "cannot be read");
   return std::string{std::istreambuf_iterator<char>(file), {}};
 }
 
 }  // namespace
 
-std::string utc_now() { return protocol::rfc3339(protocol::unix_ms_now()); }
+std::string utc_now() { return base::rfc3339(base::unix_ms_now()); }
 
 Result<std::vector<Line>> read_journal(const fs::path& path) {
   const auto text = text_of(path);
-  if (!text) {
-    return text.error();
-  }
+  if (!text) return text.error();
   std::vector<Line> lines;
   std::string_view rest = *text;
   for (int number = 1; !rest.empty(); ++number) {
     const auto end = rest.find('\n');
-    if (end == std::string_view::npos) {
-      break;  // torn by a kill: what it told was never followed
-    }
+    if (end == std::string_view::npos) break;  // torn by a kill: nobody acted on it
     const std::string_view whole = rest.substr(0, end + 1);
     if (auto line = decode(whole)) {
       lines.push_back(*std::move(line));
@@ -93,28 +81,22 @@ bool has_begun(const fs::path& path) {
 
 Result<RecordedRun> read_run(const fs::path& path) {
   const auto lines = read_journal(path);
-  if (!lines) {
-    return lines.error();
-  }
+  if (!lines) return lines.error();
   auto run = RecordedRun::replay(*lines);
-  if (!run) {
-    return cannot(EX_DATAERR, path, run.error().message);
-  }
+  if (!run) return cannot(EX_DATAERR, path, run.error().message);
   return run;
 }
 
 Result<Journal> Journal::create(const fs::path& path, const RunStarted& header) {
   const int file = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
-  if (file < 0) {
-    return cannot(EX_CANTCREAT, path, reason_of(errno));
-  }
+  if (file < 0) return cannot(EX_CANTCREAT, path, reason_of(errno));
   ::flock(file, LOCK_EX | LOCK_NB);
   const Line first{1, utc_now(), header};
   if (auto written = write_line(file, path, encode(first) + "\n"); !written) {
     ::close(file);
     return written.error();
   }
-  sync_folder(path.parent_path());
+  base::sync_folder(path.parent_path().string());
   auto run = RecordedRun::replay({first});
   if (!run) {
     ::close(file);
@@ -125,9 +107,7 @@ Result<Journal> Journal::create(const fs::path& path, const RunStarted& header) 
 
 Result<Journal> Journal::open(const fs::path& path) {
   const int file = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
-  if (file < 0) {
-    return cannot(EX_NOINPUT, path, reason_of(errno));
-  }
+  if (file < 0) return cannot(EX_NOINPUT, path, reason_of(errno));
   if (::flock(file, LOCK_EX | LOCK_NB) != 0) {
     ::close(file);
     return cannot(EX_TEMPFAIL, path, "another hedgehog-study is writing it");
@@ -156,21 +136,16 @@ Journal::Journal(Journal&& other) noexcept
       run_(std::move(other.run_)) {}
 
 Journal::~Journal() {
-  if (file_ >= 0) {
-    ::close(file_);
-  }
+  if (file_ >= 0) ::close(file_);
 }
 
 Result<void> Journal::append(const Event& event) {
   const Line line{run_.lines() + 1, utc_now(), event};
   // What does not follow is never written: the copy is small, a damaged journal is not.
   RecordedRun after = run_;
-  if (auto taken = after.take(line); !taken) {
+  if (auto taken = after.take(line); !taken)
     return cannot(EX_SOFTWARE, path_, taken.error().message);
-  }
-  if (auto written = write_line(file_, path_, encode(line) + "\n"); !written) {
-    return written;
-  }
+  if (auto written = write_line(file_, path_, encode(line) + "\n"); !written) return written;
   run_ = std::move(after);
   return {};
 }

@@ -18,47 +18,39 @@ RecordedRun::RecordedRun(const RunStarted& header, std::string started)
     : header_(header), started_(std::move(started)), state_(header.experiment, header.seeds) {}
 
 Result<RecordedRun> RecordedRun::replay(const std::vector<Line>& lines) {
-  if (lines.empty() || !std::holds_alternative<RunStarted>(lines.front().event)) {
+  if (lines.empty() || !std::holds_alternative<RunStarted>(lines.front().event))
     return Problem{EX_DATAERR, "does not begin with run_started"};
-  }
   RecordedRun run(std::get<RunStarted>(lines.front().event), lines.front().time);
-  for (std::size_t i = 1; i < lines.size(); ++i) {
-    if (auto taken = run.take(lines[i]); !taken) {
-      return taken.error();
-    }
-  }
+  for (std::size_t i = 1; i < lines.size(); ++i)
+    if (auto taken = run.take(lines[i]); !taken) return taken.error();
   return run;
 }
 
 bool RecordedRun::blind() const noexcept {
-  return header_.blind || std::any_of(remarks_.begin(), remarks_.end(), [](const Line& line) {
-           return std::get<Remark>(line.event).kind == "blind";
-         });
+  return header_.blind ||
+         std::any_of(
+             remarks_.begin(), remarks_.end(),
+             [](const Line& line) { return std::get<Remark>(line.event).kind == "blind"; });
 }
 
 Result<void> RecordedRun::take(const Line& line) {
-  if (line.number != lines_ + 1) {
+  if (line.number != lines_ + 1)
     return wrong(line, "comes after " + std::to_string(lines_) + ": lines are missing");
-  }
-  if (auto applied = apply(line); !applied) {
-    return applied;
-  }
+  if (auto applied = apply(line); !applied) return applied;
   ++lines_;
   return {};
 }
 
 Result<void> RecordedRun::apply(const Line& line) {
-  if (std::holds_alternative<RunStarted>(line.event)) {
+  if (std::holds_alternative<RunStarted>(line.event))
     return wrong(line, "a second run begins in the middle of one");
-  }
   if (const auto* checklist = std::get_if<Checklist>(&line.event)) {
     checklist_ = *checklist;
     return {};
   }
   if (const auto* begun = std::get_if<TrialStarted>(&line.event)) {
-    if (open_ || state_.next() != begun->trial) {
+    if (open_ || state_.next() != begun->trial)
       return wrong(line, "this is not the trial that was due");
-    }
     open_ = TrialRecord{
         .trial = begun->trial, .time = line.time, .after_absence = std::exchange(absent_, false)};
     return {};
@@ -69,18 +61,15 @@ Result<void> RecordedRun::apply(const Line& line) {
     remarks_.push_back(line);
     return {};
   }
-  if (!open_) {
-    return wrong(line, "belongs to a trial, and none is open");
-  }
+  if (!open_) return wrong(line, "belongs to a trial, and none is open");
   if (const auto* played = std::get_if<IntervalPlayed>(&line.event)) {
     open_->intervals.push_back(*played);
     open_->played = line.time;
     return {};
   }
   if (const auto* answered = std::get_if<Answered>(&line.event)) {
-    if (!fits(answered->answer, header_.experiment.task)) {
+    if (!fits(answered->answer, header_.experiment.task))
       return wrong(line, "that is no answer to this question");
-    }
     return close(*answered);
   }
   open_->void_reason = std::get<Voided>(line.event).reason;

@@ -97,9 +97,7 @@ Result<void> write(const fs::path& file, const std::string& text) {
   std::ofstream out(file, std::ios::binary);
   out << text;
   out.flush();
-  if (!out) {
-    return Problem{EX_IOERR, file.string() + ": cannot be written"};
-  }
+  if (!out) return Problem{EX_IOERR, file.string() + ": cannot be written"};
   return {};
 }
 
@@ -111,9 +109,7 @@ Result<void> in_one_go(const fs::path& path,
   auto made = make(unfinished);
   if (made) {
     fs::rename(unfinished, path, failed);
-    if (!failed) {
-      return made;
-    }
+    if (!failed) return made;
     made = Problem{EX_CANTCREAT, path.string() + ": " + failed.message()};
   }
   fs::remove_all(unfinished, failed);
@@ -125,26 +121,21 @@ std::string table(const RecordedRun& run, std::string (*line)(const std::vector<
   std::string text;
   if (heading) {
     std::vector<std::string> names;
-    for (const Column& column : columns()) {
-      names.emplace_back(column.name);
-    }
+    for (const Column& column : columns()) names.emplace_back(column.name);
     text = line(names) + "\n";
   }
-  for (const auto& row : rows_of(run)) {
-    text += line(row) + "\n";
-  }
+  for (const auto& row : rows_of(run)) text += line(row) + "\n";
   return text;
 }
 
 std::string participants_table(const std::vector<AnalysedRun>& runs) {
   // The latest check list of each.
   std::map<std::string, Checklist> people;
-  for (const AnalysedRun& run : runs) {
+  for (const AnalysedRun& run : runs)
     people[run.name.participant] = run.run.checklist().value_or(people[run.name.participant]);
-  }
   std::string text = "participant_id\thand_size_cm\tdominant_hand\tage_band\n";
   for (const auto& [id, list] : people) {
-    const auto known = [](const std::string& said) { return said.empty() ? "n/a" : said; };
+    const auto known = [](const std::string& given) { return given.empty() ? "n/a" : given; };
     text += tsv_line({"sub-" + bids_label(id),
                       list.hand_size_cm ? ordered_json(*list.hand_size_cm).dump() : "n/a",
                       known(list.dominant_hand), known(list.age_band)}) +
@@ -196,9 +187,7 @@ std::string bids_sidecar(const AnalysedRun& analysed) {
                     {"HeadphoneCheck", list.headphones},
                     {"HandOnTopCheck", list.hand_on_top},
                     {"Remarks", remarks}};
-  for (const Column& column : columns()) {
-    file[column.name] = {{"Description", column.description}};
-  }
+  for (const Column& column : columns()) file[column.name] = {{"Description", column.description}};
   return file.dump(2) + "\n";
 }
 
@@ -210,12 +199,9 @@ Result<void> write_folder(const fs::path& folder, const StudyFolder& study,
   for (const AnalysedRun& run : runs) {
     const fs::path base = folder / bids_name(run);
     fs::create_directories(base.parent_path(), failed);
-    if (auto written = write(base.string() + ".tsv", table(run.run, tsv_line, true)); !written) {
+    if (auto written = write(base.string() + ".tsv", table(run.run, tsv_line, true)); !written)
       return written;
-    }
-    if (auto written = write(base.string() + ".json", bids_sidecar(run)); !written) {
-      return written;
-    }
+    if (auto written = write(base.string() + ".json", bids_sidecar(run)); !written) return written;
   }
   const ordered_json description{
       {"Name", study.path().filename().string()},
@@ -224,9 +210,8 @@ Result<void> write_folder(const fs::path& folder, const StudyFolder& study,
       {"GeneratedBy", {{{"Name", "hedgehog-study"}, {"Version", HEDGEHOG_VERSION}}}}};
   fs::create_directories(folder, failed);
   if (auto written = write(folder / "dataset_description.json", description.dump(2) + "\n");
-      !written) {
+      !written)
     return written;
-  }
   return write(folder / "participants.tsv", participants_table(runs));
 }
 
@@ -235,33 +220,27 @@ Result<void> write_folder(const fs::path& folder, const StudyFolder& study,
 Result<void> write_bids(const fs::path& folder, const StudyFolder& study,
                         const std::vector<AnalysedRun>& runs) {
   std::error_code failed;
-  if (fs::exists(folder, failed)) {
+  if (fs::exists(folder, failed))
     return Problem{EX_CANTCREAT, folder.string() + " is there already; --out names another"};
-  }
   std::set<std::string> people;
   std::set<std::string> experiments;
   for (const AnalysedRun& run : runs) {
     people.insert(run.name.participant);
     experiments.insert(run.name.experiment);
   }
-  for (const auto& mistaken : {mistakable(people, "sub-"), mistakable(experiments, "task-")}) {
-    if (mistaken) {
-      return *mistaken;
-    }
-  }
+  for (const auto& mistaken : {mistakable(people, "sub-"), mistakable(experiments, "task-")})
+    if (mistaken) return *mistaken;
   return in_one_go(
       folder, [&](const fs::path& unfinished) { return write_folder(unfinished, study, runs); });
 }
 
 Result<void> write_csv(const fs::path& file, const std::vector<AnalysedRun>& runs) {
   std::error_code failed;
-  if (fs::exists(file, failed)) {
+  if (fs::exists(file, failed))
     return Problem{EX_CANTCREAT, file.string() + " is there already; --out names another"};
-  }
   const fs::path beside = file.string() + ".json";
-  if (fs::exists(beside, failed)) {
+  if (fs::exists(beside, failed))
     return Problem{EX_CANTCREAT, beside.string() + " is there already; --out names another"};
-  }
   std::string text;
   ordered_json headers = ordered_json::array();
   for (const AnalysedRun& run : runs) {
@@ -273,13 +252,9 @@ Result<void> write_csv(const fs::path& file, const std::vector<AnalysedRun>& run
   const auto put = [](const fs::path& path, const std::string& content) {
     return in_one_go(path, [&](const fs::path& unfinished) { return write(unfinished, content); });
   };
-  if (auto written = put(beside, headers.dump(2) + "\n"); !written) {
-    return written;
-  }
+  if (auto written = put(beside, headers.dump(2) + "\n"); !written) return written;
   auto written = put(file, text);
-  if (!written) {
-    fs::remove(beside, failed);
-  }
+  if (!written) fs::remove(beside, failed);
   return written;
 }
 

@@ -25,9 +25,8 @@ bool is_as_in_thesis(const Experiment& experiment) {
   for (const char* preset : {"force-threshold-thesis", "force-jnd", "speed-jnd"}) {
     const auto thesis = find_experiment(preset);
     if (thesis && thesis->quantity == experiment.quantity && thesis->task == experiment.task &&
-        thesis->rule == experiment.rule && thesis->pattern == experiment.pattern) {
+        thesis->rule == experiment.rule && thesis->pattern == experiment.pattern)
       return true;
-    }
   }
   return false;
 }
@@ -74,29 +73,23 @@ void choose(std::vector<AnalysedRun>& all) {
   }
   // Sorted by run: the last finished one of each takes the place of those before.
   for (std::size_t i = 0; i < all.size(); ++i) {
-    for (std::size_t j = 0; j < i && all[i].in_group; ++j) {
-      if (all[j].name.participant == all[i].name.participant && same(all[j], all[i])) {
+    for (std::size_t j = 0; j < i && all[i].in_group; ++j)
+      if (all[j].name.participant == all[i].name.participant && same(all[j], all[i]))
         all[j].in_group = false;
-      }
-    }
   }
 }
 
 std::vector<AnalysedGroup> groups_of(const StudyFolder& study,
                                      const std::vector<AnalysedRun>& runs) {
   std::vector<std::string> names = study.plan().experiments;
-  for (const AnalysedRun& run : runs) {
-    if (std::find(names.begin(), names.end(), run.name.experiment) == names.end()) {
+  for (const AnalysedRun& run : runs)
+    if (std::find(names.begin(), names.end(), run.name.experiment) == names.end())
       names.push_back(run.name.experiment);
-    }
-  }
   std::vector<AnalysedGroup> groups;
   for (const std::string& name : names) {
     const std::size_t first = groups.size();
     for (const AnalysedRun& run : runs) {
-      if (!run.in_group || run.name.experiment != name) {
-        continue;
-      }
+      if (!run.in_group || run.name.experiment != name) continue;
       const Experiment& experiment = run.run.header().experiment;
       const auto place =
           std::find_if(groups.begin() + static_cast<std::ptrdiff_t>(first), groups.end(),

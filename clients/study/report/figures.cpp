@@ -74,9 +74,7 @@ bool start_gnuplot(const fs::path& folder, int& status) {
   pid_t process = -1;
   const int failed = posix_spawnp(&process, program.c_str(), &files, nullptr, arguments, environ);
   posix_spawn_file_actions_destroy(&files);
-  if (failed != 0) {
-    return false;
-  }
+  if (failed != 0) return false;
   while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
   }
   return true;
@@ -104,15 +102,12 @@ std::string staircase_plot(const AnalysedRun& analysed) {
   double top = 0.0;
   int trials = 0;
   for (const TrialRecord& trial : analysed.run.trials()) {
-    if (!trial.step) {
-      continue;
-    }
+    if (!trial.step) continue;
     const double level = to_value(trial.trial.level, experiment.decimals());
     const std::string point = std::to_string(trial.trial.number) + " " + decimal(level);
     levels += point + (trial.positive ? " 1\n" : " 0\n");
-    if (trial.step->reversal > 0) {
+    if (trial.step->reversal > 0)
       reversals += point + " " + std::to_string(trial.step->reversal) + "\n";
-    }
     top = std::max(top, level);
     trials = std::max(trials, trial.trial.number);
   }
@@ -206,22 +201,17 @@ Result<void> draw(const fs::path& folder, const std::vector<AnalysedRun>& runs,
                   const std::vector<AnalysedGroup>& groups) {
   constexpr int kPanel = 300;
   std::string script;
-  for (const AnalysedRun& run : runs) {
-    if (run.run.state().staircase().state().scored > 0) {
+  for (const AnalysedRun& run : runs)
+    if (run.run.state().staircase().state().scored > 0)
       script += twice(figure_name(run), 720, 400, staircase_plot(run));
-    }
-  }
-  if (!groups.empty()) {
+  if (!groups.empty())
     script += twice("groups", kPanel * static_cast<int>(groups.size()), 420, group_plot(groups));
-  }
   std::ofstream(folder / kScript) << script;
   int status = 0;
-  if (!start_gnuplot(folder, status)) {
+  if (!start_gnuplot(folder, status))
     return Problem{EX_UNAVAILABLE, "no figures: gnuplot is not installed"};
-  }
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
     return Problem{EX_UNAVAILABLE, "no figures: gnuplot failed, see " + (folder / kLog).string()};
-  }
   return {};
 }
 

@@ -94,15 +94,13 @@ std::string run_row(const AnalysedRun& analysed) {
   const auto& shown = analysed.run.state().shown();
   const auto& right = analysed.run.state().right();
   row += print("<td class=n>%d<td class=n>%d<td class=n>", a.scored, analysed.run.state().voids());
-  if (shown[0] + shown[1] > 0) {
+  if (shown[0] + shown[1] > 0)
     row += print("%d/%d, %d/%d", right[0], shown[0], right[1], shown[1]);
-  } else {
+  else
     row += print("%d of %d", analysed.run.state().false_alarms(), analysed.run.state().catches());
-  }
   row += "<td class=flag>";
-  for (std::size_t i = 0; i < a.flags.size(); ++i) {
+  for (std::size_t i = 0; i < a.flags.size(); ++i)
     row += (i == 0 ? "" : ", ") + std::string(name(a.flags[i]));
-  }
   return row +
          (analysed.run.header().simulated_person ? " <span class=quiet>simulated</span>"
           : analysed.is_rehearsal()              ? " <span class=quiet>simulated ball</span>"
@@ -148,9 +146,8 @@ std::string level_table(const std::vector<AnalysedGroup>& groups) {
 std::string flag_table() {
   std::string page = "<h2>What the flags mean</h2>\n<table>\n";
   for (const Flag flag : {Flag::kNotFinished, Flag::kCeiling, Flag::kEarlyFloor, Flag::kFalseAlarms,
-                          Flag::kGuessing, Flag::kZeroLevel, Flag::kDisagreement}) {
+                          Flag::kGuessing, Flag::kZeroLevel, Flag::kDisagreement})
     page += "<tr><td class=flag>" + std::string(name(flag)) + "<td>" + meaning(flag) + "</tr>\n";
-  }
   return page + "</table>\n";
 }
 
@@ -186,13 +183,9 @@ std::string report_page(const StudyFolder& study, const std::vector<AnalysedRun>
       "<h2>Runs</h2>\n<table><tr><th>who<th>experiment<th class=n>run<th class=n>threshold"
       "<th class=n>95 % of the fit<th class=n>fit<th class=n>trials<th class=n>voids"
       "<th class=n>right with the test 1st, 2nd;<br>yes in catch trials<th>flags</tr>\n";
-  for (const AnalysedRun& run : runs) {
-    page += run_row(run);
-  }
+  for (const AnalysedRun& run : runs) page += run_row(run);
   page += "</table>\n" + flag_table() + level_table(groups) + "<h2>Staircases</h2>\n";
-  for (const AnalysedRun& run : runs) {
-    page += figure(figures / (figure_name(run) + ".svg"));
-  }
+  for (const AnalysedRun& run : runs) page += figure(figures / (figure_name(run) + ".svg"));
   return page + "</body></html>\n";
 }
 

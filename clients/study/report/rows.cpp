@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "protocol/wall_time.h"
+#include "base/wall_time.h"
 
 namespace hedgehog::study {
 
@@ -28,9 +28,7 @@ std::string or_none(const std::optional<T>& value, Text text) {
 
 /// The level as it was delivered: the nominal one, times what the limiter let through.
 std::string presented(const Experiment& e, const IntervalPlayed& test) {
-  if (!test.delivered_mean && e.quantity != Quantity::kSpeedPercent) {
-    return kNone;
-  }
+  if (!test.delivered_mean && e.quantity != Quantity::kSpeedPercent) return kNone;
   const double current = test.stimulus.current_a * test.delivered_mean.value_or(0.0);
   switch (e.quantity) {
     case Quantity::kCurrentPercent:
@@ -58,15 +56,13 @@ class RunClock {
   /// Of each block, in order. Nothing when there was none or it cannot be known.
   std::optional<std::int64_t> onset_of(const TrialRecord& record) {
     absent_ = absent_ || record.after_absence;
-    if (record.intervals.empty()) {
-      return std::nullopt;
-    }
+    if (record.intervals.empty()) return std::nullopt;
     const IntervalPlayed& first = record.intervals.front();
     const IntervalPlayed& last = record.intervals.back();
     const bool absent = std::exchange(absent_, false);
     if (zero_ && before_ && (absent || first.command_ns < before_->command_ns)) {
-      const auto ended_ms = protocol::parse_rfc3339(before_->played);
-      const auto begun_ms = protocol::parse_rfc3339(record.time);
+      const auto ended_ms = base::parse_rfc3339(before_->played);
+      const auto begun_ms = base::parse_rfc3339(record.time);
       lost_ = lost_ || !ended_ms || !begun_ms;
       *zero_ += first.command_ns - before_->end_ns;
       *zero_ -= lost_ ? 0 : 1'000'000 * std::max<std::int64_t>(0, *begun_ms - *ended_ms);
@@ -200,9 +196,7 @@ std::string csv_line(const std::vector<std::string>& cells) {
       continue;
     }
     line += '"';
-    for (const char c : cell) {
-      line.append(c == '"' ? 2 : 1, c);
-    }
+    for (const char c : cell) line.append(c == '"' ? 2 : 1, c);
     line += '"';
   }
   return line;
@@ -212,9 +206,7 @@ std::string tsv_line(const std::vector<std::string>& cells) {
   std::string line;
   for (const std::string& cell : cells) {
     line += &cell == &cells.front() ? "" : "\t";
-    for (const char c : cell) {
-      line += c == '\t' || c == '\n' || c == '\r' ? ' ' : c;
-    }
+    for (const char c : cell) line += c == '\t' || c == '\n' || c == '\r' ? ' ' : c;
   }
   return line;
 }

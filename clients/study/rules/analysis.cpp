@@ -15,9 +15,7 @@ constexpr double kCoinLevel = 0.05;
 constexpr double kPercent = 100.0;
 
 bool is_guessing(const Experiment& experiment, const RunState& run) {
-  if (experiment.task == Task::kYesNo || run.judgements().empty()) {
-    return false;
-  }
+  if (experiment.task == Task::kYesNo || run.judgements().empty()) return false;
   const auto right = std::count_if(run.judgements().begin(), run.judgements().end(),
                                    [](const Judgement& j) { return j.positive; });
   return coin_tail(static_cast<int>(right), static_cast<int>(run.judgements().size())) > kCoinLevel;
@@ -27,9 +25,7 @@ std::vector<Flag> flags_of(const Experiment& experiment, const RunState& run) {
   std::vector<Flag> flags;
   const StaircaseState& state = run.staircase().state();
   const auto raise = [&](Flag flag, bool raised) {
-    if (raised) {
-      flags.push_back(flag);
-    }
+    if (raised) flags.push_back(flag);
   };
   raise(Flag::kNotFinished, run.staircase().status() != Status::kFinished);
   raise(Flag::kCeiling, state.ceiling_hits > 0);
@@ -58,13 +54,9 @@ std::optional<std::pair<double, double>> bootstrap(const Experiment& experiment,
         simulate_run(experiment, observer,
                      draw_bits(options.seed, Purpose::kBootstrap, {word_of(experiment.name)}),
                      static_cast<std::uint64_t>(i), false);
-    if (again.status == Status::kFinished) {
-      estimates.push_back(again.estimate);
-    }
+    if (again.status == Status::kFinished) estimates.push_back(again.estimate);
   }
-  if (estimates.empty()) {
-    return std::nullopt;
-  }
+  if (estimates.empty()) return std::nullopt;
   return std::pair(quantile(estimates, 0.025), quantile(estimates, 0.975));
 }
 
@@ -121,25 +113,20 @@ RunAnalysis analyse(const Experiment& experiment, const RunState& run,
   result.scored = staircase.state().scored;
   result.flags = flags_of(experiment, run);
   const std::vector<Level> counted = staircase.counted_reversals();
-  if (counted.empty()) {
-    return result;
-  }
+  if (counted.empty()) return result;
   result.threshold = mean_value(counted, experiment.decimals());
   result.threshold_text = mean_decimal(counted, experiment.decimals());
   std::vector<double> values;
   values.reserve(counted.size());
-  for (const Level level : counted) {
-    values.push_back(to_value(level, experiment.decimals()));
-  }
+  for (const Level level : counted) values.push_back(to_value(level, experiment.decimals()));
   result.reversal_sd = standard_deviation(values);
 
   const double guess = experiment.task == Task::kYesNo ? false_alarm_rate(run, options) : 0.5;
   result.fit = fit_weibull(experiment, run.judgements(), guess, options.lapse);
   result.interval = bootstrap(experiment, result.fit->observer, options);
   if (result.interval &&
-      (*result.threshold < result.interval->first || *result.threshold > result.interval->second)) {
+      (*result.threshold < result.interval->first || *result.threshold > result.interval->second))
     result.flags.push_back(Flag::kDisagreement);
-  }
   switch (experiment.quantity) {
     case Quantity::kCurrentA:
       result.force_n = *result.threshold * options.force_n_per_a;

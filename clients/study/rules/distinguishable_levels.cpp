@@ -14,7 +14,7 @@ constexpr double kPrimeOfJnd = 1.1902;
 constexpr double kTwoPrime = 2.0;
 // A ratio that is a whole number of steps shall not lose one to rounding.
 constexpr double kStepSlack = 1e-9;
-constexpr double kMostSteps = 1e9;
+constexpr double kMaxSteps = 1e9;
 
 // Of the thesis, section 3.2.4.
 constexpr double kAboutForce = 10.0;
@@ -37,9 +37,7 @@ std::string with_commas(double number) {
   char plain[32];
   std::snprintf(plain, sizeof plain, "%.0f", number);
   std::string text = plain;
-  for (std::size_t at = text.size(); at > 3; at -= 3) {
-    text.insert(at - 3, ",");
-  }
+  for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, ",");
   return text;
 }
 
@@ -54,9 +52,7 @@ std::string range_text(double low, double high, const char* unit) {
 LevelCount count_levels(double low, double high, double fraction, Spacing spacing, double reference,
                         double apart) {
   LevelCount count;
-  if (!(low > 0.0 && low < high && fraction > 0.0)) {
-    return count;
-  }
+  if (!(low > 0.0 && low < high && fraction > 0.0)) return count;
   switch (spacing) {
     case Spacing::kWeber:
       count.steps = std::log(high / low) / (apart * std::log1p(fraction));
@@ -68,29 +64,29 @@ LevelCount count_levels(double low, double high, double fraction, Spacing spacin
       count.steps = std::log(high / low) / (apart * std::log1p(fraction)) * kPrimeOfJnd / kTwoPrime;
       break;
   }
-  count.levels = static_cast<int>(std::min(std::floor(count.steps + kStepSlack), kMostSteps)) + 1;
+  count.levels = static_cast<int>(std::min(std::floor(count.steps + kStepSlack), kMaxSteps)) + 1;
   return count;
 }
 
 std::vector<LevelFormula> level_formulas(double threshold_a, double force_fraction,
-                                         double speed_fraction, double most_a, double continuous_a,
+                                         double speed_fraction, double max_a, double continuous_a,
                                          double reference_pins_s) {
   const double a = continuous_a;
   const double s = reference_pins_s;
-  const std::string whole = range_text(threshold_a, most_a, "A");
-  const std::string upper = range_text(continuous_a, most_a, "A");
+  const std::string whole = range_text(threshold_a, max_a, "A");
+  const std::string upper = range_text(continuous_a, max_a, "A");
   const std::string lasting = range_text(threshold_a, continuous_a, "A");
   const char* weber = "Weber: ln(hi/lo) / ln(1+w)";
   const char* constant = "constant: (hi-lo) / (w ref)";
   const LevelCount to_spikes =
-      count_levels(continuous_a, most_a, force_fraction, Spacing::kWeber, a);
+      count_levels(continuous_a, max_a, force_fraction, Spacing::kWeber, a);
   const LevelCount two_apart =
-      count_levels(threshold_a, most_a, force_fraction, Spacing::kConstant, a, 2.0);
+      count_levels(threshold_a, max_a, force_fraction, Spacing::kConstant, a, 2.0);
   const LevelCount two_prime =
-      count_levels(threshold_a, most_a, force_fraction, Spacing::kWeberTwoPrime, a);
+      count_levels(threshold_a, max_a, force_fraction, Spacing::kWeberTwoPrime, a);
   const LevelCount to_100 = count_levels(1, 100, speed_fraction, Spacing::kConstant, s);
   return {
-      {whole, weber, count_levels(threshold_a, most_a, force_fraction, Spacing::kWeber, a),
+      {whole, weber, count_levels(threshold_a, max_a, force_fraction, Spacing::kWeber, a),
        "the default"},
       {lasting, weber, count_levels(threshold_a, continuous_a, force_fraction, Spacing::kWeber, a),
        "without overheating"},
@@ -98,7 +94,7 @@ std::vector<LevelFormula> level_formulas(double threshold_a, double force_fracti
       {whole, "constant, two JND apart: (hi-lo) / (2 w ref)", two_apart,
        as_stated(two_apart.steps, kAboutForce)},
       {whole, "Weber, d' = 2 apart", two_prime, ""},
-      {whole, constant, count_levels(threshold_a, most_a, force_fraction, Spacing::kConstant, a),
+      {whole, constant, count_levels(threshold_a, max_a, force_fraction, Spacing::kConstant, a),
        ""},
       {range_text(1, 50, "pins/s"), weber, count_levels(1, 50, speed_fraction, Spacing::kWeber, s),
        ""},
@@ -109,12 +105,12 @@ std::vector<LevelFormula> level_formulas(double threshold_a, double force_fracti
 }
 
 std::vector<std::string> level_remarks(double threshold_a, double force_fraction,
-                                       double speed_fraction, double most_a, double continuous_a,
+                                       double speed_fraction, double max_a, double continuous_a,
                                        double reference_pins_s) {
   const double ratio = std::pow(1.0 + speed_fraction, kAboutSpeed);
   const double span = kAboutSpeed * speed_fraction * reference_pins_s;
   const LevelCount force =
-      count_levels(threshold_a, most_a, force_fraction, Spacing::kConstant, continuous_a);
+      count_levels(threshold_a, max_a, force_fraction, Spacing::kConstant, continuous_a);
   const LevelCount speed =
       count_levels(1, 50, speed_fraction, Spacing::kConstant, reference_pins_s);
   char weber[160];

@@ -36,13 +36,13 @@ struct LevelFormula {
 
 /// For a threshold in A, Weber fractions of force and speed, and the ball's most current.
 std::vector<LevelFormula> level_formulas(double threshold_a, double force_fraction,
-                                         double speed_fraction, double most_a = 15.0,
+                                         double speed_fraction, double max_a = 15.0,
                                          double continuous_a = 5.0, double reference_pins_s = 10.0);
 
 /// What the table cannot show: which range of speed 20 steps would need, and what follows for the
 /// thesis' two numbers. A sentence a line.
 std::vector<std::string> level_remarks(double threshold_a, double force_fraction,
-                                       double speed_fraction, double most_a = 15.0,
+                                       double speed_fraction, double max_a = 15.0,
                                        double continuous_a = 5.0, double reference_pins_s = 10.0);
 
 }  // namespace hedgehog::study

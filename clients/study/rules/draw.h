@@ -31,18 +31,14 @@ constexpr std::uint64_t mixed(std::uint64_t z) noexcept {
 /// FNV-1a, to put names into draws.
 constexpr std::uint64_t word_of(std::string_view text) noexcept {
   std::uint64_t hash = 0xCBF29CE484222325u;
-  for (const char c : text) {
-    hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3u;
-  }
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3u;
   return hash;
 }
 
 constexpr std::uint64_t draw_bits(std::uint64_t seed, Purpose purpose,
                                   std::initializer_list<std::uint64_t> words) noexcept {
   std::uint64_t hash = mixed(mixed(seed) ^ static_cast<std::uint64_t>(purpose));
-  for (const std::uint64_t word : words) {
-    hash = mixed(hash ^ mixed(word));
-  }
+  for (const std::uint64_t word : words) hash = mixed(hash ^ mixed(word));
   return hash;
 }
 

@@ -8,9 +8,7 @@ namespace hedgehog::study {
 
 int StaircaseRule::total_reversals() const noexcept {
   std::int64_t total = 0;
-  for (const Stage& stage : stages) {
-    total += stage.reversals;
-  }
+  for (const Stage& stage : stages) total += stage.reversals;
   return static_cast<int>(std::min<std::int64_t>(total, std::numeric_limits<int>::max()));
 }
 

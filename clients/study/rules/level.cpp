@@ -12,9 +12,7 @@ constexpr int kMeanPlaces = 12;
 
 Level power_of_ten(int exponent) noexcept {
   Level power = 1;
-  for (int i = 0; i < exponent; ++i) {
-    power *= 10;
-  }
+  for (int i = 0; i < exponent; ++i) power *= 10;
   return power;
 }
 
@@ -29,9 +27,7 @@ std::string exact_decimal(Level level, int decimals) {
                   static_cast<std::size_t>(decimals) -
                       std::min(fraction.size(), static_cast<std::size_t>(decimals)),
                   '0');
-  while (!fraction.empty() && fraction.back() == '0') {
-    fraction.pop_back();
-  }
+  while (!fraction.empty() && fraction.back() == '0') fraction.pop_back();
   return fraction.empty() ? text : text + "." + fraction;
 }
 
@@ -48,9 +44,7 @@ std::string mean_decimal(std::span<const Level> levels, int decimals) {
     quotient = quotient * 10 + rest / count;
     rest %= count;
   }
-  if (2 * rest > count || (2 * rest == count && quotient % 2 == 1)) {
-    ++quotient;
-  }
+  if (2 * rest > count || (2 * rest == count && quotient % 2 == 1)) ++quotient;
   return exact_decimal(negative ? -quotient : quotient, kMeanPlaces);
 }
 
@@ -67,9 +61,8 @@ std::optional<Level> from_value(double value, int decimals) noexcept {
   constexpr double kFarthest = 1e12;
   constexpr double kSlack = 1e-6;
   const double scaled = value * static_cast<double>(power_of_ten(decimals));
-  if (!(std::abs(scaled) < kFarthest) || std::abs(scaled - std::round(scaled)) > kSlack) {
+  if (!(std::abs(scaled) < kFarthest) || std::abs(scaled - std::round(scaled)) > kSlack)
     return std::nullopt;
-  }
   return static_cast<Level>(std::llround(scaled));
 }
 

@@ -43,15 +43,10 @@ double Observer::positive_at(double level) const noexcept {
 
 double Observer::level_at(double probability) const noexcept {
   const double share = (probability - guess) / (1.0 - guess - lapse);
-  if (share <= 0.0) {
-    return 0.0;
-  }
-  if (share >= 1.0) {
-    return std::numeric_limits<double>::infinity();
-  }
-  if (curve == Curve::kWeibull) {
+  if (share <= 0.0) return 0.0;
+  if (share >= 1.0) return std::numeric_limits<double>::infinity();
+  if (curve == Curve::kWeibull)
     return threshold * std::pow(weibull_rate(share) / weibull_rate(at_threshold), 1.0 / slope);
-  }
   return std::max(
       0.0, threshold + std::log(odds_of(share) / odds_of(at_threshold)) / logistic_rate(*this));
 }

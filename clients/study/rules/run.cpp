@@ -18,11 +18,8 @@ std::string_view name(TrialKind kind) noexcept {
 }
 
 std::optional<TrialKind> trial_kind_named(std::string_view text) noexcept {
-  for (const TrialKind kind : {TrialKind::kPractice, TrialKind::kScored, TrialKind::kCatch}) {
-    if (name(kind) == text) {
-      return kind;
-    }
-  }
+  for (const TrialKind kind : {TrialKind::kPractice, TrialKind::kScored, TrialKind::kCatch})
+    if (name(kind) == text) return kind;
   return std::nullopt;
 }
 
@@ -41,11 +38,8 @@ std::string_view name(Answer answer) noexcept {
 }
 
 std::optional<Answer> answer_named(std::string_view text) noexcept {
-  for (const Answer answer : {Answer::kNo, Answer::kYes, Answer::kFirst, Answer::kSecond}) {
-    if (name(answer) == text) {
-      return answer;
-    }
-  }
+  for (const Answer answer : {Answer::kNo, Answer::kYes, Answer::kFirst, Answer::kSecond})
+    if (name(answer) == text) return answer;
   return std::nullopt;
 }
 
@@ -61,9 +55,7 @@ RunState::RunState(const Experiment& experiment, const RunSeeds& seeds, bool pra
 
 bool RunState::catch_is_due() const noexcept {
   const int number = staircase_.state().scored + 1;
-  if (experiment_.catch_one_in == 0 || catch_done_ || number == 1) {
-    return false;
-  }
+  if (experiment_.catch_one_in == 0 || catch_done_ || number == 1) return false;
   // At most one before each scored trial, so that two never meet; one in N of all presentations
   // are N - 1 scored ones to each.
   const double rate = 1.0 / (experiment_.catch_one_in - 1);
@@ -72,9 +64,7 @@ bool RunState::catch_is_due() const noexcept {
 }
 
 int RunState::interval_of_test(TrialKind kind, int number) const noexcept {
-  if (experiment_.task == Task::kYesNo) {
-    return 0;
-  }
+  if (experiment_.task == Task::kYesNo) return 0;
   const bool balanced = experiment_.order == IntervalOrder::kBalanced;
   const auto drawn = static_cast<std::uint64_t>(balanced ? (number + 1) / 2 : number);
   const bool second = draw(seeds_.order, Purpose::kIntervalOrder,
@@ -84,9 +74,7 @@ int RunState::interval_of_test(TrialKind kind, int number) const noexcept {
 }
 
 std::optional<Trial> RunState::next() const {
-  if (staircase_.over()) {
-    return std::nullopt;
-  }
+  if (staircase_.over()) return std::nullopt;
   Trial trial;
   trial.attempt = attempt_;
   trial.level = staircase_.level();

@@ -45,12 +45,10 @@ SimulatedRun simulate_run(const Experiment& experiment, const Observer& observer
   run.scored = staircase.state().scored;
   run.ceiling_hit = staircase.state().ceiling_hits > 0;
   run.status = staircase.status();
-  if (const auto counted = staircase.counted_reversals(); !counted.empty()) {
+  if (const auto counted = staircase.counted_reversals(); !counted.empty())
     run.estimate = mean_value(counted, experiment.decimals());
-  }
-  if (with_fit) {
+  if (with_fit)
     run.fitted = fit_weibull(experiment, run.judgements, observer.guess, observer.lapse).threshold;
-  }
   return run;
 }
 
@@ -72,9 +70,7 @@ std::vector<SimulatedRun> simulate(const Experiment& experiment, const Populatio
     }
   };
   std::vector<std::jthread> workers;
-  for (int t = 1; t < threads; ++t) {
-    workers.emplace_back(work, static_cast<std::size_t>(t));
-  }
+  for (int t = 1; t < threads; ++t) workers.emplace_back(work, static_cast<std::size_t>(t));
   work(0);
   workers.clear();
   return runs;
@@ -98,9 +94,7 @@ SimulationSummary summarise(const Experiment& experiment, const std::vector<Simu
     early_floor += run.floor_before_first_reversal ? 1.0 : 0.0;
     ceiling += run.ceiling_hit ? 1.0 : 0.0;
     trials.push_back(run.scored);
-    if (run.status != Status::kFinished) {
-      continue;
-    }
+    if (run.status != Status::kFinished) continue;
     const double error = run.estimate - run.true_point;
     truths.push_back(run.true_point);
     estimates.push_back(run.estimate);
@@ -116,9 +110,7 @@ SimulationSummary summarise(const Experiment& experiment, const std::vector<Simu
   summary.floor_share = floor / all;
   summary.floor_before_first_reversal_share = early_floor / all;
   summary.ceiling_share = ceiling / all;
-  if (estimates.empty()) {
-    return summary;
-  }
+  if (estimates.empty()) return summary;
   const double count = static_cast<double>(estimates.size());
   summary.true_mean = mean(truths);
   summary.estimate_mean = mean(estimates);
@@ -135,7 +127,7 @@ SimulationSummary summarise(const Experiment& experiment, const std::vector<Simu
   summary.trials_5 = quantile(trials, 0.05);
   summary.trials_50 = quantile(trials, 0.5);
   summary.trials_95 = quantile(trials, 0.95);
-  summary.trials_most = quantile(trials, 1.0);
+  summary.max_trials = quantile(trials, 1.0);
   summary.minutes_mean = summary.trials_mean * trial_seconds(experiment) / kSecondsAMinute;
   summary.rmse = std::sqrt(squares / count);
   summary.fit_rmse = std::sqrt(fit_squares / count);

@@ -56,7 +56,7 @@ struct SimulationSummary {
   double trials_5 = 0.0;
   double trials_50 = 0.0;
   double trials_95 = 0.0;
-  double trials_most = 0.0;
+  double max_trials = 0.0;
   double minutes_mean = 0.0;
   double floor_share = 0.0;
   double floor_before_first_reversal_share = 0.0;

@@ -25,9 +25,7 @@ Staircase::Staircase(const StaircaseRule& rule, StaircaseState state)
     : rule_(rule), state_(std::move(state)) {}
 
 Status Staircase::status() const noexcept {
-  if (reversal_count() >= rule_.total_reversals()) {
-    return Status::kFinished;
-  }
+  if (reversal_count() >= rule_.total_reversals()) return Status::kFinished;
   return state_.scored >= rule_.max_trials ? Status::kAbortedMaxTrials : Status::kIncomplete;
 }
 
@@ -35,9 +33,7 @@ const Stage& Staircase::stage() const noexcept {
   int cumulative = 0;
   for (const Stage& stage : rule_.stages) {
     cumulative += stage.reversals;
-    if (reversal_count() < cumulative) {
-      return stage;
-    }
+    if (reversal_count() < cumulative) return stage;
   }
   return rule_.stages.back();
 }
@@ -82,17 +78,13 @@ Step Staircase::answer(bool positive) {
   }
   step.run = state_.run;
   step.step_up = step_up();
-  if (!over()) {
-    step.next = state_.level;
-  }
+  if (!over()) step.next = state_.level;
   return step;
 }
 
 std::vector<Level> Staircase::counted_reversals() const {
   const auto discard = static_cast<std::size_t>(rule_.discard);
-  if (status() != Status::kFinished || state_.reversals.size() <= discard) {
-    return {};
-  }
+  if (status() != Status::kFinished || state_.reversals.size() <= discard) return {};
   return {state_.reversals.begin() + static_cast<std::ptrdiff_t>(discard), state_.reversals.end()};
 }
 

@@ -14,14 +14,10 @@ double mean(const std::vector<double>& values) {
 }
 
 double standard_deviation(const std::vector<double>& values) {
-  if (values.size() < 2) {
-    return 0.0;
-  }
+  if (values.size() < 2) return 0.0;
   const double middle = mean(values);
   double squares = 0.0;
-  for (const double value : values) {
-    squares += (value - middle) * (value - middle);
-  }
+  for (const double value : values) squares += (value - middle) * (value - middle);
   return std::sqrt(squares / static_cast<double>(values.size() - 1));
 }
 

@@ -10,9 +10,8 @@ bool Tracer::take(char token) {
   const bool catch_trial = token == 'Y' || token == 'N';
   const bool scored = token == '0' || token == '1';
   if ((!catch_trial && !scored && token != 'T') ||
-      (catch_trial && experiment_.task != Task::kYesNo)) {
+      (catch_trial && experiment_.task != Task::kYesNo))
     return false;
-  }
   if (staircase_.over()) {
     ++so_far_.unused;
     return true;
@@ -37,9 +36,8 @@ Trace Tracer::result() const {
   trace.scored = state.scored;
   trace.floor_hits = state.floor_hits;
   trace.ceiling_hits = state.ceiling_hits;
-  if (const auto counted = staircase_.counted_reversals(); !counted.empty()) {
+  if (const auto counted = staircase_.counted_reversals(); !counted.empty())
     trace.threshold = mean_decimal(counted, experiment_.decimals());
-  }
   return trace;
 }
 

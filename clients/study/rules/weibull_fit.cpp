@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kSlopeLow = 0.5;
 constexpr double kSlopeHigh = 10.0;
-constexpr double kLeast = 1e-9;
+constexpr double kMinProbability = 1e-9;
 
 /// One level as often as it was judged: a run has few levels, so the sum is short.
 struct Count {
@@ -51,10 +51,9 @@ class Likelihood {
     double sum = 0.0;
     for (const Count& count : counts_) {
       double p = guess_;
-      if (!count.zero) {
+      if (!count.zero)
         p += span_ * -std::expm1(-rate_ * std::exp(slope * (count.log_level - log_threshold)));
-      }
-      p = std::clamp(p, kLeast, 1.0 - kLeast);
+      p = std::clamp(p, kMinProbability, 1.0 - kMinProbability);
       sum += count.positives * std::log(p) + count.negatives * std::log1p(-p);
     }
     return sum;
@@ -94,9 +93,7 @@ Point best_in(const Likelihood& likelihood, const Box& whole) {
         const double t = box.threshold_low + wide * i;
         const double s = box.slope_low + high * j;
         const double value = likelihood(t, s);
-        if (value > best.value) {
-          best = {t, s, value};
-        }
+        if (value > best.value) best = {t, s, value};
       }
     }
     box.threshold_low = std::max(whole.threshold_low, best.threshold - wide);

@@ -26,9 +26,7 @@ std::optional<sockaddr_un> address_of(const std::filesystem::path& path) {
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   const std::string text = path.string();
-  if (text.size() >= sizeof address.sun_path) {
-    return std::nullopt;
-  }
+  if (text.size() >= sizeof address.sun_path) return std::nullopt;
   std::memcpy(address.sun_path, text.c_str(), text.size() + 1);
   return address;
 }
@@ -63,17 +61,14 @@ int connected(const sockaddr_un& address) {
 
 Result<ParticipantServer> ParticipantServer::listen(const std::filesystem::path& path) {
   const auto address = address_of(path);
-  if (!address) {
-    return Problem{EX_CANTCREAT, path.string() + ": too long for a socket's path"};
-  }
+  if (!address) return Problem{EX_CANTCREAT, path.string() + ": too long for a socket's path"};
   ParticipantServer server;
   server.path_ = path;
   server.listener_ = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
   ::unlink(path.c_str());
   if (server.listener_ < 0 || ::bind(server.listener_, plain(*address), sizeof *address) != 0 ||
-      ::listen(server.listener_, 2) != 0) {
+      ::listen(server.listener_, 2) != 0)
     return cannot(EX_CANTCREAT, path);
-  }
   return server;
 }
 
@@ -84,9 +79,7 @@ ParticipantServer::ParticipantServer(ParticipantServer&& other) noexcept
       shown_(std::move(other.shown_)) {}
 
 ParticipantServer::~ParticipantServer() {
-  for (const int page : pages_) {
-    ::close(page);
-  }
+  for (const int page : pages_) ::close(page);
   if (listener_ >= 0) {
     ::close(listener_);
     ::unlink(path_.c_str());
@@ -94,34 +87,24 @@ ParticipantServer::~ParticipantServer() {
 }
 
 void ParticipantServer::show(const Cue& cue) {
-  if (shown_ == cue) {
-    return;
-  }
+  if (shown_ == cue) return;
   shown_ = cue;
-  for (const int page : pages_) {
-    send_cue(page, cue);
-  }
+  for (const int page : pages_) send_cue(page, cue);
 }
 
 std::optional<char> ParticipantServer::key() {
   const int fresh = ::accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
   if (fresh >= 0) {
     pages_.push_back(fresh);
-    if (shown_) {
-      send_cue(fresh, *shown_);
-    }
+    if (shown_) send_cue(fresh, *shown_);
   }
   std::optional<char> pressed;
   std::erase_if(pages_, [&](int page) {
     char byte = 0;
     const ssize_t count = ::recv(page, &byte, 1, 0);
-    if (count == 1 && (byte == '<' || byte == '>')) {
-      pressed = byte;
-    }
+    if (count == 1 && (byte == '<' || byte == '>')) pressed = byte;
     const bool gone = count == 0 || (count < 0 && errno != EAGAIN && errno != EWOULDBLOCK);
-    if (gone) {
-      ::close(page);
-    }
+    if (gone) ::close(page);
     return gone;
   });
   return pressed;
@@ -138,18 +121,15 @@ void ParticipantServer::forget_keys() {
 Result<void> run_participant_page(const std::filesystem::path& path,
                                   const std::function<bool()>& stop) {
   const auto address = address_of(path);
-  if (!address) {
-    return Problem{EX_NOINPUT, path.string() + ": too long for a socket's path"};
-  }
+  if (!address) return Problem{EX_NOINPUT, path.string() + ": too long for a socket's path"};
   Terminal terminal;
   int server = -1;
   std::string pending;
   Phase phase = Phase::kReady;  // thanks stay until the next run
   while (!stop()) {
     if (server < 0 && (server = connected(*address)) < 0) {
-      if (phase != Phase::kOver) {
+      if (phase != Phase::kOver)
         terminal.draw({"", "", "", "", "", "", "", "          Please wait."});
-      }
       terminal.key(kRetryPoll);
       continue;
     }
@@ -165,21 +145,17 @@ Result<void> run_participant_page(const std::filesystem::path& path,
       pending.append(bytes, static_cast<std::size_t>(count));
       for (auto end = pending.find('\n'); end != std::string::npos; end = pending.find('\n')) {
         const Cue cue = decode_cue(pending.substr(0, end));
-        if (std::exchange(phase, cue.phase) != Phase::kQuestion && phase == Phase::kQuestion) {
+        if (std::exchange(phase, cue.phase) != Phase::kQuestion && phase == Phase::kQuestion)
           terminal.forget();  // what was pressed before the question answers nothing
-        }
         terminal.draw(participant_lines(cue));
         pending.erase(0, end + 1);
       }
     }
     const auto key = terminal.key(kKeyPoll);
-    if (key && phase == Phase::kQuestion && (key->what == '<' || key->what == '>')) {
+    if (key && phase == Phase::kQuestion && (key->what == '<' || key->what == '>'))
       (void)::send(server, &key->what, 1, MSG_NOSIGNAL);
-    }
   }
-  if (server >= 0) {
-    ::close(server);
-  }
+  if (server >= 0) ::close(server);
   return {};
 }
 

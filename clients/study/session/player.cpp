@@ -21,7 +21,7 @@ constexpr std::int64_t kRenewNs = 2'000 * kNsPerMs;
 constexpr double kTelemetryHz = 5.0;
 // Before the first interval, so that a hand may settle.
 constexpr std::int64_t kLeadMs = 500;
-constexpr Milliseconds kNewsPoll{5};
+constexpr Milliseconds kMessagePoll{5};
 constexpr double kFullStrength = 0.98;
 // An effect is over by now, whatever the daemon says or does not say.
 constexpr std::int64_t kOverdueNs = 5'000 * kNsPerMs;
@@ -50,122 +50,95 @@ std::string degrees(double celsius) {
 
 std::optional<std::string> fault_of(const IntervalPlayed& played, const Pattern& pattern) {
   const std::string which = "interval " + std::to_string(played.interval);
-  if (played.reason != "completed") {
-    return which + " ended as " + played.reason;
-  }
-  if (!played.onset_ns || !played.offset_ns) {
-    return which + " never began";
-  }
-  if (*played.offset_ns - *played.onset_ns < (pattern.duration_ms - kShortMs) * kNsPerMs) {
+  if (played.reason != "completed") return which + " ended as " + played.reason;
+  if (!played.onset_ns || !played.offset_ns) return which + " never began";
+  if (*played.offset_ns - *played.onset_ns < (pattern.duration_ms - kShortMs) * kNsPerMs)
     return which + " was cut short";
-  }
-  if (!played.delivered_min || !played.masked_ms || !played.mixed_ms) {
+  if (!played.delivered_min || !played.masked_ms || !played.mixed_ms)
     return which + " ended without a word on how it was delivered";
-  }
   if (*played.delivered_min < kFullStrength) {
     return which + " was delivered at " +
            std::to_string(static_cast<int>(100.0 * *played.delivered_min)) + " %";
   }
-  if (*played.masked_ms > 0) {
-    return which + " was masked by another effect";
-  }
-  if (*played.mixed_ms > 0) {
-    return which + " was mixed with another effect";
-  }
+  if (*played.masked_ms > 0) return which + " was masked by another effect";
+  if (*played.mixed_ms > 0) return which + " was mixed with another effect";
   return std::nullopt;
 }
 
-std::optional<std::string> beyond(const Experiment& experiment, double most_a) {
+std::optional<std::string> beyond(const Experiment& experiment, double max_a) {
   const bool two = experiment.task == Task::kTwoIntervals;
   const double reference_a = two ? reference_stimulus(experiment).current_a : 0.0;
   const double highest_a = test_stimulus(experiment, experiment.rule.ceiling).current_a;
-  if (std::max(reference_a, highest_a) <= most_a + kRounding) {
-    return std::nullopt;
-  }
+  if (std::max(reference_a, highest_a) <= max_a + kRounding) return std::nullopt;
   char text[200];
   std::snprintf(
       text, sizeof text,
       "%s goes up to %.3g A and this ball plays at most %.3g A: copy the experiment's file "
       "and lower its %s",
-      experiment.name.c_str(), std::max(reference_a, highest_a), most_a,
-      highest_a > most_a + kRounding ? "ceiling" : "current_a");
+      experiment.name.c_str(), std::max(reference_a, highest_a), max_a,
+      highest_a > max_a + kRounding ? "ceiling" : "current_a");
   return text;
 }
 
 std::optional<std::string> Player::too_much(const Experiment& experiment) const {
-  return beyond(experiment, most_a_);
+  return beyond(experiment, max_a_);
 }
 
 Outcome<Player> Player::open(const std::vector<client::Address>& addresses, Milliseconds patience,
                              Milliseconds silence) {
   auto connection = client::Connection::reopen(addresses, patience);
-  if (!connection) {
-    return connection.error();
-  }
+  if (!connection) return connection.error();
   Player player(*std::move(connection), silence);
-  if (auto introduced = player.introduce(); !introduced) {
-    return introduced.error();
-  }
+  if (auto introduced = player.introduce(); !introduced) return introduced.error();
   return player;
 }
 
 Outcome<void> Player::introduce() {
   const auto hello = connection_.hello("hedgehog-study/" HEDGEHOG_VERSION);
-  if (!hello) {
-    return hello.error();
-  }
+  if (!hello) return hello.error();
   const auto description = connection_.call(protocol::DeviceDescribe{});
-  if (!description) {
-    return description.error();
-  }
+  if (!description) return description.error();
   ball_ = {description->name, description->model, description->board.serial, description->simulated,
            description->calibration.force_n_per_a};
-  most_a_ = description->limits.current_a;
-  if (auto told = connection_.call(protocol::EventsSubscribe{{"effect_ended"}}); !told) {
-    return told.error();
-  }
+  max_a_ = description->limits.current_a;
+  if (auto notification = connection_.call(protocol::EventsSubscribe{{"effect_ended"}});
+      !notification)
+    return notification.error();
   protocol::StatusKeys keys;
   for (const auto key : {protocol::StatusKey::kTimeNs, protocol::StatusKey::kTemperatureC,
-                         protocol::StatusKey::kCurrentA}) {
+                         protocol::StatusKey::kCurrentA})
     keys.add(key);
-  }
-  if (auto told = connection_.call(protocol::TelemetrySubscribe{kTelemetryHz, keys}); !told) {
-    return told.error();
-  }
+  if (auto notification = connection_.call(protocol::TelemetrySubscribe{kTelemetryHz, keys});
+      !notification)
+    return notification.error();
   const auto now = clock_ns();
-  if (!now) {
-    return now.error();
-  }
+  if (!now) return now.error();
   device_ns_ = *now;
   return claim();
 }
 
 Outcome<std::int64_t> Player::clock_ns() {
   const auto pong = connection_.call(protocol::Ping{});
-  if (!pong) {
-    return pong.error();
-  }
+  if (!pong) return pong.error();
   return pong->time_ns;
 }
 
 Outcome<void> Player::claim() {
   const auto claimed = connection_.call(protocol::DeviceClaim{protocol::kMaxLeaseMs});
-  if (!claimed) {
-    return claimed.error();
-  }
+  if (!claimed) return claimed.error();
   claimed_ns_ = device_ns_;
   return {};
 }
 
-void Player::take(const client::Notification& told) {
-  heard_ = std::chrono::steady_clock::now();
-  if (const auto* event = std::get_if<protocol::EventMessage>(&told)) {
-    if (event->event.type == "effect_ended" && event->event.effect == effect_) {
+void Player::take(const client::Notification& notification) {
+  received_ = std::chrono::steady_clock::now();
+  if (const auto* event = std::get_if<protocol::EventMessage>(&notification)) {
+    if (event->event.type == "effect_ended" && event->event.effect == effect_)
       ended_ = event->event;
-    }
     return;
   }
-  const protocol::Status& status = std::get<protocol::TelemetryMessage>(told).telemetry.status;
+  const protocol::Status& status =
+      std::get<protocol::TelemetryMessage>(notification).telemetry.status;
   device_ns_ = status.time_ns;
   temperature_c_ = status.temperature_c.model;
   highest_a_ = std::max(highest_a_, model::norm(status.current_a));
@@ -173,18 +146,13 @@ void Player::take(const client::Notification& told) {
 
 Outcome<void> Player::keep(Milliseconds wait) {
   for (bool first = true;; first = false) {
-    const auto told = connection_.next(first ? wait : Milliseconds{0});
-    if (!told) {
-      return told.error();
-    }
-    if (!*told) {
-      break;
-    }
-    take(**told);
+    const auto notification = connection_.next(first ? wait : Milliseconds{0});
+    if (!notification) return notification.error();
+    if (!*notification) break;
+    take(**notification);
   }
-  if (std::chrono::steady_clock::now() - heard_ > silence_) {
+  if (std::chrono::steady_clock::now() - received_ > silence_)
     return client::ClientError{client::Failure::kTimeout, "the daemon has fallen silent", {}};
-  }
   return device_ns_ - claimed_ns_ >= kRenewNs ? claim() : Outcome<void>();
 }
 
@@ -194,39 +162,28 @@ Outcome<IntervalPlayed> Player::play(int interval, const Stimulus& stimulus, con
   IntervalPlayed played;
   played.interval = interval;
   played.stimulus = stimulus;
-  if (auto kept = keep(Milliseconds{0}); !kept) {
-    return kept.error();
-  }
+  if (auto kept = keep(Milliseconds{0}); !kept) return kept.error();
   protocol::EffectStart start = circle(stimulus, pattern);
   const auto command = clock_ns();
-  if (!command) {
-    return command.error();
-  }
-  if (not_before_ns) {
+  if (!command) return command.error();
+  if (not_before_ns)
     start.params.start_at_ns = *not_before_ns;
-  } else {
+  else
     start.params.delay_ms = kLeadMs;
-  }
   highest_a_ = 0.0;
   ended_.reset();
   const auto admitted = connection_.call(start);
-  if (!admitted) {
-    return admitted.error();
-  }
+  if (!admitted) return admitted.error();
   effect_ = admitted->effect;
   const auto ack = clock_ns();
-  if (!ack) {
-    return ack.error();
-  }
+  if (!ack) return ack.error();
   played.command_ns = *command;
   played.ack_ns = *ack;
   const std::int64_t overdue_ns = std::max(*ack + kLeadMs * kNsPerMs, not_before_ns.value_or(0)) +
                                   pattern.duration_ms * kNsPerMs + kOverdueNs;
   std::optional<std::chrono::steady_clock::time_point> stopped_at;
   while (!ended_) {
-    if (auto kept = keep(kNewsPoll); !kept) {
-      return kept.error();
-    }
+    if (auto kept = keep(kMessagePoll); !kept) return kept.error();
     const auto now = std::chrono::steady_clock::now();
     if (!ended_ && (device_ns_ > overdue_ns || (stopped_at && now - *stopped_at > max_silence()))) {
       return client::ClientError{
@@ -234,10 +191,8 @@ Outcome<IntervalPlayed> Player::play(int interval, const Stimulus& stimulus, con
     }
     if (!stopped_at && !ended_ && abort()) {
       stopped_at = now;
-      if (auto stopped = connection_.notify(protocol::EffectStop{effect_, std::nullopt});
-          !stopped) {
+      if (auto stopped = connection_.notify(protocol::EffectStop{effect_, std::nullopt}); !stopped)
         return stopped.error();
-      }
     }
   }
   played.onset_ns = ended_->onset_ns;
@@ -256,18 +211,14 @@ Outcome<IntervalPlayed> Player::play(int interval, const Stimulus& stimulus, con
 
 Outcome<Readiness> Player::readiness(const Experiment& experiment, const Trial& trial) {
   const auto status = connection_.call(protocol::DeviceStatus{});
-  if (!status) {
-    return status.error();
-  }
+  if (!status) return status.error();
   if (status->state != "armed") {
     return Readiness{false, "the ball is " + status->state + " (" + status->reason.value_or("") +
                                 "): " + status->remedy.value_or("")};
   }
   const std::string warm = status->temperature_c.model ? degrees(*status->temperature_c.model)
                                                        : std::string("no temperature");
-  if (status->derating) {
-    return Readiness{false, "the ball is derating at " + warm};
-  }
+  if (status->derating) return Readiness{false, "the ball is derating at " + warm};
   // As if the stronger of the two intervals took the whole trial.
   const Pattern& pattern = experiment.pattern;
   Stimulus strongest = trial.kind == TrialKind::kCatch ? Stimulus{0.0, pattern.speed_pins_s}
@@ -280,9 +231,7 @@ Outcome<Readiness> Player::readiness(const Experiment& experiment, const Trial& 
   protocol::ThermalForecast ask;
   ask.start = circle(strongest, pattern);
   const auto forecast = connection_.call(ask);
-  if (!forecast) {
-    return forecast.error();
-  }
+  if (!forecast) return forecast.error();
   if (forecast->seconds_to_derating && *forecast->seconds_to_derating < seconds) {
     char text[128];
     std::snprintf(text, sizeof text, "at %s %.1f A would be reduced after %.0f s: cooling down",

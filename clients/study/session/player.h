@@ -64,14 +64,14 @@ class Player {
       : connection_(std::move(connection)), silence_(silence) {}
   client::Outcome<void> introduce();
   client::Outcome<void> claim();
-  void take(const client::Notification& told);
+  void take(const client::Notification& notification);
   client::Outcome<std::int64_t> clock_ns();
 
   client::Connection connection_;
   client::Milliseconds silence_;
-  std::chrono::steady_clock::time_point heard_ = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point received_ = std::chrono::steady_clock::now();
   BallFacts ball_{};
-  double most_a_ = 0.0;
+  double max_a_ = 0.0;
   std::int64_t device_ns_ = 0;
   std::int64_t claimed_ns_ = 0;
   std::optional<double> temperature_c_{};
@@ -80,8 +80,8 @@ class Player {
   std::optional<protocol::Event> ended_{};
 };
 
-/// How the experiment asks for more than `most_a`, as a sentence. Nothing: it does not.
-std::optional<std::string> beyond(const Experiment& experiment, double most_a);
+/// How the experiment asks for more than `max_a`, as a sentence. Nothing: it does not.
+std::optional<std::string> beyond(const Experiment& experiment, double max_a);
 
 /// Why an interval makes its trial void: cut short, weaker than 98 % of what was asked, under or
 /// mixed with another effect. Nothing: it is good.

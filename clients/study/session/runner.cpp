@@ -26,49 +26,33 @@ Runner::Runner(Journal& journal, Player player, const std::vector<client::Addres
       stop_(std::move(stop)) {}
 
 void Runner::show(Phase phase, int interval, const std::string& message, bool waits) {
-  if (!message.empty()) {
-    message_ = message;
-  }
+  if (!message.empty()) message_ = message;
   desk_.show({&journal_.run(), phase, interval, message_,
               player_ ? player_->temperature_c() : std::nullopt, waits});
 }
 
 Result<RunEnd> Runner::run() {
   if (journal_.run().open()) {
-    if (auto written = journal_.append(Voided{"interrupted"}); !written) {
-      return written.error();
-    }
+    if (auto written = journal_.append(Voided{"interrupted"}); !written) return written.error();
   }
   if (!journal_.run().over() && !desk_.unattended()) {
     auto early = pause(Phase::kReady, "waiting until everybody is ready");
-    if (!early) {
-      return early.error();
-    }
-    if (*early) {
-      return **early;
-    }
+    if (!early) return early.error();
+    if (*early) return **early;
   }
   while (!journal_.run().over()) {
     auto early = one_trial();
-    if (!early) {
-      return early.error();
-    }
-    if (*early) {
-      return **early;
-    }
+    if (!early) return early.error();
+    if (*early) return **early;
   }
-  if (auto kept = keep_note(); !kept) {
-    return kept.error();
-  }
+  if (auto kept = keep_note(); !kept) return kept.error();
   const Staircase& staircase = journal_.run().state().staircase();
   const std::vector<Level> counted = staircase.counted_reversals();
   const Experiment& experiment = journal_.run().header().experiment;
-  const std::string said =
+  const std::string given =
       counted.empty() ? std::string(name(staircase.status()))
                       : mean_decimal(counted, experiment.decimals()) + " " + experiment.unit();
-  if (auto written = journal_.append(Remark{"finished", said}); !written) {
-    return written.error();
-  }
+  if (auto written = journal_.append(Remark{"finished", given}); !written) return written.error();
   show(Phase::kOver);
   return RunEnd::kOver;
 }
@@ -78,49 +62,33 @@ Result<Runner::Early> Runner::one_trial() {
   for (const auto& wait :
        {std::function([&] { return until_ready(trial); }), std::function([&] { return rest(); })}) {
     auto early = wait();
-    if (!early || *early) {
-      return early;
-    }
+    if (!early || *early) return early;
   }
   void_asked_ = false;
-  if (auto written = journal_.append(TrialStarted{trial}); !written) {
-    return written.error();
-  }
+  if (auto written = journal_.append(TrialStarted{trial}); !written) return written.error();
   std::string fault;
   auto early = play(trial, fault);
-  if (early && !*early && fault.empty()) {
-    early = ask(fault);
-  }
-  if (!early || *early) {
-    return early;
-  }
+  if (early && !*early && fault.empty()) early = ask(fault);
+  if (!early || *early) return early;
   if (fault.empty()) {
     voids_in_a_row_ = 0;
     timeouts_in_a_row_ = 0;
     return Early{};
   }
-  if (auto written = journal_.append(Voided{fault}); !written) {
-    return written.error();
-  }
+  if (auto written = journal_.append(Voided{fault}); !written) return written.error();
   message_ = "void: " + fault;
-  if (!lost_.empty()) {
-    return reconnect(std::exchange(lost_, {}));
-  }
+  if (!lost_.empty()) return reconnect(std::exchange(lost_, {}));
   return look_at(fault);
 }
 
 Result<Runner::Early> Runner::look_at(const std::string& fault) {
   if (desk_.unattended() && fault == kTimeout) {
-    if (++timeouts_in_a_row_ < kTooManyTimeouts) {
-      return Early{};
-    }
+    if (++timeouts_in_a_row_ < kTooManyTimeouts) return Early{};
     why_stuck_ = fault + ", again and again (response_limit_ms is " +
                  std::to_string(journal_.run().header().experiment.response_limit_ms) + ")";
     return Early{RunEnd::kStuck};
   }
-  if (++voids_in_a_row_ < kTooManyVoids) {
-    return Early{};
-  }
+  if (++voids_in_a_row_ < kTooManyVoids) return Early{};
   voids_in_a_row_ = 0;
   return desk_.unattended() ? Result<Early>(stuck(fault))
                             : pause(Phase::kPaused, "five voids in a row, the last: " + fault);
@@ -140,37 +108,23 @@ Result<Runner::Early> Runner::play(const Trial& trial, std::string& fault) {
     const bool is_test = intervals == 1 || trial.interval_of_test == interval;
     Stimulus stimulus =
         is_test ? test_stimulus(experiment, trial.level) : reference_stimulus(experiment);
-    if (trial.kind == TrialKind::kCatch) {
-      stimulus.current_a = 0.0;
-    }
+    if (trial.kind == TrialKind::kCatch) stimulus.current_a = 0.0;
     show(Phase::kInterval, interval);
     const auto played = player_->play(interval, stimulus, experiment.pattern, not_before, [&] {
-      if (auto seen = glance(Milliseconds{0}); !seen) {
-        problem = seen.error();
-      }
+      if (auto seen = measured_now(Milliseconds{0}); !seen) problem = seen.error();
       return problem || void_asked_ || asked_to_stop();
     });
-    if (problem) {
-      return *problem;
-    }
+    if (problem) return *problem;
     if (!played) {
       fault = played.error().message;
-      if (played.error().failure != client::Failure::kRefused) {
-        lost_ = fault;
-      }
+      if (played.error().failure != client::Failure::kRefused) lost_ = fault;
       return Early{};
     }
-    if (auto written = journal_.append(*played); !written) {
-      return written.error();
-    }
-    if (asked_to_stop()) {
-      return leave();
-    }
+    if (auto written = journal_.append(*played); !written) return written.error();
+    if (asked_to_stop()) return leave();
     fault =
         void_asked_ ? "by the experimenter" : fault_of(*played, experiment.pattern).value_or("");
-    if (played->offset_ns) {
-      not_before = *played->offset_ns + experiment.pattern.gap_ms * 1'000'000;
-    }
+    if (played->offset_ns) not_before = *played->offset_ns + experiment.pattern.gap_ms * 1'000'000;
   }
   return Early{};
 }
@@ -195,27 +149,20 @@ Result<Runner::Early> Runner::ask(std::string& fault) {
       return Early{};
     }
     if (answers) {
-      if (auto written = journal_.append(Answered{input.answer, took_ms}); !written) {
+      if (auto written = journal_.append(Answered{input.answer, took_ms}); !written)
         return written.error();
-      }
       message_.clear();
       return Early{};
     }
-    if (auto heeded = heed(input); !heeded) {
-      return heeded.error();
-    }
-    if (asked_to_stop()) {
-      return leave();
-    }
+    if (auto heeded = heed(input); !heeded) return heeded.error();
+    if (asked_to_stop()) return leave();
     if (void_asked_) {
       fault = "by the experimenter";
       return Early{};
     }
     // The trial was good; a daemon that goes away now spoils none of it.
     if (lost_.empty()) {
-      if (auto kept = player_->keep(Milliseconds{0}); !kept) {
-        lost_ = kept.error().message;
-      }
+      if (auto kept = player_->keep(Milliseconds{0}); !kept) lost_ = kept.error().message;
     }
   }
 }

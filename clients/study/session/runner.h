@@ -47,7 +47,7 @@ class Runner {
   Result<Early> rest();
   Result<Early> reconnect(const std::string& why);
   /// Takes in what people do outside of a question.
-  Result<void> glance(std::chrono::milliseconds patience);
+  Result<void> measured_now(std::chrono::milliseconds patience);
   Result<void> heed(const Input& input);
   /// A note that is being typed at the end is written down as far as it is.
   Result<void> keep_note();

@@ -21,71 +21,51 @@ constexpr std::chrono::seconds kUnattendedPatience{120};
 Result<Runner::Early> Runner::until_ready(const Trial& trial) {
   if (!lost_.empty()) {
     auto early = reconnect(std::exchange(lost_, {}));
-    if (!early || *early) {
-      return early;
-    }
+    if (!early || *early) return early;
   }
   bool waiting = false;
   bool lost_before = false;
   const auto since = steady_clock::now();
   while (true) {
-    if (auto seen = glance(Milliseconds{0}); !seen) {
-      return seen.error();
-    }
-    if (asked_to_stop()) {
-      return leave();
-    }
+    if (auto seen = measured_now(Milliseconds{0}); !seen) return seen.error();
+    if (asked_to_stop()) return leave();
     if (std::exchange(pause_asked_, false)) {
       auto early = pause(Phase::kPaused, "by the experimenter");
-      if (!early || *early) {
-        return early;
-      }
+      if (!early || *early) return early;
     }
     const auto ready = player_->readiness(journal_.run().header().experiment, trial);
     const bool refused = !ready && ready.error().failure == client::Failure::kRefused;
     if (!ready && !refused) {
-      if (desk_.unattended() && steady_clock::now() - since > kUnattendedPatience) {
+      if (desk_.unattended() && steady_clock::now() - since > kUnattendedPatience)
         return stuck(ready.error().message);
-      }
       if (std::exchange(lost_before, true)) {
-        if (auto seen = glance(kReconnect); !seen) {
-          return seen.error();
-        }
+        if (auto seen = measured_now(kReconnect); !seen) return seen.error();
       }
       auto early = reconnect(ready.error().message);
-      if (!early || *early) {
-        return early;
-      }
+      if (!early || *early) return early;
       continue;
     }
     const Readiness now = ready ? *ready : Readiness{false, ready.error().message};
     if (now.ready) {
       if (waiting) {
-        if (auto written = journal_.append(Remark{"continued", now.why_not}); !written) {
+        if (auto written = journal_.append(Remark{"continued", now.why_not}); !written)
           return written.error();
-        }
       }
       show(Phase::kReady, 0, now.why_not);
       return Early{};
     }
     if (!std::exchange(waiting, true)) {
-      if (auto written = journal_.append(Remark{"paused", now.why_not}); !written) {
+      if (auto written = journal_.append(Remark{"paused", now.why_not}); !written)
         return written.error();
-      }
     }
     show(Phase::kPaused, 0, now.why_not);
     // What this trial asks for is not going to be less by waiting.
     const bool for_ever = refused && ready.error().refusal &&
                           ready.error().refusal->code == protocol::ErrorCode::kInvalidParams;
-    if (desk_.unattended() && (for_ever || steady_clock::now() - since > kUnattendedPatience)) {
+    if (desk_.unattended() && (for_ever || steady_clock::now() - since > kUnattendedPatience))
       return stuck(now.why_not);
-    }
-    if (auto seen = glance(kStatusPoll); !seen) {
-      return seen.error();
-    }
-    if (auto kept = player_->keep(Milliseconds{0}); !kept) {
-      lost_ = kept.error().message;
-    }
+    if (auto seen = measured_now(kStatusPoll); !seen) return seen.error();
+    if (auto kept = player_->keep(Milliseconds{0}); !kept) lost_ = kept.error().message;
   }
 }
 
@@ -95,43 +75,31 @@ Result<Runner::Early> Runner::rest() {
   const int scored = run.state().staircase().state().scored;
   if (every == 0 || scored == 0 || scored % every != 0 || desk_.unattended() ||
       run.trials().empty() || run.trials().back().trial.kind != TrialKind::kScored ||
-      !run.trials().back().void_reason.empty()) {
+      !run.trials().back().void_reason.empty())
     return Early{};
-  }
   return pause(Phase::kRest, "time for a rest");
 }
 
 Result<Runner::Early> Runner::pause(Phase phase, const std::string& why) {
   if (auto written = journal_.append(Remark{phase == Phase::kRest ? "rest" : "paused", why});
-      !written) {
+      !written)
     return written.error();
-  }
   continue_asked_ = false;
   while (!continue_asked_) {
     show(phase, 0, why + "; c continues", true);
-    if (auto seen = glance(kStatusPoll); !seen) {
-      return seen.error();
-    }
-    if (asked_to_stop()) {
-      return leave();
-    }
+    if (auto seen = measured_now(kStatusPoll); !seen) return seen.error();
+    if (asked_to_stop()) return leave();
     if (lost_.empty()) {
-      if (auto kept = player_->keep(Milliseconds{0}); !kept) {
-        lost_ = kept.error().message;
-      }
+      if (auto kept = player_->keep(Milliseconds{0}); !kept) lost_ = kept.error().message;
     }
   }
   pause_asked_ = false;
-  if (auto written = journal_.append(Remark{"continued", ""}); !written) {
-    return written.error();
-  }
+  if (auto written = journal_.append(Remark{"continued", ""}); !written) return written.error();
   return lost_.empty() ? Result<Early>(Early{}) : reconnect(std::exchange(lost_, {}));
 }
 
 Result<Runner::Early> Runner::reconnect(const std::string& why) {
-  if (auto written = journal_.append(Remark{"paused", why}); !written) {
-    return written.error();
-  }
+  if (auto written = journal_.append(Remark{"paused", why}); !written) return written.error();
   player_.reset();
   const auto since = steady_clock::now();
   while (!player_) {
@@ -142,26 +110,17 @@ Result<Runner::Early> Runner::reconnect(const std::string& why) {
       lost_.clear();
       break;
     }
-    if (again) {
-      show(Phase::kPaused, 0, "another ball is there: " + again->ball().name);
-    }
-    if (auto seen = glance(kStatusPoll); !seen) {
-      return seen.error();
-    }
-    if (asked_to_stop()) {
-      return leave();
-    }
-    if (desk_.unattended() && steady_clock::now() - since > kUnattendedPatience) {
-      return stuck(why);
-    }
+    if (again) show(Phase::kPaused, 0, "another ball is there: " + again->ball().name);
+    if (auto seen = measured_now(kStatusPoll); !seen) return seen.error();
+    if (asked_to_stop()) return leave();
+    if (desk_.unattended() && steady_clock::now() - since > kUnattendedPatience) return stuck(why);
   }
-  if (auto written = journal_.append(Remark{"continued", kBallIsBack}); !written) {
+  if (auto written = journal_.append(Remark{"continued", kBallIsBack}); !written)
     return written.error();
-  }
   return Early{};
 }
 
-Result<void> Runner::glance(std::chrono::milliseconds patience) {
+Result<void> Runner::measured_now(std::chrono::milliseconds patience) {
   return heed(desk_.wait(patience));
 }
 
@@ -194,17 +153,11 @@ Result<void> Runner::keep_note() {
 }
 
 Result<Runner::Early> Runner::leave() {
-  if (auto kept = keep_note(); !kept) {
-    return kept.error();
-  }
+  if (auto kept = keep_note(); !kept) return kept.error();
   if (journal_.run().open()) {
-    if (auto written = journal_.append(Voided{"stopped"}); !written) {
-      return written.error();
-    }
+    if (auto written = journal_.append(Voided{"stopped"}); !written) return written.error();
   }
-  if (auto written = journal_.append(Remark{"stopped", ""}); !written) {
-    return written.error();
-  }
+  if (auto written = journal_.append(Remark{"stopped", ""}); !written) return written.error();
   return Early{RunEnd::kStopped};
 }
 

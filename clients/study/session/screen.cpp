@@ -24,9 +24,7 @@ std::vector<std::string> chart(const RunState& state) {
   const auto& all = state.judgements();
   const std::size_t first = all.size() > kChartColumns ? all.size() - kChartColumns : 0;
   double top = 0.0;
-  for (std::size_t i = first; i < all.size(); ++i) {
-    top = std::max(top, all[i].level);
-  }
+  for (std::size_t i = first; i < all.size(); ++i) top = std::max(top, all[i].level);
   top = top > 0.0 ? top : 1.0;
   std::vector<std::string> lines;
   for (int row = kChartRows - 1; row >= 0; --row) {
@@ -41,9 +39,7 @@ std::vector<std::string> chart(const RunState& state) {
   }
   lines.push_back("       └" + [] {
     std::string rule;
-    for (std::size_t i = 0; i < kChartColumns; ++i) {
-      rule += "─";
-    }
+    for (std::size_t i = 0; i < kChartColumns; ++i) rule += "─";
     return rule;
   }());
   return lines;

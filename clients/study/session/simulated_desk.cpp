@@ -34,11 +34,10 @@ Input SimulatedDesk::wait(std::chrono::milliseconds patience) {
   const bool positive = simulated_answer(observer_, level, seed_, what, trial.number);
   Input input;
   input.kind = Input::Kind::kAnswer;
-  if (experiment.task == Task::kYesNo) {
+  if (experiment.task == Task::kYesNo)
     input.answer = positive ? Answer::kYes : Answer::kNo;
-  } else {
+  else
     input.answer = (trial.interval_of_test == 1) == positive ? Answer::kFirst : Answer::kSecond;
-  }
   const double slow = trial.attempt == 1 ? draw(seed_, Purpose::kReactionTime,
                                                 {what, static_cast<std::uint64_t>(trial.number)})
                                          : draw(seed_, Purpose::kReactionTime,

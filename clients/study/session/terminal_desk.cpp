@@ -22,9 +22,7 @@ TerminalDesk::TerminalDesk(std::optional<ParticipantServer> page, bool blind)
 void TerminalDesk::show(const View& view) {
   const Cue cue = cue_of(view);
   two_intervals_ = cue.two_intervals;
-  if (page_) {
-    page_->show(cue);
-  }
+  if (page_) page_->show(cue);
   lines_ = blind_ ? blind_lines(view) : experimenter_lines(view);
   draw();
 }
@@ -34,9 +32,7 @@ void TerminalDesk::draw() {
   if (note_) {
     // The end of a long one is what is being typed.
     std::size_t from = note_->size() > kNoteColumns ? note_->size() - kNoteColumns : 0;
-    while (from < note_->size() && continues_a_character((*note_)[from])) {
-      ++from;
-    }
+    while (from < note_->size() && continues_a_character((*note_)[from])) ++from;
     lines.push_back("  note: " + note_->substr(from) + "_");
   }
   terminal_.draw(lines);
@@ -49,12 +45,8 @@ std::optional<std::string> TerminalDesk::note_key(char key) {
   if (key == '\n' || key == '\r') {
     done = std::exchange(note_, {});
   } else if (key == '\x7f' || key == '\b') {
-    while (!note_->empty() && continues_a_character(note_->back())) {
-      note_->pop_back();
-    }
-    if (!note_->empty()) {
-      note_->pop_back();
-    }
+    while (!note_->empty() && continues_a_character(note_->back())) note_->pop_back();
+    if (!note_->empty()) note_->pop_back();
   } else if (static_cast<unsigned char>(key) >= ' ') {
     *note_ += key;
   }
@@ -63,9 +55,7 @@ std::optional<std::string> TerminalDesk::note_key(char key) {
 }
 
 void TerminalDesk::take_in() {
-  if (page_) {
-    page_->forget_keys();
-  }
+  if (page_) page_->forget_keys();
   terminal_.take_in();
 }
 

@@ -17,9 +17,7 @@ std::optional<std::string> asked(const char* question) {
   std::printf("%s ", question);
   std::fflush(stdout);
   std::string answer;
-  if (!std::getline(std::cin, answer)) {
-    return std::nullopt;
-  }
+  if (!std::getline(std::cin, answer)) return std::nullopt;
   return answer;
 }
 
@@ -34,13 +32,9 @@ bool ticked(bool& given, const char* question) {
 bool filled(std::string& given, const char* question, bool needed) {
   while (given.empty()) {
     const auto answer = asked(question);
-    if (!answer) {
-      return false;
-    }
+    if (!answer) return false;
     given = *answer;
-    if (!needed) {
-      break;
-    }
+    if (!needed) break;
   }
   return true;
 }
@@ -55,26 +49,20 @@ bool ready(Checklist& given) {
 std::optional<Checklist> complete(Checklist given) {
   if (!filled(given.experimenter, "experimenter (a code, not a name):", true) ||
       !filled(given.consent, "consent sheet, its reference:", true) ||
-      !filled(given.age_band, "age band (22-29; Enter: not said):", false)) {
+      !filled(given.age_band, "age band (22-29; Enter: not said):", false))
     return std::nullopt;
-  }
   while (given.dominant_hand != "left" && given.dominant_hand != "right") {
     given.dominant_hand.clear();
-    if (!filled(given.dominant_hand, "dominant hand (left, right):", true)) {
-      return std::nullopt;
-    }
+    if (!filled(given.dominant_hand, "dominant hand (left, right):", true)) return std::nullopt;
   }
   while (!given.hand_size_cm) {
     const auto answer = asked("hand, tip of the index finger to the wrist, in cm:");
-    if (!answer) {
-      return std::nullopt;
-    }
+    if (!answer) return std::nullopt;
     const double size = std::strtod(answer->c_str(), nullptr);
-    if (size >= kSmallestHandCm && size <= kLargestHandCm) {
+    if (size >= kSmallestHandCm && size <= kLargestHandCm)
       given.hand_size_cm = size;
-    } else {
+    else
       std::printf("between %.0f and %.0f cm\n", kSmallestHandCm, kLargestHandCm);
-    }
   }
   return ready(given) ? std::optional(given) : std::nullopt;
 }

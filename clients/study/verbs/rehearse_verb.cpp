@@ -19,44 +19,31 @@ constexpr int kBarWidth = 30;
 int rehearse_one(const Start& start, const Participant& participant, const Experiment& experiment,
                  const std::function<void(const View&)>& report) {
   const RunsSoFar runs = runs_so_far(start.study, participant.id, experiment.name);
-  if (runs.over) {
-    return 0;
-  }
+  if (runs.over) return 0;
   auto player = Player::open(start.addresses, kRehearsalPatience);
-  if (!player) {
-    return complain(player.error());
-  }
-  if (const auto plays = is_played_by(*player, experiment); !plays) {
-    return complain(plays.error());
-  }
+  if (!player) return complain(player.error());
+  if (const auto plays = is_played_by(*player, experiment); !plays) return complain(plays.error());
   auto journal = runs.last ? Journal::open(runs.last->path)
                            : begin(start.study, participant.id, experiment, runs.next,
                                    player->ball(), {.simulated = true});
-  if (!journal) {
-    return complain(journal.error());
-  }
+  if (!journal) return complain(journal.error());
   const RunStarted& header = journal->run().header();
   if (!header.simulated_person) {
     return study::complain(EX_DATAERR, journal->path().string() +
                                            " is of a person; rehearse in "
                                            "a study of its own");
   }
-  if (const auto same = goes_on_with(*player, journal->run()); !same) {
-    return complain(same.error());
-  }
+  if (const auto same = goes_on_with(*player, journal->run()); !same) return complain(same.error());
   if (runs.last) {
-    if (auto written = journal->append(Remark{"resumed", player->ball().name}); !written) {
+    if (auto written = journal->append(Remark{"resumed", player->ball().name}); !written)
       return complain(written.error());
-    }
   }
   SimulatedDesk desk(simulated_person(header.experiment, header.person_seed), header.person_seed,
                      report);
   Runner runner(*journal, *std::move(player), start.addresses, desk, interrupted);
   const auto end = runner.run();
-  if (!end) {
-    return complain(end.error());
-  }
-  return *end == RunEnd::kOver ? 0 : say_end(*journal, *end, runner.why_stuck());
+  if (!end) return complain(end.error());
+  return *end == RunEnd::kOver ? 0 : print_end(*journal, *end, runner.why_stuck());
 }
 
 }  // namespace
@@ -64,13 +51,9 @@ int rehearse_one(const Start& start, const Participant& participant, const Exper
 int run_rehearse(const RunOptions& options) {
   watch_interrupts();
   const auto study = StudyFolder::find(".");
-  if (!study) {
-    return complain(study.error());
-  }
+  if (!study) return complain(study.error());
   const auto addresses = client::daemon_addresses(options.address);
-  if (!addresses) {
-    return complain(addresses.error());
-  }
+  if (!addresses) return complain(addresses.error());
   const Start start{*study, *addresses};
   const std::size_t all = study->plan().participants.size() * study->plan().experiments.size();
   std::size_t done = 0;
@@ -78,32 +61,24 @@ int run_rehearse(const RunOptions& options) {
   for (const Participant& participant : study->plan().participants) {
     for (const std::string& name : participant.order) {
       const auto experiment = study->experiment(name);
-      if (!experiment) {
-        return complain(experiment.error());
-      }
-      if (const auto checked = study->is_unmistakable(*experiment); !checked) {
+      if (!experiment) return complain(experiment.error());
+      if (const auto checked = study->is_unmistakable(*experiment); !checked)
         return complain(checked.error());
-      }
       const auto report = [&](const View& view) {
-        if (!bar || view.phase != Phase::kReady) {
-          return;
-        }
+        if (!bar || view.phase != Phase::kReady) return;
         const double part =
             static_cast<double>(view.run->state().staircase().state().reversals.size()) /
             experiment->rule.total_reversals();
         const double share = (static_cast<double>(done) + part) / static_cast<double>(all);
         std::string filled;
-        for (int i = 0; i < kBarWidth; ++i) {
-          filled += i < share * kBarWidth ? "█" : "░";
-        }
+        for (int i = 0; i < kBarWidth; ++i) filled += i < share * kBarWidth ? "█" : "░";
         std::printf("\r%s %2zu of %zu runs  %s %s, trial %d\033[K", filled.c_str(), done, all,
                     participant.id.c_str(), name.c_str(),
                     view.run->state().staircase().state().scored + 1);
         std::fflush(stdout);
       };
-      if (const int code = rehearse_one(start, participant, *experiment, report); code != 0) {
+      if (const int code = rehearse_one(start, participant, *experiment, report); code != 0)
         return code;
-      }
       ++done;
       if (!bar) {
         std::printf("%2zu of %zu  %s %s\n", done, all, participant.id.c_str(), name.c_str());

@@ -34,9 +34,7 @@ void print_groups(const std::vector<AnalysedGroup>& groups) {
     std::snprintf(here, sizeof here, "%.3g %s ± %.2g, n = %d", group.result.mean, unit,
                   group.result.sd, group.result.count);
     std::printf("  %-23s %-9s %s", group.experiment.name.c_str(), thesis, here);
-    if (group.force_n > 0) {
-      std::printf(", %.4f N", group.force_n);
-    }
+    if (group.force_n > 0) std::printf(", %.4f N", group.force_n);
     std::puts("");
   }
 }
@@ -52,9 +50,9 @@ void print_flags(const std::vector<AnalysedRun>& runs) {
 
 /// Numbers that no person stands behind shall not pass for a study's.
 void warn_of_programs(const std::vector<AnalysedRun>& runs) {
-  const auto simulated = std::count_if(runs.begin(), runs.end(), [](const AnalysedRun& run) {
-    return run.run.header().simulated_person;
-  });
+  const auto simulated = std::count_if(
+      runs.begin(), runs.end(),
+      [](const AnalysedRun& run) { return run.run.header().simulated_person; });
   const auto untouched = std::count_if(runs.begin(), runs.end(), [](const AnalysedRun& run) {
     return !run.run.header().simulated_person && run.run.header().ball.simulated;
   });
@@ -73,7 +71,7 @@ void warn_of_programs(const std::vector<AnalysedRun>& runs) {
 }
 
 /// 0, or EX_DATAERR when something is missing from what comes out.
-int say(const std::vector<Problem>& problems) {
+int print(const std::vector<Problem>& problems) {
   int code = 0;
   for (const Problem& problem : problems) {
     complain(problem.exit_code, problem.message);
@@ -85,9 +83,7 @@ int say(const std::vector<Problem>& problems) {
 ordered_json as_json(const AnalysedRun& analysed) {
   const RunAnalysis& a = analysed.analysis;
   ordered_json flags = ordered_json::array();
-  for (const Flag flag : a.flags) {
-    flags.push_back(name(flag));
-  }
+  for (const Flag flag : a.flags) flags.push_back(name(flag));
   ordered_json out{{"participant", analysed.name.participant},
                    {"experiment", analysed.name.experiment},
                    {"run", analysed.name.run},
@@ -103,22 +99,14 @@ ordered_json as_json(const AnalysedRun& analysed) {
                    {"force_n", nullptr},
                    {"flags", flags},
                    {"in_group", analysed.in_group}};
-  if (a.threshold_text) {
-    out["threshold"] = *a.threshold_text;
-  }
-  if (a.interval) {
-    out["interval_95"] = {a.interval->first, a.interval->second};
-  }
+  if (a.threshold_text) out["threshold"] = *a.threshold_text;
+  if (a.interval) out["interval_95"] = {a.interval->first, a.interval->second};
   if (a.fit) {
     out["weibull_threshold"] = a.fit->threshold;
     out["weibull_slope"] = a.fit->observer.slope;
   }
-  if (a.weber_fraction) {
-    out["weber_fraction"] = *a.weber_fraction;
-  }
-  if (a.force_n) {
-    out["force_n"] = *a.force_n;
-  }
+  if (a.weber_fraction) out["weber_fraction"] = *a.weber_fraction;
+  if (a.force_n) out["force_n"] = *a.force_n;
   return out;
 }
 
@@ -126,15 +114,11 @@ ordered_json as_json(const AnalysedRun& analysed) {
 
 int run_analyse(const AnalyseOptions& options) {
   const auto study = StudyFolder::find(".");
-  if (!study) {
-    return complain(study.error().exit_code, study.error().message);
-  }
+  if (!study) return complain(study.error().exit_code, study.error().message);
   std::vector<Problem> problems;
   const auto runs = collect(*study, options.bootstraps, problems);
-  const int code = say(problems);
-  if (runs.empty()) {
-    return complain(EX_NOINPUT, "there is no run yet");
-  }
+  const int code = print(problems);
+  if (runs.empty()) return complain(EX_NOINPUT, "there is no run yet");
   warn_of_programs(runs);
   const auto groups = groups_of(*study, runs);
   const fs::path out = options.out.empty() ? study->path() / "analysis" : fs::path(options.out);
@@ -144,44 +128,32 @@ int run_analyse(const AnalyseOptions& options) {
   std::ofstream page(out / "report.html", std::ios::binary);
   page << report_page(*study, runs, groups, out / "figures");
   page.flush();
-  if (!page) {
-    return complain(EX_CANTCREAT, (out / "report.html").string() + ": cannot be written");
-  }
+  if (!page) return complain(EX_CANTCREAT, (out / "report.html").string() + ": cannot be written");
   if (options.json) {
     ordered_json all = ordered_json::array();
-    for (const AnalysedRun& run : runs) {
-      all.push_back(as_json(run));
-    }
+    for (const AnalysedRun& run : runs) all.push_back(as_json(run));
     std::puts(all.dump().c_str());
   } else {
     print_groups(groups);
     print_flags(runs);
     std::printf("%s\n", (out / "report.html").c_str());
   }
-  if (!drawn) {
-    return complain(drawn.error().exit_code, drawn.error().message);
-  }
+  if (!drawn) return complain(drawn.error().exit_code, drawn.error().message);
   return code;
 }
 
 int run_export(const ExportOptions& options) {
   const auto study = StudyFolder::find(".");
-  if (!study) {
-    return complain(study.error().exit_code, study.error().message);
-  }
+  if (!study) return complain(study.error().exit_code, study.error().message);
   std::vector<Problem> problems;
   const auto runs = collect(*study, 0, problems);
-  const int code = say(problems);
-  if (runs.empty()) {
-    return complain(EX_NOINPUT, "there is no run yet");
-  }
+  const int code = print(problems);
+  if (runs.empty()) return complain(EX_NOINPUT, "there is no run yet");
   const bool bids = options.format == "bids";
   const fs::path out =
       options.out.empty() ? study->path() / (bids ? "bids" : "data.csv") : fs::path(options.out);
   const auto written = bids ? write_bids(out, *study, runs) : write_csv(out, runs);
-  if (!written) {
-    return complain(written.error().exit_code, written.error().message);
-  }
+  if (!written) return complain(written.error().exit_code, written.error().message);
   std::printf("%s: %zu runs\n", out.c_str(), runs.size());
   return code;
 }
@@ -194,14 +166,11 @@ int run_levels(const LevelsOptions& options) {
                                                 options.speed_percent / 100.0)) {
     std::printf("  %-17s %-45s %5.1f  %6d\n", row.range.c_str(), row.formula.c_str(),
                 row.count.steps, row.count.levels);
-    if (!row.remark.empty()) {
-      std::printf("  %-17s %s\n", "", row.remark.c_str());
-    }
+    if (!row.remark.empty()) std::printf("  %-17s %s\n", "", row.remark.c_str());
   }
   for (const std::string& remark : level_remarks(options.threshold_a, options.force_percent / 100.0,
-                                                 options.speed_percent / 100.0)) {
+                                                 options.speed_percent / 100.0))
     std::printf("  %s\n", remark.c_str());
-  }
   return 0;
 }
 

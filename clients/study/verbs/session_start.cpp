@@ -23,9 +23,7 @@ void watch_interrupts() {
   struct sigaction action {};
   action.sa_handler = note_interrupt;
   sigemptyset(&action.sa_mask);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    sigaction(signal, &action, nullptr);
-  }
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
 }
 
 int complain(const Problem& problem) { return study::complain(problem.exit_code, problem.message); }
@@ -50,15 +48,14 @@ int complain(const client::ClientError& error) {
   return study::complain(code, error.message);
 }
 
-int say_end(const Journal& journal, RunEnd end, const std::string& why_stuck) {
+int print_end(const Journal& journal, RunEnd end, const std::string& why_stuck) {
   const RecordedRun& run = journal.run();
   const bool blind = run.blind();
   const Experiment& experiment = run.header().experiment;
   const Staircase& staircase = run.state().staircase();
   const auto counted = staircase.counted_reversals();
-  if (end == RunEnd::kStuck) {
+  if (end == RunEnd::kStuck)
     return study::complain(EX_TEMPFAIL, why_stuck + "; hedgehog-study resume goes on");
-  }
   if (end == RunEnd::kStopped) {
     if (blind) {
       std::puts("stopped; hedgehog-study resume goes on");
@@ -75,9 +72,8 @@ int say_end(const Journal& journal, RunEnd end, const std::string& why_stuck) {
   } else {
     const double value = mean_value(counted, experiment.decimals());
     std::printf("done: %.4g %s", value, experiment.unit());
-    if (experiment.quantity == Quantity::kCurrentA) {
+    if (experiment.quantity == Quantity::kCurrentA)
       std::printf(" (%.3f N)", value * run.header().ball.force_n_per_a);
-    }
     std::printf(", %zu reversals, %d trials\n", staircase.state().reversals.size(),
                 staircase.state().scored);
   }
@@ -86,9 +82,7 @@ int say_end(const Journal& journal, RunEnd end, const std::string& why_stuck) {
 }
 
 Result<void> is_played_by(const Player& player, const Experiment& experiment) {
-  if (const auto too_much = player.too_much(experiment)) {
-    return Problem{EX_CONFIG, *too_much};
-  }
+  if (const auto too_much = player.too_much(experiment)) return Problem{EX_CONFIG, *too_much};
   return {};
 }
 
@@ -113,9 +107,7 @@ RunsSoFar runs_so_far(const StudyFolder& study, const std::string& participant,
   for (const JournalName& name : study.journals()) {
     if (name.participant == participant && name.experiment == experiment) {
       runs.next = name.run + 1;
-      if (has_begun(name.path)) {
-        runs.last = name;
-      }
+      if (has_begun(name.path)) runs.last = name;
     }
   }
   runs.over = runs.last && is_over(*runs.last);
@@ -123,9 +115,7 @@ RunsSoFar runs_so_far(const StudyFolder& study, const std::string& participant,
 }
 
 Participant participant_of(const StudyFolder& study, const std::string& id) {
-  if (const Participant* planned = study.plan().participant(id)) {
-    return *planned;
-  }
+  if (const Participant* planned = study.plan().participant(id)) return *planned;
   return {id, study.plan().experiments,
           draw_bits(study.plan().seed, Purpose::kSeed, {word_of(id)}) >> 11};
 }

@@ -22,7 +22,7 @@ int complain(const client::ClientError& error);
 
 /// Tells the person how the run ended, and the shell.
 /// Nothing of what the participant may not know when the run is blind.
-int say_end(const Journal& journal, RunEnd end, const std::string& why_stuck);
+int print_end(const Journal& journal, RunEnd end, const std::string& why_stuck);
 
 /// The runs of a participant and experiment.
 struct RunsSoFar {

@@ -49,13 +49,11 @@ int go_on(const Start& start, Journal& journal, Player player,
     TerminalDesk desk(page ? std::optional(*std::move(page)) : std::nullopt, journal.run().blind());
     take_place(desk);
   }
-  if (!end) {
-    return complain(end.error());
-  }
-  return say_end(journal, *end, why_stuck);
+  if (!end) return complain(end.error());
+  return print_end(journal, *end, why_stuck);
 }
 
-void say_resumed(const Journal& journal) {
+void print_resumed(const Journal& journal) {
   if (journal.run().blind()) {
     std::puts("going on");
     std::fflush(stdout);
@@ -78,19 +76,12 @@ void say_resumed(const Journal& journal) {
 int run_run(const RunOptions& options) {
   watch_interrupts();
   const auto study = StudyFolder::find(".");
-  if (!study) {
-    return complain(study.error());
-  }
+  if (!study) return complain(study.error());
   const auto experiment = study->experiment(options.experiment);
-  if (!experiment) {
-    return complain(experiment.error());
-  }
+  if (!experiment) return complain(experiment.error());
   for (const auto& checked :
-       {study->is_unmistakable(*experiment), study->is_unmistakable(options.participant)}) {
-    if (!checked) {
-      return complain(checked.error());
-    }
-  }
+       {study->is_unmistakable(*experiment), study->is_unmistakable(options.participant)})
+    if (!checked) return complain(checked.error());
   const RunsSoFar runs = runs_so_far(*study, options.participant, experiment->name);
   if (runs.last && !runs.over && !options.again) {
     return study::complain(EX_TEMPFAIL, runs.last->path.string() +
@@ -101,44 +92,29 @@ int run_run(const RunOptions& options) {
     return study::complain(EX_CANTCREAT, options.participant + " has done " + experiment->name +
                                              "; --again makes another run");
   }
-  if (!options.simulated && !is_terminal()) {
+  if (!options.simulated && !is_terminal())
     return study::complain(EX_USAGE, "a person needs a terminal; --simulated does not");
-  }
   const auto addresses = client::daemon_addresses(options.address);
-  if (!addresses) {
-    return complain(addresses.error());
-  }
+  if (!addresses) return complain(addresses.error());
   std::optional<Checklist> checklist;
   if (!options.simulated) {
     // Before anybody is asked anything; its claim would run out while people talk.
     const auto there = Player::open(*addresses, kConnectPatience);
-    if (!there) {
-      return complain(there.error());
-    }
-    if (const auto plays = is_played_by(*there, *experiment); !plays) {
+    if (!there) return complain(there.error());
+    if (const auto plays = is_played_by(*there, *experiment); !plays)
       return complain(plays.error());
-    }
     checklist = complete(options.checklist);
-    if (!checklist) {
+    if (!checklist)
       return study::complain(EX_TEMPFAIL, "not everything is ready; nothing was begun");
-    }
   }
   auto player = Player::open(*addresses, kConnectPatience);
-  if (!player) {
-    return complain(player.error());
-  }
-  if (const auto plays = is_played_by(*player, *experiment); !plays) {
-    return complain(plays.error());
-  }
+  if (!player) return complain(player.error());
+  if (const auto plays = is_played_by(*player, *experiment); !plays) return complain(plays.error());
   auto journal = begin(*study, options.participant, *experiment, runs.next, player->ball(),
                        {options.simulated, options.blind});
-  if (!journal) {
-    return complain(journal.error());
-  }
+  if (!journal) return complain(journal.error());
   if (checklist) {
-    if (auto written = journal->append(*checklist); !written) {
-      return complain(written.error());
-    }
+    if (auto written = journal->append(*checklist); !written) return complain(written.error());
   }
   return go_on({*study, *addresses}, *journal, *std::move(player), [](const View&) {});
 }
@@ -146,9 +122,7 @@ int run_run(const RunOptions& options) {
 int run_resume(const RunOptions& options) {
   watch_interrupts();
   const auto study = StudyFolder::find(".");
-  if (!study) {
-    return complain(study.error());
-  }
+  if (!study) return complain(study.error());
   std::optional<JournalName> chosen;
   for (const JournalName& name : study->journals()) {
     const bool wanted = (options.participant.empty() || name.participant == options.participant) &&
@@ -156,60 +130,40 @@ int run_resume(const RunOptions& options) {
     std::error_code failed;
     if (wanted && has_begun(name.path) && !is_over(name) &&
         (!chosen ||
-         fs::last_write_time(name.path, failed) > fs::last_write_time(chosen->path, failed))) {
+         fs::last_write_time(name.path, failed) > fs::last_write_time(chosen->path, failed)))
       chosen = name;
-    }
   }
-  if (!chosen) {
-    return study::complain(EX_NOINPUT, "no run is unfinished");
-  }
+  if (!chosen) return study::complain(EX_NOINPUT, "no run is unfinished");
   auto journal = Journal::open(chosen->path);
-  if (!journal) {
-    return complain(journal.error());
-  }
-  if (!journal->run().header().simulated_person && !is_terminal()) {
+  if (!journal) return complain(journal.error());
+  if (!journal->run().header().simulated_person && !is_terminal())
     return study::complain(EX_USAGE, "a person needs a terminal");
-  }
   const auto addresses = client::daemon_addresses(options.address);
-  if (!addresses) {
-    return complain(addresses.error());
-  }
+  if (!addresses) return complain(addresses.error());
   std::optional<Checklist> checklist;
   if (!journal->run().header().simulated_person) {
     const auto there = Player::open(*addresses, kConnectPatience);
-    if (!there) {
-      return complain(there.error());
-    }
-    if (const auto same = goes_on_with(*there, journal->run()); !same) {
+    if (!there) return complain(there.error());
+    if (const auto same = goes_on_with(*there, journal->run()); !same)
       return complain(same.error());
-    }
     // People may have got up since; a run killed early may never have written its list.
     const auto& known = journal->run().checklist();
     checklist = known ? ticked_again(*known) : complete({});
-    if (!checklist) {
+    if (!checklist)
       return study::complain(EX_TEMPFAIL, "not everything is ready; the run stays as it is");
-    }
   }
   auto player = Player::open(*addresses, kConnectPatience);
-  if (!player) {
-    return complain(player.error());
-  }
-  if (const auto same = goes_on_with(*player, journal->run()); !same) {
-    return complain(same.error());
-  }
+  if (!player) return complain(player.error());
+  if (const auto same = goes_on_with(*player, journal->run()); !same) return complain(same.error());
   if (options.blind && !journal->run().blind()) {
-    if (auto written = journal->append(Remark{"blind", ""}); !written) {
+    if (auto written = journal->append(Remark{"blind", ""}); !written)
       return complain(written.error());
-    }
   }
-  say_resumed(*journal);
-  if (auto written = journal->append(Remark{"resumed", player->ball().name}); !written) {
+  print_resumed(*journal);
+  if (auto written = journal->append(Remark{"resumed", player->ball().name}); !written)
     return complain(written.error());
-  }
   if (checklist) {
-    if (auto written = journal->append(*checklist); !written) {
-      return complain(written.error());
-    }
+    if (auto written = journal->append(*checklist); !written) return complain(written.error());
   }
   return go_on({*study, *addresses}, *journal, *std::move(player), [](const View&) {});
 }
@@ -217,12 +171,8 @@ int run_resume(const RunOptions& options) {
 int run_participant() {
   watch_interrupts();
   const auto study = StudyFolder::find(".");
-  if (!study) {
-    return complain(study.error());
-  }
-  if (!is_terminal()) {
-    return study::complain(EX_USAGE, "the participant's page needs a terminal");
-  }
+  if (!study) return complain(study.error());
+  if (!is_terminal()) return study::complain(EX_USAGE, "the participant's page needs a terminal");
   const auto ended = run_participant_page(study->path() / kPage, interrupted);
   return ended ? 0 : complain(ended.error());
 }

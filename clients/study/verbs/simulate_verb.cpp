@@ -41,7 +41,7 @@ ordered_json as_json(const Experiment& experiment, const SimulationSummary& s) {
           {"trials_5", s.trials_5},
           {"trials_50", s.trials_50},
           {"trials_95", s.trials_95},
-          {"trials_most", s.trials_most},
+          {"trials_most", s.max_trials},
           {"minutes_mean", s.minutes_mean},
           {"floor_share", s.floor_share},
           {"floor_before_first_reversal_share", s.floor_before_first_reversal_share},
@@ -61,7 +61,7 @@ void print(const Experiment& experiment, const SimulationSummary& s, double seco
               s.error_5, s.error_95, s.correlation);
   std::printf("  at estimate   %.1f %% positive (median)\n", 100.0 * s.positive_at_estimate_median);
   std::printf("  trials        %.1f, 5/50/95 %%: %.0f/%.0f/%.0f, most %.0f; %.1f min\n",
-              s.trials_mean, s.trials_5, s.trials_50, s.trials_95, s.trials_most, s.minutes_mean);
+              s.trials_mean, s.trials_5, s.trials_50, s.trials_95, s.max_trials, s.minutes_mean);
   std::printf("  floor         %.1f %%, before the first reversal %.1f %%; ceiling %.1f %%\n",
               100.0 * s.floor_share, 100.0 * s.floor_before_first_reversal_share,
               100.0 * s.ceiling_share);
@@ -82,13 +82,9 @@ void print_convergence(const Experiment& experiment, const ordered_json& rows) {
   std::printf("%s converges on %.2f %% for small steps. In the long run, logistic curve,\n",
               experiment.name.c_str(), 100.0 * convergence_point(experiment.rule));
   std::printf("  step / spread (1..99 %%) ");
-  for (const auto& row : rows) {
-    std::printf(" %5.2f", row["step_over_spread"].get<double>());
-  }
+  for (const auto& row : rows) std::printf(" %5.2f", row["step_over_spread"].get<double>());
   std::printf("\n  %% positive at the mean  ");
-  for (const auto& row : rows) {
-    std::printf(" %5.1f", 100.0 * row["positive"].get<double>());
-  }
+  for (const auto& row : rows) std::printf(" %5.1f", 100.0 * row["positive"].get<double>());
   std::puts("\n");
 }
 
@@ -96,16 +92,12 @@ void print_convergence(const Experiment& experiment, const ordered_json& rows) {
 
 int run_simulate(const SimulateOptions& options) {
   std::vector<std::string> names = options.experiments;
-  if (names.empty()) {
-    names = {"force-threshold", "force-jnd", "speed-jnd"};
-  }
+  if (names.empty()) names = {"force-threshold", "force-jnd", "speed-jnd"};
   const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   ordered_json all = ordered_json::array();
   for (const std::string& wanted : names) {
     const auto experiment = find_experiment(wanted);
-    if (!experiment) {
-      return complain(experiment.error().exit_code, experiment.error().message);
-    }
+    if (!experiment) return complain(experiment.error().exit_code, experiment.error().message);
     const auto begin = std::chrono::steady_clock::now();
     const auto runs = simulate(
         *experiment, thesis_population(experiment->quantity),
@@ -113,19 +105,13 @@ int run_simulate(const SimulateOptions& options) {
     const SimulationSummary summary = summarise(*experiment, runs);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     all.push_back(as_json(*experiment, summary));
-    if (!options.json) {
-      print(*experiment, summary, took.count());
-    }
+    if (!options.json) print(*experiment, summary, took.count());
     if (options.convergence) {
       all.back()["convergence"] = convergence_of(*experiment, options);
-      if (!options.json) {
-        print_convergence(*experiment, all.back()["convergence"]);
-      }
+      if (!options.json) print_convergence(*experiment, all.back()["convergence"]);
     }
   }
-  if (options.json) {
-    std::puts(all.dump().c_str());
-  }
+  if (options.json) std::puts(all.dump().c_str());
   return 0;
 }
 

@@ -33,9 +33,7 @@ std::string in_short(const RecordedRun& run) {
 }
 
 void add_missing(std::vector<std::string>& names, const std::string& name) {
-  if (std::find(names.begin(), names.end(), name) == names.end()) {
-    names.push_back(name);
-  }
+  if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
 }
 
 ordered_json as_json(const JournalName& name, const RecordedRun& run) {
@@ -63,12 +61,9 @@ int run_plan(const PlanOptions& options) {
   std::vector<std::filesystem::path> files;
   for (const std::string& given : options.experiments) {
     const auto experiment = find_experiment(given);
-    if (!experiment) {
-      return complain(experiment.error().exit_code, experiment.error().message);
-    }
-    if (const auto checked = is_no_other_preset(*experiment); !checked) {
+    if (!experiment) return complain(experiment.error().exit_code, experiment.error().message);
+    if (const auto checked = is_no_other_preset(*experiment); !checked)
       return complain(checked.error().exit_code, checked.error().message);
-    }
     for (const std::string& before : names) {
       if (bids_label(before) == bids_label(experiment->name)) {
         return complain(EX_USAGE, given + ": " + experiment->name +
@@ -79,43 +74,32 @@ int run_plan(const PlanOptions& options) {
       }
     }
     names.push_back(experiment->name);
-    if (given != experiment->name) {
-      files.emplace_back(given);
-    }
+    if (given != experiment->name) files.emplace_back(given);
   }
   const StudyPlan plan = make_plan(options.participants, names, options.seed);
   const auto study = StudyFolder::create(options.folder, plan, files);
-  if (!study) {
-    return complain(study.error().exit_code, study.error().message);
-  }
+  if (!study) return complain(study.error().exit_code, study.error().message);
   std::printf("%s/study.json: %d people x %zu experiments, Latin square, seeds drawn\n",
               options.folder.c_str(), options.participants, options.experiments.size());
   for (const Participant& participant : plan.participants) {
     std::printf("  %s ", participant.id.c_str());
-    for (const std::string& experiment : participant.order) {
-      std::printf(" %s", experiment.c_str());
-    }
+    for (const std::string& experiment : participant.order) std::printf(" %s", experiment.c_str());
     std::puts("");
   }
   const std::size_t orders = latin_square(static_cast<int>(names.size())).size();
-  if (plan.participants.size() % orders != 0) {
+  if (plan.participants.size() % orders != 0)
     std::printf("  (every order equally often: a multiple of %zu people)\n", orders);
-  }
   return 0;
 }
 
 int run_status(bool json) {
   const auto study = StudyFolder::find(".");
-  if (!study) {
-    return complain(study.error().exit_code, study.error().message);
-  }
+  if (!study) return complain(study.error().exit_code, study.error().message);
   ordered_json all = ordered_json::array();
   std::vector<std::pair<JournalName, std::string>> cells;
   int code = 0;
   for (const JournalName& name : study->journals()) {
-    if (!has_begun(name.path)) {
-      continue;  // killed before it began
-    }
+    if (!has_begun(name.path)) continue;  // killed before it began
     const auto run = read_run(name.path);
     if (!run) {
       code = complain(run.error().exit_code, run.error().message);
@@ -132,27 +116,21 @@ int run_status(bool json) {
   // The plan's first, then whoever and whatever came on top.
   std::vector<std::string> experiments = study->plan().experiments;
   std::vector<std::string> people;
-  for (const Participant& participant : study->plan().participants) {
+  for (const Participant& participant : study->plan().participants)
     people.push_back(participant.id);
-  }
-  for (const auto& [name, said] : cells) {
+  for (const auto& [name, given] : cells) {
     add_missing(experiments, name.experiment);
     add_missing(people, name.participant);
   }
   std::printf("       ");
-  for (const std::string& experiment : experiments) {
-    std::printf(" %-18s", experiment.c_str());
-  }
+  for (const std::string& experiment : experiments) std::printf(" %-18s", experiment.c_str());
   std::puts("");
   for (const std::string& person : people) {
     std::printf("  %-5s", person.c_str());
     for (const std::string& experiment : experiments) {
       std::string text = "-";
-      for (const auto& [name, said] : cells) {
-        if (name.participant == person && name.experiment == experiment) {
-          text = said;
-        }
-      }
+      for (const auto& [name, given] : cells)
+        if (name.participant == person && name.experiment == experiment) text = given;
       std::printf(" %-18s", text.c_str());
     }
     std::puts("");

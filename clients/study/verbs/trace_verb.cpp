@@ -15,9 +15,7 @@ using nlohmann::ordered_json;
 
 ordered_json decimals(const std::vector<Level>& levels, int places) {
   ordered_json list = ordered_json::array();
-  for (const Level level : levels) {
-    list.push_back(exact_decimal(level, places));
-  }
+  for (const Level level : levels) list.push_back(exact_decimal(level, places));
   return list;
 }
 
@@ -50,9 +48,7 @@ void print_table(const Experiment& experiment, const std::string& responses, con
     std::string note = done != nullptr && done->reversal > 0
                            ? "reversal " + std::to_string(done->reversal)
                            : std::string();
-    if (!scored) {
-      note = responses[i] == 'T' ? "void" : "catch trial";
-    }
+    if (!scored) note = responses[i] == 'T' ? "void" : "catch trial";
     std::printf("  %5zu  %6c  %10s  %s\n", i + 1, responses[i],
                 exact_decimal(trace.levels[i], places).c_str(), note.c_str());
   }
@@ -70,19 +66,15 @@ int complain(int exit_code, const std::string& message) {
 
 int run_trace(const TraceOptions& options) {
   const auto experiment = find_experiment(options.experiment);
-  if (!experiment) {
-    return complain(experiment.error().exit_code, experiment.error().message);
-  }
+  if (!experiment) return complain(experiment.error().exit_code, experiment.error().message);
   const auto traced = trace(*experiment, options.responses);
-  if (const auto* mistake = std::get_if<std::string>(&traced)) {
+  if (const auto* mistake = std::get_if<std::string>(&traced))
     return complain(EX_DATAERR, *mistake);
-  }
   const Trace& result = std::get<Trace>(traced);
-  if (options.json) {
+  if (options.json)
     print_json(*experiment, result);
-  } else {
+  else
     print_table(*experiment, options.responses, result);
-  }
   return 0;
 }
 

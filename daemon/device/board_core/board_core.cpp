@@ -10,6 +10,13 @@ uint32_t square(int16_t value) noexcept {
 }
 uint32_t square(uint16_t value) noexcept { return static_cast<uint32_t>(value) * value; }
 
+constexpr int32_t kFullDutyQ15 = 32767;
+
+uint32_t absolute(int16_t value) noexcept {
+  const int32_t wide = value;
+  return static_cast<uint32_t>(wide < 0 ? -wide : wide);
+}
+
 int16_t saturated_sum(int16_t a, int16_t b) noexcept {
   const int32_t sum = int32_t{a} + b;
   if (sum > INT16_MAX) return INT16_MAX;
@@ -23,6 +30,7 @@ void BoardCore::receive(const uint8_t* bytes, size_t length) noexcept {
   FrameHeader header;
   const bool valid = read_header(bytes, length, header) == FrameError::kNone &&
                      header.type != FrameType::kTelemetry &&
+                     header.type != FrameType::kSimulatorTruth &&
                      (!any_received_ || is_newer(header.sequence, received_sequence_));
   if (!valid) {
     ++refused_;
@@ -42,8 +50,10 @@ void BoardCore::receive(const uint8_t* bytes, size_t length) noexcept {
     case FrameType::kLimits:
       tighten(read_limits(bytes));
       break;
+    case FrameType::kSimulatorError:
     case FrameType::kSimulator:
     case FrameType::kTelemetry:
+    case FrameType::kSimulatorTruth:
       break;
   }
 }
@@ -61,9 +71,9 @@ BoardOutputs BoardCore::step(const BoardInputs& inputs) noexcept {
   ++now_ms_;
   inputs_ = inputs;
   before_ = outputs_;
-  if (inputs.sensor_converted) {
-    ++sensor_conversions_;
-    sensor_known_ = true;
+  if (inputs.thermistors_converted) {
+    ++conversions_;
+    thermistors_known_ = true;
   }
   age_set_point();
   judge(inputs);
@@ -83,7 +93,8 @@ void BoardCore::age_set_point() noexcept {
 
 void BoardCore::judge(const BoardInputs& inputs) noexcept {
   live_ = 0;
-  judge_current(inputs);
+  follow_currents(inputs);
+  judge_current();
   judge_sensor(inputs);
   const bool supply_bad =
       inputs.supply_mv < limits_.supply_min_mv || inputs.supply_mv > limits_.supply_max_mv;
@@ -94,11 +105,26 @@ void BoardCore::judge(const BoardInputs& inputs) noexcept {
   if (latched_ != 0) mode_ = Mode::kLatched;
 }
 
-void BoardCore::judge_current(const BoardInputs& inputs) noexcept {
+void BoardCore::follow_currents(const BoardInputs& inputs) noexcept {
+  for (int k = 0; k < kWindings; ++k) {
+    int16_t& flowing = flowing_ma_[k];
+    const bool measured = (inputs.currents_measured >> k & 1u) != 0;
+    flowing = measured ? inputs.current_ma[k] : static_cast<int16_t>(flowing - flowing / 4);
+    const uint32_t driven =
+        absolute(before_.duty_q15[k]) * uint32_t{inputs.supply_mv} / kFullDutyQ15;
+    const uint32_t reached = driven * 1000u / limits_.min_resistance_mohm;
+    uint32_t& drivable = drivable_ma_[k];
+    drivable = drivable > reached
+                   ? drivable - (drivable - reached + limits_.decay_ms - 1u) / limits_.decay_ms
+                   : reached;
+  }
+}
+
+void BoardCore::judge_current() noexcept {
   uint32_t norm_squared = 0;
   bool budget_spent = false;
   for (int k = 0; k < kWindings; ++k) {
-    const uint32_t squared = square(inputs.current_ma[k]);
+    const uint32_t squared = square(flowing_ma_[k]);
     norm_squared += squared;  // three times 32768^2 still fits
     winding_heat_[k].step(squared);
     budget_spent |= winding_heat_[k].exceeded(limits_.winding_a2s);
@@ -108,14 +134,55 @@ void BoardCore::judge_current(const BoardInputs& inputs) noexcept {
 
   if (budget_spent) live_ |= kHeatBudget;
   if (over_current_.step(norm_squared > square(limits_.current_ma))) live_ |= kOverCurrent;
-  if (stuck_.step(!before_.awake && norm_squared > kStuckMa * kStuckMa)) live_ |= kStuckBridge;
+  const bool drawn = inputs_.supply_current_measured && inputs_.supply_ma > kStuckSupplyMa;
+  const bool flows = drawn || norm_squared > kStuckMa * kStuckMa;
+  if (stuck_.step(!before_.awake && flows)) live_ |= kStuckBridge;
+  if (unexpected_current()) live_ |= kUnexpectedCurrent;
+  if (unmeasured_current()) live_ |= kCurrentSense;
+}
+
+bool BoardCore::unmeasured_current() noexcept {
+  bool found = false;
+  for (int k = 0; k < kWindings; ++k) {
+    const int16_t duty = before_.duty_q15[k];
+    const bool turned = static_cast<int32_t>(duty) * driven_way_[k] < 0;
+    const bool blind = before_.awake && !turned && absolute(duty) >= kMinDrivenDutyQ15 &&
+                       (inputs_.currents_measured >> k & 1u) == 0;
+    unmeasured_ms_[k] = blind ? unmeasured_ms_[k] + 1u : 0u;
+    driven_way_[k] = duty < 0 ? int8_t{-1} : int8_t{1};
+    found |= unmeasured_ms_[k] >= kUnmeasuredMs;
+  }
+  return found;
+}
+
+bool BoardCore::unexpected_current() noexcept {
+  bool beyond = false;
+  int32_t drawn_ma = 0;
+  for (int k = 0; k < kWindings; ++k) {
+    beyond |= absolute(flowing_ma_[k]) > drivable_ma_[k] + kUnexpectedMa;
+    drawn_ma += static_cast<int32_t>(before_.duty_q15[k]) * flowing_ma_[k] / kFullDutyQ15;
+  }
+  // What braking windings give back lowers the sum; the shunt shows none of it.
+  const uint32_t expected_ma = drawn_ma > 0 ? static_cast<uint32_t>(drawn_ma) : 0u;
+  const bool excess = inputs_.supply_current_measured &&
+                      inputs_.supply_ma > expected_ma + expected_ma / 8u + kExcessSupplyMa;
+  const bool by_winding = unexpected_.step(before_.awake && beyond);
+  const bool by_supply = excess_supply_.step(before_.awake && excess);
+  return by_winding || by_supply;
 }
 
 void BoardCore::judge_sensor(const BoardInputs& inputs) noexcept {
-  if (sensor_open_.step(inputs.sensor_open)) live_ |= kSensorOpen;
-  if (sensor_short_.step(inputs.sensor_short)) live_ |= kSensorShort;
-  const bool hot =
-      !inputs.sensor_open && !inputs.sensor_short && inputs.sensor_cc > limits_.sensor_cc;
+  bool open = false;
+  bool shorted = false;
+  bool hot = false;
+  for (int k = 0; k < inputs.thermistors && k < kWindings; ++k) {
+    const ThermistorInput& thermistor = inputs.thermistor[k];
+    open |= thermistor.open;
+    shorted |= thermistor.shorted;
+    hot |= !thermistor.open && !thermistor.shorted && thermistor.cc > limits_.sensor_cc;
+  }
+  if (sensor_open_.step(open)) live_ |= kSensorOpen;
+  if (sensor_short_.step(shorted)) live_ |= kSensorShort;
   if (sensor_hot_.step(hot)) live_ |= kOverHeat;
 }
 
@@ -154,9 +221,22 @@ void BoardCore::decide() noexcept {
 uint8_t BoardCore::fan() const noexcept {
   if (mode_ == Mode::kLatched) return 255;
   if (fed()) return set_point_.fan;
-  const bool cool = sensor_known_ && !inputs_.sensor_open && !inputs_.sensor_short &&
-                    inputs_.sensor_cc < kFanFromCc;
+  bool cool = thermistors_known_;
+  for (int k = 0; k < inputs_.thermistors && k < kWindings; ++k) {
+    const ThermistorInput& thermistor = inputs_.thermistor[k];
+    cool &= !thermistor.open && !thermistor.shorted && thermistor.cc < kFanFromCc;
+  }
   return cool ? 0 : 255;
+}
+
+void BoardCore::write_thermistors(TelemetryFrame& out) const noexcept {
+  out.thermistors = inputs_.thermistors;
+  out.sensor_cc = inputs_.thermistor[0].cc;
+  if (inputs_.thermistors < 2) return;
+  // The others take turns, two frames each: a host that gets every second frame sees both.
+  out.other_thermistor = static_cast<uint8_t>(1u + now_ms_ / 2u % (inputs_.thermistors - 1u));
+  const ThermistorInput& other = inputs_.thermistor[out.other_thermistor];
+  out.other_cc = other.open ? kOpenCc : other.shorted ? kShortCc : other.cc;
 }
 
 void BoardCore::write_telemetry(uint8_t* frame) noexcept {
@@ -173,7 +253,11 @@ void BoardCore::write_telemetry(uint8_t* frame) noexcept {
     if (share > fullest) fullest = share;
   }
   out.supply_mv = inputs_.supply_mv;
-  out.sensor_cc = inputs_.sensor_cc;
+  write_thermistors(out);
+  out.currents_measured = inputs_.currents_measured;
+  out.currents_in_line = inputs_.currents_in_line;
+  out.supply_current_measured = inputs_.supply_current_measured;
+  out.supply_ma = inputs_.supply_ma;
   out.fan_rpm = inputs_.fan_rpm;
   out.fan = outputs_.fan;
   out.mode = static_cast<uint8_t>(mode_);
@@ -181,7 +265,7 @@ void BoardCore::write_telemetry(uint8_t* frame) noexcept {
   out.bridges_awake = outputs_.awake;
   out.arm_count = arm_count_;
   out.faults = faults();
-  out.sensor_conversions = sensor_conversions_;
+  out.sensor_conversions = conversions_;
   out.set_point_age_ms =
       set_point_age_ms_ > 255u ? uint8_t{255} : static_cast<uint8_t>(set_point_age_ms_);
   out.sensor_limit_cc = limits_.sensor_cc;

@@ -24,6 +24,8 @@ enum Fault : uint16_t {
   kSensorShort = 1u << 6,
   kStuckBridge = 1u << 7,
   kSupply = 1u << 8,
+  kUnexpectedCurrent = 1u << 9,
+  kCurrentSense = 1u << 10,
 };
 
 /// Values as in device::BoardMode.
@@ -34,15 +36,28 @@ enum class Mode : uint8_t {
   kLatched = 3,  // a fault: bridges asleep until armed
 };
 
+struct ThermistorInput {
+  int16_t cc = 0;  // ignored when open or shorted
+  bool open = false;
+  bool shorted = false;
+};
+
 /// What the board measured in this millisecond.
 struct BoardInputs {
   int16_t current_ma[kWindings] = {};
+  /// Bit k: `current_ma[k]` was measured; otherwise it is 0 and says nothing.
+  uint8_t currents_measured = 7;
+  /// By amplifiers in the windings' leads.
+  bool currents_in_line = false;
   uint16_t supply_mv = 0;  // before the supply switch
-  int16_t sensor_cc = 0;   // ignored when open or short
-  bool sensor_open = false;
-  bool sensor_short = false;
-  /// A new conversion of the thermistor is in `sensor_cc`.
-  bool sensor_converted = false;
+  /// What the bridges draw, when `supply_current_measured`.
+  uint16_t supply_ma = 0;
+  bool supply_current_measured = false;
+  /// So many are wired, 1..3.
+  uint8_t thermistors = 1;
+  ThermistorInput thermistor[kWindings];
+  /// They have been converted anew.
+  bool thermistors_converted = false;
   /// Bit k: bridge k signals FLT.
   uint8_t bridge_faults = 0;
   uint16_t fan_rpm = 0;
@@ -83,17 +98,23 @@ class BoardCore {
   uint32_t set_point_age_ms() const noexcept { return set_point_age_ms_; }
   const BoardOutputs& outputs() const noexcept { return outputs_; }
   const BoardLimits& limits() const noexcept { return limits_; }
+  /// What the last `step` was given; null before the first.
+  const BoardInputs* measured_last() const noexcept { return now_ms_ == 0 ? nullptr : &inputs_; }
 
  private:
   void tighten(const LimitsFrame& frame) noexcept;
   void age_set_point() noexcept;
   void judge(const BoardInputs& inputs) noexcept;
-  void judge_current(const BoardInputs& inputs) noexcept;
+  void follow_currents(const BoardInputs& inputs) noexcept;
+  void judge_current() noexcept;
+  bool unexpected_current() noexcept;
+  bool unmeasured_current() noexcept;
   void judge_sensor(const BoardInputs& inputs) noexcept;
   void judge_dead_man() noexcept;
   void answer_arm() noexcept;
   void decide() noexcept;
   uint8_t fan() const noexcept;
+  void write_thermistors(TelemetryFrame& out) const noexcept;
   bool armed() const noexcept { return mode_ == Mode::kReady || mode_ == Mode::kDriving; }
   bool fed() const noexcept { return set_point_age_ms_ < kDeadManMs; }
 
@@ -125,6 +146,15 @@ class BoardCore {
   Persistence supply_{kSupplyMs};
   Persistence bridge_{kBridgeFaultMs};
   Persistence stuck_{kStuckMs};
+  Persistence unexpected_{kUnexpectedMs};
+  Persistence excess_supply_{kExcessSupplyMs};
+  /// What flows, mA: as measured, or as it dies away in the brake since then.
+  int16_t flowing_ma_[kWindings] = {};
+  /// Milliseconds for which a winding has been driven one way without its current measured.
+  uint32_t unmeasured_ms_[kWindings] = {};
+  int8_t driven_way_[kWindings] = {1, 1, 1};
+  /// The most that the duties of the last milliseconds can have made flow, mA.
+  uint32_t drivable_ma_[kWindings] = {};
   HeatBudget winding_heat_[kWindings] = {HeatBudget(kWindingTauShift), HeatBudget(kWindingTauShift),
                                          HeatBudget(kWindingTauShift)};
   HeatBudget device_heat_{kDeviceTauShift};
@@ -133,8 +163,8 @@ class BoardCore {
   BoardOutputs outputs_;
   /// The outputs before: what the bridges did during the millisecond that was measured.
   BoardOutputs before_;
-  uint8_t sensor_conversions_ = 0;
-  bool sensor_known_ = false;
+  uint8_t conversions_ = 0;
+  bool thermistors_known_ = false;
   uint32_t telemetry_sequence_ = 0;
 };
 

@@ -36,9 +36,7 @@ uint32_t crc32(const uint8_t* bytes, size_t length) noexcept {
     crc = kTables.entry[3][crc & 255u] ^ kTables.entry[2][crc >> 8 & 255u] ^
           kTables.entry[1][crc >> 16 & 255u] ^ kTables.entry[0][crc >> 24];
   }
-  for (; length > 0; --length, ++bytes) {
-    crc = (crc >> 8) ^ kTables.entry[0][(crc ^ *bytes) & 255u];
-  }
+  for (; length > 0; --length, ++bytes) crc = (crc >> 8) ^ kTables.entry[0][(crc ^ *bytes) & 255u];
   return ~crc;
 }
 

@@ -10,6 +10,8 @@ constexpr size_t kCrcAt = 60;
 constexpr uint8_t kFlagEnable = 1u << 0;
 constexpr uint8_t kFlagSwitchClosed = 1u << 0;
 constexpr uint8_t kFlagAwake = 1u << 1;
+constexpr uint8_t kFlagInLine = 1u << 2;
+constexpr uint8_t kKnowsSupplyCurrent = 1u << 5;
 
 uint16_t get_u16(const uint8_t* at) noexcept {
   return static_cast<uint16_t>(at[0] | (static_cast<uint16_t>(at[1]) << 8));
@@ -45,8 +47,10 @@ bool is_known(uint8_t type) noexcept {
     case FrameType::kSetPoint:
     case FrameType::kArm:
     case FrameType::kLimits:
+    case FrameType::kSimulatorError:
     case FrameType::kSimulator:
     case FrameType::kTelemetry:
+    case FrameType::kSimulatorTruth:
       return true;
   }
   return false;
@@ -100,6 +104,33 @@ SimulatorFrame read_simulator(const uint8_t* frame) noexcept {
   values.ambient_cc = get_i16(frame + 8);
   values.faults = get_u16(frame + 10);
   values.coil = frame[12];
+  values.errors = frame[13];
+  return values;
+}
+
+SimulatorErrorFrame read_simulator_error(const uint8_t* frame) noexcept {
+  SimulatorErrorFrame values;
+  values.sequence = get_u32(frame + 4);
+  values.generation = frame[8];
+  values.count = frame[9];
+  values.index = frame[10];
+  values.kind = frame[11];
+  values.coil = frame[12];
+  values.value_millionths = static_cast<int32_t>(get_u32(frame + 16));
+  values.ramp_ms = get_u32(frame + 20);
+  return values;
+}
+
+SimulatorTruthFrame read_simulator_truth(const uint8_t* frame) noexcept {
+  SimulatorTruthFrame values;
+  values.sequence = get_u32(frame + 4);
+  for (size_t k = 0; k < kWindings; ++k) {
+    values.winding_mc[k] = static_cast<int32_t>(get_u32(frame + 8 + 4 * k));
+    values.current_ma[k] = static_cast<int32_t>(get_u32(frame + 32 + 4 * k));
+  }
+  values.core_mc = static_cast<int32_t>(get_u32(frame + 20));
+  values.skin_mc = static_cast<int32_t>(get_u32(frame + 24));
+  values.room_mc = static_cast<int32_t>(get_u32(frame + 28));
   return values;
 }
 
@@ -129,6 +160,13 @@ TelemetryFrame read_telemetry(const uint8_t* frame) noexcept {
   values.winding_heat_permille = get_u16(frame + 50);
   values.device_heat_permille = get_u16(frame + 52);
   values.refused = get_u16(frame + 54);
+  values.currents_measured = frame[45] & 7u;
+  values.currents_in_line = (frame[3] & kFlagInLine) != 0;
+  values.thermistors = frame[45] >> 3 & 3u;
+  values.supply_current_measured = (frame[45] & kKnowsSupplyCurrent) != 0;
+  values.other_thermistor = static_cast<uint8_t>(frame[45] >> 6);
+  values.supply_ma = get_u16(frame + 56);
+  values.other_cc = get_i16(frame + 58);
   return values;
 }
 
@@ -161,12 +199,38 @@ void write_frame(const SimulatorFrame& values, uint8_t* frame) noexcept {
   put_i16(frame + 8, values.ambient_cc);
   put_u16(frame + 10, values.faults);
   frame[12] = values.coil;
+  frame[13] = values.errors;
+  finish(frame);
+}
+
+void write_frame(const SimulatorErrorFrame& values, uint8_t* frame) noexcept {
+  begin(frame, FrameType::kSimulatorError, 0, values.sequence);
+  frame[8] = values.generation;
+  frame[9] = values.count;
+  frame[10] = values.index;
+  frame[11] = values.kind;
+  frame[12] = values.coil;
+  put_u32(frame + 16, static_cast<uint32_t>(values.value_millionths));
+  put_u32(frame + 20, values.ramp_ms);
+  finish(frame);
+}
+
+void write_frame(const SimulatorTruthFrame& values, uint8_t* frame) noexcept {
+  begin(frame, FrameType::kSimulatorTruth, 0, values.sequence);
+  for (size_t k = 0; k < kWindings; ++k) {
+    put_u32(frame + 8 + 4 * k, static_cast<uint32_t>(values.winding_mc[k]));
+    put_u32(frame + 32 + 4 * k, static_cast<uint32_t>(values.current_ma[k]));
+  }
+  put_u32(frame + 20, static_cast<uint32_t>(values.core_mc));
+  put_u32(frame + 24, static_cast<uint32_t>(values.skin_mc));
+  put_u32(frame + 28, static_cast<uint32_t>(values.room_mc));
   finish(frame);
 }
 
 void write_frame(const TelemetryFrame& values, uint8_t* frame) noexcept {
   const auto flags = static_cast<uint8_t>((values.supply_switch_closed ? kFlagSwitchClosed : 0) |
-                                          (values.bridges_awake ? kFlagAwake : 0));
+                                          (values.bridges_awake ? kFlagAwake : 0) |
+                                          (values.currents_in_line ? kFlagInLine : 0));
   begin(frame, FrameType::kTelemetry, flags, values.sequence);
   put_u32(frame + 8, values.received_sequence);
   put_u32(frame + 12, values.set_point_sequence);
@@ -189,6 +253,12 @@ void write_frame(const TelemetryFrame& values, uint8_t* frame) noexcept {
   put_u16(frame + 50, values.winding_heat_permille);
   put_u16(frame + 52, values.device_heat_permille);
   put_u16(frame + 54, values.refused);
+  frame[45] =
+      static_cast<uint8_t>((values.currents_measured & 7u) | (values.thermistors & 3u) << 3 |
+                           (values.supply_current_measured ? kKnowsSupplyCurrent : 0) |
+                           (values.other_thermistor & 3u) << 6);
+  put_u16(frame + 56, values.supply_ma);
+  put_i16(frame + 58, values.other_cc);
   finish(frame);
 }
 

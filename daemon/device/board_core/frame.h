@@ -18,8 +18,10 @@ enum class FrameType : uint8_t {
   kSetPoint = 0x01,
   kArm = 0x02,
   kLimits = 0x03,
-  kSimulator = 0x7F,  // a real board ignores it
+  kSimulatorError = 0x7E,  // a real board ignores these two
+  kSimulator = 0x7F,
   kTelemetry = 0x81,
+  kSimulatorTruth = 0xFE,  // no real board sends it
 };
 
 /// Why a frame was not accepted.
@@ -62,6 +64,31 @@ struct SimulatorFrame {
   int16_t ambient_cc = 2500;
   uint16_t faults = 0;
   uint8_t coil = 0;
+  /// So many errors belong to these settings, each a frame of its own; 0 ends those that there are.
+  uint8_t errors = 0;
+};
+
+/// Host to simulated board only: error `index` of `count`. They act when all of a `generation` that
+/// is new have arrived.
+struct SimulatorErrorFrame {
+  uint32_t sequence = 0;
+  uint8_t generation = 0;
+  uint8_t count = 0;
+  uint8_t index = 0;
+  uint8_t kind = 0;
+  uint8_t coil = 0;
+  int32_t value_millionths = 0;
+  uint32_t ramp_ms = 0;
+};
+
+/// Simulated board to host only: how its plant really is.
+struct SimulatorTruthFrame {
+  uint32_t sequence = 0;
+  int32_t winding_mc[kWindings] = {};  // thousandths of a degree Celsius
+  int32_t core_mc = 0;
+  int32_t skin_mc = 0;
+  int32_t room_mc = 0;
+  int32_t current_ma[kWindings] = {};
 };
 
 /// Board to host, every millisecond.
@@ -94,7 +121,24 @@ struct TelemetryFrame {
   uint16_t device_heat_permille = 0;
   /// Frames refused so far for any reason, mod 65536.
   uint16_t refused = 0;
+  /// Since 1.1; all 0 from a board of 1.0. Bit k: `current_ma[k]` was measured.
+  uint8_t currents_measured = 0;
+  /// How many there are, 1..3.
+  uint8_t thermistors = 0;
+  /// By amplifiers in the windings' leads, with sign, whatever the bridges do.
+  bool currents_in_line = false;
+  bool supply_current_measured = false;
+  /// Drawn by the bridges.
+  uint16_t supply_ma = 0;
+  /// Of the thermistors after the first, one a frame in turn: which (1, 2; 0: none), and what it
+  /// shows.
+  uint8_t other_thermistor = 0;
+  int16_t other_cc = 0;
 };
+
+/// `TelemetryFrame::other_cc` when that thermistor's line is at either rail.
+inline constexpr int16_t kOpenCc = INT16_MIN;
+inline constexpr int16_t kShortCc = INT16_MAX;
 
 /// Checks length, magic, CRC and version, in this order, then that the type is a known one.
 FrameError read_header(const uint8_t* bytes, size_t length, FrameHeader& header) noexcept;
@@ -104,6 +148,8 @@ SetPointFrame read_set_point(const uint8_t* frame) noexcept;
 ArmFrame read_arm(const uint8_t* frame) noexcept;
 LimitsFrame read_limits(const uint8_t* frame) noexcept;
 SimulatorFrame read_simulator(const uint8_t* frame) noexcept;
+SimulatorErrorFrame read_simulator_error(const uint8_t* frame) noexcept;
+SimulatorTruthFrame read_simulator_truth(const uint8_t* frame) noexcept;
 TelemetryFrame read_telemetry(const uint8_t* frame) noexcept;
 
 /// Fill all 64 bytes of `frame`, CRC included.
@@ -111,6 +157,8 @@ void write_frame(const SetPointFrame& values, uint8_t* frame) noexcept;
 void write_frame(const ArmFrame& values, uint8_t* frame) noexcept;
 void write_frame(const LimitsFrame& values, uint8_t* frame) noexcept;
 void write_frame(const SimulatorFrame& values, uint8_t* frame) noexcept;
+void write_frame(const SimulatorErrorFrame& values, uint8_t* frame) noexcept;
+void write_frame(const SimulatorTruthFrame& values, uint8_t* frame) noexcept;
 void write_frame(const TelemetryFrame& values, uint8_t* frame) noexcept;
 
 /// True when `sequence` comes after `last`, counted around 2^32.

@@ -34,6 +34,11 @@ struct BoardLimits {
   /// The bridges' range (Pololu G2 18v17: 6.5..30 V).
   uint16_t supply_min_mv = 6500;
   uint16_t supply_max_mv = 30000;
+  /// No winding has less: 0.45 ohm at 25 C less 20 %.
+  uint16_t min_resistance_mohm = 360;
+  /// A current dies away in the brake by at least one part in this a millisecond: L / R, in ms and
+  /// rounded up, of the slowest winding. Neither this nor the resistance may be 0.
+  uint16_t decay_ms = 5;
 };
 
 /// The dead-man: this long after the last valid set-point the board is safe.
@@ -48,6 +53,21 @@ inline constexpr uint32_t kBridgeFaultMs = 3;
 /// Current that flows although the bridges sleep.
 inline constexpr uint32_t kStuckMs = 20;
 inline constexpr uint32_t kStuckMa = 500;
+/// The same in the supply line, where a short duty draws less than it drives.
+inline constexpr uint32_t kStuckSupplyMa = 150;
+/// More current in a winding than its duty can drive through the least resistance: a PWM line that
+/// is stuck, or a bridge that does not obey. Found less than 25 ms after a winding at 15 A should
+/// be idle, 5 ms when it was.
+inline constexpr uint32_t kUnexpectedMs = 5;
+inline constexpr uint32_t kUnexpectedMa = 500;
+/// More current drawn from the supply than the windings carry: a current sensor does not see one.
+inline constexpr uint32_t kExcessSupplyMs = 20;
+inline constexpr uint32_t kExcessSupplyMa = 1500;
+/// A winding that is driven one way by this duty (8 %, two amperes) carries a current that a
+/// driver's own sensor sees after 5 L / R; when it does not for so long, the sensor or its line is
+/// broken.
+inline constexpr uint32_t kMinDrivenDutyQ15 = 2622;
+inline constexpr uint32_t kUnmeasuredMs = 25;
 /// After power-up, without a host: the fan runs above this.
 inline constexpr int16_t kFanFromCc = 4000;
 

@@ -32,21 +32,49 @@ uint32_t log2_q12(uint32_t value) noexcept {
   return (exponent << 12) | fraction;
 }
 
-uint32_t millivolts(const Wiring& wiring, uint16_t adc) noexcept {
-  return uint32_t{adc} * wiring.adc_reference_mv / wiring.adc_full;
+/// Sixteenths of a millivolt: a whole one would be 50 mA at CS.
+uint32_t sixteenths_mv(const Wiring& wiring, uint16_t adc) noexcept {
+  const uint16_t read = adc < wiring.adc_full ? adc : wiring.adc_full;
+  return static_cast<uint32_t>(uint64_t{read} * wiring.adc_reference_mv * 16u / wiring.adc_full);
 }
 
-/// What more than `offset_mv` stands for, mA, at most `INT16_MAX`.
-int16_t milliamperes(uint32_t mv, uint16_t offset_mv, uint16_t mv_per_a) noexcept {
-  if (mv <= offset_mv || mv_per_a == 0) return 0;
-  const uint32_t ma = (mv - offset_mv) * 1000u / mv_per_a;
-  return static_cast<int16_t>(ma > INT16_MAX ? uint32_t{INT16_MAX} : ma);
+int32_t microvolts(const Wiring& wiring, uint16_t adc) noexcept {
+  return static_cast<int32_t>(sixteenths_mv(wiring, adc) * 125u / 2u);
+}
+
+int16_t saturated(int32_t value) noexcept {
+  if (value > INT16_MAX) return INT16_MAX;
+  return static_cast<int16_t>(value < -INT16_MAX ? -INT16_MAX : value);
+}
+
+/// What `uv` above or below `zero_uv` stands for, mA.
+int16_t milliamperes(int32_t uv, int32_t zero_uv, uint32_t uv_per_a) noexcept {
+  if (uv_per_a < 10) return 0;
+  return saturated((uv - zero_uv) * 100 / static_cast<int32_t>(uv_per_a / 10));
 }
 
 uint16_t magnitude(int16_t value) noexcept {
   const int32_t wide = value;
   const int32_t positive = wide < 0 ? -wide : wide;
   return static_cast<uint16_t>(positive > INT16_MAX ? INT16_MAX : positive);
+}
+
+struct WindingCurrent {
+  int16_t ma = 0;
+  bool measured = false;
+};
+
+WindingCurrent by_driver_cs(int16_t shown_ma, int16_t duty_q15, bool awake) noexcept {
+  if (!awake) return {};
+  const uint16_t driven = magnitude(duty_q15);
+  int16_t min_ma = kOpposedMa;
+  if (driven == 0)
+    min_ma = kUndrivenMa;
+  else if (driven < static_cast<uint16_t>(kMinSampledDutyQ15))
+    min_ma = kShortlyDrivenMa;
+  if (shown_ma < min_ma) return {};
+  const int16_t ma = shown_ma < 0 ? int16_t{0} : shown_ma;
+  return {duty_q15 < 0 ? static_cast<int16_t>(-ma) : ma, true};
 }
 
 }  // namespace
@@ -69,29 +97,43 @@ int16_t ntc_cc(uint16_t adc, uint16_t adc_full, uint16_t pull_up_ohm) noexcept {
   return static_cast<int16_t>(kNtcFirstCc + kNtcStepCc * (kNtcSteps - 1));
 }
 
-BoardInputs measured(const Wiring& wiring, const RawInputs& raw,
-                     const BoardOutputs& applied) noexcept {
+BoardInputs measured(const Wiring& wiring, const RawInputs& raw, const BoardOutputs& applied,
+                     const BoardInputs* last) noexcept {
   BoardInputs inputs;
+  inputs.currents_measured = 0;
+  inputs.currents_in_line = wiring.current_sense == CurrentSense::kInLine;
   for (int k = 0; k < kWindings; ++k) {
-    const int16_t duty = applied.awake ? applied.duty_q15[k] : int16_t{0};
-    if (duty == 0) continue;
-    const int16_t ma =
-        milliamperes(millivolts(wiring, raw.cs_adc[k]), wiring.cs_offset_mv[k], wiring.cs_mv_per_a);
-    inputs.current_ma[k] = duty < 0 ? static_cast<int16_t>(-ma) : ma;
+    const int16_t shown_ma = milliamperes(microvolts(wiring, raw.current_adc[k]),
+                                          wiring.current_zero_uv[k], wiring.current_uv_per_a);
+    const WindingCurrent current = wiring.current_sense == CurrentSense::kInLine
+                                       ? WindingCurrent{shown_ma, true}
+                                       : by_driver_cs(shown_ma, applied.duty_q15[k], applied.awake);
+    inputs.current_ma[k] = current.ma;
+    const auto bit = static_cast<uint8_t>(1u << k);
+    if (!current.measured) continue;
+    inputs.currents_measured |= bit;
+    const int32_t early_us = wiring.converted_before_us[k];
+    if (early_us != 0 && last != nullptr && (last->currents_measured & bit) != 0) {
+      const int32_t change_ma = int32_t{current.ma} - last->current_ma[k];
+      inputs.current_ma[k] = saturated(current.ma + change_ma * early_us / (1000 - early_us));
+    }
   }
-  if (!applied.awake) {
-    inputs.current_ma[0] =
-        milliamperes(millivolts(wiring, raw.shunt_adc), 0, wiring.shunt_mv_per_a);
-  }
-  const uint32_t supply = millivolts(wiring, raw.supply_adc) *
+  inputs.supply_current_measured = wiring.shunt_uv_per_a != 0;
+  inputs.supply_ma =
+      magnitude(milliamperes(microvolts(wiring, raw.shunt_adc), 0, wiring.shunt_uv_per_a));
+  const uint64_t supply = uint64_t{sixteenths_mv(wiring, raw.supply_adc)} *
                           (uint32_t{wiring.supply_upper_ohm} + wiring.supply_lower_ohm) /
-                          (wiring.supply_lower_ohm == 0 ? 1u : wiring.supply_lower_ohm);
-  inputs.supply_mv = static_cast<uint16_t>(supply > UINT16_MAX ? uint32_t{UINT16_MAX} : supply);
-  // 1 % from either rail: beyond -60 C and 185 C.
-  inputs.sensor_open = raw.ntc_adc > wiring.adc_full - wiring.adc_full / 100;
-  inputs.sensor_short = raw.ntc_adc < wiring.adc_full / 100;
-  inputs.sensor_cc = ntc_cc(raw.ntc_adc, wiring.adc_full, wiring.ntc_pull_up_ohm);
-  inputs.sensor_converted = raw.ntc_converted;
+                          (wiring.supply_lower_ohm == 0 ? 1u : wiring.supply_lower_ohm) / 16u;
+  inputs.supply_mv = static_cast<uint16_t>(supply > UINT16_MAX ? uint64_t{UINT16_MAX} : supply);
+  inputs.thermistors = wiring.thermistors;
+  for (int k = 0; k < wiring.thermistors && k < kWindings; ++k) {
+    ThermistorInput& thermistor = inputs.thermistor[k];
+    // 1 % from either rail: beyond -60 C and 185 C.
+    thermistor.open = raw.ntc_adc[k] > wiring.adc_full - wiring.adc_full / 100;
+    thermistor.shorted = raw.ntc_adc[k] < wiring.adc_full / 100;
+    thermistor.cc = ntc_cc(raw.ntc_adc[k], wiring.adc_full, wiring.ntc_pull_up_ohm);
+  }
+  inputs.thermistors_converted = raw.ntc_converted;
   inputs.bridge_faults = static_cast<uint8_t>(raw.faults_low & 7u);
   if (raw.tach_period_us != 0) {
     const uint32_t rpm = 30'000'000u / raw.tach_period_us;

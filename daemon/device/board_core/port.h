@@ -8,10 +8,11 @@
 //   DIR  out  low = current A -> B, counted as positive here
 //   SLP  out  one for all three, pulled DOWN by a resistor; high = awake
 //   FLT  in   open drain, pulled up; low = fault
-//   CS   in   converter, sampled in the middle of the PWM's on-time
-// and once: the supply through a divider (converter), the NTC against a pull-up (converter), the
-// fan's PWM (25 kHz, not inverted) and its tach (open collector, 2 pulses a turn), the supply
-// switch.
+//   CS   in   converter, sampled in the middle of the PWM's on-time; or, better, an amplifier
+//             across a shunt in the winding's lead
+// and once: the supply through a divider (converter), a shunt in the supply line of the bridges
+// (converter), one to three NTCs against a pull-up (converter), the fan's PWM (25 kHz, not
+// inverted) and its tach (open collector, 2 pulses a turn), the supply switch.
 #pragma once
 
 #include <stddef.h>
@@ -21,37 +22,80 @@
 
 namespace hedgehog::board {
 
-/// What differs between boards. Millivolts and ohms; the converter's numbers are 0..adc_full.
+/// What tells the current of a winding.
+enum class CurrentSense : uint8_t {
+  /// The driver's CS pin: the size without the sign, and only while the bridge drives.
+  kDriverCs,
+  /// An amplifier that rejects PWM edges, across a shunt in the winding's lead: with sign, always.
+  kInLine,
+};
+
+/// What differs between boards. The converter's numbers are 0..adc_full. The
+/// defaults are three drivers with their own CS and one thermistor.
 struct Wiring {
   uint16_t adc_full = 4095;
   /// At adc_full; the NTC's pull-up goes to the same voltage, so it drops out of the temperature.
   uint16_t adc_reference_mv = 3300;
-  /// CS: volts an ampere and at no current. 18v17: about 20 mV/A and 50 mV; to be calibrated, for
-  /// the offset alone is 2.5 A.
-  uint16_t cs_mv_per_a = 20;
-  uint16_t cs_offset_mv[kWindings] = {50, 50, 50};
-  /// A shunt in the supply line, millivolts an ampere; 0: there is none. CS is dead while the
-  /// bridges sleep, so without this shunt a bridge that is stuck is not seen, and the supply switch
-  /// is of no use.
-  uint16_t shunt_mv_per_a = 0;
+  CurrentSense current_sense = CurrentSense::kDriverCs;
+  /// Microvolts an ampere, at least 1000, and at no current. CS of the 18v17: about 20 mV/A and 50
+  /// mV; to be calibrated, for the zero alone is 2.5 A.
+  uint32_t current_uv_per_a = 20'000;
+  int32_t current_zero_uv[kWindings] = {50'000, 50'000, 50'000};
+  /// The conversion of each comes so long before the end of the millisecond; up to there the
+  /// current is taken to go on as it has since the start. 0: that late that it does not matter.
+  /// Below 1000.
+  uint16_t converted_before_us[kWindings] = {};
+  /// A shunt in the supply line of the bridges, without fan and electronics: microvolts an ampere;
+  /// 0: there is none. CS is dead while the bridges sleep, so without this shunt or an amplifier in
+  /// the winding's lead a bridge that is stuck is not seen, and the supply switch is of no use.
+  uint32_t shunt_uv_per_a = 0;
   /// supply = pin x (upper + lower) / lower.
   uint16_t supply_upper_ohm = 47000;
   uint16_t supply_lower_ohm = 4700;
-  /// The NTC is 10 k at 25 C with B = 3950 K, from the pin to ground.
+  /// NTCs, 1 or 3: one on the winding that the device file names, or one on each winding in their
+  /// order. Each is 10 k at 25 C with B = 3950 K, from the pin to ground.
+  uint8_t thermistors = 1;
   uint16_t ntc_pull_up_ohm = 10000;
   /// The PWM timer counts 0..pwm_top.
   uint16_t pwm_top = 2399;
   uint16_t fan_top = 1919;
 };
 
+/// The reference board: an INA240A2 (gain 50) across 1 mOhm in each winding's lead with its zero at
+/// half the reference, a shunt in the supply line, a thermistor on each winding, and a 12-bit
+/// converter of its own (MCP3208).
+constexpr Wiring reference_wiring() noexcept {
+  Wiring wiring;
+  wiring.current_sense = CurrentSense::kInLine;
+  wiring.current_uv_per_a = 50'000;
+  for (int k = 0; k < kWindings; ++k) {
+    wiring.current_zero_uv[k] = 1'650'000;
+    // One after the other, 20 us each.
+    wiring.converted_before_us[k] = static_cast<uint16_t>(20 * (kWindings - k));
+  }
+  wiring.shunt_uv_per_a = 100'000;
+  wiring.thermistors = 3;
+  return wiring;
+}
+
+/// CS is sampled in the middle of the on-time; a duty below this leaves it less than the 2 us of
+/// 50 us that the amplifier needs. 1/32767.
+inline constexpr int16_t kMinSampledDutyQ15 = 1311;
+/// More than these at CS, although the bridge is not driven, or too shortly to be sampled, is a
+/// current that was not asked for (a PWM line that is stuck).
+inline constexpr int16_t kUndrivenMa = 500;
+inline constexpr int16_t kShortlyDrivenMa = 2500;
+/// So far below its zero CS shows a current that flows against the bridge, whose size it cannot.
+inline constexpr int16_t kOpposedMa = -250;
+
 /// One millisecond of measurements, as the peripherals give them.
 struct RawInputs {
-  /// Of the on-time that ended last; ignored for a bridge that was not driven.
-  uint16_t cs_adc[kWindings] = {};
+  /// CS: of the on-time that ended last. In the winding's lead: the last conversion.
+  uint16_t current_adc[kWindings] = {};
   uint16_t supply_adc = 0;
   uint16_t shunt_adc = 0;
-  uint16_t ntc_adc = 0;
-  /// `ntc_adc` is a new conversion.
+  uint16_t ntc_adc[kWindings] = {};
+  /// All of `ntc_adc` that is wired has been converted anew.
   bool ntc_converted = false;
   /// Bit k: FLT of driver k is low.
   uint8_t faults_low = 0;
@@ -77,12 +121,12 @@ constexpr PinOutputs safe_pins(const Wiring& wiring) noexcept {
   return pins;
 }
 
-/// What the rules want to know. `applied` is what `BoardCore::step` returned the last time: CS has
-/// no sign, so the direction of the bridge is taken, and says nothing while the bridge brakes or
-/// sleeps, so the current then counts as 0; what the shunt sees while they sleep is put down to the
-/// first winding.
-BoardInputs measured(const Wiring& wiring, const RawInputs& raw,
-                     const BoardOutputs& applied) noexcept;
+/// What the rules want to know. `applied` is what `BoardCore::step` returned the last time. CS has
+/// no sign, so the direction of the bridge is taken; it says nothing while the bridge brakes or
+/// sleeps, so the current then counts as not measured, unless CS shows one. `last` is what was
+/// measured a millisecond ago; null: nothing.
+BoardInputs measured(const Wiring& wiring, const RawInputs& raw, const BoardOutputs& applied,
+                     const BoardInputs* last = nullptr) noexcept;
 
 PinOutputs pins_for(const Wiring& wiring, const BoardOutputs& outputs) noexcept;
 
@@ -109,7 +153,7 @@ void board_millisecond(BoardCore& core, const Wiring& wiring, Port& port) noexce
   }
   RawInputs raw;
   port.measure(raw);
-  const BoardInputs inputs = measured(wiring, raw, core.outputs());
+  const BoardInputs inputs = measured(wiring, raw, core.outputs(), core.measured_last());
   port.apply(pins_for(wiring, core.step(inputs)));
   core.write_telemetry(packet);
   port.send(packet);

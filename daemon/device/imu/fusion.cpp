@@ -12,9 +12,9 @@ namespace {
 using model::Quaternion;
 using model::Vec3;
 
-constexpr double kMostDegS = 1e4;
-constexpr double kMostG = 100.0;
-constexpr double kMostDtS = 0.5;
+constexpr double kMaxDegS = 1e4;
+constexpr double kMaxG = 100.0;
+constexpr double kMaxDtS = 0.5;
 /// Time constant of the means by which rest is seen.
 constexpr double kMeanS = 0.5;
 
@@ -33,8 +33,8 @@ Quaternion turned(const Quaternion& q, const Vec3& rate_rad_s, double dt_s) noex
 }
 
 bool believable(const MotionSample& s) noexcept {
-  return norm(s.rate_deg_s) < kMostDegS && norm(s.accel_g) < kMostG && s.dt_s > 0.0 &&
-         s.dt_s <= kMostDtS;
+  return norm(s.rate_deg_s) < kMaxDegS && norm(s.accel_g) < kMaxG && s.dt_s > 0.0 &&
+         s.dt_s <= kMaxDtS;
 }
 
 }  // namespace
@@ -69,7 +69,7 @@ void Fusion::watch_rest(const MotionSample& s) noexcept {
   mean_accel_g_ = mean_accel_g_ + share * (s.accel_g - mean_accel_g_);
   const bool quiet = norm(s.rate_deg_s - mean_rate_deg_s_) < kStillDegS &&
                      norm(s.accel_g - mean_accel_g_) < kStillG &&
-                     norm(mean_rate_deg_s_) < kMostBiasDegS;
+                     norm(mean_rate_deg_s_) < kMaxBiasDegS;
   still_s_ = quiet ? std::min(still_s_ + s.dt_s, 1e3) : 0.0;
 }
 
@@ -96,9 +96,8 @@ void Fusion::step(const MotionSample& s) noexcept {
     const Vec3 error = rotate(conjugate(q_), tilt_error());
     bias_deg_s_ = bias_deg_s_ - (kBiasGain * s.dt_s / model::kRadiansPerDegree) * error;
   }
-  for (int axis = 0; axis < 3; ++axis) {
-    bias_deg_s_[axis] = std::clamp(bias_deg_s_[axis], -kMostBiasDegS, kMostBiasDegS);
-  }
+  for (int axis = 0; axis < 3; ++axis)
+    bias_deg_s_[axis] = std::clamp(bias_deg_s_[axis], -kMaxBiasDegS, kMaxBiasDegS);
   rate_deg_s_ = s.rate_deg_s - bias_deg_s_;
   q_ = turned(q_, model::kRadiansPerDegree * rate_deg_s_, s.dt_s);
 

@@ -47,10 +47,10 @@ class Fusion {
   static constexpr double kRestS = 2.0;
   /// No calibrated gyroscope is off by more, deg/s. A steady turn slower than this is taken for
   /// bias.
-  static constexpr double kMostBiasDegS = 3.0;
+  static constexpr double kMaxBiasDegS = 3.0;
 
-  /// The next sample. Ignored when a number in it is not finite or absurd, or `dt_s` is not within
-  /// 0..0.5 s; the first one gives roll and pitch at once, with the front at azimuth 0.
+  /// The next sample. Ignored when a number in it is not finite or out of range, or `dt_s` is not
+  /// within 0..0.5 s; the first one gives roll and pitch at once, with the front at azimuth 0.
   void step(const MotionSample& sample) noexcept;
 
   /// It may have been turned unseen: the next sample gives roll and pitch at once, and is followed

@@ -33,8 +33,8 @@ enum Item : std::uint8_t {
   kLong = 0xFC,
 };
 constexpr std::size_t kDeepest = 64;
-constexpr std::size_t kMostUsages = 1024;
-constexpr std::uint32_t kMostBits = 65536 * 8;
+constexpr std::size_t kMaxUsages = 1024;
+constexpr std::uint32_t kMaxBits = 65536 * 8;
 
 struct Globals {
   std::uint32_t page = 0;
@@ -160,14 +160,13 @@ class Parser {
 
   bool usage(HidUsage usage) {
     usages_.push_back(usage);
-    return usages_.size() <= kMostUsages;
+    return usages_.size() <= kMaxUsages;
   }
 
   bool usages(HidUsage last) {
-    if (last < usage_min_ || last - usage_min_ > kMostUsages) return true;  // a keyboard's, say
-    for (HidUsage u = usage_min_; u <= last && u >= usage_min_; ++u) {
+    if (last < usage_min_ || last - usage_min_ > kMaxUsages) return true;  // a keyboard's, say
+    for (HidUsage u = usage_min_; u <= last && u >= usage_min_; ++u)
       if (!usage(u)) return false;
-    }
     return true;
   }
 
@@ -177,16 +176,15 @@ class Parser {
   }
 
   HidDescriptor::Report& report(Kind kind) {
-    for (HidDescriptor::Report& known : made_.reports) {
+    for (HidDescriptor::Report& known : made_.reports)
       if (known.kind == kind && known.id == now_.report_id) return known;
-    }
     return made_.reports.emplace_back(HidDescriptor::Report{kind, now_.report_id, 0});
   }
 
   bool field(Kind kind, std::uint32_t flags) {
     std::uint32_t& offset = report(kind).bits;
     const std::uint64_t length = std::uint64_t{now_.bits} * now_.count;
-    if (length > kMostBits - offset) return false;
+    if (length > kMaxBits - offset) return false;
     const bool constant = (flags & 1) != 0;
     const bool usable = now_.bits >= 1 && now_.bits <= 32 && now_.count >= 1 &&
                         now_.count <= kHidMaxCount && !usages_.empty();
@@ -229,9 +227,8 @@ std::uint64_t first_bit(const HidField& field, std::uint32_t index) noexcept {
 }  // namespace
 
 std::size_t HidDescriptor::report_bytes(Kind kind, std::uint8_t report_id) const noexcept {
-  for (const Report& report : reports) {
+  for (const Report& report : reports)
     if (report.kind == kind && report.id == report_id) return (report.bits + 7) / 8;
-  }
   return 0;
 }
 

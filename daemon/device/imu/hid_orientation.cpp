@@ -26,7 +26,7 @@ constexpr HidUsage kFullPower = sensor(0x0851);
 
 /// System nibble 2, "SI rotation": radians instead of degrees.
 constexpr std::uint32_t kUnitRadians = 2;
-constexpr double kAbsurdDegS = 1e5;
+constexpr double kMaxPlausibleDegS = 1e5;
 
 bool contains(const std::vector<HidUsage>& usages, HidUsage usage) {
   return std::find(usages.begin(), usages.end(), usage) != usages.end();
@@ -44,18 +44,16 @@ void choose(const HidField& field, HidUsage plain, HidUsage wanted, std::span<By
     return;
   }
   const auto at = std::find(field.usages.begin(), field.usages.end(), wanted);
-  if (at != field.usages.end()) {
+  if (at != field.usages.end())
     write_hid(field, 0, field.logical_min + (at - field.usages.begin()), report);
-  }
 }
 
 }  // namespace
 
 std::optional<HidOrientation> HidOrientation::find(HidDescriptor descriptor) {
   HidOrientation made(std::move(descriptor));
-  if (!made.take_quaternion(kDeviceOrientation) && !made.take_quaternion(kRelativeOrientation)) {
+  if (!made.take_quaternion(kDeviceOrientation) && !made.take_quaternion(kRelativeOrientation))
     return std::nullopt;
-  }
   made.take_rate();
   made.find_features();
   return made;
@@ -141,9 +139,8 @@ std::optional<HidOrientationSample> HidOrientation::decode(std::span<const Byte>
     q[i] = *number;
     // Devices that forget the exponent mean their full range: the numbers of a quaternion reach 1.
     const HidField& field = descriptor_.fields[quaternion_[i].field];
-    if (field.exponent == 0 && field.logical_max > 1) {
+    if (field.exponent == 0 && field.logical_max > 1)
       q[i] /= static_cast<double>(field.logical_max);
-    }
   }
   const model::Quaternion read{q[3], q[0], q[1], q[2]};
   const double length = norm(read);
@@ -158,7 +155,7 @@ std::optional<HidOrientationSample> HidOrientation::decode(std::span<const Byte>
   for (int axis = 0; axis < 3; ++axis) {
     const HidElement& element = (*rate_)[static_cast<std::size_t>(axis)];
     const auto number = value(element, report);
-    if (!number || std::abs(*number) > kAbsurdDegS) return sample;
+    if (!number || std::abs(*number) > kMaxPlausibleDegS) return sample;
     const bool radians = (descriptor_.fields[element.field].unit & 0xF) == kUnitRadians;
     rate[axis] = radians ? model::kDegreesPerRadian * *number : *number;
   }

@@ -14,15 +14,14 @@ std::optional<Mounting> Mounting::of(Side front, Side up) noexcept {
   // of its four numbers first (Shepperd 1978), for half turns have w = 0.
   const double trace = x.x + y.y + z.z;
   model::Quaternion q;
-  if (trace > 0.0) {
+  if (trace > 0.0)
     q = {trace + 1.0, y.z - z.y, z.x - x.z, x.y - y.x};
-  } else if (x.x >= y.y && x.x >= z.z) {
+  else if (x.x >= y.y && x.x >= z.z)
     q = {y.z - z.y, 1.0 + x.x - y.y - z.z, y.x + x.y, z.x + x.z};
-  } else if (y.y >= z.z) {
+  else if (y.y >= z.z)
     q = {z.x - x.z, y.x + x.y, 1.0 - x.x + y.y - z.z, z.y + y.z};
-  } else {
+  else
     q = {x.y - y.x, z.x + x.z, z.y + y.z, 1.0 - x.x - y.y + z.z};
-  }
   const double k = 1.0 / norm(q);
   Mounting made;
   made.ball_to_sensor_ = {k * q.w, k * q.x, k * q.y, k * q.z};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the sensor sits in the ball: which of its sides looks to the ball's front, and which up.
+// Mounting of the sensor in the ball: which of its sides is the ball's front, and which its top.
 #pragma once
 
 #include <cstdint>

@@ -13,7 +13,7 @@ constexpr std::uint16_t kFrameMask = 0xC;
 constexpr std::uint16_t kNed = 0x4;
 constexpr std::uint16_t kWithEveryPacket = 0xFFFF;
 // No tracker turns or accelerates like this: a number beyond is a broken one.
-constexpr double kAbsurd = 1e4;
+constexpr double kMaxPlausible = 1e4;
 
 constexpr std::array<std::size_t, 4> kNumberSize{4, 4, 6, 8};
 
@@ -37,7 +37,7 @@ std::optional<std::array<double, n>> numbers(std::uint16_t id, std::span<const B
   std::array<double, n> values{};
   for (std::size_t i = 0; i < n; ++i) {
     values[i] = number(&data[i * kNumberSize[format]], format);
-    if (!(std::abs(values[i]) < kAbsurd)) return std::nullopt;
+    if (!(std::abs(values[i]) < kMaxPlausible)) return std::nullopt;
   }
   return values;
 }
@@ -124,9 +124,8 @@ std::vector<Byte> encode_outputs(std::span<const MtOutput> outputs) {
 std::optional<std::vector<MtOutput>> decode_outputs(std::span<const Byte> payload) {
   if (payload.size() % 4 != 0) return std::nullopt;
   std::vector<MtOutput> outputs;
-  for (; !payload.empty(); payload = payload.subspan(4)) {
+  for (; !payload.empty(); payload = payload.subspan(4))
     outputs.push_back({big_u16(payload.data()), big_u16(payload.data() + 2)});
-  }
   return outputs;
 }
 

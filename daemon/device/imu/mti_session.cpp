@@ -10,7 +10,7 @@ namespace {
 // Not every model knows every rate; the last is "with every packet".
 constexpr std::array<std::uint16_t, 3> kRates{200, 100, 0xFFFF};
 // Whoever does not collect them needs only the latest.
-constexpr std::size_t kMostWaiting = 64;
+constexpr std::size_t kMaxSamples = 64;
 
 }  // namespace
 
@@ -40,7 +40,7 @@ std::vector<Byte> MtiSession::due(double now_s) {
     woken_ = false;
     return encode_xbus(XbusId::kWakeUpAck);
   }
-  if (step_ == Step::kMeasuring && now_s - heard_s_ > kSilenceS) go(Step::kConfigure);
+  if (step_ == Step::kMeasuring && now_s - received_s_ > kSilenceS) go(Step::kConfigure);
   if (step_ == Step::kMeasuring || (asked_s_ && now_s - *asked_s_ < kRepeatS)) return {};
   asked_s_ = now_s;
   return request();
@@ -66,7 +66,7 @@ void MtiSession::take(const XbusMessage& message, double now_s) {
     case XbusId::kGotoMeasurementAck:
       if (step_ == Step::kMeasure) {
         go(Step::kMeasuring);
-        heard_s_ = now_s;
+        received_s_ = now_s;
       }
       break;
     case XbusId::kError:
@@ -75,9 +75,9 @@ void MtiSession::take(const XbusMessage& message, double now_s) {
     case XbusId::kMtData2:
       // Before it is configured it may send other things than we want, or at another rate.
       if (step_ != Step::kMeasuring) break;
-      heard_s_ = now_s;
+      received_s_ = now_s;
       if (auto sample = decode_mtdata2(message.payload)) {
-        if (samples_.size() == kMostWaiting) samples_.pop_front();
+        if (samples_.size() == kMaxSamples) samples_.pop_front();
         samples_.push_back(*sample);
       }
       break;

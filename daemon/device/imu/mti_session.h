@@ -44,7 +44,7 @@ class MtiSession {
   std::deque<MtSample> samples_;
   /// When the request of this step was sent; none: not yet.
   std::optional<double> asked_s_;
-  double heard_s_ = 0.0;
+  double received_s_ = 0.0;
   bool woken_ = false;
   /// Refused output rates so far.
   std::size_t refused_ = 0;

@@ -63,9 +63,8 @@ SonyCalibration::Axis believable(const SonyCalibration::Axis& axis,
 
 model::Vec3 physical(const Byte* at, const std::array<SonyCalibration::Axis, 3>& axes) noexcept {
   std::array<double, 3> pad{};
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; i < 3; ++i)
     pad[i] = (little_i16(at + 2 * i) - axes[i].bias) * axes[i].scale;
-  }
   return {-pad[2], -pad[0], pad[1]};
 }
 

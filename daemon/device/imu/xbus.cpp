@@ -15,8 +15,8 @@ constexpr std::size_t kExtendedHead = 6;
 
 /// Modulo 256 by itself.
 Byte sum(std::span<const Byte> bytes) noexcept {
-  return std::accumulate(bytes.begin(), bytes.end(), Byte{0},
-                         [](Byte a, Byte b) { return static_cast<Byte>(a + b); });
+  return std::accumulate(
+      bytes.begin(), bytes.end(), Byte{0}, [](Byte a, Byte b) { return static_cast<Byte>(a + b); });
 }
 
 struct Candidate {

@@ -38,9 +38,8 @@ std::optional<int> number(std::string_view text, int base) {
 std::vector<fs::path> entries(const fs::path& folder) {
   std::vector<fs::path> found;
   std::error_code ignored;
-  for (fs::directory_iterator it(folder, ignored), end; it != end; it.increment(ignored)) {
+  for (fs::directory_iterator it(folder, ignored), end; it != end; it.increment(ignored))
     found.push_back(it->path());
-  }
   std::sort(found.begin(), found.end());
   return found;
 }
@@ -190,9 +189,8 @@ std::vector<UsbDevice> list_usb(const std::string& sys) {
 
 std::vector<HidDevice> list_hid(const std::string& sys) {
   std::vector<HidDevice> devices;
-  for (const fs::path& entry : entries(fs::path(sys) / "bus/hid/devices")) {
+  for (const fs::path& entry : entries(fs::path(sys) / "bus/hid/devices"))
     if (auto device = read_hid_device(entry)) devices.push_back(std::move(*device));
-  }
   return devices;
 }
 

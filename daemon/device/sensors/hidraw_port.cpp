@@ -50,11 +50,10 @@ OpenedHid open_hidraw(const HidDevice& device) {
     if (errno == EACCES) opened.failure += "; the udev rule gives it to the group hedgehog";
     return opened;
   }
-  if (hid_device* handle = hid_open_path(device.hidraw.c_str())) {
+  if (hid_device* handle = hid_open_path(device.hidraw.c_str()))
     opened.port = std::make_unique<HidrawPort>(handle);
-  } else {
+  else
     opened.failure = opened.name + ": " + device.hidraw + " cannot be opened";
-  }
   return opened;
 }
 

@@ -40,9 +40,7 @@ std::string HidSensorImu::open() {
   for (const std::uint8_t id : codec_->feature_ids()) {
     std::vector<Byte> report(codec_->feature_bytes(id));
     report[0] = id;
-    if (opened.port->get_feature(report) == 0) {
-      std::fill(report.begin() + 1, report.end(), Byte{0});
-    }
+    if (opened.port->get_feature(report) == 0) std::fill(report.begin() + 1, report.end(), Byte{0});
     codec_->switch_on(report, kIntervalS);
     // Some run without it; those that do not stay silent, which shows as a stale orientation.
     (void)opened.port->send_feature(report);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a sensor: opens it when it is there, reads it, and looks for it again with growing
-// patience when it is gone.
+// One thread a sensor: opens it when it is there, reads it, and searches for it with exponential
+// back-off when it is gone.
 #pragma once
 
 #include <atomic>

@@ -8,7 +8,7 @@
 namespace hedgehog::device {
 namespace {
 
-constexpr std::size_t kMostReports = 4;
+constexpr std::size_t kMaxReports = 4;
 
 }  // namespace
 
@@ -18,7 +18,7 @@ std::optional<std::vector<Byte>> TemperSensor::ask(HidPort& port,
   std::copy(question.begin(), question.end(), out.begin() + 1);
   if (!port.write(out)) return std::nullopt;
   std::vector<Byte> answer;
-  for (std::size_t i = 0; i < kMostReports; ++i) {
+  for (std::size_t i = 0; i < kMaxReports; ++i) {
     TemperReport report{};
     // The first one takes its time.
     const auto length = port.read(report, i == 0 ? 3 * kBetween : kBetween);

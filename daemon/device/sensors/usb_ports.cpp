@@ -23,9 +23,8 @@ constexpr unsigned kWriteMs = 100;
 std::optional<std::size_t> outcome(libusb_device_handle* handle, unsigned char endpoint, int error,
                                    int length) {
   if (error == 0 || error == LIBUSB_ERROR_TIMEOUT || error == LIBUSB_ERROR_INTERRUPTED ||
-      error == LIBUSB_ERROR_OVERFLOW) {
+      error == LIBUSB_ERROR_OVERFLOW)
     return length > 0 && error != LIBUSB_ERROR_OVERFLOW ? static_cast<std::size_t>(length) : 0;
-  }
   if (error == LIBUSB_ERROR_PIPE && libusb_clear_halt(handle, endpoint) == 0) return 0;
   return std::nullopt;
 }
@@ -105,22 +104,20 @@ class UsbBytePort : public BytePort {
 OpenedHid open_usb_hid(const HidDevice& device) {
   OpenedHid opened{nullptr, {}, describe(device), device.descriptor, device.bluetooth};
   auto usb = UsbHandle::open(*device.usb, LIBUSB_TRANSFER_TYPE_INTERRUPT, false, opened.failure);
-  if (usb) {
+  if (usb)
     opened.port = std::make_unique<UsbHidPort>(std::move(usb));
-  } else {
+  else
     opened.failure = opened.name + ": " + opened.failure;
-  }
   return opened;
 }
 
 OpenedBytes open_usb_bytes(const UsbDevice& device) {
   OpenedBytes opened{nullptr, {}, describe(device)};
   auto usb = UsbHandle::open(device.place, LIBUSB_TRANSFER_TYPE_BULK, true, opened.failure);
-  if (usb) {
+  if (usb)
     opened.port = std::make_unique<UsbBytePort>(std::move(usb));
-  } else {
+  else
     opened.failure = opened.name + ": " + opened.failure;
-  }
   return opened;
 }
 
@@ -138,9 +135,8 @@ OpenedBytes open_mti(const std::string& serial) {
   const std::vector<UsbDevice> devices = list_usb();
   Found found = find_sensor(devices, SensorKind::kMti, serial);
   if (!found.index) {
-    if (find_sensor(devices, SensorKind::kClosedXsens, {}).index) {
+    if (find_sensor(devices, SensorKind::kClosedXsens, {}).index)
       found.failure += "; the Xsens device that is speaks only with its maker's own software";
-    }
     return {nullptr, found.failure, {}};
   }
   return open_usb_bytes(devices[*found.index]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the second thermometer said last, and what it is for.
+// Last sample of the second thermometer, and its role.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ enum class ThermometerRole : std::uint8_t {
 
 /// Trivially copyable; written by the thermometer's reader, read by control.
 struct ThermometerSample {
-  /// False: it has said nothing yet.
+  /// False: no sample yet.
   bool present = false;
   double celsius = 0.0;
   /// When it was measured.

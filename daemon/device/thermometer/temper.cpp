@@ -57,9 +57,8 @@ std::optional<TemperReading> decode_temper(const TemperModel& model, std::span<c
   if (answer.size() < kTemperReport || answer[0] != kTemperAskTemperature[1]) return std::nullopt;
   TemperReading reading;
   reading.internal_c = celsius(answer, kInternalAt, model.divisor);
-  if (model.external_at != 0) {
+  if (model.external_at != 0)
     reading.external_c = celsius(answer, model.external_at, model.divisor);
-  }
   return reading;
 }
 

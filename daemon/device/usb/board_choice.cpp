@@ -10,9 +10,8 @@ namespace {
 
 std::string no_board(const std::vector<model::UsbId>& ids) {
   std::string text = "no driver board is connected";
-  for (std::size_t i = 0; i < ids.size(); ++i) {
+  for (std::size_t i = 0; i < ids.size(); ++i)
     text += (i == 0 ? " (" : ", ") + usb_ids(ids[i].vendor, ids[i].product);
-  }
   return ids.empty() ? text : text + ")";
 }
 
@@ -39,9 +38,11 @@ std::string foreign_version(int version) {
 }
 
 bool is_board(const UsbDevice& device, const BoardIds& wanted) {
-  return std::any_of(wanted.ids.begin(), wanted.ids.end(), [&](const model::UsbId& id) {
-    return id.vendor == device.vendor && id.product == device.product;
-  });
+  return std::any_of(
+      wanted.ids.begin(), wanted.ids.end(),
+      [&](const model::UsbId& id) {
+        return id.vendor == device.vendor && id.product == device.product;
+      });
 }
 
 BoardChoice choose_board(const std::vector<UsbDevice>& devices, const BoardIds& wanted) {

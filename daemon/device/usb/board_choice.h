@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which of the USB devices of this machine is the board, by the device file.
+// Selection of the board among the USB devices of this machine, by the device file.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace hedgehog::device {
 inline constexpr std::uint8_t kBoardClass = 0xFF;
 inline constexpr std::uint8_t kBoardSubclass = 0x48;
 
-/// What the device file says about the board.
+/// The device file's part about the board.
 struct BoardIds {
   std::vector<model::UsbId> ids;
   /// Empty: any, as long as there is one only.

@@ -11,17 +11,16 @@ using Milliseconds = BoardFinder::Milliseconds;
 
 constexpr Milliseconds kCancelPatience{500};
 constexpr Milliseconds kMendPatience{100};
-constexpr Milliseconds kFarewell{50};
+constexpr Milliseconds kShutdownPatience{50};
 constexpr Milliseconds kStallMemory{10'000};
 
 }  // namespace
 
 Milliseconds BoardFinder::step(Milliseconds now) {
-  if (exchange_) {
+  if (exchange_)
     watch(now);
-  } else if (now >= next_) {
+  else if (now >= next_)
     look(now);
-  }
   return exchange_ ? kLook : std::max(next_ - now, Milliseconds(1));
 }
 
@@ -29,8 +28,8 @@ void BoardFinder::look(Milliseconds now) {
   const std::vector<UsbDevice> devices = bus_.list();
   const BoardChoice choice = choose_board(devices, wanted_);
   // Another one than before has a new chance.
-  if (choice.seen && !sight_.seen) patience_ = kFirstPause;
-  sight_.seen = choice.seen;
+  if (choice.seen && !usb_info_.seen) patience_ = kFirstPause;
+  usb_info_.seen = choice.seen;
   if (!choice.index) {
     fail(choice.failure, kLongestPause, now);
     return;
@@ -47,14 +46,13 @@ void BoardFinder::look(Milliseconds now) {
   exchange_ = std::make_unique<UsbExchange>(std::move(port));
   name_ = describe_board(device);
   foreign_version_.store(0, std::memory_order_relaxed);
-  sight_.open = true;
-  sight_.what = name_;
-  sight_.place = device.place;
-  if (!device.serial.empty()) sight_.serial = device.serial;
-  if (std::string version = firmware_of(device); !version.empty()) {
-    sight_.firmware = std::move(version);
-  }
-  ++sight_.opened;
+  usb_info_.open = true;
+  usb_info_.what = name_;
+  usb_info_.place = device.place;
+  if (!device.serial.empty()) usb_info_.serial = device.serial;
+  if (std::string version = firmware_of(device); !version.empty())
+    usb_info_.firmware = std::move(version);
+  ++usb_info_.opened;
   opened_at_ = now;
   stalls_ = 0;
   exchange_->start();
@@ -62,7 +60,7 @@ void BoardFinder::look(Milliseconds now) {
 }
 
 void BoardFinder::lend(Milliseconds now) noexcept {
-  heard_at_ = now;
+  received_at_ = now;
   packets_seen_ = packets_.load(std::memory_order_relaxed);
   wanted_back_.store(false, std::memory_order_relaxed);
   turn_.store(Turn::kLink, std::memory_order_release);
@@ -74,11 +72,11 @@ void BoardFinder::watch(Milliseconds now) {
     return;
   }
   const int version = foreign_version_.load(std::memory_order_relaxed);
-  sight_.open = version == 0;
-  sight_.what = version == 0 ? name_ : name_ + ": " + foreign_version(version);
+  usb_info_.open = version == 0;
+  usb_info_.what = version == 0 ? name_ : name_ + ": " + foreign_version(version);
   const std::uint32_t packets = packets_.load(std::memory_order_relaxed);
-  if (packets != std::exchange(packets_seen_, packets)) heard_at_ = now;
-  if (now - heard_at_ >= kSilence) wanted_back_.store(true, std::memory_order_relaxed);
+  if (packets != std::exchange(packets_seen_, packets)) received_at_ = now;
+  if (now - received_at_ >= kSilence) wanted_back_.store(true, std::memory_order_relaxed);
 }
 
 void BoardFinder::take_back(Milliseconds now) {
@@ -86,8 +84,8 @@ void BoardFinder::take_back(Milliseconds now) {
     case UsbTrouble::kStalled:
       stalls_ = now - stalled_at_ < kStallMemory ? stalls_ + 1 : 1;
       stalled_at_ = now;
-      if (stalls_ <= kMostStalls && exchange_->recover(kMendPatience)) {
-        ++sight_.mended;
+      if (stalls_ <= kMaxStalls && exchange_->recover(kMendPatience)) {
+        ++usb_info_.mended;
         lend(now);
       } else {
         lose("it stalls again and again", kLongestPauseAfterFailure, now);
@@ -107,22 +105,22 @@ void BoardFinder::take_back(Milliseconds now) {
 void BoardFinder::lose(const std::string& why, Milliseconds longest, Milliseconds now) {
   (void)exchange_->cancel_all(kCancelPatience);
   exchange_.reset();
-  ++sight_.closed;
+  ++usb_info_.closed;
   // One that opens and dies at once is not hammered.
   if (now - opened_at_ > kLongestPauseAfterFailure) patience_ = kFirstPause;
   fail(name_ + ": " + why, longest, now);
 }
 
 void BoardFinder::forget() {
-  sight_.open = false;
-  sight_.place.reset();
-  sight_.serial.reset();
-  sight_.firmware.reset();
+  usb_info_.open = false;
+  usb_info_.place.reset();
+  usb_info_.serial.reset();
+  usb_info_.firmware.reset();
 }
 
 void BoardFinder::fail(const std::string& why, Milliseconds longest, Milliseconds now) {
   forget();
-  sight_.what = why;
+  usb_info_.what = why;
   patience_ = std::min(patience_, longest);
   next_ = now + patience_;
   patience_ = std::min(2 * patience_, longest);
@@ -130,10 +128,10 @@ void BoardFinder::fail(const std::string& why, Milliseconds longest, Millisecond
 
 void BoardFinder::close() {
   if (!exchange_) return;
-  exchange_->flush(kFarewell);
+  exchange_->flush(kShutdownPatience);
   (void)exchange_->cancel_all(kCancelPatience);
   exchange_.reset();
-  ++sight_.closed;
+  ++usb_info_.closed;
   forget();
   turn_.store(Turn::kFinder, std::memory_order_relaxed);
 }
@@ -150,9 +148,8 @@ std::size_t BoardFinder::receive(std::span<std::uint8_t> packet) noexcept {
     note_version(packet.first(length));
     return length;
   }
-  if (exchange_->trouble() != UsbTrouble::kNone || wanted_back_.load(std::memory_order_relaxed)) {
+  if (exchange_->trouble() != UsbTrouble::kNone || wanted_back_.load(std::memory_order_relaxed))
     turn_.store(Turn::kFinder, std::memory_order_release);
-  }
   return 0;
 }
 
@@ -160,9 +157,8 @@ void BoardFinder::note_version(std::span<const std::uint8_t> packet) noexcept {
   // A frame that is whole but for its version says which.
   if (packet.size() != board::kFrameSize || packet[1] == board::kProtocolVersion) return;
   board::FrameHeader header;
-  if (board::read_header(packet.data(), packet.size(), header) == board::FrameError::kVersion) {
+  if (board::read_header(packet.data(), packet.size(), header) == board::FrameError::kVersion)
     foreign_version_.store(packet[1], std::memory_order_relaxed);
-  }
 }
 
 }  // namespace hedgehog::device

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Looks for the board, opens it, mends it and closes it, and lends its transfers to the link thread
-// in between: everything that may wait, so that the link never does.
+// Finds, opens, recovers and closes the board, and lends its transfers to the link thread in
+// between: everything that may block, so that the link never does.
 #pragma once
 
 #include <atomic>
@@ -17,8 +17,8 @@
 
 namespace hedgehog::device {
 
-/// What there is to say about the board as a USB device.
-struct BoardSight {
+/// The board as a USB device.
+struct BoardUsbInfo {
   /// It is open, and speaks our version of the protocol.
   bool open = false;
   /// Something with its ids is connected, used or not.
@@ -51,7 +51,7 @@ class BoardFinder {
   /// An open board that says nothing for so long is closed and opened again.
   static constexpr Milliseconds kSilence{2000};
   /// So many stalls in a row, each within 10 s of the one before, and it is opened anew.
-  static constexpr int kMostStalls = 5;
+  static constexpr int kMaxStalls = 5;
 
   BoardFinder(UsbBus& bus, BoardIds wanted) : bus_(bus), wanted_(std::move(wanted)) {}
 
@@ -61,7 +61,7 @@ class BoardFinder {
   /// Closes the board. REQUIRES: the link is done with it.
   void close();
   /// The finder's thread.
-  const BoardSight& sight() const noexcept { return sight_; }
+  const BoardUsbInfo& usb_info() const noexcept { return usb_info_; }
 
   /// The link's thread, never waiting:
   bool send(std::span<const std::uint8_t, board::kFrameSize> frame) noexcept;
@@ -83,13 +83,13 @@ class BoardFinder {
 
   UsbBus& bus_;
   BoardIds wanted_;
-  BoardSight sight_;
+  BoardUsbInfo usb_info_;
   std::string name_;
   std::unique_ptr<UsbExchange> exchange_;
   Milliseconds next_{0};
   Milliseconds patience_{kFirstPause};
   Milliseconds opened_at_{0};
-  Milliseconds heard_at_{0};
+  Milliseconds received_at_{0};
   Milliseconds stalled_at_{0};
   int stalls_ = 0;
   std::uint32_t packets_seen_ = 0;

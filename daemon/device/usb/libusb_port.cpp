@@ -74,9 +74,8 @@ class LibusbPort : public UsbPort {
   ~LibusbPort() override {
     for (int i = 0; i < kSlots; ++i) cancel(i);
     std::array<Completion, kSlots> ignored;
-    for (auto left = kClosing; busy() && left.count() > 0; left -= kClosePoll) {
+    for (auto left = kClosing; busy() && left.count() > 0; left -= kClosePoll)
       (void)poll(ignored, kClosePoll);
-    }
     if (!busy()) return;
     // The kernel still owns them: lost memory is better than memory written to after its end.
     (void)slots_.release();
@@ -119,7 +118,8 @@ class LibusbPort : public UsbPort {
  private:
   Slot& at(int slot) noexcept { return (*slots_)[static_cast<std::size_t>(slot)]; }
   bool busy() const noexcept {
-    return std::any_of(slots_->begin(), slots_->end(), [](const Slot& s) { return s.under_way; });
+    return std::any_of(
+        slots_->begin(), slots_->end(), [](const Slot& s) { return s.under_way; });
   }
 
   static void LIBUSB_CALL ended(libusb_transfer* transfer) {

@@ -30,7 +30,7 @@ class UsbTransport : public Transport {
 
 UsbBoard::UsbBoard(std::unique_ptr<UsbBus> bus, const BoardIds& wanted)
     : bus_(std::move(bus)), finder_(*bus_, wanted) {
-  sight_.what = "looking for the driver board";
+  usb_info_.what = "looking for the driver board";
   const SignalsBlocked blocked;
   thread_ = std::thread([this] { run(); });
 }
@@ -47,9 +47,9 @@ UsbBoard::~UsbBoard() {
 
 std::unique_ptr<Transport> UsbBoard::transport() { return std::make_unique<UsbTransport>(finder_); }
 
-BoardSight UsbBoard::sight() const {
+BoardUsbInfo UsbBoard::usb_info() const {
   const std::lock_guard lock(mutex_);
-  return sight_;
+  return usb_info_;
 }
 
 void UsbBoard::run() {
@@ -61,7 +61,7 @@ void UsbBoard::run() {
     const auto now = std::chrono::duration_cast<BoardFinder::Milliseconds>(Clock::now() - begin);
     const BoardFinder::Milliseconds pause = finder_.step(now);
     lock.lock();
-    sight_ = finder_.sight();
+    usb_info_ = finder_.usb_info();
     wake_.wait_for(lock, pause, [this] { return stop_; });
   }
 }

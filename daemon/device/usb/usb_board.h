@@ -12,7 +12,7 @@
 
 namespace hedgehog::device {
 
-/// Made and destroyed by one thread; `sight` from any.
+/// Made and destroyed by one thread; `usb_info` from any.
 class UsbBoard {
  public:
   /// Looks for it from now on, on a thread of its own. Throws std::system_error.
@@ -25,7 +25,7 @@ class UsbBoard {
   /// For the link thread, which hears nothing while there is no board. One at a time; the board
   /// outlives it.
   std::unique_ptr<Transport> transport();
-  BoardSight sight() const;
+  BoardUsbInfo usb_info() const;
 
  private:
   void run();
@@ -34,7 +34,7 @@ class UsbBoard {
   BoardFinder finder_;
   mutable std::mutex mutex_;
   std::condition_variable wake_;
-  BoardSight sight_;
+  BoardUsbInfo usb_info_;
   bool stop_ = false;
   std::thread thread_;
 };

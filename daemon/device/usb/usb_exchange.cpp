@@ -87,29 +87,26 @@ std::size_t UsbExchange::poll(milliseconds wait) noexcept {
 }
 
 bool UsbExchange::none_of(int first, int last) const noexcept {
-  return std::none_of(under_way_.begin() + first, under_way_.begin() + last,
-                      [](bool busy) { return busy; });
+  return std::none_of(
+      under_way_.begin() + first, under_way_.begin() + last, [](bool busy) { return busy; });
 }
 
 bool UsbExchange::wait_for(int first, int last, milliseconds patience) noexcept {
-  for (milliseconds left = patience; !none_of(first, last) && left.count() > 0;) {
+  for (milliseconds left = patience; !none_of(first, last) && left.count() > 0;)
     if (poll(kReadPoll) == 0) left -= kReadPoll;
-  }
   return none_of(first, last);
 }
 
 void UsbExchange::flush(milliseconds patience) noexcept {
   // What is read meanwhile is of no interest, and must not fill the queue.
-  for (int slot = 0; slot < kReadSlots; ++slot) {
+  for (int slot = 0; slot < kReadSlots; ++slot)
     if (under_way_[static_cast<std::size_t>(slot)]) port_->cancel(slot);
-  }
   if (trouble_ == UsbTrouble::kNone) (void)wait_for(kReadSlots, kSlots, patience);
 }
 
 bool UsbExchange::cancel_all(milliseconds patience) noexcept {
-  for (int slot = 0; slot < kSlots; ++slot) {
+  for (int slot = 0; slot < kSlots; ++slot)
     if (under_way_[static_cast<std::size_t>(slot)]) port_->cancel(slot);
-  }
   return wait_for(0, kSlots, patience);
 }
 

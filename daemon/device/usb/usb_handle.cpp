@@ -30,9 +30,7 @@ std::optional<Endpoints> find_endpoints(libusb_device* device, int interface,
          std::span(candidate.altsetting, static_cast<std::size_t>(candidate.num_altsetting))) {
       const Endpoints endpoints = endpoints_of(setting, type);
       const bool wanted = interface < 0 || setting.bInterfaceNumber == interface;
-      if (!found && wanted && endpoints.in != 0 && (!both || endpoints.out != 0)) {
-        found = endpoints;
-      }
+      if (!found && wanted && endpoints.in != 0 && (!both || endpoints.out != 0)) found = endpoints;
     }
   }
   libusb_free_config_descriptor(config);
@@ -68,9 +66,8 @@ std::unique_ptr<UsbHandle> UsbHandle::open(const UsbPlace& place, libusb_transfe
   int error = LIBUSB_ERROR_NO_DEVICE;
   for (libusb_device* device : std::span(list, count > 0 ? static_cast<std::size_t>(count) : 0)) {
     if (libusb_get_bus_number(device) != place.bus ||
-        libusb_get_device_address(device) != place.address) {
+        libusb_get_device_address(device) != place.address)
       continue;
-    }
     const auto endpoints = find_endpoints(device, place.interface, type, both);
     error = endpoints ? libusb_open(device, &made->handle_) : LIBUSB_ERROR_NOT_SUPPORTED;
     if (endpoints) made->endpoints_ = *endpoints;

@@ -176,9 +176,8 @@ TEST(Fusion, FindsTheBiasOfRollAndPitchInMotionToo) {
 TEST(Fusion, AccelerationThatIsNotGravityIsNotBelieved) {
   FusionBench bench;
   bench.rest(5.0);
-  for (int i = 0; i < 250; ++i) {
+  for (int i = 0; i < 250; ++i)
     bench.fusion.step(bench.mems.sample(bench.truth, {}, {1.5, 0.0, 0.0}));
-  }
   EXPECT_LT(bench.tilt_error_deg(), 1.0);
 }
 
@@ -226,7 +225,7 @@ RC_GTEST_PROP(FusionLaws, AnythingGivesARotation, ()) {
   for (int i = 0; i < 50; ++i) {
     fusion.step({{*number, *number, *number}, {*number / 1e3, *number / 1e3, *number / 1e3}, kDt});
     RC_ASSERT(std::abs(norm(fusion.sensor_to_world()) - 1.0) < 1e-9);
-    RC_ASSERT(norm(fusion.bias_deg_s()) <= std::sqrt(3.0) * Fusion::kMostBiasDegS);
+    RC_ASSERT(norm(fusion.bias_deg_s()) <= std::sqrt(3.0) * Fusion::kMaxBiasDegS);
   }
 }
 

@@ -140,11 +140,8 @@ RC_GTEST_PROP(HidLaws, NumbersComeBackFromAnyBits, ()) {
   const auto before = report;
   RC_ASSERT(write_hid(field, index, value, report));
   RC_ASSERT(read_hid(field, index, report) == value);
-  for (std::uint32_t other = 0; other < field.count; ++other) {
-    if (other != index) {
-      RC_ASSERT(read_hid(field, other, report) == read_hid(field, other, before));
-    }
-  }
+  for (std::uint32_t other = 0; other < field.count; ++other)
+    if (other != index) RC_ASSERT(read_hid(field, other, report) == read_hid(field, other, before));
   RC_ASSERT(!read_hid(field, field.count, report));
 }
 
@@ -179,9 +176,7 @@ TEST(HidDescriptor, OneWrongByteIsRefusedOrHarmless) {
         }
         const auto sensor = HidOrientation::find(*parsed);
         const auto sample = sensor ? sensor->decode(report) : std::nullopt;
-        if (sample) {
-          ASSERT_NEAR(norm(sample->quaternion), 1.0, 1e-9);
-        }
+        if (sample) ASSERT_NEAR(norm(sample->quaternion), 1.0, 1e-9);
       }
     }
   }

@@ -52,9 +52,8 @@ class FakeHidPort : public HidPort {
   }
   bool write(std::span<const Byte> report) override {
     device_.written.emplace_back(report.begin(), report.end());
-    if (device_.answer) {
+    if (device_.answer)
       for (auto& reply : device_.answer(device_.written.back())) device_.reports.push_back(reply);
-    }
     return device_.plugged;
   }
   std::size_t get_feature(std::span<Byte> report) override {

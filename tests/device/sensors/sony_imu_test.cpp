@@ -21,9 +21,8 @@ std::vector<Byte> dualsense_report(std::uint32_t clock, std::int16_t yaw, double
   std::vector<Byte> bytes(64);
   bytes[0] = 1;
   const auto put = [&](std::size_t at, std::uint32_t value, int size) {
-    for (int i = 0; i < size; ++i) {
+    for (int i = 0; i < size; ++i)
       bytes[at + static_cast<std::size_t>(i)] = static_cast<Byte>(value >> (8 * i));
-    }
   };
   put(18, static_cast<std::uint16_t>(yaw), 2);
   const auto gravity = [](double share) {

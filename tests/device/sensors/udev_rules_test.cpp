@@ -29,9 +29,8 @@ Ids usb_ids(const std::string& text) {
   const std::regex one(R"(\w+)");
   for (std::sregex_iterator it(text.begin(), text.end(), line), end; it != end; ++it) {
     const std::string products = (*it)[2];
-    for (std::sregex_iterator p(products.begin(), products.end(), one); p != end; ++p) {
+    for (std::sregex_iterator p(products.begin(), products.end(), one); p != end; ++p)
       ids.emplace(hex((*it)[1]), hex(p->str()));
-    }
   }
   return ids;
 }
@@ -39,9 +38,8 @@ Ids usb_ids(const std::string& text) {
 Ids hid_ids(const std::string& text) {
   Ids ids;
   const std::regex one(R"(\*:([0-9A-F]{4}):([0-9A-F]{4})\.\*)");
-  for (std::sregex_iterator it(text.begin(), text.end(), one), end; it != end; ++it) {
+  for (std::sregex_iterator it(text.begin(), text.end(), one), end; it != end; ++it)
     ids.emplace(hex((*it)[1]), hex((*it)[2]));
-  }
   return ids;
 }
 
@@ -60,9 +58,9 @@ Ids known(const std::set<int>& vendors, Wanted wanted) {
 }
 
 TEST(UdevRules, NameEveryHidDeviceThatIsKnown) {
-  EXPECT_EQ(hid_ids(rules()),
-            (known<HidDevice>({0x054C, 0x0C45, 0x413D, 0x1A86},
-                              [](SensorKind kind) { return kind != SensorKind::kNone; })));
+  EXPECT_EQ(hid_ids(rules()), (known<HidDevice>(
+                                  {0x054C, 0x0C45, 0x413D, 0x1A86},
+                                  [](SensorKind kind) { return kind != SensorKind::kNone; })));
 }
 
 TEST(UdevRules, NameTheMtiAndTheBoard) {

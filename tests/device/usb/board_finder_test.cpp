@@ -12,8 +12,8 @@ namespace {
 TEST(BoardOnUsb, NoneIsConnected) {
   Bench bench;
   bench.run(100);
-  EXPECT_FALSE(bench.finder.sight().open);
-  EXPECT_FALSE(bench.finder.sight().seen);
+  EXPECT_FALSE(bench.finder.usb_info().open);
+  EXPECT_FALSE(bench.finder.usb_info().seen);
   EXPECT_EQ(bench.what(), "no driver board is connected (1209:0001)");
   EXPECT_EQ(bench.sent, 0);
 }
@@ -22,13 +22,13 @@ TEST(BoardOnUsb, TheOneThatIsConnectedIsUsedByItsVendorInterface) {
   Bench bench;
   FakeBoard& board = bench.usb.plug_in("7");
   bench.run(board, 1000);
-  EXPECT_TRUE(bench.finder.sight().open);
+  EXPECT_TRUE(bench.finder.usb_info().open);
   EXPECT_EQ(bench.what(), kSeven);
-  EXPECT_EQ(bench.finder.sight().serial, "7");
-  EXPECT_EQ(bench.finder.sight().firmware, "1.02");
+  EXPECT_EQ(bench.finder.usb_info().serial, "7");
+  EXPECT_EQ(bench.finder.usb_info().firmware, "1.02");
   EXPECT_EQ(bench.usb.claimed_interface, 1);
   EXPECT_EQ(bench.received.size(), 1000u);
-  EXPECT_EQ(board.heard.size(), static_cast<std::size_t>(bench.sent) - 1);  // one under way
+  EXPECT_EQ(board.on_event.size(), static_cast<std::size_t>(bench.sent) - 1);  // one under way
   EXPECT_EQ(bench.sent, 1000);
   for (std::uint32_t i = 0; i < 1000; ++i) EXPECT_EQ(bench.received[i], telemetry(i + 1));
 }
@@ -38,7 +38,7 @@ TEST(BoardOnUsb, OfTwoNeitherIsUsedUnlessTheDeviceFileNamesOne) {
   bench.usb.plug_in("7");
   bench.usb.plug_in("8");
   bench.run(100);
-  EXPECT_TRUE(bench.finder.sight().seen);
+  EXPECT_TRUE(bench.finder.usb_info().seen);
   EXPECT_EQ(bench.what(), std::string("two driver boards are connected, ") + kSeven +
                               " and Hedgehog driver board (1209:0001), serial number 8, firmware "
                               "1.02; `usb_serial` in the device file says which");
@@ -48,7 +48,7 @@ TEST(BoardOnUsb, OfTwoNeitherIsUsedUnlessTheDeviceFileNamesOne) {
   named.usb.plug_in("7");
   FakeBoard& eight = named.usb.plug_in("8");
   named.run(eight, 100);
-  EXPECT_TRUE(named.finder.sight().open);
+  EXPECT_TRUE(named.finder.usb_info().open);
   EXPECT_EQ(eight.opened, 1);
   EXPECT_EQ(named.usb.boards[0]->opened, 0);
 }
@@ -75,7 +75,7 @@ TEST(BoardOnUsb, FramesOfAnotherVersionAreNamedWithBoth) {
   Bench bench;
   FakeBoard& board = bench.usb.plug_in("7");
   bench.run(board, 100, 3);
-  EXPECT_FALSE(bench.finder.sight().open);
+  EXPECT_FALSE(bench.finder.usb_info().open);
   EXPECT_NE(bench.what().find("version 3 of the board protocol, this hedgehogd 1"),
             std::string::npos);
   EXPECT_EQ(board.open_ports, 1);
@@ -88,7 +88,7 @@ TEST(BoardOnUsb, NoiseIsNoVersion) {
   broken[20] ^= 1;
   board.packets = {broken, std::vector<std::uint8_t>(64, 0x55), {1, 2}};
   bench.run(50);
-  EXPECT_TRUE(bench.finder.sight().open);
+  EXPECT_TRUE(bench.finder.usb_info().open);
   EXPECT_EQ(bench.what(), kSeven);
 }
 
@@ -104,7 +104,7 @@ TEST(BoardOnUsb, MissingPermissionAndAnotherProgramAreToldApart) {
   FakeBoard& board = bench.usb.plug_in("7");
   board.open_error = LIBUSB_ERROR_ACCESS;
   bench.run(100);
-  EXPECT_TRUE(bench.finder.sight().seen);
+  EXPECT_TRUE(bench.finder.usb_info().seen);
   EXPECT_EQ(bench.what(), std::string(kSeven) +
                               ": no permission to open it; the udev rule gives it to the group "
                               "hedgehog");

@@ -19,7 +19,7 @@ TEST(BoardOnUsb, ABoardThatDoesNotListenFillsThePoolAndNoMore) {
   board.listens = false;
   bench.run(board, 500);
   EXPECT_EQ(bench.sent, kWriteSlots);
-  EXPECT_TRUE(bench.finder.sight().open);
+  EXPECT_TRUE(bench.finder.usb_info().open);
   board.listens = true;
   bench.run(board, 100);
   EXPECT_GE(bench.sent, kWriteSlots + 99);
@@ -32,8 +32,8 @@ TEST(BoardOnUsb, PulledOutInTheMiddleOfATransferItIsClosedAndFoundAgain) {
   bench.run(board, 300);
   board.plugged = false;
   bench.run(static_cast<int>(BoardFinder::kLook.count()) + 2);
-  EXPECT_FALSE(bench.finder.sight().open);
-  EXPECT_FALSE(bench.finder.sight().serial);
+  EXPECT_FALSE(bench.finder.usb_info().open);
+  EXPECT_FALSE(bench.finder.usb_info().serial);
   EXPECT_EQ(bench.what(), std::string(kSeven) + ": it went away");
   EXPECT_EQ(board.open_ports, 0);
   EXPECT_EQ(board.left_under_way, 0);
@@ -58,7 +58,7 @@ TEST(BoardOnUsb, AStallIsEndedWithoutOpeningItAgain) {
   bench.run(board, static_cast<int>(BoardFinder::kLook.count()) + 2);
   EXPECT_EQ(board.halts_cleared, 1);
   EXPECT_EQ(board.opened, 1);
-  EXPECT_EQ(bench.finder.sight().mended, 1u);
+  EXPECT_EQ(bench.finder.usb_info().mended, 1u);
   const std::size_t before = bench.received.size();
   bench.run(board, 100);
   EXPECT_GE(bench.received.size(), before + 100);
@@ -81,13 +81,13 @@ TEST(BoardOnUsb, AStallThatDoesNotEndClosesItAndItIsTriedLessAndLessOften) {
 TEST(BoardOnUsb, StallsAgainAndAgainLeadToANewOpening) {
   Bench bench;
   FakeBoard& board = bench.usb.plug_in("7");
-  for (int i = 0; i <= BoardFinder::kMostStalls; ++i) {
+  for (int i = 0; i <= BoardFinder::kMaxStalls; ++i) {
     bench.run(board, 100);
     board.stalled = true;
   }
   bench.run(board, 100);
-  EXPECT_EQ(bench.finder.sight().mended, static_cast<std::uint64_t>(BoardFinder::kMostStalls));
-  EXPECT_EQ(bench.finder.sight().closed, 1u);
+  EXPECT_EQ(bench.finder.usb_info().mended, static_cast<std::uint64_t>(BoardFinder::kMaxStalls));
+  EXPECT_EQ(bench.finder.usb_info().closed, 1u);
 }
 
 TEST(BoardOnUsb, FailingTransfersAndSilenceCloseItToo) {
@@ -125,8 +125,8 @@ TEST(BoardOnUsb, AThousandPlugCyclesLoseNothing) {
     ASSERT_EQ(board.open_ports, 0) << cycle;
   }
   EXPECT_EQ(board.opened, 1000);
-  EXPECT_EQ(bench.finder.sight().opened, 1000u);
-  EXPECT_EQ(bench.finder.sight().closed, 1000u);
+  EXPECT_EQ(bench.finder.usb_info().opened, 1000u);
+  EXPECT_EQ(bench.finder.usb_info().closed, 1000u);
   EXPECT_EQ(board.left_under_way, 0);
   EXPECT_EQ(board.begun, board.ended);
 }
@@ -137,7 +137,7 @@ TEST(BoardOnUsb, ClosingLetsTheLastFrameGoOut) {
   bench.run(board, 10);
   const auto sent = static_cast<std::size_t>(bench.sent);
   bench.finder.close();
-  EXPECT_EQ(board.heard.size(), sent);
+  EXPECT_EQ(board.on_event.size(), sent);
   EXPECT_EQ(board.open_ports, 0);
   EXPECT_EQ(board.left_under_way, 0);
 }
@@ -161,16 +161,15 @@ RC_GTEST_PROP(BoardOnUsb, WhateverHappensNothingIsLostOrLeftOpen, ()) {
   RC_ASSERT(board.open_ports == 0);
   RC_ASSERT(board.left_under_way == 0);
   RC_ASSERT(board.begun == board.ended);
-  RC_ASSERT(bench->finder.sight().opened == bench->finder.sight().closed);
+  RC_ASSERT(bench->finder.usb_info().opened == bench->finder.usb_info().closed);
 }
 
 // The threads for real: the link's tick, the finder's own thread, and cables pulled in between.
 TEST(BoardOnUsb, FinderAndLinkOnThreadsOfTheirOwn) {
   auto usb = std::make_unique<FakeUsb>();
   FakeBoard& plugged = usb->plug_in("7");
-  for (int i = 1; i <= 4000; ++i) {
+  for (int i = 1; i <= 4000; ++i)
     plugged.packets.push_back(telemetry(static_cast<std::uint32_t>(i)));
-  }
   UsbBoard board(std::move(usb), kAny);
   {
     const auto transport = board.transport();
@@ -186,10 +185,9 @@ TEST(BoardOnUsb, FinderAndLinkOnThreadsOfTheirOwn) {
       (void)transport->send(Frame{});
     }
     // The finder lends the board a moment before it says so.
-    for (int ms = 0; ms < 20'000 && !board.sight().open; ++ms) {
+    for (int ms = 0; ms < 20'000 && !board.usb_info().open; ++ms)
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    EXPECT_EQ(board.sight().what, kSeven);
+    EXPECT_EQ(board.usb_info().what, kSeven);
   }
 }
 

@@ -31,7 +31,7 @@ struct FakeBoard {
   bool transfers_fail = false;
   /// What it says next, and what it has heard.
   std::deque<std::vector<std::uint8_t>> packets;
-  std::vector<std::vector<std::uint8_t>> heard;
+  std::vector<std::vector<std::uint8_t>> on_event;
 
   int open_ports = 0;
   int opened = 0;
@@ -93,15 +93,14 @@ class FakeUsbPort : public UsbPort {
       return true;
     };
     if (!board_.plugged) return end(TransferEnd::kGone);
-    if (std::find(cancelled_.begin(), cancelled_.end(), one.slot) != cancelled_.end()) {
+    if (std::find(cancelled_.begin(), cancelled_.end(), one.slot) != cancelled_.end())
       return end(TransferEnd::kCancelled);
-    }
     if (board_.stalled) return end(TransferEnd::kStalled);
     if (board_.transfers_fail) return end(TransferEnd::kFailed);
     auto& bytes = bytes_[static_cast<std::size_t>(one.slot)];
     if (one.slot >= kReadSlots) {
       if (!board_.listens) return false;
-      board_.heard.emplace_back(bytes.begin(), bytes.begin() + static_cast<long>(one.length));
+      board_.on_event.emplace_back(bytes.begin(), bytes.begin() + static_cast<long>(one.length));
       return true;
     }
     if (board_.packets.empty()) return false;
@@ -140,9 +139,8 @@ struct FakeUsb : UsbBus {
   std::vector<UsbDevice> list() override {
     ++listed;
     std::vector<UsbDevice> devices;
-    for (const auto& board : boards) {
+    for (const auto& board : boards)
       if (board->plugged) devices.push_back(board->device);
-    }
     return devices;
   }
   std::unique_ptr<UsbPort> open(const UsbPlace& place, std::string& failure) override {

@@ -50,9 +50,8 @@ struct Bench {
       ++steps;
     }
     std::array<std::uint8_t, 128> packet;
-    while (const std::size_t length = finder.receive(packet)) {
+    while (const std::size_t length = finder.receive(packet))
       received.emplace_back(packet.begin(), packet.begin() + static_cast<long>(length));
-    }
     Frame frame{};
     if (finder.send(frame)) ++sent;
     ++now;
@@ -70,12 +69,12 @@ struct Bench {
   // The first millisecond from now in which the board is open; nothing within a minute.
   std::optional<int> until_open() {
     for (int ms = 0; ms < 60'000; ++ms) {
-      if (finder.sight().open) return ms;
+      if (finder.usb_info().open) return ms;
       tick();
     }
     return std::nullopt;
   }
-  const std::string& what() const { return finder.sight().what; }
+  const std::string& what() const { return finder.usb_info().what; }
   std::uint32_t sequence = 0;
 };
 

@@ -60,9 +60,8 @@ TEST(Goldberg, APentagonIsOnTopAndItsNearestPentagonInFront) {
       if (face.direction.z > 1.0 - 1e-9) front += 10;
       // The icosahedron's other corners are at a height of 1/sqrt(5).
       if (std::abs(face.direction.z - 1.0 / std::sqrt(5.0)) < 1e-6 && face.direction.x > 0.0 &&
-          std::abs(face.direction.y) < 1e-6) {
+          std::abs(face.direction.y) < 1e-6)
         ++front;
-      }
     }
     EXPECT_EQ(front, 11) << m << ' ' << n;
   }
@@ -211,9 +210,8 @@ TEST(Arrangement, SitesThatAreTakenOutKeepTheOthersNumbers) {
 }
 
 TEST(MagnetArray, TheThesisArraysFitAndTheNextDenserDoesNot) {
-  for (const char* name : {"cD", "wD", "tkD", "tkD-86"}) {
+  for (const char* name : {"cD", "wD", "tkD", "tkD-86"})
     EXPECT_FALSE(check_fit(named(name), {})) << name;
-  }
   const auto error = check_fit(named("GP(2,2)"), {});
   ASSERT_TRUE(error);
   EXPECT_EQ(error->message, "pin 0 and shield 0 overlap by 0.63 mm at 8.76 degrees");

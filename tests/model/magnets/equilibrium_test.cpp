@@ -65,9 +65,8 @@ TEST(Equilibrium, OnePushMovesOnePin) {
   push[0] = 0.05;
   const Equilibrium moved = find_equilibrium(cd, {}, kSettings, push).value();
   EXPECT_NEAR(moved.offsets_mm[0] - rest.offsets_mm[0], 0.11, 0.02);
-  for (std::size_t i = 1; i < cd.pins.size(); ++i) {
+  for (std::size_t i = 1; i < cd.pins.size(); ++i)
     EXPECT_LT(std::abs(moved.offsets_mm[i] - rest.offsets_mm[i]), 0.03) << i;
-  }
 }
 
 TEST(Equilibrium, BadInputHasASentence) {

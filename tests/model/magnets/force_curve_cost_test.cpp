@@ -37,11 +37,9 @@ TEST(ForceCurve, ByClassesIsManyTimesAsFastAsPinByPin) {
     add(tkd.shields, sizes.pin_and_shield());
     const std::clock_t middle = std::clock();
     constexpr int kRuns = 5;
-    for (int run = 0; run < kRuns; ++run) {
-      for (const PinClass& pin_class : symmetry_classes(tkd)) {
+    for (int run = 0; run < kRuns; ++run)
+      for (const PinClass& pin_class : symmetry_classes(tkd))
         sum_n += force_curve({pin_class, sizes, settings}).force_n.front();
-      }
-    }
     by_class = std::min(by_class, static_cast<double>(std::clock() - middle) / kRuns);
     all_pins = std::min(all_pins,
                         static_cast<double>(middle - start) * static_cast<double>(tkd.pins.size()));

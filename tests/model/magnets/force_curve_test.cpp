@@ -128,9 +128,8 @@ TEST(ForceCurve, IsTheSumOverAllPairs) {
         if (other.id == id) continue;
         sum = sum + force_between(pin, placed(other, kThesisPinMagnet, 0.0, 1.0), 6);
       }
-      for (const MagnetSite& other : tkd.shields) {
+      for (const MagnetSite& other : tkd.shields)
         sum = sum + force_between(pin, placed(other, kThesisShieldMagnet, 0.0, -1.0), 12);
-      }
       EXPECT_NEAR(dot(sum, site.direction), force_of("tkD", size).at(1.0).force_n, 2e-6);
     }
   }
@@ -142,9 +141,8 @@ TEST(ForceCurve, TheErrorBoundsWhatACoarserAccuracyCosts) {
     for (const PinClass& pin_class : classes("tkD")) {
       const ForceCurve rough = force_curve({pin_class, {}, coarse});
       const ForceCurve fine = force_curve({pin_class, {}, {ForceModel::kExact, 1e-9}});
-      for (std::size_t i = 0; i < fine.force_n.size(); ++i) {
+      for (std::size_t i = 0; i < fine.force_n.size(); ++i)
         EXPECT_LE(std::abs(rough.force_n[i] - fine.force_n[i]), rough.error_n[i] + fine.error_n[i]);
-      }
     }
   }
 }

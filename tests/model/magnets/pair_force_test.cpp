@@ -84,9 +84,8 @@ TEST(PairForce, DipolesAreFarTooStrongNearby) {
 }
 
 TEST(PairForce, NamesOfTheModels) {
-  for (const ForceModel model : {ForceModel::kExact, ForceModel::kHybrid, ForceModel::kDipole}) {
+  for (const ForceModel model : {ForceModel::kExact, ForceModel::kHybrid, ForceModel::kDipole})
     EXPECT_EQ(force_model_named(name_of(model)), model);
-  }
   EXPECT_EQ(force_model_named("fea"), std::nullopt);
 }
 

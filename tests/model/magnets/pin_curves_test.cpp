@@ -74,9 +74,8 @@ TEST(PinCurves, UnderAnAimedFieldTheAimedPinIsFarthestOutOfItsKind) {
              kFeaCalibration.force_slope_n_a, forces);
   curves.extensions_mm(forces, extensions);
   EXPECT_NEAR(extensions[17], 0.516, 2e-3);
-  for (const int pin : {6, 18, 31, 47, 61}) {
+  for (const int pin : {6, 18, 31, 47, 61})
     EXPECT_LT(extensions[static_cast<std::size_t>(pin)], extensions[17]);
-  }
   EXPECT_LT(*std::min_element(extensions.begin(), extensions.end()), -0.3);
 }
 

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "clients/ctl/calibrate/rest_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "clients/ctl/screen/words.h"
+#include "model/coils.h"
+#include "model/thermal_flow.h"
+
+namespace hedgehog::client {
+namespace {
+
+/// Two sound thermistors at one temperature may differ by their tolerance of 1 K each.
+constexpr double kMaxThermistorsApartK = 4.0;
+/// The daemon's estimate has found itself so long after a start that knew nothing, s.
+constexpr double kUnsureS = 180.0;
+/// Winding and core of a slow ball come together with this time constant, s: R12 C, both 20 % up.
+constexpr double kSlowRestS = 85.0;
+/// Two thirds of what 2 K in a slow ball become less in `kLooksApartS`; the noise of two looks
+/// comes on top, by so many standard deviations.
+constexpr double kMaxDriftK = 0.5;
+constexpr double kNoiseDeviations = 2.5;
+/// As the daemon's fan.
+constexpr double kFanOnC = 40.0;
+constexpr double kFanOffC = 35.0;
+constexpr double kCoolRoomC = 20.0;
+/// Beyond its own constants the ball may be slower by as much.
+constexpr double kSlower = 1.3;
+constexpr double kLongestWaitS = 7200.0;
+
+struct Apart {
+  double k = 0.0;  // signed, above the thermometer
+  std::string node;
+};
+
+Apart farthest(const protocol::TemperatureStatus& t) {
+  Apart most;
+  const auto look = [&](double node_c, std::string name) {
+    const double apart_k = node_c - reference_c(t);
+    if (std::abs(apart_k) > std::abs(most.k)) most = {apart_k, std::move(name)};
+  };
+  for (std::size_t i = 0; i < t.coils.size(); ++i)
+    look(t.coils[i], std::string("winding ") + "xyz"[i]);
+  if (t.core) look(*t.core, "the core");
+  return most;
+}
+
+double spread_k(const model::ThermalState& nodes) {
+  const auto [lowest, most] =
+      std::minmax({nodes.winding_c[0], nodes.winding_c[1], nodes.winding_c[2], nodes.core_c});
+  return most - lowest;
+}
+
+double rest_after_s(const protocol::TemperatureStatus& t, const protocol::ThermalDescription& d) {
+  const model::ThermalModel thermal = thermal_model_of(d);
+  model::ThermalState nodes{t.coils, t.core.value_or(reference_c(t))};
+  model::HeatLoad load;
+  load.ambient_c = std::min(
+      {kCoolRoomC, nodes.core_c, nodes.winding_c[0], nodes.winding_c[1], nodes.winding_c[2]});
+  load.fan_running = model::hottest_winding(nodes) > kFanOffC;
+  constexpr double kStepS = 0.5;
+  double after_s = 0.0;
+  while (spread_k(nodes) > kMaxApartK / 2.0 && after_s < kLongestWaitS) {
+    const double hottest_c = model::hottest_winding(nodes);
+    load.fan_running = hottest_c > (load.fan_running ? kFanOffC : kFanOnC);
+    nodes = model::advanced(nodes, model::heating_rates(thermal, nodes, load), kStepS);
+    after_s += kStepS;
+  }
+  return kSlower * after_s;
+}
+
+}  // namespace
+
+model::ThermalModel thermal_model_of(const protocol::ThermalDescription& described) {
+  model::ThermalModel thermal;
+  thermal.winding_j_k = described.winding_j_k;
+  thermal.core_j_k = described.core_j_k;
+  thermal.winding_to_core_k_w = described.winding_to_core_k_w;
+  thermal.core_to_room_fan_k_w = described.core_to_room_fan_k_w;
+  thermal.core_to_room_still_k_w = described.core_to_room_still_k_w;
+  thermal.sensor_lag_s = described.sensor_lag_s;
+  return thermal;
+}
+
+double reference_c(const protocol::TemperatureStatus& t) {
+  if (!t.sensors) return t.sensor.value_or(25.0);
+  return ((*t.sensors)[0] + (*t.sensors)[1] + (*t.sensors)[2]) / 3.0;
+}
+
+std::string minutes_text(double seconds) {
+  const int minutes = std::max(1, static_cast<int>(std::ceil(seconds / 60.0)));
+  return std::to_string(minutes) + (minutes == 1 ? " minute" : " minutes");
+}
+
+Unrest unrest_of(const protocol::TemperatureStatus& t,
+                 const protocol::ThermalDescription& thermal) {
+  if (!t.model || !t.upper)
+    return {"the daemon does not know yet how warm the windings are", 20.0, kUnsureS};
+  const Apart most = farthest(t);
+  if (std::abs(most.k) > kMaxApartK) {
+    return {most.node + " is " + fixed(std::abs(most.k), 1) + " K " +
+                (most.k > 0.0 ? "warmer" : "cooler") + " than the thermometer",
+            std::abs(most.k), rest_after_s(t, thermal)};
+  }
+  if (t.sensors) {
+    const auto [lowest, highest] = std::minmax_element(t.sensors->begin(), t.sensors->end());
+    if (*highest - *lowest > kMaxThermistorsApartK) {
+      return {"the thermometers of the windings are " + fixed(*highest - *lowest, 1) + " K apart",
+              *highest - *lowest, kSlowRestS * std::log(*highest - *lowest)};
+    }
+  }
+  const double unsure_k = *t.upper - *t.model;
+  if (unsure_k > kMaxUnsureK) {
+    return {"the daemon has not watched the ball for long: a winding may be " + fixed(unsure_k, 0) +
+                " K warmer than it knows",
+            unsure_k, kUnsureS};
+  }
+  return {{}, std::abs(most.k), 0.0};
+}
+
+Unrest drift_of(const WindingLook& first, const WindingLook& second) {
+  const double left = std::exp(-(second.t_s - first.t_s) / kSlowRestS);
+  Unrest worst;
+  for (std::size_t i = 0; i < first.resistance_ohm.size(); ++i) {
+    const double share = second.resistance_ohm[i] / first.resistance_ohm[i] - 1.0;
+    const double warmed_k = share * model::kelvins_per_share(model::Celsius(first.reference_c));
+    const double drift_k = warmed_k - (second.reference_c - first.reference_c);
+    const double apart_k = std::abs(drift_k) / (1.0 - left);
+    if (apart_k <= worst.apart_k) continue;
+    worst.apart_k = apart_k;
+    const double noise_k = std::hypot(first.error[i], second.error[i]) *
+                           model::kelvins_per_share(model::Celsius(first.reference_c));
+    if (std::abs(drift_k) <= kMaxDriftK + kNoiseDeviations * noise_k) continue;
+    worst.what = std::string("by its resistance winding ") + "xyz"[i] + " has " +
+                 (drift_k < 0.0 ? "cooled" : "warmed") + " by " + fixed(std::abs(drift_k), 1) +
+                 " K against the thermometer within " + fixed(second.t_s - first.t_s, 0) + " s";
+    worst.wait_s = kSlower * kSlowRestS * std::max(1.0, std::log(2.0 * apart_k / kMaxApartK));
+  }
+  return worst;
+}
+
+}  // namespace hedgehog::client

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: MIT
+#include "clients/ctl/calibrate/winding_calibration.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+#include "clients/ctl/calibrate/felt_sides.h"
+#include "clients/ctl/calibrate/rest_check.h"
+#include "clients/ctl/calibrate/winding_bench.h"
+#include "clients/ctl/screen/words.h"
+#include "model/coils.h"
+
+namespace hedgehog::client {
+namespace {
+
+constexpr double kFrequencyHz = 47.0;
+/// The first look at a winding of which nothing is known, A: too little for the watchdog to take a
+/// winding of a third of its resistance, turned or swapped for a fault.
+constexpr double kCheckA = 0.3;
+constexpr double kCheckS = 0.2;
+constexpr double kTakeS = 0.6;
+/// Below 1.5 A a wrong resistance cannot look like heat.
+constexpr double kUnknownA = 1.2;
+/// What a person feels well, A; only where the daemon knows the resistance to `kKnown`.
+constexpr double kPushA = 3.0;
+constexpr double kKnown = 0.03;
+/// More than windings of one kind differ.
+constexpr double kOdd = 0.25;
+/// How long a look takes at each winding, each way, s.
+constexpr double kLookS = 1.5;
+/// R25 of one ball that was measured at rest; of one whose file was too far off for two looks; and
+/// how wide a device file takes it. Standard deviations.
+constexpr double kMeasuredShare = 0.01;
+constexpr double kGuessedShare = 0.03;
+
+/// A trip that a resistance far from the device file's brings about; any other trip, a refusal or a
+/// lost daemon says nothing of the winding.
+bool blames_resistance(std::string_view reason) {
+  return reason == "current_mismatch" || reason == "sensor_frozen" || reason == "sensor_disagrees";
+}
+
+class Windings {
+ public:
+  Windings(Session& session, const CalibrateOptions& options, PushedSides pushed,
+           const protocol::Description& before)
+      : bench_(session), options_(options), before_(before), text_(session.json ? stderr : stdout) {
+    asks_ = !session.json && options.pushed.empty() && isatty(STDIN_FILENO) != 0;
+    found_.pushed = std::move(pushed);
+    found_.name = options.name.empty() ? before.name : options.name;
+  }
+
+  int run() {
+    if (before_.gain < 1.0) {
+      return print_error("the gain is " + fixed(before_.gain, 2) +
+                         " and would weaken every current; run: hedgehogctl gain 1");
+    }
+    const auto rest = bench_.rest();
+    if (!rest) return give_up(rest.error());
+    if (const int code = accept(unrest_of(rest->temperature_c, before_.thermal)); code != kDone)
+      return code;
+    std::fprintf(
+        text_, "%s: one winding at a time, never more than %s A.\nCtrl-C switches the coils off.\n",
+        before_.name.c_str(),
+        fixed(asks_ ? std::max(options_.current_a, kPushA) : options_.current_a, 1).c_str());
+    found_.sensor_c = reference_c(rest->temperature_c);
+    for (int coil = 0; coil < 3; ++coil)
+      if (const int code = measure(coil); code != kDone) return code;
+    if (const int code = take_look(first_); code != kDone) return code;
+    if (const int code = learn_sides(); code != kDone) return code;
+    if (const int code = look_again(); code != kDone) return code;
+    return kDone;
+  }
+
+  const Calibration& found() const { return found_; }
+
+ private:
+  /// Stops at a ball that is not at one temperature, or remembers by how much it may be off.
+  int accept(const Unrest& unrest) {
+    if (!unrest.any()) return kDone;
+    const double wrong = 100.0 * model::kCopperPerKelvin * unrest.apart_k;
+    const std::string what = "the ball is not at one temperature: " + unrest.what +
+                             ". r25_ohm may be " + fixed(wrong, 1) + " % wrong";
+    if (!options_.force) {
+      print_error(what + ". Let the ball rest for " + minutes_text(unrest.wait_s) +
+                  " and calibrate again; --force writes it all the same, with a wider uncertainty");
+      return kTryLater;
+    }
+    std::fprintf(text_, "Forced: %s.\n", what.c_str());
+    found_.unrest = unrest.what;
+    found_.apart_k = std::max(found_.apart_k, unrest.apart_k);
+    return kDone;
+  }
+
+  static double r25_at(const WindingLook& look, std::size_t i) {
+    return look.resistance_ohm[i] / (1.0 + model::kCopperPerKelvin * (look.reference_c - 25.0));
+  }
+
+  bool all_known() const {
+    return resistance_known(0) && resistance_known(1) && resistance_known(2);
+  }
+
+  /// All windings once, with a current that only a known resistance may be given.
+  int take_look(WindingLook& look) {
+    if (!all_known()) return kDone;
+    for (int coil = 0; coil < 3; ++coil) {
+      const auto seen = steady(coil, kPushA, kLookS);
+      if (!seen) return give_up(seen.error());
+      if (const auto trouble = trouble_of(coil, *seen); !trouble.empty())
+        return print_error(trouble);
+      const auto i = static_cast<std::size_t>(coil);
+      look.resistance_ohm[i] = *seen->resistance_ohm;
+      look.error[i] = steady_resistance_error(seen->forth.samples, seen->back.samples);
+    }
+    const auto rest = bench_.rest();
+    if (!rest) return give_up(rest.error());
+    look.t_s = 1e-9 * static_cast<double>(rest->time_ns);
+    look.reference_c = reference_c(rest->temperature_c);
+    return kDone;
+  }
+
+  int look_again() {
+    found_.resistance_share = kGuessedShare;
+    if (!all_known()) return kDone;
+    std::fprintf(text_, "A second look at the windings, %s s after the first.\n",
+                 fixed(kLooksApartS, 0).c_str());
+    std::fflush(text_);
+    if (auto waited = bench_.wait_until(first_.t_s + kLooksApartS); !waited)
+      return give_up(waited.error());
+    WindingLook second;
+    if (const int code = take_look(second); code != kDone) return code;
+    if (const int code = accept(drift_of(first_, second)); code != kDone) return code;
+    if (found_.unrest.empty()) found_.resistance_share = kMeasuredShare;
+    // More current and more time than the first measurement.
+    for (std::size_t i = 0; i < 3; ++i)
+      found_.r25_ohm[i] = 0.5 * (r25_at(first_, i) + r25_at(second, i));
+    return kDone;
+  }
+
+  struct Steady {
+    WindingRecord forth, back;
+    std::optional<double> resistance_ohm;
+  };
+  Outcome<Steady> steady(int coil, double current_a, double take_s) {
+    auto forth = bench_.hold(coil, 1.0, current_a, take_s);
+    if (!forth) return forth.error();
+    auto back = bench_.hold(coil, -1.0, current_a, take_s);
+    if (!back) return back.error();
+    const auto resistance = steady_resistance(forth->samples, back->samples);
+    return Steady{*std::move(forth), *std::move(back), resistance};
+  }
+
+  static std::string trouble_of(int coil, const Steady& seen) {
+    return winding_trouble(coil, seen.forth.mean_a, seen.back.mean_a, seen.resistance_ohm);
+  }
+
+  int measure(int coil) {
+    const auto i = static_cast<std::size_t>(coil);
+    const auto measured_now = steady(coil, kCheckA, kCheckS);
+    if (!measured_now) return give_up_at_first_sight(coil, measured_now.error());
+    if (const auto trouble = trouble_of(coil, *measured_now); !trouble.empty())
+      return print_error(trouble);
+    const double believed_ohm = at_rest(before_.coils.r25_ohm[i]);
+    const double ratio = *measured_now->resistance_ohm / believed_ohm;
+    const bool known = std::abs(ratio - 1.0) < kKnown;
+    // The daemon thinks in its own resistance, so less of it brings more current.
+    const double current_a =
+        (known ? options_.current_a : std::min(options_.current_a, kUnknownA)) *
+        std::min(1.0, ratio);
+    const auto seen = steady(coil, current_a, kTakeS);
+    if (!seen) return give_up(seen.error());
+    if (const auto trouble = trouble_of(coil, *seen); !trouble.empty()) return print_error(trouble);
+    const auto sine = bench_.sine(coil, current_a, kFrequencyHz);
+    if (!sine) return give_up(sine.error());
+    const auto impedance = sine_impedance(sine->samples, kFrequencyHz);
+    if (!impedance) {
+      return print_error("the current of winding " + std::string(1, kAxisNames[coil]) +
+                         " does not follow the voltage");
+    }
+    const double resistance_ohm = *seen->resistance_ohm;
+    found_.r25_ohm[i] = resistance_ohm / at_rest(1.0);
+    found_.inductance_h[i] = impedance->inductance_h;
+    found_.supply_v = seen->forth.supply_v;
+    found_.current_a = std::max(found_.current_a, std::abs(seen->forth.mean_a[i]));
+    std::fprintf(text_, "  %c  %s ohm at %s °C, %s at 25 °C   %s mH   current as asked\n",
+                 kAxisNames[coil], fixed(resistance_ohm, 4).c_str(),
+                 fixed(found_.sensor_c, 1).c_str(), fixed(found_.r25_ohm[i], 4).c_str(),
+                 fixed(1000.0 * found_.inductance_h[i], 3).c_str());
+    if (std::abs(found_.r25_ohm[i] / before_.coils.r25_ohm[i] - 1.0) > kOdd) {
+      std::fprintf(text_,
+                   "     The file until now says %s: is it wound so, or a bad contact, a short?\n",
+                   fixed(before_.coils.r25_ohm[i], 4).c_str());
+    }
+    std::fflush(text_);
+    return kDone;
+  }
+
+  /// A resistance at 25 Celsius, as it is now.
+  double at_rest(double r25_ohm) const {
+    return r25_ohm * (1.0 + model::kCopperPerKelvin * (found_.sensor_c - 25.0));
+  }
+
+  int give_up_at_first_sight(int coil, const ClientError& error) const {
+    const int code = give_up(error);
+    if (interrupted() || !blames_resistance(bench_.tripped().value_or(""))) return code;
+    std::ostringstream text;
+    text << "winding " << kAxisNames[coil] << " was driven with " << fixed(kCheckA, 1)
+         << " A. If all plugs are right it has less than a quarter of the "
+         << fixed(before_.coils.r25_ohm[static_cast<std::size_t>(coil)], 2)
+         << " ohm in the device file: measure it by hand, write it there (r25_ohm), restart "
+            "hedgehogd and calibrate again";
+    return print_error(text.str());
+  }
+
+  bool resistance_known(std::size_t winding) const {
+    return std::abs(found_.r25_ohm[winding] / before_.coils.r25_ohm[winding] - 1.0) < kKnown;
+  }
+
+  int learn_sides() {
+    if (!asks_) {
+      if (!coil_matrix(found_.pushed)) {
+        std::fputs("The coil matrix stays as it was: nobody said which side each winding pushes.\n",
+                   text_);
+      }
+      return kDone;
+    }
+    if (!all_known()) {
+      std::fputs(
+          "The coil matrix stays as it was: the resistances in force are too far from these\n"
+          "for a push that can be felt. Start hedgehogd with the new file, then calibrate\n"
+          "once more: you will be asked which side each winding pushes.\n",
+          text_);
+      return kDone;
+    }
+    auto felt = ask_sides(bench_, kPushA);
+    if (!felt) return give_up(felt.error());
+    found_.pushed = *std::move(felt);
+    return kDone;
+  }
+
+  WindingBench bench_;
+  const CalibrateOptions& options_;
+  const protocol::Description& before_;
+  Calibration found_;
+  WindingLook first_;
+  /// For people; a program that reads stdout gets it on stderr.
+  std::FILE* text_;
+  /// A person is there who can feel, and nobody has said it yet.
+  bool asks_ = false;
+};
+
+}  // namespace
+
+int print_error(const std::string& what) {
+  std::fprintf(stderr, "hedgehogctl calibrate: %s\n", what.c_str());
+  return kEndedOtherwise;
+}
+
+int give_up(const ClientError& error) {
+  if (!interrupted()) return complain(error);
+  std::fputs("hedgehogctl calibrate: interrupted; the coils are off, nothing was written\n",
+             stderr);
+  return kInterrupted;
+}
+
+int calibrate_windings(Session& session, const CalibrateOptions& options, PushedSides pushed,
+                       const protocol::Description& before, Calibration& found) {
+  Windings windings(session, options, std::move(pushed), before);
+  const int code = windings.run();
+  found = windings.found();
+  return code;
+}
+
+}  // namespace hedgehog::client

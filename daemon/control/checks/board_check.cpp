@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/control/checks/board_check.h"
+
+#include <algorithm>
+
+#include "daemon/device/board_codec.h"
+
+namespace hedgehog::control {
+
+Reason reason_of_faults(std::uint16_t faults) noexcept {
+  using namespace device;
+  if ((faults & kFaultStuckBridge) != 0) return Reason::kBoardStuckBridge;
+  if ((faults & kFaultBridge) != 0) return Reason::kBridgeFault;
+  if ((faults & kFaultUnexpectedCurrent) != 0) return Reason::kUnexpectedCurrent;
+  if ((faults & kFaultCurrentSense) != 0) return Reason::kCurrentMismatch;
+  if ((faults & kFaultOverCurrent) != 0) return Reason::kBoardOverCurrent;
+  if ((faults & kFaultOverHeat) != 0) return Reason::kBoardOverHeat;
+  if ((faults & kFaultHeatBudget) != 0) return Reason::kBoardHeatBudget;
+  if ((faults & kFaultSupply) != 0) return Reason::kBoardSupply;
+  if ((faults & kFaultSensorOpen) != 0) return Reason::kSensorOpen;
+  if ((faults & kFaultSensorShort) != 0) return Reason::kSensorShort;
+  if ((faults & kFaultDeadMan) != 0) return Reason::kBoardDeadMan;
+  return Reason::kNone;
+}
+
+model::Limits limits_within(model::Limits limits, const device::BoardTelemetry& board) noexcept {
+  // What the wire's whole milliampere and hundredths of a degree round off.
+  constexpr double kRounding = 0.01;
+  const auto wanted = device::BoardLimits::of(limits);
+  if (board.limit_current_a < wanted.current_a - kRounding) {
+    limits.current_a *= std::max(0.0, board.limit_current_a / wanted.current_a);
+    limits.continuous_a = std::min(limits.continuous_a, limits.current_a);
+    limits.felt_a = std::min(limits.felt_a, limits.current_a);
+  }
+  if (board.limit_sensor_c < wanted.sensor_c - kRounding) {
+    const double less_k = wanted.sensor_c - board.limit_sensor_c;
+    limits.derate_from_c -= less_k;
+    limits.sustain_c -= less_k;
+    limits.zero_c -= less_k;
+    limits.trip_c -= less_k;
+  }
+  return limits;
+}
+
+void BoardCheck::step(bool present, bool fresh, const device::BoardTelemetry& board,
+                      model::Tick ticks) noexcept {
+  age_ = fresh ? 0 : std::min<model::Tick>(age_ + ticks, 1'000'000);
+  alive_ = present && age_ < kSilence;
+  if (!fresh) return;
+  fault_ = reason_of_faults(board.faults);
+  const bool armed =
+      board.mode == device::BoardMode::kReady || board.mode == device::BoardMode::kDriving;
+  idle_ = armed ? 0 : std::min(idle_ + ticks, kRestart);
+}
+
+}  // namespace hedgehog::control

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/control/checks/current_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/tick.h"
+
+namespace hedgehog::control {
+namespace {
+
+using model::kTickSeconds;
+
+// The middle of what a winding may be while it is in use; +-10 % to 0 and 75 C.
+constexpr model::Celsius kTypical{40.0};
+// How long an edge excuses a difference: L/R is 3.3 ms, set-points are up to 5 ms on their way.
+constexpr double kEdgeS = 0.01;
+constexpr double kIdleEdgeS = 0.005;
+// The link makes the board safe after 20 ticks without a set-point; after 100 nothing flows.
+constexpr model::Tick kLinkHolds = 19;
+constexpr model::Tick kForgotten = 100;
+const double kEdgeKeep = std::exp(-kTickSeconds / kEdgeS);
+const double kIdleKeep = std::exp(-kTickSeconds / kIdleEdgeS);
+
+}  // namespace
+
+CurrentCheck::CurrentCheck(const model::CoilModel& coils) noexcept {
+  for (std::size_t i = 0; i < model::kCoils; ++i) {
+    const double r = resistance_at(model::Ohms(coils.r25_ohm[i]), kTypical).value;
+    windings_[i].conductance_s = 1.0 / r;
+    windings_[i].keep = std::exp(-r * kTickSeconds / coils.inductance_h);
+  }
+}
+
+bool CurrentCheck::pending() const noexcept {
+  return std::any_of(
+      windings_.begin(), windings_.end(),
+      [](const Winding& w) {
+        return w.unexpected.pending() || w.mismatch.pending() || w.odd.pending();
+      });
+}
+
+// Nobody knows when in a gap the board went to sleep, so all of it is excused as an edge.
+void CurrentCheck::sleep_through(const CurrentReading& reading) noexcept {
+  const model::Tick ticks = std::min(reading.skipped, kForgotten);
+  for (int coil = 0; coil < model::kCoils; ++coil) {
+    Winding& w = windings_[static_cast<std::size_t>(coil)];
+    double& commanded = commanded_a_[coil];
+    for (model::Tick i = 0; i < ticks; ++i) {
+      const double volts = i < kLinkHolds ? reading.held_v[coil] : 0.0;
+      commanded = w.keep * commanded + (1.0 - w.keep) * w.conductance_s * volts;
+      w.low_a = std::min(w.low_a, commanded);
+      w.high_a = std::max(w.high_a, commanded);
+      w.idle_peak_a = std::max(w.idle_peak_a, std::abs(commanded));
+    }
+  }
+}
+
+Reason CurrentCheck::judge(int coil, const CurrentReading& reading) noexcept {
+  Winding& w = windings_[static_cast<std::size_t>(coil)];
+  const bool known = reading.measured[static_cast<std::size_t>(coil)];
+  const bool by_duty = reading.follows && by_duty_known_;
+  if (by_duty)
+    w.by_duty_a = w.keep * w.by_duty_a + (1.0 - w.keep) * w.conductance_s * reading.applied_v[coil];
+  else
+    w.by_duty_a = known ? reading.current_a[coil] : commanded_a_[coil];
+  w.peak_a = std::max(std::abs(w.by_duty_a), kEdgeKeep * w.peak_a);
+  if (!known) {
+    // Neither for nor against; while the bridges sleep nothing is known for long.
+    for (FaultDebounce* debounce : {&w.unexpected, &w.mismatch, &w.odd})
+      debounce->step(false, reading.since_s, kHoldS);
+    return Reason::kNone;
+  }
+  const double measured = reading.current_a[coil];
+  const bool idle = w.idle_peak_a < 0.5 * kIdleA;
+  const bool unexpected = idle && std::abs(measured) > kIdleA + w.idle_peak_a;
+  const double slack = kOffsetA + kShare * std::max(std::abs(w.low_a), std::abs(w.high_a));
+  const bool beyond = measured < w.low_a - slack || measured > w.high_a + slack;
+  const bool odd = std::abs(measured - w.by_duty_a) > kOffsetA + kShare * w.peak_a;
+
+  const bool driven = w.unexpected.step(unexpected, reading.since_s, kHoldS);
+  bool mismatch = w.mismatch.step(!idle && (beyond || odd), reading.since_s, kHoldS);
+  if (by_duty) mismatch |= w.odd.step(!idle && odd, kTickSeconds, kHoldS);
+  if (driven) return Reason::kUnexpectedCurrent;
+  return mismatch ? Reason::kCurrentMismatch : Reason::kNone;
+}
+
+Reason CurrentCheck::step(const CurrentReading& reading) noexcept {
+  Reason trip = Reason::kNone;
+  sleep_through(reading);
+  for (int coil = 0; coil < model::kCoils; ++coil) {
+    if (reading.fresh) {
+      const Reason found = judge(coil, reading);
+      if (trip == Reason::kNone || found == Reason::kUnexpectedCurrent) trip = found;
+    }
+    Winding& w = windings_[static_cast<std::size_t>(coil)];
+    double& commanded = commanded_a_[coil];
+    const double target = w.conductance_s * reading.commanded_v[coil];
+    commanded = w.keep * commanded + (1.0 - w.keep) * target;
+    w.low_a = std::min(commanded, commanded + kEdgeKeep * (w.low_a - commanded));
+    w.high_a = std::max(commanded, commanded + kEdgeKeep * (w.high_a - commanded));
+    w.idle_peak_a = std::max(std::abs(commanded), kIdleKeep * w.idle_peak_a);
+  }
+  by_duty_known_ |= reading.fresh;
+  return trip;
+}
+
+}  // namespace hedgehog::control

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/control/checks/estimate_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hedgehog::control {
+namespace {
+
+// The resistance of the cold start is known once it is known this well, a share.
+constexpr double kKnown = 0.008;
+// A current within this share is the same one.
+constexpr double kSameCurrent = 0.1;
+constexpr double kSteadyAfterS = 0.5;
+constexpr double kSmoothS = 0.1;
+constexpr double kMeanS = 2.0;
+// At a low current V/I is noisier, kelvins times amperes.
+constexpr double kFallPerAmpereK = 12.0;
+constexpr double kBiases = 4.0;
+// A thermistor that is further off than its tolerance may be what V/I contradicts.
+constexpr double kOddThermistorK = 1.2;
+
+}  // namespace
+
+Reason EstimateCheck::step(const model::ThermalObserver& observer, const SupplyBalance& supply,
+                           double trip_c, double dt_s) noexcept {
+  const bool hot = hot_.step(observer.estimate().likely_c >= trip_c, dt_s, kHotHoldS);
+  const Disagreement found = judge(observer, supply, dt_s);
+  if (found.any()) disagreement_ = found;
+  if (hot) return Reason::kOverheated;
+  return found.any() ? Reason::kMeasurementsDisagree : Reason::kNone;
+}
+
+Disagreement EstimateCheck::judge(const model::ThermalObserver& observer,
+                                  const SupplyBalance& supply, double dt_s) noexcept {
+  unjudged_s_ += dt_s;
+  const bool judged = observer.judged();
+  const double since_s = unjudged_s_;
+  if (judged) unjudged_s_ = 0.0;
+  Disagreement found;
+  for (int coil = 0; coil < model::kCoils; ++coil) {
+    Winding& winding = windings_[static_cast<std::size_t>(coil)];
+    Move move = fell(winding, observer.winding(coil), dt_s);
+    bool thermistor = false;
+    if (judged) {
+      const Move judged_move = moved(winding, observer, coil, since_s);
+      if (judged_move.share != 0.0) move = judged_move;
+      thermistor = thermistor_off(winding, observer, coil, since_s);
+    }
+    if (found.any()) continue;
+    if (move.share != 0.0) {
+      found = supply.moved(coil, move.share, move.since);
+      const double offset_k = observer.filter().thermistor_offset_k(coil);
+      if (std::abs(offset_k) > kOddThermistorK) found = found.with(Quantity::kThermistor);
+    } else if (thermistor) {
+      found = {coil, Quantity::kThermistor, Quantity::kHeatBalance};
+    }
+  }
+  return observer.settling() ? Disagreement{} : found;
+}
+
+EstimateCheck::Move EstimateCheck::fell(Winding& w, const model::WindingThermometer& thermometer,
+                                        double dt_s) noexcept {
+  const bool clear = thermometer.measuring() && thermometer.referenced();
+  if (!clear || thermometer.noise_k() > kFallK) {
+    w.steady = false;
+    w.fall.step(false, dt_s, kFallHoldS);
+    return {};
+  }
+  const double celsius = thermometer.celsius();
+  const double current_a = thermometer.meter().current_a();
+  if (!w.steady || std::abs(current_a / w.steady_a - 1.0) > kSameCurrent) {
+    w.steady = true;
+    w.steady_s = 0.0;
+    w.steady_a = current_a;
+    w.smooth_c = w.mean_c = celsius;
+  }
+  w.steady_s += dt_s;
+  w.smooth_c += (celsius - w.smooth_c) * std::min(1.0, dt_s / kSmoothS);
+  w.mean_c += (w.smooth_c - w.mean_c) * std::min(1.0, dt_s / kMeanS);
+  const double max_k = kFallK + kBiases * thermometer.bias_k() + kFallPerAmpereK / current_a;
+  const bool falls = w.steady_s > kSteadyAfterS && w.mean_c - w.smooth_c > max_k;
+  const double share = (w.smooth_c - w.mean_c) / kelvins_per_share(model::Celsius(w.mean_c));
+  return {w.fall.step(falls, dt_s, kFallHoldS) ? share : 0.0};
+}
+
+EstimateCheck::Move EstimateCheck::moved(Winding& w, const model::ThermalObserver& observer,
+                                         int coil, double dt_s) noexcept {
+  const auto& judgement = observer.judgement(coil);
+  if (!judgement.resistance_known) {
+    w.gate.step(false, dt_s, kResistanceHoldS);
+    return {};
+  }
+  const model::Innovation& innovation = judgement.resistance;
+  const bool gated = w.gate.step(!innovation.used, dt_s, kResistanceHoldS);
+  const model::ThermalFilter& filter = observer.filter();
+  const double resistance = filter.resistance_drift(coil);
+  const double deviation = filter.resistance_drift_deviation(coil);
+  if (!w.known && deviation < kKnown) {
+    w.known = true;
+    w.resistance = resistance;
+  }
+  const double drift = w.known ? resistance - w.resistance : 0.0;
+  const double current_a = observer.winding(coil).meter().current_a();
+  const double by_offset = filter.current_offset_deviation_a(coil) / current_a;
+  const bool drifts = std::abs(drift) > kDrift + 2.0 * deviation;
+  const bool foreign = std::abs(resistance) - std::hypot(deviation, by_offset) > kFileDrift;
+  const bool off = w.drift.step(drifts || foreign, dt_s, kDriftHoldS);
+  if (gated || observer.fall(coil).certain()) return {innovation.difference + drift};
+  if (!off) return {};
+  return drifts ? Move{drift} : Move{resistance, SupplyBalance::Since::kFile};
+}
+
+bool EstimateCheck::thermistor_off(Winding& w, const model::ThermalObserver& observer, int coil,
+                                   double dt_s) noexcept {
+  const auto& judgement = observer.judgement(coil);
+  if (!judgement.thermistor_known) {
+    w.thermistor.step(false, dt_s, kThermistorHoldS);
+    return false;
+  }
+  const bool odd =
+      !judgement.thermistor.used && std::abs(judgement.thermistor.difference) > kThermistorK;
+  const bool gated = w.thermistor.step(odd, dt_s, kThermistorHoldS);
+  return gated || std::abs(observer.filter().thermistor_offset_k(coil)) > kThermistorOffsetK;
+}
+
+}  // namespace hedgehog::control

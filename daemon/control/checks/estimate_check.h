@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// Consistency of energy balance, V/I and thermistors, by the innovations of the observer's filter.
+// A measurement outside its gate is not used; when it stays outside, the ball trips, because one
+// quantity fewer guards the estimate.
+#pragma once
+
+#include <array>
+
+#include "daemon/control/checks/fault_debounce.h"
+#include "daemon/control/checks/supply_balance.h"
+#include "daemon/control/state/disagreement.h"
+#include "daemon/control/state/state.h"
+#include "model/thermal_observer.h"
+
+namespace hedgehog::control {
+
+/// Control thread; real-time safe, trivially copyable.
+class EstimateCheck {
+ public:
+  static constexpr double kResistanceHoldS = 0.3;
+  static constexpr double kThermistorHoldS = 1.0;
+  static constexpr double kThermistorK = 2.0;
+  /// A thermistor that is further off than its tolerance.
+  static constexpr double kThermistorOffsetK = 3.5;
+  /// R25 against its value at the cold start, and against the device file, shares.
+  static constexpr double kDrift = 0.02;
+  static constexpr double kFileDrift = 0.08;
+  static constexpr double kDriftHoldS = 0.5;
+  /// Copper cools by 0.8 K/s at most: V/I that falls by more than this below its mean of two
+  /// seconds, at the same current, is no temperature.
+  static constexpr double kFallK = 3.0;
+  static constexpr double kFallHoldS = 0.1;
+
+  static constexpr double kHotHoldS = 0.05;
+
+  /// `dt_s` later. kOverheated when a winding has been likely to be at `trip_c` for 50 ms;
+  /// kMeasurementsDisagree when `disagreement()` has held for long enough. `supply` says which of
+  /// the quantities in V/I it was.
+  Reason step(const model::ThermalObserver& observer, const SupplyBalance& supply, double trip_c,
+              double dt_s) noexcept;
+  /// What contradicts what, as of the last kMeasurementsDisagree.
+  const Disagreement& disagreement() const noexcept { return disagreement_; }
+
+ private:
+  struct Winding {
+    FaultDebounce gate, drift, thermistor, fall;
+    bool known = false;  // the cold start's resistance
+    double resistance = 0.0;
+    bool steady = false;
+    double steady_s = 0.0;
+    double steady_a = 0.0;
+    double smooth_c = 25.0;
+    double mean_c = 25.0;
+  };
+
+  /// By which share V/I has moved, when that is no temperature; 0: it has not.
+  struct Move {
+    double share = 0.0;
+    SupplyBalance::Since since = SupplyBalance::Since::kStart;
+  };
+  Move fell(Winding& winding, const model::WindingThermometer& thermometer, double dt_s) noexcept;
+  Move moved(Winding& winding, const model::ThermalObserver& observer, int coil,
+             double dt_s) noexcept;
+  bool thermistor_off(Winding& winding, const model::ThermalObserver& observer, int coil,
+                      double dt_s) noexcept;
+
+  Disagreement judge(const model::ThermalObserver& observer, const SupplyBalance& supply,
+                     double dt_s) noexcept;
+
+  std::array<Winding, model::kCoils> windings_{};
+  FaultDebounce hot_;
+  Disagreement disagreement_;
+  double unjudged_s_ = 0.0;
+};
+
+}  // namespace hedgehog::control

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// Plausibility of the thermistor: open, short, out of range, jumping, stale, frozen, or
+// inconsistent with the winding it sits on (DESIGN section 6). Judges the raw reading, and compares
+// it with the watchdog's own V/I of that winding, never with the limiter's estimate.
+#pragma once
+
+#include <cstdint>
+
+#include "daemon/control/checks/fault_debounce.h"
+#include "daemon/control/state/state.h"
+#include "model/tick.h"
+
+namespace hedgehog::control {
+
+/// One tick of what the check sees. Trivially copyable.
+struct SensorReading {
+  /// New telemetry arrived in this tick; otherwise the rest is ignored.
+  bool fresh = false;
+  bool open = false;
+  bool shorted = false;
+  double sensor_c = 25.0;
+  /// Counter of conversions, mod 256.
+  std::uint8_t conversions = 0;
+  /// The thermistor's own winding by its V/I; only while `measuring`.
+  bool measuring = false;
+  double winding_c = 25.0;
+  /// What that may be off by, K; beyond kUselessK it says nothing.
+  double winding_error_k = 0.0;
+  /// How much of it is the same for as long as the current is.
+  double winding_bias_k = 0.0;
+  /// Since the telemetry before it, s.
+  double since_s = model::kTickSeconds;
+};
+
+/// Control thread; real-time safe, trivially copyable.
+class ThermistorCheck {
+ public:
+  /// Open, short: reported by the board in each frame.
+  static constexpr double kWireHoldS = 0.005;
+  /// Outside of this nothing near a hand can be.
+  static constexpr double kLowestC = -20.0;
+  static constexpr double kHighestC = 125.0;
+  /// Longer than the board needs to say that the wire is broken, which also reads impossibly.
+  static constexpr double kImplausibleHoldS = 0.04;
+  /// No winding can push its thermistor by this much between two conversions, plus per second: 15 A
+  /// warm a winding by 2.4 K/s at most, noise is 0.15 K.
+  static constexpr double kJumpK = 4.0;
+  static constexpr double kSlewK_s = 5.0;
+  static constexpr double kJumpHoldS = 0.02;
+  /// The counter of conversions stands still: not used after 0.25 s, a fault after 1 s.
+  static constexpr double kUnusedAfterS = 0.25;
+  static constexpr double kStaleAfterS = 1.0;
+  /// The reading stayed within half a kelvin while its winding moved it by 4.9 K (a real thermistor
+  /// with a lag of 1..3 s would have followed).
+  static constexpr double kStillK = 0.5;
+  static constexpr double kFrozenK = 4.9;
+  static constexpr double kFrozenHoldS = 0.05;
+  /// Further than this from where a thermistor with a lag of 1..3 s could be.
+  static constexpr double kDisagreeK = 12.0;
+  static constexpr double kDisagreeHoldS = 0.5;
+  /// Errors of the winding's V/I are added to both; one larger than this leaves nothing to compare.
+  static constexpr double kUselessK = 4.0;
+
+  /// `dt_s` later. The reason to trip, or kNone.
+  Reason step(const SensorReading& reading, double dt_s) noexcept;
+
+  /// The last reading may be used as a temperature. False at the first arming_blocker.
+  bool usable() const noexcept { return usable_; }
+  /// Since the board's last conversion, s: the age of the reading, also while telemetry is lost.
+  double age_s() const noexcept { return still_s_; }
+  /// Why the thermistor would trip the ball now or soon; kNone: it is sane.
+  Reason arming_blocker() const noexcept { return arming_blocker_; }
+
+ private:
+  bool jumped(const SensorReading& reading, double dt_s) noexcept;
+  void follow_winding(const SensorReading& reading, double dt_s) noexcept;
+  bool frozen(const SensorReading& reading) const noexcept;
+  double disagreement_k(double sensor_c) const noexcept;
+
+  FaultDebounce open_, short_, implausible_, jump_, frozen_, disagrees_;
+  bool seen_ = false;
+  bool usable_ = false;
+  Reason arming_blocker_ = Reason::kSensorStale;
+  std::uint8_t conversions_ = 0;
+  double still_s_ = 0.0;      // since the last conversion
+  double believed_c_ = 25.0;  // last reading that had not jumped
+  double believed_age_s_ = 0.0;
+  // Where thermistors with the shortest and the longest lag would be.
+  double winding_c_ = 25.0;
+  double quick_c_ = 25.0;
+  double slow_c_ = 25.0;
+  double unmeasured_s_ = 1e9;
+  // The same three when the reading last moved.
+  double moved_sensor_c_ = 25.0;
+  double moved_quick_c_ = 25.0;
+  double moved_slow_c_ = 25.0;
+  // The least and the most bias of its V/I since then.
+  double min_bias_k_ = 0.0;
+  double max_bias_k_ = 0.0;
+};
+
+}  // namespace hedgehog::control

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/control/checks/watchdog.h"
+
+#include <algorithm>
+#include <array>
+
+namespace hedgehog::control {
+namespace {
+
+using model::kTickSeconds;
+
+// As long as a set-point lasts, and so an answer to it.
+constexpr double kLongestStepS = 0.02;
+
+bool obeys(const device::BoardTelemetry& board) noexcept {
+  return board.mode == device::BoardMode::kReady || board.mode == device::BoardMode::kDriving;
+}
+
+bool is_possible(double sensor_c) noexcept {
+  return sensor_c >= ThermistorCheck::kLowestC && sensor_c < ThermistorCheck::kHighestC;
+}
+
+model::ThermistorReadings readable(const device::BoardTelemetry& board,
+                                   int sensor_winding) noexcept {
+  model::ThermistorReadings readings;
+  for (int coil = 0; coil < model::kCoils; ++coil) {
+    const auto i = static_cast<std::size_t>(coil);
+    if (board.thermistors < 2 && coil != sensor_winding) continue;
+    const device::Thermistor one = thermistor_on(board, coil);
+    readings.celsius[i] = one.celsius;
+    readings.valid[i] = one.state == device::ThermistorState::kRead && is_possible(one.celsius);
+  }
+  return readings;
+}
+
+// These stop the ball in every state; the others only one that is armed.
+bool stops_unarmed(Reason reason) noexcept {
+  return reason == Reason::kUnexpectedCurrent || reason == Reason::kOverheated ||
+         reason == Reason::kBoardStuckBridge;
+}
+
+}  // namespace
+
+Watchdog::Watchdog(const model::CoilModel& coils, const model::ThermalModel& thermal,
+                   device::ThermometerRole thermometer) noexcept
+    : sensor_winding_(thermal.sensor_winding),
+      supply_(coils.supply_v),
+      heat_(coils, thermal),
+      current_(coils),
+      fan_(thermal.fan_full_rpm),
+      thermometer_(thermometer) {}
+
+SensorReading Watchdog::sensor_reading(const WatchdogInputs& in, double since_s) const noexcept {
+  const device::BoardTelemetry& board = in.board;
+  const device::Thermistor thermistor = thermistor_on(board, sensor_winding_);
+  const bool read = thermistor.state == device::ThermistorState::kRead;
+  SensorReading reading;
+  reading.fresh = in.fresh && thermistor.state != device::ThermistorState::kNone;
+  reading.since_s = since_s;
+  reading.sensor_c = thermistor.celsius;
+  // A latched board also tells of a wire that was broken; whether it still is, the reading shows.
+  const bool live =
+      board.mode != device::BoardMode::kLatched || !read || !is_possible(reading.sensor_c);
+  reading.open = (live && (board.faults & device::kFaultSensorOpen) != 0) ||
+                 thermistor.state == device::ThermistorState::kOpen;
+  reading.shorted = (live && (board.faults & device::kFaultSensorShort) != 0) ||
+                    thermistor.state == device::ThermistorState::kShorted;
+  reading.conversions = board.sensor_conversions;
+  // A winding that is known by the device file only would jump when it is known better.
+  reading.measuring = heat_.measuring(sensor_winding_) && heat_.referenced(sensor_winding_);
+  reading.winding_c = heat_.winding_c(sensor_winding_);
+  if (reading.measuring) {
+    reading.winding_bias_k = heat_.bias_k(sensor_winding_);
+    reading.winding_error_k = heat_.noise_k(sensor_winding_) + reading.winding_bias_k;
+  }
+  return reading;
+}
+
+HeatReading Watchdog::heat_reading(const WatchdogInputs& in, double since_s) const noexcept {
+  HeatReading reading;
+  reading.electrical = in.pair.electrical();
+  reading.voltage_v = in.pair.voltage_v();
+  reading.before_a = in.pair.before_a();
+  reading.after_a = in.pair.after_a();
+  reading.measured = in.pair.informative();
+  reading.accuracy = in.board.accuracy;
+  reading.thermistors = thermistors_;
+  reading.fresh = in.fresh;
+  reading.since_s = since_s;
+  return reading;
+}
+
+CurrentReading Watchdog::current_reading(const WatchdogInputs& in, double since_s) const noexcept {
+  CurrentReading reading;
+  reading.fresh = in.pair.fresh();
+  reading.since_s = since_s;
+  reading.skipped = in.ticks - 1;
+  reading.follows = in.pair.follows();
+  reading.current_a = in.pair.after_a();
+  reading.measured = in.pair.after_measured();
+  reading.applied_v = in.pair.voltage_v();
+  if (in.commanded.enable() && obeys(in.board)) {
+    reading.commanded_v = in.board.supply_v * in.commanded.first_duty();
+    reading.held_v = in.board.supply_v * in.commanded.duty();
+  }
+  return reading;
+}
+
+Disagreement Watchdog::judge_supply(const WatchdogInputs& in, double dt_s) noexcept {
+  const device::Measured& measured = in.pair.measured();
+  SupplyReading reading;
+  reading.known = in.pair.electrical() && in.board.supply_current_known && measured[0] &&
+                  measured[1] && measured[2];
+  reading.duty = in.board.duty;
+  // What braking bridges give back, the supply does not take.
+  reading.current_a = 0.5 * (in.pair.before_a() + in.pair.after_a());
+  reading.known = reading.known && dot(reading.duty, reading.current_a) > 0.0;
+  reading.supply_current_a = in.board.supply_current_a;
+  reading.supply_v = in.board.supply_v;
+  reading.accuracy = in.board.accuracy;
+  return supply_.step(reading, dt_s);
+}
+
+Reason Watchdog::step(const WatchdogInputs& in) noexcept {
+  const device::BoardTelemetry& board = in.board;
+  board_.step(in.board_present, in.fresh, board, in.ticks);
+  // What was told before a gap says nothing about the gap.
+  const double dt_s = std::min(kTickSeconds * static_cast<double>(in.ticks), kLongestStepS);
+  unread_s_ = std::min(unread_s_ + dt_s, kLongestStepS);
+  const double since_s = unread_s_;
+  if (in.fresh) unread_s_ = 0.0;
+
+  thermistors_ = readable(board, sensor_winding_);
+  const SensorReading thermistor = sensor_reading(in, since_s);
+  const Reason sensor = sensor_.step(thermistor, dt_s);
+  const auto own = static_cast<std::size_t>(sensor_winding_);
+  thermistors_.valid[own] = !thermistor.open && !thermistor.shorted && thermistors_.valid[own];
+  const Reason heat = heat_.step(heat_reading(in, since_s), in.trip_c, dt_s);
+  const Reason current = current_.step(current_reading(in, since_s));
+  const Disagreement supply = judge_supply(in, dt_s);
+  if (supply.any()) disagreement_ = supply;
+  fan_.follow({in.fresh, board.fan_duty, board.fan_rpm}, in.fresh ? since_s : dt_s);
+  const Reason fan =
+      in.fresh ? fan_.step(in.commanded.fan / 255.0, board.fan_rpm, since_s) : Reason::kNone;
+  const Reason thermometer = thermometer_.step(
+      {in.thermometer, in.now, sensor_.usable(), thermistor.sensor_c, in.trip_c}, dt_s);
+
+  // The cause before its consequences: a broken bridge also shows as a wrong current.
+  const std::array<Reason, 7> found{board_.fault(),
+                                    sensor,
+                                    heat,
+                                    current,
+                                    supply.any() ? Reason::kMeasurementsDisagree : Reason::kNone,
+                                    fan,
+                                    thermometer};
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const Reason reason = found[i];
+    // A board keeps its latch until it has been armed.
+    const bool latch = i == 0 && in.arming;
+    if (reason != Reason::kNone && !latch && (in.armed || stops_unarmed(reason))) return reason;
+  }
+  return Reason::kNone;
+}
+
+Reason Watchdog::arming_blocker() const noexcept {
+  if (!board_.alive()) return Reason::kNoBoard;
+  if (sensor_.arming_blocker() != Reason::kNone) return sensor_.arming_blocker();
+  if (current_.pending()) return Reason::kUnexpectedCurrent;
+  return thermometer_.arming_blocker();
+}
+
+}  // namespace hedgehog::control

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// How the controller follows the ball's heat, and what it may be measured by.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "daemon/control/controller.h"
+#include "model/thermal_flow.h"
+
+namespace hedgehog::control {
+namespace {
+
+constexpr double kRecentS = 0.1;
+constexpr double kThermistorK = 1.0;
+
+}  // namespace
+
+void Controller::apply_board_limits() noexcept {
+  limits_ = limits_within(settings_.limits, board_);
+  limiter_.set_limits(limits_);
+}
+
+void Controller::track_measuring(double dt_s) noexcept {
+  asleep_s_ = board_.bridges_awake || !pair_.fresh() ? 0.0 : asleep_s_ + dt_s;
+  if (command_.enable()) {
+    if (unpaired_.step(!pair_.consecutive(), dt_s, kBlindAfterS)) blind_ = true;
+    if (!unpaired_.pending()) blind_ = false;
+  }
+  for (int coil = 0; coil < model::kCoils; ++coil) {
+    const auto i = static_cast<std::size_t>(coil);
+    // What has flowed lately, also between the halves of a vibration.
+    const double keep = std::exp(-dt_s / kRecentS);
+    recent_peak_a_[coil] = std::max(std::abs(predicted_a_[coil]), keep * recent_peak_a_[coil]);
+    const bool driven = recent_peak_a_[coil] > model::WindingMeter::kMinCurrentA;
+    const bool informative = pair_.electrical() && pair_.informative()[i];
+    unmeasured_s_[i] = !driven || informative ? 0.0 : unmeasured_s_[i] + dt_s;
+  }
+}
+
+void Controller::start_observer(double sensor_c) noexcept {
+  model::ThermalStart start;
+  start.nodes.winding_c.fill(sensor_c);
+  start.nodes.core_c = sensor_c;
+  start.known = settings_.start_known;
+  if (settings_.start_known) {
+    // What the thermistor adds was known of no node.
+    constexpr double kPerKelvin = 0.5;
+    double raised_k = std::max(0.0, sensor_c - settings_.start.core_c);
+    for (std::size_t i = 0; i < model::kCoils; ++i) {
+      start.nodes.winding_c[i] = std::max(settings_.start.winding_c[i], sensor_c);
+      raised_k = std::max(raised_k, start.nodes.winding_c[i] - settings_.start.winding_c[i]);
+    }
+    start.nodes.core_c = std::max(settings_.start.core_c, sensor_c);
+    start.deviation_k =
+        settings_.start_deviation_k + kPerKelvin * std::max(0.0, raised_k - kThermistorK);
+    start.ambient_c = settings_.start_room_c;
+    start.measured = settings_.start_measured;
+  }
+  observer_ =
+      model::ThermalObserver(settings_.coils, settings_.thermal, start, settings_.uncertainty);
+  if (start.at_rest()) watchdog_.start_rested();
+  observing_ = true;
+}
+
+void Controller::forget_ball() noexcept {
+  if (states_.armed()) record_trip(Reason::kStateLost);
+  states_.lose_ball(now_);
+  settings_.start_known = false;
+  settings_.start_measured = {};
+  estimate_ = EstimateCheck();
+  watchdog_.forget_windings(settings_.coils, settings_.thermal);
+  observing_ = false;
+}
+
+double Controller::sensor_c() const noexcept {
+  return thermistor_on(board_, settings_.thermal.sensor_winding).celsius;
+}
+
+bool Controller::is_measured(int coil) const noexcept {
+  return pair_.fresh() && pair_.measured()[static_cast<std::size_t>(coil)];
+}
+
+model::Vec3 Controller::present_a() const noexcept {
+  model::Vec3 a;
+  for (int coil = 0; coil < model::kCoils; ++coil)
+    a[coil] = is_measured(coil) ? pair_.after_a()[coil] : predicted_a_[coil];
+  return a;
+}
+
+model::ThermalMeasurement Controller::measurement() const noexcept {
+  // Until then the diodes may still carry something.
+  constexpr double kAsleepS = 0.1;
+  model::ThermalMeasurement m;
+  m.electrical_valid = pair_.electrical();
+  m.voltage_v = pair_.voltage_v();
+  m.supply_v = board_.supply_v;
+  m.current_a = present_a();
+  for (int coil = 0; coil < model::kCoils; ++coil) {
+    const auto i = static_cast<std::size_t>(coil);
+    const bool measured = is_measured(coil);
+    m.current_before_a[coil] = measured ? pair_.before_a()[coil] : predicted_a_[coil];
+    m.current_measured[i] = measured && pair_.informative()[i];
+  }
+  m.idle = asleep_s_ > kAsleepS && board_.accuracy.signs;
+  m.idle_a = pair_.after_a();
+  m.accuracy = board_.accuracy;
+  m.thermistors = watchdog_.thermistors();
+  const auto own = static_cast<std::size_t>(settings_.thermal.sensor_winding);
+  m.thermistors.valid[own] = watchdog_.sensor().usable();
+  m.fan_running = watchdog_.fan().cooling();
+  return m;
+}
+
+Reason Controller::update_estimate(double dt_s) noexcept {
+  const model::ThermalMeasurement m = measurement();
+  if (!observing_) {
+    if (!watchdog_.sensor().usable()) return Reason::kNone;
+    start_observer(sensor_c());
+  }
+  observer_.step(m, dt_s);
+  skin_.step(model::SkinInputs::of(settings_.thermal, observer_.filter(), m.fan_running), dt_s);
+  const Reason found = estimate_.step(observer_, watchdog_.supply(), limits_.trip_c, dt_s);
+  return states_.armed() || found == Reason::kOverheated ? found : Reason::kNone;
+}
+
+// A probe knows the skin, the estimate what is on its way there.
+SkinStatus Controller::skin() const noexcept {
+  const ThermometerCheck& probe = watchdog_.thermometer();
+  SkinStatus status;
+  status.estimate = skin_;
+  status.above_k = skin_.margin_k();
+  if (probe.on_shell() && !probe.known()) {
+    status.above_k = std::numeric_limits<double>::infinity();
+  } else if (probe.on_shell()) {
+    const double by_probe_k = probe.celsius() - skin_.following_c();
+    // What one said that has fallen silent may be old.
+    status.above_k = probe.fresh() ? by_probe_k : std::max(by_probe_k, status.above_k);
+  }
+  status.bound_c = skin_.heated_c() + status.above_k;
+  return status;
+}
+
+model::ThermalEstimate Controller::thermal() const noexcept {
+  model::ThermalEstimate known = observer_.estimate();
+  if (!observing_) known.hottest_c = std::numeric_limits<double>::infinity();
+  return known;
+}
+
+}  // namespace hedgehog::control

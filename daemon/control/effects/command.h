@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// Commands of the io thread, with ranges and ownership already checked. Trivially copyable; travels
+// by spsc queue. Stopping never queues: see StopBoard in mailbox.h.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <type_traits>
+#include <variant>
+
+#include "model/coils.h"
+#include "model/effect.h"
+#include "model/keyframes.h"
+#include "model/limits.h"
+
+namespace hedgehog::control {
+
+/// Number of an effect: never used twice while the daemon runs, 0 is none.
+using EffectId = std::uint32_t;
+
+/// Places for effects in the mixer. io hands out at most 64 to playing effects; the rest serves
+/// those that were replaced or have ended and wait for io to take their last state.
+inline constexpr int kEffectPlaces = 128;
+inline constexpr int kMaxEffects = 64;
+inline constexpr int kMaxCommandsPerTick = 64;
+
+/// Capacity for the key frames of all effects together, in the mixer. io allocates it: a
+/// part is free again when `effect_ended` of all who play from it was taken.
+inline constexpr int kKeyframeCapacity = 2048;
+
+/// Some key frames; those of an effect come before its start, in the same tick.
+struct LoadKeyframes {
+  static constexpr int kMaxFrames = 11;
+  std::uint16_t first = 0;
+  std::uint8_t count = 0;
+  std::array<model::Keyframe, kMaxFrames> frames{};
+};
+
+struct StartEffect {
+  EffectId effect = 0;
+  /// The place that io chose: free until `effect_ended` of its last holder was taken.
+  std::uint8_t place = 0;
+  /// This effect ends as `replaced` in the same tick (0: none), its phase is kept when method and
+  /// waveform are the same.
+  EffectId replaces = 0;
+  std::uint8_t replaces_place = 0;
+  model::EffectSpec spec;
+};
+
+/// New parameters for a playing effect: phase kept, lease renewed. Ignored when it has ended
+/// meanwhile.
+struct UpdateEffect {
+  EffectId effect = 0;
+  std::uint8_t place = 0;
+  model::EffectSpec spec;
+};
+
+/// Ignored once an emergency stop was asked for that it does not know of: it waited in a queue, the
+/// stop did not.
+struct Arm {
+  /// `Mailbox::emergency_generation` when the arming was asked for.
+  std::uint32_t generation = 0;
+};
+
+/// The front points at `azimuth_deg` now.
+struct Recenter {
+  double azimuth_deg = 0.0;
+};
+
+struct SetGain {
+  double gain = 1.0;
+};
+
+struct SetLimits {
+  model::Limits limits;
+};
+
+/// The ball is another one than before, or may be: nothing is known of its heat, and it does not
+/// push before somebody arms it.
+struct ForgetBall {};
+
+struct Command {
+  /// Rises by one with each command; a status whose `applied_seq` has reached it shows its
+  /// consequence.
+  std::uint64_t seq = 0;
+  std::variant<StartEffect, UpdateEffect, LoadKeyframes, Arm, Recenter, SetGain, SetLimits,
+               ForgetBall>
+      what;
+};
+
+static_assert(std::is_trivially_copyable_v<Command>);
+
+}  // namespace hedgehog::control

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// One effect in the mixer: its clocks, its phase and its delivered share.
+#pragma once
+
+#include <span>
+#include <type_traits>
+
+#include "daemon/control/effects/command.h"
+#include "daemon/control/snapshot.h"
+#include "daemon/control/state/event.h"
+#include "model/effect.h"
+#include "model/tick.h"
+
+namespace hedgehog::control {
+
+/// Control thread. Trivially copyable. Every function is real-time safe.
+class EffectPlace {
+ public:
+  /// A new effect, applied at tick `now`. It waits until its `start_at` or `delay` has come (a
+  /// `start_at` in the past means now).
+  void begin(EffectId effect, const model::EffectSpec& spec, model::Tick now) noexcept;
+
+  /// This effect goes on where `previous` was: same waveform phase and same position on the ring.
+  /// When both are leased the attack and the same loop of key frames go on too, so that a client
+  /// may send its whole effect every frame. Does nothing unless method and waveform are the same
+  /// and `previous` has played.
+  void continue_from(const EffectPlace& previous) noexcept;
+
+  /// New parameters; phase and onset are kept, the lease is renewed at `now`.
+  void update(const model::EffectSpec& spec, model::Tick now) noexcept;
+
+  /// `ticks` have passed and it is `now`: moves the phase, or starts to play. False when the effect
+  /// ends now by itself; `natural_end` then says how. `frames`: all key frames there are.
+  bool advance(model::Tick now, model::Tick ticks,
+               std::span<const model::Keyframe> frames) noexcept;
+
+  /// kCompleted or kExpired, or kPreempted when it was only ever under others.
+  EndReason natural_end() const noexcept;
+
+  /// True when it plays out although its connection has ended.
+  bool finishes_on_close() const noexcept;
+
+  /// What its own shape asks in this tick, A, 0..15; unit vector of where, in its own frame.
+  double asked_a() const noexcept;
+  model::Vec3 direction() const noexcept;
+
+  /// How this tick went for a playing effect: under a higher priority; or output, of which
+  /// `fraction` (0..1) of what was asked was delivered, alone or together with others.
+  void note_masked() noexcept { ++delivery_.masked; }
+  void note_delivered(double fraction, bool mixed) noexcept;
+
+  /// The final account, for an effect that ends at `now`.
+  Delivery delivery(model::Tick now) const noexcept;
+  /// Ticks until it ends by itself.
+  model::Tick remaining(model::Tick now) const noexcept;
+
+  EffectId effect() const noexcept { return effect_; }
+  const model::EffectSpec& spec() const noexcept { return spec_; }
+  const model::EffectPhase& phase() const noexcept { return phase_; }
+  /// False while it waits for its onset.
+  bool playing() const noexcept { return playing_; }
+
+ private:
+  EffectId effect_ = 0;
+  bool playing_ = false;
+  /// Takes over the phase of the effect that it replaced; and its attack.
+  bool continues_ = false;
+  bool continues_attack_ = false;
+  model::Tick applied_ = 0;
+  model::Tick onset_ = 0;
+  model::Tick lease_end_ = 0;
+  model::EffectSpec spec_;
+  model::EffectPhase phase_;
+  model::Ring ring_;
+  model::KeyframePoint point_;
+  Delivery delivery_;
+  double delivered_sum_ = 0.0;
+  model::Tick counted_ = 0;  // ticks in `delivered_sum_`
+};
+
+static_assert(std::is_trivially_copyable_v<EffectPlace>);
+
+}  // namespace hedgehog::control

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/control/loop/control_tick.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "daemon/device/tick_clock.h"
+
+namespace hedgehog::control {
+
+ControlTick::ControlTick(const ControlSettings& settings, Mailbox& mailbox, device::LinkPort& port,
+                         FlightRecorder* recorder, int speed) noexcept
+    : mailbox_(mailbox),
+      port_(port),
+      recorder_(recorder),
+      speed_(std::max(speed, 1)),
+      controller_(settings) {}
+
+void ControlTick::gather(model::Tick tick, std::uint32_t skipped) noexcept {
+  inputs_.tick = tick;
+  inputs_.skipped = skipped;
+  inputs_.emergency_generation = mailbox_.emergency_generation.load(std::memory_order_acquire);
+
+  const device::LinkReport& report = port_.reports.read();
+  inputs_.board_present = report.present;
+  inputs_.board_fresh = report.telemetry_count != telemetry_count_;
+  telemetry_count_ = report.telemetry_count;
+  inputs_.board = report.telemetry;
+  snapshot_.link = report.counters;
+
+  inputs_.orientation = mailbox_.orientation.read();
+  inputs_.thermometer = mailbox_.thermometer.read();
+  for (model::Tick* stamp : {&inputs_.orientation.stamp, &inputs_.thermometer.stamp})
+    *stamp = tick - std::max<model::Tick>(tick - *stamp, 0) / speed_;
+
+  mailbox_.stops.collect(inputs_);
+  const auto taken = mailbox_.commands.pop(inputs_.commands.data(), inputs_.commands.size());
+  inputs_.command_count = static_cast<std::uint16_t>(taken);
+}
+
+void ControlTick::run(model::Tick tick, std::uint32_t skipped,
+                      const LoopStatistics& statistics) noexcept {
+  gather(tick, skipped);
+  if (recorder_ != nullptr) recorder_->before(controller_, inputs_);
+  const device::BoardCommand command = controller_.step(inputs_, events_);
+  send(command);
+  if (recorder_ != nullptr) recorder_->after(controller_, command, events_);
+  publish();
+  controller_.fill(snapshot_);
+  snapshot_.loop = statistics;
+  add_up(skipped);
+  mailbox_.status.write(snapshot_);
+}
+
+void ControlTick::add_up(std::uint32_t skipped) noexcept {
+  Totals& totals = snapshot_.totals;
+  const double seconds = (1.0 + skipped) * model::kTickSeconds;
+  if (snapshot_.board_present) {
+    const model::Vec3& duty = snapshot_.board.duty;
+    totals.on_s =
+        totals.on_s + seconds * model::Vec3{std::abs(duty.x), std::abs(duty.y), std::abs(duty.z)};
+    const model::Vec3 flowing = flowing_a(snapshot_.board);
+    totals.heat_a2s += seconds * model::dot(flowing, flowing);
+  }
+  totals.derated_s += snapshot_.derating ? seconds : 0.0;
+  if (inputs_.command_count == 0) return;
+  const std::int64_t now_ns = device::monotonic_ns();
+  for (std::uint16_t i = 0; i < inputs_.command_count; ++i) {
+    const std::int64_t asked_ns = mailbox_.request_times.of(inputs_.commands[i].seq);
+    // 0: it did not come through the outbox.
+    if (asked_ns != 0) totals.request_to_coil.add(now_ns - asked_ns);
+  }
+}
+
+void ControlTick::send(const device::BoardCommand& command) noexcept {
+  last_ = command;
+  port_.commands.write({++sent_, command});
+}
+
+bool ControlTick::publish(const Event& event) noexcept { return mailbox_.events.push(event); }
+
+void ControlTick::publish() noexcept {
+  std::size_t published = 0;
+  while (published < backlog_size_ && publish(backlog_[published])) ++published;
+  std::copy(backlog_.begin() + static_cast<std::ptrdiff_t>(published),
+            backlog_.begin() + static_cast<std::ptrdiff_t>(backlog_size_), backlog_.begin());
+  backlog_size_ -= published;
+  for (const Event& event : events_) {
+    if (backlog_size_ == 0 && publish(event)) continue;
+    const bool of_effect =
+        event.type == EventType::kEffectStarted || event.type == EventType::kEffectEnded;
+    const std::size_t capacity = of_effect ? kBacklog : kBacklog - kKeptForEffects;
+    if (backlog_size_ < capacity) backlog_[backlog_size_++] = event;
+  }
+}
+
+void ControlTick::shut_down() noexcept {
+  controller_.end_all(EndReason::kStopped, events_);
+  publish();
+  controller_.fill(snapshot_);
+  snapshot_.limited_a = {};
+  mailbox_.status.write(snapshot_);
+}
+
+bool ControlTick::run_safe() noexcept {
+  device::BoardCommand safe;
+  safe.fan = last_.fan;
+  safe.arm_count = last_.arm_count;
+  if (safe_since_ == 0) safe_since_ = port_.reports.read().telemetry_count;
+  send(safe);
+  // The second frame from now was measured after the command could have arrived; with bridges that
+  // slept all along there is nothing to wait for.
+  const device::LinkReport& report = port_.reports.read();
+  return report.present && report.telemetry_count >= safe_since_ + 4 &&
+         !report.telemetry.bridges_awake;
+}
+
+}  // namespace hedgehog::control

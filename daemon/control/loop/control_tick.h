@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// One tick with its surroundings: gathers the inputs, steps the controller, publishes the outputs.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "daemon/control/controller.h"
+#include "daemon/control/mailbox.h"
+#include "daemon/control/recording/flight_recorder.h"
+#include "daemon/control/state/event_list.h"
+#include "daemon/control/step_inputs.h"
+#include "daemon/device/link_port.h"
+
+namespace hedgehog::control {
+
+/// Control thread. Owns the controller; the mailbox, the port and the recorder outlive it.
+/// Everything but the constructor is real-time safe.
+class ControlTick {
+ public:
+  /// `recorder` may be null. `speed`: ticks a real millisecond; samples of sensors come in real
+  /// time and age that much slower.
+  ControlTick(const ControlSettings& settings, Mailbox& mailbox, device::LinkPort& port,
+              FlightRecorder* recorder, int speed = 1) noexcept;
+
+  /// The tick `tick`, after `skipped` that were never run.
+  void run(model::Tick tick, std::uint32_t skipped, const LoopStatistics& statistics) noexcept;
+
+  /// Ends all effects; from now on `run_safe` is called instead of `run`.
+  void shut_down() noexcept;
+  /// Sends the safe command; true once the board reports that its bridges sleep.
+  bool run_safe() noexcept;
+  /// Ticks of `run_safe` before a loop ends without that report.
+  static constexpr int kMaxSafeTicks = 100;
+
+ private:
+  void gather(model::Tick tick, std::uint32_t skipped) noexcept;
+  void add_up(std::uint32_t skipped) noexcept;
+  void send(const device::BoardCommand& command) noexcept;
+  void publish() noexcept;
+  bool publish(const Event& event) noexcept;
+
+  /// Events that found the queue full. Effects cannot fill it: io gives a place away again only
+  /// after it has taken its last `effect_ended`, so at most two events a place are ever under way,
+  /// and room for them is kept; other events stay out when it gets that full (the snapshot has
+  /// their state).
+  static constexpr std::size_t kBacklog = 1024;
+  static constexpr std::size_t kKeptForEffects = 4 * std::size_t{kEffectPlaces};
+
+  Mailbox& mailbox_;
+  device::LinkPort& port_;
+  FlightRecorder* recorder_;
+  int speed_;
+  Controller controller_;
+  StepInputs inputs_;
+  EventList events_;
+  StatusSnapshot snapshot_;
+  std::array<Event, kBacklog> backlog_{};
+  std::size_t backlog_size_ = 0;
+  std::uint64_t sent_ = 0;
+  std::uint64_t telemetry_count_ = 0;
+  std::uint64_t safe_since_ = 0;
+  device::BoardCommand last_;
+};
+
+}  // namespace hedgehog::control

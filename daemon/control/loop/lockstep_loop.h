@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Controller, link and simulated board on one thread, several ticks a real millisecond
+// (`hedgehogd --simulate --speed N`): device time runs N times as fast as the clock on the wall.
+#pragma once
+
+#include "daemon/control/loop/loop.h"
+#include "daemon/device/simulator/lock_step.h"
+#include "daemon/device/simulator/simulated_board.h"
+
+namespace hedgehog::control {
+
+/// Nothing is ever skipped here: when the machine is too slow, the whole ball slows down. The
+/// thread is an ordinary one. Simulator settings are read from the port as by the link thread.
+class LockstepLoop final : public Loop {
+ public:
+  /// `speed`: 1..100 ticks a millisecond.
+  LockstepLoop(const ControlSettings& settings, Mailbox& mailbox, device::LinkPort& port,
+               FlightRecorder* recorder, const device::SimulatedBoardOptions& board, int speed);
+  ~LockstepLoop() override { stop(); }
+
+ private:
+  void run() noexcept override;
+  void after_safe_tick() noexcept override { world_.step(); }
+
+  int speed_;
+  device::LockStep world_;
+};
+
+}  // namespace hedgehog::control

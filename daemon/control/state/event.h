@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// Events of the control thread. Trivially copyable; control -> io by spsc queue.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <type_traits>
+
+#include "daemon/control/effects/command.h"
+#include "daemon/control/state/disagreement.h"
+#include "daemon/control/state/state.h"
+#include "model/tick.h"
+
+namespace hedgehog::control {
+
+enum class EventType : std::uint8_t {
+  kEffectStarted,
+  kEffectEnded,
+  kStateChanged,
+  kDeratingStarted,
+  kDeratingEnded,
+  kOrientationLost,
+  kOrientationRestored,
+  kDeviceAttached,
+  kDeviceDetached,
+  kOverrun,
+  kRejectedNumber,  // a number that was not finite was replaced by zero current
+};
+
+enum class EndReason : std::uint8_t {
+  kCompleted,
+  kStopped,
+  kReplaced,
+  kPreempted,  // ended without ever having been felt, under effects of higher priority
+  kExpired,    // the lease ran out
+  kDisconnected,
+  kTripped,  // also: emergency stop, disarmed
+  kOrientationLost,
+};
+
+/// How an effect was delivered: the limiter's output over what its own shape asked, per tick (asked
+/// 0 counts as 1).
+struct Delivery {
+  model::Tick onset = -1;  // first tick it played; -1: never
+  model::Tick offset = -1;
+  double min = 1.0;
+  double mean = 1.0;
+  model::Tick masked = 0;  // ticks under a higher priority
+  model::Tick mixed = 0;   // ticks in which others added to it
+};
+
+struct Event {
+  EventType type = EventType::kStateChanged;
+  EndReason end_reason = EndReason::kCompleted;
+  State state = State::kAbsent;
+  Reason reason = Reason::kNone;
+  std::uint8_t place = 0;
+  EffectId effect = 0;
+  std::uint64_t seq = 0;  // kEffectStarted: the command that started it
+  model::Tick tick = 0;
+  Delivery delivery;
+  /// kStateChanged: it has tripped in this tick, or was armed and its board is gone; false too for
+  /// a latch that was there already.
+  bool trip = false;
+  /// The current allowed and the one measured, A, and the hottest temperature, C (infinite: nothing
+  /// is known). kOverrun: skipped ticks in `count`.
+  double limit_a = 0.0;
+  double current_a = 0.0;
+  double temperature_c = 0.0;
+  std::uint64_t count = 0;
+  /// kStateChanged, of kMeasurementsDisagree.
+  Disagreement disagreement;
+};
+
+static_assert(std::is_trivially_copyable_v<Event>);
+
+/// Wire names (DESIGN section 4, "Events").
+std::string_view name(EventType type) noexcept;
+std::string_view name(EndReason reason) noexcept;
+
+}  // namespace hedgehog::control

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/control/state/state_machine.h"
+
+#include "daemon/control/checks/board_check.h"
+
+namespace hedgehog::control {
+
+StateMachine::StateMachine(const ControlSettings& settings) noexcept
+    : latch_(settings.latch),
+      backoff_(settings.rearms),
+      start_reason_(settings.start_reason),
+      start_patience_(settings.start_patience),
+      arm_when_sane_(settings.arm_at_start && settings.latch == Reason::kNone) {}
+
+void StateMachine::enter(State state, Reason reason, model::Tick now) noexcept {
+  if (state == state_ && reason == reason_) return;
+  state_ = state;
+  reason_ = reason;
+  since_ = now;
+}
+
+void StateMachine::board_alive(const device::BoardTelemetry& board, model::Tick now) noexcept {
+  if (state_ != State::kAbsent) return;
+  // Its own count, so that the first set-point arms nothing.
+  arm_count_ = board.arm_count;
+  arming_ = false;
+  if (latch_ == Reason::kEmergencyStop) {
+    enter(State::kDisarmed, latch_, now);
+  } else if (latch_ != Reason::kNone) {
+    enter(State::kTripped, latch_, now);
+  } else {
+    const bool plugged_in = seen_ || now > start_patience_;
+    if (plugged_in) arm_when_sane_ = false;
+    enter(State::kDisarmed, plugged_in ? Reason::kHotPlug : start_reason_, now);
+  }
+  seen_ = true;
+}
+
+void StateMachine::board_gone(Reason gone, model::Tick now) noexcept {
+  if (seen_) arm_when_sane_ = false;
+  arming_ = false;
+  // While it is gone the first reason stays, so that silence and unplugging are one episode.
+  if (state_ != State::kAbsent) enter(State::kAbsent, gone, now);
+}
+
+void StateMachine::trip(Reason reason, model::Tick now) noexcept {
+  arming_ = false;
+  arm_when_sane_ = false;
+  if (state_ == State::kTripped || state_ == State::kAbsent) return;
+  latch_ = reason;
+  backoff_.trip(now);
+  enter(State::kTripped, reason, now);
+}
+
+void StateMachine::emergency_stop(model::Tick now) noexcept {
+  arming_ = false;
+  arm_when_sane_ = false;
+  // The latch of a trip is the stricter one, also while its board is gone.
+  if (latch_ == Reason::kNone) latch_ = Reason::kEmergencyStop;
+  if (state_ != State::kAbsent && state_ != State::kTripped) enter(State::kDisarmed, latch_, now);
+}
+
+void StateMachine::lose_ball(model::Tick now) noexcept {
+  trip(Reason::kStateLost, now);
+  const bool loose = latch_ == Reason::kNone || latch_ == Reason::kEmergencyStop;
+  if (loose) latch_ = Reason::kStateLost;
+}
+
+void StateMachine::board_restarted(model::Tick now) noexcept {
+  if (state_ == State::kArmed) enter(State::kDisarmed, Reason::kHotPlug, now);
+}
+
+void StateMachine::begin_arming(model::Tick now) noexcept {
+  arming_ = true;
+  arming_since_ = now;
+  ++arm_count_;
+}
+
+void StateMachine::arm(Reason refusal, model::Tick now) noexcept {
+  const bool idle = state_ == State::kDisarmed || state_ == State::kTripped;
+  if (idle && !arming_ && refusal == Reason::kNone) begin_arming(now);
+}
+
+void StateMachine::step(const device::BoardTelemetry& board, bool fresh, Reason refusal,
+                        model::Tick now) noexcept {
+  backoff_.step(state_ == State::kArmed, now);
+  if (arm_when_sane_ && state_ == State::kDisarmed && refusal == Reason::kNone) {
+    arm_when_sane_ = false;
+    begin_arming(now);
+  }
+  if (!arming_) return;
+  const bool ready =
+      board.mode == device::BoardMode::kReady || board.mode == device::BoardMode::kDriving;
+  if (fresh && ready && board.arm_count == arm_count_ && refusal == Reason::kNone) {
+    arming_ = false;
+    backoff_.arm(latch_, now);
+    latch_ = Reason::kNone;
+    enter(State::kArmed, Reason::kNone, now);
+  } else if (now - arming_since_ > kArmPatience) {
+    // The board holds on to its latch, so the cause is still there.
+    const Reason why = reason_of_faults(board.faults);
+    arming_ = false;
+    if (why != Reason::kNone) trip(why, now);
+  }
+}
+
+}  // namespace hedgehog::control

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// State of the ball: absent, disarmed, armed, tripped (DESIGN section 4, "State"). Arming is a
+// handshake: a new arm count goes to the board, and the ball is armed when the board confirms it.
+#pragma once
+
+#include <cstdint>
+
+#include "daemon/control/state/control_settings.h"
+#include "daemon/control/state/rearm_backoff.h"
+#include "daemon/control/state/state.h"
+#include "daemon/device/board_io.h"
+#include "model/tick.h"
+
+namespace hedgehog::control {
+
+/// Control thread; real-time safe, trivially copyable.
+class StateMachine {
+ public:
+  /// The board has this long to answer.
+  static constexpr model::Tick kArmPatience = 300;
+
+  explicit StateMachine(const ControlSettings& settings) noexcept;
+
+  /// The board is there, or gone (`gone`: kNoBoard, kTelemetryLost). Both may be said every tick.
+  void board_alive(const device::BoardTelemetry& board, model::Tick now) noexcept;
+  void board_gone(Reason gone, model::Tick now) noexcept;
+
+  /// Stops and latches. In `tripped` the first reason stays: one episode.
+  void trip(Reason reason, model::Tick now) noexcept;
+  void emergency_stop(model::Tick now) noexcept;
+  /// What had latched is not known any more: trips by kStateLost, also while the board is absent.
+  void lose_ball(model::Tick now) noexcept;
+  /// The board has restarted by itself: as after a hot-plug.
+  void board_restarted(model::Tick now) noexcept;
+
+  /// Begins to arm unless `refusal` says why not.
+  void arm(Reason refusal, model::Tick now) noexcept;
+  /// Arms at the start once nothing speaks against it any more, and ends an arming: by the board's
+  /// answer or when it gives none.
+  bool arming() const noexcept { return arming_; }
+  void step(const device::BoardTelemetry& board, bool fresh, Reason refusal,
+            model::Tick now) noexcept;
+
+  State state() const noexcept { return state_; }
+  Reason reason() const noexcept { return reason_; }
+  model::Tick since() const noexcept { return since_; }
+  /// What must survive a restart: a trip or an emergency stop, kNone otherwise.
+  Reason latch() const noexcept { return latch_; }
+  /// Ticks until the latch may be cleared by arming.
+  model::Tick rearm_wait(model::Tick now) const noexcept { return backoff_.wait(latch_, now); }
+  const RearmCounts& rearms() const noexcept { return backoff_.counts(); }
+  bool armed() const noexcept { return state_ == State::kArmed; }
+  std::uint8_t arm_count() const noexcept { return arm_count_; }
+
+ private:
+  void enter(State state, Reason reason, model::Tick now) noexcept;
+  void begin_arming(model::Tick now) noexcept;
+
+  State state_ = State::kAbsent;
+  Reason reason_ = Reason::kNoBoard;
+  model::Tick since_ = 0;
+  Reason latch_ = Reason::kNone;
+  RearmBackoff backoff_;
+  Reason start_reason_ = Reason::kNeverArmed;
+  model::Tick start_patience_ = 0;
+  bool seen_ = false;
+  bool arm_when_sane_ = false;
+  bool arming_ = false;
+  model::Tick arming_since_ = 0;
+  std::uint8_t arm_count_ = 0;
+};
+
+}  // namespace hedgehog::control

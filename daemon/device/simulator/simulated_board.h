@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// Simulated driver board: the firmware's rules and its reading of converters, behind real frames,
+// in front of simulated electronics and a simulated ball.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "daemon/device/board_codec.h"
+#include "daemon/device/board_core/board_core.h"
+#include "daemon/device/simulator/front_end.h"
+#include "daemon/device/simulator/simulator_errors.h"
+#include "daemon/device/simulator/simulator_settings.h"
+#include "model/plant.h"
+
+namespace hedgehog::device {
+
+struct SimulatedBoardOptions {
+  model::PlantParameters plant = with_noise();
+  FrontEndChoice front_end;
+  /// The room, and the ball's temperature at the start (windings, core and thermistor).
+  double ambient_c = 25.0;
+  double start_c = 25.0;
+
+  /// The ball that matches its device file, its thermistor with 0.15 K of noise (DESIGN section 6).
+  static model::PlantParameters with_noise() noexcept {
+    model::PlantParameters plant;
+    plant.sensor_noise_k = 0.15;
+    return plant;
+  }
+};
+
+/// Real-time safe, no clock, no thread of its own: `step` is one millisecond.
+class SimulatedBoard {
+ public:
+  /// The thermistors are converted once in so many milliseconds, the truth told as seldom.
+  static constexpr int kConversionMs = 10;
+
+  SimulatedBoard() noexcept : SimulatedBoard(SimulatedBoardOptions{}) {}
+  explicit SimulatedBoard(const SimulatedBoardOptions& options) noexcept;
+
+  /// One packet from the host, any bytes; any number of them before each `step`.
+  void receive(std::span<const std::uint8_t> packet) noexcept;
+
+  /// Measures, decides, and lets the world run for a millisecond on what was decided. The telemetry
+  /// holds what was measured at its beginning; none while kSimSilent.
+  std::optional<Frame> step() noexcept;
+  /// After some steps also how the plant really is.
+  std::optional<Frame> truth_frame() const noexcept;
+
+  /// The truth, for tests.
+  const model::Plant& plant() const noexcept { return plant_; }
+  model::Plant& plant() noexcept { return plant_; }
+  const board::BoardCore& core() const noexcept { return core_; }
+  const SimulatorSettings& settings() const noexcept { return settings_; }
+  /// The same as the frames of these settings and their errors.
+  void apply(const SimulatorSettings& settings) noexcept;
+  void set_errors(const SimulatorErrorList& errors) noexcept;
+
+ private:
+  board::BoardInputs measure() noexcept;
+  Analogue analogue() const noexcept;
+  board::BoardInputs measure_exactly(const Analogue& analogue) noexcept;
+  void convert_thermistors(const Analogue& analogue) noexcept;
+  void wire_thermistors() noexcept;
+  /// Which of the thermistors the faults of the thermistor touch, and the winding under one.
+  int broken_thermistor() const noexcept;
+  int winding_under(int thermistor) const noexcept;
+  void act_errors() noexcept;
+  void run_world(const board::BoardOutputs& outputs) noexcept;
+  bool has(SimFault fault) const noexcept { return (settings_.faults & fault) != 0; }
+  bool touches(SimFault fault, int coil) const noexcept {
+    return has(fault) && settings_.coil == coil;
+  }
+
+  model::Plant plant_;
+  board::BoardCore core_;
+  SimulatorSettings settings_;
+  SimulatorErrors errors_;
+  SimulatorErrorReader error_reader_;
+  FrontEndParameters built_;  // the electronics without errors
+  FrontEnd front_end_;
+  board::RawInputs raw_;
+  double nominal_supply_v_ = 12.0;
+  /// What the bridges did in the last millisecond, and the currents at its start.
+  model::Vec3 driven_duty_;
+  bool driven_awake_ = false;
+  model::Vec3 before_a_;
+  double offset_k_ = 0.0;
+  int until_conversion_ = 0;
+  /// What each thermistor showed at its last conversion, C.
+  std::array<double, model::kCoils> shown_c_{25.0, 25.0, 25.0};
+  std::uint32_t supply_ms_ = 0;
+};
+
+}  // namespace hedgehog::device

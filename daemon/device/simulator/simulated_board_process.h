@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// The program hedgehog-simboard as a child of this process, in a process group of its own: what
+// stops or kills the daemon does not touch it.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "daemon/device/simulator/simulated_board.h"
+#include "daemon/device/transport.h"
+
+namespace hedgehog::device {
+
+struct SimulatedBoardProcessOptions {
+  SimulatedBoardOptions board;
+  /// The program; empty: hedgehog-simboard beside this process's own.
+  std::string program;
+  /// Where it writes its trace (simulated_board_runner.h); empty: nowhere.
+  std::string trace;
+};
+
+/// Owns the child. Construct and destroy it from one thread.
+class SimulatedBoardProcess {
+ public:
+  /// Throws std::system_error when the program cannot be started.
+  explicit SimulatedBoardProcess(const SimulatedBoardProcessOptions& options);
+  SimulatedBoardProcess(const SimulatedBoardProcess&) = delete;
+  SimulatedBoardProcess& operator=(const SimulatedBoardProcess&) = delete;
+  /// REQUIRES: the transport is destroyed. Waits until the board has made itself safe and ended;
+  /// kills it when that takes longer than it ever can.
+  ~SimulatedBoardProcess();
+
+  /// The host's end, once.
+  std::unique_ptr<Transport> take_transport() noexcept { return std::move(transport_); }
+  int pid() const noexcept { return pid_; }
+
+ private:
+  std::unique_ptr<Transport> transport_;
+  int pid_ = -1;
+};
+
+}  // namespace hedgehog::device

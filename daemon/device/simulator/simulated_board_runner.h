@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Runs a simulated board on a clock of its own behind a transport, as a thread of the daemon or as
+// the process hedgehog-simboard, so that its dead-man depends on nothing that the daemon does.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <thread>
+
+#include "daemon/device/simulator/simulated_board.h"
+#include "daemon/device/simulator/simulated_board_trace.h"
+#include "daemon/device/transport.h"
+
+namespace hedgehog::device {
+
+/// One thread: the one that calls `run`.
+class SimulatedBoardRunner {
+ public:
+  /// `trace`, when given, gets the lines of simulated_board_trace.h, and "closed" when the host
+  /// goes.
+  SimulatedBoardRunner(const SimulatedBoardOptions& options, std::unique_ptr<Transport> transport,
+                       std::FILE* trace = nullptr) noexcept;
+
+  /// Runs until the host is gone and the board is safe and without current (at most kShutdownMs
+  /// later), or `stop` becomes true.
+  void run(const std::atomic<bool>& stop) noexcept;
+
+  static constexpr int kShutdownMs = 5000;
+
+ private:
+  void tick() noexcept;
+  bool at_rest() const noexcept;
+
+  SimulatedBoard board_;
+  std::unique_ptr<Transport> transport_;
+  SimulatedBoardTrace trace_;
+};
+
+/// The simulated board as a thread of this process.
+class SimulatedBoardThread {
+ public:
+  /// Throws std::system_error.
+  SimulatedBoardThread(const SimulatedBoardOptions& options, std::unique_ptr<Transport> transport);
+  SimulatedBoardThread(const SimulatedBoardThread&) = delete;
+  SimulatedBoardThread& operator=(const SimulatedBoardThread&) = delete;
+  ~SimulatedBoardThread();
+
+ private:
+  SimulatedBoardRunner runner_;
+  std::atomic<bool> stop_{false};
+  std::thread thread_;
+};
+
+}  // namespace hedgehog::device

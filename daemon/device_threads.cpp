@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/device_threads.h"
+
+#include <cstdlib>
+#include <utility>
+
+#include "daemon/control/loop/control_loop.h"
+#include "daemon/control/loop/lockstep_loop.h"
+#include "daemon/device/socket_transport.h"
+#include "daemon/device/usb/libusb_port.h"
+
+namespace hedgehog::daemon {
+namespace {
+
+/// For tests: where hedgehog-simboard writes what it did.
+constexpr const char* kTraceVariable = "HEDGEHOG_SIMBOARD_TRACE";
+
+device::SimulatedBoardOptions board_options(const config::Config& config, double start_c) {
+  device::SimulatedBoardOptions options;
+  const double noise_k = options.plant.sensor_noise_k;
+  const model::DeviceModel& ball = config.simulated_ball();
+  options.plant = model::PlantParameters::of(ball.coils, ball.thermal);
+  options.plant.sensor_noise_k = noise_k;
+  options.plant.force_slope_n_a = ball.force_slope_n_a;
+  options.plant.seed = config.simulator.seed;
+  options.front_end = {config.simulator.front_end, config.simulator.thermistors.value_or(0),
+                       config.simulator.seed};
+  options.ambient_c = config.simulator.ambient_c;
+  options.start_c = start_c;
+  return options;
+}
+
+}  // namespace
+
+DeviceThreads::DeviceThreads(const config::Config& config, const control::ControlSettings& settings,
+                             double start_c, std::optional<int> speed)
+    : mailbox_(std::make_unique<control::Mailbox>()), port_(std::make_unique<device::LinkPort>()) {
+  if (speed) {
+    loop_ = std::make_unique<control::LockstepLoop>(settings, *mailbox_, *port_, &recorder_,
+                                                    board_options(config, start_c), *speed);
+    sensors_ = std::make_unique<Sensors>(config, *mailbox_, *loop_, usb_board_.get());
+    return;
+  }
+  link_ = std::make_unique<device::LinkThread>(*port_, make_board(config, start_c));
+  loop_ = std::make_unique<control::ControlLoop>(settings, *mailbox_, *port_, &recorder_);
+  sensors_ = std::make_unique<Sensors>(config, *mailbox_, *loop_, usb_board_.get());
+}
+
+std::unique_ptr<device::Transport> DeviceThreads::make_board(const config::Config& config,
+                                                             double start_c) {
+  if (config.backend == config::Backend::kUsb) {
+    usb_board_ = std::make_unique<device::UsbBoard>(
+        device::make_libusb_bus(), device::BoardIds{config.device.usb, config.device.usb_serial});
+    return usb_board_->transport();
+  }
+  if (config.simulator.process) {
+    device::SimulatedBoardProcessOptions options;
+    options.board = board_options(config, start_c);
+    if (const char* trace = std::getenv(kTraceVariable)) options.trace = trace;
+    board_process_ = std::make_unique<device::SimulatedBoardProcess>(options);
+    return board_process_->take_transport();
+  }
+  auto [host, board] = device::make_socket_pair();
+  board_thread_ = std::make_unique<device::SimulatedBoardThread>(
+      board_options(config, start_c), std::make_unique<device::SocketTransport>(std::move(board)));
+  return std::make_unique<device::SocketTransport>(std::move(host));
+}
+
+}  // namespace hedgehog::daemon

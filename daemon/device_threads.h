@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// The threads below io: control, link, a reader a sensor, and the board: the one that looks for it
+// on USB, or the simulated one. Which of them there are depends on the configuration and on
+// --speed.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "daemon/config/config.h"
+#include "daemon/control/loop/loop.h"
+#include "daemon/control/mailbox.h"
+#include "daemon/control/recording/flight_recorder.h"
+#include "daemon/control/state/control_settings.h"
+#include "daemon/device/link_port.h"
+#include "daemon/device/link_thread.h"
+#include "daemon/device/simulator/simulated_board_process.h"
+#include "daemon/device/simulator/simulated_board_runner.h"
+#include "daemon/device/usb/usb_board.h"
+#include "daemon/sensors.h"
+
+namespace hedgehog::daemon {
+
+/// Made, started and stopped by one thread. Board and link run from the constructor on, the control
+/// loop from `loop().start()`.
+class DeviceThreads {
+ public:
+  /// `start_c`: of the simulated ball. `speed`: in lock-step with it, so many times as fast. Throws
+  /// std::system_error.
+  DeviceThreads(const config::Config& config, const control::ControlSettings& settings,
+                double start_c, std::optional<int> speed);
+
+  control::Loop& loop() noexcept { return *loop_; }
+  control::Mailbox& mailbox() noexcept { return *mailbox_; }
+  device::LinkPort& port() noexcept { return *port_; }
+  control::FlightRecorder& recorder() noexcept { return recorder_; }
+  Sensors& sensors() noexcept { return *sensors_; }
+
+ private:
+  std::unique_ptr<device::Transport> make_board(const config::Config& config, double start_c);
+
+  std::unique_ptr<control::Mailbox> mailbox_;
+  std::unique_ptr<device::LinkPort> port_;
+  control::FlightRecorder recorder_;
+  // Destroyed from the last to the first: the link sends its last frame to a board that still runs.
+  std::unique_ptr<device::SimulatedBoardProcess> board_process_;
+  std::unique_ptr<device::SimulatedBoardThread> board_thread_;
+  std::unique_ptr<device::UsbBoard> usb_board_;
+  std::unique_ptr<device::LinkThread> link_;
+  std::unique_ptr<control::Loop> loop_;
+  std::unique_ptr<Sensors> sensors_;
+};
+
+}  // namespace hedgehog::daemon

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Warnings for the log about faults of the ball that do not stop it.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "daemon/server/device/device_view.h"
+
+namespace hedgehog::server {
+
+/// io thread only.
+class BallWarnings {
+ public:
+  /// A drift of R25 beyond this is reported, a share.
+  static constexpr double kMaxDrift = 0.05;
+
+  /// What has changed since the last call.
+  std::vector<std::string> step(const DeviceView& device_view);
+
+ private:
+  void step_fan(const DeviceView& device_view, std::vector<std::string>& sentences);
+  void step_winding(int coil, const DeviceView& device_view, std::vector<std::string>& sentences);
+
+  bool fan_works_ = true;
+  /// Whose R25 of this run has been looked at.
+  std::array<bool, model::kCoils> seen_{};
+};
+
+}  // namespace hedgehog::server

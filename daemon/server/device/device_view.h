@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// The io thread's view of the ball: the latest snapshot, requests to the control thread, and the
+// fixed properties of the device.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "daemon/config/config.h"
+#include "daemon/control/mailbox.h"
+#include "daemon/control/snapshot.h"
+#include "daemon/device/link_port.h"
+#include "daemon/server/device/outbox.h"
+#include "daemon/server/device/remedy.h"
+#include "model/forecast.h"
+#include "model/magnets/pin_curves.h"
+#include "model/pin_array.h"
+
+namespace hedgehog::server {
+
+/// A current that is less by no more than this is not reduced, only rounded.
+constexpr double kRoundingA = 1e-6;
+
+/// The driver board as the bus shows it.
+struct BoardInfo {
+  /// Why one that is connected is not used; empty: nothing speaks against it.
+  std::string trouble;
+  /// Of the one that is in use; nullopt: it does not say, or there is none.
+  std::optional<std::string> serial;
+  std::optional<std::string> firmware;
+};
+
+/// A winding's resistance at 25 C and by how much it has moved, shares (0.05: 5 % more).
+struct MeasuredR25 {
+  double ohm = 0.0;
+  /// In the device file.
+  double file_ohm = 0.0;
+  double from_file = 0.0;
+  /// In an earlier run; nullopt: none has measured it.
+  std::optional<double> kept_ohm;
+  std::optional<double> from_kept;
+};
+
+/// io thread only.
+class DeviceView {
+ public:
+  /// `epoch_ns`: device time of tick 0. The references must outlive it.
+  DeviceView(const config::Config& config, control::Mailbox& mailbox, device::LinkPort& link,
+             std::int64_t epoch_ns);
+
+  /// Takes the latest snapshot.
+  void refresh();
+  const control::StatusSnapshot& now() const noexcept { return snapshot_; }
+  std::int64_t time_ns(model::Tick tick) const noexcept {
+    return epoch_ns_ + tick * model::kNanosecondsPerTick;
+  }
+  std::int64_t epoch_ns() const noexcept { return epoch_ns_; }
+
+  const config::Config& config() const noexcept { return config_; }
+  /// After a reload: limits (a board never widens its own) and what a client may see of the
+  /// configuration.
+  void set_config(const config::Config& config);
+  const model::Limits& limits() const noexcept { return config_.limits; }
+  /// The board still keeps to tighter limits than these, of an earlier configuration.
+  bool board_holds_back() const noexcept;
+  bool simulated() const noexcept { return config_.backend == config::Backend::kSimulator; }
+  const model::PinArray& array() const noexcept { return array_; }
+  const model::PinCurves& pin_curves() const noexcept { return pin_curves_; }
+  const model::Forecaster& forecaster() const noexcept { return forecaster_; }
+  model::ForecastStart forecast_start() const noexcept;
+  /// How long the full current can flow from a ball as warm as its room, by what is known of it
+  /// now; nullopt: for ever.
+  std::optional<double> cold_burst_s() const noexcept;
+  RemedyFacts remedy_facts() const;
+  /// `look`: how to see the board on its bus.
+  void set_board_info_source(std::function<BoardInfo()> look) {
+    board_info_source_ = std::move(look);
+  }
+  BoardInfo board() const { return board_info_source_ ? board_info_source_() : BoardInfo{}; }
+  /// The hottest winding as estimated, C.
+  double hottest_c() const noexcept;
+  /// Why the ball is not armed, as a sentence; nullopt when it is.
+  std::optional<std::string> remedy_now() const;
+
+  /// Requests another comfort gain; its seq, nullopt when the queue is full.
+  std::optional<std::uint64_t> ask_gain(ConnectionId owner, double gain);
+  /// In force, or asked for and about to be.
+  double gain() const noexcept {
+    return snapshot_.applied_seq < gain_seq_ ? asked_gain_ : snapshot_.gain;
+  }
+
+  /// R25 of winding `coil`, 0..2, as measured in this run; nullopt: not yet.
+  std::optional<MeasuredR25> r25(int coil) const noexcept;
+  /// As measured before this run, ohm; 0: never.
+  void set_kept_r25(const std::array<double, model::kCoils>& ohm) noexcept { kept_r25_ohm_ = ohm; }
+
+  Outbox& outbox() noexcept { return outbox_; }
+  control::Mailbox& mailbox() noexcept { return mailbox_; }
+
+  /// Orientation from outside: an external feeder, or `sim.set`. Kept fresh for the simulator.
+  void set_orientation(const model::Quaternion& quaternion);
+  /// Some orientation has been given or measured; also when control has not looked yet.
+  bool orientation_known() const noexcept {
+    return snapshot_.orientation_present || orientation_.present;
+  }
+  const device::SimulatorSettings& simulator() const noexcept { return simulator_; }
+  void set_simulator(const device::SimulatorSettings& settings);
+  /// How the simulated plant was a few milliseconds ago.
+  const device::PlantTruth& truth() const noexcept { return link_.truth.read(); }
+
+ private:
+  void keep_orientation_fresh();
+
+  config::Config config_;
+  control::Mailbox& mailbox_;
+  device::LinkPort& link_;
+  std::int64_t epoch_ns_;
+  const model::PinArray& array_;
+  const model::PinCurves& pin_curves_;
+  model::Forecaster forecaster_;
+  Outbox outbox_;
+  control::StatusSnapshot snapshot_;
+  device::SimulatorSettings simulator_;
+  device::OrientationSample orientation_;
+  std::function<BoardInfo()> board_info_source_;
+  std::array<double, model::kCoils> kept_r25_ohm_{};
+  double mean_current_a_ = 0.0;
+  double asked_gain_ = 1.0;
+  std::uint64_t gain_seq_ = 0;
+};
+
+}  // namespace hedgehog::server

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/server/device/file_state_store.h"
+
+#include <spdlog/spdlog.h>
+
+#include <atomic>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <system_error>
+#include <utility>
+
+#include "base/atomic_file.h"
+#include "daemon/server/disk/load_saved_state.h"
+#include "model/thermal_flow.h"
+
+namespace hedgehog::server {
+namespace {
+
+constexpr std::chrono::seconds kPeriod{1};
+/// A ball this much above its room has heat worth remembering.
+constexpr double kWarmK = 2.0;
+/// By then the snapshot has every latch that an event or a request has told of.
+constexpr model::Tick kLatchSeen = 200;
+
+constexpr const char* kAsAfterACrash = "; the next start counts as one after a crash";
+
+bool finite(const model::ThermalState& heat) {
+  return std::isfinite(heat.core_c) && std::isfinite(model::hottest_winding(heat));
+}
+
+}  // namespace
+
+/// Only the disk thread writes, and who makes it before that.
+class FileStateStore::File {
+ public:
+  /// `orderly`: what is there tells of an orderly stop.
+  File(std::string path, bool orderly) : path_(std::move(path)), orderly_(orderly) {}
+
+  /// In place of what was there. A file that tells of an orderly stop does not outlive a state that
+  /// is none and cannot be written: the ball would be armed after a stop that was forgotten. A full
+  /// disk still removes.
+  void write(const SavedState& state, bool last) {
+    const std::string problem = base::write_file_atomically(path_, encode(state));
+    if (problem.empty()) {
+      orderly_ = state.clean_stop;
+      failed_ = false;
+      return;
+    }
+    if (orderly_ && !state.clean_stop) {
+      std::error_code ec;
+      std::filesystem::remove(path_, ec);
+      orderly_ = ec || !base::sync_folder(std::filesystem::path(path_).parent_path()).empty();
+    }
+    if (!failed_.exchange(true) || last) {  // one line an episode
+      spdlog::error("{}: the state is not kept{}{}", problem, last ? kAsAfterACrash : "",
+                    orderly_ ? ", but for the old file, which must be removed by hand" : "");
+    }
+  }
+  /// The last write did. Any thread.
+  bool failed() const noexcept { return failed_; }
+
+  /// What is written next; false: something waits for that already.
+  bool put(const SavedState& state, bool last) {
+    const std::lock_guard lock(mutex_);
+    last_ = last_ || last;
+    return !std::exchange(next_, state).has_value();
+  }
+  void drop() {
+    const std::lock_guard lock(mutex_);
+    next_.reset();
+  }
+  void write_next() {
+    std::optional<SavedState> state;
+    bool last = false;
+    {
+      const std::lock_guard lock(mutex_);
+      state.swap(next_);
+      last = last_;
+    }
+    if (state) write(*state, last);
+  }
+
+ private:
+  const std::string path_;
+  bool orderly_;
+  std::atomic<bool> failed_{false};
+  std::mutex mutex_;
+  std::optional<SavedState> next_;
+  bool last_ = false;
+};
+
+FileStateStore::FileStateStore(const std::string& directory, DiskThread& disk,
+                               DeviceView& device_view, const std::optional<SavedState>& last)
+    : disk_(disk),
+      file_(std::make_shared<File>(state_file(directory), last && last->clean_stop)),
+      device_view_(device_view),
+      saved_(last.value_or(SavedState{})) {
+  // Until the next orderly stop this run counts as one that was cut off.
+  saved_.clean_stop = false;
+  r25_before_ = saved_.r25;
+  std::array<double, model::kCoils> kept{};
+  for (std::size_t i = 0; i < kept.size(); ++i) kept[i] = saved_.r25[i].ohm;
+  device_view_.set_kept_r25(kept);
+  if (!saved_.ball) saved_.ball = ball_of(device_view.config());
+  if (last) file_->write(saved_, false);
+}
+
+SavedState FileStateStore::current() const {
+  const control::StatusSnapshot& now = device_view_.now();
+  SavedState state = saved_;
+  state.latch = now.latch != control::Reason::kNone ? now.latch : asked_latch_;
+  state.clean_stop = stopped_ && state.latch == control::Reason::kNone;
+  if (now.tick > 0) state.rearms = now.rearms;
+  for (std::size_t i = 0; i < state.r25.size(); ++i)
+    if (now.r25_ohm[i] > 0.0) state.r25[i] = {now.r25_ohm[i], r25_before_[i].runs + 1};
+  if (!thermistor_seen_) return state;
+  if (finite(now.thermal.nodes) && std::isfinite(now.thermal.ambient_c)) {
+    state.heat_known = true;
+    state.measured = now.thermal.measured;
+    state.saved_at = boot_time_now();
+    state.heat = now.thermal.nodes;
+    state.ambient_c = now.thermal.ambient_c;
+  }
+  return state;
+}
+
+bool FileStateStore::r25_changed() const noexcept {
+  for (std::size_t i = 0; i < saved_.r25.size(); ++i) {
+    const double ohm = device_view_.now().r25_ohm[i];
+    if (ohm > 0.0 && ohm != saved_.r25[i].ohm) return true;
+  }
+  return false;
+}
+
+void FileStateStore::recognise_ball() {
+  if (!device_view_.now().board_present) recognised_ = false;
+  if (recognised_ || !device_view_.now().board_present) return;
+  const BallIdentity seen{device_view_.simulated(), device_view_.board().serial.value_or("")};
+  if (are_different(*saved_.ball, seen)) {
+    if (!device_view_.outbox().add(0, control::ForgetBall{})) return;
+    device_view_.outbox().commit();
+    spdlog::error("another ball: {}, before it was {}{}", seen.serial, saved_.ball->serial,
+                  kCountsAsTripped);
+    saved_.heat_known = false;
+    saved_.r25 = r25_before_ = {};
+    device_view_.set_kept_r25({});
+    thermistor_seen_ = false;
+  }
+  recognised_ = seen.simulated || !seen.serial.empty();
+  if (!seen.serial.empty() && seen.serial != saved_.ball->serial) {
+    saved_.ball = seen;
+    due_ = true;
+  }
+}
+
+void FileStateStore::pump(std::chrono::steady_clock::time_point time) {
+  const control::StatusSnapshot& now = device_view_.now();
+  if (now.tick <= 0) return;  // the control thread has said nothing yet
+  recognise_ball();
+  thermistor_seen_ = thermistor_seen_ || (now.board_present && now.sensor_valid);
+  due_ = due_ || r25_changed();
+  if (asked_latch_ != control::Reason::kNone && now.tick >= asked_at_ + kLatchSeen) {
+    asked_latch_ = control::Reason::kNone;
+    due_ = true;
+  }
+  const bool warm =
+      model::hottest_winding(now.thermal.nodes) > now.thermal.ambient_c + kWarmK || was_warm_;
+  if (!due_ && !((warm || file_->failed()) && time - written_ >= kPeriod)) return;
+  was_warm_ = model::hottest_winding(now.thermal.nodes) > now.thermal.ambient_c + kWarmK;
+  written_ = time;
+  due_ = false;
+  write();
+}
+
+void FileStateStore::state_changed(control::State state) noexcept {
+  due_ = true;
+  if (state == control::State::kArmed) asked_latch_ = control::Reason::kNone;
+}
+
+bool FileStateStore::hand_over() {
+  if (!file_->put(saved_, stopped_)) return true;
+  const bool taken = disk_.post(DiskUse::kSafety, [file = file_] { file->write_next(); });
+  if (!taken) file_->drop();
+  return taken;
+}
+
+void FileStateStore::write() {
+  saved_ = current();
+  due_ = !hand_over() || due_;
+}
+
+void FileStateStore::stopped_cleanly() {
+  stopped_ = true;
+  saved_ = current();
+  // Behind what still waits, so that nothing older is written after it.
+  if (!hand_over()) spdlog::error("the disk is too slow: the state is not kept{}", kAsAfterACrash);
+}
+
+void FileStateStore::persist_gain(double gain) {
+  saved_.gain = gain;
+  due_ = true;
+}
+
+void FileStateStore::persist_latch(control::Reason latch) {
+  asked_latch_ = latch;
+  asked_at_ = device_view_.now().tick;
+  write();
+}
+
+}  // namespace hedgehog::server

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// The io side of the command queue. The commands of one line are one group, and a group is handed
+// over as a whole in time for a single tick (a batch is "applied in one tick"). Bounded in total
+// and for each client, so that a flooding client is answered `busy` while the others are served.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "daemon/control/effects/command.h"
+#include "daemon/control/mailbox.h"
+#include "daemon/server/session/session.h"
+
+namespace hedgehog::server {
+
+/// io thread only.
+class Outbox {
+ public:
+  using What = decltype(control::Command::what);
+  static constexpr std::size_t kMaxWaiting = 512;
+  static constexpr std::size_t kMaxWaitingEach = 128;
+  /// Reserved for each client, however many others flood.
+  static constexpr std::size_t kAlwaysEach = 8;
+
+  explicit Outbox(control::Mailbox& mailbox) : mailbox_(mailbox) {}
+
+  /// True if the open group takes `count` more commands of `owner`.
+  bool has_capacity(ConnectionId owner, std::size_t count) const;
+  /// True if `count` more are too many for one group, whenever they are sent.
+  bool exceeds_group(std::size_t count) const noexcept {
+    return open_.size() + count > control::kMaxCommandsPerTick;
+  }
+  /// Adds a command of `owner` to the open group and returns its seq; nullopt: full, `busy`.
+  std::optional<std::uint64_t> add(ConnectionId owner, const What& what);
+  /// Closes the group and hands over what fits.
+  void commit();
+  /// Hands over what fits; call it at least every millisecond while `waiting()`.
+  void flush();
+
+  bool waiting() const noexcept { return !groups_.empty(); }
+  /// Seq of the newest command.
+  std::uint64_t last_seq() const noexcept { return last_seq_; }
+
+ private:
+  struct Owned {
+    ConnectionId owner;
+    control::Command command;
+  };
+  control::Mailbox& mailbox_;
+  std::deque<std::vector<Owned>> groups_;
+  std::vector<Owned> open_;
+  std::size_t waiting_ = 0;
+  std::map<ConnectionId, std::size_t> waiting_each_;
+  std::uint64_t last_seq_ = 0;
+};
+
+}  // namespace hedgehog::server

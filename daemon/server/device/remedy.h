@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Remedy of a state: one sentence with the command to type. The only place of these sentences.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "daemon/control/state/state.h"
+
+namespace hedgehog::server {
+
+struct RemedyFacts {
+  /// Below this temperature a ball that overheated can be armed again.
+  double rearm_c = 45.0;
+  bool simulated = false;
+  /// Why a board that is connected is not used; empty: none is, or it is used.
+  std::string board_trouble{};
+  /// Seconds until a ball that has tripped may be armed again, and how often it was after the same
+  /// trip.
+  double rearm_wait_s = 0.0;
+  int rearms = 0;
+};
+
+/// nullopt: nothing is wrong.
+std::optional<std::string> remedy(control::State state, control::Reason reason,
+                                  const RemedyFacts& facts);
+
+/// The wire name of `reason`; nullopt for kNone (null on the wire).
+std::optional<std::string> reason_name(control::Reason reason);
+
+}  // namespace hedgehog::server

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Restores the state file at the start, with the consequences of a damaged one.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "daemon/config/config.h"
+#include "daemon/server/disk/saved_state.h"
+
+namespace hedgehog::server {
+
+/// The end of the sentence that reports a lost state.
+inline constexpr const char* kCountsAsTripped =
+    ". Whether the ball had tripped and how hot it is are not known, so it counts as tripped: let "
+    "it cool, then run: hedgehogctl arm";
+
+/// The path of the state file.
+std::string state_file(const std::string& directory);
+
+/// The ball as far as the configuration knows it.
+BallIdentity ball_of(const config::Config& config);
+
+/// The state file in `directory`; nullopt: there is none, so this is a first start. One that cannot
+/// be read, is damaged, impossible, or of another ball than `ball` (nullopt: any) is lost_state(),
+/// and the log says why; so is one whose first write was cut off. The simulated ball takes none of
+/// a real one and starts as the first time. Start-up only.
+std::optional<SavedState> load_saved_state(const std::string& directory,
+                                           const std::optional<BallIdentity>& ball = std::nullopt);
+
+}  // namespace hedgehog::server

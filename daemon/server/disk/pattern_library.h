@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// The named patterns: those that are shipped, built in from config/patterns and read-only, and
+// those that clients have put, named vendor/name and kept on disk.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "daemon/server/disk/disk_work.h"
+#include "protocol/error.h"
+#include "protocol/pattern.h"
+#include "protocol/results.h"
+
+namespace hedgehog::server {
+
+/// Where put patterns are kept. Called on the io thread; writes on the disk thread. nullptr: too
+/// much waits there already, and nothing will be done.
+class PatternShelf {
+ public:
+  virtual ~PatternShelf() = default;
+  virtual DiskWorkPtr keep(const std::string& name, std::string json) = 0;
+  virtual DiskWorkPtr drop(const std::string& name) = 0;
+};
+
+/// io thread only.
+class PatternLibrary {
+ public:
+  static constexpr std::size_t kMaxPut = 256;
+  /// It fits into a line of the protocol.
+  static constexpr std::size_t kMaxListBytes = 65'000;
+
+  struct Entry {
+    protocol::Pattern pattern;
+    bool shipped = false;
+  };
+
+  /// With the shipped ones and those `kept` from earlier runs. `shelf` must outlive this.
+  PatternLibrary(PatternShelf& shelf, std::vector<protocol::Pattern> kept);
+
+  /// nullptr: there is none. Good until the next put or remove.
+  const Entry* find(std::string_view name) const noexcept;
+  std::vector<std::string_view> names() const;
+  /// The result of `pattern.list` as JSON, at most kMaxListBytes long: if they would not fit, the
+  /// descriptions of those that clients have put are empty.
+  std::shared_ptr<const std::string> list();
+  static protocol::PatternSummary summary(const Entry& entry);
+
+  /// From now on it can be played; the work ends when it is on disk. An error, and nothing has
+  /// changed, when the name is a shipped one's, there are 256 already, or the library is full.
+  protocol::Result<DiskWorkPtr> put(protocol::Pattern pattern);
+  protocol::Result<DiskWorkPtr> remove(const std::string& name);
+
+ private:
+  PatternShelf& shelf_;
+  std::map<std::string, Entry, std::less<>> entries_;
+  std::size_t put_ = 0;
+  /// nullptr: not since the last change.
+  std::shared_ptr<const std::string> list_;
+};
+
+/// What config/patterns had when this was built. Throws std::logic_error when one is wrong.
+std::vector<protocol::Pattern> shipped_patterns();
+
+}  // namespace hedgehog::server

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Expected delivery of an effect as of the last tick: the response to starting or updating one.
+#pragma once
+
+#include <optional>
+
+#include "daemon/server/device/device_view.h"
+#include "daemon/server/effects/effect_registry.h"
+#include "daemon/server/effects/load.h"
+#include "protocol/error.h"
+#include "protocol/results.h"
+
+namespace hedgehog::server {
+
+/// What is felt now: the highest priority, and the load of the effects that have it.
+struct Felt {
+  int priority = -1;
+  Load load;
+};
+
+/// Effects that wait for their onset are left out, and so is `except` (nullptr: nobody).
+Felt felt_now(const DeviceView& device_view, EffectRegistry& effects, const Effect* except);
+
+/// All fields but effect, slot and seq. `track`: the key frames of `spec`, nullptr when it has
+/// none. `replaced` will be gone when `spec` begins.
+protocol::Admission admission(const DeviceView& device_view, EffectRegistry& effects,
+                              const model::EffectSpec& spec, const KeyframeTrack* track,
+                              const Effect* replaced);
+
+/// For `if_limited` "refuse": why `spec` cannot be delivered in full over its duration, or as long
+/// as its lease; nullopt: it can. `admitted` is the result of `admission`.
+std::optional<protocol::RpcError> thermal_refusal(const DeviceView& device_view,
+                                                  const model::EffectSpec& spec,
+                                                  const KeyframeTrack* track,
+                                                  const protocol::EffectParams& params,
+                                                  const protocol::Admission& admitted);
+
+}  // namespace hedgehog::server

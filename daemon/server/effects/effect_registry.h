@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// Ownership of effects: numbers, places and slots of all effects that were started and whose end
+// has not been reported yet.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "daemon/control/effects/command.h"
+#include "daemon/server/effects/keyframe_track.h"
+#include "daemon/server/session/session.h"
+#include "model/effect.h"
+#include "protocol/effect_params.h"
+#include "protocol/method.h"
+
+namespace hedgehog::server {
+
+/// Waveform fields that a pattern may set, unless the client does.
+struct Wave {
+  std::optional<model::Waveform> waveform{};
+  std::optional<double> frequency_hz{};
+  std::optional<double> on_fraction{};
+};
+
+struct Effect {
+  control::EffectId id = 0;  // 0: the place is free
+  std::uint8_t place = 0;
+  /// 0 when its connection has ended.
+  ConnectionId owner = 0;
+  std::string client;
+  std::optional<std::string> slot;
+  protocol::Method method = protocol::Method::kEffectPulse;
+  /// The requested parameters with their defaults; updates are merged into it.
+  protocol::EffectParams params;
+  /// Waveform fields set explicitly by the client; a pattern's own do not count.
+  Wave requested_wave;
+  model::EffectSpec spec;
+  /// Of effect.play.
+  KeyframeTrackPtr track;
+  /// Of the command that started it.
+  std::uint64_t seq = 0;
+  /// It took the place of one in its slot.
+  bool replacing = false;
+  /// Its onset has come.
+  bool begun = false;
+  /// Its end was requested (stopped, replaced); it can no longer be addressed.
+  bool ending = false;
+};
+
+/// io thread only.
+class EffectRegistry {
+ public:
+  static constexpr int kMaxEach = 32;
+  /// The last places are for connections that hold none.
+  static constexpr int kReservedForNew = 8;
+
+  /// `last`: the number before the first.
+  explicit EffectRegistry(control::EffectId last = 0) noexcept : last_id_(last) {}
+
+  enum class Capacity : std::uint8_t { kYes, kConnectionFull, kDeviceFull, kPlacesFull };
+  /// Whether `owner` may start one more; `replacing`: it takes the place of one of its own.
+  Capacity capacity(ConnectionId owner, bool replacing) const noexcept;
+
+  /// A free place and a new number. The reference is good until the effect ends. REQUIRES:
+  /// capacity() is kYes.
+  Effect& add(ConnectionId owner);
+  /// Takes back an `add` whose command was rejected.
+  void drop(const Effect& effect) noexcept { places_[effect.place] = {}; }
+
+  /// nullptr: there is none of this owner that still can be addressed.
+  Effect* find(ConnectionId owner, control::EffectId id) noexcept;
+  Effect* find(ConnectionId owner, std::string_view slot) noexcept;
+  /// nullptr: unknown, or ended and reported.
+  const Effect* at(std::uint8_t place, control::EffectId id) const noexcept;
+  void begun(std::uint8_t place, control::EffectId id) noexcept;
+  const Effect* any(control::EffectId id) const noexcept;
+
+  /// All that can still be addressed; owner 0: of everybody.
+  std::vector<Effect*> playing(ConnectionId owner = 0);
+  /// The connection has ended: its effects have no owner any more, and are returned.
+  std::vector<Effect*> release_all(ConnectionId owner);
+
+  /// `effect_ended` was taken: frees the place and returns what was there.
+  std::optional<Effect> ended(std::uint8_t place, control::EffectId id);
+
+ private:
+  std::array<Effect, control::kEffectPlaces> places_{};
+  control::EffectId last_id_;
+};
+
+}  // namespace hedgehog::server

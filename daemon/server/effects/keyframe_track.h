@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// The key frames of one effect, with the integrals that admission and forecast need.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "model/keyframes.h"
+#include "model/pin_array.h"
+#include "model/vec3.h"
+#include "protocol/effect_params.h"
+
+namespace hedgehog::server {
+
+/// Of `level * direction`, and of its outer product.
+struct Moments {
+  model::Vec3 first;
+  model::Mat3 second{{{}, {}, {}}};
+};
+
+struct KeyframeTrack {
+  std::vector<model::Keyframe> frames;
+  /// Their integrals from the beginning to each key frame, over milliseconds.
+  std::vector<Moments> until;
+  /// The strongest key frame, 0..1, and where it points (unit vector, the pattern faces front).
+  double peak = 0.0;
+  model::Vec3 peak_direction{1, 0, 0};
+
+  double length_ms() const noexcept { return model::length_ms(frames); }
+  /// The means over its first `ms` milliseconds, at rate 1; zero for ms <= 0.
+  Moments mean_over(double ms) const noexcept;
+};
+
+/// nullptr: an effect without key frames.
+using KeyframeTrackPtr = std::shared_ptr<const KeyframeTrack>;
+
+/// An error names the key frame that points at a pin that the ball does not have.
+protocol::Result<KeyframeTrackPtr> make_keyframe_track(
+    const std::vector<protocol::Keyframe>& keyframes, const model::PinArray& pins);
+
+}  // namespace hedgehog::server

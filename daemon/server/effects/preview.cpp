@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/server/effects/preview.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "daemon/control/checks/fan_check.h"
+#include "daemon/control/effects/mixer.h"
+#include "daemon/control/fan.h"
+#include "daemon/device/board_io.h"
+#include "model/plant.h"
+#include "model/shell_limit.h"
+#include "model/skin_estimate.h"
+#include "model/thermal_limiter.h"
+
+namespace hedgehog::server {
+namespace {
+
+using model::kTickSeconds;
+using model::Tick;
+using model::Vec3;
+
+/// Rounding is no reduction.
+constexpr double kWhole = 1.0 - 1e-6;
+/// A winding that carries this is measured by its own V/I.
+constexpr double kMeasuredA = 1.5;
+constexpr double kFullFan = 255.0;
+constexpr control::EffectId kOnly = 1;
+
+/// The mean of what was added.
+class Mean {
+ public:
+  void add(const Vec3& value) {
+    sum_ = sum_ + value;
+    ++count_;
+  }
+  std::array<double, 3> take() {
+    const Vec3 mean = (1.0 / static_cast<double>(count_)) * sum_;
+    *this = Mean();
+    return {mean.x, mean.y, mean.z};
+  }
+  Tick count() const noexcept { return count_; }
+
+ private:
+  Vec3 sum_;
+  Tick count_ = 0;
+};
+
+void load_keyframes(control::Mixer& mixer, const KeyframeTrack& track) {
+  const auto& frames = track.frames;
+  for (std::size_t sent = 0; sent < frames.size(); sent += control::LoadKeyframes::kMaxFrames) {
+    control::LoadKeyframes load;
+    load.first = static_cast<std::uint16_t>(sent);
+    load.count = static_cast<std::uint8_t>(
+        std::min<std::size_t>(control::LoadKeyframes::kMaxFrames, frames.size() - sent));
+    std::copy_n(frames.begin() + static_cast<std::ptrdiff_t>(sent), load.count,
+                load.frames.begin());
+    mixer.load(load);
+  }
+}
+
+model::Plant plant_now(const DeviceView& device_view, control::Fan& fan) {
+  const control::StatusSnapshot& now = device_view.now();
+  const config::Config& config = device_view.config();
+  model::Plant plant(model::PlantParameters::of(config.device.coils, config.device.thermal),
+                     now.thermal.ambient_c);
+  if (now.board.supply_v > 0.0) plant.set_supply(now.board.supply_v);
+  // The fan as it turns now.
+  const model::ForecastStart start = device_view.forecast_start();
+  fan.step(now.thermal.nodes.core_c, start.mean_current_a, control::Fan::kMeanS);
+  if (start.fan_running) plant.step_thermal({}, 1.0, plant.parameters().fan_spin_up_s);
+  plant.set_heat(now.thermal.nodes);
+  return plant;
+}
+
+}  // namespace
+
+struct Preview::World {
+  explicit World(const DeviceView& device_view)
+      : gain(device_view.gain()),
+        orientation(device_view.now().orientation),
+        coils(device_view.config().device.coils),
+        limiter(device_view.limits()),
+        plant(plant_now(device_view, fan)) {
+    const control::StatusSnapshot& now = device_view.now();
+    skin = now.skin.estimate;
+    skin_above_k = now.skin.above_k;
+    estimate.ambient_c = now.thermal.ambient_c;
+    estimate.measured = now.thermal.measured;
+    above_windings_k = device_view.forecast_start().above_k;
+    result.temperature_c = plant.hottest_winding_c();
+    result.peak_temperature_c = result.temperature_c;
+  }
+
+  /// What the limiter takes for the hottest winding.
+  double bound_c() const noexcept { return plant.hottest_winding_c() + above_windings_k; }
+
+  /// The ceiling of the skin, as the controller has it.
+  void follow_skin() noexcept {
+    model::SkinInputs in;
+    in.nodes = plant.heat();
+    in.ambient_c = plant.ambient_c();
+    in.to_room_k_w = plant.fan_rpm() > control::FanCheck::kMinRpm
+                         ? plant.parameters().core_to_room_fan_k_w
+                         : plant.parameters().core_to_room_still_k_w;
+    skin.step(in, kTickSeconds);
+    limiter.set_ceiling(
+        model::shell_allowed_current(limiter.limits(), skin.heated_c() + skin_above_k));
+  }
+
+  double gain;
+  model::Quaternion orientation;
+  model::CoilModel coils;
+  control::Mixer mixer;
+  model::ThermalLimiter limiter;
+  control::Fan fan;
+  model::Plant plant;
+  model::ThermalEstimate estimate;
+  double above_windings_k = 0.0;
+  model::SkinEstimate skin;
+  double skin_above_k = 0.0;
+  control::EventList events;
+  Tick tick = 0;
+  Tick end = 0;
+  Mean duty;
+  Mean current_a;
+  double delivered_sum = 0.0;
+  protocol::PreviewResult result;
+};
+
+Preview::Preview(const DeviceView& device_view, const EffectPlan& plan)
+    : world_(std::make_unique<World>(device_view)) {
+  World& w = *world_;
+  control::StartEffect start{kOnly, 0, 0, 0, plan.spec};
+  start.spec.delay = 0;
+  start.spec.start_at = -1;
+  if (plan.track) {
+    start.spec.trajectory.playback.first = 0;
+    load_keyframes(w.mixer, *plan.track);
+  }
+  w.mixer.start(start, 0, 0, w.events);
+  w.end = start.spec.lease > 0 ? start.spec.lease : start.spec.duration;
+  w.result.duration_ms = w.end;
+  w.result.step_ms =
+      (w.end + protocol::PreviewResult::kMaxSteps - 1) / protocol::PreviewResult::kMaxSteps;
+}
+
+Preview::~Preview() = default;
+
+void Preview::step() {
+  World& w = *world_;
+  for (int coil = 0; coil < model::kCoils; ++coil) {
+    const auto i = static_cast<std::size_t>(coil);
+    w.estimate.resistance_ohm[i] = w.plant.resistance_ohm(coil);
+    w.estimate.measured[i] =
+        w.estimate.measured[i] || std::abs(w.plant.current_a()[coil]) > kMeasuredA;
+  }
+  w.estimate.nodes = w.plant.heat();
+  w.estimate.hottest_c = w.bound_c();
+
+  w.follow_skin();
+
+  w.events.clear();
+  const control::MixResult mix = w.mixer.mix({w.tick, true, true, w.orientation, w.gain}, w.events);
+  const Vec3 wanted = model::currents_for(mix.field, w.coils).a + mix.coil_a;
+  const model::LimitedCurrents passed = w.limiter.limit({wanted}, w.estimate, kTickSeconds);
+  const double asked_a = norm(wanted);
+  const double share = asked_a > 0.0 ? norm(passed.a()) / asked_a : 1.0;
+
+  const double supply_v = w.plant.parameters().supply_v;
+  device::BoardCommand command;
+  if (mix.playing) {
+    command = device::BoardCommand::drive(passed, w.estimate.resistance_ohm, w.coils.inductance_h,
+                                          w.plant.current_a(), supply_v);
+  }
+  model::PlantInputs inputs;
+  inputs.bridge.fill(command.enable() ? model::BridgeState::kDriven : model::BridgeState::kAsleep);
+  inputs.voltage_v = supply_v * command.first_duty();
+  inputs.fan_duty =
+      w.fan.step(w.estimate.hottest_c, norm(w.plant.current_a()), kTickSeconds) / kFullFan;
+  w.plant.step(inputs, kTickSeconds);
+
+  protocol::PreviewResult& r = w.result;
+  r.peak_temperature_c = std::max(r.peak_temperature_c, w.plant.hottest_winding_c());
+  r.peak_current_a = std::max(r.peak_current_a, norm(w.plant.current_a()));
+  r.delivered.min = std::min(r.delivered.min, share);
+  w.delivered_sum += share;
+  if (share < kWhole && !r.limited_from_ms) r.limited_from_ms = w.tick;
+  w.duty.add(command.first_duty());
+  w.current_a.add(w.plant.current_a());
+  ++w.tick;
+  if (w.duty.count() == r.step_ms || w.tick == w.end) {
+    r.duty.push_back(w.duty.take());
+    r.current_a.push_back(w.current_a.take());
+  }
+}
+
+bool Preview::advance(Tick ticks) {
+  World& w = *world_;
+  for (Tick i = 0; i < ticks && w.tick < w.end; ++i) step();
+  return w.tick >= w.end;
+}
+
+protocol::PreviewResult Preview::result() const {
+  const World& w = *world_;
+  protocol::PreviewResult result = w.result;
+  result.delivered.mean = w.delivered_sum / static_cast<double>(w.end);
+  if (result.limited_from_ms)
+    result.limited_by = "thermal";
+  else if (w.gain < 1.0)
+    result.limited_by = "configuration";
+  return result;
+}
+
+}  // namespace hedgehog::server

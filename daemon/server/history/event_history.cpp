@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/server/history/event_history.h"
+
+#include <algorithm>
+#include <bitset>
+#include <utility>
+#include <vector>
+
+#include "base/wall_time.h"
+#include "daemon/server/history/trip_recordings.h"
+#include "protocol/server_codec.h"
+
+namespace hedgehog::server {
+namespace {
+
+constexpr std::int64_t kWriteEveryMs = 1000;
+/// Lines of one job; joining more would hold io up after the disk was away for long.
+constexpr std::size_t kMaxLines = 1000;
+
+/// Place among kEventTypes; behind the last for one that this daemon does not know.
+std::size_t type_index(std::string_view type) {
+  const auto& types = protocol::kEventTypes;
+  return static_cast<std::size_t>(std::find(types.begin(), types.end(), type) - types.begin());
+}
+using Types = std::bitset<protocol::kEventTypes.size() + 1>;
+
+Types wanted_types(const std::vector<std::string>& names) {
+  Types types;
+  for (const std::string& name : names) types.set(type_index(name));
+  return names.empty() ? types.set() : types;
+}
+
+protocol::PastEvent as_past(const protocol::Event& event, std::int64_t unix_ms,
+                            const Effect* effect) {
+  protocol::PastEvent past{.at = base::rfc3339(unix_ms), .event = event};
+  if (effect != nullptr) {
+    past.method = std::string(protocol::name(effect->method));
+    past.client = effect->client.empty() ? std::nullopt : std::optional(effect->client);
+  }
+  return past;
+}
+
+bool only_replaces(const protocol::Event& event, const Effect* effect) {
+  const bool started = event.type == "effect_started";
+  return started ? effect != nullptr && effect->replacing : event.reason == "replaced";
+}
+
+HistoryPart part_of(const protocol::Event& event) {
+  return protocol::is_trip(event) ? HistoryPart::kTrips
+         : event.effect           ? HistoryPart::kEffects
+                                  : HistoryPart::kBall;
+}
+
+/// `json` of an event, and the name of its recording behind its last field.
+std::string with_recording(std::string_view json, unsigned recording) {
+  if (recording == 0) return std::string(json);
+  json.remove_suffix(1);
+  return std::string(json) + ",\"recording\":\"" + recording_name(recording) + "\"}";
+}
+
+}  // namespace
+
+EventHistory::EventHistory(Writer writer, const HistoryTexts& kept) : writer_(std::move(writer)) {
+  for (std::size_t i = 0; i < kHistoryParts; ++i) {
+    const auto& [full, filling] = kept[i];
+    load(parts_[i], full);
+    load(parts_[i], filling);
+    parts_[i].lines_in_file =
+        static_cast<std::size_t>(std::count(filling.begin(), filling.end(), '\n'));
+  }
+  number_by_time();
+}
+
+void EventHistory::load(Part& part, std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (line.empty() || line.size() > kMaxLineBytes) continue;
+    auto event = protocol::decode_past_event(line);
+    const auto at = event ? base::parse_rfc3339(event->at) : std::nullopt;
+    if (at && !event->event.type.empty()) {
+      const unsigned recording = recording_number(event->recording.value_or(""));
+      add(part, *std::move(event), *at, recording);
+    }
+  }
+}
+
+void EventHistory::number_by_time() {
+  // Each part keeps its own order: a clock that was set back may have made new events look old.
+  std::array<std::size_t, kHistoryParts> next{};
+  for (;;) {
+    Part* first = nullptr;
+    std::size_t* at = nullptr;
+    for (std::size_t i = 0; i < kHistoryParts; ++i) {
+      const auto& entries = parts_[i].entries;
+      if (next[i] < entries.size() &&
+          (first == nullptr || entries[next[i]].unix_ms < first->entries[*at].unix_ms)) {
+        first = &parts_[i];
+        at = &next[i];
+      }
+    }
+    if (first == nullptr) return;
+    first->entries[(*at)++].number = first->on_disk = ++number_;
+  }
+}
+
+void EventHistory::add(Part& part, protocol::PastEvent&& event, std::int64_t unix_ms,
+                       unsigned recording) {
+  event.recording.reset();
+  last_recording_ = std::max(last_recording_, recording);
+  part.entries.push_back({unix_ms, ++number_, type_index(event.event.type),
+                          protocol::is_trip(event.event), recording,
+                          protocol::encode_past_event(event)});
+  if (part.entries.size() > kMaxEach) part.entries.pop_front();
+}
+
+void EventHistory::record(const protocol::Event& event, std::int64_t unix_ms, const Effect* effect,
+                          unsigned recording) {
+  if (only_replaces(event, effect)) return;
+  protocol::PastEvent past = as_past(event, unix_ms, effect);
+  if (event.effect && event.reason == "tripped")
+    tripped_ = {event.time_ns, past.method, past.client};
+  const HistoryPart which = part_of(event);
+  if (which == HistoryPart::kTrips) {
+    urgent_ = true;
+    name_player(past);
+  }
+  add(parts_[static_cast<std::size_t>(which)], std::move(past), unix_ms, recording);
+}
+
+void EventHistory::name_player(protocol::PastEvent& trip) const {
+  // Effects end in the tick of the trip, and are told first.
+  if (tripped_ && tripped_->time_ns == trip.event.time_ns) {
+    trip.method = tripped_->method;
+    trip.client = tripped_->client;
+  }
+}
+
+void EventHistory::pump(std::int64_t unix_ms) {
+  const bool due = unix_ms - written_ms_ >= kWriteEveryMs || unix_ms < written_ms_;
+  if (urgent_ || due) {
+    written_ms_ = unix_ms;
+    flush();
+  }
+}
+
+bool EventHistory::flush() {
+  const Part& trips = parts_[static_cast<std::size_t>(HistoryPart::kTrips)];
+  // What came while earlier ones are being written goes as soon as they are.
+  urgent_ = urgent_ && trips.work && !trips.work->done.load(std::memory_order_acquire);
+  bool all = write(HistoryPart::kTrips);
+  for (const HistoryPart part : {HistoryPart::kBall, HistoryPart::kEffects})
+    all = write(part) && all;
+  return all;
+}
+
+bool EventHistory::write(HistoryPart which) {
+  Part& part = parts_[static_cast<std::size_t>(which)];
+  if (part.work) {
+    if (!part.work->done.load(std::memory_order_acquire)) return false;
+    if (part.work->problem.empty()) {
+      part.on_disk = part.work_until;
+      part.lines_in_file = part.lines_after_work;
+    }
+    part.work = nullptr;
+  }
+  auto from = std::find_if(part.entries.rbegin(), part.entries.rend(), [&](const Entry& entry) {
+                return entry.number <= part.on_disk;
+              }).base();
+  if (from == part.entries.end()) return true;
+  const bool begin_file = part.lines_in_file >= kMaxEach;
+  part.lines_after_work = begin_file ? 0 : part.lines_in_file;
+  std::string lines;
+  for (std::size_t i = 0; i < kMaxLines && from != part.entries.end(); ++i, ++from) {
+    lines += with_recording(from->json, from->recording) + '\n';
+    part.work_until = from->number;
+    ++part.lines_after_work;
+  }
+  part.work = writer_(which, std::move(lines), begin_file);
+  return false;
+}
+
+std::string EventHistory::newest(const protocol::EventsHistory& request,
+                                 const HasRecording& has_recording) const {
+  const auto limit = static_cast<std::size_t>(request.limit);
+  const std::int64_t since_ms = request.since ? base::parse_rfc3339(*request.since).value_or(0) : 0;
+  const Types types = wanted_types(request.types);
+  const auto wanted = [&](const Entry& entry) {
+    return entry.unix_ms >= since_ms && types[entry.type] && (entry.trip || !request.trips);
+  };
+  // One more than is asked for of each part, to know whether there are more.
+  std::vector<const Entry*> found;
+  for (const Part& part : parts_) {
+    std::size_t count = 0;
+    for (auto it = part.entries.rbegin(); it != part.entries.rend() && count <= limit; ++it) {
+      if (wanted(*it)) {
+        found.push_back(&*it);
+        ++count;
+      }
+    }
+  }
+  std::sort(found.begin(), found.end(),
+            [](const Entry* a, const Entry* b) { return a->number > b->number; });
+  std::vector<std::string> lines;
+  std::size_t bytes = 0;
+  for (const Entry* entry : found) {
+    const bool recorded = entry->recording != 0 && has_recording && has_recording(entry->recording);
+    std::string line = with_recording(entry->json, recorded ? entry->recording : 0);
+    bytes += line.size() + 1;
+    if (lines.size() == limit || bytes > kMaxAnswerBytes) break;
+    lines.push_back(std::move(line));
+  }
+  const bool more = lines.size() < found.size();
+  std::reverse(lines.begin(), lines.end());
+  return protocol::encode_history(lines, more);
+}
+
+}  // namespace hedgehog::server

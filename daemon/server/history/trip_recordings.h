@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// Flight recordings of trips as files `trip-0001.hhr` in the state directory: the newest 50, and at
+// most 20 MB.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "daemon/control/recording/flight_recorder.h"
+#include "daemon/server/disk/disk_thread.h"
+
+namespace hedgehog::server {
+
+/// Which recordings there are. Any thread.
+class RecordingNumbers {
+ public:
+  void set(std::set<unsigned> numbers);
+  bool contains(unsigned number) const;
+
+ private:
+  mutable std::mutex mutex_;
+  std::set<unsigned> numbers_;
+};
+
+class TripRecordings {
+ public:
+  static constexpr std::size_t kMaxFiles = 50;
+  static constexpr std::uintmax_t kMaxBytes = 20u << 20;
+
+  /// Looks what is there already. `last_named`: the highest number that the history names, perhaps
+  /// of a recording that was never written or is gone; it is never given again.
+  TripRecordings(std::string directory, DiskThread& disk, control::FlightRecorder& recorder,
+                 unsigned last_named);
+
+  // io thread.
+
+  /// The ball has tripped: the number of its recording, which is written on the disk thread.
+  unsigned tripped();
+  /// Written, and not yet removed by newer ones.
+  bool has(unsigned number) const;
+
+ private:
+  std::string directory_;
+  DiskThread& disk_;
+  control::FlightRecorder& recorder_;
+  unsigned last_;
+  /// The disk thread may work on when this is gone.
+  std::shared_ptr<RecordingNumbers> written_;
+  /// One for a trip waits already.
+  std::shared_ptr<std::atomic<bool>> queued_ = std::make_shared<std::atomic<bool>>(false);
+};
+
+/// "trip-0017"; and the number of such a name, 0: it is none.
+std::string recording_name(unsigned number);
+unsigned recording_number(std::string_view name);
+/// Path of recording `number` in `directory`, and the highest number there, 0: none.
+std::string recording_path(const std::string& directory, unsigned number);
+unsigned last_recording(const std::string& directory);
+/// Removes the oldest recordings until the limits hold. Disk thread.
+void prune_recordings(const std::string& directory, std::size_t max_files,
+                      std::uintmax_t max_bytes);
+
+}  // namespace hedgehog::server

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// One HTTP connection: requests and answers, until it closes or becomes a WebSocket. All of
+// Boost.Beast is behind this header, in one source file: it takes the compiler half a minute.
+#pragma once
+
+#include <boost/asio/awaitable.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "daemon/server/net/connection.h"
+#include "daemon/server/net/http/website.h"
+
+namespace hedgehog::server {
+
+/// What the listener lends to its HTTP connections; outlives them. io thread only.
+struct HttpEndpoint {
+  Website site;
+  Server& server;
+  std::size_t queue_bytes;
+  /// The session of a new WebSocket, or nullopt at the limit of connections.
+  std::function<std::optional<Session>(boost::asio::ip::tcp::socket&)> admit;
+  /// It has.
+  std::function<void(std::shared_ptr<Connection>)> enter;
+};
+
+/// Bounds: 8 KiB of headers, 1 KiB of body (none is ever needed), 30 s for a request to come.
+boost::asio::awaitable<void> serve_http(boost::asio::ip::tcp::socket socket,
+                                        HttpEndpoint& endpoint);
+
+}  // namespace hedgehog::server

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/server/net/http/website.h"
+
+#include <spdlog/spdlog.h>
+
+#include <chrono>
+#include <utility>
+
+#include "daemon/server/net/http/metrics.h"
+#include "daemon/server/net/http/origin_check.h"
+
+namespace hedgehog::server {
+namespace {
+
+/// The control thread is allowed to miss this much before a monitor is told.
+constexpr std::chrono::seconds kMaxControlSilence{1};
+
+}  // namespace
+
+Website::Website(Server& server, const std::string& pages, std::vector<std::string> allow_origins)
+    : server_(server), pages_(pages), allow_origins_(std::move(allow_origins)) {
+  if (!pages_.problem().empty()) spdlog::warn("{}", pages_.problem());
+}
+
+std::optional<HttpAnswer> Website::refusal(const HttpRequest& request) {
+  auto refusal = refused(request, allow_origins_);
+  if (!refusal) return std::nullopt;
+  ++server_.counters().rejected[refusal->reason];
+  const std::string& sentence = *refusal->answer.body;
+  spdlog::warn("{}", std::string_view(sentence).substr(0, sentence.size() - 1));
+  return std::move(refusal->answer);
+}
+
+HttpAnswer Website::answer(const HttpRequest& request) {
+  if (auto no = refusal(request)) return *std::move(no);
+  if (request.method != "GET" && request.method != "HEAD") {
+    HttpAnswer answer = http_error(405, "only GET and HEAD here; the protocol is spoken on /ws");
+    answer.allow = "GET, HEAD";
+    return answer;
+  }
+  const std::string path = request.path();
+  if (path == "/metrics") {
+    return {200, "text/plain; version=0.0.4; charset=utf-8",
+            std::make_shared<const std::string>(metrics_text(server_))};
+  }
+  if (path == "/healthz") return health();
+  if (path == "/ws") return http_error(426, "this is for WebSocket: one JSON-RPC message a frame");
+  return page(request);
+}
+
+HttpAnswer Website::health() const {
+  const control::StatusSnapshot& now = server_.device_view().now();
+  if (server_.control_silent() > kMaxControlSilence)
+    return http_error(503, "the control loop stands still");
+  std::string text = "ok\n" + std::string(control::name(now.state));
+  if (now.reason != control::Reason::kNone)
+    text += " (" + std::string(control::name(now.reason)) + ")";
+  return http_error(200, text);
+}
+
+HttpAnswer Website::page(const HttpRequest& request) const {
+  const WebPage* page = pages_.find(request.path());
+  if (page == nullptr && request.path() == "/") {
+    return http_error(404, "hedgehogd is here, but the dashboard's pages are not: " +
+                               pages_.problem() + ". The rest works: /ws, /metrics, /healthz");
+  }
+  if (page == nullptr) return http_error(404, "there is no such page");
+  HttpAnswer answer{200, page->type, page->bytes, page->etag};
+  if (request.if_none_match && request.if_none_match->find(page->etag) != std::string::npos) {
+    answer.status = 304;
+    answer.body = std::make_shared<std::string>();
+  }
+  return answer;
+}
+
+}  // namespace hedgehog::server

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Resources by path: the dashboard's pages, /metrics, /healthz. /ws is upgraded by the HTTP
+// connection; here is only its access control.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "daemon/server/net/http/http_message.h"
+#include "daemon/server/net/http/web_pages.h"
+#include "daemon/server/rpc/server.h"
+
+namespace hedgehog::server {
+
+/// io thread only.
+class Website {
+ public:
+  /// `pages`: the folder.
+  Website(Server& server, const std::string& pages, std::vector<std::string> allow_origins);
+
+  HttpAnswer answer(const HttpRequest& request);
+  /// Why `request` gets nothing here, whatever it asks; counted and logged. nullopt: welcome.
+  std::optional<HttpAnswer> refusal(const HttpRequest& request);
+
+ private:
+  HttpAnswer health() const;
+  HttpAnswer page(const HttpRequest& request) const;
+
+  Server& server_;
+  WebPages pages_;
+  std::vector<std::string> allow_origins_;
+};
+
+}  // namespace hedgehog::server

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Splits a byte stream into lines of at most 64 KiB. A longer line is reported once, as soon as it
+// is too long, and the rest of it is skipped, so that memory stays bounded.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace hedgehog::server {
+
+/// io thread; one a connection.
+class LineReader {
+ public:
+  explicit LineReader(std::size_t limit) : limit_(limit) {}
+
+  struct Line {
+    /// Without LF or CRLF; valid until the next call. Empty when `too_long`.
+    std::string_view text;
+    bool too_long = false;
+  };
+
+  /// Takes over `bytes`. REQUIRES: `next` has returned nullopt since the last `feed`.
+  void feed(std::string_view bytes);
+  /// The next whole line; nullopt: more bytes are needed.
+  std::optional<Line> next();
+
+  /// The first byte that is not a line end; nullopt before it has come. Decides whether this is a
+  /// client of ours at all.
+  std::optional<char> first_byte() const noexcept { return first_byte_; }
+
+ private:
+  std::size_t limit_;
+  std::string buffer_;
+  std::size_t begin_ = 0;    // of the line that is not complete yet
+  std::size_t scanned_ = 0;  // no LF before here
+  bool skipping_ = false;
+  std::optional<char> first_byte_;
+};
+
+}  // namespace hedgehog::server

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// Listening sockets: TCP on loopback, a Unix socket, and HTTP on loopback. An accepted socket
+// becomes a Connection; on HTTP, a WebSocket does.
+#pragma once
+
+#include <boost/asio/awaitable.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/local/stream_protocol.hpp>
+#include <cstddef>
+#include <list>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "daemon/config/config.h"
+#include "daemon/server/net/connection.h"
+#include "daemon/server/net/http/http_connection.h"
+#include "daemon/server/net/line_connection.h"
+#include "daemon/server/rpc/server.h"
+
+namespace hedgehog::server {
+
+/// io thread only, once started.
+class Listener {
+ public:
+  Listener(boost::asio::io_context& io, const config::Config& config);
+  ~Listener();
+
+  /// Opens every address of `listen` and `http`. Throws std::runtime_error with a sentence for a
+  /// person.
+  void open(const config::Config& config);
+  /// Where it waits: "127.0.0.1:7586", "http://127.0.0.1:7587", "/run/hedgehog/hedgehogd.sock".
+  const std::vector<std::string>& addresses() const noexcept { return addresses_; }
+  /// Lets clients in. `server` must outlive the io_context's work.
+  void start(Server& server);
+  /// No new clients; those that are connected get what is queued for them and are closed.
+  void close();
+  bool empty() const noexcept;
+
+  void set_config(const config::Config& config) noexcept { settings_ = config.connections; }
+
+ private:
+  using Acceptor = boost::asio::ip::tcp::acceptor;
+  /// nullopt: this machine has no IPv6.
+  std::optional<Acceptor> open_tcp(const config::ListenAddress& address, const char* remedy);
+  void open_unix(const std::string& path);
+  template <class AnyAcceptor, class LetIn>
+  boost::asio::awaitable<void> accept(AnyAcceptor& acceptor, LetIn let_in);
+  template <class AnySocket>
+  Session session_with(AnySocket& socket) const;
+  void let_in(LineConnection::Socket socket, Session session);
+  void let_in_http(boost::asio::ip::tcp::socket socket);
+  /// One more; false, and counted, when all places are taken; false when this daemon is about to
+  /// end.
+  bool has_capacity(const Session& session);
+  void enter(const std::shared_ptr<Connection>& connection);
+
+  boost::asio::io_context& io_;
+  config::ConnectionSettings settings_;
+  bool simulated_;
+  config::HttpSettings http_settings_;
+  std::list<Acceptor> tcp_;
+  std::optional<Acceptor> http_;
+  std::optional<HttpEndpoint> http_endpoint_;
+  Server* server_ = nullptr;
+  int http_clients_ = 0;
+  bool closing_ = false;
+  std::optional<boost::asio::local::stream_protocol::acceptor> unix_;
+  std::string unix_path_;
+  std::uint64_t unix_inode_ = 0;
+  std::vector<std::string> addresses_;
+  std::list<std::weak_ptr<Connection>> connections_;
+};
+
+}  // namespace hedgehog::server

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/server/net/unix_path.h"
+
+#include <fcntl.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+
+namespace hedgehog::server {
+namespace {
+
+bool somebody_answers(const std::string& path) {
+  sockaddr_un address{};
+  if (path.size() >= sizeof address.sun_path)
+    throw std::runtime_error(path + ": longer than the 107 bytes of a socket's path");
+  address.sun_family = AF_UNIX;
+  std::memcpy(address.sun_path, path.c_str(), path.size() + 1);
+  const int fd = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+  if (fd < 0) throw std::runtime_error(path + ": " + std::strerror(errno));
+  const int result = ::connect(fd, reinterpret_cast<const sockaddr*>(&address), sizeof address);
+  const int error = errno;
+  ::close(fd);
+  // EAGAIN: its backlog is full, so somebody is there.
+  return result == 0 || (error != ECONNREFUSED && error != ENOENT);
+}
+
+/// Whoever may write to the folder can put another socket in our place.
+void require_private(const std::filesystem::path& folder) {
+  struct stat s {};
+  if (::lstat(folder.c_str(), &s) != 0 || !S_ISDIR(s.st_mode) ||
+      (s.st_uid != ::geteuid() && s.st_uid != 0) ||
+      ((s.st_mode & S_IWOTH) != 0 && (s.st_mode & S_ISVTX) == 0))
+    throw std::runtime_error(folder.string() + ": not a folder of this user; not used for sockets");
+}
+
+}  // namespace
+
+void make_room_for_socket(const std::string& path) {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  std::error_code ec;
+  if (std::filesystem::create_directories(folder, ec)) ::chmod(folder.c_str(), 0750);
+  if (ec) throw std::runtime_error(folder.string() + ": " + ec.message());
+  require_private(folder);
+  struct stat s {};
+  if (::lstat(path.c_str(), &s) != 0) return;
+  if (!S_ISSOCK(s.st_mode))
+    throw std::runtime_error(path + ": something that is not a socket is in the way");
+  if (somebody_answers(path))
+    throw std::runtime_error(path + ": another hedgehogd is running there");
+  ::unlink(path.c_str());
+}
+
+std::uint64_t inode_of(const std::string& path) noexcept {
+  struct stat s {};
+  return ::lstat(path.c_str(), &s) == 0 ? s.st_ino : 0;
+}
+
+void remove_if_ours(const std::string& path, std::uint64_t inode) noexcept {
+  if (inode != 0 && inode_of(path) == inode) ::unlink(path.c_str());
+}
+
+}  // namespace hedgehog::server

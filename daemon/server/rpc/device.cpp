@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+// device.*, output.set_gain
+#include <string>
+#include <utility>
+
+#include "daemon/server/rpc/handlers.h"
+
+namespace hedgehog::server {
+namespace {
+
+/// The board has 300 ticks to answer an arm request (control::StateMachine::kArmPatience).
+constexpr model::Tick kArmPatience = 400;
+
+protocol::StateResult state_result(const DeviceView& device_view, std::uint64_t seq) {
+  const control::StatusSnapshot& now = device_view.now();
+  return {std::string(control::name(now.state)), reason_name(now.reason), device_view.remedy_now(),
+          seq};
+}
+
+/// The coils are off and no tick comes any more: the latch is for the next start, as
+/// control::StateMachine::emergency_stop would have it.
+protocol::StateResult stopped_while_stopping(DeviceView& device_view) {
+  const control::StatusSnapshot& now = device_view.now();
+  protocol::StateResult result = state_result(device_view, device_view.outbox().last_seq());
+  if (now.state == control::State::kArmed || now.state == control::State::kDisarmed) {
+    const control::Reason latch =
+        now.latch != control::Reason::kNone ? now.latch : control::Reason::kEmergencyStop;
+    result.state = control::name(control::State::kDisarmed);
+    result.reason = reason_name(latch);
+    result.remedy = remedy(control::State::kDisarmed, latch, device_view.remedy_facts());
+  }
+  return result;
+}
+
+protocol::RpcError arm_refused(const DeviceView& device_view) {
+  const control::StatusSnapshot& now = device_view.now();
+  const control::Reason why =
+      now.arming_blocker != control::Reason::kNone ? now.arming_blocker : now.reason;
+  protocol::RpcError refused = protocol::not_armed(
+      control::name(now.state), control::name(why),
+      remedy(control::State::kTripped, why, device_view.remedy_facts()).value_or(""));
+  if (now.rearm_wait > 0) refused.retry_after_ms = now.rearm_wait;
+  return refused;
+}
+
+}  // namespace
+
+Outcome device_describe(Call& call, const protocol::DeviceDescribe&) {
+  const DeviceView& device_view = call.device_view();
+  const config::Config& config = device_view.config();
+  const model::DeviceModel& device = config.device;
+  const model::Limits& l = device_view.limits();
+  protocol::Description d;
+  d.name = device.name;
+  d.model = device.model;
+  d.simulated = device_view.simulated();
+  d.arrangement = device_view.array().arrangement;
+  for (const model::Pin& pin : device_view.array().pins) {
+    const double rest_mm = device_view.pin_curves().rest_mm(static_cast<std::size_t>(pin.id));
+    d.pins.push_back({pin.id, pin.position, pin.ring, rest_mm});
+  }
+  for (std::size_t row = 0; row < d.coils.matrix.size(); ++row)
+    d.coils.matrix[row] = device.coils.matrix.row[row];
+  d.coils.r25_ohm = device.coils.r25_ohm;
+  d.coils.inductance_h = device.coils.inductance_h;
+  d.coils.supply_v = device.coils.supply_v;
+  d.coils.measured.emplace();
+  for (int coil = 0; coil < model::kCoils; ++coil) {
+    protocol::WindingDescription winding;
+    if (const auto r25 = device_view.r25(coil))
+      winding = {r25->ohm, r25->from_file, r25->from_kept};
+    d.coils.measured->push_back(winding);
+  }
+  const model::ThermalModel& heat = device.thermal;
+  d.thermal = {heat.winding_j_k,
+               heat.core_j_k,
+               heat.winding_to_core_k_w,
+               heat.core_to_room_fan_k_w,
+               heat.core_to_room_still_k_w,
+               heat.sensor_winding,
+               heat.sensor_lag_s};
+  d.uncertainty = {device.uncertainty.thermal, device.uncertainty.resistance,
+                   device.uncertainty.thermistor_k};
+  d.limits = {l.current_a, l.continuous_a, l.felt_a, l.derate_from_c,
+              l.sustain_c, l.zero_c,       l.trip_c, l.rearm_c};
+  d.calibration.force_n_per_a = device.force_slope_n_a;
+  d.gain = device_view.gain();
+  d.board.backend = d.simulated ? "simulator" : "usb";
+  d.board.present = device_view.now().board_present;
+  BoardInfo board = device_view.board();
+  d.board.serial = std::move(board.serial);
+  d.board.firmware = std::move(board.firmware);
+  d.imu.type = config::name(config.imu);
+  d.imu.present = device_view.now().orientation_present;
+  return Answer(std::move(d));
+}
+
+Outcome device_list(Call& call, const protocol::DeviceList&) {
+  DeviceScanner* devices = call.context.devices;
+  if (devices == nullptr) return Answer(protocol::DevicesResult{});
+  const DeviceScanner::Ready ready = devices->look();
+  const protocol::RpcError slow = protocol::busy("looking for devices takes too long", 1000);
+  if (!ready) return Answer(slow);
+  return Deferred{[ready, slow](HandlerContext&, bool give_up) -> std::optional<Answer> {
+    if (auto found = ready()) return Answer(*std::move(found));
+    return give_up ? std::optional<Answer>(slow) : std::nullopt;
+  }};
+}
+
+Outcome device_status(Call& call, const protocol::DeviceStatus&) {
+  return Answer(call.context.status.status(false));
+}
+
+Outcome device_arm(Call& call, const protocol::DeviceArm&) {
+  DeviceView& device_view = call.device_view();
+  if (device_view.now().state == control::State::kArmed)
+    return Answer(state_result(device_view, device_view.outbox().last_seq()));
+  if (device_view.now().state == control::State::kAbsent) return Answer(*not_playable(device_view));
+  const auto seq = device_view.outbox().add(
+      call.session.id,
+      control::Arm{device_view.mailbox().emergency_generation.load(std::memory_order_acquire)});
+  if (!seq) return Answer(queue_full(device_view.outbox()));
+  return Deferred{[seq = *seq, since = model::Tick{-1}](
+                      HandlerContext& context, bool give_up) mutable -> std::optional<Answer> {
+    const control::StatusSnapshot& now = context.device_view.now();
+    const bool applied = now.applied_seq >= seq;
+    if (applied && now.state == control::State::kArmed)
+      return Answer(state_result(context.device_view, seq));
+    if (give_up) return Answer(control_stuck());
+    if (!applied) return std::nullopt;
+    since = since < 0 ? now.tick : since;
+    const bool refused = now.arming_blocker != control::Reason::kNone;
+    if (!refused && now.tick - since < kArmPatience) return std::nullopt;
+    return Answer(arm_refused(context.device_view));
+  }};
+}
+
+Outcome device_emergency_stop(Call& call, const protocol::DeviceEmergencyStop&) {
+  DeviceView& device_view = call.device_view();
+  device_view.mailbox().emergency_generation.fetch_add(1, std::memory_order_acq_rel);
+  call.context.state_store.persist_latch(control::Reason::kEmergencyStop);
+  if (call.context.stopping) return Answer(stopped_while_stopping(device_view));
+  // The snapshot may already be a tick older than the request.
+  const model::Tick seen = device_view.now().tick + 2;
+  return Deferred{[seen](HandlerContext& context, bool give_up) -> std::optional<Answer> {
+    const control::StatusSnapshot& now = context.device_view.now();
+    if (now.tick >= seen && now.state != control::State::kArmed)
+      return Answer(state_result(context.device_view, context.device_view.outbox().last_seq()));
+    return give_up ? std::optional<Answer>(control_stuck()) : std::nullopt;
+  }};
+}
+
+Outcome device_claim(Call& call, const protocol::DeviceClaim& request) {
+  HandlerContext& context = call.context;
+  const model::Tick now = call.device_view().now().tick;
+  if (auto refused = claimed(call)) return Answer(std::move(*refused));
+  context.claim.take(call.session.id, now, request.lease_ms);
+  for (Effect* effect : context.effects.playing())
+    if (effect->owner != call.session.id)
+      request_stop(context, *effect, control::EndReason::kStopped);
+  return Answer(protocol::ClaimResult{request.lease_ms});
+}
+
+Outcome device_release(Call& call, const protocol::DeviceRelease&) {
+  call.context.claim.release(call.session.id);
+  return Answer(protocol::Done{});
+}
+
+}  // namespace hedgehog::server

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/server/rpc/dispatcher.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "daemon/server/rpc/handlers.h"
+
+namespace hedgehog::server {
+namespace {
+
+std::string encoded(const protocol::Id& id, const Answer& answer) {
+  return answer.has_error() ? protocol::encode_error(id, answer.error())
+                            : protocol::encode_result(id, *answer);
+}
+
+/// What io works long for; nullptr: not so.
+const char* costly(protocol::Method method) {
+  switch (method) {
+    case protocol::Method::kThermalForecast:
+      return "forecasts";
+    case protocol::Method::kPatternList:
+      return "lists of patterns";
+    case protocol::Method::kEventsHistory:
+      return "histories";
+    default:
+      return nullptr;
+  }
+}
+
+/// After which it is worth asking again.
+constexpr std::int64_t kRestartMs = 1000;
+
+protocol::RpcError too_many(const std::string& what) {
+  protocol::RpcError e = protocol::busy(
+      "a batch may ask for " + std::to_string(Dispatcher::kMaxCostly) + " " + what + "; ask again",
+      1);
+  e.limit = std::int64_t{Dispatcher::kMaxCostly};
+  return e;
+}
+
+void count(Counters& counters, std::string_view method, const Answer& answer) {
+  ++counters.requests[{method, answer.has_error() ? static_cast<int>(answer.error().code) : 0}];
+  if (answer.has_error()) {
+    if (answer.error().code == protocol::ErrorCode::kRefusedThermal)
+      ++counters.effects[{method, "refused"}];
+  } else if (const auto* admission = std::get_if<protocol::Admission>(&*answer)) {
+    for (const std::string_view by : {"thermal", "mix", "priority", "configuration"})
+      if (admission->limited_by == by) ++counters.limited[by];
+  }
+}
+
+}  // namespace
+
+void Dispatcher::Reply::add(std::string answer) {
+  bytes += answer.size();
+  answers.push_back(std::move(answer));
+}
+
+void Dispatcher::line(Session& session, std::string_view text) {
+  protocol::Incoming incoming = protocol::decode_line(text);
+  const auto reply = std::make_shared<Reply>();
+  reply->session = session.id;
+  reply->batch = incoming.batch;
+  for (protocol::Item& one : incoming.items) item(session, one, reply);
+  context_.device_view.outbox().commit();
+  send_if_complete(*reply);
+}
+
+void Dispatcher::line_too_long(Session& session) {
+  count(context_.counters, "none", protocol::line_too_long());
+  session.sink->send(protocol::encode_error({}, protocol::line_too_long()), LineKind::kAnswer);
+}
+
+void Dispatcher::item(Session& session, protocol::Item& item, const std::shared_ptr<Reply>& reply) {
+  if (item.request.has_error()) {
+    count(context_.counters, "none", item.request.error());
+    if (item.id) reply->add(protocol::encode_error(*item.id, item.request.error()));
+    return;
+  }
+  const protocol::Method which = protocol::method_of(*item.request);
+  const std::string_view method = protocol::name(which);
+  const char* what = costly(which);
+  if (what != nullptr && !item.id) return;
+  // A stop is kept as a latch, for the next start; and never waits for a further line.
+  if (which != protocol::Method::kDeviceEmergencyStop) {
+    std::optional<protocol::RpcError> why_not;
+    if (context_.stopping)
+      why_not = protocol::busy("the daemon is stopping", kRestartMs);
+    else if (what != nullptr && ++reply->costly[which] > kMaxCostly)
+      why_not = too_many(what);
+    else if (reply->bytes > session.batch_bytes)
+      why_not = protocol::busy("the answers to this batch are too long; ask again", 1);
+    if (why_not) {
+      count(context_.counters, method, *why_not);
+      if (item.id) reply->add(protocol::encode_error(*item.id, *why_not));
+      return;
+    }
+  }
+  Call call{context_, session, item.id.has_value()};
+  Outcome outcome = carry_out(call, *item.request);
+  const Answer* answer = std::get_if<Answer>(&outcome);
+  if (answer != nullptr) count(context_.counters, method, *answer);
+  if (!item.id) return;
+  if (const Encoded* known = std::get_if<Encoded>(&outcome)) {
+    count(context_.counters, method, Answer(protocol::Done{}));
+    reply->add(protocol::encode_encoded(*item.id, *known->result));
+    return;
+  }
+  if (answer != nullptr) {
+    reply->add(encoded(*item.id, *answer));
+    return;
+  }
+  reply->answers.emplace_back();
+  ++reply->open;
+  waiting_.push_back({reply, reply->answers.size() - 1, *item.id, method,
+                      std::get<Deferred>(std::move(outcome)),
+                      PolledTime(PolledTime::Clock::now())});
+}
+
+void Dispatcher::poll() {
+  if (waiting_.empty()) return;
+  const auto now = PolledTime::Clock::now();
+  std::erase_if(waiting_, [&](Waiting& w) {
+    if (!context_.sessions.contains(w.reply->session)) return true;
+    w.waited.poll(now);
+    const auto answer = w.deferred.poll(context_, w.waited.elapsed() > kPatience);
+    if (!answer) return false;
+    count(context_.counters, w.method, *answer);
+    w.reply->answers[w.index] = encoded(w.id, *answer);
+    --w.reply->open;
+    send_if_complete(*w.reply);
+    return true;
+  });
+}
+
+bool Dispatcher::has_pending(ConnectionId session) const noexcept {
+  return std::any_of(
+      waiting_.begin(), waiting_.end(),
+      [&](const Waiting& w) { return w.reply->session == session; });
+}
+
+void Dispatcher::send_if_complete(const Reply& reply) {
+  if (reply.open > 0 || reply.answers.empty()) return;
+  const auto session = context_.sessions.find(reply.session);
+  if (session == context_.sessions.end()) return;
+  session->second->sink->send(
+      reply.batch ? protocol::encode_batch(reply.answers) : reply.answers.front(),
+      LineKind::kAnswer);
+}
+
+}  // namespace hedgehog::server

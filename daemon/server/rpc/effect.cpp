@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+// effect.pulse, .circle, .vibrate, .hold, .play, .update, .stop, .stop_all
+#include <string>
+#include <utility>
+
+#include "daemon/server/effects/admission.h"
+#include "daemon/server/effects/effect_plan.h"
+#include "daemon/server/rpc/handlers.h"
+
+namespace hedgehog::server {
+
+namespace {
+
+using protocol::RpcError;
+
+std::optional<RpcError> no_room(const Call& call, bool replacing) {
+  switch (call.context.effects.capacity(call.session.id, replacing)) {
+    case EffectRegistry::Capacity::kYes:
+      return std::nullopt;
+    case EffectRegistry::Capacity::kConnectionFull: {
+      RpcError e = protocol::busy("you play 32 effects already; stop one first", 1);
+      e.field = "effects";
+      e.limit = std::int64_t{EffectRegistry::kMaxEach};
+      return e;
+    }
+    case EffectRegistry::Capacity::kDeviceFull: {
+      RpcError e = protocol::busy("the ball plays 64 effects already", 1);
+      e.field = "effects";
+      e.limit = std::int64_t{control::kMaxEffects};
+      return e;
+    }
+    case EffectRegistry::Capacity::kPlacesFull:
+      break;
+  }
+  return protocol::busy("effects that have just ended still hold their places", 1);
+}
+
+/// Everything that can speak against playing `plan`, which replaces or updates `before` (nullptr:
+/// neither). The admission is only worked out when somebody asks for it.
+protocol::Result<protocol::Admission> admit(const Call& call, const EffectPlan& plan,
+                                            const Effect* before) {
+  const DeviceView& device_view = call.device_view();
+  const auto& [params, requested_wave, spec, track] = plan;
+  if (auto refused = no_orientation(device_view, spec)) return std::move(*refused);
+  const bool may_refuse = params.if_limited == protocol::IfLimited::kRefuse;
+  if (!call.answered && !may_refuse) return protocol::Admission{};
+  const protocol::Admission admitted =
+      admission(device_view, call.context.effects, spec, track.get(), before);
+  if (may_refuse) {
+    if (auto refused = thermal_refusal(device_view, spec, track.get(), params, admitted))
+      return std::move(*refused);
+  }
+  return admitted;
+}
+
+/// Hands the key frames of `plan` over. Afterwards there is room for one more command, so that what
+/// plays them cannot be refused and leave them behind.
+std::optional<RpcError> place_keyframes(const Call& call, EffectPlan& plan) {
+  if (!plan.track) return std::nullopt;
+  Outbox& outbox = call.device_view().outbox();
+  KeyframeAllocator& keyframes = call.context.keyframes;
+  const std::size_t commands = keyframes.commands_for(*plan.track) + 1;
+  if (!outbox.has_capacity(call.session.id, commands)) return queue_full(outbox, commands);
+  const auto full = [&](const char* what, std::int64_t limit) {
+    RpcError e = protocol::busy(what, 10);
+    e.field = plan.params.pattern ? "pattern" : "keyframes";
+    e.limit = limit;
+    return e;
+  };
+  if (!keyframes.within_share(*plan.track, call.session.id)) {
+    return full("this connection's effects play 1024 key frames already, as many as one may",
+                KeyframeAllocator::kShare);
+  }
+  const auto first = keyframes.place(*plan.track, call.session.id, outbox);
+  if (!first)
+    return full("the key frames of all effects fill their 2048 places", control::kKeyframeCapacity);
+  plan.spec.trajectory.playback.first = *first;
+  return std::nullopt;
+}
+
+Effect* addressed(const Call& call, const std::optional<protocol::EffectNumber>& number,
+                  const std::optional<std::string>& slot) {
+  EffectRegistry& effects = call.context.effects;
+  return number ? effects.find(call.session.id, *number)
+                : effects.find(call.session.id, slot.value_or(""));
+}
+
+RpcError not_found(const std::optional<protocol::EffectNumber>& number,
+                   const std::optional<std::string>& slot) {
+  return number ? protocol::no_such_effect(*number) : protocol::no_such_slot(slot.value_or(""));
+}
+
+}  // namespace
+
+Outcome effect_start(Call& call, const protocol::EffectStart& request) {
+  HandlerContext& context = call.context;
+  if (auto refused = not_playable(call.device_view())) return Answer(std::move(*refused));
+  if (auto refused = claimed(call)) return Answer(std::move(*refused));
+  auto plan = plan_start(call.plan_context(), request);
+  if (plan.has_error()) return Answer(plan.error());
+  const std::optional<std::string>& slot = plan->params.slot;
+  Effect* before = slot ? context.effects.find(call.session.id, *slot) : nullptr;
+  if (auto refused = no_room(call, before != nullptr)) return Answer(std::move(*refused));
+  auto admitted = admit(call, *plan, before);
+  if (admitted.has_error()) return Answer(admitted.error());
+  if (auto refused = place_keyframes(call, *plan)) return Answer(std::move(*refused));
+
+  Effect& effect = context.effects.add(call.session.id);
+  control::StartEffect start{effect.id, effect.place, 0, 0, plan->spec};
+  if (before != nullptr) {
+    start.replaces = before->id;
+    start.replaces_place = before->place;
+  }
+  const auto seq = context.device_view.outbox().add(call.session.id, start);
+  if (!seq) {
+    context.effects.drop(effect);
+    return Answer(queue_full(call.device_view().outbox()));
+  }
+  if (before != nullptr) before->ending = true;
+  effect.replacing = before != nullptr;
+  effect.client = call.session.client;
+  effect.slot = slot;
+  effect.method = request.method;
+  effect.params = std::move(plan->params);
+  effect.requested_wave = plan->requested_wave;
+  effect.spec = plan->spec;
+  effect.track = std::move(plan->track);
+  effect.seq = *seq;
+
+  admitted->effect = effect.id;
+  admitted->slot = effect.slot;
+  admitted->seq = *seq;
+  return Answer(*admitted);
+}
+
+Outcome effect_update(Call& call, const protocol::EffectUpdate& request) {
+  Effect* effect = addressed(call, request.effect, request.params.slot);
+  if (effect == nullptr) return Answer(not_found(request.effect, request.params.slot));
+  if (auto refused = claimed(call)) return Answer(std::move(*refused));
+  const bool onset_moved = request.params.delay_ms || request.params.start_at_ns;
+  if (onset_moved && effect->begun) {
+    return Answer(protocol::invalid_params(request.params.delay_ms ? "delay_ms" : "start_at_ns",
+                                           "this effect has begun already"));
+  }
+  auto plan = plan_update(call.plan_context(), *effect, request.params);
+  if (plan.has_error()) return Answer(plan.error());
+  auto admitted = admit(call, *plan, effect);
+  if (admitted.has_error()) return Answer(admitted.error());
+  const bool other_frames = plan->track != effect->track;
+  if (other_frames) {
+    if (auto refused = place_keyframes(call, *plan)) return Answer(std::move(*refused));
+  }
+  const auto seq = call.device_view().outbox().add(
+      call.session.id, control::UpdateEffect{effect->id, effect->place, plan->spec});
+  if (!seq) return Answer(queue_full(call.device_view().outbox()));
+  if (other_frames)
+    call.context.keyframes.release_after(effect->spec.trajectory.playback.first, *seq);
+  effect->params = std::move(plan->params);
+  effect->requested_wave = plan->requested_wave;
+  effect->spec = plan->spec;
+  effect->track = std::move(plan->track);
+  admitted->effect = effect->id;
+  admitted->slot = effect->slot;
+  admitted->seq = *seq;
+  return Answer(*admitted);
+}
+
+Outcome effect_stop(Call& call, const protocol::EffectStop& request) {
+  Effect* effect = addressed(call, request.effect, request.slot);
+  if (effect == nullptr) return Answer(not_found(request.effect, request.slot));
+  request_stop(call.context, *effect, control::EndReason::kStopped);
+  return Answer(protocol::StopResult{1, call.device_view().outbox().last_seq()});
+}
+
+Outcome effect_stop_all(Call& call, const protocol::EffectStopAll& request) {
+  const bool all = request.scope == protocol::Scope::kAll;
+  if (all && call.session.role < protocol::Role::kOperate) {
+    RpcError e = protocol::forbidden("scope", "all", protocol::Role::kOperate, call.session.role);
+    e.value = std::string("all");
+    return Answer(std::move(e));
+  }
+  std::int64_t stopped = 0;
+  for (Effect* effect : call.context.effects.playing(all ? 0 : call.session.id)) {
+    request_stop(call.context, *effect, control::EndReason::kStopped);
+    ++stopped;
+  }
+  return Answer(protocol::StopResult{stopped, call.device_view().outbox().last_seq()});
+}
+
+}  // namespace hedgehog::server

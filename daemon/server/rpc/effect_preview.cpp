@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// effect.preview
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "daemon/server/effects/effect_plan.h"
+#include "daemon/server/effects/preview.h"
+#include "daemon/server/rpc/handlers.h"
+
+namespace hedgehog::server {
+namespace {
+
+protocol::RpcError too_many_previews(bool own) {
+  constexpr std::int64_t kRetryMs = 20;
+  protocol::RpcError e =
+      protocol::busy(own ? "this connection's last preview is still being worked out"
+                         : "4 previews are being worked out already, and more would wait",
+                     kRetryMs);
+  e.limit = static_cast<std::int64_t>(own ? 1 : Preview::kMaxAtOnce);
+  return e;
+}
+
+}  // namespace
+
+Outcome effect_preview(Call& call, const protocol::EffectPreview& request) {
+  const DeviceView& device_view = call.device_view();
+  if (device_view.now().state == control::State::kAbsent) return Answer(*not_playable(device_view));
+  const auto plan = plan_start(call.plan_context(), *request.start);
+  if (plan.has_error()) return Answer(plan.error());
+  if (auto refused = no_orientation(device_view, plan->spec)) return Answer(std::move(*refused));
+  if (!call.answered) return Answer(protocol::Done{});
+  auto& running = call.context.previews;
+  std::erase_if(running, [](const auto& entry) { return entry.second.expired(); });
+  const bool own = running.contains(call.session.id);
+  if (own || running.size() >= Preview::kMaxAtOnce) return Answer(too_many_previews(own));
+  auto preview = std::make_shared<Preview>(device_view, *plan);
+  running.emplace(call.session.id, preview);
+  // Each slice brings it nearer, so there is nothing to give up, however slow this machine is.
+  return Deferred{[preview = std::move(preview)](HandlerContext&, bool) -> std::optional<Answer> {
+    if (!preview->advance(Preview::kSlice)) return std::nullopt;
+    return Answer(preview->result());
+  }};
+}
+
+}  // namespace hedgehog::server

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// events.*
+#include <memory>
+#include <string>
+
+#include "daemon/server/history/event_history.h"
+#include "daemon/server/history/trip_recordings.h"
+#include "daemon/server/rpc/handlers.h"
+
+namespace hedgehog::server {
+
+Outcome events_subscribe(Call& call, const protocol::EventsSubscribe& request) {
+  call.session.events = {request.types, request.scope};
+  const control::StatusSnapshot& now = call.device_view().now();
+  return Answer(protocol::EventsResult{std::string(control::name(now.state)),
+                                       reason_name(now.reason), now.derating, now.limit_a});
+}
+
+Outcome events_unsubscribe(Call& call, const protocol::EventsUnsubscribe&) {
+  call.session.events.reset();
+  return Answer(protocol::Done{});
+}
+
+Outcome events_history(Call& call, const protocol::EventsHistory& request) {
+  const TripRecordings* recordings = call.context.recordings;
+  return Encoded{std::make_shared<const std::string>(call.context.history.newest(
+      request,
+      [recordings](unsigned number) { return recordings != nullptr && recordings->has(number); }))};
+}
+
+}  // namespace hedgehog::server

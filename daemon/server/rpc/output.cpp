@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// output.*
+#include "daemon/server/rpc/handlers.h"
+
+namespace hedgehog::server {
+
+Outcome output_set_gain(Call& call, const protocol::OutputSetGain& request) {
+  const auto seq = call.device_view().ask_gain(call.session.id, request.gain);
+  if (!seq) return Answer(queue_full(call.device_view().outbox()));
+  call.context.state_store.persist_gain(request.gain);
+  return Answer(protocol::GainResult{request.gain, *seq});
+}
+
+}  // namespace hedgehog::server

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// pattern.list, .get, .put, .remove
+#include <utility>
+
+#include "daemon/server/disk/pattern_library.h"
+#include "daemon/server/rpc/handlers.h"
+
+namespace hedgehog::server {
+namespace {
+
+protocol::RpcError not_kept(const std::string& what) {
+  return protocol::error(protocol::ErrorCode::kInternalError, "internal_error: " + what);
+}
+
+/// `answer` once the disk has it. `otherwise`: what a restart would do as long as it has not.
+Deferred when_written(DiskWorkPtr work, std::string otherwise, Answer answer) {
+  return {[work = std::move(work), otherwise = std::move(otherwise), answer = std::move(answer)](
+              HandlerContext&, bool give_up) -> std::optional<Answer> {
+    if (!work->done.load(std::memory_order_acquire))
+      return give_up ? std::optional(Answer(not_kept("done, but the disk is slow; until it has "
+                                                     "written, a restart would " +
+                                                     otherwise)))
+                     : std::nullopt;
+    if (!work->problem.empty())
+      return Answer(not_kept("done, but not surely on disk, so a restart may " + otherwise + ": " +
+                             work->problem));
+    return answer;
+  }};
+}
+
+}  // namespace
+
+Outcome pattern_list(Call& call, const protocol::PatternList&) {
+  return Encoded{call.context.patterns.list()};
+}
+
+Outcome pattern_get(Call& call, const protocol::PatternGet& request) {
+  const PatternLibrary& patterns = call.context.patterns;
+  const PatternLibrary::Entry* entry = patterns.find(request.name);
+  if (entry == nullptr)
+    return Answer(protocol::no_such_pattern("name", request.name, patterns.names()));
+  return Answer(protocol::PatternResult{entry->pattern, PatternLibrary::summary(*entry).duration_ms,
+                                        entry->shipped});
+}
+
+Outcome pattern_put(Call& call, const protocol::PatternPut& request) {
+  PatternLibrary& patterns = call.context.patterns;
+  if (const auto track = make_keyframe_track(request.pattern.keyframes, call.device_view().array());
+      track.has_error())
+    return Answer(track.error());
+  auto work = patterns.put(request.pattern);
+  if (work.has_error()) return Answer(work.error());
+  return when_written(std::move(*work), "forget it",
+                      Answer(PatternLibrary::summary(*patterns.find(request.pattern.name))));
+}
+
+Outcome pattern_remove(Call& call, const protocol::PatternRemove& request) {
+  auto work = call.context.patterns.remove(request.name);
+  if (work.has_error()) return Answer(work.error());
+  return when_written(std::move(*work), "bring it back", Answer(protocol::Done{}));
+}
+
+}  // namespace hedgehog::server

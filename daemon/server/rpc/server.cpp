@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/server/rpc/server.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "daemon/server/history/event_history.h"
+#include "daemon/server/history/trip_recordings.h"
+#include "daemon/server/rpc/event_view.h"
+#include "protocol/server_codec.h"
+
+namespace hedgehog::server {
+namespace {
+
+bool wants(const EventSubscription& subscription, std::string_view type) {
+  return subscription.types.empty() ||
+         std::find(subscription.types.begin(), subscription.types.end(), type) !=
+             subscription.types.end();
+}
+
+}  // namespace
+
+Server::Server(DeviceView& device_view, StateStore& memory, PatternLibrary& patterns,
+               EventHistory& history, EventListener listener, WallClock wall_clock)
+    : device_view_(device_view),
+      listener_(std::move(listener)),
+      wall_clock_(std::move(wall_clock)),
+      status_(device_view, effects_),
+      context_{device_view, effects_, keyframes_, patterns, history, claim_, status_, memory},
+      dispatcher_(context_) {}
+
+void Server::open(Session& session) {
+  session.id = ++last_id_;
+  session.since = device_view_.now().tick;
+  context_.sessions.emplace(session.id, &session);
+}
+
+void Server::close(Session& session) {
+  if (!context_.sessions.contains(session.id)) return;
+  for (const Effect* effect : effects_.release_all(session.id)) {
+    device_view_.mailbox().stops.request(effect->id, effect->place,
+                                         control::EndReason::kDisconnected);
+  }
+  claim_.release(session.id);
+  if (context_.orientation_feeder == session.id) context_.orientation_feeder = 0;
+  session.telemetry.reset();
+  session.events.reset();
+  closing_.push_back(session.id);
+  release();
+}
+
+void Server::forget(const Session& session) {
+  context_.sessions.erase(session.id);
+  std::erase(closing_, session.id);
+}
+
+void Server::release() {
+  std::erase_if(
+      closing_,
+      [&](ConnectionId id) {
+        if (dispatcher_.has_pending(id)) return false;
+        const auto session = context_.sessions.find(id);
+        Sink* sink = session->second->sink;
+        context_.sessions.erase(session);
+        sink->finish();
+        return true;
+      });
+}
+
+void Server::line(Session& session, std::string_view text) {
+  // What a client hears is of now, not of the last pump.
+  device_view_.refresh();
+  dispatcher_.line(session, text);
+}
+
+void Server::pump() {
+  device_view_.refresh();
+  const auto now = PolledTime::Clock::now();
+  control_silent_.poll(now);
+  if (device_view_.now().tick != last_tick_) {
+    last_tick_ = device_view_.now().tick;
+    control_silent_.restart(now);
+  }
+  keyframes_.applied(device_view_.now().applied_seq);
+  take_events();
+  device_view_.outbox().flush();
+  dispatcher_.poll();
+  release();
+  send_telemetry();
+  context_.history.pump(wall_clock_());
+}
+
+bool Server::busy() const noexcept {
+  return dispatcher_.waiting() || device_view_.outbox().waiting() ||
+         std::any_of(
+             context_.sessions.begin(), context_.sessions.end(),
+             [](const auto& entry) { return entry.second->telemetry || entry.second->events; });
+}
+
+void Server::take_events() {
+  control::Event event;
+  while (device_view_.mailbox().events.pop(event)) {
+    if (event.type == control::EventType::kEffectEnded) {
+      const std::optional<Effect> effect = effects_.ended(event.place, event.effect);
+      if (effect)
+        ++counters().effects[{protocol::name(effect->method), control::name(event.end_reason)}];
+      if (effect && effect->track) keyframes_.release(effect->spec.trajectory.playback.first);
+      notify(event, effect ? &*effect : nullptr);
+    } else if (event.type == control::EventType::kEffectStarted) {
+      effects_.begun(event.place, event.effect);
+      notify(event, effects_.at(event.place, event.effect));
+    } else {
+      if (event.trip) ++counters().trips[control::name(event.reason)];
+      notify(event, nullptr);
+    }
+  }
+}
+
+void Server::notify(const control::Event& event, const Effect* effect) {
+  const auto view = event_view(event, effect, device_view_.epoch_ns(), device_view_.remedy_facts());
+  if (view) {
+    const bool of_effect = view->effect.has_value();
+    std::string line;
+    for (const auto& [id, session] : context_.sessions) {
+      const bool foreign = of_effect && (effect == nullptr || effect->owner != id);
+      if (!session->events || !wants(*session->events, view->type) ||
+          (foreign && session->events->scope == protocol::Scope::kMine))
+        continue;
+      if (line.empty()) line = protocol::encode_event(*view);
+      session->sink->send(line, LineKind::kEvent);
+    }
+  }
+  if (listener_) listener_(event, effect);
+  // After the listener, who makes a latch safe first.
+  if (view) remember(*view, event, effect);
+}
+
+void Server::remember(const protocol::Event& view, const control::Event& event,
+                      const Effect* effect) {
+  TripRecordings* recordings = context_.recordings;
+  const unsigned recording = recordings != nullptr && event.trip ? recordings->tripped() : 0;
+  context_.history.record(view, wall_clock_(), effect, recording);
+}
+
+void Server::send_telemetry() {
+  const model::Tick now = device_view_.now().tick;
+  std::vector<Session*> due;
+  bool with_pins = false;
+  for (const auto& [id, session] : context_.sessions) {
+    if (session->telemetry && session->telemetry->next <= now) {
+      due.push_back(session);
+      with_pins = with_pins || session->telemetry->fields.contains(protocol::StatusKey::kPins);
+    }
+  }
+  if (due.empty()) return;
+  protocol::Telemetry telemetry;
+  telemetry.status = status_.status(with_pins);
+  for (Session* session : due) {
+    TelemetrySubscription& wanted = *session->telemetry;
+    wanted.next += wanted.period;
+    if (wanted.next <= now) wanted.next = now + wanted.period;
+    telemetry.keys = wanted.fields;
+    session->sink->send(protocol::encode_telemetry(telemetry), LineKind::kTelemetry);
+  }
+}
+
+void Server::announce_shutdown(std::string reason) {
+  context_.stopping = true;
+  protocol::Event event;
+  event.type = "shutting_down";
+  event.time_ns = device_view_.time_ns(device_view_.now().tick);
+  event.reason = std::move(reason);
+  context_.history.record(event, wall_clock_(), nullptr);
+  const std::string line = protocol::encode_event(event);
+  for (const auto& [id, session] : context_.sessions)
+    if (session->events && wants(*session->events, event.type))
+      session->sink->send(line, LineKind::kEvent);
+}
+
+}  // namespace hedgehog::server

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// The server without sockets: sessions, requests, responses, events and telemetry. io thread.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "daemon/server/device/device_view.h"
+#include "daemon/server/effects/effect_registry.h"
+#include "daemon/server/effects/keyframe_allocator.h"
+#include "daemon/server/rpc/dispatcher.h"
+#include "daemon/server/rpc/handler_context.h"
+#include "daemon/server/rpc/status_view.h"
+#include "daemon/server/session/claim.h"
+#include "daemon/server/session/polled_time.h"
+#include "daemon/server/session/session.h"
+
+namespace hedgehog::server {
+
+class Server {
+ public:
+  /// Called for everything that the control thread reports, clients' events or not, after the
+  /// clients were notified. `effect`: nullptr for other events.
+  using EventListener = std::function<void(const control::Event&, const Effect* effect)>;
+
+  /// Milliseconds since 1970, for what is remembered.
+  using WallClock = std::function<std::int64_t()>;
+
+  Server(DeviceView& device_view, StateStore& memory, PatternLibrary& patterns,
+         EventHistory& history, EventListener listener, WallClock wall_clock);
+
+  /// The scanner of device.list; outlives the server.
+  void set_devices(DeviceScanner& devices) noexcept { context_.devices = &devices; }
+
+  /// The recorder of trips; outlives the server.
+  void set_recordings(TripRecordings& recordings) noexcept { context_.recordings = &recordings; }
+
+  /// A client has connected. `session` and its sink stay until `close`.
+  void open(Session& session);
+  /// It says no more: its effects end at the next tick, but for those that may play out. Its sink
+  /// hears `finish` once the answers that are owed have gone out, perhaps at once.
+  void close(Session& session);
+  /// Its sink is about to be destroyed; pending responses are lost.
+  void forget(const Session& session);
+  void line(Session& session, std::string_view text);
+  void line_too_long(Session& session) { dispatcher_.line_too_long(session); }
+
+  /// Publishes the control thread's events and snapshot.
+  void pump();
+  /// Answers are still to come.
+  bool has_pending() const noexcept { return dispatcher_.waiting(); }
+  /// Somebody waits for the next tick: pump again in a millisecond.
+  bool busy() const noexcept;
+
+  std::size_t connections() const noexcept { return context_.sessions.size(); }
+  const HandlerContext& context() const noexcept { return context_; }
+  Counters& counters() noexcept { return context_.counters; }
+  protocol::Status status() { return status_.status(false); }
+  /// Since the control thread was last seen to tick, as of the last pump.
+  std::chrono::steady_clock::duration control_silent() const noexcept {
+    return control_silent_.elapsed();
+  }
+  /// Tells everybody who listens to events.
+  void announce_shutdown(std::string reason);
+  DeviceView& device_view() noexcept { return device_view_; }
+
+ private:
+  void release();
+  void take_events();
+  void notify(const control::Event& event, const Effect* effect);
+  void remember(const protocol::Event& view, const control::Event& event, const Effect* effect);
+  void send_telemetry();
+
+  DeviceView& device_view_;
+  EventListener listener_;
+  WallClock wall_clock_;
+  EffectRegistry effects_;
+  KeyframeAllocator keyframes_;
+  Claim claim_;
+  StatusView status_;
+  HandlerContext context_;
+  Dispatcher dispatcher_;
+  std::vector<ConnectionId> closing_;
+  ConnectionId last_id_ = 0;
+  model::Tick last_tick_ = 0;
+  PolledTime control_silent_{PolledTime::Clock::now()};
+};
+
+}  // namespace hedgehog::server

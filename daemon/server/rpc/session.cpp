@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// hello, ping, connection.list
+#include <string>
+
+#include "daemon/server/rpc/handlers.h"
+#include "protocol/server_codec.h"
+
+namespace hedgehog::server {
+
+Outcome hello(Call& call, const protocol::Hello& request) {
+  if (request.token) {
+    return Answer(protocol::error(protocol::ErrorCode::kUnauthorized,
+                                  "token: this server knows no tokens; connect without one"));
+  }
+  if (!request.client.empty()) call.session.client = request.client;
+  const DeviceView& device_view = call.device_view();
+  const control::StatusSnapshot& now = device_view.now();
+  const config::Config& config = device_view.config();
+  protocol::HelloResult result;
+  result.version = HEDGEHOG_VERSION;
+  result.connection = call.session.id;
+  result.role = call.session.role;
+  result.state = std::string(control::name(now.state));
+  result.reason = reason_name(now.reason);
+  result.remedy = device_view.remedy_now();
+  result.device = {config.device.name, config.device.model, device_view.simulated()};
+  result.limits.current_a = device_view.limits().current_a;
+  result.limits.continuous_a = device_view.limits().continuous_a;
+  result.limits.felt_a = device_view.limits().felt_a;
+  result.limits.burst_s = device_view.cold_burst_s();
+  result.limits.telemetry_hz = config.telemetry_max_rate_hz;
+  result.limits.effects = EffectRegistry::kMaxEach;
+  result.limits.line_bytes = protocol::kMaxLineBytes;
+  return Answer(std::move(result));
+}
+
+Outcome ping(Call& call, const protocol::Ping&) {
+  return Answer(protocol::PingResult{call.device_view().time_ns(call.device_view().now().tick)});
+}
+
+Outcome connection_list(Call& call, const protocol::ConnectionList&) {
+  HandlerContext& context = call.context;
+  const model::Tick now = call.device_view().now().tick;
+  protocol::ConnectionsResult result;
+  for (const auto& [id, session] : context.sessions) {
+    protocol::ConnectionInfo info;
+    info.connection = id;
+    if (!session->client.empty()) info.client = session->client;
+    info.transport = session->transport;
+    info.address = session->address;
+    info.role = session->role;
+    info.since_s = static_cast<double>(now - session->since) * model::kTickSeconds;
+    info.claimed = context.claim.holder(now) == id;
+    for (const Effect* effect : context.effects.playing(id))
+      info.effects.push_back(context.status.effect(*effect));
+    result.connections.push_back(std::move(info));
+  }
+  return Answer(std::move(result));
+}
+
+}  // namespace hedgehog::server

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// thermal.*
+#include "daemon/server/effects/effect_plan.h"
+#include "daemon/server/effects/load.h"
+#include "daemon/server/rpc/handlers.h"
+
+namespace hedgehog::server {
+namespace {
+
+Answer forecast_result(const model::Forecast& f) {
+  return protocol::ForecastResult{f.seconds_to_derating, f.seconds_to_limit, f.sustainable_a,
+                                  f.recovery_s};
+}
+
+Answer forecast_of(const DeviceView& device_view, const model::AskedCurrents& asked) {
+  return forecast_result(device_view.forecaster().forecast(device_view.forecast_start(), asked));
+}
+
+Answer forecast_current(const DeviceView& device_view, double current_a,
+                        const std::optional<protocol::Direction>& direction) {
+  if (current_a > device_view.limits().current_a)
+    return protocol::out_of_range("current_a", device_view.limits().current_a, current_a);
+  if (!direction) {
+    return forecast_result(
+        device_view.forecaster().forecast_worst_coil(device_view.forecast_start(), current_a));
+  }
+  const auto towards = protocol::resolve(*direction, device_view.array(), "direction");
+  if (towards.has_error()) return towards.error();
+  const model::CoilCurrents currents =
+      model::currents_for({current_a * *towards}, device_view.config().device.coils);
+  return forecast_of(device_view, model::AskedCurrents::constant(currents.a));
+}
+
+Answer forecast_spec(const DeviceView& device_view, const model::EffectSpec& spec,
+                     const KeyframeTrack* track) {
+  return forecast_of(device_view, load_of(spec, track, device_view.config().device.coils,
+                                          device_view.now().orientation)
+                                      .asked());
+}
+
+}  // namespace
+
+Outcome thermal_forecast(Call& call, const protocol::ThermalForecast& request) {
+  const DeviceView& device_view = call.device_view();
+  if (request.current_a)
+    return forecast_current(device_view, *request.current_a, request.direction);
+  if (request.start) {
+    const auto plan = plan_start(call.plan_context(), *request.start);
+    return plan.has_error() ? Answer(plan.error())
+                            : forecast_spec(device_view, plan->spec, plan->track.get());
+  }
+  const control::EffectId number = request.effect.value_or(0);
+  const Effect* effect = call.context.effects.any(number);
+  return effect == nullptr ? Answer(protocol::no_such_effect(number))
+                           : forecast_spec(device_view, effect->spec, effect->track.get());
+}
+
+}  // namespace hedgehog::server

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Exclusive lease on the device (`device.claim`).
+#pragma once
+
+#include "daemon/server/session/session.h"
+#include "model/tick.h"
+
+namespace hedgehog::server {
+
+/// io thread only. The lease counts device time.
+class Claim {
+ public:
+  /// Somebody else holds it at `now`.
+  bool excludes(ConnectionId who, model::Tick now) const noexcept {
+    return holder(now) != 0 && holder(now) != who;
+  }
+  /// 0: none.
+  ConnectionId holder(model::Tick now) const noexcept { return now < until_ ? holder_ : 0; }
+  model::Tick remaining(model::Tick now) const noexcept { return now < until_ ? until_ - now : 0; }
+
+  /// Also renews. REQUIRES: !excludes(who, now).
+  void take(ConnectionId who, model::Tick now, model::Tick lease) noexcept {
+    holder_ = who;
+    until_ = now + lease;
+  }
+  void release(ConnectionId who) noexcept {
+    if (holder_ == who) {
+      holder_ = 0;
+      until_ = 0;
+    }
+  }
+
+ private:
+  ConnectionId holder_ = 0;
+  model::Tick until_ = 0;
+};
+
+}  // namespace hedgehog::server

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// One client: identity, role and subscriptions.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "daemon/server/session/write_queue.h"
+#include "model/tick.h"
+#include "protocol/requests.h"
+#include "protocol/role.h"
+#include "protocol/status_keys.h"
+
+namespace hedgehog::server {
+
+/// Never used twice while the daemon runs; 0 is none.
+using ConnectionId = std::int64_t;
+
+/// Where a session's lines go: a socket, or a list in tests.
+class Sink {
+ public:
+  virtual ~Sink() = default;
+  /// `line` without LF. May end the session when its client does not read (later, never inside
+  /// this call).
+  virtual void send(std::string line, LineKind kind) = 0;
+  /// Nothing more will come: what was sent may go out, then the session is over.
+  virtual void finish() = 0;
+};
+
+struct TelemetrySubscription {
+  protocol::StatusKeys fields;
+  model::Tick period = 100;
+  model::Tick next = 0;
+};
+
+struct EventSubscription {
+  std::vector<std::string> types;  // empty: all
+  protocol::Scope scope = protocol::Scope::kMine;
+};
+
+/// io thread only.
+struct Session {
+  ConnectionId id = 0;
+  std::string transport;  // "tcp", "unix"
+  std::optional<std::string> address;
+  protocol::Role role = protocol::Role::kPlay;
+  std::string client;
+  model::Tick since = 0;
+  std::optional<TelemetrySubscription> telemetry;
+  std::optional<EventSubscription> events;
+  Sink* sink = nullptr;
+  /// A batch whose answers are longer is not carried out further.
+  std::size_t batch_bytes = std::size_t{512} << 10;
+};
+
+}  // namespace hedgehog::server

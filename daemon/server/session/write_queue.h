@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Unsent lines of one client. A client that reads too slowly loses telemetry first; when responses
+// and events alone fill the queue, it has to be disconnected: those are never dropped.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <string>
+
+namespace hedgehog::server {
+
+enum class LineKind : std::uint8_t { kAnswer, kEvent, kTelemetry };
+
+/// io thread; one a connection.
+class WriteQueue {
+ public:
+  /// `max_bytes`: when answers and events alone are more, the client has given up reading.
+  /// Telemetry is left out while more than half of it waits.
+  explicit WriteQueue(std::size_t max_bytes) : max_bytes_(max_bytes) {}
+
+  /// Small lines are sent together up to this size.
+  static constexpr std::size_t kChunkBytes = 16 * 1024;
+
+  /// Adds `line` and its LF. False: the queue is full, disconnect.
+  [[nodiscard]] bool push(std::string line, LineKind kind);
+
+  bool empty() const noexcept { return lines_.empty(); }
+  /// The next lines as one buffer, which stays where it is until `sent`. REQUIRES: !empty(), and
+  /// `sent` was called since the last `take`.
+  const std::string& take();
+  /// The same with the next line only.
+  const std::string& take_one();
+  void sent() noexcept;
+
+  /// What waits, the buffer that is being sent included.
+  std::size_t bytes() const noexcept { return bytes_; }
+  std::uint64_t telemetry_dropped() const noexcept { return dropped_; }
+
+ private:
+  struct Line {
+    std::string text;
+    LineKind kind;
+  };
+  void drop_telemetry();
+
+  std::size_t max_bytes_;
+  std::deque<Line> lines_;
+  std::size_t bytes_ = 0;
+  std::uint64_t dropped_ = 0;
+  std::string sending_;
+};
+
+}  // namespace hedgehog::server

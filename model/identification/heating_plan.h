@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// What currents identify the thermal network of a ball: each winding heated in turn, then all of
+// them, then cooling with the fan and without it. The fan follows the daemon's own law.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "model/vec3.h"
+
+namespace hedgehog::model {
+
+/// One constant current. Trivially copyable.
+struct HeatingStep {
+  /// What a person is told is being done. Heating and the cooling after it are one phase, whose
+  /// steps follow each other.
+  std::string_view phase;
+  double duration_s = 0.0;
+  /// Of the windings, A, signed.
+  Vec3 current_a;
+};
+
+/// About 31 minutes. The norm of no current is above `max_a`.
+std::vector<HeatingStep> heating_plan(double max_a = 15.0);
+
+double duration_s(const std::vector<HeatingStep>& plan);
+
+}  // namespace hedgehog::model

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// An error that sim.set gives the simulated board, and that it answers with.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace hedgehog::protocol {
+
+inline constexpr std::size_t kMaxSimErrors = 32;
+
+/// An error of the simulated board's measurements, or of the simulated ball.
+struct SimError {
+  std::string kind{};  // wire name of device::SimulatorErrorKind; the server knows them
+  std::optional<std::int64_t> coil{};  // 0..2; of the kinds that touch one winding
+  double value = 0.0;
+  double ramp_s = 0.0;  // it grows over so long, 0..86400
+  friend bool operator==(const SimError&, const SimError&) = default;
+};
+
+}  // namespace hedgehog::protocol

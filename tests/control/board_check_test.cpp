@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// What the daemon makes of a board's own limits and of its silence.
+#include "daemon/control/checks/board_check.h"
+
+#include <gtest/gtest.h>
+
+#include "daemon/device/board_codec.h"
+
+namespace hedgehog::control {
+namespace {
+
+// A board whose limits are the wanted ones, changed by this.
+device::BoardTelemetry board_with(double more_a, double more_k) {
+  const auto wanted = device::BoardLimits::of(model::Limits{});
+  device::BoardTelemetry board;
+  board.limit_current_a = wanted.current_a + more_a;
+  board.limit_sensor_c = wanted.sensor_c + more_k;
+  return board;
+}
+
+TEST(BoardCheck, ABoardThatAllowsAsMuchOrMoreLeavesTheLimits) {
+  for (const double more : {-0.009, 0.0, 5.0})
+    EXPECT_EQ(limits_within(model::Limits{}, board_with(more, more)), model::Limits{}) << more;
+}
+
+TEST(BoardCheck, ABoardThatAllowsLessCurrentScalesTheLimits) {
+  const model::Limits wanted;
+  const double boards_a = device::BoardLimits::of(wanted).current_a;
+  model::Limits within = limits_within(wanted, board_with(-boards_a / 2, 0.0));
+  EXPECT_NEAR(within.current_a, wanted.current_a / 2, 1e-12);
+  EXPECT_EQ(within.continuous_a, wanted.continuous_a) << "less than half of the peak";
+  EXPECT_EQ(within.zero_c, wanted.zero_c);
+  within = limits_within(wanted, board_with(-boards_a * 0.9, 0.0));
+  EXPECT_NEAR(within.current_a, wanted.current_a / 10, 1e-12);
+  EXPECT_EQ(within.continuous_a, within.current_a);
+  EXPECT_LE(within.felt_a, within.current_a);
+  model::Limits feels = wanted;
+  feels.felt_a = wanted.current_a;
+  EXPECT_NEAR(limits_within(feels, board_with(-boards_a / 2, 0.0)).felt_a, wanted.current_a / 2,
+              1e-12);
+  within = limits_within(wanted, board_with(-0.011, 0.0));
+  EXPECT_LT(within.current_a, wanted.current_a);
+  EXPECT_EQ(limits_within(wanted, board_with(-boards_a - 1.0, 0.0)).current_a, 0.0);
+}
+
+TEST(BoardCheck, ABoardThatTripsCoolerShiftsTheTemperatures) {
+  const model::Limits wanted;
+  model::Limits shifted = wanted;
+  shifted.derate_from_c -= 5.0;
+  shifted.sustain_c -= 5.0;
+  shifted.zero_c -= 5.0;
+  shifted.trip_c -= 5.0;
+  EXPECT_EQ(limits_within(wanted, board_with(0.0, -5.0)), shifted);
+  EXPECT_LT(limits_within(wanted, board_with(0.0, -0.011)).zero_c, wanted.zero_c);
+}
+
+TEST(BoardCheck, SilenceAddsUpTicksThatWereNeverRun) {
+  BoardCheck check;
+  check.step(true, true, {}, 1);
+  EXPECT_EQ(check.age(), 0u);
+  check.step(true, false, {}, 99);
+  EXPECT_TRUE(check.alive());
+  EXPECT_EQ(check.age(), 99u);
+  check.step(true, false, {}, 1);
+  EXPECT_FALSE(check.alive());
+}
+
+TEST(BoardCheck, FiftyTicksWithoutBeingArmedIsARestart) {
+  BoardCheck check;
+  device::BoardTelemetry board;
+  board.mode = device::BoardMode::kSafe;
+  check.step(true, true, board, 49);
+  EXPECT_FALSE(check.restarted());
+  check.step(true, true, board, 1);
+  EXPECT_TRUE(check.restarted());
+  for (const auto armed : {device::BoardMode::kReady, device::BoardMode::kDriving}) {
+    board.mode = armed;
+    check.step(true, true, board, 1);
+    EXPECT_FALSE(check.restarted());
+    board.mode = device::BoardMode::kLatched;
+    check.step(true, true, board, 49);
+    EXPECT_FALSE(check.restarted());
+    check.step(true, false, board, 1);
+    EXPECT_FALSE(check.restarted()) << "nothing new was heard";
+    check.step(true, true, board, 1);
+    EXPECT_TRUE(check.restarted());
+  }
+}
+
+TEST(BoardCheck, ForgetsAFaultThatIsNotToldAnyMore) {
+  BoardCheck check;
+  device::BoardTelemetry board;
+  board.faults = device::kFaultSupply;
+  check.step(true, true, board, 1);
+  EXPECT_EQ(check.fault(), Reason::kBoardSupply);
+  check.step(true, false, device::BoardTelemetry{}, 1);
+  EXPECT_EQ(check.fault(), Reason::kBoardSupply) << "as of its last frame";
+  check.step(true, true, device::BoardTelemetry{}, 1);
+  EXPECT_EQ(check.fault(), Reason::kNone);
+}
+
+}  // namespace
+}  // namespace hedgehog::control

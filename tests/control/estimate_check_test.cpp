@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/control/checks/estimate_check.h"
+
+#include <gtest/gtest.h>
+
+#include "model/coils.h"
+
+namespace hedgehog::control {
+namespace {
+
+constexpr int kDriven = 1;
+
+/// An observer that is fed by hand: a ball at rest, of which one winding carries 10 A.
+class Followed {
+ public:
+  explicit Followed(double celsius) {
+    model::ThermalStart start;
+    start.nodes = {{celsius, celsius, celsius}, celsius};
+    start.known = true;
+    observer_ = model::ThermalObserver({}, {}, start);
+    measurement_.electrical_valid = true;
+    measurement_.supply_v = 12.0;
+    measurement_.thermistors.celsius.fill(celsius);
+    measurement_.thermistors.valid.fill(true);
+  }
+
+  /// A tick in which V/I shows the resistance of `shown_c`.
+  Reason tick(double current_a, double shown_c) {
+    measurement_.current_before_a[kDriven] = measurement_.current_a[kDriven] = current_a;
+    measurement_.voltage_v[kDriven] =
+        current_a * model::resistance_at(model::Ohms(0.45), model::Celsius(shown_c)).value;
+    observer_.step(measurement_);
+    return check_.step(observer_, supply_, 70.0, model::kTickSeconds);
+  }
+  void show(int coil, double celsius) {
+    measurement_.thermistors.celsius[static_cast<std::size_t>(coil)] = celsius;
+  }
+  double winding_c() const { return observer_.filter().winding_c(kDriven); }
+  const Disagreement& disagreement() const { return check_.disagreement(); }
+
+ private:
+  model::ThermalMeasurement measurement_;
+  model::ThermalObserver observer_;
+  SupplyBalance supply_;
+  EstimateCheck check_;
+};
+
+/// Ticks until something is found, at most 20 s.
+template <class Tick>
+int ticks_until_found(const Tick& tick, Reason& found) {
+  int ticks = 0;
+  while ((found = tick()) == Reason::kNone && ticks < 20'000) ++ticks;
+  return ticks;
+}
+
+TEST(EstimateCheck, AnEstimateAtSeventyForFiftyMilliseconds) {
+  Followed ball(69.6);
+  Reason found = Reason::kNone;
+  const int ticks = ticks_until_found([&] { return ball.tick(0.0, 69.6); }, found);
+  EXPECT_EQ(name(found), "overheated") << "it is likely to be at 70: 69.6 and its deviation";
+  EXPECT_GE(ticks, 49);
+  EXPECT_LT(ticks, 200);
+  Followed cooler(67.0);
+  for (int i = 0; i < 2000; ++i) ASSERT_EQ(name(cooler.tick(0.0, 67.0)), "none");
+}
+
+TEST(EstimateCheck, AResistanceThatFallsWhileTheWindingIsHeatedNamesBoth) {
+  Followed ball(30.0);
+  for (int i = 0; i < 3000; ++i) ASSERT_EQ(name(ball.tick(10.0, ball.winding_c())), "none");
+  const double warm_c = ball.winding_c();
+  Reason found = Reason::kNone;
+  const int ticks = ticks_until_found([&] { return ball.tick(10.0, warm_c - 25.0); }, found);
+  EXPECT_EQ(name(found), "measurements_disagree");
+  EXPECT_EQ(ball.disagreement().coil(), kDriven);
+  EXPECT_TRUE(ball.disagreement().has(Quantity::kResistance));
+  EXPECT_LT(ticks, 1000);
+}
+
+TEST(EstimateCheck, AThermistorThatLeavesItsWindingIsNamed) {
+  Followed ball(30.0);
+  for (int i = 0; i < 3000; ++i) ASSERT_EQ(name(ball.tick(0.0, 30.0)), "none");
+  ball.show(2, 50.0);
+  Reason found = Reason::kNone;
+  const int ticks = ticks_until_found([&] { return ball.tick(0.0, 30.0); }, found);
+  EXPECT_EQ(name(found), "measurements_disagree");
+  EXPECT_EQ(ball.disagreement().coil(), 2);
+  EXPECT_TRUE(ball.disagreement().has(Quantity::kThermistor));
+  EXPECT_GE(ticks, 900) << "it must stay so for a second";
+  EXPECT_LT(ticks, 2000);
+}
+
+}  // namespace
+}  // namespace hedgehog::control

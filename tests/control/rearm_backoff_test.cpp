@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// Arming again through the same trip takes longer each time.
+#include "daemon/control/state/rearm_backoff.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+namespace hedgehog::control {
+namespace {
+
+using model::kTicksPerSecond;
+using model::Tick;
+
+constexpr Reason kWhy = Reason::kSensorFrozen;
+
+/// Armed again `times` times after as many trips for kWhy, the last one at tick 0.
+RearmBackoff after(int times) {
+  RearmBackoff backoff;
+  for (int i = 0; i < times; ++i) {
+    backoff.trip(0);
+    backoff.arm(kWhy, 0);
+  }
+  backoff.trip(0);
+  return backoff;
+}
+
+TEST(RearmBackoff, ThreeAreFreeThenEachWaitsTwiceAsLong) {
+  for (const int times : {0, 1, 2}) EXPECT_EQ(after(times).wait(kWhy, 0), 0);
+  EXPECT_EQ(after(3).wait(kWhy, 0), 10 * kTicksPerSecond);
+  EXPECT_EQ(after(4).wait(kWhy, 0), 20 * kTicksPerSecond);
+  EXPECT_EQ(after(8).wait(kWhy, 0), 320 * kTicksPerSecond);
+  EXPECT_EQ(after(9).wait(kWhy, 0), 600 * kTicksPerSecond);
+  EXPECT_EQ(after(1000).wait(kWhy, 0), 600 * kTicksPerSecond);
+}
+
+TEST(RearmBackoff, TheWaitBeginsWithTheTrip) {
+  const RearmBackoff backoff = after(3);
+  EXPECT_EQ(backoff.wait(kWhy, 4000), 6000);
+  EXPECT_EQ(backoff.wait(kWhy, 10'000), 0);
+  EXPECT_EQ(backoff.wait(kWhy, 1'000'000), 0);
+}
+
+TEST(RearmBackoff, IsOfTheSameReasonAndOfTripsOnly) {
+  RearmBackoff backoff = after(5);
+  EXPECT_EQ(backoff.wait(Reason::kSensorOpen, 0), 0);
+  EXPECT_EQ(backoff.wait(Reason::kNone, 0), 0);
+  for (int i = 0; i < 10; ++i) backoff.arm(Reason::kEmergencyStop, 0);
+  EXPECT_EQ(backoff.wait(Reason::kEmergencyStop, 0), 0) << "whoever stops it may go on";
+}
+
+TEST(RearmBackoff, FiveMinutesArmedTakeOneOff) {
+  RearmBackoff backoff = after(4);
+  backoff.arm(kWhy, 0);
+  Tick now = 0;
+  const auto armed_for = [&](Tick ticks) {
+    for (const Tick until = now + ticks; now < until;) backoff.step(true, ++now);
+  };
+  const auto count = [&] { return int{backoff.counts()[static_cast<std::size_t>(kWhy)]}; };
+  armed_for(RearmBackoff::kForgiveAfter - 1);
+  EXPECT_EQ(count(), 5);
+  armed_for(1);
+  EXPECT_EQ(count(), 4);
+  armed_for(10 * RearmBackoff::kForgiveAfter);
+  EXPECT_EQ(count(), 0);
+
+  backoff = after(4);
+  backoff.step(false, now);
+  for (int i = 0; i < 10; ++i) {
+    armed_for(RearmBackoff::kForgiveAfter / 2);
+    backoff.step(false, now);
+  }
+  EXPECT_EQ(count(), 4) << "each trip begins it anew";
+}
+
+RC_GTEST_PROP(RearmBackoff, WaitsNeverLongerThanTenMinutesAndEnd, ()) {
+  const RearmBackoff backoff = after(*rc::gen::inRange(0, 300));
+  const Tick now = *rc::gen::inRange<Tick>(0, 2'000'000);
+  const Tick wait = backoff.wait(kWhy, now);
+  RC_ASSERT(wait >= 0 && wait <= RearmBackoff::kMaxWait);
+  RC_ASSERT(backoff.wait(kWhy, now + wait) == 0);
+}
+
+}  // namespace
+}  // namespace hedgehog::control

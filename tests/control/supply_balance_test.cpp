@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// The sum of duty times current against what the supply delivers.
+#include "daemon/control/checks/supply_balance.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <type_traits>
+
+#include "model/random_stream.h"
+#include "model/tick.h"
+
+namespace hedgehog::control {
+namespace {
+
+static_assert(std::is_trivially_copyable_v<SupplyBalance>);
+
+using model::kTickSeconds;
+using model::Vec3;
+
+/// A board whose windings carry currents; each sensor with its gain, noise everywhere.
+struct SupplyBench {
+  SupplyBalance balance;
+  model::RandomStream random{7};
+  Vec3 gain{1.0, 1.0, 1.0};
+  double supply_gain = 1.0;
+  double supply_offset_a = 0.0;
+  double supply_v = 12.0;
+
+  /// The first disagreement within `seconds`, or none.
+  Disagreement run(const Vec3& current_a, double seconds) {
+    const auto ticks = static_cast<int>(std::lround(seconds / kTickSeconds));
+    for (int i = 0; i < ticks; ++i) {
+      SupplyReading reading;
+      reading.known = true;
+      reading.accuracy = model::kInLineAccuracy;
+      reading.duty = (0.45 / 12.0) * current_a;
+      reading.supply_current_a =
+          supply_gain * dot(reading.duty, current_a) + supply_offset_a + 0.02 * random.gaussian();
+      reading.supply_v = supply_v;
+      for (int coil = 0; coil < model::kCoils; ++coil)
+        reading.current_a[coil] = gain[coil] * current_a[coil] + 0.05 * random.gaussian();
+      const Disagreement found = balance.step(reading, kTickSeconds);
+      if (found.any()) return found;
+    }
+    return {};
+  }
+};
+
+TEST(SupplyBalance, ToleratesWhatPartsAreAllowed) {
+  for (const double sign : {-1.0, 1.0}) {
+    SupplyBench bench;
+    bench.gain = {1.0 + 0.02 * sign, 1.0 - 0.02 * sign, 1.0 + 0.02 * sign};
+    bench.supply_gain = 1.0 - 0.02 * sign;
+    bench.supply_offset_a = 0.03 * sign;
+    for (const Vec3& current : {Vec3{15, 0, 0}, Vec3{0, 8, 0}, Vec3{-4, 6, 9}, Vec3{5, 5, 5}})
+      EXPECT_FALSE(bench.run(current, 60.0).any()) << sign;
+  }
+}
+
+TEST(SupplyBalance, NamesAWindingWhoseCurrentReadsTenPercentHigh) {
+  for (int coil = 0; coil < model::kCoils; ++coil) {
+    SupplyBench bench;
+    Vec3 along;
+    along[coil] = 12.0;
+    ASSERT_FALSE(bench.run(along, 10.0).any());
+    bench.gain[coil] = 1.1;
+    const Disagreement found = bench.run(along, 2.0);
+    EXPECT_EQ(found, (Disagreement{coil, Quantity::kCurrent, Quantity::kSupplyCurrent}));
+  }
+}
+
+TEST(SupplyBalance, SaysOfAMoveOfVIWhatElseHasMoved) {
+  const Vec3 along{0, 12, 0};
+  const auto moved = [&](auto&& change, double share) {
+    SupplyBench bench;
+    bench.run(along, 10.0);
+    change(bench);
+    bench.run(along, 2.0);
+    return bench.balance.moved(1, share, SupplyBalance::Since::kStart);
+  };
+  EXPECT_EQ(moved([](SupplyBench&) {}, -0.03),
+            (Disagreement{1, Quantity::kResistance, Quantity::kHeatBalance}));
+  EXPECT_EQ(moved([](SupplyBench& bench) { bench.gain[1] = 1.03; }, -0.03),
+            (Disagreement{1, Quantity::kCurrent, Quantity::kSupplyCurrent}));
+  EXPECT_EQ(moved([](SupplyBench& bench) { bench.supply_v = 11.6; }, -0.033),
+            (Disagreement{1, Quantity::kSupplyVoltage, Quantity::kHeatBalance}));
+}
+
+TEST(SupplyBalance, OfWhatItHasNotSeenItNamesBoth) {
+  const SupplyBalance fresh;
+  const Disagreement found = fresh.moved(2, -0.05, SupplyBalance::Since::kStart);
+  EXPECT_TRUE(found.has(Quantity::kResistance));
+  EXPECT_TRUE(found.has(Quantity::kCurrent));
+  EXPECT_EQ(found.coil(), 2);
+}
+
+}  // namespace
+}  // namespace hedgehog::control

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// The floor by energy is below every ball of the family and not far below.
+#include "model/energy_floor.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+
+#include "tests/model/thermal_loop.h"
+
+namespace hedgehog::model {
+namespace {
+
+/// The winding that is driven with `current_a` for `seconds`, minus its floor.
+double above_floor_k(const PlantParameters& real, double current_a, double seconds,
+                     bool thermistors) {
+  Plant plant(real, 25.0);
+  const ThermalState start{{25.0, 25.0, 25.0}, 25.0};
+  EnergyFloor floor(ThermalModel{}, 0.2, start, 25.0);
+  double least_k = 100.0;
+  for (double t = 0.0; t < seconds; t += 0.1) {
+    const double loss_w = plant.resistance_ohm(1) * current_a * current_a;
+    for (int i = 0; i < 5; ++i) plant.step_thermal({0, current_a * current_a, 0}, 0.0, 0.02);
+    ThermistorReadings readings;
+    for (int coil = 0; coil < kCoils; ++coil) {
+      const auto i = static_cast<std::size_t>(coil);
+      readings.celsius[i] = plant.thermistor_c(coil);
+      readings.valid[i] = thermistors || coil == real.sensor_winding;
+    }
+    floor.step({0, loss_w, 0}, false, readings, 0.1);
+    least_k = std::min(least_k, plant.heat().winding_c[1] - floor.winding_c(1));
+  }
+  return least_k;
+}
+
+RC_GTEST_PROP(EnergyFloor, IsBelowEveryBallOfTheFamily, ()) {
+  PlantParameters real = random_plant(*rc::gen::arbitrary<std::uint64_t>());
+  const double current_a = *rc::gen::inRange(2, 16);
+  RC_ASSERT(above_floor_k(real, current_a, 120.0, *rc::gen::arbitrary<bool>()) > -1.0);
+}
+
+TEST(EnergyFloor, IsAFewKelvinBelowAMatchingBall) {
+  const ThermalState start{{25.0, 25.0, 25.0}, 25.0};
+  Plant plant(PlantParameters{}, 25.0);
+  EnergyFloor floor(ThermalModel{}, 0.2, start, 25.0);
+  for (int step = 0; step < 200; ++step) {
+    const double loss_w = plant.resistance_ohm(1) * 225.0;
+    for (int i = 0; i < 5; ++i) plant.step_thermal({0, 225.0, 0}, 0.0, 0.02);
+    floor.step({0, loss_w, 0}, false, {}, 0.1);
+  }
+  const double real_c = plant.heat().winding_c[1];
+  ASSERT_GT(real_c, 50.0);
+  EXPECT_LT(floor.winding_c(1), real_c);
+  EXPECT_GT(floor.winding_c(1), real_c - 10.0);
+}
+
+}  // namespace
+}  // namespace hedgehog::model

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// A measurement that goes wrong while a winding is driven hard: found by what contradicts it,
+// before anything gets too warm. On the whole rig, through the firmware's own reading of
+// converters.
+#include <tuple>
+
+#include "tests/rig/thermal_ball.h"
+#include "tests/safety/safe.h"
+
+namespace hedgehog::safety {
+namespace {
+
+using control::Quantity;
+using control::Reason;
+using device::SimulatorErrorKind;
+
+struct Wrong {
+  SimulatorErrorKind kind;
+  double value;
+  double ramp_s;
+  /// It is one of those that are named.
+  Quantity named;
+};
+
+std::ostream& operator<<(std::ostream& out, const Wrong& wrong) {
+  return out << name(wrong.kind) << " " << wrong.value << " over " << wrong.ramp_s << " s";
+}
+
+class EachWrong : public ::testing::TestWithParam<std::tuple<Wrong, int, int>> {
+ protected:
+  EachWrong() {
+    rig::RigOptions options;
+    options.board.front_end.thermistors = std::get<2>(GetParam());
+    rig = std::make_unique<rig::Rig>(options);
+  }
+  /// 12 A until `celsius`, then `wrong`, then on until it stops.
+  void drive(double celsius, const Wrong& wrong, int coil) {
+    rig->run_until_armed();
+    model::Vec3 along;
+    along[coil] = 1.0;
+    const auto effect = rig->start(rig::hold(along, 12.0));
+    bool broken = false;
+    for (int second = 0; second < 150; ++second) {
+      rig->update(effect, rig::hold(along, 12.0));
+      for (int i = 0; i < 1000; ++i) {
+        rig->tick();
+        hottest_c = std::max(hottest_c, rig->plant().hottest_winding_c());
+      }
+      if (rig->controller().state() != control::State::kArmed) return;
+      if (broken || rig->plant().hottest_winding_c() < celsius) continue;
+      broken = true;
+      device::SimulatorErrorList errors;
+      errors.generation = 1;
+      errors.error[errors.count++] = {wrong.kind, static_cast<std::uint8_t>(coil), wrong.value,
+                                      wrong.ramp_s};
+      rig->board().set_errors(errors);
+    }
+  }
+  std::unique_ptr<rig::Rig> rig;
+  double hottest_c = 0.0;
+};
+
+TEST_P(EachWrong, IsNamedAndStopsTheBallBeforeAnythingIsTooWarm) {
+  const auto& [wrong, coil, thermistors] = GetParam();
+  drive(45.0, wrong, coil);
+  EXPECT_LT(hottest_c, 75.0);
+  expect_tripped(*rig, Reason::kMeasurementsDisagree);
+  expect_zero(*rig, 2);
+  const control::Disagreement found = rig->controller().last_trip().disagreement;
+  EXPECT_TRUE(found.has(wrong.named)) << words(rig::Stop{rig->controller().reason(), found});
+  EXPECT_EQ(found.coil(), coil);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Sudden, EachWrong,
+    ::testing::Combine(
+        ::testing::Values(
+            Wrong{SimulatorErrorKind::kResistanceGain, 0.9, 0.0, Quantity::kResistance},
+            Wrong{SimulatorErrorKind::kShortedTurns, 0.1, 0.0, Quantity::kResistance},
+            Wrong{SimulatorErrorKind::kCurrentGain, 1.1, 0.0, Quantity::kCurrent},
+            Wrong{SimulatorErrorKind::kCurrentOffsetA, 1.0, 0.0, Quantity::kCurrent},
+            Wrong{SimulatorErrorKind::kSupplyGain, 0.9, 0.0, Quantity::kSupplyVoltage}),
+        ::testing::Values(0, 1, 2), ::testing::Values(1, 3)));
+
+INSTANTIATE_TEST_SUITE_P(
+    Growing, EachWrong,
+    ::testing::Combine(::testing::Values(Wrong{SimulatorErrorKind::kShortedTurns, 0.2, 60.0,
+                                               Quantity::kResistance},
+                                         Wrong{SimulatorErrorKind::kCurrentGain, 1.2, 60.0,
+                                               Quantity::kCurrent},
+                                         Wrong{SimulatorErrorKind::kSupplyGain, 0.85, 60.0,
+                                               Quantity::kSupplyVoltage}),
+                       ::testing::Values(0, 1, 2), ::testing::Values(1, 3)));
+
+}  // namespace
+}  // namespace hedgehog::safety

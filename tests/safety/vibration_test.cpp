@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// A vibration gets what it asks for, whatever its frequency: no guard takes its changing currents
+// and voltages for a fault, and what is measured wrong by a little does not show in what flows.
+#include <cmath>
+#include <tuple>
+
+#include "tests/safety/safe.h"
+
+namespace hedgehog::safety {
+namespace {
+
+using device::FrontEndKind;
+using VibrationCase = std::tuple<FrontEndKind, double, double>;
+
+class EachVibration : public ::testing::TestWithParam<VibrationCase> {};
+
+TEST_P(EachVibration, GetsWhatItAsksWithinFivePercent) {
+  const auto [front_end, frequency_hz, peak_a] = GetParam();
+  rig::RigOptions options;
+  options.board.front_end.kind = front_end;
+  rig::Rig rig(options);
+  rig.run_until_armed();
+  model::EffectSpec spec = rig::hold({1, 0, 0}, peak_a);
+  spec.method = model::EffectMethod::kVibrate;
+  spec.waveform = model::Waveform::kSine;
+  spec.frequency_hz = frequency_hz;
+  rig.start(spec);
+  rig.run(100);
+  double asked = 0.0;
+  double flowed = 0.0;
+  constexpr int kTicks = 3000;
+  for (int i = 0; i < kTicks; ++i) {
+    rig.tick();
+    const double wanted_a = rig.snapshot().limited_a.x;
+    const double flowing_a = rig.plant().current_a().x;
+    asked += wanted_a * wanted_a;
+    flowed += flowing_a * flowing_a;
+  }
+  EXPECT_EQ(name(rig.controller().state()), "armed") << name(rig.controller().reason());
+  const double asked_a = std::sqrt(asked / kTicks);
+  // It swings between nothing and its peak.
+  EXPECT_NEAR(asked_a, peak_a * std::sqrt(3.0 / 8.0), 0.02 * peak_a);
+  EXPECT_NEAR(std::sqrt(flowed / kTicks), asked_a, 0.05 * asked_a);
+}
+
+std::string vibration_name(const ::testing::TestParamInfo<VibrationCase>& info) {
+  const auto [front_end, frequency_hz, peak_a] = info.param;
+  return std::string(device::name(front_end)) + "_" + std::to_string(std::lround(frequency_hz)) +
+         "_hz_" + std::to_string(std::lround(peak_a)) + "_a";
+}
+
+INSTANTIATE_TEST_SUITE_P(FrontEnds, EachVibration,
+                         ::testing::Combine(::testing::Values(FrontEndKind::kInLine,
+                                                              FrontEndKind::kDriverCs),
+                                            ::testing::Values(2.0, 10.0, 60.0, 125.0, 200.0, 250.0),
+                                            ::testing::Values(2.0, 5.0)),
+                         vibration_name);
+
+}  // namespace
+}  // namespace hedgehog::safety
