@@ -46,5 +46,17 @@ TEST(TourRecord, CurrentAfterTheEndIsAFailure) {
   EXPECT_THAT(failures(last, false), ElementsAre("0.50 A flow after the end"));
 }
 
+TEST(TourRecord, TheCurrentOfAPushIsFreeOfTheNoiseOfOneMeasurement) {
+  TourRecord record;
+  EXPECT_EQ(record.take_current_a(), std::nullopt);
+  for (const double current_a : {0.1, 4.0, 9.9, 10.2, 9.9, 10.0, 3.0}) {
+    protocol::Status status;
+    status.current_a = {0, current_a, 0};
+    record.take(status);
+  }
+  EXPECT_THAT(record.take_current_a(), testing::Optional(testing::DoubleNear(10.0, 1e-9)));
+  EXPECT_EQ(record.take_current_a(), std::nullopt) << "taken";
+}
+
 }  // namespace
 }  // namespace hedgehog::client

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <utility>
 
 #include "clients/ctl/demo/demo_screen.h"
@@ -68,7 +69,7 @@ Outcome<void> TourPlayer::play_chapter(const TourChapter& chapter) {
       print_played();
       pending_step_ = playing_ = &step;
       record_.take_pins();
-      record_.take_strongest();
+      record_.take_current_a();
       record_.take_max_felt();
     }
     if (auto sent = send(step); !sent) return sent;
@@ -139,9 +140,9 @@ void TourPlayer::draw(const TourChapter& chapter) {
 void TourPlayer::print_played() {
   if (pending_step_ == nullptr) return;
   const TourStep& step = *std::exchange(pending_step_, nullptr);
-  const auto strongest = record_.take_strongest();
+  const std::optional<double> current_a = record_.take_current_a();
   const std::vector<std::int64_t> pins = record_.take_pins();
-  if (picture_ || !strongest) return;
+  if (picture_ || !current_a) return;
   std::string felt = std::to_string(record_.take_max_felt()) + " pins felt";
   if (step.method == "effect.circle") {
     felt = "pins";
@@ -150,8 +151,8 @@ void TourPlayer::print_played() {
     felt += " … (" + std::to_string(pins.size()) + " passed)";
   }
   std::printf("%5.1f s  %s %s A   %s   %s °C\n", static_cast<double>(step.at.count()) / 1000.0,
-              left(step.words, 17).c_str(), right(fixed(current_norm_a(*strongest), 1), 5).c_str(),
-              felt.c_str(), fixed(strongest->temperature_c.model.value_or(0.0), 1).c_str());
+              left(step.words, 17).c_str(), right(fixed(*current_a, 1), 5).c_str(),
+              felt.c_str(), fixed(ball_.status.temperature_c.model.value_or(0.0), 1).c_str());
   std::fflush(stdout);
 }
 

@@ -15,6 +15,8 @@ namespace {
 constexpr double kZeroA = 0.1;
 /// What the last chapter asks for; from its warm start it is derated before the end.
 constexpr double kLongPushA = 15.0;
+/// Of the largest current: what flows while it rises or ends is less.
+constexpr double kStrongPart = 0.9;
 
 long felt_pins(const protocol::Status& status) {
   return std::count_if(
@@ -31,7 +33,7 @@ void TourRecord::take(const protocol::Status& status) {
   min_limit_a_ = std::min(min_limit_a_, status.limit_a);
   if (status.pin && (pins_.empty() || pins_.back() != *status.pin)) pins_.push_back(*status.pin);
   max_felt_ = std::max(max_felt_, felt_pins(status));
-  if (!strongest_ || current_norm_a(status) > current_norm_a(*strongest_)) strongest_ = status;
+  currents_a_.push_back(current_norm_a(status));
 }
 
 void TourRecord::take(const protocol::Event& event) {
@@ -45,8 +47,18 @@ void TourRecord::take(const protocol::Event& event) {
 
 std::vector<std::int64_t> TourRecord::take_pins() { return std::exchange(pins_, {}); }
 
-std::optional<protocol::Status> TourRecord::take_strongest() {
-  return std::exchange(strongest_, std::nullopt);
+std::optional<double> TourRecord::take_current_a() {
+  const std::vector<double> currents_a = std::exchange(currents_a_, {});
+  if (currents_a.empty()) return std::nullopt;
+  const double least_a = kStrongPart * *std::max_element(currents_a.begin(), currents_a.end());
+  double sum_a = 0.0;
+  int count = 0;
+  for (const double current_a : currents_a) {
+    if (current_a < least_a) continue;
+    sum_a += current_a;
+    ++count;
+  }
+  return sum_a / count;
 }
 
 long TourRecord::take_max_felt() { return std::exchange(max_felt_, 0); }

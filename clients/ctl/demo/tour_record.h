@@ -23,8 +23,9 @@ class TourRecord {
 
   /// The pins that the field pointed at since the last call, each once in a row.
   std::vector<std::int64_t> take_pins();
-  /// The status with the most current since the last call; nothing when none came.
-  std::optional<protocol::Status> take_strongest();
+  /// The current of the strongest push since the last call, A; nothing when no status came. It is
+  /// the mean of the statuses within a tenth of the largest, which alone would add its own noise.
+  std::optional<double> take_current_a();
   /// The most pins that were felt at once since the last call. Not those of the strongest status:
   /// in a vibration the current still flows when the push of this tick is over.
   long take_max_felt();
@@ -41,7 +42,7 @@ class TourRecord {
   double hottest_c_ = 0.0;
   double min_limit_a_ = 1e9;
   std::vector<std::int64_t> pins_;
-  std::optional<protocol::Status> strongest_;
+  std::vector<double> currents_a_;
   long max_felt_ = 0;
   std::vector<std::string> failures_;
 };
