@@ -151,8 +151,8 @@ void TourPlayer::print_played() {
     felt += " … (" + std::to_string(pins.size()) + " passed)";
   }
   std::printf("%5.1f s  %s %s A   %s   %s °C\n", static_cast<double>(step.at.count()) / 1000.0,
-              left(step.words, 17).c_str(), right(fixed(*current_a, 1), 5).c_str(),
-              felt.c_str(), fixed(ball_.status.temperature_c.model.value_or(0.0), 1).c_str());
+              left(step.words, 17).c_str(), right(fixed(*current_a, 1), 5).c_str(), felt.c_str(),
+              fixed(ball_.status.temperature_c.model.value_or(0.0), 1).c_str());
   std::fflush(stdout);
 }
 
