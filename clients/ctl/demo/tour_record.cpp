@@ -50,11 +50,11 @@ std::vector<std::int64_t> TourRecord::take_pins() { return std::exchange(pins_, 
 std::optional<double> TourRecord::take_current_a() {
   const std::vector<double> currents_a = std::exchange(currents_a_, {});
   if (currents_a.empty()) return std::nullopt;
-  const double least_a = kStrongPart * *std::max_element(currents_a.begin(), currents_a.end());
+  const double min_a = kStrongPart * *std::max_element(currents_a.begin(), currents_a.end());
   double sum_a = 0.0;
   int count = 0;
   for (const double current_a : currents_a) {
-    if (current_a < least_a) continue;
+    if (current_a < min_a) continue;
     sum_a += current_a;
     ++count;
   }
