@@ -12,7 +12,7 @@
 #include "daemon/sensors.h"
 #include "daemon/server/device/device_scanner.h"
 #include "daemon/server/disk/disk_thread.h"
-#include "protocol/results.h"
+#include "protocol/methods.h"
 
 namespace hedgehog::daemon {
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "protocol/client_codec.h"
 
-#include "protocol/describe.h"
-#include "protocol/json.h"
-#include "protocol/reader.h"
-#include "protocol/writer.h"
+#include <utility>
+
+#include "protocol/wire/json.h"
+#include "protocol/wire/reader.h"
+#include "protocol/wire/writer.h"
 
 namespace hedgehog::protocol {
 namespace {
@@ -21,14 +22,13 @@ std::string opening(const std::optional<Id>& id, std::string_view method) {
   return out;
 }
 
-/// A value described from JSON, leniently.
-template <class T>
-Result<T> read(const Json& json, std::string_view what) {
-  T value{};
+/// What is wrong with `json`, of which `take` reads what it knows.
+std::optional<RpcError> read(const Json& json, std::string_view what,
+                             const std::function<void(Fields&)>& take) {
   Reader reader(json, Reader::Strictness::kLenient, what);
-  reader.value(value);
+  take(reader);
   if (reader.error()) return not_understood(reader.error()->message);
-  return value;
+  return std::nullopt;
 }
 
 std::optional<ErrorValue> as_value(const Json* json) {
@@ -75,13 +75,14 @@ Result<Message> read_notification(const std::string& method, const Json* params)
   static const Json kNone{Json::Object{}};
   const Json& json = params == nullptr ? kNone : *params;
   if (method == "event") {
-    Result<Event> event = read<Event>(json, "the event");
-    return event ? Result<Message>(EventMessage{*event, to_text(json)}) : event.error();
+    EventMessage message{{}, to_text(json)};
+    const auto wrong = read(json, "the event", [&](Fields& f) { f.value(message.event); });
+    return wrong ? Result<Message>(*wrong) : Message{std::move(message)};
   }
   if (method == "telemetry") {
-    Result<Telemetry> telemetry = read<Telemetry>(json, "the telemetry");
-    return telemetry ? Result<Message>(TelemetryMessage{*telemetry, to_text(json)})
-                     : telemetry.error();
+    TelemetryMessage message{{}, to_text(json)};
+    const auto wrong = read(json, "the telemetry", [&](Fields& f) { f.value(message.telemetry); });
+    return wrong ? Result<Message>(*wrong) : Message{std::move(message)};
   }
   return Message{UnknownMessage{method}};
 }
@@ -137,36 +138,12 @@ Result<std::vector<Message>> decode_messages(std::string_view line) {
   return messages;
 }
 
-template <class T>
-Result<T> decode_result(std::string_view json) {
+std::optional<RpcError> read_result(std::string_view json,
+                                    const std::function<void(Fields&)>& take) {
   constexpr std::size_t kNesting = 64;
   const Result<Json> parsed = parse_json(json, kNesting);
   if (!parsed) return not_understood(parsed.error().message);
-  return read<T>(*parsed, "the result");
+  return read(*parsed, "the result", take);
 }
-
-template Result<Done> decode_result<Done>(std::string_view);
-template Result<HelloResult> decode_result<HelloResult>(std::string_view);
-template Result<PingResult> decode_result<PingResult>(std::string_view);
-template Result<Admission> decode_result<Admission>(std::string_view);
-template Result<StopResult> decode_result<StopResult>(std::string_view);
-template Result<StateResult> decode_result<StateResult>(std::string_view);
-template Result<ClaimResult> decode_result<ClaimResult>(std::string_view);
-template Result<GainResult> decode_result<GainResult>(std::string_view);
-template Result<ForecastResult> decode_result<ForecastResult>(std::string_view);
-template Result<RecenterResult> decode_result<RecenterResult>(std::string_view);
-template Result<TelemetryResult> decode_result<TelemetryResult>(std::string_view);
-template Result<EventsResult> decode_result<EventsResult>(std::string_view);
-template Result<ConnectionsResult> decode_result<ConnectionsResult>(std::string_view);
-template Result<DevicesResult> decode_result<DevicesResult>(std::string_view);
-template Result<PreviewResult> decode_result<PreviewResult>(std::string_view);
-template Result<HistoryResult> decode_result<HistoryResult>(std::string_view);
-template Result<PatternSummary> decode_result<PatternSummary>(std::string_view);
-template Result<PatternsResult> decode_result<PatternsResult>(std::string_view);
-template Result<PatternResult> decode_result<PatternResult>(std::string_view);
-template Result<SimResult> decode_result<SimResult>(std::string_view);
-template Result<SimTruthResult> decode_result<SimTruthResult>(std::string_view);
-template Result<Status> decode_result<Status>(std::string_view);
-template Result<Description> decode_result<Description>(std::string_view);
 
 }  // namespace hedgehog::protocol

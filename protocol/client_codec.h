@@ -4,17 +4,17 @@
 // Nothing here throws or keeps anything; any thread.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
-#include "protocol/error.h"
-#include "protocol/event.h"
-#include "protocol/id.h"
-#include "protocol/requests.h"
-#include "protocol/results.h"
+#include "protocol/methods.h"
+#include "protocol/values/event.h"
+#include "protocol/wire/error.h"
+#include "protocol/wire/id.h"
 
 namespace hedgehog::protocol {
 
@@ -55,5 +55,16 @@ Result<std::vector<Message>> decode_messages(std::string_view line);
 /// wrong type is an error naming it. T is one of the types of ResultValue.
 template <class T>
 Result<T> decode_result(std::string_view json);
+
+/// Part of `decode_result`: lets `take` read what it knows of `json`; what is wrong with it.
+std::optional<RpcError> read_result(std::string_view json,
+                                    const std::function<void(Fields&)>& take);
+
+template <class T>
+Result<T> decode_result(std::string_view json) {
+  T value{};
+  if (auto wrong = read_result(json, [&](Fields& f) { f.value(value); })) return *std::move(wrong);
+  return value;
+}
 
 }  // namespace hedgehog::protocol

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <iterator>
 
-#include "protocol/describe.h"
-#include "protocol/json.h"
-#include "protocol/reader.h"
-#include "protocol/writer.h"
+#include "protocol/methods.h"
+#include "protocol/wire/json.h"
+#include "protocol/wire/reader.h"
+#include "protocol/wire/writer.h"
 
 namespace hedgehog::protocol {
 namespace {
@@ -49,7 +49,7 @@ Result<Request> read_params(Method method, const Json* params) {
   }
   Request request = empty_request(method);
   Reader reader(params == nullptr ? kNone : *params, Reader::Strictness::kStrict, name(method));
-  describe(reader, request);
+  std::visit([&](auto& one) { reader.value(one); }, request);
   if (reader.error()) return *reader.error();
   return request;
 }

@@ -9,11 +9,10 @@
 #include <string_view>
 #include <vector>
 
-#include "protocol/error.h"
-#include "protocol/event.h"
-#include "protocol/id.h"
-#include "protocol/requests.h"
-#include "protocol/results.h"
+#include "protocol/methods.h"
+#include "protocol/values/event.h"
+#include "protocol/wire/error.h"
+#include "protocol/wire/id.h"
 
 namespace hedgehog::protocol {
 

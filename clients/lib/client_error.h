@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "protocol/error.h"
+#include "protocol/wire/error.h"
 
 namespace hedgehog::client {
 

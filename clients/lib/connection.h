@@ -4,7 +4,7 @@
 //
 //   auto ball = Connection::open(daemon_addresses().value()).value();
 //   EffectParams push{.direction = Word::kLeft, .level = 0.6, .duration_ms = 180};
-//   auto felt = ball.call(EffectStart{Method::kEffectPulse, push});
+//   auto felt = ball.call(EffectStart{model::EffectMethod::kPulse, push});
 //   if (!felt) puts(felt.error().message.c_str());
 #pragma once
 
@@ -20,7 +20,6 @@
 #include "clients/lib/client_error.h"
 #include "clients/lib/line_socket.h"
 #include "clients/lib/patience.h"
-#include "clients/lib/result_of.h"
 #include "protocol/client_codec.h"
 
 namespace hedgehog::client {
@@ -40,12 +39,12 @@ class Connection {
   /// The same again and again, with the pauses of `Backoff`, until `patience` is over.
   static Outcome<Connection> reopen(const std::vector<Address>& addresses, Milliseconds patience);
 
-  /// Sends one of the requests of protocol/requests.h and waits for its answer: `response_timeout`
+  /// Sends one of the requests of protocol/methods.h and waits for its answer: `response_timeout`
   /// unless a call says otherwise.
   template <class Request>
-  Outcome<ResultOf<Request>> call(const Request& request,
-                                  Milliseconds patience = response_timeout()) {
-    return decoded<ResultOf<Request>>(call_text(request, patience));
+  Outcome<typename Request::Result> call(const Request& request,
+                                         Milliseconds patience = response_timeout()) {
+    return decoded<typename Request::Result>(call_text(request, patience));
   }
   /// The same, with the result as the JSON text that the daemon sent.
   Outcome<std::string> call_text(const protocol::Request& request,

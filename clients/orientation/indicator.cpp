@@ -27,13 +27,13 @@ protocol::EffectStart effect_of(Style style) {
   params.lease_ms = kLeaseMs;
   if (style == Style::kSteady) {
     params.current_a = 5.0;
-    return {protocol::Method::kEffectHold, params};
+    return {model::EffectMethod::kHold, params};
   }
   params.waveform = model::Waveform::kSquare;
   params.frequency_hz = 2.0;
   params.on_fraction = 0.15;
   params.current_a = 12.0;
-  return {protocol::Method::kEffectVibrate, params};
+  return {model::EffectMethod::kVibrate, params};
 }
 
 protocol::StatusKeys followed_keys() {

@@ -105,7 +105,7 @@ TEST(Call, SendsOneLineAndReturnsTheTypedAnswer) {
   const protocol::EffectParams push{
       .direction = protocol::Word::kLeft, .level = 0.62, .duration_ms = 180};
   const auto felt =
-      ball.call(protocol::EffectStart{protocol::Method::kEffectPulse, push}, kLongPatience).value();
+      ball.call(protocol::EffectStart{model::EffectMethod::kPulse, push}, kLongPatience).value();
   EXPECT_EQ(felt.effect, 41U);
   EXPECT_EQ(felt.current_a, 9.3);
   EXPECT_EQ(felt.headroom_s, 21.4);

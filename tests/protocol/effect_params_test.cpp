@@ -205,26 +205,27 @@ TEST(EffectParams, UpdateNeedsExactlyOneTarget) {
 }
 
 TEST(EffectParams, DefaultsAreThoseOfTheDocument) {
-  const EffectParams pulse = with_defaults(Method::kEffectPulse, {});
+  const EffectParams pulse = with_defaults(model::EffectMethod::kPulse, {});
   EXPECT_EQ(pulse.duration_ms, 150);
   EXPECT_EQ(pulse.lease_ms, std::nullopt);
   EXPECT_EQ(pulse.priority, 5);
   EXPECT_EQ(pulse.waveform, model::Waveform::kConstant);
-  const EffectParams circle = with_defaults(Method::kEffectCircle, {});
+  const EffectParams circle = with_defaults(model::EffectMethod::kCircle, {});
   EXPECT_EQ(circle.axis, Direction{Word::kUp});
   EXPECT_EQ(circle.ring_deg, 90);
   EXPECT_EQ(circle.speed_pins_s, 10);
   EXPECT_EQ(circle.sense, Sense::kCounterClockwise);
   EXPECT_EQ(circle.stepping, Stepping::kPin);
-  const EffectParams vibrate = with_defaults(Method::kEffectVibrate, {});
+  const EffectParams vibrate = with_defaults(model::EffectMethod::kVibrate, {});
   EXPECT_EQ(vibrate.direction, Direction{Word::kDown});
   EXPECT_EQ(vibrate.waveform, model::Waveform::kSquare);
   EXPECT_EQ(vibrate.frequency_hz, 60);
   EXPECT_EQ(vibrate.on_fraction, 0.5);
-  EXPECT_EQ(with_defaults(Method::kEffectHold, {}).lease_ms, 1000);
-  EXPECT_EQ(with_defaults(Method::kEffectHold, {.duration_ms = 5}).lease_ms, std::nullopt);
-  for (const Method method :
-       {Method::kEffectPulse, Method::kEffectCircle, Method::kEffectVibrate, Method::kEffectHold}) {
+  EXPECT_EQ(with_defaults(model::EffectMethod::kHold, {}).lease_ms, 1000);
+  EXPECT_EQ(with_defaults(model::EffectMethod::kHold, {.duration_ms = 5}).lease_ms, std::nullopt);
+  for (const model::EffectMethod method :
+       {model::EffectMethod::kPulse, model::EffectMethod::kCircle, model::EffectMethod::kVibrate,
+        model::EffectMethod::kHold}) {
     const EffectParams filled = with_defaults(method, {});
     EXPECT_NE(filled.duration_ms.has_value(), filled.lease_ms.has_value())
         << "every output ends by itself";

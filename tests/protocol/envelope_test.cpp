@@ -34,7 +34,7 @@ TEST(Envelope, WithoutIdNothingIsAnswered) {
 }
 
 TEST(Envelope, MethodIsKnownEvenWhenParametersAreWrong) {
-  EXPECT_EQ(only(line_of("effect.pulse", R"({"level":3})")).method, Method::kEffectPulse);
+  EXPECT_EQ(only(line_of("effect.pulse", R"({"level":3})")).method, method_named("effect.pulse"));
   EXPECT_EQ(only(line_of("effect.nudge", "{}")).method, std::nullopt);
 }
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "protocol/json.h"
+#include "protocol/wire/json.h"
 
 namespace hedgehog::protocol {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/protocol/random_request.h"
 
-#include "protocol/describe.h"
+#include "protocol/methods.h"
 #include "tests/protocol/schema.h"
 
 namespace hedgehog::protocol {
@@ -96,12 +96,13 @@ void fill_end(EffectParams& p, std::int64_t default_ms) {
         [&] { return coin() && duration <= kMaxFinishMs ? OnClose::kFinish : OnClose::kStop; });
 }
 
-EffectParams effect_params(Method method) {
+/// Of a start; nullopt: of an update.
+EffectParams effect_params(std::optional<model::EffectMethod> method) {
   EffectParams p;
-  const bool circle = method == Method::kEffectCircle;
-  const bool update = method == Method::kEffectUpdate;
-  const bool play = method == Method::kEffectPlay;
-  if (method == Method::kEffectPulse || method == Method::kEffectHold)
+  const bool circle = method == model::EffectMethod::kCircle;
+  const bool update = !method;
+  const bool play = method == model::EffectMethod::kPlay;
+  if (method == model::EffectMethod::kPulse || method == model::EffectMethod::kHold)
     p.direction = direction();
   else if (!circle && !play)
     maybe(p.direction, direction);
@@ -149,10 +150,10 @@ EffectParams effect_params(Method method) {
   maybe(
       p.frequency_hz, [] { return between(0.5, 250); });
   maybe(p.on_fraction, [] { return between(0.05, 0.95); });
-  if (method == Method::kEffectHold) {
+  if (method == model::EffectMethod::kHold) {
     p.lease_ms = integer(kMinLeaseMs, kMaxLeaseMs);
   } else {
-    fill_end(p, method == Method::kEffectPulse ? 150 : 1000);
+    fill_end(p, method == model::EffectMethod::kPulse ? 150 : 1000);
     if (p.loop.value_or(false) && !p.duration_ms) {
       p.fade_ms.reset();
       p.on_close.reset();
@@ -164,7 +165,7 @@ EffectParams effect_params(Method method) {
 }
 
 EffectStart start() {
-  const Method method = method_of(enumerator<model::EffectMethod>());
+  const auto method = enumerator<model::EffectMethod>();
   EffectStart made{method, effect_params(method)};
   maybe(made.params.slot, slot);
   return made;
@@ -220,7 +221,7 @@ Request filled(Request request) {
     hello->protocol = coin() ? "1.0" : "";
     maybe(hello->token, slot);
   } else if (auto* update = std::get_if<EffectUpdate>(&request)) {
-    update->params = effect_params(Method::kEffectUpdate);
+    update->params = effect_params(std::nullopt);
     if (coin())
       update->effect = number();
     else
@@ -266,11 +267,12 @@ Request filled(Request request) {
 
 }  // namespace
 
+Method random_method() {
+  return static_cast<Method>(*rc::gen::inRange(0, static_cast<int>(kMethods.size())));
+}
+
 rc::Gen<Request> random_request() {
-  return rc::gen::exec([] {
-    return filled(empty_request(
-        static_cast<Method>(*rc::gen::inRange(0, static_cast<int>(kMethods.size())))));
-  });
+  return rc::gen::exec([] { return filled(empty_request(random_method())); });
 }
 
 std::vector<std::string> parameter_names(Method method) {

@@ -7,10 +7,11 @@
 
 #include <rapidcheck.h>
 
-#include "protocol/requests.h"
+#include "protocol/methods.h"
 
 namespace hedgehog::protocol {
 
+Method random_method();
 rc::Gen<Request> random_request();
 
 /// The names of the parameters that decoding knows for `method`.

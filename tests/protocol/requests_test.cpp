@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The parameters of every other method.
-#include "protocol/json.h"
+#include "protocol/wire/json.h"
 #include "tests/protocol/decoding.h"
 
 namespace hedgehog::protocol {
@@ -8,10 +8,10 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(Methods, TableIsSortedAndAddressedByTheEnumerator) {
+TEST(Methods, TableIsSortedAndAddressedByTheMethod) {
   for (std::size_t i = 0; i < kMethods.size(); ++i) {
-    EXPECT_EQ(static_cast<std::size_t>(kMethods[i].method), i);
-    EXPECT_EQ(method_named(kMethods[i].name), kMethods[i].method);
+    EXPECT_EQ(method_named(kMethods[i].name), static_cast<Method>(i));
+    EXPECT_EQ(method_of(empty_request(static_cast<Method>(i))), static_cast<Method>(i));
     if (i > 0) EXPECT_LT(kMethods[i - 1].name, kMethods[i].name);
   }
   EXPECT_EQ(method_named("effect.pulsee"), std::nullopt);
@@ -19,11 +19,11 @@ TEST(Methods, TableIsSortedAndAddressedByTheEnumerator) {
 }
 
 TEST(Methods, RolesAreThoseOfTheDocument) {
-  EXPECT_EQ(info(Method::kDeviceEmergencyStop).role, std::nullopt) << "anybody may stop the ball";
-  EXPECT_EQ(info(Method::kHello).role, std::nullopt);
-  EXPECT_EQ(info(Method::kDeviceStatus).role, Role::kObserve);
-  EXPECT_EQ(info(Method::kEffectPulse).role, Role::kPlay);
-  EXPECT_EQ(info(Method::kDeviceArm).role, Role::kOperate);
+  EXPECT_EQ(info(kMethodOf<DeviceEmergencyStop>).role, std::nullopt) << "anybody may stop the ball";
+  EXPECT_EQ(info(kMethodOf<Hello>).role, std::nullopt);
+  EXPECT_EQ(info(kMethodOf<DeviceStatus>).role, Role::kObserve);
+  EXPECT_EQ(info(*method_named("effect.pulse")).role, Role::kPlay);
+  EXPECT_EQ(info(kMethodOf<DeviceArm>).role, Role::kOperate);
 }
 
 TEST(Methods, UnknownOnesNameTheNearest) {
@@ -90,7 +90,7 @@ TEST(Requests, ForecastIsOfOneThing) {
   const ThermalForecast planned = forecast(
       R"({"method":"effect.vibrate","params":{"current_a":12,"frequency_hz":2,"on_fraction":0.15}})");
   ASSERT_TRUE(planned.start.has_value());
-  EXPECT_EQ(planned.start->method, Method::kEffectVibrate);
+  EXPECT_EQ(planned.start->method, model::EffectMethod::kVibrate);
   EXPECT_EQ(planned.start->params.frequency_hz, 2.0);
 
   const auto field = [](std::string_view params) {

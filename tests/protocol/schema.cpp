@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "protocol/event.h"
+#include "protocol/values/event.h"
 #include "tests/protocol/schema_fields.h"
 #include "tests/protocol/schema_text.h"
 
@@ -68,7 +68,7 @@ Json request_schema(const MethodInfo& row) {
        {"properties", object({{"jsonrpc", constant("2.0")},
                               {"id", object({{"type", list({"string", "number", "null"})}})},
                               {"method", constant(row.name)},
-                              {"params", schema_of_params(row.method)}})},
+                              {"params", schema_of_params(*method_named(row.name))}})},
        {"required", list({"jsonrpc", "method"})}});
 }
 
@@ -118,132 +118,71 @@ Json schema_of_params(Method method) {
   Request request = empty_request(method);
   Json schema =
       std::visit([](const auto& value) { return SchemaFields::of(value, true); }, request);
+  const bool preview = std::holds_alternative<EffectPreview>(request);
+  const bool planned = preview || std::holds_alternative<ThermalForecast>(request);
   for (auto& [name, property] : members(*member(schema, "properties"))) {
-    const bool nested = method == Method::kThermalForecast || method == Method::kEffectPreview;
-    if (nested && name == "params") property = type("object");
+    if (planned && name == "params") property = type("object");
     if (const std::string_view meaning = meaning_of(name); !meaning.empty())
       members(property).emplace_back("description", text_json(meaning));
   }
-  if (method == Method::kEffectPreview)
-    members(schema).emplace_back("required", list({"method", "params"}));
-  if (method == Method::kEffectPulse || method == Method::kEffectHold)
+  if (preview) members(schema).emplace_back("required", list({"method", "params"}));
+  const auto* start = std::get_if<EffectStart>(&request);
+  if (start != nullptr &&
+      (start->method == model::EffectMethod::kPulse || start->method == model::EffectMethod::kHold))
     members(schema).emplace_back("required", list({"direction"}));
   return schema;
 }
 
 std::string result_name(Method method) {
-  switch (method) {
-    case Method::kConnectionList:
-      return "Connections";
-    case Method::kDeviceArm:
-    case Method::kDeviceEmergencyStop:
-      return "State";
-    case Method::kDeviceClaim:
-      return "Claim";
-    case Method::kDeviceDescribe:
-      return "Description";
-    case Method::kDeviceList:
-      return "Devices";
-    case Method::kDeviceStatus:
-      return "Status";
-    case Method::kEffectCircle:
-    case Method::kEffectHold:
-    case Method::kEffectPlay:
-    case Method::kEffectPulse:
-    case Method::kEffectUpdate:
-    case Method::kEffectVibrate:
-      return "Admission";
-    case Method::kEffectPreview:
-      return "Preview";
-    case Method::kEffectStop:
-    case Method::kEffectStopAll:
-      return "Stopped";
-    case Method::kEventsHistory:
-      return "History";
-    case Method::kEventsSubscribe:
-      return "EventsSubscription";
-    case Method::kHello:
-      return "Hello";
-    case Method::kOrientationRecenter:
-      return "Recentered";
-    case Method::kOutputSetGain:
-      return "Gain";
-    case Method::kPatternGet:
-      return "Pattern";
-    case Method::kPatternList:
-      return "Patterns";
-    case Method::kPatternPut:
-      return "PatternSummary";
-    case Method::kPing:
-      return "Ping";
-    case Method::kSimSet:
-      return "SimulatedWorld";
-    case Method::kSimTruth:
-      return "SimulatedTruth";
-    case Method::kTelemetrySubscribe:
-      return "TelemetrySubscription";
-    case Method::kThermalForecast:
-      return "Forecast";
-    case Method::kDeviceRelease:
-    case Method::kEventsUnsubscribe:
-    case Method::kOrientationSet:
-    case Method::kPatternRemove:
-    case Method::kTelemetryUnsubscribe:
-      break;
-  }
-  return "Done";
+  return std::visit([]<class R>(const R&) { return std::string(R::Result::kSchema); },
+                    empty_request(method));
 }
 
+namespace {
+
+template <class Result>
+Json result_schema() {
+  if constexpr (std::is_same_v<Result, HistoryResult>) return history_schema();
+  if constexpr (std::is_same_v<Result, Done>) return type("object");
+  Json schema = SchemaFields::of(Result{}, false);
+  if constexpr (std::is_same_v<Result, Status>) {
+    auto& required = std::get<Json::List>(member(schema, "required")->value);
+    std::erase_if(required, [](const Json& name) { return *name.as<std::string>() == "pins"; });
+  }
+  return schema;
+}
+
+template <class... All>
+void add_results(Json::Object& definitions, TypeList<All...>) {
+  (definitions.emplace_back(std::string(All::kSchema), result_schema<All>()), ...);
+}
+
+}  // namespace
+
 Json messages_schema() {
-  Json status = SchemaFields::of(Status{}, false);
-  auto& required = std::get<Json::List>(member(status, "required")->value);
-  std::erase_if(required, [](const Json& name) { return *name.as<std::string>() == "pins"; });
   Json telemetry = SchemaFields::of(Telemetry{kEveryStatusKey, {}}, false);
   require_only(telemetry, {"time_ns"});
   Json::List requests;
   for (const MethodInfo& row : kMethods) requests.push_back(request_schema(row));
-  Json defs = object({
-      {"Direction", direction_schema()},
-      {"Admission", SchemaFields::of(Admission{}, false)},
-      {"Claim", SchemaFields::of(ClaimResult{}, false)},
-      {"Connections", SchemaFields::of(ConnectionsResult{}, false)},
-      {"Description", SchemaFields::of(Description{}, false)},
-      {"Devices", SchemaFields::of(DevicesResult{}, false)},
-      {"Done", type("object")},
-      {"EventsSubscription", SchemaFields::of(EventsResult{}, false)},
-      {"Forecast", SchemaFields::of(ForecastResult{}, false)},
-      {"Gain", SchemaFields::of(GainResult{}, false)},
-      {"Hello", SchemaFields::of(HelloResult{}, false)},
-      {"Preview", SchemaFields::of(PreviewResult{}, false)},
-      {"History", history_schema()},
-      {"Pattern", SchemaFields::of(PatternResult{}, false)},
-      {"Patterns", SchemaFields::of(PatternsResult{}, false)},
-      {"PatternSummary", SchemaFields::of(PatternSummary{}, false)},
-      {"Ping", SchemaFields::of(PingResult{}, false)},
-      {"Recentered", SchemaFields::of(RecenterResult{}, false)},
-      {"SimulatedWorld", SchemaFields::of(SimResult{}, false)},
-      {"SimulatedTruth", SchemaFields::of(SimTruthResult{}, false)},
-      {"State", SchemaFields::of(StateResult{}, false)},
-      {"Status", std::move(status)},
-      {"Stopped", SchemaFields::of(StopResult{}, false)},
-      {"TelemetrySubscription", SchemaFields::of(TelemetryResult{}, false)},
-      {"Telemetry", std::move(telemetry)},
-      {"Event", event_schema()},
-      {"Error", error_schema()},
-      {"Request", object({{"anyOf", {std::move(requests)}}})},
-      {"Notification", object({{"anyOf",
-                                {Json::List{notification_schema("telemetry", "Telemetry"),
-                                            notification_schema("event", "Event")}}}})},
-  });
+  Json::Object definitions{{"Direction", direction_schema()}};
+  add_results(definitions, Results{});
+  definitions.emplace_back("Telemetry", std::move(telemetry));
+  definitions.emplace_back("Event", event_schema());
+  definitions.emplace_back("Error", error_schema());
+  definitions.emplace_back("Request", object({{"anyOf", {std::move(requests)}}}));
+  definitions.emplace_back("Notification",
+                           object({{"anyOf",
+                                    {Json::List{notification_schema("telemetry", "Telemetry"),
+                                                notification_schema("event", "Event")}}}}));
   return object({{"$schema", text_json("https://json-schema.org/draft/2020-12/schema")},
                  {"title", text_json("Hedgehog protocol 1.0: every message")},
-                 {"$defs", std::move(defs)}});
+                 {"$defs", object(std::move(definitions))}});
 }
 
 Json openrpc_document() {
   Json::List methods;
   for (const MethodInfo& row : kMethods) {
-    const Json schema = schema_of_params(row.method);
+    const Json schema = schema_of_params(*method_named(row.name));
     const Json* needed = schema.find("required");
     Json::List params;
     for (const auto& [name, property] : *schema.find("properties")->as<Json::Object>()) {
@@ -256,10 +195,10 @@ Json openrpc_document() {
       params.push_back(object(
           {{"name", text_json(name)}, {"required", {must}}, {"schema", std::move(described)}}));
     }
-    const std::string result = result_name(row.method);
+    const std::string result = result_name(*method_named(row.name));
     methods.push_back(object(
         {{"name", text_json(row.name)},
-         {"summary", text_json(summary_of(row.method))},
+         {"summary", text_json(row.summary)},
          {"paramStructure", text_json("by-name")},
          {"x-role", row.role ? text_json(name(*row.role)) : Json{}},
          {"params", {std::move(params)}},

@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "protocol/json.h"
-#include "protocol/method.h"
+#include "protocol/methods.h"
+#include "protocol/wire/json.h"
 
 namespace hedgehog::protocol {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "protocol/describe.h"
-#include "protocol/json.h"
+#include "protocol/methods.h"
+#include "protocol/wire/json.h"
 
 namespace hedgehog::protocol {
 

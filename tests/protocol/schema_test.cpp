@@ -49,7 +49,7 @@ TEST(Schema, OpenRpcHasExactlyTheMethodsOfTheTable) {
 }
 
 TEST(Schema, ParametersAreThoseThatDecodingKnows) {
-  const std::vector<std::string> pulse = parameter_names(Method::kEffectPulse);
+  const std::vector<std::string> pulse = parameter_names(*method_named("effect.pulse"));
   for (const std::string name :
        {"direction",   "level",        "current_a",   "force_n",     "gain",         "frame",
         "start_at_ns", "delay_ms",     "attack_ms",   "fade_ms",     "attack_level", "fade_level",
@@ -57,14 +57,15 @@ TEST(Schema, ParametersAreThoseThatDecodingKnows) {
         "slot",        "priority",     "if_limited"})
     EXPECT_NE(std::find(pulse.begin(), pulse.end(), name), pulse.end()) << name;
   EXPECT_EQ(pulse.size(), 21u);
-  EXPECT_EQ(parameter_names(Method::kEffectCircle).size(), 20u + 5u);
-  EXPECT_EQ(parameter_names(Method::kPing).size(), 0u);
+  EXPECT_EQ(parameter_names(*method_named("effect.circle")).size(), 20u + 5u);
+  EXPECT_EQ(parameter_names(kMethodOf<Ping>).size(), 0u);
 }
 
 TEST(Schema, EveryDefinitionThatIsNamedExists) {
   const Json messages = messages_schema();
   for (const MethodInfo& row : kMethods)
-    EXPECT_NE(messages.find("$defs")->find(result_name(row.method)), nullptr) << row.name;
+    EXPECT_NE(messages.find("$defs")->find(result_name(*method_named(row.name))), nullptr)
+        << row.name;
 }
 
 TEST(Schema, TellsRightFromWrong) {

@@ -5,46 +5,6 @@
 
 namespace hedgehog::protocol {
 
-std::string_view summary_of(Method method) {
-  static const std::map<Method, std::string_view> kSummaries{
-      {Method::kConnectionList, "Who is connected, since when, and what they play."},
-      {Method::kDeviceArm, "Lets the coils be driven again, when the cause of the stop is gone."},
-      {Method::kDeviceClaim, "Only this connection plays until it releases, ends, or is silent."},
-      {Method::kDeviceDescribe, "The ball: pins, coils, limits, calibration, identity."},
-      {Method::kDeviceEmergencyStop, "Coils off at the next tick, latched until armed."},
-      {Method::kDeviceList, "USB and HID devices: which are used, and why the others are not."},
-      {Method::kDeviceRelease, "Gives a claim back."},
-      {Method::kDeviceStatus, "Everything that can be known of the ball now."},
-      {Method::kEffectCircle, "The field walks round an axis, from pin to pin."},
-      {Method::kEffectHold, "A push that lasts as long as it is renewed."},
-      {Method::kEffectPlay, "Plays key frames, of a named pattern or its own."},
-      {Method::kEffectPreview, "What an effect would do, without doing it."},
-      {Method::kEffectPulse, "One push towards a direction."},
-      {Method::kEffectStop, "Ends one of the connection's own effects."},
-      {Method::kEffectStopAll, "Ends all effects of the connection, or of everybody."},
-      {Method::kEffectUpdate, "Changes a playing effect and renews its lease."},
-      {Method::kEffectVibrate, "A push with a waveform."},
-      {Method::kEventsHistory, "What has happened, also before the last start."},
-      {Method::kEventsSubscribe, "Asks for notifications of what happens."},
-      {Method::kEventsUnsubscribe, "Ends the subscription to events."},
-      {Method::kHello, "Introduces the client; answers who the server is and what it allows."},
-      {Method::kOrientationRecenter, "The front of the ball points at this azimuth now."},
-      {Method::kOrientationSet, "Feeds the orientation from outside."},
-      {Method::kOutputSetGain, "The owner's comfort setting for everything, stored."},
-      {Method::kPatternGet, "One named pattern with its key frames."},
-      {Method::kPatternList, "The named patterns there are."},
-      {Method::kPatternPut, "Keeps a pattern under vendor/name."},
-      {Method::kPatternRemove, "Forgets a pattern that was put."},
-      {Method::kPing, "The device time."},
-      {Method::kSimSet, "Changes the simulated world."},
-      {Method::kSimTruth, "The simulated ball as it really is."},
-      {Method::kTelemetrySubscribe, "Asks for the status again and again."},
-      {Method::kTelemetryUnsubscribe, "Ends the subscription to telemetry."},
-      {Method::kThermalForecast, "How long a current or an effect can flow."},
-  };
-  return kSummaries.at(method);
-}
-
 std::string_view meaning_of(std::string_view parameter) {
   static const std::map<std::string_view, std::string_view> kMeanings{
       {"direction", "Where the pins push out."},

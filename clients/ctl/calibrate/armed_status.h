@@ -6,7 +6,7 @@
 #include <string>
 
 #include "clients/ctl/verbs/session.h"
-#include "protocol/status.h"
+#include "protocol/values/status.h"
 
 namespace hedgehog::client {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "model/identification/thermal_fit.h"
-#include "protocol/description.h"
+#include "protocol/values/description.h"
 
 namespace hedgehog::client {
 

@@ -97,7 +97,7 @@ Outcome<void> HeatBench::drive(const model::HeatingStep& step) {
   params.waveform = model::Waveform::kConstant;
   params.slot = "heat";
   params.lease_ms = kHeatLeaseMs;
-  const protocol::EffectStart constant{protocol::Method::kEffectVibrate, params};
+  const protocol::EffectStart constant{model::EffectMethod::kVibrate, params};
   if (auto begun = session_.connection.call(constant); !begun) return begun.error();
   return {};
 }

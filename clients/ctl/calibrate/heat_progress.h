@@ -12,8 +12,8 @@
 #include "clients/ctl/calibrate/calibration.h"
 #include "model/identification/heat_record.h"
 #include "model/identification/heating_plan.h"
-#include "protocol/description.h"
-#include "protocol/status.h"
+#include "protocol/values/description.h"
+#include "protocol/values/status.h"
 
 namespace hedgehog::client {
 

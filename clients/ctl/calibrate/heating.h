@@ -5,7 +5,7 @@
 #include "clients/ctl/calibrate/calibration.h"
 #include "clients/ctl/calibrate/heat_progress.h"
 #include "clients/ctl/verbs/session.h"
-#include "protocol/description.h"
+#include "protocol/values/description.h"
 
 namespace hedgehog::client {
 

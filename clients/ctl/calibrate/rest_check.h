@@ -7,8 +7,8 @@
 #include <string>
 
 #include "model/thermal_model.h"
-#include "protocol/description.h"
-#include "protocol/status.h"
+#include "protocol/values/description.h"
+#include "protocol/values/status.h"
 
 namespace hedgehog::client {
 

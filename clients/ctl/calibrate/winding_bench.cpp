@@ -8,8 +8,8 @@
 namespace hedgehog::client {
 namespace {
 
+using model::EffectMethod;
 using protocol::EffectParams;
-using protocol::Method;
 
 constexpr double kTelemetryHz = 200.0;
 constexpr double kWaitingHz = 5.0;
@@ -39,7 +39,7 @@ Outcome<protocol::Status> WindingBench::next() {
   return not_armed(*status);
 }
 
-Outcome<double> WindingBench::start(Method method, const EffectParams& params) {
+Outcome<double> WindingBench::start(EffectMethod method, const EffectParams& params) {
   const auto before = session_.connection.call(protocol::Ping{});
   if (!before) return before.error();
   if (auto begun = play(method, params); !begun) return begun.error();
@@ -52,7 +52,7 @@ Outcome<double> WindingBench::start(Method method, const EffectParams& params) {
   return 1e-9 * static_cast<double>(before->time_ns) + 1e-3 * static_cast<double>(kFlowsMs);
 }
 
-Outcome<void> WindingBench::play(Method method, const EffectParams& params) {
+Outcome<void> WindingBench::play(EffectMethod method, const EffectParams& params) {
   // Nobody else plays meanwhile; it ends with the connection.
   if (auto claimed = session_.connection.call(protocol::DeviceClaim{}); !claimed)
     return claimed.error();
@@ -122,7 +122,7 @@ Outcome<protocol::Status> WindingBench::rest() {
 Outcome<WindingRecord> WindingBench::hold(int coil, double sign, double current_a, double take_s) {
   EffectParams params = along(coil, sign, current_a);
   params.lease_ms = kFlowsMs;
-  const auto flows_until_s = start(Method::kEffectHold, params);
+  const auto flows_until_s = start(EffectMethod::kHold, params);
   if (!flows_until_s) return flows_until_s.error();
   return record(coil, take_s, *flows_until_s);
 }
@@ -132,7 +132,7 @@ Outcome<WindingRecord> WindingBench::sine(int coil, double current_a, double fre
   params.waveform = model::Waveform::kSine;
   params.frequency_hz = frequency_hz;
   params.duration_ms = kFlowsMs;
-  const auto flows_until_s = start(Method::kEffectVibrate, params);
+  const auto flows_until_s = start(EffectMethod::kVibrate, params);
   if (!flows_until_s) return flows_until_s.error();
   return record(coil, kSineS, *flows_until_s);
 }
@@ -141,7 +141,7 @@ Outcome<void> WindingBench::push(int coil, double current_a) {
   EffectParams params = along(coil, 1.0, current_a);
   params.duration_ms = kPushMs;
   params.slot = "push";
-  return play(Method::kEffectPulse, params);
+  return play(EffectMethod::kPulse, params);
 }
 
 }  // namespace hedgehog::client

@@ -45,10 +45,10 @@ class WindingBench {
  private:
   /// An error when too little was told until `flows_until_s`, of device time.
   Outcome<WindingRecord> record(int coil, double take_s, double flows_until_s);
-  Outcome<void> play(protocol::Method method, const protocol::EffectParams& params);
+  Outcome<void> play(model::EffectMethod method, const protocol::EffectParams& params);
   /// With the telemetry that `record` wants; until when the current flows at least, s of device
   /// time.
-  Outcome<double> start(protocol::Method method, const protocol::EffectParams& params);
+  Outcome<double> start(model::EffectMethod method, const protocol::EffectParams& params);
   Outcome<void> stop();
   /// The next status; an error when the ball is not armed any more, or on Ctrl-C.
   Outcome<protocol::Status> next();

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "protocol/event.h"
-#include "protocol/status.h"
+#include "protocol/values/event.h"
+#include "protocol/values/status.h"
 
 namespace hedgehog::client {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
-#include "protocol/description.h"
-#include "protocol/results.h"
-#include "protocol/status.h"
+#include "protocol/methods.h"
+#include "protocol/values/description.h"
+#include "protocol/values/status.h"
 
 namespace hedgehog::client {
 

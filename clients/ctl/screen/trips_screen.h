@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "protocol/results.h"
+#include "protocol/methods.h"
 
 namespace hedgehog::client {
 

@@ -9,7 +9,7 @@
 
 #include "clients/ctl/screen/ball.h"
 #include "clients/ctl/screen/status_screen.h"
-#include "protocol/event.h"
+#include "protocol/values/event.h"
 
 namespace hedgehog::client {
 

@@ -31,7 +31,7 @@ Outcome<protocol::HistoryResult> print_past(Session& session, const EventsOption
   const auto since = since_rfc3339(*options.since, base::unix_ms_now());
   if (!since) return since.error();
   protocol::EventsHistory request{.since = *since, .types = options.types};
-  request.limit = protocol::EventsHistory::kMaxEvents;
+  request.limit = protocol::HistoryResult::kMaxEvents;
   const auto text = session.connection.call_text(request);
   if (!text) return text.error();
   auto past = protocol::decode_result<protocol::HistoryResult>(*text);
@@ -125,7 +125,7 @@ int run_telemetry(Session& session, const TelemetryOptions& options) {
   if (!options.fields.empty()) {
     request.fields = {};
     for (const std::string& field : options.fields) {
-      const auto key = protocol::status_key_named(field);
+      const auto key = protocol::enumerator_named<protocol::StatusKey>(field);
       if (!key) {
         std::fprintf(stderr, "hedgehogctl: fields: the status has no '%s'\n", field.c_str());
         return kUsage;

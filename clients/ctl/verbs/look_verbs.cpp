@@ -76,7 +76,7 @@ int run_clients(Session& session) {
 int run_trips(Session& session) {
   protocol::EventsHistory request;
   request.trips = true;
-  request.limit = protocol::EventsHistory::kMaxEvents;
+  request.limit = protocol::HistoryResult::kMaxEvents;
   const auto text = session.connection.call_text(request);
   if (!text) return complain(text.error());
   if (session.json) {

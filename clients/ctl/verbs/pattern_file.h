@@ -5,7 +5,7 @@
 #include <string>
 
 #include "clients/lib/client_error.h"
-#include "protocol/pattern.h"
+#include "protocol/values/pattern.h"
 
 namespace hedgehog::client {
 

@@ -9,7 +9,7 @@
 #include "clients/ctl/screen/words.h"
 #include "clients/ctl/verbs/pattern_file.h"
 #include "clients/lib/import/import.h"
-#include "protocol/effect_params.h"
+#include "protocol/values/effect_params.h"
 
 namespace hedgehog::client {
 

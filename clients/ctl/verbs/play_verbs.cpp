@@ -10,7 +10,7 @@
 #include "clients/ctl/verbs/direction_argument.h"
 #include "clients/ctl/verbs/pattern_file.h"
 #include "model/direction.h"
-#include "protocol/results.h"
+#include "protocol/methods.h"
 
 namespace hedgehog::client {
 

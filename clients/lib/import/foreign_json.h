@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "protocol/json.h"
+#include "protocol/wire/json.h"
 
 namespace hedgehog::client {
 

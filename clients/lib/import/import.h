@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "clients/lib/client_error.h"
-#include "protocol/pattern.h"
+#include "protocol/values/pattern.h"
 
 namespace hedgehog::client {
 

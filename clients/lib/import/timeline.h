@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "protocol/effect_params.h"
+#include "protocol/values/effect_params.h"
 
 namespace hedgehog::client {
 

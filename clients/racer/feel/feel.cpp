@@ -9,10 +9,10 @@ namespace hedgehog::racer {
 
 namespace {
 
+using model::EffectMethod;
 using protocol::EffectParams;
 using protocol::EffectStart;
 using protocol::ErrorCode;
-using protocol::Method;
 
 // Who tilts a ball that is not heard of any more must not drive on as it was last held.
 constexpr std::int64_t kStaleMs = 100;
@@ -70,7 +70,7 @@ void Feel::blow(const char* kind, const model::Vec3& direction, double impulse_n
   pulse.current_a = strength_of(step, limits().felt_a, full_a());
   pulse.duration_ms = duration_ms;
   pulse.priority = kBlow;
-  if (auto asked = play(kind, direction, {Method::kEffectPulse, pulse}))
+  if (auto asked = play(kind, direction, {EffectMethod::kPulse, pulse}))
     blows_.push_back(*std::move(asked));
   else
     ++summary_.refused;
@@ -86,7 +86,7 @@ void Feel::play(const Skid& skid) {
   buzz.current_a = skid_strength(skid.amount, limits().felt_a, full_a());
   buzz.lease_ms = kLeaseMs;
   buzz.priority = kSkid;
-  play("skid", {0, 0, -1}, {Method::kEffectVibrate, buzz});
+  play("skid", {0, 0, -1}, {EffectMethod::kVibrate, buzz});
 }
 
 /// Where the ground is goes round the ball as the car turns over.
@@ -97,7 +97,7 @@ void Feel::play(const Tumble& tumble) {
   ground.current_a = std::max(limits().felt_a, kTumbleStrength * full_a());
   ground.lease_ms = kLeaseMs;
   ground.priority = kTumble;
-  play("tumble", tumble.down, {Method::kEffectHold, ground});
+  play("tumble", tumble.down, {EffectMethod::kHold, ground});
 }
 
 std::optional<protocol::Id> Feel::play(const char* kind, const model::Vec3& direction,

@@ -37,7 +37,7 @@ protocol::EffectStart circle(const Stimulus& stimulus, const Pattern& pattern) {
   params.sense =
       pattern.clockwise ? protocol::Sense::kClockwise : protocol::Sense::kCounterClockwise;
   params.duration_ms = pattern.duration_ms;
-  return {protocol::Method::kEffectCircle, params};
+  return {model::EffectMethod::kCircle, params};
 }
 
 std::string degrees(double celsius) {

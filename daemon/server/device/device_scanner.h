@@ -5,7 +5,7 @@
 #include <functional>
 #include <optional>
 
-#include "protocol/results.h"
+#include "protocol/methods.h"
 
 namespace hedgehog::server {
 

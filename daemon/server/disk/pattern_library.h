@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "daemon/server/disk/disk_work.h"
-#include "protocol/error.h"
-#include "protocol/pattern.h"
-#include "protocol/results.h"
+#include "protocol/methods.h"
+#include "protocol/values/pattern.h"
+#include "protocol/wire/error.h"
 
 namespace hedgehog::server {
 

@@ -7,8 +7,8 @@
 #include "daemon/server/device/device_view.h"
 #include "daemon/server/effects/effect_registry.h"
 #include "daemon/server/effects/load.h"
-#include "protocol/error.h"
-#include "protocol/results.h"
+#include "protocol/methods.h"
+#include "protocol/wire/error.h"
 
 namespace hedgehog::server {
 

@@ -64,8 +64,7 @@ protocol::Result<EffectPlan> plan_start(const PlanContext& context,
   if (track.has_error()) return track.error();
   plan.track = std::move(*track);
   plan.params = protocol::with_defaults(request.method, std::move(plan.params));
-  auto spec = make_spec(protocol::effect_of(request.method).value(), plan.params,
-                        spec_facts(context), plan.track.get());
+  auto spec = make_spec(request.method, plan.params, spec_facts(context), plan.track.get());
   if (spec.has_error()) return spec.error();
   plan.spec = *spec;
   return plan;
@@ -96,7 +95,7 @@ protocol::Result<EffectPlan> plan_update(const PlanContext& context, const Effec
   if (*track != nullptr) {
     // Nothing of the pattern before it stays.
     set_wave(plan.params, wave_of(fresh));
-    plan.params = protocol::with_defaults(protocol::method_of(method), std::move(plan.params));
+    plan.params = protocol::with_defaults(method, std::move(plan.params));
   }
   auto spec = make_spec(method, plan.params, spec_facts(context), plan.track.get());
   if (spec.has_error()) return spec.error();

@@ -7,7 +7,7 @@
 #include "daemon/server/device/device_view.h"
 #include "daemon/server/effects/effect_registry.h"
 #include "daemon/server/effects/effect_spec.h"
-#include "protocol/requests.h"
+#include "protocol/methods.h"
 
 namespace hedgehog::server {
 

@@ -13,8 +13,8 @@
 #include "daemon/server/effects/keyframe_track.h"
 #include "daemon/server/session/session.h"
 #include "model/effect.h"
-#include "protocol/effect_params.h"
-#include "protocol/method.h"
+#include "protocol/methods.h"
+#include "protocol/values/effect_params.h"
 
 namespace hedgehog::server {
 
@@ -32,7 +32,7 @@ struct Effect {
   ConnectionId owner = 0;
   std::string client;
   std::optional<std::string> slot;
-  protocol::Method method = protocol::Method::kEffectPulse;
+  model::EffectMethod method = model::EffectMethod::kPulse;
   /// The requested parameters with their defaults; updates are merged into it.
   protocol::EffectParams params;
   /// Waveform fields set explicitly by the client; a pattern's own do not count.

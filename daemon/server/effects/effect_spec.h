@@ -10,9 +10,9 @@
 #include "model/limits.h"
 #include "model/pin_array.h"
 #include "model/tick.h"
-#include "protocol/effect_params.h"
-#include "protocol/error.h"
-#include "protocol/role.h"
+#include "protocol/values/effect_params.h"
+#include "protocol/wire/error.h"
+#include "protocol/wire/role.h"
 
 namespace hedgehog::server {
 

@@ -8,7 +8,7 @@
 #include "model/keyframes.h"
 #include "model/pin_array.h"
 #include "model/vec3.h"
-#include "protocol/effect_params.h"
+#include "protocol/values/effect_params.h"
 
 namespace hedgehog::server {
 

@@ -10,8 +10,8 @@
 #include "daemon/server/device/device_view.h"
 #include "daemon/server/effects/effect_plan.h"
 #include "model/tick.h"
-#include "protocol/effect_params.h"
-#include "protocol/results.h"
+#include "protocol/methods.h"
+#include "protocol/values/effect_params.h"
 
 namespace hedgehog::server {
 

@@ -16,9 +16,8 @@
 
 #include "daemon/server/disk/disk_work.h"
 #include "daemon/server/effects/effect_registry.h"
-#include "protocol/event.h"
-#include "protocol/requests.h"
-#include "protocol/results.h"
+#include "protocol/methods.h"
+#include "protocol/values/event.h"
 
 namespace hedgehog::server {
 

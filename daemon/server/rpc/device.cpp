@@ -45,7 +45,7 @@ protocol::RpcError arm_refused(const DeviceView& device_view) {
 
 }  // namespace
 
-Outcome device_describe(Call& call, const protocol::DeviceDescribe&) {
+Outcome handle(Call& call, const protocol::DeviceDescribe&) {
   const DeviceView& device_view = call.device_view();
   const config::Config& config = device_view.config();
   const model::DeviceModel& device = config.device;
@@ -95,7 +95,7 @@ Outcome device_describe(Call& call, const protocol::DeviceDescribe&) {
   return Answer(std::move(d));
 }
 
-Outcome device_list(Call& call, const protocol::DeviceList&) {
+Outcome handle(Call& call, const protocol::DeviceList&) {
   DeviceScanner* devices = call.context.devices;
   if (devices == nullptr) return Answer(protocol::DevicesResult{});
   const DeviceScanner::Ready ready = devices->look();
@@ -107,11 +107,11 @@ Outcome device_list(Call& call, const protocol::DeviceList&) {
   }};
 }
 
-Outcome device_status(Call& call, const protocol::DeviceStatus&) {
+Outcome handle(Call& call, const protocol::DeviceStatus&) {
   return Answer(call.context.status.status(false));
 }
 
-Outcome device_arm(Call& call, const protocol::DeviceArm&) {
+Outcome handle(Call& call, const protocol::DeviceArm&) {
   DeviceView& device_view = call.device_view();
   if (device_view.now().state == control::State::kArmed)
     return Answer(state_result(device_view, device_view.outbox().last_seq()));
@@ -135,7 +135,7 @@ Outcome device_arm(Call& call, const protocol::DeviceArm&) {
   }};
 }
 
-Outcome device_emergency_stop(Call& call, const protocol::DeviceEmergencyStop&) {
+Outcome handle(Call& call, const protocol::DeviceEmergencyStop&) {
   DeviceView& device_view = call.device_view();
   device_view.mailbox().emergency_generation.fetch_add(1, std::memory_order_acq_rel);
   call.context.state_store.persist_latch(control::Reason::kEmergencyStop);
@@ -150,7 +150,7 @@ Outcome device_emergency_stop(Call& call, const protocol::DeviceEmergencyStop&) 
   }};
 }
 
-Outcome device_claim(Call& call, const protocol::DeviceClaim& request) {
+Outcome handle(Call& call, const protocol::DeviceClaim& request) {
   HandlerContext& context = call.context;
   const model::Tick now = call.device_view().now().tick;
   if (auto refused = claimed(call)) return Answer(std::move(*refused));
@@ -161,7 +161,7 @@ Outcome device_claim(Call& call, const protocol::DeviceClaim& request) {
   return Answer(protocol::ClaimResult{request.lease_ms});
 }
 
-Outcome device_release(Call& call, const protocol::DeviceRelease&) {
+Outcome handle(Call& call, const protocol::DeviceRelease&) {
   call.context.claim.release(call.session.id);
   return Answer(protocol::Done{});
 }

@@ -17,16 +17,10 @@ std::string encoded(const protocol::Id& id, const Answer& answer) {
 
 /// What io works long for; nullptr: not so.
 const char* costly(protocol::Method method) {
-  switch (method) {
-    case protocol::Method::kThermalForecast:
-      return "forecasts";
-    case protocol::Method::kPatternList:
-      return "lists of patterns";
-    case protocol::Method::kEventsHistory:
-      return "histories";
-    default:
-      return nullptr;
-  }
+  if (method == protocol::kMethodOf<protocol::ThermalForecast>) return "forecasts";
+  if (method == protocol::kMethodOf<protocol::PatternList>) return "lists of patterns";
+  if (method == protocol::kMethodOf<protocol::EventsHistory>) return "histories";
+  return nullptr;
 }
 
 /// After which it is worth asking again.
@@ -84,7 +78,7 @@ void Dispatcher::item(Session& session, protocol::Item& item, const std::shared_
   const char* what = costly(which);
   if (what != nullptr && !item.id) return;
   // A stop is kept as a latch, for the next start; and never waits for a further line.
-  if (which != protocol::Method::kDeviceEmergencyStop) {
+  if (which != protocol::kMethodOf<protocol::DeviceEmergencyStop>) {
     std::optional<protocol::RpcError> why_not;
     if (context_.stopping)
       why_not = protocol::busy("the daemon is stopping", kRestartMs);

@@ -92,7 +92,7 @@ RpcError not_found(const std::optional<protocol::EffectNumber>& number,
 
 }  // namespace
 
-Outcome effect_start(Call& call, const protocol::EffectStart& request) {
+Outcome handle(Call& call, const protocol::EffectStart& request) {
   HandlerContext& context = call.context;
   if (auto refused = not_playable(call.device_view())) return Answer(std::move(*refused));
   if (auto refused = claimed(call)) return Answer(std::move(*refused));
@@ -133,7 +133,7 @@ Outcome effect_start(Call& call, const protocol::EffectStart& request) {
   return Answer(*admitted);
 }
 
-Outcome effect_update(Call& call, const protocol::EffectUpdate& request) {
+Outcome handle(Call& call, const protocol::EffectUpdate& request) {
   Effect* effect = addressed(call, request.effect, request.params.slot);
   if (effect == nullptr) return Answer(not_found(request.effect, request.params.slot));
   if (auto refused = claimed(call)) return Answer(std::move(*refused));
@@ -165,14 +165,14 @@ Outcome effect_update(Call& call, const protocol::EffectUpdate& request) {
   return Answer(*admitted);
 }
 
-Outcome effect_stop(Call& call, const protocol::EffectStop& request) {
+Outcome handle(Call& call, const protocol::EffectStop& request) {
   Effect* effect = addressed(call, request.effect, request.slot);
   if (effect == nullptr) return Answer(not_found(request.effect, request.slot));
   request_stop(call.context, *effect, control::EndReason::kStopped);
   return Answer(protocol::StopResult{1, call.device_view().outbox().last_seq()});
 }
 
-Outcome effect_stop_all(Call& call, const protocol::EffectStopAll& request) {
+Outcome handle(Call& call, const protocol::EffectStopAll& request) {
   const bool all = request.scope == protocol::Scope::kAll;
   if (all && call.session.role < protocol::Role::kOperate) {
     RpcError e = protocol::forbidden("scope", "all", protocol::Role::kOperate, call.session.role);

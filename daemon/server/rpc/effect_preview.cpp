@@ -23,7 +23,7 @@ protocol::RpcError too_many_previews(bool own) {
 
 }  // namespace
 
-Outcome effect_preview(Call& call, const protocol::EffectPreview& request) {
+Outcome handle(Call& call, const protocol::EffectPreview& request) {
   const DeviceView& device_view = call.device_view();
   if (device_view.now().state == control::State::kAbsent) return Answer(*not_playable(device_view));
   const auto plan = plan_start(call.plan_context(), *request.start);

@@ -8,7 +8,7 @@
 #include "daemon/control/state/event.h"
 #include "daemon/server/device/remedy.h"
 #include "daemon/server/effects/effect_registry.h"
-#include "protocol/event.h"
+#include "protocol/values/event.h"
 
 namespace hedgehog::server {
 

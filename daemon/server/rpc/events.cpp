@@ -9,19 +9,19 @@
 
 namespace hedgehog::server {
 
-Outcome events_subscribe(Call& call, const protocol::EventsSubscribe& request) {
+Outcome handle(Call& call, const protocol::EventsSubscribe& request) {
   call.session.events = {request.types, request.scope};
   const control::StatusSnapshot& now = call.device_view().now();
   return Answer(protocol::EventsResult{std::string(control::name(now.state)),
                                        reason_name(now.reason), now.derating, now.limit_a});
 }
 
-Outcome events_unsubscribe(Call& call, const protocol::EventsUnsubscribe&) {
+Outcome handle(Call& call, const protocol::EventsUnsubscribe&) {
   call.session.events.reset();
   return Answer(protocol::Done{});
 }
 
-Outcome events_history(Call& call, const protocol::EventsHistory& request) {
+Outcome handle(Call& call, const protocol::EventsHistory& request) {
   const TripRecordings* recordings = call.context.recordings;
   return Encoded{std::make_shared<const std::string>(call.context.history.newest(
       request,

@@ -19,8 +19,8 @@
 #include "daemon/server/session/claim.h"
 #include "daemon/server/session/counters.h"
 #include "daemon/server/session/session.h"
-#include "protocol/error.h"
-#include "protocol/results.h"
+#include "protocol/methods.h"
+#include "protocol/wire/error.h"
 
 namespace hedgehog::server {
 

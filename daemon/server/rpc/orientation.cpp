@@ -16,7 +16,7 @@ RpcError no_imu(std::string_view field) {
 
 }  // namespace
 
-Outcome orientation_set(Call& call, const protocol::OrientationSet& request) {
+Outcome handle(Call& call, const protocol::OrientationSet& request) {
   HandlerContext& context = call.context;
   if (call.device_view().config().imu != config::ImuType::kExternal) {
     RpcError e = protocol::error(
@@ -35,7 +35,7 @@ Outcome orientation_set(Call& call, const protocol::OrientationSet& request) {
   return Answer(protocol::Done{});
 }
 
-Outcome orientation_recenter(Call& call, const protocol::OrientationRecenter& request) {
+Outcome handle(Call& call, const protocol::OrientationRecenter& request) {
   if (!call.device_view().now().orientation_present) return Answer(no_imu("orientation"));
   const auto seq =
       call.device_view().outbox().add(call.session.id, control::Recenter{request.azimuth_deg});

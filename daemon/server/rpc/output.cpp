@@ -4,7 +4,7 @@
 
 namespace hedgehog::server {
 
-Outcome output_set_gain(Call& call, const protocol::OutputSetGain& request) {
+Outcome handle(Call& call, const protocol::OutputSetGain& request) {
   const auto seq = call.device_view().ask_gain(call.session.id, request.gain);
   if (!seq) return Answer(queue_full(call.device_view().outbox()));
   call.context.state_store.persist_gain(request.gain);

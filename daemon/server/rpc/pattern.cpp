@@ -30,11 +30,11 @@ Deferred when_written(DiskWorkPtr work, std::string otherwise, Answer answer) {
 
 }  // namespace
 
-Outcome pattern_list(Call& call, const protocol::PatternList&) {
+Outcome handle(Call& call, const protocol::PatternList&) {
   return Encoded{call.context.patterns.list()};
 }
 
-Outcome pattern_get(Call& call, const protocol::PatternGet& request) {
+Outcome handle(Call& call, const protocol::PatternGet& request) {
   const PatternLibrary& patterns = call.context.patterns;
   const PatternLibrary::Entry* entry = patterns.find(request.name);
   if (entry == nullptr)
@@ -43,7 +43,7 @@ Outcome pattern_get(Call& call, const protocol::PatternGet& request) {
                                         entry->shipped});
 }
 
-Outcome pattern_put(Call& call, const protocol::PatternPut& request) {
+Outcome handle(Call& call, const protocol::PatternPut& request) {
   PatternLibrary& patterns = call.context.patterns;
   if (const auto track = make_keyframe_track(request.pattern.keyframes, call.device_view().array());
       track.has_error())
@@ -54,7 +54,7 @@ Outcome pattern_put(Call& call, const protocol::PatternPut& request) {
                       Answer(PatternLibrary::summary(*patterns.find(request.pattern.name))));
 }
 
-Outcome pattern_remove(Call& call, const protocol::PatternRemove& request) {
+Outcome handle(Call& call, const protocol::PatternRemove& request) {
   auto work = call.context.patterns.remove(request.name);
   if (work.has_error()) return Answer(work.error());
   return when_written(std::move(*work), "bring it back", Answer(protocol::Done{}));

@@ -7,7 +7,7 @@
 
 namespace hedgehog::server {
 
-Outcome hello(Call& call, const protocol::Hello& request) {
+Outcome handle(Call& call, const protocol::Hello& request) {
   if (request.token) {
     return Answer(protocol::error(protocol::ErrorCode::kUnauthorized,
                                   "token: this server knows no tokens; connect without one"));
@@ -34,11 +34,11 @@ Outcome hello(Call& call, const protocol::Hello& request) {
   return Answer(std::move(result));
 }
 
-Outcome ping(Call& call, const protocol::Ping&) {
+Outcome handle(Call& call, const protocol::Ping&) {
   return Answer(protocol::PingResult{call.device_view().time_ns(call.device_view().now().tick)});
 }
 
-Outcome connection_list(Call& call, const protocol::ConnectionList&) {
+Outcome handle(Call& call, const protocol::ConnectionList&) {
   HandlerContext& context = call.context;
   const model::Tick now = call.device_view().now().tick;
   protocol::ConnectionsResult result;

@@ -89,7 +89,7 @@ protocol::SimTruthResult truth_result(const device::PlantTruth& truth) {
 
 }  // namespace
 
-Outcome sim_set(Call& call, const protocol::SimSet& request) {
+Outcome handle(Call& call, const protocol::SimSet& request) {
   DeviceView& device_view = call.device_view();
   if (!device_view.simulated()) return Answer(real_ball("sim.set"));
   device::SimulatorSettings settings = device_view.simulator();
@@ -109,7 +109,7 @@ Outcome sim_set(Call& call, const protocol::SimSet& request) {
   return Answer(sim_result(device_view.simulator()));
 }
 
-Outcome sim_truth(Call& call, const protocol::SimTruth&) {
+Outcome handle(Call& call, const protocol::SimTruth&) {
   DeviceView& device_view = call.device_view();
   if (!device_view.simulated()) return Answer(real_ball("sim.truth"));
   if (device_view.truth().known) return Answer(truth_result(device_view.truth()));

@@ -7,7 +7,7 @@
 
 #include "daemon/server/device/device_view.h"
 #include "daemon/server/effects/effect_registry.h"
-#include "protocol/status.h"
+#include "protocol/values/status.h"
 
 namespace hedgehog::server {
 

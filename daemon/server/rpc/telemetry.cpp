@@ -7,7 +7,7 @@
 
 namespace hedgehog::server {
 
-Outcome telemetry_subscribe(Call& call, const protocol::TelemetrySubscribe& request) {
+Outcome handle(Call& call, const protocol::TelemetrySubscribe& request) {
   const double max_hz = call.device_view().config().telemetry_max_rate_hz;
   if (request.rate_hz > max_hz)
     return Answer(protocol::out_of_range("rate_hz", max_hz, request.rate_hz));
@@ -17,7 +17,7 @@ Outcome telemetry_subscribe(Call& call, const protocol::TelemetrySubscribe& requ
   return Answer(protocol::TelemetryResult{request.rate_hz, request.fields});
 }
 
-Outcome telemetry_unsubscribe(Call& call, const protocol::TelemetryUnsubscribe&) {
+Outcome handle(Call& call, const protocol::TelemetryUnsubscribe&) {
   call.session.telemetry.reset();
   return Answer(protocol::Done{});
 }

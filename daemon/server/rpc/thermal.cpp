@@ -40,7 +40,7 @@ Answer forecast_spec(const DeviceView& device_view, const model::EffectSpec& spe
 
 }  // namespace
 
-Outcome thermal_forecast(Call& call, const protocol::ThermalForecast& request) {
+Outcome handle(Call& call, const protocol::ThermalForecast& request) {
   const DeviceView& device_view = call.device_view();
   if (request.current_a)
     return forecast_current(device_view, *request.current_a, request.direction);

@@ -10,9 +10,9 @@
 
 #include "daemon/server/session/write_queue.h"
 #include "model/tick.h"
-#include "protocol/requests.h"
-#include "protocol/role.h"
-#include "protocol/status_keys.h"
+#include "protocol/methods.h"
+#include "protocol/values/status_keys.h"
+#include "protocol/wire/role.h"
 
 namespace hedgehog::server {
 

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+// effect.*
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "protocol/method_info.h"
+#include "protocol/values/effect_params.h"
+#include "protocol/values/event.h"
+#include "protocol/wire/fields.h"
+
+namespace hedgehog::protocol {
+
+/// Numbers an effect for as long as the daemon runs; at least 1.
+using EffectNumber = std::uint32_t;
+inline constexpr Spec kEffectNumber{.min = 1};
+
+enum class Scope : std::uint8_t { kMine, kAll };
+Names names_of(Scope) noexcept;
+
+struct Admission {
+  static constexpr std::string_view kSchema = "Admission";
+  std::uint32_t effect = 0;
+  std::optional<std::string> slot{};  // left out when the effect has none
+  bool accepted = true;
+  std::optional<std::string> limited_by{};  // thermal, mix, priority, configuration
+  double current_a = 0.0;
+  double force_n = 0.0;  // at `pin`, the nearest
+  std::int64_t pin = 0;
+  std::optional<double> headroom_s{};  // null: for ever
+  std::uint64_t seq = 0;
+  std::optional<double> period_ms{};  // circles: one turn; left out elsewhere
+
+  void describe(Fields& f);
+  friend bool operator==(const Admission&, const Admission&) = default;
+};
+
+/// A method for each kind of effect, in the order of the enumerators.
+struct EffectStart {
+  static constexpr std::array<MethodInfo, 5> kMethods{{
+      {"effect.pulse", Role::kPlay, "One push towards a direction."},
+      {"effect.circle", Role::kPlay, "The field walks round an axis, from pin to pin."},
+      {"effect.vibrate", Role::kPlay, "A push with a waveform."},
+      {"effect.hold", Role::kPlay, "A push that lasts as long as it is renewed."},
+      {"effect.play", Role::kPlay, "Plays key frames, of a named pattern or its own."},
+  }};
+  using Result = Admission;
+
+  model::EffectMethod method = model::EffectMethod::kPulse;
+  EffectParams params{};
+
+  void describe(Fields& f) { params.describe(f, method); }
+  friend bool operator==(const EffectStart&, const EffectStart&) = default;
+};
+
+/// "effect.pulse", ...
+constexpr std::string_view name(model::EffectMethod method) noexcept {
+  return EffectStart::kMethods[static_cast<std::size_t>(method)].name;
+}
+
+/// Exactly one of `effect` and `params.slot` says which.
+struct EffectUpdate {
+  static constexpr MethodInfo kMethod{"effect.update", Role::kPlay,
+                                      "Changes a playing effect and renews its lease."};
+  using Result = Admission;
+
+  std::optional<EffectNumber> effect{};
+  EffectParams params{};
+
+  void describe(Fields& f);
+  friend bool operator==(const EffectUpdate&, const EffectUpdate&) = default;
+};
+
+struct StopResult {
+  static constexpr std::string_view kSchema = "Stopped";
+  std::int64_t stopped = 0;
+  std::uint64_t seq = 0;
+
+  void describe(Fields& f) {
+    f.required("stopped", stopped);
+    f.required("seq", seq);
+  }
+  friend bool operator==(const StopResult&, const StopResult&) = default;
+};
+
+/// Exactly one of the two.
+struct EffectStop {
+  static constexpr MethodInfo kMethod{"effect.stop", Role::kPlay,
+                                      "Ends one of the connection's own effects."};
+  using Result = StopResult;
+
+  std::optional<EffectNumber> effect{};
+  std::optional<std::string> slot{};
+
+  void describe(Fields& f);
+  friend bool operator==(const EffectStop&, const EffectStop&) = default;
+};
+
+struct EffectStopAll {
+  static constexpr MethodInfo kMethod{"effect.stop_all", Role::kPlay,
+                                      "Ends all effects of the connection, or of everybody."};
+  using Result = StopResult;
+
+  Scope scope = Scope::kMine;
+
+  void describe(Fields& f) { f.defaulted("scope", scope); }
+  friend bool operator==(const EffectStopAll&, const EffectStopAll&) = default;
+};
+
+/// The lists have an item for every `step_ms`, the mean over it; x, y, z.
+struct PreviewResult {
+  static constexpr std::string_view kSchema = "Preview";
+  static constexpr std::int64_t kMaxSteps = 200;
+  std::int64_t duration_ms = 0;
+  std::int64_t step_ms = 1;
+  std::vector<std::array<double, 3>> duty{};       // of each bridge, -1..1
+  std::vector<std::array<double, 3>> current_a{};  // through each winding
+  double peak_current_a = 0.0;                     // the largest norm in any millisecond
+  double temperature_c = 25.0;                     // hottest winding: now, and at most
+  double peak_temperature_c = 25.0;
+  std::optional<std::string> limited_by{};        // "thermal", "configuration"
+  std::optional<std::int64_t> limited_from_ms{};  // of thermal
+  EventDelivery delivered{};
+
+  void describe(Fields& f);
+  friend bool operator==(const PreviewResult&, const PreviewResult&) = default;
+};
+
+/// On the wire: `method` and `params`.
+struct EffectPreview {
+  static constexpr MethodInfo kMethod{"effect.preview", Role::kObserve,
+                                      "What an effect would do, without doing it."};
+  using Result = PreviewResult;
+
+  std::optional<EffectStart> start{};  // always there once decoded
+
+  void describe(Fields& f);
+  friend bool operator==(const EffectPreview&, const EffectPreview&) = default;
+};
+
+/// A start that is only talked about: `method` names it, `params` are its parameters.
+void describe_planned(Fields& f, std::optional<EffectStart>& start);
+
+using EffectMethods = TypeList<EffectStart, EffectUpdate, EffectStop, EffectStopAll, EffectPreview>;
+
+}  // namespace hedgehog::protocol

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// events.*
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "protocol/method_info.h"
+#include "protocol/methods/done.h"
+#include "protocol/methods/effect.h"
+#include "protocol/values/event.h"
+#include "protocol/wire/fields.h"
+
+namespace hedgehog::protocol {
+
+/// Where things stand before the first event.
+struct EventsResult {
+  static constexpr std::string_view kSchema = "EventsSubscription";
+  std::string state{};
+  std::optional<std::string> reason{};
+  bool derating = false;
+  double limit_a = 0.0;
+
+  void describe(Fields& f) {
+    f.required("state", state);
+    f.nullable("reason", reason);
+    f.required("derating", derating);
+    f.required("limit_a", limit_a, decimals(2));
+  }
+  friend bool operator==(const EventsResult&, const EventsResult&) = default;
+};
+
+struct EventsSubscribe {
+  static constexpr MethodInfo kMethod{"events.subscribe", Role::kObserve,
+                                      "Asks for notifications of what happens."};
+  using Result = EventsResult;
+
+  std::vector<std::string> types{};  // names of kEventTypes (values/event.h); empty: all
+  Scope scope = Scope::kMine;        // whose effects; the ball's own events always come
+
+  void describe(Fields& f);
+  friend bool operator==(const EventsSubscribe&, const EventsSubscribe&) = default;
+};
+
+struct EventsUnsubscribe {
+  static constexpr MethodInfo kMethod{"events.unsubscribe", Role::kObserve,
+                                      "Ends the subscription to events."};
+  using Result = Done;
+  friend bool operator==(const EventsUnsubscribe&, const EventsUnsubscribe&) = default;
+};
+
+/// An event of events.history, with what was added for keeping it.
+struct PastEvent {
+  std::string at{};  // RFC 3339
+  Event event{};
+  // Of effects, and of trips: what played, and whose; left out when nobody's
+  std::optional<std::string> method{};
+  std::optional<std::string> client{};
+  std::optional<std::string> recording{};  // of a trip: "trip-0017", as long as there is one
+
+  void describe(Fields& f);
+  friend bool operator==(const PastEvent&, const PastEvent&) = default;
+};
+
+struct HistoryResult {
+  static constexpr std::string_view kSchema = "History";
+  static constexpr std::int64_t kMaxEvents = 1000;
+  std::vector<PastEvent> events{};  // oldest first
+  bool more = false;                // older ones match too
+
+  void describe(Fields& f) {
+    f.required("events", events, {.items = kMaxEvents});
+    f.required("more", more);
+  }
+  friend bool operator==(const HistoryResult&, const HistoryResult&) = default;
+};
+
+struct EventsHistory {
+  static constexpr MethodInfo kMethod{"events.history", Role::kObserve,
+                                      "What has happened, also before the last start."};
+  using Result = HistoryResult;
+
+  std::optional<std::string> since{};  // RFC 3339
+  std::vector<std::string> types{};    // empty: all
+  bool trips = false;                  // nothing but trips
+  std::int64_t limit = 100;
+
+  void describe(Fields& f);
+  friend bool operator==(const EventsHistory&, const EventsHistory&) = default;
+};
+
+using EventsMethods = TypeList<EventsSubscribe, EventsUnsubscribe, EventsHistory>;
+
+}  // namespace hedgehog::protocol

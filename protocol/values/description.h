@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// What the ball is: the answer to `device.describe`.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/vec3.h"
+
+namespace hedgehog::protocol {
+
+class Fields;
+
+struct PinDescription {
+  std::int64_t pin = 0;
+  model::Vec3 position{};  // unit vector, device frame
+  std::int64_t ring = 0;   // 0 is the top
+  double rest_mm = 0.0;    // out of the shell without current; 0: lies on it
+  void describe(Fields& f);
+  friend bool operator==(const PinDescription&, const PinDescription&) = default;
+};
+
+/// What a winding was measured to be at the start, beside the device file; null: not yet.
+struct WindingDescription {
+  std::optional<double> r25_ohm{};
+  /// From the device file's, and from an earlier start's, shares: 0.05 is 5 % more.
+  std::optional<double> from_file{};
+  std::optional<double> from_kept{};
+  void describe(Fields& f);
+  friend bool operator==(const WindingDescription&, const WindingDescription&) = default;
+};
+
+struct CoilsDescription {
+  std::array<model::Vec3, 3> matrix{};  // rows; demand (device frame) -> winding currents
+  std::array<double, 3> r25_ohm{};
+  double inductance_h = 0.0;
+  double supply_v = 0.0;
+  std::optional<std::vector<WindingDescription>> measured{};  // absent: from an older daemon
+  void describe(Fields& f);
+  friend bool operator==(const CoilsDescription&, const CoilsDescription&) = default;
+};
+
+/// Heat capacities and thermal resistances, as in the device file.
+struct ThermalDescription {
+  std::array<double, 3> winding_j_k{};
+  double core_j_k = 0.0;
+  std::array<double, 3> winding_to_core_k_w{};
+  double core_to_room_fan_k_w = 0.0;
+  double core_to_room_still_k_w = 0.0;
+  std::int64_t sensor_winding = 0;  // 0..2
+  double sensor_lag_s = 0.0;
+  void describe(Fields& f);
+  friend bool operator==(const ThermalDescription&, const ThermalDescription&) = default;
+};
+
+/// By how much the ball may differ from its device file.
+struct UncertaintyDescription {
+  double thermal = 0.0;       // a share, within which all values lie
+  double resistance = 0.0;    // standard deviation, a share
+  double thermistor_k = 0.0;  // standard deviation
+  void describe(Fields& f);
+  friend bool operator==(const UncertaintyDescription&, const UncertaintyDescription&) = default;
+};
+
+struct LimitsDescription {
+  double current_a = 0.0;
+  double continuous_a = 0.0;
+  double felt_a = 0.0;
+  double derate_from_c = 0.0;
+  double sustain_c = 0.0;
+  double zero_c = 0.0;
+  double trip_c = 0.0;
+  double rearm_c = 0.0;
+  void describe(Fields& f);
+  friend bool operator==(const LimitsDescription&, const LimitsDescription&) = default;
+};
+
+struct CalibrationDescription {
+  double force_n_per_a = 0.0126;  // at the pin that the field points to
+  void describe(Fields& f);
+  friend bool operator==(const CalibrationDescription&, const CalibrationDescription&) = default;
+};
+
+struct BoardDescription {
+  std::string backend{};  // "simulator", "usb"
+  bool present = false;
+  std::optional<std::string> serial{};
+  std::optional<std::string> firmware{};
+  void describe(Fields& f);
+  friend bool operator==(const BoardDescription&, const BoardDescription&) = default;
+};
+
+struct ImuDescription {
+  std::string type{};  // "simulator", "external", "none", ...
+  bool present = false;
+  void describe(Fields& f);
+  friend bool operator==(const ImuDescription&, const ImuDescription&) = default;
+};
+
+struct Description {
+  static constexpr std::string_view kSchema = "Description";
+  std::string name{};
+  std::string model{};
+  bool simulated = false;
+  std::string arrangement{};
+  std::vector<PinDescription> pins{};
+  CoilsDescription coils{};
+  ThermalDescription thermal{};
+  UncertaintyDescription uncertainty{};
+  LimitsDescription limits{};
+  CalibrationDescription calibration{};
+  double gain = 1.0;  // output.set_gain
+  BoardDescription board{};
+  ImuDescription imu{};
+  void describe(Fields& f);
+  friend bool operator==(const Description&, const Description&) = default;
+};
+
+}  // namespace hedgehog::protocol

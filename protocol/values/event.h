@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// What happened, for those who subscribed (DESIGN section 4, "Events"). One flat object on the
+// wire; which fields a type has stands beside them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hedgehog::protocol {
+
+class Fields;
+
+/// Sorted. Clients ignore types that they do not know.
+inline constexpr std::array<std::string_view, 11> kEventTypes{
+    "derating_ended", "derating_started", "device_attached",  "device_detached",
+    "effect_ended",   "effect_started",   "orientation_lost", "orientation_restored",
+    "overrun",        "shutting_down",    "state_changed"};
+
+/// effect_ended: how it was delivered.
+struct EventDelivery {
+  double min = 1.0;
+  double mean = 1.0;
+  void describe(Fields& f);
+  friend bool operator==(const EventDelivery&, const EventDelivery&) = default;
+};
+
+/// Measurements that contradict each other.
+struct Disagreement {
+  /// The winding, 0..2.
+  std::int64_t coil = 0;
+  /// Of `resistance current heat_balance thermistor supply_current supply_voltage` two or, where
+  /// they cannot be told apart, more.
+  std::vector<std::string> between{};
+  void describe(Fields& f);
+  friend bool operator==(const Disagreement&, const Disagreement&) = default;
+};
+
+/// Fields that a type does not have are nullopt and not written.
+struct Event {
+  std::string type{};
+  std::int64_t time_ns = 0;
+
+  // effect_started, effect_ended
+  std::optional<std::uint32_t> effect{};
+  std::optional<std::string> slot{};  // written as null when the effect has none
+  // effect_started
+  std::optional<std::uint64_t> seq{};
+
+  // effect_ended, state_changed (null there when armed), shutting_down
+  std::optional<std::string> reason{};
+  // effect_ended; onset and offset are null when it never played
+  std::optional<std::int64_t> onset_ns{};
+  std::optional<std::int64_t> offset_ns{};
+  std::optional<EventDelivery> delivered{};
+  std::optional<std::int64_t> masked_ms{};
+  std::optional<std::int64_t> mixed_ms{};
+
+  // state_changed
+  std::optional<std::string> state{};
+  std::optional<std::string> remedy{};
+
+  // derating_started, derating_ended
+  std::optional<double> limit_a{};
+  // also state_changed, of a trip: the hottest, unless nothing was known, and what flowed (always)
+  std::optional<double> temperature_c{};
+  std::optional<double> current_a{};
+  // state_changed, of a trip by measurements_disagree
+  std::optional<Disagreement> disagreement{};
+
+  // device_attached, device_detached: "board" or "imu"
+  std::optional<std::string> device{};
+  // overrun: ticks skipped
+  std::optional<std::uint64_t> skipped{};
+
+  void describe(Fields& f);
+  friend bool operator==(const Event&, const Event&) = default;
+};
+
+/// The ball has tripped, or was armed and is gone; not that it still is tripped after a restart.
+inline bool is_trip(const Event& event) noexcept {
+  return event.state.has_value() && event.current_a.has_value();
+}
+
+}  // namespace hedgehog::protocol

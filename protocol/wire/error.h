@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// What a refused request is told: JSON-RPC error objects as values (DESIGN section 4, "Errors").
+#pragma once
+
+#include <boost/assert/source_location.hpp>
+#include <boost/system/result.hpp>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "protocol/wire/role.h"
+
+namespace hedgehog::protocol {
+
+enum class ErrorCode : int {
+  kParseError = -32700,
+  kInvalidRequest = -32600,
+  kMethodNotFound = -32601,
+  kInvalidParams = -32602,
+  kInternalError = -32603,
+  kNotArmed = -32000,
+  kBusy = -32001,
+  kNoSuchEffect = -32002,
+  kUnauthorized = -32003,
+  kForbidden = -32004,
+  kDeviceAbsent = -32005,
+  kUnsupported = -32006,
+  kRefusedThermal = -32007,
+  kNoSuchPattern = -32008,
+  kClaimed = -32009,
+};
+
+/// `data.name` of the code: "invalid_params", "not_armed", ...; "server_error" when it is none of
+/// ours.
+std::string_view name(ErrorCode code) noexcept;
+
+/// A value that stands in `data`: what was asked, or what would have been allowed.
+using ErrorValue = std::variant<bool, std::int64_t, double, std::string>;
+
+/// `message` is one sentence for a person; the optional fields go to `data` where they apply.
+struct RpcError {
+  ErrorCode code = ErrorCode::kInternalError;
+  std::string message;
+  /// The parameter that is to blame, and what it may be and was.
+  std::optional<std::string> field{};
+  std::optional<ErrorValue> limit{};
+  std::optional<ErrorValue> value{};
+  /// Who may: `forbidden`, `unauthorized`, `not_armed`.
+  std::optional<Role> role_needed{};
+  /// The ball's state and why, and the sentence that mends it: `not_armed`, `device_absent`.
+  std::optional<std::string> state{};
+  std::optional<std::string> reason{};
+  std::optional<std::string> remedy{};
+  /// When asking again may help: `busy`, `refused_thermal`, `claimed`.
+  std::optional<std::int64_t> retry_after_ms{};
+  /// `device_absent`: "board" or "imu".
+  std::optional<std::string> device{};
+  /// `refused_thermal`: the current that is allowed now.
+  std::optional<double> limit_a{};
+
+  friend bool operator==(const RpcError&, const RpcError&) = default;
+};
+
+/// REQUIRES nothing; makes `result<T>::value()` throw std::runtime_error with the message.
+[[noreturn]] void throw_exception_from_error(const RpcError& error,
+                                             const boost::source_location& where);
+
+template <class T>
+using Result = boost::system::result<T, RpcError>;
+
+/// "level: 1.4 is above 1" or "... is below ...", with field, limit and value.
+RpcError out_of_range(std::string_view field, double limit, double value);
+/// -32602 "<field>: <what>", for a parameter that is wrong in another way.
+RpcError invalid_params(std::string_view field, std::string_view what);
+/// "scope: all needs the role operate, you have play". `what` is the parameter or method at issue.
+RpcError forbidden(std::string_view field, std::string_view what, Role needed, Role has);
+/// "effect: you play no effect 41".
+RpcError no_such_effect(std::int64_t effect);
+/// "slot: nothing of yours plays in 'engine'".
+RpcError no_such_slot(std::string_view slot);
+/// "busy: <what>"
+RpcError busy(std::string_view what, std::int64_t retry_after_ms);
+/// "not_armed: <state> by <reason>. <remedy>"
+RpcError not_armed(std::string_view state, std::string_view reason, std::string_view remedy);
+/// "<field>: <what>"; `device` is "board" or "imu".
+RpcError device_absent(std::string_view field, std::string_view what, std::string_view device);
+/// Any other of the codes above with its sentence.
+RpcError error(ErrorCode code, std::string message);
+
+}  // namespace hedgehog::protocol

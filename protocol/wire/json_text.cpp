@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "protocol/wire/json.h"
+
+namespace hedgehog::protocol {
+namespace {
+
+/// Bytes of the well-formed UTF-8 sequence at the start of `text`, 0 when there is none (Unicode
+/// 15, table 3-7).
+std::size_t utf8_length(std::string_view text) noexcept {
+  const auto byte = [&](std::size_t i) {
+    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u;
+  };
+  const auto tail = [&](std::size_t i, unsigned low = 0x80, unsigned high = 0xBF) {
+    return byte(i) >= low && byte(i) <= high;
+  };
+  const unsigned first = byte(0);
+  if (first < 0x80) return 1;
+  if (first >= 0xC2 && first <= 0xDF) return tail(1) ? 2 : 0;
+  if (first >= 0xE0 && first <= 0xEF) {
+    const unsigned low = first == 0xE0 ? 0xA0 : 0x80;
+    const unsigned high = first == 0xED ? 0x9F : 0xBF;
+    return tail(1, low, high) && tail(2) ? 3 : 0;
+  }
+  if (first >= 0xF0 && first <= 0xF4) {
+    const unsigned low = first == 0xF0 ? 0x90 : 0x80;
+    const unsigned high = first == 0xF4 ? 0x8F : 0xBF;
+    return tail(1, low, high) && tail(2) && tail(3) ? 4 : 0;
+  }
+  return 0;
+}
+
+void append_control(std::string& out, unsigned char c) {
+  constexpr std::string_view kHex = "0123456789abcdef";
+  switch (c) {
+    case '\n':
+      out += "\\n";
+      return;
+    case '\r':
+      out += "\\r";
+      return;
+    case '\t':
+      out += "\\t";
+      return;
+    default:
+      out += "\\u00";
+      out += kHex[c >> 4];
+      out += kHex[c & 15];
+  }
+}
+
+struct Appender {
+  std::string& out;
+
+  void operator()(std::nullptr_t) const { out += "null"; }
+  void operator()(bool value) const { out += value ? "true" : "false"; }
+  void operator()(std::int64_t value) const { out += std::to_string(value); }
+  void operator()(double value) const { append_number(out, value); }
+  void operator()(const std::string& value) const { append_string(out, value); }
+  void operator()(const Json::List& list) const {
+    char before = '[';
+    for (const Json& item : list) {
+      out += before;
+      before = ',';
+      std::visit(*this, item.value);
+    }
+    out += list.empty() ? "[]" : "]";
+  }
+  void operator()(const Json::Object& object) const {
+    char before = '{';
+    for (const auto& [name, member] : object) {
+      out += before;
+      before = ',';
+      append_string(out, name);
+      out += ':';
+      std::visit(*this, member.value);
+    }
+    out += object.empty() ? "{}" : "}";
+  }
+};
+
+}  // namespace
+
+void append_string(std::string& out, std::string_view text) {
+  out += '"';
+  while (!text.empty()) {
+    const std::size_t length = utf8_length(text);
+    const auto c = static_cast<unsigned char>(text.front());
+    if (length == 0) {
+      out += "\xEF\xBF\xBD";
+    } else if (c == '"' || c == '\\') {
+      out += '\\';
+      out += text.front();
+    } else if (c < 0x20) {
+      append_control(out, c);
+    } else {
+      out += text.substr(0, length);
+    }
+    text.remove_prefix(length == 0 ? 1 : length);
+  }
+  out += '"';
+}
+
+void append_number(std::string& out, double number) {
+  if (!std::isfinite(number)) {
+    out += "null";
+    return;
+  }
+  constexpr double kWhole = 1e15;
+  std::array<char, 40> text{};
+  const bool integer = std::fabs(number) < kWhole && number == std::trunc(number);
+  const auto end = integer ? std::to_chars(text.data(), text.data() + text.size(),
+                                           static_cast<std::int64_t>(number))
+                           : std::to_chars(text.data(), text.data() + text.size(), number);
+  out.append(text.data(), end.ptr);
+}
+
+std::string to_text(const Json& json) {
+  std::string out;
+  std::visit(Appender{out}, json.value);
+  return out;
+}
+
+}  // namespace hedgehog::protocol
