@@ -11,7 +11,7 @@ jobs=${JOBS:-2}
 failed=0
 
 sources() {
-  find base model protocol daemon clients tests cmake -name '*.cpp' -o -name '*.h' | sort
+  find base model protocol daemon emulator clients tests cmake -name '*.cpp' -o -name '*.h' | sort
 }
 
 check_format() {

@@ -2,14 +2,25 @@
 # A layer is a folder and a library target. Its sources are the *.cpp of the folder and of those of its subfolders
 # that have no CMakeLists.txt of their own; a new file needs no edit here.
 
+function(hedgehog_is_of_another_layer source variable)
+  set(${variable} FALSE PARENT_SCOPE)
+  get_filename_component(folder ${source} DIRECTORY)
+  while(folder)
+    if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/CMakeLists.txt)
+      set(${variable} TRUE PARENT_SCOPE)
+    endif()
+    get_filename_component(folder ${folder} DIRECTORY)
+  endwhile()
+endfunction()
+
 # hedgehog_sources(<variable> [EXCEPT <file>...])
 function(hedgehog_sources variable)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" EXCEPT)
-  file(GLOB found CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} *.cpp */*.cpp)
+  file(GLOB_RECURSE found CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} *.cpp)
   set(sources "")
   foreach(source IN LISTS found)
-    get_filename_component(folder ${source} DIRECTORY)
-    if(folder AND EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/CMakeLists.txt)
+    hedgehog_is_of_another_layer(${source} of_another)
+    if(of_another)
       continue()
     endif()
     if(NOT source IN_LIST arg_EXCEPT)

@@ -3,8 +3,8 @@
 #include <limits>
 
 #include "daemon/daemon.h"
-#include "model/thermal_decay.h"
-#include "model/thermal_flow.h"
+#include "model/thermal/thermal_decay.h"
+#include "model/thermal/thermal_flow.h"
 
 namespace hedgehog::daemon {
 

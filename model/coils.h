@@ -20,7 +20,7 @@ struct FieldDemand {
 };
 
 /// Currents of the windings x, y, z in ampere. Not yet limited: only `LimitedCurrents`
-/// (model/limited_currents.h) may be driven.
+/// (model/limit/limited_currents.h) may be driven.
 struct CoilCurrents {
   Vec3 a;
 };

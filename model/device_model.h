@@ -9,9 +9,9 @@
 
 #include "model/calibration.h"
 #include "model/coils.h"
-#include "model/limits.h"
-#include "model/thermal_model.h"
-#include "model/thermal_uncertainty.h"
+#include "model/limit/limits.h"
+#include "model/thermal/thermal_model.h"
+#include "model/thermal/thermal_uncertainty.h"
 
 namespace hedgehog::model {
 

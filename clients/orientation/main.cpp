@@ -6,7 +6,7 @@
 
 #include "clients/lib/connection.h"
 #include "clients/orientation/indicator.h"
-#include "model/direction.h"
+#include "model/geometry/direction.h"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <cstdarg>
 #include <cstdio>
 
-#include "model/direction.h"
+#include "model/geometry/direction.h"
 
 namespace hedgehog::racer {
 

@@ -14,7 +14,7 @@
 #include "daemon/config/sensor_settings.h"
 #include "daemon/device/simulator/front_end.h"
 #include "model/device_model.h"
-#include "model/limits.h"
+#include "model/limit/limits.h"
 
 namespace hedgehog::config {
 

@@ -5,11 +5,11 @@
 #include <filesystem>
 #include <utility>
 
-#include "daemon/config/config_keys.h"
-#include "daemon/config/device_keys.h"
 #include "daemon/config/json_text.h"
-#include "daemon/config/key_tree.h"
-#include "daemon/config/sensor_keys.h"
+#include "daemon/config/keys/config_keys.h"
+#include "daemon/config/keys/device_keys.h"
+#include "daemon/config/keys/key_tree.h"
+#include "daemon/config/keys/sensor_keys.h"
 
 namespace hedgehog::config {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "model/rearm.h"
-#include "model/shell_limit.h"
+#include "model/limit/rearm.h"
+#include "model/limit/shell_limit.h"
 #include "model/tick.h"
 
 namespace hedgehog::control {

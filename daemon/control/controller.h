@@ -19,9 +19,9 @@
 #include "daemon/control/state/state_machine.h"
 #include "daemon/control/step_inputs.h"
 #include "daemon/device/board_io.h"
-#include "model/skin_estimate.h"
-#include "model/thermal_limiter.h"
-#include "model/thermal_observer.h"
+#include "model/estimate/skin_estimate.h"
+#include "model/estimate/thermal_observer.h"
+#include "model/limit/thermal_limiter.h"
 
 namespace hedgehog::control {
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "daemon/control/controller.h"
-#include "model/thermal_flow.h"
+#include "model/thermal/thermal_flow.h"
 
 namespace hedgehog::control {
 namespace {

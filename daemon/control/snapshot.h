@@ -13,9 +13,9 @@
 #include "daemon/control/state/rearm_backoff.h"
 #include "daemon/control/state/state.h"
 #include "daemon/device/board_io.h"
+#include "model/estimate/skin_estimate.h"
+#include "model/estimate/thermal_observer.h"
 #include "model/quaternion.h"
-#include "model/skin_estimate.h"
-#include "model/thermal_observer.h"
 #include "model/tick.h"
 
 namespace hedgehog::control {

@@ -12,7 +12,7 @@
 #include "daemon/device/board_io.h"
 #include "daemon/device/simulator/plant_truth.h"
 #include "daemon/device/simulator/simulator_settings.h"
-#include "model/limits.h"
+#include "model/limit/limits.h"
 
 namespace hedgehog::device {
 

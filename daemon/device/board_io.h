@@ -6,8 +6,8 @@
 #include <array>
 #include <cstdint>
 
-#include "model/current_accuracy.h"
-#include "model/limited_currents.h"
+#include "model/estimate/current_accuracy.h"
+#include "model/limit/limited_currents.h"
 #include "model/vec3.h"
 
 namespace hedgehog::device {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/thermal_flow.h"
+#include "model/thermal/thermal_flow.h"
 
 namespace hedgehog::model {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "model/coils.h"
 #include "model/identification/heat_record.h"
-#include "model/thermal_model.h"
+#include "model/thermal/thermal_model.h"
 
 namespace hedgehog::model {
 

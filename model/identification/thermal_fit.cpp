@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "model/identification/heat_residuals.h"
-#include "model/thermal_uncertainty.h"
+#include "model/thermal/thermal_uncertainty.h"
 
 namespace hedgehog::model {
 namespace {

@@ -9,7 +9,7 @@
 #include <tuple>
 #include <utility>
 
-#include "model/goldberg.h"
+#include "model/geometry/goldberg.h"
 
 namespace hedgehog::model {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "model/calibration.h"
 #include "model/magnets/arrangement.h"
-#include "model/magnets/cylinder_magnet.h"
+#include "model/magnets/pair/cylinder_magnet.h"
 
 namespace hedgehog::model {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/magnets/face_flux.h"
+#include "model/magnets/pair/face_flux.h"
 
 namespace hedgehog::model {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "model/magnets/magnet_array.h"
-#include "model/magnets/pair_force.h"
+#include "model/magnets/pair/pair_force.h"
 #include "model/magnets/symmetry_classes.h"
 
 namespace hedgehog::model {

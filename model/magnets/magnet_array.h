@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "model/magnets/arrangement.h"
-#include "model/magnets/cylinder_magnet.h"
-#include "model/magnets/pair_force.h"
+#include "model/magnets/pair/cylinder_magnet.h"
+#include "model/magnets/pair/pair_force.h"
 
 namespace hedgehog::model {
 

@@ -12,8 +12,8 @@
 #include <string_view>
 #include <vector>
 
-#include "model/effect.h"
-#include "model/keyframes.h"
+#include "model/effect/effect.h"
+#include "model/effect/keyframes.h"
 #include "protocol/wire/direction.h"
 #include "protocol/wire/error.h"
 #include "protocol/wire/names.h"

@@ -101,7 +101,7 @@ struct TripStatus {
   friend bool operator==(const TripStatus&, const TripStatus&) = default;
 };
 
-/// Of each pin, by its number (model/pin_motion.h).
+/// Of each pin, by its number (model/geometry/pin_motion.h).
 struct PinsStatus {
   std::vector<double> force_n{};       // what the coils push with, outwards positive
   std::vector<double> extension_mm{};  // from where the pin rests, outwards positive

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "model/direction.h"
+#include "model/geometry/direction.h"
 
 namespace hedgehog::protocol {
 namespace {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <variant>
 
-#include "model/pin_array.h"
+#include "model/geometry/pin_array.h"
 #include "model/vec3.h"
 #include "protocol/wire/error.h"
 

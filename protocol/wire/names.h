@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 
-#include "model/effect.h"
-#include "model/keyframes.h"
+#include "model/effect/effect.h"
+#include "model/effect/keyframes.h"
 #include "protocol/wire/direction.h"
 #include "protocol/wire/role.h"
 

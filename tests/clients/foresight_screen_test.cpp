@@ -9,7 +9,7 @@
 #include "clients/ctl/screen/history_screen.h"
 #include "clients/ctl/screen/preview_screen.h"
 #include "clients/ctl/screen/trips_screen.h"
-#include "clients/ctl/screen/words.h"
+#include "clients/ctl/terminal/words.h"
 #include "clients/ctl/verbs/since_argument.h"
 
 namespace hedgehog::client {

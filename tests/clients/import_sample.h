@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "clients/lib/import/import.h"
-#include "model/keyframes.h"
+#include "model/effect/keyframes.h"
 
 namespace hedgehog::client {
 

@@ -11,9 +11,9 @@
 #include <sstream>
 
 #include "clients/ctl/screen/ball_map.h"
-#include "clients/ctl/screen/words.h"
-#include "model/pin_array.h"
-#include "model/pin_motion.h"
+#include "clients/ctl/terminal/words.h"
+#include "model/geometry/pin_array.h"
+#include "model/geometry/pin_motion.h"
 
 namespace hedgehog::client {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "clients/ctl/calibrate/calibration.h"
 #include "clients/ctl/calibrate/rest_check.h"
-#include "model/plant.h"
+#include "model/thermal/plant.h"
 
 namespace hedgehog::client {
 namespace {

@@ -9,12 +9,12 @@
 
 #include "clients/ctl/demo/demo_screen.h"
 #include "clients/ctl/screen/ball_map.h"
-#include "clients/ctl/screen/bar.h"
 #include "clients/ctl/screen/status_screen.h"
 #include "clients/ctl/screen/watch_screen.h"
-#include "clients/ctl/screen/words.h"
-#include "model/field.h"
-#include "model/pin_array.h"
+#include "clients/ctl/terminal/bar.h"
+#include "clients/ctl/terminal/words.h"
+#include "model/geometry/field.h"
+#include "model/geometry/pin_array.h"
 
 namespace hedgehog::client {
 namespace {

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "daemon/config/device_keys.h"
-#include "daemon/config/limit_keys.h"
+#include "daemon/config/keys/device_keys.h"
+#include "daemon/config/keys/limit_keys.h"
 #include "tests/config/fake_files.h"
 
 namespace hedgehog::config {

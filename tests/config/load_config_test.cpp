@@ -7,9 +7,9 @@
 
 #include <set>
 
-#include "daemon/config/config_keys.h"
-#include "daemon/config/device_keys.h"
 #include "daemon/config/json_text.h"
+#include "daemon/config/keys/config_keys.h"
+#include "daemon/config/keys/device_keys.h"
 #include "tests/config/fake_files.h"
 
 namespace hedgehog::config {

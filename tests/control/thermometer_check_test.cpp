@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "model/shell_limit.h"
+#include "model/limit/shell_limit.h"
 
 namespace hedgehog::control {
 namespace {

@@ -9,7 +9,7 @@
 #include "clients/design/input/design_file.h"
 #include "clients/design/input/positions_file.h"
 #include "clients/design/input/sizes.h"
-#include "model/pin_array.h"
+#include "model/geometry/pin_array.h"
 #include "tests/design/program.h"
 
 namespace hedgehog::design {

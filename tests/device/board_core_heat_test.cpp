@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/plant.h"
-#include "model/thermal_limiter.h"
+#include "model/limit/thermal_limiter.h"
+#include "model/thermal/plant.h"
 #include "tests/device/core_bench.h"
 
 namespace hedgehog::board {

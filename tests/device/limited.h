@@ -2,7 +2,7 @@
 // Currents as only the limiter can make them, of a cold ball whose windings are all measured.
 #pragma once
 
-#include "model/thermal_limiter.h"
+#include "model/limit/thermal_limiter.h"
 
 namespace hedgehog::device {
 

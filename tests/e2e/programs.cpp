@@ -30,7 +30,7 @@ std::string hedgehogctl() { return program("clients/ctl/hedgehogctl"); }
 std::string hedgehog_orientation() { return program("clients/orientation/hedgehog-orientation"); }
 std::string hedgehog_racer() { return program("clients/racer/hedgehog-racer"); }
 std::string hedgehog_study() { return program("clients/study/hedgehog-study"); }
-std::string hedgehog_usbip() { return program("daemon/emulator/hedgehog-usbip"); }
+std::string hedgehog_usbip() { return program("emulator/hedgehog-usbip"); }
 
 int attainable_speed(int wanted) {
   const char* limit = std::getenv("HEDGEHOG_SPEED_LIMIT");

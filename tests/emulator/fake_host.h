@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "daemon/emulator/host_session.h"
+#include "emulator/host_session.h"
 
 namespace hedgehog::emulator {
 

@@ -7,10 +7,10 @@
 #include "daemon/device/imu/mti_session.h"
 #include "daemon/device/imu/sony_pad.h"
 #include "daemon/device/thermometer/temper.h"
-#include "daemon/emulator/board_gadget.h"
-#include "daemon/emulator/imu_gadgets.h"
-#include "daemon/emulator/temper_gadget.h"
-#include "daemon/emulator/words.h"
+#include "emulator/board_gadget.h"
+#include "emulator/imu_gadgets.h"
+#include "emulator/temper_gadget.h"
+#include "emulator/words.h"
 #include "tests/emulator/fake_host.h"
 
 namespace hedgehog::emulator {

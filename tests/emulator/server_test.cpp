@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The emulator by its doors: hosts that list and import, whoever gives commands.
-#include "daemon/emulator/server.h"
+#include "emulator/server.h"
 
 #include <arpa/inet.h>
 #include <gmock/gmock.h>
@@ -9,7 +9,7 @@
 
 #include <thread>
 
-#include "daemon/emulator/device_text.h"
+#include "emulator/device_text.h"
 #include "tests/temporary_folder.h"
 
 namespace hedgehog::emulator {

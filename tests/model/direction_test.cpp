@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "model/direction.h"
+#include "model/geometry/direction.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
 
-#include "model/pin_array.h"
+#include "model/geometry/pin_array.h"
 
 namespace hedgehog::model {
 namespace {

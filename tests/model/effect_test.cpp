@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What one effect asks for over time: DESIGN section 4, "shape" and `effect.circle`.
-#include "model/effect.h"
+#include "model/effect/effect.h"
 
 #include <gtest/gtest.h>
 

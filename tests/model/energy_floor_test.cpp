@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The floor by energy is below every ball of the family and not far below.
-#include "model/energy_floor.h"
+#include "model/estimate/energy_floor.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/field.h"
+#include "model/geometry/field.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

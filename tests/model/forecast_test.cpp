@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is foretold against what the plant then does.
-#include "model/forecast.h"
+#include "model/limit/forecast.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -8,8 +8,8 @@
 #include <cmath>
 #include <limits>
 
-#include "model/plant.h"
-#include "model/shell_limit.h"
+#include "model/limit/shell_limit.h"
+#include "model/thermal/plant.h"
 #include "tests/model/thermal_loop.h"
 
 namespace hedgehog::model {

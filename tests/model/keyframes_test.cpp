@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Key frames as DESIGN section 4 and protocol/README.md say.
-#include "model/keyframes.h"
+#include "model/effect/keyframes.h"
 
 #include <gtest/gtest.h>
 
 #include <rapidcheck/gtest.h>
 #include <cmath>
 
-#include "model/effect.h"
+#include "model/effect/effect.h"
 
 namespace hedgehog::model {
 namespace {

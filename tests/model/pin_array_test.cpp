@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/pin_array.h"
+#include "model/geometry/pin_array.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -9,7 +9,7 @@
 #include <map>
 #include <numbers>
 
-#include "model/goldberg.h"
+#include "model/geometry/goldberg.h"
 
 namespace hedgehog::model {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The simulated world against the numbers it was chosen for (DESIGN section 3) and against closed
 // forms.
-#include "model/plant.h"
+#include "model/thermal/plant.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/resistance_fall.h"
+#include "model/estimate/resistance_fall.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

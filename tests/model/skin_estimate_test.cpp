@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The skin by the core: against the plant, and its law.
-#include "model/skin_estimate.h"
+#include "model/estimate/skin_estimate.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -10,8 +10,8 @@
 #include <limits>
 #include <type_traits>
 
-#include "model/plant.h"
-#include "model/shell_limit.h"
+#include "model/limit/shell_limit.h"
+#include "model/thermal/plant.h"
 #include "tests/model/thermal_loop.h"
 
 namespace hedgehog::model {

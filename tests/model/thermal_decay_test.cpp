@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Cooling without current is exact, and constants that a device file may have are ones that every
 // integration follows: it stays between what surrounds a node, and never turns round.
-#include "model/thermal_decay.h"
+#include "model/thermal/thermal_decay.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -9,10 +9,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/energy_floor.h"
-#include "model/plant.h"
-#include "model/thermal_filter.h"
-#include "model/thermal_flow.h"
+#include "model/estimate/energy_floor.h"
+#include "model/estimate/thermal_filter.h"
+#include "model/thermal/plant.h"
+#include "model/thermal/thermal_flow.h"
 
 namespace hedgehog::model {
 namespace {

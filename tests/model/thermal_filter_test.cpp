@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the filter makes of energy, resistance and thermistors, each right or wrong.
-#include "model/thermal_filter.h"
+#include "model/estimate/thermal_filter.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <type_traits>
 
-#include "model/plant.h"
+#include "model/thermal/plant.h"
 
 namespace hedgehog::model {
 namespace {

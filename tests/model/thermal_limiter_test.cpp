@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The law of DESIGN section 6, and what the limiter does with a wish.
-#include "model/thermal_limiter.h"
+#include "model/limit/thermal_limiter.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -9,7 +9,7 @@
 #include <limits>
 #include <type_traits>
 
-#include "model/forecast.h"
+#include "model/limit/forecast.h"
 #include "tests/model/non_finite.h"
 
 namespace hedgehog::model {

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <vector>
 
-#include "model/plant.h"
-#include "model/thermal_limiter.h"
-#include "model/thermal_observer.h"
+#include "model/estimate/thermal_observer.h"
+#include "model/limit/thermal_limiter.h"
+#include "model/thermal/plant.h"
 
 namespace hedgehog::model {
 

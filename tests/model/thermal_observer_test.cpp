@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the observer says of windings that nobody can touch, on balls that are not the one in the
 // book.
-#include "model/thermal_observer.h"
+#include "model/estimate/thermal_observer.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/thermal_winding_meter.h"
+#include "model/estimate/thermal_winding_meter.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <functional>
 #include <numbers>
 
-#include "model/plant.h"
+#include "model/thermal/plant.h"
 
 namespace hedgehog::model {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A winding against the resistance that it showed when it was last as warm as its thermometer.
-#include "model/winding_thermometer.h"
+#include "model/estimate/winding_thermometer.h"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 #include <set>
 #include <sstream>
 
-#include "model/direction.h"
+#include "model/geometry/direction.h"
 #include "protocol/server_codec.h"
 #include "protocol/values/event.h"
 #include "tests/protocol/example_file.h"

@@ -10,8 +10,8 @@
 
 #include "model/identification/heat_record.h"
 #include "model/identification/heating_plan.h"
-#include "model/plant.h"
 #include "model/random_stream.h"
+#include "model/thermal/plant.h"
 
 namespace hedgehog::model {
 

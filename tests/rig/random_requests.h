@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/effect.h"
+#include "model/effect/effect.h"
 #include "model/random_stream.h"
 #include "tests/rig/rig.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/shell_limit.h"
+#include "model/limit/shell_limit.h"
 
 namespace hedgehog::rig {
 namespace {

@@ -16,9 +16,9 @@
 #include "daemon/control/state/disagreement.h"
 #include "daemon/device/simulator/simulated_board.h"
 #include "daemon/device/simulator/simulator_errors.h"
-#include "model/skin_estimate.h"
-#include "model/thermal_limiter.h"
-#include "model/thermal_observer.h"
+#include "model/estimate/skin_estimate.h"
+#include "model/estimate/thermal_observer.h"
+#include "model/limit/thermal_limiter.h"
 
 namespace hedgehog::rig {
 

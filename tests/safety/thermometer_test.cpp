@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "model/shell_limit.h"
+#include "model/limit/shell_limit.h"
 #include "tests/safety/safe.h"
 
 namespace hedgehog::safety {

@@ -12,7 +12,7 @@
 #include "daemon/daemon.h"
 #include "daemon/server/disk/disk_thread.h"
 #include "daemon/server/history/trip_recordings.h"
-#include "model/thermal_flow.h"
+#include "model/thermal/thermal_flow.h"
 #include "tests/temporary_folder.h"
 
 namespace hedgehog::server {

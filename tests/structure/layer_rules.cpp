@@ -34,9 +34,7 @@ const std::vector<Layer>& layers() {
       {"daemon/device",
        {"base", "model", "daemon/device/board_core"},
        {kAsio, kBeast, kJson, kSpdlog, kCli, kSystemd}},
-      {"daemon/emulator",
-       {"base", "model", "daemon/device"},
-       {kAsio, kBeast, kJson, kSpdlog, kSystemd}},
+      {"emulator", {"base", "model", "daemon/device"}, {kAsio, kBeast, kJson, kSpdlog, kSystemd}},
       {"daemon/control",
        {"base", "model", "daemon/device"},
        {kAsio, kBeast, kJson, kSpdlog, kCli, kSystemd}},
@@ -76,7 +74,7 @@ const std::vector<Layer>& layers() {
       {"tests/rig",
        {"base", "model", "daemon/device", "daemon/control"},
        {kAsio, kBeast, kJson, kSpdlog, kCli, kSystemd}},
-      {"tests", {"base", "model", "protocol", "daemon", "clients"}, {}},
+      {"tests", {"base", "model", "protocol", "daemon", "emulator", "clients"}, {}},
   };
   return kLayers;
 }

@@ -53,7 +53,7 @@ TEST(Mutations, OfBoardCoreLimiterAndWatchdogEveryLineIsExecuted) {
   ASSERT_NE(scope, nullptr);
   const std::set<std::string> covered = listed(*scope, {"covered"});
   const std::regex enforced(
-      "(model/thermal_limiter|daemon/control/(watchdog|supply_balance|[a-z_]*_check)"
+      "(model/limit/thermal_limiter|daemon/control/(watchdog|supply_balance|[a-z_]*_check)"
       "|daemon/device/board_core/[a-z_0-9]*)[.]cpp");
   for (const SourceFile& file : tree.files) {
     if (!std::regex_match(file.path, enforced)) continue;

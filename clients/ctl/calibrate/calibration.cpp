@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "model/coils.h"
-#include "model/thermal_uncertainty.h"
+#include "model/thermal/thermal_uncertainty.h"
 
 namespace hedgehog::client {
 namespace {

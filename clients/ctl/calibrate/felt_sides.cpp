@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <iostream>
 
-#include "clients/ctl/screen/words.h"
+#include "clients/ctl/terminal/words.h"
 
 namespace hedgehog::client {
 namespace {

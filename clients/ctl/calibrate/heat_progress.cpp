@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "clients/ctl/calibrate/rest_check.h"
-#include "clients/ctl/screen/words.h"
+#include "clients/ctl/terminal/words.h"
 
 namespace hedgehog::client {
 namespace {

@@ -13,7 +13,7 @@
 #include "clients/ctl/calibrate/heat_bench.h"
 #include "clients/ctl/calibrate/rest_check.h"
 #include "clients/ctl/calibrate/winding_calibration.h"
-#include "clients/ctl/screen/words.h"
+#include "clients/ctl/terminal/words.h"
 #include "model/identification/heating_plan.h"
 
 namespace hedgehog::client {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "clients/ctl/screen/words.h"
+#include "clients/ctl/terminal/words.h"
 #include "model/coils.h"
-#include "model/thermal_flow.h"
+#include "model/thermal/thermal_flow.h"
 
 namespace hedgehog::client {
 namespace {

@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-#include "model/thermal_model.h"
+#include "model/thermal/thermal_model.h"
 #include "protocol/values/description.h"
 #include "protocol/values/status.h"
 

@@ -15,7 +15,7 @@
 #include "clients/ctl/calibrate/felt_sides.h"
 #include "clients/ctl/calibrate/rest_check.h"
 #include "clients/ctl/calibrate/winding_bench.h"
-#include "clients/ctl/screen/words.h"
+#include "clients/ctl/terminal/words.h"
 #include "model/coils.h"
 
 namespace hedgehog::client {

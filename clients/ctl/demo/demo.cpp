@@ -6,8 +6,8 @@
 
 #include "clients/ctl/demo/private_daemon.h"
 #include "clients/ctl/demo/tour_player.h"
-#include "clients/ctl/screen/terminal.h"
-#include "clients/ctl/screen/words.h"
+#include "clients/ctl/terminal/terminal.h"
+#include "clients/ctl/terminal/words.h"
 
 namespace hedgehog::client {
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "clients/ctl/screen/ball_map.h"
-#include "clients/ctl/screen/words.h"
+#include "clients/ctl/terminal/words.h"
 
 namespace hedgehog::client {
 

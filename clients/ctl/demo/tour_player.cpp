@@ -8,7 +8,7 @@
 
 #include "clients/ctl/demo/demo_screen.h"
 #include "clients/ctl/screen/ball_map.h"
-#include "clients/ctl/screen/words.h"
+#include "clients/ctl/terminal/words.h"
 #include "clients/ctl/verbs/session.h"
 
 namespace hedgehog::client {

@@ -12,7 +12,7 @@
 #include "clients/ctl/demo/tour_record.h"
 #include "clients/ctl/screen/ball.h"
 #include "clients/ctl/screen/status_screen.h"
-#include "clients/ctl/screen/terminal.h"
+#include "clients/ctl/terminal/terminal.h"
 #include "clients/lib/connection.h"
 
 namespace hedgehog::client {

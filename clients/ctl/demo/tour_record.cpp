@@ -6,7 +6,7 @@
 
 #include "clients/ctl/screen/ball.h"
 #include "clients/ctl/screen/ball_map.h"
-#include "clients/ctl/screen/words.h"
+#include "clients/ctl/terminal/words.h"
 
 namespace hedgehog::client {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 
-#include "clients/ctl/screen/bar.h"
-#include "clients/ctl/screen/words.h"
+#include "clients/ctl/terminal/bar.h"
+#include "clients/ctl/terminal/words.h"
 
 namespace hedgehog::client {
 

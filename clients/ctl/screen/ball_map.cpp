@@ -7,8 +7,8 @@
 #include <numbers>
 #include <string_view>
 
-#include "clients/ctl/screen/words.h"
-#include "model/pin_array.h"
+#include "clients/ctl/terminal/words.h"
+#include "model/geometry/pin_array.h"
 
 namespace hedgehog::client {
 

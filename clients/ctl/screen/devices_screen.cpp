@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "clients/ctl/screen/words.h"
+#include "clients/ctl/terminal/words.h"
 
 namespace hedgehog::client {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "base/wall_time.h"
 #include "clients/ctl/screen/watch_screen.h"
-#include "clients/ctl/screen/words.h"
+#include "clients/ctl/terminal/words.h"
 
 namespace hedgehog::client {
 namespace {

@@ -6,8 +6,8 @@
 #include <numeric>
 
 #include "clients/ctl/screen/ball_map.h"
-#include "clients/ctl/screen/bar.h"
-#include "clients/ctl/screen/words.h"
+#include "clients/ctl/terminal/bar.h"
+#include "clients/ctl/terminal/words.h"
 
 namespace hedgehog::client {
 

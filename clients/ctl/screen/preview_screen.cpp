@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "clients/ctl/screen/bar.h"
-#include "clients/ctl/screen/words.h"
+#include "clients/ctl/terminal/bar.h"
+#include "clients/ctl/terminal/words.h"
 
 namespace hedgehog::client {
 namespace {

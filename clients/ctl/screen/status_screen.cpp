@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "clients/ctl/screen/words.h"
-#include "model/direction.h"
+#include "clients/ctl/terminal/words.h"
+#include "model/geometry/direction.h"
 #include "model/quaternion.h"
 
 namespace hedgehog::client {

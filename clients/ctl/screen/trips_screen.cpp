@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "clients/ctl/screen/trips_screen.h"
 
-#include "clients/ctl/screen/words.h"
+#include "clients/ctl/terminal/words.h"
 
 namespace hedgehog::client {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-#include "clients/ctl/screen/words.h"
+#include "clients/ctl/terminal/words.h"
 
 namespace hedgehog::client {
 

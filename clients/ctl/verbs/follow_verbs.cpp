@@ -7,9 +7,9 @@
 
 #include "base/wall_time.h"
 #include "clients/ctl/screen/history_screen.h"
-#include "clients/ctl/screen/terminal.h"
 #include "clients/ctl/screen/watch_screen.h"
-#include "clients/ctl/screen/words.h"
+#include "clients/ctl/terminal/terminal.h"
+#include "clients/ctl/terminal/words.h"
 #include "clients/ctl/verbs/live.h"
 #include "clients/ctl/verbs/since_argument.h"
 

@@ -8,8 +8,8 @@
 
 #include "base/wall_time.h"
 #include "clients/ctl/screen/status_screen.h"
-#include "clients/ctl/screen/terminal.h"
-#include "clients/ctl/screen/words.h"
+#include "clients/ctl/terminal/terminal.h"
+#include "clients/ctl/terminal/words.h"
 
 namespace hedgehog::client {
 

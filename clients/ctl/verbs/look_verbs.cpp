@@ -8,7 +8,7 @@
 #include "clients/ctl/screen/check_screen.h"
 #include "clients/ctl/screen/devices_screen.h"
 #include "clients/ctl/screen/trips_screen.h"
-#include "clients/ctl/screen/words.h"
+#include "clients/ctl/terminal/words.h"
 #include "clients/ctl/verbs/direction_argument.h"
 
 namespace hedgehog::client {

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "clients/ctl/screen/words.h"
+#include "clients/ctl/terminal/words.h"
 #include "clients/ctl/verbs/pattern_file.h"
 #include "clients/lib/import/import.h"
 #include "protocol/values/effect_params.h"

@@ -5,8 +5,8 @@
 
 #include "clients/ctl/screen/ball_map.h"
 #include "clients/ctl/screen/pins_screen.h"
-#include "clients/ctl/screen/terminal.h"
-#include "clients/ctl/screen/words.h"
+#include "clients/ctl/terminal/terminal.h"
+#include "clients/ctl/terminal/words.h"
 #include "clients/ctl/verbs/live.h"
 
 namespace hedgehog::client {

@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "clients/ctl/screen/preview_screen.h"
-#include "clients/ctl/screen/words.h"
+#include "clients/ctl/terminal/words.h"
 #include "clients/ctl/verbs/direction_argument.h"
 #include "clients/ctl/verbs/pattern_file.h"
-#include "model/direction.h"
+#include "model/geometry/direction.h"
 #include "protocol/methods.h"
 
 namespace hedgehog::client {

@@ -3,7 +3,7 @@
 
 #include <csignal>
 
-#include "clients/ctl/screen/terminal.h"
+#include "clients/ctl/terminal/terminal.h"
 
 namespace hedgehog::client {
 

@@ -9,7 +9,7 @@
 #include "clients/design/input/sizes.h"
 #include "model/magnets/arrangement.h"
 #include "model/magnets/magnet_array.h"
-#include "model/magnets/pair_force.h"
+#include "model/magnets/pair/pair_force.h"
 
 namespace hedgehog::design {
 

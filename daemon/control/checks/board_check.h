@@ -6,7 +6,7 @@
 
 #include "daemon/control/state/state.h"
 #include "daemon/device/board_io.h"
-#include "model/limits.h"
+#include "model/limit/limits.h"
 #include "model/tick.h"
 
 namespace hedgehog::control {

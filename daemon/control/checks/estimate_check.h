@@ -10,7 +10,7 @@
 #include "daemon/control/checks/supply_balance.h"
 #include "daemon/control/state/disagreement.h"
 #include "daemon/control/state/state.h"
-#include "model/thermal_observer.h"
+#include "model/estimate/thermal_observer.h"
 
 namespace hedgehog::control {
 

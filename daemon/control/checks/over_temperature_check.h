@@ -9,11 +9,11 @@
 #include "daemon/control/checks/fault_debounce.h"
 #include "daemon/control/state/state.h"
 #include "model/coils.h"
-#include "model/thermal_model.h"
-#include "model/thermistor_readings.h"
+#include "model/estimate/thermistor_readings.h"
+#include "model/estimate/winding_thermometer.h"
+#include "model/thermal/thermal_model.h"
 #include "model/tick.h"
 #include "model/vec3.h"
-#include "model/winding_thermometer.h"
 
 namespace hedgehog::control {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "model/supply_line.h"
+#include "model/estimate/supply_line.h"
 
 namespace hedgehog::control {
 namespace {

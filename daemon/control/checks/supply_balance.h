@@ -10,7 +10,7 @@
 #include "daemon/control/checks/fault_debounce.h"
 #include "daemon/control/state/disagreement.h"
 #include "model/coils.h"
-#include "model/current_accuracy.h"
+#include "model/estimate/current_accuracy.h"
 #include "model/vec3.h"
 
 namespace hedgehog::control {

@@ -9,9 +9,9 @@
 #include <variant>
 
 #include "model/coils.h"
-#include "model/effect.h"
-#include "model/keyframes.h"
-#include "model/limits.h"
+#include "model/effect/effect.h"
+#include "model/effect/keyframes.h"
+#include "model/limit/limits.h"
 
 namespace hedgehog::control {
 

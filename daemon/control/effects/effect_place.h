@@ -8,7 +8,7 @@
 #include "daemon/control/effects/command.h"
 #include "daemon/control/snapshot.h"
 #include "daemon/control/state/event.h"
-#include "model/effect.h"
+#include "model/effect/effect.h"
 #include "model/tick.h"
 
 namespace hedgehog::control {

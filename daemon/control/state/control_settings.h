@@ -9,9 +9,9 @@
 #include "daemon/control/state/state.h"
 #include "daemon/device/thermometer/sample.h"
 #include "model/coils.h"
-#include "model/limits.h"
-#include "model/thermal_model.h"
-#include "model/thermal_uncertainty.h"
+#include "model/limit/limits.h"
+#include "model/thermal/thermal_model.h"
+#include "model/thermal/thermal_uncertainty.h"
 #include "model/tick.h"
 
 namespace hedgehog::control {

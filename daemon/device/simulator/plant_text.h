@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "model/plant.h"
+#include "model/thermal/plant.h"
 
 namespace hedgehog::device {
 

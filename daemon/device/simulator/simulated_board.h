@@ -13,7 +13,7 @@
 #include "daemon/device/simulator/front_end.h"
 #include "daemon/device/simulator/simulator_errors.h"
 #include "daemon/device/simulator/simulator_settings.h"
-#include "model/plant.h"
+#include "model/thermal/plant.h"
 
 namespace hedgehog::device {
 

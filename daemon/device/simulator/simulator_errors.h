@@ -9,7 +9,7 @@
 
 #include "daemon/device/simulator/front_end.h"
 #include "daemon/device/simulator/simulator_error.h"
-#include "model/plant.h"
+#include "model/thermal/plant.h"
 
 namespace hedgehog::device {
 

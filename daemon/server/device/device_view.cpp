@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "daemon/control/checks/board_check.h"
-#include "model/rearm.h"
+#include "model/limit/rearm.h"
 
 namespace hedgehog::server {
 namespace {

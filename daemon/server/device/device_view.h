@@ -16,9 +16,9 @@
 #include "daemon/device/link_port.h"
 #include "daemon/server/device/outbox.h"
 #include "daemon/server/device/remedy.h"
-#include "model/forecast.h"
+#include "model/geometry/pin_array.h"
+#include "model/limit/forecast.h"
 #include "model/magnets/pin_curves.h"
-#include "model/pin_array.h"
 
 namespace hedgehog::server {
 

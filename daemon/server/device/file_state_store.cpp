@@ -13,7 +13,7 @@
 
 #include "base/atomic_file.h"
 #include "daemon/server/disk/load_saved_state.h"
-#include "model/thermal_flow.h"
+#include "model/thermal/thermal_flow.h"
 
 namespace hedgehog::server {
 namespace {

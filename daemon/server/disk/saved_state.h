@@ -11,7 +11,7 @@
 #include "daemon/control/state/rearm_backoff.h"
 #include "daemon/control/state/state.h"
 #include "daemon/server/disk/boot_clock.h"
-#include "model/thermal_model.h"
+#include "model/thermal/thermal_model.h"
 
 namespace hedgehog::server {
 

@@ -12,7 +12,7 @@
 #include "daemon/control/effects/command.h"
 #include "daemon/server/effects/keyframe_track.h"
 #include "daemon/server/session/session.h"
-#include "model/effect.h"
+#include "model/effect/effect.h"
 #include "protocol/methods.h"
 #include "protocol/values/effect_params.h"
 

@@ -6,9 +6,9 @@
 #include <cstdint>
 
 #include "daemon/server/effects/keyframe_track.h"
-#include "model/effect.h"
-#include "model/limits.h"
-#include "model/pin_array.h"
+#include "model/effect/effect.h"
+#include "model/geometry/pin_array.h"
+#include "model/limit/limits.h"
 #include "model/tick.h"
 #include "protocol/values/effect_params.h"
 #include "protocol/wire/error.h"

@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "model/keyframes.h"
-#include "model/pin_array.h"
+#include "model/effect/keyframes.h"
+#include "model/geometry/pin_array.h"
 #include "model/vec3.h"
 #include "protocol/values/effect_params.h"
 

@@ -5,8 +5,8 @@
 
 #include "daemon/server/effects/keyframe_track.h"
 #include "model/coils.h"
-#include "model/effect.h"
-#include "model/forecast.h"
+#include "model/effect/effect.h"
+#include "model/limit/forecast.h"
 #include "model/quaternion.h"
 
 namespace hedgehog::server {

@@ -10,10 +10,10 @@
 #include "daemon/control/effects/mixer.h"
 #include "daemon/control/fan.h"
 #include "daemon/device/board_io.h"
-#include "model/plant.h"
-#include "model/shell_limit.h"
-#include "model/skin_estimate.h"
-#include "model/thermal_limiter.h"
+#include "model/estimate/skin_estimate.h"
+#include "model/limit/shell_limit.h"
+#include "model/limit/thermal_limiter.h"
+#include "model/thermal/plant.h"
 
 namespace hedgehog::server {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "daemon/server/effects/admission.h"
 #include "daemon/server/rpc/event_view.h"
-#include "model/field.h"
-#include "model/pin_motion.h"
-#include "model/thermal_flow.h"
+#include "model/geometry/field.h"
+#include "model/geometry/pin_motion.h"
+#include "model/thermal/thermal_flow.h"
 
 namespace hedgehog::server {
 namespace {

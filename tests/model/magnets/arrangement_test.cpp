@@ -9,10 +9,10 @@
 #include <cmath>
 #include <set>
 
-#include "model/goldberg.h"
+#include "model/geometry/goldberg.h"
+#include "model/geometry/pin_array.h"
 #include "model/magnets/magnet_array.h"
 #include "model/magnets/symmetry_classes.h"
-#include "model/pin_array.h"
 
 namespace hedgehog::model {
 namespace {

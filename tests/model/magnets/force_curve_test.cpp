@@ -11,7 +11,7 @@
 #include <string>
 
 #include "model/magnets/characterisation.h"
-#include "model/magnets/placed_magnet.h"
+#include "model/magnets/pair/placed_magnet.h"
 #include "tests/model/magnets/known_arrays.h"
 
 namespace hedgehog::model {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/magnets/pair_force.h"
+#include "model/magnets/pair/pair_force.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "model/magnets/disk_rule.h"
-#include "model/magnets/face_flux.h"
-#include "model/magnets/placed_magnet.h"
+#include "model/magnets/pair/disk_rule.h"
+#include "model/magnets/pair/face_flux.h"
+#include "model/magnets/pair/placed_magnet.h"
 #include "model/units.h"
 #include "tests/model/magnets/reference_pairs.h"
 

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-#include "model/field.h"
+#include "model/geometry/field.h"
 #include "model/magnets/characterisation.h"
 #include "tests/model/magnets/known_arrays.h"
 

@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "model/magnets/pair_force.h"
+#include "model/magnets/pair/pair_force.h"
 
 namespace hedgehog::model {
 

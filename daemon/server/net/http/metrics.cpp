@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "model/rearm.h"
+#include "model/limit/rearm.h"
 
 namespace hedgehog::server {
 namespace {

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// The keys of hedgehogd.json, documented in config/hedgehogd.json.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "daemon/config/config.h"
+#include "daemon/config/keys/key.h"
+#include "daemon/config/keys/limit_keys.h"
+
+namespace hedgehog::config {
+
+/// A Config being read: what can be settled only when all files are read stands apart.
+struct Draft {
+  Config config;
+  LimitOverrides limits;
+  /// nullopt: "auto".
+  std::optional<ImuType> imu;
+};
+
+/// All of them, in the order of the documented file.
+const std::vector<Key<Draft>>& config_keys();
+
+}  // namespace hedgehog::config

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Device files: one ball (or one kind of ball) as data. The keys are documented in
+// config/devices.d/hedgehog-86.json.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "daemon/config/config_error.h"
+#include "daemon/config/keys/key.h"
+#include "daemon/config/value.h"
+#include "model/device_model.h"
+
+namespace hedgehog::config {
+
+/// All of them, in the order of the documented file.
+const std::vector<Key<model::DeviceModel>>& device_keys();
+
+/// The model in `root`; what it does not mention is as on a hedgehog-86. Errors are added to
+/// `errors`, with their lines in `file`; the result is then not to be used.
+model::DeviceModel read_device(const Value& root, const std::string& file, ConfigErrors& errors);
+
+/// `device` as the text of a device file that reads back the same.
+std::string print_device(const model::DeviceModel& device);
+
+}  // namespace hedgehog::config

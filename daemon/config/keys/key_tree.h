@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Matches the tree of a file with a list of keys.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "daemon/config/config_error.h"
+#include "daemon/config/keys/key.h"
+#include "daemon/config/value.h"
+
+namespace hedgehog::config {
+
+struct Origin {
+  std::string file;
+  int line = 0;
+};
+
+/// Where each key was set last, for what can be judged only when all files are read.
+using Origins = std::map<std::string, Origin>;
+
+/// Calls `found(i, value)` for each `paths[i]` that `root` has; `found` says why the value is
+/// refused. Everything else in `root` becomes an error: unknown keys (with the nearest known one),
+/// keys given twice, sections that are none.
+void match_keys(const Value& root, const std::string& file, const std::vector<std::string>& paths,
+                const std::function<Reason(std::size_t, const Value&)>& found, Origins& origins,
+                ConfigErrors& errors);
+
+/// Reads what `root` has into `target`; the rest of `target` stays.
+template <class Target>
+void read_keys(const Value& root, const std::string& file, const std::vector<Key<Target>>& keys,
+               Target& target, Origins& origins, ConfigErrors& errors) {
+  std::vector<std::string> paths;
+  paths.reserve(keys.size());
+  for (const Key<Target>& key : keys) paths.push_back(key.path);
+  match_keys(
+      root, file, paths,
+      [&](std::size_t i, const Value& value) { return keys[i].read(target, value); }, origins,
+      errors);
+}
+
+template <class Target>
+Value write_keys(const std::vector<Key<Target>>& keys, const Target& target) {
+  Value root = Value::object();
+  for (const Key<Target>& key : keys) root.put(key.path, key.write(target));
+  return root;
+}
+
+/// An error about `key` where it was set, or about `fallback_file` as a whole when nobody set it.
+ConfigError error_at(const Origins& origins, const std::string& key, std::string reason,
+                     const std::string& fallback_file);
+
+}  // namespace hedgehog::config

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// The limits, which stand in two files: the device file has the ceiling, the configuration may
+// tighten it.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "daemon/config/keys/key.h"
+#include "daemon/config/keys/key_tree.h"
+#include "model/limit/limits.h"
+
+namespace hedgehog::config {
+
+struct LimitField {
+  std::string_view name;
+  double model::Limits::*member;
+  double min;
+  double max;
+  /// Says what a person feels, protects nothing: may be anything up to current_a.
+  bool perception = false;
+};
+
+inline constexpr std::array<LimitField, 8> kLimitFields{{
+    {"current_a", &model::Limits::current_a, 0.5, 15.0},
+    {"continuous_a", &model::Limits::continuous_a, 0.5, 15.0},
+    {"felt_a", &model::Limits::felt_a, 0.1, 15.0, true},
+    {"derate_from_c", &model::Limits::derate_from_c, 30.0, 75.0},
+    {"sustain_c", &model::Limits::sustain_c, 30.0, 75.0},
+    {"zero_c", &model::Limits::zero_c, 30.0, 75.0},
+    {"trip_c", &model::Limits::trip_c, 30.0, 75.0},
+    {"rearm_c", &model::Limits::rearm_c, 25.0, 60.0},
+}};
+
+/// What a configuration says, in the order of kLimitFields; nullopt: the device file's.
+using LimitOverrides = std::array<std::optional<double>, kLimitFields.size()>;
+
+/// `ceiling` with `overrides`. An override above its ceiling is an error where it was set.
+model::Limits tightened(const model::Limits& ceiling, const LimitOverrides& overrides,
+                        const Origins& origins, ConfigErrors& errors);
+
+/// Errors unless rearm < derate_from < sustain < zero < trip, continuous <= current and felt <=
+/// current.
+void check_order(const model::Limits& limits, const Origins& origins, const std::string& file,
+                 ConfigErrors& errors);
+
+}  // namespace hedgehog::config

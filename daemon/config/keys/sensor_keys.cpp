@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/config/keys/sensor_keys.h"
+
+#include <optional>
+#include <string>
+
+namespace hedgehog::config {
+namespace {
+
+using D = Draft;
+using device::Side;
+using device::ThermometerRole;
+
+constexpr Choices<std::optional<ImuType>, 8> kImuTypes{{{"auto", std::nullopt},
+                                                        {"none", ImuType::kNone},
+                                                        {"simulator", ImuType::kSimulator},
+                                                        {"external", ImuType::kExternal},
+                                                        {"hid_sensor", ImuType::kHidSensor},
+                                                        {"dualsense", ImuType::kDualSense},
+                                                        {"dualshock4", ImuType::kDualShock4},
+                                                        {"mti", ImuType::kMti}}};
+constexpr Choices<Side, 6> kSides{{{"front", Side::kFront},
+                                   {"back", Side::kBack},
+                                   {"left", Side::kLeft},
+                                   {"right", Side::kRight},
+                                   {"up", Side::kUp},
+                                   {"down", Side::kDown}}};
+constexpr Choices<ThermometerType, 2> kThermometers{
+    {{"none", ThermometerType::kNone}, {"temper", ThermometerType::kTemper}}};
+constexpr Choices<ThermometerRole, 3> kRoles{{{"none", ThermometerRole::kNone},
+                                              {"coil", ThermometerRole::kCoil},
+                                              {"shell", ThermometerRole::kShell}}};
+
+}  // namespace
+
+std::string_view name(ImuType type) noexcept {
+  for (const auto& [text, value] : kImuTypes)
+    if (value == type) return text;
+  return "none";
+}
+
+void add_sensor_keys(std::vector<Key<D>>& keys) {
+  keys.push_back(choice_key<D>(
+      "imu.type", kImuTypes, [](auto& d) -> auto& { return d.imu; }));
+  keys.push_back(serial_key<D>(
+      "imu.serial", [](auto& d) -> auto& { return d.config.imu_fitting.serial; }));
+  keys.push_back(choice_key<D>(
+      "imu.front", kSides, [](auto& d) -> auto& { return d.config.imu_fitting.front; }));
+  keys.push_back(choice_key<D>(
+      "imu.up", kSides, [](auto& d) -> auto& { return d.config.imu_fitting.up; }));
+  keys.push_back(choice_key<D>(
+      "thermometer.type", kThermometers,
+      [](auto& d) -> auto& { return d.config.thermometer.type; }));
+  keys.push_back(choice_key<D>(
+      "thermometer.role", kRoles, [](auto& d) -> auto& { return d.config.thermometer.role; }));
+  keys.push_back(serial_key<D>(
+      "thermometer.serial", [](auto& d) -> auto& { return d.config.thermometer.serial; }));
+}
+
+void settle_sensors(Draft& draft, const Origins& origins, const std::string& file,
+                    ConfigErrors& errors) {
+  Config& config = draft.config;
+  const auto wrong = [&](const std::string& key, const std::string& why) {
+    errors.push_back(error_at(origins, key, why, file));
+  };
+  const bool simulator = config.backend == Backend::kSimulator;
+  config.imu = draft.imu.value_or(simulator ? ImuType::kSimulator : ImuType::kNone);
+  if (!simulator && config.imu == ImuType::kSimulator)
+    wrong("imu.type", "\"simulator\" goes with backend \"simulator\" only");
+  if (!device::Mounting::of(config.imu_fitting.front, config.imu_fitting.up))
+    wrong("imu.up", "must be neither the side of imu.front nor the opposite one");
+  ThermometerSettings& thermometer = config.thermometer;
+  const bool fitted = thermometer.type != ThermometerType::kNone;
+  if (fitted && thermometer.role == ThermometerRole::kNone)
+    wrong("thermometer.role", "must be \"coil\" or \"shell\" when there is a thermometer");
+  if (!fitted && thermometer.role != ThermometerRole::kNone)
+    wrong("thermometer.role", "needs a thermometer: thermometer.type is \"none\"");
+  // A real thermometer says nothing about a simulated coil.
+  if (simulator && thermometer.role == ThermometerRole::kCoil) thermometer = {};
+}
+
+}  // namespace hedgehog::config

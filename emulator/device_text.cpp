@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "emulator/device_text.h"
+
+#include <cmath>
+
+#include "emulator/board_gadget.h"
+#include "emulator/imu_gadgets.h"
+#include "emulator/temper_gadget.h"
+#include "emulator/words.h"
+
+namespace hedgehog::emulator {
+namespace {
+
+struct Wish {
+  std::string serial;
+  BoardSettings board;
+  bool started = false;
+};
+
+/// Empty, or what is wrong.
+std::string take(const std::string& part, Wish& wish, MadeDevice& made) {
+  const std::size_t equals = part.find('=');
+  const std::string key = part.substr(0, equals);
+  const std::string value = equals == std::string::npos ? "" : part.substr(equals + 1);
+  if (part == "unplugged") {
+    made.plugged = false;
+  } else if (key == "name") {
+    made.name = value;
+  } else if (key == "serial") {
+    wish.serial = value;
+  } else if (key == "trace") {
+    wish.board.trace = value;
+  } else if (key == "start" || key == "ambient") {
+    const auto celsius = number<double>(value);
+    if (!celsius || !(std::abs(*celsius) <= 150.0)) return part + ": not a temperature";
+    (key == "start" ? wish.board.board.start_c : wish.board.board.ambient_c) = *celsius;
+    wish.started = wish.started || key == "start";
+  } else {
+    return "unknown: " + part;
+  }
+  return {};
+}
+
+std::unique_ptr<Gadget> make(const std::string& kind, Wish wish) {
+  const auto serial = [&wish](const char* otherwise) {
+    return wish.serial.empty() ? std::string(otherwise) : wish.serial;
+  };
+  if (kind == "board") {
+    wish.board.serial = serial("B1");
+    if (!wish.started) wish.board.board.start_c = wish.board.board.ambient_c;
+    return std::make_unique<BoardGadget>(wish.board);
+  }
+  if (kind == "stranger") return std::make_unique<StrangerGadget>(serial("X1"));
+  if (kind == "mti") return std::make_unique<MtiGadget>(serial("0368248C"));
+  if (kind == "hid-sensor") return std::make_unique<HidSensorGadget>(serial("H1"));
+  if (kind == "dualsense") return std::make_unique<PadGadget>(serial("P1"));
+  if (kind == "temper") return std::make_unique<TemperGadget>(serial("T1"));
+  return nullptr;
+}
+
+}  // namespace
+
+MadeDevice make_device(const std::string& text) {
+  MadeDevice made;
+  const auto parts = split(text, ',');
+  if (parts.empty()) {
+    made.failure = "no kind of device";
+    return made;
+  }
+  made.name = parts[0];
+  Wish wish;
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    made.failure = take(parts[i], wish, made);
+    if (!made.failure.empty()) return made;
+  }
+  made.gadget = make(parts[0], std::move(wish));
+  if (!made.gadget) made.failure = "no such kind of device; there are: " + device_kinds();
+  return made;
+}
+
+std::string device_kinds() { return "board, mti, hid-sensor, dualsense, temper, stranger"; }
+
+}  // namespace hedgehog::emulator

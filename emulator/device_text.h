@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// A device as one word of a command line: "board,serial=B2,start=40".
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "emulator/gadget.h"
+
+namespace hedgehog::emulator {
+
+struct MadeDevice {
+  /// Null: `failure` says why.
+  std::unique_ptr<Gadget> gadget;
+  std::string failure;
+  std::string name;
+  bool plugged = true;
+};
+
+/// Throws std::system_error when a trace cannot be written.
+MadeDevice make_device(const std::string& text);
+/// "board, mti, ...".
+std::string device_kinds();
+
+}  // namespace hedgehog::emulator

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// The talk with one host about one plugged-in gadget, over a stream socket.
+#pragma once
+
+#include <deque>
+#include <map>
+#include <vector>
+
+#include "daemon/device/socket_transport.h"
+#include "emulator/gadget.h"
+
+namespace hedgehog::emulator {
+
+/// The emulator's thread. Never waits.
+class HostSession {
+ public:
+  /// `socket`: after the import, or one end of a pair whose other end vhci-hcd holds. The gadget
+  /// outlives this, and is plugged in by it.
+  HostSession(Gadget& gadget, device::FileDescriptor socket);
+
+  int fd() const noexcept { return socket_.get(); }
+  /// The socket is full: ask poll for room as well.
+  bool blocked() const noexcept { return !unsent_.empty(); }
+  bool open() const noexcept { return open_; }
+  Gadget& gadget() noexcept { return gadget_; }
+
+  /// Something came, or there is room again.
+  void ready();
+  /// Answers the reads for which there is something now, stalls those of a halted endpoint.
+  void pump();
+
+ private:
+  struct Transfer {
+    std::uint32_t sequence = 0;
+    std::uint32_t length = 0;
+    Bytes data;
+  };
+  bool take_message();
+  void handle(const HostMessage& message, Bytes data);
+  void control(const HostMessage& message, const Bytes& data);
+  void unlink(const HostMessage& message);
+  void answer_reads(std::uint8_t endpoint, std::deque<Transfer>& reads);
+  void answer_writes(std::uint8_t endpoint, std::deque<Transfer>& writes);
+  void send(const Bytes& bytes);
+  void flush();
+
+  Gadget& gadget_;
+  device::FileDescriptor socket_;
+  bool open_ = true;
+  Bytes received_;
+  Bytes unsent_;
+  /// Waiting transfers by endpoint number.
+  std::map<std::uint8_t, std::deque<Transfer>> reads_;
+  std::map<std::uint8_t, std::deque<Transfer>> writes_;
+};
+
+}  // namespace hedgehog::emulator

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "model/estimate/skin_estimate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hedgehog::model {
+
+// With x = core - room, s = the sum of the windings' temperatures above the core, and no loss:
+//   x' = -a x + b s,   s' = 3 a x - (c + 3 b) s
+// a = 1 / (R_room C_core), b = 1 / (R_winding C_core), c = 1 / (R_winding C_winding). Windings that
+// differ count by their mean, and by the heat that is in each. Both
+// eigenvalues -p, -q are real and negative, so x rises to one maximum at most, in closed form.
+double coming_core_c(const ThermalModel& thermal, const ThermalState& nodes, double ambient_c,
+                     double to_room_k_w) noexcept {
+  const double a = 1.0 / (to_room_k_w * thermal.core_j_k);
+  double to_core_w_k = 0.0;
+  double winding_j_k = 0.0;
+  double above_j = 0.0;
+  for (std::size_t i = 0; i < kCoils; ++i) {
+    to_core_w_k += 1.0 / thermal.winding_to_core_k_w[i] / kCoils;
+    winding_j_k += thermal.winding_j_k[i] / kCoils;
+    above_j += thermal.winding_j_k[i] * (nodes.winding_c[i] - nodes.core_c);
+  }
+  const double b = to_core_w_k / thermal.core_j_k;
+  const double c = to_core_w_k / winding_j_k;
+  const double x = nodes.core_c - ambient_c;
+  const double s = above_j / winding_j_k;
+  const double rising = b * s - a * x;
+  // Below the room it ends at the room, which bounds nothing.
+  if (rising <= 0.0 || x < 0.0) return nodes.core_c;
+  const double sum = a + c + static_cast<double>(kCoils) * b;
+  const double apart = std::sqrt(sum * sum - 4.0 * a * c);
+  const double p = 0.5 * (sum + apart);
+  const double q = a * c / p;
+  const double fast = rising + q * x;
+  const double slow = rising + p * x;
+  const double at_s = std::log(p * fast / (q * slow)) / apart;
+  const double peak = (slow * std::exp(-q * at_s) - fast * std::exp(-p * at_s)) / apart;
+  return ambient_c + peak;
+}
+
+SkinInputs SkinInputs::of(const ThermalModel& thermal, const ThermalFilter& filter,
+                          bool fan_running) noexcept {
+  SkinInputs in;
+  in.nodes = filter.nodes();
+  in.ambient_c = filter.ambient_c();
+  const double to_room_k_w =
+      fan_running ? thermal.core_to_room_fan_k_w : thermal.core_to_room_still_k_w;
+  in.to_room_k_w = to_room_k_w / filter.cooling();
+  in.deviation_k = filter.between_deviation_k(kSkinShare);
+  return in;
+}
+
+void SkinEstimate::step(const SkinInputs& in, double dt_s) noexcept {
+  const double goal_c = settled_skin_c(in.nodes.core_c, in.ambient_c);
+  if (!started_) following_c_ = goal_c;
+  started_ = true;
+  following_c_ += (goal_c - following_c_) * -std::expm1(-dt_s / kSkinLagS);
+  const double coming_c =
+      settled_skin_c(coming_core_c(thermal_, in.nodes, in.ambient_c, in.to_room_k_w), in.ambient_c);
+  coming_k_ = std::max(0.0, coming_c - following_c_);
+  margin_k_ = std::clamp(kDeviations * in.deviation_k, kMinMarginK, kMaxMarginK);
+  bound_c_ = heated_c() + margin_k_;
+}
+
+}  // namespace hedgehog::model

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+// Temperatures of the windings and their upper bounds, by energy balance, V/I and thermistors: a
+// Kalman filter's estimate plus its uncertainty, and lower limits of that bound which do not depend
+// on the filter. DESIGN section 6, "Knowing the temperature"; daemon/README.md has the table of
+// faults and quantities.
+#pragma once
+
+#include <array>
+#include <limits>
+
+#include "model/coils.h"
+#include "model/estimate/energy_floor.h"
+#include "model/estimate/resistance_fall.h"
+#include "model/estimate/thermal_filter.h"
+#include "model/estimate/winding_thermometer.h"
+#include "model/thermal/thermal_flow.h"
+#include "model/thermal/thermal_model.h"
+#include "model/thermal/thermal_uncertainty.h"
+#include "model/tick.h"
+
+namespace hedgehog::model {
+
+/// One millisecond of measurements. Trivially copyable.
+struct ThermalMeasurement {
+  /// Mean bridge voltages over it (duty x supply), and currents at its start and end. They
+  /// must belong together: a voltage that is one tick off reads as tens of kelvins while the
+  /// current changes. After a lost frame say `electrical_valid` false.
+  Vec3 voltage_v;
+  Vec3 current_before_a;
+  Vec3 current_a;
+  /// At the bridges, V; 0: not measured.
+  double supply_v = 0.0;
+  /// False when the bridges slept or the telemetry did not arrive: then V/I says nothing, and
+  /// currents are zero or assumed.
+  bool electrical_valid = false;
+  /// Of each winding: false when its current was not measured but is the one that is expected.
+  std::array<bool, kCoils> current_measured{true, true, true};
+  /// What the sensors of the currents show while nothing can flow, when they show it.
+  bool idle = false;
+  Vec3 idle_a;
+  CurrentAccuracy accuracy;
+  /// By winding; not valid where there is none, or while it is open, short, stale or impossible.
+  ThermistorReadings thermistors;
+  bool fan_running = false;
+};
+
+/// Where an observer starts. Trivially copyable.
+struct ThermalStart {
+  ThermalState nodes;
+  /// NaN: that of the coolest node when that is below 35 C, else 25 C.
+  double ambient_c = std::numeric_limits<double>::quiet_NaN();
+  /// The nodes go back to an estimate of before, or to a ball that was as warm as its room;
+  /// otherwise they are a guess by the thermistor.
+  bool known = false;
+  /// Standard deviation of each node then, beside that of the thermistors, K; only when known.
+  double deviation_k = 0.3;
+  /// Which windings have been measured by their V/I since that.
+  std::array<bool, kCoils> measured{};
+
+  /// The ball is known to be at one temperature, so that its thermistors show that of each winding.
+  bool at_rest() const noexcept {
+    return known && deviation_k <= kMaxRestDeviationK && at_one_temperature(nodes);
+  }
+  static constexpr double kMaxRestDeviationK = 1.0;
+};
+
+struct ThermalEstimate {
+  ThermalState nodes;
+  /// Standard deviation of each winding's, K.
+  std::array<double, kCoils> deviation_k{};
+  /// Upper bound of each winding, C; the limiter's.
+  std::array<double, kCoils> upper_c{25.0, 25.0, 25.0};
+  /// The greatest of those and of the thermistors with their lead: what the limiter must use.
+  /// Infinity when nothing can be trusted: no thermistor has said anything valid for 100 ms
+  /// (before that, its last value stays).
+  double hottest_c = 25.0;
+  /// Estimate of the hottest winding plus one standard deviation, C: what must trip.
+  double likely_c = 25.0;
+  /// The thermistor with its lead, C.
+  double sensor_lead_c = 25.0;
+  /// Estimated room temperature. "As felt": a core that is cooled worse than nominal looks like a
+  /// warmer room.
+  double ambient_c = 25.0;
+  /// Which windings have been measured by their own V/I since the start (after a restart without
+  /// saved temperatures a winding is held to continuous_a until then).
+  std::array<bool, kCoils> measured{};
+  /// Which windings are being measured by their own V/I at this tick.
+  std::array<bool, kCoils> measuring{};
+  /// Estimated resistance of each winding now, ohm, within a factor of two of the filter's; for
+  /// the bridge voltage.
+  std::array<double, kCoils> resistance_ohm{0.45, 0.45, 0.45};
+};
+
+/// Real-time safe; trivially copyable, so that the flight recorder can keep it.
+class ThermalObserver {
+ public:
+  /// How often the filter takes its measurements.
+  static constexpr double kWindowS = 0.1;
+
+  ThermalObserver() noexcept : ThermalObserver(CoilModel{}, ThermalModel{}, ThermalStart{}) {}
+  ThermalObserver(const CoilModel& coils, const ThermalModel& thermal, const ThermalStart& start,
+                  const ThermalUncertainty& uncertainty = {}) noexcept;
+
+  /// `dt_s` later (a tick; up to 20 ms when ticks were skipped), with what was measured in its last
+  /// millisecond. Numbers that are not finite, or currents above 100 A, count as not measured.
+  void step(const ThermalMeasurement& measurement, double dt_s = kTickSeconds) noexcept;
+  const ThermalEstimate& estimate() const noexcept { return estimate_; }
+
+  /// The filter, and the innovations of the last window's measurements; `judged` in the tick in
+  /// which a window ended.
+  const ThermalFilter& filter() const noexcept { return filter_; }
+  bool judged() const noexcept { return judged_; }
+  struct Judgement {
+    bool resistance_known = false;
+    Innovation resistance;
+    bool thermistor_known = false;
+    Innovation thermistor;
+  };
+  const Judgement& judgement(int coil) const noexcept {
+    return judgement_[static_cast<std::size_t>(coil)];
+  }
+  const ResistanceFall& fall(int coil) const noexcept {
+    return fall_[static_cast<std::size_t>(coil)];
+  }
+  const WindingThermometer& winding(int coil) const noexcept {
+    return thermometer_[static_cast<std::size_t>(coil)];
+  }
+  /// Within 20 s of a start from unknown temperatures: nothing is judged yet.
+  bool settling() const noexcept { return settling_s_ > 0.0; }
+
+ private:
+  /// What a window has summed up so far.
+  struct Window {
+    double s = 0.0;
+    std::array<double, kCoils> heat_j{};
+    int ticks = 0;
+    std::array<int, kCoils> idle_ticks{};
+    Vec3 idle_a_sum;
+    std::array<int, kCoils> thermistor_ticks{};
+    std::array<double, kCoils> thermistor_sum{};
+    std::array<bool, kCoils> measured_throughout{true, true, true};
+  };
+
+  void follow_currents(const ThermalMeasurement& measurement, double dt_s) noexcept;
+  void follow_thermistors(const ThermistorReadings& thermistors, double dt_s) noexcept;
+  void judge(bool fan_running) noexcept;
+  void judge_winding(int coil) noexcept;
+  double margin_k(int coil) const noexcept;
+  void bound() noexcept;
+  double resistance_ohm(int coil) const noexcept;
+  double likely_c(int coil) const noexcept;
+  double bound_by_filter(int coil) const noexcept;
+  double floor_by_resistance(int coil) const noexcept;
+  void follow_supply(const ThermalMeasurement& measurement, double dt_s) noexcept;
+  double supply_error_k(int coil) const noexcept;
+
+  CoilModel coils_;
+  ThermalModel thermal_;
+  ThermalEstimate estimate_;
+  ThermalFilter filter_;
+  EnergyFloor floor_;
+  std::array<WindingThermometer, kCoils> thermometer_{};
+  CurrentAccuracy accuracy_;
+  Window window_;
+  std::array<Judgement, kCoils> judgement_{};
+  std::array<ResistanceFall, kCoils> fall_{};
+  /// By what an offset of 1 A lowered ln R in the last window.
+  std::array<double, kCoils> per_ampere_{};
+  bool judged_ = false;
+  double settling_s_ = 0.0;
+  /// Mean squares of the winding currents over the last step, A^2; kept while unknown.
+  Vec3 mean_square_a2_;
+  ThermistorReadings thermistors_;
+  /// The supply without load, lately and when each winding was compared with its reference, V.
+  double supply_v_ = 0.0;
+  std::array<double, kCoils> reference_supply_v_{};
+  double sensor_fast_c_ = 25.0;
+  double sensor_slow_c_ = 25.0;
+  double sensor_silent_s_ = 0.0;
+  bool sensor_seen_ = false;
+};
+
+}  // namespace hedgehog::model

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// From what a forecast starts, and the law of the fan that it runs by.
+#pragma once
+
+#include <limits>
+
+#include "model/estimate/skin_estimate.h"
+#include "model/thermal/thermal_model.h"
+
+namespace hedgehog::model {
+
+/// From what a forecast starts: the observer's estimate and the fan. Trivially copyable.
+struct ForecastStart {
+  ThermalState nodes;
+  double ambient_c = 25.0;
+  /// The fan as it is, and whether it can run at all (false: dead, foretold without it).
+  bool fan_running = false;
+  bool fan_works = true;
+  /// By how much the limiter's bound is above the hottest node, K: what the instruments leave open.
+  double above_k = 0.0;
+  /// The skin as it is followed, and by how much what limits is above it, K; -infinity: no skin
+  /// limits.
+  SkinEstimate skin;
+  double skin_above_k = -std::numeric_limits<double>::infinity();
+  /// The 30 s mean of |I| now, A; above 3 A it keeps the fan running.
+  double mean_current_a = 0.0;
+};
+
+/// The fan as the controller runs it: on above 40 C or a 30 s mean above 3 A, off below 35 C.
+inline constexpr double kFanOnC = 40.0;
+inline constexpr double kFanOffC = 35.0;
+inline constexpr double kFanOnA = 3.0;
+inline constexpr double kFanMeanS = 30.0;
+
+}  // namespace hedgehog::model

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// The flux of one magnet through an end face of another: a force is the difference of two of them.
+// A detail of pair_force and force_curve. No allocation; any thread.
+#pragma once
+
+#include "model/magnets/pair/pair_force.h"
+
+namespace hedgehog::model {
+
+/// What one face contributes, its sign left out.
+struct FaceForce {
+  double force_n = 0.0;
+  double error_n = 0.0;
+  /// Of the disk rule that it came from; 0: not computed yet.
+  int order = 0;
+};
+
+/// Every end face that the subject's axis can carry, at one angle.
+class FaceFlux {
+ public:
+  FaceFlux(const MagnetPair& pair, double angle_deg, double other_offset_mm) noexcept;
+
+  /// The face so far from the sphere's centre, with the order that will probably do for `accuracy`.
+  FaceForce first(double distance_mm, double accuracy) const noexcept;
+  /// The same face with the order that will probably bring the error down to `wanted_n`; at least
+  /// one more than `known`. REQUIRES: 0 < known.order < DiskRule::kMaxOrder.
+  FaceForce refined(double distance_mm, const FaceForce& known, double wanted_n) const noexcept;
+
+ private:
+  struct Integral {
+    double force_n = 0.0;
+    /// Were all parts of the face to pull the same way.
+    double gross_n = 0.0;
+  };
+  Integral integral(double distance_mm, int order) const noexcept;
+  double axial_field(double across_mm, double beside_mm, double distance_mm) const noexcept;
+  FaceForce compared(double distance_mm, int order, double coarse_n,
+                     int coarse_order) const noexcept;
+  double rim_ratio(double distance_mm) const noexcept;
+
+  CylinderMagnet other_;
+  double radius_mm_;
+  double sine_;
+  double cosine_;
+  double other_middle_mm_;
+  double newton_per_tesla_;
+};
+
+/// Refines the two faces in turn until top - bottom is as accurate as wanted, as `ForceSettings`
+/// says it.
+PairForce settle(const FaceFlux& flux, double bottom_mm, FaceForce& bottom, double top_mm,
+                 FaceForce& top, double accuracy) noexcept;
+
+}  // namespace hedgehog::model
