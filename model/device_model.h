@@ -10,6 +10,7 @@
 #include "model/calibration.h"
 #include "model/coils.h"
 #include "model/limit/limits.h"
+#include "model/magnets/ball_geometry.h"
 #include "model/thermal/thermal_model.h"
 #include "model/thermal/thermal_uncertainty.h"
 
@@ -26,11 +27,7 @@ struct DeviceModel {
   std::string name = "ball";
   /// The kind of ball; the name of its device file.
   std::string model = "hedgehog-86";
-  /// Which pins it has; `hedgehog_86()` is the only one so far.
-  std::string arrangement = "tkD-86";
-  /// The pin on whose meridian the arrow on the casing is. Numbering begins at the front, so for
-  /// tkD-86 this is 1, the first pin of ring 1; other arrangements have other first pins.
-  int front_pin = 1;
+  BallGeometry geometry;
   CoilModel coils;
   ThermalModel thermal;
   /// By how much this ball may differ from `thermal` and `coils.r25_ohm`.

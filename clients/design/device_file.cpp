@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "clients/design/device_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <utility>
+#include <vector>
 
+#include "model/magnets/arrangement.h"
 #include "model/magnets/electromagnet.h"
 
 namespace hedgehog::design {
@@ -12,7 +16,37 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kDrivenArray = "tkD-86";
+/// The array of which `design` is a part, by the name under which the daemon knows it.
+Result<model::Arrangement> known_array(const Design& design) {
+  auto known = model::arrangement_named(design.array);
+  if (!known) known = model::arrangement_named(design.array.substr(0, design.array.find('-')));
+  if (!known) return Complaint{kUsage, known.error().message};
+  return *std::move(known);
+}
+
+/// The numbers of those of `whole` that are not among `left`.
+std::vector<int> missing(const std::vector<model::MagnetSite>& whole,
+                         const std::vector<model::MagnetSite>& left) {
+  constexpr double kSameDirection = 1e-6;
+  std::vector<int> ids;
+  for (const model::MagnetSite& site : whole) {
+    const bool there = std::any_of(left.begin(), left.end(), [&](const model::MagnetSite& other) {
+      return model::norm(other.direction - site.direction) < kSameDirection;
+    });
+    if (!there) ids.push_back(site.id);
+  }
+  return ids;
+}
+
+/// A pin on the meridian of the casing's arrow; canonical arrays have one.
+int front_pin(const model::Arrangement& whole) {
+  constexpr double kOnMeridian = 1e-6;
+  const auto front =
+      std::find_if(whole.pins.begin(), whole.pins.end(), [](const model::MagnetSite& pin) {
+        return pin.direction.x > kOnMeridian && std::abs(pin.direction.y) < kOnMeridian;
+      });
+  return front == whole.pins.end() ? 1 : front->id;
+}
 
 }  // namespace
 
@@ -24,25 +58,27 @@ Result<std::string> device_text(const Design& design, const std::string& name) {
         "--device: the file's name is the ball's: 1 to 32 letters, digits, '-', '_', '.'; not '" +
             name + "'"};
   }
-  if (design.array != kDrivenArray || !design.whole()) {
-    return Complaint{kBadData, "no device file for " +
-                                   (design.positions.empty() ? design.array : design.positions) +
-                                   (design.removed_pins.empty() ? "" : " with pins removed") +
-                                   (design.removed_shields.empty() ? "" : " with shields removed") +
-                                   ": hedgehogd knows the places of tkD-86 only"};
+  if (!design.positions.empty()) {
+    return Complaint{kBadData, "no device file for " + design.positions +
+                                   ": hedgehogd knows the arrays by name only"};
   }
-  if (!has_thesis_magnets(design)) {
-    return Complaint{kBadData, "no device file for " + to_text(design) +
-                                   ": hedgehogd has the force curves of N45 pins 8x10 and shields "
-                                   "4x10 on a sphere of 35 mm only, and would tell wrong places"};
-  }
+  const auto whole = known_array(design);
+  if (!whole) return whole.error();
+  const auto left = arrangement_of(design);
+  if (!left) return left.error();
   const double slope_n_a = model::coil_force_n(model::measured_electromagnet(), 1.0,
                                                design.sizes().pin, design.sphere_mm, 0.0, 0.0);
   Json root;
   root["name"] = name;
-  root["model"] = "hedgehog-86";
-  root["arrangement"] = kDrivenArray;
-  root["front_pin"] = 1;
+  root["model"] = "hedgehog-" + std::to_string(left->pins.size());
+  root["arrangement"] = whole->name;
+  root["removed_pins"] = missing(whole->pins, left->pins);
+  root["removed_shields"] = missing(whole->shields, left->shields);
+  root["front_pin"] = front_pin(*whole);
+  root["pin_magnet_mm"] = {design.magnet.diameter_mm, design.magnet.height_mm};
+  root["shield_magnet_mm"] = {design.shield.diameter_mm, design.shield.height_mm};
+  root["remanence_t"] = design.remanence_t;
+  root["sphere_mm"] = design.sphere_mm;
   root["force_slope_n_a"] = std::round(slope_n_a * 1e6) / 1e6;
   return "// " + to_text(design) + "; hedgehog-design " HEDGEHOG_VERSION +
          "\n// force_slope_n_a is what the thesis' electromagnet, as measured, makes of these "

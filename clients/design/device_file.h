@@ -11,9 +11,8 @@
 namespace hedgehog::design {
 
 /// The file for a ball of that name. What has to be measured on the ball itself (coil matrix,
-/// resistances) is left to the kind of ball. Complains (65) about designs other than
-/// the ball of the thesis: hedgehogd knows the places of tkD-86 and the force curves of its magnets
-/// only.
+/// resistances) is left to the kind of ball. Complains (65) about a design that is a list of
+/// positions: hedgehogd knows the arrays by name.
 Result<std::string> device_text(const Design& design, const std::string& name);
 
 }  // namespace hedgehog::design

@@ -49,12 +49,6 @@ struct PinArray {
   }
 };
 
-/// The ball of the thesis (section 2.3): the tkD array, the canonical GP(3,0) of 92 faces with a
-/// pentagon on top, less the pentagon at the bottom and its five hexagons, where the fan is. 86
-/// pins, 0..85 in rings of 1, 5, 10, 15, 15, 15, 15 and 10. The front is the meridian of pin 1, of
-/// ring 1. Computed by the first call (some 10 ms, allocates): make it at start-up.
-const PinArray& hedgehog_86();
-
 /// The pin that a field along `direction` (any length but 0) pushes most; of equals the one of the
 /// lowest id. Straight down there is none, and the nearest are at a cosine of about 0.79. RT-safe.
 NearestPin nearest_pin(const PinArray& array, const Vec3& direction) noexcept;

@@ -53,14 +53,11 @@ void number(std::vector<MagnetSite>& sites, Row row) {
 
 Arrangement arrangement_of(const Goldberg& gp, std::string name) {
   Arrangement arrangement{std::move(name), {}, {}};
-  for (std::size_t i = 0; i < gp.faces.size(); ++i)
-    arrangement.pins.push_back({static_cast<int>(i), gp.faces[i].direction});
-  number(arrangement.pins,
-         [&](const MagnetSite& site) { return gp.faces[static_cast<std::size_t>(site.id)].ring; });
+  for (const Goldberg::Face& face : gp.faces)
+    arrangement.pins.push_back({0, face.direction, face.ring});
   for (const Vec3& vertex : gp.vertices)
     arrangement.shields.push_back({0, unit_or(vertex, {0, 0, 1})});
-  number(arrangement.shields,
-         [](const MagnetSite& site) { return std::lround(-site.direction.z / kSameDirection); });
+  number_sites(arrangement);
   return arrangement;
 }
 
@@ -125,6 +122,13 @@ MagnetResult<Arrangement> without(Arrangement arrangement, std::span<const int> 
   if (auto error = remove(arrangement.pins, pins, "pin")) return *error;
   if (auto error = remove(arrangement.shields, shields, "shield")) return *error;
   return arrangement;
+}
+
+void number_sites(Arrangement& arrangement) {
+  number(
+      arrangement.pins, [](const MagnetSite& site) { return site.ring; });
+  number(arrangement.shields,
+         [](const MagnetSite& site) { return std::lround(-site.direction.z / kSameDirection); });
 }
 
 double angle_deg(const Vec3& a, const Vec3& b) noexcept {

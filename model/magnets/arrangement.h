@@ -19,6 +19,8 @@ struct MagnetSite {
   int id = 0;
   /// Length 1.
   Vec3 direction;
+  /// Of pins: faces from the top one, which has 0. Shields have none.
+  int ring = 0;
 };
 
 struct Arrangement {
@@ -32,7 +34,7 @@ struct Arrangement {
 /// 1 <= m, 0 <= n, m + n <= 8, and the ball of the thesis: "tkD-86" with the 10 shields removed
 /// that touch two or three of its removed faces, "tkD-86-5" and "tkD-86-20" with those that touch
 /// three and one (reference: physics.md section 4). A pentagon is on top; the pins of the balls
-/// bear the numbers of `hedgehog_86`, others are numbered from the top down, anticlockwise from the
+/// bear the numbers of `thesis_ball`, others are numbered from the top down, anticlockwise from the
 /// front in each height. Every call computes anew (tkD 10 ms, GP(8,0) about a second): keep the
 /// value.
 MagnetResult<Arrangement> arrangement_named(std::string_view name);
@@ -40,6 +42,9 @@ MagnetResult<Arrangement> arrangement_named(std::string_view name);
 /// `arrangement` less the pins and shields with these ids; an id that there is not is an error.
 MagnetResult<Arrangement> without(Arrangement arrangement, std::span<const int> pins,
                                   std::span<const int> shields);
+
+/// Numbers pins ring by ring from the top, shields by height, each anticlockwise from the front.
+void number_sites(Arrangement& arrangement);
 
 /// Angle between two directions, degrees; exact for small ones too.
 double angle_deg(const Vec3& a, const Vec3& b) noexcept;

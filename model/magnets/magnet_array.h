@@ -22,6 +22,7 @@ struct ArraySizes {
   CylinderMagnet shield = kThesisShieldMagnet;
   double sphere_radius_mm = 35.0;
 
+  friend bool operator==(const ArraySizes&, const ArraySizes&) = default;
   MagnetPair pin_and_pin() const noexcept { return {pin, pin, sphere_radius_mm}; }
   MagnetPair pin_and_shield() const noexcept { return {pin, shield, sphere_radius_mm}; }
   MagnetPair shield_and_shield() const noexcept { return {shield, shield, sphere_radius_mm}; }

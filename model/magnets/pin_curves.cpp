@@ -53,9 +53,4 @@ void PinCurves::extensions_mm(std::span<const double> coil_forces_n,
   for (std::size_t i = 0; i < size(); ++i) extensions_mm[i] = extension_mm(i, coil_forces_n[i]);
 }
 
-const PinCurves& hedgehog_86_curves() {
-  static const PinCurves curves(arrangement_named("tkD-86").value(), {});
-  return curves;
-}
-
 }  // namespace hedgehog::model

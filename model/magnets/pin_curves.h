@@ -55,8 +55,4 @@ class PinCurves {
   std::vector<std::uint16_t> class_of_;
 };
 
-/// Of the ball of the thesis, "tkD-86": pins as in `hedgehog_86()`. Computed by the first call
-/// (some 80 ms, allocates): make it at start-up.
-const PinCurves& hedgehog_86_curves();
-
 }  // namespace hedgehog::model

@@ -12,8 +12,8 @@
 
 #include "clients/ctl/screen/ball_map.h"
 #include "clients/ctl/terminal/words.h"
-#include "model/geometry/pin_array.h"
 #include "model/geometry/pin_motion.h"
+#include "tests/clients/thesis_description.h"
 
 namespace hedgehog::client {
 namespace {
@@ -34,9 +34,10 @@ Ball armed_ball() {
 RC_GTEST_PROP(BallNumbers, StandApartInEightyColumns, ()) {
   const auto part = [] { return *rc::gen::inRange(-150, 151) / 10.0; };
   const model::Vec3 field{part(), part(), part()};
-  const auto motion = model::pin_motion(model::hedgehog_86(), model::hedgehog_86_curves(), {field},
-                                        *rc::gen::element(0.0126, 0.02667));
-  const auto lines = ball_numbers(motion.extension_mm, motion.force_n, {.ascii = true});
+  const auto motion = model::pin_motion(model::thesis_ball().array, model::thesis_ball().curves,
+                                        {field}, *rc::gen::element(0.0126, 0.02667));
+  const auto lines = ball_numbers(model::thesis_ball().array, motion.extension_mm, motion.force_n,
+                                  {.ascii = true});
   RC_ASSERT(lines.size() == 10u);
   std::multiset<std::string> wanted;
   std::multiset<std::string> drawn;
@@ -44,7 +45,7 @@ RC_GTEST_PROP(BallNumbers, StandApartInEightyColumns, ()) {
     RC_ASSERT(columns(lines[row + 1]) <= 79u);
     std::istringstream text(lines[row + 1]);
     for (std::string word; text >> word;) drawn.insert(word);
-    for (const model::Pin& pin : model::hedgehog_86().ring(row)) {
+    for (const model::Pin& pin : model::thesis_ball().array.ring(row)) {
       const std::string number =
           fixed(100.0 * motion.extension_mm[static_cast<std::size_t>(pin.id)], 0);
       wanted.insert(number == "0" ? "." : number);
@@ -59,22 +60,24 @@ TEST(BallNumbers, MarkWhatIsUpAndColourWhatIsStrong) {
   out[0] = 0.236;
   forces[0] = 0.19;
   out[80] = -0.094;
-  const auto plain = ball_numbers(out, forces, {.ascii = true, .room_up = model::Vec3{0, 0, 1}});
+  const auto plain = ball_numbers(model::thesis_ball().array, out, forces,
+                                  {.ascii = true, .room_up = model::Vec3{0, 0, 1}});
   EXPECT_THAT(plain[1], EndsWith(" ^24"));
   EXPECT_THAT(plain[8], HasSubstr(" -9 "));
-  const auto coloured = ball_numbers(out, forces, {.colour = true});
+  const auto coloured = ball_numbers(model::thesis_ball().array, out, forces, {.colour = true});
   EXPECT_THAT(coloured[1], EndsWith("\033[1m24\033[0m"));
   EXPECT_THAT(coloured[8], HasSubstr("\033[2m-9\033[0m"));
 }
 
 TEST(PinsScreen, SaysWhoIsFarthestOutIn80By22) {
   Ball ball = armed_ball();
-  const auto motion =
-      model::pin_motion(model::hedgehog_86(), model::hedgehog_86_curves(), {{0, 0, 15}}, 0.0126);
+  const auto motion = model::pin_motion(model::thesis_ball().array, model::thesis_ball().curves,
+                                        {{0, 0, 15}}, 0.0126);
   ball.status.pins = {motion.force_n, motion.extension_mm};
   ball.status.remedy = "Run: hedgehogctl arm";
-  ball.description.pins = {{0, {}, 0, 0.0}, {1, {}, 1, 0.5}, {2, {}, 1, 0.5}, {3, {}, 1, 0.5},
-                           {4, {}, 1, 0.5}, {5, {}, 1, 0.5}, {6, {}, 2, 0.5}, {7, {}, 2, 0.56}};
+  ball.description = thesis_description();
+  for (std::size_t pin = 1; pin < 8; ++pin)
+    ball.description.pins[pin].rest_mm = pin == 7 ? 0.56 : 0.5;
   const auto lines = pins_screen(ball, {});
   EXPECT_LE(lines.size(), 22u);
   for (const std::string& line : lines) EXPECT_LE(columns(line), 80u) << line;

@@ -14,7 +14,7 @@
 #include "clients/ctl/terminal/bar.h"
 #include "clients/ctl/terminal/words.h"
 #include "model/geometry/field.h"
-#include "model/geometry/pin_array.h"
+#include "tests/clients/thesis_description.h"
 
 namespace hedgehog::client {
 namespace {
@@ -24,8 +24,8 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 std::vector<double> forces_of(const model::Vec3& demand_a) {
-  std::vector<double> forces(model::hedgehog_86().pins.size());
-  model::pin_forces(model::hedgehog_86(), {demand_a}, 0.0126, forces);
+  std::vector<double> forces(model::thesis_ball().array.pins.size());
+  model::pin_forces(model::thesis_ball().array, {demand_a}, 0.0126, forces);
   return forces;
 }
 
@@ -41,6 +41,7 @@ std::size_t marks(const std::vector<std::string>& lines, const std::string& mark
 Ball warm_ball() {
   Ball ball;
   ball.hello.version = "1.0.0";
+  ball.description = thesis_description();
   ball.description.limits.derate_from_c = 60;
   ball.description.limits.trip_c = 70;
   protocol::Status& status = ball.status;
@@ -71,13 +72,14 @@ Ball warm_ball() {
 }
 
 TEST(BallMap, HasARowARingAndAMarkAPin) {
-  const auto lines = ball_map(forces_of({}), {});
+  const auto lines = ball_map(model::thesis_ball().array, forces_of({}), {});
   ASSERT_EQ(lines.size(), 10u);
   EXPECT_EQ(marks(lines, "·"), 86u);
 }
 
 TEST(BallMap, ShowsAPushToTheLeftOnTheLeft) {
-  const auto lines = ball_map(forces_of({0, 15, 0}), {true, std::nullopt});
+  const auto lines =
+      ball_map(model::thesis_ball().array, forces_of({0, 15, 0}), {true, std::nullopt});
   for (std::size_t row = 2; row < 9; ++row) {
     const std::size_t strongest = lines[row].find('@');
     if (strongest != std::string::npos) EXPECT_LT(lines[row].rfind('@'), 39u) << lines[row];
@@ -86,19 +88,21 @@ TEST(BallMap, ShowsAPushToTheLeftOnTheLeft) {
 }
 
 TEST(BallMap, ShowsAPushUpOnTop) {
-  const auto lines = ball_map(forces_of({0, 0, 15}), {true, std::nullopt});
+  const auto lines =
+      ball_map(model::thesis_ball().array, forces_of({0, 0, 15}), {true, std::nullopt});
   EXPECT_EQ(lines[1], std::string(39, ' ') + "@");
   EXPECT_EQ(marks({"", lines[8], ""}, "@"), 0u);
 }
 
 TEST(BallMap, MarksWhatIsUpInTheRoom) {
-  const auto lines = ball_map(forces_of({}), {true, model::Vec3{1, 0, 0}});
+  const auto lines =
+      ball_map(model::thesis_ball().array, forces_of({}), {true, model::Vec3{1, 0, 0}});
   EXPECT_EQ(marks(lines, "^"), 1u);
 }
 
 RC_GTEST_PROP(BallMap, NeverLeavesEightyColumns, ()) {
   const auto part = [] { return *rc::gen::inRange(-150, 151) / 10.0; };
-  const auto lines = ball_map(forces_of({part(), part(), part()}), {});
+  const auto lines = ball_map(model::thesis_ball().array, forces_of({part(), part(), part()}), {});
   for (const std::string& line : lines) RC_ASSERT(columns(line) <= 79u);
 }
 

@@ -49,6 +49,22 @@ TEST(DeviceFile, EveryKeyArrives) {
   EXPECT_EQ(print_device(again.load()->device), print_device(d));
 }
 
+TEST(DeviceFile, AnyGeometryIsData) {
+  const FakeFiles fake = FakeFiles::with_device(R"json({
+    "arrangement": "GP(4,1)", "removed_pins": [211, 7], "removed_shields": [0], "front_pin": 3,
+    "pin_magnet_mm": [4, 6], "shield_magnet_mm": [2, 6], "remanence_t": 1.2, "sphere_mm": 50})json");
+  ASSERT_EQ(fake.errors(), "");
+  const model::BallGeometry geometry = fake.load()->device.geometry;
+  EXPECT_EQ(geometry.removed_pins, (std::vector<int>{211, 7}));
+  EXPECT_EQ(geometry.removed_shields, (std::vector<int>{0}));
+  EXPECT_EQ(geometry.front_pin, 3);
+  EXPECT_EQ(geometry.sizes, (model::ArraySizes{{4, 6, 1.2}, {2, 6, 1.2}, 50}));
+  EXPECT_EQ(model::arrangement_of(geometry)->pins.size(), 210u);
+  FakeFiles again = FakeFiles::with_device(print_device(fake.load()->device));
+  ASSERT_EQ(again.errors(), "");
+  EXPECT_EQ(again.load()->device, fake.load()->device);
+}
+
 TEST(DeviceFile, AMatrixMustReachEveryDirection) {
   EXPECT_EQ(wrong_device("{\n\"coil_matrix\": [[1, 0, 0], [0, 1, 0], [1, 1, 0]]}"),
             kDeviceFile +
@@ -67,7 +83,17 @@ TEST(DeviceFile, WrongValuesAreNamed) {
   EXPECT_EQ(wrong_device("{\"thermal\": {\"sensor_winding\": 3}}"),
             kDeviceFile + ":1: thermal.sensor_winding: must be 0 to 2, not 3\n");
   EXPECT_EQ(wrong_device("{\"arrangement\": \"cD-42\"}"),
-            kDeviceFile + ":1: arrangement: must be \"tkD-86\", not \"cD-42\"\n");
+            kDeviceFile +
+                ":1: arrangement: unknown array 'cD-42': known are cD, wD, tkD, GP(m,n), " +
+                "tkD-86, tkD-86-5 and tkD-86-20\n");
+  EXPECT_EQ(wrong_device("{\n\"arrangement\": \"wD\",\n\"front_pin\": 72}"),
+            kDeviceFile + ":2: arrangement: there is no pin 72 to be the front\n");
+  EXPECT_EQ(wrong_device("{\"removed_pins\": 3}"),
+            kDeviceFile + ":1: removed_pins: must be a list of numbers, not 3\n");
+  EXPECT_EQ(wrong_device("{\"pin_magnet_mm\": [8]}"),
+            kDeviceFile +
+                ":1: pin_magnet_mm: must be diameter and height in mm, such as [8, 10], " +
+                "not a list\n");
   EXPECT_EQ(wrong_device("{\"limits\": {\"trip_c\": 90}}"),
             kDeviceFile + ":1: limits.trip_c: must be 30 to 75, not 90\n");
   EXPECT_EQ(wrong_device("{\"name\": \"my ball\"}"),

@@ -139,28 +139,51 @@ TEST(Export, TheDaemonTakesTheDeviceFile) {
   const auto files = config::FakeFiles::with_device(folder.read("ball-9.json"));
   ASSERT_EQ(files.errors(), "");
   EXPECT_EQ(files.load()->device.name, "ball-9");
-  EXPECT_EQ(files.load()->device.arrangement, "tkD-86");
+  EXPECT_EQ(files.load()->device.geometry.arrangement, "tkD-86");
   EXPECT_NEAR(files.load()->device.force_slope_n_a, 0.0126, 1e-6);
 }
 
-TEST(Export, NoDeviceFileForWhatTheDaemonCannotDrive) {
-  const TemporaryFolder folder;
-  const Answer answer = ask({"export", "--array", "wD-66", "--device", folder.path("b.json")});
-  EXPECT_EQ(answer.exit_code, kBadData);
-  EXPECT_THAT(answer.err, HasSubstr("tkD-86 only"));
-  // The places it tells of the pins come from the curves of one ball.
-  for (const std::vector<std::string>& other : {std::vector<std::string>{"--sphere", "40"},
-                                                {"--shield", "4.2x10"},
-                                                {"--magnet", "7x10"},
-                                                {"--remanence", "1.2"},
-                                                {"--remove-shields", "0-4"}}) {
-    std::vector<std::string> words{"export", "--device", folder.path("c.json")};
-    words.insert(words.end(), other.begin(), other.end());
-    const Answer refused = ask(words);
-    EXPECT_EQ(refused.exit_code, kBadData) << other.front();
-    EXPECT_THAT(refused.err, HasSubstr("hedgehogd")) << other.front();
-    EXPECT_FALSE(std::filesystem::exists(folder.path("c.json"))) << other.front();
+// What is printed is driven: the daemon finds the magnets where the design has them.
+TEST(Export, TheDaemonTakesTheDeviceFileOfAnyDesign) {
+  for (const std::vector<std::string>& flags :
+       {std::vector<std::string>{"--array", "wD-66"},
+        {"--array", "GP(2,2)-116", "--magnet", "5x10", "--shield", "3x10"},
+        {"--array", "cD", "--remove-pins", "3,17", "--remove-shields", "0-4"},
+        {"--shield", "3.8x10", "--remanence", "1.2"},
+        {"--array", "tkD-86-20"}}) {
+    const TemporaryFolder folder;
+    std::vector<std::string> words{"export", "--device", folder.path("b.json")};
+    words.insert(words.end(), flags.begin(), flags.end());
+    const Answer exported = ask(words);
+    ASSERT_EQ(exported.exit_code, 0) << exported.err;
+    const auto files = config::FakeFiles::with_device(folder.read("b.json"));
+    ASSERT_EQ(files.errors(), "") << folder.read("b.json");
+    const auto driven = model::arrangement_of(files.load()->device.geometry);
+    ASSERT_TRUE(driven.has_value()) << driven.error().message;
+    words = {"array", "--json"};
+    words.insert(words.end(), flags.begin(), flags.end());
+    const auto drawn = ask(words).json();
+    ASSERT_EQ(driven->pins.size(), drawn.at("positions").at("pins").size()) << flags.back();
+    EXPECT_EQ(driven->shields.size(), drawn.at("positions").at("shields").size()) << flags.back();
+    for (const auto& site : drawn.at("positions").at("pins")) {
+      const auto at = [&](int axis) { return site.at("direction").at(axis).get<double>(); };
+      const model::Vec3 direction = model::unit_or({at(0), at(1), at(2)}, {0, 0, 1});
+      EXPECT_TRUE(std::any_of(
+          driven->pins.begin(), driven->pins.end(),
+          [&](const auto& pin) { return model::norm(pin.direction - direction) < 1e-4; }))
+          << flags.back() << " " << site;
+    }
   }
+}
+
+TEST(Export, NoDeviceFileForAListOfPositions) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(ask({"export", "--csv", folder.path("p.csv")}).exit_code, 0);
+  const Answer answer =
+      ask({"export", "--positions", folder.path("p.csv"), "--device", folder.path("b.json")});
+  EXPECT_EQ(answer.exit_code, kBadData);
+  EXPECT_THAT(answer.err, HasSubstr("knows the arrays by name only"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path("b.json")));
   EXPECT_EQ(ask({"export", "--device", folder.path("a ball.json")}).exit_code, kUsage);
 }
 

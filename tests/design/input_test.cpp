@@ -9,7 +9,7 @@
 #include "clients/design/input/design_file.h"
 #include "clients/design/input/positions_file.h"
 #include "clients/design/input/sizes.h"
-#include "model/geometry/pin_array.h"
+#include "model/magnets/ball_geometry.h"
 #include "tests/design/program.h"
 
 namespace hedgehog::design {
@@ -62,7 +62,7 @@ TEST(Arrays, OpenedHereAsInTheModel) {
     const auto opened = find_arrangement(name).value();
     ASSERT_EQ(opened.shields.size(), shields) << name;
     ASSERT_EQ(opened.pins.size(), 86U);
-    for (const auto& pin : model::hedgehog_86().pins) {
+    for (const auto& pin : model::thesis_ball().array.pins) {
       EXPECT_TRUE(std::any_of(
           opened.pins.begin(), opened.pins.end(),
           [&](const auto& site) { return model::norm(site.direction - pin.position) < 1e-6; }))

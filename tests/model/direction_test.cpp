@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "model/geometry/pin_array.h"
+#include "model/magnets/ball_geometry.h"
 
 namespace hedgehog::model {
 namespace {
@@ -50,8 +50,8 @@ TEST(Direction, PolesAndNothingHaveAzimuthZero) {
 TEST(Direction, SidesForPeople) {
   for (const NamedDirection& d : kNamedDirections) {
     EXPECT_EQ(side_name(d.vector), d.name);
-    const NearestPin pin = nearest_pin(hedgehog_86(), d.vector);
-    EXPECT_EQ(side_name(hedgehog_86().find(pin.id)->position), d.name);
+    const NearestPin pin = nearest_pin(thesis_ball().array, d.vector);
+    EXPECT_EQ(side_name(thesis_ball().array.find(pin.id)->position), d.name);
   }
   EXPECT_EQ(side_name({1, -3, 2}), "right");
   EXPECT_EQ(side_name({}), "up");

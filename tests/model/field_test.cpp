@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "model/calibration.h"
+#include "model/magnets/ball_geometry.h"
 
 namespace hedgehog::model {
 namespace {
@@ -22,7 +23,7 @@ constexpr double kFelt = 0.03;
 constexpr std::size_t kHexagon = 17;
 
 FieldDemand aimed_at(std::size_t pin, double current_a) {
-  return {current_a * hedgehog_86().pins[pin].position};
+  return {current_a * thesis_ball().array.pins[pin].position};
 }
 
 // Reference: physics.md section 5.
@@ -71,7 +72,7 @@ TEST(Field, BothCalibrationsFollowFromTheLaw) {
 }
 
 TEST(Field, TheAimedPinGets63MillinewtonAt5AmpereAnd189At15) {
-  const Vec3& pin = hedgehog_86().pins[kHexagon].position;
+  const Vec3& pin = thesis_ball().array.pins[kHexagon].position;
   EXPECT_NEAR(force_on_pin(aimed_at(kHexagon, 5.0), pin, kSlope), 0.063, 1e-9);
   EXPECT_NEAR(force_on_pin(aimed_at(kHexagon, 15.0), pin, kSlope), 0.189, 1e-9);
   EXPECT_NEAR(current_for_force(0.063, kSlope), 5.0, 1e-9);
@@ -80,29 +81,29 @@ TEST(Field, TheAimedPinGets63MillinewtonAt5AmpereAnd189At15) {
 // Reference: physics.md section 5, aiming at a hexagon beside a pentagon.
 TEST(Field, FractionsAroundTheAimedPin) {
   std::array<double, 86> forces{};
-  pin_forces(hedgehog_86(), aimed_at(kHexagon, 1.0), 1.0, forces);
+  pin_forces(thesis_ball().array, aimed_at(kHexagon, 1.0), 1.0, forces);
   std::sort(forces.rbegin(), forces.rend());
   const double wanted[] = {1.0, 0.941, 0.921, 0.921, 0.915, 0.914, 0.914, 0.792};
   for (std::size_t i = 0; i < std::size(wanted); ++i) EXPECT_NEAR(forces[i], wanted[i], 6e-4) << i;
 }
 
 TEST(Field, SpreadOf86Pins) {
-  const FieldSpread at_5 = spread_of(hedgehog_86(), aimed_at(kHexagon, 5.0), kSlope, kFelt);
+  const FieldSpread at_5 = spread_of(thesis_ball().array, aimed_at(kHexagon, 5.0), kSlope, kFelt);
   EXPECT_EQ(at_5.pins_90, 7);
   EXPECT_EQ(at_5.pins_50, 21);
   EXPECT_EQ(at_5.pins_inward, 40);
   EXPECT_EQ(at_5.pins_above, 25);
-  EXPECT_EQ(spread_of(hedgehog_86(), aimed_at(kHexagon, 15.0), kSlope, kFelt).pins_above, 39);
+  EXPECT_EQ(spread_of(thesis_ball().array, aimed_at(kHexagon, 15.0), kSlope, kFelt).pins_above, 39);
 }
 
 TEST(Field, NoFieldPushesNothing) {
-  const FieldSpread none = spread_of(hedgehog_86(), {}, kSlope, kFelt);
+  const FieldSpread none = spread_of(thesis_ball().array, {}, kSlope, kFelt);
   EXPECT_EQ(none.pins_90 + none.pins_50 + none.pins_inward + none.pins_above, 0);
 }
 
 RC_GTEST_PROP(Field, TheOppositePinIsPulledAsMuch, (int x, int y, int z)) {
   const FieldDemand field{{x * 1e-3, y * 1e-3, z * 1e-3}};
-  const Vec3 pin = hedgehog_86().pins[*rc::gen::inRange<std::size_t>(0, 86)].position;
+  const Vec3 pin = thesis_ball().array.pins[*rc::gen::inRange<std::size_t>(0, 86)].position;
   const double out = force_on_pin(field, pin, kSlope);
   RC_ASSERT(force_on_pin(field, -pin, kSlope) == -out);
   RC_ASSERT(std::abs(out) <= kSlope * norm(field.a) * (1.0 + 1e-12));

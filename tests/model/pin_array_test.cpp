@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/geometry/pin_array.h"
+#include "model/magnets/ball_geometry.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -94,7 +94,7 @@ TEST(Goldberg, TkdHasTheCanonicalAngles) {
 }
 
 TEST(PinArray, Has86PinsInEightRings) {
-  const PinArray& array = hedgehog_86();
+  const PinArray& array = thesis_ball().array;
   ASSERT_EQ(array.pins.size(), 86u);
   ASSERT_EQ(array.rings(), 8u);
   const std::size_t sizes[] = {1, 5, 10, 15, 15, 15, 15, 10};
@@ -109,7 +109,7 @@ TEST(PinArray, Has86PinsInEightRings) {
 }
 
 TEST(PinArray, RingsGoDownAndRunAnticlockwiseFromTheFront) {
-  const PinArray& array = hedgehog_86();
+  const PinArray& array = thesis_ball().array;
   double above = 2.0;
   for (std::size_t r = 0; r < array.rings(); ++r) {
     double before = -1e-9;
@@ -129,14 +129,14 @@ TEST(PinArray, RingsGoDownAndRunAnticlockwiseFromTheFront) {
 }
 
 TEST(PinArray, ThePentagonIsOnTopAndTheFrontIsTheMeridianOfPin1) {
-  const PinArray& array = hedgehog_86();
+  const PinArray& array = thesis_ball().array;
   EXPECT_EQ(array.pins[0].position, (Vec3{0, 0, 1}));
   EXPECT_EQ(array.pins[1].position.y, 0.0);
   EXPECT_GT(array.pins[1].position.x, 0.0);
 }
 
 TEST(PinArray, NothingPointsDownWhereTheFanIs) {
-  const PinArray& array = hedgehog_86();
+  const PinArray& array = thesis_ball().array;
   for (const Pin& pin : array.pins) EXPECT_LT(angle_between_deg(pin.position, {0, 0, 1}), 143.0);
   const NearestPin down = nearest_pin(array, {0, 0, -1});
   EXPECT_EQ(array.pins[static_cast<std::size_t>(down.id)].ring, 7);
@@ -145,7 +145,7 @@ TEST(PinArray, NothingPointsDownWhereTheFanIs) {
 
 // A pin keeps its number; clients and studies store them.
 TEST(PinArray, NumbersOfTheSixSides) {
-  const PinArray& array = hedgehog_86();
+  const PinArray& array = thesis_ball().array;
   EXPECT_EQ(nearest_pin(array, {0, 0, 1}).id, 0);
   EXPECT_EQ(nearest_pin(array, {0, 1, 0}).id, 34);
   EXPECT_EQ(nearest_pin(array, {0, -1, 0}).id, 42);
@@ -155,7 +155,7 @@ TEST(PinArray, NumbersOfTheSixSides) {
 }
 
 TEST(PinArray, FindKnowsItsPinsOnly) {
-  const PinArray& array = hedgehog_86();
+  const PinArray& array = thesis_ball().array;
   EXPECT_EQ(array.find(-1), nullptr);
   EXPECT_EQ(array.find(86), nullptr);
   EXPECT_EQ(array.find(1LL << 40), nullptr);
@@ -164,7 +164,7 @@ TEST(PinArray, FindKnowsItsPinsOnly) {
 }
 
 RC_GTEST_PROP(PinArray, AimingAtAPinFindsItAtAnyLength, ()) {
-  const PinArray& array = hedgehog_86();
+  const PinArray& array = thesis_ball().array;
   const auto id = *rc::gen::inRange<std::size_t>(0, array.pins.size());
   const double length = std::pow(10.0, *rc::gen::inRange(-6, 7));
   const NearestPin found = nearest_pin(array, length * array.pins[id].position);
@@ -175,7 +175,7 @@ RC_GTEST_PROP(PinArray, AimingAtAPinFindsItAtAnyLength, ()) {
 RC_GTEST_PROP(PinArray, NoOtherPinIsNearer, (int x, int y, int z)) {
   const Vec3 wanted{double(x), double(y), double(z)};
   RC_PRE(norm(wanted) > 0.0);
-  const PinArray& array = hedgehog_86();
+  const PinArray& array = thesis_ball().array;
   const NearestPin found = nearest_pin(array, wanted);
   for (const Pin& pin : array.pins)
     RC_ASSERT(dot(pin.position, wanted) / norm(wanted) <= found.cosine + 1e-6);

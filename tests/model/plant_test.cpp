@@ -2,6 +2,7 @@
 // The simulated world against the numbers it was chosen for (DESIGN section 3) and against closed
 // forms.
 #include "model/thermal/plant.h"
+#include "model/magnets/ball_geometry.h"
 
 #include <gtest/gtest.h>
 
@@ -49,19 +50,19 @@ TEST(Plant, ItsPinsFollowItsTrueCurrents) {
   turned.coil_matrix = {{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}};
   turned.force_slope_n_a = kFeaCalibration.force_slope_n_a;
   Plant plant(turned, 25.0);
-  const auto pins = [&] { return plant.pins(hedgehog_86(), hedgehog_86_curves()); };
+  const auto pins = [&] { return plant.pins(thesis_ball().array, thesis_ball().curves); };
   EXPECT_EQ(pins().extension_mm, std::vector<double>(86, 0.0));
   for (int tick = 0; tick < 100; ++tick) plant.step(driven({0, 15 * 0.45, 0}), 1e-3);
   const double current_a = plant.current_a().y;
   EXPECT_NEAR(current_a, 15.0, 0.1);
-  const NearestPin left = nearest_pin(hedgehog_86(), {0, 1, 0});
+  const NearestPin left = nearest_pin(thesis_ball().array, {0, 1, 0});
   const auto at = static_cast<std::size_t>(left.id);
   EXPECT_NEAR(pins().force_n[at], current_a * turned.force_slope_n_a * left.cosine, 1e-9);
   EXPECT_NEAR(pins().extension_mm[at], 0.51 * left.cosine, 0.01);
 
   Plant up(turned, 25.0);
   for (int tick = 0; tick < 100; ++tick) up.step(driven({15 * 0.45, 0, 0}), 1e-3);
-  const std::vector<double> out = up.pins(hedgehog_86(), hedgehog_86_curves()).extension_mm;
+  const std::vector<double> out = up.pins(thesis_ball().array, thesis_ball().curves).extension_mm;
   EXPECT_GT(out[1], 0.4) << "winding x points up in this ball";
   EXPECT_LT(*std::min_element(out.begin(), out.end()), -0.2);
 }

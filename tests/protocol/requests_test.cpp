@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The parameters of every other method.
+#include "model/magnets/ball_geometry.h"
 #include "protocol/wire/json.h"
 #include "tests/protocol/decoding.h"
 
@@ -178,7 +179,7 @@ TEST(Requests, Simulator) {
 }
 
 TEST(Directions, ResolveToUnitVectors) {
-  const model::PinArray& ball = model::hedgehog_86();
+  const model::PinArray& ball = model::thesis_ball().array;
   EXPECT_EQ(*resolve(Word::kLeft, ball), (model::Vec3{0, 1, 0}));
   EXPECT_EQ(*resolve(model::Vec3{0, 0, -7}, ball), (model::Vec3{0, 0, -1}));
   EXPECT_EQ(*resolve(model::Vec3{1e-320, 0, 0}, ball), (model::Vec3{1, 0, 0}));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/magnets/ball_geometry.h"
 #include "tests/server/server_rig.h"
 
 namespace hedgehog::server {
@@ -115,13 +116,34 @@ TEST(Pins, AreThoseOfThePlantWhateverWayTheWindingsSit) {
   hold(rig, game, {1, 2, 3}, 9.0);
   const Json told = pins_now(rig, game);
   const model::PinMotion real =
-      rig.world.board().plant().pins(model::hedgehog_86(), model::hedgehog_86_curves());
+      rig.world.board().plant().pins(model::thesis_ball().array, model::thesis_ball().curves);
   for (std::size_t pin = 0; pin < 86; ++pin) {
     EXPECT_NEAR(told["force_n"][pin], real.force_n[pin], 2e-4) << pin;
     EXPECT_NEAR(told["extension_mm"][pin], real.extension_mm[pin], 1e-3) << pin;
   }
   EXPECT_GT(*std::max_element(real.extension_mm.begin(), real.extension_mm.end()), 0.12);
   EXPECT_LT(*std::min_element(real.extension_mm.begin(), real.extension_mm.end()), -0.1);
+}
+
+// A ball of another geometry is its device file alone.
+TEST(Pins, OfAnotherBallAreThoseOfItsDeviceFile) {
+  config::Config config;
+  config.device.geometry.arrangement = "cD";
+  config.device.geometry.removed_pins = {41};
+  config.device.geometry.front_pin = 2;
+  ServerRig rig(config, board_of(config));
+  FakeClient& game = rig.connect();
+  const Json described = rig.call(game, "device.describe");
+  EXPECT_EQ(described["arrangement"], "cD");
+  ASSERT_EQ(described["pins"].size(), 41u);
+  EXPECT_NEAR(described["pins"][1]["position"][1], 0.0, 1e-5) << "pin 1 is at the front";
+  hold(rig, game, {{"pin", 40}}, 9.0);
+  const Json told = pins_now(rig, game);
+  ASSERT_EQ(told["force_n"].size(), 41u);
+  const auto& forces = told["force_n"];
+  EXPECT_EQ(std::max_element(forces.begin(), forces.end()) - forces.begin(), 40);
+  const Json refused = rig.call(game, "effect.pulse", {{"direction", {{"pin", 41}}}});
+  EXPECT_EQ(refused["message"], "direction.pin: 41 is above 40");
 }
 
 // The same with a matrix that the daemon does not know: the pins follow the ball, not the belief.
@@ -139,12 +161,13 @@ TEST(Pins, AreThoseOfTheSimulatedBallWhateverIsBelieved) {
   hold(rig, game, "front", 9.0);
   const Json told = pins_now(rig, game);
   const model::PinMotion real =
-      rig.world.board().plant().pins(model::hedgehog_86(), model::hedgehog_86_curves());
+      rig.world.board().plant().pins(model::thesis_ball().array, model::thesis_ball().curves);
   for (std::size_t pin = 0; pin < 86; ++pin)
     EXPECT_NEAR(told["force_n"][pin], real.force_n[pin], 2e-4) << pin;
   const auto most = std::max_element(real.force_n.begin(), real.force_n.end());
   const auto at = static_cast<std::size_t>(most - real.force_n.begin());
-  EXPECT_GT(model::hedgehog_86().pins[at].position.y, 0.9) << "the left, not the front, pushes";
+  EXPECT_GT(model::thesis_ball().array.pins[at].position.y, 0.9)
+      << "the left, not the front, pushes";
   EXPECT_NEAR(*most, 0.02 * 9.0, 0.01);
 }
 
@@ -156,7 +179,7 @@ TEST(Pins, OfABallThatIsStrongerThanItsFileMoveFarther) {
   FakeClient& game = rig.connect();
   hold(rig, game, {{"pin", kHexagonPin}}, 15.0);
   const model::PinMotion real =
-      rig.world.board().plant().pins(model::hedgehog_86(), model::hedgehog_86_curves());
+      rig.world.board().plant().pins(model::thesis_ball().array, model::thesis_ball().curves);
   EXPECT_NEAR(real.extension_mm[kHexagonPin], 0.521, 0.005);
   EXPECT_NEAR(pins_now(rig, game)["extension_mm"][kHexagonPin], 0.236, 0.005);
 }

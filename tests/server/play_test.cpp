@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "daemon/server/effects/keyframe_track.h"
+#include "model/magnets/ball_geometry.h"
 #include "tests/server/pattern_examples.h"
 
 namespace hedgehog::server {
@@ -170,14 +171,14 @@ TEST(Play, BothMomentsAreIntegratedNotSampled) {
     comb.push_back(frame(10 * i + 1, 0, model::Ease::kStep));
   }
   comb.push_back(frame(1000, 0, model::Ease::kStep));
-  const KeyframeTrackPtr track = make_keyframe_track(comb, model::hedgehog_86()).value();
+  const KeyframeTrackPtr track = make_keyframe_track(comb, model::thesis_ball().array).value();
   EXPECT_NEAR(track->mean_over(1000).first.x, 0.1, 1e-9);
   EXPECT_NEAR(track->mean_over(1000).second.row[0].x, 0.1, 1e-9);
   EXPECT_NEAR(track->mean_over(1).second.row[0].x, 1.0, 1e-9);
   // A ramp: mean 1/2, mean square 1/3; its first half 1/4 and 1/12.
   const KeyframeTrackPtr ramp =
       make_keyframe_track({frame(0, 0, model::Ease::kLinear), frame(500, 1, model::Ease::kLinear)},
-                          model::hedgehog_86())
+                          model::thesis_ball().array)
           .value();
   EXPECT_NEAR(ramp->mean_over(500).first.x, 0.5, 1e-9);
   EXPECT_NEAR(ramp->mean_over(500).second.row[0].x, 1.0 / 3, 1e-9);

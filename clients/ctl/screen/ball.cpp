@@ -17,6 +17,21 @@ constexpr double kScaleAboveTripC = 8.0;
 
 }  // namespace
 
+model::PinArray pin_array(const protocol::Description& description) {
+  // More than the finest array has; a daemon may send anything.
+  constexpr std::int64_t kMaxRing = 31;
+  model::PinArray array{description.arrangement, {}, {}};
+  for (const protocol::PinDescription& pin : description.pins) {
+    const auto ring = static_cast<int>(std::clamp<std::int64_t>(pin.ring, 0, kMaxRing));
+    while (array.ring_start.size() <= static_cast<std::size_t>(ring))
+      array.ring_start.push_back(array.pins.size());
+    array.pins.push_back(
+        {static_cast<int>(array.pins.size()), ring, model::unit_or(pin.position, {0, 0, 1})});
+  }
+  array.ring_start.push_back(array.pins.size());
+  return array;
+}
+
 std::string effect_words(const protocol::EffectStatus& effect) {
   if (effect.slot) return *effect.slot;
   const std::size_t dot = effect.method.find('.');

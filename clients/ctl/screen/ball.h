@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "model/geometry/pin_array.h"
 #include "protocol/methods.h"
 #include "protocol/values/description.h"
 #include "protocol/values/status.h"
@@ -16,6 +17,9 @@ struct Ball {
   protocol::Description description;
   protocol::Status status;
 };
+
+/// Where its pins are, as it describes them.
+model::PinArray pin_array(const protocol::Description& description);
 
 /// "pulse" of "effect.pulse"; a slot's name where there is one.
 std::string effect_words(const protocol::EffectStatus& effect);

@@ -8,7 +8,6 @@
 #include <string_view>
 
 #include "clients/ctl/terminal/words.h"
-#include "model/geometry/pin_array.h"
 
 namespace hedgehog::client {
 
@@ -16,6 +15,7 @@ namespace {
 
 constexpr int kFront = 39;  // column of the front's meridian
 constexpr int kMapColumns = 79;
+constexpr std::size_t kMapRows = 8;
 /// A ring gets narrower towards the poles, though less than on the ball: marks must not touch.
 struct Shape {
   double half_turn;  // columns from front to back where the ball is widest
@@ -55,16 +55,17 @@ std::string text_of(const Row& row) {
   return line;
 }
 
-/// "up" and the eight rings; `put` writes a pin at its column.
+/// "up" and the rings; `put` writes a pin at its column.
 template <class Put>
-std::vector<std::string> unrolled(const Shape& shape, Put put) {
-  const model::PinArray& array = model::hedgehog_86();
+std::vector<std::string> unrolled(const model::PinArray& pins, const Shape& shape, Put put) {
   std::vector<std::string> lines{std::string(kFront - 1, ' ') + "up"};
-  for (std::size_t r = 0; r < array.rings(); ++r) {
-    Row row;
-    for (const model::Pin& pin : array.ring(r)) put(row, column_of(pin.position, shape), pin.id);
-    lines.push_back(text_of(row));
+  std::array<Row, kMapRows> rows;
+  const std::size_t rings = std::max(pins.rings(), kMapRows);
+  for (const model::Pin& pin : pins.pins) {
+    const std::size_t row = static_cast<std::size_t>(pin.ring) * kMapRows / rings;
+    put(rows[row], column_of(pin.position, shape), pin.id);
   }
+  for (const Row& row : rows) lines.push_back(text_of(row));
   return lines;
 }
 
@@ -73,31 +74,33 @@ double at(std::span<const double> values, int pin) {
   return i < values.size() ? values[i] : 0.0;
 }
 
-int pin_towards(const std::optional<model::Vec3>& direction) {
-  return direction ? model::nearest_pin(model::hedgehog_86(), *direction).id : -1;
+int pin_towards(const model::PinArray& pins, const std::optional<model::Vec3>& direction) {
+  return direction ? model::nearest_pin(pins, *direction).id : -1;
 }
 
 const char* triangle(bool ascii) { return ascii ? "^" : "▲"; }
 
 }  // namespace
 
-std::vector<std::string> ball_map(std::span<const double> force_n, const BallMapStyle& style) {
-  const int up_pin = pin_towards(style.room_up);
-  std::vector<std::string> lines = unrolled(kMarks, [&](Row& row, int column, int pin) {
+std::vector<std::string> ball_map(const model::PinArray& pins, std::span<const double> force_n,
+                                  const BallMapStyle& style) {
+  const int up_pin = pin_towards(pins, style.room_up);
+  std::vector<std::string> lines = unrolled(pins, kMarks, [&](Row& row, int column, int pin) {
     row[static_cast<std::size_t>(column)] =
         pin == up_pin ? triangle(style.ascii) : mark_of(at(force_n, pin), style.ascii);
   });
-  std::string& widest = lines[1 + model::hedgehog_86().rings() / 2];
+  std::string& widest = lines[1 + kMapRows / 2];
   widest.replace(0, 7, "   back");
   widest += "      back";
   lines.emplace_back("                      left           front          right");
   return lines;
 }
 
-std::vector<std::string> ball_numbers(std::span<const double> extension_mm,
+std::vector<std::string> ball_numbers(const model::PinArray& pins,
+                                      std::span<const double> extension_mm,
                                       std::span<const double> force_n, const BallMapStyle& style) {
-  const int up_pin = pin_towards(style.room_up);
-  std::vector<std::string> lines = unrolled(kNumbers, [&](Row& row, int column, int pin) {
+  const int up_pin = pin_towards(pins, style.room_up);
+  std::vector<std::string> lines = unrolled(pins, kNumbers, [&](Row& row, int column, int pin) {
     // Four columns a pin: the triangle, and three digits that end right of the meridian.
     const std::string number = fixed(100.0 * at(extension_mm, pin), 0);
     const bool rests = number == "0";

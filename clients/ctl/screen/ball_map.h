@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "model/geometry/pin_array.h"
 #include "model/vec3.h"
 
 namespace hedgehog::client {
@@ -28,13 +29,16 @@ struct BallMapStyle {
   bool colour = false;
 };
 
-/// Ten lines of at most 78 columns: "up", eight rings, "left front right". `force_n` has the
+/// Ten lines of at most 78 columns: "up", eight rings (of a ball with more, several in one line),
+/// "left front right". `force_n` has the
 /// outward force on each pin by its number (negative: pulled in).
-std::vector<std::string> ball_map(std::span<const double> force_n, const BallMapStyle& style);
+std::vector<std::string> ball_map(const model::PinArray& pins, std::span<const double> force_n,
+                                  const BallMapStyle& style);
 
 /// The same ten lines, wider (79 columns), with how far each pin is out of its rest in hundredths
 /// of a millimetre: `24` is 0.24 mm, `-9` is 0.09 mm further in, a dot is less than 0.005 mm.
-std::vector<std::string> ball_numbers(std::span<const double> extension_mm,
+std::vector<std::string> ball_numbers(const model::PinArray& pins,
+                                      std::span<const double> extension_mm,
                                       std::span<const double> force_n, const BallMapStyle& style);
 
 /// "· rest   ∘ felt   ○ clear   ● strong".

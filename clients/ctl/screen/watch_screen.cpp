@@ -71,7 +71,8 @@ std::vector<std::string> WatchScreen::lines(const Ball& ball) const {
   std::vector<std::string> lines{live_title(status, style_)};
   std::optional<model::Vec3> up;
   if (status.orientation) up = status.orientation->up;
-  for (std::string& line : ball_map(status.pins.force_n, {.ascii = style_.ascii, .room_up = up}))
+  for (std::string& line : ball_map(pin_array(ball.description), status.pins.force_n,
+                                    {.ascii = style_.ascii, .room_up = up}))
     lines.push_back(std::move(line));
   lines.push_back("    " + left(ball_map_legend(style_.ascii), 44) + push_words(status));
   lines.push_back(status.remedy ? "  " + *status.remedy : "");

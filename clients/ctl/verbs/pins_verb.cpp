@@ -21,11 +21,11 @@ constexpr double kLinesHz = 2.0;
 /// For one look the first notification should come at once.
 constexpr double kSoonHz = 50.0;
 
-void print_once(const Status& status, const ScreenStyle& style) {
+void print_once(const model::PinArray& pins, const Status& status, const ScreenStyle& style) {
   std::optional<model::Vec3> up;
   if (status.orientation) up = status.orientation->up;
   for (const std::string& line :
-       ball_map(status.pins.force_n, {.ascii = style.ascii, .room_up = up}))
+       ball_map(pins, status.pins.force_n, {.ascii = style.ascii, .room_up = up}))
     std::puts(line.c_str());
   const std::string legend = ball_map_legend(style.ascii);
   const std::string line =
@@ -58,6 +58,12 @@ int draw_pins(Session& session) {
 int run_pins(Session& session, const PinsOptions& options) {
   if (options.live && options.count == 0 && !session.json && terminal_traits().picture)
     return draw_pins(session);
+  model::PinArray pins;
+  if (!options.live && !session.json) {
+    auto ball = look(session.connection);
+    if (!ball) return complain(ball.error());
+    pins = pin_array(ball->description);
+  }
   const double rate_hz = !options.live ? kSoonHz : session.json ? kPinsHz : kLinesHz;
   if (auto subscribed = session.connection.call(subscription(rate_hz, session.json)); !subscribed)
     return complain(subscribed.error());
@@ -70,7 +76,7 @@ int run_pins(Session& session, const PinsOptions& options) {
       else if (options.live)
         std::puts(pins_line(telemetry->telemetry.status).c_str());
       else
-        print_once(telemetry->telemetry.status, session.style);
+        print_once(pins, telemetry->telemetry.status, session.style);
       std::fflush(stdout);
       ++count;
     }

@@ -6,11 +6,12 @@
 #include <cmath>
 #include <cstdio>
 #include <string_view>
+#include <utility>
 
 #include "daemon/config/json_text.h"
+#include "daemon/config/keys/geometry_keys.h"
 #include "daemon/config/keys/key_tree.h"
 #include "daemon/config/keys/limit_keys.h"
-#include "model/geometry/pin_array.h"
 #include "model/thermal/thermal_decay.h"
 
 namespace hedgehog::config {
@@ -107,14 +108,6 @@ Value write_usb(const DeviceModel& device) {
   return Value::array(std::move(ids));
 }
 
-Reason read_arrangement(DeviceModel& device, const Value& value) {
-  const std::string& known = model::hedgehog_86().arrangement;
-  if (value.kind != Value::Kind::kText || value.text != known)
-    return must_be('"' + known + '"', value);
-  device.arrangement = value.text;
-  return {};
-}
-
 std::vector<Key<DeviceModel>> make_device_keys() {
   using Device = DeviceModel;
   std::vector<Key<Device>> keys;
@@ -122,11 +115,7 @@ std::vector<Key<DeviceModel>> make_device_keys() {
       "name", [](auto& d) -> auto& { return d.name; }));
   keys.push_back(name_key<Device>(
       "model", [](auto& d) -> auto& { return d.model; }));
-  keys.push_back(
-      {"arrangement", read_arrangement, [](const Device& d) { return Value::of(d.arrangement); }});
-  // Numbering begins at the front, and ring 1 has a pin there.
-  keys.push_back(integer_key<Device>(
-      "front_pin", 1, 1, [](auto& d) -> auto& { return d.front_pin; }));
+  for (Key<Device>& key : geometry_keys()) keys.push_back(std::move(key));
   keys.push_back({"coil_matrix", read_matrix, write_matrix});
   keys.push_back({"r25_ohm",
                   [](Device& d, const Value& v) {
@@ -220,6 +209,7 @@ DeviceModel read_device(const Value& root, const std::string& file, ConfigErrors
   if (errors.size() == before) {
     check_order(device.limits, origins, file, errors);
     check_thermal(device.thermal, origins, file, errors);
+    check_geometry(device.geometry, origins, file, errors);
   }
   return device;
 }

@@ -20,8 +20,7 @@ DeviceView::DeviceView(const config::Config& config, control::Mailbox& mailbox,
       mailbox_(mailbox),
       link_(link),
       epoch_ns_(epoch_ns),
-      array_(model::hedgehog_86()),
-      pin_curves_(model::hedgehog_86_curves()),
+      pins_(model::ball_pins(config.device.geometry).value()),
       forecaster_(config.device.coils, config.device.thermal, config.limits),
       outbox_(mailbox) {
   link_.limits.write(device::BoardLimits::of(config.limits));

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -16,9 +17,8 @@
 #include "daemon/device/link_port.h"
 #include "daemon/server/device/outbox.h"
 #include "daemon/server/device/remedy.h"
-#include "model/geometry/pin_array.h"
 #include "model/limit/forecast.h"
-#include "model/magnets/pin_curves.h"
+#include "model/magnets/ball_geometry.h"
 
 namespace hedgehog::server {
 
@@ -49,6 +49,7 @@ struct MeasuredR25 {
 class DeviceView {
  public:
   /// `epoch_ns`: device time of tick 0. The references must outlive it.
+  /// REQUIRES: the geometry of the device is possible, as reading its file has checked.
   DeviceView(const config::Config& config, control::Mailbox& mailbox, device::LinkPort& link,
              std::int64_t epoch_ns);
 
@@ -68,8 +69,8 @@ class DeviceView {
   /// The board still keeps to tighter limits than these, of an earlier configuration.
   bool board_holds_back() const noexcept;
   bool simulated() const noexcept { return config_.backend == config::Backend::kSimulator; }
-  const model::PinArray& array() const noexcept { return array_; }
-  const model::PinCurves& pin_curves() const noexcept { return pin_curves_; }
+  const model::PinArray& array() const noexcept { return pins_->array; }
+  const model::PinCurves& pin_curves() const noexcept { return pins_->curves; }
   const model::Forecaster& forecaster() const noexcept { return forecaster_; }
   model::ForecastStart forecast_start() const noexcept;
   /// How long the full current can flow from a ball as warm as its room, by what is known of it
@@ -119,8 +120,7 @@ class DeviceView {
   control::Mailbox& mailbox_;
   device::LinkPort& link_;
   std::int64_t epoch_ns_;
-  const model::PinArray& array_;
-  const model::PinCurves& pin_curves_;
+  std::shared_ptr<const model::BallPins> pins_;
   model::Forecaster forecaster_;
   Outbox outbox_;
   control::StatusSnapshot snapshot_;

@@ -10,7 +10,7 @@
 #include <set>
 
 #include "model/geometry/goldberg.h"
-#include "model/geometry/pin_array.h"
+#include "model/magnets/ball_geometry.h"
 #include "model/magnets/magnet_array.h"
 #include "model/magnets/symmetry_classes.h"
 
@@ -173,7 +173,7 @@ TEST(Arrangement, CountsOfTheNamedOnes) {
 TEST(Arrangement, PinsOfTheBallBearTheirNumbers) {
   for (const char* name : {"tkD", "tkD-86", "tkD-86-5", "tkD-86-20"}) {
     const Arrangement ball = named(name);
-    for (const Pin& pin : hedgehog_86().pins) {
+    for (const Pin& pin : thesis_ball().array.pins) {
       const MagnetSite& site = ball.pins[static_cast<std::size_t>(pin.id)];
       EXPECT_EQ(site.id, pin.id);
       EXPECT_LT(norm(site.direction - pin.position), 1e-6) << name << pin.id;

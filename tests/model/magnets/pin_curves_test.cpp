@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/magnets/pin_curves.h"
+#include "model/magnets/ball_geometry.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -21,7 +21,7 @@ constexpr double kThesisForceN = 15.0 * kFeaCalibration.force_slope_n_a;
 
 // Looked up and solved for, pin by pin. A pin that rests below the shell starts from the shell.
 TEST(PinCurves, AgreeWithTheExactExtension) {
-  const PinCurves& curves = hedgehog_86_curves();
+  const PinCurves& curves = thesis_ball().curves;
   ASSERT_EQ(curves.size(), 86u);
   for (const PinClass& pin_class : classes("tkD-86")) {
     const PinForce force(pin_class, {}, kPinSettings);
@@ -51,7 +51,7 @@ TEST(PinCurves, APentagonsPinLiesOnTheShell) {
 }
 
 TEST(PinCurves, EndsOfTheTravel) {
-  const PinCurves& curves = hedgehog_86_curves();
+  const PinCurves& curves = thesis_ball().curves;
   for (std::size_t pin = 0; pin < curves.size(); ++pin) {
     EXPECT_EQ(curves.offset_mm(pin, 10.0), 1.5);
     EXPECT_EQ(curves.offset_mm(pin, -10.0), 0.0);
@@ -67,10 +67,10 @@ TEST(PinCurves, AnUnstablePinIsAtTheCasing) {
 }
 
 TEST(PinCurves, UnderAnAimedFieldTheAimedPinIsFarthestOutOfItsKind) {
-  const PinCurves& curves = hedgehog_86_curves();
+  const PinCurves& curves = thesis_ball().curves;
   std::array<double, 86> forces{};
   std::array<double, 86> extensions{};
-  pin_forces(hedgehog_86(), {15.0 * hedgehog_86().pins[17].position},
+  pin_forces(thesis_ball().array, {15.0 * thesis_ball().array.pins[17].position},
              kFeaCalibration.force_slope_n_a, forces);
   curves.extensions_mm(forces, extensions);
   EXPECT_NEAR(extensions[17], 0.516, 2e-3);
@@ -80,7 +80,7 @@ TEST(PinCurves, UnderAnAimedFieldTheAimedPinIsFarthestOutOfItsKind) {
 }
 
 RC_GTEST_PROP(PinCurves, MoreForceNeverMeansLess, ()) {
-  const PinCurves& curves = hedgehog_86_curves();
+  const PinCurves& curves = thesis_ball().curves;
   const auto pin = *rc::gen::inRange<std::size_t>(0, curves.size());
   const double low = *rc::gen::inRange(-1000, 1000) * 1e-3 * kThesisForceN;
   const double more = *rc::gen::inRange(0, 1000) * 1e-4;
