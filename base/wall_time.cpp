@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "base/wall_time.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 
 namespace hedgehog::base {
 namespace {
@@ -78,16 +79,12 @@ std::int64_t unix_ms_now() {
 
 std::string rfc3339(std::int64_t unix_ms) {
   const std::int64_t ms = std::clamp<std::int64_t>(unix_ms, 0, kLastMs);
-  const chrono::sys_days day{chrono::days{ms / kDayMs}};
-  const chrono::year_month_day date{day};
-  const std::int64_t in_day = ms % kDayMs;
-  char text[40];
-  std::snprintf(text, sizeof text, "%04d-%02u-%02uT%02d:%02d:%02d.%03dZ",
-                static_cast<int>(date.year()), static_cast<unsigned>(date.month()),
-                static_cast<unsigned>(date.day()), static_cast<int>(in_day / kHourMs),
-                static_cast<int>(in_day % kHourMs / kMinuteMs),
-                static_cast<int>(in_day % kMinuteMs / 1000), static_cast<int>(in_day % 1000));
-  return text;
+  const chrono::year_month_day date{chrono::sys_days{chrono::days{ms / kDayMs}}};
+  const chrono::hh_mm_ss time{chrono::milliseconds{ms % kDayMs}};
+  return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}.{:03}Z", static_cast<int>(date.year()),
+                     static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()),
+                     time.hours().count(), time.minutes().count(), time.seconds().count(),
+                     time.subseconds().count());
 }
 
 std::optional<std::int64_t> parse_rfc3339(std::string_view text) noexcept {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "emulator/board_gadget.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <system_error>
+#include <utility>
 
 #include "daemon/device/board_core/crc32.h"
 #include "emulator/words.h"
@@ -80,19 +82,13 @@ std::string BoardGadget::status() const {
   const board::BoardCore& core = board_.core();
   const model::Vec3 current = board_.plant().current_a();
   const std::uint32_t age = core.set_point_age_ms();
-  std::array<char, 400> text;
-  std::snprintf(text.data(), text.size(),
-                R"({"board_ms": %u, "mode": "%s", "faults": %u, "set_point_age_ms": %s, )"
-                R"("awake": %s, "current_a": [%.4f, %.4f, %.4f], "peak_a": %.4f, )"
-                R"("frames_in": %llu, "frames_out": %llu, "frames_lost": %llu})",
-                core.now_ms(), device::words(core.mode()), unsigned{core.faults()},
-                age == UINT32_MAX ? "null" : std::to_string(age).c_str(),
-                core.outputs().awake ? "true" : "false", current[0], current[1], current[2],
-                peak_a_, static_cast<unsigned long long>(frames_in_),
-                static_cast<unsigned long long>(frames_out_),
-                static_cast<unsigned long long>(lost()));
-  peak_a_ = norm(current);
-  return text.data();
+  const double peak_a = std::exchange(peak_a_, norm(current));
+  return fmt::format(R"({{"board_ms": {}, "mode": "{}", "faults": {}, "set_point_age_ms": {}, )"
+                     R"("awake": {}, "current_a": [{:.4f}, {:.4f}, {:.4f}], "peak_a": {:.4f}, )"
+                     R"("frames_in": {}, "frames_out": {}, "frames_lost": {}}})",
+                     core.now_ms(), device::words(core.mode()), core.faults(),
+                     age == UINT32_MAX ? "null" : std::to_string(age), core.outputs().awake,
+                     current[0], current[1], current[2], peak_a, frames_in_, frames_out_, lost());
 }
 
 StrangerGadget::StrangerGadget(const std::string& serial)

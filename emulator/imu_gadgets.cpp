@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "emulator/imu_gadgets.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstdio>
 #include <initializer_list>
 
 #include "emulator/words.h"
@@ -118,13 +119,9 @@ std::optional<std::string> ImuGadget::command(std::span<const std::string> words
 }
 
 std::string ImuGadget::status() const {
-  std::array<char, 200> text;
-  std::snprintf(text.data(), text.size(),
-                R"({"quaternion": [%.6f, %.6f, %.6f, %.6f], "running": %s, "reports": %llu, )"
-                R"("lost": %llu})",
-                turned_.w, turned_.x, turned_.y, turned_.z, running() ? "true" : "false",
-                static_cast<unsigned long long>(reports_), static_cast<unsigned long long>(lost()));
-  return text.data();
+  return fmt::format(R"({{"quaternion": [{:.6f}, {:.6f}, {:.6f}, {:.6f}], "running": {}, )"
+                     R"("reports": {}, "lost": {}}})",
+                     turned_.w, turned_.x, turned_.y, turned_.z, running(), reports_, lost());
 }
 
 void ImuGadget::step() {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "emulator/temper_gadget.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <string_view>
 
 #include "daemon/device/thermometer/temper.h"
@@ -71,10 +71,7 @@ std::optional<std::string> TemperGadget::command(std::span<const std::string> wo
 }
 
 std::string TemperGadget::status() const {
-  std::array<char, 80> text;
-  std::snprintf(text.data(), text.size(), R"({"temperature_c": %.2f, "asked": %llu})", celsius_,
-                static_cast<unsigned long long>(asked_));
-  return text.data();
+  return fmt::format(R"({{"temperature_c": {:.2f}, "asked": {}}})", celsius_, asked_);
 }
 
 }  // namespace hedgehog::emulator

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "clients/racer/happening_text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 
 #include "model/geometry/direction.h"
 
@@ -13,37 +13,29 @@ namespace hedgehog::racer {
 
 namespace {
 
-__attribute__((format(printf, 1, 2))) std::string text(const char* format, ...) {
-  std::array<char, 200> line{};
-  va_list values;
-  va_start(values, format);
-  std::vsnprintf(line.data(), line.size(), format, values);
-  va_end(values);
-  return line.data();
-}
-
 std::string json(const Hit& hit) {
   const model::Vec3& d = hit.direction;
-  return text(R"("hit","direction":[%.9g,%.9g,%.9g],"impulse_n_s":%.9g)", d.x, d.y, d.z,
-              hit.impulse_n_s);
+  return fmt::format(R"("hit","direction":[{:.9g},{:.9g},{:.9g}],"impulse_n_s":{:.9g})", d.x, d.y,
+                     d.z, hit.impulse_n_s);
 }
 std::string json(const Landing& landing) {
-  return text(R"("landing","impulse_n_s":%.9g)", landing.impulse_n_s);
+  return fmt::format(R"("landing","impulse_n_s":{:.9g})", landing.impulse_n_s);
 }
-std::string json(const Skid& skid) { return text(R"("skid","amount":%.9g)", skid.amount); }
+std::string json(const Skid& skid) { return fmt::format(R"("skid","amount":{:.9g})", skid.amount); }
 std::string json(const Tumble& tumble) {
-  return text(R"("tumble","down":[%.9g,%.9g,%.9g])", tumble.down.x, tumble.down.y, tumble.down.z);
+  const model::Vec3& d = tumble.down;
+  return fmt::format(R"("tumble","down":[{:.9g},{:.9g},{:.9g}])", d.x, d.y, d.z);
 }
 std::string json(const LapDone& lap) {
-  return text(R"("lap","lap":%d,"lap_time_s":%.9g)", lap.lap, lap.time_s);
+  return fmt::format(R"("lap","lap":{},"lap_time_s":{:.9g})", lap.lap, lap.time_s);
 }
 std::string json(const Reset&) { return R"("reset")"; }
 
 }  // namespace
 
 std::string to_json(const Happening& happening, double time_s) {
-  return text(R"({"time_s":%.9g,"type":)", time_s) +
-         std::visit([](const auto& what) { return json(what); }, happening) + "}";
+  return fmt::format(R"({{"time_s":{:.9g},"type":{}}})", time_s,
+                     std::visit([](const auto& what) { return json(what); }, happening));
 }
 
 std::string side_of(const model::Vec3& direction) {
@@ -56,8 +48,8 @@ std::string side_of(const model::Vec3& direction) {
 }
 
 std::string HappeningLog::ended(const char* what, const Lasting& lasting, double time_s) {
-  return text("%7.2f s  %s, %.1f s long, up to %.0f %%", time_s, what, time_s - lasting.since_s,
-              100.0 * lasting.most);
+  return fmt::format("{:>7.2f} s  {}, {:.1f} s long, up to {:.0f} %", time_s, what,
+                     time_s - lasting.since_s, 100.0 * lasting.most);
 }
 
 std::vector<std::string> HappeningLog::lines(const std::vector<Happening>& happenings,
@@ -67,14 +59,14 @@ std::vector<std::string> HappeningLog::lines(const std::vector<Happening>& happe
   bool tumbles = false;
   for (const Happening& happening : happenings) {
     if (const auto* hit = std::get_if<Hit>(&happening)) {
-      lines.push_back(text("%7.2f s  hit on the %s, %.0f N s", time_s,
-                           side_of(hit->direction).c_str(), hit->impulse_n_s));
+      lines.push_back(fmt::format("{:>7.2f} s  hit on the {}, {:.0f} N s", time_s,
+                                  side_of(hit->direction), hit->impulse_n_s));
     } else if (const auto* landing = std::get_if<Landing>(&happening)) {
-      lines.push_back(text("%7.2f s  landing, %.0f N s", time_s, landing->impulse_n_s));
+      lines.push_back(fmt::format("{:>7.2f} s  landing, {:.0f} N s", time_s, landing->impulse_n_s));
     } else if (const auto* lap = std::get_if<LapDone>(&happening)) {
-      lines.push_back(text("%7.2f s  lap %d in %.2f s", time_s, lap->lap, lap->time_s));
+      lines.push_back(fmt::format("{:>7.2f} s  lap {} in {:.2f} s", time_s, lap->lap, lap->time_s));
     } else if (std::holds_alternative<Reset>(happening)) {
-      lines.push_back(text("%7.2f s  put back on the road", time_s));
+      lines.push_back(fmt::format("{:>7.2f} s  put back on the road", time_s));
     } else if (const auto* skid = std::get_if<Skid>(&happening)) {
       skids = true;
       if (skid_.since_s < 0.0) skid_.since_s = time_s;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "clients/study/command_line.h"
 
+#include <fmt/format.h>
 #include <sysexits.h>
 
 #include <CLI/CLI.hpp>
@@ -36,18 +37,15 @@ CLI::Validator plain_name() {
 
 /// CLI::Range lets "nan" through, which is neither below nor above anything.
 CLI::Validator finite(double lowest, double highest) {
-  char range[64];
-  std::snprintf(range, sizeof range, "FLOAT in [%g - %g]", lowest, highest);
   return {[lowest, highest](const std::string& text) {
             double value = 0.0;
             const bool within =
                 CLI::detail::lexical_cast(text, value) && value >= lowest && value <= highest;
-            char problem[96];
-            std::snprintf(problem, sizeof problem, "must be a number from %g to %g, not ", lowest,
-                          highest);
-            return within ? std::string() : problem + text;
+            return within ? std::string()
+                          : fmt::format("must be a number from {:g} to {:g}, not {}", lowest,
+                                        highest, text);
           },
-          range};
+          fmt::format("FLOAT in [{:g} - {:g}]", lowest, highest)};
 }
 
 CLI::Validator not_empty() {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "clients/study/study_plan.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
-#include <cstdio>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
@@ -20,11 +21,7 @@ std::uint64_t drawn_seed(std::uint64_t seed, std::initializer_list<std::uint64_t
   return draw_bits(seed, Purpose::kSeed, words) >> 11;
 }
 
-std::string participant_id(int number) {
-  char id[16];
-  std::snprintf(id, sizeof id, "P%02d", number);
-  return id;
-}
+std::string participant_id(int number) { return fmt::format("P{:02}", number); }
 
 }  // namespace
 

@@ -2,9 +2,9 @@
 #include "daemon/config/value.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <utility>
+
+#include "base/number_text.h"
 
 namespace hedgehog::config {
 
@@ -65,11 +65,8 @@ std::string describe(const Value& value) {
       return "null";
     case Value::Kind::kBoolean:
       return value.boolean ? "true" : "false";
-    case Value::Kind::kNumber: {
-      std::array<char, 32> digits{};
-      const auto end = std::to_chars(digits.begin(), digits.end(), value.number).ptr;
-      return {digits.begin(), end};
-    }
+    case Value::Kind::kNumber:
+      return base::shortest(value.number);
     case Value::Kind::kText: {
       if (value.text.size() <= kShown) return '"' + value.text + '"';
       // A cut inside a UTF-8 sequence would spoil the line.

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/magnets/magnet_array.h"
 
-#include <array>
-#include <cstdio>
+#include <fmt/format.h>
 
 namespace hedgehog::model {
 namespace {
@@ -62,12 +61,9 @@ std::optional<MagnetError> check_fit(const Arrangement& arrangement, const Array
   for (const MagnetGap& gap : smallest_gaps(arrangement, sizes))
     if (gap.gap_mm <= 0.0 && (!worst || gap.gap_mm < worst->gap_mm)) worst = gap;
   if (!worst) return std::nullopt;
-  std::array<char, 64> depth{};
-  std::snprintf(depth.data(), depth.size(), "%.2f mm at %.2f degrees", -worst->gap_mm,
-                worst->angle_deg);
-  return MagnetError{std::string(name_of(worst->kind_a)) + ' ' + std::to_string(worst->id_a) +
-                     " and " + std::string(name_of(worst->kind_b)) + ' ' +
-                     std::to_string(worst->id_b) + " overlap by " + depth.data()};
+  return MagnetError{fmt::format("{} {} and {} {} overlap by {:.2f} mm at {:.2f} degrees",
+                                 name_of(worst->kind_a), worst->id_a, name_of(worst->kind_b),
+                                 worst->id_b, -worst->gap_mm, worst->angle_deg)};
 }
 
 double magnets_mass_g(const Arrangement& arrangement, const ArraySizes& sizes) noexcept {

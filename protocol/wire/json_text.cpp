@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -34,7 +36,6 @@ std::size_t utf8_length(std::string_view text) noexcept {
 }
 
 void append_control(std::string& out, unsigned char c) {
-  constexpr std::string_view kHex = "0123456789abcdef";
   switch (c) {
     case '\n':
       out += "\\n";
@@ -46,9 +47,7 @@ void append_control(std::string& out, unsigned char c) {
       out += "\\t";
       return;
     default:
-      out += "\\u00";
-      out += kHex[c >> 4];
-      out += kHex[c & 15];
+      out += fmt::format("\\u{:04x}", c);
   }
 }
 

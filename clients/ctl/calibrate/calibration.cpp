@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "clients/ctl/calibrate/calibration.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <sstream>
 
 #include "model/coils.h"
@@ -37,14 +38,8 @@ const Side* side_named(std::string_view name) {
   return found == kSides.end() ? nullptr : &*found;
 }
 
-std::string number(double value, const char* format = "%.5g") {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  return text.data();
-}
-
 std::string three(const std::array<double, 3>& values) {
-  return "[" + number(values[0]) + ", " + number(values[1]) + ", " + number(values[2]) + "]";
+  return fmt::format("[{:.5g}, {:.5g}, {:.5g}]", values[0], values[1], values[2]);
 }
 
 std::string matrix_text(const std::array<model::Vec3, 3>& rows) {
@@ -74,7 +69,7 @@ std::string winding_trouble(int coil, const std::array<double, 3>& forth_a,
     text << "its current sensor reads the other way round; turn it on the board, a device file "
             "cannot";
   } else if (*resistance_ohm < kMinOhm || *resistance_ohm > kMaxOhm) {
-    text << number(*resistance_ohm, "%.2f")
+    text << fmt::format("{:.2f}", *resistance_ohm)
          << " ohm, and a device file takes 0.05 to 10; check its plug, and the winding for a short";
   } else {
     return {};
@@ -145,16 +140,17 @@ protocol::ThermalDescription described(const model::ThermalFound& found) {
 
 std::string heat_comment(const std::optional<model::ThermalFound>& found) {
   if (!found) return "  // Not measured: as it was.\n";
-  const auto percent = [](double share) { return number(100.0 * share, "%.1f"); };
   const auto& d = found->deviation;
-  const auto each = [&](const std::array<double, 3>& shares) {
-    return percent(shares[0]) + ", " + percent(shares[1]) + ", " + percent(shares[2]);
+  const auto each = [](const std::array<double, 3>& shares) {
+    return fmt::format("{:.1f}, {:.1f}, {:.1f}", 100.0 * shares[0], 100.0 * shares[1],
+                       100.0 * shares[2]);
   };
-  return "  // By heating and cooling. Standard deviations in %: windings " + each(d.winding_j_k) +
-         "; to the core " + each(d.winding_to_core_k_w) + ";\n  // core " + percent(d.core_j_k) +
-         "; to the room with fan " + percent(d.core_to_room_fan_k_w) + ", without " +
-         percent(d.core_to_room_still_k_w) +
-         ", which is not in \"uncertainty\": a warm ball has its fan on.\n";
+  return fmt::format(
+      "  // By heating and cooling. Standard deviations in %: windings {}; to the core {};\n"
+      "  // core {:.1f}; to the room with fan {:.1f}, without {:.1f}, which is not in "
+      "\"uncertainty\": a warm ball has its fan on.\n",
+      each(d.winding_j_k), each(d.winding_to_core_k_w), 100.0 * d.core_j_k,
+      100.0 * d.core_to_room_fan_k_w, 100.0 * d.core_to_room_still_k_w);
 }
 
 std::string heat_text(const Calibration& measured, const protocol::Description& before) {
@@ -163,20 +159,25 @@ std::string heat_text(const Calibration& measured, const protocol::Description& 
   const double uncertainty =
       measured.thermal ? measured.thermal->uncertainty : before.uncertainty.thermal;
   return heat_comment(measured.thermal) +
-         "  \"thermal\": {\n"
-         "    \"winding_j_k\": " +
-         three(t.winding_j_k) + ",\n    \"core_j_k\": " + number(t.core_j_k) +
-         ",\n    \"winding_to_core_k_w\": " + three(t.winding_to_core_k_w) +
-         ",\n    \"core_to_room_fan_k_w\": " + number(t.core_to_room_fan_k_w) +
-         ",\n    \"core_to_room_still_k_w\": " + number(t.core_to_room_still_k_w) +
-         ",\n    \"sensor_winding\": " + std::to_string(t.sensor_winding) +
-         ",\n    \"sensor_lag_s\": " + number(t.sensor_lag_s) +
-         "\n  },\n"
-         "  \"uncertainty\": {\n"
-         "    \"thermal\": " +
-         number(uncertainty, "%.3f") +
-         ",\n    \"resistance\": " + number(resistance_uncertainty(measured), "%.3f") +
-         ",\n    \"thermistor_k\": " + number(before.uncertainty.thermistor_k) + "\n  },\n";
+         fmt::format(R"(  "thermal": {{
+    "winding_j_k": {},
+    "core_j_k": {:.5g},
+    "winding_to_core_k_w": {},
+    "core_to_room_fan_k_w": {:.5g},
+    "core_to_room_still_k_w": {:.5g},
+    "sensor_winding": {},
+    "sensor_lag_s": {:.5g}
+  }},
+  "uncertainty": {{
+    "thermal": {:.3f},
+    "resistance": {:.3f},
+    "thermistor_k": {:.5g}
+  }},
+)",
+                     three(t.winding_j_k), t.core_j_k, three(t.winding_to_core_k_w),
+                     t.core_to_room_fan_k_w, t.core_to_room_still_k_w, t.sensor_winding,
+                     t.sensor_lag_s, uncertainty, resistance_uncertainty(measured),
+                     before.uncertainty.thermistor_k);
 }
 
 }  // namespace
@@ -192,9 +193,10 @@ std::string device_file(const Calibration& measured, const protocol::Description
   const auto matrix = coil_matrix(measured.pushed);
   const double inductance_h =
       (measured.inductance_h[0] + measured.inductance_h[1] + measured.inductance_h[2]) / 3.0;
-  std::string text = "// Measured by hedgehogctl calibrate with " + number(measured.current_a) +
-                     " A at " + number(measured.sensor_c, "%.1f") + " degrees Celsius, supply " +
-                     number(measured.supply_v, "%.2f") + " V.\n" +
+  std::string text = fmt::format(
+                         "// Measured by hedgehogctl calibrate with {:.5g} A at {:.1f} degrees "
+                         "Celsius, supply {:.2f} V.\n",
+                         measured.current_a, measured.sensor_c, measured.supply_v) +
                      (measured.unrest.empty() ? "" : "// Forced: " + measured.unrest + ".\n") +
                      "// The protocol does not tell usb and usb_serial: copy them from the file "
                      "before, where they\n"
@@ -210,26 +212,29 @@ std::string device_file(const Calibration& measured, const protocol::Description
           matrix_text(matrix.value_or(std::array<model::Vec3, 3>{
               before.coils.matrix[0], before.coils.matrix[1], before.coils.matrix[2]})) +
           ",\n";
-  text += "  \"r25_ohm\": " + three(measured.r25_ohm) + ",\n";
-  text += "  // Of the windings: " + three(measured.inductance_h) + ".\n";
-  text += "  \"inductance_h\": " + number(inductance_h) + ",\n";
-  text += "  \"supply_v\": " + number(before.coils.supply_v) + ",\n";
-  text += "  \"force_slope_n_a\": " + number(before.calibration.force_n_per_a) + ",\n";
+  text += fmt::format(R"(  "r25_ohm": {},
+  // Of the windings: {}.
+  "inductance_h": {:.5g},
+  "supply_v": {:.5g},
+  "force_slope_n_a": {:.5g},
+)",
+                      three(measured.r25_ohm), three(measured.inductance_h), inductance_h,
+                      before.coils.supply_v, before.calibration.force_n_per_a);
   text += heat_text(measured, before);
-  text += "  \"limits\": {\n";
-  const std::array<std::pair<const char*, double>, 8> limits{{{"current_a", l.current_a},
-                                                              {"continuous_a", l.continuous_a},
-                                                              {"felt_a", l.felt_a},
-                                                              {"derate_from_c", l.derate_from_c},
-                                                              {"sustain_c", l.sustain_c},
-                                                              {"zero_c", l.zero_c},
-                                                              {"trip_c", l.trip_c},
-                                                              {"rearm_c", l.rearm_c}}};
-  for (const auto& [name, value] : limits) {
-    text += std::string("    \"") + name + "\": " + number(value) +
-            (std::string_view(name) == "rearm_c" ? "\n" : ",\n");
-  }
-  return text + "  }\n}\n";
+  return text + fmt::format(R"(  "limits": {{
+    "current_a": {:.5g},
+    "continuous_a": {:.5g},
+    "felt_a": {:.5g},
+    "derate_from_c": {:.5g},
+    "sustain_c": {:.5g},
+    "zero_c": {:.5g},
+    "trip_c": {:.5g},
+    "rearm_c": {:.5g}
+  }}
+}}
+)",
+                            l.current_a, l.continuous_a, l.felt_a, l.derate_from_c, l.sustain_c,
+                            l.zero_c, l.trip_c, l.rearm_c);
 }
 
 }  // namespace hedgehog::client

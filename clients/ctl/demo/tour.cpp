@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "clients/ctl/demo/tour.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 namespace hedgehog::client {
@@ -82,10 +83,11 @@ void roll(TourChapter& chapter) {
     const double part = static_cast<double>((at - first).count()) / span;
     const double angle = 120.0 * 0.5 * (1.0 - std::cos(2.0 * std::numbers::pi * part));
     const double half = angle * std::numbers::pi / 360.0;
-    char params[128];
-    std::snprintf(params, sizeof params, R"({"orientation":{"w":%.6f,"x":%.6f,"y":0,"z":0}})",
-                  std::cos(half), std::sin(half));
-    chapter.steps.push_back({at, "sim.set", params, "", false});
+    chapter.steps.push_back(
+        {at, "sim.set",
+         fmt::format(R"({{"orientation":{{"w":{:.6f},"x":{:.6f},"y":0,"z":0}}}})", std::cos(half),
+                     std::sin(half)),
+         "", false});
   }
 }
 

@@ -2,7 +2,7 @@
 #include "clients/ctl/terminal/words.h"
 
 #include <cmath>
-#include <cstdio>
+#include <cstdint>
 #include <ctime>
 #include <numbers>
 
@@ -13,17 +13,6 @@ namespace hedgehog::client {
 
 namespace {
 
-std::string formatted(const char* format, int digits, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, digits, value);
-  return text;
-}
-
-/// A number that rounds to nought has no sign.
-double without_negative_zero(double value, int digits) {
-  return std::abs(value) < 0.5 * std::pow(10.0, -digits) ? 0.0 : value;
-}
-
 std::string two_parts(std::int64_t large, const char* large_unit, std::int64_t small,
                       const char* small_unit) {
   std::string text = std::to_string(large) + " " + large_unit;
@@ -33,23 +22,9 @@ std::string two_parts(std::int64_t large, const char* large_unit, std::int64_t s
 
 }  // namespace
 
-std::string fixed(double value, int digits) {
-  return formatted("%.*f", digits, without_negative_zero(value, digits));
-}
-
 std::string fixed_signed(double value, int digits) {
-  const double shown = without_negative_zero(value, digits);
-  return formatted(shown == 0.0 ? "%.*f" : "%+.*f", digits, shown);
-}
-
-std::string grouped(double value) {
-  std::string digits = fixed(value, 0);
-  const std::size_t first = digits.starts_with('-') ? 1 : 0;
-  for (std::size_t at = digits.size(); at > first + 3;) {
-    at -= 3;
-    digits.insert(at, " ");
-  }
-  return digits;
+  const std::string text = fixed(value, digits);
+  return std::signbit(value) || text == fixed(0.0, digits) ? text : "+" + text;
 }
 
 std::size_t columns(std::string_view text) {

@@ -2,19 +2,18 @@
 // Numbers and texts as people read them.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "base/number_text.h"
+
 namespace hedgehog::client {
 
-/// "41.2"; never "-0.0".
-std::string fixed(double value, int digits);
+using base::fixed;
+using base::grouped;
 /// "+5.0", "-0.3", "0.0".
 std::string fixed_signed(double value, int digits);
-/// "4 310".
-std::string grouped(double value);
 
 /// Columns that `text` takes on a terminal (every character of ours takes one).
 std::size_t columns(std::string_view text);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "clients/ctl/verbs/pattern_verbs.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -21,9 +23,7 @@ constexpr std::size_t kLineColumns = 78;
 
 /// "30", "30.5".
 std::string seconds(std::int64_t ms) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", static_cast<double>(ms) / 1000.0);
-  return text;
+  return fmt::format("{:g}", static_cast<double>(ms) / 1000.0);
 }
 
 /// A key frame a line, as the shipped ones are written.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <sstream>
 
@@ -15,11 +15,9 @@ namespace {
 std::string list_of(const std::vector<model::Vec3>& directions) {
   std::string text;
   for (const model::Vec3& d : directions) {
-    std::array<char, 64> place{};
     const double polar = std::acos(std::clamp(d.z, -1.0, 1.0)) / model::kRadiansPerDegree;
     const double azimuth = std::atan2(d.y, d.x) / model::kRadiansPerDegree;
-    std::snprintf(place.data(), place.size(), "  [%.5f, %.5f],\n", polar, azimuth);
-    text += place.data();
+    text += fmt::format("  [{:.5f}, {:.5f}],\n", polar, azimuth);
   }
   return "[\n" + text + "];\n";
 }

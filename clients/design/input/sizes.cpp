@@ -3,9 +3,9 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 
+#include "base/number_text.h"
 #include "clients/design/input/number.h"
 
 namespace hedgehog::design {
@@ -100,12 +100,10 @@ Result<std::vector<Size>> parse_sizes(std::string_view text, double step, const 
 }
 
 std::string to_text(double number) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.4f", number);
-  std::string shown(text.data());
-  while (shown.ends_with('0')) shown.pop_back();
-  if (shown.ends_with('.')) shown.pop_back();
-  return shown == "-0" ? "0" : shown;
+  std::string text = base::fixed(number, 4);
+  while (text.ends_with('0')) text.pop_back();
+  if (text.ends_with('.')) text.pop_back();
+  return text;
 }
 
 std::string to_text(const Size& size) {

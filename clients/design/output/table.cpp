@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "clients/design/output/table.h"
-#include "clients/lib/html.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 #include <sstream>
+
+#include "base/number_text.h"
+#include "clients/lib/html.h"
 
 namespace hedgehog::design {
 namespace {
@@ -97,12 +97,7 @@ std::string Table::html() const {
 }
 
 std::string fixed(double number, int digits) {
-  if (!std::isfinite(number)) return "none";
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.*f", digits, number);
-  const std::string shown(text.data());
-  const bool zero = shown.find_first_of("123456789") == std::string::npos;
-  return zero && shown.front() == '-' ? shown.substr(1) : shown;
+  return std::isfinite(number) ? base::fixed(number, digits) : "none";
 }
 
 std::string wrapped(const std::string& text, std::size_t width, std::size_t indent) {

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "base/number_text.h"
 #include "clients/design/input/design_file.h"
 #include "clients/design/output/table.h"
 #include "clients/design/output/tool.h"
@@ -74,11 +75,7 @@ Result<SearchSpace> space_of(const ChooseOptions& options) {
 }
 
 /// 12 480
-std::string grouped(std::size_t number) {
-  std::string digits = std::to_string(number);
-  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, " ");
-  return digits;
-}
+std::string grouped(std::size_t number) { return base::grouped(static_cast<double>(number)); }
 
 Table table_of(const std::vector<Found>& front, std::size_t most) {
   Table table({{"array", "array", true},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <array>
+#include <fmt/format.h>
+
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "clients/design/output/table.h"
@@ -11,12 +11,6 @@ namespace hedgehog::design {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string scientific(double number) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.1e", number);
-  return text.data();
-}
 
 }  // namespace
 
@@ -50,7 +44,7 @@ Result<void> run_pair(const PairOptions& options, const Screen& screen) {
   const model::PairForce asked = force_by(design->settings.model);
   const bool reached = asked.error_n <= design->settings.accuracy * std::abs(asked.force_n);
   if (!reached) {
-    screen.err << "  known to ± " << scientific(asked.error_n)
+    screen.err << "  known to ± " << fmt::format("{:.1e}", asked.error_n)
                << " N only: the magnets nearly touch, or what they do cancels\n";
   }
   Table table({{"model", "model", true}, {"force N", "force_n"}, {"± N", "error_n"}});

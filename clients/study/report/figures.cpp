@@ -2,12 +2,12 @@
 #include "clients/study/report/figures.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <spawn.h>
 #include <sys/wait.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <fstream>
 
 #include "clients/study/rules/statistics.h"
@@ -26,11 +26,7 @@ constexpr const char* kBlue = "#1f5fa8";
 constexpr const char* kRed = "#c0392b";
 constexpr const char* kGrey = "#9aa4ad";
 
-std::string decimal(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.9g", value);
-  return text;
-}
+std::string decimal(double value) { return fmt::format("{:.9g}", value); }
 
 std::string axis_of(const Experiment& experiment) {
   switch (experiment.quantity) {
@@ -147,11 +143,10 @@ std::string staircase_plot(const AnalysedRun& analysed) {
   if (analysed.analysis.threshold) {
     const auto& flags = analysed.analysis.flags;
     const bool disputed = std::find(flags.begin(), flags.end(), Flag::kDisagreement) != flags.end();
-    char label[96];
-    std::snprintf(label, sizeof label, "mean of reversals, %.4g %s%s", *analysed.analysis.threshold,
-                  experiment.unit(), disputed ? " (fit and mean disagree)" : "");
-    plot += ", \\\n  " + decimal(*analysed.analysis.threshold) +
-            " with lines dt 2 lw 1.5 lc '#333333' title '" + label + "'";
+    plot += fmt::format(
+        ", \\\n  {:.9g} with lines dt 2 lw 1.5 lc '#333333' title 'mean of reversals, {:.4g} {}{}'",
+        *analysed.analysis.threshold, *analysed.analysis.threshold, experiment.unit(),
+        disputed ? " (fit and mean disagree)" : "");
   }
   return plot + "\n";
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "clients/study/report/html.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cstdarg>
-#include <cstdio>
 #include <fstream>
 #include <iterator>
 
@@ -29,15 +29,6 @@ td.n, th.n { text-align: right; font-variant-numeric: tabular-nums }
 </style></head><body>
 )";
 
-[[gnu::format(printf, 1, 2)]] std::string print(const char* format, ...) {
-  char text[1024];
-  va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(text, sizeof text, format, arguments);
-  va_end(arguments);
-  return text;
-}
-
 /// The SVG without its XML heading, so that it can stand in the page.
 std::string figure(const fs::path& file) {
   std::ifstream in(file);
@@ -53,14 +44,15 @@ std::string group_table(const std::vector<AnalysedGroup>& groups) {
       "<th class=n>force<th>flagged</tr>\n";
   for (const AnalysedGroup& group : groups) {
     const char* unit = group.experiment.unit();
-    page += "<tr><td>" + client::escape_html(group.experiment.name) +
-            (is_as_in_thesis(group.experiment)
-                 ? print("<td class=n>%.3g %s", thesis_result(group.experiment.quantity), unit)
-                 : std::string("<td class=n>–")) +
-            print("<td class=n>%.3g ± %.2g %s<td class=n>%d<td class=n>", group.result.mean,
-                  group.result.sd, unit, group.result.count) +
-            (group.force_n > 0 ? print("%.4f N", group.force_n) : std::string("–")) +
-            print("<td>%d of %d</tr>\n", group.flagged, group.result.count);
+    page +=
+        "<tr><td>" + client::escape_html(group.experiment.name) +
+        (is_as_in_thesis(group.experiment)
+             ? fmt::format("<td class=n>{:.3g} {}", thesis_result(group.experiment.quantity), unit)
+             : std::string("<td class=n>–")) +
+        fmt::format("<td class=n>{:.3g} ± {:.2g} {}<td class=n>{}<td class=n>", group.result.mean,
+                    group.result.sd, unit, group.result.count) +
+        (group.force_n > 0 ? fmt::format("{:.4f} N", group.force_n) : std::string("–")) +
+        fmt::format("<td>{} of {}</tr>\n", group.flagged, group.result.count);
   }
   return page + "</table>\n";
 }
@@ -70,10 +62,11 @@ std::string rules_in_words(const std::vector<AnalysedGroup>& groups) {
   std::string words;
   for (const AnalysedGroup& group : groups) {
     const Experiment& e = group.experiment;
-    words += (words.empty() ? ": " : "; ") + client::escape_html(e.name) +
-             print(" drops %d, nominally %.4g %% positive%s", e.rule.discard,
-                   100.0 * convergence_point(e.rule),
-                   e.task == Task::kYesNo ? " (of a yes/no task that label is nominal only)" : "");
+    words +=
+        (words.empty() ? ": " : "; ") + client::escape_html(e.name) +
+        fmt::format(" drops {}, nominally {:.4g} % positive{}", e.rule.discard,
+                    100.0 * convergence_point(e.rule),
+                    e.task == Task::kYesNo ? " (of a yes/no task that label is nominal only)" : "");
   }
   return words;
 }
@@ -83,21 +76,24 @@ std::string run_row(const AnalysedRun& analysed) {
   const Experiment& e = analysed.run.header().experiment;
   std::string row = "<tr><td>" + client::escape_html(analysed.name.participant) + "<td>" +
                     client::escape_html(e.name) +
-                    print("<td class=n>%d<td class=n>", analysed.name.run);
+                    fmt::format("<td class=n>{}<td class=n>", analysed.name.run);
   if (a.threshold) {
-    row += print("%.4g %s<td class=n>", *a.threshold, e.unit());
-    row += a.interval ? print("%.3g to %.3g", a.interval->first, a.interval->second) : "–";
-    row += print("<td class=n>%.4g", a.fit->threshold);
+    row += fmt::format("{:.4g} {}<td class=n>", *a.threshold, e.unit());
+    row +=
+        a.interval ? fmt::format("{:.3g} to {:.3g}", a.interval->first, a.interval->second) : "–";
+    row += fmt::format("<td class=n>{:.4g}", a.fit->threshold);
   } else {
     row += "–<td class=n>–<td class=n>–";
   }
   const auto& shown = analysed.run.state().shown();
   const auto& right = analysed.run.state().right();
-  row += print("<td class=n>%d<td class=n>%d<td class=n>", a.scored, analysed.run.state().voids());
+  row += fmt::format("<td class=n>{}<td class=n>{}<td class=n>", a.scored,
+                     analysed.run.state().voids());
   if (shown[0] + shown[1] > 0)
-    row += print("%d/%d, %d/%d", right[0], shown[0], right[1], shown[1]);
+    row += fmt::format("{}/{}, {}/{}", right[0], shown[0], right[1], shown[1]);
   else
-    row += print("%d of %d", analysed.run.state().false_alarms(), analysed.run.state().catches());
+    row += fmt::format("{} of {}", analysed.run.state().false_alarms(),
+                       analysed.run.state().catches());
   row += "<td class=flag>";
   for (std::size_t i = 0; i < a.flags.size(); ++i)
     row += (i == 0 ? "" : ", ") + std::string(name(a.flags[i]));
@@ -136,8 +132,8 @@ std::string level_table(const std::vector<AnalysedGroup>& groups) {
   for (std::size_t i = 0; i < here.size(); ++i) {
     page += "<tr><td>" + client::escape_html(here[i].range) + "<td>" +
             client::escape_html(here[i].formula) +
-            print("<td class=n>%.1f<td class=n>%.1f<td class=n>%d<td class=quiet>",
-                  thesis[i].count.steps, here[i].count.steps, here[i].count.levels) +
+            fmt::format("<td class=n>{:.1f}<td class=n>{:.1f}<td class=n>{}<td class=quiet>",
+                        thesis[i].count.steps, here[i].count.steps, here[i].count.levels) +
             client::escape_html(here[i].remark) + "</tr>\n";
   }
   return page + "</table>\n";
@@ -157,11 +153,10 @@ std::string report_page(const StudyFolder& study, const std::vector<AnalysedRun>
                         const std::vector<AnalysedGroup>& groups, const fs::path& figures) {
   std::string page = kHead;
   page += "<h1>" + client::escape_html(study.path().filename().string()) + "</h1>\n";
-  page += print(
-      "<p class=quiet>%zu participants planned, %zu runs, seed %llu, hedgehog-study %s"
+  page += fmt::format(
+      "<p class=quiet>{} participants planned, {} runs, seed {}, hedgehog-study {}"
       "</p>\n",
-      study.plan().participants.size(), runs.size(),
-      static_cast<unsigned long long>(study.plan().seed), HEDGEHOG_VERSION);
+      study.plan().participants.size(), runs.size(), study.plan().seed, HEDGEHOG_VERSION);
   if (std::any_of(runs.begin(), runs.end(),
                   [](const AnalysedRun& r) { return r.is_rehearsal(); })) {
     page +=

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "clients/study/report/rows.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cstdio>
 #include <utility>
 
 #include "base/wall_time.h"
@@ -15,11 +16,7 @@ constexpr const char* kNone = "n/a";
 
 std::string seconds(std::int64_t ns) { return exact_decimal(ns, 9); }
 
-std::string number(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
+std::string number(double value) { return fmt::format("{:.6g}", value); }
 
 template <class T, class Text>
 std::string or_none(const std::optional<T>& value, Text text) {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "clients/study/rules/distinguishable_levels.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "base/number_text.h"
 
 namespace hedgehog::study {
 
@@ -23,28 +26,15 @@ constexpr double kAbout = 0.5;
 
 /// How a count comes to what the thesis states; empty if it does not.
 std::string as_stated(double steps, double stated) {
-  char text[96] = "";
-  if (std::abs(steps - stated) < kAbout) {
-    std::snprintf(text, sizeof text, "the steps: the thesis' \"about %.0f\"", stated);
-  } else if (std::abs(1.0 + steps - stated) < kAbout) {
-    std::snprintf(text, sizeof text, "1 + steps = %.2f: the thesis' \"about %.0f\"", 1.0 + steps,
-                  stated);
-  }
-  return text;
-}
-
-std::string with_commas(double number) {
-  char plain[32];
-  std::snprintf(plain, sizeof plain, "%.0f", number);
-  std::string text = plain;
-  for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, ",");
-  return text;
+  if (std::abs(steps - stated) < kAbout)
+    return fmt::format("the steps: the thesis' \"about {:.0f}\"", stated);
+  if (std::abs(1.0 + steps - stated) < kAbout)
+    return fmt::format("1 + steps = {:.2f}: the thesis' \"about {:.0f}\"", 1.0 + steps, stated);
+  return {};
 }
 
 std::string range_text(double low, double high, const char* unit) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.3g to %.3g %s", low, high, unit);
-  return text;
+  return fmt::format("{:.3g} to {:.3g} {}", low, high, unit);
 }
 
 }  // namespace
@@ -113,21 +103,16 @@ std::vector<std::string> level_remarks(double threshold_a, double force_fraction
       count_levels(threshold_a, max_a, force_fraction, Spacing::kConstant, continuous_a);
   const LevelCount speed =
       count_levels(1, 50, speed_fraction, Spacing::kConstant, reference_pins_s);
-  char weber[160];
-  char constant[160];
-  std::snprintf(weber, sizeof weber,
-                "20 steps of speed: Weber steps of %.3g %% would need a range of %s to 1,",
-                100.0 * speed_fraction, with_commas(ratio).c_str());
-  std::snprintf(constant, sizeof constant, "constant ones of %.3g pins/s a span of %.3g pins/s.",
-                speed_fraction * reference_pins_s, span);
-  std::vector<std::string> remarks{weber, constant};
+  std::vector<std::string> remarks{
+      fmt::format("20 steps of speed: Weber steps of {:.3g} % would need a range of {} to 1,",
+                  100.0 * speed_fraction, base::grouped(ratio, ',')),
+      fmt::format("constant ones of {:.3g} pins/s a span of {:.3g} pins/s.",
+                  speed_fraction * reference_pins_s, span)};
   if (std::abs(force.steps - kAboutSpeed) < kAbout &&
       std::abs(speed.steps - kAboutForce) < kAbout) {
-    char swapped[200];
-    std::snprintf(swapped, sizeof swapped,
-                  "Constant steps give %.1f for force and, over 1 to 50 pins/s, %.1f for speed:",
-                  force.steps, speed.steps);
-    remarks.emplace_back(swapped);
+    remarks.push_back(fmt::format(
+        "Constant steps give {:.1f} for force and, over 1 to 50 pins/s, {:.1f} for speed:",
+        force.steps, speed.steps));
     remarks.emplace_back("the thesis' two numbers may be swapped in its text; a hypothesis only.");
   }
   return remarks;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "clients/study/session/player.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 
 #include "model/vec3.h"
 
@@ -40,11 +41,7 @@ protocol::EffectStart circle(const Stimulus& stimulus, const Pattern& pattern) {
   return {model::EffectMethod::kCircle, params};
 }
 
-std::string degrees(double celsius) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f °C", celsius);
-  return text;
-}
+std::string degrees(double celsius) { return fmt::format("{:.1f} °C", celsius); }
 
 }  // namespace
 
@@ -70,14 +67,11 @@ std::optional<std::string> beyond(const Experiment& experiment, double max_a) {
   const double reference_a = two ? reference_stimulus(experiment).current_a : 0.0;
   const double highest_a = test_stimulus(experiment, experiment.rule.ceiling).current_a;
   if (std::max(reference_a, highest_a) <= max_a + kRounding) return std::nullopt;
-  char text[200];
-  std::snprintf(
-      text, sizeof text,
-      "%s goes up to %.3g A and this ball plays at most %.3g A: copy the experiment's file "
-      "and lower its %s",
-      experiment.name.c_str(), std::max(reference_a, highest_a), max_a,
+  return fmt::format(
+      "{} goes up to {:.3g} A and this ball plays at most {:.3g} A: copy the experiment's file "
+      "and lower its {}",
+      experiment.name, std::max(reference_a, highest_a), max_a,
       highest_a > max_a + kRounding ? "ceiling" : "current_a");
-  return text;
 }
 
 std::optional<std::string> Player::too_much(const Experiment& experiment) const {
@@ -233,10 +227,9 @@ Outcome<Readiness> Player::readiness(const Experiment& experiment, const Trial& 
   const auto forecast = connection_.call(ask);
   if (!forecast) return forecast.error();
   if (forecast->seconds_to_derating && *forecast->seconds_to_derating < seconds) {
-    char text[128];
-    std::snprintf(text, sizeof text, "at %s %.1f A would be reduced after %.0f s: cooling down",
-                  warm.c_str(), strongest.current_a, *forecast->seconds_to_derating);
-    return Readiness{false, text};
+    return Readiness{
+        false, fmt::format("at {} {:.1f} A would be reduced after {:.0f} s: cooling down", warm,
+                           strongest.current_a, *forecast->seconds_to_derating)};
   }
   return Readiness{true, warm + ", next trial at full strength"};
 }

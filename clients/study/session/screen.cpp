@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "clients/study/session/screen.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace hedgehog::study {
 
@@ -13,11 +14,7 @@ constexpr int kChartRows = 9;
 constexpr std::size_t kChartColumns = 66;
 constexpr int kPhases = static_cast<int>(Phase::kOver) + 1;
 
-std::string column(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%6.4g", value);
-  return text;
-}
+std::string column(double value) { return fmt::format("{:>6.4g}", value); }
 
 /// The last levels, one column a scored trial: filled where the answer was positive.
 std::vector<std::string> chart(const RunState& state) {
@@ -73,25 +70,21 @@ std::vector<std::string> experimenter_lines(const View& view) {
   const std::string trial =
       next ? std::string(name(next->kind)) + " trial " + std::to_string(next->number)
            : std::string(name(staircase.status()));
-  char level[160];
-  std::snprintf(level, sizeof level,
-                "  level %s %s   reversals %zu of %d   voids %d   catch %d, yes in %d",
-                exact_decimal(staircase.level(), experiment.decimals()).c_str(), experiment.unit(),
-                staircase.state().reversals.size(), experiment.rule.total_reversals(),
-                run.state().voids(), run.state().catches(), run.state().false_alarms());
-  std::vector<std::string> lines{"",
-                                 "  " + run.header().participant + " · " + experiment.name + " · " +
-                                     trial + " · " + doing(view),
-                                 level, ""};
+  std::vector<std::string> lines{
+      "",
+      fmt::format("  {} · {} · {} · {}", run.header().participant, experiment.name, trial,
+                  doing(view)),
+      fmt::format("  level {} {}   reversals {} of {}   voids {}   catch {}, yes in {}",
+                  exact_decimal(staircase.level(), experiment.decimals()), experiment.unit(),
+                  staircase.state().reversals.size(), experiment.rule.total_reversals(),
+                  run.state().voids(), run.state().catches(), run.state().false_alarms()),
+      ""};
   const auto picture = chart(run.state());
   lines.insert(lines.end(), picture.begin(), picture.end());
-  char ball[160];
-  std::snprintf(ball, sizeof ball, "  %s%s", run.header().ball.name.c_str(),
-                run.header().ball.simulated ? " (simulated)" : "");
-  const std::string warm =
-      view.temperature_c ? "   " + column(*view.temperature_c) + " °C" : std::string();
   lines.push_back("");
-  lines.push_back(ball + warm);
+  lines.push_back("  " + run.header().ball.name +
+                  (run.header().ball.simulated ? " (simulated)" : "") +
+                  (view.temperature_c ? "   " + column(*view.temperature_c) + " °C" : ""));
   lines.push_back("  " + view.message);
   lines.push_back("");
   lines.push_back("  participant: <- " + std::string(experiment.task == Task::kYesNo

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "clients/study/verbs/report_verbs.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -24,16 +26,12 @@ void print_groups(const std::vector<AnalysedGroup>& groups) {
   std::puts("                          thesis    here");
   for (const AnalysedGroup& group : groups) {
     const char* unit = group.experiment.unit();
-    char thesis[32];
-    char here[64];
-    std::snprintf(thesis, sizeof thesis, "-");
-    if (is_as_in_thesis(group.experiment)) {
-      std::snprintf(thesis, sizeof thesis, "%.3g %s", thesis_result(group.experiment.quantity),
-                    unit);
-    }
-    std::snprintf(here, sizeof here, "%.3g %s ± %.2g, n = %d", group.result.mean, unit,
-                  group.result.sd, group.result.count);
-    std::printf("  %-23s %-9s %s", group.experiment.name.c_str(), thesis, here);
+    const std::string thesis =
+        is_as_in_thesis(group.experiment)
+            ? fmt::format("{:.3g} {}", thesis_result(group.experiment.quantity), unit)
+            : "-";
+    std::printf("  %-23s %-9s %.3g %s ± %.2g, n = %d", group.experiment.name.c_str(),
+                thesis.c_str(), group.result.mean, unit, group.result.sd, group.result.count);
     if (group.force_n > 0) std::printf(", %.4f N", group.force_n);
     std::puts("");
   }

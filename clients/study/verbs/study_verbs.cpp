@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -20,16 +22,9 @@ std::string in_short(const RecordedRun& run) {
   const Experiment& experiment = run.header().experiment;
   const Staircase& staircase = run.state().staircase();
   const auto counted = staircase.counted_reversals();
-  char text[64];
-  if (!counted.empty()) {
-    std::snprintf(text, sizeof text, "%.3g %s", mean_value(counted, experiment.decimals()),
-                  experiment.unit());
-  } else if (run.over()) {
-    std::snprintf(text, sizeof text, "given up");
-  } else {
-    std::snprintf(text, sizeof text, "open, %d trials", staircase.state().scored);
-  }
-  return text;
+  if (!counted.empty())
+    return fmt::format("{:.3g} {}", mean_value(counted, experiment.decimals()), experiment.unit());
+  return run.over() ? "given up" : fmt::format("open, {} trials", staircase.state().scored);
 }
 
 void add_missing(std::vector<std::string>& names, const std::string& name) {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <string_view>
 #include <utility>
 
@@ -12,6 +11,7 @@
 #include "daemon/config/keys/geometry_keys.h"
 #include "daemon/config/keys/key_tree.h"
 #include "daemon/config/keys/limit_keys.h"
+#include "daemon/device/sensors/discovery.h"
 #include "model/thermal/thermal_decay.h"
 
 namespace hedgehog::config {
@@ -100,11 +100,8 @@ Reason read_usb(DeviceModel& device, const Value& value) {
 
 Value write_usb(const DeviceModel& device) {
   std::vector<Value> ids;
-  for (const model::UsbId& id : device.usb) {
-    std::array<char, 10> text{};
-    std::snprintf(text.data(), text.size(), "%04x:%04x", unsigned{id.vendor}, unsigned{id.product});
-    ids.push_back(Value::of(std::string(text.data())));
-  }
+  for (const model::UsbId& id : device.usb)
+    ids.push_back(Value::of(device::usb_ids(id.vendor, id.product)));
   return Value::array(std::move(ids));
 }
 

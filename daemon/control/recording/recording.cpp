@@ -2,6 +2,7 @@
 #include "daemon/control/recording/recording.h"
 
 #include <elf.h>
+#include <fmt/format.h>
 #include <link.h>
 
 #include <algorithm>
@@ -11,7 +12,7 @@
 #include <iterator>
 #include <memory>
 
-#include "daemon/device/board_core/crc32.h"
+#include "base/crc32.h"
 
 namespace hedgehog::control {
 namespace {
@@ -52,16 +53,12 @@ class Reader {
   bool good_ = true;
 };
 
-std::uint32_t checksum(std::span<const std::byte> bytes) noexcept {
-  return board::crc32(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
-}
-
 bool is_whole(std::span<const std::byte> recording) noexcept {
   std::uint32_t sum = 0;
   if (recording.size() < sizeof sum) return false;
   const auto body = recording.first(recording.size() - sizeof sum);
   std::memcpy(&sum, recording.last(sizeof sum).data(), sizeof sum);
-  return sum == checksum(body);
+  return sum == base::crc32(body);
 }
 
 int find_build_id(dl_phdr_info* info, std::size_t, void* out) {
@@ -79,12 +76,8 @@ int find_build_id(dl_phdr_info* info, std::size_t, void* out) {
       const char* description = owner + ((note.n_namesz + 3u) & ~3u);
       if (note.n_type == NT_GNU_BUILD_ID && note.n_namesz == 4 &&
           std::memcmp(owner, "GNU", 4) == 0) {
-        constexpr std::string_view kHex = "0123456789abcdef";
-        for (std::size_t k = 0; k < note.n_descsz; ++k) {
-          const auto byte = static_cast<unsigned char>(description[k]);
-          id += kHex[byte >> 4];
-          id += kHex[byte & 15];
-        }
+        for (std::size_t k = 0; k < note.n_descsz; ++k)
+          id += fmt::format("{:02x}", static_cast<unsigned char>(description[k]));
         return 1;
       }
       at = description + ((note.n_descsz + 3u) & ~3u);
@@ -123,7 +116,7 @@ std::vector<std::byte> begin_recording(const Controller& start) {
   return bytes;
 }
 
-void end_recording(std::vector<std::byte>& recording) { append(recording, checksum(recording)); }
+void end_recording(std::vector<std::byte>& recording) { append(recording, base::crc32(recording)); }
 
 ReplayResult replay(std::span<const std::byte> recording, const ReplaySink& sink) {
   ReplayResult result;

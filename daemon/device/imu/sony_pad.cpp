@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "daemon/device/board_core/crc32.h"
+#include "base/crc32.h"
 
 namespace hedgehog::device {
 namespace {
@@ -19,7 +19,8 @@ bool crc_fits(Byte seed, std::span<const Byte> report) noexcept {
   if (report.size() < 4 || report.size() > kLongest) return false;
   covered[0] = seed;
   std::copy(report.begin(), report.end() - 4, covered.begin() + 1);
-  return board::crc32(covered.data(), report.size() - 3) == little_u32(&report[report.size() - 4]);
+  return base::crc32(std::as_bytes(std::span(covered).first(report.size() - 3))) ==
+         little_u32(&report[report.size() - 4]);
 }
 
 struct Layout {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/device/sensors/discovery.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -235,13 +237,7 @@ std::string_view words(SensorKind kind) noexcept {
 }
 
 std::string usb_ids(std::uint16_t vendor, std::uint16_t product) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  std::string ids;
-  for (const std::uint16_t id : {vendor, product}) {
-    ids += ids.empty() ? "" : ":";
-    for (int shift = 12; shift >= 0; shift -= 4) ids += kDigits[(id >> shift) & 15];
-  }
-  return ids;
+  return fmt::format("{:04x}:{:04x}", vendor, product);
 }
 
 std::string describe(const HidDevice& device) {

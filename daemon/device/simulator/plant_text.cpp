@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/device/simulator/plant_text.h"
 
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <vector>
+
+#include "base/number_text.h"
 
 namespace hedgehog::device {
 namespace {
@@ -49,15 +50,9 @@ std::optional<std::vector<double>> numbers_in(std::string_view text) {
 
 }  // namespace
 
-std::string text_of(double value) {
-  std::array<char, 32> text;
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  return {text.data(), end};
-}
-
 std::string plant_text(const model::PlantParameters& plant) {
   std::string text = std::to_string(plant.sensor_winding);
-  const auto add = [&text](double value) { text += ',' + text_of(value); };
+  const auto add = [&text](double value) { text += ',' + base::shortest(value); };
   visit(plant, add, add);
   return text;
 }

@@ -10,8 +10,6 @@
 
 namespace hedgehog::device {
 
-/// The shortest decimal form that reads back to the same double.
-std::string text_of(double value);
 /// All numbers of `plant` but its seed, by comma, exact to the bit.
 std::string plant_text(const model::PlantParameters& plant);
 /// nullopt: not that many numbers, one that is not finite, or one that cannot be.

@@ -8,12 +8,11 @@
 #include <time.h>
 #include <unistd.h>
 
-#include <array>
-#include <charconv>
 #include <filesystem>
 #include <system_error>
 #include <vector>
 
+#include "base/number_text.h"
 #include "daemon/device/simulator/plant_text.h"
 #include "daemon/device/simulator/simulated_board_runner.h"
 #include "daemon/device/socket_transport.h"
@@ -61,9 +60,9 @@ SimulatedBoardProcess::SimulatedBoardProcess(const SimulatedBoardProcessOptions&
       "--fd",
       std::to_string(kChildFd),
       "--start-temperature",
-      text_of(options.board.start_c),
+      base::shortest(options.board.start_c),
       "--ambient",
-      text_of(options.board.ambient_c),
+      base::shortest(options.board.ambient_c),
       "--seed",
       std::to_string(options.board.plant.seed),
       "--front-end",

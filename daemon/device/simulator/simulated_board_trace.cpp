@@ -2,8 +2,9 @@
 #include "daemon/device/simulator/simulated_board_trace.h"
 
 #include <algorithm>
-#include <array>
+#include <cstdint>
 #include <cstdlib>
+#include <string>
 
 namespace hedgehog::device {
 
@@ -34,15 +35,14 @@ void SimulatedBoardTrace::after_step(const SimulatedBoard& board) noexcept {
 void SimulatedBoardTrace::note(const SimulatedBoard& board, const char* event) noexcept {
   if (file_ == nullptr) return;
   const board::BoardCore& core = board.core();
-  std::array<char, 16> age{"null"};
-  if (core.set_point_age_ms() != UINT32_MAX)
-    std::snprintf(age.data(), age.size(), "%u", core.set_point_age_ms());
+  const std::uint32_t age_ms = core.set_point_age_ms();
+  const std::string age = age_ms == UINT32_MAX ? "null" : std::to_string(age_ms);
   int duty = 0;
   for (const std::int16_t one : core.outputs().duty_q15) duty = std::max(duty, std::abs(one));
   std::fprintf(file_,
                "{\"event\": \"%s\", \"board_ms\": %u, \"set_point_age_ms\": %s, \"mode\": \"%s\", "
                "\"faults\": %u, \"awake\": %s, \"duty\": %.4f, \"current_a\": %.4f}\n",
-               event, core.now_ms(), age.data(), words(core.mode()),
+               event, core.now_ms(), age.c_str(), words(core.mode()),
                static_cast<unsigned>(core.faults()), core.outputs().awake ? "true" : "false",
                duty / kFullDuty, norm(board.plant().current_a()));
   std::fflush(file_);

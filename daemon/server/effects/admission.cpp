@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/server/effects/admission.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 namespace hedgehog::server {
@@ -16,12 +17,6 @@ bool sounds(const DeviceView& device_view, const Effect& e) {
     return false;  // it has ended by itself; the event of it is still on its way
   // Not there yet; one whose connection has ended is gone already.
   return e.owner != 0 && e.spec.delay == 0 && e.spec.start_at <= device_view.now().tick;
-}
-
-std::string text(const char* format, double a, double b) {
-  char buffer[160];
-  std::snprintf(buffer, sizeof buffer, format, a, b);
-  return buffer;
 }
 
 /// `direction` as of onset_direction.
@@ -125,9 +120,8 @@ std::optional<protocol::RpcError> thermal_refusal(const DeviceView& device_view,
   const double current_limit = device_view.limits().current_a;
   e.limit_a = now ? admitted.current_a : device_view.now().limit_a;
   if (now) {
-    e.message =
-        "refused_thermal: " + text("%.1f A asked, %.1f A allowed at ", asked_a, *e.limit_a) +
-        text("%.1f °C", device_view.hottest_c(), 0);
+    e.message = fmt::format("refused_thermal: {:.1f} A asked, {:.1f} A allowed at {:.1f} °C",
+                            asked_a, *e.limit_a, device_view.hottest_c());
     e.field = params.level ? "level" : params.force_n ? "force_n" : "current_a";
     const double per_ampere = params.level     ? 1.0 / current_limit
                               : params.force_n ? device_view.config().device.force_slope_n_a
@@ -135,9 +129,9 @@ std::optional<protocol::RpcError> thermal_refusal(const DeviceView& device_view,
     e.limit = *e.limit_a * per_ampere;
     e.value = spec.strength_a * per_ampere;
   } else {
-    e.message = "refused_thermal: " +
-                text("%.1f A can flow for %.1f s from ", asked_a, *admitted.headroom_s) +
-                text("%.1f °C, %.1f s asked", device_view.hottest_c(), needed_s);
+    e.message = fmt::format(
+        "refused_thermal: {:.1f} A can flow for {:.1f} s from {:.1f} °C, {:.1f} s asked", asked_a,
+        *admitted.headroom_s, device_view.hottest_c(), needed_s);
     e.field = spec.lease > 0 ? "lease_ms" : "duration_ms";
     e.limit = static_cast<std::int64_t>(*admitted.headroom_s * 1000.0);
     e.value = static_cast<std::int64_t>(spec.lease > 0 ? spec.lease : spec.duration);

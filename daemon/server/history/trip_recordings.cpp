@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/server/history/trip_recordings.h"
 
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -63,11 +64,7 @@ void record(const std::string& directory, unsigned number, control::FlightRecord
 
 }  // namespace
 
-std::string recording_name(unsigned number) {
-  char name[32];
-  std::snprintf(name, sizeof name, "trip-%04u", number);
-  return name;
-}
+std::string recording_name(unsigned number) { return fmt::format("trip-{:04}", number); }
 
 unsigned recording_number(std::string_view name) {
   unsigned number = 0;

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/server/net/http/web_pages.h"
 
+#include <fmt/format.h>
+
 #include <array>
-#include <cstdint>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <span>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
-#include "daemon/device/board_core/crc32.h"
+#include "base/crc32.h"
 
 namespace hedgehog::server {
 namespace {
@@ -37,11 +38,8 @@ std::string_view type_of(const fs::path& file) {
 
 /// Tells versions of one file from each other, nothing more.
 std::string etag_of(const std::string& bytes) {
-  const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "\"%08x-%zx\"", board::crc32(data, bytes.size()),
-                bytes.size());
-  return text.data();
+  return fmt::format(R"("{:08x}-{:x}")", base::crc32(std::as_bytes(std::span(bytes))),
+                     bytes.size());
 }
 
 }  // namespace

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Numbers as text, for people and files. The same in every locale; allocates.
+#pragma once
+
+#include <string>
+
+namespace hedgehog::base {
+
+/// "41.2", "nan", "inf": `decimals` digits behind the point; zero, also a rounded one, has no sign.
+std::string fixed(double value, int decimals);
+/// "4 310", "-12,480": no decimals, `separator` between groups of three digits.
+std::string grouped(double value, char separator = ' ');
+/// "0.1", "1e+16": the shortest decimal form that reads back to the same double.
+std::string shortest(double value);
+
+}  // namespace hedgehog::base
