@@ -19,22 +19,22 @@ constexpr const char* kDrivenArray = "tkD-86";
 Result<std::string> device_text(const Design& design, const std::string& name) {
   static const std::regex kName("[A-Za-z0-9_.-]{1,32}");
   if (!std::regex_match(name, kName)) {
-    return Complaint{
+    return Problem{
         kUsage,
         "--device: the file's name is the ball's: 1 to 32 letters, digits, '-', '_', '.'; not '" +
             name + "'"};
   }
   if (design.array != kDrivenArray || !design.whole()) {
-    return Complaint{kBadData, "no device file for " +
-                                   (design.positions.empty() ? design.array : design.positions) +
-                                   (design.removed_pins.empty() ? "" : " with pins removed") +
-                                   (design.removed_shields.empty() ? "" : " with shields removed") +
-                                   ": hedgehogd knows the places of tkD-86 only"};
+    return Problem{kBadData, "no device file for " +
+                                 (design.positions.empty() ? design.array : design.positions) +
+                                 (design.removed_pins.empty() ? "" : " with pins removed") +
+                                 (design.removed_shields.empty() ? "" : " with shields removed") +
+                                 ": hedgehogd knows the places of tkD-86 only"};
   }
   if (!has_thesis_magnets(design)) {
-    return Complaint{kBadData, "no device file for " + to_text(design) +
-                                   ": hedgehogd has the force curves of N45 pins 8x10 and shields "
-                                   "4x10 on a sphere of 35 mm only, and would tell wrong places"};
+    return Problem{kBadData, "no device file for " + to_text(design) +
+                                 ": hedgehogd has the force curves of N45 pins 8x10 and shields "
+                                 "4x10 on a sphere of 35 mm only, and would tell wrong places"};
   }
   const double slope_n_a = model::coil_force_n(model::measured_electromagnet(), 1.0,
                                                design.sizes().pin, design.sphere_mm, 0.0, 0.0);

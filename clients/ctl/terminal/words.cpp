@@ -2,9 +2,8 @@
 #include "clients/ctl/terminal/words.h"
 
 #include <cmath>
-#include <cstdio>
+#include <cstdint>
 #include <ctime>
-#include <numbers>
 
 #include "base/wall_time.h"
 #include "model/units.h"
@@ -12,17 +11,6 @@
 namespace hedgehog::client {
 
 namespace {
-
-std::string formatted(const char* format, int digits, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, digits, value);
-  return text;
-}
-
-/// A number that rounds to nought has no sign.
-double without_negative_zero(double value, int digits) {
-  return std::abs(value) < 0.5 * std::pow(10.0, -digits) ? 0.0 : value;
-}
 
 std::string two_parts(std::int64_t large, const char* large_unit, std::int64_t small,
                       const char* small_unit) {
@@ -32,53 +20,6 @@ std::string two_parts(std::int64_t large, const char* large_unit, std::int64_t s
 }
 
 }  // namespace
-
-std::string fixed(double value, int digits) {
-  return formatted("%.*f", digits, without_negative_zero(value, digits));
-}
-
-std::string fixed_signed(double value, int digits) {
-  const double shown = without_negative_zero(value, digits);
-  return formatted(shown == 0.0 ? "%.*f" : "%+.*f", digits, shown);
-}
-
-std::string grouped(double value) {
-  std::string digits = fixed(value, 0);
-  const std::size_t first = digits.starts_with('-') ? 1 : 0;
-  for (std::size_t at = digits.size(); at > first + 3;) {
-    at -= 3;
-    digits.insert(at, " ");
-  }
-  return digits;
-}
-
-std::size_t columns(std::string_view text) {
-  std::size_t count = 0;
-  for (const char byte : text) count += (static_cast<unsigned char>(byte) & 0xC0u) != 0x80u ? 1 : 0;
-  return count;
-}
-
-std::string right(std::string_view text, std::size_t width) {
-  const std::size_t taken = columns(text);
-  return std::string(taken < width ? width - taken : 0, ' ') + std::string(text);
-}
-
-std::string left(std::string_view text, std::size_t width) {
-  const std::size_t taken = columns(text);
-  return std::string(text) + std::string(taken < width ? width - taken : 0, ' ');
-}
-
-std::string cut(std::string_view text, std::size_t width) {
-  if (columns(text) <= width) return std::string(text);
-  std::string shown;
-  std::size_t taken = 0;
-  for (const char byte : text) {
-    const bool starts = (static_cast<unsigned char>(byte) & 0xC0u) != 0x80u;
-    if (starts && ++taken == width) break;
-    shown += byte;
-  }
-  return shown + "…";
-}
 
 std::string row(std::string_view name, std::string_view value, std::string_view behind) {
   const std::string line = "  " + left(name, 11) + right(value, 11);

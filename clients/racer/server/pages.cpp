@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "clients/racer/server/pages.h"
-#include "clients/lib/html.h"
+#include "clients/common/html.h"
 
 #include <array>
 #include <filesystem>

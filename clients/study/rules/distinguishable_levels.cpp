@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "clients/common/text.h"
+
 namespace hedgehog::study {
 
 namespace {
@@ -30,14 +32,6 @@ std::string as_stated(double steps, double stated) {
     std::snprintf(text, sizeof text, "1 + steps = %.2f: the thesis' \"about %.0f\"", 1.0 + steps,
                   stated);
   }
-  return text;
-}
-
-std::string with_commas(double number) {
-  char plain[32];
-  std::snprintf(plain, sizeof plain, "%.0f", number);
-  std::string text = plain;
-  for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, ",");
   return text;
 }
 
@@ -117,7 +111,7 @@ std::vector<std::string> level_remarks(double threshold_a, double force_fraction
   char constant[160];
   std::snprintf(weber, sizeof weber,
                 "20 steps of speed: Weber steps of %.3g %% would need a range of %s to 1,",
-                100.0 * speed_fraction, with_commas(ratio).c_str());
+                100.0 * speed_fraction, client::grouped(ratio, ',').c_str());
   std::snprintf(constant, sizeof constant, "constant ones of %.3g pins/s a span of %.3g pins/s.",
                 speed_fraction * reference_pins_s, span);
   std::vector<std::string> remarks{weber, constant};
