@@ -22,7 +22,7 @@ int main(int argc, char** argv) {
   bool no_ball = false;
   bool driver = false;
   std::string listen = "127.0.0.1:7585";
-  std::string pages = racer::Pages::default_folder();
+  std::string pages = racer::default_pages_folder();
   app.add_option("--listen", listen, "address:port of the page; port 0: a free one")
       ->capture_default_str();
   app.add_option("--address", address,
