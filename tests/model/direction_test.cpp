@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "model/geometry/pin_array.h"
+#include "tests/model/direction_named.h"
 
 namespace hedgehog::model {
 namespace {
