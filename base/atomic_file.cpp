@@ -37,7 +37,7 @@ std::string write_file_atomically(const std::string& path, std::string_view cont
 }
 
 std::string sync_folder(const std::string& folder) {
-  const int at = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  const int at = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (at < 0) return folder + ": " + std::strerror(errno);
   // EINVAL: a file system that has nothing to sync there.
   const int error = ::fsync(at) == 0 || errno == EINVAL ? 0 : errno;

@@ -112,6 +112,5 @@ inline constexpr std::uint8_t kHidToHost = 0xA1;
 inline constexpr std::uint8_t kHidToDevice = 0x21;
 inline constexpr std::uint8_t kHidGetReport = 0x01;
 inline constexpr std::uint8_t kHidSetReport = 0x09;
-inline constexpr std::uint8_t kHidSetIdle = 0x0A;
 
 }  // namespace hedgehog::emulator

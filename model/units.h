@@ -37,10 +37,7 @@ struct Quantity {
 };
 
 using Amps = Quantity<struct AmpsUnit>;
-using Volts = Quantity<struct VoltsUnit>;
 using Ohms = Quantity<struct OhmsUnit>;
-using Newtons = Quantity<struct NewtonsUnit>;
-using Seconds = Quantity<struct SecondsUnit>;
 /// A temperature, or a difference of two (then in kelvins).
 using Celsius = Quantity<struct CelsiusUnit>;
 

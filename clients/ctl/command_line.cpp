@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "clients/common/arguments.h"
+#include "clients/common/interrupts.h"
 #include "clients/ctl/calibrate/calibrate_verb.h"
 #include "clients/ctl/demo/demo.h"
 #include "clients/ctl/parameter_help.h"
@@ -72,15 +74,12 @@ class CommandLine {
 
   /// What is wrong, in the words of every other complaint, and where to read on.
   int print_usage(const CLI::ParseError& error) const {
-    const auto verbs = app_.get_subcommands();
-    const std::string verb = verbs.empty() ? "" : " " + verbs.front()->get_name();
     std::string what = error.what();
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError))
       what = "'" + extra_word() + "' is not understood";
-    else if (verbs.empty() && error.get_name() == "RequiredError")
+    else if (app_.get_subcommands().empty() && error.get_name() == "RequiredError")
       what = "a verb is missing";
-    std::fprintf(stderr, "hedgehogctl%s: %s; hedgehogctl%s --help says more\n", verb.c_str(),
-                 what.c_str(), verb.c_str());
+    std::fprintf(stderr, "%s\n", usage_error(app_, what).c_str());
     return kUsage;
   }
 

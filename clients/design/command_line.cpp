@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "clients/common/arguments.h"
 #include "clients/design/verbs/verbs.h"
 
 namespace hedgehog::design {
@@ -46,7 +47,7 @@ class CommandLine {
       err_ << "hedgehog-design: the answer cannot be written\n";
       return kCannotCreate;
     }
-    err_ << "hedgehog-design: " << done.error().sentence << "\n";
+    err_ << "hedgehog-design: " << done.error().message << "\n";
     return done.error().exit_code;
   }
 
@@ -54,16 +55,13 @@ class CommandLine {
   using Verb = std::function<Result<void>(const Screen&)>;
 
   int print_usage(const CLI::ParseError& error) {
-    const auto verbs = app_.get_subcommands();
-    const std::string verb = verbs.empty() ? "" : " " + verbs.front()->get_name();
     std::string what = error.what();
     const auto unknown = app_.remaining(true);
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError) && !unknown.empty())
       what = "'" + unknown.front() + "' is not understood";
-    else if (verbs.empty())
+    else if (app_.get_subcommands().empty())
       what = unknown.empty() ? "a verb is missing" : "there is no verb '" + unknown.front() + "'";
-    err_ << "hedgehog-design" << verb << ": " << what << "; hedgehog-design" << verb
-         << " --help says more\n";
+    err_ << client::usage_error(app_, what) << "\n";
     return kUsage;
   }
 

@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 Result<model::Arrangement> known_array(const Design& design) {
   auto known = model::arrangement_named(design.array);
   if (!known) known = model::arrangement_named(design.array.substr(0, design.array.find('-')));
-  if (!known) return Complaint{kUsage, known.error().message};
+  if (!known) return Problem{kUsage, known.error().message};
   return *std::move(known);
 }
 
@@ -53,13 +53,13 @@ int front_pin(const model::Arrangement& whole) {
 Result<std::string> device_text(const Design& design, const std::string& name) {
   static const std::regex kName("[A-Za-z0-9_.-]{1,32}");
   if (!std::regex_match(name, kName)) {
-    return Complaint{
+    return Problem{
         kUsage,
         "--device: the file's name is the ball's: 1 to 32 letters, digits, '-', '_', '.'; not '" +
             name + "'"};
   }
   if (!design.positions.empty()) {
-    return Complaint{kBadData, "no device file for " + design.positions +
+    return Problem{kBadData, "no device file for " + design.positions +
                                    ": hedgehogd knows the arrays by name only"};
   }
   const auto whole = known_array(design);

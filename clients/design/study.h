@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "clients/design/complaint.h"
+#include "clients/common/problem.h"
 #include "clients/design/input/design.h"
 #include "model/magnets/characterisation.h"
 

@@ -1,27 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include <CLI/CLI.hpp>
-#include <csignal>
 #include <cstdio>
 #include <string>
 
+#include "clients/common/arguments.h"
+#include "clients/common/exit_code.h"
+#include "clients/common/interrupts.h"
 #include "clients/lib/connection.h"
 #include "clients/orientation/indicator.h"
 #include "model/geometry/direction.h"
 
 namespace {
 
+using namespace hedgehog;
 using namespace hedgehog::client;
 using std::chrono::milliseconds;
-
-constexpr int kUsage = 64;
-constexpr int kUnavailable = 69;
-constexpr int kInterrupted = 130;
-
-volatile std::sig_atomic_t interrupt_seen = 0;
-
-void note_interrupt(int) { interrupt_seen = 1; }
-
-bool interrupted() { return interrupt_seen != 0; }
 
 void print(const IndicatorReport& report) {
   if (!report.up) {
@@ -83,20 +76,11 @@ int main(int argc, char** argv) {
   app.add_option("--address", address, "host:port or a socket's path (HEDGEHOG_ADDRESS)");
   app.add_option("--seconds", seconds, "ends after; else at Ctrl-C")->check(CLI::PositiveNumber);
   app.add_flag("--once", once, "ends when the daemon goes, instead of waiting for it");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& done) {
-    return app.exit(done);
-  } catch (const CLI::ParseError& error) {
-    app.exit(error);
-    return kUsage;
-  }
+  if (const auto code = parse_arguments(app, argc, argv)) return *code;
   options.loop = loop == "client" ? Loop::kClient : Loop::kDaemon;
   options.style = style == "steady" ? Style::kSteady : Style::kPulse;
   if (seconds) options.duration = milliseconds(static_cast<std::int64_t>(*seconds * 1000.0));
-  std::signal(SIGINT, note_interrupt);
-  std::signal(SIGTERM, note_interrupt);
-  std::signal(SIGHUP, note_interrupt);
+  watch_interrupts();
   const auto addresses = daemon_addresses(address);
   if (!addresses) {
     std::fprintf(stderr, "hedgehog-orientation: %s\n", addresses.error().message.c_str());

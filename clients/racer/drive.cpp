@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "clients/common/exit_code.h"
 #include "clients/racer/feel/feel.h"
 #include "clients/racer/game/driver.h"
 #include "clients/racer/game/race.h"
@@ -18,7 +19,6 @@
 namespace hedgehog::racer {
 namespace {
 
-constexpr int kCannotListen = 73;
 /// What lasts is told ten times a second, and so is the ball.
 constexpr int kSeldom = 6;
 /// How long a cold ball can be at full strength (DESIGN, section 6), s.
@@ -190,7 +190,7 @@ int drive(const DriveOptions& options, const std::function<bool()>& interrupted)
     game = std::make_unique<Drive>(options);
   } catch (const std::runtime_error& error) {
     std::fprintf(stderr, "hedgehog-racer: %s\n", error.what());
-    return kCannotListen;
+    return kCannotCreate;
   }
   const bool six = options.page.address.find(':') != std::string::npos;
   std::printf("http://%s%s%s:%u   open this in a browser; Ctrl-C ends the game\n", six ? "[" : "",

@@ -10,6 +10,7 @@
 #include <string>
 #include <thread>
 
+#include "clients/common/exit_code.h"
 #include "clients/racer/feel/feel.h"
 #include "clients/racer/game/driver.h"
 #include "clients/racer/game/race.h"
@@ -21,8 +22,6 @@ namespace hedgehog::racer {
 namespace {
 
 constexpr int kTripped = 1;
-constexpr int kUnavailable = 69;
-constexpr int kInterrupted = 130;
 constexpr std::chrono::milliseconds kArrives{5000};
 
 struct Count {

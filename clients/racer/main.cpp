@@ -1,27 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include <CLI/CLI.hpp>
-#include <csignal>
 #include <cstdio>
 #include <optional>
 #include <string>
 
+#include "clients/common/arguments.h"
+#include "clients/common/exit_code.h"
+#include "clients/common/interrupts.h"
 #include "clients/racer/drive.h"
 #include "clients/racer/lap.h"
 #include "clients/racer/server/pages.h"
 
-namespace {
-
 using namespace hedgehog;
-
-constexpr int kUsage = 64;
-
-volatile std::sig_atomic_t interrupt_seen = 0;
-
-void note_interrupt(int) { interrupt_seen = 1; }
-
-bool interrupted() { return interrupt_seen != 0; }
-
-}  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app{"The racing game that is felt on the ball.", "hedgehog-racer"};
@@ -32,7 +22,7 @@ int main(int argc, char** argv) {
   bool no_ball = false;
   bool driver = false;
   std::string listen = "127.0.0.1:7585";
-  std::string pages = racer::Pages::default_folder();
+  std::string pages = racer::default_pages_folder();
   app.add_option("--listen", listen, "address:port of the page; port 0: a free one")
       ->capture_default_str();
   app.add_option("--address", address,
@@ -51,17 +41,8 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(0.1, 100.0))
       ->capture_default_str();
   lap->add_flag("--json", laps.json, "a JSON object a line");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& done) {
-    return app.exit(done);
-  } catch (const CLI::ParseError& error) {
-    app.exit(error);
-    return kUsage;
-  }
-  std::signal(SIGINT, note_interrupt);
-  std::signal(SIGTERM, note_interrupt);
-  std::signal(SIGHUP, note_interrupt);
+  if (const auto code = client::parse_arguments(app, argc, argv)) return *code;
+  client::watch_interrupts();
   if (!no_ball) {
     const auto addresses = client::daemon_addresses(address);
     if (!addresses) {
@@ -70,7 +51,7 @@ int main(int argc, char** argv) {
     }
     laps.addresses = *addresses;
   }
-  if (lap->parsed()) return racer::drive_laps(laps, interrupted);
+  if (lap->parsed()) return racer::drive_laps(laps, client::interrupted);
   racer::DriveOptions drive;
   const auto settings = racer::listen_at(listen);
   if (!settings) {
@@ -81,5 +62,5 @@ int main(int argc, char** argv) {
   drive.page.pages = pages;
   drive.addresses = laps.addresses;
   if (driver) drive.mode = racer::Mode::kDriver;
-  return racer::drive(drive, interrupted);
+  return racer::drive(drive, client::interrupted);
 }

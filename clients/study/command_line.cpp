@@ -2,7 +2,6 @@
 #include "clients/study/command_line.h"
 
 #include <fmt/format.h>
-#include <sysexits.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -12,6 +11,7 @@
 #include <functional>
 #include <string>
 
+#include "clients/common/arguments.h"
 #include "clients/study/study_plan.h"
 #include "clients/study/verbs/report_verbs.h"
 #include "clients/study/verbs/run_verb.h"
@@ -74,14 +74,7 @@ class CommandLine {
   }
 
   int run(int argc, const char* const* argv) {
-    try {
-      app_.parse(argc, argv);
-    } catch (const CLI::Success& done) {
-      return app_.exit(done);
-    } catch (const CLI::ParseError& error) {
-      app_.exit(error, std::cerr, std::cerr);
-      return EX_USAGE;
-    }
+    if (const auto code = client::parse_arguments(app_, argc, argv)) return *code;
     if (!folder_.empty()) std::filesystem::current_path(folder_);
     return chosen_();
   }

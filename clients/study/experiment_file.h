@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "clients/study/problem.h"
+#include "clients/common/problem.h"
 #include "clients/study/rules/experiment.h"
 
 namespace hedgehog::study {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "clients/study/problem.h"
+#include "clients/common/problem.h"
 #include "clients/study/rules/run.h"
 
 namespace hedgehog::study {

@@ -7,13 +7,6 @@
 #include "model/units.h"
 
 namespace hedgehog::model {
-namespace {}  // namespace
-
-std::optional<Vec3> direction_named(std::string_view name) noexcept {
-  for (const NamedDirection& known : kNamedDirections)
-    if (known.name == name) return known.vector;
-  return std::nullopt;
-}
 
 std::string_view side_name(const Vec3& v) noexcept {
   const NamedDirection* best = &kNamedDirections.front();

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <string_view>
 
 #include "model/vec3.h"
@@ -25,9 +24,6 @@ inline constexpr std::array<NamedDirection, 6> kNamedDirections{{
     {"front", {1, 0, 0}},
     {"back", {-1, 0, 0}},
 }};
-
-/// The unit vector of one of the six words, in lower case; nullopt for any other.
-std::optional<Vec3> direction_named(std::string_view name) noexcept;
 
 /// The word nearest to `v`; "up" for a vector of no length. What a person is told: "at pin 34, on
 /// the left".

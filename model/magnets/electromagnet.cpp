@@ -17,11 +17,6 @@ double force_per_moment_at(const CylinderMagnet& pin, double sphere_radius_mm,
 
 }  // namespace
 
-Electromagnet electromagnet_with(double force_n, double current_a, const CylinderMagnet& pin,
-                                 double sphere_radius_mm) noexcept {
-  return {"custom", force_n / current_a / force_per_moment_at(pin, sphere_radius_mm, 0.0)};
-}
-
 Electromagnet fea_electromagnet() noexcept {
   return {kFeaCalibration.name, 0.4 / kBurstCurrentA / force_per_moment(kThesisPin)};
 }

@@ -26,9 +26,6 @@ struct Electromagnet {
 Electromagnet fea_electromagnet() noexcept;
 /// Its measurement, 0.0126 N/A: 0.09557 A m^2/A.
 Electromagnet measured_electromagnet() noexcept;
-/// The one that gives `force_n` at `current_a` on this pin at offset 0. REQUIRES: current_a > 0.
-Electromagnet electromagnet_with(double force_n, double current_a, const CylinderMagnet& pin,
-                                 double sphere_radius_mm) noexcept;
 
 /// Outward force on a pin, N: `angle_deg` between the field and the pin's axis.
 double coil_force_n(const Electromagnet& coil, double current_a, const CylinderMagnet& pin,

@@ -32,29 +32,21 @@ bool same(const std::vector<double>& a, const std::vector<double>& b) {
       [](double x, double y) { return std::abs(x - y) <= kSameAngleDeg; });
 }
 
-/// Neighbours in the list that `belongs(first, angle)` calls one become their mean.
-template <typename Belongs>
-std::vector<AngleCount> merged(const std::vector<AngleCount>& angles, const Belongs& belongs) {
-  std::vector<AngleCount> merged;
+/// Neighbours that are one angle become their mean.
+std::vector<AngleCount> counted(const std::vector<double>& angles_deg) {
+  std::vector<AngleCount> counts;
   double first_deg = 0.0;
-  for (const AngleCount& angle : angles) {
-    if (merged.empty() || !belongs(first_deg, angle.angle_deg)) {
-      merged.push_back(angle);
-      first_deg = angle.angle_deg;
+  for (const double angle_deg : angles_deg) {
+    if (counts.empty() || angle_deg - first_deg > kSameAngleDeg) {
+      counts.push_back({angle_deg, 1});
+      first_deg = angle_deg;
     } else {
-      AngleCount& last = merged.back();
-      last.count += angle.count;
-      last.angle_deg += (angle.angle_deg - last.angle_deg) * angle.count / last.count;
+      AngleCount& last = counts.back();
+      ++last.count;
+      last.angle_deg += (angle_deg - last.angle_deg) / last.count;
     }
   }
-  return merged;
-}
-
-std::vector<AngleCount> counted(const std::vector<double>& angles_deg) {
-  std::vector<AngleCount> each;
-  each.reserve(angles_deg.size());
-  for (const double angle : angles_deg) each.push_back({angle, 1});
-  return merged(each, [](double first, double angle) { return angle - first <= kSameAngleDeg; });
+  return counts;
 }
 
 double nearest_deg(const PinClass& pin_class) {
@@ -83,17 +75,6 @@ std::vector<PinClass> symmetry_classes(const Arrangement& arrangement) {
   std::stable_sort(classes.begin(), classes.end(), [](const PinClass& a, const PinClass& b) {
     return nearest_deg(a) + kSameAngleDeg < nearest_deg(b);
   });
-  return classes;
-}
-
-std::vector<PinClass> coarsened(std::vector<PinClass> classes, double width) {
-  const auto belongs = [width](double first, double angle) {
-    return angle <= first * (1.0 + width);
-  };
-  for (PinClass& pin_class : classes) {
-    pin_class.to_pins = merged(pin_class.to_pins, belongs);
-    pin_class.to_shields = merged(pin_class.to_shields, belongs);
-  }
   return classes;
 }
 

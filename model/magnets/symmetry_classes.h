@@ -31,10 +31,4 @@ struct PinClass {
 /// value: it holds for all sizes.
 std::vector<PinClass> symmetry_classes(const Arrangement& arrangement);
 
-/// The same classes with fewer angles: those within `width` of each other, as a part of the smaller
-/// one, become their mean. For searches over many designs: forces fall with about the third power
-/// of the angle, so 0.04 costs about 0.1 % of what far magnets do (tkD: 0.002 mm of extension), and
-/// a large array is hardly dearer than a small one. Keep this value too. REQUIRES: width >= 0.
-std::vector<PinClass> coarsened(std::vector<PinClass> classes, double width = 0.04);
-
 }  // namespace hedgehog::model

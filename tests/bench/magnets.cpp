@@ -108,21 +108,6 @@ void one_pair(benchmark::State& state) {
 }
 BENCHMARK(one_pair)->ArgName("digits")->Arg(3)->Arg(6)->Arg(9);
 
-/// What one design costs in a search over sizes: the arrangement's classes are kept.
-void search_one_design(benchmark::State& state) {
-  const auto classes = coarsened(symmetry_classes(tkd()));
-  const ForceSettings settings{ForceModel::kExact, 1e-2};
-  ArraySizes sizes;
-  for (auto _ : state) {
-    for (const PinClass& pin_class : classes) {
-      const PinForce force(pin_class, sizes, settings);
-      const auto character = characterise(force, {-1.0, 5.0, 1.0});
-      benchmark::DoNotOptimize(extension_mm(force, character, 0.4));
-    }
-  }
-}
-BENCHMARK(search_one_design)->Unit(benchmark::kMillisecond);
-
 void equilibrium_of_tkd(benchmark::State& state) {
   for (auto _ : state)
     benchmark::DoNotOptimize(find_equilibrium(tkd(), {}, {ForceModel::kExact, 1e-6}));

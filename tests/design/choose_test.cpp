@@ -10,7 +10,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "clients/design/complaint.h"
+#include "clients/common/problem.h"
 #include "clients/design/search/pull.h"
 #include "clients/design/search/search.h"
 #include "clients/design/search/workers.h"
@@ -29,6 +29,13 @@ Found found(std::size_t pins, double extension_mm, double mass_g, double outer_m
   one.mass_g = mass_g;
   one.outer_diameter_mm = outer_mm;
   return one;
+}
+
+std::vector<Found> pareto_front(std::vector<Found> found) {
+  const auto all_stay = [](const std::vector<Found>& some) {
+    return std::vector<char>(some.size(), 1);
+  };
+  return checked_front(std::move(found), all_stay).front;
 }
 
 TEST(Front, KeepsWhatNothingBeats) {

@@ -7,13 +7,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "clients/common/html.h"
+#include "clients/common/problem.h"
+#include "clients/common/text.h"
 #include "clients/design/casing/casing.h"
 #include "clients/design/casing/stl.h"
-#include "clients/design/complaint.h"
 #include "clients/design/input/design.h"
 #include "clients/design/output/picture.h"
 #include "clients/design/output/table.h"
-#include "clients/lib/html.h"
 #include "tests/config/fake_files.h"
 #include "tests/design/program.h"
 
@@ -267,7 +268,7 @@ TEST(Tables, AlignAndQuote) {
   EXPECT_EQ(table.csv(), "name,force_n\n\"ä, b\",1.5\n\"c\"\"d\",10\n");
   EXPECT_EQ(fixed(-0.0001, 2), "0.00");
   EXPECT_EQ(fixed(std::nan(""), 2), "none");
-  EXPECT_EQ(wrapped("one two three", 9, 2), "  one two\n  three\n");
+  EXPECT_EQ(client::wrapped("one two three", 9, 2), "  one two\n  three\n");
   EXPECT_EQ(client::escape_html("<a & \"b\">"), "&lt;a &amp; &quot;b&quot;&gt;");
 }
 

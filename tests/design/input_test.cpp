@@ -5,7 +5,7 @@
 
 #include <sstream>
 
-#include "clients/design/complaint.h"
+#include "clients/common/problem.h"
 #include "clients/design/input/design_file.h"
 #include "clients/design/input/positions_file.h"
 #include "clients/design/input/sizes.h"
@@ -23,10 +23,10 @@ TEST(Sizes, AreDiameterTimesHeight) {
   EXPECT_EQ(parse_size("4.5x9.25", "--magnet").value(), (Size{4.5, 9.25}));
   EXPECT_EQ(to_text(Size{4.5, 10}), "4.5x10");
   for (const char* wrong : {"", "8", "8x", "x10", "8x10x2", "8 x 10", "axb", "nanx10", "8x10mm"}) {
-    EXPECT_THAT(parse_size(wrong, "--magnet").error().sentence, HasSubstr("DIAMETERxHEIGHT"))
+    EXPECT_THAT(parse_size(wrong, "--magnet").error().message, HasSubstr("DIAMETERxHEIGHT"))
         << wrong;
   }
-  EXPECT_THAT(parse_size("-8x10", "--magnet").error().sentence, HasSubstr("-8 mm is outside"));
+  EXPECT_THAT(parse_size("-8x10", "--magnet").error().message, HasSubstr("-8 mm is outside"));
 }
 
 TEST(Sizes, RangesHaveSteps) {
@@ -73,7 +73,7 @@ TEST(Arrays, OpenedHereAsInTheModel) {
 
 TEST(Arrays, UnknownOnesAreGuessed) {
   const auto sentence = [](const std::string& name) {
-    return find_arrangement(name).error().sentence;
+    return find_arrangement(name).error().message;
   };
   EXPECT_THAT(sentence("tkd"), HasSubstr("did you mean 'tkD'?"));
   EXPECT_THAT(sentence("tkD-85"), HasSubstr("did you mean 'tkD-86'?"));
@@ -97,7 +97,7 @@ TEST(DesignFile, ComplaintsNameTheKey) {
   const auto sentence = [](const std::string& text) {
     const auto design = parse_design(text, "x.json");
     EXPECT_EQ(design.error().exit_code, kBadData);
-    return design.error().sentence;
+    return design.error().message;
   };
   EXPECT_THAT(sentence("[]"), HasSubstr("no design file"));
   EXPECT_THAT(sentence("{"), HasSubstr("no design file"));
@@ -159,7 +159,7 @@ TEST(Positions, ComplaintsNameTheLine) {
   const auto sentence = [](const std::string& text) {
     const auto array = parse_positions(text, "p.csv");
     EXPECT_EQ(array.error().exit_code, kBadData) << text;
-    return array.error().sentence;
+    return array.error().message;
   };
   EXPECT_THAT(sentence(""), HasSubstr("p.csv is empty"));
   EXPECT_THAT(sentence("\x7f"

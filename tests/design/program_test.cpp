@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "clients/design/complaint.h"
+#include "clients/common/problem.h"
 #include "tests/design/program.h"
 
 namespace hedgehog::design {

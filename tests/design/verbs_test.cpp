@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 
-#include "clients/design/complaint.h"
+#include "clients/common/problem.h"
 #include "clients/design/output/picture.h"
 #include "clients/design/verbs/curves.h"
 #include "clients/design/verbs/electromagnet.h"

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "model/magnets/ball_geometry.h"
+#include "tests/model/direction_named.h"
 
 namespace hedgehog::model {
 namespace {

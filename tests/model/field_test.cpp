@@ -75,7 +75,6 @@ TEST(Field, TheAimedPinGets63MillinewtonAt5AmpereAnd189At15) {
   const Vec3& pin = thesis_ball().array.pins[kHexagon].position;
   EXPECT_NEAR(force_on_pin(aimed_at(kHexagon, 5.0), pin, kSlope), 0.063, 1e-9);
   EXPECT_NEAR(force_on_pin(aimed_at(kHexagon, 15.0), pin, kSlope), 0.189, 1e-9);
-  EXPECT_NEAR(current_for_force(0.063, kSlope), 5.0, 1e-9);
 }
 
 // Reference: physics.md section 5, aiming at a hexagon beside a pentagon.
@@ -85,6 +84,34 @@ TEST(Field, FractionsAroundTheAimedPin) {
   std::sort(forces.rbegin(), forces.rend());
   const double wanted[] = {1.0, 0.941, 0.921, 0.921, 0.915, 0.914, 0.914, 0.792};
   for (std::size_t i = 0; i < std::size(wanted); ++i) EXPECT_NEAR(forces[i], wanted[i], 6e-4) << i;
+}
+
+/// How widely a field is felt: never one pin, always an area (thesis section 3.1.3).
+struct FieldSpread {
+  /// Pins with at least 90 % and 50 % of the force that a pin exactly in the field's way gets.
+  int pins_90 = 0;
+  int pins_50 = 0;
+  /// Pins that are pulled in.
+  int pins_inward = 0;
+  /// Pins pushed with more than the threshold asked for.
+  int pins_above = 0;
+};
+
+/// `threshold_n`: what counts as felt, 0.03 N in thesis section 3.1.3. A field of zero has no
+/// spread.
+FieldSpread spread_of(const PinArray& array, const FieldDemand& field, double slope_n_a,
+                      double threshold_n) noexcept {
+  FieldSpread spread;
+  const double full_n = slope_n_a * norm(field.a);
+  if (!(full_n > 0.0)) return spread;
+  for (const Pin& pin : array.pins) {
+    const double force_n = force_on_pin(field, pin.position, slope_n_a);
+    if (force_n >= 0.9 * full_n) ++spread.pins_90;
+    if (force_n >= 0.5 * full_n) ++spread.pins_50;
+    if (force_n < 0.0) ++spread.pins_inward;
+    if (force_n > threshold_n) ++spread.pins_above;
+  }
+  return spread;
 }
 
 TEST(Field, SpreadOf86Pins) {

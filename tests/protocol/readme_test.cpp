@@ -11,9 +11,9 @@
 #include <set>
 #include <sstream>
 
-#include "model/geometry/direction.h"
 #include "protocol/server_codec.h"
 #include "protocol/values/event.h"
+#include "tests/model/direction_named.h"
 #include "tests/protocol/example_file.h"
 #include "tests/protocol/random_request.h"
 #include "tests/protocol/schema.h"

@@ -11,6 +11,8 @@
 namespace hedgehog::racer {
 namespace {
 
+/// Force JND of the study, as a ratio.
+constexpr double kForceJnd = 1.13;
 constexpr double kFelt = 2.1;
 constexpr double kFull = 15.0;
 

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "clients/common/problem.h"
 #include "clients/study/command_line.h"
-#include "clients/study/problem.h"
 #include "tests/temporary_folder.h"
 
 namespace hedgehog::study {

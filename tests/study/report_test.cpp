@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 
+#include "clients/common/csv.h"
 #include "clients/study/experiment_file.h"
 #include "clients/study/journal/journal.h"
 #include "clients/study/report/bids.h"
@@ -114,7 +115,7 @@ TEST(Rows, GoOnByTheWallClockWhereTheDevicesClockBeganAnew) {
 }
 
 TEST(Rows, AreQuotedWhereNeeded) {
-  EXPECT_EQ(csv_line({"a", "b,c", "d\"e", ""}), "a,\"b,c\",\"d\"\"e\",");
+  EXPECT_EQ(client::csv_line({"a", "b,c", "d\"e", ""}), "a,\"b,c\",\"d\"\"e\",");
   EXPECT_EQ(tsv_line({"a", "b\tc\nd"}), "a\tb c d");
 }
 

@@ -3,6 +3,8 @@
 
 #include <variant>
 
+#include "clients/common/interrupts.h"
+
 namespace hedgehog::client {
 namespace {
 

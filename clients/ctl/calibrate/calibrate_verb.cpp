@@ -11,6 +11,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/atomic_file.h"
 #include "clients/ctl/calibrate/calibration.h"
 #include "clients/ctl/calibrate/heat_progress.h"
 #include "clients/ctl/calibrate/heating.h"
@@ -19,28 +20,17 @@
 namespace hedgehog::client {
 namespace {
 
-constexpr int kCannotCreate = 73;
-
 int cannot_write(const std::string& path) {
   print_error(path + ": cannot be written");
   return kCannotCreate;
 }
 
-/// Whole or not at all: a device file that ends in its middle is worse than the one before.
-bool replace_file(const std::string& path, const std::string& text) {
-  const std::string unfinished = path + ".new";
-  std::ofstream file(unfinished, std::ios::trunc);
-  file << text;
-  file.close();
-  std::error_code failed;
-  if (file) std::filesystem::rename(unfinished, path, failed);
-  if (!file || failed) std::filesystem::remove(unfinished, failed);
-  return file && !failed;
-}
-
 int write(const Session& session, const CalibrateOptions& options, const Calibration& found,
           const protocol::Description& before) {
-  if (!replace_file(options.out, device_file(found, before))) return cannot_write(options.out);
+  // Whole or not at all: a device file that ends in its middle is worse than the one before.
+  constexpr mode_t kForEverybody = 0666;
+  if (!base::write_file_atomically(options.out, device_file(found, before), kForEverybody).empty())
+    return cannot_write(options.out);
   if (session.json) {
     std::puts(nlohmann::json{{"written", options.out}}.dump().c_str());
     return kDone;

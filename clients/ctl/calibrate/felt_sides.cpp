@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <iostream>
 
+#include "clients/common/interrupts.h"
 #include "clients/ctl/terminal/words.h"
 
 namespace hedgehog::client {

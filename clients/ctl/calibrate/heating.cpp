@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "clients/common/interrupts.h"
 #include "clients/ctl/calibrate/heat_bench.h"
 #include "clients/ctl/calibrate/rest_check.h"
 #include "clients/ctl/calibrate/winding_calibration.h"

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <utility>
 
+#include "clients/common/interrupts.h"
 #include "clients/ctl/calibrate/felt_sides.h"
 #include "clients/ctl/calibrate/rest_check.h"
 #include "clients/ctl/calibrate/winding_bench.h"

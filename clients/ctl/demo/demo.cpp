@@ -4,9 +4,10 @@
 #include <cstdio>
 #include <memory>
 
+#include "clients/common/interrupts.h"
+#include "clients/common/terminal.h"
 #include "clients/ctl/demo/private_daemon.h"
 #include "clients/ctl/demo/tour_player.h"
-#include "clients/ctl/terminal/terminal.h"
 #include "clients/ctl/terminal/words.h"
 
 namespace hedgehog::client {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "clients/common/interrupts.h"
 #include "clients/ctl/demo/demo_screen.h"
 #include "clients/ctl/screen/ball_map.h"
 #include "clients/ctl/terminal/words.h"
@@ -36,7 +37,7 @@ TourPlayer::TourPlayer(Connection& connection, Ball ball, const ScreenStyle& sty
 
 Outcome<void> TourPlayer::play() {
   if (auto subscribed = subscribe(); !subscribed) return subscribed.error();
-  if (picture_) canvas_ = std::make_unique<Canvas>();
+  if (picture_) terminal_ = std::make_unique<Terminal>();
   start_ns_ = ball_.status.time_ns;
   received_at_ = Clock::now();
   Outcome<void> outcome;
@@ -45,7 +46,7 @@ Outcome<void> TourPlayer::play() {
     if (!outcome || interrupted()) break;
   }
   seconds_ = now_s() + std::chrono::duration<double>(lost_).count();
-  canvas_.reset();
+  terminal_.reset();
   if (interrupted()) {
     const auto stopped = connection_.call(protocol::EffectStopAll{});
     return stopped ? Outcome<void>() : Outcome<void>(stopped.error());
@@ -134,7 +135,7 @@ Outcome<void> TourPlayer::send(const TourStep& step) {
 }
 
 void TourPlayer::draw(const TourChapter& chapter) {
-  if (canvas_ != nullptr) canvas_->draw(demo_screen(ball_, chapter, playing_, style_));
+  if (terminal_ != nullptr) terminal_->draw(demo_screen(ball_, chapter, playing_, style_));
 }
 
 void TourPlayer::print_played() {

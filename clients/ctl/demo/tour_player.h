@@ -8,11 +8,11 @@
 #include <memory>
 #include <vector>
 
+#include "clients/common/terminal.h"
 #include "clients/ctl/demo/tour.h"
 #include "clients/ctl/demo/tour_record.h"
 #include "clients/ctl/screen/ball.h"
 #include "clients/ctl/screen/status_screen.h"
-#include "clients/ctl/terminal/terminal.h"
 #include "clients/lib/connection.h"
 
 namespace hedgehog::client {
@@ -60,7 +60,7 @@ class TourPlayer {
   ScreenStyle style_;
   bool picture_;
   std::vector<TourChapter> chapters_;
-  std::unique_ptr<Canvas> canvas_;
+  std::unique_ptr<Terminal> terminal_;
   TourRecord record_;
   const TourStep* playing_ = nullptr;
   const TourStep* pending_step_ = nullptr;

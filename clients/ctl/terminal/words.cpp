@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdint>
 #include <ctime>
-#include <numbers>
 
 #include "base/wall_time.h"
 #include "model/units.h"
@@ -21,39 +20,6 @@ std::string two_parts(std::int64_t large, const char* large_unit, std::int64_t s
 }
 
 }  // namespace
-
-std::string fixed_signed(double value, int digits) {
-  const std::string text = fixed(value, digits);
-  return std::signbit(value) || text == fixed(0.0, digits) ? text : "+" + text;
-}
-
-std::size_t columns(std::string_view text) {
-  std::size_t count = 0;
-  for (const char byte : text) count += (static_cast<unsigned char>(byte) & 0xC0u) != 0x80u ? 1 : 0;
-  return count;
-}
-
-std::string right(std::string_view text, std::size_t width) {
-  const std::size_t taken = columns(text);
-  return std::string(taken < width ? width - taken : 0, ' ') + std::string(text);
-}
-
-std::string left(std::string_view text, std::size_t width) {
-  const std::size_t taken = columns(text);
-  return std::string(text) + std::string(taken < width ? width - taken : 0, ' ');
-}
-
-std::string cut(std::string_view text, std::size_t width) {
-  if (columns(text) <= width) return std::string(text);
-  std::string shown;
-  std::size_t taken = 0;
-  for (const char byte : text) {
-    const bool starts = (static_cast<unsigned char>(byte) & 0xC0u) != 0x80u;
-    if (starts && ++taken == width) break;
-    shown += byte;
-  }
-  return shown + "…";
-}
 
 std::string row(std::string_view name, std::string_view value, std::string_view behind) {
   const std::string line = "  " + left(name, 11) + right(value, 11);

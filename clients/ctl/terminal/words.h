@@ -1,27 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Numbers and texts as people read them.
+// Lines, times and tilts as people read them.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "base/number_text.h"
+#include "clients/common/text.h"
 
 namespace hedgehog::client {
-
-using base::fixed;
-using base::grouped;
-/// "+5.0", "-0.3", "0.0".
-std::string fixed_signed(double value, int digits);
-
-/// Columns that `text` takes on a terminal (every character of ours takes one).
-std::size_t columns(std::string_view text);
-/// `text` with spaces before or behind it, to at least `width` columns.
-std::string right(std::string_view text, std::size_t width);
-std::string left(std::string_view text, std::size_t width);
-/// `text` cut to `width` columns, the last one then an ellipsis.
-std::string cut(std::string_view text, std::size_t width);
 
 /// A line of a screen: a name, its value at column 24, and what is to be said about it.
 std::string row(std::string_view name, std::string_view value, std::string_view behind);

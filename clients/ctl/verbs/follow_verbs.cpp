@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/wall_time.h"
+#include "clients/common/terminal.h"
 #include "clients/ctl/screen/history_screen.h"
 #include "clients/ctl/screen/watch_screen.h"
-#include "clients/ctl/terminal/terminal.h"
 #include "clients/ctl/terminal/words.h"
 #include "clients/ctl/verbs/live.h"
 #include "clients/ctl/verbs/since_argument.h"

@@ -7,8 +7,9 @@
 #include <utility>
 
 #include "base/wall_time.h"
+#include "clients/common/interrupts.h"
+#include "clients/common/terminal.h"
 #include "clients/ctl/screen/status_screen.h"
-#include "clients/ctl/terminal/terminal.h"
 #include "clients/ctl/terminal/words.h"
 
 namespace hedgehog::client {
@@ -65,7 +66,7 @@ bool press(const std::string& keys, Trust& trust) {
 
 int draw_until_left(Session& session,
                     const std::function<std::vector<std::string>(const Notification&)>& draw) {
-  Canvas canvas;
+  Terminal terminal;
   Trust trust(session.connection);
   std::vector<std::string> lines;
   while (!interrupted()) {
@@ -81,8 +82,8 @@ int draw_until_left(Session& session,
       shown.resize(std::max(shown.size(), std::size_t{1}));
       shown.front() = warning_title(warning, session.style);
     }
-    canvas.draw(shown);
-    if (!press(canvas.typed(), trust)) return kDone;
+    terminal.draw(shown);
+    if (!press(terminal.typed(), trust)) return kDone;
   }
   return kInterrupted;
 }

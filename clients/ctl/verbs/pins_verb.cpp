@@ -3,9 +3,9 @@
 
 #include <cstdio>
 
+#include "clients/common/terminal.h"
 #include "clients/ctl/screen/ball_map.h"
 #include "clients/ctl/screen/pins_screen.h"
-#include "clients/ctl/terminal/terminal.h"
 #include "clients/ctl/terminal/words.h"
 #include "clients/ctl/verbs/live.h"
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "clients/common/interrupts.h"
 #include "clients/ctl/screen/preview_screen.h"
 #include "clients/ctl/terminal/words.h"
 #include "clients/ctl/verbs/direction_argument.h"

@@ -1,19 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "clients/ctl/verbs/session.h"
 
-#include <csignal>
-
-#include "clients/ctl/terminal/terminal.h"
+#include "clients/common/terminal.h"
 
 namespace hedgehog::client {
-
-namespace {
-
-volatile std::sig_atomic_t interrupt_seen = 0;
-
-void note_interrupt(int) { interrupt_seen = 1; }
-
-}  // namespace
 
 Outcome<Session> open_session(const CommonOptions& options) {
   const auto addresses = daemon_addresses(options.address);
@@ -37,18 +27,6 @@ Outcome<Ball> look(Connection& connection) {
   if (!status) return status.error();
   ball.status = *std::move(status);
   return ball;
-}
-
-bool interrupted() noexcept { return interrupt_seen != 0; }
-
-void watch_interrupts() {
-  struct sigaction action {};
-  action.sa_handler = note_interrupt;
-  sigemptyset(&action.sa_mask);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-  // The terminal went away.
-  sigaction(SIGHUP, &action, nullptr);
 }
 
 }  // namespace hedgehog::client

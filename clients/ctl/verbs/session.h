@@ -32,9 +32,4 @@ Outcome<Session> open_session(const CommonOptions& options);
 /// hello, device.describe and device.status in one.
 Outcome<Ball> look(Connection& connection);
 
-/// True from the first SIGINT, SIGTERM or SIGHUP on; `watch_interrupts` must have been called at
-/// the start.
-bool interrupted() noexcept;
-void watch_interrupts();
-
 }  // namespace hedgehog::client

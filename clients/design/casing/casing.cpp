@@ -115,11 +115,11 @@ Result<std::size_t> render_stl(const std::string& scad_path, const std::string& 
   const auto text = read_file(stl_path);
   if (!text) return text.error();
   const auto surface = check_stl(*text);
-  if (!surface) return Complaint{kToolFailed, stl_path + ": " + surface.error().sentence};
+  if (!surface) return Problem{kToolFailed, stl_path + ": " + surface.error().message};
   if (surface->open_edges > 0) {
-    return Complaint{kToolFailed, stl_path +
-                                      " is not closed: " + std::to_string(surface->open_edges) +
-                                      " edges have no counterpart"};
+    return Problem{kToolFailed, stl_path +
+                                    " is not closed: " + std::to_string(surface->open_edges) +
+                                    " edges have no counterpart"};
   }
   return surface->triangles;
 }

@@ -32,7 +32,7 @@ class Corners {
 }  // namespace
 
 Result<Surface> check_stl(const std::string& text) {
-  if (!text.starts_with("solid")) return Complaint{kBadData, "is not an STL in text form"};
+  if (!text.starts_with("solid")) return Problem{kBadData, "is not an STL in text form"};
   Surface surface;
   Corners corners;
   // For each edge from the lower to the higher corner: how often each way.
@@ -45,7 +45,7 @@ Result<Surface> check_stl(const std::string& text) {
     std::string x;
     std::string y;
     std::string z;
-    if (!(words >> x >> y >> z)) return Complaint{kBadData, "ends within a triangle"};
+    if (!(words >> x >> y >> z)) return Problem{kBadData, "ends within a triangle"};
     triangle[seen++ % 3] = corners.number_of(x, y, z);
     if (seen % 3 != 0) continue;
     const auto [a, b, c] = triangle;
@@ -57,7 +57,7 @@ Result<Surface> check_stl(const std::string& text) {
     for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
       ++edges[std::minmax(from, to)][from < to ? 0 : 1];
   }
-  if (seen == 0 || seen % 3 != 0) return Complaint{kBadData, "has no whole triangles"};
+  if (seen == 0 || seen % 3 != 0) return Problem{kBadData, "has no whole triangles"};
   for (const auto& [edge, ways] : edges)
     if (ways[0] != 1 || ways[1] != 1) ++surface.open_edges;
   return surface;

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <string>
 
-#include "clients/design/complaint.h"
+#include "clients/common/problem.h"
 
 namespace hedgehog::design {
 

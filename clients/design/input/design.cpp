@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <regex>
 
 #include "base/spelling.h"
@@ -17,17 +16,11 @@ using model::MagnetSite;
 
 constexpr std::size_t kFanPins = 6;  // the lowest and its five neighbours
 
-std::string lower_case(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
-Complaint unknown(const std::string& name) {
+Problem unknown(const std::string& name) {
   static constexpr std::array kNames{"cD",    "wD",     "tkD",     "cD-36",
                                      "wD-66", "tkD-86", "GP(2,2)", "GP(4,1)"};
-  const auto distance = [wanted = lower_case(name)](const char* known) {
-    return base::edits_between(wanted, lower_case(known));
+  const auto distance = [wanted = base::lower_case(name)](const char* known) {
+    return base::edits_between(wanted, base::lower_case(known));
   };
   const auto nearest =
       std::min_element(kNames.begin(), kNames.end(),
@@ -80,7 +73,7 @@ Result<Arrangement> named(const std::string& name, const std::string& as_typed) 
   if (found) return *found;
   static const std::regex kGoldberg(R"(GP\(\d+,\d+\))");
   // A Goldberg polyhedron that is too fine has a reason of its own.
-  if (std::regex_match(name, kGoldberg)) return Complaint{kUsage, found.error().message};
+  if (std::regex_match(name, kGoldberg)) return Problem{kUsage, found.error().message};
   return unknown(as_typed);
 }
 
@@ -93,8 +86,8 @@ Result<Arrangement> find_arrangement(const std::string& name) {
   auto whole = named(parts[1], name);
   if (!whole) return whole.error();
   if (whole->pins.size() - kFanPins != std::stoul(parts[2])) {
-    return Complaint{kUsage, "unknown array '" + name + "'; did you mean '" + parts[1].str() + "-" +
-                                 std::to_string(whole->pins.size() - kFanPins) + "'?"};
+    return Problem{kUsage, "unknown array '" + name + "'; did you mean '" + parts[1].str() + "-" +
+                               std::to_string(whole->pins.size() - kFanPins) + "'?"};
   }
   // The ball of the thesis has pin numbers of its own.
   if (auto known = model::arrangement_named(name)) return *known;
@@ -102,7 +95,7 @@ Result<Arrangement> find_arrangement(const std::string& name) {
   const std::vector<int> pins = pins_at_the_bottom(*whole);
   const std::vector<int> shields = shields_touching(*whole, pins, min_faces);
   auto opened = model::without(std::move(*whole), pins, shields);
-  if (!opened) return Complaint{kInternal, opened.error().message};
+  if (!opened) return Problem{kInternal, opened.error().message};
   opened->name = name;
   // An array of its own, not one with gaps in its numbers.
   for (auto* sites : {&opened->pins, &opened->shields})
@@ -116,17 +109,17 @@ Result<Arrangement> arrangement_of(const Design& design) {
   if (!whole) return whole.error();
   if (design.removed_pins.empty() && design.removed_shields.empty()) return *whole;
   auto left = model::without(std::move(*whole), design.removed_pins, design.removed_shields);
-  if (!left) return Complaint{kUsage, left.error().message};
-  if (left->pins.empty()) return Complaint{kUsage, "no pin is left"};
+  if (!left) return Problem{kUsage, left.error().message};
+  if (left->pins.empty()) return Problem{kUsage, "no pin is left"};
   return *left;
 }
 
 Result<Arrangement> buildable_arrangement(const Design& design) {
-  if (const auto problem = model::problem_with(design.sizes())) return Complaint{kUsage, *problem};
+  if (const auto problem = model::problem_with(design.sizes())) return Problem{kUsage, *problem};
   auto array = arrangement_of(design);
   if (!array) return array.error();
   if (const auto problem = model::check_fit(*array, design.sizes()))
-    return Complaint{kBadData, array->name + ": " + problem->message};
+    return Problem{kBadData, array->name + ": " + problem->message};
   return *array;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "clients/design/complaint.h"
+#include "clients/common/problem.h"
 #include "clients/design/input/sizes.h"
 #include "model/magnets/arrangement.h"
 #include "model/magnets/magnet_array.h"

@@ -29,7 +29,7 @@ Reader size_key(Size Design::*member) {
   return [member](const Json& value, Design& design) -> std::string {
     if (!value.is_string()) return "must be a text such as \"8x10\"";
     const auto size = parse_size(value.get<std::string>(), "");
-    if (!size) return size.error().sentence.substr(2);
+    if (!size) return size.error().message.substr(2);
     design.*member = *size;
     return "";
   };
@@ -79,17 +79,17 @@ const std::map<std::string, Reader>& keys() {
 
 Result<Design> parse_design(const std::string& text, const std::string& name) {
   const Json root = Json::parse(text, nullptr, false, true);
-  if (!root.is_object()) return Complaint{kBadData, name + " is no design file: not a JSON object"};
+  if (!root.is_object()) return Problem{kBadData, name + " is no design file: not a JSON object"};
   Design design;
   for (const auto& [key, value] : root.items()) {
     const auto reader = keys().find(key);
     if (reader == keys().end()) {
       std::string known;
       for (const auto& entry : keys()) known += (known.empty() ? "" : ", ") + entry.first;
-      return Complaint{kBadData, name + ": unknown key '" + key + "'; there are " + known};
+      return Problem{kBadData, name + ": unknown key '" + key + "'; there are " + known};
     }
     const std::string wrong = reader->second(value, design);
-    if (!wrong.empty()) return Complaint{kBadData, name + ": " + key + ": " + wrong};
+    if (!wrong.empty()) return Problem{kBadData, name + ": " + key + ": " + wrong};
   }
   return design;
 }
@@ -102,14 +102,14 @@ Result<Design> load_design(const std::string& path) {
   // An array or ids that there are not: the file's mistake, not the command line's.
   const auto array = arrangement_of(*design);
   if (!array && array.error().exit_code == kUsage)
-    return Complaint{kBadData, path + ": " + array.error().sentence};
+    return Problem{kBadData, path + ": " + array.error().message};
   return design;
 }
 
 Result<void> spare_design(const std::string& path) {
   const auto text = read_file(path);
   if (!text || !parse_design(*text, path)) return {};
-  return Complaint{
+  return Problem{
       kUsage,
       path + " is a design file and is not written over; the design comes first, as in: export " +
           path + " --json"};

@@ -8,7 +8,7 @@
 
 #include <string>
 
-#include "clients/design/complaint.h"
+#include "clients/common/problem.h"
 #include "clients/design/input/design.h"
 
 namespace hedgehog::design {

@@ -14,8 +14,8 @@ Result<void> take_number(const std::optional<double>& typed, double min, double 
                          const char* flag, const char* unit, double& out) {
   if (!typed) return {};
   if (!(*typed >= min && *typed <= max)) {
-    return Complaint{kUsage, std::string(flag) + ": " + to_text(*typed) + unit + " is outside " +
-                                 to_text(min) + " to " + to_text(max) + unit};
+    return Problem{kUsage, std::string(flag) + ": " + to_text(*typed) + unit + " is outside " +
+                               to_text(min) + " to " + to_text(max) + unit};
   }
   out = *typed;
   return {};
@@ -42,12 +42,12 @@ Result<void> take_settings(const DesignFlags& flags, model::ForceSettings& out) 
   if (flags.model) {
     const auto known = model::force_model_named(*flags.model);
     if (!known)
-      return Complaint{kUsage, "--model: '" + *flags.model + "' is none of exact, hybrid, dipole"};
+      return Problem{kUsage, "--model: '" + *flags.model + "' is none of exact, hybrid, dipole"};
     out.model = *known;
   }
   if (!flags.accuracy) return {};
   if (!(*flags.accuracy >= model::kFinestAccuracy && *flags.accuracy <= model::kCoarsestAccuracy))
-    return Complaint{kUsage, "--accuracy: must be from 1e-10 to 0.1, a part of the force"};
+    return Problem{kUsage, "--accuracy: must be from 1e-10 to 0.1, a part of the force"};
   out.accuracy = *flags.accuracy;
   return {};
 }
@@ -62,11 +62,10 @@ Result<std::vector<int>> parse_ids(const std::string& text, const std::string& w
   for (std::string part; std::getline(parts, part, ',');) {
     std::smatch found;
     if (!std::regex_match(part, found, kIds))
-      return Complaint{kUsage, what + ": '" + part + "' is no id; ids are given as 3,7-9"};
+      return Problem{kUsage, what + ": '" + part + "' is no id; ids are given as 3,7-9"};
     const int first = std::stoi(found[1]);
     const int last = found[2].matched ? std::stoi(found[2]) : first;
-    if (last < first)
-      return Complaint{kUsage, what + ": '" + part + "' ends below where it begins"};
+    if (last < first) return Problem{kUsage, what + ": '" + part + "' ends below where it begins"};
     for (int id = first; id <= last; ++id) ids.push_back(id);
   }
   std::sort(ids.begin(), ids.end());
@@ -82,7 +81,7 @@ Result<Design> design_from(const DesignFlags& flags) {
     design = std::move(*loaded);
   }
   if (flags.array && flags.positions)
-    return Complaint{kUsage, "--array and --positions: only one of them can be the array"};
+    return Problem{kUsage, "--array and --positions: only one of them can be the array"};
   if (flags.array) {
     design.array = *flags.array;
     design.positions.clear();

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "clients/design/complaint.h"
+#include "clients/common/problem.h"
 #include "clients/design/input/design.h"
 
 namespace hedgehog::design {

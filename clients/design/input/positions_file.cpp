@@ -70,9 +70,9 @@ class PositionsReader {
  public:
   explicit PositionsReader(std::string name) : name_(std::move(name)) { array_.name = name_; }
 
-  std::optional<Complaint> read(const std::string& line, const Columns& columns, int number) {
+  std::optional<Problem> read(const std::string& line, const Columns& columns, int number) {
     const auto wrong = [&](const std::string& reason) {
-      return Complaint{kBadData, name_ + ":" + std::to_string(number) + ": " + reason};
+      return Problem{kBadData, name_ + ":" + std::to_string(number) + ": " + reason};
     };
     const std::vector<std::string> cells = cells_of(line);
     if (cells.size() <= columns.last()) return wrong("has fewer columns than the first line");
@@ -114,16 +114,16 @@ Result<model::Arrangement> parse_positions(const std::string& text, const std::s
                             "x, y, z, with commas between";
   std::istringstream lines(text);
   std::string line;
-  if (!std::getline(lines, line)) return Complaint{kBadData, name + " is empty"};
+  if (!std::getline(lines, line)) return Problem{kBadData, name + " is empty"};
   if (line.starts_with(kByteOrderMark)) line.erase(0, kByteOrderMark.size());
   const auto columns = columns_of(cells_of(line));
-  if (!columns) return Complaint{kBadData, shape};
+  if (!columns) return Problem{kBadData, shape};
   PositionsReader reader(name);
   for (int number = 2; std::getline(lines, line); ++number) {
     if (trimmed(line).empty()) continue;
     if (const auto wrong = reader.read(line, *columns, number)) return *wrong;
   }
-  if (reader.array().pins.empty()) return Complaint{kBadData, name + " has no pins"};
+  if (reader.array().pins.empty()) return Problem{kBadData, name + " has no pins"};
   return reader.array();
 }
 

@@ -11,7 +11,7 @@
 
 #include <string>
 
-#include "clients/design/complaint.h"
+#include "clients/common/problem.h"
 #include "model/magnets/arrangement.h"
 #include "model/magnets/magnet_array.h"
 

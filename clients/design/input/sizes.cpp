@@ -20,7 +20,7 @@ std::optional<double> finite_number(std::string_view text) {
   return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
-Complaint complaint(const std::string& what, const std::string& reason) {
+Problem complaint(const std::string& what, const std::string& reason) {
   return {kUsage, what + ": " + reason};
 }
 

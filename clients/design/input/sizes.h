@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "clients/design/complaint.h"
+#include "clients/common/problem.h"
 
 namespace hedgehog::design {
 

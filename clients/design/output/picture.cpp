@@ -87,7 +87,7 @@ void write_panel(std::ostream& out, const Panel& panel, std::size_t number) {
 
 Result<void> check_drawable(const std::string& path) {
   if (!path.ends_with(".svg") && !path.ends_with(".png"))
-    return Complaint{kUsage, path + ": a picture's name ends in .svg or .png"};
+    return Problem{kUsage, path + ": a picture's name ends in .svg or .png"};
   return check_writable(path);
 }
 

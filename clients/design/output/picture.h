@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "clients/design/complaint.h"
+#include "clients/common/problem.h"
 
 namespace hedgehog::design {
 

@@ -46,7 +46,4 @@ inline double or_none(const std::optional<double>& number) {
 /// "%.3f", and "none" for a number that there is not (NaN).
 std::string fixed(double number, int digits);
 
-/// `text` in lines of at most `width` characters, each after `indent` blanks and ended by "\n".
-std::string wrapped(const std::string& text, std::size_t width, std::size_t indent);
-
 }  // namespace hedgehog::design

@@ -2,8 +2,6 @@
 #include "clients/design/output/tool.h"
 
 #include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -11,6 +9,8 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+
+#include "clients/common/program.h"
 
 namespace hedgehog::design {
 namespace {
@@ -24,7 +24,7 @@ std::string last_line(const std::string& text) {
   return last;
 }
 
-Complaint cannot_be_written(const std::string& path, int error) {
+Problem cannot_be_written(const std::string& path, int error) {
   return {kCannotCreate, path + " cannot be written: " + std::strerror(error)};
 }
 
@@ -33,48 +33,31 @@ Complaint cannot_be_written(const std::string& path, int error) {
 Result<void> run_tool(const std::vector<std::string>& argv, const std::string& package) {
   const auto output = TemporaryFile::make(".txt");
   if (!output) return output.error();
-  std::vector<std::string> words = argv;
-  std::vector<char*> pointers;
-  pointers.reserve(words.size() + 1);
-  for (std::string& word : words) pointers.push_back(word.data());
-  pointers.push_back(nullptr);
-
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, output->path().c_str(),
-                                   O_WRONLY | O_APPEND, 0);
-  posix_spawn_file_actions_adddup2(&files, STDOUT_FILENO, STDERR_FILENO);
-  pid_t pid = -1;
-  const int failure =
-      ::posix_spawnp(&pid, argv.front().c_str(), &files, nullptr, pointers.data(), environ);
-  posix_spawn_file_actions_destroy(&files);
-  if (failure == ENOENT) {
-    return Complaint{kUnavailable,
-                     argv.front() + " is not installed; on Debian: apt install " + package};
+  const client::ProgramEnd end = client::run_program(argv, output->path());
+  if (end.succeeded) return {};
+  if (end.start_error == ENOENT) {
+    return Problem{kUnavailable,
+                   argv.front() + " is not installed; on Debian: apt install " + package};
   }
-  if (failure != 0) return Complaint{kUnavailable, argv.front() + ": " + std::strerror(failure)};
-  int status = 0;
-  while (::waitpid(pid, &status, 0) < 0 && errno == EINTR) {
-  }
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
+  if (end.start_error != 0)
+    return Problem{kUnavailable, argv.front() + ": " + std::strerror(end.start_error)};
   const auto text = read_file(output->path());
-  return Complaint{kToolFailed,
-                   argv.front() + " failed: " + (text ? last_line(*text) : "it says nothing")};
+  return Problem{kToolFailed,
+                 argv.front() + " failed: " + (text ? last_line(*text) : "it says nothing")};
 }
 
 Result<TemporaryFile> TemporaryFile::make(const std::string& suffix) {
   std::error_code error;
   const auto folder = std::filesystem::temp_directory_path(error);
   if (error) {
-    return Complaint{kCannotCreate,
-                     "no temporary file can be made, TMPDIR is no folder: " + error.message()};
+    return Problem{kCannotCreate,
+                   "no temporary file can be made, TMPDIR is no folder: " + error.message()};
   }
   std::string path = (folder / ("hedgehog-design-XXXXXX" + suffix)).string();
   const int file = ::mkstemps(path.data(), static_cast<int>(suffix.size()));
   if (file < 0) {
-    return Complaint{kCannotCreate, "no temporary file can be made in " + folder.string() + ": " +
-                                        std::strerror(errno)};
+    return Problem{kCannotCreate, "no temporary file can be made in " + folder.string() + ": " +
+                                      std::strerror(errno)};
   }
   ::close(file);
   return TemporaryFile(std::move(path));
@@ -103,9 +86,9 @@ Result<void> write_file(const std::string& path, const std::string& content) {
 
 Result<std::string> read_file(const std::string& path) {
   std::error_code error;
-  if (std::filesystem::is_directory(path, error)) return Complaint{kNoInput, path + " is a folder"};
+  if (std::filesystem::is_directory(path, error)) return Problem{kNoInput, path + " is a folder"};
   std::ifstream file(path, std::ios::binary);
-  if (!file) return Complaint{kNoInput, path + " cannot be read: " + std::strerror(errno)};
+  if (!file) return Problem{kNoInput, path + " cannot be read: " + std::strerror(errno)};
   std::ostringstream content;
   content << file.rdbuf();
   return content.str();

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "clients/design/complaint.h"
+#include "clients/common/problem.h"
 
 namespace hedgehog::design {
 

@@ -69,22 +69,22 @@ Result<Search> Search::in(const SearchSpace& space, const Demands& demands) {
   Search search(space, demands);
   for (const double sphere_mm : space.spheres_mm) {
     if (space.coil_forces_n.empty() && sphere_mm < kElectromagnetRadiusMm) {
-      return Complaint{kUsage, "--spheres: " + to_text(sphere_mm) +
-                                   " mm is inside the electromagnet, which has a radius of " +
-                                   to_text(kElectromagnetRadiusMm) +
-                                   " mm; for another one say its force with --coil-force"};
+      return Problem{kUsage, "--spheres: " + to_text(sphere_mm) +
+                                 " mm is inside the electromagnet, which has a radius of " +
+                                 to_text(kElectromagnetRadiusMm) +
+                                 " mm; for another one say its force with --coil-force"};
     }
   }
   for (const std::string& name : space.arrays) {
     if (name.find('-') != std::string::npos) {
-      return Complaint{kUsage, "--arrays: '" + name +
-                                   "': a search is told whole arrays (cD, wD, tkD, GP(m,n)) and "
-                                   "makes the fan's opening itself"};
+      return Problem{kUsage, "--arrays: '" + name +
+                                 "': a search is told whole arrays (cD, wD, tkD, GP(m,n)) and "
+                                 "makes the fan's opening itself"};
     }
     const auto whole = find_arrangement(name);
     if (!whole) return whole.error();
     if (whole->pins.size() <= 12)
-      return Complaint{kUsage, "--arrays: " + name + " has too few pins to take six out"};
+      return Problem{kUsage, "--arrays: " + name + " has too few pins to take six out"};
     auto opened = find_arrangement(name + "-" + std::to_string(whole->pins.size() - 6));
     if (!opened) return opened.error();
     Array array;

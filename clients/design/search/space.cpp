@@ -44,13 +44,6 @@ bool dominates(const Found& a, const Found& b) noexcept {
   return no_worse && better;
 }
 
-std::vector<Found> pareto_front(std::vector<Found> found) {
-  const auto all_stay = [](const std::vector<Found>& some) {
-    return std::vector<char>(some.size(), 1);
-  };
-  return checked_front(std::move(found), all_stay).front;
-}
-
 CheckedFront checked_front(std::vector<Found> found, const Check& check) {
   // In this order nothing is dominated by what comes after it, but for ties in the first number.
   std::sort(found.begin(), found.end(),

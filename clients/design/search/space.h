@@ -54,11 +54,6 @@ struct Found {
 /// No worse in any of pin count, extension, mass and outer diameter, and better in one.
 bool dominates(const Found& a, const Found& b) noexcept;
 
-/// Those that no other dominates, in a fixed order: the smallest ball first, of equals the most
-/// pins, the largest extension, the least mass. So the first is the smallest ball that does what is
-/// asked, with as many pins, that move as far, as it can have.
-std::vector<Found> pareto_front(std::vector<Found> found);
-
 /// Says of each whether it may stay; as long as what it was given.
 using Check = std::function<std::vector<char>(const std::vector<Found>&)>;
 
@@ -68,8 +63,11 @@ struct CheckedFront {
   std::size_t refused = 0;
 };
 
-/// The front of those that `check` lets stay, in the same order. A check is dear, so only those
-/// are asked about that are on a front of what has not been refused yet.
+/// Of those that `check` lets stay the ones that no other dominates, in a fixed order: the smallest
+/// ball first, of equals the most pins, the largest extension, the least mass. So the first is the
+/// smallest ball that does what is asked, with as many pins, that move as far, as it can have. A
+/// check is dear, so only those are asked about that are on a front of what has not been refused
+/// yet.
 CheckedFront checked_front(std::vector<Found> found, const Check& check);
 
 }  // namespace hedgehog::design

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "base/number_text.h"
+#include "clients/common/text.h"
 #include "clients/design/input/design_file.h"
 #include "clients/design/output/table.h"
 #include "clients/design/output/tool.h"
@@ -30,8 +30,8 @@ Result<Demands> demands_of(const ChooseOptions& options) {
        {Limit{"--wall", options.wall_mm, 20.0}, Limit{"--margin", options.margin_percent, 50.0},
         Limit{"--least-extension", options.min_extension_mm, 1.5}}) {
     if (!(limit.value >= 0.0 && limit.value <= limit.most)) {
-      return Complaint{kUsage,
-                       std::string(limit.flag) + ": must be from 0 to " + to_text(limit.most)};
+      return Problem{kUsage,
+                     std::string(limit.flag) + ": must be from 0 to " + to_text(limit.most)};
     }
   }
   return Demands{options.wall_mm, options.margin_percent / 100.0, options.min_extension_mm};
@@ -66,7 +66,7 @@ Result<SearchSpace> space_of(const ChooseOptions& options) {
   }
   constexpr std::size_t kMaxCandidates = 5'000'000;
   if (space.size() > kMaxCandidates) {
-    return Complaint{
+    return Problem{
         kUsage,
         "these are " + std::to_string(space.size()) +
             " designs, more than five million; narrower ranges or larger steps (3..5/0.1) help"};
@@ -195,7 +195,7 @@ void print_text(const SearchOutcome& outcome, double seconds, const ChooseOption
   if (outcome.front.size() > kShownRows)
     out << "  and " << outcome.front.size() - kShownRows << " more: --csv or --json lists them\n";
   out << "\n"
-      << wrapped(
+      << client::wrapped(
              "rest and moves: of the commonest pins of the whole array, which move from the shell "
              "on if "
              "they rest below it; the fan's opening changes each by some hundredths (stability "
@@ -238,7 +238,7 @@ Result<void> run_choose(const ChooseOptions& options, const Screen& screen) {
   }
   if (!options.save.empty()) {
     if (outcome.front.empty())
-      return Complaint{kBadData, "no design does what is asked: nothing is saved"};
+      return Problem{kBadData, "no design does what is asked: nothing is saved"};
     const auto saved = write_file(options.save, design_text(outcome.front.front().design));
     if (!saved) return saved.error();
   }

@@ -178,7 +178,7 @@ Result<void> run_curves(const CurvesOptions& options, const Screen& screen) {
   const auto offsets = parse_range(options.offsets, 0.5, -20.0, 100.0, "--offsets");
   if (!offsets) return offsets.error();
   if (offsets->size() < 2)
-    return Complaint{kUsage, "--offsets: must be a range such as -2.5..12.5/0.5"};
+    return Problem{kUsage, "--offsets: must be a range such as -2.5..12.5/0.5"};
   const model::OffsetGrid grid{offsets->front(), offsets->back(), (*offsets)[1] - (*offsets)[0]};
   const auto design = design_from(options.design);
   if (!design) return design.error();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "clients/common/text.h"
 #include "clients/design/verbs/curves.h"
 #include "clients/design/verbs/verbs.h"
 #include "model/magnets/pin_curves.h"
@@ -45,7 +46,7 @@ void print_text(const Study& study, const CoilStudy& coil, std::ostream& out) {
         return row.fea_mm.value_or(0.0) > travel_mm || row.measured_mm.value_or(0.0) > travel_mm;
       }))
     out << "  the casing stops a pin after " << to_text(travel_mm) << " mm\n\n";
-  out << wrapped(
+  out << client::wrapped(
              "simulated: 0.4 N at 15 A on the thesis' pin (Fig. 2.9); measured: 0.0126 N/A (Table "
              "3.1). The"
              " thesis' two electromagnets differ by 2.1; its ball reached 0.5 mm at 15 A.",
@@ -85,14 +86,13 @@ Result<CoilStudy> study_coil(const Study& study, std::optional<int> pin,
   CoilStudy coil;
   coil.pin = pin.value_or(study.commonest().pins().pins.front());
   const ClassStudy* one = study.class_of(coil.pin);
-  if (one == nullptr)
-    return Complaint{kUsage, "--pin: there is no pin " + std::to_string(coil.pin)};
+  if (one == nullptr) return Problem{kUsage, "--pin: there is no pin " + std::to_string(coil.pin)};
   if (!one->character.stable()) {
-    return Complaint{kBadData, "pin " + std::to_string(coil.pin) +
-                                   (one->standing() == Standing::kPressed
-                                        ? " has no rest: it is pressed onto the shell with " +
-                                              fixed(-one->force.at(0.0).force_n, 2) + " N"
-                                        : std::string(" has no rest: nothing draws it back"))};
+    return Problem{kBadData, "pin " + std::to_string(coil.pin) +
+                                 (one->standing() == Standing::kPressed
+                                      ? " has no rest: it is pressed onto the shell with " +
+                                            fixed(-one->force.at(0.0).force_n, 2) + " N"
+                                      : std::string(" has no rest: nothing draws it back"))};
   }
   coil.class_size = one->size();
   const auto sizes = study.design().sizes();

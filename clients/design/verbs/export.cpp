@@ -41,9 +41,9 @@ Result<void> deliver(const std::string& file, const std::string& content, const 
 Result<Casing> casing_of(const ExportOptions& options, const Design& design,
                          const model::Arrangement& array) {
   if (options.facets < 8 || options.facets > 64 || options.facets % 4 != 0)
-    return Complaint{kUsage, "--facets: must be 8 to 64, a multiple of 4"};
+    return Problem{kUsage, "--facets: must be 8 to 64, a multiple of 4"};
   if (!(options.clearance_mm >= 0.0 && options.clearance_mm <= 2.0))
-    return Complaint{kUsage, "--clearance: must be from 0 to 2 mm"};
+    return Problem{kUsage, "--clearance: must be from 0 to 2 mm"};
   Casing casing;
   casing.sphere_mm = design.sphere_mm;
   casing.pin = design.magnet;
@@ -55,15 +55,15 @@ Result<Casing> casing_of(const ExportOptions& options, const Design& design,
   const double widest_mm = widest_fan_mm(casing);
   casing.fan_mm = options.fan_mm.value_or(widest_mm);
   if (!(casing.fan_mm >= 0.0 && casing.fan_mm <= widest_mm)) {
-    return Complaint{kBadData, "--fan: " + to_text(casing.fan_mm) +
-                                   " mm would cut into cavities; from 0 to " + to_text(widest_mm) +
-                                   " mm is free at the bottom of this array"};
+    return Problem{kBadData, "--fan: " + to_text(casing.fan_mm) +
+                                 " mm would cut into cavities; from 0 to " + to_text(widest_mm) +
+                                 " mm is free at the bottom of this array"};
   }
   const Wall wall = thinnest_wall(casing, array);
   if (!(wall.mm > 0.0)) {
-    return Complaint{kBadData, "the cavities of " + wall.between + " run into each other by " +
-                                   fixed(-wall.mm, 2) +
-                                   " mm; a smaller --clearance or more --facets may help"};
+    return Problem{kBadData, "the cavities of " + wall.between + " run into each other by " +
+                                 fixed(-wall.mm, 2) +
+                                 " mm; a smaller --clearance or more --facets may help"};
   }
   casing.notches_deg = notch_places(casing);
   return casing;
@@ -107,7 +107,7 @@ Result<void> write_casing(const ExportOptions& options, const Design& design,
   if (!options.stl.empty()) {
     std::error_code error;
     fs::create_directories(options.stl, error);
-    if (error) return Complaint{kCannotCreate, options.stl + " cannot be made: " + error.message()};
+    if (error) return Problem{kCannotCreate, options.stl + " cannot be made: " + error.message()};
   }
   const Wall wall = thinnest_wall(*casing, array);
   screen.err << "  thinnest wall " << fixed(wall.mm, 2) << " mm, between " << wall.between << "\n";
@@ -119,7 +119,7 @@ Result<void> write_casing(const ExportOptions& options, const Design& design,
 Result<void> run_export(const ExportOptions& options, const Screen& screen) {
   const bool casing = !options.scad.empty() || !options.stl.empty();
   if (!options.csv && !options.json && !casing && options.device.empty())
-    return Complaint{kUsage, "say what: --csv, --json, --scad FILE, --stl FOLDER, --device FILE"};
+    return Problem{kUsage, "say what: --csv, --json, --scad FILE, --stl FOLDER, --device FILE"};
   const auto design = design_from(options.design);
   if (!design) return design.error();
   const auto array = buildable_arrangement(*design);
@@ -134,7 +134,7 @@ Result<void> run_export(const ExportOptions& options, const Screen& screen) {
   }
   if (!options.device.empty()) {
     if (options.device == "-")
-      return Complaint{kUsage, "--device: the file's name is the ball's; '-' is none"};
+      return Problem{kUsage, "--device: the file's name is the ball's; '-' is none"};
     const auto text = device_text(*design, fs::path(options.device).stem().string());
     if (!text) return text.error();
     const auto written = write_new(options.device, *text);

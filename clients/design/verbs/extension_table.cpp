@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "clients/common/text.h"
 #include "clients/design/output/table.h"
 #include "clients/design/verbs/verbs.h"
 
@@ -130,7 +131,7 @@ Result<void> run_table(const TableOptions& options, const Screen& screen) {
     for (const ExtensionRow& row : rows) {
       if (!row.reason.empty()) {
         screen.out << "\n"
-                   << wrapped(
+                   << client::wrapped(
                           row.array + ", class of " + std::to_string(row.size) + ": " + row.reason,
                           78, 2);
       }

@@ -23,20 +23,19 @@ Result<void> run_pair(const PairOptions& options, const Screen& screen) {
     design->shield = *other;
   }
   if (!(options.angle_deg >= 0.0 && options.angle_deg <= 180.0))
-    return Complaint{kUsage, "--angle: must be from 0 to 180 degrees"};
+    return Problem{kUsage, "--angle: must be from 0 to 180 degrees"};
   if (!(std::abs(options.offset_mm) <= 100.0))
-    return Complaint{kUsage, "--offset: must be from -100 to 100 mm"};
-  if (const auto problem = model::problem_with(design->sizes())) return Complaint{kUsage, *problem};
+    return Problem{kUsage, "--offset: must be from -100 to 100 mm"};
+  if (const auto problem = model::problem_with(design->sizes())) return Problem{kUsage, *problem};
   const model::MagnetPair pair = design->sizes().pin_and_shield();
   const model::PairPlace place{options.angle_deg, options.offset_mm, 0.0};
   const double gap = model::gap_mm(pair, place);
   if (!(gap > 0.0)) {
-    return Complaint{kBadData,
-                     (gap > -0.005 ? "the magnets touch: "
-                                   : "the magnets overlap by " + fixed(-gap, 2) + " mm: ") +
-                         to_text(design->magnet) + " and " + to_text(design->shield) + " " +
-                         to_text(options.angle_deg) + "° apart on a sphere of " +
-                         to_text(design->sphere_mm) + " mm"};
+    return Problem{kBadData, (gap > -0.005 ? "the magnets touch: "
+                                           : "the magnets overlap by " + fixed(-gap, 2) + " mm: ") +
+                                 to_text(design->magnet) + " and " + to_text(design->shield) + " " +
+                                 to_text(options.angle_deg) + "° apart on a sphere of " +
+                                 to_text(design->sphere_mm) + " mm"};
   }
   const auto force_by = [&](model::ForceModel model) {
     return model::pair_force(pair, place, {model, design->settings.accuracy});

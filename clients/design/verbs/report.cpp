@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
+#include "clients/common/html.h"
 #include "clients/design/ball_numbers.h"
 #include "clients/design/input/design_file.h"
 #include "clients/design/output/table.h"
@@ -9,7 +10,6 @@
 #include "clients/design/verbs/electromagnet.h"
 #include "clients/design/verbs/extension_table.h"
 #include "clients/design/verbs/verbs.h"
-#include "clients/lib/html.h"
 
 namespace hedgehog::design {
 namespace {
@@ -94,7 +94,7 @@ std::string stability_html(const Study& study) {
 Result<std::string> coil_html(const Study& study) {
   std::string html = heading("Electromagnet");
   const auto coil = study_coil(study, {}, {0.0, 2.1, 5.0, 7.5, 10.0, 12.5, 15.0});
-  if (!coil) return html + paragraph("Not shown: " + coil.error().sentence + ".", "bad");
+  if (!coil) return html + paragraph("Not shown: " + coil.error().message + ".", "bad");
   const auto picture = coil_picture(study, coil->pin, model::kBurstCurrentA);
   if (!picture) return picture.error();
   const auto svg = draw_svg(*picture);

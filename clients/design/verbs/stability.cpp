@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "clients/common/text.h"
 #include "clients/design/output/table.h"
 #include "clients/design/study.h"
 #include "clients/design/verbs/verbs.h"
@@ -130,9 +131,9 @@ void print_text(const Study& study,
     if (!pressed.empty()) {
       // The first line's blanks are there already.
       text += (text.empty() ? "" : "\n  ") +
-              wrapped(std::to_string(pressed.size()) + " of " + std::to_string(count) + " pins " +
-                          pressed_text(study) + ids_text(pressed),
-                      78, 2)
+              client::wrapped(std::to_string(pressed.size()) + " of " + std::to_string(count) +
+                                  " pins " + pressed_text(study) + ids_text(pressed),
+                              78, 2)
                   .substr(2);
       text.pop_back();
     }

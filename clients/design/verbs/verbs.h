@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "clients/design/complaint.h"
+#include "clients/common/problem.h"
 #include "clients/design/input/design_flags.h"
 #include "clients/design/output/picture.h"
 #include "clients/design/screen.h"

@@ -13,8 +13,6 @@
 namespace hedgehog::racer {
 
 inline constexpr int kSteps = 8;
-/// Force JND of the study, as a ratio.
-inline constexpr double kForceJnd = 1.13;
 /// Blows of these impulses are the first and the last step; Newton seconds.
 inline constexpr double kSoftestBlow = 150.0;
 inline constexpr double kHardestBlow = 8000.0;

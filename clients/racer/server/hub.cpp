@@ -91,7 +91,7 @@ asio::awaitable<bool> send_answer(beast::tcp_stream& stream, const Answer& answe
 
 struct Hub::Rooms {
   Rooms(const HubSettings& settings, Callbacks given)
-      : callbacks(std::move(given)), files(settings.pages), acceptor(context) {
+      : callbacks(std::move(given)), files(read_pages(settings.pages)), acceptor(context) {
     listen(settings);
     asio::co_spawn(context, accept(), asio::detached);
   }
@@ -104,7 +104,7 @@ struct Hub::Rooms {
   Answer answer(const Request& request) const;
 
   Callbacks callbacks;
-  Pages files;
+  base::WebFiles files;
   HostCheck host_check;
   std::string greeting;
   // Before the context, whose end destroys the coroutines that own the pages.
@@ -154,8 +154,8 @@ Answer Hub::Rooms::answer(const Request& request) const {
   const std::string target(request.target());
   if (request.method() != http::verb::get && request.method() != http::verb::head)
     return sentence(http::status::method_not_allowed, "only GET and HEAD here\n");
-  const PageFile* file = files.find(target.substr(0, target.find('?')));
-  if (file != nullptr) return {http::status::ok, file->type, file->bytes};
+  const base::WebFile* file = files.find(target.substr(0, target.find('?')));
+  if (file != nullptr) return {http::status::ok, file->type, *file->bytes};
   return sentence(http::status::not_found, "there is no such page\n");
 }
 

@@ -1,33 +1,19 @@
 // SPDX-License-Identifier: MIT
-// The page's files, all of them in memory: what was not in the folder at the start cannot be asked
-// for, by whatever path.
+// The files of the game's page.
 #pragma once
 
-#include <map>
 #include <string>
+
+#include "base/web_files.h"
 
 namespace hedgehog::racer {
 
-struct PageFile {
-  std::string type;
-  std::string bytes;
-};
+/// Those in `folder`, 16 MB at most. A folder without index.html has none: "/" then says so in
+/// words, and how the page is built.
+base::WebFiles read_pages(const std::string& folder);
 
-class Pages {
- public:
-  /// Reads the regular files of known types in `folder`, 16 MB at most. A folder without index.html
-  /// has none: "/" then says so in words, and how the page is built.
-  explicit Pages(const std::string& folder);
-
-  /// "/" is "/index.html". nullptr: there is no such file.
-  const PageFile* find(const std::string& path) const;
-
-  /// `share/hedgehog/racer` of the prefix that this program stands in: one folder below it (bin),
-  /// or two (clients/racer of a build).
-  static std::string default_folder();
-
- private:
-  std::map<std::string, PageFile> files_;
-};
+/// `share/hedgehog/racer` of the prefix that this program stands in: one folder below it (bin), or
+/// two (clients/racer of a build).
+std::string default_pages_folder();
 
 }  // namespace hedgehog::racer

@@ -2,7 +2,7 @@
 // The game's side of its page: tells every open page what is to be seen, and knows what the pages
 // asked. Serves HTTP and WebSocket in the game's own thread, in the pauses between frames.
 //
-//   Server server({.port = 7585, .pages = Pages::default_folder()}, race.track());
+//   Server server({.port = 7585, .pages = default_pages_folder()}, race.track());
 //   for (auto next = steady_clock::now();; next += 16ms) {
 //     const Asked asked = server.take();
 //     server.tell(race.step(asked.keys), {});

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "clients/common/problem.h"
 #include "clients/study/journal/event.h"
-#include "clients/study/problem.h"
 
 namespace hedgehog::study {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "clients/common/problem.h"
 #include "clients/study/journal/event.h"
-#include "clients/study/problem.h"
 
 namespace hedgehog::study {
 

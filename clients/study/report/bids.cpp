@@ -11,6 +11,7 @@
 #include <optional>
 #include <set>
 
+#include "clients/common/csv.h"
 #include "clients/study/experiment_file.h"
 #include "clients/study/report/rows.h"
 
@@ -244,7 +245,7 @@ Result<void> write_csv(const fs::path& file, const std::vector<AnalysedRun>& run
   std::string text;
   ordered_json headers = ordered_json::array();
   for (const AnalysedRun& run : runs) {
-    text += table(run.run, csv_line, text.empty());
+    text += table(run.run, client::csv_line, text.empty());
     ordered_json header{{"Participant", run.name.participant}, {"Run", run.name.run}};
     header.update(ordered_json::parse(bids_sidecar(run)));
     headers.push_back(header);

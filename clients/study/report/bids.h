@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "clients/study/problem.h"
+#include "clients/common/problem.h"
 #include "clients/study/report/collect.h"
 
 namespace hedgehog::study {

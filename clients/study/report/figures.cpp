@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "clients/study/report/figures.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <fstream>
 
+#include "clients/common/program.h"
 #include "clients/study/rules/statistics.h"
-
-extern char** environ;
 
 namespace hedgehog::study {
 
@@ -55,25 +50,6 @@ std::string title_of(Quantity quantity) {
 /// The value that the group figure shows: N for thresholds, as the thesis does.
 double shown(const AnalysedRun& run) {
   return run.analysis.weber_fraction ? *run.analysis.threshold : *run.analysis.force_n;
-}
-
-/// In the folder: a path may have characters that mean something to gnuplot.
-bool start_gnuplot(const fs::path& folder, int& status) {
-  std::string program = "gnuplot";
-  std::string file = kScript;
-  char* arguments[] = {program.data(), file.data(), nullptr};
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_addchdir_np(&files, folder.c_str());
-  posix_spawn_file_actions_addopen(&files, 1, kLog, O_WRONLY | O_CREAT | O_TRUNC, 0644);
-  posix_spawn_file_actions_adddup2(&files, 1, 2);
-  pid_t process = -1;
-  const int failed = posix_spawnp(&process, program.c_str(), &files, nullptr, arguments, environ);
-  posix_spawn_file_actions_destroy(&files);
-  if (failed != 0) return false;
-  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
-  }
-  return true;
 }
 
 /// Once as SVG, once as PNG.
@@ -202,10 +178,10 @@ Result<void> draw(const fs::path& folder, const std::vector<AnalysedRun>& runs,
   if (!groups.empty())
     script += twice("groups", kPanel * static_cast<int>(groups.size()), 420, group_plot(groups));
   std::ofstream(folder / kScript) << script;
-  int status = 0;
-  if (!start_gnuplot(folder, status))
-    return Problem{EX_UNAVAILABLE, "no figures: gnuplot is not installed"};
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
+  // In the folder: a path may have characters that mean something to gnuplot.
+  const auto end = client::run_program({"gnuplot", kScript}, kLog, folder.string());
+  if (end.start_error != 0) return Problem{EX_UNAVAILABLE, "no figures: gnuplot is not installed"};
+  if (!end.succeeded)
     return Problem{EX_UNAVAILABLE, "no figures: gnuplot failed, see " + (folder / kLog).string()};
   return {};
 }

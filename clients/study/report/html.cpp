@@ -7,7 +7,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "clients/lib/html.h"
+#include "clients/common/html.h"
 #include "clients/study/report/figures.h"
 #include "clients/study/rules/distinguishable_levels.h"
 #include "clients/study/rules/observer.h"

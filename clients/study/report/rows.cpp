@@ -184,21 +184,6 @@ std::vector<std::vector<std::string>> rows_of(const RecordedRun& run) {
   return rows;
 }
 
-std::string csv_line(const std::vector<std::string>& cells) {
-  std::string line;
-  for (const std::string& cell : cells) {
-    line += &cell == &cells.front() ? "" : ",";
-    if (cell.find_first_of(",\"\r\n") == std::string::npos) {
-      line += cell;
-      continue;
-    }
-    line += '"';
-    for (const char c : cell) line.append(c == '"' ? 2 : 1, c);
-    line += '"';
-  }
-  return line;
-}
-
 std::string tsv_line(const std::vector<std::string>& cells) {
   std::string line;
   for (const std::string& cell : cells) {

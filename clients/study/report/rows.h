@@ -19,8 +19,6 @@ const std::vector<Column>& columns();
 /// "n/a" for what there is not. Device times are seconds with nine decimals.
 std::vector<std::vector<std::string>> rows_of(const RecordedRun& run);
 
-/// RFC 4180 without a line end; quoted where needed.
-std::string csv_line(const std::vector<std::string>& cells);
 /// Tabs and line feeds in cells become blanks.
 std::string tsv_line(const std::vector<std::string>& cells);
 

@@ -2,6 +2,7 @@
 #include "clients/study/rules/statistics.h"
 
 #include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 #include <numeric>
 
@@ -44,12 +45,10 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b) {
 }
 
 double coin_tail(int count, int tosses) {
-  double tail = 0.0;
-  for (int k = std::max(count, 0); k <= tosses; ++k) {
-    tail += std::exp(std::lgamma(tosses + 1.0) - std::lgamma(k + 1.0) -
-                     std::lgamma(tosses - k + 1.0) - tosses * std::log(2.0));
-  }
-  return std::min(tail, 1.0);
+  if (count <= 0) return 1.0;
+  if (count > tosses) return 0.0;
+  const boost::math::binomial heads(tosses, 0.5);
+  return boost::math::cdf(boost::math::complement(heads, count - 1));
 }
 
 }  // namespace hedgehog::study

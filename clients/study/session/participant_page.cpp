@@ -13,7 +13,7 @@
 #include <system_error>
 #include <utility>
 
-#include "clients/study/session/terminal.h"
+#include "clients/common/terminal.h"
 
 namespace hedgehog::study {
 
@@ -122,7 +122,7 @@ Result<void> run_participant_page(const std::filesystem::path& path,
                                   const std::function<bool()>& stop) {
   const auto address = address_of(path);
   if (!address) return Problem{EX_NOINPUT, path.string() + ": too long for a socket's path"};
-  Terminal terminal;
+  client::Terminal terminal;
   int server = -1;
   std::string pending;
   Phase phase = Phase::kReady;  // thanks stay until the next run

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "clients/study/problem.h"
+#include "clients/common/problem.h"
 #include "clients/study/session/screen.h"
 
 namespace hedgehog::study {

@@ -41,8 +41,6 @@ class Player {
   /// How the experiment asks for more than this ball plays, as a sentence. Nothing: it does not.
   std::optional<std::string> too_much(const Experiment& experiment) const;
   std::optional<double> temperature_c() const noexcept { return temperature_c_; }
-  /// Device time as of the last telemetry, ns.
-  std::int64_t device_ns() const noexcept { return device_ns_; }
 
   /// Plays one interval to its end; not before the device time `not_before_ns`, if there is one.
   /// `abort` is asked all the while: true stops it (reason "stopped"). An error: the daemon is

@@ -3,16 +3,13 @@
 
 #include <utility>
 
+#include "clients/common/text.h"
+
 namespace hedgehog::study {
 
 namespace {
 
 constexpr std::size_t kNoteColumns = 70;
-
-/// Of UTF-8.
-bool continues_a_character(char byte) {
-  return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
-}
 
 }  // namespace
 
@@ -32,7 +29,7 @@ void TerminalDesk::draw() {
   if (note_) {
     // The end of a long one is what is being typed.
     std::size_t from = note_->size() > kNoteColumns ? note_->size() - kNoteColumns : 0;
-    while (from < note_->size() && continues_a_character((*note_)[from])) ++from;
+    while (from < note_->size() && !client::begins_character((*note_)[from])) ++from;
     lines.push_back("  note: " + note_->substr(from) + "_");
   }
   terminal_.draw(lines);
@@ -45,7 +42,7 @@ std::optional<std::string> TerminalDesk::note_key(char key) {
   if (key == '\n' || key == '\r') {
     done = std::exchange(note_, {});
   } else if (key == '\x7f' || key == '\b') {
-    while (!note_->empty() && continues_a_character(note_->back())) note_->pop_back();
+    while (!note_->empty() && !client::begins_character(note_->back())) note_->pop_back();
     if (!note_->empty()) note_->pop_back();
   } else if (static_cast<unsigned char>(key) >= ' ') {
     *note_ += key;

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "clients/common/terminal.h"
 #include "clients/study/session/desk.h"
 #include "clients/study/session/participant_page.h"
-#include "clients/study/session/terminal.h"
 
 namespace hedgehog::study {
 
@@ -29,7 +29,7 @@ class TerminalDesk : public Desk {
   /// A key of the note that is being typed. The note, when that ended it.
   std::optional<std::string> note_key(char key);
 
-  Terminal terminal_;
+  client::Terminal terminal_;
   std::optional<ParticipantServer> page_;
   bool blind_;
   bool two_intervals_ = false;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <cstdio>
 
+#include "clients/common/interrupts.h"
+#include "clients/common/terminal.h"
 #include "clients/study/session/simulated_desk.h"
-#include "clients/study/session/terminal.h"
 #include "clients/study/verbs/run_verb.h"
 #include "clients/study/verbs/session_start.h"
 #include "clients/study/verbs/trace_verb.h"
@@ -40,7 +41,7 @@ int rehearse_one(const Start& start, const Participant& participant, const Exper
   }
   SimulatedDesk desk(simulated_person(header.experiment, header.person_seed), header.person_seed,
                      report);
-  Runner runner(*journal, *std::move(player), start.addresses, desk, interrupted);
+  Runner runner(*journal, *std::move(player), start.addresses, desk, client::interrupted);
   const auto end = runner.run();
   if (!end) return complain(end.error());
   return *end == RunEnd::kOver ? 0 : print_end(*journal, *end, runner.why_stuck());
@@ -49,7 +50,7 @@ int rehearse_one(const Start& start, const Participant& participant, const Exper
 }  // namespace
 
 int run_rehearse(const RunOptions& options) {
-  watch_interrupts();
+  client::watch_interrupts();
   const auto study = StudyFolder::find(".");
   if (!study) return complain(study.error());
   const auto addresses = client::daemon_addresses(options.address);
@@ -57,7 +58,7 @@ int run_rehearse(const RunOptions& options) {
   const Start start{*study, *addresses};
   const std::size_t all = study->plan().participants.size() * study->plan().experiments.size();
   std::size_t done = 0;
-  const bool bar = is_terminal();
+  const bool bar = client::is_terminal();
   for (const Participant& participant : study->plan().participants) {
     for (const std::string& name : participant.order) {
       const auto experiment = study->experiment(name);

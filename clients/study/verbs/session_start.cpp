@@ -1,30 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "clients/study/verbs/session_start.h"
 
-#include <csignal>
 #include <cstdio>
 
+#include "clients/common/interrupts.h"
 #include "clients/study/verbs/trace_verb.h"
 
 namespace hedgehog::study {
-
-namespace {
-
-constexpr int kInterrupted = 130;
-
-volatile std::sig_atomic_t interrupt_seen = 0;
-void note_interrupt(int) { interrupt_seen = 1; }
-
-}  // namespace
-
-bool interrupted() { return interrupt_seen != 0; }
-
-void watch_interrupts() {
-  struct sigaction action {};
-  action.sa_handler = note_interrupt;
-  sigemptyset(&action.sa_mask);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
-}
 
 int complain(const Problem& problem) { return study::complain(problem.exit_code, problem.message); }
 
@@ -63,7 +45,7 @@ int print_end(const Journal& journal, RunEnd end, const std::string& why_stuck) 
       std::printf("stopped after %d scored trials; hedgehog-study resume goes on\n",
                   staircase.state().scored);
     }
-    return interrupted() ? kInterrupted : EX_TEMPFAIL;
+    return client::interrupted() ? kInterrupted : EX_TEMPFAIL;
   }
   if (blind) {
     std::puts("done");

@@ -12,10 +12,6 @@
 
 namespace hedgehog::study {
 
-/// True from the first SIGINT, SIGTERM or SIGHUP after `watch_interrupts`.
-bool interrupted();
-void watch_interrupts();
-
 /// Says it on stderr; the exit code.
 int complain(const Problem& problem);
 int complain(const client::ClientError& error);

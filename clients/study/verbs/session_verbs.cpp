@@ -4,6 +4,8 @@
 #include <system_error>
 #include <thread>
 
+#include "clients/common/interrupts.h"
+#include "clients/common/terminal.h"
 #include "clients/study/journal/journal.h"
 #include "clients/study/session/runner.h"
 #include "clients/study/session/simulated_desk.h"
@@ -31,7 +33,7 @@ int go_on(const Start& start, Journal& journal, Player player,
   Result<RunEnd> end = RunEnd::kStopped;
   std::string why_stuck;
   const auto take_place = [&](Desk& desk) {
-    Runner runner(journal, std::move(player), start.addresses, desk, interrupted);
+    Runner runner(journal, std::move(player), start.addresses, desk, client::interrupted);
     end = runner.run();
     why_stuck = runner.why_stuck();
   };
@@ -74,7 +76,7 @@ void print_resumed(const Journal& journal) {
 }  // namespace
 
 int run_run(const RunOptions& options) {
-  watch_interrupts();
+  client::watch_interrupts();
   const auto study = StudyFolder::find(".");
   if (!study) return complain(study.error());
   const auto experiment = study->experiment(options.experiment);
@@ -92,7 +94,7 @@ int run_run(const RunOptions& options) {
     return study::complain(EX_CANTCREAT, options.participant + " has done " + experiment->name +
                                              "; --again makes another run");
   }
-  if (!options.simulated && !is_terminal())
+  if (!options.simulated && !client::is_terminal())
     return study::complain(EX_USAGE, "a person needs a terminal; --simulated does not");
   const auto addresses = client::daemon_addresses(options.address);
   if (!addresses) return complain(addresses.error());
@@ -120,7 +122,7 @@ int run_run(const RunOptions& options) {
 }
 
 int run_resume(const RunOptions& options) {
-  watch_interrupts();
+  client::watch_interrupts();
   const auto study = StudyFolder::find(".");
   if (!study) return complain(study.error());
   std::optional<JournalName> chosen;
@@ -136,7 +138,7 @@ int run_resume(const RunOptions& options) {
   if (!chosen) return study::complain(EX_NOINPUT, "no run is unfinished");
   auto journal = Journal::open(chosen->path);
   if (!journal) return complain(journal.error());
-  if (!journal->run().header().simulated_person && !is_terminal())
+  if (!journal->run().header().simulated_person && !client::is_terminal())
     return study::complain(EX_USAGE, "a person needs a terminal");
   const auto addresses = client::daemon_addresses(options.address);
   if (!addresses) return complain(addresses.error());
@@ -169,11 +171,12 @@ int run_resume(const RunOptions& options) {
 }
 
 int run_participant() {
-  watch_interrupts();
+  client::watch_interrupts();
   const auto study = StudyFolder::find(".");
   if (!study) return complain(study.error());
-  if (!is_terminal()) return study::complain(EX_USAGE, "the participant's page needs a terminal");
-  const auto ended = run_participant_page(study->path() / kPage, interrupted);
+  if (!client::is_terminal())
+    return study::complain(EX_USAGE, "the participant's page needs a terminal");
+  const auto ended = run_participant_page(study->path() / kPage, client::interrupted);
   return ended ? 0 : complain(ended.error());
 }
 

@@ -91,8 +91,6 @@ TEST(Electromagnet, TwoCalibrations) {
               1e-3);
   EXPECT_NEAR(coil_force_n(fea_electromagnet(), 15.0, kThesisPinMagnet, 35.0, 60.0, 0.0), 0.2,
               1e-9);
-  EXPECT_NEAR(electromagnet_with(0.4, 15.0, kThesisPinMagnet, 35.0).moment_per_ampere, 0.202271,
-              1e-6);
 }
 
 TEST(Electromagnet, SpreadAroundAHexagon) {

@@ -11,8 +11,8 @@
 #include <string>
 
 #include "model/magnets/characterisation.h"
-#include "model/magnets/pair/placed_magnet.h"
 #include "tests/model/magnets/known_arrays.h"
+#include "tests/model/magnets/placed_magnet.h"
 
 namespace hedgehog::model {
 namespace {
@@ -243,25 +243,6 @@ TEST(Extension, IsNoneWhereTheArrayPullsLessThanTheCoilPushes) {
   EXPECT_EQ(extension_mm(force, character, 0.0), 0.0);
   const PinForce expelled = force_of("cD", 30, kCurveSettings, kShields3);
   EXPECT_EQ(extension_mm(expelled, characterise(expelled), 0.1), std::nullopt);
-}
-
-// The cheap way for searches: few angles, 1 %, a short grid. (The hybrid would be cheaper still,
-// but moves cD's rests by up to 0.3 mm: its nearest pins are just beyond 30 degrees.)
-TEST(Search, CoarseClassesAreGoodEnoughToChooseBy) {
-  constexpr ForceSettings kRough{ForceModel::kExact, 1e-2};
-  for (const Row& row : kTable) {
-    const auto rough_class = coarsened({class_of(row.array, row.size)}).front();
-    const PinForce rough(rough_class, {}, kRough);
-    const Characterisation got = characterise(rough, {-1.0, 5.0, 1.0});
-    EXPECT_NEAR(got.rest_mm.value(), row.rest_mm, 0.005) << row.array << row.size;
-    EXPECT_NEAR(extension_mm(rough, got, kCoilForceN).value_or(kNone), row.extension_mm, 0.005)
-        << row.array << row.size;
-  }
-  const auto few = coarsened(classes("tkD"));
-  EXPECT_LT(few[1].to_shields.size(), 50u);
-  int shields = 0;
-  for (const AngleCount& angle : few[1].to_shields) shields += angle.count;
-  EXPECT_EQ(shields, 180);
 }
 
 }  // namespace

@@ -9,8 +9,8 @@
 
 #include "model/magnets/pair/disk_rule.h"
 #include "model/magnets/pair/face_flux.h"
-#include "model/magnets/pair/placed_magnet.h"
 #include "model/units.h"
+#include "tests/model/magnets/placed_magnet.h"
 #include "tests/model/magnets/reference_pairs.h"
 
 namespace hedgehog::model {

@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/server/net/http/origin_check.h"
 
-#include <arpa/inet.h>
-
 #include <algorithm>
+
+#include "base/spelling.h"
+#include "base/web_host.h"
 
 namespace hedgehog::server {
 namespace {
 
 constexpr std::size_t kMaxShown = 100;
-
-std::string lower(std::string_view text) {
-  std::string out(text);
-  std::transform(out.begin(), out.end(), out.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return out;
-}
 
 /// A stranger's words, fit for a log.
 std::string shown(std::string_view text) {
@@ -35,14 +28,8 @@ bool is_port(std::string_view text) {
 }  // namespace
 
 bool is_own_host(std::string_view host) {
-  const bool bracketed = host.starts_with('[');
-  const std::size_t end = bracketed ? host.find(']') + 1 : std::min(host.find(':'), host.size());
-  if (end == 0 || (end < host.size() && (host[end] != ':' || !is_port(host.substr(end + 1)))))
-    return false;
-  const std::string name = lower(host.substr(0, end));
-  in_addr v4{};
-  return name == "localhost" || name == "[::1]" ||
-         (inet_pton(AF_INET, name.c_str(), &v4) == 1 && ntohl(v4.s_addr) >> 24 == 127);
+  const base::WebHost given = base::parse_web_host(host);
+  return given.is_loopback() && (!given.port || is_port(*given.port));
 }
 
 std::optional<Refusal> refused(const HttpRequest& request,
@@ -54,11 +41,12 @@ std::optional<Refusal> refused(const HttpRequest& request,
                    "host"};
   }
   if (!request.origin) return std::nullopt;
-  const std::string origin = lower(*request.origin);
-  const bool ours = origin == "http://" + lower(request.host);
-  const bool allowed = std::any_of(
-      allow_origins.begin(), allow_origins.end(),
-      [&](const std::string& allowed_origin) { return lower(allowed_origin) == origin; });
+  const std::string origin = base::lower_case(*request.origin);
+  const bool ours = base::is_origin_of(origin, request.host);
+  const bool allowed = std::any_of(allow_origins.begin(), allow_origins.end(),
+                                   [&](const std::string& allowed_origin) {
+                                     return base::lower_case(allowed_origin) == origin;
+                                   });
   if (ours || allowed) return std::nullopt;
   return Refusal{http_error(403, "pages of " + shown(*request.origin) +
                                      " may not connect: add that origin to http.allow_origins in "

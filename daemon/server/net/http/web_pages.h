@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The files of the dashboard, all of them in memory: a path cannot lead to a file that was not in
-// the folder at the start.
+// The files of the dashboard, as they are served.
 #pragma once
 
 #include <cstddef>
 #include <map>
-#include <memory>
 #include <string>
+
+#include "base/web_files.h"
 
 namespace hedgehog::server {
 
-struct WebPage {
-  std::string type;
+struct WebPage : base::WebFile {
   std::string etag;
-  std::shared_ptr<const std::string> bytes;
 };
 
 /// io thread only.
@@ -21,8 +19,8 @@ class WebPages {
  public:
   static constexpr std::size_t kMaxBytes = 32u << 20;
 
-  /// Reads `folder` with what is below it; regular files of the known types only, no links. A
-  /// folder that is missing, or too large, has no pages: `problem` says why.
+  /// Reads `folder` with what is below it. A folder that is missing, or too large, has no pages:
+  /// `problem` says why.
   explicit WebPages(const std::string& folder);
 
   /// "/" is "/index.html". nullptr: there is no such page.

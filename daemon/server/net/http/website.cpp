@@ -65,7 +65,7 @@ HttpAnswer Website::page(const HttpRequest& request) const {
                                pages_.problem() + ". The rest works: /ws, /metrics, /healthz");
   }
   if (page == nullptr) return http_error(404, "there is no such page");
-  HttpAnswer answer{200, page->type, page->bytes, page->etag};
+  HttpAnswer answer{200, std::string(page->type), page->bytes, page->etag};
   if (request.if_none_match && request.if_none_match->find(page->etag) != std::string::npos) {
     answer.status = 304;
     answer.body = std::make_shared<std::string>();

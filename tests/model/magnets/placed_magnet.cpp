@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/magnets/pair/placed_magnet.h"
+#include "tests/model/magnets/placed_magnet.h"
 
 #include <cmath>
 #include <numbers>
@@ -7,7 +7,6 @@
 #include "model/magnets/pair/disk_rule.h"
 
 namespace hedgehog::model {
-namespace {}  // namespace
 
 Vec3 field_at(const PlacedMagnet& magnet, const Vec3& point_mm) noexcept {
   const Vec3 r = point_mm - magnet.centre_mm;

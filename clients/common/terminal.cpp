@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "clients/ctl/terminal/terminal.h"
+#include "clients/common/terminal.h"
 
 #include <poll.h>
 #include <sys/ioctl.h>
@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
+#include <utility>
 
 namespace hedgehog::client {
 
@@ -36,6 +37,8 @@ void put(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdou
 
 }  // namespace
 
+bool is_terminal() { return isatty(STDIN_FILENO) != 0 && isatty(STDOUT_FILENO) != 0; }
+
 TerminalTraits terminal_traits() {
   TerminalTraits traits;
   traits.ascii = !locale_is_utf8();
@@ -52,7 +55,7 @@ TerminalTraits terminal_traits() {
   return traits;
 }
 
-Canvas::Canvas() {
+Terminal::Terminal() {
   has_keys_ = tcgetattr(STDIN_FILENO, &before_) == 0;
   if (has_keys_) {
     termios raw = before_;
@@ -63,13 +66,13 @@ Canvas::Canvas() {
   std::fflush(stdout);
 }
 
-Canvas::~Canvas() {
+Terminal::~Terminal() {
   put("\033[?25h\033[?1049l");
   std::fflush(stdout);
   if (has_keys_) tcsetattr(STDIN_FILENO, TCSANOW, &before_);
 }
 
-void Canvas::draw(const std::vector<std::string>& lines) {
+void Terminal::draw(const std::vector<std::string>& lines) {
   for (std::size_t row = 0; row < lines.size() || row < shown_.size(); ++row) {
     const std::string_view line = row < lines.size() ? std::string_view{lines[row]} : "";
     if (row < shown_.size() && shown_[row] == line) continue;
@@ -81,16 +84,43 @@ void Canvas::draw(const std::vector<std::string>& lines) {
   std::fflush(stdout);
 }
 
-std::string Canvas::typed() {
-  std::string keys;
+bool Terminal::read_more(std::chrono::milliseconds patience) {
   pollfd waiting{STDIN_FILENO, POLLIN, 0};
-  while (has_keys_ && poll(&waiting, 1, 0) == 1) {
-    char bytes[64];
-    const ssize_t count = read(STDIN_FILENO, bytes, sizeof bytes);
-    if (count <= 0) break;
-    keys.append(bytes, static_cast<std::size_t>(count));
+  char bytes[64];
+  if (poll(&waiting, 1, static_cast<int>(patience.count())) != 1) return false;
+  const ssize_t count = read(STDIN_FILENO, bytes, sizeof bytes);
+  if (count <= 0) return false;
+  typed_.append(bytes, static_cast<std::size_t>(count));
+  typed_at_ = std::chrono::steady_clock::now();
+  return true;
+}
+
+void Terminal::take_in() {
+  while (read_more(std::chrono::milliseconds{0})) {
   }
-  return keys;
+  typed_at_ = {};
+}
+
+void Terminal::forget() {
+  take_in();
+  typed_.clear();
+}
+
+std::string Terminal::typed() {
+  if (has_keys_) take_in();
+  return std::exchange(typed_, {});
+}
+
+std::optional<Key> Terminal::key(std::chrono::milliseconds patience) {
+  if (typed_.empty() && !read_more(patience)) return std::nullopt;
+  // Several keys may come in one breath.
+  const char first = typed_.front();
+  const bool sequence =
+      first == '\033' && typed_.size() >= 3 && (typed_[1] == '[' || typed_[1] == 'O');
+  const char last = sequence ? typed_[2] : '\0';
+  typed_.erase(0, sequence ? 3 : 1);
+  if (last == 'D' || last == 'C') return Key{last == 'D' ? '<' : '>', true, typed_at_};
+  return first == '\033' ? std::nullopt : std::optional(Key{first, false, typed_at_});
 }
 
 }  // namespace hedgehog::client

@@ -4,6 +4,8 @@
 
 #include <termios.h>
 
+#include <chrono>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,25 +22,45 @@ struct TerminalTraits {
 
 TerminalTraits terminal_traits();
 
+/// Both ends of this program are a terminal.
+bool is_terminal();
+
+struct Key {
+  char what = '\0';
+  bool arrow = false;                          // '<' or '>' then
+  std::chrono::steady_clock::time_point at{};  // when it came
+};
+
 /// Takes the terminal over for a picture: alternate screen, no cursor, keys without echo and line.
 /// The destructor gives it back as it was, also when an exception passes. One at a time.
-class Canvas {
+class Terminal {
  public:
-  Canvas();
-  ~Canvas();
-  Canvas(const Canvas&) = delete;
-  Canvas& operator=(const Canvas&) = delete;
+  Terminal();
+  ~Terminal();
+  Terminal(const Terminal&) = delete;
+  Terminal& operator=(const Terminal&) = delete;
 
   /// Shows `lines` from the top; only the lines that changed are written.
   void draw(const std::vector<std::string>& lines);
 
-  /// Every byte typed since the last look, escape sequences too; does not wait.
+  /// Every byte typed since the last look, escape sequences too; does not wait. Nothing when stdin
+  /// is no terminal.
   std::string typed();
+  /// A key within `patience`; of escape sequences only the arrows to left and right.
+  std::optional<Key> key(std::chrono::milliseconds patience);
+  /// Reads what was typed so far; the time of those keys is the clock's epoch.
+  void take_in();
+  /// Throws away what was typed so far.
+  void forget();
 
  private:
+  bool read_more(std::chrono::milliseconds patience);
+
   std::vector<std::string> shown_;
   termios before_{};
   bool has_keys_ = false;
+  std::string typed_;  // and not yet taken
+  std::chrono::steady_clock::time_point typed_at_{};
 };
 
 }  // namespace hedgehog::client

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// What a program cannot do, as a sentence for a person and a number for the shell.
+#pragma once
+
+#include <sysexits.h>
+
+#include <boost/assert/source_location.hpp>
+#include <boost/system/result.hpp>
+#include <stdexcept>
+#include <string>
+
+#include "clients/common/exit_code.h"
+
+namespace hedgehog {
+
+/// `exit_code` is one of sysexits.h; `message` one sentence, or a line for each mistake in a file.
+struct Problem {
+  int exit_code = EX_SOFTWARE;
+  std::string message{};
+};
+
+template <class T>
+using Result = boost::system::result<T, Problem>;
+
+/// What `Result::value()` throws.
+[[noreturn]] inline void throw_exception_from_error(const Problem& problem,
+                                                    const boost::source_location&) {
+  throw std::runtime_error(problem.message);
+}
+
+}  // namespace hedgehog
