@@ -11,6 +11,7 @@
 #include "daemon/control/fan.h"
 #include "daemon/device/board_io.h"
 #include "model/estimate/skin_estimate.h"
+#include "model/estimate/thermal_winding_meter.h"
 #include "model/limit/shell_limit.h"
 #include "model/limit/thermal_limiter.h"
 #include "model/thermal/plant.h"
@@ -21,11 +22,10 @@ namespace {
 using model::kTickSeconds;
 using model::Tick;
 using model::Vec3;
+using model::WindingMeter;
 
 /// Rounding is no reduction.
 constexpr double kWhole = 1.0 - 1e-6;
-/// A winding that carries this is measured by its own V/I.
-constexpr double kMeasuredA = 1.5;
 constexpr double kFullFan = 255.0;
 constexpr control::EffectId kOnly = 1;
 
@@ -47,19 +47,6 @@ class Mean {
   Vec3 sum_;
   Tick count_ = 0;
 };
-
-void load_keyframes(control::Mixer& mixer, const KeyframeTrack& track) {
-  const auto& frames = track.frames;
-  for (std::size_t sent = 0; sent < frames.size(); sent += control::LoadKeyframes::kMaxFrames) {
-    control::LoadKeyframes load;
-    load.first = static_cast<std::uint16_t>(sent);
-    load.count = static_cast<std::uint8_t>(
-        std::min<std::size_t>(control::LoadKeyframes::kMaxFrames, frames.size() - sent));
-    std::copy_n(frames.begin() + static_cast<std::ptrdiff_t>(sent), load.count,
-                load.frames.begin());
-    mixer.load(load);
-  }
-}
 
 model::Plant plant_now(const DeviceView& device_view, control::Fan& fan) {
   const control::StatusSnapshot& now = device_view.now();
@@ -138,7 +125,9 @@ Preview::Preview(const DeviceView& device_view, const EffectPlan& plan)
   start.spec.start_at = -1;
   if (plan.track) {
     start.spec.trajectory.playback.first = 0;
-    load_keyframes(w.mixer, *plan.track);
+    const auto& frames = plan.track->frames;
+    for (std::size_t i = 0; i < control::LoadKeyframes::commands_for(frames.size()); ++i)
+      w.mixer.load(control::LoadKeyframes::slice(frames, 0, i));
   }
   w.mixer.start(start, 0, 0, w.events);
   w.end = start.spec.lease > 0 ? start.spec.lease : start.spec.duration;
@@ -155,7 +144,7 @@ void Preview::step() {
     const auto i = static_cast<std::size_t>(coil);
     w.estimate.resistance_ohm[i] = w.plant.resistance_ohm(coil);
     w.estimate.measured[i] =
-        w.estimate.measured[i] || std::abs(w.plant.current_a()[coil]) > kMeasuredA;
+        w.estimate.measured[i] || std::abs(w.plant.current_a()[coil]) > WindingMeter::kMinCurrentA;
   }
   w.estimate.nodes = w.plant.heat();
   w.estimate.hottest_c = w.bound_c();
