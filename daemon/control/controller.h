@@ -11,7 +11,6 @@
 #include "daemon/control/checks/watchdog.h"
 #include "daemon/control/derating.h"
 #include "daemon/control/effects/mixer.h"
-#include "daemon/control/fan.h"
 #include "daemon/control/heading.h"
 #include "daemon/control/snapshot.h"
 #include "daemon/control/state/control_settings.h"
@@ -22,6 +21,7 @@
 #include "model/estimate/skin_estimate.h"
 #include "model/estimate/thermal_observer.h"
 #include "model/limit/thermal_limiter.h"
+#include "model/thermal/fan.h"
 
 namespace hedgehog::control {
 
@@ -100,7 +100,7 @@ class Controller {
   Mixer mixer_;
   Watchdog watchdog_;
   StateMachine states_;
-  Fan fan_;
+  model::Fan fan_;
   Heading heading_;
   Derating derating_;
   TelemetryPair pair_;

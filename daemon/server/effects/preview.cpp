@@ -8,12 +8,12 @@
 
 #include "daemon/control/checks/fan_check.h"
 #include "daemon/control/effects/mixer.h"
-#include "daemon/control/fan.h"
 #include "daemon/device/board_io.h"
 #include "model/estimate/skin_estimate.h"
 #include "model/estimate/thermal_winding_meter.h"
 #include "model/limit/shell_limit.h"
 #include "model/limit/thermal_limiter.h"
+#include "model/thermal/fan.h"
 #include "model/thermal/plant.h"
 
 namespace hedgehog::server {
@@ -26,7 +26,7 @@ using model::WindingMeter;
 
 /// Rounding is no reduction.
 constexpr double kWhole = 1.0 - 1e-6;
-constexpr double kFullFan = 255.0;
+constexpr double kFullDuty = model::Fan::kFullDuty;
 constexpr control::EffectId kOnly = 1;
 
 /// The mean of what was added.
@@ -48,7 +48,7 @@ class Mean {
   Tick count_ = 0;
 };
 
-model::Plant plant_now(const DeviceView& device_view, control::Fan& fan) {
+model::Plant plant_now(const DeviceView& device_view, model::Fan& fan) {
   const control::StatusSnapshot& now = device_view.now();
   const config::Config& config = device_view.config();
   model::Plant plant(model::PlantParameters::of(config.device.coils, config.device.thermal),
@@ -56,7 +56,7 @@ model::Plant plant_now(const DeviceView& device_view, control::Fan& fan) {
   if (now.board.supply_v > 0.0) plant.set_supply(now.board.supply_v);
   // The fan as it turns now.
   const model::ForecastStart start = device_view.forecast_start();
-  fan.step(now.thermal.nodes.core_c, start.mean_current_a, control::Fan::kMeanS);
+  fan.step(now.thermal.nodes.core_c, start.mean_current_a, model::Fan::kMeanS);
   if (start.fan_running) plant.step_thermal({}, 1.0, plant.parameters().fan_spin_up_s);
   plant.set_heat(now.thermal.nodes);
   return plant;
@@ -102,7 +102,7 @@ struct Preview::World {
   model::CoilModel coils;
   control::Mixer mixer;
   model::ThermalLimiter limiter;
-  control::Fan fan;
+  model::Fan fan;
   model::Plant plant;
   model::ThermalEstimate estimate;
   double above_windings_k = 0.0;
@@ -168,7 +168,7 @@ void Preview::step() {
   inputs.bridge.fill(command.enable() ? model::BridgeState::kDriven : model::BridgeState::kAsleep);
   inputs.voltage_v = supply_v * command.first_duty();
   inputs.fan_duty =
-      w.fan.step(w.estimate.hottest_c, norm(w.plant.current_a()), kTickSeconds) / kFullFan;
+      w.fan.step(w.estimate.hottest_c, norm(w.plant.current_a()), kTickSeconds) / kFullDuty;
   w.plant.step(inputs, kTickSeconds);
 
   protocol::PreviewResult& r = w.result;
