@@ -7,11 +7,11 @@
 #include <optional>
 
 #include "daemon/control/checks/fan_check.h"
+#include "daemon/control/drive.h"
 #include "daemon/control/effects/mixer.h"
 #include "daemon/device/board_io.h"
 #include "model/estimate/skin_estimate.h"
 #include "model/estimate/thermal_winding_meter.h"
-#include "model/limit/shell_limit.h"
 #include "model/limit/thermal_limiter.h"
 #include "model/thermal/fan.h"
 #include "model/thermal/plant.h"
@@ -69,6 +69,7 @@ struct Preview::World {
       : gain(device_view.gain()),
         orientation(device_view.now().orientation),
         coils(device_view.config().device.coils),
+        thermal(device_view.config().device.thermal),
         limiter(device_view.limits()),
         plant(plant_now(device_view, fan)) {
     const control::StatusSnapshot& now = device_view.now();
@@ -84,22 +85,18 @@ struct Preview::World {
   /// What the limiter takes for the hottest winding.
   double bound_c() const noexcept { return plant.hottest_winding_c() + above_windings_k; }
 
-  /// The ceiling of the skin, as the controller has it.
-  void follow_skin() noexcept {
-    model::SkinInputs in;
-    in.nodes = plant.heat();
-    in.ambient_c = plant.ambient_c();
-    in.to_room_k_w = plant.fan_rpm() > control::FanCheck::kMinRpm
-                         ? plant.parameters().core_to_room_fan_k_w
-                         : plant.parameters().core_to_room_still_k_w;
-    skin.step(in, kTickSeconds);
-    limiter.set_ceiling(
-        model::shell_allowed_current(limiter.limits(), skin.heated_c() + skin_above_k));
+  /// What the limiter takes for the skin, a tick later.
+  double next_skin_c() noexcept {
+    const bool fan_running = plant.fan_rpm() > control::FanCheck::kMinRpm;
+    skin.step(model::SkinInputs::of(thermal, plant.heat(), plant.ambient_c(), fan_running),
+              kTickSeconds);
+    return skin.heated_c() + skin_above_k;
   }
 
   double gain;
   model::Quaternion orientation;
   model::CoilModel coils;
+  model::ThermalModel thermal;
   control::Mixer mixer;
   model::ThermalLimiter limiter;
   model::Fan fan;
@@ -149,21 +146,17 @@ void Preview::step() {
   w.estimate.nodes = w.plant.heat();
   w.estimate.hottest_c = w.bound_c();
 
-  w.follow_skin();
-
   w.events.clear();
   const control::MixResult mix = w.mixer.mix({w.tick, true, true, w.orientation, w.gain}, w.events);
-  const Vec3 wanted = model::currents_for(mix.field, w.coils).a + mix.coil_a;
-  const model::LimitedCurrents passed = w.limiter.limit({wanted}, w.estimate, kTickSeconds);
-  const double asked_a = norm(wanted);
-  const double share = asked_a > 0.0 ? norm(passed.a()) / asked_a : 1.0;
+  const model::CoilCurrents wanted = control::wanted_currents(mix, w.coils);
+  const model::LimitedCurrents passed =
+      control::limit(w.limiter, wanted, w.estimate, w.next_skin_c(), kTickSeconds);
+  const double share = control::passed_share(wanted, passed);
 
   const double supply_v = w.plant.parameters().supply_v;
-  device::BoardCommand command;
-  if (mix.playing) {
-    command = device::BoardCommand::drive(passed, w.estimate.resistance_ohm, w.coils.inductance_h,
-                                          w.plant.current_a(), supply_v);
-  }
+  const device::BoardCommand command =
+      control::drive(passed, mix.playing, w.plant.current_a(),
+                     {w.estimate.resistance_ohm, w.coils.inductance_h, supply_v});
   model::PlantInputs inputs;
   inputs.bridge.fill(command.enable() ? model::BridgeState::kDriven : model::BridgeState::kAsleep);
   inputs.voltage_v = supply_v * command.first_duty();
