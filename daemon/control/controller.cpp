@@ -2,24 +2,15 @@
 #include "daemon/control/controller.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "model/limit/rearm.h"
-#include "model/limit/shell_limit.h"
 #include "model/tick.h"
 
 namespace hedgehog::control {
 namespace {
 
-using model::kTickSeconds;
 using model::Tick;
-using model::Vec3;
 
-// The link makes the board safe after 20 ms without a set-point, so no more than that was heated.
-constexpr Tick kLongestGap = 20;
-// How often the same complaint is worth an event.
-constexpr Tick kReportEvery = model::kTicksPerSecond;
 constexpr double kNonFiniteHoldS = 0.05;
 
 }  // namespace
@@ -34,59 +25,71 @@ Controller::Controller(const ControlSettings& settings) noexcept
       states_(settings) {}
 
 device::BoardCommand Controller::step(const StepInputs& inputs, EventList& events) noexcept {
-  events.clear();
-  now_ = inputs.tick;
-  const Tick ticks = 1 + static_cast<Tick>(inputs.skipped);
-  const double dt_s = kTickSeconds * static_cast<double>(std::min(ticks, kLongestGap));
-  report_overrun(inputs.skipped, events);
+  const double dt_s = begin_tick(inputs, events);
+  sense(inputs, dt_s);
+  const Reason found = check(inputs, dt_s);
+  arbitrate(found, inputs, events);
 
-  advance_skipped_ticks(inputs.skipped);
-  const Reason found = sense(inputs, dt_s);
-  update_state(found, inputs.board_present, inputs.board_fresh);
+  const MixResult mix = mixer_.mix(
+      {now_, states_.armed(), heading_.fresh(), heading_.device_to_world(), settings_.gain},
+      events);
+  const model::CoilCurrents wanted = wanted_currents(mix, settings_.coils);
+  const model::LimitedCurrents limited =
+      limit(limiter_, wanted, thermal_as_measured(), skin().bound_c, dt_s);
+  passed_ = gate(limited, states_.armed());
+  account(mix, wanted);
+  reject_non_finite(dt_s, events);
 
-  const bool emergency = inputs.emergency_generation != emergency_generation_;
-  emergency_generation_ = inputs.emergency_generation;
-  for (int i = 0; i < inputs.stop_count; ++i)
-    mixer_.stop(inputs.stops[static_cast<std::size_t>(i)], now_, events);
-  for (int i = 0; i < inputs.command_count; ++i)
-    apply_command(inputs.commands[static_cast<std::size_t>(i)], events);
-  // After the commands, so that no arming of the same tick survives it.
-  if (emergency) states_.emergency_stop(now_);
-
-  const State before = states_.state();
-  states_.step(board_, inputs.board_fresh, arming_blocker(), now_);
-  if (states_.state() != before) {
-    if (states_.armed()) watchdog_.begin_armed();
-    // A board that does not give up its latch.
-    if (states_.state() == State::kTripped) record_trip(states_.reason());
-  }
-
-  const bool playing = compute_currents(dt_s, events);
-  command_ = compute_command(playing, dt_s);
-  predict_currents();
-  report_changes(events);
-  started_ = true;
+  command_ = drive(passed_, states_.armed() && mix.playing, prediction_.a(), circuit());
+  command_.fan = fan_duty(dt_s);
+  command_.arm_count = states_.arm_count();
+  prediction_.predict_currents(command_, circuit());
+  reporter_.report_changes(report_inputs(), events);
   return command_;
 }
 
-Reason Controller::sense(const StepInputs& inputs, double dt_s) noexcept {
+double Controller::begin_tick(const StepInputs& inputs, EventList& events) noexcept {
+  events.clear();
+  now_ = inputs.tick;
+  reporter_.report_overrun(inputs.skipped, report_inputs(), events);
+  prediction_.advance_skipped_ticks(inputs.skipped, command_, circuit());
+  const Tick ticks = 1 + static_cast<Tick>(inputs.skipped);
+  return model::kTickSeconds * static_cast<double>(std::min(ticks, kLongestGap));
+}
+
+void Controller::sense(const StepInputs& inputs, double dt_s) noexcept {
   if (inputs.board_fresh) {
     board_ = inputs.board;
     apply_board_limits();
   }
   pair_.step(inputs.board_fresh, inputs.board);
+  visibility_.step(pair_, board_.bridges_awake, command_.enable(), prediction_.a(), dt_s);
+  heading_.step(inputs.orientation, now_);
+}
+
+Reason Controller::check(const StepInputs& inputs, double dt_s) noexcept {
   const Reason found =
       watchdog_.step({inputs.board_present, inputs.board_fresh, board_, pair_, command_,
                       limits_.trip_c, 1 + static_cast<Tick>(inputs.skipped), states_.armed(),
                       states_.arming(), now_, inputs.thermometer});
-  track_measuring(dt_s);
-  heading_.step(inputs.orientation, now_);
   const Reason estimated = update_estimate(dt_s);
   if (found == Reason::kMeasurementsDisagree)
     disagreement_ = watchdog_.disagreement();
   else if (estimated == Reason::kMeasurementsDisagree)
     disagreement_ = estimate_.disagreement();
   return found != Reason::kNone ? found : estimated;
+}
+
+void Controller::arbitrate(Reason found, const StepInputs& inputs, EventList& events) noexcept {
+  update_state(found, inputs.board_present, inputs.board_fresh);
+  apply_requests(inputs, events);
+
+  const State before = states_.state();
+  states_.step(board_, inputs.board_fresh, arming_blocker(), now_);
+  if (states_.state() == before) return;
+  if (states_.armed()) watchdog_.begin_armed();
+  // A board that does not give up its latch.
+  if (states_.state() == State::kTripped) record_trip(states_.reason());
 }
 
 void Controller::update_state(Reason found, bool present, bool fresh) noexcept {
@@ -105,6 +108,17 @@ void Controller::update_state(Reason found, bool present, bool fresh) noexcept {
   } else if (board.restarted()) {
     states_.board_restarted(now_);
   }
+}
+
+void Controller::apply_requests(const StepInputs& inputs, EventList& events) noexcept {
+  const bool emergency = inputs.emergency_generation != emergency_generation_;
+  emergency_generation_ = inputs.emergency_generation;
+  for (int i = 0; i < inputs.stop_count; ++i)
+    mixer_.stop(inputs.stops[static_cast<std::size_t>(i)], now_, events);
+  for (int i = 0; i < inputs.command_count; ++i)
+    apply_command(inputs.commands[static_cast<std::size_t>(i)], events);
+  // After the commands, so that no arming of the same tick survives it.
+  if (emergency) states_.emergency_stop(now_);
 }
 
 void Controller::apply_command(const Command& command, EventList& events) noexcept {
@@ -152,33 +166,18 @@ Reason Controller::arming_blocker() const noexcept {
   return states_.rearm_wait(now_) > 0 ? states_.latch() : Reason::kNone;
 }
 
-bool Controller::compute_currents(double dt_s, EventList& events) noexcept {
-  const MixResult mix = mixer_.mix(
-      {now_, states_.armed(), heading_.fresh(), heading_.device_to_world(), settings_.gain},
-      events);
-  const Vec3 wanted = currents_for(mix.field, settings_.coils).a + mix.coil_a;
-  demand_a_ = mix.field.a + field_of({mix.coil_a}, settings_.coils).a;
-  model::ThermalEstimate thermal = this->thermal();
-  for (std::size_t i = 0; i < model::kCoils; ++i)
-    if (blind_ || unmeasured_s_[i] > kBlindAfterS) thermal.measured[i] = false;
-  limiter_.set_ceiling(model::shell_allowed_current(limits_, skin().bound_c));
-  passed_ = limiter_.limit({wanted}, thermal, dt_s);
-  if (!states_.armed()) passed_ = model::LimitedCurrents();  // the watchdog's gate
-
-  const double asked_a = norm(wanted);
-  mixer_.account(asked_a > 0.0 ? norm(passed_.a()) / asked_a : 1.0);
-  derating_.step(mix.any ? std::min(asked_a, limits_.current_a) : 0.0, limiter_.allowed().value,
-                 now_);
-  reject_non_finite(dt_s, events);
-  return mix.playing;
+void Controller::account(const MixResult& mix, const model::CoilCurrents& wanted) noexcept {
+  demand_a_ = wanted_field(mix, settings_.coils).a;
+  mixer_.account(passed_share(wanted, passed_));
+  derating_.step(mix.any ? std::min(norm(wanted.a), limits_.current_a) : 0.0,
+                 limiter_.allowed().value, now_);
 }
 
 void Controller::reject_non_finite(double dt_s, EventList& events) noexcept {
   const bool rejected = limiter_.rejected();
-  if (rejected) demand_a_ = {};
-  if (rejected && now_ - last_rejection_report_ >= kReportEvery) {
-    last_rejection_report_ = now_;
-    report(EventType::kRejectedNumber, events);
+  if (rejected) {
+    demand_a_ = {};
+    reporter_.report_rejection(report_inputs(), events);
   }
   if (non_finite_.step(rejected, dt_s, kNonFiniteHoldS) && states_.armed()) {
     record_trip(Reason::kInternal);
@@ -186,45 +185,23 @@ void Controller::reject_non_finite(double dt_s, EventList& events) noexcept {
   }
 }
 
-device::BoardCommand Controller::compute_command(bool playing, double dt_s) noexcept {
-  device::BoardCommand command;
-  // While no effect plays the bridges sleep: duty 0 alone would be a brake that keeps them awake.
-  if (states_.armed() && playing) {
-    command =
-        device::BoardCommand::drive(passed_, observer_.estimate().resistance_ohm,
-                                    settings_.coils.inductance_h, predicted_a_, board_.supply_v);
-  }
-  command.fan = fan_.step(thermal().hottest_c, norm(present_a()), dt_s);
-  if (states_.state() == State::kTripped) command.fan = 255;
-  command.arm_count = states_.arm_count();
-  return command;
+std::uint8_t Controller::fan_duty(double dt_s) noexcept {
+  const std::uint8_t duty = fan_.step(hottest_c(), norm(present_a()), dt_s);
+  return states_.state() == State::kTripped ? model::Fan::kFullDuty : duty;
 }
 
-void Controller::predict_currents() noexcept {
-  advance_currents(board_.supply_v * command_.first_duty(), 1);
-}
-
-void Controller::advance_skipped_ticks(Tick skipped) noexcept {
-  if (skipped == 0) return;
-  const Tick held = std::min(skipped, kLongestGap - 1);
-  advance_currents(board_.supply_v * command_.duty(), held);
-  // Asleep since then. The diodes end the current sooner than this, so no boost gets too large.
-  advance_currents({}, skipped - held);
-}
-
-void Controller::advance_currents(const Vec3& voltage, Tick ticks) noexcept {
-  for (int coil = 0; coil < model::kCoils; ++coil) {
-    const double r = observer_.estimate().resistance_ohm[static_cast<std::size_t>(coil)];
-    const double goal = voltage[coil] / r;
-    const double keep =
-        std::exp(-r * kTickSeconds * static_cast<double>(ticks) / settings_.coils.inductance_h);
-    predicted_a_[coil] = goal + keep * (predicted_a_[coil] - goal);
-  }
+WindingCircuit Controller::circuit() const noexcept {
+  return {observer_.estimate().resistance_ohm, settings_.coils.inductance_h, board_.supply_v};
 }
 
 void Controller::record_trip(Reason reason) noexcept {
-  last_trip_ = {reason, now_, thermal().hottest_c, norm(pair_.after_a()), {}};
+  last_trip_ = {reason, now_, hottest_c(), norm(pair_.after_a()), {}};
   if (reason == Reason::kMeasurementsDisagree) last_trip_.disagreement = disagreement_;
+}
+
+void Controller::end_all(EndReason reason, EventList& events) noexcept {
+  events.clear();
+  mixer_.end_all(reason, now_, events);
 }
 
 }  // namespace hedgehog::control

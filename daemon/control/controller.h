@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One tick of the ball: sense, decide, act. A function of its inputs and state, nothing else; no
-// allocation, lock, log, system call or clock (DESIGN section 3, "Pure steps, device time").
+// One tick of the ball: sense, check, arbitrate, mix, limit, gate, drive. A function of its inputs
+// and state, nothing else; no allocation, lock, log, system call or clock (DESIGN section 3, "Pure
+// steps, device time").
 #pragma once
 
 #include <type_traits>
@@ -9,19 +10,23 @@
 #include "daemon/control/checks/fault_debounce.h"
 #include "daemon/control/checks/telemetry_pair.h"
 #include "daemon/control/checks/watchdog.h"
+#include "daemon/control/current_prediction.h"
 #include "daemon/control/derating.h"
+#include "daemon/control/drive.h"
 #include "daemon/control/effects/mixer.h"
-#include "daemon/control/fan.h"
+#include "daemon/control/event_reporter.h"
 #include "daemon/control/heading.h"
 #include "daemon/control/snapshot.h"
 #include "daemon/control/state/control_settings.h"
 #include "daemon/control/state/event_list.h"
 #include "daemon/control/state/state_machine.h"
 #include "daemon/control/step_inputs.h"
+#include "daemon/control/winding_visibility.h"
 #include "daemon/device/board_io.h"
 #include "model/estimate/skin_estimate.h"
 #include "model/estimate/thermal_observer.h"
 #include "model/limit/thermal_limiter.h"
+#include "model/thermal/fan.h"
 
 namespace hedgehog::control {
 
@@ -51,45 +56,41 @@ class Controller {
   const Watchdog& watchdog() const noexcept { return watchdog_; }
 
  private:
-  Reason sense(const StepInputs& inputs, double dt_s) noexcept;
-  static constexpr double kBlindAfterS = 0.5;
-  /// While driven without two frames in a row, or with readings that do not show it, a winding is
-  /// not measured by its V/I.
-  void track_measuring(double dt_s) noexcept;
+  // The parts of a step, in its order.
+
+  /// The time since the last one, s.
+  double begin_tick(const StepInputs& inputs, EventList& events) noexcept;
+  void sense(const StepInputs& inputs, double dt_s) noexcept;
+  /// The reason to trip, or kNone.
+  Reason check(const StepInputs& inputs, double dt_s) noexcept;
+  /// What the ball may do: by `found`, by what clients ask, by the board.
+  void arbitrate(Reason found, const StepInputs& inputs, EventList& events) noexcept;
+  void account(const MixResult& mix, const model::CoilCurrents& wanted) noexcept;
+  void reject_non_finite(double dt_s, EventList& events) noexcept;
+  std::uint8_t fan_duty(double dt_s) noexcept;
+
   void apply_board_limits() noexcept;
   void start_observer(double sensor_c) noexcept;
   /// The reason to trip by the estimate, or kNone.
   Reason update_estimate(double dt_s) noexcept;
   model::ThermalMeasurement measurement() const noexcept;
   double sensor_c() const noexcept;
+  double hottest_c() const noexcept;
+  /// `thermal()`, in which windings that cannot be measured now count as not measured.
+  model::ThermalEstimate thermal_as_measured() const noexcept;
+  WindingCircuit circuit() const noexcept;
   /// Its current was measured at both ends of the last millisecond.
   bool is_measured(int coil) const noexcept;
   /// The windings' currents, A: where they were not measured, those that our commands make flow.
   model::Vec3 present_a() const noexcept;
   SkinStatus skin() const noexcept;
   void update_state(Reason found, bool present, bool fresh) noexcept;
+  void apply_requests(const StepInputs& inputs, EventList& events) noexcept;
   void apply_command(const Command& command, EventList& events) noexcept;
   void forget_ball() noexcept;
   Reason arming_blocker() const noexcept;
-  /// True while an effect plays.
-  bool compute_currents(double dt_s, EventList& events) noexcept;
-  device::BoardCommand compute_command(bool playing, double dt_s) noexcept;
-  void predict_currents() noexcept;
-  /// Without new set-points the board holds the last one, until the link makes it safe.
-  void advance_skipped_ticks(model::Tick skipped) noexcept;
-  void advance_currents(const model::Vec3& voltage, model::Tick ticks) noexcept;
   void record_trip(Reason reason) noexcept;
-  void reject_non_finite(double dt_s, EventList& events) noexcept;
-  void report(EventType type, EventList& events, std::uint64_t count = 0) const noexcept;
-  void report_overrun(std::uint32_t skipped, EventList& events) noexcept;
-  struct Reported {
-    State state = State::kAbsent;
-    Reason reason = Reason::kNoBoard;
-    bool attached = false;
-    bool oriented = false;
-    bool derating = false;
-  };
-  void report_changes(EventList& events) noexcept;
+  ReportInputs report_inputs() const noexcept;
 
   ControlSettings settings_;
   model::Limits limits_;  // of the settings, as far as the board allows them
@@ -100,36 +101,25 @@ class Controller {
   Mixer mixer_;
   Watchdog watchdog_;
   StateMachine states_;
-  Fan fan_;
+  model::Fan fan_;
   Heading heading_;
   Derating derating_;
   TelemetryPair pair_;
+  WindingVisibility visibility_;
+  CurrentPrediction prediction_;
   FaultDebounce non_finite_;
-  FaultDebounce unpaired_;
-  bool blind_ = false;  // so each winding is held to continuous_a
-  /// Of each winding: for how long it has been driven without its V/I, so that it is held too.
-  std::array<double, model::kCoils> unmeasured_s_{};
-  model::Vec3 recent_peak_a_;
-  /// For how long the bridges have been asleep.
-  double asleep_s_ = 0.0;
+  EventReporter reporter_;
 
   model::Tick now_ = 0;
-  bool started_ = false;    // a step has been made
   bool observing_ = false;  // the observer has its start values
   std::uint32_t emergency_generation_ = 0;
   std::uint64_t applied_seq_ = 0;
   device::BoardTelemetry board_;
   device::BoardCommand command_;
-  /// What our commands should have made flow, A: for the voltage of the next one.
-  model::Vec3 predicted_a_;
   model::Vec3 demand_a_;
   model::LimitedCurrents passed_;
   Disagreement disagreement_;
   Trip last_trip_;
-  Reported reported_;  // as of the last events
-  model::Tick last_overrun_report_ = -1'000'000;
-  std::uint64_t unreported_overruns_ = 0;
-  model::Tick last_rejection_report_ = -1'000'000;
 };
 
 static_assert(std::is_trivially_copyable_v<Controller>);

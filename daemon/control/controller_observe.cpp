@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How the controller follows the ball's heat, and what it may be measured by.
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "daemon/control/controller.h"
@@ -10,7 +9,6 @@
 namespace hedgehog::control {
 namespace {
 
-constexpr double kRecentS = 0.1;
 constexpr double kThermistorK = 1.0;
 
 }  // namespace
@@ -18,23 +16,6 @@ constexpr double kThermistorK = 1.0;
 void Controller::apply_board_limits() noexcept {
   limits_ = limits_within(settings_.limits, board_);
   limiter_.set_limits(limits_);
-}
-
-void Controller::track_measuring(double dt_s) noexcept {
-  asleep_s_ = board_.bridges_awake || !pair_.fresh() ? 0.0 : asleep_s_ + dt_s;
-  if (command_.enable()) {
-    if (unpaired_.step(!pair_.consecutive(), dt_s, kBlindAfterS)) blind_ = true;
-    if (!unpaired_.pending()) blind_ = false;
-  }
-  for (int coil = 0; coil < model::kCoils; ++coil) {
-    const auto i = static_cast<std::size_t>(coil);
-    // What has flowed lately, also between the halves of a vibration.
-    const double keep = std::exp(-dt_s / kRecentS);
-    recent_peak_a_[coil] = std::max(std::abs(predicted_a_[coil]), keep * recent_peak_a_[coil]);
-    const bool driven = recent_peak_a_[coil] > model::WindingMeter::kMinCurrentA;
-    const bool informative = pair_.electrical() && pair_.informative()[i];
-    unmeasured_s_[i] = !driven || informative ? 0.0 : unmeasured_s_[i] + dt_s;
-  }
 }
 
 void Controller::start_observer(double sensor_c) noexcept {
@@ -83,7 +64,7 @@ bool Controller::is_measured(int coil) const noexcept {
 model::Vec3 Controller::present_a() const noexcept {
   model::Vec3 a;
   for (int coil = 0; coil < model::kCoils; ++coil)
-    a[coil] = is_measured(coil) ? pair_.after_a()[coil] : predicted_a_[coil];
+    a[coil] = is_measured(coil) ? pair_.after_a()[coil] : prediction_.a()[coil];
   return a;
 }
 
@@ -98,10 +79,10 @@ model::ThermalMeasurement Controller::measurement() const noexcept {
   for (int coil = 0; coil < model::kCoils; ++coil) {
     const auto i = static_cast<std::size_t>(coil);
     const bool measured = is_measured(coil);
-    m.current_before_a[coil] = measured ? pair_.before_a()[coil] : predicted_a_[coil];
+    m.current_before_a[coil] = measured ? pair_.before_a()[coil] : prediction_.a()[coil];
     m.current_measured[i] = measured && pair_.informative()[i];
   }
-  m.idle = asleep_s_ > kAsleepS && board_.accuracy.signs;
+  m.idle = visibility_.asleep_s() > kAsleepS && board_.accuracy.signs;
   m.idle_a = pair_.after_a();
   m.accuracy = board_.accuracy;
   m.thermistors = watchdog_.thermistors();
@@ -142,8 +123,19 @@ SkinStatus Controller::skin() const noexcept {
 
 model::ThermalEstimate Controller::thermal() const noexcept {
   model::ThermalEstimate known = observer_.estimate();
-  if (!observing_) known.hottest_c = std::numeric_limits<double>::infinity();
+  known.hottest_c = hottest_c();
   return known;
+}
+
+model::ThermalEstimate Controller::thermal_as_measured() const noexcept {
+  model::ThermalEstimate thermal = this->thermal();
+  for (int coil = 0; coil < model::kCoils; ++coil)
+    if (visibility_.lost(coil)) thermal.measured[static_cast<std::size_t>(coil)] = false;
+  return thermal;
+}
+
+double Controller::hottest_c() const noexcept {
+  return observing_ ? observer_.estimate().hottest_c : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace hedgehog::control

@@ -40,14 +40,19 @@ double coming_core_c(const ThermalModel& thermal, const ThermalState& nodes, dou
   return ambient_c + peak;
 }
 
-SkinInputs SkinInputs::of(const ThermalModel& thermal, const ThermalFilter& filter,
+SkinInputs SkinInputs::of(const ThermalModel& thermal, const ThermalState& nodes, double ambient_c,
                           bool fan_running) noexcept {
   SkinInputs in;
-  in.nodes = filter.nodes();
-  in.ambient_c = filter.ambient_c();
-  const double to_room_k_w =
-      fan_running ? thermal.core_to_room_fan_k_w : thermal.core_to_room_still_k_w;
-  in.to_room_k_w = to_room_k_w / filter.cooling();
+  in.nodes = nodes;
+  in.ambient_c = ambient_c;
+  in.to_room_k_w = fan_running ? thermal.core_to_room_fan_k_w : thermal.core_to_room_still_k_w;
+  return in;
+}
+
+SkinInputs SkinInputs::of(const ThermalModel& thermal, const ThermalFilter& filter,
+                          bool fan_running) noexcept {
+  SkinInputs in = of(thermal, filter.nodes(), filter.ambient_c(), fan_running);
+  in.to_room_k_w /= filter.cooling();
   in.deviation_k = filter.between_deviation_k(kSkinShare);
   return in;
 }

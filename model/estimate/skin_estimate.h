@@ -37,6 +37,9 @@ struct SkinInputs {
 
   static SkinInputs of(const ThermalModel& thermal, const ThermalFilter& filter,
                        bool fan_running) noexcept;
+  /// Of nodes that are known.
+  static SkinInputs of(const ThermalModel& thermal, const ThermalState& nodes, double ambient_c,
+                       bool fan_running) noexcept;
 };
 
 /// Real-time safe, trivially copyable; control thread, or whoever previews.

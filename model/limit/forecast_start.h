@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From what a forecast starts, and the law of the fan that it runs by.
+// From what a forecast starts.
 #pragma once
 
 #include <limits>
@@ -25,11 +25,5 @@ struct ForecastStart {
   /// The 30 s mean of |I| now, A; above 3 A it keeps the fan running.
   double mean_current_a = 0.0;
 };
-
-/// The fan as the controller runs it: on above 40 C or a 30 s mean above 3 A, off below 35 C.
-inline constexpr double kFanOnC = 40.0;
-inline constexpr double kFanOffC = 35.0;
-inline constexpr double kFanOnA = 3.0;
-inline constexpr double kFanMeanS = 30.0;
 
 }  // namespace hedgehog::model

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/thermal/fan.h"
+
 namespace hedgehog::model {
 namespace {
 
@@ -59,7 +61,7 @@ HeatCourse::HeatCourse(const CoilModel& coils, const ThermalModel& thermal,
 }
 
 bool HeatCourse::step() noexcept {
-  run_fan();
+  load_.fan_running = fan_works_ && Fan::runs(load_.fan_running, hottest_c(), mean_a_);
   const ThermalState k1 = rates(nodes_);
   const bool mean_settled = std::abs(norm_a_ - mean_a_) < 0.01;
   const double fastest = steepest(k1);
@@ -76,14 +78,8 @@ bool HeatCourse::step() noexcept {
   nodes_.core_c += dt_s / 6.0 * (k1.core_c + 2.0 * (k2.core_c + k3.core_c) + k4.core_c);
   time_s_ += dt_s;
   follow_skin(dt_s);
-  mean_a_ += (norm_a_ - mean_a_) * (1.0 - std::exp(-dt_s / kFanMeanS));
+  mean_a_ += (norm_a_ - mean_a_) * (1.0 - std::exp(-dt_s / Fan::kMeanS));
   return time_s_ < kHorizonS && ++steps_ < kMaxForecastSteps;
-}
-
-void HeatCourse::run_fan() noexcept {
-  const double hottest = hottest_c();
-  if (hottest > kFanOnC || mean_a_ > kFanOnA) load_.fan_running = fan_works_;
-  if (hottest < kFanOffC && mean_a_ <= kFanOnA) load_.fan_running = false;
 }
 
 ThermalState HeatCourse::rates(const ThermalState& nodes) noexcept {
@@ -95,12 +91,7 @@ ThermalState HeatCourse::rates(const ThermalState& nodes) noexcept {
 
 void HeatCourse::follow_skin(double dt_s) noexcept {
   if (!std::isfinite(skin_above_k_)) return;
-  SkinInputs in;
-  in.nodes = nodes_;
-  in.ambient_c = load_.ambient_c;
-  in.to_room_k_w =
-      load_.fan_running ? thermal_.core_to_room_fan_k_w : thermal_.core_to_room_still_k_w;
-  skin_.step(in, dt_s);
+  skin_.step(SkinInputs::of(thermal_, nodes_, load_.ambient_c, load_.fan_running), dt_s);
 }
 
 }  // namespace hedgehog::model

@@ -25,7 +25,6 @@ class HeatCourse {
   double time_s() const noexcept { return time_s_; }
 
  private:
-  void run_fan() noexcept;
   void follow_skin(double dt_s) noexcept;
   ThermalState rates(const ThermalState& nodes) noexcept;
 

@@ -229,7 +229,7 @@ TEST(FanByCurrent, CountsWhatIsExpectedWhereNothingIsMeasured) {
     command = controller.step(inputs, events);
   }
   ASSERT_EQ(name(controller.state()), "armed") << name(controller.reason());
-  EXPECT_LT(controller.thermal().hottest_c, Fan::kOnAboveC) << "it is not by heat";
+  EXPECT_LT(controller.thermal().hottest_c, model::Fan::kOnAboveC) << "it is not by heat";
   EXPECT_NEAR(ticks * 1e-3, 30.0 * std::log(5.0 / 2.0), 1.0);
 }
 

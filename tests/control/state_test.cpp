@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include "daemon/control/fan.h"
 #include "daemon/control/heading.h"
 #include "daemon/control/loop/lateness.h"
 #include "daemon/control/state/state_machine.h"
+#include "model/thermal/fan.h"
 
 namespace hedgehog::control {
 namespace {
@@ -151,18 +151,18 @@ TEST(StateMachine, SecondSightIsAHotPlug) {
 }
 
 TEST(Fan, FullAboveFortyOffBelowThirtyFive) {
-  Fan fan;
+  model::Fan fan;
   EXPECT_EQ(fan.step(40.0, 0.0, 1e-3), 0);
   EXPECT_EQ(fan.step(40.1, 0.0, 1e-3), 255);
   EXPECT_EQ(fan.step(35.0, 0.0, 1e-3), 255);
   EXPECT_EQ(fan.step(34.9, 0.0, 1e-3), 0);
   EXPECT_EQ(fan.step(39.9, 0.0, 1e-3), 0);
   EXPECT_EQ(fan.step(std::numeric_limits<double>::infinity(), 0.0, 1e-3), 255);
-  EXPECT_EQ(Fan().step(std::numeric_limits<double>::quiet_NaN(), 0.0, 1e-3), 255);
+  EXPECT_EQ(model::Fan().step(std::numeric_limits<double>::quiet_NaN(), 0.0, 1e-3), 255);
 }
 
 TEST(Fan, FullWhenTheMeanOfHalfAMinuteIsAboveThreeAmpere) {
-  Fan fan;
+  model::Fan fan;
   int ticks = 0;
   while (fan.step(25.0, 5.0, 1e-3) == 0 && ticks < 100'000) ++ticks;
   EXPECT_NEAR(ticks * 1e-3, 30.0 * std::log(5.0 / 2.0), 0.1);

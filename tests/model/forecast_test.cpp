@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "model/limit/shell_limit.h"
+#include "model/thermal/fan.h"
 #include "model/thermal/plant.h"
 #include "tests/model/thermal_loop.h"
 
@@ -23,7 +24,7 @@ ForecastStart cold() { return {}; }
 ForecastStart warm(double celsius) {
   ForecastStart start;
   start.nodes = {{celsius, celsius, celsius}, celsius};
-  start.fan_running = celsius > kFanOnC;
+  start.fan_running = celsius > Fan::kOnAboveC;
   return start;
 }
 

@@ -12,13 +12,13 @@
 #include "daemon/control/checks/over_temperature_check.h"
 #include "daemon/control/checks/supply_balance.h"
 #include "daemon/control/checks/thermistor_check.h"
-#include "daemon/control/fan.h"
 #include "daemon/control/state/disagreement.h"
 #include "daemon/device/simulator/simulated_board.h"
 #include "daemon/device/simulator/simulator_errors.h"
 #include "model/estimate/skin_estimate.h"
 #include "model/estimate/thermal_observer.h"
 #include "model/limit/thermal_limiter.h"
+#include "model/thermal/fan.h"
 
 namespace hedgehog::rig {
 
@@ -86,7 +86,7 @@ class ThermalBall {
   control::OverTemperatureCheck heat_;
   control::EstimateCheck estimate_;
   control::SupplyBalance supply_;
-  control::Fan fan_;
+  model::Fan fan_;
   control::FanCheck fan_check_;
   double fan_duty_ = 0.0;
   std::uint8_t conversions_ = 0;

@@ -6,6 +6,7 @@
 
 #include "clients/ctl/terminal/words.h"
 #include "model/coils.h"
+#include "model/thermal/fan.h"
 #include "model/thermal/thermal_flow.h"
 
 namespace hedgehog::client {
@@ -21,9 +22,6 @@ constexpr double kSlowRestS = 85.0;
 /// comes on top, by so many standard deviations.
 constexpr double kMaxDriftK = 0.5;
 constexpr double kNoiseDeviations = 2.5;
-/// As the daemon's fan.
-constexpr double kFanOnC = 40.0;
-constexpr double kFanOffC = 35.0;
 constexpr double kCoolRoomC = 20.0;
 /// Beyond its own constants the ball may be slower by as much.
 constexpr double kSlower = 1.3;
@@ -58,12 +56,11 @@ double rest_after_s(const protocol::TemperatureStatus& t, const protocol::Therma
   model::HeatLoad load;
   load.ambient_c = std::min(
       {kCoolRoomC, nodes.core_c, nodes.winding_c[0], nodes.winding_c[1], nodes.winding_c[2]});
-  load.fan_running = model::hottest_winding(nodes) > kFanOffC;
+  load.fan_running = model::hottest_winding(nodes) > model::Fan::kOffBelowC;
   constexpr double kStepS = 0.5;
   double after_s = 0.0;
   while (spread_k(nodes) > kMaxApartK / 2.0 && after_s < kLongestWaitS) {
-    const double hottest_c = model::hottest_winding(nodes);
-    load.fan_running = hottest_c > (load.fan_running ? kFanOffC : kFanOnC);
+    load.fan_running = model::Fan::runs(load.fan_running, model::hottest_winding(nodes), 0.0);
     nodes = model::advanced(nodes, model::heating_rates(thermal, nodes, load), kStepS);
     after_s += kStepS;
   }

@@ -3,8 +3,11 @@
 // by spsc queue. Stopping never queues: see StopBoard in mailbox.h.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <type_traits>
 #include <variant>
 
@@ -34,6 +37,23 @@ struct LoadKeyframes {
   std::uint16_t first = 0;
   std::uint8_t count = 0;
   std::array<model::Keyframe, kMaxFrames> frames{};
+
+  /// How many of these load `count` key frames.
+  static constexpr std::size_t commands_for(std::size_t count) noexcept {
+    return (count + kMaxFrames - 1) / kMaxFrames;
+  }
+  /// The one of them with index `command`, when the first key frame goes to place `first`.
+  /// REQUIRES: command < commands_for(all.size()).
+  static LoadKeyframes slice(std::span<const model::Keyframe> all, std::size_t first,
+                             std::size_t command) noexcept {
+    const std::size_t from = command * kMaxFrames;
+    const std::size_t count = std::min<std::size_t>(kMaxFrames, all.size() - from);
+    LoadKeyframes load;
+    load.first = static_cast<std::uint16_t>(first + from);
+    load.count = static_cast<std::uint8_t>(count);
+    std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(from), count, load.frames.begin());
+    return load;
+  }
 };
 
 struct StartEffect {

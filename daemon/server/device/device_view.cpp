@@ -5,6 +5,7 @@
 
 #include "daemon/control/checks/board_check.h"
 #include "model/limit/rearm.h"
+#include "model/thermal/fan.h"
 
 namespace hedgehog::server {
 namespace {
@@ -34,7 +35,7 @@ void DeviceView::refresh() {
   snapshot_ = mailbox_.status.read();
   const double seconds = static_cast<double>(snapshot_.tick - before) * model::kTickSeconds;
   mean_current_a_ += (model::norm(snapshot_.limited_a) - mean_current_a_) *
-                     std::clamp(seconds / model::kFanMeanS, 0.0, 1.0);
+                     std::clamp(seconds / model::Fan::kMeanS, 0.0, 1.0);
   keep_orientation_fresh();
 }
 

@@ -26,9 +26,7 @@ std::vector<KeyframeAllocator::Part>::const_iterator KeyframeAllocator::find(
 }
 
 std::size_t KeyframeAllocator::commands_for(const KeyframeTrack& track) const noexcept {
-  return find(track) != parts_.end()
-             ? 0
-             : (track.frames.size() + LoadKeyframes::kMaxFrames - 1) / LoadKeyframes::kMaxFrames;
+  return find(track) != parts_.end() ? 0 : LoadKeyframes::commands_for(track.frames.size());
 }
 
 bool KeyframeAllocator::within_share(const KeyframeTrack& track,
@@ -53,15 +51,8 @@ std::optional<std::uint16_t> KeyframeAllocator::place(const KeyframeTrack& track
     ++before;
   }
   if (first + count > control::kKeyframeCapacity) return std::nullopt;
-  for (std::size_t sent = 0; sent < count; sent += LoadKeyframes::kMaxFrames) {
-    LoadKeyframes load;
-    load.first = static_cast<std::uint16_t>(first + sent);
-    load.count =
-        static_cast<std::uint8_t>(std::min<std::size_t>(LoadKeyframes::kMaxFrames, count - sent));
-    std::copy_n(track.frames.begin() + static_cast<std::ptrdiff_t>(sent), load.count,
-                load.frames.begin());
-    outbox.add(owner, load);
-  }
+  for (std::size_t i = 0; i < LoadKeyframes::commands_for(count); ++i)
+    outbox.add(owner, LoadKeyframes::slice(track.frames, first, i));
   parts_.insert(before, {static_cast<std::uint16_t>(first), track.frames, owner, 1});
   return static_cast<std::uint16_t>(first);
 }

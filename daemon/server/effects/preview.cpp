@@ -7,12 +7,13 @@
 #include <optional>
 
 #include "daemon/control/checks/fan_check.h"
+#include "daemon/control/drive.h"
 #include "daemon/control/effects/mixer.h"
-#include "daemon/control/fan.h"
 #include "daemon/device/board_io.h"
 #include "model/estimate/skin_estimate.h"
-#include "model/limit/shell_limit.h"
+#include "model/estimate/thermal_winding_meter.h"
 #include "model/limit/thermal_limiter.h"
+#include "model/thermal/fan.h"
 #include "model/thermal/plant.h"
 
 namespace hedgehog::server {
@@ -21,12 +22,11 @@ namespace {
 using model::kTickSeconds;
 using model::Tick;
 using model::Vec3;
+using model::WindingMeter;
 
 /// Rounding is no reduction.
 constexpr double kWhole = 1.0 - 1e-6;
-/// A winding that carries this is measured by its own V/I.
-constexpr double kMeasuredA = 1.5;
-constexpr double kFullFan = 255.0;
+constexpr double kFullDuty = model::Fan::kFullDuty;
 constexpr control::EffectId kOnly = 1;
 
 /// The mean of what was added.
@@ -48,20 +48,7 @@ class Mean {
   Tick count_ = 0;
 };
 
-void load_keyframes(control::Mixer& mixer, const KeyframeTrack& track) {
-  const auto& frames = track.frames;
-  for (std::size_t sent = 0; sent < frames.size(); sent += control::LoadKeyframes::kMaxFrames) {
-    control::LoadKeyframes load;
-    load.first = static_cast<std::uint16_t>(sent);
-    load.count = static_cast<std::uint8_t>(
-        std::min<std::size_t>(control::LoadKeyframes::kMaxFrames, frames.size() - sent));
-    std::copy_n(frames.begin() + static_cast<std::ptrdiff_t>(sent), load.count,
-                load.frames.begin());
-    mixer.load(load);
-  }
-}
-
-model::Plant plant_now(const DeviceView& device_view, control::Fan& fan) {
+model::Plant plant_now(const DeviceView& device_view, model::Fan& fan) {
   const control::StatusSnapshot& now = device_view.now();
   const config::Config& config = device_view.config();
   model::Plant plant(model::PlantParameters::of(config.device.coils, config.device.thermal),
@@ -69,7 +56,7 @@ model::Plant plant_now(const DeviceView& device_view, control::Fan& fan) {
   if (now.board.supply_v > 0.0) plant.set_supply(now.board.supply_v);
   // The fan as it turns now.
   const model::ForecastStart start = device_view.forecast_start();
-  fan.step(now.thermal.nodes.core_c, start.mean_current_a, control::Fan::kMeanS);
+  fan.step(now.thermal.nodes.core_c, start.mean_current_a, model::Fan::kMeanS);
   if (start.fan_running) plant.step_thermal({}, 1.0, plant.parameters().fan_spin_up_s);
   plant.set_heat(now.thermal.nodes);
   return plant;
@@ -82,6 +69,7 @@ struct Preview::World {
       : gain(device_view.gain()),
         orientation(device_view.now().orientation),
         coils(device_view.config().device.coils),
+        thermal(device_view.config().device.thermal),
         limiter(device_view.limits()),
         plant(plant_now(device_view, fan)) {
     const control::StatusSnapshot& now = device_view.now();
@@ -97,25 +85,21 @@ struct Preview::World {
   /// What the limiter takes for the hottest winding.
   double bound_c() const noexcept { return plant.hottest_winding_c() + above_windings_k; }
 
-  /// The ceiling of the skin, as the controller has it.
-  void follow_skin() noexcept {
-    model::SkinInputs in;
-    in.nodes = plant.heat();
-    in.ambient_c = plant.ambient_c();
-    in.to_room_k_w = plant.fan_rpm() > control::FanCheck::kMinRpm
-                         ? plant.parameters().core_to_room_fan_k_w
-                         : plant.parameters().core_to_room_still_k_w;
-    skin.step(in, kTickSeconds);
-    limiter.set_ceiling(
-        model::shell_allowed_current(limiter.limits(), skin.heated_c() + skin_above_k));
+  /// What the limiter takes for the skin, a tick later.
+  double next_skin_c() noexcept {
+    const bool fan_running = plant.fan_rpm() > control::FanCheck::kMinRpm;
+    skin.step(model::SkinInputs::of(thermal, plant.heat(), plant.ambient_c(), fan_running),
+              kTickSeconds);
+    return skin.heated_c() + skin_above_k;
   }
 
   double gain;
   model::Quaternion orientation;
   model::CoilModel coils;
+  model::ThermalModel thermal;
   control::Mixer mixer;
   model::ThermalLimiter limiter;
-  control::Fan fan;
+  model::Fan fan;
   model::Plant plant;
   model::ThermalEstimate estimate;
   double above_windings_k = 0.0;
@@ -138,7 +122,9 @@ Preview::Preview(const DeviceView& device_view, const EffectPlan& plan)
   start.spec.start_at = -1;
   if (plan.track) {
     start.spec.trajectory.playback.first = 0;
-    load_keyframes(w.mixer, *plan.track);
+    const auto& frames = plan.track->frames;
+    for (std::size_t i = 0; i < control::LoadKeyframes::commands_for(frames.size()); ++i)
+      w.mixer.load(control::LoadKeyframes::slice(frames, 0, i));
   }
   w.mixer.start(start, 0, 0, w.events);
   w.end = start.spec.lease > 0 ? start.spec.lease : start.spec.duration;
@@ -155,31 +141,27 @@ void Preview::step() {
     const auto i = static_cast<std::size_t>(coil);
     w.estimate.resistance_ohm[i] = w.plant.resistance_ohm(coil);
     w.estimate.measured[i] =
-        w.estimate.measured[i] || std::abs(w.plant.current_a()[coil]) > kMeasuredA;
+        w.estimate.measured[i] || std::abs(w.plant.current_a()[coil]) > WindingMeter::kMinCurrentA;
   }
   w.estimate.nodes = w.plant.heat();
   w.estimate.hottest_c = w.bound_c();
 
-  w.follow_skin();
-
   w.events.clear();
   const control::MixResult mix = w.mixer.mix({w.tick, true, true, w.orientation, w.gain}, w.events);
-  const Vec3 wanted = model::currents_for(mix.field, w.coils).a + mix.coil_a;
-  const model::LimitedCurrents passed = w.limiter.limit({wanted}, w.estimate, kTickSeconds);
-  const double asked_a = norm(wanted);
-  const double share = asked_a > 0.0 ? norm(passed.a()) / asked_a : 1.0;
+  const model::CoilCurrents wanted = control::wanted_currents(mix, w.coils);
+  const model::LimitedCurrents passed =
+      control::limit(w.limiter, wanted, w.estimate, w.next_skin_c(), kTickSeconds);
+  const double share = control::passed_share(wanted, passed);
 
   const double supply_v = w.plant.parameters().supply_v;
-  device::BoardCommand command;
-  if (mix.playing) {
-    command = device::BoardCommand::drive(passed, w.estimate.resistance_ohm, w.coils.inductance_h,
-                                          w.plant.current_a(), supply_v);
-  }
+  const device::BoardCommand command =
+      control::drive(passed, mix.playing, w.plant.current_a(),
+                     {w.estimate.resistance_ohm, w.coils.inductance_h, supply_v});
   model::PlantInputs inputs;
   inputs.bridge.fill(command.enable() ? model::BridgeState::kDriven : model::BridgeState::kAsleep);
   inputs.voltage_v = supply_v * command.first_duty();
   inputs.fan_duty =
-      w.fan.step(w.estimate.hottest_c, norm(w.plant.current_a()), kTickSeconds) / kFullFan;
+      w.fan.step(w.estimate.hottest_c, norm(w.plant.current_a()), kTickSeconds) / kFullDuty;
   w.plant.step(inputs, kTickSeconds);
 
   protocol::PreviewResult& r = w.result;

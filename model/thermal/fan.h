@@ -5,15 +5,20 @@
 
 #include <cstdint>
 
-namespace hedgehog::control {
+namespace hedgehog::model {
 
-/// Control thread; real-time safe, trivially copyable.
+/// Real-time safe, trivially copyable; control thread, or whoever previews.
 class Fan {
  public:
   static constexpr double kOnAboveC = 40.0;
   static constexpr double kOffBelowC = 35.0;
   static constexpr double kOnAboveA = 3.0;
   static constexpr double kMeanS = 30.0;
+  static constexpr std::uint8_t kFullDuty = 255;
+
+  /// The law itself: whether one that was `running` runs at this hottest temperature, C, and mean
+  /// of |I|, A.
+  static bool runs(bool running, double hottest_c, double mean_a) noexcept;
 
   /// `dt_s` later, with the hottest temperature known (infinite: nothing is known) and |I|. The
   /// duty to command, 0..255.
@@ -25,4 +30,4 @@ class Fan {
   bool on_ = false;
 };
 
-}  // namespace hedgehog::control
+}  // namespace hedgehog::model
