@@ -60,7 +60,7 @@ Result<std::string> device_text(const Design& design, const std::string& name) {
   }
   if (!design.positions.empty()) {
     return Problem{kBadData, "no device file for " + design.positions +
-                                   ": hedgehogd knows the arrays by name only"};
+                                 ": hedgehogd knows the arrays by name only"};
   }
   const auto whole = known_array(design);
   if (!whole) return whole.error();
