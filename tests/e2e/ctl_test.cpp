@@ -103,6 +103,8 @@ TEST_F(Ctl, AnEffectThatSomebodyEndsExitsWith1) {
     other_.call("device.arm");
     Program hold(home_, hedgehogctl(), {"hold", "up"}, variables());
     EXPECT_TRUE(hold.says("hold up"));
+    // One that ends before its first tick was delivered to 0 %.
+    EXPECT_TRUE(eventually([&] { return current_a() > 4.0 || has_ended(hold); }));
     other_.call("device.emergency_stop");
     return hold.wait();
   });

@@ -37,8 +37,10 @@ TEST(Mutations, ReachTheWholeSafetyCode) {
   const std::set<std::string> all = listed(*scope, {"file", "covered"});
   for (const std::string& path : all) EXPECT_NE(file_named(tree, path), nullptr) << path;
   const std::regex safety(
-      "(model/(thermal_[a-z_]*|energy_floor|resistance_fall|winding_thermometer)"
-      "|daemon/control/(watchdog|state_machine|supply_balance|[a-z_]*_check|controller[a-z_]*)"
+      "(model/((estimate|limit|thermal)/(thermal_[a-z_]*|energy_floor|resistance_fall"
+      "|winding_thermometer))"
+      "|daemon/control/(checks/(watchdog|supply_balance|[a-z_]*_check)|state/state_machine"
+      "|controller[a-z_]*)"
       "|daemon/device/(link|board_core/[a-z_0-9]*))[.]cpp");
   const std::set<std::string> reporting{"daemon/control/controller_snapshot.cpp"};
   for (const SourceFile& file : tree.files) {
@@ -53,7 +55,7 @@ TEST(Mutations, OfBoardCoreLimiterAndWatchdogEveryLineIsExecuted) {
   ASSERT_NE(scope, nullptr);
   const std::set<std::string> covered = listed(*scope, {"covered"});
   const std::regex enforced(
-      "(model/limit/thermal_limiter|daemon/control/(watchdog|supply_balance|[a-z_]*_check)"
+      "(model/limit/thermal_limiter|daemon/control/checks/(watchdog|supply_balance|[a-z_]*_check)"
       "|daemon/device/board_core/[a-z_0-9]*)[.]cpp");
   for (const SourceFile& file : tree.files) {
     if (!std::regex_match(file.path, enforced)) continue;
