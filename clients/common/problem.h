@@ -8,13 +8,17 @@
 #include <boost/system/result.hpp>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "clients/common/exit_code.h"
 
 namespace hedgehog {
 
 /// `exit_code` is one of sysexits.h; `message` one sentence, or a line for each mistake in a file.
+/// Not an aggregate: a number alone must not be taken for one.
 struct Problem {
+  Problem() = default;
+  Problem(int code, std::string what) : exit_code(code), message(std::move(what)) {}
   int exit_code = EX_SOFTWARE;
   std::string message{};
 };

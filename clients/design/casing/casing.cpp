@@ -121,7 +121,7 @@ Result<std::size_t> render_stl(const std::string& scad_path, const std::string& 
                                     " is not closed: " + std::to_string(surface->open_edges) +
                                     " edges have no counterpart"};
   }
-  return std::size_t{surface->triangles};
+  return surface->triangles;
 }
 
 }  // namespace hedgehog::design
