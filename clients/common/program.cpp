@@ -13,6 +13,7 @@ namespace hedgehog::client {
 ProgramEnd run_program(std::vector<std::string> argv, const std::string& output,
                        const std::string& folder) {
   std::vector<char*> pointers;
+  pointers.reserve(argv.size() + 1);
   for (std::string& word : argv) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   posix_spawn_file_actions_t files;
