@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <regex>
 #include <utility>
 #include <vector>
 
+#include "base/number_text.h"
 #include "model/magnets/arrangement.h"
 #include "model/magnets/electromagnet.h"
 
@@ -38,14 +40,14 @@ std::vector<int> missing(const std::vector<model::MagnetSite>& whole,
   return ids;
 }
 
-/// A pin on the meridian of the casing's arrow; canonical arrays have one.
-int front_pin(const model::Arrangement& whole) {
+/// A pin on the meridian of the casing's arrow: canonical arrays have one, a pentagon.
+std::optional<int> front_pin(const model::Arrangement& whole) {
   constexpr double kOnMeridian = 1e-6;
   const auto front =
       std::find_if(whole.pins.begin(), whole.pins.end(), [](const model::MagnetSite& pin) {
         return pin.direction.x > kOnMeridian && std::abs(pin.direction.y) < kOnMeridian;
       });
-  return front == whole.pins.end() ? 1 : front->id;
+  return front == whole.pins.end() ? std::nullopt : std::optional(front->id);
 }
 
 }  // namespace
@@ -68,13 +70,23 @@ Result<std::string> device_text(const Design& design, const std::string& name) {
   if (!left) return left.error();
   const double slope_n_a = model::coil_force_n(model::measured_electromagnet(), 1.0,
                                                design.sizes().pin, design.sphere_mm, 0.0, 0.0);
+  const auto front = front_pin(*whole);
+  if (!front) return Problem{kInternal, whole->name + " has no pin at the front"};
+  // As the daemon's keys bound them.
+  if (slope_n_a < 0.001 || slope_n_a > 0.1 || design.sphere_mm < 5.0 || design.sphere_mm > 500.0 ||
+      design.remanence_t < 0.1 || design.remanence_t > 2.0) {
+    return Problem{kBadData, "no device file for " + to_text(design) +
+                                 ": hedgehogd takes spheres of 5 to 500 mm, 0.1 to 2 T, and 0.001 "
+                                 "to 0.1 N/A at a pin, of which these have " +
+                                 base::shortest(std::round(slope_n_a * 1e6) / 1e6)};
+  }
   Json root;
   root["name"] = name;
   root["model"] = "hedgehog-" + std::to_string(left->pins.size());
   root["arrangement"] = whole->name;
   root["removed_pins"] = missing(whole->pins, left->pins);
   root["removed_shields"] = missing(whole->shields, left->shields);
-  root["front_pin"] = front_pin(*whole);
+  root["front_pin"] = *front;
   root["pin_magnet_mm"] = {design.magnet.diameter_mm, design.magnet.height_mm};
   root["shield_magnet_mm"] = {design.shield.diameter_mm, design.shield.height_mm};
   root["remanence_t"] = design.remanence_t;

@@ -50,7 +50,8 @@ struct PinArray {
 };
 
 /// The pin that a field along `direction` (any length but 0) pushes most; of equals the one of the
-/// lowest id. Straight down there is none, and the nearest are at a cosine of about 0.79. RT-safe.
+/// lowest id. On a hedgehog-86 there is none straight down, and the nearest are at a cosine of
+/// about 0.79. RT-safe.
 NearestPin nearest_pin(const PinArray& array, const Vec3& direction) noexcept;
 
 }  // namespace hedgehog::model

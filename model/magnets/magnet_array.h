@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // An arrangement with sizes: whether the magnets fit, how far apart they are, what they weigh.
-// Design time only: allocates.
+// Design time and start-up: allocates.
 #pragma once
 
 #include <cstddef>

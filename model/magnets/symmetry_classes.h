@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Pins that see the same angles have the same force curve (thesis Fig. 2.10). Found from the angles
 // alone, so that arrays with pins and shields removed need nobody to know their symmetry.
-// Design time only: allocates.
+// Design time and start-up: allocates.
 #pragma once
 
 #include <vector>

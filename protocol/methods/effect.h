@@ -57,6 +57,9 @@ struct EffectStart {
   friend bool operator==(const EffectStart&, const EffectStart&) = default;
 };
 
+static_assert(EffectStart::kMethods.size() ==
+              static_cast<std::size_t>(model::EffectMethod::kPlay) + 1);
+
 /// "effect.pulse", ...
 constexpr std::string_view name(model::EffectMethod method) noexcept {
   return EffectStart::kMethods[static_cast<std::size_t>(method)].name;

@@ -85,7 +85,7 @@ struct EventsHistory {
   std::optional<std::string> since{};  // RFC 3339
   std::vector<std::string> types{};    // empty: all
   bool trips = false;                  // nothing but trips
-  std::int64_t limit = 100;
+  std::int64_t limit = 100;            // 1..HistoryResult::kMaxEvents
 
   void describe(Fields& f);
   friend bool operator==(const EventsHistory&, const EventsHistory&) = default;

@@ -23,7 +23,7 @@ struct TelemetrySubscribe {
                                       "Asks for the status again and again."};
   using Result = TelemetryResult;
 
-  double rate_hz = 10.0;
+  double rate_hz = 10.0;                  // 0.1..200
   StatusKeys fields = kTelemetryDefault;  // time_ns always goes along
 
   void describe(Fields& f);

@@ -54,6 +54,21 @@ RC_GTEST_PROP(BallNumbers, StandApartInEightyColumns, ()) {
   }
 }
 
+// Whatever a daemon sends: nothing is written beside the line.
+RC_GTEST_PROP(BallNumbers, AnyPinsAndAnyNumbersStayInTheirLines, ()) {
+  const auto part = [] { return *rc::gen::inRange(-100, 101) / 100.0; };
+  protocol::Description description;
+  for (int i = *rc::gen::inRange(0, 300); i > 0; --i)
+    description.pins.push_back({i, {part(), part(), part()}, *rc::gen::inRange(-3, 400), 0.0});
+  const std::vector<double> out(description.pins.size(),
+                                *rc::gen::element(0.0, -9.994, 1e300, -1e300, 0.24));
+  const model::PinArray pins = pin_array(description);
+  const BallMapStyle style{.ascii = true, .room_up = model::Vec3{part(), part(), 1}};
+  for (const std::string& line : ball_numbers(pins, out, out, style))
+    RC_ASSERT(columns(line) <= 79u);
+  RC_ASSERT(ball_map(pins, out, style).size() == 10u);
+}
+
 TEST(BallNumbers, MarkWhatIsUpAndColourWhatIsStrong) {
   std::vector<double> out(86);
   std::vector<double> forces(86);

@@ -177,6 +177,15 @@ TEST(Export, TheDaemonTakesTheDeviceFileOfAnyDesign) {
   }
 }
 
+TEST(Export, NoDeviceFileThatTheDaemonWouldRefuse) {
+  const TemporaryFolder folder;
+  const Answer answer = ask({"export", "--magnet", "4x6", "--shield", "2x6", "--sphere", "60",
+                             "--device", folder.path("b.json")});
+  EXPECT_EQ(answer.exit_code, kBadData) << answer.out;
+  EXPECT_THAT(answer.err, HasSubstr("0.001 to 0.1 N/A"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path("b.json")));
+}
+
 TEST(Export, NoDeviceFileForAListOfPositions) {
   const TemporaryFolder folder;
   ASSERT_EQ(ask({"export", "--csv", folder.path("p.csv")}).exit_code, 0);

@@ -61,11 +61,12 @@ TEST(Schema, ParametersAreThoseThatDecodingKnows) {
   EXPECT_EQ(parameter_names(kMethodOf<Ping>).size(), 0u);
 }
 
-TEST(Schema, EveryDefinitionThatIsNamedExists) {
+TEST(Schema, NoTwoDefinitionsHaveOneName) {
   const Json messages = messages_schema();
-  for (const MethodInfo& row : kMethods)
-    EXPECT_NE(messages.find("$defs")->find(result_name(*method_named(row.name))), nullptr)
-        << row.name;
+  std::set<std::string> names;
+  for (const auto& [name, schema] : *messages.find("$defs")->as<Json::Object>())
+    EXPECT_TRUE(names.insert(name).second) << name;
+  EXPECT_GT(names.size(), 20u);
 }
 
 TEST(Schema, TellsRightFromWrong) {

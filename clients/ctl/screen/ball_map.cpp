@@ -16,13 +16,15 @@ namespace {
 constexpr int kFront = 39;  // column of the front's meridian
 constexpr int kMapColumns = 79;
 constexpr std::size_t kMapRows = 8;
+/// Beyond its casing no pin gets; a daemon may send anything.
+constexpr double kMaxShownMm = 9.99;
 /// A ring gets narrower towards the poles, though less than on the ball: marks must not touch.
 struct Shape {
   double half_turn;  // columns from front to back where the ball is widest
   double narrowing;  // a ring's radius to this power
 };
 constexpr Shape kMarks{30, 0.85};
-/// No two pins nearer than four columns, which the tests hold it to.
+/// On the ball of the thesis no two pins are nearer than four columns, which the tests hold it to.
 constexpr Shape kNumbers{37, 0.5};
 
 /// A column holds a character, and what goes before and behind it to colour it.
@@ -102,10 +104,17 @@ std::vector<std::string> ball_numbers(const model::PinArray& pins,
   const int up_pin = pin_towards(pins, style.room_up);
   std::vector<std::string> lines = unrolled(pins, kNumbers, [&](Row& row, int column, int pin) {
     // Four columns a pin: the triangle, and three digits that end right of the meridian.
-    const std::string number = fixed(100.0 * at(extension_mm, pin), 0);
+    const double extension = std::clamp(at(extension_mm, pin), -kMaxShownMm, kMaxShownMm);
+    const std::string number = fixed(100.0 * extension, 0);
     const bool rests = number == "0";
     const auto last = static_cast<std::size_t>(rests ? column : column + 1);
+    // Behind the edge, or where another pin stands: on a ball with more pins than fit.
+    if (last + 1 < number.size() || last >= row.size()) return;
     const std::size_t first = last + 1 - number.size();
+    const auto taken = [](const std::string& shown) { return !shown.empty(); };
+    if (std::any_of(row.begin() + static_cast<std::ptrdiff_t>(first),
+                    row.begin() + static_cast<std::ptrdiff_t>(last) + 1, taken))
+      return;
     for (std::size_t i = 0; i < number.size(); ++i) row[first + i] = number[i];
     if (rests) row[last] = style.ascii ? "." : "·";
     const double force = at(force_n, pin);
@@ -113,7 +122,7 @@ std::vector<std::string> ball_numbers(const model::PinArray& pins,
       row[first] = (force >= kStrongN ? "\033[1m" : "\033[2m") + row[first];
       row[last] += "\033[0m";
     }
-    if (pin == up_pin) row[first - 1] = triangle(style.ascii);
+    if (pin == up_pin && first > 0) row[first - 1] = triangle(style.ascii);
   });
   lines.emplace_back(
       "   back             left              front              right             back");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the daemon does for each method. A handler stands in the file that has the name of its
-// namespace: effect.cpp has effect.*.
+// namespace: effect.cpp has effect.*; session.cpp has hello, ping, connection.list.
 #pragma once
 
 #include "daemon/server/rpc/handler_context.h"
