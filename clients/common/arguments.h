@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The command line of a program, and what is said when it is not understood.
+// The command line of a program, and its usage errors.
 #pragma once
 
 #include <optional>

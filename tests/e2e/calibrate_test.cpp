@@ -45,6 +45,7 @@ TEST_F(Calibrate, FindsTheSimulatedWindingsAndWritesAFileThatTheDaemonReads) {
   ASSERT_EQ(ended.exit_code, 0) << ended.out << ended.err;
   const Json file = Json::parse(home_.read("found.json"), nullptr, true, true);
   EXPECT_EQ(file["name"], "ball-7");
+  EXPECT_EQ(file["arrangement"], "tkD-86");
   constexpr std::array<double, 3> kOhm{0.400, 0.520, 0.463};
   for (std::size_t i = 0; i < 3; ++i)
     EXPECT_NEAR(file["r25_ohm"][i].get<double>(), kOhm[i], 0.005 * kOhm[i]) << i;

@@ -9,6 +9,7 @@
 
 #include "model/coils.h"
 #include "model/thermal/thermal_uncertainty.h"
+#include "protocol/wire/json.h"
 
 namespace hedgehog::client {
 namespace {
@@ -193,17 +194,25 @@ std::string device_file(const Calibration& measured, const protocol::Description
   const auto matrix = coil_matrix(measured.pushed);
   const double inductance_h =
       (measured.inductance_h[0] + measured.inductance_h[1] + measured.inductance_h[2]) / 3.0;
-  std::string text = fmt::format(
-                         "// Measured by hedgehogctl calibrate with {:.5g} A at {:.1f} degrees "
-                         "Celsius, supply {:.2f} V.\n",
-                         measured.current_a, measured.sensor_c, measured.supply_v) +
-                     (measured.unrest.empty() ? "" : "// Forced: " + measured.unrest + ".\n") +
-                     "// The protocol does not tell usb and usb_serial: copy them from the file "
-                     "before, where they\n"
-                     "// differ from a hedgehog-86.\n"
-                     "{\n"
-                     "  \"name\": \"" +
-                     measured.name + "\",\n";
+  std::string text =
+      fmt::format(
+          "// Measured by hedgehogctl calibrate with {:.5g} A at {:.1f} degrees "
+          "Celsius, supply {:.2f} V.\n",
+          measured.current_a, measured.sensor_c, measured.supply_v) +
+      (measured.unrest.empty() ? "" : "// Forced: " + measured.unrest + ".\n") +
+      "// The protocol does not tell model, removed_pins, removed_shields, front_pin, "
+      "pin_magnet_mm,\n"
+      "// shield_magnet_mm, remanence_t, sphere_mm, usb and usb_serial: copy them "
+      "from the file before,\n"
+      "// where they differ from a hedgehog-86.\n"
+      "{\n"
+      "  \"name\": \"" +
+      measured.name + "\",\n";
+  if (!before.arrangement.empty()) {
+    text += "  \"arrangement\": ";
+    protocol::append_string(text, before.arrangement);
+    text += ",\n";
+  }
   text +=
       matrix
           ? "  // By the sides that a person felt; how strong each winding is was not measured.\n"
