@@ -13,7 +13,9 @@ namespace hedgehog::base {
 
 std::string write_file_atomically(const std::string& path, std::string_view content, mode_t mode) {
   const std::string fresh = path + ".new";
-  const int fd = ::open(fresh.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, mode);
+  // A leftover goes first, whatever it is: a FIFO of that name would wait for a reader.
+  if (::unlink(fresh.c_str()) != 0 && errno != ENOENT) return fresh + ": " + std::strerror(errno);
+  const int fd = ::open(fresh.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
   if (fd < 0) return fresh + ": " + std::strerror(errno);
   bool good = true;
   while (good && !content.empty()) {

@@ -30,4 +30,23 @@ std::size_t edits_between(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+std::string_view nearest(std::string_view text, std::span<const std::string_view> names) {
+  constexpr std::size_t kLongest = 64;
+  constexpr std::string_view kBeforeLastPart = "_.-";
+  if (text.size() > kLongest || text.empty()) return {};
+  std::string_view best;
+  std::size_t lowest = std::max<std::size_t>(2, text.size() / 3) + 1;
+  for (const std::string_view candidate : names) {
+    const bool lacks_last_part =
+        candidate.size() > text.size() && candidate.starts_with(text) &&
+        kBeforeLastPart.find(candidate[text.size()]) != std::string_view::npos;
+    const std::size_t apart = lacks_last_part ? 0 : edits_between(text, candidate);
+    if (apart < lowest) {
+      lowest = apart;
+      best = candidate;
+    }
+  }
+  return best;
+}
+
 }  // namespace hedgehog::base

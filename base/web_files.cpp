@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "base/web_files.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <span>
 #include <utility>
+
+#include "base/crc32.h"
 
 namespace hedgehog::base {
 namespace {
@@ -29,7 +36,71 @@ std::string_view type_of(const fs::path& file) {
   return {};
 }
 
+std::uint32_t check_sum(const std::string& bytes) { return crc32(std::as_bytes(std::span(bytes))); }
+
+/// The last eight bytes of a gzip file are the CRC-32 and the length of what is in it (RFC 1952).
+bool holds(const std::string& gzip, const std::string& bytes) {
+  constexpr std::size_t kMinBytes = 18;
+  if (gzip.size() < kMinBytes) return false;
+  const auto word = [&](std::size_t from_end) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto byte = static_cast<unsigned char>(gzip[gzip.size() - from_end + i]);
+      value |= std::uint32_t{byte} << (8 * i);
+    }
+    return value;
+  };
+  return word(8) == check_sum(bytes) && word(4) == bytes.size();
+}
+
+/// Of esbuild: "-" and eight capital letters and digits before the ending.
+bool has_hash(const std::string& path) {
+  constexpr std::size_t kHash = 8;
+  const std::string stem = fs::path(path).stem().string();
+  if (stem.size() <= kHash || stem[stem.size() - kHash - 1] != '-') return false;
+  return std::all_of(stem.end() - kHash, stem.end(), [](char letter) {
+    return (letter >= 'A' && letter <= 'Z') || (letter >= '0' && letter <= '9');
+  });
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+bool accepts_gzip(std::string_view accept_encoding) {
+  while (!accept_encoding.empty()) {
+    const std::size_t end = std::min(accept_encoding.find(','), accept_encoding.size());
+    const std::string_view one = accept_encoding.substr(0, end);
+    accept_encoding.remove_prefix(std::min(end + 1, accept_encoding.size()));
+    const std::size_t mark = std::min(one.find(';'), one.size());
+    const std::string_view weight = trimmed(one.substr(std::min(mark + 1, one.size())));
+    // "q=0", "q=0.000": refused.
+    const bool refused =
+        weight.starts_with("q=0") && weight.find_first_not_of("q=0.") == std::string_view::npos;
+    if (trimmed(one.substr(0, mark)) == "gzip") return !refused;
+  }
+  return false;
+}
+
 }  // namespace
+
+WebFileAnswer web_file_answer(const WebFile& file, std::string_view accept_encoding,
+                              std::string_view if_none_match) {
+  WebFileAnswer answer;
+  const bool packed = file.gzip != nullptr && accepts_gzip(accept_encoding);
+  answer.etag = file.etag;
+  if (packed) {
+    answer.encoding = "gzip";
+    answer.etag.insert(answer.etag.size() - 1, "-gzip");
+  }
+  if (file.gzip != nullptr) answer.vary = "Accept-Encoding";
+  answer.cache_control = file.immutable ? "public, max-age=31536000, immutable" : "no-cache";
+  const bool same = !file.etag.empty() && if_none_match.find(answer.etag) != std::string_view::npos;
+  if (!same) answer.body = packed ? file.gzip : file.bytes;
+  return answer;
+}
 
 const WebFile* WebFiles::find(const std::string& path) const {
   const auto file = by_path.find(path == "/" ? "/index.html" : path);
@@ -39,10 +110,12 @@ const WebFile* WebFiles::find(const std::string& path) const {
 WebFiles read_web_files(const std::string& folder, WebFolder depth, std::size_t max_bytes) {
   WebFiles files;
   std::size_t total = 0;
+  std::map<std::string, std::shared_ptr<const std::string>> packed;
   for (fs::recursive_directory_iterator it(folder, files.error), end; !files.error && it != end;
        it.increment(files.error)) {
     if (depth == WebFolder::kAlone) it.disable_recursion_pending();
-    const std::string_view type = type_of(it->path());
+    const bool is_packed = it->path().extension() == ".gz";
+    const std::string_view type = type_of(is_packed ? it->path().stem() : it->path());
     if (type.empty() || it->is_symlink() || !it->is_regular_file()) continue;
     std::ifstream file(it->path(), std::ios::binary);
     auto bytes = std::make_shared<const std::string>(std::istreambuf_iterator<char>(file),
@@ -54,7 +127,19 @@ WebFiles read_web_files(const std::string& folder, WebFolder depth, std::size_t 
       return files;
     }
     std::string path = "/" + it->path().lexically_relative(folder).generic_string();
-    files.by_path.emplace(std::move(path), WebFile{type, std::move(bytes)});
+    if (is_packed) {
+      packed.emplace(path.substr(0, path.size() - 3), std::move(bytes));
+    } else {
+      std::string etag = fmt::format(R"("{:08x}-{:x}")", check_sum(*bytes), bytes->size());
+      const bool immutable = has_hash(path);
+      files.by_path.emplace(std::move(path),
+                            WebFile{type, std::move(bytes), nullptr, std::move(etag), immutable});
+    }
+  }
+  for (auto& [path, bytes] : packed) {
+    const auto file = files.by_path.find(path);
+    if (file != files.by_path.end() && holds(*bytes, *file->second.bytes))
+      file->second.gzip = std::move(bytes);
   }
   return files;
 }

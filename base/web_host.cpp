@@ -3,6 +3,8 @@
 
 #include <arpa/inet.h>
 
+#include <algorithm>
+
 #include "base/spelling.h"
 
 namespace hedgehog::base {
@@ -20,6 +22,13 @@ bool WebHost::is_v6() const {
 
 bool WebHost::is_loopback() const {
   return name == "localhost" || name == "[::1]" || (is_v4() && name.starts_with("127."));
+}
+
+bool WebHost::is_local() const {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  const bool is_port =
+      !port || (port->size() <= 5 && std::all_of(port->begin(), port->end(), is_digit));
+  return is_loopback() && is_port;
 }
 
 WebHost parse_web_host(std::string_view host) {

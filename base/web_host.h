@@ -18,6 +18,9 @@ struct WebHost {
   bool is_v6() const;
   /// "localhost", an address 127.x.x.x or "[::1]".
   bool is_loopback() const;
+  /// That, with whatever port: ssh -L gives a page another one. What a foreign page may do does not
+  /// depend on it.
+  bool is_local() const;
 };
 
 WebHost parse_web_host(std::string_view host);

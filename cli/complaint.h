@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// What is wrong with a command line, in one sentence.
+#pragma once
+
+#include <string>
+
+namespace CLI {  // NOLINT(readability-identifier-naming): CLI11 calls it so
+class App;
+class ParseError;
+}  // namespace CLI
+
+namespace hedgehog::cli {
+
+/// "there is no verb 'pulze'; did you mean 'pulse'?", "'--loud' is not understood", or CLI11's own
+/// words. `error` is what `app.parse` threw.
+std::string complaint(const CLI::App& app, const CLI::ParseError& error);
+
+/// "hedgehogctl pulse: <what>; hedgehogctl pulse --help says more", with the verbs that were given.
+std::string usage_error(const CLI::App& app, const std::string& what);
+
+}  // namespace hedgehog::cli
