@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How much dipole and how much pin force an ampere makes. The thesis has two answers which differ
-// by 2.1: its finite-element simulation (Fig. 2.9) and its measurement (Table 3.1). Both are kept;
-// what a ball uses is `force_slope_n_a` of its device file.
+// How much pin force an ampere makes. The thesis has two answers which differ by 2: its
+// finite-element simulation (Fig. 2.9) and its measurement (Table 3.1). Both are kept; what a ball
+// uses is `force_slope_n_a` of its device file.
 #pragma once
 
 #include <string_view>
@@ -15,7 +15,7 @@ struct PinMagnet {
   double remanence_t = 0.0;
   double radius_m = 0.0;
   double length_m = 0.0;
-  /// From the centre of the ball to the near face, pin at rest.
+  /// From the centre of the ball to the near face, pin at offset 0.
   double inner_face_m = 0.0;
 };
 
@@ -29,15 +29,15 @@ double force_per_moment(const PinMagnet& pin, double extension_m = 0.0) noexcept
 
 struct FieldCalibration {
   std::string_view name;
-  /// Dipole moment per ampere-equivalent, A m^2 / A.
-  double moment_per_ampere = 0.0;
-  /// Outward force on a pin at rest that the field aims at, N / A.
+  /// Outward force on a pin that the field aims at, N / A.
   double force_slope_n_a = 0.0;
 };
 
-/// 0.4 N at 15 A (thesis Fig. 2.9, finite elements).
-inline constexpr FieldCalibration kFeaCalibration{"fea", 0.2023, 0.02667};
-/// The median of the three measured slopes (thesis Table 3.1). The default of every ball.
-inline constexpr FieldCalibration kMeasuredCalibration{"measured", 0.0956, 0.0126};
+/// 0.4 N at 15 A on a magnet that stands on the sphere, offset 0 (thesis Fig. 2.9, finite
+/// elements).
+inline constexpr FieldCalibration kFeaCalibration{"fea", 0.02667};
+/// The median of the three measured slopes (thesis Table 3.1), of a pin at its rest, some 0.5 mm
+/// out (section 3.1.1). The default of every ball.
+inline constexpr FieldCalibration kMeasuredCalibration{"measured", 0.0126};
 
 }  // namespace hedgehog::model

@@ -32,6 +32,7 @@ struct DeviceModel {
   ThermalModel thermal;
   /// By how much this ball may differ from `thermal` and `coils.r25_ohm`.
   ThermalUncertainty uncertainty;
+  /// On the typical pin at its rest (`PinCurves::typical_rest_mm`).
   double force_slope_n_a = kMeasuredCalibration.force_slope_n_a;
   /// Configuration may only tighten these.
   Limits limits;

@@ -8,7 +8,6 @@ namespace hedgehog::model {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kPitchDegrees = 23.5;
 /// A phase so close below a boundary has reached it: a hundred times 0.01 is a whole step.
 constexpr double kPhaseRounding = 1e-9;
 
@@ -67,8 +66,8 @@ double envelope_level(const EffectSpec& spec, Tick elapsed) noexcept {
 
 }  // namespace
 
-int circle_steps(double ring_deg) noexcept {
-  const double steps = std::round(360.0 * std::sin(ring_deg * kPi / 180.0) / kPitchDegrees);
+int circle_steps(double ring_deg, double pitch_deg) noexcept {
+  const double steps = std::round(360.0 * std::sin(ring_deg * kPi / 180.0) / pitch_deg);
   return std::max(1, static_cast<int>(steps));
 }
 
@@ -84,7 +83,7 @@ Ring ring_of(const Trajectory& trajectory) noexcept {
   return {.along = std::cos(angle) * axis,
           .front = radius * front,
           .side = (trajectory.clockwise ? -radius : radius) * cross(axis, front),
-          .steps = circle_steps(trajectory.ring_deg),
+          .steps = circle_steps(trajectory.ring_deg, trajectory.pitch_deg),
           .smooth = trajectory.smooth};
 }
 
@@ -137,8 +136,8 @@ EffectPhase carried(const EffectSpec& from, const EffectSpec& to, EffectPhase ph
     phase.steps = 0.0;
     return phase;
   }
-  const int before = circle_steps(from.trajectory.ring_deg);
-  const int after = circle_steps(to.trajectory.ring_deg);
+  const int before = circle_steps(from.trajectory.ring_deg, from.trajectory.pitch_deg);
+  const int after = circle_steps(to.trajectory.ring_deg, to.trajectory.pitch_deg);
   if (from.trajectory.clockwise != to.trajectory.clockwise) {
     // Walking back from the step it stands on, after the rest of its time there.
     const double stands = to.trajectory.smooth ? phase.steps : whole(phase.steps);

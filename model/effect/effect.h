@@ -7,6 +7,7 @@
 
 #include <cstdint>
 
+#include "model/geometry/pin_array.h"
 #include "model/quaternion.h"
 #include "model/tick.h"
 #include "model/vec3.h"
@@ -48,6 +49,8 @@ struct Trajectory {
   /// the sense.
   Vec3 axis{0, 0, 1};
   double ring_deg = 90.0;
+  /// A step, from pin to pin at the equator, 1..120 degrees (`pin_pitch_deg`).
+  double pitch_deg = kThesisPitchDeg;
   double speed_pins_s = 10.0;
   bool clockwise = false;
   /// false: the field jumps from pin to pin ("pin"); true: it glides ("smooth").
@@ -105,9 +108,9 @@ struct EffectPhase {
   std::uint32_t noise = 0x9e3779b9u;
 };
 
-/// Equal steps in one turn of a circle `ring_deg` from its axis: round(360 sin(ring_deg) / 23.5),
-/// at least 1. The pitch of 23.5 degrees is the thesis' 2 cm between pins, 15 at the equator.
-int circle_steps(double ring_deg) noexcept;
+/// Equal steps in one turn of a circle `ring_deg` from its axis: round(360 sin(ring_deg) / pitch),
+/// at least 1. With the thesis' pitch of 2 cm they are 15 at the equator.
+int circle_steps(double ring_deg, double pitch_deg = kThesisPitchDeg) noexcept;
 
 /// A trajectory with its trigonometry done, for the control loop. `along + cos(a) front +
 /// sin(a) side` runs through the directions; a fixed direction is `along` alone.

@@ -14,7 +14,9 @@
 namespace hedgehog::model {
 
 /// Force on the pin at `pin_direction` (unit vector), N, outwards positive. `slope_n_a`: force per
-/// ampere on a pin that the field aims at, e.g. kMeasuredCalibration.force_slope_n_a. RT-safe.
+/// ampere on the typical pin at its rest that the field aims at, as
+/// kMeasuredCalibration.force_slope_n_a; what another gets at its own rest differs by up to 5 %
+/// (`PinCurves::force_at_rest_n`). RT-safe.
 constexpr double force_on_pin(const FieldDemand& field, const Vec3& pin_direction,
                               double slope_n_a) noexcept {
   return slope_n_a * dot(field.a, pin_direction);

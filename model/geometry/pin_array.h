@@ -54,4 +54,13 @@ struct PinArray {
 /// about 0.79. RT-safe.
 NearestPin nearest_pin(const PinArray& array, const Vec3& direction) noexcept;
 
+/// From pin to pin on the ball of the thesis: 2 cm (section 3.2: 10 pins a second are 20 cm/s),
+/// degrees.
+inline constexpr double kThesisPitchDeg = 23.5;
+
+/// The same on a ball with other pins: by as much more as the nearest pins are farther apart, in
+/// the median of all pins; to 0.01 degrees. At most 120; that of the thesis with fewer than two
+/// pins.
+double pin_pitch_deg(const PinArray& array);
+
 }  // namespace hedgehog::model

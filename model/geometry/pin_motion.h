@@ -12,8 +12,8 @@ namespace hedgehog::model {
 
 /// Of each pin, by its number.
 struct PinMotion {
-  /// What the coils push with, N, outwards positive, as on the pin at offset 0 (`pin_forces`). What
-  /// the shields hold against it is not in it.
+  /// What the coils push with, N, outwards positive, on the pin at its rest
+  /// (`PinCurves::force_at_rest_n`). What the shields hold against it is not in it.
   std::vector<double> force_n;
   /// How far that holds the pin from where it rests without current, mm, outwards positive
   /// (`PinCurves::extension_mm`). The pin has settled: neither its mass nor a hand on it counts.

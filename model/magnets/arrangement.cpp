@@ -23,6 +23,8 @@ struct GoldbergName {
 };
 
 std::optional<GoldbergName> goldberg_named(std::string_view name) {
+  if (name == "D") return GoldbergName{1, 0};
+  if (name == "tI") return GoldbergName{1, 1};
   if (name == "cD") return GoldbergName{2, 0};
   if (name == "wD") return GoldbergName{2, 1};
   if (name == "tkD") return GoldbergName{3, 0};
@@ -85,13 +87,16 @@ MagnetResult<Arrangement> ball_86(std::string name, std::ptrdiff_t touching) {
 }
 
 std::optional<MagnetError> remove(std::vector<MagnetSite>& sites, std::span<const int> ids,
-                                  std::string_view what) {
-  for (const int id : ids) {
+                                  std::string_view what, GeometryPart part) {
+  for (auto at = ids.begin(); at != ids.end(); ++at) {
+    const int id = *at;
     const auto found = std::find_if(sites.begin(), sites.end(),
                                     [&](const MagnetSite& site) { return site.id == id; });
     if (found == sites.end()) {
-      return MagnetError{"there is no " + std::string(what) + ' ' + std::to_string(id) +
-                         " to remove"};
+      const std::string named = std::string(what) + ' ' + std::to_string(id);
+      const bool again = std::find(ids.begin(), at, id) != at;
+      return MagnetError{
+          again ? named + " is removed twice" : "there is no " + named + " to remove", part};
     }
     sites.erase(found);
   }
@@ -107,7 +112,7 @@ MagnetResult<Arrangement> arrangement_named(std::string_view name) {
   const auto gp = goldberg_named(name);
   if (!gp) {
     return MagnetError{"unknown array '" + std::string(name) +
-                       "': known are cD, wD, tkD, GP(m,n), tkD-86, tkD-86-5 and tkD-86-20"};
+                       "': known are cD, wD, tkD, D, tI, GP(m,n), tkD-86, tkD-86-5 and tkD-86-20"};
   }
   if (gp->m < 1 || gp->n < 0 || gp->m > kMaxGoldberg || gp->n > kMaxGoldberg - gp->m) {
     return MagnetError{"array '" + std::string(name) +
@@ -119,8 +124,9 @@ MagnetResult<Arrangement> arrangement_named(std::string_view name) {
 
 MagnetResult<Arrangement> without(Arrangement arrangement, std::span<const int> pins,
                                   std::span<const int> shields) {
-  if (auto error = remove(arrangement.pins, pins, "pin")) return *error;
-  if (auto error = remove(arrangement.shields, shields, "shield")) return *error;
+  if (auto error = remove(arrangement.pins, pins, "pin", GeometryPart::kRemovedPins)) return *error;
+  if (auto error = remove(arrangement.shields, shields, "shield", GeometryPart::kRemovedShields))
+    return *error;
   return arrangement;
 }
 

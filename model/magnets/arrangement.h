@@ -30,13 +30,13 @@ struct Arrangement {
   std::vector<MagnetSite> shields;
 };
 
-/// "cD" (42 faces, GP(2,0)), "wD" (72, GP(2,1)), "tkD" (92, GP(3,0)), any "GP(m,n)" with
-/// 1 <= m, 0 <= n, m + n <= 8, and the ball of the thesis: "tkD-86" with the 10 shields removed
-/// that touch two or three of its removed faces, "tkD-86-5" and "tkD-86-20" with those that touch
-/// three and one (reference: physics.md section 4). A pentagon is on top; the pins of the balls
-/// bear the numbers of `thesis_ball`, others are numbered from the top down, anticlockwise from the
-/// front in each height. Every call computes anew (tkD 10 ms, GP(8,0) about a second): keep the
-/// value.
+/// "D" (the dodecahedron, 12 faces, GP(1,0)), "tI" (32, GP(1,1)), "cD" (42 faces, GP(2,0)), "wD"
+/// (72, GP(2,1)), "tkD" (92, GP(3,0)), any "GP(m,n)" with 1 <= m, 0 <= n, m + n <= 8, and the ball
+/// of the thesis: "tkD-86" with the 10 shields removed that touch two or three of its removed
+/// faces, "tkD-86-5" and "tkD-86-20" with those that touch three and one (reference: physics.md
+/// section 4). A pentagon is on top; the pins of the balls bear the numbers of `thesis_ball`,
+/// others are numbered from the top down, anticlockwise from the front in each height. Every call
+/// computes anew (tkD 10 ms, GP(8,0) about a second): keep the value.
 MagnetResult<Arrangement> arrangement_named(std::string_view name);
 
 /// `arrangement` less the pins and shields with these ids; an id that there is not is an error.

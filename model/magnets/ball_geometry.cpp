@@ -35,10 +35,11 @@ MagnetResult<double> front_azimuth(const Arrangement& whole, int front_pin) {
   const auto front = std::find_if(whole.pins.begin(), whole.pins.end(),
                                   [&](const MagnetSite& pin) { return pin.id == front_pin; });
   const std::string named = "pin " + std::to_string(front_pin);
-  if (front == whole.pins.end()) return MagnetError{"there is no " + named + " to be the front"};
+  if (front == whole.pins.end())
+    return MagnetError{"there is no " + named + " to be the front", GeometryPart::kFrontPin};
   const Vec3& direction = front->direction;
   if (std::hypot(direction.x, direction.y) < kNoTurn)
-    return MagnetError{named + " is at a pole and shows no front"};
+    return MagnetError{named + " is at a pole and shows no front", GeometryPart::kFrontPin};
   return std::atan2(direction.y, direction.x);
 }
 
@@ -66,7 +67,7 @@ MagnetResult<Arrangement> arrangement_of(const BallGeometry& geometry) {
   if (front.has_error()) return front.error();
   auto ball = without(*std::move(whole), geometry.removed_pins, geometry.removed_shields);
   if (ball.has_error()) return ball.error();
-  if (ball->pins.empty()) return MagnetError{"no pin is left"};
+  if (ball->pins.empty()) return MagnetError{"no pin is left", GeometryPart::kRemovedPins};
   if (std::abs(*front) > kNoTurn) {
     turn(ball->pins, -*front);
     turn(ball->shields, -*front);

@@ -37,9 +37,9 @@ struct BallPins {
   PinCurves curves;
 };
 
-/// Computed by every call, but for the ball of the thesis, whose are computed once (80 ms). The
-/// time grows with the number of pins whose surroundings differ: one shield removed makes it a
-/// second, a fine array without symmetry half a minute.
+/// Computed by every call, but for the ball of the thesis, whose are computed once (80 ms). Each
+/// angle between two magnets is computed once: GP(8,0) less two pins, the largest array without any
+/// symmetry, takes 0.4 s for its places and 0.3 s for its curves.
 MagnetResult<std::shared_ptr<const BallPins>> ball_pins(const BallGeometry& geometry);
 
 /// The ball of the thesis (section 2.3): the tkD array, the canonical GP(3,0) of 92 faces with a

@@ -76,11 +76,9 @@ double slope_at(const PinForce& force, double offset_mm) {
          (2.0 * kStepMm);
 }
 
-/// Where F + push first falls to zero beyond the rest.
-template <typename Push>
+/// Where F + push first falls to zero beyond `from_mm`, counted from there.
 std::optional<double> extension_under(const PinForce& force, const Characterisation& character,
-                                      const Push& push) {
-  if (!character.rest_mm) return std::nullopt;
+                                      Sample from, const Push& push) {
   const auto total = [&](double offset_mm) {
     return force.at(offset_mm).force_n + push(offset_mm);
   };
@@ -91,12 +89,27 @@ std::optional<double> extension_under(const PinForce& force, const Characterisat
   samples.push_back({character.minimum_mm, character.minimum_n});
   std::sort(samples.begin(), samples.end(),
             [](const Sample& a, const Sample& b) { return a.at < b.at; });
-  Sample before{*character.rest_mm, push(*character.rest_mm)};
+  Sample before{from.at, from.value + push(from.at)};
   if (before.value <= 0.0) return 0.0;
   for (const Sample& sample : samples) {
     if (sample.at <= before.at) continue;
     const Sample here{sample.at, sample.value + push(sample.at)};
-    if (here.value <= 0.0) return root_between(total, before, here) - *character.rest_mm;
+    if (here.value <= 0.0) return root_between(total, before, here) - from.at;
+    before = here;
+  }
+  return std::nullopt;
+}
+
+/// REQUIRES: the rest and the force at the shell are there.
+template <typename Function>
+std::optional<double> standing_of(const Characterisation& character, const Function& value) {
+  if (character.shell_n <= 0.0) return 0.0;
+  if (character.rest_mm && *character.rest_mm > 0.0) return character.rest_mm;
+  Sample before{0.0, character.shell_n};
+  for (std::size_t i = 0; i < character.curve.offsets_mm.size(); ++i) {
+    const Sample here = sample_of(character.curve, i);
+    if (here.at <= 0.0) continue;
+    if (before.value > 0.0 && here.value <= 0.0) return root_between(value, before, here);
     before = here;
   }
   return std::nullopt;
@@ -131,6 +144,8 @@ Characterisation characterise(const PinForce& force, const OffsetGrid& grid) {
     minimum = minimum_between(value, sample_of(curve, at - 1), minimum, sample_of(curve, at + 1));
   result.minimum_mm = minimum.at;
   result.minimum_n = minimum.value;
+  result.shell_n = value(0.0);
+  result.standing_mm = standing_of(result, value);
   return result;
 }
 
@@ -146,18 +161,35 @@ std::vector<Characterisation> characterise(const std::vector<PinClass>& classes,
 
 std::optional<double> extension_mm(const PinForce& force, const Characterisation& character,
                                    double coil_force_n) {
-  return extension_under(
-      force, character, [&](double) { return coil_force_n; });
+  if (!character.rest_mm) return std::nullopt;
+  return extension_under(force, character, {*character.rest_mm, 0.0}, constant_push(coil_force_n));
 }
 
 std::optional<double> extension_mm(const PinForce& force, const Characterisation& character,
                                    const Electromagnet& coil, double current_a) {
-  return extension_under(
-      force, character,
-      [&](double offset_mm) {
-        return coil_force_n(coil, current_a, force.sizes().pin, force.sizes().sphere_radius_mm, 0.0,
-                            offset_mm);
-      });
+  if (!character.rest_mm) return std::nullopt;
+  return extension_under(force, character, {*character.rest_mm, 0.0},
+                         coil_push(coil, current_a, force.sizes()));
+}
+
+Push constant_push(double force_n) {
+  return [force_n](double) { return force_n; };
+}
+
+Push coil_push(const Electromagnet& coil, double current_a, const ArraySizes& sizes) {
+  return [=](double offset_mm) {
+    return coil_force_n(coil, current_a, sizes.pin, sizes.sphere_radius_mm, 0.0, offset_mm);
+  };
+}
+
+std::optional<Stroke> stroke(const PinForce& force, const Characterisation& character,
+                             const Push& push, const PinTravel& travel) {
+  if (!character.standing_mm) return std::nullopt;
+  const double from_mm = *character.standing_mm;
+  const double most_mm = std::max(0.0, travel.highest_mm - from_mm);
+  const auto moved_mm = extension_under(force, character, {from_mm, -character.preload_n()}, push);
+  if (moved_mm && *moved_mm <= most_mm) return Stroke{*moved_mm, false, false};
+  return Stroke{most_mm, true, !moved_mm};
 }
 
 }  // namespace hedgehog::model

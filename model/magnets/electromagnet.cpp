@@ -5,31 +5,30 @@
 #include <cmath>
 #include <numbers>
 
-namespace hedgehog::model {
-namespace {
+#include "model/magnets/ball_geometry.h"
 
-double force_per_moment_at(const CylinderMagnet& pin, double sphere_radius_mm,
-                           double offset_mm) noexcept {
+namespace hedgehog::model {
+
+double force_per_moment_n(const CylinderMagnet& pin, double sphere_radius_mm,
+                          double offset_mm) noexcept {
   const PinMagnet rod{pin.remanence_t, 1e-3 * pin.radius_mm(), 1e-3 * pin.height_mm,
                       1e-3 * sphere_radius_mm};
   return force_per_moment(rod, 1e-3 * offset_mm);
 }
 
-}  // namespace
-
 Electromagnet fea_electromagnet() noexcept {
   return {kFeaCalibration.name, 0.4 / kBurstCurrentA / force_per_moment(kThesisPin)};
 }
 
-Electromagnet measured_electromagnet() noexcept {
+Electromagnet measured_electromagnet() {
+  const double rest_m = 1e-3 * thesis_ball().curves.typical_rest_mm();
   return {kMeasuredCalibration.name,
-          kMeasuredCalibration.force_slope_n_a / force_per_moment(kThesisPin)};
+          kMeasuredCalibration.force_slope_n_a / force_per_moment(kThesisPin, rest_m)};
 }
 
 double coil_force_n(const Electromagnet& coil, double current_a, const CylinderMagnet& pin,
                     double sphere_radius_mm, double angle_deg, double offset_mm) noexcept {
-  return coil.moment_per_ampere * current_a *
-         force_per_moment_at(pin, sphere_radius_mm, offset_mm) *
+  return coil.moment_per_ampere * current_a * force_per_moment_n(pin, sphere_radius_mm, offset_mm) *
          std::cos(angle_deg * std::numbers::pi / 180.0);
 }
 

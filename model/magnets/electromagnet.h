@@ -22,10 +22,15 @@ struct Electromagnet {
   double moment_per_ampere = 0.0;
 };
 
-/// The thesis' simulation, 0.4 N at 15 A on the thesis' pin: 0.202271 A m^2/A.
+/// The thesis' simulation, 0.4 N at 15 A on the thesis' pin at offset 0: 0.202271 A m^2/A.
 Electromagnet fea_electromagnet() noexcept;
-/// Its measurement, 0.0126 N/A: 0.09557 A m^2/A.
-Electromagnet measured_electromagnet() noexcept;
+/// Its measurement, 0.0126 N/A on the typical pin of the thesis' ball at its rest, where it was
+/// measured (section 3.1.1): 0.1004 A m^2/A. Computes `thesis_ball()` when that is not there yet.
+Electromagnet measured_electromagnet();
+
+/// Outward force per A m^2 on a pin that the dipole points at, N.
+double force_per_moment_n(const CylinderMagnet& pin, double sphere_radius_mm,
+                          double offset_mm) noexcept;
 
 /// Outward force on a pin, N: `angle_deg` between the field and the pin's axis.
 double coil_force_n(const Electromagnet& coil, double current_a, const CylinderMagnet& pin,

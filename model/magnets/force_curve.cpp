@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
+#include <utility>
 
 #include "model/magnets/pair/face_flux.h"
 
@@ -35,38 +37,79 @@ Faces faces_of(const std::vector<double>& offsets_mm, const ArraySizes& sizes) {
   return faces;
 }
 
-/// Adds what magnets under these angles do; `sign` -1: of opposite polarity.
-void add_exact(const MagnetPair& pair, const AngleCount& angle, double sign, double accuracy,
-               const Faces& faces, ForceCurve& curve) {
-  const FaceFlux flux(pair, angle.angle_deg, 0.0);
+/// What one magnet under that angle does.
+ForceCurve exact_pair_curve(const MagnetPair& pair, double angle_deg, double accuracy,
+                            const Faces& faces) {
+  const FaceFlux flux(pair, angle_deg, 0.0);
   std::vector<FaceForce> known(faces.distance_mm.size());
   const auto face = [&](std::size_t at) -> FaceForce& {
     if (known[at].order == 0) known[at] = flux.first(faces.distance_mm[at], accuracy);
     return known[at];
   };
-  for (std::size_t i = 0; i < curve.offsets_mm.size(); ++i) {
+  ForceCurve curve;
+  for (std::size_t i = 0; i < faces.bottom.size(); ++i) {
     const std::size_t bottom = faces.bottom[i];
     const std::size_t top = faces.top[i];
     const PairForce force = settle(flux, faces.distance_mm[bottom], face(bottom),
                                    faces.distance_mm[top], face(top), accuracy);
-    curve.force_n[i] += sign * angle.count * force.force_n;
-    curve.error_n[i] += angle.count * force.error_n;
+    curve.force_n.push_back(force.force_n);
+    curve.error_n.push_back(force.error_n);
+  }
+  return curve;
+}
+
+ForceCurve pair_curve(const MagnetPair& pair, double angle_deg, const ForceSettings& settings,
+                      const std::vector<double>& offsets_mm, const Faces& faces) {
+  if (!takes_dipoles(settings.model, angle_deg))
+    return exact_pair_curve(pair, angle_deg, clamped(settings.accuracy), faces);
+  ForceCurve curve;
+  for (const double offset_mm : offsets_mm) {
+    curve.force_n.push_back(pair_force(pair, {angle_deg, offset_mm, 0.0}, settings).force_n);
+    curve.error_n.push_back(0.0);
+  }
+  return curve;
+}
+
+/// Adds `factor` times what one magnet does; `factor` below 0: of opposite polarity.
+void add(const ForceCurve& pair, double factor, ForceCurve& sum) {
+  for (std::size_t i = 0; i < sum.offsets_mm.size(); ++i) {
+    sum.force_n[i] += factor * pair.force_n[i];
+    sum.error_n[i] += std::abs(factor) * pair.error_n[i];
   }
 }
 
-void add(const MagnetPair& pair, const std::vector<AngleCount>& angles, double sign,
-         const ForceSettings& settings, const Faces& faces, ForceCurve& curve) {
-  for (const AngleCount& angle : angles) {
-    if (!takes_dipoles(settings.model, angle.angle_deg)) {
-      add_exact(pair, angle, sign, clamped(settings.accuracy), faces, curve);
-      continue;
-    }
-    for (std::size_t i = 0; i < curve.offsets_mm.size(); ++i) {
-      const PairPlace place{angle.angle_deg, curve.offsets_mm[i], 0.0};
-      curve.force_n[i] += sign * angle.count * pair_force(pair, place, settings).force_n;
-    }
-  }
+ForceCurve empty_curve(const OffsetGrid& grid) {
+  ForceCurve curve;
+  curve.offsets_mm = grid.offsets_mm();
+  curve.force_n.resize(curve.offsets_mm.size());
+  curve.error_n.resize(curve.offsets_mm.size());
+  return curve;
 }
+
+/// The curves of one kind of pair, each computed when its angle first comes.
+class PairCurves {
+ public:
+  PairCurves(const MagnetPair& pair, const ForceSettings& settings, const Faces& faces,
+             const std::vector<double>& offsets_mm)
+      : pair_(pair), settings_(settings), faces_(faces), offsets_mm_(offsets_mm) {}
+
+  void add_to(ForceCurve& sum, const std::vector<AngleCount>& angles, double sign) {
+    for (const AngleCount& angle : angles) add(at(angle.angle_deg), sign * angle.count, sum);
+  }
+
+ private:
+  const ForceCurve& at(double angle_deg) {
+    const auto [known, is_new] = curves_.try_emplace(std::lround(angle_deg / kSameAngleDeg));
+    if (is_new) known->second = pair_curve(pair_, angle_deg, settings_, offsets_mm_, faces_);
+    return known->second;
+  }
+
+  MagnetPair pair_;
+  ForceSettings settings_;
+  const Faces& faces_;
+  const std::vector<double>& offsets_mm_;
+  std::unordered_map<long, ForceCurve> curves_;
+};
 
 }  // namespace
 
@@ -93,15 +136,34 @@ std::vector<double> OffsetGrid::offsets_mm() const {
 }
 
 ForceCurve force_curve(const PinForce& force, const OffsetGrid& grid) {
-  ForceCurve curve;
-  curve.offsets_mm = grid.offsets_mm();
-  curve.force_n.resize(curve.offsets_mm.size());
-  curve.error_n.resize(curve.offsets_mm.size());
+  ForceCurve curve = empty_curve(grid);
   const ArraySizes& sizes = force.sizes();
   const Faces faces = faces_of(curve.offsets_mm, sizes);
-  add(sizes.pin_and_pin(), force.pin_class().to_pins, 1.0, force.settings(), faces, curve);
-  add(sizes.pin_and_shield(), force.pin_class().to_shields, -1.0, force.settings(), faces, curve);
+  const auto add_all = [&](const MagnetPair& pair, const std::vector<AngleCount>& angles,
+                           double sign) {
+    for (const AngleCount& angle : angles)
+      add(pair_curve(pair, angle.angle_deg, force.settings(), curve.offsets_mm, faces),
+          sign * angle.count, curve);
+  };
+  add_all(sizes.pin_and_pin(), force.pin_class().to_pins, 1.0);
+  add_all(sizes.pin_and_shield(), force.pin_class().to_shields, -1.0);
   return curve;
+}
+
+std::vector<ForceCurve> force_curves(const std::vector<PinClass>& classes, const ArraySizes& sizes,
+                                     const ForceSettings& settings, const OffsetGrid& grid) {
+  const std::vector<double> offsets_mm = grid.offsets_mm();
+  const Faces faces = faces_of(offsets_mm, sizes);
+  PairCurves pins(sizes.pin_and_pin(), settings, faces, offsets_mm);
+  PairCurves shields(sizes.pin_and_shield(), settings, faces, offsets_mm);
+  std::vector<ForceCurve> curves;
+  for (const PinClass& pin_class : classes) {
+    ForceCurve curve = empty_curve(grid);
+    pins.add_to(curve, pin_class.to_pins, 1.0);
+    shields.add_to(curve, pin_class.to_shields, -1.0);
+    curves.push_back(std::move(curve));
+  }
+  return curves;
 }
 
 }  // namespace hedgehog::model

@@ -55,4 +55,10 @@ struct ForceCurve {
 /// Faster than point by point: a face that has been visited is not visited again.
 ForceCurve force_curve(const PinForce& force, const OffsetGrid& grid = kThesisGrid);
 
+/// One for each class, to `kSameAngleDeg` of each pair's angle. An array from which magnets were
+/// taken has a class for each pin, yet the angles of the whole one: every angle is computed once
+/// (GP(8,0) less two pins: 640 classes, 0.2 s instead of 9).
+std::vector<ForceCurve> force_curves(const std::vector<PinClass>& classes, const ArraySizes& sizes,
+                                     const ForceSettings& settings, const OffsetGrid& grid);
+
 }  // namespace hedgehog::model

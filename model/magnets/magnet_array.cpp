@@ -56,14 +56,16 @@ std::vector<MagnetGap> smallest_gaps(const Arrangement& arrangement, const Array
 }
 
 std::optional<MagnetError> check_fit(const Arrangement& arrangement, const ArraySizes& sizes) {
-  if (auto problem = problem_with(sizes)) return MagnetError{*problem};
+  if (auto problem = problem_with(sizes)) return MagnetError{*problem, GeometryPart::kAllSizes};
   std::optional<MagnetGap> worst;
   for (const MagnetGap& gap : smallest_gaps(arrangement, sizes))
     if (gap.gap_mm <= 0.0 && (!worst || gap.gap_mm < worst->gap_mm)) worst = gap;
   if (!worst) return std::nullopt;
-  return MagnetError{fmt::format("{} {} and {} {} overlap by {:.2f} mm at {:.2f} degrees",
-                                 name_of(worst->kind_a), worst->id_a, name_of(worst->kind_b),
-                                 worst->id_b, -worst->gap_mm, worst->angle_deg)};
+  return MagnetError{
+      fmt::format("{} {} and {} {} overlap by {:.2f} mm at {:.2f} degrees", name_of(worst->kind_a),
+                  worst->id_a, name_of(worst->kind_b), worst->id_b, -worst->gap_mm,
+                  worst->angle_deg),
+      worst->kind_b == MagnetKind::kPin ? GeometryPart::kPinSizes : GeometryPart::kAllSizes};
 }
 
 double magnets_mass_g(const Arrangement& arrangement, const ArraySizes& sizes) noexcept {

@@ -16,27 +16,44 @@ PinCurves::PinCurves(const Arrangement& arrangement, const ArraySizes& sizes,
   constexpr ForceSettings kSettings{ForceModel::kExact, 1e-4};
   const double step_mm = (travel.highest_mm - travel.lowest_mm) / (kPoints - 1);
   const OffsetGrid grid{travel.lowest_mm, travel.highest_mm, step_mm};
-  const Electromagnet coil = measured_electromagnet();
   const auto push = [&](double offset_mm) {
-    return coil_force_n(coil, 1.0, sizes.pin, sizes.sphere_radius_mm, 0.0, offset_mm);
+    return force_per_moment_n(sizes.pin, sizes.sphere_radius_mm, offset_mm);
   };
-  for (const PinClass& pin_class : symmetry_classes(arrangement)) {
-    const ForceCurve curve = force_curve({pin_class, sizes, kSettings}, grid);
-    HoldingForce holding{};
+  const std::vector<PinClass> classes = symmetry_classes(arrangement);
+  const std::vector<ForceCurve> curves = force_curves(classes, sizes, kSettings, grid);
+  for (std::size_t c = 0; c < classes.size(); ++c) {
+    const PinClass& pin_class = classes[c];
+    const ForceCurve& curve = curves[c];
+    Class one;
     for (std::size_t i = 0; i < kPoints; ++i) {
-      holding[i] = -curve.force_n[i] * push(0.0) / push(curve.offsets_mm[i]);
+      one.holding[i] = -curve.force_n[i] / push(curve.offsets_mm[i]);
       // Beyond the strongest pull nothing holds the pin on its way out.
-      if (i > 0) holding[i] = std::max(holding[i], holding[i - 1]);
+      if (i > 0) one.holding[i] = std::max(one.holding[i], one.holding[i - 1]);
     }
     for (std::size_t i = 0; i < arrangement.pins.size(); ++i)
       if (std::binary_search(pin_class.pins.begin(), pin_class.pins.end(), arrangement.pins[i].id))
         class_of_[i] = static_cast<std::uint16_t>(classes_.size());
-    classes_.push_back(holding);
+    classes_.push_back(one);
   }
+  // Where a pin rests does not depend on the scale of the push.
+  typical_rest_mm_ = median_rest_mm();
+  for (std::size_t pin = 0; pin < size(); ++pin)
+    classes_[class_of_[pin]].share_at_rest = push(rest_mm(pin)) / push(typical_rest_mm_);
+  for (Class& one : classes_)
+    for (double& force : one.holding) force *= push(typical_rest_mm_);
+}
+
+double PinCurves::median_rest_mm() const {
+  if (size() == 0) return 0.0;
+  std::vector<double> rests;
+  for (std::size_t pin = 0; pin < size(); ++pin) rests.push_back(rest_mm(pin));
+  const auto middle = rests.begin() + static_cast<std::ptrdiff_t>((rests.size() - 1) / 2);
+  std::nth_element(rests.begin(), middle, rests.end());
+  return *middle;
 }
 
 double PinCurves::offset_mm(std::size_t pin, double coil_force_n) const noexcept {
-  const HoldingForce& holding = classes_[class_of_[pin]];
+  const HoldingForce& holding = classes_[class_of_[pin]].holding;
   const double force = std::isnan(coil_force_n) ? 0.0 : coil_force_n;
   const auto above = std::upper_bound(holding.begin(), holding.end(), force);
   if (above == holding.begin()) return travel_.lowest_mm;

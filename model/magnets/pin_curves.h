@@ -27,12 +27,21 @@ class PinCurves {
   PinCurves(const Arrangement& arrangement, const ArraySizes& sizes, const PinTravel& travel = {});
 
   std::size_t size() const noexcept { return class_of_.size(); }
+  /// The median of the pins' rests, mm. A pin there is the typical one, whose force the device
+  /// file's slope is (thesis section 3.1.1 measured on one of the commonest).
+  double typical_rest_mm() const noexcept { return typical_rest_mm_; }
+  /// What a pin at its own rest gets where the typical one at its rest gets `typical_force_n`, N:
+  /// one that is nearer to the coil gets more (5 % at 0.5 mm).
+  double force_at_rest_n(std::size_t pin, double typical_force_n) const noexcept {
+    return typical_force_n * classes_[class_of_[pin]].share_at_rest;
+  }
   /// Offset without any coil force, mm. A pin that the shields pull below its travel lies on the
   /// shell, and the first part of a push goes into that preload. REQUIRES: pin < size(), in the
   /// order of the arrangement's pins.
   double rest_mm(std::size_t pin) const noexcept { return offset_mm(pin, 0.0); }
-  /// Offset under a coil force, mm. `coil_force_n`: outward, as it would be on the pin at offset 0
-  /// (`pin_forces`); that it weakens while the pin moves out is in the curve. A force that expels
+  /// Offset under a coil force, mm. `coil_force_n`: outward, as it would be on this pin at the
+  /// typical rest (`pin_forces`); that it is more below and less beyond is in the curve. A force
+  /// that expels
   /// the pin, or pulls it in entirely, leaves it at the end of its travel; not a number counts as
   /// 0.
   double offset_mm(std::size_t pin, double coil_force_n) const noexcept;
@@ -49,9 +58,17 @@ class PinCurves {
   static constexpr std::size_t kPoints = 31;
   /// The coil force that holds a pin at each of the points; never falling.
   using HoldingForce = std::array<double, kPoints>;
+  struct Class {
+    HoldingForce holding{};
+    /// Of the force at the typical rest.
+    double share_at_rest = 1.0;
+  };
+
+  double median_rest_mm() const;
 
   PinTravel travel_;
-  std::vector<HoldingForce> classes_;
+  double typical_rest_mm_ = 0.0;
+  std::vector<Class> classes_;
   std::vector<std::uint16_t> class_of_;
 };
 
