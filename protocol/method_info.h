@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "protocol/wire/error_set.h"
 #include "protocol/wire/role.h"
 
 namespace hedgehog::protocol {
@@ -17,7 +18,17 @@ struct MethodInfo {
   std::optional<Role> role;
   /// One sentence, in the OpenRPC document.
   std::string_view summary;
+  /// Beyond those that `possible_errors` adds.
+  ErrorSet errors{};
 };
+
+/// What a request of `method` may be refused with: parameters are checked for all, a daemon that is
+/// stopping or a batch that is too long is busy for all.
+constexpr ErrorSet possible_errors(const MethodInfo& method) noexcept {
+  const ErrorSet of_all{ErrorCode::kInvalidParams, ErrorCode::kBusy};
+  const ErrorSet of_role = method.role ? ErrorSet{ErrorCode::kForbidden} : ErrorSet{};
+  return of_all | of_role | method.errors;
+}
 
 /// The methods of a namespace, as types.
 template <class... Types>

@@ -17,16 +17,19 @@ RpcError invalid_request(std::string what) {
   return error(ErrorCode::kInvalidRequest, "invalid_request: " + std::move(what));
 }
 
-/// The id, when it may be one: a string, a number that a double holds exactly, or null.
+/// Up to here a double holds every whole number, so that an id comes back as it was sent through
+/// whatever a client reads JSON with.
+constexpr std::int64_t kMaxId = 9'007'199'254'740'992;
+
+/// The id, when it may be one: a string, a number of at most kMaxId, or null.
 std::optional<Id> read_id(const Json& json) {
-  if (const auto* number = json.as<double>()) {
-    constexpr double kExact = 9'007'199'254'740'992.0;
-    if (std::fabs(*number) > kExact) return std::nullopt;
-  } else if (json.as<std::nullptr_t>() == nullptr && json.as<std::int64_t>() == nullptr &&
-             json.as<std::string>() == nullptr) {
-    return std::nullopt;
-  }
-  return Id{to_text(json)};
+  const auto* whole = json.as<std::int64_t>();
+  const auto* number = json.as<double>();
+  const bool good = whole != nullptr ? *whole >= -kMaxId && *whole <= kMaxId
+                    : number != nullptr
+                        ? std::fabs(*number) <= static_cast<double>(kMaxId)
+                        : json.as<std::nullptr_t>() != nullptr || json.as<std::string>() != nullptr;
+  return good ? std::optional(Id{to_text(json)}) : std::nullopt;
 }
 
 RpcError no_such_method(const std::string& method) {
@@ -66,7 +69,9 @@ Item read_item(const Json& json) {
   std::optional<Id> id;
   if (const Json* given = json.find("id")) {
     id = read_id(*given);
-    if (!id) return refused(Id{}, invalid_request("id must be a string, a number or null"));
+    if (!id)
+      return refused(Id{},
+                     invalid_request("id must be a string, a number of at most 2^53, or null"));
   }
   // Whoever cannot be recognised as a notification is answered, as JSON-RPC 2.0 section 5 asks.
   const Id answer_to = id.value_or(Id{});

@@ -23,20 +23,24 @@ struct StateResult {
   std::optional<std::string> reason{};
   std::optional<std::string> remedy{};
   std::uint64_t seq = 0;
+  std::optional<bool> on_disk{};  // of an emergency stop: a restart keeps it
 
   void describe(Fields& f) {
     f.required("state", state);
     f.nullable("reason", reason);
     f.nullable("remedy", remedy);
     f.required("seq", seq);
+    f.optional("on_disk", on_disk);
   }
   friend bool operator==(const StateResult&, const StateResult&) = default;
 };
 
 struct DeviceArm {
   static constexpr MethodInfo kMethod{
-      "device.arm", Role::kOperate,
-      "Lets the coils be driven again, when the cause of the stop is gone."};
+      "device.arm",
+      Role::kOperate,
+      "Lets the coils be driven again, when the cause of the stop is gone.",
+      {ErrorCode::kNotArmed, ErrorCode::kDeviceAbsent}};
   using Result = StateResult;
   friend bool operator==(const DeviceArm&, const DeviceArm&) = default;
 };
@@ -46,6 +50,16 @@ struct DeviceEmergencyStop {
                                       "Coils off at the next tick, latched until armed."};
   using Result = StateResult;
   friend bool operator==(const DeviceEmergencyStop&, const DeviceEmergencyStop&) = default;
+};
+
+struct DeviceEnterBootLoader {
+  static constexpr MethodInfo kMethod{
+      "device.enter_boot_loader",
+      Role::kOperate,
+      "The board goes into its boot loader and waits for new firmware; not while it is armed.",
+      {ErrorCode::kArmed, ErrorCode::kDeviceAbsent, ErrorCode::kUnsupported}};
+  using Result = StateResult;
+  friend bool operator==(const DeviceEnterBootLoader&, const DeviceEnterBootLoader&) = default;
 };
 
 struct ClaimResult {
@@ -59,8 +73,10 @@ struct ClaimResult {
 /// Renewed by claiming again.
 struct DeviceClaim {
   static constexpr MethodInfo kMethod{
-      "device.claim", Role::kOperate,
-      "Only this connection plays until it releases, ends, or is silent."};
+      "device.claim",
+      Role::kOperate,
+      "Only this connection plays until it releases, ends, or is silent.",
+      {ErrorCode::kClaimed}};
   using Result = ClaimResult;
 
   std::int64_t lease_ms = kMaxLeaseMs;
@@ -98,8 +114,9 @@ struct SeenDevice {
   std::string name{};
   std::optional<std::string> serial{};
   std::optional<std::string> firmware{};
-  std::optional<std::string> use{};      // "board", "imu", "thermometer"; null: not used
-  std::optional<std::string> why_not{};  // a clause; null when it is used
+  std::optional<std::string> protocol{};  // of a board: "1", and of the one in use "1.2"
+  std::optional<std::string> use{};       // "board", "imu", "thermometer"; null: not used
+  std::optional<std::string> why_not{};   // a clause; null when it is used
 
   void describe(Fields& f) {
     f.required("path", path);
@@ -107,6 +124,7 @@ struct SeenDevice {
     f.required("name", name);
     f.nullable("serial", serial);
     f.nullable("firmware", firmware);
+    f.nullable("protocol", protocol);
     f.nullable("use", use);
     f.nullable("why_not", why_not);
   }
@@ -147,7 +165,7 @@ struct DeviceList {
   friend bool operator==(const DeviceList&, const DeviceList&) = default;
 };
 
-using DeviceMethods = TypeList<DeviceArm, DeviceEmergencyStop, DeviceClaim, DeviceRelease,
-                               DeviceDescribe, DeviceStatus, DeviceList>;
+using DeviceMethods = TypeList<DeviceArm, DeviceEmergencyStop, DeviceEnterBootLoader, DeviceClaim,
+                               DeviceRelease, DeviceDescribe, DeviceStatus, DeviceList>;
 
 }  // namespace hedgehog::protocol

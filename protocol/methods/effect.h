@@ -41,12 +41,15 @@ struct Admission {
 
 /// A method for each kind of effect, in the order of the enumerators.
 struct EffectStart {
+  static constexpr ErrorSet kErrors{ErrorCode::kNotArmed, ErrorCode::kDeviceAbsent,
+                                    ErrorCode::kClaimed, ErrorCode::kRefusedThermal};
   static constexpr std::array<MethodInfo, 5> kMethods{{
-      {"effect.pulse", Role::kPlay, "One push towards a direction."},
-      {"effect.circle", Role::kPlay, "The field walks round an axis, from pin to pin."},
-      {"effect.vibrate", Role::kPlay, "A push with a waveform."},
-      {"effect.hold", Role::kPlay, "A push that lasts as long as it is renewed."},
-      {"effect.play", Role::kPlay, "Plays key frames, of a named pattern or its own."},
+      {"effect.pulse", Role::kPlay, "One push towards a direction.", kErrors},
+      {"effect.circle", Role::kPlay, "The field walks round an axis, from pin to pin.", kErrors},
+      {"effect.vibrate", Role::kPlay, "A push with a waveform.", kErrors},
+      {"effect.hold", Role::kPlay, "A push that lasts as long as it is renewed.", kErrors},
+      {"effect.play", Role::kPlay, "Plays key frames, of a named pattern or its own.",
+       kErrors | ErrorSet{ErrorCode::kNoSuchPattern}},
   }};
   using Result = Admission;
 
@@ -67,8 +70,12 @@ constexpr std::string_view name(model::EffectMethod method) noexcept {
 
 /// Exactly one of `effect` and `params.slot` says which.
 struct EffectUpdate {
-  static constexpr MethodInfo kMethod{"effect.update", Role::kPlay,
-                                      "Changes a playing effect and renews its lease."};
+  static constexpr MethodInfo kMethod{
+      "effect.update",
+      Role::kPlay,
+      "Changes a playing effect and renews its lease.",
+      {ErrorCode::kNoSuchEffect, ErrorCode::kClaimed, ErrorCode::kNoSuchPattern,
+       ErrorCode::kDeviceAbsent, ErrorCode::kRefusedThermal}};
   using Result = Admission;
 
   std::optional<EffectNumber> effect{};
@@ -92,8 +99,10 @@ struct StopResult {
 
 /// Exactly one of the two.
 struct EffectStop {
-  static constexpr MethodInfo kMethod{"effect.stop", Role::kPlay,
-                                      "Ends one of the connection's own effects."};
+  static constexpr MethodInfo kMethod{"effect.stop",
+                                      Role::kPlay,
+                                      "Ends one of the connection's own effects.",
+                                      {ErrorCode::kNoSuchEffect}};
   using Result = StopResult;
 
   std::optional<EffectNumber> effect{};
@@ -135,8 +144,11 @@ struct PreviewResult {
 
 /// On the wire: `method` and `params`.
 struct EffectPreview {
-  static constexpr MethodInfo kMethod{"effect.preview", Role::kObserve,
-                                      "What an effect would do, without doing it."};
+  static constexpr MethodInfo kMethod{
+      "effect.preview",
+      Role::kObserve,
+      "What an effect would do, without doing it.",
+      {ErrorCode::kNotArmed, ErrorCode::kDeviceAbsent, ErrorCode::kNoSuchPattern}};
   using Result = PreviewResult;
 
   std::optional<EffectStart> start{};  // always there once decoded

@@ -35,6 +35,8 @@ void PastEvent::describe(Fields& f) {
   f.optional("method", method);
   f.optional("client", client);
   f.optional("recording", recording);
+  f.optional("count", count);
+  f.optional("last", last);
 }
 
 void EventsHistory::describe(Fields& f) {

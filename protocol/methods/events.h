@@ -27,7 +27,7 @@ struct EventsResult {
     f.required("state", state);
     f.nullable("reason", reason);
     f.required("derating", derating);
-    f.required("limit_a", limit_a, decimals(2));
+    f.required("limit_a", limit_a);
   }
   friend bool operator==(const EventsResult&, const EventsResult&) = default;
 };
@@ -59,6 +59,9 @@ struct PastEvent {
   std::optional<std::string> method{};
   std::optional<std::string> client{};
   std::optional<std::string> recording{};  // of a trip: "trip-0017", as long as there is one
+  // Of a series of events of one type, of which `event` is the first, with the sum of `skipped`
+  std::optional<std::int64_t> count{};  // 2 and more
+  std::optional<std::string> last{};    // RFC 3339
 
   void describe(Fields& f);
   friend bool operator==(const PastEvent&, const PastEvent&) = default;

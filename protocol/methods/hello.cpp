@@ -43,6 +43,7 @@ void HelloResult::describe(Fields& f) {
   f.required("version", version);
   f.required("protocol", protocol);
   f.required("connection", connection);
+  f.required("start_id", start_id);
   f.required("role", role);
   f.required("state", state);
   f.nullable("reason", reason);

@@ -45,6 +45,7 @@ struct HelloResult {
   std::string version{};
   std::string protocol{"1.0"};
   std::int64_t connection = 0;
+  std::string start_id{};  // another after each start of the daemon; empty: it tells none
   Role role = Role::kObserve;
   std::string state{};
   std::optional<std::string> reason{};
@@ -59,8 +60,10 @@ struct HelloResult {
 
 struct Hello {
   static constexpr MethodInfo kMethod{
-      "hello", std::nullopt,
-      "Introduces the client; answers who the server is and what it allows."};
+      "hello",
+      std::nullopt,
+      "Introduces the client; answers who the server is and what it allows.",
+      {ErrorCode::kUnauthorized, ErrorCode::kUnsupported}};
   using Result = HelloResult;
 
   std::string client{};    // at most 128 characters, shown to the operator; empty: not said

@@ -9,8 +9,10 @@
 namespace hedgehog::protocol {
 
 struct OrientationSet {
-  static constexpr MethodInfo kMethod{"orientation.set", Role::kPlay,
-                                      "Feeds the orientation from outside."};
+  static constexpr MethodInfo kMethod{"orientation.set",
+                                      Role::kPlay,
+                                      "Feeds the orientation from outside.",
+                                      {ErrorCode::kUnsupported, ErrorCode::kClaimed}};
   using Result = Done;
 
   model::Quaternion quaternion{};  // device -> world; said within 1 % of unit length, normalised
@@ -29,8 +31,10 @@ struct RecenterResult {
 
 /// The front points there now.
 struct OrientationRecenter {
-  static constexpr MethodInfo kMethod{"orientation.recenter", Role::kPlay,
-                                      "The front of the ball points at this azimuth now."};
+  static constexpr MethodInfo kMethod{"orientation.recenter",
+                                      Role::kPlay,
+                                      "The front of the ball points at this azimuth now.",
+                                      {ErrorCode::kDeviceAbsent}};
   using Result = RecenterResult;
 
   double azimuth_deg = 0.0;

@@ -62,8 +62,10 @@ struct PatternResult {
 };
 
 struct PatternGet {
-  static constexpr MethodInfo kMethod{"pattern.get", Role::kObserve,
-                                      "One named pattern with its key frames."};
+  static constexpr MethodInfo kMethod{"pattern.get",
+                                      Role::kObserve,
+                                      "One named pattern with its key frames.",
+                                      {ErrorCode::kNoSuchPattern}};
   using Result = PatternResult;
 
   std::string name{};
@@ -74,8 +76,10 @@ struct PatternGet {
 
 /// Replaces the one of that name.
 struct PatternPut {
-  static constexpr MethodInfo kMethod{"pattern.put", Role::kPlay,
-                                      "Keeps a pattern under vendor/name."};
+  static constexpr MethodInfo kMethod{"pattern.put",
+                                      Role::kPlay,
+                                      "Keeps a pattern under vendor/name.",
+                                      {ErrorCode::kInternalError}};
   using Result = PatternSummary;
 
   Pattern pattern{};  // its fields are the parameters
@@ -85,8 +89,10 @@ struct PatternPut {
 };
 
 struct PatternRemove {
-  static constexpr MethodInfo kMethod{"pattern.remove", Role::kPlay,
-                                      "Forgets a pattern that was put."};
+  static constexpr MethodInfo kMethod{"pattern.remove",
+                                      Role::kPlay,
+                                      "Forgets a pattern that was put.",
+                                      {ErrorCode::kNoSuchPattern, ErrorCode::kInternalError}};
   using Result = Done;
 
   std::string name{};

@@ -45,7 +45,8 @@ struct SimFault {
 
 /// What is left out stays as it is.
 struct SimSet {
-  static constexpr MethodInfo kMethod{"sim.set", Role::kOperate, "Changes the simulated world."};
+  static constexpr MethodInfo kMethod{
+      "sim.set", Role::kOperate, "Changes the simulated world.", {ErrorCode::kUnsupported}};
   using Result = SimResult;
 
   std::optional<model::Quaternion> orientation{};
@@ -83,8 +84,10 @@ struct SimTruthResult {
 };
 
 struct SimTruth {
-  static constexpr MethodInfo kMethod{"sim.truth", Role::kOperate,
-                                      "The simulated ball as it really is."};
+  static constexpr MethodInfo kMethod{"sim.truth",
+                                      Role::kOperate,
+                                      "The simulated ball as it really is.",
+                                      {ErrorCode::kUnsupported}};
   using Result = SimTruthResult;
   friend bool operator==(const SimTruth&, const SimTruth&) = default;
 };

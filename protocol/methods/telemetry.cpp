@@ -37,4 +37,26 @@ void TelemetryResult::describe(Fields& f) {
   fields = as_set(list);
 }
 
+void TelemetrySample::describe(Fields& f) {
+  f.required("age_s", age_s, decimals(1));
+  f.optional("coils_c", coils_c, decimals(2));
+  f.optional("upper_c", upper_c, decimals(2));
+  f.optional("sensor_c", sensor_c, decimals(2));
+  f.required("current_a", current_a, decimals(2));
+  f.required("peak_a", peak_a, decimals(2));
+  f.required("limit_a", limit_a, decimals(2));
+  f.required("duty", duty, decimals(3));
+  f.nullable("headroom_s", headroom_s, decimals(1));
+}
+
+void TelemetryHistoryResult::describe(Fields& f) {
+  f.required("time_ns", time_ns);
+  f.required("step_s", step_s);
+  f.required("samples", samples, {.items = static_cast<std::size_t>(kMaxSamples)});
+}
+
+void TelemetryHistory::describe(Fields& f) {
+  f.defaulted("seconds", seconds, {.min = 1, .max = kMaxSeconds});
+}
+
 }  // namespace hedgehog::protocol

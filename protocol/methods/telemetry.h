@@ -2,6 +2,11 @@
 // telemetry.*
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
 #include "protocol/method_info.h"
 #include "protocol/methods/done.h"
 #include "protocol/values/status_keys.h"
@@ -37,6 +42,46 @@ struct TelemetryUnsubscribe {
   friend bool operator==(const TelemetryUnsubscribe&, const TelemetryUnsubscribe&) = default;
 };
 
-using TelemetryMethods = TypeList<TelemetrySubscribe, TelemetryUnsubscribe>;
+/// One step of telemetry.history.
+struct TelemetrySample {
+  double age_s = 0.0;  // how long before `time_ns` it ended
+  // At its end; left out where it was not known
+  std::optional<std::array<double, 3>> coils_c{};  // the windings, as estimated
+  std::optional<double> upper_c{};                 // the most that the hottest could be
+  std::optional<double> sensor_c{};                // the thermistor
+  double current_a = 0.0;                          // rms over the step, of all windings together
+  double peak_a = 0.0;                             // the most that was seen in it
+  double limit_a = 0.0;                            // the least that was allowed in it
+  std::array<double, 3> duty{};                    // means of the magnitudes, 0..1
+  std::optional<double> headroom_s{};              // the least in it; null: for ever, or not known
+
+  void describe(Fields& f);
+  friend bool operator==(const TelemetrySample&, const TelemetrySample&) = default;
+};
+
+struct TelemetryHistoryResult {
+  static constexpr std::string_view kSchema = "TelemetryHistory";
+  static constexpr std::int64_t kMaxSamples = 200;
+  std::int64_t time_ns = 0;                // now, device time
+  double step_s = 0.0;                     // what one sample covers
+  std::vector<TelemetrySample> samples{};  // oldest first; what is missing was not measured
+
+  void describe(Fields& f);
+  friend bool operator==(const TelemetryHistoryResult&, const TelemetryHistoryResult&) = default;
+};
+
+struct TelemetryHistory {
+  static constexpr MethodInfo kMethod{"telemetry.history", Role::kObserve,
+                                      "Temperatures and currents of the last minutes."};
+  using Result = TelemetryHistoryResult;
+  static constexpr double kMaxSeconds = 600.0;
+
+  double seconds = 120.0;  // 1..kMaxSeconds
+
+  void describe(Fields& f);
+  friend bool operator==(const TelemetryHistory&, const TelemetryHistory&) = default;
+};
+
+using TelemetryMethods = TypeList<TelemetrySubscribe, TelemetryUnsubscribe, TelemetryHistory>;
 
 }  // namespace hedgehog::protocol

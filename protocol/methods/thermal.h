@@ -10,19 +10,22 @@
 
 namespace hedgehog::protocol {
 
-/// null = never, or: need not.
+/// null = never, or: need not. While the temperature is not known nothing may flow: derated at
+/// once, nothing sustainable, and the nulls are not known.
 struct ForecastResult {
   static constexpr std::string_view kSchema = "Forecast";
   std::optional<double> seconds_to_derating{};
   std::optional<double> seconds_to_limit{};
   double sustainable_a = 0.0;
   std::optional<double> recovery_s{};
+  bool temperature_known = true;  // true when left out, by an older daemon
 
   void describe(Fields& f) {
     f.nullable("seconds_to_derating", seconds_to_derating, decimals(1));
     f.nullable("seconds_to_limit", seconds_to_limit, decimals(1));
     f.required("sustainable_a", sustainable_a, decimals(2));
     f.nullable("recovery_s", recovery_s, decimals(1));
+    f.required("temperature_known", temperature_known);
   }
   friend bool operator==(const ForecastResult&, const ForecastResult&) = default;
 };
@@ -30,8 +33,10 @@ struct ForecastResult {
 /// Exactly one of `current_a`, `start` and `effect`. Without a `direction` a current is forecast
 /// for the worst coil.
 struct ThermalForecast {
-  static constexpr MethodInfo kMethod{"thermal.forecast", Role::kObserve,
-                                      "How long a current or an effect can flow."};
+  static constexpr MethodInfo kMethod{"thermal.forecast",
+                                      Role::kObserve,
+                                      "How long a current or an effect can flow.",
+                                      {ErrorCode::kNoSuchEffect, ErrorCode::kNoSuchPattern}};
   using Result = ForecastResult;
 
   std::optional<double> current_a{};

@@ -62,6 +62,7 @@ void BoardDescription::describe(Fields& f) {
   f.required("present", present);
   f.nullable("serial", serial);
   f.nullable("firmware", firmware);
+  f.nullable("protocol", protocol);
 }
 
 void ImuDescription::describe(Fields& f) {

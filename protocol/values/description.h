@@ -90,6 +90,7 @@ struct BoardDescription {
   bool present = false;
   std::optional<std::string> serial{};
   std::optional<std::string> firmware{};
+  std::optional<std::string> protocol{};  // of the board's frames, "1.2"; of one that is there
   void describe(Fields& f);
   friend bool operator==(const BoardDescription&, const BoardDescription&) = default;
 };

@@ -34,7 +34,7 @@ void Event::describe(Fields& f) {
     f.optional("masked_ms", masked_ms);
     f.optional("mixed_ms", mixed_ms);
   }
-  f.optional("limit_a", limit_a, decimals(2));
+  f.optional("limit_a", limit_a);
   f.optional("temperature_c", temperature_c, decimals(2));
   f.optional("current_a", current_a, decimals(2));
   f.optional("disagreement", disagreement);

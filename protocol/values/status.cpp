@@ -34,7 +34,7 @@ void describe_only(Fields& f, Status& v, StatusKeys keys) {
   required(kSinceS, v.since_s, kSeconds);
   nullable(kRemedy, v.remedy);
   required(kTemperatureC, v.temperature_c);
-  required(kLimitA, v.limit_a, kAmps);
+  required(kLimitA, v.limit_a);
   nullable(kHeadroomS, v.headroom_s, kSeconds);
   nullable(kBurstS, v.burst_s, kSeconds);
   required(kDerating, v.derating);

@@ -63,6 +63,8 @@ std::string_view name(ErrorCode code) noexcept {
       return "no_such_pattern";
     case ErrorCode::kClaimed:
       return "claimed";
+    case ErrorCode::kArmed:
+      return "armed";
   }
   return "server_error";
 }
@@ -129,6 +131,13 @@ RpcError not_armed(std::string_view state, std::string_view reason, std::string_
   if (!reason.empty()) made.reason = reason;
   if (!remedy.empty()) made.remedy = remedy;
   made.role_needed = Role::kOperate;
+  return made;
+}
+
+RpcError armed(std::string_view what, std::string_view remedy) {
+  RpcError made = error(ErrorCode::kArmed, join({"armed: ", what, ". ", remedy}));
+  made.state = "armed";
+  made.remedy = remedy;
   return made;
 }
 

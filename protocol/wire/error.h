@@ -30,6 +30,7 @@ enum class ErrorCode : int {
   kRefusedThermal = -32007,
   kNoSuchPattern = -32008,
   kClaimed = -32009,
+  kArmed = -32010,
 };
 
 /// `data.name` of the code: "invalid_params", "not_armed", ...; "server_error" when it is none of
@@ -49,7 +50,8 @@ struct RpcError {
   std::optional<ErrorValue> value{};
   /// Who may: `forbidden`, `unauthorized`, `not_armed`.
   std::optional<Role> role_needed{};
-  /// The ball's state and why, and the sentence that mends it: `not_armed`, `device_absent`.
+  /// The ball's state and why, and the sentence that mends it: `not_armed`, `armed`,
+  /// `device_absent`.
   std::optional<std::string> state{};
   std::optional<std::string> reason{};
   std::optional<std::string> remedy{};
@@ -84,6 +86,8 @@ RpcError no_such_slot(std::string_view slot);
 RpcError busy(std::string_view what, std::int64_t retry_after_ms);
 /// "not_armed: <state> by <reason>. <remedy>"
 RpcError not_armed(std::string_view state, std::string_view reason, std::string_view remedy);
+/// "armed: <what>. <remedy>"
+RpcError armed(std::string_view what, std::string_view remedy);
 /// "<field>: <what>"; `device` is "board" or "imu".
 RpcError device_absent(std::string_view field, std::string_view what, std::string_view device);
 /// Any other of the codes above with its sentence.

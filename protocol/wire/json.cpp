@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/nul_byte.h"
 #include "protocol/wire/names.h"
 
 namespace hedgehog::protocol {
@@ -48,6 +49,12 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
                    const nlohmann::detail::exception& error) override {
     problem_ = error.id == 406 ? "it has a number that is too large"
                                : "it breaks off or goes wrong at byte " + std::to_string(position);
+    return false;
+  }
+
+  /// Records why the text is refused. False.
+  bool refuse(std::string problem) {
+    problem_ = std::move(problem);
     return false;
   }
 
@@ -110,7 +117,9 @@ std::string_view Json::kind() const noexcept {
 
 Result<Json> parse_json(std::string_view text, std::size_t max_nesting) {
   Builder builder(max_nesting);
-  const bool good = nlohmann::json::sax_parse(text.begin(), text.end(), &builder);
+  const auto nul = base::first_nul(text);
+  const bool good = nul ? builder.refuse("it has a NUL at byte " + std::to_string(*nul + 1))
+                        : nlohmann::json::sax_parse(text.begin(), text.end(), &builder);
   return std::move(builder).finish(good);
 }
 

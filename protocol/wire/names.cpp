@@ -57,23 +57,9 @@ std::optional<Role> role_named(std::string_view text) noexcept {
 }
 
 std::string_view nearest(std::string_view text, Names names) {
-  constexpr std::size_t kLongest = 64;
-  if (text.size() > kLongest || text.empty()) return {};
   for (const auto& [theirs, ours] : kElsewhere)
     if (theirs == text && std::find(names.begin(), names.end(), ours) != names.end()) return ours;
-  std::string_view best;
-  std::size_t lowest = std::max<std::size_t>(2, text.size() / 3) + 1;
-  for (const std::string_view candidate : names) {
-    // "duration" for "duration_ms": only the unit was forgotten.
-    const bool forgot_unit = candidate.size() > text.size() && candidate.starts_with(text) &&
-                             (candidate[text.size()] == '_' || candidate[text.size()] == '.');
-    const std::size_t apart = forgot_unit ? 0 : base::edits_between(text, candidate);
-    if (apart < lowest) {
-      lowest = apart;
-      best = candidate;
-    }
-  }
-  return best;
+  return base::nearest(text, names);
 }
 
 std::string shortened(std::string_view text) {
