@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/daemon.h"
 
+#include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 #include <sysexits.h>
 
@@ -60,6 +61,7 @@ Daemon::Daemon(const Options& options, const config::Paths& paths, const config:
       history_(server::history_writer(config.state_directory, disk_),
                server::load_history(config.state_directory)),
       recordings_(config.state_directory, disk_, threads_.recorder(), history_.last_recording()),
+      telemetry_file_(config.state_directory, disk_),
       server_(
           device_view_, state_store_, patterns_, history_,
           [this](const control::Event& e, const server::Effect* x) { on_event(e, x); },
@@ -67,6 +69,8 @@ Daemon::Daemon(const Options& options, const config::Paths& paths, const config:
   server_.set_devices(devices_);
   device_view_.set_board_info_source([this] { return threads_.sensors().board_seen(); });
   server_.set_recordings(recordings_);
+  server_.telemetry().restore(server::load_telemetry(config.state_directory),
+                              device_view_.now().tick, base::unix_ms_now());
 }
 
 int Daemon::run() {
@@ -115,6 +119,7 @@ asio::awaitable<void> Daemon::pump() {
   while (!stopping_) {
     server_.pump();
     state_store_.pump();
+    telemetry_file_.pump(server_.telemetry(), device_view_.now().tick, base::unix_ms_now());
     for (const std::string& line : threads_.sensors().messages()) spdlog::info("{}", line);
     for (const std::string& line : warnings_.step(device_view_)) spdlog::warn("{}", line);
     manager_.alive(threads_.loop().heartbeat());
@@ -157,6 +162,7 @@ asio::awaitable<void> Daemon::leave(std::string reason) {
   server_.pump();
   server_.announce_shutdown(std::move(reason));
   state_store_.stopped_cleanly();
+  telemetry_file_.write(server_.telemetry(), device_view_.now().tick, base::unix_ms_now());
   asio::steady_timer timer(io_);
   error_code ignored;
   const auto last_answer = Clock::now() + kLastAnswers;
@@ -180,7 +186,7 @@ asio::awaitable<void> Daemon::leave(std::string reason) {
 
 void Daemon::reload() {
   manager_.reloading();
-  const auto fresh = config::load_config(paths_, options_.overrides);
+  const auto fresh = config::load_config(paths_, options_.overrides, config::read_file, &config_);
   if (fresh.has_error()) {
     spdlog::error("the new configuration is wrong; the old one stays:\n{}",
                   config::to_string(fresh.error()));
@@ -207,10 +213,10 @@ void Daemon::reload() {
   device_view_.set_config(next);
   listener_.set_config(next);
   set_log_level(next.log_level);
-  spdlog::info("configuration reloaded{}",
-               config::same_settings(*fresh, next)
-                   ? ""
-                   : "; some of it takes effect at the next start only");
+  const std::vector<std::string> waiting = config::different_keys(*fresh, next);
+  spdlog::info(
+      "configuration reloaded{}",
+      waiting.empty() ? "" : fmt::format("; at the next start only: {}", fmt::join(waiting, ", ")));
   manager_.ready(status_line());
 }
 
@@ -271,8 +277,7 @@ std::string Daemon::status_line() const {
   const control::StatusSnapshot& now = device_view_.now();
   std::string line = device_view_.simulated() ? "SIMULATOR: " : "";
   line += std::string(control::name(now.state));
-  if (now.reason != control::Reason::kNone)
-    line += " (" + std::string(control::name(now.reason)) + ")";
+  if (const auto reason = device_view_.reason_now()) line += " (" + *reason + ")";
   if (const auto remedy = device_view_.remedy_now()) line += ". " + *remedy;
   return line;
 }

@@ -20,6 +20,7 @@
 #include "daemon/server/disk/pattern_library.h"
 #include "daemon/server/disk/saved_state.h"
 #include "daemon/server/history/event_history.h"
+#include "daemon/server/history/telemetry_file.h"
 #include "daemon/server/history/trip_recordings.h"
 #include "daemon/server/net/listener.h"
 #include "daemon/server/rpc/server.h"
@@ -67,6 +68,7 @@ class Daemon {
   server::PatternLibrary patterns_;
   server::EventHistory history_;
   server::TripRecordings recordings_;
+  server::TelemetryFile telemetry_file_;
   server::Server server_;
   bool ready_ = false;
   /// Why the ball was not armed at its first sight, until it is or the doors open.

@@ -11,30 +11,10 @@
 namespace hedgehog::daemon {
 namespace {
 
-using device::SensorKind;
+using device::SensorDriver;
 using protocol::SeenDevice;
 
 constexpr std::uint8_t kHubClass = 0x09;
-
-/// As configuration calls it.
-std::string type_of(SensorKind kind) {
-  switch (kind) {
-    case SensorKind::kHidSensor:
-      return "hid_sensor";
-    case SensorKind::kDualSense:
-      return "dualsense";
-    case SensorKind::kDualShock4:
-      return "dualshock4";
-    case SensorKind::kMti:
-      return "mti";
-    case SensorKind::kTemper:
-      return "temper";
-    case SensorKind::kClosedXsens:
-    case SensorKind::kNone:
-      break;
-  }
-  return {};
-}
 
 std::optional<std::string> given(const std::string& text) {
   return text.empty() ? std::nullopt : std::optional(text);
@@ -50,13 +30,13 @@ class BusScan {
   explicit BusScan(const DeviceFacts& facts) : facts_(facts) {}
 
   void note(const device::UsbDevice& usb, const std::vector<device::HidDevice>& hid) {
-    SensorKind kind = kind_of(usb);
+    const SensorDriver* driver = driver_of(usb);
     std::string name = device::describe(usb);
     for (const device::HidDevice& one : hid) {
       const bool same = one.usb && one.usb->bus == usb.place.bus &&
-                        one.usb->address == usb.place.address && kind_of(one) != SensorKind::kNone;
+                        one.usb->address == usb.place.address && driver_of(one) != nullptr;
       if (!same) continue;
-      kind = kind_of(one);
+      driver = driver_of(one);
       name = device::describe(one);
     }
     SeenDevice seen{"USB " + usb.port,
@@ -65,11 +45,14 @@ class BusScan {
                     given(usb.serial),
                     given(device::firmware_of(usb)),
                     {},
+                    {},
                     {}};
     if (is_board(usb, facts_.board_ids)) {
       judge_board(usb, seen);
-    } else if (kind != SensorKind::kNone || is_open(seen)) {
-      judge_sensor(kind, name, seen);
+    } else if (driver != nullptr) {
+      judge_sensor(*driver, name, seen);
+    } else if (const SensorLine* line = open_line(seen)) {
+      use_for(*line, seen);
     } else {
       const bool hub = std::any_of(usb.interfaces.begin(), usb.interfaces.end(),
                                    [](const auto& one) { return one.category == kHubClass; });
@@ -81,7 +64,8 @@ class BusScan {
 
   void note(const device::HidDevice& hid) {
     if (hid.usb) return;
-    if (kind_of(hid) == SensorKind::kNone) {
+    const SensorDriver* driver = driver_of(hid);
+    if (driver == nullptr) {
       ++result_.others;
       return;
     }
@@ -91,8 +75,9 @@ class BusScan {
                     given(hid.serial),
                     {},
                     {},
+                    {},
                     {}};
-    judge_sensor(kind_of(hid), device::describe(hid), seen);
+    judge_sensor(*driver, device::describe(hid), seen);
     result_.devices.push_back(std::move(seen));
   }
 
@@ -108,6 +93,7 @@ class BusScan {
  private:
   void judge_board(const device::UsbDevice& usb, SeenDevice& seen) {
     judged_.emplace_back("usb");
+    if (const auto version = device::frame_version(usb)) seen.protocol = std::to_string(*version);
     if (!facts_.board)
       seen.why_not = "the ball is simulated (backend in the configuration)";
     else if (facts_.board->open && facts_.board->place == usb.place)
@@ -129,26 +115,28 @@ class BusScan {
     }
     return nullptr;
   }
-  bool is_open(const SeenDevice& seen) const { return open_line(seen) != nullptr; }
+  void use_for(const SensorLine& line, SeenDevice& seen) {
+    judged_.push_back(line.type);
+    seen.use = line.job;
+  }
 
-  void judge_sensor(SensorKind kind, const std::string& name, SeenDevice& seen) {
-    const std::string type = type_of(kind);
-    if (seen.name.empty()) seen.name = device::words(kind);
+  void judge_sensor(const SensorDriver& driver, const std::string& name, SeenDevice& seen) {
+    if (seen.name.empty()) seen.name = driver.words;
     if (const SensorLine* line = open_line(seen)) {
-      judged_.push_back(line->type);
-      seen.use = line->job;
+      use_for(*line, seen);
       return;
     }
+    const std::string type(driver.type);
     judged_.push_back(type);
     const auto wanted = std::find_if(facts_.lines.begin(), facts_.lines.end(),
                                      [&](const SensorLine& line) { return line.type == type; });
-    if (kind == SensorKind::kClosedXsens) {
-      seen.why_not = "only its maker's own closed software speaks with it";
+    if (!driver.unusable.empty()) {
+      seen.why_not = driver.unusable;
     } else if (wanted != facts_.lines.end()) {
       seen.why_not =
           wanted->state.open ? "another one is used" : without_name(wanted->state.what, name);
-    } else if (kind == SensorKind::kTemper) {
-      seen.why_not = "thermometer.type in the configuration is not \"temper\"";
+    } else if (driver.job == device::SensorJob::kThermometer) {
+      seen.why_not = "thermometer.type in the configuration is not \"" + type + "\"";
     } else {
       seen.why_not =
           "imu.type in the configuration is \"" + facts_.imu_type + "\", not \"" + type + "\"";

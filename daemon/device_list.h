@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "daemon/config/config.h"
-#include "daemon/device/sensors/discovery.h"
+#include "daemon/device/sensors/drivers.h"
 #include "daemon/device/usb/board_finder.h"
 #include "daemon/sensors.h"
 #include "daemon/server/device/device_scanner.h"

@@ -6,6 +6,7 @@
 
 #include "daemon/control/loop/control_loop.h"
 #include "daemon/control/loop/lockstep_loop.h"
+#include "daemon/device/simulator/process_lock_step.h"
 #include "daemon/device/socket_transport.h"
 #include "daemon/device/usb/libusb_port.h"
 
@@ -36,8 +37,8 @@ DeviceThreads::DeviceThreads(const config::Config& config, const control::Contro
                              double start_c, std::optional<int> speed)
     : mailbox_(std::make_unique<control::Mailbox>()), port_(std::make_unique<device::LinkPort>()) {
   if (speed) {
-    loop_ = std::make_unique<control::LockstepLoop>(settings, *mailbox_, *port_, &recorder_,
-                                                    board_options(config, start_c), *speed);
+    loop_ = std::make_unique<control::LockstepLoop>(settings, *mailbox_, *port_, &recorder_, *speed,
+                                                    make_stepped_board(config, start_c));
     sensors_ = std::make_unique<Sensors>(config, *mailbox_, *loop_, usb_board_.get());
     return;
   }
@@ -53,17 +54,29 @@ std::unique_ptr<device::Transport> DeviceThreads::make_board(const config::Confi
         device::make_libusb_bus(), device::BoardIds{config.device.usb, config.device.usb_serial});
     return usb_board_->transport();
   }
-  if (config.simulator.process) {
-    device::SimulatedBoardProcessOptions options;
-    options.board = board_options(config, start_c);
-    if (const char* trace = std::getenv(kTraceVariable)) options.trace = trace;
-    board_process_ = std::make_unique<device::SimulatedBoardProcess>(options);
-    return board_process_->take_transport();
-  }
+  if (config.simulator.process) return start_board_process(config, start_c, false);
   auto [host, board] = device::make_socket_pair();
   board_thread_ = std::make_unique<device::SimulatedBoardThread>(
       board_options(config, start_c), std::make_unique<device::SocketTransport>(std::move(board)));
   return std::make_unique<device::SocketTransport>(std::move(host));
+}
+
+std::unique_ptr<device::SteppedBoard> DeviceThreads::make_stepped_board(
+    const config::Config& config, double start_c) {
+  if (config.simulator.process)
+    return std::make_unique<device::ProcessLockStep>(*port_,
+                                                     start_board_process(config, start_c, true));
+  return std::make_unique<device::LockStep>(*port_, board_options(config, start_c));
+}
+
+std::unique_ptr<device::SocketTransport> DeviceThreads::start_board_process(
+    const config::Config& config, double start_c, bool in_step) {
+  device::SimulatedBoardProcessOptions options;
+  options.board = board_options(config, start_c);
+  options.in_step = in_step;
+  if (const char* trace = std::getenv(kTraceVariable)) options.trace = trace;
+  board_process_ = std::make_unique<device::SimulatedBoardProcess>(options);
+  return board_process_->take_transport();
 }
 
 }  // namespace hedgehog::daemon

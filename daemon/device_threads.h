@@ -14,6 +14,7 @@
 #include "daemon/control/state/control_settings.h"
 #include "daemon/device/link_port.h"
 #include "daemon/device/link_thread.h"
+#include "daemon/device/simulator/lock_step.h"
 #include "daemon/device/simulator/simulated_board_process.h"
 #include "daemon/device/simulator/simulated_board_runner.h"
 #include "daemon/device/usb/usb_board.h"
@@ -38,6 +39,10 @@ class DeviceThreads {
 
  private:
   std::unique_ptr<device::Transport> make_board(const config::Config& config, double start_c);
+  std::unique_ptr<device::SteppedBoard> make_stepped_board(const config::Config& config,
+                                                           double start_c);
+  std::unique_ptr<device::SocketTransport> start_board_process(const config::Config& config,
+                                                               double start_c, bool in_step);
 
   std::unique_ptr<control::Mailbox> mailbox_;
   std::unique_ptr<device::LinkPort> port_;

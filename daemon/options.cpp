@@ -6,11 +6,14 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "cli/complaint.h"
+#include "cli/reference.h"
+
 namespace hedgehog::daemon {
 namespace {
 
 constexpr const char* kAbout =
-    "hedgehogd owns one Hedgehog ball: clients tell it by JSON-RPC what shall be felt, and it "
+    "hedgehogd owns one Hedgehog ball: it plays the effects that clients ask for over JSON-RPC and "
     "keeps\n"
     "the coils cool. Runs in the foreground. Without a configuration file it simulates a ball.";
 constexpr const char* kVersion = "hedgehogd " HEDGEHOG_VERSION ", protocol 1.0";
@@ -25,14 +28,15 @@ std::variant<Options, int> parse_options(int argc, const char* const* argv) {
   app.add_option("--config", options.config_file, "read this configuration file")
       ->type_name("F")
       ->envname("HEDGEHOG_CONFIG");
-  app.add_flag("--check-config", options.check_config, "say what is wrong with it (exit 78), or 0");
+  app.add_flag("--check-config", options.check_config,
+               "check the configuration and exit: 0, or 78 and what is wrong");
   app.add_flag("--print-config", options.print_config, "print every key and its value in effect");
   app.add_option("--replay", options.replay,
-                 "run a recording (a file, or trip-0001) once more; JSON lines out")
+                 "replay a recording (a file, or trip-0001); prints JSON lines")
       ->type_name("F");
-  app.add_flag("--simulate", overrides.simulate, "a simulated ball, whatever the files say");
+  app.add_flag("--simulate", overrides.simulate, "a simulated ball, overriding the configuration");
   app.add_option("--speed", options.speed,
-                 "with --simulate: in lock-step, so many times as fast, 1 to 100")
+                 "with --simulate: in lock-step, N times real time, 1 to 100")
       ->type_name("N")
       ->check(CLI::Range(1, kFastest));
   app.add_option("--listen", overrides.listen,
@@ -44,6 +48,9 @@ std::variant<Options, int> parse_options(int argc, const char* const* argv) {
       ->type_name("LEVEL")
       ->envname("HEDGEHOG_LOG_LEVEL");
   app.set_version_flag("--version", kVersion);
+  constexpr int kAdministratorSection = 8;
+  if (const auto code = cli::write_reference(app, {argv + 1, argv + argc}, kAdministratorSection))
+    return *code;
   try {
     app.parse(argc, argv);
     if (options.speed && !overrides.simulate)
@@ -51,7 +58,7 @@ std::variant<Options, int> parse_options(int argc, const char* const* argv) {
   } catch (const CLI::Success& e) {
     return app.exit(e);
   } catch (const CLI::ParseError& e) {
-    app.exit(e, std::cerr, std::cerr);
+    std::cerr << cli::usage_error(app, cli::complaint(app, e)) << "\n";
     return EX_USAGE;
   }
   return options;

@@ -3,43 +3,12 @@
 
 #include <utility>
 
-#include "daemon/device/sensors/imu_sensors.h"
-#include "daemon/device/sensors/temper_sensor.h"
 #include "daemon/device/sensors/usb_ports.h"
 
 namespace hedgehog::daemon {
 namespace {
 
-using config::ImuType;
-using device::SensorKind;
-
 constexpr std::chrono::milliseconds kLookEvery{500};
-
-std::unique_ptr<device::Sensor> make_imu(const config::Config& config,
-                                         device::OrientationSink sink) {
-  const auto hid = [&config](SensorKind kind) -> device::OpenHid {
-    return [kind, serial = config.imu_fitting.serial] { return device::open_hid(kind, serial); };
-  };
-  switch (config.imu) {
-    case ImuType::kHidSensor:
-      return std::make_unique<device::HidSensorImu>(hid(SensorKind::kHidSensor), std::move(sink));
-    case ImuType::kDualSense:
-      return std::make_unique<device::SonyImu>(device::SonyPad::kDualSense,
-                                               hid(SensorKind::kDualSense), std::move(sink));
-    case ImuType::kDualShock4:
-      return std::make_unique<device::SonyImu>(device::SonyPad::kDualShock4,
-                                               hid(SensorKind::kDualShock4), std::move(sink));
-    case ImuType::kMti:
-      return std::make_unique<device::MtiImu>(
-          [serial = config.imu_fitting.serial] { return device::open_mti(serial); },
-          std::move(sink));
-    case ImuType::kNone:
-    case ImuType::kSimulator:
-    case ImuType::kExternal:
-      break;
-  }
-  return nullptr;
-}
 
 }  // namespace
 
@@ -49,29 +18,21 @@ Sensors::Sensors(const config::Config& config, control::Mailbox& mailbox, const 
   if (board_ != nullptr) readers_.push_back({{"board", "usb", {}}, nullptr});
   const device::TickSource tick = [&loop] { return loop.now(); };
   const auto& fitting = config.imu_fitting;
-  add("imu", std::string(config::name(config.imu)),
-      make_imu(config,
-               {tick, device::Mounting::of(fitting.front, fitting.up).value_or(device::Mounting()),
-                [&mailbox](const device::OrientationSample& sample) {
-                  mailbox.orientation.write(sample);
-                }}));
-  if (config.thermometer.type == config::ThermometerType::kTemper) {
-    device::ThermometerSink sink{
-        tick,
-        [&mailbox](const device::ThermometerSample& sample) { mailbox.thermometer.write(sample); }};
-    add("thermometer", "temper",
-        std::make_unique<device::TemperSensor>(
-            [serial = config.thermometer.serial] {
-              return device::open_hid(SensorKind::kTemper, serial);
-            },
-            std::move(sink)));
-  }
+  const device::SensorSinks sinks{
+      {tick, device::Mounting::of(fitting.front, fitting.up).value_or(device::Mounting()),
+       [&mailbox](const device::OrientationSample& sample) { mailbox.orientation.write(sample); }},
+      {tick,
+       [&mailbox](const device::ThermometerSample& sample) { mailbox.thermometer.write(sample); }}};
+  add("imu", config.imu.driver, fitting.serial, sinks);
+  add("thermometer", config.thermometer.driver, config.thermometer.serial, sinks);
 }
 
-void Sensors::add(const std::string& job, const std::string& type,
-                  std::unique_ptr<device::Sensor> sensor) {
-  if (!sensor) return;
-  readers_.push_back({{job, type, {}}, std::make_unique<device::SensorThread>(std::move(sensor))});
+void Sensors::add(const std::string& job, const device::SensorDriver* driver,
+                  const std::string& serial, const device::SensorSinks& sinks) {
+  if (driver == nullptr) return;
+  readers_.push_back(
+      {{job, std::string(driver->type), {}},
+       std::make_unique<device::SensorThread>(device::make_sensor(*driver, serial, sinks))});
 }
 
 device::SensorState Sensors::state(const Reader& reader) const {

@@ -46,7 +46,9 @@ class Sensors {
     std::unique_ptr<device::SensorThread> thread;  // nullptr: the board
   };
   device::SensorState state(const Reader& reader) const;
-  void add(const std::string& job, const std::string& type, std::unique_ptr<device::Sensor> sensor);
+  /// Nothing when `driver` is nullptr.
+  void add(const std::string& job, const device::SensorDriver* driver, const std::string& serial,
+           const device::SensorSinks& sinks);
 
   const device::UsbBoard* board_;
   std::vector<Reader> readers_;

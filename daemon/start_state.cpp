@@ -44,10 +44,10 @@ StartState start_state(const config::Config& config, const std::optional<server:
     s.start_measured = saved->measured;
     s.start = model::decayed(config.device.thermal, saved->heat, saved->ambient_c,
                              server::seconds_between(saved->saved_at, now));
-    // The thermal constants, by which it has cooled since, are within 20 %.
-    constexpr double kPerKelvin = 0.12;
+    // Of a uniform distribution within the bound: 1/sqrt(3), rounded up.
+    constexpr double kDeviationOfBound = 0.6;
     const double cooled_k = model::hottest_winding(saved->heat) - model::hottest_winding(s.start);
-    s.start_deviation_k += kPerKelvin * std::max(0.0, cooled_k);
+    s.start_deviation_k += kDeviationOfBound * s.uncertainty.thermal * std::max(0.0, cooled_k);
     s.start_room_c = saved->ambient_c;
     if (simulated) start.simulated_c = model::hottest_winding(s.start);
   }

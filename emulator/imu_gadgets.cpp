@@ -71,7 +71,7 @@ GadgetShape hid_shape(std::uint16_t vendor, std::uint16_t product, const std::st
 constexpr std::size_t kPadReport = 64;
 constexpr std::uint32_t kClockPerMs = 3000;
 constexpr double kPerG = 8192.0;
-constexpr std::array<int, 3> kGyroBias{12, -7, 5};
+constexpr std::array<int, 3> kFactoryBias{12, -7, 5};
 
 /// Games pad with one input report, one output report and the features that its driver asks for.
 Bytes pad_descriptor() {
@@ -91,9 +91,9 @@ Bytes pad_calibration() {
     put_little(report, at, static_cast<std::uint32_t>(value), 2);
   };
   for (std::size_t i = 0; i < 3; ++i) {
-    put(1 + 2 * i, kGyroBias[i]);
-    put(7 + 4 * i, 8640 + kGyroBias[i]);
-    put(9 + 4 * i, -8640 + kGyroBias[i]);
+    put(1 + 2 * i, kFactoryBias[i]);
+    put(7 + 4 * i, 8640 + kFactoryBias[i]);
+    put(9 + 4 * i, -8640 + kFactoryBias[i]);
     put(23 + 4 * i, static_cast<int>(kPerG));
     put(25 + 4 * i, -static_cast<int>(kPerG));
   }
@@ -245,10 +245,8 @@ void PadGadget::report() {
   clock_ += kClockPerMs * static_cast<std::uint32_t>(period_ms());
   const model::Vec3 felt = rotate(conjugate(turned()), {0, 0, 1});
   const std::array<double, 3> accel{-felt.y, felt.z, -felt.x};
-  for (std::size_t i = 0; i < 3; ++i) {
-    put_little(bytes, 16 + 2 * i, static_cast<std::uint32_t>(kGyroBias[i]), 2);
-    put_little(bytes, 22 + 2 * i, rounded(kPerG * accel[i]), 2);
-  }
+  // At rest its gyroscope reads 0: the factory's bias is only in the calibration.
+  for (std::size_t i = 0; i < 3; ++i) put_little(bytes, 22 + 2 * i, rounded(kPerG * accel[i]), 2);
   put_little(bytes, 28, clock_, 4);
   give(kReports, std::move(bytes));
 }

@@ -59,9 +59,11 @@ struct SimulatorSettings {
 
 struct ConnectionSettings {
   std::size_t max = 64;
-  /// Unsent bytes of one connection: telemetry is dropped at half of it, the connection at all of
-  /// it.
+  /// Unsent bytes of one connection: requests are not read while its responses are more than an
+  /// eighth of it, telemetry is dropped at half of it, and at all of it the connection.
   std::size_t queue_bytes = 1u << 20;
+  /// A client whose requests are held back so is disconnected when it takes nothing for so long, s.
+  int write_timeout_s = 10;
   friend bool operator==(const ConnectionSettings&, const ConnectionSettings&) = default;
 };
 
@@ -74,7 +76,7 @@ struct Config {
   /// The device's limits as tightened here; is_within(limits, device.limits).
   model::Limits limits;
   ArmAtStart arm_at_start = ArmAtStart::kAfterCleanStop;
-  ImuType imu = ImuType::kSimulator;
+  ImuSource imu = ImuType::kSimulator;
   ImuFitting imu_fitting;
   ThermometerSettings thermometer;
   /// Comfort setting at the first start, 0..1; `output.set_gain` changes and stores it.

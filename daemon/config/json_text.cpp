@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/config/json_text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -8,6 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
+
+#include "base/nul_byte.h"
 
 namespace hedgehog::config {
 namespace {
@@ -177,6 +180,12 @@ Json to_library(const Value& value) {
 boost::system::result<Value, ConfigError> parse_json(std::string_view text,
                                                      const std::string& file) {
   if (text.size() > kMaxFileBytes) return ConfigError{file, 0, "", "is larger than 1 MiB"};
+  if (const auto nul = base::first_nul(text)) {
+    const auto lines =
+        std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(*nul), '\n');
+    return ConfigError{file, 1 + static_cast<int>(lines), "",
+                       "not valid JSON: " + std::string(base::kHasNul)};
+  }
   Place place;
   Builder builder(place);
   const CountingIterator begin(text.data(), &place);

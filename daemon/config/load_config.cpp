@@ -14,16 +14,13 @@
 namespace hedgehog::config {
 namespace {
 
-using boost::system::error_code;
-
-bool is_missing(const error_code& error) {
-  return error == boost::system::errc::no_such_file_or_directory ||
-         error == boost::system::errc::not_a_directory;
-}
-
 class Loader {
  public:
-  Loader(const Paths& paths, const FileReader& reader) : paths_(paths), reader_(reader) {}
+  Loader(const Paths& paths, const FileReader& reader, const Config* running)
+      : paths_(paths), reader_(reader) {
+    if (running == nullptr) return;
+    possible_ = {running->device.geometry, running->simulated_ball().geometry};
+  }
 
   void read_files() {
     read(paths_.defaults_file, false);
@@ -59,14 +56,13 @@ class Loader {
   /// False when there is no such file.
   bool read(const std::string& file, bool required) {
     if (file.empty()) return false;
-    const auto text = reader_(file);
-    if (!text) {
-      if (required || !is_missing(text.error()))
-        errors_.push_back({file, 0, "", text.error().message()});
+    const base::FileText given = reader_(file);
+    if (!given.good()) {
+      if (required || !given.missing) errors_.push_back({file, 0, "", given.problem});
       return false;
     }
     draft_.config.files.push_back(file);
-    auto root = parse_json(*text, file);
+    auto root = parse_json(given.text, file);
     if (!root)
       errors_.push_back(root.error());
     else
@@ -98,10 +94,26 @@ class Loader {
     const std::string& truth = config.simulator.device_file;
     if (config.backend == Backend::kSimulator && !truth.empty())
       config.simulator.ball = find_device("simulator.device", truth);
+    if (errors_.size() == before) check_same_pins();
     // What a broken device file allows is not known, so nothing can be said about tightening.
     if (errors_.size() != before) return;
     config.limits = tightened(config.device.limits, draft_.limits, origins_, errors_);
     if (errors_.size() == before) check_order(config.limits, origins_, paths_.config_file, errors_);
+  }
+
+  /// Pins are told by their numbers, so those of the simulated ball must be those of the device.
+  void check_same_pins() {
+    const Config& config = draft_.config;
+    const model::BallGeometry& device = config.device.geometry;
+    const model::BallGeometry& ball = config.simulated_ball().geometry;
+    if (ball.arrangement == device.arrangement && ball.removed_pins == device.removed_pins &&
+        ball.front_pin == device.front_pin)
+      return;
+    errors_.push_back(error_at(origins_, "simulator.device",
+                               "the simulated ball must have the pins of device: the same "
+                               "arrangement, removed_pins and front_pin; its magnets and removed "
+                               "shields may be others",
+                               paths_.config_file));
   }
 
   /// `key`: who wants the file of that `name`.
@@ -109,18 +121,18 @@ class Loader {
     Config& config = draft_.config;
     std::string tried;
     for (const std::string& file : device_candidates(name)) {
-      const auto text = reader_(file);
-      if (!text && is_missing(text.error())) {
+      const base::FileText given = reader_(file);
+      if (given.missing) {
         tried += (tried.empty() ? "" : " or ") + file;
         continue;
       }
-      if (!text) {
-        errors_.push_back({file, 0, "", text.error().message()});
+      if (!given.good()) {
+        errors_.push_back({file, 0, "", given.problem});
         return {};
       }
       config.files.push_back(file);
-      const auto root = parse_json(*text, file);
-      if (root) return read_device(*root, file, errors_);
+      const auto root = parse_json(given.text, file);
+      if (root) return read_device(*root, file, possible_, errors_);
       errors_.push_back(root.error());
       return {};
     }
@@ -160,33 +172,53 @@ class Loader {
 
   const Paths& paths_;
   const FileReader& reader_;
+  KnownGeometries possible_;
   Draft draft_;
   Origins origins_;
   ConfigErrors errors_;
 };
 
+/// As it is written: the limits in effect as if each had been set.
+Draft as_draft(const Config& config) {
+  Draft draft{config, {}, config.imu};
+  for (std::size_t i = 0; i < kLimitFields.size(); ++i)
+    draft.limits[i] = config.limits.*kLimitFields[i].member;
+  return draft;
+}
+
 }  // namespace
 
 boost::system::result<Config, ConfigErrors> load_config(const Paths& paths,
                                                         const Overrides& overrides,
-                                                        const FileReader& reader) {
-  Loader loader(paths, reader);
+                                                        const FileReader& reader,
+                                                        const Config* running) {
+  Loader loader(paths, reader, running);
   loader.read_files();
   loader.apply(overrides);
   loader.settle();
   return loader.finish();
 }
 
-std::string print_config(const Config& config) {
-  Draft draft{config, {}, config.imu};
-  for (std::size_t i = 0; i < kLimitFields.size(); ++i)
-    draft.limits[i] = config.limits.*kLimitFields[i].member;
-  return to_json(write_keys(config_keys(), draft));
+base::FileText read_file(const std::string& path) {
+  return base::read_regular_file(path, kMaxFileBytes);
 }
 
-bool same_settings(const Config& a, const Config& b) {
-  return a.device == b.device && a.simulator.ball == b.simulator.ball &&
-         print_config(a) == print_config(b);
+std::string print_config(const Config& config) {
+  return to_json(write_keys(config_keys(), as_draft(config)));
+}
+
+std::vector<std::string> different_keys(const Config& a, const Config& b) {
+  const Draft draft_a = as_draft(a);
+  const Draft draft_b = as_draft(b);
+  std::vector<std::string> paths;
+  for (const Key<Draft>& key : config_keys()) {
+    const bool other_file =
+        (key.path == "device" && !(a.device == b.device)) ||
+        (key.path == "simulator.device" && !(a.simulator.ball == b.simulator.ball));
+    if (other_file || to_json(key.write(draft_a)) != to_json(key.write(draft_b)))
+      paths.push_back(key.path);
+  }
+  return paths;
 }
 
 }  // namespace hedgehog::config

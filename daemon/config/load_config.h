@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include <boost/system/error_code.hpp>
 #include <boost/system/result.hpp>
 
+#include "base/regular_file.h"
 #include "daemon/config/config.h"
 #include "daemon/config/config_error.h"
 #include "daemon/config/paths.h"
@@ -29,21 +29,24 @@ struct Overrides {
 };
 
 /// The text of a file, or why there is none.
-using FileReader = std::function<boost::system::result<std::string>(const std::string& path)>;
+using FileReader = std::function<base::FileText(const std::string& path)>;
 
-/// At most 1 MiB; larger files are an error.
-boost::system::result<std::string> read_file(const std::string& path);
+/// Regular files of at most 1 MiB.
+base::FileText read_file(const std::string& path);
 
 /// All that is wrong comes back at once. Backend "usb" loads; whether it can be started is the
-/// daemon's affair. Blocks on the disk; start-up and reload only.
+/// daemon's affair. Blocks on the disk; start-up and reload only. `running`: a configuration whose
+/// geometries are not checked again, which takes up to seconds.
 boost::system::result<Config, ConfigErrors> load_config(const Paths& paths,
                                                         const Overrides& overrides,
-                                                        const FileReader& reader = read_file);
+                                                        const FileReader& reader = read_file,
+                                                        const Config* running = nullptr);
 
 /// JSON with every key and its value in effect; loaded as a configuration file it gives the same
 /// Config.
 std::string print_config(const Config& config);
-/// The same settings, and the same device file content; where they were read does not count.
-bool same_settings(const Config& a, const Config& b);
+/// The keys whose values in effect differ, and "device" or "simulator.device" where only the
+/// content of that file does; where they were read does not count. In the order of print_config.
+std::vector<std::string> different_keys(const Config& a, const Config& b);
 
 }  // namespace hedgehog::config

@@ -19,6 +19,19 @@ std::string xdg(const Environment& environment, const char* variable, const char
   return environment("HOME").value_or("/tmp") + "/" + below_home;
 }
 
+/// PREFIX/share/hedgehog, for what is there.
+void use_own_prefix(Paths& paths, const std::filesystem::path& program) {
+  if (program.empty()) return;
+  const auto share = program.parent_path().parent_path() / "share/hedgehog";
+  paths.pages_directory = share / "www";
+  std::error_code unseen;
+  if (std::filesystem::exists(share / "hedgehogd.json", unseen))
+    paths.defaults_file = share / "hedgehogd.json";
+  const std::string devices = share / "devices.d";
+  if (devices != paths.device_directories.front() && std::filesystem::exists(devices, unseen))
+    paths.device_directories.insert(paths.device_directories.begin(), devices);
+}
+
 }  // namespace
 
 Environment process_environment() {
@@ -29,7 +42,13 @@ Environment process_environment() {
   };
 }
 
-Paths find_paths(const Environment& environment, const std::optional<std::string>& config_option) {
+std::string own_program() {
+  std::error_code unknown;
+  return std::filesystem::read_symlink("/proc/self/exe", unknown).string();
+}
+
+Paths find_paths(const Environment& environment, const std::optional<std::string>& config_option,
+                 const std::string& program) {
   Paths paths;
   const auto runtime = environment("RUNTIME_DIRECTORY");
   const auto state = environment("STATE_DIRECTORY");
@@ -45,9 +64,7 @@ Paths find_paths(const Environment& environment, const std::optional<std::string
                                   ? *session + "/hedgehog"
                                   : "/tmp/hedgehog-" + std::to_string(getuid());
   }
-  std::error_code ec;
-  const auto program = std::filesystem::read_symlink("/proc/self/exe", ec);
-  if (!ec) paths.pages_directory = program.parent_path().parent_path() / "share/hedgehog/www";
+  use_own_prefix(paths, program);
   if (config_option) {
     paths.config_file = *config_option;
     paths.config_file_required = true;

@@ -43,6 +43,7 @@ device::BoardCommand Controller::step(const StepInputs& inputs, EventList& event
   command_ = drive(passed_, states_.armed() && mix.playing, prediction_.a(), circuit());
   command_.fan = fan_duty(dt_s);
   command_.arm_count = states_.arm_count();
+  command_.boot_loader_count = states_.boot_loader_count();
   prediction_.predict_currents(command_, circuit());
   reporter_.report_changes(report_inputs(), events);
   return command_;
@@ -142,10 +143,13 @@ void Controller::apply_command(const Command& command, EventList& events) noexce
     }
   } else if (std::holds_alternative<ForgetBall>(command.what)) {
     forget_ball();
+  } else if (std::holds_alternative<EnterBootLoader>(command.what)) {
+    states_.enter_boot_loader(now_);
   }
 }
 
 Reason Controller::arming_blocker() const noexcept {
+  if (states_.boot_loader_pending()) return Reason::kBootLoader;
   const Reason arming_blocker = watchdog_.arming_blocker();
   if (arming_blocker != Reason::kNone) return arming_blocker;
   // A board's latch for heat may be older than this daemon.

@@ -45,16 +45,29 @@ void EventReporter::report_changes(const ReportInputs& inputs, EventList& events
   }
   if (inputs.state != reported_.state || inputs.reason != reported_.reason)
     report(EventType::kStateChanged, inputs, events);
-  if (inputs.orientation_present && inputs.orientation_fresh != reported_.oriented) {
-    report(inputs.orientation_fresh ? EventType::kOrientationRestored : EventType::kOrientationLost,
-           inputs, events);
-  }
+  report_orientation(inputs, events);
   if (inputs.derating != reported_.derating) {
     report(inputs.derating ? EventType::kDeratingStarted : EventType::kDeratingEnded, inputs,
            events);
   }
-  reported_ = {inputs.state, inputs.reason, inputs.attached, inputs.orientation_fresh,
-               inputs.derating};
+  reported_ = {inputs.state, inputs.reason, inputs.attached, inputs.derating};
+}
+
+void EventReporter::report_orientation(const ReportInputs& inputs, EventList& events) noexcept {
+  if (!inputs.orientation_present) return;
+  const bool fresh = inputs.orientation_fresh;
+  if (fresh == oriented_) {
+    differing_ticks_ = 0;
+    return;
+  }
+  // Ticks that ran, so that one long gap of a busy machine is no loss.
+  ++differing_ticks_;
+  const model::Tick hold = !fresh ? kLostAfter : was_oriented_ ? kRestoredAfter : 0;
+  if (differing_ticks_ <= hold) return;
+  oriented_ = fresh;
+  was_oriented_ = true;
+  differing_ticks_ = 0;
+  report(fresh ? EventType::kOrientationRestored : EventType::kOrientationLost, inputs, events);
 }
 
 }  // namespace hedgehog::control

@@ -32,6 +32,10 @@ class EventReporter {
  public:
   /// How often the same complaint is worth an event.
   static constexpr model::Tick kReportEvery = model::kTicksPerSecond;
+  /// An orientation is reported as lost once none was fresh for so many ticks on end, and as
+  /// restored once it was fresh for so many. The first one is reported at once.
+  static constexpr model::Tick kLostAfter = 50;
+  static constexpr model::Tick kRestoredAfter = 2 * model::kTicksPerSecond;
 
   /// Once a tick: so many were `skipped` before it. Those before the first were nobody's.
   void report_overrun(std::uint32_t skipped, const ReportInputs& inputs,
@@ -42,15 +46,19 @@ class EventReporter {
   void report_changes(const ReportInputs& inputs, EventList& events) noexcept;
 
  private:
+  void report_orientation(const ReportInputs& inputs, EventList& events) noexcept;
+
   struct Reported {
     State state = State::kAbsent;
     Reason reason = Reason::kNoBoard;
     bool attached = false;
-    bool oriented = false;
     bool derating = false;
   };
 
   Reported reported_;  // as of the last events
+  bool oriented_ = false;
+  bool was_oriented_ = false;
+  model::Tick differing_ticks_ = 0;
   bool started_ = false;
   model::Tick last_overrun_report_ = -1'000'000;
   std::uint64_t unreported_overruns_ = 0;

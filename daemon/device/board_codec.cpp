@@ -63,6 +63,12 @@ Frame encode_arm(std::uint8_t count, std::uint32_t sequence) noexcept {
   return written(values);
 }
 
+Frame encode_boot_loader(std::uint32_t sequence) noexcept {
+  board::BootLoaderFrame values;
+  values.sequence = sequence;
+  return written(values);
+}
+
 BoardLimits BoardLimits::of(const model::Limits& limits) noexcept {
   BoardLimits board;
   board.sensor_c = std::min(board.sensor_c, limits.trip_c + 5.0);
@@ -99,7 +105,7 @@ Thermistor thermistor_of(std::int16_t cc) noexcept {
 
 void decode_validity(const board::TelemetryFrame& values, BoardTelemetry& out) noexcept {
   const bool has_validity = values.thermistors != 0;
-  out.protocol_minor = has_validity ? 1 : 0;
+  out.protocol_minor = values.minor != 0 ? values.minor : has_validity ? 1 : 0;
   for (std::size_t k = 0; k < board::kWindings; ++k) {
     // A board of 1.0 measures a current while it drives the winding; more than this is one too.
     constexpr int kShownMa = 500;

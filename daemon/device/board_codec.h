@@ -38,6 +38,7 @@ struct BoardLimits {
 
 Frame encode_set_point(const BoardCommand& command, std::uint32_t sequence) noexcept;
 Frame encode_arm(std::uint8_t count, std::uint32_t sequence) noexcept;
+Frame encode_boot_loader(std::uint32_t sequence) noexcept;
 Frame encode_limits(const BoardLimits& limits, std::uint32_t sequence) noexcept;
 /// Without its errors: each is a frame of its own.
 Frame encode_simulator(const SimulatorSettings& settings, std::uint32_t sequence) noexcept;

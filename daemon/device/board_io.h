@@ -80,6 +80,8 @@ class BoardCommand {
   std::uint8_t fan = 0;
   /// A change of this number asks the board to clear its latch and arm; set-points never do.
   std::uint8_t arm_count = 0;
+  /// A change of this number asks the board to go into its boot loader.
+  std::uint8_t boot_loader_count = 0;
 
  private:
   bool enable_ = false;
@@ -141,7 +143,8 @@ struct BoardTelemetry {
   std::uint16_t faults = 0;
   /// Thermistor conversions so far, mod 256: stands still when the sensor is not read any more.
   std::uint8_t sensor_conversions = 0;
-  /// 1.0 boards say nothing about what they measure.
+  /// 1.0 boards say nothing about what they measure, 1.1 boards nothing of their minor version;
+  /// from 1.2 on they know the boot loader frame.
   std::uint16_t protocol_version = 1;
   std::uint16_t protocol_minor = 1;
   /// The board's own limits in force, and how full the fuller of its I^2 t budgets is (1 = trip).

@@ -7,6 +7,8 @@ namespace hedgehog::device {
 namespace {
 
 constexpr int kArmTicks = 50;
+// A frame may be lost, and the board may want its bridges to have slept for longer.
+constexpr int kBootLoaderTicks = 50;
 // The board's clock comes round every 49.7 days; more than this at once is another clock.
 constexpr std::uint32_t kLongestGapMs = 10'000;
 // Frames that say what holds for long are repeated, in case one was lost.
@@ -99,7 +101,8 @@ void Link::skip(std::uint64_t ticks) noexcept {
   const auto passed = static_cast<int>(std::min<std::uint64_t>(ticks, kLimitsEveryTicks));
   ticks_without_telemetry_ = std::min(ticks_without_telemetry_ + passed, kAbsentTicks);
   ticks_without_command_ = std::min(ticks_without_command_ + passed, kOverdueTicks);
-  for (int* left : {&arm_ticks_left_, &limits_due_ticks_, &simulator_due_ticks_})
+  for (int* left :
+       {&arm_ticks_left_, &boot_loader_ticks_left_, &limits_due_ticks_, &simulator_due_ticks_})
     *left = std::max(*left - passed, 0);
 }
 
@@ -115,6 +118,7 @@ LinkFrames Link::step(const LinkCommand& command) noexcept {
   note_presence();
   const BoardCommand chosen = choose(command);
   note_arm(command.board.arm_count);
+  note_boot_loader(command.board.boot_loader_count);
 
   LinkFrames frames;
   frames.set_point = encode_set_point(chosen, ++sequence_);
@@ -127,7 +131,7 @@ LinkFrames Link::step(const LinkCommand& command) noexcept {
 void Link::note_presence() noexcept {
   const bool present = ticks_without_telemetry_ < kAbsentTicks;
   if (present && !report_.present) limits_due_ticks_ = 0;
-  if (!present) arm_ticks_left_ = 0;
+  if (!present) arm_ticks_left_ = boot_loader_ticks_left_ = 0;
   report_.present = present;
 }
 
@@ -155,9 +159,16 @@ void Link::note_arm(std::uint8_t wanted) noexcept {
   arm_ticks_left_ = is_request ? kArmTicks : 0;
 }
 
+void Link::note_boot_loader(std::uint8_t wanted) noexcept {
+  if (wanted == requested_boot_loader_) return;
+  requested_boot_loader_ = wanted;
+  boot_loader_ticks_left_ = report_.present ? kBootLoaderTicks : 0;
+}
+
 std::optional<Frame> Link::next_other() noexcept {
   if (arm_ticks_left_ > 0)
     return encode_arm(static_cast<std::uint8_t>(requested_arm_ - arm_offset_), ++sequence_);
+  if (boot_loader_ticks_left_ > 0) return encode_boot_loader(++sequence_);
   if (limits_ && report_.present && limits_due_ticks_ == 0) {
     limits_due_ticks_ = kLimitsEveryTicks;
     return encode_limits(*limits_, ++sequence_);

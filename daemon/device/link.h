@@ -31,7 +31,8 @@ struct LinkFrames {
 /// A change of BoardCommand::arm_count to something else than the board's own count becomes an arm
 /// request, repeated until the board confirms it or 50 ticks are over; a board that appears or
 /// restarts later is never armed by an old request. Start from the board's count, since another
-/// host may have armed it before.
+/// host may have armed it before. A change of BoardCommand::boot_loader_count becomes a request for
+/// the boot loader, repeated for 50 ticks at most, of the board that is present.
 class Link {
  public:
   static constexpr int kOverdueTicks = 20;
@@ -71,6 +72,7 @@ class Link {
   void note_presence() noexcept;
   BoardCommand choose(const LinkCommand& command) noexcept;
   void note_arm(std::uint8_t wanted) noexcept;
+  void note_boot_loader(std::uint8_t wanted) noexcept;
   std::optional<Frame> next_other() noexcept;
   Frame next_simulator() noexcept;
   void keep_thermistors(BoardTelemetry& telemetry) noexcept;
@@ -89,6 +91,9 @@ class Link {
   /// Added to the count of a board that has restarted, so that for control it goes on where it was:
   /// the next request then differs from the board's own count whatever that is.
   std::uint8_t arm_offset_ = 0;
+
+  std::uint8_t requested_boot_loader_ = 0;
+  int boot_loader_ticks_left_ = 0;
 
   int limits_due_ticks_ = 0;
   int simulator_due_ticks_ = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/device/socket_transport.h"
 
+#include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -25,6 +26,12 @@ std::size_t SocketTransport::receive(std::span<std::uint8_t> packet) noexcept {
   if (got > 0) return static_cast<std::size_t>(got);
   if (got == 0 || (errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR)) open_ = false;
   return 0;
+}
+
+void SocketTransport::wait(int timeout_ms) const noexcept {
+  pollfd readable{socket_.get(), POLLIN, 0};
+  while (::poll(&readable, 1, timeout_ms) < 0 && errno == EINTR) {
+  }
 }
 
 std::pair<FileDescriptor, FileDescriptor> make_socket_pair() {

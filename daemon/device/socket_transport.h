@@ -37,6 +37,11 @@ class SocketTransport final : public Transport {
   std::size_t receive(std::span<std::uint8_t> packet) noexcept override;
   bool open() const noexcept override { return open_; }
 
+  /// Waits until there is a packet or the other end is gone, `timeout_ms` at most; a signal
+  /// begins that time anew. For boards and hosts that keep step with each other; those with a clock
+  /// never wait.
+  void wait(int timeout_ms) const noexcept;
+
  private:
   FileDescriptor socket_;
   bool open_ = true;

@@ -118,6 +118,9 @@ void add_listeners(std::vector<Key<D>>& keys) {
       "connections.queue_bytes", 262144, 67108864,
       [](auto& d) -> auto& { return d.config.connections.queue_bytes; }));
   keys.push_back(integer_key<D>(
+      "connections.write_timeout_s", 1, 600,
+      [](auto& d) -> auto& { return d.config.connections.write_timeout_s; }));
+  keys.push_back(integer_key<D>(
       "telemetry.max_rate_hz", 1, 200,
       [](auto& d) -> auto& { return d.config.telemetry_max_rate_hz; }));
 }

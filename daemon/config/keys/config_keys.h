@@ -16,7 +16,7 @@ struct Draft {
   Config config;
   LimitOverrides limits;
   /// nullopt: "auto".
-  std::optional<ImuType> imu;
+  std::optional<ImuSource> imu;
 };
 
 /// All of them, in the order of the documented file.

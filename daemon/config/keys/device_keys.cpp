@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "daemon/config/json_text.h"
-#include "daemon/config/keys/geometry_keys.h"
 #include "daemon/config/keys/key_tree.h"
 #include "daemon/config/keys/limit_keys.h"
 #include "daemon/device/sensors/discovery.h"
@@ -197,7 +196,8 @@ const std::vector<Key<DeviceModel>>& device_keys() {
   return keys;
 }
 
-DeviceModel read_device(const Value& root, const std::string& file, ConfigErrors& errors) {
+DeviceModel read_device(const Value& root, const std::string& file, const KnownGeometries& possible,
+                        ConfigErrors& errors) {
   DeviceModel device;
   Origins origins;
   const std::size_t before = errors.size();
@@ -206,7 +206,7 @@ DeviceModel read_device(const Value& root, const std::string& file, ConfigErrors
   if (errors.size() == before) {
     check_order(device.limits, origins, file, errors);
     check_thermal(device.thermal, origins, file, errors);
-    check_geometry(device.geometry, origins, file, errors);
+    check_geometry(device.geometry, possible, origins, file, errors);
   }
   return device;
 }

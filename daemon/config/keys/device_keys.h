@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "daemon/config/config_error.h"
+#include "daemon/config/keys/geometry_keys.h"
 #include "daemon/config/keys/key.h"
 #include "daemon/config/value.h"
 #include "model/device_model.h"
@@ -17,8 +18,10 @@ namespace hedgehog::config {
 const std::vector<Key<model::DeviceModel>>& device_keys();
 
 /// The model in `root`; what it does not mention is as on a hedgehog-86. Errors are added to
-/// `errors`, with their lines in `file`; the result is then not to be used.
-model::DeviceModel read_device(const Value& root, const std::string& file, ConfigErrors& errors);
+/// `errors`, with their lines in `file`; the result is then not to be used. `possible`: see
+/// `check_geometry`.
+model::DeviceModel read_device(const Value& root, const std::string& file,
+                               const KnownGeometries& possible, ConfigErrors& errors);
 
 /// `device` as the text of a device file that reads back the same.
 std::string print_device(const model::DeviceModel& device);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/config/keys/geometry_keys.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace hedgehog::config {
@@ -39,6 +40,8 @@ Key<DeviceModel> sites_key(std::string path, Get get) {
               double id = 0.0;
               if (Reason reason = read_integer(element, 0, kMaxSite, id); !reason.empty())
                 return reason;
+              if (std::find(ids.begin(), ids.end(), static_cast<int>(id)) != ids.end())
+                return "names " + describe(element) + " twice";
               ids.push_back(static_cast<int>(id));
             }
             get(d) = std::move(ids);
@@ -49,6 +52,35 @@ Key<DeviceModel> sites_key(std::string path, Get get) {
             for (const int id : get(d)) ids.push_back(Value::of(double{1.0} * id));
             return Value::array(std::move(ids));
           }};
+}
+
+/// The key that says what is wrong: of several together the first that somebody wrote.
+std::string key_of(model::GeometryPart part, const Origins& origins) {
+  using model::GeometryPart;
+  std::vector<std::string> keys;
+  switch (part) {
+    case GeometryPart::kArrangement:
+      break;
+    case GeometryPart::kRemovedPins:
+      keys = {"removed_pins"};
+      break;
+    case GeometryPart::kRemovedShields:
+      keys = {"removed_shields"};
+      break;
+    case GeometryPart::kFrontPin:
+      keys = {"front_pin"};
+      break;
+    case GeometryPart::kPinSizes:
+      keys = {"pin_magnet_mm", "sphere_mm"};
+      break;
+    case GeometryPart::kAllSizes:
+      keys = {"shield_magnet_mm", "pin_magnet_mm", "sphere_mm"};
+      break;
+  }
+  const auto written = std::find_if(keys.begin(), keys.end(), [&](const std::string& key) {
+    return origins.find(key) != origins.end();
+  });
+  return written != keys.end() ? *written : "arrangement";
 }
 
 }  // namespace
@@ -85,12 +117,14 @@ std::vector<Key<DeviceModel>> geometry_keys() {
   return keys;
 }
 
-void check_geometry(const model::BallGeometry& geometry, const Origins& origins,
-                    const std::string& file, ConfigErrors& errors) {
+void check_geometry(const model::BallGeometry& geometry, const KnownGeometries& possible,
+                    const Origins& origins, const std::string& file, ConfigErrors& errors) {
   if (geometry == model::BallGeometry{}) return;
+  if (std::find(possible.begin(), possible.end(), geometry) != possible.end()) return;
   const auto arrangement = model::arrangement_of(geometry);
-  if (arrangement.has_error())
-    errors.push_back(error_at(origins, "arrangement", arrangement.error().message, file));
+  if (!arrangement.has_error()) return;
+  const model::MagnetError& error = arrangement.error();
+  errors.push_back(error_at(origins, key_of(error.part, origins), error.message, file));
 }
 
 }  // namespace hedgehog::config

@@ -14,9 +14,12 @@ namespace hedgehog::config {
 
 std::vector<Key<model::DeviceModel>> geometry_keys();
 
-/// Adds to `errors` why there can be no such ball; computes its arrangement, unless it is that of
-/// the thesis.
-void check_geometry(const model::BallGeometry& geometry, const Origins& origins,
-                    const std::string& file, ConfigErrors& errors);
+/// Geometries that have been found possible.
+using KnownGeometries = std::vector<model::BallGeometry>;
+
+/// Adds to `errors` why there can be no such ball, about the key that is wrong. Computes its
+/// arrangement (GP(8,0): a second), unless it is that of the thesis or among `possible`.
+void check_geometry(const model::BallGeometry& geometry, const KnownGeometries& possible,
+                    const Origins& origins, const std::string& file, ConfigErrors& errors);
 
 }  // namespace hedgehog::config

@@ -95,20 +95,22 @@ Key<Target> serial_key(std::string path, Get get) {
       [=](const Target& t) { return get(t).empty() ? Value{} : Value::of(std::string(get(t))); }};
 }
 
-template <class Enum, std::size_t n>
-using Choices = std::array<std::pair<std::string_view, Enum>, n>;
+/// Names in the file and what they mean.
+template <class Meaning, std::size_t n>
+using Choices = std::array<std::pair<std::string_view, Meaning>, n>;
 
-template <class Target, class Enum, std::size_t n, class Get>
-Key<Target> choice_key(std::string path, Choices<Enum, n> choices, Get get) {
+/// `choices`: Choices, or a vector of the same.
+template <class Target, class List, class Get>
+Key<Target> choice_key(std::string path, List choices, Get get) {
   return {std::move(path),
           [=](Target& t, const Value& v) -> Reason {
             std::string allowed;
-            for (std::size_t i = 0; i < n; ++i) {
+            for (std::size_t i = 0; i < choices.size(); ++i) {
               if (v.kind == Value::Kind::kText && v.text == choices[i].first) {
                 get(t) = choices[i].second;
                 return {};
               }
-              if (i > 0) allowed += i + 1 == n ? " or " : ", ";
+              if (i > 0) allowed += i + 1 == choices.size() ? " or " : ", ";
               allowed += '"' + std::string(choices[i].first) + '"';
             }
             return must_be(allowed, v);

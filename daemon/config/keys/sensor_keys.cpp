@@ -3,45 +3,64 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace hedgehog::config {
 namespace {
 
 using D = Draft;
+using device::SensorDriver;
+using device::SensorJob;
 using device::Side;
 using device::ThermometerRole;
 
-constexpr Choices<std::optional<ImuType>, 8> kImuTypes{{{"auto", std::nullopt},
-                                                        {"none", ImuType::kNone},
-                                                        {"simulator", ImuType::kSimulator},
-                                                        {"external", ImuType::kExternal},
-                                                        {"hid_sensor", ImuType::kHidSensor},
-                                                        {"dualsense", ImuType::kDualSense},
-                                                        {"dualshock4", ImuType::kDualShock4},
-                                                        {"mti", ImuType::kMti}}};
 constexpr Choices<Side, 6> kSides{{{"front", Side::kFront},
                                    {"back", Side::kBack},
                                    {"left", Side::kLeft},
                                    {"right", Side::kRight},
                                    {"up", Side::kUp},
                                    {"down", Side::kDown}}};
-constexpr Choices<ThermometerType, 2> kThermometers{
-    {{"none", ThermometerType::kNone}, {"temper", ThermometerType::kTemper}}};
 constexpr Choices<ThermometerRole, 3> kRoles{{{"none", ThermometerRole::kNone},
                                               {"coil", ThermometerRole::kCoil},
                                               {"shell", ThermometerRole::kShell}}};
 
+/// `known` and the types of all drivers for `job`, each made by `meaning`.
+template <class Meaning>
+std::vector<std::pair<std::string_view, Meaning>> with_drivers(
+    std::vector<std::pair<std::string_view, Meaning>> known, SensorJob job) {
+  for (const SensorDriver* driver : device::sensor_drivers())
+    if (driver->job == job && driver->unusable.empty())
+      known.emplace_back(driver->type, Meaning{driver});
+  return known;
+}
+
 }  // namespace
 
-std::string_view name(ImuType type) noexcept {
-  for (const auto& [text, value] : kImuTypes)
-    if (value == type) return text;
+std::string_view name(const ImuSource& source) noexcept {
+  switch (source.type) {
+    case ImuType::kSimulator:
+      return "simulator";
+    case ImuType::kExternal:
+      return "external";
+    case ImuType::kSensor:
+      return source.driver->type;
+    case ImuType::kNone:
+      break;
+  }
   return "none";
 }
 
 void add_sensor_keys(std::vector<Key<D>>& keys) {
   keys.push_back(choice_key<D>(
-      "imu.type", kImuTypes, [](auto& d) -> auto& { return d.imu; }));
+      "imu.type",
+      with_drivers<std::optional<ImuSource>>({{"auto", std::nullopt},
+                                              {"none", ImuType::kNone},
+                                              {"simulator", ImuType::kSimulator},
+                                              {"external", ImuType::kExternal}},
+                                             SensorJob::kOrientation),
+      [](auto& d) -> auto& { return d.imu; }));
   keys.push_back(serial_key<D>(
       "imu.serial", [](auto& d) -> auto& { return d.config.imu_fitting.serial; }));
   keys.push_back(choice_key<D>(
@@ -49,8 +68,9 @@ void add_sensor_keys(std::vector<Key<D>>& keys) {
   keys.push_back(choice_key<D>(
       "imu.up", kSides, [](auto& d) -> auto& { return d.config.imu_fitting.up; }));
   keys.push_back(choice_key<D>(
-      "thermometer.type", kThermometers,
-      [](auto& d) -> auto& { return d.config.thermometer.type; }));
+      "thermometer.type",
+      with_drivers<const SensorDriver*>({{"none", nullptr}}, SensorJob::kThermometer),
+      [](auto& d) -> auto& { return d.config.thermometer.driver; }));
   keys.push_back(choice_key<D>(
       "thermometer.role", kRoles, [](auto& d) -> auto& { return d.config.thermometer.role; }));
   keys.push_back(serial_key<D>(
@@ -70,7 +90,7 @@ void settle_sensors(Draft& draft, const Origins& origins, const std::string& fil
   if (!device::Mounting::of(config.imu_fitting.front, config.imu_fitting.up))
     wrong("imu.up", "must be neither the side of imu.front nor the opposite one");
   ThermometerSettings& thermometer = config.thermometer;
-  const bool fitted = thermometer.type != ThermometerType::kNone;
+  const bool fitted = thermometer.driver != nullptr;
   if (fitted && thermometer.role == ThermometerRole::kNone)
     wrong("thermometer.role", "must be \"coil\" or \"shell\" when there is a thermometer");
   if (!fitted && thermometer.role != ThermometerRole::kNone)

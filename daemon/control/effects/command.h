@@ -99,12 +99,15 @@ struct SetLimits {
 /// push before somebody arms it.
 struct ForgetBall {};
 
+/// The board goes into its boot loader, unless it is armed or being armed.
+struct EnterBootLoader {};
+
 struct Command {
   /// Rises by one with each command; a status whose `applied_seq` has reached it shows its
   /// consequence.
   std::uint64_t seq = 0;
   std::variant<StartEffect, UpdateEffect, LoadKeyframes, Arm, Recenter, SetGain, SetLimits,
-               ForgetBall>
+               ForgetBall, EnterBootLoader>
       what;
 };
 

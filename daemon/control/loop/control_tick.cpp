@@ -106,6 +106,7 @@ bool ControlTick::run_safe() noexcept {
   device::BoardCommand safe;
   safe.fan = last_.fan;
   safe.arm_count = last_.arm_count;
+  safe.boot_loader_count = last_.boot_loader_count;
   if (safe_since_ == 0) safe_since_ = port_.reports.read().telemetry_count;
   send(safe);
   // The second frame from now was measured after the command could have arrived; with bridges that

@@ -2,6 +2,7 @@
 #include "daemon/control/loop/lockstep_loop.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "daemon/control/loop/absolute_sleep.h"
 #include "daemon/control/loop/loop_meter.h"
@@ -21,9 +22,15 @@ int in_range(int speed) noexcept {
 LockstepLoop::LockstepLoop(const ControlSettings& settings, Mailbox& mailbox,
                            device::LinkPort& port, FlightRecorder* recorder,
                            const device::SimulatedBoardOptions& board, int speed)
+    : LockstepLoop(settings, mailbox, port, recorder, speed,
+                   std::make_unique<device::LockStep>(port, board)) {}
+
+LockstepLoop::LockstepLoop(const ControlSettings& settings, Mailbox& mailbox,
+                           device::LinkPort& port, FlightRecorder* recorder, int speed,
+                           std::unique_ptr<device::SteppedBoard> board)
     : Loop(settings, mailbox, port, recorder, in_range(speed)),
       speed_(in_range(speed)),
-      world_(port, board) {}
+      board_(std::move(board)) {}
 
 void LockstepLoop::run() noexcept {
   using device::monotonic_ns;
@@ -41,7 +48,7 @@ void LockstepLoop::run() noexcept {
       const std::int64_t begun_ns = monotonic_ns();
       tick().run(++now, 0, meter.statistics());
       meter.worked(monotonic_ns() - begun_ns);
-      world_.step();
+      board_->step();
       advance(now, 1);
     }
   }

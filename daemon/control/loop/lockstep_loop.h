@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Controller, link and simulated board on one thread, several ticks a real millisecond
-// (`hedgehogd --simulate --speed N`): device time runs N times as fast as the clock on the wall.
+// (`hedgehogd --simulate --speed N`; the board may be a process): device time runs N times as fast
+// as the clock on the wall.
 #pragma once
+
+#include <memory>
 
 #include "daemon/control/loop/loop.h"
 #include "daemon/device/simulator/lock_step.h"
@@ -16,14 +19,17 @@ class LockstepLoop final : public Loop {
   /// `speed`: 1..100 ticks a millisecond.
   LockstepLoop(const ControlSettings& settings, Mailbox& mailbox, device::LinkPort& port,
                FlightRecorder* recorder, const device::SimulatedBoardOptions& board, int speed);
+  /// The same with another board in step, such as one in a process.
+  LockstepLoop(const ControlSettings& settings, Mailbox& mailbox, device::LinkPort& port,
+               FlightRecorder* recorder, int speed, std::unique_ptr<device::SteppedBoard> board);
   ~LockstepLoop() override { stop(); }
 
  private:
   void run() noexcept override;
-  void after_safe_tick() noexcept override { world_.step(); }
+  void after_safe_tick() noexcept override { board_->step(); }
 
   int speed_;
-  device::LockStep world_;
+  std::unique_ptr<device::SteppedBoard> board_;
 };
 
 }  // namespace hedgehog::control

@@ -8,11 +8,10 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <memory>
 
 #include "base/crc32.h"
+#include "base/regular_file.h"
 
 namespace hedgehog::control {
 namespace {
@@ -155,14 +154,15 @@ ReplayResult replay(std::span<const std::byte> recording, const ReplaySink& sink
 }
 
 ReplayResult replay_recording(const std::string& path, const ReplaySink& sink) {
-  std::ifstream file(path, std::ios::binary);
-  std::vector<char> bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (!file.good() && !file.eof()) {
+  // Far more than the recorder holds.
+  constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
+  const base::FileText file = base::read_regular_file(path, kMaxBytes);
+  if (!file.good()) {
     ReplayResult result;
     result.error = ReplayError::kUnreadable;
     return result;
   }
-  return replay(std::as_bytes(std::span<const char>(bytes)), sink);
+  return replay(std::as_bytes(std::span<const char>(file.text)), sink);
 }
 
 }  // namespace hedgehog::control

@@ -43,8 +43,9 @@ inline bool same_bits(const TickOutputs& a, const TickOutputs& b) noexcept {
   };
   return a.board.enable() == b.board.enable() && a.board.duty_q15() == b.board.duty_q15() &&
          a.board.boost_q15() == b.board.boost_q15() && a.board.fan == b.board.fan &&
-         a.board.arm_count == b.board.arm_count && a.state == b.state && a.reason == b.reason &&
-         a.events == b.events && same(a.passed_a.x, b.passed_a.x) &&
+         a.board.arm_count == b.board.arm_count &&
+         a.board.boot_loader_count == b.board.boot_loader_count && a.state == b.state &&
+         a.reason == b.reason && a.events == b.events && same(a.passed_a.x, b.passed_a.x) &&
          same(a.passed_a.y, b.passed_a.y) && same(a.passed_a.z, b.passed_a.z) &&
          same(a.hottest_c, b.hottest_c);
 }

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::array<std::string_view, 4> kStates{"absent", "disarmed", "armed", "tripped"};
 
-constexpr std::array<std::string_view, 31> kReasons{"none",
+constexpr std::array<std::string_view, 32> kReasons{"none",
                                                     "never_armed",
                                                     "unclean_stop",
                                                     "hot_plug",
@@ -39,7 +39,8 @@ constexpr std::array<std::string_view, 31> kReasons{"none",
                                                     "telemetry_lost",
                                                     "state_lost",
                                                     "measurements_disagree",
-                                                    "internal"};
+                                                    "internal",
+                                                    "boot_loader"};
 static_assert(kReasons.size() == kReasonCount);
 
 }  // namespace

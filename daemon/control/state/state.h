@@ -47,9 +47,11 @@ enum class Reason : std::uint8_t {
   kStateLost,             // the saved state is damaged or of another ball: a latch may be forgotten
   kMeasurementsDisagree,  // two of them contradict each other, and one of them guards the heat
   kInternal,              // a number that cannot be, again and again
+  // absent
+  kBootLoader,  // device.enter_boot_loader: the board waits for new firmware
 };
 
-inline constexpr std::size_t kReasonCount = static_cast<std::size_t>(Reason::kInternal) + 1;
+inline constexpr std::size_t kReasonCount = static_cast<std::size_t>(Reason::kBootLoader) + 1;
 
 std::string_view name(State state) noexcept;
 std::string_view name(Reason reason) noexcept;

@@ -40,7 +40,9 @@ void StateMachine::board_gone(Reason gone, model::Tick now) noexcept {
   if (seen_) arm_when_sane_ = false;
   arming_ = false;
   // While it is gone the first reason stays, so that silence and unplugging are one episode.
-  if (state_ != State::kAbsent) enter(State::kAbsent, gone, now);
+  if (state_ != State::kAbsent)
+    enter(State::kAbsent, boot_loader_pending_ ? Reason::kBootLoader : gone, now);
+  boot_loader_pending_ = false;
 }
 
 void StateMachine::trip(Reason reason, model::Tick now) noexcept {
@@ -77,13 +79,21 @@ void StateMachine::begin_arming(model::Tick now) noexcept {
 }
 
 void StateMachine::arm(Reason refusal, model::Tick now) noexcept {
-  const bool idle = state_ == State::kDisarmed || state_ == State::kTripped;
-  if (idle && !arming_ && refusal == Reason::kNone) begin_arming(now);
+  if (idle() && !boot_loader_pending_ && refusal == Reason::kNone) begin_arming(now);
+}
+
+void StateMachine::enter_boot_loader(model::Tick now) noexcept {
+  if (!idle()) return;
+  arm_when_sane_ = false;
+  boot_loader_pending_ = true;
+  boot_loader_since_ = now;
+  ++boot_loader_count_;
 }
 
 void StateMachine::step(const device::BoardTelemetry& board, bool fresh, Reason refusal,
                         model::Tick now) noexcept {
   backoff_.step(state_ == State::kArmed, now);
+  if (now - boot_loader_since_ > kBootLoaderPatience) boot_loader_pending_ = false;
   if (arm_when_sane_ && state_ == State::kDisarmed && refusal == Reason::kNone) {
     arm_when_sane_ = false;
     begin_arming(now);

@@ -18,6 +18,8 @@ class StateMachine {
  public:
   /// The board has this long to answer.
   static constexpr model::Tick kArmPatience = 300;
+  /// A board that is asked into its boot loader is gone by then, or will not go.
+  static constexpr model::Tick kBootLoaderPatience = 500;
 
   explicit StateMachine(const ControlSettings& settings) noexcept;
 
@@ -35,6 +37,10 @@ class StateMachine {
 
   /// Begins to arm unless `refusal` says why not.
   void arm(Reason refusal, model::Tick now) noexcept;
+  /// Asks a board that is neither armed nor being armed into its boot loader: until it is gone, or
+  /// the patience over, it is not armed, and its loss is no trip.
+  void enter_boot_loader(model::Tick now) noexcept;
+  bool boot_loader_pending() const noexcept { return boot_loader_pending_; }
   /// Arms at the start once nothing speaks against it any more, and ends an arming: by the board's
   /// answer or when it gives none.
   bool arming() const noexcept { return arming_; }
@@ -51,10 +57,14 @@ class StateMachine {
   const RearmCounts& rearms() const noexcept { return backoff_.counts(); }
   bool armed() const noexcept { return state_ == State::kArmed; }
   std::uint8_t arm_count() const noexcept { return arm_count_; }
+  std::uint8_t boot_loader_count() const noexcept { return boot_loader_count_; }
 
  private:
   void enter(State state, Reason reason, model::Tick now) noexcept;
   void begin_arming(model::Tick now) noexcept;
+  bool idle() const noexcept {
+    return (state_ == State::kDisarmed || state_ == State::kTripped) && !arming_;
+  }
 
   State state_ = State::kAbsent;
   Reason reason_ = Reason::kNoBoard;
@@ -68,6 +78,9 @@ class StateMachine {
   bool arming_ = false;
   model::Tick arming_since_ = 0;
   std::uint8_t arm_count_ = 0;
+  bool boot_loader_pending_ = false;
+  model::Tick boot_loader_since_ = 0;
+  std::uint8_t boot_loader_count_ = 0;
 };
 
 }  // namespace hedgehog::control

@@ -50,6 +50,12 @@ void BoardCore::receive(const uint8_t* bytes, size_t length) noexcept {
     case FrameType::kLimits:
       tighten(read_limits(bytes));
       break;
+    case FrameType::kBootLoader:
+      if (read_boot_loader(bytes).key == BootLoaderFrame::kKey)
+        boot_loader_asked_ = true;
+      else
+        ++refused_;
+      break;
     case FrameType::kSimulatorError:
     case FrameType::kSimulator:
     case FrameType::kTelemetry:
@@ -79,6 +85,7 @@ BoardOutputs BoardCore::step(const BoardInputs& inputs) noexcept {
   judge(inputs);
   answer_arm();
   decide();
+  answer_boot_loader();
   return outputs_;
 }
 
@@ -202,6 +209,12 @@ void BoardCore::answer_arm() noexcept {
   set_point_.enable = false;
 }
 
+void BoardCore::answer_boot_loader() noexcept {
+  boot_loader_due_ = asleep_.step(!outputs_.awake) && boot_loader_asked_;
+  if (boot_loader_asked_ && !boot_loader_due_) ++refused_;
+  boot_loader_asked_ = false;
+}
+
 void BoardCore::decide() noexcept {
   outputs_ = BoardOutputs{};
   if (armed()) {
@@ -241,6 +254,7 @@ void BoardCore::write_thermistors(TelemetryFrame& out) const noexcept {
 
 void BoardCore::write_telemetry(uint8_t* frame) noexcept {
   TelemetryFrame out;
+  out.minor = kProtocolMinor;
   out.sequence = ++telemetry_sequence_;
   out.received_sequence = received_sequence_;
   out.set_point_sequence = set_point_.sequence;

@@ -90,6 +90,10 @@ class BoardCore {
   /// The telemetry of the last `step`, 64 bytes.
   void write_telemetry(uint8_t* frame) noexcept;
 
+  /// The last `step` was asked for the boot loader, and the bridges have slept for long enough:
+  /// firmware goes there instead of into another millisecond.
+  bool boot_loader_due() const noexcept { return boot_loader_due_; }
+
   Mode mode() const noexcept { return mode_; }
   /// Latched and live.
   uint16_t faults() const noexcept { return static_cast<uint16_t>(latched_ | live_); }
@@ -112,6 +116,7 @@ class BoardCore {
   void judge_sensor(const BoardInputs& inputs) noexcept;
   void judge_dead_man() noexcept;
   void answer_arm() noexcept;
+  void answer_boot_loader() noexcept;
   void decide() noexcept;
   uint8_t fan() const noexcept;
   void write_thermistors(TelemetryFrame& out) const noexcept;
@@ -138,6 +143,10 @@ class BoardCore {
   bool arm_asked_ = false;
   uint8_t arm_asked_count_ = 0;
   uint8_t arm_count_ = 0;
+
+  bool boot_loader_asked_ = false;
+  bool boot_loader_due_ = false;
+  Persistence asleep_{kBootLoaderMs};
 
   Persistence over_current_{kOverCurrentMs};
   Persistence sensor_hot_{kSensorHotMs};

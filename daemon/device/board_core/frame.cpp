@@ -11,6 +11,7 @@ constexpr uint8_t kFlagEnable = 1u << 0;
 constexpr uint8_t kFlagSwitchClosed = 1u << 0;
 constexpr uint8_t kFlagAwake = 1u << 1;
 constexpr uint8_t kFlagInLine = 1u << 2;
+constexpr int kMinorShift = 4;
 constexpr uint8_t kKnowsSupplyCurrent = 1u << 5;
 
 uint16_t get_u16(const uint8_t* at) noexcept {
@@ -47,6 +48,7 @@ bool is_known(uint8_t type) noexcept {
     case FrameType::kSetPoint:
     case FrameType::kArm:
     case FrameType::kLimits:
+    case FrameType::kBootLoader:
     case FrameType::kSimulatorError:
     case FrameType::kSimulator:
     case FrameType::kTelemetry:
@@ -95,6 +97,13 @@ LimitsFrame read_limits(const uint8_t* frame) noexcept {
   values.sensor_cc = get_i16(frame + 8);
   values.current_ma = get_u16(frame + 10);
   values.heat_permille = get_u16(frame + 12);
+  return values;
+}
+
+BootLoaderFrame read_boot_loader(const uint8_t* frame) noexcept {
+  BootLoaderFrame values;
+  values.sequence = get_u32(frame + 4);
+  values.key = get_u32(frame + 8);
   return values;
 }
 
@@ -162,6 +171,7 @@ TelemetryFrame read_telemetry(const uint8_t* frame) noexcept {
   values.refused = get_u16(frame + 54);
   values.currents_measured = frame[45] & 7u;
   values.currents_in_line = (frame[3] & kFlagInLine) != 0;
+  values.minor = static_cast<uint8_t>(frame[3] >> kMinorShift);
   values.thermistors = frame[45] >> 3 & 3u;
   values.supply_current_measured = (frame[45] & kKnowsSupplyCurrent) != 0;
   values.other_thermistor = static_cast<uint8_t>(frame[45] >> 6);
@@ -191,6 +201,12 @@ void write_frame(const LimitsFrame& values, uint8_t* frame) noexcept {
   put_i16(frame + 8, values.sensor_cc);
   put_u16(frame + 10, values.current_ma);
   put_u16(frame + 12, values.heat_permille);
+  finish(frame);
+}
+
+void write_frame(const BootLoaderFrame& values, uint8_t* frame) noexcept {
+  begin(frame, FrameType::kBootLoader, 0, values.sequence);
+  put_u32(frame + 8, values.key);
   finish(frame);
 }
 
@@ -230,7 +246,8 @@ void write_frame(const SimulatorTruthFrame& values, uint8_t* frame) noexcept {
 void write_frame(const TelemetryFrame& values, uint8_t* frame) noexcept {
   const auto flags = static_cast<uint8_t>((values.supply_switch_closed ? kFlagSwitchClosed : 0) |
                                           (values.bridges_awake ? kFlagAwake : 0) |
-                                          (values.currents_in_line ? kFlagInLine : 0));
+                                          (values.currents_in_line ? kFlagInLine : 0) |
+                                          (values.minor & 15u) << kMinorShift);
   begin(frame, FrameType::kTelemetry, flags, values.sequence);
   put_u32(frame + 8, values.received_sequence);
   put_u32(frame + 12, values.set_point_sequence);

@@ -12,12 +12,15 @@ inline constexpr size_t kFrameSize = 64;
 inline constexpr uint8_t kFrameMagic = 0x48;
 /// Byte 1 of every frame; also what BoardTelemetry::protocol_version says.
 inline constexpr uint8_t kProtocolVersion = 1;
+/// What this code knows of that version.
+inline constexpr uint8_t kProtocolMinor = 2;
 inline constexpr int kWindings = 3;
 
 enum class FrameType : uint8_t {
   kSetPoint = 0x01,
   kArm = 0x02,
   kLimits = 0x03,
+  kBootLoader = 0x04,
   kSimulatorError = 0x7E,  // a real board ignores these two
   kSimulator = 0x7F,
   kTelemetry = 0x81,
@@ -56,6 +59,16 @@ struct LimitsFrame {
   int16_t sensor_cc = 0;       // hundredths of a degree Celsius
   uint16_t current_ma = 0;     // Euclidean norm
   uint16_t heat_permille = 0;  // of the device's own I^2 t budgets
+};
+
+/// Host to board, since 1.2: into the boot loader, where new firmware is taken. A board whose
+/// bridges are awake, or were a moment ago, refuses.
+struct BootLoaderFrame {
+  static constexpr uint32_t kKey = 0x544F4F42;  // "BOOT"
+
+  uint32_t sequence = 0;
+  /// Anything but `kKey` is refused.
+  uint32_t key = kKey;
 };
 
 /// Host to simulated board only.
@@ -121,6 +134,8 @@ struct TelemetryFrame {
   uint16_t device_heat_permille = 0;
   /// Frames refused so far for any reason, mod 65536.
   uint16_t refused = 0;
+  /// Since 1.2, 0..15; 0 from older boards.
+  uint8_t minor = 0;
   /// Since 1.1; all 0 from a board of 1.0. Bit k: `current_ma[k]` was measured.
   uint8_t currents_measured = 0;
   /// How many there are, 1..3.
@@ -147,6 +162,7 @@ FrameError read_header(const uint8_t* bytes, size_t length, FrameHeader& header)
 SetPointFrame read_set_point(const uint8_t* frame) noexcept;
 ArmFrame read_arm(const uint8_t* frame) noexcept;
 LimitsFrame read_limits(const uint8_t* frame) noexcept;
+BootLoaderFrame read_boot_loader(const uint8_t* frame) noexcept;
 SimulatorFrame read_simulator(const uint8_t* frame) noexcept;
 SimulatorErrorFrame read_simulator_error(const uint8_t* frame) noexcept;
 SimulatorTruthFrame read_simulator_truth(const uint8_t* frame) noexcept;
@@ -156,6 +172,7 @@ TelemetryFrame read_telemetry(const uint8_t* frame) noexcept;
 void write_frame(const SetPointFrame& values, uint8_t* frame) noexcept;
 void write_frame(const ArmFrame& values, uint8_t* frame) noexcept;
 void write_frame(const LimitsFrame& values, uint8_t* frame) noexcept;
+void write_frame(const BootLoaderFrame& values, uint8_t* frame) noexcept;
 void write_frame(const SimulatorFrame& values, uint8_t* frame) noexcept;
 void write_frame(const SimulatorErrorFrame& values, uint8_t* frame) noexcept;
 void write_frame(const SimulatorTruthFrame& values, uint8_t* frame) noexcept;

@@ -68,6 +68,9 @@ inline constexpr uint32_t kExcessSupplyMa = 1500;
 /// broken.
 inline constexpr uint32_t kMinDrivenDutyQ15 = 2622;
 inline constexpr uint32_t kUnmeasuredMs = 25;
+/// For the boot loader the bridges must have slept for so long: 15 A have died away by then, and
+/// opening the supply switch breaks none.
+inline constexpr uint32_t kBootLoaderMs = 20;
 /// After power-up, without a host: the fan runs above this.
 inline constexpr int16_t kFanFromCc = 4000;
 

@@ -99,9 +99,12 @@ std::optional<SonyCalibration> decode_calibration(SonyPad pad, SonyBus bus,
   const double speeds = at(19) + at(21);
   SonyCalibration made;
   for (std::size_t i = 0; i < 3; ++i) {
-    const double gyro_plus = at(pairs ? 7 + 4 * i : 7 + 2 * i);
-    const double gyro_minus = at(pairs ? 9 + 4 * i : 13 + 2 * i);
-    made.gyro[i] = believable({at(1 + 2 * i), speeds / (gyro_plus - gyro_minus)}, kNominalGyro);
+    const double factory_bias = at(1 + 2 * i);
+    const double gyro_plus = at(pairs ? 7 + 4 * i : 7 + 2 * i) - factory_bias;
+    const double gyro_minus = at(pairs ? 9 + 4 * i : 13 + 2 * i) - factory_bias;
+    // Reports come without that bias: it is only of the two maxima.
+    made.gyro[i] =
+        believable({0.0, speeds / (std::abs(gyro_plus) + std::abs(gyro_minus))}, kNominalGyro);
     const double accel_plus = at(23 + 4 * i);
     const double range_2g = accel_plus - at(25 + 4 * i);
     made.accel[i] = believable({accel_plus - range_2g / 2, 2.0 / range_2g}, kNominalAccel);

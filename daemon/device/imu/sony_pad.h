@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Gyroscope and accelerometer of Sony's DualSense and DualShock 4, by USB and by Bluetooth, with
-// the calibration that each pad carries. Source: byte positions as in Linux' hid-playstation.c
-// (reference: hardware.md section 5.2). Pure; any thread.
+// the calibration that each pad carries. Source: byte positions, and how the calibration is used,
+// as in Linux' hid-playstation.c (reference: hardware.md section 5.2): the gyroscope's factory bias
+// is taken off the maxima that were measured with it, and is none of the reports'. Pure; any
+// thread.
 #pragma once
 
 #include <array>
@@ -25,8 +27,8 @@ struct SonyCalibrationReport {
 };
 SonyCalibrationReport calibration_report(SonyPad pad, SonyBus bus) noexcept;
 
-/// raw -> physical of each axis, in the pad's order x (right), y (up out of its face), z (to the
-/// player).
+/// raw -> physical of each axis, (raw - bias) * scale, in the pad's order x (right), y (up out of
+/// its face), z (to the player).
 struct SonyCalibration {
   struct Axis {
     double bias = 0.0;

@@ -104,58 +104,8 @@ std::optional<HidDevice> read_hid_device(const fs::path& entry) {
   return made;
 }
 
-struct Ids {
-  std::uint16_t vendor;
-  std::uint16_t product;
-  SensorKind kind;
-};
-constexpr std::array<Ids, 9> kHidIds{{{0x054C, 0x0CE6, SensorKind::kDualSense},
-                                      {0x054C, 0x0DF2, SensorKind::kDualSense},
-                                      {0x054C, 0x05C4, SensorKind::kDualShock4},
-                                      {0x054C, 0x09CC, SensorKind::kDualShock4},
-                                      {0x054C, 0x0BA0, SensorKind::kDualShock4},
-                                      {0x0C45, 0x7401, SensorKind::kTemper},
-                                      {0x0C45, 0x7402, SensorKind::kTemper},
-                                      {0x413D, 0x2107, SensorKind::kTemper},
-                                      {0x1A86, 0xE025, SensorKind::kTemper}}};
-/// A TEMPer stick is a keyboard on its first interface and a thermometer on its second.
-constexpr int kTemperInterface = 1;
-
-constexpr std::uint16_t kXsens = 0x2639;
-constexpr std::array<std::uint16_t, 7> kMti{0x0001, 0x0002, 0x0003, 0x0011, 0x0012, 0x0013, 0x0017};
-
-template <std::size_t n>
-bool contains_bytes(const std::vector<Byte>& in, const std::array<Byte, n>& what) {
-  return std::search(in.begin(), in.end(), what.begin(), what.end()) != in.end();
-}
-
 std::string named(const std::string& name, std::uint16_t vendor, std::uint16_t product) {
   return (name.empty() ? "device" : name) + " (" + usb_ids(vendor, product) + ")";
-}
-
-template <class Device>
-Found find_one(const std::vector<Device>& devices, SensorKind kind, const std::string& serial) {
-  Found found;
-  std::size_t others = 0;
-  for (std::size_t i = 0; i < devices.size(); ++i) {
-    if (kind_of(devices[i]) != kind) continue;
-    if (!serial.empty() && devices[i].serial != serial) {
-      ++others;
-      continue;
-    }
-    if (found.index) {
-      return {std::nullopt, "two of them are connected, " + describe(devices[*found.index]) +
-                                " and " + describe(devices[i]) +
-                                "; the setting `serial` says which"};
-    }
-    found.index = i;
-  }
-  if (!found.index) {
-    found.failure = "no " + std::string(words(kind)) +
-                    (serial.empty() ? " is connected" : " with serial number " + serial);
-    if (others > 0) found.failure += ", only with others";
-  }
-  return found;
 }
 
 }  // namespace
@@ -196,46 +146,6 @@ std::vector<HidDevice> list_hid(const std::string& sys) {
   return devices;
 }
 
-SensorKind kind_of(const HidDevice& device) {
-  for (const Ids& known : kHidIds) {
-    if (known.vendor != device.vendor || known.product != device.product) continue;
-    const bool other_half = known.kind == SensorKind::kTemper && device.usb &&
-                            device.usb->interface != kTemperInterface;
-    return other_half ? SensorKind::kNone : known.kind;
-  }
-  // Usage page 0x20, then Device or Relative Orientation; its reader parses the rest.
-  const bool oriented = contains_bytes(device.descriptor, std::array<Byte, 2>{0x09, 0x8A}) ||
-                        contains_bytes(device.descriptor, std::array<Byte, 2>{0x09, 0x8E});
-  const bool sensor = contains_bytes(device.descriptor, std::array<Byte, 2>{0x05, 0x20});
-  return sensor && oriented ? SensorKind::kHidSensor : SensorKind::kNone;
-}
-
-SensorKind kind_of(const UsbDevice& device) {
-  if (device.vendor != kXsens) return SensorKind::kNone;
-  const bool mti = std::find(kMti.begin(), kMti.end(), device.product) != kMti.end();
-  return mti ? SensorKind::kMti : SensorKind::kClosedXsens;
-}
-
-std::string_view words(SensorKind kind) noexcept {
-  switch (kind) {
-    case SensorKind::kHidSensor:
-      return "HID orientation sensor";
-    case SensorKind::kDualSense:
-      return "DualSense pad";
-    case SensorKind::kDualShock4:
-      return "DualShock 4 pad";
-    case SensorKind::kMti:
-      return "Xsens MTi";
-    case SensorKind::kTemper:
-      return "TEMPer thermometer";
-    case SensorKind::kClosedXsens:
-      return "Xsens radio station or converter";
-    case SensorKind::kNone:
-      break;
-  }
-  return "sensor";
-}
-
 std::string usb_ids(std::uint16_t vendor, std::uint16_t product) {
   return fmt::format("{:04x}:{:04x}", vendor, product);
 }
@@ -245,15 +155,6 @@ std::string describe(const HidDevice& device) {
 }
 std::string describe(const UsbDevice& device) {
   return named(device.name, device.vendor, device.product);
-}
-
-Found find_sensor(const std::vector<HidDevice>& devices, SensorKind kind,
-                  const std::string& serial) {
-  return find_one(devices, kind, serial);
-}
-Found find_sensor(const std::vector<UsbDevice>& devices, SensorKind kind,
-                  const std::string& serial) {
-  return find_one(devices, kind, serial);
 }
 
 }  // namespace hedgehog::device

@@ -3,8 +3,10 @@
 // no permission is needed. Reads files; any thread.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -59,37 +61,26 @@ struct HidDevice {
 std::vector<UsbDevice> list_usb(const std::string& sys = "/sys");
 std::vector<HidDevice> list_hid(const std::string& sys = "/sys");
 
-/// What a device is to this daemon.
-enum class SensorKind : std::uint8_t {
-  kNone,
-  kHidSensor,
-  kDualSense,
-  kDualShock4,
-  kMti,
-  kTemper,
-  /// Xsens radio stations and converters: only the maker's closed SDK speaks with them.
-  kClosedXsens,
+/// A maker's number and a product's.
+struct UsbIds {
+  std::uint16_t vendor;
+  std::uint16_t product;
 };
-SensorKind kind_of(const HidDevice& device);
-SensorKind kind_of(const UsbDevice& device);
-/// "DualSense pad".
-std::string_view words(SensorKind kind) noexcept;
+
+/// Has one of these. `Device` is a UsbDevice or a HidDevice.
+template <class Device>
+bool has_ids(const Device& device, std::span<const UsbIds> ids) {
+  return std::any_of(
+      ids.begin(), ids.end(),
+      [&device](const UsbIds& one) {
+        return one.vendor == device.vendor && one.product == device.product;
+      });
+}
 
 /// "054c:0ce6".
 std::string usb_ids(std::uint16_t vendor, std::uint16_t product);
 /// "Wireless Controller (054c:0ce6)".
 std::string describe(const HidDevice& device);
 std::string describe(const UsbDevice& device);
-
-/// The one of that kind, or of that kind and serial number: an index into `devices`, or a sentence
-/// why there is none, or more than one.
-struct Found {
-  std::optional<std::size_t> index;
-  std::string failure;
-};
-Found find_sensor(const std::vector<HidDevice>& devices, SensorKind kind,
-                  const std::string& serial);
-Found find_sensor(const std::vector<UsbDevice>& devices, SensorKind kind,
-                  const std::string& serial);
 
 }  // namespace hedgehog::device

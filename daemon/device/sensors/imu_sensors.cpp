@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/device/sensors/imu_sensors.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
+#include "daemon/device/sensors/drivers.h"
 #include "model/units.h"
 
 namespace hedgehog::device {
@@ -16,6 +18,19 @@ constexpr std::size_t kLongestReport = 1024;
 // reports has run over.
 constexpr double kLongestStepS = 0.1;
 constexpr model::Tick kLongestPause = 300;
+
+constexpr std::array<UsbIds, 2> kDualSenseIds{{{0x054C, 0x0CE6}, {0x054C, 0x0DF2}}};
+constexpr std::array<UsbIds, 3> kDualShock4Ids{
+    {{0x054C, 0x05C4}, {0x054C, 0x09CC}, {0x054C, 0x0BA0}}};
+constexpr std::uint16_t kXsens = 0x2639;
+constexpr std::array<UsbIds, 7> kMtiIds{{{kXsens, 0x0001},
+                                         {kXsens, 0x0002},
+                                         {kXsens, 0x0003},
+                                         {kXsens, 0x0011},
+                                         {kXsens, 0x0012},
+                                         {kXsens, 0x0013},
+                                         {kXsens, 0x0017}}};
+
 /// Bit of an MTi's status word: its filter is valid.
 constexpr std::uint32_t kOrientationValid = 2;
 
@@ -27,6 +42,23 @@ model::Vec3 rate_between(const model::Quaternion& a, const model::Quaternion& b,
   const double sine = norm(v);
   const double angle_deg = 2.0 * std::atan2(sine, d.w) * model::kDegreesPerRadian;
   return sine > 1e-9 ? (angle_deg / (sine * dt_s)) * v : model::Vec3{};
+}
+
+bool contains(const std::vector<Byte>& descriptor, std::array<Byte, 2> item) {
+  return std::search(descriptor.begin(), descriptor.end(), item.begin(), item.end()) !=
+         descriptor.end();
+}
+
+/// Usage page 0x20, then Device or Relative Orientation; `open` parses the rest.
+bool is_hid_sensor(const HidDevice& device) {
+  const bool oriented =
+      contains(device.descriptor, {0x09, 0x8A}) || contains(device.descriptor, {0x09, 0x8E});
+  return oriented && contains(device.descriptor, {0x05, 0x20});
+}
+
+template <SonyPad pad>
+std::unique_ptr<Sensor> make_sony(OpenHid open, const SensorSinks& sinks) {
+  return std::make_unique<SonyImu>(pad, std::move(open), sinks.orientation);
 }
 
 }  // namespace
@@ -134,5 +166,39 @@ bool MtiImu::poll(std::chrono::milliseconds wait) {
   }
   return true;
 }
+
+constinit const SensorDriver kHidSensorDriver{
+    .type = "hid_sensor",
+    .words = "HID orientation sensor",
+    .matches_hid = is_hid_sensor,
+    .make_hid = [](OpenHid open, const SensorSinks& sinks) -> std::unique_ptr<Sensor> {
+      return std::make_unique<HidSensorImu>(std::move(open), sinks.orientation);
+    }};
+
+constinit const SensorDriver kDualSenseDriver{
+    .type = "dualsense",
+    .words = "DualSense pad",
+    .matches_hid = [](const HidDevice& device) { return has_ids(device, kDualSenseIds); },
+    .make_hid = make_sony<SonyPad::kDualSense>};
+
+constinit const SensorDriver kDualShock4Driver{
+    .type = "dualshock4",
+    .words = "DualShock 4 pad",
+    .matches_hid = [](const HidDevice& device) { return has_ids(device, kDualShock4Ids); },
+    .make_hid = make_sony<SonyPad::kDualShock4>};
+
+constinit const SensorDriver kMtiDriver{
+    .type = "mti",
+    .words = "Xsens MTi",
+    .matches_usb = [](const UsbDevice& device) { return has_ids(device, kMtiIds); },
+    .make_usb = [](OpenBytes open, const SensorSinks& sinks) -> std::unique_ptr<Sensor> {
+      return std::make_unique<MtiImu>(std::move(open), sinks.orientation);
+    }};
+
+constinit const SensorDriver kClosedXsensDriver{
+    .type = {},
+    .words = "Xsens radio station or converter",
+    .matches_usb = [](const UsbDevice& device) { return device.vendor == kXsens; },
+    .unusable = "only its maker's own closed software speaks with it"};
 
 }  // namespace hedgehog::device

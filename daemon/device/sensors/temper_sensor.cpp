@@ -5,10 +5,16 @@
 #include <array>
 #include <utility>
 
+#include "daemon/device/sensors/drivers.h"
+
 namespace hedgehog::device {
 namespace {
 
 constexpr std::size_t kMaxReports = 4;
+constexpr std::array<UsbIds, 4> kIds{
+    {{0x0C45, 0x7401}, {0x0C45, 0x7402}, {0x413D, 0x2107}, {0x1A86, 0xE025}}};
+/// A stick is a keyboard on its first interface and a thermometer on its second.
+constexpr int kThermometerInterface = 1;
 
 }  // namespace
 
@@ -64,5 +70,18 @@ bool TemperSensor::poll(std::chrono::milliseconds wait) {
   if (celsius) sink_.write({true, *celsius, sink_.tick()});
   return true;
 }
+
+constinit const SensorDriver kTemperDriver{
+    .type = "temper",
+    .words = "TEMPer thermometer",
+    .job = SensorJob::kThermometer,
+    .matches_hid =
+        [](const HidDevice& device) {
+          return has_ids(device, kIds) &&
+                 (!device.usb || device.usb->interface == kThermometerInterface);
+        },
+    .make_hid = [](OpenHid open, const SensorSinks& sinks) -> std::unique_ptr<Sensor> {
+      return std::make_unique<TemperSensor>(std::move(open), sinks.thermometer);
+    }};
 
 }  // namespace hedgehog::device

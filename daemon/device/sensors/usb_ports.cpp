@@ -99,6 +99,28 @@ class UsbBytePort : public BytePort {
   std::unique_ptr<UsbHandle> usb_;
 };
 
+OpenedHid open_hid(const SensorDriver& driver, const std::string& serial) {
+  const std::vector<HidDevice> devices = list_hid();
+  const Found found = find_sensor(devices, driver, serial);
+  if (!found.index) return {nullptr, found.failure, {}, {}, false};
+  const HidDevice& device = devices[*found.index];
+  if (!device.hidraw.empty()) return open_hidraw(device);
+  if (device.usb) return open_usb_hid(device);
+  return {nullptr, describe(device) + ": the kernel gives no way to read it", {}, {}, false};
+}
+
+OpenedBytes open_usb(const SensorDriver& driver, const std::string& serial) {
+  const std::vector<UsbDevice> devices = list_usb();
+  Found found = find_sensor(devices, driver, serial);
+  if (found.index) return open_usb_bytes(devices[*found.index]);
+  for (const UsbDevice& device : devices) {
+    const SensorDriver* other = driver_of(device);
+    if (other == nullptr || other->unusable.empty() || other->job != driver.job) continue;
+    found.failure += "; " + describe(device) + ": " + std::string(other->unusable);
+  }
+  return {nullptr, found.failure, {}};
+}
+
 }  // namespace
 
 OpenedHid open_usb_hid(const HidDevice& device) {
@@ -121,25 +143,11 @@ OpenedBytes open_usb_bytes(const UsbDevice& device) {
   return opened;
 }
 
-OpenedHid open_hid(SensorKind kind, const std::string& serial) {
-  const std::vector<HidDevice> devices = list_hid();
-  const Found found = find_sensor(devices, kind, serial);
-  if (!found.index) return {nullptr, found.failure, {}, {}, false};
-  const HidDevice& device = devices[*found.index];
-  if (!device.hidraw.empty()) return open_hidraw(device);
-  if (device.usb) return open_usb_hid(device);
-  return {nullptr, describe(device) + ": the kernel gives no way to read it", {}, {}, false};
-}
-
-OpenedBytes open_mti(const std::string& serial) {
-  const std::vector<UsbDevice> devices = list_usb();
-  Found found = find_sensor(devices, SensorKind::kMti, serial);
-  if (!found.index) {
-    if (find_sensor(devices, SensorKind::kClosedXsens, {}).index)
-      found.failure += "; the Xsens device that is speaks only with its maker's own software";
-    return {nullptr, found.failure, {}};
-  }
-  return open_usb_bytes(devices[*found.index]);
+std::unique_ptr<Sensor> make_sensor(const SensorDriver& driver, const std::string& serial,
+                                    const SensorSinks& sinks) {
+  if (driver.make_hid != nullptr)
+    return driver.make_hid([&driver, serial] { return open_hid(driver, serial); }, sinks);
+  return driver.make_usb([&driver, serial] { return open_usb(driver, serial); }, sinks);
 }
 
 }  // namespace hedgehog::device

@@ -8,15 +8,15 @@
 
 #include <string>
 
-#include "daemon/device/sensors/discovery.h"
-#include "daemon/device/sensors/port.h"
+#include "daemon/device/sensors/drivers.h"
 
 namespace hedgehog::device {
 
-/// Looks in /sys for the sensor and opens it. `serial` empty: any, as long as there is one only.
-/// A missing permission is told apart from a missing device. Any thread.
-OpenedHid open_hid(SensorKind kind, const std::string& serial);
-OpenedBytes open_mti(const std::string& serial);
+/// What reads the sensor of that driver: it looks for it in /sys, `serial` empty: any, as long as
+/// there is one only, and opens it. A missing permission is told apart from a missing device.
+/// REQUIRES: the driver can read it. The driver outlives the sensor.
+std::unique_ptr<Sensor> make_sensor(const SensorDriver& driver, const std::string& serial,
+                                    const SensorSinks& sinks);
 
 /// One device found before; REQUIRES: `device.hidraw` is not empty.
 OpenedHid open_hidraw(const HidDevice& device);

@@ -11,16 +11,27 @@
 
 namespace hedgehog::device {
 
+/// Link and board, a millisecond at a time. One thread.
+class SteppedBoard {
+ public:
+  SteppedBoard() = default;
+  SteppedBoard(const SteppedBoard&) = delete;
+  SteppedBoard& operator=(const SteppedBoard&) = delete;
+  virtual ~SteppedBoard() = default;
+
+  /// One millisecond of both. What was written to the port before is applied in it.
+  virtual void step() noexcept = 0;
+};
+
 /// One thread. Telemetry takes one step from the board to the port, a command none: what is written
 /// to the port before `step` is applied in it.
-class LockStep {
+class LockStep final : public SteppedBoard {
  public:
   explicit LockStep(LinkPort& port, const SimulatedBoardOptions& options = {},
                     const std::optional<BoardLimits>& limits = std::nullopt) noexcept
       : port_(port), link_(limits ? Link(*limits) : Link()), board_(options) {}
 
-  /// One millisecond of both.
-  void step() noexcept;
+  void step() noexcept override;
 
   SimulatedBoard& board() noexcept { return board_; }
   const Link& link() const noexcept { return link_; }

@@ -40,7 +40,8 @@ board::BoardLimits limits_for(const model::PlantParameters& plant) noexcept {
 
 SimulatedBoard::SimulatedBoard(const SimulatedBoardOptions& options) noexcept
     : plant_(options.plant, options.ambient_c),
-      core_(limits_for(options.plant)),
+      full_limits_(limits_for(options.plant)),
+      core_(full_limits_),
       built_(options.front_end.parameters()),
       front_end_(built_, options.plant.seed),
       nominal_supply_v_(options.plant.supply_v) {
@@ -66,7 +67,7 @@ void SimulatedBoard::receive(std::span<const std::uint8_t> packet) noexcept {
     }
   }
   // A pulled cable is pulled in both directions; only the tester's wishes still get through.
-  if (!has(kSimSilent)) core_.receive(packet.data(), packet.size());
+  if (!has(kSimSilent) && boot_loader_ms_ == 0) core_.receive(packet.data(), packet.size());
 }
 
 void SimulatedBoard::apply(const SimulatorSettings& settings) noexcept {
@@ -90,26 +91,53 @@ void SimulatedBoard::act_errors() noexcept {
   if (has(kSimCurrentSense)) front_end_.parameters().current_gain[settings_.coil] *= 0.5;
 }
 
+board::BoardOutputs SimulatedBoard::step_core() noexcept {
+  const board::BoardInputs inputs = measure();
+  if (boot_loader_ms_ > 0) {
+    // As reset leaves the pins.
+    board::BoardOutputs undriven;
+    undriven.supply_switch_closed = false;
+    undriven.fan = 255;
+    if (--boot_loader_ms_ == 0) core_ = board::BoardCore(full_limits_);
+    return undriven;
+  }
+  const board::BoardOutputs outputs = core_.step(inputs);
+  if (core_.boot_loader_due()) boot_loader_ms_ = kBootLoaderMs;
+  return outputs;
+}
+
 std::optional<Frame> SimulatedBoard::step() noexcept {
-  const board::BoardOutputs outputs = core_.step(measure());
+  const board::BoardOutputs outputs = step_core();
   Frame frame;
   core_.write_telemetry(frame.data());
   if (errors_.step()) act_errors();
   run_world(outputs);
-  if (has(kSimSilent)) return std::nullopt;
+  if (has(kSimSilent) || boot_loader_ms_ > 0) return std::nullopt;
   return frame;
+}
+
+const board::RawInputs& SimulatedBoard::step_electronics(
+    const board::BoardOutputs& outputs) noexcept {
+  if (errors_.step()) act_errors();
+  run_world(outputs);
+  convert();
+  return raw_;
 }
 
 std::optional<Frame> SimulatedBoard::truth_frame() const noexcept {
   const std::uint32_t now = core_.now_ms();
-  if (now % kConversionMs != 0) return std::nullopt;
+  if (now % kConversionMs != 0 || boot_loader_ms_ > 0) return std::nullopt;
+  return truth(now);
+}
+
+Frame SimulatedBoard::truth(std::uint32_t now_ms) const noexcept {
   PlantTruth truth;
   truth.coils_c = plant_.heat().winding_c;
   truth.core_c = plant_.heat().core_c;
   truth.skin_c = plant_.skin_c();
   truth.ambient_c = plant_.ambient_c();
   truth.current_a = plant_.current_a();
-  return encode_truth(truth, now);
+  return encode_truth(truth, now_ms);
 }
 
 Analogue SimulatedBoard::analogue() const noexcept {
@@ -127,6 +155,12 @@ Analogue SimulatedBoard::analogue() const noexcept {
 }
 
 board::BoardInputs SimulatedBoard::measure() noexcept {
+  const Analogue now = convert();
+  if (built_.kind == FrontEndKind::kIdeal) return measure_exactly(now);
+  return board::measured(built_.wiring, raw_, core_.outputs(), core_.measured_last());
+}
+
+Analogue SimulatedBoard::convert() noexcept {
   const Analogue now = analogue();
   if (has(kSimSensorOffset)) offset_k_ += kOffsetKPerS * model::kTickSeconds;
   raw_.ntc_converted = false;
@@ -137,10 +171,10 @@ board::BoardInputs SimulatedBoard::measure() noexcept {
   }
   raw_.faults_low =
       has(kSimBridgeFault) ? static_cast<std::uint8_t>(1u << settings_.coil) : std::uint8_t{0};
-  if (built_.kind == FrontEndKind::kIdeal) return measure_exactly(now);
+  if (built_.kind == FrontEndKind::kIdeal) return now;
   front_end_.convert(now, raw_);
   wire_thermistors();
-  return board::measured(built_.wiring, raw_, core_.outputs(), core_.measured_last());
+  return now;
 }
 
 int SimulatedBoard::broken_thermistor() const noexcept {

@@ -37,6 +37,9 @@ class SimulatedBoard {
  public:
   /// The thermistors are converted once in so many milliseconds, the truth told as seldom.
   static constexpr int kConversionMs = 10;
+  /// In its boot loader it answers nothing for so long; then it starts like one that has been
+  /// flashed.
+  static constexpr int kBootLoaderMs = 3000;
 
   SimulatedBoard() noexcept : SimulatedBoard(SimulatedBoardOptions{}) {}
   explicit SimulatedBoard(const SimulatedBoardOptions& options) noexcept;
@@ -45,10 +48,17 @@ class SimulatedBoard {
   void receive(std::span<const std::uint8_t> packet) noexcept;
 
   /// Measures, decides, and lets the world run for a millisecond on what was decided. The telemetry
-  /// holds what was measured at its beginning; none while kSimSilent.
+  /// holds what was measured at its beginning; none while kSimSilent or in the boot loader.
   std::optional<Frame> step() noexcept;
   /// After some steps also how the plant really is.
   std::optional<Frame> truth_frame() const noexcept;
+  /// How the plant is now, numbered by whoever counts the milliseconds.
+  Frame truth(std::uint32_t now_ms) const noexcept;
+
+  /// Instead of `step`, for a board core that runs elsewhere: the world runs for a millisecond on
+  /// `outputs`, and what the converters then show is returned. Not for a front end without
+  /// electronics.
+  const board::RawInputs& step_electronics(const board::BoardOutputs& outputs) noexcept;
 
   /// The truth, for tests.
   const model::Plant& plant() const noexcept { return plant_; }
@@ -60,7 +70,9 @@ class SimulatedBoard {
   void set_errors(const SimulatorErrorList& errors) noexcept;
 
  private:
+  board::BoardOutputs step_core() noexcept;
   board::BoardInputs measure() noexcept;
+  Analogue convert() noexcept;
   Analogue analogue() const noexcept;
   board::BoardInputs measure_exactly(const Analogue& analogue) noexcept;
   void convert_thermistors(const Analogue& analogue) noexcept;
@@ -76,6 +88,7 @@ class SimulatedBoard {
   }
 
   model::Plant plant_;
+  board::BoardLimits full_limits_;  // as built
   board::BoardCore core_;
   SimulatorSettings settings_;
   SimulatorErrors errors_;
@@ -90,6 +103,7 @@ class SimulatedBoard {
   model::Vec3 before_a_;
   double offset_k_ = 0.0;
   int until_conversion_ = 0;
+  int boot_loader_ms_ = 0;
   /// What each thermistor showed at its last conversion, C.
   std::array<double, model::kCoils> shown_c_{25.0, 25.0, 25.0};
   std::uint32_t supply_ms_ = 0;

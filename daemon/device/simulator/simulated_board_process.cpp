@@ -15,7 +15,6 @@
 #include "base/number_text.h"
 #include "daemon/device/simulator/plant_text.h"
 #include "daemon/device/simulator/simulated_board_runner.h"
-#include "daemon/device/socket_transport.h"
 
 namespace hedgehog::device {
 namespace {
@@ -74,6 +73,7 @@ SimulatedBoardProcess::SimulatedBoardProcess(const SimulatedBoardProcessOptions&
       "--plant",
       plant_text(options.board.plant),
   };
+  if (options.in_step) words.emplace_back("--in-step");
   if (!options.trace.empty()) words.insert(words.end(), {"--trace", options.trace});
   std::vector<char*> arguments;
   arguments.reserve(words.size() + 1);

@@ -7,12 +7,14 @@
 #include <string>
 
 #include "daemon/device/simulator/simulated_board.h"
-#include "daemon/device/transport.h"
+#include "daemon/device/socket_transport.h"
 
 namespace hedgehog::device {
 
 struct SimulatedBoardProcessOptions {
   SimulatedBoardOptions board;
+  /// A millisecond for each set-point (process_lock_step.h), instead of a clock of its own.
+  bool in_step = false;
   /// The program; empty: hedgehog-simboard beside this process's own.
   std::string program;
   /// Where it writes its trace (simulated_board_runner.h); empty: nowhere.
@@ -31,11 +33,11 @@ class SimulatedBoardProcess {
   ~SimulatedBoardProcess();
 
   /// The host's end, once.
-  std::unique_ptr<Transport> take_transport() noexcept { return std::move(transport_); }
+  std::unique_ptr<SocketTransport> take_transport() noexcept { return std::move(transport_); }
   int pid() const noexcept { return pid_; }
 
  private:
-  std::unique_ptr<Transport> transport_;
+  std::unique_ptr<SocketTransport> transport_;
   int pid_ = -1;
 };
 

@@ -31,6 +31,25 @@ void SimulatedBoardRunner::run(const std::atomic<bool>& stop) noexcept {
   trace_.note(board_, "exit");
 }
 
+void SimulatedBoardRunner::run_in_step(const SocketTransport& socket) noexcept {
+  std::array<std::uint8_t, 2 * board::kFrameSize> packet;
+  for (std::uint32_t now_ms = 1; transport_->open();) {
+    constexpr int kForEver = -1;
+    socket.wait(kForEver);
+    const std::size_t length = transport_->receive(packet);
+    if (length == 0) continue;
+    const auto received = std::span(packet).first(length);
+    board_.receive(received);
+    board::FrameHeader header;
+    if (board::read_header(packet.data(), length, header) != board::FrameError::kNone ||
+        header.type != board::FrameType::kSetPoint)
+      continue;
+    if (const std::optional<Frame> telemetry = board_.step()) transport_->send(*telemetry);
+    transport_->send(board_.truth(now_ms++));
+    trace_.after_step(board_);
+  }
+}
+
 void SimulatedBoardRunner::tick() noexcept {
   std::array<std::uint8_t, 2 * board::kFrameSize> packet;
   for (int i = 0; i < kMaxPacketsPerTick && transport_->open(); ++i) {

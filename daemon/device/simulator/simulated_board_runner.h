@@ -11,6 +11,7 @@
 
 #include "daemon/device/simulator/simulated_board.h"
 #include "daemon/device/simulator/simulated_board_trace.h"
+#include "daemon/device/socket_transport.h"
 #include "daemon/device/transport.h"
 
 namespace hedgehog::device {
@@ -26,6 +27,10 @@ class SimulatedBoardRunner {
   /// Runs until the host is gone and the board is safe and without current (at most kShutdownMs
   /// later), or `stop` becomes true.
   void run(const std::atomic<bool>& stop) noexcept;
+
+  /// Runs a millisecond for each set-point of a host in step (process_lock_step.h) until the host
+  /// is gone; `run` is for what follows. `socket` is the runner's transport.
+  void run_in_step(const SocketTransport& socket) noexcept;
 
   static constexpr int kShutdownMs = 5000;
 

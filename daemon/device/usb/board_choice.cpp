@@ -15,6 +15,15 @@ std::string no_board(const std::vector<model::UsbId>& ids) {
   return ids.empty() ? text : text + ")";
 }
 
+/// nullptr: it has none.
+const UsbInterface* board_interface(const UsbDevice& device) {
+  const auto found =
+      std::find_if(device.interfaces.begin(), device.interfaces.end(), [](const UsbInterface& one) {
+        return one.category == kBoardClass && one.subclass == kBoardSubclass;
+      });
+  return found != device.interfaces.end() ? &*found : nullptr;
+}
+
 }  // namespace
 
 std::string firmware_of(const UsbDevice& device) {
@@ -22,6 +31,11 @@ std::string firmware_of(const UsbDevice& device) {
   if (release.size() != 4) return {};
   const std::size_t from = release[0] == '0' ? 1 : 0;
   return release.substr(from, 2 - from) + "." + release.substr(2);
+}
+
+std::optional<int> frame_version(const UsbDevice& device) {
+  const UsbInterface* found = board_interface(device);
+  return found != nullptr ? std::optional<int>(found->protocol) : std::nullopt;
 }
 
 std::string describe_board(const UsbDevice& device) {
@@ -71,11 +85,8 @@ BoardChoice choose_board(const std::vector<UsbDevice>& devices, const BoardIds& 
     return choice;
   }
   const UsbDevice& board = devices[*choice.index];
-  const auto found =
-      std::find_if(board.interfaces.begin(), board.interfaces.end(), [](const UsbInterface& one) {
-        return one.category == kBoardClass && one.subclass == kBoardSubclass;
-      });
-  if (found == board.interfaces.end()) {
+  const UsbInterface* found = board_interface(board);
+  if (found == nullptr) {
     choice.failure = describe_board(board) + ": it has no interface of a driver board";
     choice.index.reset();
   } else if (found->protocol != board::kProtocolVersion) {

@@ -25,6 +25,8 @@ struct BoardIds {
 
 /// "1.02" of bcdDevice 0102; empty: unknown.
 std::string firmware_of(const UsbDevice& device);
+/// Of its frames, as its interface says; nullopt: it has none of a driver board.
+std::optional<int> frame_version(const UsbDevice& device);
 /// "Hedgehog driver board (1209:0001), serial number 7, firmware 1.02".
 std::string describe_board(const UsbDevice& device);
 bool is_board(const UsbDevice& device, const BoardIds& wanted);

@@ -2,6 +2,7 @@
 #include "daemon/server/device/device_view.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "daemon/control/checks/board_check.h"
 #include "model/limit/rearm.h"
@@ -22,6 +23,10 @@ DeviceView::DeviceView(const config::Config& config, control::Mailbox& mailbox,
       link_(link),
       epoch_ns_(epoch_ns),
       pins_(model::ball_pins(config.device.geometry).value()),
+      true_pins_(simulated() && config.simulated_ball().geometry != config.device.geometry
+                     ? model::ball_pins(config.simulated_ball().geometry).value()
+                     : pins_),
+      pin_pitch_deg_(model::pin_pitch_deg(pins_->array)),
       forecaster_(config.device.coils, config.device.thermal, config.limits),
       outbox_(mailbox) {
   link_.limits.write(device::BoardLimits::of(config.limits));
@@ -33,6 +38,7 @@ DeviceView::DeviceView(const config::Config& config, control::Mailbox& mailbox,
 void DeviceView::refresh() {
   const model::Tick before = snapshot_.tick;
   snapshot_ = mailbox_.status.read();
+  outbox_.set_applied(snapshot_.applied_seq);
   const double seconds = static_cast<double>(snapshot_.tick - before) * model::kTickSeconds;
   mean_current_a_ += (model::norm(snapshot_.limited_a) - mean_current_a_) *
                      std::clamp(seconds / model::Fan::kMeanS, 0.0, 1.0);
@@ -99,6 +105,10 @@ std::optional<MeasuredR25> DeviceView::r25(int coil) const noexcept {
   return r25;
 }
 
+bool DeviceView::temperature_known() const noexcept {
+  return std::isfinite(snapshot_.thermal.hottest_c);
+}
+
 double DeviceView::hottest_c() const noexcept {
   return model::hottest_winding(snapshot_.thermal.nodes);
 }
@@ -109,7 +119,28 @@ RemedyFacts DeviceView::remedy_facts() const {
           snapshot_.rearms[static_cast<std::size_t>(snapshot_.latch)]};
 }
 
+std::optional<std::string> DeviceView::board_protocol() const {
+  if (!snapshot_.board_present) return std::nullopt;
+  return std::to_string(snapshot_.board.protocol_version) + "." +
+         std::to_string(snapshot_.board.protocol_minor);
+}
+
+double DeviceView::shown_limit_a(double allowed_a) const noexcept {
+  return std::min(std::round(100.0 * allowed_a) / 100.0, limits().current_a);
+}
+
+bool DeviceView::too_hot() const noexcept {
+  return snapshot_.state == control::State::kArmed && temperature_known() &&
+         snapshot_.limit_a < limits().felt_a;
+}
+
+std::optional<std::string> DeviceView::reason_now() const {
+  return too_hot() ? "too_hot" : reason_name(snapshot_.reason);
+}
+
 std::optional<std::string> DeviceView::remedy_now() const {
+  if (too_hot())
+    return too_hot_remedy(snapshot_.thermal.hottest_c, snapshot_.skin.bound_c, limits());
   return remedy(snapshot_.state, snapshot_.reason, remedy_facts());
 }
 

@@ -70,7 +70,12 @@ class DeviceView {
   bool board_holds_back() const noexcept;
   bool simulated() const noexcept { return config_.backend == config::Backend::kSimulator; }
   const model::PinArray& array() const noexcept { return pins_->array; }
+  /// From pin to pin, degrees (model::pin_pitch_deg).
+  double pin_pitch_deg() const noexcept { return pin_pitch_deg_; }
   const model::PinCurves& pin_curves() const noexcept { return pins_->curves; }
+  /// Of the simulated ball, or of the device as its file says it: the same pins, maybe among other
+  /// magnets.
+  const model::PinCurves& true_pin_curves() const noexcept { return true_pins_->curves; }
   const model::Forecaster& forecaster() const noexcept { return forecaster_; }
   model::ForecastStart forecast_start() const noexcept;
   /// How long the full current can flow from a ball as warm as its room, by what is known of it
@@ -81,7 +86,19 @@ class DeviceView {
   void set_board_info_source(std::function<BoardInfo()> look) {
     board_info_source_ = std::move(look);
   }
+  /// The version of the board's frames, "1.2"; nullopt: no board answers.
+  std::optional<std::string> board_protocol() const;
   BoardInfo board() const { return board_info_source_ ? board_info_source_() : BoardInfo{}; }
+  /// `allowed_a`, a current that the limiter allows, as clients see it: in hundredths of an ampere,
+  /// and never above `limits().current_a`, also before the control thread has taken new limits.
+  double shown_limit_a(double allowed_a) const noexcept;
+  /// It is armed, but what its heat as estimated allows cannot be felt: a sensor's fault may have
+  /// taken the estimate far up, from where it falls slowly.
+  bool too_hot() const noexcept;
+  /// Why the state is what it is, and, of an armed ball, why nothing plays; nullopt: all is well.
+  std::optional<std::string> reason_now() const;
+  /// Something trustworthy measures the ball; without it nothing may flow.
+  bool temperature_known() const noexcept;
   /// The hottest winding as estimated, C.
   double hottest_c() const noexcept;
   /// Why the ball is not armed, as a sentence; nullopt when it is.
@@ -121,6 +138,8 @@ class DeviceView {
   device::LinkPort& link_;
   std::int64_t epoch_ns_;
   std::shared_ptr<const model::BallPins> pins_;
+  std::shared_ptr<const model::BallPins> true_pins_;
+  double pin_pitch_deg_;
   model::Forecaster forecaster_;
   Outbox outbox_;
   control::StatusSnapshot snapshot_;

@@ -2,6 +2,7 @@
 #include "daemon/server/device/file_state_store.h"
 
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <cmath>
@@ -61,10 +62,16 @@ class FileStateStore::File {
   /// The last write did. Any thread.
   bool failed() const noexcept { return failed_; }
 
-  /// What is written next; false: something waits for that already.
-  bool put(const SavedState& state, bool last) {
+  /// Number of the newest state that the disk was asked to write, and of the newest that is on it.
+  /// Any thread.
+  std::uint64_t attempted() const noexcept { return attempted_; }
+  std::uint64_t on_disk() const noexcept { return on_disk_; }
+
+  /// What is written next, by its number; false: something waits for that already.
+  bool put(const SavedState& state, std::uint64_t number, bool last) {
     const std::lock_guard lock(mutex_);
     last_ = last_ || last;
+    number_ = number;
     return !std::exchange(next_, state).has_value();
   }
   void drop() {
@@ -73,13 +80,18 @@ class FileStateStore::File {
   }
   void write_next() {
     std::optional<SavedState> state;
+    std::uint64_t number = 0;
     bool last = false;
     {
       const std::lock_guard lock(mutex_);
       state.swap(next_);
+      number = number_;
       last = last_;
     }
-    if (state) write(*state, last);
+    if (!state) return;
+    write(*state, last);
+    if (!failed_) on_disk_ = number;
+    attempted_ = number;
   }
 
  private:
@@ -88,7 +100,10 @@ class FileStateStore::File {
   std::atomic<bool> failed_{false};
   std::mutex mutex_;
   std::optional<SavedState> next_;
+  std::uint64_t number_ = 0;
   bool last_ = false;
+  std::atomic<std::uint64_t> attempted_{0};
+  std::atomic<std::uint64_t> on_disk_{0};
 };
 
 FileStateStore::FileStateStore(const std::string& directory, DiskThread& disk,
@@ -105,6 +120,10 @@ FileStateStore::FileStateStore(const std::string& directory, DiskThread& disk,
   device_view_.set_kept_r25(kept);
   if (!saved_.ball) saved_.ball = ball_of(device_view.config());
   if (last) file_->write(saved_, false);
+  // An incomplete file is of no use beside a whole one.
+  const std::string path = state_file(directory);
+  std::error_code unseen;
+  if (std::filesystem::is_regular_file(path, unseen)) ::unlink((path + ".new").c_str());
 }
 
 SavedState FileStateStore::current() const {
@@ -180,7 +199,7 @@ void FileStateStore::state_changed(control::State state) noexcept {
 }
 
 bool FileStateStore::hand_over() {
-  if (!file_->put(saved_, stopped_)) return true;
+  if (!file_->put(saved_, ++handed_over_, stopped_)) return true;
   const bool taken = disk_.post(DiskUse::kSafety, [file = file_] { file->write_next(); });
   if (!taken) file_->drop();
   return taken;
@@ -203,10 +222,16 @@ void FileStateStore::persist_gain(double gain) {
   due_ = true;
 }
 
-void FileStateStore::persist_latch(control::Reason latch) {
+std::uint64_t FileStateStore::persist_latch(control::Reason latch) {
   asked_latch_ = latch;
   asked_at_ = device_view_.now().tick;
   write();
+  return handed_over_;
+}
+
+Persisted FileStateStore::latch_persisted(std::uint64_t write) const {
+  if (file_->on_disk() >= write) return Persisted::kYes;
+  return file_->attempted() >= write ? Persisted::kNo : Persisted::kPending;
 }
 
 }  // namespace hedgehog::server

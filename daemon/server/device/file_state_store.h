@@ -5,6 +5,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -31,7 +32,8 @@ class FileStateStore final : public StateStore {
   void stopped_cleanly();
 
   void persist_gain(double gain) override;
-  void persist_latch(control::Reason latch) override;
+  std::uint64_t persist_latch(control::Reason latch) override;
+  Persisted latch_persisted(std::uint64_t write) const override;
 
  private:
   SavedState current() const;
@@ -53,6 +55,8 @@ class FileStateStore final : public StateStore {
   /// As before this run.
   std::array<R25History, model::kCoils> r25_before_{};
   std::chrono::steady_clock::time_point written_{};
+  /// Counts what was handed over, and which of that had the last latch first.
+  std::uint64_t handed_over_ = 0;
   bool due_ = false;
   bool was_warm_ = false;
   bool stopped_ = false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/server/device/outbox.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -15,13 +16,42 @@ bool Outbox::has_capacity(ConnectionId owner, std::size_t count) const {
   return !exceeds_group(count) && (room_for_all || own + count <= kAlwaysEach);
 }
 
-std::optional<std::uint64_t> Outbox::add(ConnectionId owner, const What& what) {
+std::optional<std::uint64_t> Outbox::add(ConnectionId owner, const What& what,
+                                         std::uint64_t after) {
   if (!has_capacity(owner, 1)) return std::nullopt;
   ++waiting_each_[owner];
   ++waiting_;
-  open_.push_back({owner, {++last_seq_, what}});
+  open_.push_back({owner, {++last_seq_, what}, after});
   mailbox_.request_times.asked(last_seq_, device::monotonic_ns());
   return last_seq_;
+}
+
+bool Outbox::amend(control::EffectId effect, const model::EffectSpec& spec) noexcept {
+  bool waits = false;
+  const auto amend_in = [&](std::vector<Owned>& group) {
+    for (Owned& owned : group) {
+      auto* start = std::get_if<control::StartEffect>(&owned.command.what);
+      // Other key frames may come behind the start.
+      if (start != nullptr && start->effect == effect &&
+          start->spec.trajectory.playback.same_frames(spec.trajectory.playback)) {
+        start->spec = spec;
+        waits = true;
+      }
+      auto* update = std::get_if<control::UpdateEffect>(&owned.command.what);
+      // An update comes behind the start.
+      if (waits && update != nullptr && update->effect == effect) update->spec = spec;
+    }
+  };
+  for (std::vector<Owned>& group : groups_) amend_in(group);
+  amend_in(open_);
+  return waits;
+}
+
+bool Outbox::is_due(const std::vector<Owned>& group) const noexcept {
+  // What comes before in the same group is applied with it.
+  return std::all_of(group.begin(), group.end(), [&](const Owned& owned) {
+    return owned.after <= applied_seq_ || owned.after >= group.front().command.seq;
+  });
 }
 
 void Outbox::commit() {
@@ -34,9 +64,11 @@ void Outbox::flush() {
   const std::size_t queued = control::Mailbox::kCommands - mailbox_.commands.write_available();
   std::array<control::Command, control::kMaxCommandsPerTick> ready{};
   std::size_t count = 0;
-  while (!groups_.empty() && queued + count + groups_.front().size() <= ready.size()) {
+  while (!groups_.empty() && is_due(groups_.front()) &&
+         queued + count + groups_.front().size() <= ready.size()) {
     for (const Owned& owned : groups_.front()) {
       ready[count++] = owned.command;
+      handed_over_seq_ = owned.command.seq;
       const auto each = waiting_each_.find(owned.owner);
       if (--each->second == 0) waiting_each_.erase(each);
     }

@@ -2,6 +2,8 @@
 // The io side of the command queue. The commands of one line are one group, and a group is handed
 // over as a whole in time for a single tick (a batch is "applied in one tick"). Bounded in total
 // and for each client, so that a flooding client is answered `busy` while the others are served.
+// The start of an effect that replaces another waits here until that one's start was applied, and
+// can be amended as long as it waits: however often a slot is filled, once a tick is enough.
 #pragma once
 
 #include <cstdint>
@@ -33,12 +35,20 @@ class Outbox {
   bool exceeds_group(std::size_t count) const noexcept {
     return open_.size() + count > control::kMaxCommandsPerTick;
   }
-  /// Adds a command of `owner` to the open group and returns its seq; nullopt: full, `busy`.
-  std::optional<std::uint64_t> add(ConnectionId owner, const What& what);
+  /// Adds a command of `owner` to the open group and returns its seq; nullopt: full, `busy`. It is
+  /// handed over once `after` has been applied; what was added later waits with it.
+  std::optional<std::uint64_t> add(ConnectionId owner, const What& what, std::uint64_t after = 0);
+  /// The command with that seq was not handed over yet.
+  bool holds(std::uint64_t seq) const noexcept { return seq > handed_over_seq_; }
+  /// Gives the start of `effect`, and all updates of it, the spec `spec`. False, and nothing is
+  /// changed: that start has been handed over.
+  bool amend(control::EffectId effect, const model::EffectSpec& spec) noexcept;
   /// Closes the group and hands over what fits.
   void commit();
   /// Hands over what fits; call it at least every millisecond while `waiting()`.
   void flush();
+  /// The control thread has applied everything up to `seq`.
+  void set_applied(std::uint64_t seq) noexcept { applied_seq_ = seq; }
 
   bool waiting() const noexcept { return !groups_.empty(); }
   /// Seq of the newest command.
@@ -48,13 +58,18 @@ class Outbox {
   struct Owned {
     ConnectionId owner;
     control::Command command;
+    std::uint64_t after;
   };
+  /// Nothing in `group` has to wait for what was not applied yet.
+  bool is_due(const std::vector<Owned>& group) const noexcept;
   control::Mailbox& mailbox_;
   std::deque<std::vector<Owned>> groups_;
   std::vector<Owned> open_;
   std::size_t waiting_ = 0;
   std::map<ConnectionId, std::size_t> waiting_each_;
   std::uint64_t last_seq_ = 0;
+  std::uint64_t handed_over_seq_ = 0;
+  std::uint64_t applied_seq_ = 0;
 };
 
 }  // namespace hedgehog::server

@@ -52,6 +52,8 @@ std::string first_step(Reason reason, const RemedyFacts& facts) {
       return "Check the USB cable";
     case Reason::kInternal:
       return "Restart hedgehogd";
+    case Reason::kBootLoader:
+      return "Wait for the board, which was asked into its boot loader";
     case Reason::kNone:
     case Reason::kNeverArmed:
     case Reason::kUncleanStop:
@@ -69,6 +71,12 @@ std::string first_step(Reason reason, const RemedyFacts& facts) {
 std::optional<std::string> remedy(control::State state, Reason reason, const RemedyFacts& facts) {
   if (state == control::State::kArmed) return std::nullopt;
   if (state == control::State::kAbsent) {
+    if (reason == Reason::kBootLoader) {
+      return facts.simulated ? "Wait until the simulated board is back, after 3 s"
+                             : "The board waits for new firmware: hedgehogctl board flash FILE; or "
+                               "unplug it and "
+                               "plug it in again";
+    }
     if (!facts.board_trouble.empty()) return "The board is not used: " + facts.board_trouble;
     return facts.simulated ? "Let the simulated board answer again: sim.set with an empty fault"
                            : "Plug in the ball, or run without one: hedgehogd --simulate";
@@ -80,6 +88,16 @@ std::optional<std::string> remedy(control::State state, Reason reason, const Rem
             " s (it was armed again after this trip " + std::to_string(facts.rearms) + " times)";
   }
   return step.empty() ? "Run: hedgehogctl arm" : step + ", then run: hedgehogctl arm";
+}
+
+std::string too_hot_remedy(double hottest_c, double skin_c, const model::Limits& limits) {
+  const auto degrees = [](double celsius) { return std::to_string(std::lround(celsius)) + " °C"; };
+  if (hottest_c > limits.sustain_c) {
+    return "Wait until the hottest winding is below " + degrees(limits.sustain_c) +
+           "; by what was measured it may be at " + degrees(hottest_c);
+  }
+  if (!std::isfinite(skin_c)) return "Wait: how warm the shell is has not been measured";
+  return "Wait until the shell is cooler: it may get as warm as " + degrees(skin_c);
 }
 
 std::optional<std::string> reason_name(Reason reason) {

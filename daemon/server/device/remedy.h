@@ -6,6 +6,7 @@
 #include <string>
 
 #include "daemon/control/state/state.h"
+#include "model/limit/limits.h"
 
 namespace hedgehog::server {
 
@@ -24,6 +25,10 @@ struct RemedyFacts {
 /// nullopt: nothing is wrong.
 std::optional<std::string> remedy(control::State state, control::Reason reason,
                                   const RemedyFacts& facts);
+
+/// Of an armed ball whose heat allows nothing that can be felt: its hottest winding may be at
+/// `hottest_c`, its shell at `skin_c`.
+std::string too_hot_remedy(double hottest_c, double skin_c, const model::Limits& limits);
 
 /// The wire name of `reason`; nullopt for kNone (null on the wire).
 std::optional<std::string> reason_name(control::Reason reason);

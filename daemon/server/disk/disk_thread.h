@@ -18,10 +18,11 @@ namespace hedgehog::server {
 
 /// What a job is for. Each use has places of its own, so that none can fill those of another.
 enum class DiskUse : std::uint8_t {
-  kSafety,   // state, latch, heat, recordings of trips: done before all others
-  kHistory,  // what happened
-  kLook,     // for devices; never on the thread of kSafety
-  kPattern,  // that clients put and remove
+  kSafety,    // state, latch, heat, recordings of trips: done before all others
+  kHistory,   // what happened: the parts of the event history and the telemetry, one job each
+  kLook,      // for devices; never on the thread of kSafety
+  kPattern,   // that clients put and remove
+  kDownload,  // recordings for web pages
 };
 
 /// `post` from the io thread. The destructor does what is still queued.
@@ -29,7 +30,7 @@ class DiskThread {
  public:
   /// Jobs of each use that may be queued or under way. Whoever asks for kSafety has one queued at
   /// most, so that it never runs out.
-  static constexpr std::array<std::size_t, 4> kMaxJobs{16, 4, 8, 8};
+  static constexpr std::array<std::size_t, 5> kMaxJobs{16, 5, 8, 8, 1};
 
   /// `name`: of the thread, at most 15 characters.
   explicit DiskThread(const char* name = "disk");

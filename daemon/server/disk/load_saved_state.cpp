@@ -4,11 +4,17 @@
 #include <spdlog/spdlog.h>
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <system_error>
 
+#include "base/regular_file.h"
+
 namespace hedgehog::server {
+namespace {
+
+/// Far more than any state is.
+constexpr std::size_t kMaxBytes = std::size_t{64} << 10;
+
+}  // namespace
 
 std::string state_file(const std::string& directory) {
   return (std::filesystem::path(directory) / "state.json").string();
@@ -35,11 +41,10 @@ std::optional<SavedState> load_saved_state(const std::string& directory,
     if (is_missing(path + ".new")) return std::nullopt;
     return lost(path, "missing beside a state.json.new that was cut off");
   }
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  auto state = decode_saved_state(text.str());
-  if (!state) return lost(path, file.is_open() ? "damaged" : "cannot be read");
+  const base::FileText file = base::read_regular_file(path, kMaxBytes);
+  if (!file.good()) return lost(path, file.problem);
+  auto state = decode_saved_state(file.text);
+  if (!state) return lost(path, "damaged");
   if (ball && state->ball && are_different(*ball, *state->ball)) {
     if (ball->simulated) {
       spdlog::warn("{}: of a real ball; the simulated one starts without it", path);

@@ -5,28 +5,16 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 #include <utility>
 
 #include "base/atomic_file.h"
+#include "base/regular_file.h"
 
 namespace hedgehog::server {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// As it is on disk; nullopt: cannot be read, or is larger than any pattern.
-std::optional<std::string> read_file(const fs::path& path) {
-  std::error_code ec;
-  if (!fs::is_regular_file(path, ec) || fs::file_size(path, ec) > protocol::kMaxPatternBytes)
-    return std::nullopt;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return std::nullopt;
-  std::string text{std::istreambuf_iterator<char>(file), {}};
-  return file.bad() ? std::nullopt : std::optional(std::move(text));
-}
 
 /// What is in `folder`, as far as it can be read; what cannot be is logged. Nothing when it does
 /// not exist.
@@ -100,11 +88,12 @@ std::vector<protocol::Pattern> PatternFiles::load() const {
 }
 
 void PatternFiles::load(const std::string& path, std::vector<protocol::Pattern>& kept) const {
-  const auto text = read_file(path);
-  auto pattern =
-      text
-          ? protocol::decode_pattern(*text)
-          : protocol::Result<protocol::Pattern>(protocol::invalid_params("file", "cannot be read"));
+  const base::FileText file = base::read_regular_file(path, protocol::kMaxPatternBytes);
+  if (!file.good()) {
+    spdlog::warn("{}: {}; the pattern is missing", path, file.problem);
+    return;
+  }
+  auto pattern = protocol::decode_pattern(file.text);
   if (pattern && path_of(pattern->name) == path) {
     kept.push_back(std::move(*pattern));
   } else {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/parse_json.h"
+
 namespace hedgehog::server {
 namespace {
 
@@ -61,7 +63,9 @@ std::string encode(const SavedState& s) {
 }
 
 std::optional<SavedState> decode_saved_state(std::string_view text) {
-  const Json json = Json::parse(text, nullptr, false);
+  const auto parsed = base::parse_json<Json>(text);
+  if (!parsed.good()) return std::nullopt;
+  const Json& json = parsed.value;
   SavedState s;
   try {
     if (json.at("version") != kVersion) return std::nullopt;

@@ -65,8 +65,9 @@ protocol::Admission admission(const DeviceView& device_view, EffectRegistry& eff
   const model::NearestPin nearest = model::nearest_pin(device_view.array(), direction);
   out.pin = nearest.id;
   if (spec.trajectory.path == model::Path::kCircle) {
-    out.period_ms =
-        1000.0 * model::circle_steps(spec.trajectory.ring_deg) / spec.trajectory.speed_pins_s;
+    out.period_ms = 1000.0 *
+                    model::circle_steps(spec.trajectory.ring_deg, spec.trajectory.pitch_deg) /
+                    spec.trajectory.speed_pins_s;
   }
 
   const Felt others = felt_now(device_view, effects, replaced);
@@ -100,7 +101,9 @@ protocol::Admission admission(const DeviceView& device_view, EffectRegistry& eff
     factor *= unmeasured;
   }
   out.current_a = peak_a(spec, track) * factor;
-  out.force_n = out.current_a * config.device.force_slope_n_a * nearest.cosine;
+  out.force_n = device_view.pin_curves().force_at_rest_n(
+      static_cast<std::size_t>(nearest.id),
+      out.current_a * config.device.force_slope_n_a * nearest.cosine);
   return out;
 }
 

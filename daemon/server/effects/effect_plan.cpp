@@ -12,7 +12,9 @@ using protocol::EffectParams;
 
 SpecFacts spec_facts(const PlanContext& context) {
   const DeviceView& m = context.device_view;
-  return {m.limits(),  m.config().device.force_slope_n_a, m.array(), context.role, m.epoch_ns(),
+  return {m.limits(),   m.config().device.force_slope_n_a,
+          m.array(),    m.pin_pitch_deg(),
+          context.role, m.epoch_ns(),
           m.now().tick};
 }
 

@@ -155,6 +155,7 @@ protocol::Result<model::EffectSpec> make_spec(model::EffectMethod method, const 
     s.trajectory.path = model::Path::kCircle;
     s.trajectory.axis = *axis;
     s.trajectory.ring_deg = p.ring_deg.value_or(s.trajectory.ring_deg);
+    s.trajectory.pitch_deg = f.pin_pitch_deg;
     s.trajectory.speed_pins_s = p.speed_pins_s.value_or(s.trajectory.speed_pins_s);
     s.trajectory.clockwise = p.sense == protocol::Sense::kClockwise;
     s.trajectory.smooth = p.stepping == protocol::Stepping::kSmooth;

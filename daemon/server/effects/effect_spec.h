@@ -21,6 +21,8 @@ struct SpecFacts {
   model::Limits limits;
   double force_slope_n_a = 0.0126;
   const model::PinArray& pins;
+  /// A circle's step from pin to pin, degrees (model::pin_pitch_deg).
+  double pin_pitch_deg = model::kThesisPitchDeg;
   protocol::Role role = protocol::Role::kObserve;
   /// Device time of tick 0, and now.
   std::int64_t epoch_ns = 0;

@@ -25,6 +25,11 @@ std::vector<KeyframeAllocator::Part>::const_iterator KeyframeAllocator::find(
       });
 }
 
+bool KeyframeAllocator::holds(std::uint16_t first, const KeyframeTrack& track) const noexcept {
+  const auto part = find(track);
+  return part != parts_.end() && part->first == first;
+}
+
 std::size_t KeyframeAllocator::commands_for(const KeyframeTrack& track) const noexcept {
   return find(track) != parts_.end() ? 0 : LoadKeyframes::commands_for(track.frames.size());
 }

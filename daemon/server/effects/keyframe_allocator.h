@@ -16,6 +16,8 @@ namespace hedgehog::server {
 /// is sent every frame travels once. A part is free when its last user has let go.
 class KeyframeAllocator {
  public:
+  /// The part that begins at `first` is that of `track`.
+  bool holds(std::uint16_t first, const KeyframeTrack& track) const noexcept;
   /// Commands that `place` would add for `track`, besides that which starts the effect.
   std::size_t commands_for(const KeyframeTrack& track) const noexcept;
   /// One connection may fill half of it at most.

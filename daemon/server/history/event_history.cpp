@@ -16,6 +16,8 @@ namespace {
 constexpr std::int64_t kWriteEveryMs = 1000;
 /// Lines of one job; joining more would hold io up after the disk was away for long.
 constexpr std::size_t kMaxLines = 1000;
+/// Lines of series that wait for the disk; more of a series would say the same.
+constexpr std::size_t kMaxAgain = 100;
 
 /// Place among kEventTypes; behind the last for one that this daemon does not know.
 std::size_t type_index(std::string_view type) {
@@ -45,10 +47,16 @@ bool only_replaces(const protocol::Event& event, const Effect* effect) {
   return started ? effect != nullptr && effect->replacing : event.reason == "replaced";
 }
 
+bool is_derating(std::string_view type) {
+  return type == "derating_started" || type == "derating_ended";
+}
+
 HistoryPart part_of(const protocol::Event& event) {
-  return protocol::is_trip(event) ? HistoryPart::kTrips
-         : event.effect           ? HistoryPart::kEffects
-                                  : HistoryPart::kBall;
+  return protocol::is_trip(event)          ? HistoryPart::kTrips
+         : event.effect                    ? HistoryPart::kEffects
+         : is_derating(event.type)         ? HistoryPart::kDerating
+         : EventSeries::recurs(event.type) ? HistoryPart::kRecurring
+                                           : HistoryPart::kBall;
 }
 
 /// `json` of an event, and the name of its recording behind its last field.
@@ -63,15 +71,16 @@ std::string with_recording(std::string_view json, unsigned recording) {
 EventHistory::EventHistory(Writer writer, const HistoryTexts& kept) : writer_(std::move(writer)) {
   for (std::size_t i = 0; i < kHistoryParts; ++i) {
     const auto& [full, filling] = kept[i];
-    load(parts_[i], full);
-    load(parts_[i], filling);
+    load(full);
+    load(filling);
     parts_[i].lines_in_file =
         static_cast<std::size_t>(std::count(filling.begin(), filling.end(), '\n'));
   }
   number_by_time();
+  series_.clear();
 }
 
-void EventHistory::load(Part& part, std::string_view text) {
+void EventHistory::load(std::string_view text) {
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     const std::string_view line = text.substr(0, end);
@@ -81,7 +90,7 @@ void EventHistory::load(Part& part, std::string_view text) {
     const auto at = event ? base::parse_rfc3339(event->at) : std::nullopt;
     if (at && !event->event.type.empty()) {
       const unsigned recording = recording_number(event->recording.value_or(""));
-      add(part, *std::move(event), *at, recording);
+      if (!completes_series(*event, *at)) add(*std::move(event), *at, recording);
     }
   }
 }
@@ -105,14 +114,54 @@ void EventHistory::number_by_time() {
   }
 }
 
-void EventHistory::add(Part& part, protocol::PastEvent&& event, std::int64_t unix_ms,
-                       unsigned recording) {
+void EventHistory::add(protocol::PastEvent&& event, std::int64_t unix_ms, unsigned recording) {
+  if (add_to_series(event, unix_ms)) return;
   event.recording.reset();
   last_recording_ = std::max(last_recording_, recording);
-  part.entries.push_back({unix_ms, ++number_, type_index(event.event.type),
+  Part& part = part_at(part_of(event.event));
+  const std::size_t type = type_index(event.event.type);
+  part.entries.push_back({unix_ms, last_ms_of(event, unix_ms), ++number_, type,
                           protocol::is_trip(event.event), recording,
                           protocol::encode_past_event(event)});
   if (part.entries.size() > kMaxEach) part.entries.pop_front();
+  if (!EventSeries::recurs(event.event.type)) return;
+  write_series_again(unix_ms, true);
+  series_.insert_or_assign(type, EventSeries(std::move(event), unix_ms, number_));
+}
+
+bool EventHistory::add_to_series(const protocol::PastEvent& event, std::int64_t unix_ms) {
+  const auto series = series_.find(type_index(event.event.type));
+  if (series == series_.end() || !series->second.add(event, unix_ms)) return false;
+  show_series(series->second);
+  return true;
+}
+
+bool EventHistory::completes_series(const protocol::PastEvent& line, std::int64_t unix_ms) {
+  const std::size_t type = type_index(line.event.type);
+  const auto series = series_.find(type);
+  if (series == series_.end() || !line.count || series->second.event().at != line.at) return false;
+  series->second = EventSeries(line, unix_ms, series->second.number());
+  show_series(series->second);
+  return true;
+}
+
+void EventHistory::show_series(const EventSeries& series) {
+  auto& entries = part_at(HistoryPart::kRecurring).entries;
+  const auto entry = std::find_if(entries.rbegin(), entries.rend(),
+                                  [&](const Entry& one) { return one.number == series.number(); });
+  if (entry == entries.rend()) return;
+  entry->last_ms = series.last_ms();
+  entry->json = protocol::encode_past_event(series.event());
+}
+
+void EventHistory::write_series_again(std::int64_t unix_ms, bool at_once) {
+  Part& part = part_at(HistoryPart::kRecurring);
+  for (auto& [type, series] : series_) {
+    // Until the first line is on disk, that one will tell all.
+    const bool written = series.number() <= part.on_disk;
+    if (written && part.again.size() < kMaxAgain && series.take_due(unix_ms, at_once))
+      part.again.push_back(protocol::encode_past_event(series.event()));
+  }
 }
 
 void EventHistory::record(const protocol::Event& event, std::int64_t unix_ms, const Effect* effect,
@@ -126,7 +175,8 @@ void EventHistory::record(const protocol::Event& event, std::int64_t unix_ms, co
     urgent_ = true;
     name_player(past);
   }
-  add(parts_[static_cast<std::size_t>(which)], std::move(past), unix_ms, recording);
+  add(std::move(past), unix_ms, recording);
+  if (event.type == "shutting_down") write_series_again(unix_ms, true);
 }
 
 void EventHistory::name_player(protocol::PastEvent& trip) const {
@@ -141,6 +191,7 @@ void EventHistory::pump(std::int64_t unix_ms) {
   const bool due = unix_ms - written_ms_ >= kWriteEveryMs || unix_ms < written_ms_;
   if (urgent_ || due) {
     written_ms_ = unix_ms;
+    write_series_again(unix_ms, false);
     flush();
   }
 }
@@ -150,7 +201,8 @@ bool EventHistory::flush() {
   // What came while earlier ones are being written goes as soon as they are.
   urgent_ = urgent_ && trips.work && !trips.work->done.load(std::memory_order_acquire);
   bool all = write(HistoryPart::kTrips);
-  for (const HistoryPart part : {HistoryPart::kBall, HistoryPart::kEffects})
+  for (const HistoryPart part :
+       {HistoryPart::kBall, HistoryPart::kDerating, HistoryPart::kRecurring, HistoryPart::kEffects})
     all = write(part) && all;
   return all;
 }
@@ -161,6 +213,8 @@ bool EventHistory::write(HistoryPart which) {
     if (!part.work->done.load(std::memory_order_acquire)) return false;
     if (part.work->problem.empty()) {
       part.on_disk = part.work_until;
+      part.again.erase(part.again.begin(),
+                       part.again.begin() + static_cast<std::ptrdiff_t>(part.again_in_work));
       part.lines_in_file = part.lines_after_work;
     }
     part.work = nullptr;
@@ -168,10 +222,14 @@ bool EventHistory::write(HistoryPart which) {
   auto from = std::find_if(part.entries.rbegin(), part.entries.rend(), [&](const Entry& entry) {
                 return entry.number <= part.on_disk;
               }).base();
-  if (from == part.entries.end()) return true;
+  if (from == part.entries.end() && part.again.empty()) return true;
   const bool begin_file = part.lines_in_file >= kMaxEach;
   part.lines_after_work = begin_file ? 0 : part.lines_in_file;
+  part.work_until = part.on_disk;
+  part.again_in_work = part.again.size();
+  part.lines_after_work += part.again.size();
   std::string lines;
+  for (const std::string& line : part.again) lines += line + '\n';
   for (std::size_t i = 0; i < kMaxLines && from != part.entries.end(); ++i, ++from) {
     lines += with_recording(from->json, from->recording) + '\n';
     part.work_until = from->number;
@@ -187,7 +245,7 @@ std::string EventHistory::newest(const protocol::EventsHistory& request,
   const std::int64_t since_ms = request.since ? base::parse_rfc3339(*request.since).value_or(0) : 0;
   const Types types = wanted_types(request.types);
   const auto wanted = [&](const Entry& entry) {
-    return entry.unix_ms >= since_ms && types[entry.type] && (entry.trip || !request.trips);
+    return entry.last_ms >= since_ms && types[entry.type] && (entry.trip || !request.trips);
   };
   // One more than is asked for of each part, to know whether there are more.
   std::vector<const Entry*> found;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Event history, kept over restarts: the newest trips, the newest other events of the ball and the
-// newest of effects, as lines of JSON in memory and on disk. Bounded separately, so that neither a
-// game that plays sixty effects a second nor a loop that is late all day can displace the trips of
-// last month.
+// Event history, kept over restarts: the newest trips, the newest other events of the ball, the
+// newest deratings, the newest of effects, and what recurs, as lines of JSON in memory and on disk.
+// Bounded separately, so that neither a game that plays sixty effects a second or a warm ball that
+// is derated in each of them nor a loop that is late all day can displace the trips of last month,
+// or yesterday's emergency stop.
 #pragma once
 
 #include <array>
@@ -10,20 +11,23 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "daemon/server/disk/disk_work.h"
 #include "daemon/server/effects/effect_registry.h"
+#include "daemon/server/history/event_series.h"
 #include "protocol/methods.h"
 #include "protocol/values/event.h"
 
 namespace hedgehog::server {
 
 /// In the order in which simultaneous events are reported.
-enum class HistoryPart : std::uint8_t { kEffects, kTrips, kBall };
-inline constexpr std::size_t kHistoryParts = 3;
+enum class HistoryPart : std::uint8_t { kEffects, kTrips, kBall, kDerating, kRecurring };
+inline constexpr std::size_t kHistoryParts = 5;
 
 /// The two files of a part: a full one, and the one that is being filled.
 struct HistoryText {
@@ -70,6 +74,7 @@ class EventHistory {
  private:
   struct Entry {
     std::int64_t unix_ms = 0;
+    std::int64_t last_ms = 0;  // of a series; else the same
     std::uint64_t number = 0;  // in the order in which they came
     std::size_t type = 0;
     bool trip = false;
@@ -80,13 +85,23 @@ class EventHistory {
     std::deque<Entry> entries;
     std::uint64_t on_disk = 0;  // number of the last one that is
     std::size_t lines_in_file = 0;
+    std::vector<std::string> again;  // lines of series that have grown since they were written
     DiskWorkPtr work;
+    std::size_t again_in_work = 0;
     std::uint64_t work_until = 0;
     std::size_t lines_after_work = 0;
   };
 
-  void load(Part& part, std::string_view text);
-  void add(Part& part, protocol::PastEvent&& event, std::int64_t unix_ms, unsigned recording);
+  void load(std::string_view text);
+  void add(protocol::PastEvent&& event, std::int64_t unix_ms, unsigned recording);
+  /// The entry of a series has grown by `event`; false: it is none, or a new one.
+  bool add_to_series(const protocol::PastEvent& event, std::int64_t unix_ms);
+  /// `line`, as it was loaded, tells the whole of a series that an earlier line has begun.
+  bool completes_series(const protocol::PastEvent& line, std::int64_t unix_ms);
+  void show_series(const EventSeries& series);
+  /// Lines of series that have grown and are due at `unix_ms`, or at once.
+  void write_series_again(std::int64_t unix_ms, bool at_once);
+  Part& part_at(HistoryPart which) { return parts_[static_cast<std::size_t>(which)]; }
   void number_by_time();
   bool write(HistoryPart which);
   /// Who played what a trip at `time_ns` has ended.
@@ -94,6 +109,8 @@ class EventHistory {
 
   Writer writer_;
   std::array<Part, kHistoryParts> parts_;
+  /// The newest of each type.
+  std::map<std::size_t, EventSeries> series_;
   std::uint64_t number_ = 0;
   std::int64_t written_ms_ = 0;
   unsigned last_recording_ = 0;

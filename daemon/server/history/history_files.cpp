@@ -9,14 +9,13 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "base/atomic_file.h"
+#include "base/regular_file.h"
 
 namespace hedgehog::server {
 namespace {
@@ -24,23 +23,18 @@ namespace {
 namespace fs = std::filesystem;
 
 /// By HistoryPart.
-constexpr std::array<const char*, kHistoryParts> kFiles{"effects.jsonl", "trips.jsonl",
-                                                        "events.jsonl"};
+constexpr std::array<const char*, kHistoryParts> kFiles{
+    "effects.jsonl", "trips.jsonl", "events.jsonl", "derating.jsonl", "recurring.jsonl"};
 /// Far more than the most lines have.
-constexpr std::uintmax_t kMaxBytes = 64u << 20;
+constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
 
 std::string full_path(const std::string& path) { return path + ".1"; }
 
 std::string content_of(const std::string& path) {
-  std::error_code ec;
-  const std::uintmax_t size = fs::file_size(path, ec);
-  if (ec == std::errc::no_such_file_or_directory) return {};
-  std::ifstream file(path, std::ios::binary);
-  if (ec || size > kMaxBytes || !file) {
-    spdlog::error("{}: cannot be read, or is too large; what happened then is not known", path);
-    return {};
-  }
-  return {std::istreambuf_iterator<char>(file), {}};
+  base::FileText file = base::read_regular_file(path, kMaxBytes);
+  if (!file.good() && !file.missing)
+    spdlog::error("{}: {}; what happened then is not known", path, file.problem);
+  return std::move(file.text);
 }
 
 bool write_all(int fd, std::string_view text) {
@@ -68,8 +62,13 @@ std::string append(const std::string& path, std::string_view lines, bool begin_f
     if (failed) return path + ": " + failed.message();
   }
   const bool fresh = begin_file || !fs::exists(path, missing);
-  const int fd = ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0640);
+  const int fd =
+      ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC | O_NONBLOCK | O_NOCTTY, 0640);
   if (fd < 0) return path + ": " + std::strerror(errno);
+  if (std::string other = base::why_not_regular(fd); !other.empty()) {
+    ::close(fd);
+    return path + ": " + other;
+  }
   const off_t before = ::lseek(fd, 0, SEEK_END);
   const bool good = before >= 0 && (ends_a_line(fd, before) || write_all(fd, "\n")) &&
                     write_all(fd, lines) && ::fdatasync(fd) == 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The event history on disk: `trips.jsonl`, `events.jsonl` of what else concerns the ball and
-// `effects.jsonl` in the state directory, and beside each the full one before it, `.1`.
+// The event history on disk, in the state directory: `trips.jsonl`, `derating.jsonl`,
+// `recurring.jsonl`, `events.jsonl` of what else concerns the ball and `effects.jsonl`, and beside
+// each the full one before it, `.1`.
 #pragma once
 
 #include <string>

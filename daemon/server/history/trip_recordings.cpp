@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/atomic_file.h"
+#include "base/regular_file.h"
 
 namespace hedgehog::server {
 namespace {
@@ -72,6 +73,12 @@ unsigned recording_number(std::string_view name) {
   const char* end = name.data() + name.size();
   const auto parsed = std::from_chars(name.data() + kPrefix.size(), end, number);
   return parsed.ec == std::errc{} && parsed.ptr == end && number <= kHighest ? number : 0;
+}
+
+unsigned recording_number_of_file(std::string_view file) {
+  const std::string_view suffix = kSuffix;
+  const bool is_recording = file.ends_with(suffix);
+  return is_recording ? recording_number(file.substr(0, file.size() - suffix.size())) : 0;
 }
 
 std::string recording_path(const std::string& directory, unsigned number) {
@@ -136,6 +143,16 @@ unsigned TripRecordings::tripped() {
     }
   }
   return last_;
+}
+
+std::shared_ptr<const RecordingRead> TripRecordings::read(unsigned number) const {
+  auto reading = std::make_shared<RecordingRead>();
+  const bool taken =
+      disk_.post(DiskUse::kDownload, [path = recording_path(directory_, number), reading] {
+        reading->bytes = base::read_regular_file(path, kMaxFileBytes).text;
+        reading->done.store(true, std::memory_order_release);
+      });
+  return taken ? reading : nullptr;
 }
 
 bool TripRecordings::has(unsigned number) const { return written_->contains(number); }

@@ -29,10 +29,19 @@ class RecordingNumbers {
   std::set<unsigned> numbers_;
 };
 
+/// A recording that is being read.
+struct RecordingRead {
+  std::atomic<bool> done{false};
+  /// Once `done`; empty: it is gone, or cannot be read.
+  std::string bytes;
+};
+
 class TripRecordings {
  public:
   static constexpr std::size_t kMaxFiles = 50;
   static constexpr std::uintmax_t kMaxBytes = 20u << 20;
+  /// More than a recorder holds.
+  static constexpr std::size_t kMaxFileBytes = 6u << 20;
 
   /// Looks what is there already. `last_named`: the highest number that the history names, perhaps
   /// of a recording that was never written or is gone; it is never given again.
@@ -45,6 +54,8 @@ class TripRecordings {
   unsigned tripped();
   /// Written, and not yet removed by newer ones.
   bool has(unsigned number) const;
+  /// The whole recording, read on the disk thread; nullptr: the disk is too slow.
+  std::shared_ptr<const RecordingRead> read(unsigned number) const;
 
  private:
   std::string directory_;
@@ -60,6 +71,8 @@ class TripRecordings {
 /// "trip-0017"; and the number of such a name, 0: it is none.
 std::string recording_name(unsigned number);
 unsigned recording_number(std::string_view name);
+/// Of "trip-0017.hhr".
+unsigned recording_number_of_file(std::string_view file);
 /// Path of recording `number` in `directory`, and the highest number there, 0: none.
 std::string recording_path(const std::string& directory, unsigned number);
 unsigned last_recording(const std::string& directory);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// One client connection: reads requests, writes responses and notifications. Owns itself through
-// its coroutines. io thread only.
+// One client connection: reads requests, writes responses and notifications. While many responses
+// wait to be taken, requests are held, and when enough of them are, no more are read: a client may
+// send as many at once as it likes. What is held waits in order, but an emergency stop does not.
+// Owns itself through its coroutines. io thread only.
 #pragma once
 
 #include <boost/asio/any_io_executor.hpp>
@@ -9,10 +11,12 @@
 #include <boost/system/error_code.hpp>
 #include <chrono>
 #include <cstddef>
+#include <deque>
 #include <memory>
 #include <string>
 #include <string_view>
 
+#include "daemon/config/config.h"
 #include "daemon/server/rpc/server.h"
 #include "daemon/server/session/session.h"
 #include "daemon/server/session/write_queue.h"
@@ -23,6 +27,9 @@ class Connection : public Sink, public std::enable_shared_from_this<Connection> 
  public:
   /// Bytes read from a socket at a time.
   static constexpr std::size_t kReadBytes = 16 * 1024;
+  /// Requests that wait for a tick or for the disk; with more, further ones are held. With twice as
+  /// many, which only emergency stops can be, nothing is read.
+  static constexpr std::size_t kMaxPending = 64;
 
   /// Starts its coroutines.
   void start();
@@ -36,44 +43,88 @@ class Connection : public Sink, public std::enable_shared_from_this<Connection> 
  protected:
   /// `session`: transport, address and role are filled in.
   Connection(boost::asio::any_io_executor executor, Server& server, Session session,
-             std::size_t queue_bytes);
+             const config::ConnectionSettings& settings);
 
   /// Passes what arrives to `take` and `too_long` until the client closes its end.
   virtual boost::asio::awaitable<void> read() = 0;
-  /// Sends what is next in the queue.
+  /// Sends what is next in the queue; reports each part of it that the socket took.
   virtual boost::asio::awaitable<boost::system::error_code> send_next(WriteQueue& queue) = 0;
   /// Everything has been sent.
   virtual boost::asio::awaitable<void> finish_stream() = 0;
   /// At once; what still runs on the socket ends with an error. A second call does nothing.
   virtual void close() noexcept = 0;
+  /// Bytes that the socket took and the client did not yet.
+  virtual std::size_t untaken_bytes() noexcept = 0;
 
-  /// The client has closed the connection, though its socket is still open.
-  void on_client_close() { server_.close(session_); }
+  /// The client says no more, though its socket may still be open: what it plays ends.
+  void on_client_close();
+  void on_sent_part();
   /// Something has arrived: its turn begins.
   void begin_turn() noexcept;
-  /// Carries out one message; when the turn is over the others get theirs first. False: the client
-  /// has to go.
+  /// Carries out one message, or holds it; when the turn is over the others get theirs first.
+  /// False: the client has to go.
   boost::asio::awaitable<bool> take(std::string_view text);
   boost::asio::awaitable<bool> too_long();
   std::int64_t id() const noexcept { return session_.id; }
   Counters& counters() noexcept { return server_.counters(); }
 
  private:
+  /// A line that waits.
+  struct Held {
+    std::string text;
+    bool too_long = false;
+  };
+
   boost::asio::awaitable<void> run();
   boost::asio::awaitable<void> write();
+  /// Carries out what is held, as the client takes its responses. One that takes nothing for
+  /// `write_timeout_s` meanwhile is disconnected.
+  boost::asio::awaitable<void> serve_held();
+  boost::asio::awaitable<void> serve_until_end();
+  void serve_next();
+  boost::asio::awaitable<void> wait_for_reader();
   boost::asio::awaitable<bool> next_turn();
+  boost::asio::awaitable<void> yield_turn();
+  void hold(Held line);
+  /// Carries out `text` before what is held, which starts nothing after it.
+  void overtake(std::string_view text);
+  bool has_to_wait() const noexcept { return !held_.empty() || held_back(); }
+  /// Too many responses wait to be sent, or are still to come.
+  bool held_back() const noexcept;
+  /// After the last request all of them are to be taken.
+  std::size_t allowed_answer_bytes() const noexcept {
+    return read_ended_ && held_.empty() ? 0 : held_back_bytes_;
+  }
+  /// Nothing more can be held.
+  bool full() const noexcept;
+  void report_not_reading();
   void abort() noexcept;
 
   boost::asio::any_io_executor executor_;
   Server& server_;
   Session session_;
   WriteQueue queue_;
+  /// Of waiting responses. Beside them a whole batch still fits: half of the queue, one more answer
+  /// and those that say `busy`.
+  std::size_t held_back_bytes_;
+  /// Of held requests, without the last of them.
+  std::size_t max_held_bytes_;
+  std::deque<Held> held_{};
+  std::size_t held_bytes_ = 0;
+  std::chrono::seconds write_timeout_;
   boost::asio::steady_timer wake_;
+  boost::asio::steady_timer progress_;       // cancelled when something was sent, or answered
+  boost::asio::steady_timer work_;           // waits until `serve_held` has something to do
+  boost::asio::steady_timer capacity_;       // waits until it is not `full`, or all is served
   boost::asio::steady_timer pending_timer_;  // waits until no response is pending
   boost::asio::steady_timer close_timer_;
   std::chrono::steady_clock::time_point turn_ends_{};
   bool finishing_ = false;
   bool aborted_ = false;
+  bool sent_part_ = false;  // since the client's time to take something began
+  bool write_ended_ = false;
+  bool read_ended_ = false;
+  bool served_ = false;  // all that was held
 };
 
 }  // namespace hedgehog::server

@@ -7,8 +7,9 @@
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/redirect_error.hpp>
 #include <boost/asio/use_awaitable.hpp>
-#include <boost/asio/write.hpp>
+#include <string_view>
 
+#include "daemon/server/net/socket_send_queue.h"
 #include "protocol/server_codec.h"
 
 namespace hedgehog::server {
@@ -52,9 +53,13 @@ asio::awaitable<void> LineConnection::read() {
 }
 
 asio::awaitable<error_code> LineConnection::send_next(WriteQueue& queue) {
+  std::string_view left = queue.take();
   error_code ec;
-  co_await asio::async_write(socket_, asio::buffer(queue.take()),
-                             asio::redirect_error(asio::use_awaitable, ec));
+  while (!ec && !left.empty()) {
+    left.remove_prefix(co_await socket_.async_write_some(
+        asio::buffer(left), asio::redirect_error(asio::use_awaitable, ec)));
+    on_sent_part();
+  }
   co_return ec;
 }
 
@@ -62,6 +67,10 @@ void LineConnection::close() noexcept {
   error_code ignored;
   socket_.shutdown(Socket::shutdown_both, ignored);
   socket_.close(ignored);
+}
+
+std::size_t LineConnection::untaken_bytes() noexcept {
+  return socket_send_queue(socket_.native_handle());
 }
 
 }  // namespace hedgehog::server

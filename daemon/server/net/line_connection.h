@@ -13,8 +13,9 @@ class LineConnection final : public Connection {
  public:
   using Socket = boost::asio::generic::stream_protocol::socket;
 
-  LineConnection(Socket socket, Server& server, Session session, std::size_t queue_bytes)
-      : Connection(socket.get_executor(), server, std::move(session), queue_bytes),
+  LineConnection(Socket socket, Server& server, Session session,
+                 const config::ConnectionSettings& settings)
+      : Connection(socket.get_executor(), server, std::move(session), settings),
         socket_(std::move(socket)) {}
 
  private:
@@ -22,6 +23,7 @@ class LineConnection final : public Connection {
   boost::asio::awaitable<boost::system::error_code> send_next(WriteQueue& queue) override;
   boost::asio::awaitable<void> finish_stream() override { co_return; }
   void close() noexcept override;
+  std::size_t untaken_bytes() noexcept override;
   boost::asio::awaitable<bool> take_lines(LineReader& reader);
 
   Socket socket_;

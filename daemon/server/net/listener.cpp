@@ -36,6 +36,11 @@ constexpr int kMaxHttpClients = 64;
 constexpr std::size_t kMorePages = 8;
 constexpr std::size_t kMoreOnUnix = 8;
 
+/// While it goes on, a failing accept is reported once; another one after so long is another
+/// episode.
+constexpr std::chrono::seconds kAcceptEpisode{60};
+constexpr std::chrono::milliseconds kAcceptPause{100};
+
 std::size_t places(const Session& session, std::size_t max) {
   const bool unix = session.transport == "unix";
   const bool page = session.transport == "websocket";
@@ -45,6 +50,15 @@ std::size_t places(const Session& session, std::size_t max) {
 std::string text(const Tcp::endpoint& endpoint) {
   return config::to_string({endpoint.address().to_string(), endpoint.port()});
 }
+
+/// Reset before it was accepted: there is nobody to serve. Who has only closed may have asked
+/// first.
+bool is_reset(const Tcp::socket& socket) {
+  error_code gone;
+  socket.remote_endpoint(gone);
+  return gone.failed();
+}
+bool is_reset(const Local::socket&) { return false; }
 
 Session session_of(Tcp::socket& socket) {
   error_code ignored;
@@ -149,8 +163,7 @@ void Listener::start(Server& server) {
   if (unix_) asio::co_spawn(io_, accept(*unix_, line), asio::detached);
   if (!http_) return;
   http_endpoint_.emplace(HttpEndpoint{
-      Website(server, http_settings_.pages, http_settings_.allow_origins), server,
-      settings_.queue_bytes,
+      Website(server, http_settings_.pages, http_settings_.allow_origins), server, settings_,
       [this](Tcp::socket& socket) -> std::optional<Session> {
         Session session = session_with(socket);
         session.transport = "websocket";
@@ -167,17 +180,27 @@ asio::awaitable<void> Listener::accept(AnyAcceptor& acceptor, LetIn let_in) {
   while (acceptor.is_open()) {
     error_code ec;
     auto socket = co_await acceptor.async_accept(asio::redirect_error(asio::use_awaitable, ec));
-    if (!ec) {
+    if (!ec && !is_reset(socket)) {
       error_code ignored;
       socket.set_option(asio::socket_base::send_buffer_size(kSendBufferBytes), ignored);
       let_in(std::move(socket));
-    } else if (acceptor.is_open()) {
-      // Out of file descriptors, as a rule: those who are there stay served.
-      spdlog::warn("cannot let a client in: {}", ec.message());
-      asio::steady_timer pause(io_, std::chrono::milliseconds(100));
+    } else if (ec && acceptor.is_open()) {
+      report_accept_failure(ec);
+      asio::steady_timer pause(io_, kAcceptPause);
       co_await pause.async_wait(asio::redirect_error(asio::use_awaitable, ec));
     }
   }
+}
+
+void Listener::report_accept_failure(const error_code& error) {
+  const auto now = std::chrono::steady_clock::now();
+  const bool goes_on = accept_failed_at_ && now - *accept_failed_at_ < kAcceptEpisode;
+  accept_failed_at_ = now;
+  if (goes_on) return;
+  spdlog::warn(
+      "cannot accept clients: {}; those that are connected are served, new ones are accepted again "
+      "when descriptors are free",
+      error.message());
 }
 
 template <class AnySocket>
@@ -208,8 +231,8 @@ void Listener::let_in(LineConnection::Socket socket, Session session) {
     socket.send(asio::buffer(line), 0, ignored);
     return;
   }
-  const auto connection = std::make_shared<LineConnection>(
-      std::move(socket), *server_, std::move(session), settings_.queue_bytes);
+  const auto connection =
+      std::make_shared<LineConnection>(std::move(socket), *server_, std::move(session), settings_);
   enter(connection);
   connection->start();
 }

@@ -7,6 +7,7 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/local/stream_protocol.hpp>
+#include <chrono>
 #include <cstddef>
 #include <list>
 #include <memory>
@@ -56,6 +57,8 @@ class Listener {
   /// end.
   bool has_capacity(const Session& session);
   void enter(const std::shared_ptr<Connection>& connection);
+  /// Out of file descriptors, as a rule. Once an episode.
+  void report_accept_failure(const boost::system::error_code& error);
 
   boost::asio::io_context& io_;
   config::ConnectionSettings settings_;
@@ -67,6 +70,7 @@ class Listener {
   Server* server_ = nullptr;
   int http_clients_ = 0;
   bool closing_ = false;
+  std::optional<std::chrono::steady_clock::time_point> accept_failed_at_;
   std::optional<boost::asio::local::stream_protocol::acceptor> unix_;
   std::string unix_path_;
   std::uint64_t unix_inode_ = 0;

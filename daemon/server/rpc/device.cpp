@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // device.*, output.set_gain
+#include <chrono>
 #include <string>
 #include <utility>
 
@@ -8,12 +9,15 @@
 namespace hedgehog::server {
 namespace {
 
+/// Clients wait for 1 s and more for the answer to a stop; the disk has half of it.
+constexpr std::chrono::milliseconds kLatchPatience{500};
+
 /// The board has 300 ticks to answer an arm request (control::StateMachine::kArmPatience).
 constexpr model::Tick kArmPatience = 400;
 
 protocol::StateResult state_result(const DeviceView& device_view, std::uint64_t seq) {
   const control::StatusSnapshot& now = device_view.now();
-  return {std::string(control::name(now.state)), reason_name(now.reason), device_view.remedy_now(),
+  return {std::string(control::name(now.state)), device_view.reason_now(), device_view.remedy_now(),
           seq};
 }
 
@@ -29,6 +33,17 @@ protocol::StateResult stopped_while_stopping(DeviceView& device_view) {
     result.reason = reason_name(latch);
     result.remedy = remedy(control::State::kDisarmed, latch, device_view.remedy_facts());
   }
+  return result;
+}
+
+/// The coils are off. That the disk has the latch matters once the daemon is killed or the machine
+/// loses its power.
+protocol::StateResult stopped(HandlerContext& context, std::uint64_t latch_write) {
+  DeviceView& device_view = context.device_view;
+  protocol::StateResult result = context.stopping
+                                     ? stopped_while_stopping(device_view)
+                                     : state_result(device_view, device_view.outbox().last_seq());
+  result.on_disk = context.state_store.latch_persisted(latch_write) == Persisted::kYes;
   return result;
 }
 
@@ -90,6 +105,7 @@ Outcome handle(Call& call, const protocol::DeviceDescribe&) {
   BoardInfo board = device_view.board();
   d.board.serial = std::move(board.serial);
   d.board.firmware = std::move(board.firmware);
+  d.board.protocol = device_view.board_protocol();
   d.imu.type = config::name(config.imu);
   d.imu.present = device_view.now().orientation_present;
   return Answer(std::move(d));
@@ -101,8 +117,13 @@ Outcome handle(Call& call, const protocol::DeviceList&) {
   const DeviceScanner::Ready ready = devices->look();
   const protocol::RpcError slow = protocol::busy("looking for devices takes too long", 1000);
   if (!ready) return Answer(slow);
-  return Deferred{[ready, slow](HandlerContext&, bool give_up) -> std::optional<Answer> {
-    if (auto found = ready()) return Answer(*std::move(found));
+  return Deferred{[ready, slow](HandlerContext& context, bool give_up) -> std::optional<Answer> {
+    if (auto found = ready()) {
+      for (protocol::SeenDevice& device : found->devices)
+        if (device.use == "board")
+          if (auto version = context.device_view.board_protocol()) device.protocol = *version;
+      return Answer(*std::move(found));
+    }
     return give_up ? std::optional<Answer>(slow) : std::nullopt;
   }};
 }
@@ -138,15 +159,22 @@ Outcome handle(Call& call, const protocol::DeviceArm&) {
 Outcome handle(Call& call, const protocol::DeviceEmergencyStop&) {
   DeviceView& device_view = call.device_view();
   device_view.mailbox().emergency_generation.fetch_add(1, std::memory_order_acq_rel);
-  call.context.state_store.persist_latch(control::Reason::kEmergencyStop);
-  if (call.context.stopping) return Answer(stopped_while_stopping(device_view));
+  const std::uint64_t write =
+      call.context.state_store.persist_latch(control::Reason::kEmergencyStop);
+  if (call.context.stopping &&
+      call.context.state_store.latch_persisted(write) != Persisted::kPending)
+    return Answer(stopped(call.context, write));
   // The snapshot may already be a tick older than the request.
   const model::Tick seen = device_view.now().tick + 2;
-  return Deferred{[seen](HandlerContext& context, bool give_up) -> std::optional<Answer> {
+  const auto until = std::chrono::steady_clock::now() + kLatchPatience;
+  return Deferred{[seen, write, until](HandlerContext& context,
+                                       bool give_up) -> std::optional<Answer> {
     const control::StatusSnapshot& now = context.device_view.now();
-    if (now.tick >= seen && now.state != control::State::kArmed)
-      return Answer(state_result(context.device_view, context.device_view.outbox().last_seq()));
-    return give_up ? std::optional<Answer>(control_stuck()) : std::nullopt;
+    const bool off = context.stopping || (now.tick >= seen && now.state != control::State::kArmed);
+    if (!off) return give_up ? std::optional<Answer>(control_stuck()) : std::nullopt;
+    const bool waits = context.state_store.latch_persisted(write) == Persisted::kPending &&
+                       std::chrono::steady_clock::now() < until;
+    return waits && !give_up ? std::nullopt : std::optional<Answer>(stopped(context, write));
   }};
 }
 

@@ -19,8 +19,18 @@ std::string encoded(const protocol::Id& id, const Answer& answer) {
 const char* costly(protocol::Method method) {
   if (method == protocol::kMethodOf<protocol::ThermalForecast>) return "forecasts";
   if (method == protocol::kMethodOf<protocol::PatternList>) return "lists of patterns";
-  if (method == protocol::kMethodOf<protocol::EventsHistory>) return "histories";
+  if (method == protocol::kMethodOf<protocol::EventsHistory> ||
+      method == protocol::kMethodOf<protocol::TelemetryHistory>)
+    return "histories";
   return nullptr;
+}
+
+/// It may let a current flow, or keep the ball from others.
+bool starts_something(const protocol::Request& request) {
+  return std::holds_alternative<protocol::EffectStart>(request) ||
+         std::holds_alternative<protocol::EffectUpdate>(request) ||
+         std::holds_alternative<protocol::DeviceArm>(request) ||
+         std::holds_alternative<protocol::DeviceClaim>(request);
 }
 
 /// After which it is worth asking again.
@@ -52,6 +62,19 @@ void Dispatcher::Reply::add(std::string answer) {
   answers.push_back(std::move(answer));
 }
 
+std::size_t Dispatcher::Reply::reserve() {
+  answers.emplace_back();
+  ++open;
+  bytes += kReservedBytes;
+  return answers.size() - 1;
+}
+
+void Dispatcher::Reply::fill(std::size_t index, std::string answer) {
+  bytes = bytes - kReservedBytes + answer.size();
+  answers[index] = std::move(answer);
+  --open;
+}
+
 void Dispatcher::line(Session& session, std::string_view text) {
   protocol::Incoming incoming = protocol::decode_line(text);
   const auto reply = std::make_shared<Reply>();
@@ -59,12 +82,20 @@ void Dispatcher::line(Session& session, std::string_view text) {
   reply->batch = incoming.batch;
   for (protocol::Item& one : incoming.items) item(session, one, reply);
   context_.device_view.outbox().commit();
+  session.open_bytes += reply->open_bytes();
   send_if_complete(*reply);
 }
 
 void Dispatcher::line_too_long(Session& session) {
   count(context_.counters, "none", protocol::line_too_long());
   session.sink->send(protocol::encode_error({}, protocol::line_too_long()), LineKind::kAnswer);
+}
+
+bool Dispatcher::has_emergency_stop(std::string_view line) {
+  const protocol::Incoming incoming = protocol::decode_line(line);
+  return std::any_of(incoming.items.begin(), incoming.items.end(), [](const protocol::Item& item) {
+    return item.request && std::holds_alternative<protocol::DeviceEmergencyStop>(*item.request);
+  });
 }
 
 void Dispatcher::item(Session& session, protocol::Item& item, const std::shared_ptr<Reply>& reply) {
@@ -82,6 +113,8 @@ void Dispatcher::item(Session& session, protocol::Item& item, const std::shared_
     std::optional<protocol::RpcError> why_not;
     if (context_.stopping)
       why_not = protocol::busy("the daemon is stopping", kRestartMs);
+    else if (session.overtaken > 0 && starts_something(*item.request))
+      why_not = protocol::busy("an emergency stop, or the connection's end, came after it", 1);
     else if (what != nullptr && ++reply->costly[which] > kMaxCostly)
       why_not = too_many(what);
     else if (reply->bytes > session.batch_bytes)
@@ -106,9 +139,7 @@ void Dispatcher::item(Session& session, protocol::Item& item, const std::shared_
     reply->add(encoded(*item.id, *answer));
     return;
   }
-  reply->answers.emplace_back();
-  ++reply->open;
-  waiting_.push_back({reply, reply->answers.size() - 1, *item.id, method,
+  waiting_.push_back({reply, reply->reserve(), *item.id, method,
                       std::get<Deferred>(std::move(outcome)),
                       PolledTime(PolledTime::Clock::now())});
 }
@@ -117,22 +148,24 @@ void Dispatcher::poll() {
   if (waiting_.empty()) return;
   const auto now = PolledTime::Clock::now();
   std::erase_if(waiting_, [&](Waiting& w) {
-    if (!context_.sessions.contains(w.reply->session)) return true;
+    const auto session = context_.sessions.find(w.reply->session);
+    if (session == context_.sessions.end()) return true;
     w.waited.poll(now);
     const auto answer = w.deferred.poll(context_, w.waited.elapsed() > kPatience);
     if (!answer) return false;
     count(context_.counters, w.method, *answer);
-    w.reply->answers[w.index] = encoded(w.id, *answer);
-    --w.reply->open;
+    session->second->open_bytes -= w.reply->open_bytes();
+    w.reply->fill(w.index, encoded(w.id, *answer));
+    session->second->open_bytes += w.reply->open_bytes();
     send_if_complete(*w.reply);
     return true;
   });
 }
 
-bool Dispatcher::has_pending(ConnectionId session) const noexcept {
-  return std::any_of(
-      waiting_.begin(), waiting_.end(),
-      [&](const Waiting& w) { return w.reply->session == session; });
+std::size_t Dispatcher::pending(ConnectionId session) const noexcept {
+  const auto count = std::count_if(waiting_.begin(), waiting_.end(),
+                                   [&](const Waiting& w) { return w.reply->session == session; });
+  return static_cast<std::size_t>(count);
 }
 
 void Dispatcher::send_if_complete(const Reply& reply) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <string>
@@ -28,16 +29,22 @@ class Dispatcher {
   /// One line of `session`, without its LF.
   void line(Session& session, std::string_view text);
   void line_too_long(Session& session);
+  /// Whether one of the requests of `line` is an emergency stop.
+  static bool has_emergency_stop(std::string_view line);
 
   /// Forecasts of one batch, lists of patterns, histories; the others are answered `busy`. A batch
   /// cannot be interrupted, and whoever wants to stop the ball waits behind it.
   static constexpr int kMaxCostly = 8;
+  /// What an answer that is still to come counts as; most are shorter.
+  static constexpr std::size_t kReservedBytes = 1024;
 
   /// After every new snapshot.
   void poll();
   bool waiting() const noexcept { return !waiting_.empty(); }
   /// Answers to `session` are still to come.
-  bool has_pending(ConnectionId session) const noexcept;
+  bool has_pending(ConnectionId session) const noexcept { return pending(session) > 0; }
+  /// So many.
+  std::size_t pending(ConnectionId session) const noexcept;
 
  private:
   /// The answers to one line, until all are there.
@@ -45,11 +52,16 @@ class Dispatcher {
     ConnectionId session = 0;
     bool batch = false;
     std::vector<std::string> answers;
+    /// Of the answers, and `kReservedBytes` for each that is open.
     std::size_t bytes = 0;
     int open = 0;
     std::map<protocol::Method, int> costly;
 
     void add(std::string answer);
+    /// An answer to come; its index.
+    std::size_t reserve();
+    void fill(std::size_t index, std::string answer);
+    std::size_t open_bytes() const noexcept { return open > 0 ? bytes : 0; }
   };
   struct Waiting {
     std::shared_ptr<Reply> reply;

@@ -13,7 +13,7 @@ namespace {
 
 using protocol::RpcError;
 
-std::optional<RpcError> no_room(const Call& call, bool replacing) {
+std::optional<RpcError> no_capacity(const Call& call, bool replacing) {
   switch (call.context.effects.capacity(call.session.id, replacing)) {
     case EffectRegistry::Capacity::kYes:
       return std::nullopt;
@@ -78,6 +78,35 @@ std::optional<RpcError> place_keyframes(const Call& call, EffectPlan& plan) {
   return std::nullopt;
 }
 
+/// `plan` needs no key frames but those of `before`.
+bool same_keyframes(const Call& call, const Effect& before, const EffectPlan& plan) {
+  if (plan.track == nullptr || before.track == nullptr) return plan.track == before.track;
+  return call.context.keyframes.holds(before.spec.trajectory.playback.first, *plan.track);
+}
+
+/// The start of `before` still waits for its tick: it becomes that of `plan`, under the same
+/// number. False when it has been handed over, or when `plan` has other key frames, which would
+/// come behind it.
+bool coalesce(const Call& call, const Effect& before, EffectPlan& plan) {
+  if (!same_keyframes(call, before, plan)) return false;
+  plan.spec.trajectory.playback.first = before.spec.trajectory.playback.first;
+  return call.device_view().outbox().amend(before.id, plan.spec);
+}
+
+void set_plan(Effect& effect, EffectPlan&& plan) {
+  effect.params = std::move(plan.params);
+  effect.requested_wave = plan.requested_wave;
+  effect.spec = plan.spec;
+  effect.track = std::move(plan.track);
+}
+
+Answer answer_of(protocol::Admission admission, const Effect& effect, std::uint64_t seq) {
+  admission.effect = effect.id;
+  admission.slot = effect.slot;
+  admission.seq = seq;
+  return Answer(std::move(admission));
+}
+
 Effect* addressed(const Call& call, const std::optional<protocol::EffectNumber>& number,
                   const std::optional<std::string>& slot) {
   EffectRegistry& effects = call.context.effects;
@@ -100,9 +129,19 @@ Outcome handle(Call& call, const protocol::EffectStart& request) {
   if (plan.has_error()) return Answer(plan.error());
   const std::optional<std::string>& slot = plan->params.slot;
   Effect* before = slot ? context.effects.find(call.session.id, *slot) : nullptr;
-  if (auto refused = no_room(call, before != nullptr)) return Answer(std::move(*refused));
+  const bool waits = before != nullptr && context.device_view.outbox().holds(before->seq);
+  auto full = no_capacity(call, before != nullptr);
+  if (full && !waits) return Answer(std::move(*full));
   auto admitted = admit(call, *plan, before);
   if (admitted.has_error()) return Answer(admitted.error());
+  if (waits && coalesce(call, *before, *plan)) {
+    before->method = request.method;
+    set_plan(*before, *std::move(plan));
+    return answer_of(*std::move(admitted), *before, before->seq);
+  }
+  if (full) return Answer(std::move(*full));
+  // One start a tick is enough for a slot; later ones with the same key frames amend it.
+  const bool in_turn = before != nullptr && same_keyframes(call, *before, *plan);
   if (auto refused = place_keyframes(call, *plan)) return Answer(std::move(*refused));
 
   Effect& effect = context.effects.add(call.session.id);
@@ -111,7 +150,8 @@ Outcome handle(Call& call, const protocol::EffectStart& request) {
     start.replaces = before->id;
     start.replaces_place = before->place;
   }
-  const auto seq = context.device_view.outbox().add(call.session.id, start);
+  const auto seq =
+      context.device_view.outbox().add(call.session.id, start, in_turn ? before->seq : 0);
   if (!seq) {
     context.effects.drop(effect);
     return Answer(queue_full(call.device_view().outbox()));
@@ -121,16 +161,9 @@ Outcome handle(Call& call, const protocol::EffectStart& request) {
   effect.client = call.session.client;
   effect.slot = slot;
   effect.method = request.method;
-  effect.params = std::move(plan->params);
-  effect.requested_wave = plan->requested_wave;
-  effect.spec = plan->spec;
-  effect.track = std::move(plan->track);
+  set_plan(effect, *std::move(plan));
   effect.seq = *seq;
-
-  admitted->effect = effect.id;
-  admitted->slot = effect.slot;
-  admitted->seq = *seq;
-  return Answer(*admitted);
+  return answer_of(*std::move(admitted), effect, *seq);
 }
 
 Outcome handle(Call& call, const protocol::EffectUpdate& request) {
@@ -155,14 +188,8 @@ Outcome handle(Call& call, const protocol::EffectUpdate& request) {
   if (!seq) return Answer(queue_full(call.device_view().outbox()));
   if (other_frames)
     call.context.keyframes.release_after(effect->spec.trajectory.playback.first, *seq);
-  effect->params = std::move(plan->params);
-  effect->requested_wave = plan->requested_wave;
-  effect->spec = plan->spec;
-  effect->track = std::move(plan->track);
-  admitted->effect = effect->id;
-  admitted->slot = effect->slot;
-  admitted->seq = *seq;
-  return Answer(*admitted);
+  set_plan(*effect, *std::move(plan));
+  return answer_of(*std::move(admitted), *effect, *seq);
 }
 
 Outcome handle(Call& call, const protocol::EffectStop& request) {

@@ -26,6 +26,8 @@ protocol::RpcError too_many_previews(bool own) {
 Outcome handle(Call& call, const protocol::EffectPreview& request) {
   const DeviceView& device_view = call.device_view();
   if (device_view.now().state == control::State::kAbsent) return Answer(*not_playable(device_view));
+  if (auto refused = not_playable(device_view); refused && !device_view.temperature_known())
+    return Answer(*std::move(refused));
   const auto plan = plan_start(call.plan_context(), *request.start);
   if (plan.has_error()) return Answer(plan.error());
   if (auto refused = no_orientation(device_view, plan->spec)) return Answer(std::move(*refused));

@@ -68,7 +68,7 @@ std::optional<protocol::Event> event_view(const control::Event& event, const Eff
     case EventType::kDeratingStarted:
     case EventType::kDeratingEnded:
       out.limit_a = event.limit_a;
-      out.temperature_c = event.temperature_c;
+      if (std::isfinite(event.temperature_c)) out.temperature_c = event.temperature_c;
       return out;
     case EventType::kDeviceAttached:
     case EventType::kDeviceDetached:

@@ -11,9 +11,11 @@ namespace hedgehog::server {
 
 Outcome handle(Call& call, const protocol::EventsSubscribe& request) {
   call.session.events = {request.types, request.scope};
-  const control::StatusSnapshot& now = call.device_view().now();
+  const DeviceView& device_view = call.device_view();
+  const control::StatusSnapshot& now = device_view.now();
   return Answer(protocol::EventsResult{std::string(control::name(now.state)),
-                                       reason_name(now.reason), now.derating, now.limit_a});
+                                       device_view.reason_now(), now.derating,
+                                       device_view.shown_limit_a(now.limit_a)});
 }
 
 Outcome handle(Call& call, const protocol::EventsUnsubscribe&) {

@@ -15,10 +15,12 @@
 #include "daemon/server/effects/effect_plan.h"
 #include "daemon/server/effects/effect_registry.h"
 #include "daemon/server/effects/keyframe_allocator.h"
+#include "daemon/server/history/telemetry_samples.h"
 #include "daemon/server/rpc/status_view.h"
 #include "daemon/server/session/claim.h"
 #include "daemon/server/session/counters.h"
 #include "daemon/server/session/session.h"
+#include "daemon/server/session/start_id.h"
 #include "protocol/methods.h"
 #include "protocol/wire/error.h"
 
@@ -42,6 +44,9 @@ struct HandlerContext {
   /// The connection that feeds the orientation when `imu.type` is `external`; 0: none yet.
   ConnectionId orientation_feeder = 0;
   Counters counters{};
+  TelemetrySamples telemetry{};
+  /// Of this start of the daemon.
+  std::string start_id = random_start_id();
   /// nullptr: devices are not scanned.
   DeviceScanner* devices = nullptr;
   /// nullptr: trips are not recorded.

@@ -17,7 +17,7 @@ protocol::RpcError queue_full(const Outbox& outbox, std::size_t count) {
   if (outbox.exceeds_group(count)) {
     e = protocol::busy(
         "a batch makes 64 commands at most, one for every 11 new key frames among them; nothing "
-        "was changed, send this in a line of its own",
+        "was changed, send this in a separate line",
         0);
     e.retry_after_ms.reset();
     e.limit = std::int64_t{control::kMaxCommandsPerTick};

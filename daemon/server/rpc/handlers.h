@@ -26,6 +26,7 @@ Outcome handle(Call& call, const protocol::DeviceList& request);
 Outcome handle(Call& call, const protocol::DeviceStatus& request);
 Outcome handle(Call& call, const protocol::DeviceArm& request);
 Outcome handle(Call& call, const protocol::DeviceEmergencyStop& request);
+Outcome handle(Call& call, const protocol::DeviceEnterBootLoader& request);
 Outcome handle(Call& call, const protocol::DeviceClaim& request);
 Outcome handle(Call& call, const protocol::DeviceRelease& request);
 
@@ -39,6 +40,7 @@ Outcome handle(Call& call, const protocol::SimTruth& request);
 Outcome handle(Call& call, const protocol::EventsHistory& request);
 Outcome handle(Call& call, const protocol::EventsSubscribe& request);
 Outcome handle(Call& call, const protocol::EventsUnsubscribe& request);
+Outcome handle(Call& call, const protocol::TelemetryHistory& request);
 Outcome handle(Call& call, const protocol::TelemetrySubscribe& request);
 Outcome handle(Call& call, const protocol::TelemetryUnsubscribe& request);
 

@@ -9,6 +9,7 @@
 #include "daemon/server/history/event_history.h"
 #include "daemon/server/history/trip_recordings.h"
 #include "daemon/server/rpc/event_view.h"
+#include "daemon/server/rpc/known_counters.h"
 #include "protocol/server_codec.h"
 
 namespace hedgehog::server {
@@ -29,7 +30,9 @@ Server::Server(DeviceView& device_view, StateStore& memory, PatternLibrary& patt
       wall_clock_(std::move(wall_clock)),
       status_(device_view, effects_),
       context_{device_view, effects_, keyframes_, patterns, history, claim_, status_, memory},
-      dispatcher_(context_) {}
+      dispatcher_(context_) {
+  context_.counters = known_counters();
+}
 
 void Server::open(Session& session) {
   session.id = ++last_id_;
@@ -47,7 +50,9 @@ void Server::close(Session& session) {
   if (context_.orientation_feeder == session.id) context_.orientation_feeder = 0;
   session.telemetry.reset();
   session.events.reset();
-  closing_.push_back(session.id);
+  if (session.held > 0) return;
+  if (std::find(closing_.begin(), closing_.end(), session.id) == closing_.end())
+    closing_.push_back(session.id);
   release();
 }
 
@@ -89,6 +94,7 @@ void Server::pump() {
   dispatcher_.poll();
   release();
   send_telemetry();
+  keep_telemetry();
   context_.history.pump(wall_clock_());
 }
 
@@ -119,8 +125,9 @@ void Server::take_events() {
 }
 
 void Server::notify(const control::Event& event, const Effect* effect) {
-  const auto view = event_view(event, effect, device_view_.epoch_ns(), device_view_.remedy_facts());
+  auto view = event_view(event, effect, device_view_.epoch_ns(), device_view_.remedy_facts());
   if (view) {
+    if (view->limit_a) view->limit_a = device_view_.shown_limit_a(*view->limit_a);
     const bool of_effect = view->effect.has_value();
     std::string line;
     for (const auto& [id, session] : context_.sessions) {
@@ -164,6 +171,27 @@ void Server::send_telemetry() {
     telemetry.keys = wanted.fields;
     session->sink->send(protocol::encode_telemetry(telemetry), LineKind::kTelemetry);
   }
+}
+
+bool Server::has_recording(std::string_view file) const {
+  const unsigned number = recording_number_of_file(file);
+  return number != 0 && context_.recordings != nullptr && context_.recordings->has(number);
+}
+
+std::function<std::shared_ptr<const std::string>()> Server::read_recording(
+    std::string_view file) const {
+  auto reading = context_.recordings->read(recording_number_of_file(file));
+  if (!reading) return {};
+  return [reading]() -> std::shared_ptr<const std::string> {
+    if (!reading->done.load(std::memory_order_acquire)) return nullptr;
+    return {reading, &reading->bytes};
+  };
+}
+
+void Server::keep_telemetry() {
+  const control::StatusSnapshot& now = device_view_.now();
+  context_.telemetry.watch(now);
+  if (context_.telemetry.due(now.tick)) context_.telemetry.add(now, status_.status(false));
 }
 
 void Server::announce_shutdown(std::string reason) {

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,15 +43,24 @@ class Server {
   /// A client has connected. `session` and its sink stay until `close`.
   void open(Session& session);
   /// It says no more: its effects end at the next tick, but for those that may play out. Its sink
-  /// hears `finish` once the answers that are owed have gone out, perhaps at once.
+  /// hears `finish` once the answers that are owed have gone out, perhaps at once; with requests
+  /// that are held it lives on: call again after the last of them.
   void close(Session& session);
   /// Its sink is about to be destroyed; pending responses are lost.
   void forget(const Session& session);
   void line(Session& session, std::string_view text);
   void line_too_long(Session& session) { dispatcher_.line_too_long(session); }
+  /// Whether it must not wait behind others: one of its requests is an emergency stop.
+  static bool has_emergency_stop(std::string_view text) {
+    return Dispatcher::has_emergency_stop(text);
+  }
 
   /// Publishes the control thread's events and snapshot.
   void pump();
+  /// So many answers to `session` are still to come.
+  std::size_t pending(const Session& session) const noexcept {
+    return dispatcher_.pending(session.id);
+  }
   /// Answers are still to come.
   bool has_pending() const noexcept { return dispatcher_.waiting(); }
   /// Somebody waits for the next tick: pump again in a millisecond.
@@ -59,6 +69,12 @@ class Server {
   std::size_t connections() const noexcept { return context_.sessions.size(); }
   const HandlerContext& context() const noexcept { return context_; }
   Counters& counters() noexcept { return context_.counters; }
+  TelemetrySamples& telemetry() noexcept { return context_.telemetry; }
+  /// Whether a trip's recording, "trip-0017.hhr", is on disk.
+  bool has_recording(std::string_view file) const;
+  /// What is asked until it gives the recording, nullptr so far; empty: it is gone. None: the disk
+  /// is too slow. REQUIRES: `has_recording`.
+  std::function<std::shared_ptr<const std::string>()> read_recording(std::string_view file) const;
   protocol::Status status() { return status_.status(false); }
   /// Since the control thread was last seen to tick, as of the last pump.
   std::chrono::steady_clock::duration control_silent() const noexcept {
@@ -74,6 +90,7 @@ class Server {
   void notify(const control::Event& event, const Effect* effect);
   void remember(const protocol::Event& view, const control::Event& event, const Effect* effect);
   void send_telemetry();
+  void keep_telemetry();
 
   DeviceView& device_view_;
   EventListener listener_;

@@ -19,9 +19,10 @@ Outcome handle(Call& call, const protocol::Hello& request) {
   protocol::HelloResult result;
   result.version = HEDGEHOG_VERSION;
   result.connection = call.session.id;
+  result.start_id = call.context.start_id;
   result.role = call.session.role;
   result.state = std::string(control::name(now.state));
-  result.reason = reason_name(now.reason);
+  result.reason = device_view.reason_now();
   result.remedy = device_view.remedy_now();
   result.device = {config.device.name, config.device.model, device_view.simulated()};
   result.limits.current_a = device_view.limits().current_a;

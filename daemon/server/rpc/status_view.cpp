@@ -37,11 +37,10 @@ std::optional<std::array<double, 3>> thermistors(const device::BoardTelemetry& b
   return shown_c;
 }
 
-protocol::TemperatureStatus temperature(const StatusSnapshot& s, int sensor_winding) {
+protocol::TemperatureStatus temperature(const StatusSnapshot& s, int sensor_winding, bool known) {
   protocol::TemperatureStatus t;
   if (s.sensor_valid) t.sensor = finite(thermistor_on(s.board, sensor_winding).celsius);
-  // Infinite until something has measured the ball.
-  if (std::isfinite(s.thermal.hottest_c)) {
+  if (known) {
     t.model = finite(model::hottest_winding(s.thermal.nodes));
     t.upper = finite(s.thermal.hottest_c);
     t.core = finite(s.thermal.nodes.core_c);
@@ -94,6 +93,10 @@ void StatusView::refresh_forecast() {
   const StatusSnapshot& s = device_view_.now();
   if (s.tick - forecast_tick_ < kForecastPeriod) return;
   forecast_tick_ = s.tick;
+  if (!device_view_.temperature_known()) {
+    headroom_s_ = burst_s_ = 0.0;
+    return;
+  }
   const model::ForecastStart start = device_view_.forecast_start();
   headroom_s_ = device_view_.forecaster().seconds_to_derating(
       start, model::AskedCurrents::constant(s.limited_a));
@@ -114,7 +117,7 @@ protocol::PinsStatus StatusView::pins() const {
   else if (s.board_present)
     flowing.a = flowing_a(s.board);
   model::PinMotion motion =
-      model::pin_motion(device_view_.array(), device_view_.pin_curves(),
+      model::pin_motion(device_view_.array(), device_view_.true_pin_curves(),
                         model::field_of(flowing, ball.coils), ball.force_slope_n_a);
   return {std::move(motion.force_n), std::move(motion.extension_mm)};
 }
@@ -128,11 +131,12 @@ protocol::Status StatusView::status(bool with_pins) {
   out.simulated = device_view_.simulated();
   out.time_ns = device_view_.time_ns(s.tick);
   out.state = std::string(control::name(s.state));
-  out.reason = reason_name(s.reason);
+  out.reason = device_view_.reason_now();
   out.since_s = static_cast<double>(s.tick - s.since) * model::kTickSeconds;
   out.remedy = device_view_.remedy_now();
-  out.temperature_c = temperature(s, config.device.thermal.sensor_winding);
-  out.limit_a = s.limit_a;
+  out.temperature_c =
+      temperature(s, config.device.thermal.sensor_winding, device_view_.temperature_known());
+  out.limit_a = device_view_.shown_limit_a(s.limit_a);
   out.headroom_s = headroom_s_;
   out.burst_s = burst_s_;
   out.derating = s.derating;
@@ -148,7 +152,9 @@ protocol::Status StatusView::status(bool with_pins) {
     const model::NearestPin nearest = model::nearest_pin(device_view_.array(), field);
     out.field = (1.0 / flowing_a) * field;
     out.pin = nearest.id;
-    out.force_n = config.device.force_slope_n_a * flowing_a * nearest.cosine;
+    out.force_n = device_view_.pin_curves().force_at_rest_n(
+        static_cast<std::size_t>(nearest.id),
+        config.device.force_slope_n_a * flowing_a * nearest.cosine);
   }
   if (s.board_present) {
     out.fan.speed_rpm = s.board.fan_rpm;

@@ -17,6 +17,12 @@ Outcome handle(Call& call, const protocol::TelemetrySubscribe& request) {
   return Answer(protocol::TelemetryResult{request.rate_hz, request.fields});
 }
 
+Outcome handle(Call& call, const protocol::TelemetryHistory& request) {
+  const DeviceView& device_view = call.device_view();
+  const model::Tick now = device_view.now().tick;
+  return Answer(call.context.telemetry.recent(request.seconds, now, device_view.time_ns(now)));
+}
+
 Outcome handle(Call& call, const protocol::TelemetryUnsubscribe&) {
   call.session.telemetry.reset();
   return Answer(protocol::Done{});

@@ -7,13 +7,20 @@
 namespace hedgehog::server {
 namespace {
 
-Answer forecast_result(const model::Forecast& f) {
+Answer forecast_result(const DeviceView& device_view, const model::Forecast& f) {
+  if (!device_view.temperature_known()) {
+    protocol::ForecastResult unknown;
+    unknown.seconds_to_derating = 0.0;
+    unknown.temperature_known = false;
+    return unknown;
+  }
   return protocol::ForecastResult{f.seconds_to_derating, f.seconds_to_limit, f.sustainable_a,
-                                  f.recovery_s};
+                                  f.recovery_s, true};
 }
 
 Answer forecast_of(const DeviceView& device_view, const model::AskedCurrents& asked) {
-  return forecast_result(device_view.forecaster().forecast(device_view.forecast_start(), asked));
+  return forecast_result(device_view,
+                         device_view.forecaster().forecast(device_view.forecast_start(), asked));
 }
 
 Answer forecast_current(const DeviceView& device_view, double current_a,
@@ -21,8 +28,8 @@ Answer forecast_current(const DeviceView& device_view, double current_a,
   if (current_a > device_view.limits().current_a)
     return protocol::out_of_range("current_a", device_view.limits().current_a, current_a);
   if (!direction) {
-    return forecast_result(
-        device_view.forecaster().forecast_worst_coil(device_view.forecast_start(), current_a));
+    return forecast_result(device_view, device_view.forecaster().forecast_worst_coil(
+                                            device_view.forecast_start(), current_a));
   }
   const auto towards = protocol::resolve(*direction, device_view.array(), "direction");
   if (towards.has_error()) return towards.error();

@@ -54,6 +54,13 @@ struct Session {
   Sink* sink = nullptr;
   /// A batch whose answers are longer is not carried out further.
   std::size_t batch_bytes = std::size_t{512} << 10;
+  /// Of answers that wait for others of their batch.
+  std::size_t open_bytes = 0;
+  /// Its requests that wait until it takes its responses.
+  std::size_t held = 0;
+  /// So many of them, the first ones, were sent before an emergency stop that has been carried out,
+  /// or before the end of the connection: they start nothing any more.
+  std::size_t overtaken = 0;
 };
 
 }  // namespace hedgehog::server

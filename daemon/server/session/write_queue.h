@@ -35,6 +35,8 @@ class WriteQueue {
 
   /// What waits, the buffer that is being sent included.
   std::size_t bytes() const noexcept { return bytes_; }
+  /// The answers among it.
+  std::size_t answer_bytes() const noexcept { return answer_bytes_; }
   std::uint64_t telemetry_dropped() const noexcept { return dropped_; }
 
  private:
@@ -43,12 +45,16 @@ class WriteQueue {
     LineKind kind;
   };
   void drop_telemetry();
+  /// Moves the next line to the end of `sending_`.
+  void move_next();
 
   std::size_t max_bytes_;
   std::deque<Line> lines_;
   std::size_t bytes_ = 0;
+  std::size_t answer_bytes_ = 0;
   std::uint64_t dropped_ = 0;
   std::string sending_;
+  std::size_t sending_answers_ = 0;  // bytes
 };
 
 }  // namespace hedgehog::server

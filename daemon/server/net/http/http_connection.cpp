@@ -2,21 +2,21 @@
 #include "daemon/server/net/http/http_connection.h"
 
 #include <boost/asio/redirect_error.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <boost/asio/use_awaitable.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/http/empty_body.hpp>
 #include <boost/beast/http/read.hpp>
 #include <boost/beast/http/span_body.hpp>
-#include <boost/beast/http/string_body.hpp>
 #include <boost/beast/http/write.hpp>
-#include <boost/beast/websocket.hpp>
+#include <boost/beast/websocket/rfc6455.hpp>
 #include <chrono>
 #include <string>
 #include <string_view>
 #include <utility>
 
-#include "protocol/server_codec.h"
+#include "daemon/server/net/http/websocket_connection.h"
 
 namespace hedgehog::server {
 namespace {
@@ -26,112 +26,19 @@ namespace beast = boost::beast;
 namespace http = beast::http;
 namespace websocket = beast::websocket;
 using boost::system::error_code;
-using Request = http::request<http::string_body>;
 
 constexpr std::uint32_t kMaxHeaderBytes = 8 * 1024;
 constexpr std::uint64_t kMaxBodyBytes = 1024;
 constexpr std::chrono::seconds kPatience{30};
 constexpr std::chrono::seconds kLingerTimeout{1};
-constexpr std::chrono::seconds kHandshake{10};
-/// A peer that answers no ping for so long is gone.
-constexpr std::chrono::seconds kMaxPeerSilence{60};
+constexpr std::chrono::seconds kDiskPatience{5};
+constexpr std::chrono::milliseconds kDiskPause{5};
 constexpr const char* kContentPolicy =
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; "
     "font-src 'self'; connect-src 'self'; manifest-src 'self'; base-uri 'none'; "
     "form-action 'none'; frame-ancestors 'none'";
 
-/// One message a frame; the rest is as on TCP.
-class WebSocketConnection final : public Connection {
- public:
-  using Stream = websocket::stream<beast::tcp_stream>;
-
-  WebSocketConnection(Stream stream, Server& server, Session session, std::size_t queue_bytes)
-      : Connection(stream.get_executor(), server, std::move(session), queue_bytes),
-        stream_(std::move(stream)) {
-    // Beast would tell it only when the client has closed its socket too.
-    stream_.control_callback([this](websocket::frame_type kind, beast::string_view) {
-      if (kind == websocket::frame_type::close) on_client_close();
-    });
-  }
-
- private:
-  asio::awaitable<void> read() override;
-  asio::awaitable<error_code> send_next(WriteQueue& queue) override;
-  asio::awaitable<void> finish_stream() override;
-  void close() noexcept override;
-  /// One whole message into `buffer_`; of one that is too long nothing is kept. False: the client
-  /// has gone, or has to.
-  asio::awaitable<bool> read_message();
-  asio::awaitable<void> refuse_binary();
-
-  Stream stream_;
-  beast::flat_buffer buffer_;
-  bool skipping_ = false;
-};
-
-asio::awaitable<bool> WebSocketConnection::read_message() {
-  buffer_.clear();
-  skipping_ = false;
-  do {
-    error_code ec;
-    co_await stream_.async_read_some(buffer_, Connection::kReadBytes,
-                                     asio::redirect_error(asio::use_awaitable, ec));
-    if (ec) co_return false;
-    if (skipping_) {
-      buffer_.clear();
-    } else if (buffer_.size() > protocol::kMaxLineBytes) {
-      skipping_ = true;
-      buffer_.clear();
-      begin_turn();
-      if (!co_await too_long()) co_return false;
-    }
-  } while (!stream_.is_message_done());
-  co_return true;
-}
-
-asio::awaitable<void> WebSocketConnection::read() {
-  while (co_await read_message()) {
-    if (stream_.got_binary()) {
-      co_await refuse_binary();
-      co_return;
-    }
-    if (skipping_) continue;
-    begin_turn();
-    const asio::const_buffer bytes = buffer_.cdata();
-    if (!co_await take({static_cast<const char*>(bytes.data()), bytes.size()})) co_return;
-  }
-}
-
-asio::awaitable<void> WebSocketConnection::refuse_binary() {
-  error_code ignored;
-  const websocket::close_reason why(websocket::close_code::unknown_data, "send text frames");
-  co_await stream_.async_close(why, asio::redirect_error(asio::use_awaitable, ignored));
-}
-
-asio::awaitable<error_code> WebSocketConnection::send_next(WriteQueue& queue) {
-  const std::string& line = queue.take_one();
-  error_code ec;
-  co_await stream_.async_write(asio::buffer(line.data(), line.size() - 1),
-                               asio::redirect_error(asio::use_awaitable, ec));
-  co_return ec;
-}
-
-asio::awaitable<void> WebSocketConnection::finish_stream() {
-  if (stream_.is_open()) {
-    error_code ignored;
-    co_await stream_.async_close(websocket::close_code::going_away,
-                                 asio::redirect_error(asio::use_awaitable, ignored));
-  }
-}
-
-void WebSocketConnection::close() noexcept {
-  error_code ignored;
-  auto& socket = beast::get_lowest_layer(stream_).socket();
-  socket.shutdown(asio::ip::tcp::socket::shutdown_both, ignored);
-  socket.close(ignored);
-}
-
-HttpRequest value_of(const Request& request) {
+HttpRequest value_of(const UpgradeRequest& request) {
   const auto optional = [&](http::field field) -> std::optional<std::string> {
     const auto found = request.find(field);
     if (found == request.end()) return std::nullopt;
@@ -141,7 +48,10 @@ HttpRequest value_of(const Request& request) {
   if (request.count(http::field::host) == 1) value.host = std::string(request[http::field::host]);
   value.origin = optional(http::field::origin);
   if (request.count(http::field::origin) > 1) value.origin = "";  // nobody's
-  value.if_none_match = optional(http::field::if_none_match);
+  value.if_none_match = optional(http::field::if_none_match).value_or("");
+  value.accept_encoding = optional(http::field::accept_encoding).value_or("");
+  value.fetch_site = std::string(request["Sec-Fetch-Site"]);
+  value.fetch_mode = std::string(request["Sec-Fetch-Mode"]);
   return value;
 }
 
@@ -155,8 +65,14 @@ HttpAnswer answer_to(error_code broken) {
 void fill(http::fields& fields, const HttpAnswer& answer) {
   fields.set(http::field::server, "hedgehogd");
   fields.set(http::field::content_type, answer.type);
-  fields.set(http::field::cache_control, answer.etag.empty() ? "no-store" : "no-cache");
+  fields.set(http::field::cache_control, answer.cache_control);
   if (!answer.etag.empty()) fields.set(http::field::etag, answer.etag);
+  if (!answer.encoding.empty()) fields.set(http::field::content_encoding, answer.encoding);
+  if (!answer.vary.empty()) fields.set(http::field::vary, answer.vary);
+  if (!answer.filename.empty()) {
+    fields.set(http::field::content_disposition,
+               "attachment; filename=\"" + answer.filename + "\"");
+  }
   if (answer.allow) fields.set(http::field::allow, *answer.allow);
   fields.set("Content-Security-Policy", kContentPolicy);
   fields.set("Cross-Origin-Opener-Policy", "same-origin");
@@ -188,6 +104,27 @@ asio::awaitable<bool> send(beast::tcp_stream& stream, const HttpAnswer& answer, 
   co_return keep_alive && !ec;
 }
 
+/// Waits for the disk; what cannot be read, or takes too long, becomes an error.
+asio::awaitable<void> complete(beast::tcp_stream& stream, HttpAnswer& answer) {
+  const auto pending = std::exchange(answer.pending, nullptr);
+  asio::steady_timer pause(stream.get_executor());
+  const auto until = std::chrono::steady_clock::now() + kDiskPatience;
+  auto body = pending();
+  for (; body == nullptr; body = pending()) {
+    if (std::chrono::steady_clock::now() > until) {
+      answer = http_error(503, "the disk is slow; ask again");
+      co_return;
+    }
+    error_code ignored;
+    pause.expires_after(kDiskPause);
+    co_await pause.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+  }
+  if (body->empty())
+    answer = http_error(404, "it is gone");
+  else
+    answer.body = std::move(body);
+}
+
 /// Lets the client read its answer: bytes of its that nobody reads would reset the connection.
 asio::awaitable<void> leave(beast::tcp_stream& stream) {
   error_code ec;
@@ -198,23 +135,6 @@ asio::awaitable<void> leave(beast::tcp_stream& stream) {
     co_await stream.async_read_some(asio::buffer(sink),
                                     asio::redirect_error(asio::use_awaitable, ec));
   }
-}
-
-asio::awaitable<void> become_web_socket(beast::tcp_stream stream, Request request, Session session,
-                                        HttpEndpoint& endpoint) {
-  stream.expires_never();
-  WebSocketConnection::Stream upgraded(std::move(stream));
-  upgraded.set_option(websocket::stream_base::timeout{kHandshake, kMaxPeerSilence, true});
-  // Beast would close the connection over one that is too long; here it is told, as on TCP.
-  upgraded.read_message_max(0);
-  upgraded.text(true);
-  error_code ec;
-  co_await upgraded.async_accept(request, asio::redirect_error(asio::use_awaitable, ec));
-  if (ec) co_return;
-  const auto connection = std::make_shared<WebSocketConnection>(
-      std::move(upgraded), endpoint.server, std::move(session), endpoint.queue_bytes);
-  endpoint.enter(connection);
-  connection->start();
 }
 
 }  // namespace
@@ -237,7 +157,7 @@ asio::awaitable<void> serve_http(asio::ip::tcp::socket socket, HttpEndpoint& end
       co_await send(stream, answer_to(ec), false, false);
       break;
     }
-    Request request = parser.release();
+    UpgradeRequest request = parser.release();
     const HttpRequest value = value_of(request);
     HttpAnswer answer;
     if (websocket::is_upgrade(request) && value.path() == "/ws") {
@@ -253,6 +173,7 @@ asio::awaitable<void> serve_http(asio::ip::tcp::socket socket, HttpEndpoint& end
                          : http_error(503, "too many clients are connected");
     } else {
       answer = endpoint.site.answer(value);
+      if (answer.pending) co_await complete(stream, answer);
     }
     open =
         co_await send(stream, answer, request.method() == http::verb::head, request.keep_alive());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One HTTP connection: requests and answers, until it closes or becomes a WebSocket. All of
-// Boost.Beast is behind this header, in one source file: it takes the compiler half a minute.
+// One HTTP connection: requests and answers, until it closes or becomes a WebSocket. Boost.Beast
+// takes the compiler half a minute: only `http_connection.cpp` and `websocket_connection` have it.
 #pragma once
 
 #include <boost/asio/awaitable.hpp>
@@ -18,7 +18,7 @@ namespace hedgehog::server {
 struct HttpEndpoint {
   Website site;
   Server& server;
-  std::size_t queue_bytes;
+  const config::ConnectionSettings& connections;
   /// The session of a new WebSocket, or nullopt at the limit of connections.
   std::function<std::optional<Session>(boost::asio::ip::tcp::socket&)> admit;
   /// It has.

@@ -2,6 +2,7 @@
 // HTTP requests and responses as values, without sockets and without an HTTP library.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,7 +16,12 @@ struct HttpRequest {
   /// Empty when there is none, or more than one.
   std::string host;
   std::optional<std::string> origin{};
-  std::optional<std::string> if_none_match{};
+  // Empty where there is none.
+  std::string if_none_match{};
+  std::string accept_encoding{};
+  /// Fetch Metadata (W3C): who asks, "cross-site", and what for, "navigate".
+  std::string fetch_site{};
+  std::string fetch_mode{};
 
   /// The target without its query.
   std::string path() const { return target.substr(0, target.find('?')); }
@@ -25,8 +31,16 @@ struct HttpAnswer {
   int status = 200;
   std::string type = "text/plain; charset=utf-8";
   std::shared_ptr<const std::string> body = std::make_shared<std::string>();
-  /// With its quotes; empty: the answer is not to be kept.
+  /// With its quotes; empty: none.
   std::string etag{};
+  std::string cache_control = "no-store";
+  /// Of the body, "gzip"; and what it depends on, "Accept-Encoding". Empty: not so.
+  std::string encoding{};
+  std::string vary{};
+  /// A name to keep the body under; empty: it is to be shown.
+  std::string filename{};
+  /// Polled until it returns the body, which the disk thread reads; none: the body is there.
+  std::function<std::shared_ptr<const std::string>()> pending{};
   /// Methods that would have been right, "GET, HEAD".
   std::optional<std::string> allow{};
 };

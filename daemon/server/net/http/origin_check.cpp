@@ -19,18 +19,18 @@ std::string shown(std::string_view text) {
   return out;
 }
 
-bool is_port(std::string_view text) {
-  return text.size() <= 5 &&
-         std::all_of(
-             text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+/// A page of another site asks for it, and not only by a link to our pages. Programs other than
+/// browsers do not tell.
+bool is_foreign_fetch(const HttpRequest& request) {
+  if (request.fetch_site.empty() || request.fetch_site == "same-origin" ||
+      request.fetch_site == "none")
+    return false;
+  return request.fetch_mode != "navigate" || request.target.starts_with(kRecordingsPath);
 }
 
 }  // namespace
 
-bool is_own_host(std::string_view host) {
-  const base::WebHost given = base::parse_web_host(host);
-  return given.is_loopback() && (!given.port || is_port(*given.port));
-}
+bool is_own_host(std::string_view host) { return base::parse_web_host(host).is_local(); }
 
 std::optional<Refusal> refused(const HttpRequest& request,
                                const std::vector<std::string>& allow_origins) {
@@ -40,7 +40,11 @@ std::optional<Refusal> refused(const HttpRequest& request,
                                        "http://localhost, and ssh -L from elsewhere"),
                    "host"};
   }
-  if (!request.origin) return std::nullopt;
+  if (!request.origin) {
+    if (!is_foreign_fetch(request)) return std::nullopt;
+    return Refusal{http_error(403, "pages of other sites may not load " + shown(request.path())),
+                   "origin"};
+  }
   const std::string origin = base::lower_case(*request.origin);
   const bool ours = base::is_origin_of(origin, request.host);
   const bool allowed = std::any_of(allow_origins.begin(), allow_origins.end(),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Access control of HTTP and WebSocket. Any web page can reach loopback: one of a foreign site is
-// known by its `Origin`, one by DNS rebinding by its `Host`. Pure functions.
+// known by its `Origin`, or, where it only embeds or links something, by `Sec-Fetch-Site`; one by
+// DNS rebinding by its `Host`. Pure functions.
 #pragma once
 
 #include <optional>
@@ -20,6 +21,9 @@ struct Refusal {
   HttpAnswer answer;
   std::string_view reason;
 };
+
+/// Below this path are files to download, which a foreign page may not even link.
+inline constexpr std::string_view kRecordingsPath = "/recordings/";
 
 /// nullopt: welcome. `allow_origins`: of the configuration, besides the pages we serve ourselves.
 std::optional<Refusal> refused(const HttpRequest& request,

@@ -3,16 +3,11 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
 #include <string>
 
 #include "base/web_files.h"
 
 namespace hedgehog::server {
-
-struct WebPage : base::WebFile {
-  std::string etag;
-};
 
 /// io thread only.
 class WebPages {
@@ -24,12 +19,12 @@ class WebPages {
   explicit WebPages(const std::string& folder);
 
   /// "/" is "/index.html". nullptr: there is no such page.
-  const WebPage* find(const std::string& path) const;
+  const base::WebFile* find(const std::string& path) const { return files_.find(path); }
   /// One sentence; empty: none.
   const std::string& problem() const noexcept { return problem_; }
 
  private:
-  std::map<std::string, WebPage> pages_;
+  base::WebFiles files_;
   std::string problem_;
 };
 

@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include <chrono>
+#include <string_view>
 #include <utility>
 
 #include "daemon/server/net/http/metrics.h"
@@ -45,7 +46,16 @@ HttpAnswer Website::answer(const HttpRequest& request) {
   }
   if (path == "/healthz") return health();
   if (path == "/ws") return http_error(426, "this is for WebSocket: one JSON-RPC message a frame");
+  if (path.starts_with(kRecordingsPath)) return recording(path.substr(kRecordingsPath.size()));
   return page(request);
+}
+
+HttpAnswer Website::recording(const std::string& name) const {
+  if (!server_.has_recording(name)) return http_error(404, "there is no such recording");
+  HttpAnswer answer{200, "application/octet-stream"};
+  answer.filename = name;
+  answer.pending = server_.read_recording(name);
+  return answer.pending ? answer : http_error(503, "the disk is slow; ask again");
 }
 
 HttpAnswer Website::health() const {
@@ -59,17 +69,20 @@ HttpAnswer Website::health() const {
 }
 
 HttpAnswer Website::page(const HttpRequest& request) const {
-  const WebPage* page = pages_.find(request.path());
+  const base::WebFile* page = pages_.find(request.path());
   if (page == nullptr && request.path() == "/") {
     return http_error(404, "hedgehogd is here, but the dashboard's pages are not: " +
                                pages_.problem() + ". The rest works: /ws, /metrics, /healthz");
   }
   if (page == nullptr) return http_error(404, "there is no such page");
-  HttpAnswer answer{200, std::string(page->type), page->bytes, page->etag};
-  if (request.if_none_match && request.if_none_match->find(page->etag) != std::string::npos) {
-    answer.status = 304;
-    answer.body = std::make_shared<std::string>();
-  }
+  base::WebFileAnswer file =
+      base::web_file_answer(*page, request.accept_encoding, request.if_none_match);
+  HttpAnswer answer{file.body ? 200 : 304, std::string(page->type)};
+  if (file.body) answer.body = std::move(file.body);
+  answer.etag = std::move(file.etag);
+  answer.cache_control = file.cache_control;
+  answer.encoding = file.encoding;
+  answer.vary = file.vary;
   return answer;
 }
 

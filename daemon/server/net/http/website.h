@@ -26,6 +26,8 @@ class Website {
  private:
   HttpAnswer health() const;
   HttpAnswer page(const HttpRequest& request) const;
+  /// Of a trip, as the page that lists it links it: "/recordings/trip-0017.hhr".
+  HttpAnswer recording(const std::string& name) const;
 
   Server& server_;
   WebPages pages_;

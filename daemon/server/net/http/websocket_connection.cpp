@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/server/net/http/websocket_connection.h"
+
+#include <boost/asio/redirect_error.hpp>
+#include <boost/asio/use_awaitable.hpp>
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/websocket.hpp>
+#include <chrono>
+#include <memory>
+#include <string_view>
+#include <utility>
+
+#include "daemon/server/net/connection.h"
+#include "daemon/server/net/socket_send_queue.h"
+#include "protocol/server_codec.h"
+
+namespace hedgehog::server {
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace websocket = beast::websocket;
+using boost::system::error_code;
+
+constexpr std::chrono::seconds kHandshake{10};
+/// A peer that answers no ping for so long is gone.
+constexpr std::chrono::seconds kMaxPeerSilence{60};
+
+class WebSocketConnection final : public Connection {
+ public:
+  using Stream = websocket::stream<beast::tcp_stream>;
+
+  WebSocketConnection(Stream stream, Server& server, Session session,
+                      const config::ConnectionSettings& settings)
+      : Connection(stream.get_executor(), server, std::move(session), settings),
+        stream_(std::move(stream)) {
+    // Beast would tell it only when the client has closed its socket too.
+    stream_.control_callback([this](websocket::frame_type kind, beast::string_view) {
+      if (kind == websocket::frame_type::close) on_client_close();
+    });
+  }
+
+ private:
+  asio::awaitable<void> read() override;
+  asio::awaitable<error_code> send_next(WriteQueue& queue) override;
+  asio::awaitable<void> finish_stream() override;
+  void close() noexcept override;
+  std::size_t untaken_bytes() noexcept override;
+  /// One whole message into `buffer_`; of one that is too long nothing is kept. False: the client
+  /// has gone, or has to.
+  asio::awaitable<bool> read_message();
+  asio::awaitable<void> refuse_binary();
+
+  Stream stream_;
+  beast::flat_buffer buffer_;
+  bool skipping_ = false;
+};
+
+asio::awaitable<bool> WebSocketConnection::read_message() {
+  buffer_.clear();
+  skipping_ = false;
+  do {
+    error_code ec;
+    co_await stream_.async_read_some(buffer_, Connection::kReadBytes,
+                                     asio::redirect_error(asio::use_awaitable, ec));
+    if (ec) co_return false;
+    if (skipping_) {
+      buffer_.clear();
+    } else if (buffer_.size() > protocol::kMaxLineBytes) {
+      skipping_ = true;
+      buffer_.clear();
+      begin_turn();
+      if (!co_await too_long()) co_return false;
+    }
+  } while (!stream_.is_message_done());
+  co_return true;
+}
+
+asio::awaitable<void> WebSocketConnection::read() {
+  while (co_await read_message()) {
+    if (stream_.got_binary()) {
+      co_await refuse_binary();
+      co_return;
+    }
+    if (skipping_) continue;
+    begin_turn();
+    const asio::const_buffer bytes = buffer_.cdata();
+    if (!co_await take({static_cast<const char*>(bytes.data()), bytes.size()})) co_return;
+  }
+}
+
+asio::awaitable<void> WebSocketConnection::refuse_binary() {
+  error_code ignored;
+  const websocket::close_reason why(websocket::close_code::unknown_data, "send text frames");
+  co_await stream_.async_close(why, asio::redirect_error(asio::use_awaitable, ignored));
+}
+
+asio::awaitable<error_code> WebSocketConnection::send_next(WriteQueue& queue) {
+  std::string_view left = queue.take_one();
+  left.remove_suffix(1);  // the LF
+  error_code ec;
+  while (!ec && !left.empty()) {
+    const std::string_view part = left.substr(0, Connection::kReadBytes);
+    left.remove_prefix(part.size());
+    co_await stream_.async_write_some(left.empty(), asio::buffer(part),
+                                      asio::redirect_error(asio::use_awaitable, ec));
+    on_sent_part();
+  }
+  co_return ec;
+}
+
+std::size_t WebSocketConnection::untaken_bytes() noexcept {
+  return socket_send_queue(beast::get_lowest_layer(stream_).socket().native_handle());
+}
+
+asio::awaitable<void> WebSocketConnection::finish_stream() {
+  if (stream_.is_open()) {
+    error_code ignored;
+    co_await stream_.async_close(websocket::close_code::going_away,
+                                 asio::redirect_error(asio::use_awaitable, ignored));
+  }
+}
+
+void WebSocketConnection::close() noexcept {
+  error_code ignored;
+  auto& socket = beast::get_lowest_layer(stream_).socket();
+  socket.shutdown(asio::ip::tcp::socket::shutdown_both, ignored);
+  socket.close(ignored);
+}
+
+}  // namespace
+
+asio::awaitable<void> become_web_socket(beast::tcp_stream stream, UpgradeRequest request,
+                                        Session session, HttpEndpoint& endpoint) {
+  stream.expires_never();
+  WebSocketConnection::Stream upgraded(std::move(stream));
+  upgraded.set_option(websocket::stream_base::timeout{kHandshake, kMaxPeerSilence, true});
+  // Beast would close the connection over one that is too long; here it is told, as on TCP.
+  upgraded.read_message_max(0);
+  upgraded.text(true);
+  error_code ec;
+  co_await upgraded.async_accept(request, asio::redirect_error(asio::use_awaitable, ec));
+  if (ec) co_return;
+  const auto connection = std::make_shared<WebSocketConnection>(
+      std::move(upgraded), endpoint.server, std::move(session), endpoint.connections);
+  endpoint.enter(connection);
+  connection->start();
+}
+
+}  // namespace hedgehog::server

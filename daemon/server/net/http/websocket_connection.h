@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// A client on a WebSocket: one message a frame, the rest as on TCP. For source files with Beast
+// only.
+#pragma once
+
+#include <boost/asio/awaitable.hpp>
+#include <boost/beast/core/tcp_stream.hpp>
+#include <boost/beast/http/message.hpp>
+#include <boost/beast/http/string_body.hpp>
+
+#include "daemon/server/net/http/http_connection.h"
+
+namespace hedgehog::server {
+
+using UpgradeRequest = boost::beast::http::request<boost::beast::http::string_body>;
+
+/// Answers `request`, and `stream` is a connection of the server's from then on. io thread.
+boost::asio::awaitable<void> become_web_socket(boost::beast::tcp_stream stream,
+                                               UpgradeRequest request, Session session,
+                                               HttpEndpoint& endpoint);
+
+}  // namespace hedgehog::server

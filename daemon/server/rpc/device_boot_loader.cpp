@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// device.enter_boot_loader
+#include <string>
+
+#include "daemon/control/state/state_machine.h"
+#include "daemon/server/rpc/handlers.h"
+
+namespace hedgehog::server {
+namespace {
+
+/// Since this version of the board protocol a board knows the frame.
+constexpr int kBoardMinor = 2;
+/// By then a board that goes is gone for control too.
+constexpr model::Tick kGoneBy = control::StateMachine::kBootLoaderPatience;
+
+protocol::RpcError still_armed() {
+  return protocol::armed("only a ball that is not armed goes into its boot loader",
+                         "Run: hedgehogctl stop");
+}
+
+protocol::RpcError no_boot_loader(const DeviceView& device_view) {
+  return protocol::error(
+      protocol::ErrorCode::kUnsupported,
+      "unsupported: the board speaks " + device_view.board_protocol().value_or("another version") +
+          " of the board protocol, and only from 1." + std::to_string(kBoardMinor) +
+          " on can it be asked into its boot loader; unplug it and hold "
+          "BOOTSEL while plugging it in");
+}
+
+}  // namespace
+
+Outcome handle(Call& call, const protocol::DeviceEnterBootLoader&) {
+  DeviceView& device_view = call.device_view();
+  const control::StatusSnapshot& before = device_view.now();
+  if (before.state == control::State::kArmed) return Answer(still_armed());
+  if (before.state == control::State::kAbsent) return Answer(*not_playable(device_view));
+  if (before.board.protocol_minor < kBoardMinor) return Answer(no_boot_loader(device_view));
+  const auto seq = device_view.outbox().add(call.session.id, control::EnterBootLoader{});
+  if (!seq) return Answer(queue_full(device_view.outbox()));
+  return Deferred{[seq = *seq, since = model::Tick{-1}](
+                      HandlerContext& context, bool give_up) mutable -> std::optional<Answer> {
+    const control::StatusSnapshot& now = context.device_view.now();
+    const bool applied = now.applied_seq >= seq;
+    if (applied && now.state == control::State::kAbsent)
+      return Answer(protocol::StateResult{std::string(control::name(now.state)),
+                                          context.device_view.reason_now(),
+                                          context.device_view.remedy_now(), seq});
+    if (give_up) return Answer(control_stuck());
+    if (!applied) return std::nullopt;
+    // An arming was under way.
+    if (now.state == control::State::kArmed) return Answer(still_armed());
+    since = since < 0 ? now.tick : since;
+    if (now.tick - since <= kGoneBy) return std::nullopt;
+    return Answer(protocol::busy("the board has not gone into its boot loader", 1000));
+  }};
+}
+
+}  // namespace hedgehog::server
