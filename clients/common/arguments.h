@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The command line of a program, and its usage errors.
+// The command line of a program.
 #pragma once
 
 #include <optional>
-#include <string>
 
 namespace CLI {  // NOLINT(readability-identifier-naming): CLI11 calls it so
 class App;
@@ -11,11 +10,9 @@ class App;
 
 namespace hedgehog::client {
 
-/// Reads the command line into `app`. The exit code when the program ends with that: after --help,
-/// --version, and (64) what CLI11 complains of.
+/// Reads the command line into `app`; from here on ASCII is printed where the locale is not UTF-8.
+/// The exit code when the program ends with that: after --help,
+/// --version, --reference, and (64) what is wrong with it.
 std::optional<int> parse_arguments(CLI::App& app, int argc, const char* const* argv);
-
-/// "hedgehogctl pulse: <what>; hedgehogctl pulse --help says more", with the verb that was given.
-std::string usage_error(const CLI::App& app, const std::string& what);
 
 }  // namespace hedgehog::client

@@ -5,6 +5,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
@@ -14,8 +15,8 @@ namespace hedgehog::client {
 
 namespace {
 
-constexpr int kMinColumns = 80;
-constexpr int kMinRows = 22;
+constexpr std::size_t kMinColumns = 80;
+constexpr std::size_t kMinRows = 22;
 
 std::string_view environment(const char* name) {
   const char* value = std::getenv(name);
@@ -42,17 +43,19 @@ bool is_terminal() { return isatty(STDIN_FILENO) != 0 && isatty(STDOUT_FILENO) !
 TerminalTraits terminal_traits() {
   TerminalTraits traits;
   traits.ascii = !locale_is_utf8();
-  if (isatty(STDOUT_FILENO) == 0) {
-    // A pipe or a file takes UTF-8 whatever the locale of the session is.
-    traits.ascii = false;
-    return traits;
-  }
+  traits.has_edge = isatty(STDOUT_FILENO) != 0;
+  if (!traits.has_edge) return traits;
   const bool dumb = environment("TERM").empty() || environment("TERM") == "dumb";
   traits.colour = !dumb && environment("NO_COLOR").empty();
-  winsize size{};
-  const bool known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  traits.picture = !dumb && known && size.ws_col >= kMinColumns && size.ws_row >= kMinRows;
+  const TerminalSize size = terminal_size();
+  traits.picture = !dumb && size.columns >= kMinColumns && size.rows >= kMinRows;
   return traits;
+}
+
+TerminalSize terminal_size() {
+  winsize size{};
+  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0) return {};
+  return {size.ws_col, size.ws_row};
 }
 
 Terminal::Terminal() {
@@ -62,18 +65,27 @@ Terminal::Terminal() {
     raw.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
     tcsetattr(STDIN_FILENO, TCSANOW, &raw);
   }
-  put("\033[?1049h\033[?25l\033[2J");
+  size_ = terminal_size();
+  // Lines that are too long for a terminal that was made narrower end at its edge.
+  put("\033[?1049h\033[?25l\033[?7l\033[2J");
   std::fflush(stdout);
 }
 
 Terminal::~Terminal() {
-  put("\033[?25h\033[?1049l");
+  put("\033[?7h\033[?25h\033[?1049l");
   std::fflush(stdout);
   if (has_keys_) tcsetattr(STDIN_FILENO, TCSANOW, &before_);
 }
 
 void Terminal::draw(const std::vector<std::string>& lines) {
-  for (std::size_t row = 0; row < lines.size() || row < shown_.size(); ++row) {
+  // Asked each time, which takes less than a microsecond: no signal can be missed.
+  if (const TerminalSize size = terminal_size(); size != size_) {
+    size_ = size;
+    shown_.clear();
+    put("\033[2J");
+  }
+  const std::size_t rows = size_.rows > 0 ? size_.rows : lines.size() + shown_.size();
+  for (std::size_t row = 0; row < std::min(rows, std::max(lines.size(), shown_.size())); ++row) {
     const std::string_view line = row < lines.size() ? std::string_view{lines[row]} : "";
     if (row < shown_.size() && shown_[row] == line) continue;
     std::printf("\033[%zu;1H", row + 1);

@@ -5,6 +5,7 @@
 #include <termios.h>
 
 #include <chrono>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,11 +17,21 @@ struct TerminalTraits {
   bool picture = false;
   /// Colours are wanted (a terminal, and NO_COLOR is not set).
   bool colour = false;
-  /// Only ASCII can be shown (the locale is not UTF-8).
+  /// Only ASCII can be shown (the locale is not UTF-8), in a pipe or a file too.
   bool ascii = false;
+  /// Lines have a right edge; a pipe and a file have none.
+  bool has_edge = false;
 };
 
 TerminalTraits terminal_traits();
+
+/// Of stdout, now: a person may change it at any time. Zeros when it is no terminal or has no size.
+struct TerminalSize {
+  std::size_t columns = 0;
+  std::size_t rows = 0;
+  friend bool operator==(const TerminalSize&, const TerminalSize&) = default;
+};
+TerminalSize terminal_size();
 
 /// Both ends of this program are a terminal.
 bool is_terminal();
@@ -40,7 +51,8 @@ class Terminal {
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
 
-  /// Shows `lines` from the top; only the lines that changed are written.
+  /// Shows `lines` from the top; only the lines that changed are written, and all of them when the
+  /// terminal has another size than before. What is beyond its size is not shown.
   void draw(const std::vector<std::string>& lines);
 
   /// Every byte typed since the last look, escape sequences too; does not wait. Nothing when stdin
@@ -57,6 +69,7 @@ class Terminal {
   bool read_more(std::chrono::milliseconds patience);
 
   std::vector<std::string> shown_;
+  TerminalSize size_{};
   termios before_{};
   bool has_keys_ = false;
   std::string typed_;  // and not yet taken

@@ -12,6 +12,10 @@ std::string fixed_signed(double value, int digits) {
   return std::signbit(value) || text == fixed(0.0, digits) ? text : "+" + text;
 }
 
+std::string temperature_words(std::optional<double> celsius) {
+  return celsius ? fixed(*celsius, 1) + " °C" : "temperature unknown";
+}
+
 std::size_t columns(std::string_view text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), begins_character));
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -14,6 +15,8 @@ using base::fixed;
 using base::grouped;
 /// "+5.0", "-0.3", "0.0".
 std::string fixed_signed(double value, int digits);
+/// "61.2 °C"; "temperature unknown" when there is none.
+std::string temperature_words(std::optional<double> celsius);
 
 /// Whether a character of UTF-8 begins with `byte`, or one that began before goes on.
 constexpr bool begins_character(char byte) noexcept {

@@ -54,6 +54,12 @@ Outcome<Connection> Connection::open(const std::vector<Address>& addresses, Mill
   return ClientError{Failure::kNoDaemon, no_daemon_at(places), {}};
 }
 
+Outcome<Connection> Connection::start(const Address& address) {
+  auto socket = LineSocket::start_connect(address);
+  if (!socket) return socket.error();
+  return Connection(*std::move(socket), address);
+}
+
 Outcome<Connection> Connection::reopen(const std::vector<Address>& addresses,
                                        Milliseconds patience) {
   const auto deadline = Clock::now() + patience;
@@ -84,9 +90,24 @@ Outcome<void> Connection::notify(const protocol::Request& request, Milliseconds 
   return send(socket_, protocol::encode_request(std::nullopt, request), Clock::now() + patience);
 }
 
+Outcome<void> Connection::notify_raw(std::string_view method, std::string_view params_json,
+                                     Milliseconds patience) {
+  return send(socket_, protocol::encode_raw_request(std::nullopt, method, params_json),
+              Clock::now() + patience);
+}
+
 Outcome<Id> Connection::ask(const protocol::Request& request, Milliseconds patience) {
   const Id id = Id::number(++last_id_);
-  const std::string line = protocol::encode_request(id, request);
+  return send_asked(id, protocol::encode_request(id, request), patience);
+}
+
+Outcome<Id> Connection::ask_raw(std::string_view method, std::string_view params_json,
+                                Milliseconds patience) {
+  const Id id = Id::number(++last_id_);
+  return send_asked(id, protocol::encode_raw_request(id, method, params_json), patience);
+}
+
+Outcome<Id> Connection::send_asked(const Id& id, const std::string& line, Milliseconds patience) {
   if (auto sent = send(socket_, line, Clock::now() + patience); !sent) return sent.error();
   asked_.push_back(id);
   return id;
@@ -162,23 +183,34 @@ void Connection::queue(Notification notification) {
   waiting_.push_back(std::move(notification));
 }
 
-Outcome<std::optional<Notification>> Connection::next(Milliseconds patience) {
-  const auto deadline = Clock::now() + patience;
-  while (waiting_.empty()) {
-    auto line = socket_.read(deadline);
-    if (!line) return line.error();
-    if (!*line) return std::optional<Notification>();
-    auto reply = take(**line, Id::number(0));
-    if (!reply) return reply.error();
-    if (*reply) {
-      const auto& refusal = (*reply)->result.error();
-      return ClientError{Failure::kRefused, refusal.message, refusal};
-    }
-  }
+Outcome<bool> Connection::receive(Milliseconds patience) {
+  auto line = socket_.read(Clock::now() + patience);
+  if (!line) return line.error();
+  if (!*line) return false;
+  auto reply = take(**line, Id::number(0));
+  if (!reply) return reply.error();
+  if (!*reply) return true;
+  const auto& refusal = (*reply)->result.error();
+  return ClientError{Failure::kRefused, refusal.message, refusal};
+}
+
+std::optional<Notification> Connection::notification() {
+  if (waiting_.empty()) return std::nullopt;
   std::optional<Notification> oldest = std::move(waiting_.front());
   waiting_.pop_front();
   if (std::holds_alternative<protocol::TelemetryMessage>(*oldest)) --telemetry_waiting_;
   return oldest;
+}
+
+Outcome<std::optional<Notification>> Connection::next(Milliseconds patience) {
+  const auto deadline = Clock::now() + patience;
+  while (waiting_.empty()) {
+    const auto left = std::chrono::ceil<Milliseconds>(deadline - Clock::now());
+    const auto received = receive(std::max(left, Milliseconds(0)));
+    if (!received) return received.error();
+    if (!*received) return std::optional<Notification>();
+  }
+  return notification();
 }
 
 }  // namespace hedgehog::client

@@ -39,6 +39,13 @@ class Connection {
   /// The same again and again, with the pauses of `Backoff`, until `patience` is over.
   static Outcome<Connection> reopen(const std::vector<Address>& addresses, Milliseconds patience);
 
+  /// Begins to connect and does not wait (`LineSocket::start_connect`); nothing else may be asked
+  /// of it before `connected` says true.
+  static Outcome<Connection> start(const Address& address);
+  /// After `start`: whether it is connected, by `deadline` at the latest. kNoDaemon: nobody is
+  /// there; the message is the reason alone.
+  Outcome<bool> connected(Clock::time_point deadline) { return socket_.connected(deadline); }
+
   /// Sends one of the requests of protocol/methods.h and waits for its answer: `response_timeout`
   /// unless a call says otherwise.
   template <class Request>
@@ -56,11 +63,17 @@ class Connection {
   /// Sends a request that is carried out and never answered.
   Outcome<void> notify(const protocol::Request& request,
                        Milliseconds patience = response_timeout());
+  /// The same for any method; `params_json` is an object or empty.
+  Outcome<void> notify_raw(std::string_view method, std::string_view params_json,
+                           Milliseconds patience = response_timeout());
 
   /// Sends a request and does not wait for its answer: `answer` has it when `next` or a call has
   /// read it.
   Outcome<protocol::Id> ask(const protocol::Request& request,
                             Milliseconds patience = response_timeout());
+  /// The same for any method; `params_json` is an object or empty.
+  Outcome<protocol::Id> ask_raw(std::string_view method, std::string_view params_json,
+                                Milliseconds patience = response_timeout());
   /// The oldest answer to an `ask` that was read and not yet taken; reads nothing itself.
   std::optional<protocol::Reply> answer();
 
@@ -71,7 +84,15 @@ class Connection {
   /// The oldest event or telemetry not yet taken; nullopt when none came within `patience` (0: only
   /// what is already there).
   Outcome<std::optional<Notification>> next(Milliseconds patience);
+  /// Reads one line, whatever it has, for `notification` and `answer`; false when none came within
+  /// `patience`. kRefused: what the daemon said of the connection, which lives on.
+  Outcome<bool> receive(Milliseconds patience);
+  /// The oldest event or telemetry that was read and not yet taken; reads nothing itself.
+  std::optional<Notification> notification();
 
+  /// For poll(2) in a loop that waits for other things too: when it is readable, call `next` with
+  /// patience 0 until it returns nothing. -1 once the connection is lost.
+  int descriptor() const noexcept { return socket_.descriptor(); }
   const Address& address() const noexcept { return address_; }
 
  private:
@@ -89,6 +110,8 @@ class Connection {
   /// Queues what a line tells; the answer to `id` when it is among it.
   Outcome<std::optional<protocol::Reply>> take(const std::string& line, const protocol::Id& id);
   void queue(Notification notification);
+  Outcome<protocol::Id> send_asked(const protocol::Id& id, const std::string& line,
+                                   Milliseconds patience);
 
   LineSocket socket_;
   Address address_;

@@ -19,6 +19,10 @@ struct LineSocket::Impl {
   std::string buffer;
   std::size_t begin = 0;    // of the line that is not whole yet
   std::size_t scanned = 0;  // no LF before here
+  // Of `start_connect`: where to go, which of them is tried, and how that ended.
+  std::vector<Stream::endpoint> endpoints;
+  std::size_t tried = 0;
+  std::optional<error_code> attempt;
 
   struct Finished {
     error_code error = asio::error::timed_out;
@@ -59,6 +63,13 @@ struct LineSocket::Impl {
                                         [done](const error_code& error) { done(error, 0); });
                  })
         .error;
+  }
+
+  void start_attempt() {
+    error_code ignored;
+    socket.close(ignored);
+    attempt.reset();
+    socket.async_connect(endpoints[tried], [this](const error_code& error) { attempt = error; });
   }
 
   std::optional<std::string> take_line() {
@@ -133,6 +144,35 @@ Outcome<LineSocket> LineSocket::connect(const Address& address, Clock::time_poin
   return ClientError{Failure::kNoDaemon, reason(error), {}};
 }
 
+Outcome<LineSocket> LineSocket::start_connect(const Address& address) {
+  auto impl = std::make_unique<Impl>();
+  error_code error;
+  impl->endpoints = endpoints_of(address, impl->io, error);
+  if (impl->endpoints.empty()) return ClientError{Failure::kNoDaemon, reason(error), {}};
+  impl->start_attempt();
+  return LineSocket(std::move(impl));
+}
+
+Outcome<bool> LineSocket::connected(Clock::time_point deadline) {
+  impl_->io.restart();
+  impl_->io.poll();
+  if (!impl_->attempt) {
+    impl_->io.restart();
+    impl_->io.run_until(deadline);
+  }
+  if (!impl_->attempt) return false;
+  error_code error = *impl_->attempt;
+  if (!error) {
+    const bool tcp = impl_->endpoints[impl_->tried].protocol().family() != AF_UNIX;
+    if (tcp) impl_->socket.set_option(asio::ip::tcp::no_delay(true), error);
+    return true;
+  }
+  if (++impl_->tried == impl_->endpoints.size())
+    return ClientError{Failure::kNoDaemon, reason(error), {}};
+  impl_->start_attempt();
+  return false;
+}
+
 Outcome<void> LineSocket::write(std::string_view line, Clock::time_point deadline) {
   if (!impl_->socket.is_open()) return ended(asio::error::eof);
   std::string bytes(line);
@@ -145,6 +185,10 @@ Outcome<void> LineSocket::write(std::string_view line, Clock::time_point deadlin
   if (finished.error == asio::error::timed_out)
     return ClientError{Failure::kClosed, "the daemon does not read what it is sent", {}};
   return ended(finished.error);
+}
+
+int LineSocket::descriptor() const noexcept {
+  return impl_->socket.is_open() ? impl_->socket.native_handle() : -1;
 }
 
 Outcome<std::optional<std::string>> LineSocket::read(Clock::time_point deadline) {

@@ -26,6 +26,12 @@ class LineSocket {
   /// With TCP_NODELAY. kNoDaemon when nobody answers in time; the message is the reason alone
   /// ("connection refused").
   static Outcome<LineSocket> connect(const Address& address, Clock::time_point deadline);
+  /// Begins to connect and does not wait, except for the look-up of a host's name (not of a
+  /// number).
+  static Outcome<LineSocket> start_connect(const Address& address);
+  /// After `start_connect`: whether it is connected, by `deadline` at the latest (one in the past
+  /// does not wait). kNoDaemon as above.
+  Outcome<bool> connected(Clock::time_point deadline);
 
   ~LineSocket();
   LineSocket(LineSocket&&) noexcept;
@@ -36,6 +42,8 @@ class LineSocket {
   /// The next line without its LF or CRLF; nullopt when `deadline` has passed before it was whole
   /// (nothing is lost). A deadline in the past still takes what is already there.
   Outcome<std::optional<std::string>> read(Clock::time_point deadline);
+  /// For poll(2); -1 once it is closed.
+  int descriptor() const noexcept;
 
  private:
   struct Impl;

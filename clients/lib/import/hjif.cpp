@@ -17,8 +17,9 @@ namespace {
 
 /// Ticks: far beyond the end of any pattern.
 constexpr double kFar = 1e15;
-/// What those modalities say is a push or a vibration, with a level of its own.
-constexpr std::array<std::string_view, 3> kFelt{"Vibrotactile", "Force", "Pressure"};
+/// What those modalities say is a push or a vibration, with a level of its own. `Other` is what the
+/// reference encoder writes for all of them.
+constexpr std::array<std::string_view, 4> kFelt{"Vibrotactile", "Force", "Pressure", "Other"};
 
 class Hjif {
  public:
@@ -50,6 +51,7 @@ class Hjif {
       note("perceptions of the modality '" + one_line(modality) + "' are left out");
       return;
     }
+    if (modality == "Other") note("perceptions of the modality 'Other' are taken for vibrotactile");
     library_.clear();
     for (const ForeignJson& effect : list(perception, "effect_library"))
       library_[number(effect, "id", -1, -1, 1e9)] = &effect;
@@ -102,8 +104,35 @@ class Hjif {
     return nullptr;
   }
 
-  double time_of(const ForeignJson& key, double position_ms) const {
-    return position_ms + ms_per_tick_ * number(key, "relative_position", 0.0, 0.0, kFar);
+  /// When each of `keys` is, ms from the beginning of the file. They are written in order of time;
+  /// the reference encoder writes those a little before their effect as unsigned numbers of 16
+  /// bits.
+  std::vector<double> times_of(const ForeignJson::List& keys, double position_ms) {
+    constexpr double kWrap = 65'536.0;
+    constexpr double kMinNegative = 32'768.0;
+    constexpr double kSurelyNegative = kWrap - 256.0;  // with nothing near it before it
+    std::vector<double> written;
+    for (const ForeignJson& key : keys)
+      written.push_back(number(key, "relative_position", 0.0, -kFar, kFar));
+    std::vector<bool> falls(written.size());  // to a lower one behind it
+    double lowest = kFar;
+    for (std::size_t i = written.size(); i-- > 0; lowest = std::min(lowest, written[i]))
+      falls[i] = lowest < written[i];
+    std::vector<double> times_ms;
+    bool follows_positive = true;
+    for (std::size_t i = 0; i < written.size(); ++i) {
+      double ticks = written[i];
+      const bool alone = follows_positive && ticks >= kSurelyNegative;
+      follows_positive = alone || ticks < kMinNegative;
+      if ((falls[i] || alone) && ticks >= kMinNegative && ticks < kWrap) {
+        note(
+            "a relative_position from 32768 that comes before a lower one, or close to 65536 "
+            "without others from 32768 before it, is taken for a negative number of 16 bits");
+        ticks -= kWrap;
+      }
+      times_ms.push_back(std::max(0.0, position_ms + ms_per_tick_ * ticks));
+    }
+    return times_ms;
   }
   std::optional<double> level_of(const ForeignJson& key) {
     const auto amplitude = number(key, "amplitude_modulation", -1.0, 1.0);
@@ -118,7 +147,10 @@ class Hjif {
   }
 
   void take_transients(const ForeignJson& effect, double position_ms) {
-    for (const ForeignJson& key : list(effect, "keyframes")) {
+    const ForeignJson::List& keys = list(effect, "keyframes");
+    const std::vector<double> times_ms = times_of(keys, position_ms);
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      const ForeignJson& key = keys[i];
       if (++effects_ > kMaxImportEvents) return;
       if (hz_of(key)) note("frequencies of transients are left out: each is one push of 25 ms");
       const auto level = level_of(key);
@@ -126,8 +158,7 @@ class Hjif {
         note("transients without an amplitude are left out");
         continue;
       }
-      const double t_ms = time_of(key, position_ms);
-      layers_.push_back({{{t_ms, *level}, {t_ms + kTransientMs, *level}}});
+      layers_.push_back({{{times_ms[i], *level}, {times_ms[i] + kTransientMs, *level}}});
       pushes_ = true;
     }
   }
@@ -138,9 +169,12 @@ class Hjif {
     Layer layer;
     std::vector<Layer::Point> pitches;
     double end_ms = position_ms;
-    for (const ForeignJson& key : list(effect, "keyframes")) {
+    const ForeignJson::List& keys = list(effect, "keyframes");
+    const std::vector<double> times_ms = times_of(keys, position_ms);
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      const ForeignJson& key = keys[i];
       if (++effects_ > kMaxImportEvents) return;
-      const double t_ms = time_of(key, position_ms);
+      const double t_ms = times_ms[i];
       end_ms = std::max(end_ms, t_ms);
       if (const auto level = level_of(key)) layer.points.push_back({t_ms, *level, cubic && !wave});
       if (const auto hz = hz_of(key)) pitches.push_back({t_ms, *hz});

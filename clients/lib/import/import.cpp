@@ -4,6 +4,7 @@
 #include "clients/lib/import/foreign_json.h"
 #include "clients/lib/import/reading.h"
 #include "clients/lib/import/timeline.h"
+#include "clients/lib/import/trailing_commas.h"
 
 namespace hedgehog::client {
 
@@ -38,15 +39,19 @@ Outcome<Imported> made_of(Reading reading) {
 
 Outcome<Imported> import_pattern(std::string_view text) {
   if (text.size() > kMaxImportBytes) return bad_data("the file is larger than 4 MiB");
-  const auto file = protocol::parse_json(text, kMaxImportNesting);
-  if (!file) return bad_data(file.error().message);
-  const bool ahap = file->find("Pattern") != nullptr;
-  if (!ahap && file->find("perceptions") == nullptr) {
+  const auto strict = protocol::parse_json(text, kMaxImportNesting);
+  const auto mended =
+      strict ? strict : protocol::parse_json(without_trailing_commas(text), kMaxImportNesting);
+  if (!mended) return bad_data(strict.error().message);
+  const bool ahap = mended->find("Pattern") != nullptr;
+  if (!ahap && mended->find("perceptions") == nullptr) {
     return bad_data(
         "the file is neither AHAP (it has no \"Pattern\") nor hjif (no \"perceptions\")");
   }
-  auto reading = ahap ? read_ahap(*file) : read_hjif(*file);
-  return reading ? made_of(*std::move(reading)) : Outcome<Imported>(reading.error());
+  auto reading = ahap ? read_ahap(*mended) : read_hjif(*mended);
+  if (!reading) return reading.error();
+  if (!strict) reading->notes.add("commas behind a last item are left out: JSON has none there");
+  return made_of(*std::move(reading));
 }
 
 }  // namespace hedgehog::client

@@ -30,10 +30,12 @@ inline constexpr double kTransientMs = 25.0;
 /// A file of either format:
 /// - Apple Haptic and Audio Pattern, version 1: transient and continuous events with intensity,
 ///   attack, decay and release; parameter curves and dynamic parameters of the intensity. Format:
-///   "Representing haptic patterns in AHAP files", Apple developer documentation.
+///   "Representing haptic patterns in AHAP files", Apple developer documentation. Its samples have
+///   commas behind last items, which are read and told.
 /// - MPEG-I haptics (ISO/IEC 23090-31) in its JSON form, .hjif: perceptions, channels with their
 ///   gain, bands (transients, curves, vectorial waves) and key frames; effects of the library. How
-///   key frames are read is that of the MPEG reference software (Effect.cpp).
+///   key frames are read is that of the MPEG reference software (Effect.cpp), whose encoder calls
+///   every modality `Other` and writes a `relative_position` of -2 as 65534.
 /// `decode_pattern` takes what comes of it, once it has a name. kBadData: what is wrong.
 Outcome<Imported> import_pattern(std::string_view text);
 
