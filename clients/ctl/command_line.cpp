@@ -8,25 +8,39 @@
 #include <string>
 #include <vector>
 
-#include "clients/common/arguments.h"
+#include "cli/complaint.h"
+#include "cli/reference.h"
+#include "clients/common/ascii_output.h"
 #include "clients/common/interrupts.h"
-#include "clients/ctl/calibrate/calibrate_verb.h"
+#include "clients/ctl/calibrate_arguments.h"
 #include "clients/ctl/demo/demo.h"
-#include "clients/ctl/parameter_help.h"
+#include "clients/ctl/effect_arguments.h"
+#include "clients/ctl/flash_arguments.h"
+#include "clients/ctl/record_arguments.h"
 #include "clients/ctl/verbs/act_verbs.h"
 #include "clients/ctl/verbs/follow_verbs.h"
 #include "clients/ctl/verbs/look_verbs.h"
 #include "clients/ctl/verbs/pattern_verbs.h"
 #include "clients/ctl/verbs/pins_verb.h"
 #include "clients/ctl/verbs/play_verbs.h"
+#include "clients/ctl/verbs/record_verb.h"
+#include "clients/ctl/verbs/sound_verbs.h"
 
 namespace hedgehog::client {
 
 namespace {
 
-std::string flag_of(std::string name) {
-  std::replace(name.begin(), name.end(), '_', '-');
-  return "--" + name;
+/// The first argument of forecast; CLI11 would only say that it cannot convert it.
+CLI::Validator current() {
+  return {[](const std::string& text) {
+            double current_a = 0.0;
+            return CLI::detail::lexical_cast(text, current_a)
+                       ? std::string()
+                       : "'" + text +
+                             "' is no current in ampere; a direction comes after it: "
+                             "hedgehogctl forecast 15 left";
+          },
+          "AMPERE"};
 }
 
 class CommandLine {
@@ -39,32 +53,39 @@ class CommandLine {
                     "where the daemon listens: host:port or a socket's path (HEDGEHOG_ADDRESS)");
     app_.add_flag("--json", common_.json, "answers as JSON, for programs");
     app_.footer(
-        "Exit: 0 done, 1 the effect ended otherwise than completed, 64 usage, 65 and 66 a file,"
-        " 69 no daemon, no ball\nor not armed, 75 try later, 77 the role does not suffice, 130 "
-        "interrupted.");
+        "Exit: 0 done, 1 the effect ended otherwise than completed, 64 usage, 65 a bad file, 66 no "
+        "such file or\npattern, 69 no daemon, no ball or not armed, 70 a fault of hedgehogctl or "
+        "of "
+        "the daemon, 73 a file\ncannot be written, 75 try later, 76 not understood, 77 the role "
+        "does not suffice, 130 interrupted.");
     add_looking();
-    add_playing(&app_, run_play);
+    add_playing(&app_, [](Session& session, const PlayOptions& options) {
+      return is_sound_file(options.pattern) ? run_sound(session, options)
+                                            : run_play(session, options);
+    });
     add_preview();
     add_patterns();
+    add_record();
     add_acting();
     add_calibrate();
+    add_board();
     add_following();
     add_alone();
   }
 
   int run(int argc, char** argv) {
+    const std::vector<std::string> arguments(argv + 1, argv + argc);
+    if (const auto code = cli::write_reference(app_, arguments)) return *code;
+    // Also when parsing stops before it.
+    const bool json = std::count(arguments.begin(), arguments.end(), "--json") > 0;
+    if (json) report_errors_as_json();
+    print_as_the_locale_allows(arguments);
     try {
       app_.parse(argc, argv);
     } catch (const CLI::Success& done) {
       return app_.exit(done);
     } catch (const CLI::ParseError& error) {
-      const std::vector<std::string> unknown = app_.remaining();
-      if (app_.get_subcommands().empty() && !unknown.empty()) {
-        std::fprintf(stderr, "hedgehogctl: there is no '%s'; hedgehogctl --help lists the verbs\n",
-                     unknown.front().c_str());
-        return kUsage;
-      }
-      return print_usage(error);
+      return refuse(cli::complaint(app_, error), json);
     }
     return verb_();
   }
@@ -72,23 +93,11 @@ class CommandLine {
  private:
   using Verb = std::function<int(Session&)>;
 
-  /// What is wrong, in the words of every other complaint, and where to read on.
-  int print_usage(const CLI::ParseError& error) const {
-    std::string what = error.what();
-    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError))
-      what = "'" + extra_word() + "' is not understood";
-    else if (app_.get_subcommands().empty() && error.get_name() == "RequiredError")
-      what = "a verb is missing";
-    std::fprintf(stderr, "%s\n", usage_error(app_, what).c_str());
-    return kUsage;
-  }
-
-  /// The first word that nothing takes; an unknown option rather than the value behind it.
-  std::string extra_word() const {
-    std::vector<std::string> words = app_.remaining(true);
-    const auto option = std::find_if(
-        words.begin(), words.end(), [](const std::string& word) { return word.starts_with("--"); });
-    return option != words.end() ? *option : words.empty() ? std::string() : words.front();
+  /// A plug-in of a monitoring system answers 3 to what it does not understand.
+  int refuse(const std::string& what, bool json) const {
+    const std::string sentence = cli::usage_error(app_, what);
+    return app_.got_subcommand("check") ? print_unknown(sentence, json)
+                                        : complain_of_usage(sentence);
   }
 
   /// `run` is what is to be done, over a connection.
@@ -110,160 +119,148 @@ class CommandLine {
   }
 
   void add_looking() {
-    verb("status", "the ball at one look", run_status);
-    verb("devices", "what is connected, what is used, and why not", run_devices);
+    verb("status", "the state of the ball", run_status);
+    verb("devices", "USB and HID devices: which are used, and why the others are not", run_devices);
     verb("clients", "who is connected and what they play", run_clients);
     CLI::App* forecast = verb("forecast", "how long a current can flow", [this](Session& session) {
       return run_forecast(session, forecast_);
     });
-    forecast->add_option("current_a", forecast_.current_a, "ampere")->capture_default_str();
+    forecast->add_option("current_a", forecast_.current_a, "ampere")
+        ->check(current())
+        ->capture_default_str();
     forecast->add_option("direction", forecast_.direction, "left, 34, 90,20 or 0,1,0.5");
-    verb("trips", "when it tripped, why, and what played", run_trips);
-  }
-
-  template <class Parameters>
-  void add_parameters(CLI::App* command, const Parameters& parameters) {
-    for (const ParameterHelp& parameter : parameters) {
-      const std::string name = parameter.name;
-      command->add_option_function<std::string>(
-          flag_of(name),
-          [this, name](const std::string& text) { play_.params.emplace_back(name, text); },
-          parameter.help);
-    }
+    verb("trips", "earlier trips: when, why, and what was playing", run_trips);
   }
 
   using Play = int (*)(Session&, const PlayOptions&);
 
-  CLI::App* add_effect(CLI::App* parent, Play act, const std::string& name,
-                       const std::string& help) {
-    CLI::App* command = verb_of(parent, name, help, [this, act, name](Session& session) {
-      play_.method = "effect." + name;
-      return act(session, play_);
-    });
-    add_parameters(command, kPlayParameters);
-    return command;
+  void add_effect(CLI::App* parent, Play act, model::EffectMethod method, const std::string& help) {
+    const std::string full_name(protocol::name(method));
+    CLI::App* command = verb_of(parent, full_name.substr(full_name.find('.') + 1), help,
+                                [this, act, full_name](Session& session) {
+                                  play_.method = full_name;
+                                  return act(session, play_);
+                                });
+    add_effect_arguments(*command, method, play_);
   }
 
   void add_playing(CLI::App* parent, Play act) {
-    const char* towards =
-        "where the pins push out: left, 34 (a pin), 90,20 (azimuth, elevation) "
-        "or 0,1,0.5";
-    CLI::App* pulse = add_effect(parent, act, "pulse", "one push");
-    pulse->add_option("direction", play_.direction, towards)->required();
-    add_parameters(pulse, kTimedParameters);
-    CLI::App* circle = add_effect(parent, act, "circle", "a push that walks round the ball");
-    add_parameters(circle, kTimedParameters);
-    add_parameters(circle, kCircleParameters);
-    CLI::App* vibrate = add_effect(parent, act, "vibrate", "many pushes a second");
-    vibrate->add_option("direction", play_.direction, towards);
-    add_parameters(vibrate, kTimedParameters);
-    CLI::App* hold = add_effect(parent, act, "hold", "a push that stays, until Ctrl-C");
-    hold->add_option("direction", play_.direction, towards)->required();
-    hold->add_option("--for", play_.hold_s, "seconds; then it ends");
-    CLI::App* play = add_effect(parent, act, "play", "a pattern, by its name or from a file");
-    play->add_option("pattern", play_.pattern, "heartbeat, acme/knock, or mine.json")->required();
-    play->add_option("rotate_to", play_.direction, "what its front turns to: left, 34, 90,20 ...");
-    add_parameters(play, kTimedParameters);
-    add_parameters(play, kPatternParameters);
-    CLI::Option* loop = play->add_flag("--loop", play_.loop, "again and again, until Ctrl-C");
-    play->add_option("--for", play_.hold_s, "with --loop: seconds; then it ends")->needs(loop);
+    using enum model::EffectMethod;
+    add_effect(parent, act, kPulse, "one push");
+    add_effect(parent, act, kCircle, "a push that walks once round the ball");
+    add_effect(parent, act, kVibrate, "many pushes a second");
+    add_effect(parent, act, kHold, "a push that stays, until Ctrl-C");
+    add_effect(parent, act, kPlay, "a pattern, by its name or from a file, or a sound file");
   }
 
   void add_preview() {
-    CLI::App* preview =
-        app_.add_subcommand("preview", "what a verb that plays would do: preview pulse left ...");
+    CLI::App* preview = app_.add_subcommand(
+        "preview", "what an effect would do, without playing it: preview pulse left");
     preview->require_subcommand(1);
     preview->fallthrough();
-    add_playing(preview, run_preview);
+    add_playing(preview, [](Session& session, const PlayOptions& options) {
+      return is_sound_file(options.pattern) ? run_sound_preview(session, options)
+                                            : run_preview(session, options);
+    });
   }
 
   void add_patterns() {
-    CLI::App* patterns = app_.add_subcommand("patterns", "the named patterns: list, get, put ...");
+    CLI::App* patterns =
+        app_.add_subcommand("patterns", "named patterns: list, get, put, remove, import");
     patterns->require_subcommand(0, 1);
     patterns->fallthrough();
     patterns->callback([this, patterns] {
       if (patterns->get_subcommands().empty()) connected(run_pattern_list);
     });
-    verb_of(patterns, "list", "what there is", run_pattern_list);
-    CLI::App* get = verb_of(patterns, "get", "one of them as JSON", [this](Session& session) {
+    verb_of(patterns, "list", "all of them", run_pattern_list);
+    CLI::App* get = verb_of(patterns, "get", "prints one as JSON", [this](Session& session) {
       return run_pattern_get(session, pattern_);
     });
     get->add_option("name", pattern_)->required();
     CLI::App* put =
-        verb_of(patterns, "put", "keeps one; its name is vendor/name",
+        verb_of(patterns, "put", "stores one; its name is vendor/name",
                 [this](Session& session) { return run_pattern_put(session, pattern_); });
     put->add_option("file", pattern_, "as `patterns get` prints it")->required();
     CLI::App* remove =
-        verb_of(patterns, "remove", "forgets one that was put",
+        verb_of(patterns, "remove", "removes one that was put",
                 [this](Session& session) { return run_pattern_remove(session, pattern_); });
     remove->add_option("name", pattern_)->required();
     CLI::App* foreign = patterns->add_subcommand("import", "from Apple AHAP or MPEG-I hjif");
     foreign->add_option("file", import_.file)->required();
-    foreign->add_option("--name", import_.name, "vendor/name; else imported/ and the file's name");
-    foreign->add_flag("--put", import_.put, "into the daemon; else it is printed as JSON");
+    foreign->add_option("--name", import_.name,
+                        "vendor/name; default: imported/ and the file's name");
+    foreign->add_flag("--put", import_.put,
+                      "stores it in the daemon instead of printing it as JSON");
     foreign->callback([this] { verb_ = [this] { return run_pattern_import(common_, import_); }; });
+  }
+
+  void add_record() {
+    CLI::App* record =
+        verb("record", "turn the ball: the way that its front takes becomes a pattern file",
+             [this](Session& session) { return run_record(session, record_); });
+    add_record_arguments(*record, record_);
   }
 
   void add_acting() {
     verb("stop", "EMERGENCY STOP: coils off until `arm`", run_stop);
-    verb("arm", "lets the ball play again", run_arm);
-    CLI::App* gain = verb("gain", "the owner's comfort setting",
+    verb("arm", "arms the ball after a stop or a trip", run_arm);
+    CLI::App* gain = verb("gain", "the owner's gain, by which every effect is scaled",
                           [this](Session& session) { return run_gain(session, gain_); });
-    gain->add_option("gain", gain_, "0..1; nothing: say it");
+    gain->add_option("gain", gain_, "0..1; without it the present gain is printed");
   }
 
   void add_calibrate() {
     CLI::App* calibrate =
-        verb("calibrate", "measures the windings and writes the ball's file",
+        verb("calibrate", "measures the windings and writes the device file",
              [this](Session& session) { return run_calibrate(session, calibrate_); });
-    calibrate->add_option("--out", calibrate_.out, "the device file to write")->required();
-    calibrate->add_option("--name", calibrate_.name, "of the ball; nothing: as it is called now");
-    calibrate->add_option("--current-a", calibrate_.current_a, "ampere, 0.5..5")
-        ->check(CLI::Range(0.5, 5.0))
-        ->capture_default_str();
-    calibrate
-        ->add_option("--pushed", calibrate_.pushed,
-                     "which side each winding pushes, instead of asking: x=front,y=left,z=up")
-        ->delimiter(',');
-    calibrate->add_flag("--thermal", calibrate_.thermal,
-                        "heats and cools the ball for half an hour too, for its thermal constants");
-    calibrate->add_flag(
-        "--force", calibrate_.force,
-        "replaces a file that is there; calibrates a ball that is not at one temperature");
+    add_calibrate_arguments(*calibrate, calibrate_);
+  }
+
+  void add_board() {
+    CLI::App* board = app_.add_subcommand("board", "the driver board: flash");
+    board->require_subcommand(1);
+    board->fallthrough();
+    CLI::App* flash = board->add_subcommand("flash", "new firmware from a UF2 file");
+    add_flash_arguments(*flash, flash_);
+    flash->callback([this] { verb_ = [this] { return run_board_flash(common_, flash_); }; });
   }
 
   void add_following() {
-    verb("watch", "the ball as it lives; SPACE stops it, q quits", run_watch);
-    CLI::App* events = verb("events", "what happens, a line each",
+    verb("watch", "the ball live; SPACE is the emergency stop, q quits", run_watch);
+    CLI::App* events = verb("events", "events of the ball, one a line",
                             [this](Session& session) { return run_events(session, events_); });
-    events->add_option("--types", events_.types, "only these, with commas")->delimiter(',');
+    events->add_option("--types", events_.types, "only these types, separated by commas")
+        ->delimiter(',');
     events->add_option("--since", events_.since,
-                       "what happened since (yesterday, 2h, 23:14), and ends");
-    events->add_flag("-f,--follow", events_.follow, "goes on after that");
+                       "past events since then (yesterday, 2h, 23:14) instead of new ones");
+    events->add_flag("-f,--follow", events_.follow, "with --since: new events too");
     events->add_flag("--all")->description("everybody's effects: always so")->group("");
-    CLI::App* pins = verb("pins", "the ball unrolled: which pins push now, and how far",
+    CLI::App* pins = verb("pins", "a map of the ball: which pins push, and how far",
                           [this](Session& session) { return run_pins(session, pins_); });
-    CLI::Option* live =
-        pins->add_flag("--live", pins_.live, "again and again; on a terminal SPACE stops, q quits");
-    pins->add_option("--count", pins_.count, "with --live: ends after so many lines")->needs(live);
+    CLI::Option* live = pins->add_flag(
+        "--live", pins_.live, "repeatedly; on a terminal SPACE is the emergency stop, q quits");
+    pins->add_option("--count", pins_.count, "with --live: ends after this number of lines")
+        ->needs(live);
     CLI::App* telemetry =
-        verb("telemetry", "the status again and again, one JSON object a line",
+        verb("telemetry", "the status repeatedly, one JSON object a line",
              [this](Session& session) { return run_telemetry(session, telemetry_); });
     telemetry->add_option("--rate-hz", telemetry_.rate_hz, "0.1..200")->capture_default_str();
-    telemetry->add_option("--fields", telemetry_.fields, "keys of the status, with commas")
+    telemetry->add_option("--fields", telemetry_.fields, "keys of the status, separated by commas")
         ->delimiter(',');
-    telemetry->add_option("--count", telemetry_.count, "ends after so many");
+    telemetry->add_option("--count", telemetry_.count, "ends after this number");
   }
 
   /// The verbs that open their own connection.
   void add_alone() {
     CLI::App* check = app_.add_subcommand(
         "check", "one line for monitoring: 0 ok, 1 warning, 2 critical, 3 unknown");
+    check->footer(
+        "Exit: 0 ok, 1 warning, 2 critical, 3 unknown, a mistake on its command line too.");
     check->callback([this] { verb_ = [this] { return run_check(common_); }; });
     CLI::App* demo = app_.add_subcommand("demo", "a tour of 40 seconds");
     demo->add_flag("--private", demo_.private_daemon,
-                   "on a daemon of its own with a simulated ball");
-    demo->add_flag("--yes", demo_.confirmed, "on a real ball, do not ask first");
+                   "starts a daemon with a simulated ball for it");
+    demo->add_flag("--yes", demo_.confirmed, "does not ask before it plays on a real ball");
     demo->callback([this] { verb_ = [this] { return run_demo(common_, demo_); }; });
   }
 
@@ -272,12 +269,14 @@ class CommandLine {
   ForecastOptions forecast_;
   PlayOptions play_;
   std::string pattern_;
+  RecordOptions record_;
   ImportOptions import_;
   EventsOptions events_;
   PinsOptions pins_;
   TelemetryOptions telemetry_;
   DemoOptions demo_;
   CalibrateOptions calibrate_;
+  FlashOptions flash_;
   std::optional<double> gain_;
   std::function<int()> verb_;
 };

@@ -103,7 +103,7 @@ Outcome<void> Indicator::take(const Notification& notification,
       now.up = status.orientation->up;
     now.pin = status.pin;
     now.force_n = status.force_n;
-    now.temperature_c = status.temperature_c.model.value_or(0.0);
+    now.temperature_c = status.temperature_c.model;
     report(now);
   }
   if (ended_ || shutting_down_) return {};

@@ -36,7 +36,8 @@ struct IndicatorReport {
   /// The pin that the field points at, and the force there; nothing while it does not push.
   std::optional<std::int64_t> pin;
   double force_n = 0.0;
-  double temperature_c = 0.0;
+  /// Of the hottest winding; nothing: not known.
+  std::optional<double> temperature_c;
 };
 
 /// One thread. Its effect ends when it does, at the latest with its connection.

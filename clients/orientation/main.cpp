@@ -6,6 +6,7 @@
 #include "clients/common/arguments.h"
 #include "clients/common/exit_code.h"
 #include "clients/common/interrupts.h"
+#include "clients/common/text.h"
 #include "clients/lib/connection.h"
 #include "clients/orientation/indicator.h"
 #include "model/geometry/direction.h"
@@ -21,12 +22,12 @@ void print(const IndicatorReport& report) {
     std::puts("up is not known: the orientation sensor is silent");
   } else {
     const std::string side(hedgehog::model::side_name(*report.up));
+    const std::string warm = temperature_words(report.temperature_c);
     if (report.pin) {
-      std::printf("up is %-5s   %.3f N at pin %lld   %.1f °C\n", side.c_str(), report.force_n,
-                  static_cast<long long>(*report.pin), report.temperature_c);
+      std::printf("up is %-5s   %.3f N at pin %lld   %s\n", side.c_str(), report.force_n,
+                  static_cast<long long>(*report.pin), warm.c_str());
     } else {
-      std::printf("up is %-5s   at rest between two pulses   %.1f °C\n", side.c_str(),
-                  report.temperature_c);
+      std::printf("up is %-5s   at rest between two pulses   %s\n", side.c_str(), warm.c_str());
     }
   }
   std::fflush(stdout);
@@ -59,7 +60,7 @@ int run(const std::vector<Address>& addresses, const IndicatorOptions& options, 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Pins point up however the ball is turned.", "hedgehog-orientation"};
+  CLI::App app{"Plays an effect towards up while the ball is turned.", "hedgehog-orientation"};
   IndicatorOptions options;
   std::optional<std::string> address;
   std::optional<double> seconds;
@@ -67,15 +68,16 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", std::string("hedgehog-orientation " HEDGEHOG_VERSION));
   std::string loop = "daemon";
   std::string style = "pulse";
-  app.add_option("--loop", loop, "who follows the turning: client or daemon")
+  app.add_option("--loop", loop, "what follows the orientation: client or daemon")
       ->check(CLI::IsMember({"client", "daemon"}))
       ->capture_default_str();
   app.add_option("--style", style, "pulse (felt better) or steady (5 A)")
       ->check(CLI::IsMember({"pulse", "steady"}))
       ->capture_default_str();
   app.add_option("--address", address, "host:port or a socket's path (HEDGEHOG_ADDRESS)");
-  app.add_option("--seconds", seconds, "ends after; else at Ctrl-C")->check(CLI::PositiveNumber);
-  app.add_flag("--once", once, "ends when the daemon goes, instead of waiting for it");
+  app.add_option("--seconds", seconds, "ends after this time instead of at Ctrl-C")
+      ->check(CLI::PositiveNumber);
+  app.add_flag("--once", once, "ends with the connection instead of reconnecting");
   if (const auto code = parse_arguments(app, argc, argv)) return *code;
   options.loop = loop == "client" ? Loop::kClient : Loop::kDaemon;
   options.style = style == "steady" ? Style::kSteady : Style::kPulse;

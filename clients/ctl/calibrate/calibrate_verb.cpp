@@ -32,7 +32,9 @@ int write(const Session& session, const CalibrateOptions& options, const Calibra
   if (!base::write_file_atomically(options.out, device_file(found, before), kForEverybody).empty())
     return cannot_write(options.out);
   if (session.json) {
-    std::puts(nlohmann::json{{"written", options.out}}.dump().c_str());
+    // A file's name may have any bytes.
+    constexpr auto kReplace = nlohmann::json::error_handler_t::replace;
+    std::puts(nlohmann::json{{"written", options.out}}.dump(-1, ' ', false, kReplace).c_str());
     return kDone;
   }
   const std::string name = std::filesystem::path(options.out).stem().string();

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <utility>
 
+#include "base/parse_json.h"
 #include "clients/ctl/calibrate/rest_check.h"
 #include "clients/ctl/terminal/words.h"
 
@@ -102,13 +103,14 @@ std::optional<HeatProgress> read_progress(const std::string& text) {
   std::string line;
   try {
     if (!std::getline(lines, line)) return std::nullopt;
-    const Json first = Json::parse(line);
-    if (first.at("hedgehog_heating").get<int>() != kVersion) return std::nullopt;
-    HeatProgress progress = read_header(first);
+    const auto first = base::parse_json<Json>(line);
+    if (!first.good() || first.value.at("hedgehog_heating").get<int>() != kVersion)
+      return std::nullopt;
+    HeatProgress progress = read_header(first.value);
     while (std::getline(lines, line)) {
-      const Json sample = Json::parse(line, nullptr, false);
-      if (sample.is_discarded()) break;
-      read_sample(sample, progress);
+      const auto sample = base::parse_json<Json>(line);
+      if (!sample.good()) break;
+      read_sample(sample.value, progress);
     }
     return progress;
   } catch (const Json::exception&) {

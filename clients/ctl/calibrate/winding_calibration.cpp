@@ -260,7 +260,7 @@ class Windings {
 }  // namespace
 
 int print_error(const std::string& what) {
-  std::fprintf(stderr, "hedgehogctl calibrate: %s\n", what.c_str());
+  print_failure("failed", "calibrate: " + what);
   return kEndedOtherwise;
 }
 

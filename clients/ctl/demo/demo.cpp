@@ -34,7 +34,7 @@ void print_summary(const TourRecord& record, const protocol::LimitsDescription& 
   std::printf("\n %s s: 6 pulses, a circle, a skid, a compass, one long push. All coils are off.\n",
               fixed(seconds, 0).c_str());
   const bool derated = record.min_limit_a() < limits.current_a;
-  std::printf(" Hottest %s °C (trips at %s). The long push was %s.\n",
+  std::printf(" Hottest winding %s °C (trips at %s). The long push was %s.\n",
               fixed(record.hottest_c(), 1).c_str(), fixed(limits.trip_c, 0).c_str(),
               derated ? ("derated to " + fixed(record.min_limit_a(), 1) + " A, never cut").c_str()
                       : "never derated");
@@ -67,8 +67,7 @@ int play(Session& session, const DemoOptions& options) {
   if (!last) return complain(last.error());
   const std::vector<std::string> failures =
       player.record().failures(*last, player.began_ns(), options.private_daemon);
-  for (const std::string& failure : failures)
-    std::fprintf(stderr, "hedgehogctl: demo: %s\n", failure.c_str());
+  for (const std::string& failure : failures) print_failure("failed", "demo: " + failure);
   if (!failures.empty()) return kEndedOtherwise;
   print_summary(player.record(), player.limits(), *last, player.seconds());
   print_next();
@@ -83,7 +82,7 @@ int run_demo(const CommonOptions& common, const DemoOptions& options) {
   if (options.private_daemon) {
     auto started = PrivateDaemon::start(kWarmStartC, kColdAmbientC);
     if (!started) {
-      std::fprintf(stderr, "hedgehogctl: %s\n", started.error().message.c_str());
+      print_failure("no_daemon", started.error().message);
       return kUnavailable;
     }
     daemon = std::make_unique<PrivateDaemon>(*std::move(started));
@@ -95,7 +94,7 @@ int run_demo(const CommonOptions& common, const DemoOptions& options) {
     code = session ? play(*session, options) : static_cast<int>(complain(session.error()));
   }
   if (daemon != nullptr && daemon->stop() != 0 && code == kDone) {
-    std::fputs("hedgehogctl: demo: its daemon did not end cleanly\n", stderr);
+    print_failure("failed", "demo: its daemon did not end cleanly");
     code = kEndedOtherwise;
   }
   return code;

@@ -55,6 +55,7 @@ std::vector<std::string> demo_screen(const Ball& ball, const TourChapter& chapte
   lines.push_back(cut(request_line(status, playing), kScreenColumns));
   lines.emplace_back();
   lines.push_back(temperature_line(ball, thresholds_words(ball), style.ascii));
+  lines.push_back(windings_line(status, style.ascii));
   lines.push_back(current_line(ball, allowed_words(ball), style.ascii));
   lines.emplace_back();
   lines.push_back(spread("   " + ball_map_legend(style.ascii), "Ctrl-C: coils off, end"));

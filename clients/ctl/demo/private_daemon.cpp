@@ -84,7 +84,10 @@ std::string log_of(const fs::path& folder) {
 }  // namespace
 
 Outcome<PrivateDaemon> PrivateDaemon::start(double start_temperature_c, double ambient_c) {
-  std::string pattern = (fs::temp_directory_path() / "hedgehog-demo-XXXXXX").string();
+  std::error_code failed;
+  const fs::path temporary = fs::temp_directory_path(failed);
+  if (failed) return cannot_start("no temporary folder: " + failed.message());
+  std::string pattern = (temporary / "hedgehog-demo-XXXXXX").string();
   if (mkdtemp(pattern.data()) == nullptr) {
     return cannot_start("no temporary folder: " +
                         std::error_code(errno, std::generic_category()).message());

@@ -151,28 +151,27 @@ void TourPlayer::print_played() {
       felt += " " + std::to_string(pins[i]);
     felt += " … (" + std::to_string(pins.size()) + " passed)";
   }
-  std::printf("%5.1f s  %s %s A   %s   %s °C\n", static_cast<double>(step.at.count()) / 1000.0,
+  std::printf("%5.1f s  %s %s A   %s   %s\n", static_cast<double>(step.at.count()) / 1000.0,
               left(step.words, 17).c_str(), right(fixed(*current_a, 1), 5).c_str(), felt.c_str(),
-              fixed(ball_.status.temperature_c.model.value_or(0.0), 1).c_str());
+              temperature_words(ball_.status.temperature_c.model).c_str());
   std::fflush(stdout);
 }
 
 void TourPlayer::print_derating(const protocol::Event& event) {
   if (picture_ || event.type != "derating_started") return;
   print_played();
-  std::printf("%5.1f s  %s %s A allowed   %s °C\n", now_s(), left("derating", 17).c_str(),
+  std::printf("%5.1f s  %s %s A allowed   %s\n", now_s(), left("derating", 17).c_str(),
               right(fixed(event.limit_a.value_or(0.0), 1), 5).c_str(),
-              fixed(event.temperature_c.value_or(0.0), 1).c_str());
+              temperature_words(event.temperature_c).c_str());
   std::fflush(stdout);
 }
 
 void TourPlayer::print_rest(const TourChapter& chapter) {
   if (picture_) return;
   const protocol::Status& status = ball_.status;
-  std::printf("%5.1f s  %s %s A allowed   %s °C\n",
-              static_cast<double>(chapter.to.count()) / 1000.0, left(chapter.title, 17).c_str(),
-              right(fixed(status.limit_a, 1), 5).c_str(),
-              fixed(status.temperature_c.model.value_or(0.0), 1).c_str());
+  std::printf("%5.1f s  %s %s A allowed   %s\n", static_cast<double>(chapter.to.count()) / 1000.0,
+              left(chapter.title, 17).c_str(), right(fixed(status.limit_a, 1), 5).c_str(),
+              temperature_words(status.temperature_c.model).c_str());
   std::fflush(stdout);
 }
 

@@ -27,9 +27,7 @@ long felt_pins(const protocol::Status& status) {
 }  // namespace
 
 void TourRecord::take(const protocol::Status& status) {
-  const auto& temperature = status.temperature_c;
-  hottest_c_ =
-      std::max({hottest_c_, temperature.model.value_or(0.0), temperature.sensor.value_or(0.0)});
+  hottest_c_ = std::max(hottest_c_, status.temperature_c.model.value_or(0.0));
   min_limit_a_ = std::min(min_limit_a_, status.limit_a);
   if (status.pin && (pins_.empty() || pins_.back() != *status.pin)) pins_.push_back(*status.pin);
   max_felt_ = std::max(max_felt_, felt_pins(status));

@@ -14,6 +14,16 @@ namespace {
 // From a cool room to a little above the trip.
 constexpr double kScaleLowC = 22.0;
 constexpr double kScaleAboveTripC = 8.0;
+constexpr std::string_view kWindings = "xyz";
+
+std::size_t hottest_of(const protocol::TemperatureStatus& temperature) {
+  const auto& coils = temperature.coils;
+  return static_cast<std::size_t>(std::max_element(coils.begin(), coils.end()) - coils.begin());
+}
+
+std::string degrees(double celsius, bool ascii) {
+  return fixed(celsius, 1) + (ascii ? " C" : " °C");
+}
 
 }  // namespace
 
@@ -53,18 +63,46 @@ std::string allowed_words(const Ball& ball) {
 
 double current_norm_a(const protocol::Status& status) { return norm(status.current_a); }
 
+std::string hottest_winding(const protocol::Status& status) {
+  return std::string("winding ") + kWindings[hottest_of(status.temperature_c)];
+}
+
 std::string temperature_line(const Ball& ball, std::string_view behind, bool ascii) {
-  const auto& temperature = ball.status.temperature_c;
-  const std::optional<double> shown = temperature.sensor ? temperature.sensor : temperature.model;
+  const std::optional<double>& hottest = ball.status.temperature_c.model;
   const protocol::LimitsDescription& limits = ball.description.limits;
   const std::array marks{limits.derate_from_c, limits.trip_c};
-  const double hottest =
-      std::max(shown.value_or(kScaleLowC), temperature.model.value_or(kScaleLowC));
-  const std::string value =
-      shown ? fixed(*shown, 1) + (ascii ? " C" : " °C") : std::string("unknown");
-  return row("temperature", value,
-             bar(hottest, kScaleLowC, limits.trip_c + kScaleAboveTripC, marks, ascii) + "  " +
-                 std::string(behind));
+  return row("temperature", hottest ? degrees(*hottest, ascii) : "unknown",
+             bar(hottest.value_or(kScaleLowC), kScaleLowC, limits.trip_c + kScaleAboveTripC, marks,
+                 ascii) +
+                 "  " + std::string(behind));
+}
+
+std::string windings_line(const protocol::Status& status, bool ascii) {
+  const auto& temperature = status.temperature_c;
+  if (!temperature.model) return {};
+  const std::size_t hottest = hottest_of(temperature);
+  std::string others;
+  for (std::size_t i = 0; i < temperature.coils.size(); ++i) {
+    if (i == hottest) continue;
+    others += (others.empty() ? "" : ", ") + std::string(1, kWindings[i]) + " " +
+              degrees(temperature.coils[i], ascii);
+  }
+  return row("", hottest_winding(status), "the hottest; " + others);
+}
+
+std::string thermistor_line(const Ball& ball, bool ascii) {
+  const auto& temperature = ball.status.temperature_c;
+  const auto winding = static_cast<std::size_t>(
+      std::clamp<std::int64_t>(ball.description.thermal.sensor_winding, 0, 2));
+  std::string behind = std::string("on winding ") + kWindings[winding];
+  if (!temperature.age_ms)
+    behind += ", never read";
+  else if (temperature.sensor)
+    behind += ", " + std::to_string(*temperature.age_ms) + " ms old";
+  else
+    behind += ", silent for " + time_words(static_cast<double>(*temperature.age_ms) / 1000.0);
+  return row("thermistor", temperature.sensor ? degrees(*temperature.sensor, ascii) : "unknown",
+             behind);
 }
 
 std::string current_line(const Ball& ball, std::string_view behind, bool ascii) {

@@ -24,8 +24,16 @@ model::PinArray pin_array(const protocol::Description& description);
 /// "pulse" of "effect.pulse"; a slot's name where there is one.
 std::string effect_words(const protocol::EffectStatus& effect);
 
-/// "  temperature    41.2 °C  ━━━━━━─────┊───  <behind>".
+/// Of the hottest winding, which the thresholds belong to: "  temperature    41.2 °C  ━━━━──┊──
+/// <behind>".
 std::string temperature_line(const Ball& ball, std::string_view behind, bool ascii);
+/// Which winding that is, and the others: "               winding y  the hottest; x 40.8 °C, z
+/// 38.4 °C"; empty while none is known.
+std::string windings_line(const protocol::Status& status, bool ascii);
+/// "  thermistor     38.3 °C  on winding z, 3 ms old".
+std::string thermistor_line(const Ball& ball, bool ascii);
+/// "winding y".
+std::string hottest_winding(const protocol::Status& status);
 /// "  current          5.0 A  ━━━━──────────  <behind>".
 std::string current_line(const Ball& ball, std::string_view behind, bool ascii);
 

@@ -21,22 +21,27 @@ Health health_of(const Ball& ball) {
   if (status.state == "tripped" || status.state == "absent")
     return {2, "CRITICAL", is + ": " + status.reason.value_or("")};
   if (status.state != "armed") return {1, "WARNING", is + ": " + status.reason.value_or("")};
+  if (status.reason) return {1, "WARNING", is + ": " + *status.reason};
   if (status.derating || status.limit_a < ball.hello.limits.current_a)
     return {1, "WARNING", is + ", derated"};
-  if (!status.temperature_c.sensor) return {1, "WARNING", is + ", no temperature"};
+  if (!status.temperature_c.model) return {1, "WARNING", is + ", no temperature"};
+  if (!status.temperature_c.sensor)
+    return {1, "WARNING", is + ", no temperature from its thermistor"};
   if (status.loop.lateness_us.p99 > kLateUs) return {1, "WARNING", is + ", its loop is late"};
   return {0, "OK", is};
 }
 
-std::string measures_of(const Ball& ball, const std::optional<double>& shown,
-                        std::optional<std::size_t> clients) {
+std::string measures_of(const Ball& ball, std::optional<std::size_t> clients) {
   const Status& status = ball.status;
   const protocol::LimitsDescription& limits = ball.description.limits;
   std::string text;
-  if (shown) {
-    text += "temperature=" + fixed(*shown, 1) + ";" + fixed(limits.derate_from_c, 0) + ";" +
+  // The thresholds are those of the hottest winding; the thermistor, on one of them, has none.
+  if (const auto& hottest = status.temperature_c.model) {
+    text += "temperature=" + fixed(*hottest, 1) + ";" + fixed(limits.derate_from_c, 0) + ";" +
             fixed(limits.trip_c, 0) + " ";
   }
+  if (const auto& sensor = status.temperature_c.sensor)
+    text += "thermistor=" + fixed(*sensor, 1) + " ";
   text += "current=" + fixed(current_norm_a(status), 1) + " limit=" + fixed(allowed_a(status), 1) +
           " effects=" + std::to_string(status.effects.size()) +
           " lateness=" + fixed(status.loop.lateness_us.p99, 0) + "us;" + fixed(kLateUs, 0);
@@ -47,12 +52,11 @@ std::string measures_of(const Ball& ball, const std::optional<double>& shown,
 
 Check check_screen(const Ball& ball, std::optional<std::size_t> clients) {
   const Health health = health_of(ball);
-  const auto& temperature = ball.status.temperature_c;
-  const std::optional<double> shown = temperature.sensor ? temperature.sensor : temperature.model;
+  const std::optional<double>& hottest = ball.status.temperature_c.model;
   return {health.code, std::string("HEDGEHOG ") + health.word + " - " + health.why +
-                           (shown ? ", " + fixed(*shown, 1) + " C" : "") + ", " +
-                           fixed(allowed_a(ball.status), 1) + " A allowed | " +
-                           measures_of(ball, shown, clients)};
+                           (hottest ? ", hottest winding " + fixed(*hottest, 1) + " C" : "") +
+                           ", " + fixed(allowed_a(ball.status), 1) + " A allowed | " +
+                           measures_of(ball, clients)};
 }
 
 }  // namespace hedgehog::client

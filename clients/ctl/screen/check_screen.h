@@ -17,7 +17,8 @@ inline constexpr double kLateUs = 500.0;
 struct Check {
   /// 0 ok, 1 warning: derated, disarmed, no temperature, loop late, 2 critical: tripped or gone.
   int code = 0;
-  /// "HEDGEHOG OK - ball-7 armed, 41.2 C, 15.0 A allowed | temperature=41.2;60;70 ...".
+  /// "HEDGEHOG OK - ball-7 armed, hottest winding 41.2 C, 15.0 A allowed | temperature=41.2;60;70
+  /// thermistor=38.3 ...".
   std::string line;
 };
 

@@ -9,7 +9,7 @@
 namespace hedgehog::client {
 namespace {
 
-constexpr std::size_t kScreen = 80;
+constexpr std::size_t kNoEdge = std::string::npos;
 constexpr std::size_t kNameAt = 24;
 constexpr std::size_t kUseAt = 52;
 
@@ -23,15 +23,18 @@ std::string full_name(const protocol::SeenDevice& device) {
   std::string name = device.name;
   if (device.serial) name += " " + *device.serial;
   if (device.firmware) name += ", firmware " + *device.firmware;
+  if (device.protocol) name += ", protocol " + *device.protocol;
   return name;
 }
 
-/// Appends `text` to the last of `lines`, and below it from column `indent` on.
-void append_wrapped(std::vector<std::string>& lines, const std::string& text, std::size_t indent) {
+/// Appends `text` to the last of `lines`, and what is beyond `width` below it from column `indent`
+/// on.
+void append_wrapped(std::vector<std::string>& lines, const std::string& text, std::size_t indent,
+                    std::size_t width) {
   std::istringstream words(text);
   bool first = true;
   for (std::string word; words >> word; first = false) {
-    if (columns(lines.back()) + 1 + columns(word) > kScreen && columns(lines.back()) > indent) {
+    if (columns(lines.back()) + 1 + columns(word) > width && columns(lines.back()) > indent) {
       lines.emplace_back(indent, ' ');
       first = true;
     }
@@ -40,32 +43,33 @@ void append_wrapped(std::vector<std::string>& lines, const std::string& text, st
 }
 
 void append_device(std::vector<std::string>& lines, const protocol::SeenDevice& device,
-                   const std::string& ball) {
+                   const std::string& ball, std::size_t width) {
   lines.push_back(left("  " + left(device.path, 10) + " " + device.ids, kNameAt));
   const std::string name = full_name(device);
   const std::string use =
       device.use ? use_words(*device.use, ball) : "not used: " + device.why_not.value_or("");
-  const bool beside =
-      columns(name) + 2 <= kUseAt - kNameAt && (!device.use || columns(use) <= kScreen - kUseAt);
+  const bool beside = width == kNoEdge || (columns(name) + 2 <= kUseAt - kNameAt &&
+                                           (!device.use || columns(use) <= width - kUseAt));
   if (beside) {
-    lines.back() += left(name, kUseAt - kNameAt);
-    append_wrapped(lines, use, kNameAt);
+    lines.back() += left(name + "  ", kUseAt - kNameAt);
+    append_wrapped(lines, use, kNameAt, width);
     return;
   }
-  append_wrapped(lines, name, kNameAt);
+  append_wrapped(lines, name, kNameAt, width);
   lines.emplace_back(kNameAt, ' ');
-  append_wrapped(lines, use, kNameAt);
+  append_wrapped(lines, use, kNameAt, width);
 }
 
 }  // namespace
 
 std::vector<std::string> devices_screen(const protocol::DevicesResult& seen,
-                                        const std::string& ball) {
+                                        const std::string& ball, const ScreenStyle& style) {
+  const std::size_t width = style.cuts ? style.columns : kNoEdge;
   std::vector<std::string> lines;
-  for (const protocol::SeenDevice& device : seen.devices) append_device(lines, device, ball);
+  for (const protocol::SeenDevice& device : seen.devices) append_device(lines, device, ball, width);
   for (const protocol::MissingDevice& missing : seen.missing) {
     lines.push_back(left("  missing", kNameAt));
-    append_wrapped(lines, missing.use + ": " + missing.why, kNameAt);
+    append_wrapped(lines, missing.use + ": " + missing.why, kNameAt, width);
   }
   if (lines.empty()) lines.emplace_back("  nothing that hedgehogd knows is connected");
   if (seen.others > 0) {

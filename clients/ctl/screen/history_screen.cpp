@@ -15,6 +15,14 @@ std::string clock_of(const std::string& at) {
   return local_time(at, "%H:%M:%S") + "." + ms;
 }
 
+/// "  37 times, the last at 14:05:33.120" of events that are kept as one.
+std::string series_words(const protocol::PastEvent& past) {
+  if (!past.count || !past.last) return {};
+  const std::string day = local_time(*past.last, "%Y-%m-%d");
+  return "  " + std::to_string(*past.count) + " times, the last " +
+         (day == local_time(past.at, "%Y-%m-%d") ? "" : day + " ") + "at " + clock_of(*past.last);
+}
+
 }  // namespace
 
 std::vector<std::string> history_screen(const protocol::HistoryResult& history) {
@@ -27,7 +35,7 @@ std::vector<std::string> history_screen(const protocol::HistoryResult& history) 
       day = this_day;
     }
     lines.push_back("  " + clock_of(past.at) + "  " + event_words(past.event) +
-                    (past.client ? " (" + *past.client + ")" : ""));
+                    (past.client ? " (" + *past.client + ")" : "") + series_words(past));
   }
   if (lines.empty()) lines.emplace_back("  nothing has happened since");
   return lines;

@@ -30,6 +30,19 @@ std::vector<double> curve(const std::vector<std::array<double, 3>>& steps, std::
   return means;
 }
 
+/// A current that changes by less than a fiftieth is drawn as a line.
+bool is_constant(double lowest_a, double highest_a) {
+  constexpr double kSmallPart = 0.02;
+  const double largest_a = std::max(std::abs(lowest_a), std::abs(highest_a));
+  return highest_a - lowest_a <= std::max(kNothingA, kSmallPart * largest_a);
+}
+
+std::string constant_line(std::size_t columns, bool ascii) {
+  std::string line;
+  for (std::size_t i = 0; i < columns; ++i) line += ascii ? "-" : "─";
+  return line;
+}
+
 double span_of(const std::vector<double>& values) {
   const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
   return values.empty() ? 0.0 : *highest - *lowest;
@@ -67,6 +80,9 @@ std::vector<std::string> preview_screen(const std::string& what,
     if (lowest == preview.current_a.end() ||
         std::max(std::abs((*lowest)[axis]), std::abs((*highest)[axis])) < kNothingA) {
       line += "nothing flows";
+    } else if (is_constant((*lowest)[axis], (*highest)[axis])) {
+      line += left(fixed(0.5 * ((*lowest)[axis] + (*highest)[axis]), 1) + " A", 18) +
+              constant_line(curves[axis].size(), ascii);
     } else {
       line += left(fixed((*lowest)[axis], 1) + " to " + fixed((*highest)[axis], 1) + " A", 18) +
               sparkline(curves[axis], span_a, ascii);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "clients/ctl/terminal/words.h"
 #include "model/geometry/direction.h"
@@ -35,6 +36,8 @@ std::string force_line(const Status& status) {
 
 std::string headroom_line(const Ball& ball) {
   const Status& status = ball.status;
+  if (!status.temperature_c.model)
+    return row("headroom", "unknown", "nothing may flow until the temperature is known");
   if (status.state != "armed") return row("headroom", "none", "nothing may flow");
   std::string behind = "at this current";
   if (status.burst_s) {
@@ -77,7 +80,9 @@ std::string loop_line(const Status& status) {
                                     : grouped(static_cast<double>(loop.skipped)) + " skipped"));
 }
 
-void append_playing(const Status& status, std::vector<std::string>& lines) {
+void append_playing(const Status& status, const ScreenStyle& style,
+                    std::vector<std::string>& lines) {
+  const auto width = [&](std::size_t columns) { return style.cuts ? columns : std::string::npos; };
   if (status.effects.empty()) lines.push_back(row("playing", "nothing", ""));
   for (std::size_t i = 0; i < status.effects.size(); ++i) {
     const protocol::EffectStatus& effect = status.effects[i];
@@ -85,9 +90,9 @@ void append_playing(const Status& status, std::vector<std::string>& lines) {
         effect.playing ? time_words(static_cast<double>(effect.remaining_ms) / 1000.0) + " left"
                        : "waits";
     lines.push_back(row(i == 0 ? "playing" : "", "#" + std::to_string(effect.effect),
-                        left(cut(effect_words(effect), 10), 10) +
+                        left(cut(effect_words(effect), width(10)), 10) +
                             right(fixed(effect.current_a, 1) + " A", 7) + "   " +
-                            left(left_words, 13) + cut(effect.client.value_or(""), 24)));
+                            left(left_words, 13) + cut(effect.client.value_or(""), width(24))));
   }
 }
 
@@ -98,10 +103,11 @@ std::string last_trip_line(const Status& status) {
 }
 
 /// `words` and the keys at the right edge; `plain` is how wide the words are.
-std::string with_keys(const std::string& plain, const std::string& words) {
+std::string with_keys(const std::string& plain, const std::string& words, std::size_t width) {
   const std::string keys = "SPACE stops   q quits";
-  const std::size_t gap =
-      columns(plain) + columns(keys) < 77 ? 77 - columns(plain) - columns(keys) : std::size_t{2};
+  const std::size_t edge = width - 3;
+  const std::size_t taken = columns(plain) + columns(keys);
+  const std::size_t gap = taken < edge ? edge - taken : std::size_t{2};
   return " " + words + std::string(gap, ' ') + keys;
 }
 
@@ -111,10 +117,10 @@ std::string state_words(const Status& status, const ScreenStyle& style) {
   std::string words = status.state == "tripped" ? "TRIPPED" : status.state;
   if (status.reason) words += ": " + *status.reason;
   if (style.colour) {
-    const char* colour = status.state == "tripped" ? "\033[31m"
-                         : status.derating         ? "\033[33m"
-                         : status.state == "armed" ? "\033[32m"
-                                                   : "";
+    const char* colour = status.state == "tripped"          ? "\033[31m"
+                         : status.derating || status.reason ? "\033[33m"
+                         : status.state == "armed"          ? "\033[32m"
+                                                            : "\033[33m";
     words = colour + words + "\033[0m";
   }
   return status.device + (style.ascii ? " - " : " · ") + words;
@@ -124,11 +130,12 @@ std::string live_title(const Status& status, const ScreenStyle& style) {
   const std::string allowed =
       std::string(style.ascii ? " - " : " · ") + fixed(allowed_a(status), 1) + " A allowed";
   return with_keys(state_words(status, {.colour = false, .ascii = style.ascii}) + allowed,
-                   state_words(status, style) + allowed);
+                   state_words(status, style) + allowed, style.columns);
 }
 
 std::string warning_title(const std::string& warning, const ScreenStyle& style) {
-  return with_keys(warning, style.colour ? "\033[31m" + warning + "\033[0m" : warning);
+  return with_keys(warning, style.colour ? "\033[31m" + warning + "\033[0m" : warning,
+                   style.columns);
 }
 
 std::vector<std::string> status_screen(const Ball& ball, const ScreenStyle& style) {
@@ -136,10 +143,14 @@ std::vector<std::string> status_screen(const Ball& ball, const ScreenStyle& styl
   std::vector<std::string> lines{title_line(ball, style), ""};
   if (status.remedy) {
     lines.push_back("  " + *status.remedy);
-    lines.push_back("  " + time_words(status.since_s) + " ago. The coils are off and stay off.");
+    if (status.state != "armed")
+      lines.push_back("  " + time_words(status.since_s) + " ago. The coils are off and stay off.");
     lines.emplace_back();
   }
   lines.push_back(temperature_line(ball, thresholds_words(ball), style.ascii));
+  if (std::string windings = windings_line(status, style.ascii); !windings.empty())
+    lines.push_back(std::move(windings));
+  lines.push_back(thermistor_line(ball, style.ascii));
   if (status.temperature_c.thermometer) {
     lines.push_back(row("thermometer", fixed(*status.temperature_c.thermometer, 1) + " °C",
                         "the second one, beside the board's"));
@@ -153,7 +164,7 @@ std::vector<std::string> status_screen(const Ball& ball, const ScreenStyle& styl
   lines.push_back(orientation_line(status));
   lines.push_back(loop_line(status));
   lines.emplace_back();
-  append_playing(status, lines);
+  append_playing(status, style, lines);
   lines.push_back(last_trip_line(status));
   return lines;
 }

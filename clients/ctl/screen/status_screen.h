@@ -2,6 +2,7 @@
 // `hedgehogctl status`: one look at the ball, 80 columns.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,10 @@ namespace hedgehog::client {
 struct ScreenStyle {
   bool colour = false;
   bool ascii = false;
+  /// What is too long for its column ends in an ellipsis; false: a pipe or a file, all is printed.
+  bool cuts = true;
+  /// Of a live picture, at least 80.
+  std::size_t columns = 80;
 };
 
 /// "ball-7 · armed", green, amber or red where colours are wanted.

@@ -11,8 +11,11 @@ namespace hedgehog::client {
 
 namespace {
 
-constexpr std::size_t kMinuteColumns = kBarColumns;
-constexpr std::int64_t kSampleNs = 60'000'000'000 / static_cast<std::int64_t>(kMinuteColumns);
+constexpr std::size_t kUsualColumns = 80;
+constexpr std::size_t kBallColumns = 79;
+constexpr std::int64_t kMinuteNs = 60'000'000'000;
+constexpr std::size_t kMaxSamples = 240;
+constexpr std::int64_t kSampleNs = kMinuteNs / static_cast<std::int64_t>(kMaxSamples);
 constexpr std::size_t kHappenings = 3;
 
 std::string push_words(const protocol::Status& status) {
@@ -23,6 +26,8 @@ std::string push_words(const protocol::Status& status) {
 
 std::string headroom_words_of(const Ball& ball) {
   const protocol::Status& status = ball.status;
+  if (!status.temperature_c.model)
+    return row("headroom", "unknown", "nothing may flow until the temperature is known");
   if (status.state != "armed") return row("headroom", "none", "nothing may flow");
   std::string behind = status.derating ? "derated now" : "at this current";
   if (status.burst_s) {
@@ -44,12 +49,11 @@ std::string loop_words_of(const protocol::Status& status) {
 }  // namespace
 
 void WatchScreen::take(const protocol::Status& status) {
-  const auto& temperature = status.temperature_c;
-  const std::optional<double> shown = temperature.sensor ? temperature.sensor : temperature.model;
+  const std::optional<double>& shown = status.temperature_c.model;
   if (!shown || status.time_ns < next_sample_ns_) return;
   next_sample_ns_ = status.time_ns + kSampleNs;
   minute_c_.push_back(*shown);
-  if (minute_c_.size() > kMinuteColumns) minute_c_.pop_front();
+  if (minute_c_.size() > kMaxSamples) minute_c_.pop_front();
 }
 
 void WatchScreen::take(const protocol::Event& event, const std::string& clock) {
@@ -57,33 +61,43 @@ void WatchScreen::take(const protocol::Event& event, const std::string& clock) {
   if (happened_.size() > kHappenings) happened_.pop_back();
 }
 
-std::string WatchScreen::minute_line() const {
+std::vector<double> WatchScreen::last_minute(std::size_t width) const {
+  const std::size_t points = std::min(width, kMaxSamples);
+  std::vector<double> values;
+  for (std::size_t i = 0; i < points; ++i) {
+    // The newest sample that the column stands for; those that are not there yet are left out.
+    const std::size_t ago = kMaxSamples - (i + 1) * kMaxSamples / points;
+    if (ago < minute_c_.size()) values.push_back(minute_c_[minute_c_.size() - 1 - ago]);
+  }
+  return values;
+}
+
+std::string WatchScreen::minute_line(const protocol::Status& status) const {
   if (minute_c_.empty()) return row("last minute", "", "");
-  const std::vector<double> values(minute_c_.begin(), minute_c_.end());
+  const std::size_t width = style_.columns - kUsualColumns + kBarColumns;
+  const std::vector<double> values = last_minute(width);
   const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
-  return row("last minute", "",
-             left(sparkline(values, 4.0, style_.ascii), kMinuteColumns) + "  " + fixed(*lowest, 0) +
-                 " to " + fixed(*highest, 0) + (style_.ascii ? " C" : " °C"));
+  return row("last minute", hottest_winding(status),
+             left(sparkline(values, 4.0, style_.ascii), width) + "  " + fixed(*lowest, 0) + " to " +
+                 fixed(*highest, 0) + (style_.ascii ? " C" : " °C"));
 }
 
 std::vector<std::string> WatchScreen::lines(const Ball& ball) const {
   const protocol::Status& status = ball.status;
   std::vector<std::string> lines{live_title(status, style_)};
+  const std::string margin((style_.columns - kBallColumns) / 2, ' ');
   std::optional<model::Vec3> up;
   if (status.orientation) up = status.orientation->up;
-  for (std::string& line : ball_map(pin_array(ball.description), status.pins.force_n,
-                                    {.ascii = style_.ascii, .room_up = up}))
-    lines.push_back(std::move(line));
+  for (const std::string& line : ball_map(pin_array(ball.description), status.pins.force_n,
+                                          {.ascii = style_.ascii, .room_up = up}))
+    lines.push_back(margin + line);
   lines.push_back("    " + left(ball_map_legend(style_.ascii), 44) + push_words(status));
   lines.push_back(status.remedy ? "  " + *status.remedy : "");
-  const auto& temperature = status.temperature_c;
-  lines.push_back(
-      temperature_line(ball,
-                       (temperature.sensor ? "sensor; model " : "model; no sensor ") +
-                           (temperature.model ? fixed(*temperature.model, 1) : "unknown") +
-                           (style_.ascii ? " C" : " °C"),
-                       style_.ascii));
-  lines.push_back(minute_line());
+  const std::optional<double>& sensor = status.temperature_c.sensor;
+  const std::string degrees = style_.ascii ? " C" : " °C";
+  lines.push_back(temperature_line(
+      ball, "thermistor " + (sensor ? fixed(*sensor, 1) + degrees : "unknown"), style_.ascii));
+  lines.push_back(minute_line(status));
   lines.push_back(current_line(ball,
                                "x " + fixed_signed(status.current_a.x, 1) + "  y " +
                                    fixed_signed(status.current_a.y, 1) + "  z " +

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// `hedgehogctl watch`: the ball as it lives, in 80x24.
+// `hedgehogctl watch`: the ball as it lives, in 80x24 or wider.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <string>
@@ -18,6 +19,9 @@ class WatchScreen {
  public:
   explicit WatchScreen(ScreenStyle style) : style_(style) {}
 
+  /// The terminal's, at least 80: the picture takes all of them.
+  void set_columns(std::size_t columns) { style_.columns = columns; }
+
   void take(const protocol::Status& status);
   /// `clock` is the person's time of day, "14:03:21".
   void take(const protocol::Event& event, const std::string& clock);
@@ -25,7 +29,8 @@ class WatchScreen {
   std::vector<std::string> lines(const Ball& ball) const;
 
  private:
-  std::string minute_line() const;
+  std::vector<double> last_minute(std::size_t width) const;
+  std::string minute_line(const protocol::Status& status) const;
 
   ScreenStyle style_;
   std::deque<double> minute_c_;

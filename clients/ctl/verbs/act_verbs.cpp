@@ -10,10 +10,19 @@ namespace hedgehog::client {
 int run_stop(Session& session) {
   const auto text = session.connection.call_text(protocol::DeviceEmergencyStop{});
   if (!text) return complain(text.error());
-  if (session.json)
+  if (session.json) {
     std::puts(text->c_str());
-  else
-    std::puts("The coils are off and stay off until: hedgehogctl arm");
+    return kDone;
+  }
+  std::puts("The coils are off and stay off until: hedgehogctl arm");
+  const auto stopped = protocol::decode_result<protocol::StateResult>(*text);
+  if (stopped && !stopped->on_disk.value_or(true)) {
+    std::fputs(
+        "The stop is not on the daemon's disk (its log says why): a kill of the daemon or a loss "
+        "of "
+        "power may forget it\n",
+        stderr);
+  }
   return kDone;
 }
 
@@ -26,10 +35,11 @@ int run_arm(Session& session) {
   }
   const auto status = session.connection.call(protocol::DeviceStatus{});
   if (!status) return complain(status.error());
-  const auto& temperature = status->temperature_c;
-  const auto shown = temperature.sensor ? temperature.sensor : temperature.model;
-  std::printf("%s is %s. %s °C, %s A allowed.\n", status->device.c_str(), status->state.c_str(),
-              shown ? fixed(*shown, 1).c_str() : "?", fixed(status->limit_a, 1).c_str());
+  const std::optional<double>& hottest = status->temperature_c.model;
+  std::printf("%s is %s. Hottest winding %s, %s A allowed.\n", status->device.c_str(),
+              status->state.c_str(),
+              hottest ? (fixed(*hottest, 1) + " °C").c_str() : "at an unknown temperature",
+              fixed(status->limit_a, 1).c_str());
   return kDone;
 }
 

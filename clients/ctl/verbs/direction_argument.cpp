@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "clients/ctl/verbs/text_argument.h"
+
 namespace hedgehog::client {
 
 Outcome<std::string> direction_json(const std::string& text) {
   using nlohmann::json;
   const json numbers = json::parse("[" + text + "]", nullptr, false);
-  if (numbers.is_discarded()) return json(text).dump();
+  if (numbers.is_discarded()) return text_json("direction", text);
   const bool only_numbers =
       std::all_of(numbers.begin(), numbers.end(), [](const json& n) { return n.is_number(); });
   if (only_numbers && numbers.size() == 3) return numbers.dump();

@@ -67,10 +67,8 @@ bool is_among(const protocol::HistoryResult& past, const protocol::Event& event)
 
 int run_watch(Session& session) {
   if (!terminal_traits().picture) {
-    std::fputs(
-        "hedgehogctl: watch draws a picture: it needs a terminal of 80 columns and 22 rows\n",
-        stderr);
-    return kUsage;
+    return complain({Failure::kBadAddress,
+                     "watch draws a picture: it needs a terminal of 80 columns and 22 rows"});
   }
   auto ball = look(session.connection);
   if (!ball) return complain(ball.error());
@@ -84,6 +82,7 @@ int run_watch(Session& session) {
     if (const auto* telemetry = std::get_if<protocol::TelemetryMessage>(&notification)) {
       ball->status = telemetry->telemetry.status;
       screen.take(ball->status);
+      screen.set_columns(live_columns());
       return screen.lines(*ball);
     }
     screen.take(std::get<protocol::EventMessage>(notification).event, time_of_day());
@@ -126,10 +125,8 @@ int run_telemetry(Session& session, const TelemetryOptions& options) {
     request.fields = {};
     for (const std::string& field : options.fields) {
       const auto key = protocol::enumerator_named<protocol::StatusKey>(field);
-      if (!key) {
-        std::fprintf(stderr, "hedgehogctl: fields: the status has no '%s'\n", field.c_str());
-        return kUsage;
-      }
+      if (!key)
+        return complain({Failure::kBadAddress, "fields: the status has no '" + field + "'"});
       request.fields.add(*key);
     }
   }

@@ -80,7 +80,9 @@ int draw_until_left(Session& session,
     std::vector<std::string> shown = lines;
     if (const std::string warning = trust.warning(); !warning.empty()) {
       shown.resize(std::max(shown.size(), std::size_t{1}));
-      shown.front() = warning_title(warning, session.style);
+      ScreenStyle style = session.style;
+      style.columns = live_columns();
+      shown.front() = warning_title(warning, style);
     }
     terminal.draw(shown);
     if (!press(terminal.typed(), trust)) return kDone;
@@ -91,6 +93,11 @@ int draw_until_left(Session& session,
 }  // namespace
 
 std::string time_of_day() { return local_time(base::rfc3339(base::unix_ms_now()), "%H:%M:%S"); }
+
+std::size_t live_columns() {
+  constexpr std::size_t kMinColumns = 80;
+  return std::max(kMinColumns, terminal_size().columns);
+}
 
 int follow(Session& session, const std::function<bool(const Notification&)>& take) {
   while (!interrupted()) {
@@ -104,7 +111,7 @@ int follow(Session& session, const std::function<bool(const Notification&)>& tak
 int follow_drawing(Session& session,
                    const std::function<std::vector<std::string>(const Notification&)>& draw) {
   const int code = draw_until_left(session, draw);
-  if (code == kUnavailable) std::fputs("hedgehogctl: the daemon ended the connection\n", stderr);
+  if (code == kUnavailable) print_failure("closed", "the daemon ended the connection");
   return code;
 }
 

@@ -2,6 +2,7 @@
 // What the verbs share that go on until Ctrl-C.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -12,6 +13,9 @@ namespace hedgehog::client {
 
 /// The person's time of day, "14:03:21".
 std::string time_of_day();
+
+/// The columns for a live picture: the terminal's, or 80 where it has fewer.
+std::size_t live_columns();
 
 /// Calls `take` with each notification until Ctrl-C, until `take` returns false, or until the
 /// connection fails. Returns the exit code.

@@ -5,8 +5,10 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "clients/ctl/screen/check_json.h"
 #include "clients/ctl/screen/check_screen.h"
 #include "clients/ctl/screen/devices_screen.h"
+#include "clients/ctl/screen/forecast_screen.h"
 #include "clients/ctl/screen/trips_screen.h"
 #include "clients/ctl/terminal/words.h"
 #include "clients/ctl/verbs/direction_argument.h"
@@ -21,10 +23,6 @@ void print(const std::vector<std::string>& lines) {
   for (const std::string& line : lines) std::puts(line.c_str());
 }
 
-std::string forecast_words(std::optional<double> seconds) {
-  return seconds ? "in " + time_words(*seconds) : "never";
-}
-
 /// How many others are connected; nothing: this one's role may not ask.
 std::optional<std::size_t> others_of(Connection& connection, const Ball& ball) {
   const auto list = connection.call(protocol::ConnectionList{});
@@ -32,6 +30,11 @@ std::optional<std::size_t> others_of(Connection& connection, const Ball& ball) {
   return static_cast<std::size_t>(
       std::count_if(list->connections.begin(), list->connections.end(),
                     [&](const auto& info) { return info.connection != ball.hello.connection; }));
+}
+
+int print_check(const Check& check, bool as_json) {
+  std::puts(as_json ? check_json(check).c_str() : check.line.c_str());
+  return check.code;
 }
 
 }  // namespace
@@ -59,13 +62,14 @@ int run_clients(Session& session) {
   }
   const auto list = protocol::decode_result<protocol::ConnectionsResult>(*text);
   if (!list) return complain({Failure::kProtocol, list.error().message, {}});
+  const std::size_t name_columns = session.style.cuts ? 20 : std::string::npos;
   std::puts("    #  CLIENT                VIA   ROLE      SINCE         PLAYS");
   for (const protocol::ConnectionInfo& info : list->connections) {
     std::string plays;
     for (const protocol::EffectStatus& effect : info.effects)
       plays += (plays.empty() ? "" : ", ") + effect_words(effect);
     std::printf("%5lld  %s%s%s%s%s%s\n", static_cast<long long>(info.connection),
-                left(cut(info.client.value_or("-"), 20), 22).c_str(),
+                left(cut(info.client.value_or("-"), name_columns) + "  ", 22).c_str(),
                 left(info.transport, 6).c_str(), left(protocol::name(info.role), 10).c_str(),
                 left(time_words(info.since_s), 14).c_str(), plays.empty() ? "-" : plays.c_str(),
                 info.claimed ? "  (the ball is its alone)" : "");
@@ -85,7 +89,7 @@ int run_trips(Session& session) {
   }
   const auto history = protocol::decode_result<protocol::HistoryResult>(*text);
   if (!history) return complain({Failure::kProtocol, history.error().message, {}});
-  print(trips_screen(*history));
+  print(trips_screen(*history, session.style));
   return kDone;
 }
 
@@ -101,7 +105,7 @@ int run_devices(Session& session) {
   const auto list = protocol::decode_result<protocol::DevicesResult>(*text);
   if (!list) return complain({Failure::kProtocol, list.error().message, {}});
   if (hello->device.simulated) std::printf("  %s is simulated\n", hello->device.name.c_str());
-  print(devices_screen(*list, hello->device.name));
+  print(devices_screen(*list, hello->device.name, session.style));
   return kDone;
 }
 
@@ -120,16 +124,7 @@ int run_forecast(Session& session, const ForecastOptions& options) {
   }
   const auto forecast = protocol::decode_result<protocol::ForecastResult>(*text);
   if (!forecast) return complain({Failure::kProtocol, forecast.error().message, {}});
-  std::printf(
-      "%s A from now, %s:\n", fixed(options.current_a, 1).c_str(),
-      options.direction.empty() ? "on the coil that bears it least" : options.direction.c_str());
-  std::printf("  derated     %s\n", forecast_words(forecast->seconds_to_derating).c_str());
-  std::printf("  70 °C       %s, if nothing were reduced\n",
-              forecast_words(forecast->seconds_to_limit).c_str());
-  std::printf("  for ever    %s A\n", fixed(forecast->sustainable_a, 1).c_str());
-  std::printf("  full again  %s\n", forecast->recovery_s && *forecast->recovery_s <= 0.0
-                                        ? "now"
-                                        : forecast_words(forecast->recovery_s).c_str());
+  print(forecast_screen(*forecast, options.current_a, options.direction));
   return kDone;
 }
 
@@ -138,12 +133,14 @@ int run_check(const CommonOptions& options) {
   auto ball = session ? look(session->connection) : Outcome<Ball>(session.error());
   if (!ball) {
     const bool gone = ball.error().failure == Failure::kNoDaemon;
-    std::printf("HEDGEHOG %s - %s\n", gone ? "CRITICAL" : "UNKNOWN", ball.error().message.c_str());
-    return gone ? 2 : 3;
+    if (!gone) return print_unknown(ball.error().message, options.json);
+    return print_check({2, "HEDGEHOG CRITICAL - " + ball.error().message}, options.json);
   }
-  const Check check = check_screen(*ball, others_of(session->connection, *ball));
-  std::puts(check.line.c_str());
-  return check.code;
+  return print_check(check_screen(*ball, others_of(session->connection, *ball)), options.json);
+}
+
+int print_unknown(const std::string& what, bool as_json) {
+  return print_check({3, "HEDGEHOG UNKNOWN - " + what}, as_json);
 }
 
 }  // namespace hedgehog::client

@@ -24,6 +24,9 @@ int run_forecast(Session& session, const ForecastOptions& options);
 
 /// Speaks the monitoring plug-ins' language: one line, 0 ok, 1 warning, 2 critical, 3 unknown.
 /// Opens its own connection, because no daemon is an answer too.
+/// --json: the same as an object, `check_json`.
 int run_check(const CommonOptions& options);
+/// What `check` prints and returns when it cannot know: "HEDGEHOG UNKNOWN - <what>", 3.
+int print_unknown(const std::string& what, bool as_json);
 
 }  // namespace hedgehog::client

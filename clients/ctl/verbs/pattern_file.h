@@ -12,10 +12,14 @@ namespace hedgehog::client {
 /// What is meant by it on a command line: a file rather than the name of a pattern. It ends in
 /// ".json"; and "acme/x.json", which may be a vendor's pattern too, only where there is that file.
 bool is_pattern_file(const std::string& text);
+/// `text`, which ends as files do, is no pattern's name, or there is such a file.
+bool names_a_file(const std::string& text);
 
-/// The whole file; kNoInput when it cannot be read, or is larger than 4 MiB.
+/// The whole regular file; kNoInput when it is none, cannot be read, or is larger than 4 MiB.
 Outcome<std::string> read_text(const std::string& path);
 /// kBadData: "<path>: <what is wrong>".
 Outcome<protocol::Pattern> read_pattern(const std::string& path);
+/// As such files are written: a key frame a line, as the shipped ones; without the last LF.
+std::string pattern_text(const protocol::Pattern& pattern);
 
 }  // namespace hedgehog::client

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "clients/ctl/terminal/words.h"
 #include "clients/ctl/verbs/pattern_file.h"
@@ -24,21 +23,6 @@ constexpr std::size_t kLineColumns = 78;
 /// "30", "30.5".
 std::string seconds(std::int64_t ms) {
   return fmt::format("{:g}", static_cast<double>(ms) / 1000.0);
-}
-
-/// A key frame a line, as the shipped ones are written.
-void print_pattern(const protocol::Pattern& pattern) {
-  const auto document = nlohmann::ordered_json::parse(protocol::encode_pattern(pattern));
-  std::string out = "{\n";
-  for (const auto& [key, value] : document.items())
-    if (key != "keyframes") out += "  \"" + key + "\": " + value.dump() + ",\n";
-  out += "  \"keyframes\": [";
-  const char* before = "\n    ";
-  for (const auto& frame : document["keyframes"]) {
-    out += before + frame.dump();
-    before = ",\n    ";
-  }
-  std::puts((out + "\n  ]\n}").c_str());
 }
 
 /// What `play` needs besides its name to play it whole; empty: nothing.
@@ -87,7 +71,8 @@ int run_pattern_list(Session& session) {
   for (const protocol::PatternSummary& p : list->patterns) {
     const std::string head = "  " + left(p.name, kNameColumns) +
                              right(std::to_string(p.duration_ms) + " ms", kTimeColumns) + "  ";
-    std::puts(cut(head + p.description, kLineColumns).c_str());
+    const std::string line = head + p.description;
+    std::puts((session.style.cuts ? cut(line, kLineColumns) : line).c_str());
   }
   return kDone;
 }
@@ -95,7 +80,7 @@ int run_pattern_list(Session& session) {
 int run_pattern_get(Session& session, const std::string& name) {
   const auto answer = session.connection.call(protocol::PatternGet{name});
   if (!answer) return complain(answer.error());
-  print_pattern(answer->pattern);
+  std::puts(pattern_text(answer->pattern).c_str());
   return kDone;
 }
 
@@ -130,7 +115,7 @@ int run_pattern_import(const CommonOptions& common, const ImportOptions& options
   for (const std::string& note : imported->notes)
     std::fprintf(stderr, "hedgehogctl: %s: %s\n", options.file.c_str(), note.c_str());
   if (!options.put) {
-    print_pattern(imported->pattern);
+    std::puts(pattern_text(imported->pattern).c_str());
     return kDone;
   }
   auto session = open_session(common);

@@ -49,7 +49,9 @@ int draw_pins(Session& session) {
     const auto* telemetry = std::get_if<protocol::TelemetryMessage>(&notification);
     if (telemetry == nullptr) return std::vector<std::string>{};
     ball->status = telemetry->telemetry.status;
-    return pins_screen(*ball, session.style);
+    ScreenStyle style = session.style;
+    style.columns = live_columns();
+    return pins_screen(*ball, style);
   });
 }
 

@@ -14,30 +14,44 @@
 
 namespace hedgehog::client {
 
+/// What a sound file becomes, besides the parameters of effects: see sound::SliceOptions.
+struct SoundOptions {
+  double low_hz = 150.0;
+  double pulses = 1.0;
+  double vibration = 1.0;
+};
+
 struct PlayOptions {
   /// "effect.pulse" ...
-  std::string method;
+  std::string method{};
   /// As a person says it: a word, "34" (a pin), "90,20" (azimuth, elevation) or "0,1,0.5" (a
   /// vector); empty: not said.
-  std::string direction;
+  std::string direction{};
   /// play: the name of a pattern, or a file of one (it has a slash and ends in .json, or exists).
-  std::string pattern;
+  std::string pattern{};
   /// Parameters under their wire names; numbers and words as typed.
-  std::vector<std::pair<std::string, std::string>> params;
+  std::vector<std::pair<std::string, std::string>> params{};
   /// play: again and again.
   bool loop = false;
-  /// hold, and play in a loop: how long, seconds; nothing: until Ctrl-C.
-  std::optional<double> hold_s;
+  /// How long it is renewed, seconds; nothing: until Ctrl-C, if it is renewed at all.
+  std::optional<double> hold_s{};
 
-  /// It has a lease that is renewed.
-  bool held() const { return method == "effect.hold" || loop; }
+  /// play: of a sound file.
+  SoundOptions sound{};
+
+  /// It has a lease, which is renewed.
+  bool held() const;
 };
 
 int run_play(Session& session, const PlayOptions& options);
 int run_preview(Session& session, const PlayOptions& options);
 
-/// The `params` object of `options` as JSON text; an error when the direction or the
-/// pattern's file cannot be read.
+/// The `params` object of `options` as JSON text; an error when a direction or the pattern's file
+/// cannot be read.
 Outcome<std::string> play_params(const PlayOptions& options);
+
+/// `options` with an end: a circle without one goes once round, in steps of `pitch_deg`. Longer
+/// than an effect may last it is renewed for that time.
+PlayOptions with_end(PlayOptions options, double pitch_deg = model::kThesisPitchDeg);
 
 }  // namespace hedgehog::client

@@ -11,8 +11,9 @@ Outcome<Session> open_session(const CommonOptions& options) {
   auto connection = Connection::open(*addresses);
   if (!connection) return connection.error();
   const TerminalTraits traits = terminal_traits();
-  return Session{
-      *std::move(connection), options.json, {.colour = traits.colour, .ascii = traits.ascii}};
+  return Session{*std::move(connection),
+                 options.json,
+                 {.colour = traits.colour, .ascii = traits.ascii, .cuts = traits.has_edge}};
 }
 
 Outcome<Ball> look(Connection& connection) {

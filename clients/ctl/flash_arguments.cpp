@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#include "clients/ctl/flash_arguments.h"
+
+#include <CLI/CLI.hpp>
+
+namespace hedgehog::client {
+
+void add_flash_arguments(CLI::App& command, FlashOptions& options) {
+  constexpr double kMaxWait = 600.0;
+  command.add_option("file", options.file, "a UF2 file for the board's RP2040")->required();
+  command.add_flag("--check", options.check, "only looks at the file; no daemon is needed");
+  command.add_option(
+      "--volume", options.volume,
+      "where RPI-RP2 is or will be mounted; else it is looked for, and picotool used");
+  command
+      .add_option("--wait-s", options.wait_s,
+                  "for the boot loader to be found, and for the board to come back")
+      ->check(CLI::Range(0.0, kMaxWait))
+      ->capture_default_str();
+}
+
+}  // namespace hedgehog::client

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "clients/ctl/verbs/record_verb.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "base/atomic_file.h"
+#include "clients/common/interrupts.h"
+#include "clients/ctl/verbs/direction_argument.h"
+#include "clients/ctl/verbs/path.h"
+#include "clients/ctl/verbs/pattern_file.h"
+#include "model/quaternion.h"
+#include "protocol/wire/direction.h"
+
+namespace hedgehog::client {
+
+namespace {
+
+using model::Quaternion;
+using model::Vec3;
+
+constexpr double kRecordHz = 100.0;
+constexpr Milliseconds kInterruptPoll{50};
+/// Older ones are no measurement of now: the daemon calls it lost after 50 ms.
+constexpr std::int64_t kStaleMs = 50;
+
+/// The pointer as a unit vector of the ball.
+Outcome<Vec3> pointer_of(Session& session, const std::string& text) {
+  const auto json = direction_json(text);
+  if (!json) return json.error();
+  // A key frame's direction is read as every direction of the protocol.
+  const auto pattern = protocol::decode_pattern(
+      R"({"name":"a/a","keyframes":[{"t_ms":1,"level":1,"direction":)" + *json + "}]}");
+  if (!pattern || !pattern->keyframes.front().direction)
+    return ClientError{Failure::kBadAddress, "--pointer: '" + text + "' is no direction", {}};
+  const auto description = session.connection.call(protocol::DeviceDescribe{});
+  if (!description) return description.error();
+  const auto direction = protocol::resolve(*pattern->keyframes.front().direction,
+                                           pin_array(*description), "--pointer");
+  if (!direction) return ClientError{Failure::kBadAddress, direction.error().message, {}};
+  return *direction;
+}
+
+class Recorder {
+ public:
+  Recorder(const RecordOptions& options, const Vec3& pointer)
+      : until_ms_(std::llround(
+            1000.0 * std::min(options.seconds.value_or(kMaxRecordSeconds), kMaxRecordSeconds))),
+        pointer_(pointer) {}
+
+  /// False: the time is over.
+  bool take(const protocol::Status& status) {
+    const auto& orientation = status.orientation;
+    if (begin_ns_ == 0) begin_ns_ = status.time_ns;
+    if (!orientation || orientation->age_ms > kStaleMs) {
+      ++lost_;
+      return (status.time_ns - begin_ns_) / 1'000'000 < until_ms_;
+    }
+    if (points_.empty()) {
+      begin_ns_ = status.time_ns;
+      home_ = conjugate(orientation->quaternion);
+    }
+    const std::int64_t t_ms = (status.time_ns - begin_ns_) / 1'000'000;
+    if (points_.empty() || t_ms > points_.back().t_ms) {
+      const Vec3 points_to = rotate(home_ * orientation->quaternion, pointer_);
+      points_.push_back({std::min(t_ms, until_ms_), model::unit_or(points_to, pointer_)});
+    }
+    return t_ms < until_ms_;
+  }
+
+  const std::vector<PathPoint>& points() const noexcept { return points_; }
+  int lost() const noexcept { return lost_; }
+
+ private:
+  std::int64_t until_ms_;
+  Vec3 pointer_;
+  Quaternion home_{};
+  std::int64_t begin_ns_ = 0;  // of the recording, or of waiting for an orientation
+  int lost_ = 0;
+  std::vector<PathPoint> points_;
+};
+
+Outcome<void> record(Session& session, Recorder& recorder) {
+  protocol::StatusKeys keys;
+  keys.add(protocol::StatusKey::kOrientation);
+  if (auto asked = session.connection.call(protocol::TelemetrySubscribe{kRecordHz, keys}); !asked)
+    return asked.error();
+  while (!interrupted()) {
+    auto notification = session.connection.next(kInterruptPoll);
+    if (!notification) return notification.error();
+    if (!*notification) continue;
+    const auto* message = std::get_if<protocol::TelemetryMessage>(&**notification);
+    if (message != nullptr && !recorder.take(message->telemetry.status)) break;
+  }
+  return {};
+}
+
+int print_failed(const std::string& name, const std::string& message, int code) {
+  print_failure(name, message);
+  return code;
+}
+
+void print_recorded(const Session& session, const RecordOptions& options,
+                    const SimplifiedPath& path, int lost) {
+  const std::int64_t takes_ms = path.keyframes.back().t_ms;
+  if (session.json) {
+    std::puts(nlohmann::json{{"file", options.file},
+                             {"duration_ms", takes_ms},
+                             {"keyframes", path.keyframes.size()},
+                             {"error_deg", std::round(path.error_deg * 100.0) / 100.0},
+                             {"lost", lost}}
+                  .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)
+                  .c_str());
+    return;
+  }
+  const bool long_one = takes_ms > protocol::kMaxDurationMs;
+  const std::string more =
+      long_one ? fmt::format(" --loop --for {:g}", static_cast<double>(takes_ms) / 1000.0) : "";
+  fmt::print(
+      "{}: {:.1f} s as {} key frames, off by {:.1f} degrees at most: hedgehogctl play {}{}\n",
+      options.file, static_cast<double>(takes_ms) / 1000.0, path.keyframes.size(), path.error_deg,
+      options.file, more);
+  if (lost > 0) fmt::print(stderr, "hedgehogctl: the orientation was not known {} times\n", lost);
+}
+
+}  // namespace
+
+int run_record(Session& session, const RecordOptions& options) {
+  std::error_code ec;
+  if (!options.replace && std::filesystem::exists(options.file, ec))
+    return print_failed("failed", options.file + " is there already; --force replaces it",
+                        kCannotCreate);
+  if (auto hello = session.connection.hello("hedgehogctl"); !hello) return complain(hello.error());
+  const auto pointer = pointer_of(session, options.pointer);
+  if (!pointer) return complain(pointer.error());
+  if (!session.json)
+    fmt::print(stderr, "Turn the ball{}. Ctrl-C ends the recording.\n",
+               options.seconds ? fmt::format(" for {:g} s", *options.seconds) : std::string());
+  Recorder recorder(options, *pointer);
+  if (auto recorded = record(session, recorder); !recorded) return complain(recorded.error());
+  if (recorder.points().size() < 2)
+    return print_failed(
+        "failed", "nothing was recorded: the ball has no orientation sensor, or it was too short",
+        kUnavailable);
+  const SimplifiedPath path =
+      simplify_path(recorder.points(), options.tolerance_deg, options.level);
+  protocol::Pattern pattern;
+  pattern.name = options.name;
+  pattern.keyframes = path.keyframes;
+  const std::string text = pattern_text(pattern) + "\n";
+  if (const auto good = protocol::decode_pattern(text); !good)
+    return print_failed("usage", good.error().message, kUsage);
+  if (const std::string problem = base::write_file_atomically(options.file, text); !problem.empty())
+    return print_failed("failed", options.file + ": " + problem, kCannotCreate);
+  print_recorded(session, options, path, recorder.lost());
+  return kDone;
+}
+
+}  // namespace hedgehog::client

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Recording by demonstration: the way that a direction of the ball takes while it is turned.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "clients/ctl/verbs/session.h"
+
+namespace hedgehog::client {
+
+struct RecordOptions {
+  /// The pattern file to write.
+  std::string file;
+  bool replace = false;
+  /// Of the pattern.
+  std::string name = "recorded/path";
+  /// What points: as typed, see direction_json.
+  std::string pointer = "front";
+  /// Device time; nothing: until Ctrl-C, 60 s at most.
+  std::optional<double> seconds{};
+  double tolerance_deg = 2.0;
+  /// Of every key frame, 0..1.
+  double level = 1.0;
+};
+
+inline constexpr double kMaxRecordSeconds = 60.0;
+
+/// Writes where the pointer pointed, seen from how the ball lay at the beginning. Ctrl-C ends the
+/// recording, not the verb.
+int run_record(Session& session, const RecordOptions& options);
+
+}  // namespace hedgehog::client

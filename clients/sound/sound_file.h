@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Sound files, read piece by piece: what libsndfile reads (WAV, FLAC, Ogg, AIFF, MP3).
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "clients/lib/client_error.h"
+
+namespace hedgehog::sound {
+
+inline constexpr int kMinRateHz = 8'000;
+inline constexpr int kMaxRateHz = 192'000;
+inline constexpr int kMaxChannels = 8;
+inline constexpr double kMaxFileSeconds = 24.0 * 3600.0;
+
+/// One sample of both sides, -1..1.
+struct StereoSample {
+  double left = 0.0;
+  double right = 0.0;
+};
+
+/// Movable; one thread at a time. Memory does not depend on the file's length.
+class SoundFile {
+ public:
+  /// kNoInput: not there, no regular file; kBadData: no sound file, or one beyond the bounds above.
+  static client::Outcome<SoundFile> open(const std::string& path);
+  SoundFile(SoundFile&&) noexcept;
+  SoundFile& operator=(SoundFile&&) noexcept;
+  ~SoundFile();
+
+  double rate_hz() const noexcept;
+  double seconds() const noexcept;
+  /// The next `count` samples, fewer at the end, none behind it. One channel is on both sides; of
+  /// more than two the first is left, the second right, and the others are on both, halved. Values
+  /// that are no number are 0, those beyond full scale are cut.
+  std::vector<StereoSample> read(std::size_t count);
+
+ private:
+  struct Open;
+  explicit SoundFile(std::unique_ptr<Open> file);
+
+  std::unique_ptr<Open> file_;
+};
+
+}  // namespace hedgehog::sound
