@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: MIT
+# One connection's conversation: the introduction, requests with their responses, notifications. Nothing here waits.
+
+const Connection = preload("res://addons/hedgehog/connection.gd")
+
+# What the daemon told of itself; empty: not yet.
+var hello := {}
+# Set once it has ended: why.
+var ended := ""
+# Of the introduction, an error of JSON-RPC; empty: none.
+var refusal := {}
+
+var _engine
+# Is given what comes unasked: on_notification(method, params).
+var _listener
+var _connection
+var _introduction := {}
+var _patience_s := 0.0
+var _deadline_s := 0.0
+var _hello_id := 0
+var _last_id := 0
+# By id: [request, when it is late].
+var _pending := {}
+
+
+func _init(engine, listener, introduction: Dictionary, patience_s: float):
+	_engine = engine
+	_listener = listener
+	_introduction = introduction
+	_patience_s = patience_s
+
+
+func start(resolver, host: String, port: int) -> void:
+	_deadline_s = _engine.now_s() + _patience_s
+	_connection = Connection.new(_engine, resolver)
+	_connection.start(host, port)
+
+
+func is_open() -> bool:
+	return hello.size() > 0 and ended == ""
+
+
+# Whether the other side is there, as a daemon or not.
+func was_reached() -> bool:
+	return _hello_id > 0
+
+
+func ask(request, params: Dictionary) -> void:
+	_last_id += 1
+	_pending[_last_id] = [request, _engine.now_s() + _patience_s]
+	send(request.method, params, _last_id)
+
+
+# Without `id` there is no response.
+func send(method: String, params: Dictionary, id: int = 0) -> void:
+	var message = {"jsonrpc": "2.0", "method": method}
+	if id > 0:
+		message["id"] = id
+	if params.size() > 0:
+		message["params"] = params
+	_connection.send(_engine.to_text(message))
+
+
+func poll() -> void:
+	for line in _connection.receive():
+		_receive(line)
+		# Whoever was called may have closed it.
+		if ended != "":
+			return
+	if _connection.ended != "":
+		ended = _connection.ended
+	elif _connection.is_open() and _hello_id == 0:
+		_introduce()
+	else:
+		_check_deadlines()
+
+
+# Requests that have no answer and will get none.
+func close(reason: String) -> Array:
+	ended = reason
+	_connection.close()
+	var unanswered = []
+	for id in _pending:
+		unanswered.append(_pending[id][0])
+	_pending = {}
+	return unanswered
+
+
+func _introduce() -> void:
+	_last_id += 1
+	_hello_id = _last_id
+	_deadline_s = _engine.now_s() + _patience_s
+	send("hello", _introduction, _hello_id)
+
+
+func _check_deadlines() -> void:
+	var now_s = _engine.now_s()
+	if hello.size() == 0 and now_s > _deadline_s:
+		ended = "%sno response within %s s" % ["hello: " if was_reached() else "", _patience_s]
+	for id in _pending:
+		if now_s > _pending[id][1]:
+			ended = "%s: no response within %s s" % [_pending[id][0].method, _patience_s]
+
+
+func _receive(line: String) -> void:
+	var message = _engine.from_text(line)
+	if not message is Dictionary:
+		ended = "what answers is no Hedgehog daemon"
+		return
+	if message.has("method"):
+		var params = message.get("params")
+		_listener.on_notification(str(message.method), params if params is Dictionary else {})
+		return
+	# Numbers come as floats.
+	var id = message.get("id")
+	id = int(id) if id != null and str(id).is_valid_float() else 0
+	if id == _hello_id:
+		_take_introduction(message)
+	elif _pending.has(id):
+		var request = _pending[id][0]
+		_pending.erase(id)
+		if message.get("error") is Dictionary:
+			request.refuse(message.error)
+		else:
+			request.succeed(message.get("result"))
+
+
+func _take_introduction(message: Dictionary) -> void:
+	if message.get("error") is Dictionary:
+		refusal = message.error
+		ended = str(refusal.get("message", ""))
+	elif message.get("result") is Dictionary and message.result.get("limits") is Dictionary:
+		hello = message.result
+	else:
+		ended = "what answers is no Hedgehog daemon"

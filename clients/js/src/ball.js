@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: MIT
+// The client over any transport that carries a message a line or a frame.
+import { NotConnected, RequestError } from "./errors.js";
+import { Methods } from "./methods.js";
+
+/** A rumble ends so long after its last frame: a game that hangs lets go of the ball. */
+const LEASE_MS = 250;
+const FIRST_WAIT_MS = 100;
+const MAX_WAIT_MS = 5000;
+/** Notifications that nobody has fetched; the oldest are dropped. */
+const MAX_WAITING = 10_000;
+
+/** `strength` 0..1 as a level: anything above 0 begins where a push can be felt. */
+export function feltLevel(strength, limits) {
+  if (!(strength > 0) || !(limits.current_a > 0)) return 0;
+  const felt = Math.min(1, limits.felt_a / limits.current_a);
+  return felt + (1 - felt) * Math.min(1, strength);
+}
+
+function given(params) {
+  return Object.fromEntries(Object.entries(params).filter(([, value]) => value !== undefined && value !== null));
+}
+
+/**
+ * A connection to the daemon; the effects of a connection end with it. After a lost connection the next call connects
+ * anew, no more often than its back-off allows.
+ *
+ * `connectors`: functions that open a transport, tried in order; each is given `{message, ended}` and resolves to
+ * `{send(text), close()}` or rejects with an Error that says where and why.
+ */
+export class BallCore extends Methods {
+  #connectors;
+  #hello;
+  #patienceMs;
+  #transport = null;
+  #connecting = null;
+  #lastId = 0;
+  #pending = new Map();
+  #subscribers = new Set();
+  #waitMs = 0;
+  #nextAttempt = 0;
+  #closed = false;
+  /** What the daemon said of itself: server, role, limits. */
+  hello = null;
+
+  constructor(connectors, { name = "javascript", patienceMs = 2000, token } = {}) {
+    super();
+    this.#connectors = connectors;
+    this.#hello = given({ client: name, protocol: "1", token });
+    this.#patienceMs = patienceMs;
+  }
+
+  get connected() {
+    return this.#transport !== null;
+  }
+
+  /** Ends the connection, and with it its effects. */
+  close() {
+    this.#closed = true;
+    this.#end("this ball is closed");
+  }
+
+  /** The result of a method. Rejects with RequestError when the daemon refuses, with NotConnected when there is none. */
+  async call(method, params = {}) {
+    await this.open();
+    return this.#ask(method, params);
+  }
+
+  /** Sends without waiting for a response. False: nothing was sent, there is no daemon; then it connects meanwhile. */
+  notify(method, params = {}) {
+    if (!this.#transport || !this.hello) {
+      this.open().catch(() => {});
+      return false;
+    }
+    this.#send({ method }, params);
+    return true;
+  }
+
+  /** A vibration that goes on while this is called every frame; strength 0..1, 0 ends it. As `notify`. */
+  rumble(slot, strength, direction, params = {}) {
+    if (!(strength > 0)) return this.notify("effect.stop", { slot });
+    if (!this.hello) return this.notify("effect.vibrate");
+    const level = feltLevel(strength, this.hello.limits);
+    return this.notify("effect.vibrate", { slot, direction, lease_ms: LEASE_MS, ...params, level });
+  }
+
+  /** Events as they come: `for await (const event of ball.events(["effect_ended"]))`. */
+  events(types, { scope } = {}) {
+    return this.#subscribed("event", "events.subscribe", { types, scope });
+  }
+
+  /** The status again and again. */
+  telemetry(rate_hz = 10, fields) {
+    return this.#subscribed("telemetry", "telemetry.subscribe", { rate_hz, fields });
+  }
+
+  /** Every notification as `[method, params]`, from now on; throws NotConnected when the connection ends. */
+  notifications() {
+    const waiting = [];
+    let wake = null;
+    const subscriber = (item) => {
+      if (waiting.length >= MAX_WAITING) waiting.shift();
+      waiting.push(item);
+      wake?.();
+    };
+    this.#subscribers.add(subscriber);
+    const end = () => this.#subscribers.delete(subscriber);
+    return {
+      [Symbol.asyncIterator]() {
+        return this;
+      },
+      async next() {
+        while (waiting.length === 0) await new Promise((resolve) => (wake = resolve));
+        const item = waiting.shift();
+        if (item instanceof Error) {
+          end();
+          throw item;
+        }
+        return { value: item, done: false };
+      },
+      async return() {
+        end();
+        return { value: undefined, done: true };
+      },
+    };
+  }
+
+  async *#subscribed(method, subscribe, params) {
+    const notifications = this.notifications();
+    try {
+      await this.call(subscribe, params);
+      for await (const [name, received] of notifications) if (name === method) yield received;
+    } finally {
+      await notifications.return();
+    }
+  }
+
+  /** Connects, unless it is. */
+  open() {
+    if (this.#closed) return Promise.reject(new NotConnected("this ball is closed"));
+    if (this.#transport && this.hello) return Promise.resolve();
+    this.#connecting ??= this.#connect().finally(() => (this.#connecting = null));
+    return this.#connecting;
+  }
+
+  async #connect() {
+    const wait = this.#nextAttempt - Date.now();
+    if (wait > 0) throw new NotConnected(`the daemon does not run; next attempt in ${(wait / 1000).toFixed(1)} s`, wait);
+    const why = [];
+    for (const connect of this.#connectors) {
+      try {
+        this.#transport = await this.#openTransport(connect);
+        break;
+      } catch (error) {
+        why.push(error.message);
+      }
+    }
+    if (!this.#transport) throw this.#failed(`the daemon does not run: ${why.join("; ")}`);
+    if (this.#closed) throw this.#end("this ball is closed");
+    try {
+      this.hello = await this.#ask("hello", this.#hello);
+    } catch (error) {
+      if (error instanceof RequestError) this.#end(error.message);
+      throw error;
+    }
+    this.#waitMs = 0;
+    this.#nextAttempt = 0;
+  }
+
+  async #openTransport(connect) {
+    let current = true;
+    const transport = await connect({
+      message: (text) => current && this.#receive(text),
+      ended: (reason) => {
+        if (!current) return;
+        current = false;
+        this.#end(reason);
+      },
+      patienceMs: this.#patienceMs,
+    });
+    return {
+      send: (text) => transport.send(text),
+      close: () => {
+        current = false;
+        transport.close();
+      },
+    };
+  }
+
+  #ask(method, params) {
+    return new Promise((resolve, reject) => {
+      if (!this.#transport) {
+        reject(new NotConnected("the connection to the daemon has ended"));
+        return;
+      }
+      const id = ++this.#lastId;
+      const timer = setTimeout(
+        () => this.#end(`${method}: no response within ${this.#patienceMs / 1000} s`),
+        this.#patienceMs,
+      );
+      this.#pending.set(id, { resolve, reject, timer });
+      this.#send({ id, method }, params);
+    });
+  }
+
+  #send(message, params) {
+    const known = given(params);
+    if (Object.keys(known).length > 0) message.params = known;
+    this.#transport.send(JSON.stringify({ jsonrpc: "2.0", ...message }));
+  }
+
+  #receive(text) {
+    let message;
+    try {
+      message = JSON.parse(text);
+    } catch {
+      message = null;
+    }
+    if (message === null || typeof message !== "object") {
+      this.#end("what answers is no Hedgehog daemon");
+      return;
+    }
+    if (typeof message.method === "string") {
+      for (const subscriber of this.#subscribers) subscriber([message.method, message.params ?? {}]);
+      return;
+    }
+    const waiting = this.#pending.get(message.id);
+    if (!waiting) return;
+    this.#pending.delete(message.id);
+    clearTimeout(waiting.timer);
+    if (message.error) {
+      waiting.reject(new RequestError(message.error.code, message.error.message, message.error.data));
+    } else {
+      waiting.resolve(message.result);
+    }
+  }
+
+  /** Everybody who waits is told. */
+  #end(why) {
+    const transport = this.#transport;
+    this.#transport = null;
+    this.hello = null;
+    transport?.close();
+    const lost = this.#failed(`the connection to the daemon has ended: ${why}`);
+    for (const { reject, timer } of this.#pending.values()) {
+      clearTimeout(timer);
+      reject(lost);
+    }
+    this.#pending.clear();
+    for (const subscriber of this.#subscribers) subscriber(lost);
+    return lost;
+  }
+
+  #failed(message) {
+    this.#waitMs = Math.min(MAX_WAIT_MS, this.#waitMs ? 2 * this.#waitMs : FIRST_WAIT_MS);
+    this.#nextAttempt = Date.now() + this.#waitMs;
+    return new NotConnected(message, this.#waitMs);
+  }
+}

@@ -1,0 +1,222 @@
+# SPDX-License-Identifier: MIT
+"""The client for asyncio."""
+
+import asyncio
+import time
+from typing import Any, AsyncIterator, Dict, Iterable, List, Mapping, Optional
+
+from .address import Address, daemon_addresses
+from .backoff import Backoff, nobody_there
+from .errors import NotConnected
+from .exchange import MAX_WAITING, Exchange
+from .methods import AsyncMethods
+from .rumble import rumble_params
+
+
+class AsyncBall(AsyncMethods):
+    """As `Ball`, in one event loop; several tasks may wait for responses at once.
+
+    async with AsyncBall() as ball:
+        await ball.pulse("left", level=0.5)
+    """
+
+    def __init__(self, address: Optional[str] = None, *, name: str = "python", patience_s: float = 2.0,
+                 token: Optional[str] = None) -> None:
+        self._addresses = daemon_addresses(address)
+        self._hello = {"client": name, "protocol": "1", "token": token}
+        self._patience_s = patience_s
+        self._backoff = Backoff()
+        self._connecting = asyncio.Lock()
+        self._writer: Optional[asyncio.StreamWriter] = None
+        self._reader_task: Optional["asyncio.Task[None]"] = None
+        self._exchange = Exchange()
+        self._waiting: Dict[int, "asyncio.Future[None]"] = {}
+        self._subscribers: List["asyncio.Queue[Any]"] = []
+        self._welcome: Mapping[str, Any] = {}
+        self._closed = False
+
+    async def __aenter__(self) -> "AsyncBall":
+        await self._ensure()
+        return self
+
+    async def __aexit__(self, *_: object) -> None:
+        await self.close()
+
+    async def close(self) -> None:
+        """Ends the connection, and with it its effects."""
+        self._closed = True
+        task = self._reader_task
+        self._end("this ball is closed")
+        if task is not None:
+            task.cancel()
+            await asyncio.gather(task, return_exceptions=True)
+
+    @property
+    def connected(self) -> bool:
+        return self._writer is not None
+
+    @property
+    def hello(self) -> Mapping[str, Any]:
+        """What the daemon said of itself: server, role, limits."""
+        return self._welcome
+
+    async def call(self, method: str, /, **params: Any) -> Any:
+        """The result of a method. Raises RequestError when the daemon refuses, NotConnected when there is none."""
+        await self._ensure()
+        return await self._ask(method, params)
+
+    async def notify(self, method: str, /, **params: Any) -> bool:
+        """Sends without waiting for a response. False: nothing was sent, there is no daemon."""
+        try:
+            await self._ensure()
+        except NotConnected:
+            return False
+        assert self._writer is not None
+        self._writer.write(self._exchange.notification(method, params))
+        return True
+
+    async def rumble(self, slot: str, strength: float, direction: Any = None, **params: Any) -> bool:
+        """A vibration that goes on while this is called every frame; strength 0..1, 0 ends it. As `notify`."""
+        if strength <= 0.0:
+            return await self.notify("effect.stop", slot=slot)
+        try:
+            await self._ensure()
+        except NotConnected:
+            return False
+        return await self.notify("effect.vibrate", direction=direction,
+                                 **rumble_params(slot, strength, self._welcome["limits"], params))
+
+    async def events(self, types: Optional[Iterable[str]] = None, *,
+                     scope: Optional[str] = None) -> AsyncIterator[Mapping[str, Any]]:
+        """Events as they come. Raises NotConnected when the connection ends."""
+        async for params in self._subscribed("event", "events.subscribe", {
+                "types": list(types) if types is not None else None, "scope": scope}):
+            yield params
+
+    async def telemetry(self, rate_hz: float = 10.0,
+                        fields: Optional[Iterable[str]] = None) -> AsyncIterator[Mapping[str, Any]]:
+        """The status again and again. Raises NotConnected when the connection ends."""
+        async for params in self._subscribed("telemetry", "telemetry.subscribe", {
+                "rate_hz": rate_hz, "fields": list(fields) if fields is not None else None}):
+            yield params
+
+    async def _subscribed(self, method: str, subscribe: str,
+                          params: Mapping[str, Any]) -> AsyncIterator[Mapping[str, Any]]:
+        queue: "asyncio.Queue[Any]" = asyncio.Queue(MAX_WAITING)
+        self._subscribers.append(queue)
+        try:
+            await self.call(subscribe, **params)
+            while True:
+                received = await queue.get()
+                if isinstance(received, NotConnected):
+                    raise received
+                if received[0] == method:
+                    yield received[1]
+        finally:
+            self._subscribers.remove(queue)
+
+    async def _ensure(self) -> None:
+        async with self._connecting:
+            if self._closed:
+                raise NotConnected("this ball is closed")
+            if self._writer is not None:
+                return
+            wait_s = self._backoff.remaining_s(time.monotonic())
+            if wait_s > 0.0:
+                raise NotConnected("the daemon does not run; next attempt in %.1f s" % wait_s, wait_s)
+            await self._connect()
+
+    async def _connect(self) -> None:
+        tried: List[Address] = []
+        why: List[str] = []
+        for address in self._addresses:
+            try:
+                reader, self._writer = await asyncio.wait_for(_open(address), self._patience_s)
+                break
+            except (OSError, asyncio.TimeoutError) as error:
+                tried.append(address)
+                why.append(getattr(error, "strerror", None) or str(error) or "no answer")
+        if self._writer is None:
+            now = time.monotonic()
+            self._backoff.failed(now)
+            raise nobody_there(tried, why, self._backoff.remaining_s(now))
+        self._exchange = Exchange()
+        self._reader_task = asyncio.ensure_future(self._read(reader, self._writer))
+        try:
+            self._welcome = await self._ask("hello", self._hello)
+        except BaseException as refused:
+            # Refused, lost or cancelled: half a connection is none.
+            self._end(str(refused))
+            raise
+        self._backoff.succeeded()
+
+    async def _ask(self, method: str, params: Mapping[str, Any]) -> Any:
+        if self._writer is None:
+            raise NotConnected("the connection to the daemon has ended")
+        exchange = self._exchange
+        request, line = exchange.request(method, params)
+        arrived = asyncio.get_running_loop().create_future()
+        self._waiting[request] = arrived
+        self._writer.write(line)
+        try:
+            await asyncio.wait_for(arrived, self._patience_s)
+            response = exchange.take_response(request)
+        except asyncio.TimeoutError:
+            raise self._end("%s: no response within %g s" % (method, self._patience_s)) from None
+        finally:
+            self._waiting.pop(request, None)
+            exchange.forget(request)
+        assert response is not None
+        return response[0]
+
+    async def _read(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        why = "the daemon closed it"
+        try:
+            while True:
+                data = await reader.read(1 << 16)
+                if not data or self._writer is not writer:
+                    break
+                self._sort(data)
+        except OSError as error:
+            why = error.strerror or str(error)
+        except ValueError as error:
+            why = "what answers is no Hedgehog daemon: %s" % error
+        # Not of a connection that has followed.
+        if self._writer is writer:
+            self._end(why)
+
+    def _sort(self, data: bytes) -> None:
+        for request in self._exchange.receive(data):
+            waiting = self._waiting.get(request)
+            if waiting is not None and not waiting.done():
+                waiting.set_result(None)
+        while self._exchange.notifications:
+            received = self._exchange.notifications.popleft()
+            for queue in self._subscribers:
+                if queue.full():
+                    queue.get_nowait()
+                queue.put_nowait(received)
+
+    def _end(self, why: str) -> NotConnected:
+        """Everybody who waits is told."""
+        now = time.monotonic()
+        if self._writer is not None:
+            self._writer.close()
+            self._writer = None
+            self._backoff.failed(now)
+        lost = NotConnected("the connection to the daemon has ended: %s" % why, self._backoff.remaining_s(now))
+        for waiting in self._waiting.values():
+            if not waiting.done():
+                waiting.set_exception(lost)
+        for queue in self._subscribers:
+            if queue.full():
+                queue.get_nowait()
+            queue.put_nowait(lost)
+        return lost
+
+
+async def _open(address: Address) -> Any:
+    if isinstance(address, str):
+        return await asyncio.open_unix_connection(address)
+    host, port = address
+    return await asyncio.open_connection(host, port)

@@ -1,0 +1,226 @@
+# SPDX-License-Identifier: MIT
+"""The client that blocks."""
+
+import socket
+import threading
+import time
+from typing import Any, Iterable, Iterator, Mapping, Optional, Tuple
+
+from .address import Address, daemon_addresses
+from .backoff import Backoff, nobody_there
+from .errors import NotConnected, RequestError
+from .exchange import Exchange
+from .methods import Methods
+from .rumble import rumble_params
+
+#: The longest that waiting for a notification keeps other threads from calling.
+SLICE_S = 0.02
+
+
+class Ball(Methods):
+    """A connection to the daemon; the effects of a connection end with it.
+
+    address: "127.0.0.1:7586" or "/run/hedgehog/hedgehogd.sock"; None: found as by every client (address.py).
+    name: of this program, as the daemon's log and `hedgehogctl clients` show it. patience_s: the longest that
+    connecting, and waiting for a response, take. token: of roles beyond those of this machine.
+    May be used from several threads; their calls go one after the other. After a lost connection the next call
+    connects anew, no more often than its back-off allows.
+    """
+
+    def __init__(self, address: Optional[str] = None, *, name: str = "python", patience_s: float = 2.0,
+                 token: Optional[str] = None) -> None:
+        self._addresses = daemon_addresses(address)
+        self._hello = {"client": name, "protocol": "1", "token": token}
+        self._patience_s = patience_s
+        self._lock = threading.RLock()
+        self._backoff = Backoff()
+        self._socket: Optional[socket.socket] = None
+        self._exchange = Exchange()
+        self._welcome: Mapping[str, Any] = {}
+        self._closed = False
+        self._connect()
+
+    def __enter__(self) -> "Ball":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Ends the connection, and with it its effects."""
+        with self._lock:
+            self._closed = True
+            self._drop()
+
+    @property
+    def connected(self) -> bool:
+        return self._socket is not None
+
+    @property
+    def hello(self) -> Mapping[str, Any]:
+        """What the daemon said of itself: server, role, limits."""
+        return self._welcome
+
+    def call(self, method: str, /, **params: Any) -> Any:
+        """The result of a method. Raises RequestError when the daemon refuses, NotConnected when there is none."""
+        with self._lock:
+            self._ensure()
+            return self._ask(method, params)
+
+    def notify(self, method: str, /, **params: Any) -> bool:
+        """Sends without waiting for a response, for every frame of a game. False: nothing was sent, there is no daemon."""
+        with self._lock:
+            try:
+                self._ensure()
+                self._send(self._exchange.notification(method, params))
+                self._drain()
+            except NotConnected:
+                return False
+            return True
+
+    def rumble(self, slot: str, strength: float, direction: Any = None, **params: Any) -> bool:
+        """A vibration that goes on while this is called every frame; strength 0..1, 0 ends it. As `notify`."""
+        with self._lock:
+            if not self.connected and not self._welcome:
+                return False
+            if strength <= 0.0:
+                return self.notify("effect.stop", slot=slot)
+            return self.notify("effect.vibrate", direction=direction,
+                               **rumble_params(slot, strength, self._welcome["limits"], params))
+
+    def events(self, types: Optional[Iterable[str]] = None, *, scope: Optional[str] = None,
+               patience_s: Optional[float] = None) -> Iterator[Mapping[str, Any]]:
+        """Events as they come; ends when none came for `patience_s` (None: never). Raises NotConnected."""
+        self.call("events.subscribe", types=list(types) if types is not None else None, scope=scope)
+        return self._notifications("event", patience_s)
+
+    def telemetry(self, rate_hz: float = 10.0, fields: Optional[Iterable[str]] = None, *,
+                  patience_s: Optional[float] = None) -> Iterator[Mapping[str, Any]]:
+        """The status again and again. Raises NotConnected."""
+        self.call("telemetry.subscribe", rate_hz=rate_hz, fields=list(fields) if fields is not None else None)
+        return self._notifications("telemetry", patience_s)
+
+    def next_notification(self, patience_s: float = 0.0) -> Optional[Tuple[str, Mapping[str, Any]]]:
+        """The next notification, as method and parameters; None: none came. Raises NotConnected."""
+        deadline = time.monotonic() + patience_s
+        while True:
+            # Others may call in between.
+            with self._lock:
+                if not self._exchange.notifications:
+                    self._receive(min(SLICE_S, max(0.0, deadline - time.monotonic())))
+                if self._exchange.notifications:
+                    return self._exchange.notifications.popleft()
+            if time.monotonic() >= deadline:
+                return None
+            time.sleep(0)
+
+    def _notifications(self, method: str, patience_s: Optional[float]) -> Iterator[Mapping[str, Any]]:
+        while True:
+            received = self.next_notification(patience_s if patience_s is not None else 3600.0)
+            if received is None and patience_s is not None:
+                return
+            if received is not None and received[0] == method:
+                yield received[1]
+
+    def _connect(self) -> None:
+        tried, why = [], []
+        for address in self._addresses:
+            try:
+                self._socket = _open(address, self._patience_s)
+                break
+            except OSError as error:
+                tried.append(address)
+                why.append(error.strerror or str(error))
+        if self._socket is None:
+            now = time.monotonic()
+            self._backoff.failed(now)
+            raise nobody_there(tried, why, self._backoff.remaining_s(now))
+        self._exchange = Exchange()
+        try:
+            self._welcome = self._ask("hello", self._hello)
+        except RequestError:
+            self._drop()
+            raise
+        self._backoff.succeeded()
+
+    def _ensure(self) -> None:
+        if self._closed:
+            raise NotConnected("this Ball is closed")
+        if self._socket is not None:
+            return
+        wait_s = self._backoff.remaining_s(time.monotonic())
+        if wait_s > 0.0:
+            raise NotConnected("the daemon does not run; next attempt in %.1f s" % wait_s, wait_s)
+        self._connect()
+
+    def _ask(self, method: str, params: Mapping[str, Any]) -> Any:
+        request, line = self._exchange.request(method, params)
+        self._send(line)
+        deadline = time.monotonic() + self._patience_s
+        while True:
+            response = self._exchange.take_response(request)
+            if response is not None:
+                return response[0]
+            if not self._receive(deadline - time.monotonic()):
+                self._exchange.forget(request)
+                raise self._lost("%s: no response within %g s" % (method, self._patience_s))
+
+    def _send(self, line: bytes) -> None:
+        assert self._socket is not None
+        try:
+            self._socket.settimeout(self._patience_s)
+            self._socket.sendall(line)
+        except OSError as error:
+            raise self._lost(error.strerror or str(error)) from error
+
+    def _receive(self, patience_s: float) -> bool:
+        """Whether something came."""
+        if self._socket is None:
+            raise NotConnected("the connection to the daemon has ended")
+        try:
+            self._socket.settimeout(max(patience_s, 0.0))
+            data = self._socket.recv(1 << 16)
+        except (socket.timeout, BlockingIOError):
+            return False
+        except OSError as error:
+            raise self._lost(error.strerror or str(error)) from error
+        if not data:
+            raise self._lost("the daemon closed it")
+        try:
+            self._exchange.receive(data)
+        except ValueError as error:
+            raise self._lost("what answers is no Hedgehog daemon: %s" % error) from error
+        return True
+
+    def _drain(self) -> None:
+        """What the daemon sends is read, or it would cut this connection."""
+        while self._receive(0.0):
+            pass
+
+    def _lost(self, why: str) -> NotConnected:
+        self._drop()
+        now = time.monotonic()
+        self._backoff.failed(now)
+        return NotConnected("the connection to the daemon has ended: %s" % why, self._backoff.remaining_s(now))
+
+    def _drop(self) -> None:
+        if self._socket is not None:
+            self._socket.close()
+            self._socket = None
+
+
+def _open(address: Address, patience_s: float) -> socket.socket:
+    if not isinstance(address, str):
+        opened = socket.create_connection(address, patience_s)
+        opened.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        return opened
+    if not hasattr(socket, "AF_UNIX"):
+        raise OSError("this system has no Unix sockets")
+    opened = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
+    try:
+        opened.settimeout(patience_s)
+        opened.connect(address)
+    except OSError:
+        opened.close()
+        raise
+    return opened

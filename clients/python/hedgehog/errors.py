@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: MIT
+"""What can go wrong, each with a sentence for people."""
+
+from typing import Any, Mapping, Optional
+
+
+class BallError(Exception):
+    """Any of the below."""
+
+
+class AddressError(BallError):
+    """$HEDGEHOG_ADDRESS, or the address that was given, is none."""
+
+
+class NotConnected(BallError):
+    """No daemon answers, or the connection has ended. The next call tries again.
+
+    retry_after_s: until then no other attempt is made.
+    """
+
+    def __init__(self, message: str, retry_after_s: float = 0.0) -> None:
+        super().__init__(message)
+        self.retry_after_s = retry_after_s
+
+
+class RequestError(BallError):
+    """The daemon refused a request.
+
+    code: of JSON-RPC or of the protocol, for example -32602. name: "invalid_params". data: field, limit, value.
+    """
+
+    def __init__(self, code: int, message: str, data: Optional[Mapping[str, Any]] = None) -> None:
+        super().__init__(message)
+        self.code = code
+        self.data = dict(data or {})
+        self.name = str(self.data.get("name", ""))

@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: MIT
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.Globalization;
+using System.Net.Sockets;
+using System.Threading;
+using System.Threading.Tasks;
+
+namespace Hedgehog
+{
+    /// <summary>A connection to the daemon for a frame loop: nothing here waits. The effects of a connection end with it.
+    /// After a lost connection the next call connects anew in the background, no more often than the back-off allows.
+    /// Any thread; two threads of its own read and write. Tasks end with RequestError or NotConnected.</summary>
+    public sealed class AsyncBall : AsyncMethods, IDisposable
+    {
+        /// Notifications that nobody has fetched; the oldest are dropped.
+        private const int MaxWaiting = 10000;
+        private const int ReceiveBytes = 1 << 16;
+
+        private readonly object gate = new object();
+        private readonly List<Address> addresses;
+        private readonly Params introduction;
+        private readonly int patienceMs;
+        private readonly Backoff backoff = new Backoff();
+        private readonly Stopwatch clock = Stopwatch.StartNew();
+        private readonly Dictionary<long, Pending> pending = new Dictionary<long, Pending>();
+        private readonly Queue<Notification> notifications = new Queue<Notification>();
+        private TaskCompletionSource<Results.Hello> opening;
+        private Wire wire;
+        private Results.Hello welcome;
+        private long lastId;
+        private bool closed;
+
+        /// <summary>Does not connect yet. address: "127.0.0.1:7586" or "/run/hedgehog/hedgehogd.sock"; null: found as by every
+        /// client. name: of this game, as the daemon's log shows it. patienceS: the longest that connecting, and waiting for a
+        /// response, take. token: of roles beyond those of this machine. Throws AddressError.</summary>
+        public AsyncBall(string address = null, string name = "unity", double patienceS = 2.0, string token = null)
+        {
+            addresses = Address.OfDaemon(address);
+            introduction = new Params().Set("client", name).Set("protocol", "1").Set("token", token);
+            patienceMs = (int)Math.Max(1.0, Math.Min(1000.0 * patienceS, 3600000.0));
+        }
+
+        public bool Connected
+        {
+            get { lock (gate) return welcome != null; }
+        }
+
+        /// <summary>What the daemon said of itself: server, role, limits. null while not connected.</summary>
+        public Results.Hello Hello
+        {
+            get { lock (gate) return welcome; }
+        }
+
+        /// <summary>How long no other attempt to connect is made; 0: the next call makes one.</summary>
+        public double RetryAfterS
+        {
+            get { lock (gate) return backoff.RemainingS(clock.Elapsed.TotalSeconds); }
+        }
+
+        /// <summary>Connects, unless it is connected.</summary>
+        public Task<Results.Hello> Open()
+        {
+            lock (gate)
+            {
+                if (closed) return Failed<Results.Hello>(new NotConnected("this ball is closed"));
+                if (welcome != null) return Task.FromResult(welcome);
+                if (opening != null) return opening.Task;
+                double waitS = backoff.RemainingS(clock.Elapsed.TotalSeconds);
+                if (waitS > 0.0)
+                    return Failed<Results.Hello>(new NotConnected("the daemon does not run; next attempt in " +
+                        waitS.ToString("0.0", CultureInfo.InvariantCulture) + " s", waitS));
+                opening = new TaskCompletionSource<Results.Hello>(TaskCreationOptions.RunContinuationsAsynchronously);
+                new Thread(Run) { IsBackground = true, Name = "Hedgehog reader" }.Start();
+                return opening.Task;
+            }
+        }
+
+        /// <summary>The result of a method.</summary>
+        public override Task<Json> Call(string method, Params parameters = null)
+        {
+            lock (gate)
+            {
+                if (welcome != null) return Ask(method, parameters);
+            }
+            return OpenAndAsk(method, parameters);
+        }
+
+        /// <summary>Sends and wants no response. False: nothing was sent, there is no daemon; then it connects meanwhile.</summary>
+        public bool Notify(string method, Params parameters = null)
+        {
+            lock (gate)
+            {
+                if (welcome != null)
+                {
+                    if (wire.Send(Exchange.Line(0, method, parameters))) return true;
+                    End("the daemon does not read what it is sent");
+                    return false;
+                }
+            }
+            Ignore(Open());
+            return false;
+        }
+
+        /// <summary>A vibration that goes on while this is called every frame: strength 0..1, begins where it can be felt, ends by
+        /// itself 250 ms after the last frame; 0 ends it at once. As Notify. others: more parameters of effect.vibrate.</summary>
+        public bool Rumble(string slot, double strength, Direction direction = null, double? frequencyHz = null, Params others = null)
+        {
+            if (!(strength > 0.0)) return Notify("effect.stop", new Params().Set("slot", slot));
+            Results.Hello hello = Hello;
+            if (hello == null)
+            {
+                Ignore(Open());
+                return false;
+            }
+            var more = new Params().Set("frequency_hz", frequencyHz).Merge(others);
+            return Notify("effect.vibrate", Hedgehog.Rumble.Of(slot, strength, hello.Limits, direction, more));
+        }
+
+        /// <summary>The oldest notification that nobody has fetched; does not wait.</summary>
+        public bool TryNext(out Notification notification)
+        {
+            lock (gate)
+            {
+                notification = notifications.Count > 0 ? notifications.Dequeue() : null;
+                return notification != null;
+            }
+        }
+
+        /// <summary>The same, and waits for one. False: none came in time. Throws NotConnected.</summary>
+        internal bool Next(out Notification notification, double patienceS)
+        {
+            double untilS = clock.Elapsed.TotalSeconds + patienceS;
+            lock (gate)
+            {
+                while (notifications.Count == 0)
+                {
+                    if (wire == null) throw new NotConnected("the connection to the daemon has ended");
+                    double leftS = untilS - clock.Elapsed.TotalSeconds;
+                    if (leftS <= 0.0) break;
+                    Monitor.Wait(gate, (int)Math.Ceiling(1000.0 * Math.Min(leftS, 60.0)));
+                }
+                return TryNext(out notification);
+            }
+        }
+
+        /// <summary>Ends the connection, and with it its effects. What was sent before is still written.</summary>
+        public void Dispose()
+        {
+            Wire flushed;
+            lock (gate)
+            {
+                closed = true;
+                flushed = wire;
+            }
+            if (flushed != null) flushed.Close(true);
+            End("this ball is closed");
+        }
+
+        private async Task<Json> OpenAndAsk(string method, Params parameters)
+        {
+            await Open().ConfigureAwait(false);
+            return await Ask(method, parameters).ConfigureAwait(false);
+        }
+
+        private Task<Json> Ask(string method, Params parameters)
+        {
+            lock (gate)
+            {
+                if (wire == null) return Failed<Json>(new NotConnected("the connection to the daemon has ended"));
+                long id = ++lastId;
+                byte[] line = Exchange.Line(id, method, parameters);
+                Wire of = wire;
+                string late = method + ": no response within " + (0.001 * patienceMs).ToString(CultureInfo.InvariantCulture) + " s";
+                var asked = new Pending(patienceMs, () => EndOf(of, late));
+                pending.Add(id, asked);
+                if (!wire.Send(line)) End("the daemon does not read what it is sent");
+                return asked.Response;
+            }
+        }
+
+        /// The thread that connects and then reads until the connection ends.
+        private void Run()
+        {
+            Wire opened = Connect();
+            if (opened == null) return;
+            lock (gate)
+            {
+                wire = opened;
+                if (closed) End("this ball is closed");
+                else Introduce(opened);
+            }
+            EndOf(opened, Read(opened));
+        }
+
+        private void Introduce(Wire to)
+        {
+            Ask("hello", introduction).ContinueWith(answered =>
+            {
+                lock (gate)
+                {
+                    // Unless another connection has followed.
+                    if (wire != to || opening == null) return;
+                    if (answered.IsFaulted)
+                    {
+                        Exception why = answered.Exception.InnerException;
+                        TaskCompletionSource<Results.Hello> waiting = opening;
+                        opening = null;
+                        End(why.Message);
+                        waiting.TrySetException(why);
+                        return;
+                    }
+                    welcome = new Results.Hello(answered.Result);
+                    backoff.Succeeded();
+                    opening.TrySetResult(welcome);
+                    opening = null;
+                }
+            }, CancellationToken.None, TaskContinuationOptions.None, TaskScheduler.Default);
+        }
+
+        /// null: nobody is there, and everybody has been told.
+        private Wire Connect()
+        {
+            var why = new List<string>();
+            foreach (var address in addresses)
+            {
+                try
+                {
+                    return Wire.Connect(address, patienceMs);
+                }
+                catch (SocketException error)
+                {
+                    why.Add(address + ": " + Words(error));
+                }
+                catch (ArgumentException error)
+                {
+                    why.Add(address + ": " + error.Message);
+                }
+            }
+            lock (gate) End("the daemon does not run: " + string.Join("; ", why), "");
+            return null;
+        }
+
+        /// Why it ended.
+        private string Read(Wire from)
+        {
+            var exchange = new Exchange();
+            var bytes = new byte[ReceiveBytes];
+            try
+            {
+                for (;;)
+                {
+                    int count = from.Receive(bytes);
+                    if (count <= 0) return "the daemon closed it";
+                    foreach (var message in exchange.Receive(bytes, count)) Take(message);
+                }
+            }
+            catch (SocketException error)
+            {
+                return Words(error);
+            }
+            catch (FormatException error)
+            {
+                return "what answers is no Hedgehog daemon: " + error.Message;
+            }
+        }
+
+        private void Take(Json message)
+        {
+            lock (gate)
+            {
+                string method = message["method"].Text;
+                if (method != null)
+                {
+                    if (notifications.Count >= MaxWaiting) notifications.Dequeue();
+                    notifications.Enqueue(new Notification(method, message["params"]));
+                    Monitor.PulseAll(gate);
+                    return;
+                }
+                long id = message["id"].Integer;
+                Pending asked;
+                if (!pending.TryGetValue(id, out asked)) return;
+                pending.Remove(id);
+                asked.Answer(message);
+            }
+        }
+
+        /// Unless another connection has followed.
+        private void EndOf(Wire of, string why)
+        {
+            lock (gate)
+            {
+                if (wire == of) End(why);
+            }
+        }
+
+        /// Everybody who waits is told.
+        private void End(string why, string before = "the connection to the daemon has ended: ")
+        {
+            lock (gate)
+            {
+                if (wire != null) wire.Close(false);
+                wire = null;
+                welcome = null;
+                double nowS = clock.Elapsed.TotalSeconds;
+                backoff.Failed(nowS);
+                var lost = new NotConnected(before + why, backoff.RemainingS(nowS));
+                foreach (var asked in pending.Values) asked.Fail(lost);
+                pending.Clear();
+                if (opening != null) opening.TrySetException(lost);
+                opening = null;
+                Monitor.PulseAll(gate);
+            }
+        }
+
+        private static string Words(SocketException error)
+        {
+            switch (error.SocketErrorCode)
+            {
+                case SocketError.ConnectionRefused: return "Connection refused";
+                case SocketError.HostNotFound: return "no such host";
+                case SocketError.TimedOut: return "no answer";
+                default: return error.Message;
+            }
+        }
+
+        private static Task<T> Failed<T>(Exception why)
+        {
+            var failed = new TaskCompletionSource<T>();
+            failed.SetException(why);
+            return failed.Task;
+        }
+
+        /// A failure that nobody waits for is no unobserved one.
+        private static void Ignore(Task task)
+        {
+            task.ContinueWith(failed => GC.KeepAlive(failed.Exception), CancellationToken.None,
+                TaskContinuationOptions.OnlyOnFaulted | TaskContinuationOptions.ExecuteSynchronously, TaskScheduler.Default);
+        }
+    }
+}

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+using System;
+using System.Collections.Generic;
+
+namespace Hedgehog
+{
+    /// <summary>A connection to the daemon whose calls wait for their response, never longer than `patienceS`: for tools, tests
+    /// and threads of their own; a frame loop takes AsyncBall. Any thread. Throws RequestError and NotConnected.</summary>
+    public sealed class Ball : BlockingMethods, IDisposable
+    {
+        /// As good as for ever.
+        private const double YearS = 3.2e7;
+
+        private readonly AsyncBall ball;
+
+        /// <summary>Connects. Parameters as those of AsyncBall.</summary>
+        public Ball(string address = null, string name = "csharp", double patienceS = 2.0, string token = null)
+        {
+            ball = new AsyncBall(address, name, patienceS, token);
+            try
+            {
+                ball.Open().GetAwaiter().GetResult();
+            }
+            catch (BallError)
+            {
+                ball.Dispose();
+                throw;
+            }
+        }
+
+        public bool Connected
+        {
+            get { return ball.Connected; }
+        }
+
+        /// <summary>What the daemon said of itself: server, role, limits. null while not connected.</summary>
+        public Results.Hello Hello
+        {
+            get { return ball.Hello; }
+        }
+
+        /// <summary>The result of a method.</summary>
+        public override Json Call(string method, Params parameters = null)
+        {
+            return ball.Call(method, parameters).GetAwaiter().GetResult();
+        }
+
+        /// <summary>Sends without waiting for a response. False: nothing was sent, there is no daemon.</summary>
+        public bool Notify(string method, Params parameters = null)
+        {
+            return ball.Notify(method, parameters);
+        }
+
+        /// <summary>As AsyncBall.Rumble.</summary>
+        public bool Rumble(string slot, double strength, Direction direction = null, double? frequencyHz = null, Params others = null)
+        {
+            return ball.Rumble(slot, strength, direction, frequencyHz, others);
+        }
+
+        /// <summary>The next notification; null: none came in time.</summary>
+        public Notification Next(double patienceS = 0.0)
+        {
+            Notification next;
+            return ball.Next(out next, patienceS) ? next : null;
+        }
+
+        /// <summary>Events as they come; ends when none came for `patienceS` (null: never). null: of all types.</summary>
+        public IEnumerable<Results.Event> Events(string[] types = null, Scope? scope = null, double? patienceS = null)
+        {
+            EventsSubscribe(types, scope);
+            return EventsOf(patienceS);
+        }
+
+        /// <summary>The status again and again. null: all its fields.</summary>
+        public IEnumerable<Results.Telemetry> Telemetry(double rateHz = 10.0, string[] fields = null, double? patienceS = null)
+        {
+            TelemetrySubscribe(rateHz, fields);
+            return TelemetryOf(patienceS);
+        }
+
+        /// <summary>Ends the connection, and with it its effects.</summary>
+        public void Dispose()
+        {
+            ball.Dispose();
+        }
+
+        private IEnumerable<Results.Event> EventsOf(double? patienceS)
+        {
+            for (Notification next = Next(patienceS ?? YearS); next != null; next = Next(patienceS ?? YearS))
+                if (next.Event != null) yield return next.Event;
+        }
+
+        private IEnumerable<Results.Telemetry> TelemetryOf(double? patienceS)
+        {
+            for (Notification next = Next(patienceS ?? YearS); next != null; next = Next(patienceS ?? YearS))
+                if (next.Telemetry != null) yield return next.Telemetry;
+        }
+    }
+}

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+using System;
+using System.Collections.Generic;
+using System.Net;
+using System.Net.Sockets;
+using System.Threading;
+
+namespace Hedgehog
+{
+    /// <summary>A connected socket whose sender never waits: a thread of its own writes. Any thread.</summary>
+    internal sealed class Wire
+    {
+        /// More than this waits to be written only when the daemon does not read.
+        private const int MaxQueued = 4096;
+        /// The longest that closing waits for what is still to be written.
+        private const int FlushMs = 500;
+
+        private readonly object gate = new object();
+        private readonly Queue<byte[]> queue = new Queue<byte[]>();
+        private readonly Socket socket;
+        private readonly Thread writer;
+        private bool closing;
+
+        private Wire(Socket socket)
+        {
+            this.socket = socket;
+            writer = new Thread(Write) { IsBackground = true, Name = "Hedgehog writer" };
+            writer.Start();
+        }
+
+        /// <summary>Waits. Throws SocketException, or ArgumentException for a path that is too long.</summary>
+        public static Wire Connect(Address address, int patienceMs)
+        {
+            if (address.Path != null) return new Wire(Open(new UnixEndPoint(address.Path), patienceMs));
+            IPAddress literal;
+            IPAddress[] found = IPAddress.TryParse(address.Host, out literal)
+                ? new[] { literal }
+                : Dns.GetHostAddresses(address.Host);
+            SocketException last = new SocketException((int)SocketError.HostNotFound);
+            foreach (var one in found)
+            {
+                try
+                {
+                    return new Wire(Open(new IPEndPoint(one, address.Port), patienceMs));
+                }
+                catch (SocketException error)
+                {
+                    last = error;
+                }
+            }
+            throw last;
+        }
+
+        /// <summary>False: nothing was sent; the daemon does not read, or this is closed.</summary>
+        public bool Send(byte[] line)
+        {
+            lock (gate)
+            {
+                if (closing || queue.Count >= MaxQueued) return false;
+                queue.Enqueue(line);
+                Monitor.Pulse(gate);
+                return true;
+            }
+        }
+
+        /// <summary>Waits for bytes. 0: the connection has ended. Throws SocketException.</summary>
+        public int Receive(byte[] bytes)
+        {
+            try
+            {
+                return socket.Receive(bytes);
+            }
+            catch (ObjectDisposedException)
+            {
+                return 0;
+            }
+        }
+
+        /// <summary>`flush`: what was sent is written first, as far as the daemon takes it.</summary>
+        public void Close(bool flush)
+        {
+            lock (gate)
+            {
+                closing = true;
+                if (!flush) queue.Clear();
+                Monitor.Pulse(gate);
+            }
+            if (flush && Thread.CurrentThread != writer) writer.Join(FlushMs);
+            Shut();
+        }
+
+        private void Shut()
+        {
+            try
+            {
+                // Wakes the thread that receives, which closing alone does not everywhere.
+                socket.Shutdown(SocketShutdown.Both);
+            }
+            catch (SocketException)
+            {
+            }
+            catch (ObjectDisposedException)
+            {
+            }
+            socket.Close();
+        }
+
+        private void Write()
+        {
+            try
+            {
+                for (byte[] line = Next(); line != null; line = Next())
+                    for (int sent = 0; sent < line.Length;)
+                        sent += socket.Send(line, sent, line.Length - sent, SocketFlags.None);
+            }
+            catch (SocketException)
+            {
+                Shut();
+            }
+            catch (ObjectDisposedException)
+            {
+            }
+        }
+
+        /// null: nothing will come any more.
+        private byte[] Next()
+        {
+            lock (gate)
+            {
+                while (queue.Count == 0 && !closing) Monitor.Wait(gate);
+                return queue.Count > 0 ? queue.Dequeue() : null;
+            }
+        }
+
+        private static Socket Open(EndPoint place, int patienceMs)
+        {
+            bool isUnix = place.AddressFamily == AddressFamily.Unix;
+            var socket = new Socket(place.AddressFamily, SocketType.Stream, isUnix ? ProtocolType.Unspecified : ProtocolType.Tcp);
+            try
+            {
+                if (isUnix)
+                {
+                    socket.Connect(place);
+                    return socket;
+                }
+                IAsyncResult connecting = socket.BeginConnect(place, null, null);
+                if (!connecting.AsyncWaitHandle.WaitOne(patienceMs)) throw new SocketException((int)SocketError.TimedOut);
+                socket.EndConnect(connecting);
+                // A game's small lines must not wait for each other's acknowledgement.
+                socket.NoDelay = true;
+                return socket;
+            }
+            catch (Exception)
+            {
+                socket.Close();
+                throw;
+            }
+        }
+    }
+}

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+using System;
+using System.Threading.Tasks;
+using UnityEngine;
+
+namespace Hedgehog.Unity
+{
+    /// <summary>The ball in a scene. Connects while it is enabled and again whenever the daemon is back; nothing waits for the
+    /// daemon. Of the main thread.</summary>
+    [AddComponentMenu("Hedgehog/Hedgehog Ball")]
+    [DisallowMultipleComponent]
+    public sealed class HedgehogBall : MonoBehaviour
+    {
+        [SerializeField]
+        [Tooltip("127.0.0.1:7586 or a socket's path. Empty: HEDGEHOG_ADDRESS, else as every client finds the daemon.")]
+        private string address = "";
+
+        [SerializeField]
+        [Range((float)Ranges.GainMin, (float)Ranges.GainMax)]
+        [Tooltip("Multiplies the strength of everything that this component plays.")]
+        private float gain = 1f;
+
+        private AsyncBall client;
+        private Task opening;
+        private float telemetryHz;
+        private string[] telemetryFields;
+
+        /// <summary>What happened to effects and to the ball, on the main thread.</summary>
+        public event Action<Results.Event> EventReceived;
+
+        /// <summary>The status, after SubscribeTelemetry, on the main thread.</summary>
+        public event Action<Results.Telemetry> TelemetryReceived;
+
+        /// <summary>All methods of the protocol. null while disabled.</summary>
+        public AsyncBall Client
+        {
+            get { return client; }
+        }
+
+        public bool Connected
+        {
+            get { return client != null && client.Connected; }
+        }
+
+        /// <summary>Why nothing is felt, one sentence; empty: it is.</summary>
+        public string Problem { get; private set; }
+
+        /// <summary>A vibration that goes on while this is called every frame: strength 0..1, 0 ends it. direction as Unity has it:
+        /// x right, y up, z forward; zero: none. False: there is no daemon.</summary>
+        public bool Rumble(string slot, float strength, Vector3 direction, float frequencyHz = 70f)
+        {
+            if (client == null) return false;
+            return client.Rumble(slot, gain * strength, ToBall(direction), frequencyHz);
+        }
+
+        /// <summary>One push. The task may be awaited for what the ball makes of it, or not; it ends with RequestError or
+        /// NotConnected.</summary>
+        public Task<Results.Admission> Pulse(Vector3 direction, float strength = 1f, float durationMs = 180f, int priority = 5)
+        {
+            Results.Hello hello = client == null ? null : client.Hello;
+            if (hello == null)
+                return Observed(Task.FromException<Results.Admission>(new NotConnected(Problem ?? "the ball is not connected")));
+            double level = Hedgehog.Rumble.FeltLevel(gain * strength, hello.Limits.FeltA, hello.Limits.CurrentA);
+            return Observed(client.Pulse(ToBall(direction), level: level, durationMs: durationMs, priority: priority));
+        }
+
+        /// <summary>Ends all effects of this game: for a pause menu.</summary>
+        public bool StopAll()
+        {
+            return client != null && client.Notify("effect.stop_all");
+        }
+
+        /// <summary>From now on TelemetryReceived comes so many times a second, after a lost connection too; 0 ends it. fields: keys
+        /// of the status; none: all but pins. There is one telemetry a component; the last call holds.</summary>
+        public void SubscribeTelemetry(float rateHz, params string[] fields)
+        {
+            telemetryHz = rateHz;
+            telemetryFields = fields.Length == 0 ? null : fields;
+            if (!Connected) return;
+            if (rateHz > 0f) Observed(client.TelemetrySubscribe(rateHz, telemetryFields));
+            else Observed(client.TelemetryUnsubscribe());
+        }
+
+        /// <summary>A Unity vector in the ball's frame; null for zero.</summary>
+        public static Direction ToBall(Vector3 v)
+        {
+            return v.x == 0f && v.y == 0f && v.z == 0f ? null : Direction.Vector(v.z, -v.x, v.y);
+        }
+
+        private void OnEnable()
+        {
+            Problem = "the daemon has not been reached yet";
+            try
+            {
+                client = new AsyncBall(address, Application.productName);
+            }
+            catch (AddressError error)
+            {
+                Problem = error.Message;
+                Debug.LogWarning(Problem, this);
+            }
+        }
+
+        private void Update()
+        {
+            if (client == null) return;
+            if (!client.Connected && client.RetryAfterS <= 0.0 && (opening == null || opening.IsCompleted)) opening = Open(client);
+            Notification received;
+            while (client != null && client.TryNext(out received))
+            {
+                Results.Event happened = received.Event;
+                Results.Telemetry status = received.Telemetry;
+                if (happened != null && EventReceived != null) EventReceived(happened);
+                if (status != null && TelemetryReceived != null) TelemetryReceived(status);
+            }
+        }
+
+        private void OnDisable()
+        {
+            AsyncBall ended = client;
+            client = null;
+            if (ended != null) ended.Dispose();
+        }
+
+        private async Task Open(AsyncBall of)
+        {
+            try
+            {
+                await of.Open();
+                await of.EventsSubscribe();
+                if (telemetryHz > 0f) await of.TelemetrySubscribe(telemetryHz, telemetryFields);
+                Problem = "";
+            }
+            catch (BallError error)
+            {
+                Problem = error.Message;
+            }
+        }
+
+        /// A refusal that nobody awaits is no unobserved exception.
+        private static Task<T> Observed<T>(Task<T> task)
+        {
+            task.ContinueWith(failed => GC.KeepAlive(failed.Exception), TaskContinuationOptions.OnlyOnFaulted);
+            return task;
+        }
+    }
+}

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include "core/client.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <string_view>
+
+namespace hedgehog::unreal {
+
+double felt_level(double strength, const Json& limits) {
+  const double most_a = limits["current_a"].number();
+  if (!(strength > 0.0) || !(most_a > 0.0)) return 0.0;
+  const double felt = std::min(1.0, limits["felt_a"].number() / most_a);
+  return felt + (1.0 - felt) * std::min(1.0, strength);
+}
+
+Client::Client(Settings settings, Connect connect, Listeners listeners)
+    : settings_(std::move(settings)),
+      connect_(std::move(connect)),
+      listeners_(std::move(listeners)) {}
+
+void Client::poll(double now_s) {
+  now_s_ = now_s;
+  report_later();
+  if (closed_) return;
+  if (session_ == nullptr) {
+    if (remaining_s() <= 0.0) connect();
+    return;
+  }
+  const std::shared_ptr<Session> session = session_;
+  session->poll(now_s);
+  // A listener may have closed it.
+  if (session != session_) return;
+  if (!session->ended().empty())
+    lose();
+  else if (session->is_open() && !greeted_)
+    begin();
+}
+
+void Client::close() {
+  closed_ = true;
+  end("this ball is closed", Json());
+}
+
+void Client::request(const std::string& method, const Json& params, OnAnswer on_answer) {
+  const std::string where = params.non_finite();
+  if (!where.empty()) {
+    fail_later(std::move(on_answer), failed(Failure::kBadValue, where + ": is no number"));
+    return;
+  }
+  note_subscription(method, params);
+  if (closed_) {
+    fail_later(std::move(on_answer), failed(Failure::kNotConnected, "this ball is closed"));
+  } else if (session_ == nullptr && remaining_s() > 0.0) {
+    char message[80];
+    std::snprintf(message, sizeof message, "the daemon does not run; next attempt in %.1f s",
+                  remaining_s());
+    fail_later(std::move(on_answer), failed(Failure::kNotConnected, message, remaining_s()));
+  } else if (is_open()) {
+    session_->ask(method, params.without_nulls(), std::move(on_answer), now_s_);
+  } else {
+    queue_.push_back({method, params, std::move(on_answer)});
+  }
+}
+
+bool Client::notify(const std::string& method, const Json& params) {
+  if (!is_open() || !params.non_finite().empty()) return false;
+  note_subscription(method, params);
+  session_->notify(method, params.without_nulls());
+  return true;
+}
+
+bool Client::rumble(const std::string& slot, double strength, const Json& direction,
+                    const Json& params) {
+  if (!(strength > 0.0)) return notify("effect.stop", Json::object({{"slot", slot}}));
+  if (!is_open()) return false;
+  Json effect = params;
+  effect.set("slot", slot);
+  effect.set("direction", direction);
+  if (effect["lease_ms"].is(Json::Kind::kNull)) effect.set("lease_ms", kLeaseMs);
+  effect.set("level", felt_level(strength, hello()["limits"]));
+  return notify("effect.vibrate", effect);
+}
+
+void Client::note_subscription(const std::string& method, const Json& params) {
+  constexpr std::string_view kBegins = ".subscribe";
+  constexpr std::string_view kEnds = ".unsubscribe";
+  const std::size_t dot = std::min(method.find('.'), method.size());
+  const std::string_view kind = std::string_view(method).substr(dot);
+  if (kind != kBegins && kind != kEnds) return;
+  const std::string subscription = method.substr(0, dot).append(kBegins);
+  subscriptions_.erase(std::remove_if(subscriptions_.begin(), subscriptions_.end(),
+                                      [&](const auto& one) { return one.first == subscription; }),
+                       subscriptions_.end());
+  if (kind == kBegins) subscriptions_.emplace_back(subscription, params);
+}
+
+const Json& Client::hello() const {
+  static const Json kNone;
+  return is_open() ? session_->hello() : kNone;
+}
+
+void Client::connect() {
+  place_ = find_daemon(settings_.address);
+  if (!place_.error.empty()) {
+    back_off();
+    if (!reported_ && listeners_.disconnected) listeners_.disconnected(place_.error);
+    reported_ = true;
+    fail_all({}, failed(Failure::kBadAddress, place_.error, remaining_s()));
+    return;
+  }
+  Json introduction = Json::object({{"client", settings_.name}, {"protocol", "1"}});
+  if (!settings_.token.empty()) introduction.set("token", settings_.token);
+  session_ =
+      std::make_shared<Session>(connect_(place_), std::move(introduction), settings_.patience_s,
+                                now_s_, [this](const std::string& method, const Json& params) {
+                                  if (listeners_.notification)
+                                    listeners_.notification(method, params);
+                                });
+}
+
+void Client::begin() {
+  greeted_ = true;
+  reported_ = false;
+  wait_s_ = 0.0;
+  next_attempt_s_ = 0.0;
+  std::vector<Waiting> queued = std::exchange(queue_, {});
+  for (const auto& [method, params] : subscriptions_) {
+    const bool asked =
+        std::any_of(queued.begin(), queued.end(),
+                    [name = &method](const Waiting& one) { return one.method == *name; });
+    if (!asked)
+      session_->ask(
+          method, params.without_nulls(), [](const Answer&) {}, now_s_);
+  }
+  for (Waiting& one : queued)
+    session_->ask(one.method, one.params.without_nulls(), std::move(one.on_answer), now_s_);
+  if (listeners_.connected) listeners_.connected(hello());
+}
+
+/// The daemon is gone, was never there, or refused the introduction.
+void Client::lose() {
+  back_off();
+  std::string reason = "the connection to the daemon has ended: " + session_->ended();
+  if (!session_->was_reached())
+    reason = "the daemon does not run: " + to_string(place_) + ": " + session_->ended();
+  else if (!session_->refusal().is(Json::Kind::kNull))
+    reason = session_->ended();
+  // A copy: the session goes away.
+  end(reason, Json(session_->refusal()));
+}
+
+void Client::end(const std::string& reason, const Json& refusal) {
+  const bool was_open = greeted_;
+  greeted_ = false;
+  const Answer answer = refusal.is(Json::Kind::kNull)
+                            ? failed(Failure::kNotConnected, reason, remaining_s())
+                            : refusal_of(refusal);
+  std::vector<OnAnswer> unanswered;
+  if (session_ != nullptr) unanswered = session_->close(reason);
+  session_.reset();
+  fail_all(std::move(unanswered), answer);
+  const bool report = !closed_ && (was_open || !reported_);
+  reported_ = true;
+  if (report && listeners_.disconnected) listeners_.disconnected(reason);
+}
+
+void Client::fail_all(std::vector<OnAnswer> unanswered, const Answer& answer) {
+  for (Waiting& one : std::exchange(queue_, {})) unanswered.push_back(std::move(one.on_answer));
+  for (const OnAnswer& one : unanswered) one(answer);
+}
+
+void Client::fail_later(OnAnswer on_answer, Answer answer) {
+  later_.emplace_back(std::move(on_answer), std::move(answer));
+}
+
+void Client::report_later() {
+  for (const auto& [on_answer, answer] : std::exchange(later_, {})) on_answer(answer);
+}
+
+void Client::back_off() {
+  wait_s_ = wait_s_ > 0.0 ? std::min(kMaxWaitS, 2.0 * wait_s_) : kFirstWaitS;
+  next_attempt_s_ = now_s_ + wait_s_;
+}
+
+double Client::remaining_s() const { return std::max(0.0, next_attempt_s_ - now_s_); }
+
+}  // namespace hedgehog::unreal

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// One connection's conversation: the introduction, requests with their responses, notifications.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/answer.h"
+#include "core/transport.h"
+
+namespace hedgehog::unreal {
+
+/// One thread; no call waits. Times are seconds of any clock that does not go back.
+class Session {
+ public:
+  /// The longest line that is taken from the daemon.
+  static constexpr std::size_t kMaxLine = std::size_t{4} << 20;
+  /// What a daemon that does not read may leave unsent.
+  static constexpr std::size_t kMaxUnsent = std::size_t{1} << 20;
+  using OnNotification = std::function<void(const std::string& method, const Json& params)>;
+
+  Session(std::unique_ptr<Transport> transport, Json introduction, double patience_s, double now_s,
+          OnNotification on_notification);
+
+  /// What came and what is late.
+  void poll(double now_s);
+  void ask(const std::string& method, const Json& params, OnAnswer on_answer, double now_s);
+  /// Expects no response.
+  void notify(const std::string& method, const Json& params);
+  /// Ends it. Gives the listeners of requests that will have no answer.
+  std::vector<OnAnswer> close(std::string reason);
+
+  bool is_open() const { return hello_.is(Json::Kind::kObject) && ended_.empty(); }
+  /// A daemon, or something else, has answered.
+  bool was_reached() const { return reached_; }
+  /// Empty: it goes on.
+  const std::string& ended() const { return ended_; }
+  const Json& hello() const { return hello_; }
+  /// Of the introduction, JSON-RPC's error; null: none.
+  const Json& refusal() const { return refusal_; }
+
+ private:
+  struct Pending {
+    std::int64_t id;
+    std::string method;
+    OnAnswer on_answer;
+    double deadline_s;
+  };
+  void send(const std::string& method, const Json& params, std::int64_t id);
+  void flush();
+  void read();
+  void take(std::string_view bytes);
+  void take_line(const std::string& line);
+  void take_introduction(const Json& message);
+  void check_deadlines(double now_s);
+
+  std::unique_ptr<Transport> transport_;
+  Json introduction_;
+  double patience_s_;
+  double deadline_s_;
+  OnNotification on_notification_;
+  std::string received_;
+  std::string unsent_;
+  std::string ended_;
+  bool open_ = false;
+  bool reached_ = false;
+  bool writable_ = true;
+  Json hello_;
+  Json refusal_;
+  std::int64_t last_id_ = 0;
+  std::vector<Pending> pending_;
+};
+
+}  // namespace hedgehog::unreal

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include "hedgehog_subsystem.h"
+
+#include <string>
+#include <utility>
+
+#include "Stats/Stats.h"
+#include "core/client.h"
+#include "core/methods.h"
+#include "hedgehog_effect_json.h"
+#include "socket_transport.h"
+
+DEFINE_LOG_CATEGORY_STATIC(LogHedgehog, Log, All);
+
+namespace {
+
+using hedgehog::unreal::Answer;
+using hedgehog::unreal::Json;
+namespace methods = hedgehog::unreal::methods;
+
+std::string ToUtf8(const FString& Text) { return std::string(TCHAR_TO_UTF8(*Text)); }
+FString FromUtf8(const std::string& Text) { return FString(UTF8_TO_TCHAR(Text.c_str())); }
+
+/// The ball's axes are x front, y left, z up.
+Json ToJson(const FVector& Direction) {
+  return Json::array({Direction.X, -Direction.Y, Direction.Z});
+}
+
+template <class TEffect>
+Json With(const char* Name, Json Value, const TEffect& Effect) {
+  Json Params = HedgehogToJson(Effect);
+  Params.set(Name, std::move(Value));
+  return Params;
+}
+
+FHedgehogAnswer ToAnswer(const FString& Method, const Answer& Came) {
+  FHedgehogAnswer Report;
+  Report.bOk = Came.ok();
+  Report.Method = Method;
+  if (Came.ok()) Report.Result = FromUtf8(Came.result.to_text());
+  Report.Message = FromUtf8(Came.message);
+  Report.Code = Came.code;
+  Report.Name = FromUtf8(Came.name);
+  Report.Field = FromUtf8(Came.data["field"].text());
+  return Report;
+}
+
+FHedgehogEvent ToEvent(const Json& Params) {
+  FHedgehogEvent Event;
+  Event.Type = FromUtf8(Params["type"].text());
+  Event.Effect = static_cast<int64>(Params["effect"].number());
+  Event.Slot = FromUtf8(Params["slot"].text());
+  Event.Reason = FromUtf8(Params["reason"].text());
+  Event.Json = FromUtf8(Params.to_text());
+  return Event;
+}
+
+FHedgehogStatus ToStatus(const Json& Params) {
+  FHedgehogStatus Status;
+  Status.State = FromUtf8(Params["state"].text());
+  Status.TemperatureC = static_cast<float>(Params["temperature_c"]["model"].number());
+  Status.LimitA = static_cast<float>(Params["limit_a"].number());
+  Status.Json = FromUtf8(Params.to_text());
+  return Status;
+}
+
+}  // namespace
+
+void UHedgehogSubsystem::Initialize(FSubsystemCollectionBase& Collection) {
+  Super::Initialize(Collection);
+  hedgehog::unreal::Settings Settings;
+  Settings.address = ToUtf8(Address);
+  Settings.patience_s = static_cast<double>(PatienceS);
+  hedgehog::unreal::Listeners Listeners;
+  Listeners.connected = [this](const Json&) { OnConnected.Broadcast(); };
+  Listeners.disconnected = [this](const std::string& Reason) {
+    const FString Sentence = FromUtf8(Reason);
+    UE_LOG(LogHedgehog, Warning, TEXT("%s"), *Sentence);
+    OnDisconnected.Broadcast(Sentence);
+  };
+  Listeners.notification = [this](const std::string& Method, const Json& Params) {
+    if (Method == "event") OnEvent.Broadcast(ToEvent(Params));
+    if (Method == "telemetry") OnStatus.Broadcast(ToStatus(Params));
+  };
+  Client = std::make_shared<hedgehog::unreal::Client>(std::move(Settings), HedgehogConnector(),
+                                                      std::move(Listeners));
+}
+
+void UHedgehogSubsystem::Deinitialize() {
+  if (Client != nullptr) Client->close();
+  Client.reset();
+  Super::Deinitialize();
+}
+
+void UHedgehogSubsystem::Tick(float) {
+  // A listener may end the game, and this with it.
+  const std::shared_ptr<hedgehog::unreal::Client> Polled = Client;
+  if (Polled != nullptr) Polled->poll(FPlatformTime::Seconds());
+}
+
+TStatId UHedgehogSubsystem::GetStatId() const {
+  RETURN_QUICK_DECLARE_CYCLE_STAT(UHedgehogSubsystem, STATGROUP_Tickables);
+}
+
+bool UHedgehogSubsystem::IsBallConnected() const { return Client != nullptr && Client->is_open(); }
+
+bool UHedgehogSubsystem::Rumble(const FString& Slot, float Strength, FVector Direction,
+                                float FrequencyHz) {
+  const Json Params = Json::object({{"frequency_hz", static_cast<double>(FrequencyHz)}});
+  return Client != nullptr &&
+         Client->rumble(ToUtf8(Slot), static_cast<double>(Strength), ToJson(Direction), Params);
+}
+
+void UHedgehogSubsystem::Pulse(FVector Direction, const FHedgehogEffect& Effect) {
+  Start(methods::kEffectPulse, With("direction", ToJson(Direction), Effect));
+}
+
+void UHedgehogSubsystem::Vibrate(FVector Direction, const FHedgehogEffect& Effect) {
+  Start(methods::kEffectVibrate, With("direction", ToJson(Direction), Effect));
+}
+
+void UHedgehogSubsystem::Hold(FVector Direction, const FHedgehogEffect& Effect) {
+  Start(methods::kEffectHold, With("direction", ToJson(Direction), Effect));
+}
+
+void UHedgehogSubsystem::Circle(FVector Axis, const FHedgehogCircle& Effect) {
+  Start(methods::kEffectCircle, With("axis", ToJson(Axis), Effect));
+}
+
+void UHedgehogSubsystem::Play(const FString& Pattern, const FHedgehogPlay& Effect) {
+  Start(methods::kEffectPlay, With("pattern", ToUtf8(Pattern), Effect));
+}
+
+void UHedgehogSubsystem::Stop(const FString& Slot) {
+  Start(methods::kEffectStop, Json::object({{"slot", ToUtf8(Slot)}}));
+}
+
+void UHedgehogSubsystem::StopAll() { Start(methods::kEffectStopAll, Json::object()); }
+
+void UHedgehogSubsystem::SubscribeEvents(bool bOfAll) {
+  Start(methods::kEventsSubscribe, Json::object({{"scope", bOfAll ? "all" : "mine"}}));
+}
+
+void UHedgehogSubsystem::SubscribeStatus(float RateHz) {
+  Start(methods::kTelemetrySubscribe, Json::object({{"rate_hz", static_cast<double>(RateHz)}}));
+}
+
+void UHedgehogSubsystem::UnsubscribeEvents() { Start(methods::kEventsUnsubscribe, Json::object()); }
+
+void UHedgehogSubsystem::UnsubscribeStatus() {
+  Start(methods::kTelemetryUnsubscribe, Json::object());
+}
+
+void UHedgehogSubsystem::Request(const FString& Method, const FString& Params,
+                                 const FHedgehogAnswered& Answered) {
+  Ask(
+      Method, Params,
+      [Answered](const FHedgehogAnswer& Answer) { Answered.ExecuteIfBound(Answer); });
+}
+
+void UHedgehogSubsystem::Ask(const FString& Method, const FString& Params,
+                             std::function<void(const FHedgehogAnswer&)> Answered) {
+  if (Client == nullptr) return;
+  const std::string Text = ToUtf8(Params);
+  const std::optional<Json> Object = Json::parse(Text.empty() ? "{}" : Text);
+  if (!Object || !Object->is(Json::Kind::kObject)) {
+    Answered(ToAnswer(Method, hedgehog::unreal::failed(hedgehog::unreal::Failure::kBadValue,
+                                                       "the parameters are no JSON object")));
+    return;
+  }
+  Client->request(ToUtf8(Method), *Object,
+                  [Method, Answered](const Answer& Came) { Answered(ToAnswer(Method, Came)); });
+}
+
+void UHedgehogSubsystem::Start(const char* Method, const Json& Params) {
+  if (Client == nullptr) return;
+  Client->request(Method, Params, [this, Method](const Answer& Came) {
+    if (!Came.ok()) Refuse(Method, Came);
+  });
+}
+
+void UHedgehogSubsystem::Refuse(const char* Method, const Answer& Came) {
+  const FHedgehogAnswer Report = ToAnswer(FString(UTF8_TO_TCHAR(Method)), Came);
+  UE_LOG(LogHedgehog, Warning, TEXT("%s: %s"), *Report.Method, *Report.Message);
+  OnRefused.Broadcast(Report);
+}

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "socket_transport.h"
+
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "AddressInfoTypes.h"
+#include "CoreMinimal.h"
+#include "IPAddress.h"
+#include "SocketSubsystem.h"
+#include "Sockets.h"
+
+namespace {
+
+using hedgehog::unreal::Transport;
+
+/// The addresses of a name, looked up by a task of the engine's: a name server may take seconds.
+struct FHedgehogLookup {
+  std::string Host;
+  std::mutex Lock;
+  std::optional<FAddressInfoResult> Found;
+
+  bool IsDone() {
+    const std::lock_guard<std::mutex> Guard(Lock);
+    return Found.has_value();
+  }
+};
+
+class FHedgehogTransport final : public Transport {
+ public:
+  FHedgehogTransport(ISocketSubsystem* InSubsystem, std::shared_ptr<FHedgehogLookup> InLookup,
+                     std::uint16_t InPort)
+      : Subsystem(InSubsystem), Lookup(std::move(InLookup)), Port(InPort) {}
+
+  ~FHedgehogTransport() override { Destroy(); }
+
+  State state() override {
+    if (Lookup != nullptr) {
+      if (!Lookup->IsDone()) return State::kConnecting;
+      Connect(*Lookup->Found);
+      Lookup.reset();
+    }
+    if (Socket == nullptr) return State::kEnded;
+    if (Socket->GetConnectionState() == SCS_ConnectionError) return State::kEnded;
+    if (!bOpen) bOpen = Socket->Wait(ESocketWaitConditions::WaitForWrite, FTimespan::Zero());
+    return bOpen ? State::kOpen : State::kConnecting;
+  }
+
+  std::size_t send(std::string_view Bytes, bool& bEnded) override {
+    int32 Sent = 0;
+    if (Socket != nullptr && Socket->Send(reinterpret_cast<const uint8*>(Bytes.data()),
+                                          static_cast<int32>(Bytes.size()), Sent))
+      return static_cast<std::size_t>(Sent);
+    bEnded = Socket == nullptr || !WouldBlock();
+    return 0;
+  }
+
+  std::size_t receive(char* Bytes, std::size_t Size, bool& bEnded) override {
+    int32 Read = 0;
+    if (Socket != nullptr &&
+        Socket->Recv(reinterpret_cast<uint8*>(Bytes), static_cast<int32>(Size), Read))
+      return static_cast<std::size_t>(Read);
+    // Nothing there is a success with nothing read (FSocketBSD::Recv); a failure is the end.
+    bEnded = true;
+    return 0;
+  }
+
+ private:
+  void Connect(const FAddressInfoResult& Found) {
+    if (Found.Results.Num() == 0) return;
+    const TSharedRef<FInternetAddr> Remote = Found.Results[0].Address;
+    Remote->SetPort(Port);
+    Socket = Subsystem->CreateSocket(NAME_Stream, TEXT("Hedgehog"), Remote->GetProtocolType());
+    if (Socket == nullptr) return;
+    Socket->SetNonBlocking(true);
+    // Small lines would wait up to 40 ms for others.
+    Socket->SetNoDelay(true);
+    if (!Socket->Connect(*Remote) && !WouldBlock()) Destroy();
+  }
+
+  bool WouldBlock() const {
+    const ESocketErrors Error = Subsystem->GetLastErrorCode();
+    return Error == SE_EWOULDBLOCK || Error == SE_EINPROGRESS;
+  }
+
+  void Destroy() {
+    if (Socket == nullptr) return;
+    Socket->Close();
+    Subsystem->DestroySocket(Socket);
+    Socket = nullptr;
+  }
+
+  ISocketSubsystem* Subsystem;
+  /// Null once the addresses are there.
+  std::shared_ptr<FHedgehogLookup> Lookup;
+  std::uint16_t Port;
+  FSocket* Socket = nullptr;
+  bool bOpen = false;
+};
+
+/// Attempts to connect to one name share the lookup that is under way, so that a silent name server
+/// holds one of the engine's threads and no more.
+class FHedgehogConnector {
+ public:
+  std::unique_ptr<Transport> operator()(const hedgehog::unreal::Address& Place) {
+    ISocketSubsystem* const Subsystem = ISocketSubsystem::Get(PLATFORM_SOCKETSUBSYSTEM);
+    if (Last == nullptr || Last->Host != Place.host || Last->IsDone())
+      Last = Start(*Subsystem, Place.host);
+    return std::make_unique<FHedgehogTransport>(Subsystem, Last, Place.port);
+  }
+
+ private:
+  static std::shared_ptr<FHedgehogLookup> Start(ISocketSubsystem& Subsystem,
+                                                const std::string& Host) {
+    auto Lookup = std::make_shared<FHedgehogLookup>();
+    Lookup->Host = Host;
+    Subsystem.GetAddressInfoAsync(
+        [Lookup](FAddressInfoResult Found) {
+          const std::lock_guard<std::mutex> Guard(Lookup->Lock);
+          Lookup->Found.emplace(std::move(Found));
+        },
+        UTF8_TO_TCHAR(Host.c_str()), nullptr, EAddressInfoFlags::Default, NAME_None,
+        SOCKTYPE_Streaming);
+    return Lookup;
+  }
+
+  std::shared_ptr<FHedgehogLookup> Last;
+};
+
+}  // namespace
+
+hedgehog::unreal::Connect HedgehogConnector() { return FHedgehogConnector(); }

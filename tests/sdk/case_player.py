@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: MIT
+"""The cases of conformance.json for libraries that run as programs of their own: a program reads its case from HEDGEHOG_CASE,
+connects to HEDGEHOG_ADDRESS with the patience of HEDGEHOG_PATIENCE_S, prints "passed" and exits with 0."""
+
+import json
+import os
+import pathlib
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+CASES = json.loads((HERE / "conformance.json").read_text(encoding="utf-8"))["cases"]
+# A case in which the daemon never answers takes as long as the library's patience.
+SLOW = "a slow response ends the connection, the next call makes a new one"
+# What a script's engine prints of a mistake in it.
+MISTAKE = "SCRIPT ERROR"
+
+
+def failure_of(case, start):
+    """What went wrong; empty: nothing. `start` starts the program in an environment."""
+    daemon = subprocess.Popen([sys.executable, str(HERE / "fake_daemon.py"), case["name"]],
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    address = "127.0.0.1:" + daemon.stdout.readline().strip()
+    program = start(dict(os.environ, HEDGEHOG_ADDRESS=address, HEDGEHOG_CASE=json.dumps(case),
+                         HEDGEHOG_PATIENCE_S="3" if case["name"] == SLOW else "60"))
+    try:
+        printed, _ = program.communicate(timeout=120)
+        _, errors = daemon.communicate(timeout=70)
+    except subprocess.TimeoutExpired:
+        program.kill()
+        daemon.kill()
+        return "no end: " + program.communicate()[0]
+    passed = program.returncode == 0 and "passed" in printed.splitlines() and MISTAKE not in printed
+    return "" if passed and daemon.returncode == 0 else printed + errors + "exit %d" % program.returncode
+
+
+def play_all(sdk, start):
+    """Prints a line a case, "ok" or "not ok", SDK and case. True: all passed."""
+    passed = True
+    table = os.environ.get("HEDGEHOG_CONFORMANCE_TABLE", os.devnull)
+    for case in CASES:
+        failure = failure_of(case, start)
+        with open(table, "a", encoding="utf-8") as lines:
+            lines.write("%s\t%s\t%s\n" % (sdk, case["name"], "failed" if failure else "ok"))
+        print("%s %s %s" % ("not ok" if failure else "ok", sdk, case["name"]), flush=True)
+        if failure:
+            print(failure, file=sys.stderr)
+            passed = False
+    return passed

@@ -1,0 +1,47 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""When the table of libraries and cases is a failure."""
+
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+HERE = pathlib.Path(__file__).resolve().parent
+DOCUMENT = json.loads((HERE / "conformance.json").read_text(encoding="utf-8"))
+LINES = [(library, case["name"], "ok") for library in DOCUMENT["libraries"] for case in DOCUMENT["cases"]]
+
+
+class Table(unittest.TestCase):
+    def table(self, lines):
+        with tempfile.NamedTemporaryFile("w", encoding="utf-8") as file:
+            file.writelines("\t".join(line) + "\n" for line in lines)
+            file.flush()
+            return subprocess.run([sys.executable, str(HERE / "conformance_table.py"), file.name],
+                                  stdout=subprocess.PIPE, text=True, check=False)
+
+    def test_every_library_passes_every_case(self):
+        self.assertEqual(self.table(LINES).returncode, 0)
+
+    def test_a_library_that_did_not_run(self):
+        table = self.table([line for line in LINES if line[0] != "unreal"])
+        self.assertEqual(table.returncode, 1)
+        self.assertIn("missing", table.stdout)
+
+    def test_no_library_ran(self):
+        self.assertEqual(self.table([]).returncode, 1)
+
+    def test_a_case_that_was_left_out_or_failed(self):
+        self.assertEqual(self.table(LINES[1:]).returncode, 1)
+        self.assertEqual(self.table([LINES[0][:2] + ("failed",)] + LINES[1:]).returncode, 1)
+
+    def test_a_library_that_is_not_expected_has_to_pass_too(self):
+        others = [("godot4", case["name"], "ok") for case in DOCUMENT["cases"]]
+        self.assertEqual(self.table(LINES + others).returncode, 0)
+        self.assertEqual(self.table(LINES + others[1:]).returncode, 1)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+// conformance.json against the C++ library, with and without a thread: cpp_conformance FOLDER.
+// Exit: 0 all cases pass.
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "clients/lib/ball.h"
+#include "clients/lib/threaded_ball.h"
+
+namespace hedgehog {
+namespace {
+
+using client::ClientError;
+using client::Failure;
+using client::Milliseconds;
+using nlohmann::json;
+
+// Of calls; a case in which the daemon never answers takes so long.
+constexpr Milliseconds kPatience{60'000};
+constexpr Milliseconds kSlowPatience{3'000};
+constexpr const char* kSlow = "a slow response ends the connection, the next call makes a new one";
+
+void expect(bool met, const std::string& what) {
+  if (!met) throw std::runtime_error("not so: " + what);
+}
+
+/// Parameters that are not given are none.
+std::string text_of(json params) {
+  for (auto it = params.begin(); it != params.end();)
+    it = it->is_null() ? params.erase(it) : std::next(it);
+  return params.empty() ? "" : params.dump();
+}
+
+/// The daemon's side of a case, a process of its own.
+class FakeDaemon {
+ public:
+  FakeDaemon(const std::string& folder, const std::string& name)
+      : pipe_(::popen(("python3 '" + folder + "/fake_daemon.py' \"" + name + "\"").c_str(), "r")) {
+    char port[16] = {};
+    expect(pipe_ != nullptr && std::fgets(port, sizeof port, pipe_) != nullptr, "a port");
+    address_ = {.host = "127.0.0.1", .port = static_cast<std::uint16_t>(std::atoi(port))};
+  }
+  FakeDaemon(const FakeDaemon&) = delete;
+  FakeDaemon& operator=(const FakeDaemon&) = delete;
+  ~FakeDaemon() { finish(); }
+
+  const client::Address& address() const { return address_; }
+  bool finish() {
+    const int status = pipe_ == nullptr ? 0 : ::pclose(pipe_);
+    pipe_ = nullptr;
+    return status == 0;
+  }
+
+ private:
+  std::FILE* pipe_;
+  client::Address address_;
+};
+
+/// As a program that waits for each response.
+class Waiting {
+ public:
+  static constexpr const char* kName = "C++ Ball";
+  Waiting(const client::Address& address, BallOptions options)
+      : ball_({address}, std::move(options)) {}
+
+  client::Outcome<void> open() { return ball_.open(); }
+  client::Outcome<std::string> call(const std::string& method, const std::string& params) {
+    return ball_.call_raw(method, params);
+  }
+  bool notify(const std::string& method, const std::string& params) {
+    return ball_.notify_raw(method, params);
+  }
+  bool rumble(const std::string& slot, double strength,
+              std::optional<protocol::Direction> direction, protocol::EffectParams others) {
+    return ball_.rumble(slot, strength, std::move(direction), std::move(others));
+  }
+  client::Notification next() { return ball_.next(kPatience).value().value(); }
+  Milliseconds retry_after() { return ball_.retry_after(); }
+
+ protected:
+  Ball ball_;
+};
+
+/// As a frame loop without a thread: nothing waits, not even for the connection.
+class Frames : public Waiting {
+ public:
+  static constexpr const char* kName = "C++ Ball, frames";
+  using Waiting::Waiting;
+
+  client::Outcome<void> open() {
+    while (!ball_.connected() && ball_.problem().empty()) frame();
+    if (ball_.connected()) return {};
+    return ball_.failure();
+  }
+  client::Outcome<std::string> call(const std::string& method, const std::string& params) {
+    while (!ball_.connected()) frame();
+    const auto asked = ball_.ask_raw(method, params);
+    for (;;) {
+      if (!ball_.connected()) return ball_.failure();
+      while (auto reply = ball_.answer()) {
+        if (reply->id != asked) continue;
+        if (reply->result) return *std::move(reply->result);
+        return ClientError{Failure::kRefused, reply->result.error().message, reply->result.error()};
+      }
+      frame();
+    }
+  }
+  client::Notification next() {
+    for (;;) {
+      if (auto one = ball_.next()) return *std::move(one);
+      frame();
+    }
+  }
+
+ private:
+  void frame() {
+    ball_.update();
+    std::this_thread::yield();
+  }
+};
+
+/// The outcome is what the step says.
+void check(const json& step, const client::Outcome<std::string>& outcome) {
+  if (step.contains("failure")) {
+    expect(!outcome && outcome.error().failure != Failure::kRefused, "not connected");
+    expect(outcome.error().message.find(step["says"].get<std::string>()) != std::string::npos,
+           outcome.error().message);
+  } else if (step.contains("error")) {
+    expect(!outcome && outcome.error().refusal, "refused");
+    const json& wanted = step["error"];
+    const protocol::RpcError refusal = *outcome.error().refusal;
+    expect(static_cast<int>(refusal.code) == wanted["code"], "the code");
+    // This library has the name by the code, also when the daemon gives none.
+    expect(wanted["name"] == "" || wanted["name"] == std::string(protocol::name(refusal.code)),
+           "the name");
+    expect(wanted["message"] == outcome.error().message, "the message");
+    expect(wanted.value("field", "") == refusal.field.value_or(""), "the field");
+  } else {
+    expect(outcome.has_value(), outcome ? "" : outcome.error().message);
+    if (step.contains("result")) expect(json::parse(*outcome) == step["result"], *outcome);
+  }
+}
+
+protocol::EffectParams effect_params(const json& params) {
+  protocol::EffectParams made;
+  for (const auto& [name, value] : params.items()) {
+    expect(name == "frequency_hz", "a parameter that this program does not know: " + name);
+    made.frequency_hz = value.get<double>();
+  }
+  return made;
+}
+
+template <class Library>
+void play(Library& library, const json& step) {
+  const json params = step.value("params", json::object());
+  if (step.contains("call")) {
+    check(step, library.call(step["call"], text_of(params)));
+  } else if (step.contains("call_again")) {
+    auto outcome = library.call(step["call_again"], "");
+    for (; !outcome; outcome = library.call(step["call_again"], ""))
+      std::this_thread::sleep_for(library.retry_after());
+    check(step, outcome);
+  } else if (step.contains("notify")) {
+    expect(library.notify(step["notify"], text_of(params)), "notified");
+  } else if (step.contains("rumble")) {
+    std::optional<protocol::Direction> direction;
+    if (step.value("direction", "") == "back") direction = protocol::Word::kBack;
+    expect(library.rumble(step["rumble"], step["strength"], direction, effect_params(params)),
+           "rumbled");
+  } else {
+    const auto received = library.next();
+    const auto& event = std::get<protocol::EventMessage>(received);
+    expect(step["notification"] == "event" && json::parse(event.json) == params, event.json);
+  }
+}
+
+template <class Library>
+void play_case(const std::string& folder, const json& one) {
+  const std::string name = one["name"];
+  FakeDaemon daemon(folder, name);
+  {
+    Library library(daemon.address(),
+                    {.name = "conformance", .patience = name == kSlow ? kSlowPatience : kPatience});
+    const auto opened = library.open();
+    if (one["client"][0].contains("open")) {
+      check(one["client"][0],
+            opened ? client::Outcome<std::string>(std::string()) : opened.error());
+    } else {
+      expect(opened.has_value(), opened ? "" : opened.error().message);
+      for (const json& step : one["client"]) play(library, step);
+    }
+  }
+  expect(daemon.finish(), "what the daemon expects");
+}
+
+/// One line on the terminal, and one for the table of run.sh.
+template <class Library>
+bool run(const std::string& folder, const json& one) {
+  const std::string name = one["name"];
+  std::string wrong;
+  try {
+    play_case<Library>(folder, one);
+  } catch (const std::exception& error) {
+    wrong = error.what();
+  }
+  std::printf("%s%s: %s%s\n", wrong.empty() ? "ok      " : "FAILED  ", Library::kName, name.c_str(),
+              wrong.empty() ? "" : (": " + wrong).c_str());
+  if (const char* table = std::getenv("HEDGEHOG_CONFORMANCE_TABLE")) {
+    std::ofstream(table, std::ios::app)
+        << Library::kName << '\t' << name << '\t' << (wrong.empty() ? "ok" : "failed") << '\n';
+  }
+  return wrong.empty();
+}
+
+int run_all(const std::string& folder) {
+  const json cases = json::parse(std::ifstream(folder + "/conformance.json")).at("cases");
+  bool well = true;
+  for (const json& one : cases) {
+    well = run<Waiting>(folder, one) && well;
+    well = run<Frames>(folder, one) && well;
+  }
+  return well ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace hedgehog
+
+int main(int count, char** arguments) {
+  if (count != 2) {
+    std::fputs("cpp_conformance FOLDER\n", stderr);
+    return 64;
+  }
+  return hedgehog::run_all(arguments[1]);
+}

@@ -1,0 +1,88 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""The daemon's side of a case of conformance.json: fake_daemon.py NAME. Prints its port; ends when the case has been
+played: exit 0, or 1 with a sentence when a client sent something else than the case expects."""
+
+import json
+import pathlib
+import socket
+import sys
+
+HELLO = {"server": "fake", "protocol": "1.0", "role": "operate",
+         "limits": {"current_a": 15.0, "continuous_a": 5.0, "felt_a": 2.1, "burst_s": 22.0}}
+
+
+class Refused(Exception):
+    pass
+
+
+def line_of(message):
+    return json.dumps(message, ensure_ascii=False).encode("utf-8") + b"\n"
+
+
+def check(expected, message):
+    if message.get("method") != expected["method"]:
+        raise Refused("expected %s, came %s" % (expected["method"], message.get("method")))
+    if ("id" in message) != expected.get("has_id", True):
+        raise Refused("%s: the id is %s" % (expected["method"], "there" if "id" in message else "missing"))
+    if "params" in expected:
+        params = message.get("params", {})
+        same = params.keys() == expected["params"].keys() and all(
+            abs(params[k] - v) < 1e-9 if isinstance(v, float) else params[k] == v
+            for k, v in expected["params"].items())
+        if not same:
+            raise Refused("%s: parameters %s" % (expected["method"], json.dumps(params)))
+
+
+def send(connection, data, piece):
+    for at in range(0, len(data), piece or len(data)):
+        connection.sendall(data[at:at + (piece or len(data))])
+
+
+def play(step, connection, lines):
+    if step == "hello":
+        step = {"expect": {"method": "hello"}, "result": HELLO}
+    text = lines.readline()
+    if not text:
+        raise Refused("the client went before %s" % step["expect"]["method"])
+    message = json.loads(text)
+    check(step["expect"], message)
+    for other in step.get("send", []):
+        connection.sendall(line_of(other))
+    if "raw" in step:
+        connection.sendall(step["raw"].encode("utf-8"))
+    for kind in ("result", "error"):
+        if kind in step:
+            send(connection, line_of({"jsonrpc": "2.0", "id": message["id"], kind: step[kind]}),
+                 step.get("piece_bytes", 0))
+    for other in step.get("after", []):
+        connection.sendall(line_of(other))
+
+
+def main():
+    text = (pathlib.Path(__file__).parent / "conformance.json").read_text(encoding="utf-8")
+    case = next(c for c in json.loads(text)["cases"] if c["name"] == sys.argv[1])
+    server = socket.create_server(("127.0.0.1", 0))
+    server.settimeout(60)
+    print(server.getsockname()[1], flush=True)
+    try:
+        for steps in case["connections"]:
+            connection, _ = server.accept()
+            connection.settimeout(60)
+            lines = connection.makefile("rb")
+            for step in steps:
+                play(step, connection, lines)
+            # The client closes, unless the case says that the daemon does.
+            if not (isinstance(steps[-1], dict) and steps[-1].get("close")):
+                while lines.readline():
+                    pass
+            lines.close()
+            connection.close()
+    except Refused as refused:
+        print(refused, file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: MIT
+# Drives the addon through the case of conformance.json in HEDGEHOG_CASE, for Godot 3 and 4. Prints "passed", or what differs.
+extends Node
+
+const ListeningBall = preload("res://listening_ball.gd")
+
+var ball = ListeningBall.new()
+var steps := []
+var at := 0
+var asked = null
+var again_s := 0.0
+
+
+func _ready():
+	steps = ball._engine.from_text(OS.get_environment("HEDGEHOG_CASE")).client
+	ball.client_name = "conformance"
+	ball.patience_s = float(OS.get_environment("HEDGEHOG_PATIENCE_S"))
+	add_child(ball)
+	# A case without an opening begins with the connection.
+	if not steps[0].has("open"):
+		asked = ball.open()
+		at = -1
+
+
+func _process(_delta):
+	if at < 0:
+		if asked.done:
+			check(asked.ok, asked.message)
+			next()
+	elif at < steps.size():
+		take(steps[at])
+	else:
+		ball.close()
+		print("passed")
+		get_tree().quit(0)
+
+
+func take(step):
+	if step.has("notification"):
+		if ball.received.size() > 0:
+			check(same(ball.received.pop_front(), [step.notification, step.get("params", {})]), "another notification")
+			next()
+	elif step.has("notify"):
+		check(ball.notify(step.notify, step.get("params", {})), "not sent")
+		next()
+	elif step.has("rumble"):
+		check(ball.rumble(step.rumble, step.strength, step.get("direction"), step.get("params", {})), "not sent")
+		next()
+	elif asked == null:
+		if ball._engine.now_s() >= again_s:
+			asked = ball.open() if step.has("open") else ball.request(method_of(step), step.get("params", {}))
+	elif asked.done:
+		answer(step)
+
+
+func answer(step):
+	if step.has("call_again") and not asked.ok:
+		check(asked.failure == "not_connected", asked.message)
+		again_s = ball._engine.now_s() + asked.retry_after_s
+		asked = null
+		return
+	if step.has("failure"):
+		check(asked.failure == step.failure, "failure is " + asked.failure)
+		check(step.says in asked.message, asked.message)
+	elif step.has("error"):
+		check(asked.failure == "refused", "failure is " + asked.failure)
+		check(same([asked.code, asked.error_name, asked.message, asked.data.get("field")],
+			[step.error.code, step.error.name, step.error.message, step.error.get("field")]), asked.message)
+	else:
+		check(asked.ok, asked.message)
+		check(not step.has("result") or same(asked.result, step.get("result")), "another result")
+	next()
+
+
+func next():
+	asked = null
+	at += 1
+
+
+func method_of(step):
+	return step.call if step.has("call") else step.call_again
+
+
+# Godot 3 compares dictionaries by identity.
+func same(a, b):
+	if a is Dictionary and b is Dictionary:
+		for key in a:
+			if not b.has(key) or not same(a[key], b[key]):
+				return false
+		return a.size() == b.size()
+	if a is Array and b is Array:
+		for i in range(min(a.size(), b.size())):
+			if not same(a[i], b[i]):
+				return false
+		return a.size() == b.size()
+	return a == b if (a == null) == (b == null) else false
+
+
+func check(holds, otherwise):
+	if not holds:
+		print("step %d: %s" % [at, otherwise])
+		at = steps.size() + 1
+		get_tree().quit(1)
+		set_process(false)

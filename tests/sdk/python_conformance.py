@@ -1,0 +1,171 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""conformance.json against the Python library, blocking and asyncio."""
+
+import asyncio
+import json
+import logging
+import os
+import pathlib
+import subprocess
+import sys
+import unittest
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent.parent / "clients" / "python"))
+
+import hedgehog  # noqa: E402
+
+CASES = json.loads((HERE / "conformance.json").read_text(encoding="utf-8"))["cases"]
+# Of calls; a case in which the daemon never answers takes so long.
+PATIENCE_S = 60.0
+SLOW = "a slow response ends the connection, the next call makes a new one"
+
+
+class Daemon:
+    def __init__(self, case):
+        self.process = subprocess.Popen([sys.executable, str(HERE / "fake_daemon.py"), case["name"]],
+                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.address = "127.0.0.1:" + self.process.stdout.readline().strip()
+
+    def finish(self):
+        _, errors = self.process.communicate(timeout=60)
+        return self.process.returncode, errors
+
+
+def patience_of(case):
+    return 3.0 if case["name"] == SLOW else PATIENCE_S
+
+
+class Blocking:
+    """A step of a case on Ball."""
+
+    async def open(self, address, patience_s):
+        self.ball = hedgehog.Ball(address, name="conformance", patience_s=patience_s)
+
+    async def close(self):
+        self.ball.close()
+
+    async def call(self, method, params):
+        return self.ball.call(method, **params)
+
+    async def notify(self, method, params):
+        return self.ball.notify(method, **params)
+
+    async def rumble(self, slot, strength, direction, params):
+        return self.ball.rumble(slot, strength, direction, **params)
+
+    async def notification(self):
+        return self.ball.next_notification(PATIENCE_S)
+
+
+class Asynchronous:
+    """A step of a case on AsyncBall."""
+
+    async def open(self, address, patience_s):
+        self.ball = hedgehog.AsyncBall(address, name="conformance", patience_s=patience_s)
+        await self.ball.__aenter__()
+        # What the generators of events and telemetry read from.
+        self.queue = asyncio.Queue(100)
+        self.ball._subscribers.append(self.queue)
+
+    async def close(self):
+        await self.ball.close()
+
+    async def call(self, method, params):
+        return await self.ball.call(method, **params)
+
+    async def notify(self, method, params):
+        return await self.ball.notify(method, **params)
+
+    async def rumble(self, slot, strength, direction, params):
+        return await self.ball.rumble(slot, strength, direction, **params)
+
+    async def notification(self):
+        return await asyncio.wait_for(self.queue.get(), PATIENCE_S)
+
+
+class Conformance(unittest.IsolatedAsyncioTestCase):
+    def setUp(self):
+        # Its complaint of slow callbacks is of the processes that a test starts.
+        logging.getLogger("asyncio").setLevel(logging.ERROR)
+
+    async def outcome(self, step, action):
+        """Result of the action, which has to end as the step says."""
+        if "failure" in step:
+            with self.assertRaises(hedgehog.NotConnected) as raised:
+                await action()
+            self.assertIn(step["says"], str(raised.exception))
+            return None
+        if "error" in step:
+            with self.assertRaises(hedgehog.RequestError) as raised:
+                await action()
+            error, expected = raised.exception, step["error"]
+            self.assertEqual((error.code, error.name, str(error)),
+                             (expected["code"], expected["name"], expected["message"]))
+            self.assertEqual(error.data.get("field"), expected.get("field"))
+            return None
+        return await action()
+
+    async def again(self, library, method):
+        while True:
+            try:
+                return await library.call(method, {})
+            except hedgehog.NotConnected as lost:
+                await asyncio.sleep(lost.retry_after_s)
+
+    async def step(self, library, step):
+        params = step.get("params", {})
+        if "call" in step:
+            result = await self.outcome(step, lambda: library.call(step["call"], params))
+            if "result" in step:
+                self.assertEqual(result, step["result"])
+        elif "call_again" in step:
+            self.assertEqual(await self.again(library, step["call_again"]), step["result"])
+        elif "notify" in step:
+            self.assertTrue(await library.notify(step["notify"], params))
+        elif "rumble" in step:
+            self.assertTrue(await library.rumble(step["rumble"], step["strength"], step.get("direction"), params))
+        else:
+            self.assertEqual(await library.notification(), (step["notification"], params))
+
+    async def play(self, case, library):
+        daemon = Daemon(case)
+        steps = case["client"]
+        if "open" in steps[0]:
+            await self.outcome(steps[0], lambda: library.open(daemon.address, PATIENCE_S))
+        else:
+            await library.open(daemon.address, patience_of(case))
+            for step in steps:
+                await self.step(library, step)
+            await library.close()
+        self.assertEqual(await asyncio.to_thread(daemon.finish), (0, ""))
+
+
+def report(case, library, passed):
+    """For the table of run.sh."""
+    table = os.environ.get("HEDGEHOG_CONFORMANCE_TABLE")
+    if table:
+        with open(table, "a", encoding="utf-8") as lines:
+            name = {Blocking: "Python Ball", Asynchronous: "Python AsyncBall"}[library]
+            lines.write("%s\t%s\t%s\n" % (name, case["name"], "ok" if passed else "failed"))
+
+
+def add(case, library):
+    async def test(self):
+        passed = False
+        try:
+            await self.play(case, library())
+            passed = True
+        finally:
+            report(case, library, passed)
+    name = "".join(c if c.isalnum() else "_" for c in case["name"])
+    setattr(Conformance, "test_%s_%s" % (library.__name__.lower(), name), test)
+
+
+for one in CASES:
+    add(one, Blocking)
+    add(one, Asynchronous)
+
+if __name__ == "__main__":
+    unittest.main()

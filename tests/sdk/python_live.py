@@ -1,0 +1,128 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""The Python library and its README against a simulated daemon: python_live.py HEDGEHOGD."""
+
+import asyncio
+import inspect
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import threading
+import unittest
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+PYTHON = ROOT / "clients" / "python"
+sys.path.insert(0, str(PYTHON))
+
+import hedgehog  # noqa: E402
+import live_daemon  # noqa: E402
+from hedgehog.methods import AsyncMethods, Methods  # noqa: E402
+
+DAEMON = sys.argv.pop(1) if len(sys.argv) > 1 else ""
+
+
+class Live(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.daemon = live_daemon.LiveDaemon(DAEMON)
+        cls.address = cls.daemon.address
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.daemon.stop()
+
+    def test_the_first_example_of_the_readme_runs_in_an_empty_folder(self):
+        text = (PYTHON / "README.md").read_text(encoding="utf-8")
+        example = re.search(r"```python\n(.*?)```", text, re.S).group(1)
+        self.assertLessEqual(len(example.splitlines()), 10)
+        with tempfile.TemporaryDirectory() as empty:
+            printed = subprocess.run([sys.executable, "-c", example], cwd=empty, check=True, text=True,
+                                     stdout=subprocess.PIPE, timeout=live_daemon.LIMIT_S,
+                                     env=dict(os.environ, PYTHONPATH=str(PYTHON), HEDGEHOG_ADDRESS=self.address)).stdout
+        self.assertGreater(float(printed), 10.0)
+
+    def test_a_pulse_is_played_and_ends(self):
+        with hedgehog.Ball(self.address, patience_s=60) as ball:
+            events = ball.events(["effect_ended"], patience_s=60)
+            effect = ball.pulse("left", level=0.5, duration_ms=30)["effect"]
+            ended = next(events)
+            self.assertEqual((ended["effect"], ended["reason"]), (effect, "completed"))
+
+    def test_a_rumble_goes_on_in_its_slot_and_ends(self):
+        with hedgehog.Ball(self.address, patience_s=60) as ball:
+            events = ball.events(["effect_started"], patience_s=60)
+            self.assertTrue(ball.rumble("engine", 0.3, "back", lease_ms=10_000))
+            self.assertEqual(next(events)["slot"], "engine")
+            self.assertTrue(ball.rumble("engine", 0.4, "back", lease_ms=10_000))
+            self.assertEqual([e["slot"] for e in ball.status()["effects"]], ["engine"])
+            ball.rumble("engine", 0)
+            self.assertEqual(ball.stop_all()["stopped"], 0)
+
+    def test_a_thread_that_waits_for_events_keeps_no_other_from_calling(self):
+        with hedgehog.Ball(self.address, patience_s=60) as ball:
+            events = ball.events(["effect_ended"])
+            received = []
+            waiting = threading.Thread(target=lambda: received.append(next(events)))
+            waiting.start()
+            effect = ball.pulse("left", duration_ms=30)["effect"]
+            waiting.join(60)
+            self.assertEqual([event["effect"] for event in received], [effect])
+
+    def test_several_tasks_ask_at_once(self):
+        async def ask():
+            async with hedgehog.AsyncBall(self.address, patience_s=60) as ball:
+                answers = await asyncio.gather(ball.ping(), ball.status(), ball.describe())
+                statuses = []
+                async for status in ball.telemetry(100, ["limit_a"]):
+                    statuses.append(status)
+                    if len(statuses) == 3:
+                        return answers, statuses
+        answers, statuses = asyncio.run(ask())
+        self.assertEqual(answers[1]["state"], "armed")
+        self.assertTrue(all("limit_a" in status for status in statuses))
+
+    def test_nobody_there_is_said_in_words(self):
+        with self.assertRaisesRegex(hedgehog.NotConnected, r"the daemon does not run: 127\.0\.0\.1:1: Connection refused"):
+            hedgehog.Ball("127.0.0.1:1")
+
+
+class Generated(unittest.TestCase):
+    def test_methods_are_those_of_the_openrpc_document(self):
+        subprocess.run([sys.executable, str(PYTHON / "generate.py"), "--check"], check=True)
+
+    def test_every_parameter_has_its_name(self):
+        document = json.loads((ROOT / "protocol/schema/openrpc.json").read_text(encoding="utf-8"))
+        for method in document["methods"]:
+            if not method["name"].startswith("effect."):
+                continue
+            for cls in (Methods, AsyncMethods):
+                function = getattr(cls, method["name"].split(".")[1])
+                self.assertEqual({p["name"] for p in method["params"]},
+                                 set(inspect.signature(function).parameters) - {"self"})
+
+
+class Addresses(unittest.TestCase):
+    def test_are_found_as_every_client_finds_them(self):
+        self.assertEqual(hedgehog.address.daemon_addresses(None, {"HEDGEHOG_ADDRESS": "[::1]:9"}), [("::1", 9)])
+        self.assertEqual(hedgehog.address.daemon_addresses(None, {"RUNTIME_DIRECTORY": "/a:/b", "XDG_RUNTIME_DIR": "/u"}),
+                         ["/a/hedgehogd.sock", "/run/hedgehog/hedgehogd.sock", "/u/hedgehog/hedgehogd.sock",
+                          ("127.0.0.1", 7586)])
+        self.assertEqual(hedgehog.address.daemon_addresses(None, {}),
+                         ["/run/hedgehog/hedgehogd.sock", "/tmp/hedgehog-%d/hedgehogd.sock" % os.getuid(),
+                          ("127.0.0.1", 7586)])
+        self.assertEqual(hedgehog.address.parse_address("game-pc"), ("game-pc", 7586))
+        self.assertEqual(hedgehog.address.parse_address("::1"), ("::1", 7586))
+
+    def test_that_are_none_are_refused(self):
+        for text in ("host:x", "host:0", "[::1", "unix:", ":7", "host:70000", "host:"):
+            with self.assertRaisesRegex(hedgehog.AddressError, "is no address of a daemon"):
+                hedgehog.address.parse_address(text)
+
+
+if __name__ == "__main__":
+    unittest.main()

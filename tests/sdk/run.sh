@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# run.sh BUILD: the client libraries against the cases of conformance.json and against hedgehogd of that build; at the
+# end the table of libraries and cases.
+set -euo pipefail
+
+[ $# -eq 1 ] || { echo "run.sh BUILD" >&2; exit 64; }
+build=$(cd -- "$1" && pwd)
+daemon=$build/daemon/hedgehogd
+cd "$(dirname -- "${BASH_SOURCE[0]}")"
+export PYTHONDONTWRITEBYTECODE=1
+HEDGEHOG_CONFORMANCE_TABLE=$(mktemp)
+export HEDGEHOG_CONFORMANCE_TABLE
+trap 'rm -f "$HEDGEHOG_CONFORMANCE_TABLE"' EXIT
+export HEDGEHOG_SLOW_NAMES=$build/tests/sdk/slow_names.so
+# What does not end is ended, with all that it has started; each test has a shorter limit of its own.
+bounded() {
+  timeout --kill-after=10 1800 "$@" || {
+    local result=$?
+    [ "$result" -ne 124 ] || echo "tests/sdk: $1 did not end" >&2
+    return "$result"
+  }
+}
+bounded python3 conformance_table_test.py
+bounded python3 python_conformance.py
+bounded python3 python_live.py "$daemon"
+HEDGEHOGD=$daemon bounded node --test --test-concurrency=1 --test-timeout=240000 --test-reporter=spec ./*.test.mjs
+
+# C#, for Unity and others.
+bounded unity/run.sh "$daemon"
+
+# C++.
+bounded "$build/tests/sdk/cpp_conformance" "$PWD"
+bounded ./cpp_live.sh "$build"
+
+# Godot.
+bounded godot/run.sh "$daemon"
+
+# Unreal.
+bounded unreal/run.sh "$daemon"
+
+./conformance_table.py "$HEDGEHOG_CONFORMANCE_TABLE"

@@ -1,0 +1,87 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# run.sh HEDGEHOGD: clients/unity compiled by Mono and run against conformance.json and the simulated daemon.
+# Exit: 0 all is well.
+set -euo pipefail
+
+[ $# -eq 1 ] || { echo "run.sh HEDGEHOGD" >&2; exit 64; }
+hedgehogd=$1
+here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
+package=$here/../../../clients/unity
+work=$(mktemp -d)
+daemon=
+# shellcheck disable=SC2317  # called by the trap
+clean_up() {
+  [ -z "$daemon" ] || { kill "$daemon" && wait "$daemon"; } 2>/dev/null || true
+  rm -rf "$work"
+}
+trap clean_up EXIT
+
+fail() { echo "tests/sdk/unity: $*" >&2; exit 1; }
+# What does not end is ended: a minute is the patience of the tests.
+# run PROGRAM ARGUMENT...
+run() {
+  local program=$1
+  shift
+  timeout 300 mono "$work/bin/$program" "$@"
+}
+
+python3 "$package/generate.py" --check || fail "run clients/unity/generate.py"
+# Ahead-of-time compilers have only the code that they see.
+forbidden='System\.Reflection|\bdynamic\b|Activator|\.GetType\(|\.Emit|Linq\.Expressions|MakeGeneric|DllImport'
+! grep -rnE "$forbidden" "$package/Runtime" --include='*.cs' || fail "reflection, generated or native code"
+
+# assembly NAME FOLDER REFERENCE...: a library of a folder.
+assembly() {
+  local name=$1 folder=$2
+  shift 2
+  compile -target:library -out:"$work/bin/$name.dll" "${@/#/-r:$work/bin/}" -recurse:"$package/$folder/*.cs"
+}
+compile() { mcs -noconfig -langversion:7.2 -warnaserror+ -warn:4 -r:System.dll "$@"; }
+mkdir "$work/bin"
+assembly Hedgehog.Client Runtime/Core
+compile -target:library -out:"$work/bin/UnityStub.dll" "$here/unity_stub.cs"
+assembly Hedgehog.Unity Runtime/Unity Hedgehog.Client.dll UnityStub.dll
+assembly Hedgehog.Editor Editor Hedgehog.Client.dll Hedgehog.Unity.dll UnityStub.dll
+assembly Hedgehog.Samples.Racer Samples~/Racer Hedgehog.Client.dll Hedgehog.Unity.dll UnityStub.dll
+all=(-r:"$work/bin/Hedgehog.Client.dll" -r:"$work/bin/Hedgehog.Unity.dll" -r:"$work/bin/Hedgehog.Editor.dll"
+  -r:"$work/bin/Hedgehog.Samples.Racer.dll" -r:"$work/bin/UnityStub.dll")
+# Sees what is internal.
+compile -out:"$work/bin/core_test.exe" "$here/check.cs" "$here/core_test.cs" -recurse:"$package/Runtime/Core/*.cs"
+compile -out:"$work/bin/conformance.exe" "${all[@]}" "$here/check.cs" "$here/conformance.cs"
+compile -out:"$work/bin/live.exe" "${all[@]}" "$here/check.cs" "$here/live.cs"
+
+run core_test.exe
+run conformance.exe "$here/.."
+
+export HOME=$work XDG_CONFIG_HOME=$work XDG_STATE_HOME=$work XDG_RUNTIME_DIR=$work
+# Where clients look first: before an installed daemon they find this one.
+export RUNTIME_DIRECTORY=$work/hedgehog
+unset HEDGEHOG_ADDRESS STATE_DIRECTORY
+mkfifo "$work/listening"
+exec 3<>"$work/listening"
+"$hedgehogd" --simulate --listen 127.0.0.1:0 >"$work/listening" 2>"$work/daemon.log" &
+daemon=$!
+address=
+while [ -z "$address" ]; do
+  read -r -t 120 line <&3 || { cat "$work/daemon.log"; fail "the daemon did not start"; }
+  address=$(printf '%s\n' "$line" | sed -n 's/^listening on \(127\.0\.0\.1:[0-9]*\)$/\1/p')
+done
+run live.exe "$address"
+
+# The README's first example, ten lines, in an empty folder, by the README's commands; by its address, and by the socket that is found.
+awk '/^```csharp$/ { on = 1; next } /^```$/ { if (on) exit } on' "$package/README.md" >"$work/game.cs"
+lines=$(wc -l <"$work/game.cs")
+if [ "$lines" -lt 5 ] || [ "$lines" -gt 10 ]; then fail "the README's first example has $lines lines"; fi
+mkdir "$work/empty"
+cd "$work/empty"
+mv "$work/game.cs" .
+mcs -recurse:"$package/Runtime/Core/*.cs" game.cs -out:game.exe
+for place in "$address" ""; do
+  celsius=$(HEDGEHOG_ADDRESS=$place LC_ALL=C mono game.exe)
+  awk -v c="$celsius" 'BEGIN { exit !(c > 10 && c < 60) }' || fail "the README's first example prints '$celsius'"
+done
+# Its second example is a script of Unity's.
+awk '/^```csharp$/ { ++n; next } /^```$/ { if (n == 2) exit; next } n == 2' "$package/README.md" >Crash.cs
+compile -target:library "${all[@]}" -out:crash.dll Crash.cs
+echo "tests/sdk/unity: all is well"

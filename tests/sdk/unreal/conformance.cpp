@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+// The plugin's core through the case of conformance.json in HEDGEHOG_CASE, over the plugin's own
+// transport. Prints "passed", or what differs. Exit: 0 passed, 1 not.
+#include <cstdio>
+#include <cstdlib>
+#include <deque>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "clients/unreal/Source/HedgehogHaptics/Private/core/client.h"
+#include "clients/unreal/Source/HedgehogHaptics/Private/socket_transport.h"
+#include "tests/sdk/unreal/engine_stub.h"
+
+namespace {
+
+using namespace hedgehog::unreal;
+
+class Player {
+ public:
+  explicit Player(const char* patience)
+      : client_(
+            {.address = {}, .name = "conformance", .patience_s = std::atof(patience), .token = {}},
+            HedgehogConnector(), listeners()) {}
+
+  void play(const Json& steps) {
+    const bool opens = steps.items().front()["open"].truth();
+    if (!opens) {
+      wait_until([this] { return client_.is_open() || !ended_.empty(); });
+      check(client_.is_open(), ended_);
+    }
+    for (const Json& step : steps.items()) take(step);
+    client_.close();
+  }
+
+ private:
+  Listeners listeners() {
+    Listeners all;
+    all.disconnected = [this](const std::string& reason) { ended_ = reason; };
+    all.notification = [this](const std::string& method, const Json& params) {
+      notifications_.emplace_back(method, params);
+    };
+    return all;
+  }
+
+  void take(const Json& step) {
+    const Json& params = step["params"].fields().empty() ? Json::object() : step["params"];
+    if (step["notification"].is(Json::Kind::kString)) {
+      wait_until([this] { return !notifications_.empty(); });
+      const auto [method, received] = notifications_.front();
+      notifications_.pop_front();
+      check(method == step["notification"].text() && received == step["params"], method);
+    } else if (step["notify"].is(Json::Kind::kString)) {
+      check(client_.notify(step["notify"].text(), params), "not sent");
+    } else if (step["rumble"].is(Json::Kind::kString)) {
+      check(client_.rumble(step["rumble"].text(), step["strength"].number(), step["direction"],
+                           params),
+            "not sent");
+    } else if (step["call_again"].is(Json::Kind::kString)) {
+      Answer answer = ask(step["call_again"].text(), params);
+      while (answer.failure == Failure::kNotConnected) {
+        const double until_s = FPlatformTime::Seconds() + answer.retry_after_s;
+        wait_until([until_s] { return FPlatformTime::Seconds() >= until_s; });
+        answer = ask(step["call_again"].text(), params);
+      }
+      check(answer.result == step["result"], answer.message);
+    } else {
+      // To open is to ask for anything: it waits for the introduction.
+      const bool open = step["open"].truth();
+      judge(step, ask(open ? "ping" : step["call"].text(), params));
+    }
+  }
+
+  void judge(const Json& step, const Answer& answer) {
+    const Json& error = step["error"];
+    if (step["failure"].is(Json::Kind::kString)) {
+      check(answer.failure == Failure::kNotConnected, "another failure: " + answer.message);
+      check(answer.message.find(step["says"].text()) != std::string::npos, answer.message);
+    } else if (error.is(Json::Kind::kObject)) {
+      check(answer.failure == Failure::kRefused && answer.code == error["code"].number() &&
+                answer.name == error["name"].text() && answer.message == error["message"].text() &&
+                answer.data["field"] == error["field"],
+            answer.message);
+    } else {
+      check(answer.ok(), answer.message);
+      check(step["result"].is(Json::Kind::kNull) || answer.result == step["result"],
+            answer.result.to_text());
+    }
+  }
+
+  Answer ask(const std::string& method, const Json& params) {
+    std::optional<Answer> came;
+    client_.request(
+        method, params, [&came](const Answer& answer) { came = answer; });
+    wait_until([&came] { return came.has_value(); });
+    return *came;
+  }
+
+  template <class Done>
+  void wait_until(Done done) {
+    while (!done()) {
+      client_.poll(FPlatformTime::Seconds());
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+  }
+
+  static void check(bool holds, const std::string& otherwise) {
+    if (holds) return;
+    std::printf("%s\n", otherwise.c_str());
+    std::exit(1);
+  }
+
+  std::string ended_;
+  std::deque<std::pair<std::string, Json>> notifications_;
+  Client client_;
+};
+
+}  // namespace
+
+int main() {
+  const char* const text = std::getenv("HEDGEHOG_CASE");
+  const char* const patience = std::getenv("HEDGEHOG_PATIENCE_S");
+  const auto one = Json::parse(text != nullptr ? text : "");
+  if (!one || patience == nullptr) return 64;
+  Player(patience).play((*one)["client"]);
+  std::puts("passed");
+  return 0;
+}

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// The plugin's subsystem against the daemon at HEDGEHOG_ADDRESS: live SCENE. Prints what comes.
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <thread>
+
+#include "clients/unreal/Source/HedgehogHaptics/Public/hedgehog_subsystem.h"
+
+namespace {
+
+/// As far as the quick start uses it.
+struct Game {
+  template <class T>
+  T* GetSubsystem() {
+    return &ball;
+  }
+  UHedgehogSubsystem ball;
+};
+
+struct AMyCar {
+  Game* GetGameInstance() { return &game; }
+  void Tick(float DeltaSeconds);
+  Game& game;
+  bool bWasHit = false;
+};
+
+std::string text(const FString& value) { return stub_utf8(*value); }
+
+void print(const std::string& line) {
+  std::puts(line.c_str());
+  std::fflush(stdout);
+}
+
+template <class Done>
+void run_until(UHedgehogSubsystem& ball, Done done) {
+  while (!done()) {
+    if (ball.IsTickable()) ball.Tick(0.016f);
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+}
+
+FHedgehogAnswer ask(UHedgehogSubsystem& ball, const char* method, const char* params) {
+  FHedgehogAnswer came;
+  bool answered = false;
+  FHedgehogAnswered delegate;
+  delegate.bound = [&](const FHedgehogAnswer& answer) {
+    came = answer;
+    answered = true;
+  };
+  ball.Request(UTF8_TO_TCHAR(method), UTF8_TO_TCHAR(params), delegate);
+  run_until(ball, [&] { return answered; });
+  return came;
+}
+
+void listen(UHedgehogSubsystem& ball) {
+  ball.OnConnected.bound.push_back([] { print("connected"); });
+  ball.OnDisconnected.bound.push_back(
+      [](const FString& why) { print("disconnected " + text(why)); });
+  ball.OnEvent.bound.push_back([](const FHedgehogEvent& event) {
+    print("event " + text(event.Type) + " " + text(event.Slot) + " " + text(event.Reason));
+  });
+  ball.OnRefused.bound.push_back([](const FHedgehogAnswer& answer) {
+    print("refused " + text(answer.Method) + " " + text(answer.Name) + " " + text(answer.Field));
+  });
+}
+
+void effects(UHedgehogSubsystem& ball) {
+  int started = 0;
+  bool ended = false;
+  ball.OnEvent.bound.push_back([&](const FHedgehogEvent& event) {
+    if (text(event.Type) == "effect_started") ++started;
+    if (text(event.Type) == "effect_ended") ended = true;
+  });
+  ball.SubscribeEvents();
+  FHedgehogEffect effect;
+  effect.Level = 0.5f;
+  effect.DurationMs = 30;
+  effect.Waveform = EHedgehogWaveform::Square;
+  ball.Vibrate(FVector(0, -1, 0), effect);
+  run_until(ball, [&ended] { return ended; });
+  effect.Slot = TEXT("Größe");
+  effect.DurationMs = -1;
+  effect.LeaseMs = 10000;
+  ball.Hold(FVector(0, 0, 1), effect);
+  FHedgehogCircle circle;
+  circle.Sense = EHedgehogSense::Cw;
+  circle.LeaseMs = 10000;
+  ball.Circle(FVector(0, 0, 1), circle);
+  FHedgehogPlay pattern;
+  pattern.bLoop = true;
+  pattern.LeaseMs = 10000;
+  ball.Play(TEXT("heartbeat"), pattern);
+  run_until(ball, [&started] { return started == 4; });
+  print("playing " + text(ask(ball, "device.status", "").Result));
+  ball.Stop(effect.Slot);
+  ball.StopAll();
+  effect = {};
+  effect.Level = 1.4f;
+  ball.Pulse(FVector(1, 0, 0), effect);
+  print("no object: " + text(ask(ball, "ping", "[1]").Message));
+  bool measured = false;
+  ball.OnStatus.bound.push_back([&measured](const FHedgehogStatus& now) {
+    measured = text(now.State) == "armed" && now.TemperatureC > 10 && now.LimitA > 1;
+  });
+  ball.SubscribeStatus(100);
+  run_until(ball, [&measured] { return measured; });
+  print("measured");
+}
+
+}  // namespace
+
+#include <quick_start.inc>
+
+int main(int count, char** arguments) {
+  const std::string scene = count == 2 ? arguments[1] : "";
+  Game game;
+  UHedgehogSubsystem& ball = game.ball;
+  listen(ball);
+  FSubsystemCollectionBase collection;
+  ball.PatienceS = 60;
+  ball.Initialize(collection);
+  if (scene == "effects") {
+    effects(ball);
+  } else if (scene == "nobody") {
+    print(text(ask(ball, "ping", "").Message));
+  } else if (scene == "outage") {
+    // Until it is ended.
+    ball.SubscribeEvents();
+    ball.OnConnected.bound.push_back([&ball] { ball.Pulse(FVector(0, -1, 0), FHedgehogEffect()); });
+    run_until(ball, [] { return false; });
+  } else if (scene == "slow_name") {
+    bool connected = false;
+    ball.OnConnected.bound.push_back([&connected] { connected = true; });
+    for (int frame = 0; frame < 30; ++frame) ball.Tick(0.016f);
+    print(std::string("30 frames, ") + (connected ? "connected" : "not connected"));
+    run_until(ball, [&connected] { return connected; });
+  } else if (scene == "quick_start") {
+    AMyCar car{game};
+    car.bWasHit = true;
+    run_until(ball, [&car] {
+      car.Tick(0.016f);
+      return false;
+    });
+  } else {
+    return 64;
+  }
+  ball.Deinitialize();
+  print(ball.IsTickable() ? "still there" : "over");
+  return 0;
+}

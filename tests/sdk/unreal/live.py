@@ -1,0 +1,119 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""The Unreal plugin and its README against a simulated daemon: live.py HEDGEHOGD PROGRAM, the program of live.cpp."""
+
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent.parent
+sys.path[:0] = [str(ROOT / "tests" / "sdk"), str(ROOT / "clients" / "python")]
+
+import hedgehog  # noqa: E402
+from live_daemon import ForwardedAddress, LiveDaemon, limit  # noqa: E402
+
+PROGRAM = sys.argv.pop(2) if len(sys.argv) > 2 else ""
+DAEMON = sys.argv.pop(1) if len(sys.argv) > 1 else ""
+
+
+class Live(unittest.TestCase):
+    def start_daemon(self):
+        daemon = LiveDaemon(DAEMON)
+        self.addCleanup(daemon.stop)
+        return daemon
+
+    def start(self, scene, address, **environment):
+        game = subprocess.Popen([PROGRAM, scene], env=dict(os.environ, HEDGEHOG_ADDRESS=address, **environment),
+                                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        self.addCleanup(self.stop, game)
+        self.addCleanup(limit(game).cancel)
+        return game
+
+    @staticmethod
+    def stop(process):
+        if process.poll() is None:
+            process.terminate()
+        process.wait()
+        process.stdout.close()
+
+    def wait_for(self, game, text):
+        lines = []
+        for line in game.stdout:
+            lines.append(line.rstrip("\n"))
+            if text in line:
+                return lines
+        self.fail("%r was not printed: %s" % (text, "\n".join(lines)))
+
+    def test_the_first_example_of_the_readme_is_felt(self):
+        readme = (ROOT / "clients" / "unreal" / "README.md").read_text(encoding="utf-8")
+        self.assertLessEqual(len(re.search(r"```cpp\n(.*?)```", readme, re.S).group(1).splitlines()), 10)
+        address = self.start_daemon().address
+        with hedgehog.Ball(address, patience_s=60) as watcher:
+            slots = set()
+            events = watcher.events(["effect_started"], scope="all", patience_s=60)
+            self.start("quick_start", address)
+            for event in events:
+                slots.add(event.get("slot"))
+                if len(slots) == 2:
+                    break
+        self.assertEqual(slots, {None, "engine"})
+
+    def test_effects_events_status_and_refusals(self):
+        address = self.start_daemon().address
+        lines = self.wait_for(self.start("effects", address), "over")
+        self.assertIn("connected", lines)
+        self.assertIn("event effect_ended  completed", lines)
+        playing = next(line for line in lines if line.startswith("playing "))
+        for expected in ('"state":"armed"', '"slot":"Größe"', '"method":"effect.circle"', '"method":"effect.play"'):
+            self.assertIn(expected, playing)
+        self.assertIn("refused effect.pulse invalid_params level", lines)
+        self.assertIn("no object: the parameters are no JSON object", lines)
+        self.assertIn("measured", lines)
+
+    def test_a_daemon_that_comes_again_is_found_again_with_its_events(self):
+        address = ForwardedAddress()
+        self.addCleanup(address.end)
+        daemon = self.start_daemon()
+        address.lead_to(daemon)
+        game = self.start("outage", address.text)
+        self.wait_for(game, "event effect_ended")
+        daemon.stop()
+        self.wait_for(game, "disconnected the connection to the daemon has ended: ")
+        address.lead_to(self.start_daemon())
+        self.wait_for(game, "event effect_ended")
+
+    def test_no_frame_waits_for_a_name_server(self):
+        _, _, port = self.start_daemon().address.partition(":")
+        with tempfile.TemporaryDirectory() as folder:
+            known = pathlib.Path(folder) / "known"
+            game = self.start("slow_name", "slow.test:" + port, HEDGEHOG_NAMES_KNOWN=str(known),
+                              LD_PRELOAD=os.environ["HEDGEHOG_SLOW_NAMES"])
+            self.wait_for(game, "30 frames, not connected")
+            known.touch()
+            self.assertIn("connected", self.wait_for(game, "over"))
+
+    def test_a_name_without_address_is_said_in_words(self):
+        game = self.start("nobody", "unknown.test", LD_PRELOAD=os.environ["HEDGEHOG_SLOW_NAMES"])
+        self.assertIn("the daemon does not run: unknown.test:7586: no daemon answers there", self.wait_for(game, "over"))
+
+    def test_nobody_there_is_said_in_words(self):
+        lines = self.wait_for(self.start("nobody", "127.0.0.1:1"), "over")
+        self.assertIn("the daemon does not run: 127.0.0.1:1: no daemon answers there", lines)
+
+    def test_what_is_no_address_is_said_in_words(self):
+        for address in ("host:x", "host:0", "[::1", "unix:", ":7", "host:70000", "host:", "/run/x"):
+            lines = self.wait_for(self.start("nobody", address), "over")
+            self.assertTrue(any(line.startswith("'%s' is no address of a daemon: " % address) for line in lines), lines)
+
+
+class Generated(unittest.TestCase):
+    def test_effects_and_methods_are_those_of_the_openrpc_document(self):
+        subprocess.run([sys.executable, str(ROOT / "clients" / "unreal" / "generate.py"), "--check"], check=True)
+
+
+if __name__ == "__main__":
+    unittest.main()

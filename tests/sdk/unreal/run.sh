@@ -1,0 +1,13 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# run.sh HEDGEHOGD: the plugin for Unreal against the conformance suite and that daemon, over a stub of the engine.
+set -eu
+
+[ $# -eq 1 ] || { echo "run.sh HEDGEHOGD" >&2; exit 64; }
+here=$(cd -- "$(dirname -- "$0")" && pwd)
+out=$(cd -- "$here/../../.." && pwd)/build/unreal
+
+export PYTHONDONTWRITEBYTECODE=1
+"$here/build.sh" "$out"
+python3 "$here/conformance.py" "$out/conformance"
+python3 "$here/live.py" "$1" "$out/live"
