@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "clients/common/exit_code.h"
+#include "clients/racer/best_lap.h"
 #include "clients/racer/feel/feel.h"
 #include "clients/racer/game/driver.h"
 #include "clients/racer/game/race.h"
@@ -92,6 +93,7 @@ class Drive {
   void take_the_wheel(Mode mode);
   Controls controls(const Asked& asked);
   void publish(bool moved);
+  void publish_laps();
   /// How the ball is; nothing: not known.
   const std::optional<model::Quaternion>& held() const { return feel_.ball().orientation; }
 
@@ -100,6 +102,7 @@ class Drive {
   Driver driver_;
   Tilt tilt_;
   Talk talk_;
+  BestLap best_lap_;
   Mode mode_;
   bool chosen_;           // by somebody
   bool centred_ = false;  // as the ball is held when it takes the wheel, it drives straight on
@@ -147,7 +150,11 @@ Controls Drive::controls(const Asked& asked) {
 void Drive::frame() {
   const Asked asked = server_.take();
   obey(asked);
-  if (!paused_) race_.step(controls(asked));
+  if (!paused_) {
+    best_lap_.drive(mode_ == Mode::kDriver);
+    race_.step(controls(asked));
+    publish_laps();
+  }
   feel_.frame(paused_ ? std::vector<Happening>{} : race_.happenings(), race_.scene().time_s);
   if (wanted_) talk_.publish(feel_.ball());
   publish(!paused_);
@@ -156,7 +163,7 @@ void Drive::frame() {
 
 void Drive::publish(bool moved) {
   const bool seldom = frames_ % kSeldom == 0;
-  server_.publish(race_.scene(), {mode_, paused_});
+  server_.publish(race_.scene(), {mode_, paused_, best_lap_.time_s()});
   if (seldom) server_.publish(wanted_ ? view_of(feel_.ball()) : BallView{});
   if (!moved) return;
   for (const Played& played : feel_.played()) {
@@ -164,9 +171,15 @@ void Drive::publish(bool moved) {
     server_.publish(Felt{played.kind, played.direction, played.current_a / played.full_a,
                          played.on_the_ball ? played.current_a : 0.0});
   }
-  for (const Happening& happening : race_.happenings())
-    if (const auto* lap = std::get_if<LapDone>(&happening))
-      server_.publish_lap(lap->lap, lap->time_s, race_.scene().best_lap_s == lap->time_s);
+}
+
+void Drive::publish_laps() {
+  for (const Happening& happening : race_.happenings()) {
+    if (const auto* lap = std::get_if<LapDone>(&happening)) {
+      const bool by_driver = best_lap_.by_driver();
+      server_.publish(FinishedLap{lap->lap, lap->time_s, best_lap_.finish(lap->time_s), by_driver});
+    }
+  }
 }
 
 }  // namespace

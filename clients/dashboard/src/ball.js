@@ -9,6 +9,8 @@ import {
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
 const kRadius = 35;
+/** From where it is seen at first, mm. */
+const kDistance = 249;
 /** Pins move by tenths of a millimetre, which nobody would see. */
 export const kExaggeration = 25;
 const kPinRadius = 4;
@@ -18,6 +20,9 @@ const kOut = new Color("#ff9a1f");
 const kIn = new Color("#3d4a63");
 /** Extension that is shown in the full colour, mm. */
 const kStrong = 0.3;
+
+/** What the picture must hold whichever way it is turned: the arrows to their tips. */
+const kReach = 78;
 
 const kOwnTurnMs = 600;
 
@@ -29,7 +34,7 @@ function label(text) {
   canvas.height = 64;
   const context = canvas.getContext("2d");
   context.font = "500 34px system-ui, sans-serif";
-  context.fillStyle = "#8fa0bd";
+  context.fillStyle = getComputedStyle(document.documentElement).getPropertyValue("--soft");
   context.textAlign = "center";
   context.fillText(text, 128, 44);
   const sprite = new Sprite(new SpriteMaterial({ map: new CanvasTexture(canvas), depthWrite: false }));
@@ -65,10 +70,10 @@ export class Ball extends EventTarget {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.scene = new Scene();
-    this.camera = new PerspectiveCamera(32, 1, 10, 1000);
+    this.camera = new PerspectiveCamera(36, 1, 10, 1000);
     this.camera.up.copy(z);
     // As the holder sees it: from behind and above, left on the left.
-    this.camera.position.set(-208, -26, 134);
+    this.camera.position.set(-208, -26, 134).setLength(kDistance);
     this.look = new OrbitControls(this.camera, canvas);
     this.look.enablePan = false;
     this.look.minDistance = 110;
@@ -179,7 +184,7 @@ export class Ball extends EventTarget {
   setField(field, strength) {
     const direction = new Vector3(...field);
     this.arrow.visible = direction.length() > 0.5;
-    if (this.arrow.visible) pointArrow(this.arrow, direction.normalize(), kRadius + 14, 4 + 20 * strength);
+    if (this.arrow.visible) pointArrow(this.arrow, direction.normalize(), kRadius + 12, 4 + 18 * strength);
     this.draw();
   }
 
@@ -194,7 +199,7 @@ export class Ball extends EventTarget {
   /** The room's up, for the indicator. */
   showUp() {
     this.up.visible = true;
-    pointArrow(this.up, z, 50, 26);
+    pointArrow(this.up, z, 50, 23);
     this.draw();
   }
 
@@ -246,14 +251,25 @@ export class Ball extends EventTarget {
     });
   }
 
-  click(event) {
-    if (!this.mesh) return;
+  /** What of the ball is under the pointer. */
+  hit(event) {
+    if (!this.mesh) return undefined;
     const box = this.canvas.getBoundingClientRect();
     const at = new Vector2(
       (2 * (event.clientX - box.left)) / box.width - 1, 1 - (2 * (event.clientY - box.top)) / box.height);
     const ray = new Raycaster();
     ray.setFromCamera(at, this.camera);
-    const hit = ray.intersectObjects([this.mesh, this.shell])[0];
+    return ray.intersectObjects([this.mesh, this.shell])[0];
+  }
+
+  /** Where the pointer is on the ball: a unit vector of its frame; null beside it. */
+  directionAt(event) {
+    const hit = this.hit(event);
+    return hit ? this.body.worldToLocal(hit.point.clone()).normalize().toArray() : null;
+  }
+
+  click(event) {
+    const hit = this.hit(event);
     if (hit?.object === this.mesh) {
       this.dispatchEvent(new CustomEvent("pin", { detail: this.pins[hit.instanceId].number }));
     }
@@ -264,8 +280,9 @@ export class Ball extends EventTarget {
     if (!width || !height) return;
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
-    // A tall, narrow picture must hold the ball's breadth too.
-    this.camera.fov = width < height ? 32 * Math.min(1.5, height / width) : 32;
+    // A tall, narrow picture must hold the whole breadth too.
+    const half = Math.tan(Math.asin(kReach / kDistance));
+    this.camera.fov = (2 * Math.atan(half * Math.max(1, height / width)) * 180) / Math.PI;
     this.camera.updateProjectionMatrix();
     this.draw();
   }

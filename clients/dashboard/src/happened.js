@@ -1,22 +1,32 @@
 // SPDX-License-Identifier: MIT
 // What happened on the ball, newest first: what the daemon remembers, then what it tells. Trips, what else
-// concerns the ball, and ends of effects have lines of their own, so that no game pushes a trip out.
+// concerns the ball, derating, what recurs, and ends of effects have lines of their own, so that neither a game, nor a warm ball,
+// nor a busy machine pushes news out.
 import { happening } from "./words.js";
+
+/** Events of one of these types within a minute are one line. */
+const kRecurring = ["overrun", "orientation_lost", "orientation_restored"];
+const kSeriesMs = 60_000;
+const kDerating = ["derating_started", "derating_ended"];
 
 const kKinds = [
   { limit: 4, ask: { trips: true }, is: (event) => isTrip(event) },
   {
-    limit: 6,
-    ask: { types: ["state_changed", "derating_started", "derating_ended", "device_attached", "device_detached",
-      "orientation_lost", "orientation_restored", "overrun", "shutting_down"] },
-    is: (event) => !isTrip(event) && !isEnd(event) && event.type !== "effect_started",
+    limit: 5,
+    ask: { types: ["state_changed", "device_attached", "device_detached", "shutting_down"] },
+    is: (event) => !isTrip(event) && !isEnd(event) && !recurs(event) && !derates(event) && event.type !== "effect_started",
   },
-  { limit: 4, ask: { types: ["effect_ended"] }, is: (event) => isEnd(event) && event.reason !== "replaced" },
+  { limit: 2, ask: { types: kDerating }, is: (event) => derates(event) },
+  { limit: 2, ask: { types: kRecurring }, is: (event) => recurs(event) },
+  { limit: 3, ask: { types: ["effect_ended"] }, is: (event) => isEnd(event) && event.reason !== "replaced" },
 ];
-/** Who played what, only the history says. */
+/** Who played what, and where the recording of a trip is, only the history says; a recording may take seconds. */
 const kNamesMs = 500;
+const kMaxLooks = 8;
 
 const isTrip = (event) => event.type === "state_changed" && event.current_a !== undefined;
+const derates = (event) => kDerating.includes(event.type);
+const recurs = (event) => kRecurring.includes(event.type);
 const isEnd = (event) => event.type === "effect_ended";
 const same = (a, b) => a.type === b.type && a.time_ns === b.time_ns && a.effect === b.effect;
 
@@ -27,11 +37,23 @@ function when(at) {
   return today ? clock : `${time.toLocaleDateString("en-CA")} ${clock}`;
 }
 
+/** The line that `event` is one more of; undefined: none. */
+function seriesOf(event, events) {
+  const from = Date.now() - kSeriesMs;
+  return recurs(event) ? events.find(({ type, at, last }) => type === event.type && Date.parse(last ?? at) >= from) : undefined;
+}
+
 function item(event) {
   const line = document.createElement("li");
   const at = Object.assign(document.createElement("time"), { dateTime: event.at, textContent: when(event.at) });
   const words = Object.assign(document.createElement("span"), { textContent: happening(event) });
   words.classList.toggle("bad", isTrip(event) || event.state === "tripped");
+  if (event.recording) {
+    const file = `${event.recording}.hhr`;
+    const link = Object.assign(document.createElement("a"), { href: `recordings/${file}`, download: file, textContent: "recording" });
+    link.title = `The last seconds before it: hedgehogd --replay ${file} reads it`;
+    words.append(" · ", link);
+  }
   line.append(at, words);
   return line;
 }
@@ -41,6 +63,7 @@ export function happened(list, link) {
   const kinds = kKinds.map((kind) => ({ ...kind, events: [] }));
   let drawn = true;
   let naming = null;
+  let looks = 0;
   const show = () => {
     if (!drawn) return;
     drawn = false;
@@ -61,6 +84,15 @@ export function happened(list, link) {
   };
   // A call that fails leaves what is there.
   const recallAll = (some) => Promise.allSettled(some.map(recall));
+  const isFresh = ({ events }) => events.some((event) => event.fresh);
+  const lookLater = () => {
+    naming ??= setTimeout(async () => {
+      naming = null;
+      const [trips] = kinds;
+      await recallAll(kinds.filter((kind) => isFresh(kind) || (kind === trips && looks > 0)));
+      if (trips.events[0] && !trips.events[0].recording && --looks > 0) lookLater();
+    }, kNamesMs);
+  };
   link.addEventListener("open", () => recallAll(kinds));
   link.addEventListener("gone", () => {
     for (const kind of kinds) kind.events = kind.events.map((event) => ({ ...event, fresh: false }));
@@ -68,13 +100,17 @@ export function happened(list, link) {
   link.addEventListener("event", ({ detail }) => {
     const kind = kinds.find(({ is }) => is(detail));
     if (!kind || kind.events.some((event) => same(event, detail))) return;
+    const series = seriesOf(detail, kind.events);
+    if (series) {
+      series.count = (series.count ?? 1) + 1;
+      series.last = new Date().toISOString();
+      if (detail.skipped) series.skipped = (series.skipped ?? 0) + detail.skipped;
+      show();
+      return;
+    }
     kind.events = [{ ...detail, at: new Date().toISOString(), fresh: true }, ...kind.events].slice(0, kind.limit);
     show();
-    if (isTrip(detail) || isEnd(detail)) {
-      naming ??= setTimeout(() => {
-        naming = null;
-        recallAll(kinds.filter(({ events }) => events.some((event) => event.fresh)));
-      }, kNamesMs);
-    }
+    if (isTrip(detail)) looks = kMaxLooks;
+    if (isTrip(detail) || isEnd(detail)) lookLater();
   });
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The page's connection to the daemon: JSON-RPC on /ws, one message a frame. Comes back by itself.
+import { complaint } from "./words.js";
 
 const kFirstPauseMs = 250;
 const kLongestPauseMs = 2000;
@@ -53,7 +54,7 @@ export class Link extends EventTarget {
         this.heardAt = performance.now();
         this.say("open", { hello, device });
       } catch (error) {
-        this.farewell = error.message;
+        if (error instanceof Refused) this.farewell = complaint(error).replace(/\.$/, "");
         socket.close();
       }
     };
@@ -123,7 +124,8 @@ export class Link extends EventTarget {
         const patience = setTimeout(() => socket.close(), kPatienceMs);
         socket.onopen = () => socket.send('{"jsonrpc":"2.0","id":1,"method":"device.emergency_stop"}');
         socket.onmessage = ({ data }) => {
-          if (JSON.parse(data).result) resolve();
+          const { result } = JSON.parse(data);
+          if (result) resolve(result);
           socket.close();
         };
         socket.onclose = () => {

@@ -2,13 +2,15 @@
 // The dashboard: puts the pieces together and keeps the page true.
 import { Ball } from "./ball.js";
 import { Charts } from "./charts.js";
+import { Gain } from "./gain.js";
 import { happened } from "./happened.js";
 import { Link } from "./link.js";
 import { Pad } from "./pad.js";
 import { Simulator } from "./simulator.js";
+import { StateCard } from "./state.js";
 import { stopButton } from "./stop.js";
 import { watch } from "./watch.js";
-import { amperes, contradiction, degrees, kStates, reason, seconds, whither } from "./words.js";
+import { amperes, complaint, counted, degrees, isHeatKnown, lasting, whither } from "./words.js";
 
 const kTelemetry = {
   rate_hz: 25,
@@ -29,6 +31,8 @@ const link = new Link("dashboard", [
 const ball = new Ball($("ball"));
 const pad = new Pad($("pad"), link, say);
 const simulator = new Simulator($("simulator"), link, ball, say);
+const card = new StateCard($("arm"));
+const gain = new Gain($("gain"), link, say);
 let charts = null;
 let limits = { current_a: 15 };
 watch(link);
@@ -43,37 +47,29 @@ function begin({ detail: { hello, device } }) {
   $("most").textContent = amperes(limits.current_a);
   pad.allow(hello);
   simulator.allow(hello);
-  $("arm").dataset.may = hello.role === "operate";
+  card.describe(hello, device);
   ball.setPins(device.pins);
-  charts = new Charts($("charts"), device.limits);
+  // An older daemon keeps none.
+  Promise.all([600, 120].map((span) => link.call("telemetry.history", { seconds: span }))).catch(() => [])
+    .then((histories) => { charts = new Charts($("charts"), device.limits, histories); });
+  gain.describe(hello, device);
 }
 link.addEventListener("open", begin);
 
-function showState(status) {
-  const { state } = status;
-  document.body.dataset.state = state;
-  $("state").textContent = status.derating ? "Armed, derated" : kStates[state];
-  $("why").textContent = state === "armed" ? (status.derating ? "Less current than asked, until it has cooled." : "") : reason(status.reason);
-  $("remedy").textContent = status.remedy ? `${status.remedy}.` : "";
-  $("arm").hidden = $("arm").dataset.may !== "true" || !["disarmed", "tripped"].includes(state);
-  const trip = status.last_trip;
-  $("trip").textContent = trip ? `Last trip: ${[reason(trip.reason), contradiction(trip.disagreement)].filter(Boolean).join(" ")}` : "";
-}
-
 function showNumbers(status) {
   const flows = Math.hypot(...status.current_a);
-  const t = status.temperature_c;
-  $("temperature").textContent = `${degrees(t.sensor)} · model ${degrees(t.model)}${t.upper === undefined ? "" : `, at most ${degrees(t.upper)}`}${t.skin === undefined ? "" : ` · skin at most ${degrees(t.skin)}`}`;
+  const known = isHeatKnown(status.temperature_c);
+  $("temperature").textContent = degrees(status.temperature_c.model);
   $("current").textContent = `${amperes(flows)} of ${amperes(status.limit_a)}`;
   $("duty").textContent = status.duty.map((d) => `${(100 * Math.abs(d)).toFixed(0)} %`).join(" · ");
-  $("headroom").textContent = seconds(status.headroom_s);
-  $("burst").textContent = status.burst_s === null ? "for ever" : `${status.burst_s.toFixed(1)} s`;
+  $("headroom").textContent = lasting(status.headroom_s, known);
+  $("burst").textContent = lasting(status.burst_s, known, 1);
   const fan = status.fan;
   $("fan").textContent = fan.speed_rpm === null ? "–" : `${Math.round(fan.speed_rpm)} rpm`;
   const late = status.loop.lateness_us;
   $("loop").textContent = `${status.loop.rate_hz.toFixed(0)} Hz, late ${late.p50.toFixed(0)} µs, p99 ${late.p99.toFixed(0)} µs, most ${(late.max / 1000).toFixed(1)} ms`;
-  $("ticks").textContent = `${status.loop.ticks.toLocaleString("en")} ticks, ${status.loop.skipped.toLocaleString("en")} skipped`;
-  $("frames").textContent = `${status.link.frames_out.toLocaleString("en")} frames, ${status.link.lost} lost, ${status.link.errors} bad`;
+  $("ticks").textContent = `${counted(status.loop.ticks, "tick")}, ${status.loop.skipped.toLocaleString("en")} skipped`;
+  $("frames").textContent = `${counted(status.link.frames_out, "frame")}, ${status.link.lost} lost, ${status.link.errors} bad`;
   $("caption").textContent = status.pin === null
     ? "At rest" : `Pushes ${whither(status.field)}: ${amperes(flows)}, ${(1000 * status.force_n).toFixed(0)} mN at pin ${status.pin}`;
 }
@@ -101,7 +97,8 @@ link.addEventListener("telemetry", ({ detail: status }) => {
   const flows = Math.hypot(...status.current_a);
   ball.setField(status.field, Math.min(1, flows / limits.current_a));
   if (status.orientation) ball.setOrientation(status.orientation.quaternion);
-  showState(status);
+  card.show(status);
+  pad.set({ state: status.state });
   showNumbers(status);
   showEffects(status.effects);
   charts?.add(status);
@@ -110,7 +107,7 @@ link.addEventListener("telemetry", ({ detail: status }) => {
 ball.addEventListener("pin", ({ detail: pin }) => pad.play({ pin }));
 
 $("arm").addEventListener("click", () =>
-  link.call("device.arm").then(() => say("armed"), (error) => say(error.message, true)));
+  link.call("device.arm").then(() => say("armed"), (error) => say(complaint(error), true)));
 
 // For tests: what is drawn, as numbers.
-window.dashboard = { ball, link };
+window.dashboard = { ball, link, charts: () => charts };

@@ -7,7 +7,7 @@ import { Ball } from "./ball.js";
 import { Link } from "./link.js";
 import { stopButton } from "./stop.js";
 import { watch } from "./watch.js";
-import { amperes, reason, whither } from "./words.js";
+import { amperes, complaint, reason, whither } from "./words.js";
 
 const kLeaseMs = 1000;
 const kRenewMs = 300;
@@ -105,7 +105,7 @@ async function start() {
     effect = begun.effect;
     say("");
   } catch (error) {
-    say(error.message, true);
+    say(complaint(error), true);
     show(false);
   }
 }
@@ -129,7 +129,7 @@ for (const radio of document.querySelectorAll("[name=style]")) {
   radio.addEventListener("change", () => indicating && start());
 }
 $("recenter").addEventListener("click", () =>
-  link.call("orientation.recenter").then(() => say("front is where it points now"), (error) => say(error.message, true)));
+  link.call("orientation.recenter").then(() => say("front is where it points now"), (error) => say(complaint(error), true)));
 
 const kStep = Math.PI / 24;
 const kKeys = { ArrowLeft: [-kStep, 0], ArrowRight: [kStep, 0], ArrowUp: [0, -kStep], ArrowDown: [0, kStep] };
@@ -164,7 +164,7 @@ async function turned(event) {
       await link.call(...request(quaternion));
     } catch (error) {
       removeEventListener("deviceorientation", turned);
-      $("sensor").textContent = error.message;
+      $("sensor").textContent = complaint(error);
       return;
     } finally {
       asking = false;

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The pad: six sides, three kinds of effect, and the patterns that the daemon has. Also by arrow keys, and by clicking a pin of the ball.
-import { amperes } from "./words.js";
+import { amperes, complaint, kStates, limitation } from "./words.js";
 
 const kKeys = {
   ArrowUp: "front", ArrowDown: "back", ArrowLeft: "left", ArrowRight: "right", PageUp: "up", PageDown: "down",
+};
+/** What a side means to each kind of effect; of a circle it is the axis. */
+const kAsks = {
+  pulse: "Push towards", vibrate: "Vibrate towards", pattern: "Play towards", circle: "Turn round this axis",
 };
 
 export class Pad {
@@ -24,6 +28,8 @@ export class Pad {
     }
     root.querySelector("[data-stop-mine]").addEventListener("click", () => this.stop());
     addEventListener("keydown", (event) => this.key(event));
+    link.addEventListener("gone", () => this.set({ connected: false }));
+    this.standing = { connected: false, may: true, state: "absent" };
     this.show();
   }
 
@@ -38,14 +44,26 @@ export class Pad {
   /** `hello`: what this connection may do. */
   allow(hello) {
     this.limits = hello.limits;
-    const may = hello.role !== "observe";
-    this.form.inert = !may;
-    this.root.querySelector("[data-why-not]").textContent =
-      may ? "" : "This connection may only observe; playing needs a token.";
-    const strength = this.form.elements.strength;
-    strength.max = hello.limits.current_a;
+    this.form.elements.strength.max = hello.limits.current_a;
+    this.set({ connected: true, may: hello.role !== "observe", state: hello.state });
     this.offer();
     this.show();
+  }
+
+  /** `some` of {connected, may, state}: nothing can be asked for that would be refused. */
+  set(some) {
+    const before = this.blocker();
+    Object.assign(this.standing, some);
+    if (before !== this.blocker()) this.show();
+  }
+
+  /** Why nothing can be played now; empty: it can. */
+  blocker() {
+    const { connected, may, state } = this.standing;
+    if (!connected) return "Not connected: nothing plays.";
+    if (!may) return "This connection may only observe.";
+    if (state === "disarmed") return "Disarmed: arm the ball to play.";
+    return state === "armed" ? "" : `${kStates[state] ?? state}: nothing plays.`;
   }
 
   /** The patterns there are; what was chosen stays so, and a call that fails leaves those that were known. */
@@ -67,7 +85,13 @@ export class Pad {
 
   show() {
     const kind = this.form.elements.kind.value;
+    const blocker = this.blocker();
     this.root.dataset.kind = kind;
+    this.root.querySelector("#ask").textContent = blocker || kAsks[kind];
+    for (const control of this.form.elements) control.disabled = blocker !== "";
+    for (const button of this.form.querySelectorAll("[data-direction]")) {
+      button.textContent = kind === "circle" ? `axis ${button.dataset.direction}` : button.dataset.direction;
+    }
     this.root.querySelector("#pattern-description").textContent =
       this.patterns?.find(({ name }) => name === this.form.elements.pattern.value)?.description ?? "";
     const text = { strength: amperes(this.value("strength")), duration: `${this.value("duration").toFixed(1)} s`,
@@ -93,14 +117,20 @@ export class Pad {
   }
 
   async play(direction) {
+    const blocker = this.blocker();
+    if (blocker) {
+      this.say(blocker, true);
+      return;
+    }
     const [method, params] = this.request(direction);
     try {
       const admission = await this.link.call(method, params);
-      const where = typeof direction === "string" ? direction : `pin ${direction.pin}`;
-      const less = admission.limited_by ? `, limited: ${admission.limited_by}` : "";
+      const side = typeof direction === "string" ? direction : `pin ${direction.pin}`;
+      const where = method === "effect.circle" ? `axis ${side}` : side;
+      const less = limitation(admission.limited_by);
       this.say(`${where}: ${amperes(admission.current_a)}, ${(1000 * admission.force_n).toFixed(0)} mN at pin ${admission.pin}${less}`);
     } catch (error) {
-      this.say(error.message, true);
+      this.say(complaint(error), true);
     }
   }
 
@@ -109,7 +139,7 @@ export class Pad {
       await this.link.call("effect.stop_all");
       this.say("effects of this page ended");
     } catch (error) {
-      this.say(error.message, true);
+      this.say(complaint(error), true);
     }
   }
 }

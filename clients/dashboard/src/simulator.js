@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Only with the simulator: turning the ball, and breaking it.
-import { kFaults } from "./words.js";
+import { complaint, kFaults } from "./words.js";
 
 const kTurnEveryMs = 33;
 const kStep = Math.PI / 12;
@@ -35,7 +35,7 @@ export class Simulator {
     try {
       return await this.link.call("sim.set", params);
     } catch (error) {
-      this.say(error.message, true);
+      this.say(complaint(error), true);
       return null;
     }
   }

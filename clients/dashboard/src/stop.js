@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The stop button: by click, by Escape, and by Space unless somebody came by the Tab key to a control that uses it.
+// The stop button: by click, by Escape always, and by Space while no control has the focus.
 
-const kPatienceMs = 2000;
+/** The answer may wait two seconds for the disk. */
+const kPatienceMs = 2500;
+/** Space is theirs while they have the focus. */
+const kControls = "a[href], button, input, select, textarea, summary, [contenteditable]";
+/** A mouse or thumb that has pressed one of these does not leave the focus there. */
+const kPressed = "button, summary, input[type=radio], input[type=checkbox]";
 
 /** Needs #stop and #unstopped (role=alert) on the page. `say(text, bad)`: one line for the person. */
 export function stopButton(link, say) {
@@ -21,9 +26,10 @@ export function stopButton(link, say) {
     };
     const patience = setTimeout(unconfirmed, kPatienceMs);
     try {
-      await link.emergencyStop();
+      const answer = await link.emergencyStop();
       fail("");
-      say("coils off; latched until somebody arms the ball");
+      say(answer?.on_disk === false
+        ? "coils off; not on disk yet, so a restart may forget it" : "coils off; latched until somebody arms the ball");
     } catch {
       unconfirmed();
     }
@@ -32,16 +38,13 @@ export function stopButton(link, say) {
   };
   link.addEventListener("open", () => fail(""));
   button.addEventListener("click", stop);
-  // A control that mouse or thumb left in focus must not keep Space.
-  let tabbed = false;
-  addEventListener("pointerdown", () => { tabbed = false; }, true);
+  addEventListener("click", (event) => {
+    // A key that presses a control counts no clicks, and keeps the focus. A label gives it away only after this event.
+    if (event.detail > 0) setTimeout(() => document.activeElement?.matches(kPressed) && document.activeElement.blur());
+  });
   addEventListener("keydown", (event) => {
-    if (event.key === "Tab") tabbed = true;
-    const control = tabbed && event.target.closest?.("button, input:not([type=range]), select, summary");
-    if (event.key !== "Escape" && (event.key !== " " || control)) return;
+    if (event.key !== "Escape" && (event.key !== " " || event.target.closest?.(kControls))) return;
     event.preventDefault();
-    // Some browsers press a button when the key goes up.
-    if (!tabbed) document.activeElement?.blur();
     if (!event.repeat) stop();
   });
 }

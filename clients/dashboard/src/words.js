@@ -14,6 +14,8 @@ const kReasons = {
   hot_plug: "The ball was plugged in while the daemon ran.",
   emergency_stop: "Somebody pressed stop.",
   no_board: "No board answers.",
+  boot_loader: "The board waits for new firmware.",
+  too_hot: "It is too hot for a push that can be felt.",
   overheated: "A winding reached its highest temperature.",
   sensor_open: "The coil thermometer's wire is open.",
   sensor_short: "The coil thermometer's wire is shorted.",
@@ -55,8 +57,12 @@ export function reason(name) {
   return kReasons[name] ?? `${words(name)}.`;
 }
 
-/** An event as a person would tell it, however little of it is there. */
+/** An event as a person would tell it, however little of it is there; of several of its kind how many. */
 export function happening(event) {
+  return single(event) + (event.count > 1 ? `, ${counted(event.count, "time")}` : "");
+}
+
+function single(event) {
   switch (event.type) {
     case "state_changed": {
       const measured = [contradiction(event.disagreement), event.temperature_c === undefined ? "" : degrees(event.temperature_c),
@@ -74,7 +80,7 @@ export function happening(event) {
     case "derating_ended":
       return `${event.type === "derating_started" ? "Derated" : "Full strength again"}: ${amperes(event.limit_a)} allowed`;
     case "overrun":
-      return `${event.skipped ?? "Some"} ticks of the loop skipped`;
+      return `${Number.isFinite(event.skipped) ? counted(event.skipped, "tick") : "Some ticks"} of the loop skipped`;
     default: {
       const what = words(event.type);
       const detail = event.device ?? event.reason;
@@ -103,7 +109,31 @@ export const kFaults = {
 const number = (value) => (Number.isFinite(value) ? value.toFixed(1) : "–");
 export const amperes = (a) => `${number(a)} A`;
 export const degrees = (c) => (c === null || c === undefined ? "–" : `${number(c)} °C`);
-export const seconds = (s) => (s === null || s === undefined ? "for ever" : s < 100 ? `${s.toFixed(0)} s` : `${(s / 60).toFixed(0)} min`);
+/** "1 tick", "2,500 ticks". */
+export const counted = (count, noun) => `${count.toLocaleString("en")} ${noun}${count === 1 ? "" : "s"}`;
+/** A time that the ball can go on; null: for ever. `known`: how warm it is, without which nobody can tell. */
+export const lasting = (s, known, digits = 0) => {
+  if (!known || s === undefined) return "not known";
+  if (s === null) return "for ever";
+  return s < 100 ? `${s.toFixed(digits)} s` : `${(s / 60).toFixed(0)} min`;
+};
+
+/** Whether `temperature` of a status tells how warm the ball is: an estimate without a thermometer is a guess. */
+export const isHeatKnown = ({ model, sensor }) => Number.isFinite(model) && Number.isFinite(sensor);
+
+const kLimits = {
+  thermal: "heat", mix: "what else plays", priority: "what is more important", configuration: "the owner's settings",
+};
+/** ", limited by heat": why less is played than was asked; "" where it is not. */
+export const limitation = (name) => (name ? `, limited by ${kLimits[name] ?? words(name)}` : "");
+
+/** What an error says to a person: its sentence without the protocol's name of it. */
+export function complaint({ message, data }) {
+  const name = data?.name ? `${data.name}: ` : "";
+  const sentence = name && message.startsWith(name) ? message.slice(name.length) : message;
+  const text = sentence.replace(/^[a-z]+\.[a-z_]+: /, "");
+  return text.charAt(0).toUpperCase() + text.slice(1);
+}
 
 /** "front", "left and up": where a vector of the ball's frame points. */
 export function whither([x, y, z]) {

@@ -83,7 +83,7 @@ struct Race::State {
     scene.wheels = world->wheels();
     scene.obstacles = world->obstacles();
     scene.speed_mps = dot(world->velocity(), rotate(scene.car.orientation, {1, 0, 0}));
-    scene.lap_time_s = scene.time_s - lap_started_s;
+    scene.lap_time_s = driven ? scene.time_s - lap_started_s : 0.0;
   }
 
   void step(const Controls& asked) {
@@ -93,6 +93,10 @@ struct Race::State {
     scene.controls = {.steer = within(asked.steer, -1, 1),
                       .throttle = within(asked.throttle, 0, 1),
                       .brake = within(asked.brake, 0, 1)};
+    if (!driven && scene.controls != Controls{}) {
+      driven = true;
+      lap_started_s = scene.time_s;
+    }
     std::vector<Contact> contacts;
     for (int i = 0; i < 2; ++i) {
       world->step(scene.controls);
@@ -177,6 +181,8 @@ struct Race::State {
   bool skids = false;
   bool tumbles = false;
   double lies_s = 0.0;
+  /// Somebody has begun to drive: until then the clock of the lap stands.
+  bool driven = false;
   double lap_started_s = 0.0;
   bool reset_asked = false;
 };

@@ -22,10 +22,10 @@ struct Scene {
   double time_s = 0.0;  // since the start or the last reset
   Pose car{};           // its centre of mass, see car.h
   std::array<Wheel, 4> wheels{};
-  double speed_mps = 0.0;  // along the car, negative backwards
-  Controls controls{};     // in force
-  int lap = 1;             // the one that is driven
-  double lap_time_s = 0.0;
+  double speed_mps = 0.0;   // along the car, negative backwards
+  Controls controls{};      // in force
+  int lap = 1;              // the one that is driven
+  double lap_time_s = 0.0;  // since somebody began to drive
   std::optional<double> last_lap_s{};
   std::optional<double> best_lap_s{};
   std::vector<Pose> obstacles{};  // in the order of Track::obstacles

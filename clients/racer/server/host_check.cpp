@@ -12,8 +12,8 @@ constexpr std::uint16_t kHttpPort = 80;  // browsers leave it out
 
 bool HostCheck::is_ours(std::string_view host) const {
   const base::WebHost given = base::parse_web_host(host);
+  if (given.is_local()) return true;
   if (given.port ? *given.port != std::to_string(port) : port != kHttpPort) return false;
-  if (given.is_loopback()) return true;
   if (given.is_v6()) return address == "::" || given.name == "[" + address + "]";
   return given.is_v4() && (given.name == address || address == "0.0.0.0" || address == "::");
 }

@@ -16,8 +16,9 @@ struct HostCheck {
   /// The bound one.
   std::uint16_t port = 0;
 
-  /// `Host` is localhost, 127.x.x.x, [::1] or the address listened on, with the bound port. When
-  /// every address is listened on, any address will do, since a bent name is none.
+  /// `Host` is localhost, 127.x.x.x or [::1] with any port, as ssh -L gives one, or the address
+  /// listened on with the bound port. When every address is listened on, any address will do, since
+  /// a name of DNS rebinding is none.
   bool is_ours(std::string_view host) const;
   /// `Origin`, where the browser sends one, is the page that came from `host`.
   bool may_connect(std::string_view host, std::optional<std::string_view> origin) const;

@@ -53,6 +53,7 @@ struct Answer {
   http::status status;
   std::string_view type;
   std::string_view body;
+  base::WebFileAnswer file{.cache_control = "no-store"};
 };
 
 Answer sentence(http::status status, std::string_view text) {
@@ -65,7 +66,11 @@ asio::awaitable<bool> send_answer(beast::tcp_stream& stream, const Answer& answe
   response.result(answer.status);
   response.set(http::field::server, "hedgehog-racer");
   response.set(http::field::content_type, answer.type);
-  response.set(http::field::cache_control, "no-store");
+  const base::WebFileAnswer& file = answer.file;
+  response.set(http::field::cache_control, file.cache_control);
+  if (!file.etag.empty()) response.set(http::field::etag, file.etag);
+  if (!file.encoding.empty()) response.set(http::field::content_encoding, file.encoding);
+  if (!file.vary.empty()) response.set(http::field::vary, file.vary);
   response.set("Content-Security-Policy", kContentPolicy);
   response.set("Cross-Origin-Opener-Policy", "same-origin");
   response.set("Cross-Origin-Resource-Policy", "same-origin");
@@ -151,11 +156,16 @@ asio::awaitable<void> Hub::Rooms::accept() {
 }
 
 Answer Hub::Rooms::answer(const Request& request) const {
-  const std::string target(request.target());
+  const std::string_view target = request.target();
   if (request.method() != http::verb::get && request.method() != http::verb::head)
     return sentence(http::status::method_not_allowed, "only GET and HEAD here\n");
-  const base::WebFile* file = files.find(target.substr(0, target.find('?')));
-  if (file != nullptr) return {http::status::ok, file->type, *file->bytes};
+  const base::WebFile* file = files.find(std::string(target.substr(0, target.find('?'))));
+  if (file != nullptr) {
+    const base::WebFileAnswer sent = base::web_file_answer(
+        *file, request[http::field::accept_encoding], request[http::field::if_none_match]);
+    if (!sent.body) return {http::status::not_modified, file->type, {}, sent};
+    return {http::status::ok, file->type, *sent.body, sent};
+  }
   return sentence(http::status::not_found, "there is no such page\n");
 }
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "base/parse_json.h"
 #include "clients/racer/game/car.h"
 
 namespace hedgehog::racer {
@@ -152,7 +153,7 @@ std::string scene_text(const Scene& scene, const Stand& stand) {
       {"lap", scene.lap},
       {"lap_s", rounded(scene.lap_time_s)},
       {"last_s", of(scene.last_lap_s)},
-      {"best_s", of(scene.best_lap_s)},
+      {"best_s", of(stand.best_lap_s)},
       {"mode", name(stand.mode)},
       {"paused", stand.paused}};
   return text.dump();
@@ -181,8 +182,13 @@ std::string felt_text(const Felt& felt) {
       .dump();
 }
 
-std::string lap_text(int lap, double time_s, bool best) {
-  return Json{{"type", "lap"}, {"lap", lap}, {"time_s", rounded(time_s)}, {"best", best}}.dump();
+std::string lap_text(const FinishedLap& lap) {
+  return Json{{"type", "lap"},
+              {"lap", lap.lap},
+              {"time_s", rounded(lap.time_s)},
+              {"best", lap.best},
+              {"driver", lap.driver}}
+      .dump();
 }
 
 std::string shutdown_text(std::string_view reason) {
@@ -195,7 +201,7 @@ std::string refusal_text(std::string_view why) {
 }
 
 PageMessage page_message(std::string_view text) {
-  const Json message = Json::parse(text, nullptr, false);
+  const Json message = base::parse_json<Json>(text).value;
   const auto type = message.is_object() ? message.find("type") : message.end();
   if (!message.is_object() || type == message.end() || !type->is_string())
     return NotUnderstood{"send one JSON object with a type"};

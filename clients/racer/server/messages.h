@@ -25,6 +25,15 @@ std::optional<Mode> mode_of(std::string_view name) noexcept;
 struct Stand {
   Mode mode = Mode::kKeyboard;
   bool paused = false;
+  std::optional<double> best_lap_s{};  // of the player's own
+};
+
+/// A lap that was just finished.
+struct FinishedLap {
+  int lap = 1;
+  double time_s = 0.0;
+  bool best = false;    // of the player's own
+  bool driver = false;  // driven by the built-in driver, at least in part
 };
 
 /// The ball and what it still can do.
@@ -53,7 +62,7 @@ std::string track_text(const Track& track);
 std::string scene_text(const Scene& scene, const Stand& stand);
 std::string ball_text(const BallView& ball);
 std::string felt_text(const Felt& felt);
-std::string lap_text(int lap, double time_s, bool best);
+std::string lap_text(const FinishedLap& lap);
 /// The game ends, by itself.
 std::string shutdown_text(std::string_view reason);
 std::string refusal_text(std::string_view why);

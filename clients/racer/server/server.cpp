@@ -31,9 +31,7 @@ void Server::publish(const Felt& felt) {
   if (hub_.pages() > 0) hub_.send(felt_text(felt));
 }
 
-void Server::publish_lap(int lap, double time_s, bool best) {
-  hub_.send(lap_text(lap, time_s, best));
-}
+void Server::publish(const FinishedLap& lap) { hub_.send(lap_text(lap)); }
 
 Asked Server::take(std::chrono::steady_clock::time_point now) {
   if (now > keys_end_) asked_.keys = {};

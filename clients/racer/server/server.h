@@ -47,7 +47,7 @@ class Server {
   void publish(const BallView& ball);
   /// One after the other.
   void publish(const Felt& felt);
-  void publish_lap(int lap, double time_s, bool best);
+  void publish(const FinishedLap& lap);
   void announce_shutdown(std::string_view reason) { hub_.announce_shutdown(shutdown_text(reason)); }
 
   Asked take(std::chrono::steady_clock::time_point now = std::chrono::steady_clock::now());

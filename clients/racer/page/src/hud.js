@@ -9,8 +9,12 @@ function put(id, text) {
   if (element.textContent !== text) element.textContent = text;
 }
 
-export const clock = (s) => (s === null || s === undefined
-  ? "–" : `${Math.floor(s / 60)}:${(s % 60).toFixed(1).padStart(4, "0")}`);
+export function clock(s) {
+  if (s === null || s === undefined) return "–";
+  // Rounded before it is divided: 179.96 s are three minutes.
+  const tenths = Math.round(10 * s);
+  return `${Math.floor(tenths / 600)}:${((tenths % 600) / 10).toFixed(1).padStart(4, "0")}`;
+}
 
 export function showScene(scene) {
   put("speed", Math.abs(kSpeedUnit * scene.speed_mps).toFixed(0));
@@ -27,8 +31,8 @@ export function showScene(scene) {
 
 let gone = 0;
 /** For three seconds. */
-export function showLap({ lap, time_s: time, best }) {
-  put("lapdone", `Lap ${lap}: ${clock(time)}${best ? ", the best" : ""}`);
+export function showLap({ lap, time_s: time, best, driver }) {
+  put("lapdone", `Lap ${lap}: ${clock(time)}${best ? ", your best" : ""}${driver ? ", by the driver" : ""}`);
   clearTimeout(gone);
   gone = setTimeout(() => put("lapdone", ""), 3000);
 }

@@ -2,14 +2,16 @@
 // The page of the game: draws what the game tells, says what the hands do.
 import { ACESFilmicToneMapping, PCFShadowMap, PerspectiveCamera, Scene, WebGLRenderer } from "three";
 
+import { Blow } from "./blow.js";
 import { Car } from "./car.js";
 import { Chase } from "./chase.js";
 import { Frames, place } from "./frames.js";
 import { Hands } from "./hands.js";
-import { showBall, showLap, showScene } from "./hud.js";
+import { clock, showBall, showLap, showScene } from "./hud.js";
 import { Link } from "./link.js";
 import { TrackMap } from "./map.js";
 import { Ring } from "./ring.js";
+import { Sound } from "./sound.js";
 import { Trail } from "./trail.js";
 import { buildWorld } from "./world.js";
 
@@ -30,11 +32,12 @@ camera.up.set(0, 0, 1);
 const link = new Link();
 const frames = new Frames();
 const ring = new Ring($("ring"), $("felt"));
-/** What the track was told to be: {scene, world, car, chase, trail, map, text}. */
+const sound = new Sound($("sound"));
+/** What the track was told to be: {root, world, car, blow, chase, trail, map, text}. */
 let stage = null;
 let scene = null;
 
-const page = { renderer, camera, frames, ring, link, stage: () => stage, scene: () => scene, frame: 0 };
+const page = { renderer, camera, frames, ring, link, sound, clock, stage: () => stage, scene: () => scene, frame: 0 };
 
 function mode(name) {
   link.send({ type: "mode", mode: name });
@@ -56,7 +59,7 @@ const hands = new Hands({
 function passesBy(control, pressed) {
   pressed.addEventListener("pointerup", () => setTimeout(() => control.blur()));
 }
-for (const [id, command] of [["reset", commands.KeyR], ["pause", commands.KeyP]]) {
+for (const [id, command] of [["reset", commands.KeyR], ["pause", commands.KeyP], ["sound", () => sound.toggle()]]) {
   $(id).addEventListener("click", command);
   passesBy($(id), $(id));
 }
@@ -74,7 +77,7 @@ link.addEventListener("track", ({ detail: track }) => {
   const car = new Car(track.car);
   car.addTo(root);
   stage = {
-    text, root, world, car, chase: new Chase(camera), trail: new Trail(root, track.car.wheel_radius),
+    text, root, world, car, blow: new Blow(car.body, track.car), chase: new Chase(camera), trail: new Trail(root, track.car.wheel_radius),
     map: new TrackMap($("map"), track),
   };
 });
@@ -82,13 +85,18 @@ link.addEventListener("scene", ({ detail }) => {
   scene = detail;
   frames.add(detail);
   showScene(detail);
+  sound.scene(detail);
 });
 link.addEventListener("ball", ({ detail }) => showBall(detail));
 link.addEventListener("lap", ({ detail }) => showLap(detail));
 link.addEventListener("felt", ({ detail: felt }) => {
   ring.felt(felt);
+  sound.felt(felt);
+  stage?.blow.felt(felt);
   if (felt.kind === "hit" && stage) stage.trail.hit(stage.car.body, felt.direction, felt.strength);
 });
+
+link.addEventListener("gone", () => sound.rest());
 
 function fit() {
   const { clientWidth: width, clientHeight: height } = canvas;
@@ -126,8 +134,9 @@ function draw() {
   ring.draw();
   const between = frames.now();
   if (!stage || !between) return;
-  const { car, chase, trail, world, map, root } = stage;
+  const { car, blow, chase, trail, world, map, root } = stage;
   car.show(between);
+  blow.show();
   const { from, to, share } = between;
   world.obstacles.forEach((mesh, i) => to.obstacles[i] && place(mesh, from.obstacles[i] ?? to.obstacles[i], to.obstacles[i], share));
   world.follow(car.body.position);

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+// The designer: key frames put on the ball over time, shown as the currents that would flow, played, saved and loaded.
+import { Ball } from "./ball.js";
+import { FrameTable } from "./frame_table.js";
+import { Keyframes, kMaxMs } from "./keyframes.js";
+import { Link } from "./link.js";
+import { Listener } from "./listen.js";
+import { stopButton } from "./stop.js";
+import { watch } from "./watch.js";
+import { amperes, complaint, counted, degrees, limitation, whither } from "./words.js";
+
+const kPreviewMs = 250;
+const kDragLeaseMs = 250;
+const kHeight = 160;
+const $ = (id) => document.getElementById(id);
+
+function say(text, bad = false) {
+  $("said").textContent = text;
+  $("said").classList.toggle("bad", bad);
+}
+
+const link = new Link("designer page", [
+  { method: "telemetry.subscribe", params: { rate_hz: 25, fields: ["state", "current_a", "field", "pins"] } },
+]);
+const ball = new Ball($("ball"));
+watch(link);
+stopButton(link, say);
+const form = $("design");
+form.addEventListener("submit", (event) => event.preventDefault());
+let frames = new Keyframes();
+let limits = { current_a: 15, felt_a: 2.1 };
+/** A drag that is recorded: {from, points}. */
+let drag = null;
+
+const number = (name) => Number(form.elements[name].value);
+const span = () => number("span");
+const ask = async (method, params, done) => {
+  try {
+    done(await link.call(method, params));
+  } catch (error) {
+    say(complaint(error), true);
+  }
+};
+
+const table = new FrameTable($("frames"), {
+  change: (index, frame) => edit(() => {
+    frames.remove(index);
+    frames.put(frame);
+  }),
+  remove: (index) => edit(() => frames.remove(index)),
+});
+
+/** Carries out a change of the key frames and shows it. */
+function edit(change) {
+  try {
+    change();
+    say("");
+  } catch (error) {
+    say(complaint(error), true);
+  }
+  $("no-frames").hidden = frames.frames.length > 0;
+  table.show(frames.frames);
+  while (span() < frames.length()) form.elements.span.selectedIndex += 1;
+  draw();
+  clearTimeout(edit.timer);
+  edit.timer = setTimeout(forecast, kPreviewMs);
+}
+
+function line(id, points) {
+  const place = ([t, share]) => `${((1000 * t) / span()).toFixed(1)},${(kHeight * (1 - 0.94 * share)).toFixed(1)}`;
+  $(id).setAttribute("points", points.map(place).join(" "));
+}
+
+function draw() {
+  form.elements.time.max = span();
+  const now = number("time");
+  $("time-shown").value = `${(now / 1000).toFixed(2)} s`;
+  $("level-shown").value = number("level").toFixed(2);
+  $("strength-shown").value = amperes(number("strength"));
+  for (const end of ["x1", "x2"]) $("now").setAttribute(end, (1000 * now) / span());
+  line("levels", frames.frames.map(({ t, level }) => [t, level]));
+  const at = frames.at(now);
+  ball.setField(at && at.level > 0 ? at.direction : [0, 0, 0], at?.level ?? 0);
+  $("caption").textContent = at ? `At ${(now / 1000).toFixed(2)} s towards ${whither(at.direction)}, level ${at.level.toFixed(2)}` : "At rest";
+}
+
+const params = () => ({ keyframes: frames.wire(), current_a: number("strength") });
+
+async function forecast() {
+  line("currents", []);
+  $("forecast").textContent = "";
+  if (!frames.playable() || !link.ready) return;
+  const asked = frames;
+  await ask("effect.preview", { method: "effect.play", params: params() }, (preview) => {
+    if (asked !== frames) return;
+    line("currents", preview.current_a.map((current, i) =>
+      [(i + 0.5) * preview.step_ms, Math.min(1, Math.hypot(...current) / number("strength"))]));
+    const limited = limitation(preview.limited_by);
+    $("forecast").textContent =
+      `at most ${amperes(preview.peak_current_a)}, ${degrees(preview.peak_temperature_c)}${limited}`;
+  });
+}
+
+form.addEventListener("input", (event) => {
+  if (["time", "level", "strength", "span"].includes(event.target.name)) edit(() => {});
+});
+$("add").addEventListener("click", () => edit(() => {
+  const direction = frames.at(number("time"))?.direction ?? frames.frames.at(-1)?.direction ?? [1, 0, 0];
+  frames.put({ t: number("time"), direction, level: number("level") });
+}));
+$("clear").addEventListener("click", () => edit(() => { frames = new Keyframes(); }));
+
+$("play").addEventListener("click", () => {
+  if (!frames.playable()) return say("Put two key frames first: the last one is the end.", true);
+  return ask("effect.play", { ...params(), slot: "designer" }, (admission) => say(
+    `plays with ${amperes(admission.current_a)}${limitation(admission.limited_by)}`));
+});
+
+// A click on the ball is a key frame; a drag, while recording, many.
+let pressedAt = null;
+function recording(on) {
+  $("record").setAttribute("aria-pressed", on);
+  $("record").textContent = on ? "Drag on the ball now" : "Record a drag";
+  ball.look.enableRotate = !on;
+}
+$("record").addEventListener("click", () => recording($("record").getAttribute("aria-pressed") !== "true"));
+$("ball").addEventListener("pointerdown", (event) => {
+  pressedAt = [event.clientX, event.clientY];
+  const direction = ball.directionAt(event);
+  if (ball.look.enableRotate || !direction) return;
+  $("ball").setPointerCapture(event.pointerId);
+  drag = { from: performance.now(), points: [{ t: 0, direction }] };
+  link.tell("effect.hold", { slot: "drag", direction, current_a: number("strength") * number("level"), lease_ms: kDragLeaseMs });
+});
+$("ball").addEventListener("pointermove", (event) => {
+  const direction = drag && ball.directionAt(event);
+  if (!direction) return;
+  const t = Math.round(performance.now() - drag.from);
+  if (t > kMaxMs || t <= drag.points.at(-1).t) return;
+  drag.points.push({ t, direction });
+  link.tell("effect.update", { slot: "drag", direction });
+});
+function endDrag() {
+  if (!drag) return false;
+  const { points } = drag;
+  drag = null;
+  link.tell("effect.stop", { slot: "drag" });
+  recording(false);
+  if (points.length < 2) return true;
+  edit(() => { frames = Keyframes.drawn(points, number("level")); });
+  say(`${(frames.length() / 1000).toFixed(1)} s as ${counted(frames.frames.length, "key frame")}`);
+  return true;
+}
+for (const ending of ["pointercancel", "blur", "pagehide"]) addEventListener(ending, endDrag);
+addEventListener("pointerup", (event) => {
+  if (endDrag()) return;
+  const still = pressedAt && Math.hypot(event.clientX - pressedAt[0], event.clientY - pressedAt[1]) < 6;
+  pressedAt = null;
+  const direction = still && event.target === $("ball") ? ball.directionAt(event) : null;
+  if (direction) edit(() => frames.put({ t: number("time"), direction, level: number("level") }));
+});
+// A hand that rests while it drags still holds.
+setInterval(() => {
+  if (drag && performance.now() - drag.from > kMaxMs) endDrag();
+  if (drag) link.tell("effect.update", { slot: "drag" });
+}, kDragLeaseMs / 2);
+
+const pattern = () => ({ name: form.elements.name.value, keyframes: frames.wire() });
+$("save").addEventListener("click", () => {
+  if (!frames.playable()) return say("There is nothing to save yet.", true);
+  const url = URL.createObjectURL(new Blob([`${JSON.stringify(pattern(), null, 2)}\n`], { type: "application/json" }));
+  const file = `${form.elements.name.value.split("/").at(-1) || "pattern"}.json`;
+  Object.assign(document.createElement("a"), { href: url, download: file }).click();
+  URL.revokeObjectURL(url);
+  return say(`${file}: hedgehogctl play ${file}`);
+});
+$("keep").addEventListener("click", () => ask("pattern.put", pattern(), ({ name }) => say(`${name} is kept by the daemon`)));
+$("load").addEventListener("change", async () => {
+  const [file] = $("load").files;
+  if (!file) return;
+  const text = await file.text();
+  $("load").value = "";
+  edit(() => {
+    frames = Keyframes.read(text, ball.pins.map(({ number: pin, direction }) => ({ number: pin, direction: direction.toArray() })));
+    form.elements.name.value = JSON.parse(text).name ?? form.elements.name.value;
+  });
+});
+
+const listener = new Listener(link, {
+  strength: () => ({ current_a: number("strength"), felt_a: limits.felt_a }),
+  heard: (pushes) => { $("heard").textContent = `${pushes} ${pushes === 1 ? "push" : "pushes"}`; },
+  ended: () => listening(false),
+});
+function listening(on) {
+  $("silence").disabled = !on;
+  $("microphone").setAttribute("aria-pressed", on && listener.stream != null);
+}
+async function listen(start) {
+  try {
+    await start();
+    $("heard").textContent = "listening";
+    listening(true);
+  } catch (error) {
+    await listener.stop();
+    $("heard").textContent = `No sound: ${error.message}`;
+    listening(false);
+  }
+}
+$("microphone").addEventListener("click", () => listen(() => listener.startMicrophone()));
+$("sound").addEventListener("change", () => {
+  const [file] = $("sound").files;
+  if (file) listen(() => listener.startFile(file));
+});
+$("silence").addEventListener("click", () => listener.stop().then(() => listening(false)));
+
+link.addEventListener("open", ({ detail: { hello, device } }) => {
+  limits = hello.limits;
+  form.elements.strength.max = limits.current_a;
+  $("simulated").hidden = !hello.device.simulated;
+  ball.setPins(device.pins);
+  edit(() => {});
+});
+link.addEventListener("telemetry", ({ detail: status }) => {
+  document.body.dataset.state = status.state;
+  ball.setExtensions(status.pins.extension_mm);
+});
+draw();
+
+window.dashboard = { ball, link, listener, frames: () => frames.frames };

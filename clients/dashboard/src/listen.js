@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// Sound as it is heard, from a microphone or a file, as effects: what begins in it pushes, its low tones vibrate.
+// The rules are those of clients/sound, but for windows of a screen's timer.
+
+const kCrossoverHz = 150;
+const kTickMs = 20;
+const kLeaseMs = 250;
+const kPulseMs = 25;
+const kApartMs = 60;
+/** Amplitudes below it are silence. */
+const kSilence = 0.01;
+/** Power of an onset over that of the last ticks: 6 dB. */
+const kRise = 4;
+const kBefore = 3;
+
+/** Left 90, right -90. */
+export const azimuth = (left, right) => Math.round(90 - (2 * Math.atan2(right, left) * 180) / Math.PI);
+
+export class Listener {
+  /** `strength()`: {current_a, felt_a}. `heard(pushes)`: after each push; `ended()`: the file is over. */
+  constructor(link, { strength, heard, ended }) {
+    Object.assign(this, { link, strength, heard, ended });
+    this.context = null;
+  }
+
+  async startMicrophone() {
+    const stream = await navigator.mediaDevices.getUserMedia(
+      { audio: { echoCancellation: false, noiseSuppression: false, autoGainControl: false } });
+    await this.stop();
+    this.stream = stream;
+    this.begin();
+    this.analyse(this.context.createMediaStreamSource(stream));
+  }
+
+  async startFile(file) {
+    await this.stop();
+    this.begin();
+    const context = this.context;
+    const buffer = await context.decodeAudioData(await file.arrayBuffer());
+    // Stopped, or another one started meanwhile.
+    if (this.context !== context) return;
+    const source = context.createBufferSource();
+    source.buffer = buffer;
+    source.onended = () => this.stop().then(this.ended);
+    this.analyse(source);
+    source.connect(context.destination);
+    source.start();
+  }
+
+  begin() {
+    this.context = new AudioContext();
+    this.pushes = 0;
+    this.before = [];
+    this.pushedAt = -Infinity;
+    this.vibrating = false;
+  }
+
+  /** Four analysers: low and high, left and right. */
+  analyse(source) {
+    const { context } = this;
+    const sides = context.createChannelSplitter(2);
+    // One channel on both sides.
+    const stereo = new GainNode(context, { channelCount: 2, channelCountMode: "explicit", channelInterpretation: "speakers" });
+    source.connect(stereo).connect(sides);
+    this.analysers = {};
+    for (const type of ["lowpass", "highpass"]) {
+      this.analysers[type] = [0, 1].map((side) => {
+        const first = new BiquadFilterNode(context, { type, frequency: kCrossoverHz, Q: -5.33 });
+        const second = new BiquadFilterNode(context, { type, frequency: kCrossoverHz, Q: 2.32 });
+        const analyser = new AnalyserNode(context, { fftSize: type === "lowpass" ? 2048 : 1024 });
+        sides.connect(first, side).connect(second).connect(analyser);
+        return analyser;
+      });
+    }
+    this.samples = new Float32Array(2048);
+    this.timer = setInterval(() => this.look(), kTickMs);
+  }
+
+  power(analyser) {
+    const samples = this.samples.subarray(0, analyser.fftSize);
+    analyser.getFloatTimeDomainData(samples);
+    let [sum, peak, periods] = [0, 0, 0];
+    for (let i = 0; i < samples.length; ++i) {
+      sum += samples[i] * samples[i];
+      peak = Math.max(peak, Math.abs(samples[i]));
+      if (i > 0 && samples[i - 1] < 0 && samples[i] >= 0) periods += 1;
+    }
+    const seconds = samples.length / this.context.sampleRate;
+    return { mean: sum / samples.length, peak: Math.min(1, peak), frequency: periods / seconds };
+  }
+
+  /** Amplitude 0..1 as what can be felt of the strength. */
+  level(amplitude) {
+    const { current_a, felt_a } = this.strength();
+    const felt = current_a > felt_a ? felt_a / current_a : 0;
+    return Number((felt + (1 - felt) * Math.min(1, amplitude)).toFixed(3));
+  }
+
+  look() {
+    if (this.context?.state !== "running") return;
+    const high = this.analysers.highpass.map((analyser) => this.power(analyser));
+    const now = performance.now();
+    const mean = Math.max(high[0].mean, high[1].mean);
+    const peak = Math.max(high[0].peak, high[1].peak);
+    const begins = peak > 2 * kSilence && mean > 1e-6 && mean > kRise * Math.max(0, ...this.before);
+    this.before = [...this.before, mean].slice(-kBefore);
+    if (begins && now - this.pushedAt > kApartMs) this.push(high, peak, now);
+    this.vibrate(this.analysers.lowpass.map((analyser) => this.power(analyser)));
+  }
+
+  push([left, right], peak, now) {
+    this.pushedAt = now;
+    this.pushes += 1;
+    this.link.tell("effect.pulse", { direction: { azimuth_deg: azimuth(left.peak, right.peak) }, duration_ms: kPulseMs,
+      current_a: this.strength().current_a, gain: this.level(peak) });
+    this.heard(this.pushes);
+  }
+
+  vibrate([left, right]) {
+    const [l, r] = [left, right].map(({ mean }) => Math.sqrt(2 * mean));
+    const louder = l >= r ? left : right;
+    if (Math.max(l, r) < kSilence) {
+      if (this.vibrating) this.link.tell("effect.stop", { slot: "sound" });
+      this.vibrating = false;
+      return;
+    }
+    this.vibrating = true;
+    this.link.tell("effect.vibrate", { slot: "sound", direction: { azimuth_deg: azimuth(l, r) }, waveform: "sine",
+      frequency_hz: Math.min(kCrossoverHz, Math.max(20, Math.round(louder.frequency))),
+      current_a: this.strength().current_a, gain: this.level(Math.max(l, r)), lease_ms: kLeaseMs });
+  }
+
+  async stop() {
+    clearInterval(this.timer);
+    const { context, stream } = this;
+    this.context = this.stream = null;
+    for (const track of stream?.getTracks() ?? []) track.stop();
+    if (this.vibrating) this.link.tell("effect.stop", { slot: "sound" });
+    this.vibrating = false;
+    if (context && context.state !== "closed") await context.close();
+  }
+}
