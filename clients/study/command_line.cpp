@@ -13,6 +13,8 @@
 
 #include "clients/common/arguments.h"
 #include "clients/study/study_plan.h"
+#include "clients/study/verbs/checklist_answers.h"
+#include "clients/study/verbs/exclude_verb.h"
 #include "clients/study/verbs/report_verbs.h"
 #include "clients/study/verbs/run_verb.h"
 #include "clients/study/verbs/simulate_verb.h"
@@ -48,6 +50,30 @@ CLI::Validator finite(double lowest, double highest) {
           fmt::format("FLOAT in [{:g} - {:g}]", lowest, highest)};
 }
 
+/// What the check list takes at its prompt, too.
+template <class T>
+CLI::Validator accepted(Result<T> (*parse)(std::string_view), const char* kind) {
+  return {[parse](const std::string& text) {
+            const auto value = parse(text);
+            return value ? std::string() : value.error().message;
+          },
+          kind};
+}
+
+/// Something to read, on one line.
+CLI::Validator reason() {
+  return {[](const std::string& text) {
+            constexpr std::size_t kLongest = 500;
+            const bool readable =
+                text.size() <= kLongest && text.find_first_not_of(" \t") != std::string::npos &&
+                std::none_of(
+                    text.begin(), text.end(), [](unsigned char c) { return std::iscntrl(c) != 0; });
+            return readable ? std::string()
+                            : fmt::format("one line of 1 to {} characters", kLongest);
+          },
+          "TEXT"};
+}
+
 CLI::Validator not_empty() {
   return {[](const std::string& text) {
             return text.empty() ? std::string("must not be empty") : std::string();
@@ -68,6 +94,7 @@ class CommandLine {
     add_status();
     add_analyse();
     add_export();
+    add_exclude();
     add_levels();
     add_simulate();
     add_trace();
@@ -130,10 +157,11 @@ class CommandLine {
     verb->add_option("--experimenter", list.experimenter, "a code; what is not said is asked");
     verb->add_option("--consent", list.consent, "reference of the signed sheet");
     verb->add_option("--hand-size", list.hand_size_cm, "tip of the index finger to the wrist, cm")
-        ->check(finite(10.0, 30.0));
+        ->check(accepted(parse_hand_size, "CM"));
     verb->add_option("--dominant-hand", list.dominant_hand)
         ->check(CLI::IsMember({"left", "right"}));
-    verb->add_option("--age-band", list.age_band, "22-29");
+    verb->add_option("--age-band", list.age_band, "22-29, 70+")
+        ->check(accepted(parse_age_band, "YEARS"));
     verb->add_flag("--headphones", list.headphones, "they are on and running");
     verb->add_flag("--hand-on-top", list.hand_on_top, "it is");
     verb->add_flag("--again", run_.again, "another run of what was done or begun");
@@ -170,9 +198,6 @@ class CommandLine {
   void add_analyse() {
     CLI::App* verb = app_.add_subcommand("analyse", "thresholds, figures and a report");
     verb->add_option("--out", analyse_.out, "folder; default: analysis in the study");
-    verb->add_option("--bootstraps", analyse_.bootstraps, "replications for the 95 % intervals")
-        ->check(CLI::Range(0, 100'000))
-        ->capture_default_str();
     verb->add_flag("--json", analyse_.json, "for programs");
     verb->callback([this] { chosen_ = [this] { return run_analyse(analyse_); }; });
   }
@@ -183,7 +208,28 @@ class CommandLine {
         ->check(CLI::IsMember({"csv", "bids"}))
         ->capture_default_str();
     verb->add_option("--out", export_.out, "default: data.csv or bids in the study");
+    verb->add_option("--author", export_.authors,
+                     "of the data, for BIDS, again for each; default: the experimenters' codes");
     verb->callback([this] { chosen_ = [this] { return run_export(export_); }; });
+  }
+
+  CLI::App* add_choice(const char* verb_name, const char* help) {
+    CLI::App* verb = app_.add_subcommand(verb_name, help);
+    verb->add_option("participant", exclude_.participant, "P01")->required();
+    verb->add_option("experiment", exclude_.experiment)->required();
+    verb->add_option("--run", exclude_.run, "default: the last")->check(CLI::Range(1, 999'999));
+    return verb;
+  }
+
+  void add_exclude() {
+    CLI::App* verb = add_choice("exclude", "leaves a run out of the means, for a reason");
+    verb->add_option("--reason", exclude_.reason, "shown in report and export")
+        ->required()
+        ->check(reason());
+    verb->callback([this] { chosen_ = [this] { return run_exclude(exclude_); }; });
+    add_choice("include", "a run that was excluded counts again")->callback([this] {
+      chosen_ = [this] { return run_include(exclude_); };
+    });
   }
 
   void add_levels() {
@@ -209,6 +255,7 @@ class CommandLine {
   std::string folder_{};
   AnalyseOptions analyse_{};
   ExportOptions export_{};
+  ExcludeOptions exclude_{};
   LevelsOptions levels_{};
   PlanOptions plan_{};
   RunOptions run_{};

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "base/parse_json.h"
 #include "clients/study/json_lines.h"
 
 namespace hedgehog::study {
@@ -226,13 +227,12 @@ Experiment read_experiment(Reader& r) {
 }  // namespace
 
 Result<Experiment> parse_experiment(std::string_view text, const std::string& file) {
-  json object;
-  try {
-    object = json::parse(text, nullptr, true, true);
-  } catch (const json::parse_error& error) {
-    return Problem{EX_CONFIG, file + ":" + std::to_string(line_of_byte(text, error.byte)) +
-                                  ": this is no JSON"};
+  const auto parsed = base::parse_json<json>(text, base::JsonComments::kAllowed);
+  if (!parsed.good()) {
+    return Problem{EX_CONFIG, file + ":" + std::to_string(line_of_byte(text, parsed.at)) +
+                                  ": this is no JSON: " + parsed.problem};
   }
+  const json& object = parsed.value;
   if (!object.is_object())
     return Problem{EX_CONFIG, file + ":1: an experiment is an object in braces"};
   Reader reader(object, text, file);

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "base/parse_json.h"
 #include "clients/study/journal/journal.h"
 
 namespace hedgehog::study {
@@ -99,8 +100,10 @@ std::string plan_text(const StudyPlan& plan) {
 }
 
 Result<StudyPlan> parse_plan(std::string_view text) {
+  const auto parsed = base::parse_json<ordered_json>(text, base::JsonComments::kAllowed);
+  if (!parsed.good()) return Problem{EX_DATAERR, parsed.problem};
   try {
-    const ordered_json json = ordered_json::parse(text, nullptr, true, true);
+    const ordered_json& json = parsed.value;
     StudyPlan plan;
     plan.seed = json.at("seed");
     plan.experiments = json.at("experiments").get<std::vector<std::string>>();

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "clients/study/journal/codec.h"
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "base/parse_json.h"
 #include "clients/study/experiment_file.h"
 
 namespace hedgehog::study {
@@ -24,6 +26,17 @@ std::optional<T> maybe(const ordered_json& object, const char* key) {
                                                    : std::optional<T>(found->get<T>());
 }
 
+ordered_json daemon_json(const DaemonFacts& daemon) {
+  return {{"address", daemon.address}, {"start_id", daemon.start_id}};
+}
+
+/// Of the member `daemon`, which older journals have not.
+DaemonFacts read_daemon(const ordered_json& in) {
+  const auto daemon = in.find("daemon");
+  if (daemon == in.end()) return {};
+  return {daemon->at("address"), daemon->at("start_id")};
+}
+
 void write(ordered_json& out, const RunStarted& e) {
   out["event"] = "run_started";
   out["participant"] = e.participant;
@@ -34,6 +47,7 @@ void write(ordered_json& out, const RunStarted& e) {
                  {"serial", or_null(e.ball.serial)},
                  {"simulated", e.ball.simulated},
                  {"force_n_per_a", e.ball.force_n_per_a}};
+  out["daemon"] = daemon_json(e.daemon);
   out["simulated_person"] = e.simulated_person;
   out["software_version"] = e.software_version;
   out["blind"] = e.blind;
@@ -49,6 +63,7 @@ RunStarted read_run_started(const ordered_json& in) {
   const ordered_json& ball = in.at("ball");
   e.ball = {ball.at("name"), ball.at("model"), maybe<std::string>(ball, "serial"),
             ball.at("simulated"), ball.at("force_n_per_a")};
+  e.daemon = read_daemon(in);
   e.simulated_person = in.at("simulated_person");
   e.software_version = in.at("software_version");
   e.blind = in.value("blind", false);
@@ -106,6 +121,15 @@ void write(ordered_json& out, const IntervalPlayed& e) {
   out["mixed_ms"] = or_null(e.mixed_ms);
   out["measured_a"] = or_null(e.measured_a);
   out["temperature_c"] = or_null(e.temperature_c);
+  out["orientation"] = nullptr;
+  if (e.orientation)
+    out["orientation"] = {e.orientation->w, e.orientation->x, e.orientation->y, e.orientation->z};
+}
+
+std::optional<model::Quaternion> read_orientation(const ordered_json& in) {
+  const auto q = maybe<std::array<double, 4>>(in, "orientation");
+  if (!q) return std::nullopt;
+  return model::Quaternion{(*q)[0], (*q)[1], (*q)[2], (*q)[3]};
 }
 
 IntervalPlayed read_interval(const ordered_json& in) {
@@ -121,7 +145,8 @@ IntervalPlayed read_interval(const ordered_json& in) {
           maybe<std::int64_t>(in, "masked_ms"),
           maybe<std::int64_t>(in, "mixed_ms"),
           maybe<double>(in, "measured_a"),
-          maybe<double>(in, "temperature_c")};
+          maybe<double>(in, "temperature_c"),
+          read_orientation(in)};
 }
 
 void write(ordered_json& out, const Answered& e) {
@@ -141,6 +166,12 @@ void write(ordered_json& out, const Voided& e) {
   out["reason"] = e.reason;
 }
 
+void write(ordered_json& out, const DaemonChanged& e) {
+  out["event"] = "daemon_changed";
+  out["text"] = e.daemon.address;  // an older program reads it as a remark
+  out["daemon"] = daemon_json(e.daemon);
+}
+
 void write(ordered_json& out, const Remark& e) {
   out["event"] = e.kind;
   out["text"] = e.text;
@@ -154,6 +185,7 @@ Event read_event(const ordered_json& in) {
   if (event == "interval") return read_interval(in);
   if (event == "answered") return read_answered(in);
   if (event == "voided") return Voided{in.at("reason")};
+  if (event == "daemon_changed") return DaemonChanged{read_daemon(in)};
   return Remark{event, in.at("text")};
 }
 
@@ -169,8 +201,10 @@ std::string encode(const Line& line) {
 }
 
 Result<Line> decode(std::string_view text) {
+  const auto parsed = base::parse_json<ordered_json>(text);
+  if (!parsed.good()) return Problem{EX_DATAERR, parsed.problem};
   try {
-    const ordered_json in = ordered_json::parse(text);
+    const ordered_json& in = parsed.value;
     return Line{in.at("n"), in.at("time"), read_event(in)};
   } catch (const std::exception& error) {
     return Problem{EX_DATAERR, error.what()};

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "clients/study/rules/run.h"
+#include "model/quaternion.h"
 
 namespace hedgehog::study {
 
@@ -21,11 +22,12 @@ struct BallFacts {
   friend bool operator==(const BallFacts&, const BallFacts&) = default;
 };
 
-/// A calibration that was measured again makes no other ball.
-inline bool same_ball(const BallFacts& a, const BallFacts& b) {
-  return a.name == b.name && a.model == b.model && a.serial == b.serial &&
-         a.simulated == b.simulated;
-}
+/// The daemon that drives it.
+struct DaemonFacts {
+  std::string address{};   // as `Address` is written; empty: in journals before it was recorded
+  std::string start_id{};  // empty: it told none
+  friend bool operator==(const DaemonFacts&, const DaemonFacts&) = default;
+};
 
 /// The first line: everything that the run follows from.
 struct RunStarted {
@@ -41,6 +43,7 @@ struct RunStarted {
   bool blind = false;
   /// Of a simulated person's answers.
   std::uint64_t person_seed = 0;
+  DaemonFacts daemon{};
   friend bool operator==(const RunStarted&, const RunStarted&) = default;
 };
 
@@ -77,6 +80,8 @@ struct IntervalPlayed {
   std::optional<std::int64_t> mixed_ms{};
   std::optional<double> measured_a{};  // the highest seen while it played
   std::optional<double> temperature_c{};
+  /// Of the ball when it ended, device -> world.
+  std::optional<model::Quaternion> orientation{};
   friend bool operator==(const IntervalPlayed&, const IntervalPlayed&) = default;
 };
 
@@ -91,6 +96,13 @@ struct Voided {
   friend bool operator==(const Voided&, const Voided&) = default;
 };
 
+/// From here on it is this daemon, or this start of it: the experimenter said so, or nobody is
+/// there whom it would concern.
+struct DaemonChanged {
+  DaemonFacts daemon{};
+  friend bool operator==(const DaemonChanged&, const DaemonChanged&) = default;
+};
+
 /// Everything that moves nothing: "note", "paused", "continued", "resumed", "rest", "stopped",
 /// "finished", "blind" (from here on).
 inline constexpr const char* kBallIsBack = "the ball is back";  // of "continued"
@@ -100,8 +112,8 @@ struct Remark {
   friend bool operator==(const Remark&, const Remark&) = default;
 };
 
-using Event =
-    std::variant<RunStarted, Checklist, TrialStarted, IntervalPlayed, Answered, Voided, Remark>;
+using Event = std::variant<RunStarted, Checklist, TrialStarted, IntervalPlayed, Answered, Voided,
+                           DaemonChanged, Remark>;
 
 struct Line {
   std::int64_t number = 0;  // from 1, without gaps

@@ -15,7 +15,10 @@ Problem wrong(const Line& line, const std::string& what) {
 }  // namespace
 
 RecordedRun::RecordedRun(const RunStarted& header, std::string started)
-    : header_(header), started_(std::move(started)), state_(header.experiment, header.seeds) {}
+    : header_(header),
+      pin_{header.ball, header.daemon},
+      started_(std::move(started)),
+      state_(header.experiment, header.seeds) {}
 
 Result<RecordedRun> RecordedRun::replay(const std::vector<Line>& lines) {
   if (lines.empty() || !std::holds_alternative<RunStarted>(lines.front().event))
@@ -46,6 +49,11 @@ Result<void> RecordedRun::apply(const Line& line) {
     return wrong(line, "a second run begins in the middle of one");
   if (const auto* checklist = std::get_if<Checklist>(&line.event)) {
     checklist_ = *checklist;
+    return {};
+  }
+  if (const auto* changed = std::get_if<DaemonChanged>(&line.event)) {
+    pin_.daemon = changed->daemon;
+    absent_ = true;
     return {};
   }
   if (const auto* begun = std::get_if<TrialStarted>(&line.event)) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "clients/common/problem.h"
-#include "clients/study/journal/event.h"
+#include "clients/study/journal/identity.h"
 
 namespace hedgehog::study {
 
@@ -39,6 +39,8 @@ class RecordedRun {
   Result<void> take(const Line& line);
 
   const RunStarted& header() const noexcept { return header_; }
+  /// The ball, and the daemon that drove it last.
+  const Pin& pin() const noexcept { return pin_; }
   const std::optional<Checklist>& checklist() const noexcept { return checklist_; }
   const RunState& state() const noexcept { return state_; }
   /// Closed trials, in order.
@@ -58,6 +60,7 @@ class RecordedRun {
   Result<void> close(const Answered& event);
 
   RunStarted header_;
+  Pin pin_;
   std::string started_;
   RunState state_;
   std::optional<Checklist> checklist_{};

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "clients/study/report/bids.h"
 
-#include <sys/utsname.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -12,8 +11,8 @@
 #include <set>
 
 #include "clients/common/csv.h"
-#include "clients/study/experiment_file.h"
 #include "clients/study/report/rows.h"
+#include "clients/study/report/sidecar.h"
 
 namespace hedgehog::study {
 
@@ -35,63 +34,6 @@ std::optional<Problem> mistakable(const std::set<std::string>& texts, const char
     }
   }
   return std::nullopt;
-}
-
-/// What the thesis leaves open, and how it was done here.
-ordered_json choices(const Experiment& e) {
-  const StaircaseRule& rule = e.rule;
-  const bool yes_no = e.task == Task::kYesNo;
-  const std::string discarded = std::to_string(rule.discard);
-  return {
-      {"answers_for_a_step", rule.quick_start
-                                 ? "one of each until the first reversal, then " +
-                                       std::to_string(rule.positives_down) + " down, " +
-                                       std::to_string(rule.negatives_up) + " up"
-                                 : std::to_string(rule.positives_down) + " down, " +
-                                       std::to_string(rule.negatives_up) + " up from the start"},
-      {"initial_step_down", "step_down of the first stage"},
-      {"first_reversal_counts",
-       rule.discard == 0 ? "for the end and the mean" : "for the end, not for the mean"},
-      {"first_answer_negative", "level up, no reversal"},
-      {"reversal_level", "at which the turning answer was given"},
-      {"step_size_leaving_a_reversal", "already the new one"},
-      {"run_counter", "zeroed by every level change and every negative"},
-      {"at_the_limits", "level clamped; moves there still turn the direction"},
-      {"catch_trials", e.catch_one_in == 0
-                           ? "none"
-                           : "one in " + std::to_string(e.catch_one_in) +
-                                 ", never first, never two in a row; device off; they move "
-                                 "nothing"},
-      {"zero_level", yes_no ? "scored like any other" : "scored; the random label decides"},
-      {"interval_order", yes_no ? "one interval only"
-                         : e.order == IntervalOrder::kRandom
-                             ? "an independent fair coin a trial"
-                             : "the second of each pair the opposite of the first, but for voids"},
-      {"void_trials", yes_no ? "nothing scored, same level again"
-                             : "nothing scored, same level again, new interval order"},
-      {"response_limit", e.response_limit_ms == 0
-                             ? "none"
-                             : std::to_string(e.response_limit_ms) + " ms, void after that"},
-      {"step_unit", yes_no ? "A" : "percentage points of the reference"},
-      {"threshold", "arithmetic mean of nominal levels of all reversals but the first " +
-                        discarded + "; none if not finished"},
-      {"end", "at once with reversal " + std::to_string(rule.total_reversals()) +
-                  "; given up after " + std::to_string(rule.max_trials) + " scored trials"},
-      {"feedback", "none"}};
-}
-
-template <class T>
-ordered_json or_missing(const std::optional<T>& value) {
-  return value ? ordered_json(*value) : ordered_json("n/a");
-}
-
-ordered_json or_missing(const std::string& text) {
-  return text.empty() ? ordered_json("n/a") : ordered_json(text);
-}
-
-std::string operating_system() {
-  utsname names{};
-  return uname(&names) == 0 ? std::string(names.sysname) + " " + names.release : "n/a";
 }
 
 Result<void> write(const fs::path& file, const std::string& text) {
@@ -117,7 +59,7 @@ Result<void> in_one_go(const fs::path& path,
   return made;
 }
 
-std::string table(const RecordedRun& run, std::string (*line)(const std::vector<std::string>&),
+std::string table(const AnalysedRun& run, std::string (*line)(const std::vector<std::string>&),
                   bool heading) {
   std::string text;
   if (heading) {
@@ -125,8 +67,20 @@ std::string table(const RecordedRun& run, std::string (*line)(const std::vector<
     for (const Column& column : columns()) names.emplace_back(column.name);
     text = line(names) + "\n";
   }
-  for (const auto& row : rows_of(run)) text += line(row) + "\n";
+  const auto excluded = run.excluded ? std::optional(run.excluded->reason) : std::nullopt;
+  for (const auto& row : rows_of(run.run, excluded)) text += line(row) + "\n";
   return text;
+}
+
+/// What the columns of participants.tsv are.
+ordered_json participants_columns() {
+  return {{"participant_id", {{"Description", "code of the participant"}}},
+          {"hand_size_cm",
+           {{"Description", "from the tip of the index finger to the wrist"}, {"Units", "cm"}}},
+          {"dominant_hand",
+           {{"Description", "hand that rested on the ball"},
+            {"Levels", {{"left", "left hand"}, {"right", "right hand"}}}}},
+          {"age_band", {{"Description", "years, from-to, or from+"}, {"Units", "years"}}}};
 }
 
 std::string participants_table(const std::vector<AnalysedRun>& runs) {
@@ -153,54 +107,41 @@ std::string bids_name(const AnalysedRun& run) {
          std::to_string(run.name.run) + "_beh";
 }
 
-std::string bids_sidecar(const AnalysedRun& analysed) {
-  const RunStarted& header = analysed.run.header();
-  const Checklist list = analysed.run.checklist().value_or(Checklist{});
-  ordered_json remarks = ordered_json::array();
-  for (const Line& line : analysed.run.remarks()) {
-    const Remark& remark = std::get<Remark>(line.event);
-    remarks.push_back({{"time", line.time}, {"kind", remark.kind}, {"text", remark.text}});
-  }
-  ordered_json file{{"TaskName", header.experiment.name},
-                    {"TaskDescription", header.experiment.question},
-                    {"SoftwareName", "hedgehog-study"},
-                    {"SoftwareVersion", header.software_version},
-                    {"OperatingSystem", operating_system()},
-                    {"Started", analysed.run.started()},
-                    {"Status", name(analysed.analysis.status)},
-                    {"Threshold", or_missing(analysed.analysis.threshold_text)},
-                    {"ThresholdUnit", header.experiment.unit()},
-                    {"Protocol", ordered_json::parse(experiment_text(header.experiment))},
-                    {"Choices", choices(header.experiment)},
-                    {"Seeds", {{"order", header.seeds.order}, {"catches", header.seeds.catches}}},
-                    {"SimulatedPerson", header.simulated_person},
-                    {"Device",
-                     {{"name", header.ball.name},
-                      {"model", header.ball.model},
-                      {"serial", or_missing(header.ball.serial)},
-                      {"simulated", header.ball.simulated},
-                      {"force_n_per_a", header.ball.force_n_per_a}}},
-                    {"HandSizeCm", or_missing(list.hand_size_cm)},
-                    {"DominantHand", or_missing(list.dominant_hand)},
-                    {"AgeBand", or_missing(list.age_band)},
-                    {"ConsentReference", or_missing(list.consent)},
-                    {"Experimenter", or_missing(list.experimenter)},
-                    {"HeadphoneCheck", list.headphones},
-                    {"HandOnTopCheck", list.hand_on_top},
-                    {"Remarks", remarks}};
-  for (const Column& column : columns()) file[column.name] = {{"Description", column.description}};
-  return file.dump(2) + "\n";
-}
-
 namespace {
 
+/// What BIDS wants to be told in words.
+std::string readme(const StudyFolder& study) {
+  return study.path().filename().string() +
+         ": perception experiments with a Hedgehog ball, recorded by hedgehog-study.\n\n"
+         "Each sub-*/beh/*_beh.tsv is one run, a row for each presentation block; its columns, "
+         "the\n"
+         "protocol, the ball and the notes of the session are in the JSON file beside it. Rows "
+         "with\n"
+         "included = 1 moved the staircase of a run that counts; the column excluded says why a "
+         "run\n"
+         "was left out of the means.\n";
+}
+
+/// The codes of who ran the sessions, and the program: BIDS takes one author alone for a mistake.
+std::vector<std::string> experimenters(const std::vector<AnalysedRun>& runs) {
+  std::set<std::string> codes;
+  for (const AnalysedRun& run : runs)
+    if (const auto& list = run.run.checklist(); list && !list->experimenter.empty())
+      codes.insert(list->experimenter);
+  std::vector<std::string> authors(codes.begin(), codes.end());
+  if (authors.empty()) authors.emplace_back("n/a");
+  authors.emplace_back("hedgehog-study");
+  return authors;
+}
+
 Result<void> write_folder(const fs::path& folder, const StudyFolder& study,
-                          const std::vector<AnalysedRun>& runs) {
+                          const std::vector<AnalysedRun>& runs,
+                          const std::vector<std::string>& authors) {
   std::error_code failed;
   for (const AnalysedRun& run : runs) {
     const fs::path base = folder / bids_name(run);
     fs::create_directories(base.parent_path(), failed);
-    if (auto written = write(base.string() + ".tsv", table(run.run, tsv_line, true)); !written)
+    if (auto written = write(base.string() + ".tsv", table(run, tsv_line, true)); !written)
       return written;
     if (auto written = write(base.string() + ".json", bids_sidecar(run)); !written) return written;
   }
@@ -208,9 +149,14 @@ Result<void> write_folder(const fs::path& folder, const StudyFolder& study,
       {"Name", study.path().filename().string()},
       {"BIDSVersion", "1.9.0"},
       {"DatasetType", "raw"},
+      {"Authors", authors.empty() ? experimenters(runs) : authors},
       {"GeneratedBy", {{{"Name", "hedgehog-study"}, {"Version", HEDGEHOG_VERSION}}}}};
   fs::create_directories(folder, failed);
   if (auto written = write(folder / "dataset_description.json", description.dump(2) + "\n");
+      !written)
+    return written;
+  if (auto written = write(folder / "README", readme(study)); !written) return written;
+  if (auto written = write(folder / "participants.json", participants_columns().dump(2) + "\n");
       !written)
     return written;
   return write(folder / "participants.tsv", participants_table(runs));
@@ -219,7 +165,8 @@ Result<void> write_folder(const fs::path& folder, const StudyFolder& study,
 }  // namespace
 
 Result<void> write_bids(const fs::path& folder, const StudyFolder& study,
-                        const std::vector<AnalysedRun>& runs) {
+                        const std::vector<AnalysedRun>& runs,
+                        const std::vector<std::string>& authors) {
   std::error_code failed;
   if (fs::exists(folder, failed))
     return Problem{EX_CANTCREAT, folder.string() + " is there already; --out names another"};
@@ -231,8 +178,9 @@ Result<void> write_bids(const fs::path& folder, const StudyFolder& study,
   }
   for (const auto& mistaken : {mistakable(people, "sub-"), mistakable(experiments, "task-")})
     if (mistaken) return *mistaken;
-  return in_one_go(
-      folder, [&](const fs::path& unfinished) { return write_folder(unfinished, study, runs); });
+  return in_one_go(folder, [&](const fs::path& unfinished) {
+    return write_folder(unfinished, study, runs, authors);
+  });
 }
 
 Result<void> write_csv(const fs::path& file, const std::vector<AnalysedRun>& runs) {
@@ -245,7 +193,7 @@ Result<void> write_csv(const fs::path& file, const std::vector<AnalysedRun>& run
   std::string text;
   ordered_json headers = ordered_json::array();
   for (const AnalysedRun& run : runs) {
-    text += table(run.run, client::csv_line, text.empty());
+    text += table(run, client::csv_line, text.empty());
     ordered_json header{{"Participant", run.name.participant}, {"Run", run.name.run}};
     header.update(ordered_json::parse(bids_sidecar(run)));
     headers.push_back(header);

@@ -14,13 +14,13 @@ namespace hedgehog::study {
 
 /// "sub-P01/beh/sub-P01_task-forcejnd_run-1_beh", without ending.
 std::string bids_name(const AnalysedRun& run);
-/// Protocol with every choice, ball, calibration, check list, columns.
-std::string bids_sidecar(const AnalysedRun& run);
 
 /// EX_CANTCREAT when `folder` is there already: nothing is overwritten, and what fails leaves
-/// nothing behind. EX_DATAERR when two people or experiments are one to BIDS.
+/// nothing behind. EX_DATAERR when two people or experiments are one to BIDS. `authors`: of the
+/// data; none: the experimenters by their codes, and the program.
 Result<void> write_bids(const std::filesystem::path& folder, const StudyFolder& study,
-                        const std::vector<AnalysedRun>& runs);
+                        const std::vector<AnalysedRun>& runs,
+                        const std::vector<std::string>& authors = {});
 /// The same rows in one CSV file.
 Result<void> write_csv(const std::filesystem::path& file, const std::vector<AnalysedRun>& runs);
 

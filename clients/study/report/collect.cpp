@@ -31,7 +31,7 @@ bool is_as_in_thesis(const Experiment& experiment) {
   return false;
 }
 
-std::vector<AnalysedRun> collect(const StudyFolder& study, int bootstraps,
+std::vector<AnalysedRun> collect(const StudyFolder& study, const Exclusions& exclusions,
                                  std::vector<Problem>& problems) {
   std::vector<AnalysedRun> all;
   for (const JournalName& name : study.journals()) {
@@ -45,13 +45,10 @@ std::vector<AnalysedRun> collect(const StudyFolder& study, int bootstraps,
       continue;
     }
     AnalysisOptions options;
-    options.bootstraps = bootstraps;
-    // Each run's own replications: errors that all share would not average out over a group.
-    options.seed = draw_bits(study.plan().seed, Purpose::kBootstrap,
-                             {word_of(name.participant), static_cast<std::uint64_t>(name.run)});
     options.force_n_per_a = run->header().ball.force_n_per_a;
     const RunAnalysis analysis = analyse(run->header().experiment, run->state(), options);
-    all.push_back({name, *std::move(run), analysis, false});
+    all.push_back({name, *std::move(run), analysis, false, {}});
+    if (const Exclusion* exclusion = exclusions.of(name)) all.back().excluded = *exclusion;
   }
   choose(all);
   return all;
@@ -66,9 +63,9 @@ void choose(std::vector<AnalysedRun>& all) {
     const auto rank = [](const AnalysedRun& of) {
       return of.run.header().simulated_person ? 0 : of.is_rehearsal() ? 1 : 2;
     };
-    run.in_group = run.analysis.threshold &&
+    run.in_group = run.analysis.threshold && !run.excluded &&
                    std::none_of(all.begin(), all.end(), [&](const AnalysedRun& other) {
-                     return rank(other) > rank(run) && same(other, run);
+                     return !other.excluded && rank(other) > rank(run) && same(other, run);
                    });
   }
   // Sorted by run: the last finished one of each takes the place of those before.

@@ -2,9 +2,11 @@
 // Every run of a study with what it says.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "clients/study/exclusions.h"
 #include "clients/study/journal/recorded_run.h"
 #include "clients/study/rules/analysis.h"
 #include "clients/study/study_folder.h"
@@ -15,9 +17,11 @@ struct AnalysedRun {
   JournalName name{};
   RecordedRun run;
   RunAnalysis analysis{};
-  /// The last finished run of its participant and experiment: it counts for the group. A rehearsal
-  /// does not where people took the same experiment on a real ball.
+  /// The last finished run of its participant and experiment that is not excluded: it counts for
+  /// the group. A rehearsal does not where people took the same experiment on a real ball.
   bool in_group = false;
+  /// Left out by the experimenter, for a reason.
+  std::optional<Exclusion> excluded{};
   /// A program answered, or nobody felt anything: the ball was simulated.
   bool is_rehearsal() const { return run.header().simulated_person || run.header().ball.simulated; }
 };
@@ -34,7 +38,7 @@ struct AnalysedGroup {
 
 /// By participant, experiment and run. Journals that cannot be read are told in `problems`; one
 /// that a kill left before its first event too, with exit code 0: nothing is missing.
-std::vector<AnalysedRun> collect(const StudyFolder& study, int bootstraps,
+std::vector<AnalysedRun> collect(const StudyFolder& study, const Exclusions& exclusions,
                                  std::vector<Problem>& problems);
 
 /// Sets `in_group`. By participant, experiment and run.

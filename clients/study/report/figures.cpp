@@ -87,15 +87,15 @@ std::string staircase_plot(const AnalysedRun& analysed) {
   const bool yes_no = experiment.task == Task::kYesNo;
   std::string plot =
       "reset\n$levels << END\n" + levels + "END\n$reversals << END\n" + reversals + "END\n" +
-      "set title '" + analysed.name.participant + ", " + experiment.name + "' noenhanced\n" +
+      "set title '" + analysed.name.participant + ", " + experiment.name +
+      (analysed.excluded ? ", excluded" : "") + "' noenhanced\n" +
       "set xlabel 'Trial'\nset ylabel '" + axis_of(experiment) + "'\n" +
       "set xrange [0:" + std::to_string(trials + 1) + "]\nset yrange [0:" + decimal(top * 1.12) +
       "]\nset grid ytics lc '#e3e7ea' lt 1\nset border 3\nset tics nomirror\nset key top right\n";
   if (analysed.analysis.interval) {
     plot += "set object 1 rectangle from graph 0, first " +
-            decimal(std::min(analysed.analysis.interval->first, top * 1.12)) +
-            " to graph 1, first " +
-            decimal(std::min(analysed.analysis.interval->second, top * 1.12)) +
+            decimal(std::min(analysed.analysis.interval->low, top * 1.12)) + " to graph 1, first " +
+            decimal(std::min(analysed.analysis.interval->high, top * 1.12)) +
             " fc '#dfe9f5' fs noborder behind\n";
   }
   plot += std::string("plot $levels using 1:2 with lines lc '") + kGrey + "' notitle, \\\n" +
@@ -114,7 +114,7 @@ std::string staircase_plot(const AnalysedRun& analysed) {
   if (analysed.analysis.interval) {
     plot +=
         ", \\\n  NaN with boxes fs solid 1.0 noborder lc '#dfe9f5' title '95 % of the fitted "
-        "curve, approximate'";
+        "curve'";
   }
   if (analysed.analysis.threshold) {
     const auto& flags = analysed.analysis.flags;

@@ -19,13 +19,15 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kHead = R"(<!doctype html>
-<html lang="en"><head><meta charset="utf-8"><title>Hedgehog study</title><style>
+<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1"><title>Hedgehog study</title><style>
 body { font: 15px/1.5 "DejaVu Sans", system-ui, sans-serif; color: #22282d; max-width: 960px; margin: 2em auto; padding: 0 1em }
 h1, h2 { font-weight: 600; line-height: 1.2 } h2 { margin-top: 2em }
 table { border-collapse: collapse; margin: 1em 0; font-size: 14px }
 th, td { text-align: left; padding: .3em .9em .3em 0; border-bottom: 1px solid #e3e7ea; vertical-align: top }
 td.n, th.n { text-align: right; font-variant-numeric: tabular-nums }
 .flag { color: #c0392b; white-space: nowrap } .quiet { color: #6b767f } figure { margin: 1em 0 } svg { max-width: 100%; height: auto }
+.wide { overflow-x: auto } h1, p, td { overflow-wrap: anywhere } .wide * { overflow-wrap: normal }
+@media (max-width: 600px) { body { margin: 1em auto } th, td { padding-right: .6em } figure { margin: 1em 0 } p.flag { white-space: normal } .wide td.n, .wide th { white-space: nowrap } }
 </style></head><body>
 )";
 
@@ -79,9 +81,12 @@ std::string run_row(const AnalysedRun& analysed) {
                     fmt::format("<td class=n>{}<td class=n>", analysed.name.run);
   if (a.threshold) {
     row += fmt::format("{:.4g} {}<td class=n>", *a.threshold, e.unit());
-    row +=
-        a.interval ? fmt::format("{:.3g} to {:.3g}", a.interval->first, a.interval->second) : "–";
-    row += fmt::format("<td class=n>{:.4g}", a.fit->threshold);
+    row += a.interval ? fmt::format("{}{:.3g} to {}{:.3g}", a.interval->low_is_bound ? "≤ " : "",
+                                    a.interval->low, a.interval->high_is_bound ? "≥ " : "",
+                                    a.interval->high)
+                      : "–";
+    row += fmt::format("<td class=n>{:.4g}{}", a.fit->threshold,
+                       a.fit->slope_at_bound || a.fit->threshold_at_bound ? " *" : "");
   } else {
     row += "–<td class=n>–<td class=n>–";
   }
@@ -97,6 +102,7 @@ std::string run_row(const AnalysedRun& analysed) {
   row += "<td class=flag>";
   for (std::size_t i = 0; i < a.flags.size(); ++i)
     row += (i == 0 ? "" : ", ") + std::string(name(a.flags[i]));
+  if (analysed.excluded) row += std::string(a.flags.empty() ? "" : ", ") + "excluded";
   return row +
          (analysed.run.header().simulated_person ? " <span class=quiet>simulated</span>"
           : analysed.is_rehearsal()              ? " <span class=quiet>simulated ball</span>"
@@ -125,7 +131,8 @@ std::string level_table(const std::vector<AnalysedGroup>& groups) {
       "<h2>Levels that can be told apart</h2>\n<p>How many there are depends on the range and on "
       "the formula; the thesis names neither for its \"about 10\" of force and \"about 20\" of "
       "speed. A Weber fraction was measured at one reference, upwards only, and usually rises "
-      "near the threshold.</p>\n<table><tr><th>range<th>formula<th class=n>steps, thesis' "
+      "near the threshold.</p>\n<div class=wide><table><tr><th>range<th>formula<th class=n>steps, "
+      "thesis' "
       "values<th class=n>steps, here<th class=n>levels, here<th></tr>\n";
   const auto thesis = level_formulas(2.1, 0.13, 0.49);
   const auto here = level_formulas(threshold, force / 100.0, speed / 100.0);
@@ -136,15 +143,51 @@ std::string level_table(const std::vector<AnalysedGroup>& groups) {
                         thesis[i].count.steps, here[i].count.steps, here[i].count.levels) +
             client::escape_html(here[i].remark) + "</tr>\n";
   }
-  return page + "</table>\n";
+  return page + "</table></div>\n";
+}
+
+/// Which runs do not count, and why.
+std::string exclusion_table(const std::vector<AnalysedRun>& runs) {
+  std::string rows;
+  for (const AnalysedRun& run : runs) {
+    if (!run.excluded) continue;
+    rows += "<tr><td>" + client::escape_html(run.name.participant) + "<td>" +
+            client::escape_html(run.name.experiment) +
+            fmt::format("<td class=n>{}<td>", run.name.run) +
+            client::escape_html(run.excluded->reason) + "<td class=quiet>" +
+            client::escape_html(run.excluded->time) + "</tr>\n";
+  }
+  if (rows.empty()) return {};
+  return "<h2>Excluded runs</h2>\n<p>They are in no mean.</p>\n<div class=wide><table><tr><th>who"
+         "<th>experiment<th class=n>run<th>reason<th>said</tr>\n" +
+         rows + "</table></div>\n";
+}
+
+/// What the experimenter wrote down during the runs.
+std::string note_table(const std::vector<AnalysedRun>& runs) {
+  std::string rows;
+  for (const AnalysedRun& run : runs) {
+    for (const Line& line : run.run.remarks()) {
+      const Remark& remark = std::get<Remark>(line.event);
+      if (remark.kind != "note") continue;
+      rows += "<tr><td>" + client::escape_html(run.name.participant) + "<td>" +
+              client::escape_html(run.name.experiment) +
+              fmt::format("<td class=n>{}<td>", run.name.run) + client::escape_html(remark.text) +
+              "<td class=quiet>" + client::escape_html(line.time) + "</tr>\n";
+    }
+  }
+  if (rows.empty()) return {};
+  return "<h2>Notes</h2>\n<div class=wide><table><tr><th>who<th>experiment<th class=n>run<th>note"
+         "<th>when</tr>\n" +
+         rows + "</table></div>\n";
 }
 
 std::string flag_table() {
-  std::string page = "<h2>What the flags mean</h2>\n<table>\n";
+  std::string page = "<h2>What the flags mean</h2>\n<div class=wide><table>\n";
   for (const Flag flag : {Flag::kNotFinished, Flag::kCeiling, Flag::kEarlyFloor, Flag::kFalseAlarms,
                           Flag::kGuessing, Flag::kZeroLevel, Flag::kDisagreement})
     page += "<tr><td class=flag>" + std::string(name(flag)) + "<td>" + meaning(flag) + "</tr>\n";
-  return page + "</table>\n";
+  return page + "</table></div>\n";
 }
 
 }  // namespace
@@ -163,23 +206,26 @@ std::string report_page(const StudyFolder& study, const std::vector<AnalysedRun>
         "<p class=flag>A rehearsal: simulated people, or people on a simulated ball, are among "
         "these.</p>\n";
   }
-  page += group_table(groups) + figure(figures / "groups.svg");
+  page += "<div class=wide>" + group_table(groups) + "</div>\n" + figure(figures / "groups.svg");
   page +=
       "<p>The threshold of a person is the mean of all reversals but the first ones (thesis, "
       "section 3.2)" +
       rules_in_words(groups) +
       ". Groups are means with their standard deviation (n − 1) over each person's last finished "
-      "run. The 95 % interval reruns the whole staircase with the fitted curve and is "
-      "approximate; it is the curve's, and where the mean of the reversals lies outside of it the "
-      "run is flagged; the fit is a Weibull through all scored trials with 2 % lapses assumed. "
+      "run that is not excluded. The fit is a Weibull through all scored trials with 2 % lapses "
+      "assumed; * where the answers leave its slope or its threshold at the edge of the search. "
+      "The 95 % interval is its profile likelihood's; it is the curve's, and where the mean of the "
+      "reversals lies outside of it the run is flagged. "
       "Part of the spread is the method's own: one run of a 13 % observer reads 7 to 24 % in "
       "95 of 100.</p>\n";
   page +=
-      "<h2>Runs</h2>\n<table><tr><th>who<th>experiment<th class=n>run<th class=n>threshold"
+      "<h2>Runs</h2>\n<div class=wide><table><tr><th>who<th>experiment<th class=n>run<th "
+      "class=n>threshold"
       "<th class=n>95 % of the fit<th class=n>fit<th class=n>trials<th class=n>voids"
       "<th class=n>right with the test 1st, 2nd;<br>yes in catch trials<th>flags</tr>\n";
   for (const AnalysedRun& run : runs) page += run_row(run);
-  page += "</table>\n" + flag_table() + level_table(groups) + "<h2>Staircases</h2>\n";
+  page += "</table></div>\n" + exclusion_table(runs) + note_table(runs) + flag_table() +
+          level_table(groups) + "<h2>Staircases</h2>\n";
   for (const AnalysedRun& run : runs) page += figure(figures / (figure_name(run) + ".svg"));
   return page + "</body></html>\n";
 }

@@ -94,10 +94,13 @@ const std::vector<Column>& columns() {
       {"event", "presentation block of this run, from 1"},
       {"scored_trial", "ordinal among the scored trials; n/a for other kinds"},
       {"kind", "scored, catch, practice, or void (repeated)"},
-      {"included", "1: it moved the staircase"},
+      {"included", "1: it moved the staircase of a run that was not excluded"},
+      {"excluded", "why the whole run was left out of the means; n/a: it was not"},
+      {"time", "wall clock when the block began, UTC (RFC 3339)"},
       {"onset",
        "s, first onset after the first onset of the run, by the device's clock; where that began "
        "anew, by the journal's wall clock"},
+      {"onset_2", "s, onset of the second interval, counted as onset; n/a for one presentation"},
       {"duration", "s, from the first onset to the last offset"},
       {"level_nominal", "level asked: A, or percentage points above the reference"},
       {"level_presented", "level as delivered by the limiter"},
@@ -121,12 +124,20 @@ const std::vector<Column>& columns() {
       {"t_ack", "s, device time when the daemon had answered"},
       {"t_onset", "s, device time of the first onset"},
       {"t_offset", "s, device time of the last offset"},
+      {"t_offset_1", "s, device time of the first interval's offset"},
+      {"t_onset_2", "s, device time of the second interval's onset; n/a for one presentation"},
+      {"orientation_w",
+       "ball's orientation when the test interval ended, a quaternion from the ball to the world"},
+      {"orientation_x", "its x"},
+      {"orientation_y", "its y"},
+      {"orientation_z", "its z"},
       {"seed_order", "seed of the interval orders of this run"},
       {"software_version", "hedgehog-study that recorded it"}};
   return kColumns;
 }
 
-std::vector<std::vector<std::string>> rows_of(const RecordedRun& run) {
+std::vector<std::vector<std::string>> rows_of(const RecordedRun& run,
+                                              const std::optional<std::string>& excluded) {
   const RunStarted& header = run.header();
   const Experiment& e = header.experiment;
   std::vector<std::vector<std::string>> rows;
@@ -138,11 +149,18 @@ std::vector<std::vector<std::string>> rows_of(const RecordedRun& run) {
     const IntervalPlayed* test = test_of(record);
     std::optional<std::int64_t> onset;
     std::optional<std::int64_t> offset;
+    std::optional<std::int64_t> first_offset;
+    std::optional<std::int64_t> second_onset;
     const std::optional<std::int64_t> since_first = clock.onset_of(record);
     if (!record.intervals.empty()) {
       onset = record.intervals.front().onset_ns;
       offset = record.intervals.back().offset_ns;
+      first_offset = record.intervals.front().offset_ns;
     }
+    if (record.intervals.size() > 1) second_onset = record.intervals[1].onset_ns;
+    const auto axis = [&](double model::Quaternion::*component) {
+      return test != nullptr && test->orientation ? number((*test->orientation).*component) : kNone;
+    };
     const auto level = [&](Level value) { return exact_decimal(value, e.decimals()); };
     const auto flag = [](bool on) { return std::string(on ? "1" : "0"); };
     const bool judged = record.answered && e.task == Task::kTwoIntervals;
@@ -154,8 +172,12 @@ std::vector<std::vector<std::string>> rows_of(const RecordedRun& run) {
          std::to_string(rows.size() + 1),
          trial.kind == TrialKind::kScored && !is_void ? std::to_string(trial.number) : kNone,
          is_void ? "void" : std::string(name(trial.kind)),
-         flag(counts),
+         flag(counts && !excluded),
+         excluded.value_or(kNone),
+         record.time,
          or_none(since_first, seconds),
+         since_first && onset && second_onset ? seconds(*since_first + *second_onset - *onset)
+                                              : kNone,
          onset && offset ? seconds(*offset - *onset) : kNone,
          level(trial.level),
          test != nullptr ? presented(e, *test) : kNone,
@@ -178,6 +200,12 @@ std::vector<std::vector<std::string>> rows_of(const RecordedRun& run) {
          record.intervals.empty() ? kNone : seconds(record.intervals.front().ack_ns),
          or_none(onset, seconds),
          or_none(offset, seconds),
+         or_none(first_offset, seconds),
+         or_none(second_onset, seconds),
+         axis(&model::Quaternion::w),
+         axis(&model::Quaternion::x),
+         axis(&model::Quaternion::y),
+         axis(&model::Quaternion::z),
          std::to_string(header.seeds.order),
          header.software_version});
   }

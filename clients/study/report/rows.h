@@ -2,6 +2,7 @@
 // The data as one flat table: a row for each presentation block, void and practice ones included.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,10 @@ struct Column {
 /// In the order of the cells.
 const std::vector<Column>& columns();
 
-/// "n/a" for what there is not. Device times are seconds with nine decimals.
-std::vector<std::vector<std::string>> rows_of(const RecordedRun& run);
+/// "n/a" for what there is not. Device times are seconds with nine decimals. `excluded`: why the
+/// run was left out, if it was.
+std::vector<std::vector<std::string>> rows_of(const RecordedRun& run,
+                                              const std::optional<std::string>& excluded = {});
 
 /// Tabs and line feeds in cells become blanks.
 std::string tsv_line(const std::vector<std::string>& cells);

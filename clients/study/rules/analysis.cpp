@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "clients/study/rules/simulation.h"
 #include "clients/study/rules/statistics.h"
 
 namespace hedgehog::study {
@@ -43,21 +42,6 @@ std::vector<Flag> flags_of(const Experiment& experiment, const RunState& run) {
 double false_alarm_rate(const RunState& run, const AnalysisOptions& options) {
   return run.catches() == 0 ? options.false_alarm
                             : (run.false_alarms() + 0.5) / (run.catches() + 1.0);
-}
-
-std::optional<std::pair<double, double>> bootstrap(const Experiment& experiment,
-                                                   const Observer& observer,
-                                                   const AnalysisOptions& options) {
-  std::vector<double> estimates;
-  for (int i = 0; i < options.bootstraps; ++i) {
-    const SimulatedRun again =
-        simulate_run(experiment, observer,
-                     draw_bits(options.seed, Purpose::kBootstrap, {word_of(experiment.name)}),
-                     static_cast<std::uint64_t>(i), false);
-    if (again.status == Status::kFinished) estimates.push_back(again.estimate);
-  }
-  if (estimates.empty()) return std::nullopt;
-  return std::pair(quantile(estimates, 0.025), quantile(estimates, 0.975));
 }
 
 }  // namespace
@@ -123,9 +107,8 @@ RunAnalysis analyse(const Experiment& experiment, const RunState& run,
 
   const double guess = experiment.task == Task::kYesNo ? false_alarm_rate(run, options) : 0.5;
   result.fit = fit_weibull(experiment, run.judgements(), guess, options.lapse);
-  result.interval = bootstrap(experiment, result.fit->observer, options);
-  if (result.interval &&
-      (*result.threshold < result.interval->first || *result.threshold > result.interval->second))
+  result.interval = profile_interval(experiment, run.judgements(), *result.fit);
+  if (result.interval && !result.interval->contains(*result.threshold))
     result.flags.push_back(Flag::kDisagreement);
   switch (experiment.quantity) {
     case Quantity::kCurrentA:

@@ -4,7 +4,6 @@
 
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "clients/study/rules/run.h"
@@ -30,9 +29,6 @@ struct AnalysisOptions {
   /// Assumed by the fit, never fitted.
   double lapse = 0.02;
   double false_alarm = 0.02;  // yes/no without catch trials
-  /// Replications of the parametric bootstrap; 0: none.
-  int bootstraps = 500;
-  std::uint64_t seed = 2026;
   /// Of the ball that was used: N/A at the nearest pin (thesis: 0.0126).
   double force_n_per_a = 0.0126;
 };
@@ -48,8 +44,8 @@ struct RunAnalysis {
   double reversal_sd = 0.0;
   /// Through all scored trials.
   std::optional<WeibullFit> fit{};
-  /// 95 % by rerunning the whole staircase with the fitted curve: approximate (covers 90 to 96 %).
-  std::optional<std::pair<double, double>> interval{};
+  /// 95 % of the fitted curve's threshold, by profile likelihood.
+  std::optional<Interval> interval{};
   /// (test - reference) / reference; two intervals only.
   std::optional<double> weber_fraction{};
   /// Force at the threshold (yes/no), or force step (force JND), N.

@@ -16,8 +16,7 @@ enum class Purpose : std::uint64_t {
   kCatchSchedule = 3,  // whether a catch trial comes before this scored trial
   kAnswer = 4,         // of a simulated person
   kPerson = 5,         // parameters of a simulated person
-  kReactionTime = 6,
-  kBootstrap = 7,
+  kReactionTime = 6,   // 7 drew the replications of earlier intervals
 };
 
 constexpr std::uint64_t mixed(std::uint64_t z) noexcept {

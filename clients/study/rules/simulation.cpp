@@ -47,8 +47,11 @@ SimulatedRun simulate_run(const Experiment& experiment, const Observer& observer
   run.status = staircase.status();
   if (const auto counted = staircase.counted_reversals(); !counted.empty())
     run.estimate = mean_value(counted, experiment.decimals());
-  if (with_fit)
-    run.fitted = fit_weibull(experiment, run.judgements, observer.guess, observer.lapse).threshold;
+  if (with_fit) {
+    const WeibullFit fit = fit_weibull(experiment, run.judgements, observer.guess, observer.lapse);
+    run.fitted = fit.threshold;
+    run.interval = profile_interval(experiment, run.judgements, fit);
+  }
   return run;
 }
 
@@ -86,6 +89,7 @@ SimulationSummary summarise(const Experiment& experiment, const std::vector<Simu
   std::vector<double> positive;
   double squares = 0.0;
   double fit_squares = 0.0;
+  double covered = 0.0;
   double floor = 0.0;
   double early_floor = 0.0;
   double ceiling = 0.0;
@@ -103,6 +107,7 @@ SimulationSummary summarise(const Experiment& experiment, const std::vector<Simu
     positive.push_back(run.observer.positive_at(run.estimate));
     squares += error * error;
     fit_squares += (run.fitted - run.true_point) * (run.fitted - run.true_point);
+    covered += run.interval && run.interval->contains(run.true_point) ? 1.0 : 0.0;
   }
   const double all = std::max<double>(1.0, static_cast<double>(runs.size()));
   summary.observers = static_cast<int>(runs.size());
@@ -131,6 +136,7 @@ SimulationSummary summarise(const Experiment& experiment, const std::vector<Simu
   summary.minutes_mean = summary.trials_mean * trial_seconds(experiment) / kSecondsAMinute;
   summary.rmse = std::sqrt(squares / count);
   summary.fit_rmse = std::sqrt(fit_squares / count);
+  summary.interval_coverage = covered / count;
   return summary;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "clients/study/rules/observer.h"
@@ -14,9 +15,10 @@ namespace hedgehog::study {
 /// One simulated run. NaN where there is none.
 struct SimulatedRun {
   Observer observer{};
-  double true_point = 0.0;  // the level of the rule's convergence point
-  double estimate = 0.0;    // mean of the counted reversals
-  double fitted = 0.0;      // the Weibull fit's, told the true guess and lapse rates
+  double true_point = 0.0;             // the level of the rule's convergence point
+  double estimate = 0.0;               // mean of the counted reversals
+  double fitted = 0.0;                 // the Weibull fit's, told the true guess and lapse rates
+  std::optional<Interval> interval{};  // the fit's, 95 %
   int scored = 0;
   bool floor_hit = false;
   bool floor_before_first_reversal = false;
@@ -63,6 +65,8 @@ struct SimulationSummary {
   double ceiling_share = 0.0;
   double rmse = 0.0;
   double fit_rmse = 0.0;
+  /// The share of the fits' 95 % intervals that hold the true point.
+  double interval_coverage = 0.0;
 };
 
 /// Seconds that a trial takes with presentation, answer and the way to the next: 8 for one

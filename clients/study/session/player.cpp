@@ -92,15 +92,16 @@ Outcome<void> Player::introduce() {
   if (!hello) return hello.error();
   const auto description = connection_.call(protocol::DeviceDescribe{});
   if (!description) return description.error();
-  ball_ = {description->name, description->model, description->board.serial, description->simulated,
-           description->calibration.force_n_per_a};
+  pin_.ball = {description->name, description->model, description->board.serial,
+               description->simulated, description->calibration.force_n_per_a};
+  pin_.daemon = {client::to_string(connection_.address()), hello->start_id};
   max_a_ = description->limits.current_a;
   if (auto notification = connection_.call(protocol::EventsSubscribe{{"effect_ended"}});
       !notification)
     return notification.error();
   protocol::StatusKeys keys;
   for (const auto key : {protocol::StatusKey::kTimeNs, protocol::StatusKey::kTemperatureC,
-                         protocol::StatusKey::kCurrentA})
+                         protocol::StatusKey::kCurrentA, protocol::StatusKey::kOrientation})
     keys.add(key);
   if (auto notification = connection_.call(protocol::TelemetrySubscribe{kTelemetryHz, keys});
       !notification)
@@ -135,6 +136,8 @@ void Player::take(const client::Notification& notification) {
       std::get<protocol::TelemetryMessage>(notification).telemetry.status;
   device_ns_ = status.time_ns;
   temperature_c_ = status.temperature_c.model;
+  orientation_.reset();
+  if (status.orientation) orientation_ = status.orientation->quaternion;
   highest_a_ = std::max(highest_a_, model::norm(status.current_a));
 }
 
@@ -200,6 +203,7 @@ Outcome<IntervalPlayed> Player::play(int interval, const Stimulus& stimulus, con
   played.mixed_ms = ended_->mixed_ms;
   played.measured_a = highest_a_;
   played.temperature_c = temperature_c_;
+  played.orientation = orientation_;
   return played;
 }
 

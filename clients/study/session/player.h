@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "clients/lib/connection.h"
-#include "clients/study/journal/event.h"
+#include "clients/study/journal/identity.h"
 
 namespace hedgehog::study {
 
@@ -37,7 +37,10 @@ class Player {
                                       client::Milliseconds patience,
                                       client::Milliseconds silence = max_silence());
 
-  const BallFacts& ball() const noexcept { return ball_; }
+  const BallFacts& ball() const noexcept { return pin_.ball; }
+  /// The ball, the daemon's address and its start.
+  const Pin& pin() const noexcept { return pin_; }
+  const client::Address& address() const noexcept { return connection_.address(); }
   /// How the experiment asks for more than this ball plays, as a sentence. Nothing: it does not.
   std::optional<std::string> too_much(const Experiment& experiment) const;
   std::optional<double> temperature_c() const noexcept { return temperature_c_; }
@@ -68,11 +71,12 @@ class Player {
   client::Connection connection_;
   client::Milliseconds silence_;
   std::chrono::steady_clock::time_point received_ = std::chrono::steady_clock::now();
-  BallFacts ball_{};
+  Pin pin_{};
   double max_a_ = 0.0;
   std::int64_t device_ns_ = 0;
   std::int64_t claimed_ns_ = 0;
   std::optional<double> temperature_c_{};
+  std::optional<model::Quaternion> orientation_{};
   double highest_a_ = 0.0;
   std::uint32_t effect_ = 0;
   std::optional<protocol::Event> ended_{};

@@ -17,11 +17,10 @@ constexpr const char* kTimeout = "no answer in time";
 
 }  // namespace
 
-Runner::Runner(Journal& journal, Player player, const std::vector<client::Address>& addresses,
-               Desk& desk, std::function<bool()> stop)
+Runner::Runner(Journal& journal, Player player, Desk& desk, std::function<bool()> stop)
     : journal_(journal),
       player_(std::move(player)),
-      addresses_(addresses),
+      address_(player_->address()),
       desk_(desk),
       stop_(std::move(stop)) {}
 

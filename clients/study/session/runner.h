@@ -21,11 +21,12 @@ enum class RunEnd : std::uint8_t {
 };
 
 /// One thread. A ball that derates, is lost or claimed, and a daemon that goes away, pause the run
-/// until they are back; the trial that they spoilt is void and repeated.
+/// until they are back; the trial that they spoilt is void and repeated. A run stays with the
+/// daemon's address; with another start of the daemon it goes on when the experimenter says so, or
+/// when a program answers.
 class Runner {
  public:
-  Runner(Journal& journal, Player player, const std::vector<client::Address>& addresses, Desk& desk,
-         std::function<bool()> stop);
+  Runner(Journal& journal, Player player, Desk& desk, std::function<bool()> stop);
 
   /// EX_IOERR when the journal cannot be written.
   Result<RunEnd> run();
@@ -45,7 +46,11 @@ class Runner {
   Result<Early> until_ready(const Trial& trial);
   Result<Early> pause(Phase phase, const std::string& why);
   Result<Early> rest();
+  /// Waits for the ball at the run's address.
   Result<Early> reconnect(const std::string& why);
+  /// Whether the run may go on with `player_`, another start of the daemon: the experimenter's
+  /// word.
+  Result<Early> accept_start();
   /// Takes in what people do outside of a question.
   Result<void> measured_now(std::chrono::milliseconds patience);
   Result<void> heed(const Input& input);
@@ -57,7 +62,7 @@ class Runner {
 
   Journal& journal_;
   std::optional<Player> player_;
-  const std::vector<client::Address>& addresses_;
+  client::Address address_;
   Desk& desk_;
   std::function<bool()> stop_;
   bool stop_asked_ = false;

@@ -102,20 +102,46 @@ Result<Runner::Early> Runner::reconnect(const std::string& why) {
   if (auto written = journal_.append(Remark{"paused", why}); !written) return written.error();
   player_.reset();
   const auto since = steady_clock::now();
-  while (!player_) {
-    show(Phase::kPaused, 0, why + "; waiting for the ball");
-    auto again = Player::open(addresses_, kReconnect);
-    if (again && same_ball(again->ball(), journal_.run().header().ball)) {
+  std::string waiting = why + "; waiting for the ball";
+  while (true) {
+    show(Phase::kPaused, 0, waiting);
+    auto again = Player::open({address_}, kReconnect);
+    const Identity identity =
+        again ? compare(journal_.run().pin(), again->pin()) : Identity::kOther;
+    if (again && identity != Identity::kOther) {
       player_ = *std::move(again);
       lost_.clear();
-      break;
+      if (identity == Identity::kSame) break;
+      auto early = accept_start();
+      if (!early || *early) return early;
+      if (lost_.empty()) break;
+      waiting = std::exchange(lost_, {}) + "; waiting for the ball";
+      player_.reset();
+    } else if (again) {
+      waiting = "another ball is there: " + again->ball().name;
     }
-    if (again) show(Phase::kPaused, 0, "another ball is there: " + again->ball().name);
     if (auto seen = measured_now(kStatusPoll); !seen) return seen.error();
     if (asked_to_stop()) return leave();
     if (desk_.unattended() && steady_clock::now() - since > kUnattendedPatience) return stuck(why);
   }
   if (auto written = journal_.append(Remark{"continued", kBallIsBack}); !written)
+    return written.error();
+  return Early{};
+}
+
+Result<Runner::Early> Runner::accept_start() {
+  continue_asked_ = desk_.unattended();
+  while (!continue_asked_) {
+    show(Phase::kPaused, 0,
+         "the daemon was started anew: is it the same ball? c goes on with it, q stops", true);
+    if (auto seen = measured_now(kStatusPoll); !seen) return seen.error();
+    if (asked_to_stop()) return leave();
+    if (auto kept = player_->keep(Milliseconds{0}); !kept) {
+      lost_ = kept.error().message;
+      return Early{};
+    }
+  }
+  if (auto written = journal_.append(DaemonChanged{player_->pin().daemon}); !written)
     return written.error();
   return Early{};
 }

@@ -16,6 +16,13 @@ namespace {
 constexpr client::Milliseconds kRehearsalPatience{60'000};
 constexpr int kBarWidth = 30;
 
+/// Where a rehearsal takes place.
+struct Start {
+  const StudyFolder& study;
+  const std::vector<client::Address>& addresses;
+  bool address_given = false;
+};
+
 /// One run of a rehearsal: begun, or gone on with. 0: it is over.
 int rehearse_one(const Start& start, const Participant& participant, const Experiment& experiment,
                  const std::function<void(const View&)>& report) {
@@ -26,7 +33,7 @@ int rehearse_one(const Start& start, const Participant& participant, const Exper
   if (const auto plays = is_played_by(*player, experiment); !plays) return complain(plays.error());
   auto journal = runs.last ? Journal::open(runs.last->path)
                            : begin(start.study, participant.id, experiment, runs.next,
-                                   player->ball(), {.simulated = true});
+                                   player->pin(), {.simulated = true});
   if (!journal) return complain(journal.error());
   const RunStarted& header = journal->run().header();
   if (!header.simulated_person) {
@@ -35,13 +42,17 @@ int rehearse_one(const Start& start, const Participant& participant, const Exper
                                            "a study of its own");
   }
   if (const auto same = goes_on_with(*player, journal->run()); !same) return complain(same.error());
+  if (const auto meant =
+          confirm_daemon(journal->run(), player->pin(), start.address_given, ask_at_terminal);
+      !meant)
+    return complain(meant.error());
   if (runs.last) {
-    if (auto written = journal->append(Remark{"resumed", player->ball().name}); !written)
+    if (auto written = append_resumed(*journal, player->pin()); !written)
       return complain(written.error());
   }
   SimulatedDesk desk(simulated_person(header.experiment, header.person_seed), header.person_seed,
                      report);
-  Runner runner(*journal, *std::move(player), start.addresses, desk, client::interrupted);
+  Runner runner(*journal, *std::move(player), desk, client::interrupted);
   const auto end = runner.run();
   if (!end) return complain(end.error());
   return *end == RunEnd::kOver ? 0 : print_end(*journal, *end, runner.why_stuck());
@@ -55,7 +66,7 @@ int run_rehearse(const RunOptions& options) {
   if (!study) return complain(study.error());
   const auto addresses = client::daemon_addresses(options.address);
   if (!addresses) return complain(addresses.error());
-  const Start start{*study, *addresses};
+  const Start start{*study, *addresses, options.address.has_value()};
   const std::size_t all = study->plan().participants.size() * study->plan().experiments.size();
   std::size_t done = 0;
   const bool bar = client::is_terminal();

@@ -46,6 +46,15 @@ void print_flags(const std::vector<AnalysedRun>& runs) {
   }
 }
 
+void print_exclusions(const std::vector<AnalysedRun>& runs) {
+  for (const AnalysedRun& run : runs) {
+    if (run.excluded) {
+      std::printf("  %s %s %d is excluded: %s\n", run.name.participant.c_str(),
+                  run.name.experiment.c_str(), run.name.run, run.excluded->reason.c_str());
+    }
+  }
+}
+
 /// Numbers that no person stands behind shall not pass for a study's.
 void warn_of_programs(const std::vector<AnalysedRun>& runs) {
   const auto simulated = std::count_if(
@@ -91,17 +100,27 @@ ordered_json as_json(const AnalysedRun& analysed) {
                    {"threshold", nullptr},
                    {"unit", analysed.run.header().experiment.unit()},
                    {"interval_95", nullptr},
+                   {"interval_95_at_bound", nullptr},
                    {"weibull_threshold", nullptr},
                    {"weibull_slope", nullptr},
+                   {"weibull_slope_at_bound", nullptr},
+                   {"weibull_threshold_at_bound", nullptr},
                    {"weber_fraction", nullptr},
                    {"force_n", nullptr},
                    {"flags", flags},
-                   {"in_group", analysed.in_group}};
+                   {"in_group", analysed.in_group},
+                   {"excluded", nullptr}};
+  if (analysed.excluded) out["excluded"] = analysed.excluded->reason;
   if (a.threshold_text) out["threshold"] = *a.threshold_text;
-  if (a.interval) out["interval_95"] = {a.interval->first, a.interval->second};
+  if (a.interval) {
+    out["interval_95"] = {a.interval->low, a.interval->high};
+    out["interval_95_at_bound"] = {a.interval->low_is_bound, a.interval->high_is_bound};
+  }
   if (a.fit) {
     out["weibull_threshold"] = a.fit->threshold;
     out["weibull_slope"] = a.fit->observer.slope;
+    out["weibull_slope_at_bound"] = a.fit->slope_at_bound;
+    out["weibull_threshold_at_bound"] = a.fit->threshold_at_bound;
   }
   if (a.weber_fraction) out["weber_fraction"] = *a.weber_fraction;
   if (a.force_n) out["force_n"] = *a.force_n;
@@ -113,8 +132,10 @@ ordered_json as_json(const AnalysedRun& analysed) {
 int run_analyse(const AnalyseOptions& options) {
   const auto study = StudyFolder::find(".");
   if (!study) return complain(study.error().exit_code, study.error().message);
+  const auto exclusions = Exclusions::read(*study);
+  if (!exclusions) return complain(exclusions.error().exit_code, exclusions.error().message);
   std::vector<Problem> problems;
-  const auto runs = collect(*study, options.bootstraps, problems);
+  const auto runs = collect(*study, *exclusions, problems);
   const int code = print(problems);
   if (runs.empty()) return complain(EX_NOINPUT, "there is no run yet");
   warn_of_programs(runs);
@@ -134,6 +155,7 @@ int run_analyse(const AnalyseOptions& options) {
   } else {
     print_groups(groups);
     print_flags(runs);
+    print_exclusions(runs);
     std::printf("%s\n", (out / "report.html").c_str());
   }
   if (!drawn) return complain(drawn.error().exit_code, drawn.error().message);
@@ -143,14 +165,16 @@ int run_analyse(const AnalyseOptions& options) {
 int run_export(const ExportOptions& options) {
   const auto study = StudyFolder::find(".");
   if (!study) return complain(study.error().exit_code, study.error().message);
+  const auto exclusions = Exclusions::read(*study);
+  if (!exclusions) return complain(exclusions.error().exit_code, exclusions.error().message);
   std::vector<Problem> problems;
-  const auto runs = collect(*study, 0, problems);
+  const auto runs = collect(*study, *exclusions, problems);
   const int code = print(problems);
   if (runs.empty()) return complain(EX_NOINPUT, "there is no run yet");
   const bool bids = options.format == "bids";
   const fs::path out =
       options.out.empty() ? study->path() / (bids ? "bids" : "data.csv") : fs::path(options.out);
-  const auto written = bids ? write_bids(out, *study, runs) : write_csv(out, runs);
+  const auto written = bids ? write_bids(out, *study, runs, options.authors) : write_csv(out, runs);
   if (!written) return complain(written.error().exit_code, written.error().message);
   std::printf("%s: %zu runs\n", out.c_str(), runs.size());
   return code;

@@ -3,19 +3,20 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace hedgehog::study {
 
 struct AnalyseOptions {
   std::string out{};  // default: analysis/ in the study
-  int bootstraps = 500;
   bool json = false;
 };
 int run_analyse(const AnalyseOptions& options);
 
 struct ExportOptions {
   std::string format = "csv";
-  std::string out{};  // default: data.csv or bids/ in the study
+  std::string out{};                   // default: data.csv or bids/ in the study
+  std::vector<std::string> authors{};  // of BIDS; default: the experimenters' codes
 };
 int run_export(const ExportOptions& options);
 

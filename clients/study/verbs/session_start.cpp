@@ -69,18 +69,48 @@ Result<void> is_played_by(const Player& player, const Experiment& experiment) {
 }
 
 Result<void> goes_on_with(const Player& player, const RecordedRun& run) {
-  const BallFacts& begun_on = run.header().ball;
-  if (!same_ball(player.ball(), begun_on)) {
+  if (compare(run.pin(), player.pin()) == Identity::kOther) {
     const auto which = [](const BallFacts& ball) {
       return "\"" + ball.name + "\" (" + ball.model +
              (ball.serial ? ", serial " + *ball.serial : "") +
              (ball.simulated ? ", simulated)" : ")");
     };
-    return Problem{EX_CONFIG, "the run was begun on " + which(begun_on) + " and this is " +
+    return Problem{EX_CONFIG, "the run was begun on " + which(run.header().ball) + " and this is " +
                                   which(player.ball()) +
                                   ": a run stays with its ball, run --again begins another"};
   }
   return is_played_by(player, run.header().experiment);
+}
+
+Result<void> confirm_daemon(const RecordedRun& run, const Pin& now, bool given, const Ask& ask) {
+  const Pin& then = run.pin();
+  if (compare(then, now) == Identity::kSame || same_serial(then.ball, now.ball)) return {};
+  const bool same_address =
+      then.daemon.address.empty() || then.daemon.address == now.daemon.address;
+  const std::string from =
+      same_address ? "" : "the run was on the daemon at " + then.daemon.address + ", this is ";
+  if (run.header().simulated_person) {
+    if (same_address || given) return {};
+    return Problem{EX_CONFIG, from + now.daemon.address + ": --address says that it is meant"};
+  }
+  const auto confirmed = confirm(
+      (same_address ? "the daemon was started anew, or is another" : from + now.daemon.address) +
+          "; is \"" + now.ball.name + "\" the ball that the run was begun on?",
+      ask);
+  if (confirmed.value_or(false)) return {};
+  return Problem{EX_CONFIG, "a run stays with its ball, run --again begins another"};
+}
+
+Result<void> is_still(const Pin& before, const Pin& now) {
+  if (before.daemon == now.daemon && compare(before, now) != Identity::kOther) return {};
+  return Problem{EX_TEMPFAIL, "the daemon at " + now.daemon.address +
+                                  " was started anew meanwhile; begin again"};
+}
+
+Result<void> append_resumed(Journal& journal, const Pin& now) {
+  if (auto written = journal.append(Remark{"resumed", now.ball.name}); !written) return written;
+  return journal.run().pin().daemon == now.daemon ? Result<void>()
+                                                  : journal.append(DaemonChanged{now.daemon});
 }
 
 RunsSoFar runs_so_far(const StudyFolder& study, const std::string& participant,
@@ -103,7 +133,7 @@ Participant participant_of(const StudyFolder& study, const std::string& id) {
 }
 
 Result<Journal> begin(const StudyFolder& study, const std::string& participant,
-                      const Experiment& experiment, int run, const BallFacts& ball, RunKind kind) {
+                      const Experiment& experiment, int run, const Pin& pin, RunKind kind) {
   RunStarted header;
   header.participant = participant;
   header.experiment = experiment;
@@ -111,7 +141,8 @@ Result<Journal> begin(const StudyFolder& study, const std::string& participant,
   const Participant person = participant_of(study, participant);
   header.seeds = run_seeds(person, experiment.name, run);
   header.person_seed = kind.simulated ? person.seed : 0;
-  header.ball = ball;
+  header.ball = pin.ball;
+  header.daemon = pin.daemon;
   header.simulated_person = kind.simulated;
   header.blind = kind.blind;
   header.software_version = HEDGEHOG_VERSION;

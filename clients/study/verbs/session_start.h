@@ -9,6 +9,7 @@
 #include "clients/study/journal/journal.h"
 #include "clients/study/session/runner.h"
 #include "clients/study/study_folder.h"
+#include "clients/study/verbs/checklist.h"
 
 namespace hedgehog::study {
 
@@ -38,6 +39,15 @@ Participant participant_of(const StudyFolder& study, const std::string& id);
 Result<void> is_played_by(const Player& player, const Experiment& experiment);
 /// The same, and EX_CONFIG when it is not the ball on which the run was begun.
 Result<void> goes_on_with(const Player& player, const RecordedRun& run);
+/// Whether an unfinished run may go on with a daemon, or a start of it, that it was not on: a
+/// serial number that is the same is enough, else the experimenter is asked. Where a program
+/// answers, the daemon must be at the run's address, or its address have been `given`. EX_CONFIG:
+/// it may not.
+Result<void> confirm_daemon(const RecordedRun& run, const Pin& now, bool given, const Ask& ask);
+/// EX_TEMPFAIL when between two connections another daemon, or another start of it, took over.
+Result<void> is_still(const Pin& before, const Pin& now);
+/// Writes down that the run goes on, and with which daemon if that is not the one it was on.
+Result<void> append_resumed(Journal& journal, const Pin& now);
 
 struct RunKind {
   bool simulated = false;
@@ -45,12 +55,6 @@ struct RunKind {
 };
 /// A new run's journal.
 Result<Journal> begin(const StudyFolder& study, const std::string& participant,
-                      const Experiment& experiment, int run, const BallFacts& ball, RunKind kind);
-
-/// Where a run takes place.
-struct Start {
-  const StudyFolder& study;
-  const std::vector<client::Address>& addresses;
-};
+                      const Experiment& experiment, int run, const Pin& pin, RunKind kind);
 
 }  // namespace hedgehog::study

@@ -27,22 +27,21 @@ constexpr client::Milliseconds kConnectPatience{2000};
 constexpr std::chrono::seconds kReading{3};
 constexpr const char* kPage = "participant.sock";
 
-int go_on(const Start& start, Journal& journal, Player player,
-          const std::function<void(const View&)>& report) {
+int go_on(const StudyFolder& study, Journal& journal, Player player) {
   const RunStarted& header = journal.run().header();
   Result<RunEnd> end = RunEnd::kStopped;
   std::string why_stuck;
   const auto take_place = [&](Desk& desk) {
-    Runner runner(journal, std::move(player), start.addresses, desk, client::interrupted);
+    Runner runner(journal, std::move(player), desk, client::interrupted);
     end = runner.run();
     why_stuck = runner.why_stuck();
   };
   if (header.simulated_person) {
     SimulatedDesk desk(simulated_person(header.experiment, header.person_seed), header.person_seed,
-                       report);
+                       [](const View&) {});
     take_place(desk);
   } else {
-    auto page = ParticipantServer::listen(start.study.path() / kPage);
+    auto page = ParticipantServer::listen(study.path() / kPage);
     if (!page) {
       std::fprintf(stderr, "hedgehog-study: the participant has no page: %s\n",
                    page.error().message.c_str());
@@ -98,6 +97,8 @@ int run_run(const RunOptions& options) {
     return study::complain(EX_USAGE, "a person needs a terminal; --simulated does not");
   const auto addresses = client::daemon_addresses(options.address);
   if (!addresses) return complain(addresses.error());
+  auto wanted = *addresses;
+  std::optional<Pin> seen;
   std::optional<Checklist> checklist;
   if (!options.simulated) {
     // Before anybody is asked anything; its claim would run out while people talk.
@@ -105,20 +106,24 @@ int run_run(const RunOptions& options) {
     if (!there) return complain(there.error());
     if (const auto plays = is_played_by(*there, *experiment); !plays)
       return complain(plays.error());
+    wanted = {there->address()};
+    seen = there->pin();
     checklist = complete(options.checklist);
     if (!checklist)
       return study::complain(EX_TEMPFAIL, "not everything is ready; nothing was begun");
   }
-  auto player = Player::open(*addresses, kConnectPatience);
+  auto player = Player::open(wanted, kConnectPatience);
   if (!player) return complain(player.error());
+  if (const auto still = is_still(seen.value_or(player->pin()), player->pin()); !still)
+    return complain(still.error());
   if (const auto plays = is_played_by(*player, *experiment); !plays) return complain(plays.error());
-  auto journal = begin(*study, options.participant, *experiment, runs.next, player->ball(),
+  auto journal = begin(*study, options.participant, *experiment, runs.next, player->pin(),
                        {options.simulated, options.blind});
   if (!journal) return complain(journal.error());
   if (checklist) {
     if (auto written = journal->append(*checklist); !written) return complain(written.error());
   }
-  return go_on({*study, *addresses}, *journal, *std::move(player), [](const View&) {});
+  return go_on(*study, *journal, *std::move(player));
 }
 
 int run_resume(const RunOptions& options) {
@@ -142,32 +147,44 @@ int run_resume(const RunOptions& options) {
     return study::complain(EX_USAGE, "a person needs a terminal");
   const auto addresses = client::daemon_addresses(options.address);
   if (!addresses) return complain(addresses.error());
+  auto where = *addresses;
+  std::optional<Pin> seen;
   std::optional<Checklist> checklist;
   if (!journal->run().header().simulated_person) {
-    const auto there = Player::open(*addresses, kConnectPatience);
-    if (!there) return complain(there.error());
-    if (const auto same = goes_on_with(*there, journal->run()); !same)
-      return complain(same.error());
+    {
+      const auto there = Player::open(*addresses, kConnectPatience);
+      if (!there) return complain(there.error());
+      if (const auto same = goes_on_with(*there, journal->run()); !same)
+        return complain(same.error());
+      where = {there->address()};
+      seen = there->pin();
+    }
+    if (const auto meant = confirm_daemon(journal->run(), *seen, false, ask_at_terminal); !meant)
+      return complain(meant.error());
     // People may have got up since; a run killed early may never have written its list.
     const auto& known = journal->run().checklist();
     checklist = known ? ticked_again(*known) : complete({});
     if (!checklist)
       return study::complain(EX_TEMPFAIL, "not everything is ready; the run stays as it is");
   }
-  auto player = Player::open(*addresses, kConnectPatience);
+  auto player = Player::open(where, kConnectPatience);
   if (!player) return complain(player.error());
   if (const auto same = goes_on_with(*player, journal->run()); !same) return complain(same.error());
+  const auto meant = seen ? is_still(*seen, player->pin())
+                          : confirm_daemon(journal->run(), player->pin(),
+                                           options.address.has_value(), ask_at_terminal);
+  if (!meant) return complain(meant.error());
   if (options.blind && !journal->run().blind()) {
     if (auto written = journal->append(Remark{"blind", ""}); !written)
       return complain(written.error());
   }
   print_resumed(*journal);
-  if (auto written = journal->append(Remark{"resumed", player->ball().name}); !written)
+  if (auto written = append_resumed(*journal, player->pin()); !written)
     return complain(written.error());
   if (checklist) {
     if (auto written = journal->append(*checklist); !written) return complain(written.error());
   }
-  return go_on({*study, *addresses}, *journal, *std::move(player), [](const View&) {});
+  return go_on(*study, *journal, *std::move(player));
 }
 
 int run_participant() {

@@ -47,7 +47,8 @@ ordered_json as_json(const Experiment& experiment, const SimulationSummary& s) {
           {"floor_before_first_reversal_share", s.floor_before_first_reversal_share},
           {"ceiling_share", s.ceiling_share},
           {"rmse_reversals", s.rmse},
-          {"rmse_weibull_fit", s.fit_rmse}};
+          {"rmse_weibull_fit", s.fit_rmse},
+          {"interval_coverage", s.interval_coverage}};
 }
 
 void print(const Experiment& experiment, const SimulationSummary& s, double seconds) {
@@ -65,7 +66,9 @@ void print(const Experiment& experiment, const SimulationSummary& s, double seco
   std::printf("  floor         %.1f %%, before the first reversal %.1f %%; ceiling %.1f %%\n",
               100.0 * s.floor_share, 100.0 * s.floor_before_first_reversal_share,
               100.0 * s.ceiling_share);
-  std::printf("  rmse          mean of reversals %.3g, Weibull fit %.3g\n\n", s.rmse, s.fit_rmse);
+  std::printf("  rmse          mean of reversals %.3g, Weibull fit %.3g\n", s.rmse, s.fit_rmse);
+  std::printf("  95 %% interval of the fit holds the true point in %.1f %%\n\n",
+              100.0 * s.interval_coverage);
 }
 
 ordered_json convergence_of(const Experiment& experiment, const SimulateOptions& options) {

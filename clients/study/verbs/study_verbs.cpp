@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "clients/study/exclusions.h"
 #include "clients/study/experiment_file.h"
 #include "clients/study/journal/journal.h"
 #include "clients/study/study_folder.h"
@@ -90,6 +91,8 @@ int run_plan(const PlanOptions& options) {
 int run_status(bool json) {
   const auto study = StudyFolder::find(".");
   if (!study) return complain(study.error().exit_code, study.error().message);
+  const auto exclusions = Exclusions::read(*study);
+  if (!exclusions) return complain(exclusions.error().exit_code, exclusions.error().message);
   ordered_json all = ordered_json::array();
   std::vector<std::pair<JournalName, std::string>> cells;
   int code = 0;
@@ -101,8 +104,11 @@ int run_status(bool json) {
       cells.emplace_back(name, "damaged");
       continue;
     }
+    const Exclusion* excluded = exclusions->of(name);
     all.push_back(as_json(name, *run));
-    cells.emplace_back(name, in_short(*run));
+    all.back()["excluded"] =
+        excluded != nullptr ? ordered_json(excluded->reason) : ordered_json(nullptr);
+    cells.emplace_back(name, excluded != nullptr ? "excluded" : in_short(*run));
   }
   if (json) {
     std::puts(all.dump().c_str());
