@@ -12,10 +12,19 @@ namespace hedgehog::design {
 inline constexpr double kElectromagnetMassG = 700.0;
 inline constexpr double kElectromagnetRadiusMm = 35.0;
 
-/// Magnets and electromagnet, before any plastic: 1.18 kg for the ball of the thesis, which says
-/// 1.2 kg with everything.
-inline double mass_g(const model::Arrangement& arrangement, const model::ArraySizes& sizes) {
-  return kElectromagnetMassG + model::magnets_mass_g(arrangement, sizes);
+/// Magnets, electromagnet, and the casing printed solid in PLA, which printers leave partly hollow.
+struct BallMass {
+  double parts_g = 0.0;
+  double casing_g = 0.0;
+
+  double total_g() const noexcept { return parts_g + casing_g; }
+};
+
+/// For the ball of the thesis 1.18 kg of parts, of 1.2 kg that it has with everything, and 0.3 kg
+/// of plastic if that were solid.
+inline BallMass mass_of(const model::Arrangement& arrangement, const Design& design) {
+  return {kElectromagnetMassG + model::magnets_mass_g(arrangement, design.sizes()),
+          kPlasticGMm3 * volume_mm3(casing_of(design, arrangement))};
 }
 
 inline double outer_diameter_mm(const Design& design) noexcept {

@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <functional>
 
-#include "clients/common/arguments.h"
+#include "cli/complaint.h"
+#include "cli/reference.h"
 #include "clients/design/verbs/verbs.h"
 
 namespace hedgehog::design {
@@ -31,13 +32,15 @@ class CommandLine {
   }
 
   int run(std::vector<std::string> arguments) {
+    if (const auto code = cli::write_reference(app_, arguments)) return *code;
     std::reverse(arguments.begin(), arguments.end());
     try {
       app_.parse(arguments);
     } catch (const CLI::Success& done) {
       return app_.exit(done, out_, err_);
     } catch (const CLI::ParseError& error) {
-      return print_usage(error);
+      err_ << cli::usage_error(app_, cli::complaint(app_, error)) << "\n";
+      return kUsage;
     }
     const Format format = json_ ? Format::kJson : csv_ ? Format::kCsv : Format::kText;
     const auto done = verb_({out_, err_, format});
@@ -53,17 +56,6 @@ class CommandLine {
 
  private:
   using Verb = std::function<Result<void>(const Screen&)>;
-
-  int print_usage(const CLI::ParseError& error) {
-    std::string what = error.what();
-    const auto unknown = app_.remaining(true);
-    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError) && !unknown.empty())
-      what = "'" + unknown.front() + "' is not understood";
-    else if (app_.get_subcommands().empty())
-      what = unknown.empty() ? "a verb is missing" : "there is no verb '" + unknown.front() + "'";
-    err_ << client::usage_error(app_, what) << "\n";
-    return kUsage;
-  }
 
   template <class Options>
   CLI::App* verb(const std::string& name, const std::string& help, Options& options,
@@ -96,7 +88,8 @@ class CommandLine {
 
   static void add_design(CLI::App* command, DesignFlags& flags) {
     add_magnets(command, flags);
-    command->add_option("--array", flags.array, "cD, wD, tkD, GP(m,n); tkD-86: with an opening");
+    command->add_option("--array", flags.array,
+                        "D, tI, cD, wD, tkD, GP(m,n); tkD-86: with an opening");
     command->add_option("--positions", flags.positions, "a CSV (kind,x,y,z) instead of an array");
     command->add_option("--shield", flags.shield, "the shields' magnets, such as 4x10");
     command->add_option("--remove-pins", flags.removed_pins, "ids, such as 3,7-9");
@@ -126,6 +119,8 @@ class CommandLine {
     add_formats(curves);
     add_pictures(curves, curves_.pictures);
     curves->add_option("--offsets", curves_.offsets, "FIRST..LAST/STEP, mm")->capture_default_str();
+    curves->add_option("--forces", curves_.forces,
+                       "a picture's force axis: FIRST..LAST, N, or own for each panel's");
     auto* table =
         verb("table", "how far pins move, beside the thesis (Table 2.1)", table_, run_table);
     add_design(table, table_.design);
@@ -166,7 +161,7 @@ class CommandLine {
         ->capture_default_str();
     choose
         ->add_option("--least-extension", choose_.min_extension_mm,
-                     "of the commonest pins, mm, 0 to 1.5")
+                     "of the typical pin, mm, 0 to 1.5")
         ->capture_default_str();
     choose->add_option("--threads", choose_.threads, "all cores when not said")
         ->check(CLI::Range(1, 256));
@@ -182,8 +177,8 @@ class CommandLine {
     exports->add_option("--device", export_.device, "a device file for hedgehogd");
     exports->add_option("--facets", export_.facets, "sides of a cavity, 8 to 64")
         ->capture_default_str();
-    exports->add_option("--clearance", export_.clearance_mm, "around each magnet, mm")
-        ->capture_default_str();
+    exports->add_option("--clearance", export_.clearance_mm,
+                        "around each magnet, mm; 0.15, less for walls of 0.2, when not said");
     exports->add_option("--fan", export_.fan_mm,
                         "opening at the bottom, mm; the widest when not said");
     auto* report =

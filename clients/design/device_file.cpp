@@ -12,6 +12,7 @@
 #include "base/number_text.h"
 #include "model/magnets/arrangement.h"
 #include "model/magnets/electromagnet.h"
+#include "model/magnets/pin_curves.h"
 
 namespace hedgehog::design {
 namespace {
@@ -68,8 +69,12 @@ Result<std::string> device_text(const Design& design, const std::string& name) {
   if (!whole) return whole.error();
   const auto left = arrangement_of(design);
   if (!left) return left.error();
+  if (const auto problem = model::check_fit(*left, design.sizes()))
+    return Problem{kBadData, left->name + ": " + problem->message};
+  // On the typical pin at its rest, as the daemon takes it.
+  const double rest_mm = model::PinCurves(*left, design.sizes()).typical_rest_mm();
   const double slope_n_a = model::coil_force_n(model::measured_electromagnet(), 1.0,
-                                               design.sizes().pin, design.sphere_mm, 0.0, 0.0);
+                                               design.sizes().pin, design.sphere_mm, 0.0, rest_mm);
   const auto front = front_pin(*whole);
   if (!front) return Problem{kInternal, whole->name + " has no pin at the front"};
   // As the daemon's keys bound them.
@@ -94,7 +99,7 @@ Result<std::string> device_text(const Design& design, const std::string& name) {
   root["force_slope_n_a"] = std::round(slope_n_a * 1e6) / 1e6;
   return "// " + to_text(design) + "; hedgehog-design " HEDGEHOG_VERSION +
          "\n// force_slope_n_a is what the thesis' electromagnet, as measured, makes of these "
-         "magnets. To be"
+         "magnets on the pin with the median rest. To be"
          "\n// measured on the ball: coil_matrix, r25_ohm, force_slope_n_a. What is not here is as "
          "on a hedgehog-86.\n" +
          root.dump(2) + "\n";

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "clients/design/study.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <string_view>
 
 namespace hedgehog::design {
@@ -20,6 +24,34 @@ constexpr std::array kTable21{Printed{"cD", 12, 0.8},  Printed{"cD", 30, 3.5},
                               Printed{"tkD", 12, 0.1}, Printed{"tkD", 60, 0.6},
                               Printed{"tkD", 20, 0.7}};
 
+/// So many pairs of a pin's class and an angle are half a minute of computing.
+constexpr std::size_t kMaxPairs = 400'000;
+constexpr double kGravityMS2 = 9.81;
+
+std::optional<Problem> too_many(const Design& design, const std::vector<model::PinClass>& classes) {
+  std::size_t pairs = 0;
+  for (const model::PinClass& one : classes) pairs += one.to_pins.size() + one.to_shields.size();
+  if (pairs <= kMaxPairs) return {};
+  return Problem{kBadData, to_text(design) + ": " + std::to_string(classes.size()) +
+                               " of its pins differ from each other, which would take minutes to "
+                               "compute; remove magnets in a pattern that keeps the symmetry"};
+}
+
+/// Magnets that do not carry a pin decide nothing.
+std::optional<Problem> too_weak(const Design& design, const std::vector<ClassStudy>& classes) {
+  double strongest_n = 0.0;
+  for (const ClassStudy& one : classes)
+    for (const double force_n : one.character.curve.force_n)
+      strongest_n = std::max(strongest_n, std::abs(force_n));
+  const double weight_n = 1e-3 * model::mass_g(design.sizes().pin) * kGravityMS2;
+  if (strongest_n >= weight_n) return {};
+  return Problem{kBadData, to_text(design) +
+                               ": the magnets are too far apart to hold anything: the weight of a "
+                               "pin, " +
+                               fmt::format("{:.1g} N, is more than any force on it ({:.1g} N)",
+                                           weight_n, strongest_n)};
+}
+
 }  // namespace
 
 const char* name_of(Standing standing) noexcept {
@@ -34,15 +66,14 @@ const char* name_of(Standing standing) noexcept {
   return "pushed out";
 }
 
-Standing ClassStudy::standing() const noexcept {
-  if (character.stable()) return Standing::kRests;
-  return force.at(0.0).force_n < 0.0 ? Standing::kPressed : Standing::kPushedOut;
+std::optional<double> ClassStudy::extension_mm() const noexcept {
+  return stroke && !stroke->expelled ? std::optional(stroke->extension_mm) : std::nullopt;
 }
 
 std::optional<double> ClassStudy::held_n() const noexcept {
   if (standing() == Standing::kPushedOut) return {};
   // It never is further in than the shell.
-  return character.minimum_mm < 0.0 ? -force.at(0.0).force_n : -character.minimum_n;
+  return character.minimum_mm < 0.0 ? -character.shell_n : -character.minimum_n;
 }
 
 std::string ClassStudy::name() const {
@@ -55,18 +86,40 @@ std::optional<double> thesis_extension_mm(const std::string& array, std::size_t 
   return {};
 }
 
+std::vector<ClassStudy> study_classes(const std::vector<model::PinClass>& classes,
+                                      const Design& design, const model::OffsetGrid& grid) {
+  std::vector<ClassStudy> studied;
+  for (const model::PinClass& pin_class : classes) {
+    const model::PinForce force(pin_class, design.sizes(), design.settings);
+    ClassStudy one{force, model::characterise(force, grid), {}, {}};
+    one.stroke = model::stroke(force, one.character, model::constant_push(design.coil_force_n));
+    one.crossings_mm = model::extension_mm(force, one.character, design.coil_force_n);
+    studied.push_back(std::move(one));
+  }
+  return studied;
+}
+
+const ClassStudy& typical_of(const std::vector<ClassStudy>& classes) {
+  const auto before = [](const ClassStudy* a, const ClassStudy* b) {
+    constexpr double kNowhere = std::numeric_limits<double>::infinity();
+    return a->rest_mm().value_or(kNowhere) < b->rest_mm().value_or(kNowhere);
+  };
+  std::vector<const ClassStudy*> of_pins;
+  for (const ClassStudy& one : classes) of_pins.insert(of_pins.end(), one.size(), &one);
+  const auto middle = of_pins.begin() + static_cast<std::ptrdiff_t>((of_pins.size() - 1) / 2);
+  std::nth_element(of_pins.begin(), middle, of_pins.end(), before);
+  return **middle;
+}
+
 Result<Study> Study::of(const Design& design, const model::OffsetGrid& grid) {
   auto arrangement = buildable_arrangement(design);
   if (!arrangement) return arrangement.error();
   Study study(design, std::move(*arrangement));
   study.pin_classes_ = std::make_shared<const std::vector<model::PinClass>>(
       model::symmetry_classes(study.arrangement_));
-  for (const model::PinClass& pin_class : *study.pin_classes_) {
-    const model::PinForce force(pin_class, design.sizes(), design.settings);
-    ClassStudy one{force, model::characterise(force, grid), {}};
-    one.extension_mm = model::extension_mm(force, one.character, design.coil_force_n);
-    study.classes_.push_back(std::move(one));
-  }
+  if (const auto problem = too_many(design, *study.pin_classes_)) return *problem;
+  study.classes_ = study_classes(*study.pin_classes_, design, grid);
+  if (const auto problem = too_weak(design, study.classes_)) return *problem;
   return study;
 }
 
@@ -77,12 +130,6 @@ const ClassStudy* Study::class_of(int pin) const noexcept {
   return found == classes_.end() ? nullptr : &*found;
 }
 
-const ClassStudy& Study::commonest() const noexcept {
-  return *std::max_element(
-      classes_.begin(), classes_.end(),
-      [](const ClassStudy& a, const ClassStudy& b) { return a.size() < b.size(); });
-}
-
 std::vector<int> Study::pins_that(Standing standing) const {
   std::vector<int> ids;
   for (const ClassStudy& one : classes_)
@@ -90,6 +137,18 @@ std::vector<int> Study::pins_that(Standing standing) const {
       ids.insert(ids.end(), one.pins().pins.begin(), one.pins().pins.end());
   std::sort(ids.begin(), ids.end());
   return ids;
+}
+
+std::vector<int> Study::pressed_pins(bool with_zero) const {
+  std::vector<int> ids = pins_that(Standing::kPressed);
+  std::erase_if(ids, [&](int pin) { return class_of(pin)->character.stable() != with_zero; });
+  return ids;
+}
+
+bool Study::stable() const noexcept {
+  return std::all_of(
+      classes_.begin(), classes_.end(),
+      [](const ClassStudy& one) { return one.character.stable(); });
 }
 
 std::string ids_text(const std::vector<int>& ids) {

@@ -3,7 +3,6 @@
 // its rest and how far the coil moves it (thesis sections 2.2 and 2.3).
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,31 +14,40 @@
 
 namespace hedgehog::design {
 
-/// What a pin does without current.
-enum class Standing : std::uint8_t {
-  kRests,
-  /// No rest: pulled inwards already where its inner face is on the shell, which stops it.
-  kPressed,
-  /// No rest, and nothing draws it back.
-  kPushedOut,
-};
+using model::Standing;
 /// "rests", "pressed", "pushed out".
 const char* name_of(Standing standing) noexcept;
 
 struct ClassStudy {
   model::PinForce force;
   model::Characterisation character;
-  /// With the design's coil force, mm; nothing when the pin does not rest or is expelled.
-  std::optional<double> extension_mm;
+  /// With the design's coil force, which stays the same while the pin moves; nothing: pushed out
+  /// without it.
+  std::optional<model::Stroke> stroke;
+  /// From zero crossing to crossing, as thesis Table 2.1 counts, mm; nothing: no rest, or expelled.
+  std::optional<double> crossings_mm;
 
   const model::PinClass& pins() const noexcept { return force.pin_class(); }
-  Standing standing() const noexcept;
+  Standing standing() const noexcept { return character.standing(); }
+  /// Where a pin is without current: 0 on the shell. Nothing: pushed out.
+  std::optional<double> rest_mm() const noexcept { return character.standing_mm; }
+  /// How far the coil force moves it from there, mm; nothing when it is pushed out or expelled.
+  std::optional<double> extension_mm() const noexcept;
   std::size_t size() const noexcept { return pins().pins.size(); }
   /// The largest push against which a pin is held, N; nothing when nothing draws it back.
   std::optional<double> held_n() const noexcept;
   /// "60 pins".
   std::string name() const;
 };
+
+/// Each class of pins among the magnets of `design`; forces point into `classes`: keep those alive.
+std::vector<ClassStudy> study_classes(const std::vector<model::PinClass>& classes,
+                                      const Design& design,
+                                      const model::OffsetGrid& grid = model::kThesisGrid);
+
+/// The class of the typical pin: the one with the median rest, as `model::PinCurves` has it.
+/// REQUIRES: there is a class.
+const ClassStudy& typical_of(const std::vector<ClassStudy>& classes);
 
 /// What the thesis prints for a class of `size` pins of this array (Table 2.1), mm.
 std::optional<double> thesis_extension_mm(const std::string& array, std::size_t size) noexcept;
@@ -54,11 +62,15 @@ class Study {
   const std::vector<ClassStudy>& classes() const noexcept { return classes_; }
   /// The class of a pin; nullptr when there is no such pin.
   const ClassStudy* class_of(int pin) const noexcept;
-  /// The class that has the most pins.
-  const ClassStudy& commonest() const noexcept;
+  const ClassStudy& typical() const { return typical_of(classes_); }
   /// Pins of that standing, ascending.
   std::vector<int> pins_that(Standing standing) const;
   std::vector<int> unstable_pins() const { return pins_that(Standing::kPushedOut); }
+  /// Pins that are pressed onto the shell, ascending: those whose force has a zero below it, or
+  /// those that have none, among shields that are too strong.
+  std::vector<int> pressed_pins(bool with_zero) const;
+  /// Every pin's force curve falls through zero (thesis section 2.2).
+  bool stable() const noexcept;
 
  private:
   Study(Design design, model::Arrangement arrangement)

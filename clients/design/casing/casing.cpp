@@ -37,6 +37,49 @@ double cavity_reach_mm(const Casing& casing, const Size& magnet) noexcept {
                   radius / std::cos(std::numbers::pi / casing.facets));
 }
 
+Casing casing_of(const Design& design, const model::Arrangement& array) {
+  Casing casing;
+  casing.sphere_mm = design.sphere_mm;
+  casing.pin = design.magnet;
+  casing.shield = design.shield;
+  for (const auto& site : array.pins) casing.pins.push_back(site.direction);
+  for (const auto& site : array.shields) casing.shields.push_back(site.direction);
+  return casing;
+}
+
+double widest_clearance_mm(Casing casing, const model::Arrangement& array) {
+  for (const double clearance_mm : {kUsualClearanceMm, 0.1, 0.05}) {
+    casing.clearance_mm = clearance_mm;
+    if (thinnest_wall(casing, array).mm >= kMinWallMm) break;
+  }
+  return casing.clearance_mm;
+}
+
+double volume_mm3(const Casing& casing) noexcept {
+  const double inner = casing.sphere_mm;
+  const double outer = outer_radius_mm(casing.sphere_mm, casing.pin, casing.shield);
+  const double corners = casing.facets;
+  const auto polygon_mm2 = [&](double reach_mm) {
+    return 0.5 * corners * reach_mm * reach_mm * std::sin(2.0 * std::numbers::pi / corners);
+  };
+  // Above the sphere, and between the sphere and the level of its top.
+  const auto cavity_mm3 = [&](const Size& magnet, double depth_mm) {
+    const double reach_mm = cavity_reach_mm(casing, magnet);
+    return polygon_mm2(reach_mm) * (depth_mm + reach_mm * reach_mm / (4.0 * inner));
+  };
+  const double hole_mm = kPinHoleShare * casing.pin.diameter_mm / 2.0;
+  const double end_mm = casing.pin.height_mm + kPinTravelMm;
+  const double pin_mm3 = cavity_mm3(casing.pin, end_mm) +
+                         std::numbers::pi * hole_mm * hole_mm * (outer - inner - end_mm);
+  const double fan_mm3 = std::numbers::pi / 4.0 * casing.fan_mm * casing.fan_mm * (outer - inner);
+  const double shell_mm3 =
+      4.0 / 3.0 * std::numbers::pi * (outer * outer * outer - inner * inner * inner);
+  return shell_mm3 - static_cast<double>(casing.pins.size()) * pin_mm3 -
+         static_cast<double>(casing.shields.size()) *
+             cavity_mm3(casing.shield, casing.shield.height_mm) -
+         fan_mm3;
+}
+
 Wall thinnest_wall(const Casing& casing, const model::Arrangement& array) {
   struct Cavity {
     model::CylinderMagnet space;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "clients/common/problem.h"
-#include "clients/design/input/sizes.h"
+#include "clients/design/input/design.h"
 #include "model/magnets/magnet_array.h"
 #include "model/vec3.h"
 
@@ -17,8 +17,18 @@ namespace hedgehog::design {
 /// thesis' ball. mm.
 inline constexpr double kPinTravelMm = 1.5;
 inline constexpr double kRoofMm = 3.5;
+/// Of a magnet's diameter: the hole for the pin on it.
+inline constexpr double kPinHoleShare = 0.6;
 /// Depth of the notch for the cables, beside the fan's opening. mm.
 inline constexpr double kCableMm = 3.0;
+
+/// Play around a magnet when nothing else is asked, and what a wall should have at least. mm.
+inline constexpr double kUsualClearanceMm = 0.15;
+inline constexpr double kMinWallMm = 0.2;
+/// One line of a common nozzle: a wall below is left out by most printers, mm.
+inline constexpr double kNozzleMm = 0.4;
+/// PLA, g/mm^3.
+inline constexpr double kPlasticGMm3 = 1.24e-3;
 
 /// Radius of the finished ball, mm.
 double outer_radius_mm(double sphere_mm, const Size& pin, const Size& shield) noexcept;
@@ -32,7 +42,7 @@ struct Casing {
   std::vector<model::Vec3> pins;
   std::vector<model::Vec3> shields;
   /// Around each magnet, so that it slides; printers differ.
-  double clearance_mm = 0.15;
+  double clearance_mm = kUsualClearanceMm;
   /// The opening at the bottom for the fan, and its cables' notch beside it; 0: none.
   double fan_mm = 0.0;
   /// Sides of a cavity; the ball has four times as many round the equator.
@@ -41,6 +51,15 @@ struct Casing {
   /// in one way only. Degrees from the front.
   std::vector<double> notches_deg;
 };
+
+/// With the usual clearance and without an opening for the fan.
+Casing casing_of(const Design& design, const model::Arrangement& array);
+
+/// The largest of 0.15, 0.1 and 0.05 mm that leaves walls of `kMinWallMm`; 0.05 when none does.
+double widest_clearance_mm(Casing casing, const model::Arrangement& array);
+
+/// The plastic of both halves, printed solid, without tabs and the notch for the cables.
+double volume_mm3(const Casing& casing) noexcept;
 
 /// How far a cavity's corners are from its axis: the clearance at the corners, and the whole magnet
 /// between the sides. mm.

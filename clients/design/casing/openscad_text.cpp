@@ -118,7 +118,8 @@ std::string openscad_text(const Casing& casing, const std::vector<std::string>& 
   number("sphere", casing.sphere_mm, "radius on which the magnets' inner faces lie");
   number("pin_diameter", casing.pin.diameter_mm, "of the magnet");
   number("pin_height", casing.pin.height_mm, "of the magnet");
-  number("pin_hole", 0.6 * casing.pin.diameter_mm, "for the pin that is glued on its magnet");
+  number("pin_hole", kPinHoleShare * casing.pin.diameter_mm,
+         "for the pin that is glued on its magnet");
   number("shield_diameter", casing.shield.diameter_mm, "of the magnet");
   number("shield_height", casing.shield.height_mm, "of the magnet");
   number("travel", kPinTravelMm, "how far a pin can move out");

@@ -17,8 +17,8 @@ using model::MagnetSite;
 constexpr std::size_t kFanPins = 6;  // the lowest and its five neighbours
 
 Problem unknown(const std::string& name) {
-  static constexpr std::array kNames{"cD",    "wD",     "tkD",     "cD-36",
-                                     "wD-66", "tkD-86", "GP(2,2)", "GP(4,1)"};
+  static constexpr std::array kNames{"D",     "tI",    "cD",     "wD",      "tkD",
+                                     "cD-36", "wD-66", "tkD-86", "GP(2,2)", "GP(4,1)"};
   const auto distance = [wanted = base::lower_case(name)](const char* known) {
     return base::edits_between(wanted, base::lower_case(known));
   };
@@ -31,7 +31,8 @@ Problem unknown(const std::string& name) {
     sentence += "; did you mean '" + std::string(*nearest) + "'?";
   } else {
     sentence +=
-        "; there are cD, wD, tkD and GP(m,n) with m + n up to 8, and tkD-86, the same with the "
+        "; there are cD, wD, tkD, D, tI and GP(m,n) with m + n up to 8, and tkD-86, the same with "
+        "the "
         "fan's opening";
   }
   return {kUsage, sentence};

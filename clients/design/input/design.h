@@ -13,6 +13,10 @@
 
 namespace hedgehog::design {
 
+/// As the daemon takes them. Force curves begin 2.5 mm inside the sphere.
+inline constexpr double kMinSphereMm = 5.0;
+inline constexpr double kMaxSphereMm = 500.0;
+
 struct Design {
   /// As `find_arrangement` knows them. Ignored when `positions` is there.
   std::string array = "tkD-86";
@@ -45,9 +49,9 @@ struct Design {
   }
 };
 
-/// "cD", "wD", "tkD", "GP(m,n)"; followed by "-36", "-66", "-86", ... (six pins fewer) the same
-/// with the fan's opening at the bottom: without the lowest pin, its five neighbours and the
-/// shields that touch two of these. "-86-5" and "-86-20": only those that touch three, all that
+/// "D", "tI", "cD", "wD", "tkD", "GP(m,n)"; followed by "-36", "-66", "-86", ... (six pins fewer)
+/// the same with the fan's opening at the bottom: without the lowest pin, its five neighbours and
+/// the shields that touch two of these. "-86-5" and "-86-20": only those that touch three, all that
 /// touch one. The complaint about another name says which was meant.
 Result<model::Arrangement> find_arrangement(const std::string& name);
 

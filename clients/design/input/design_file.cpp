@@ -7,6 +7,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "base/parse_json.h"
 #include "clients/design/output/tool.h"
 
 namespace hedgehog::design {
@@ -65,7 +66,7 @@ const std::map<std::string, Reader>& keys() {
       {"positions", text_key(&Design::positions)},
       {"magnet", size_key(&Design::magnet)},
       {"shield", size_key(&Design::shield)},
-      {"sphere_mm", number_key(&Design::sphere_mm, 1, 1000)},
+      {"sphere_mm", number_key(&Design::sphere_mm, kMinSphereMm, kMaxSphereMm)},
       {"remanence_t", number_key(&Design::remanence_t, 0.01, 2)},
       {"removed_pins", ids_key(&Design::removed_pins)},
       {"removed_shields", ids_key(&Design::removed_shields)},
@@ -78,7 +79,9 @@ const std::map<std::string, Reader>& keys() {
 }  // namespace
 
 Result<Design> parse_design(const std::string& text, const std::string& name) {
-  const Json root = Json::parse(text, nullptr, false, true);
+  const auto parsed = base::parse_json<Json>(text, base::JsonComments::kAllowed);
+  if (!parsed.good()) return Problem{kBadData, name + " is no design file: " + parsed.problem};
+  const Json& root = parsed.value;
   if (!root.is_object()) return Problem{kBadData, name + " is no design file: not a JSON object"};
   Design design;
   for (const auto& [key, value] : root.items()) {

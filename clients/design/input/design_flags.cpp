@@ -90,7 +90,8 @@ Result<Design> design_from(const DesignFlags& flags) {
   for (const auto& taken :
        {take_size(flags.magnet, "--magnet", design.magnet),
         take_size(flags.shield, "--shield", design.shield),
-        take_number(flags.sphere_mm, 1, 1000, "--sphere", " mm", design.sphere_mm),
+        take_number(flags.sphere_mm, kMinSphereMm, kMaxSphereMm, "--sphere", " mm",
+                    design.sphere_mm),
         take_number(flags.remanence_t, 0.01, 2, "--remanence", " T", design.remanence_t),
         take_number(flags.coil_force_n, 0.001, 100, "--coil-force", " N", design.coil_force_n),
         take_ids(flags.removed_pins, "--remove-pins", design.removed_pins),

@@ -68,6 +68,10 @@ void write_panel(std::ostream& out, const Panel& panel, std::size_t number) {
   out << "set ylabel " << quoted(panel.y_label) << " noenhanced\n";
   write_range(out, "x", panel.x_range);
   write_range(out, "y", panel.y_range);
+  if (panel.y_tick > 0.0)
+    out << "set ytics " << panel.y_tick << "\n";
+  else
+    out << "set ytics autofreq\n";
   out << "set offsets " << (panel.x_range.x == panel.x_range.y ? "graph 0.04, graph 0.04" : "0, 0")
       << (panel.y_range.x == panel.y_range.y ? ", graph 0.06, graph 0.06\n" : ", 0, 0\n");
   out << "unset label\n";

@@ -40,6 +40,8 @@ struct Panel {
   /// From where to where the axes go; equal ends: as the data are.
   Point x_range{0, 0};
   Point y_range{0, 0};
+  /// Between the numbers at the y axis; 0: as gnuplot chooses.
+  double y_tick = 0.0;
 };
 
 struct Picture {

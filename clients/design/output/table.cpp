@@ -63,7 +63,7 @@ std::string Table::html() const {
     return "<" + tag + (columns_[c].left ? " class=\"l\">" : ">") + client::escape_html(text) +
            "</" + tag + ">";
   };
-  std::string shown = "<table>\n<tr>";
+  std::string shown = "<div class=\"wide\"><table>\n<tr>";
   for (std::size_t c = 0; c < columns_.size(); ++c) shown += cell("th", c, columns_[c].title);
   shown += "</tr>\n";
   for (const auto& row : rows_) {
@@ -71,7 +71,7 @@ std::string Table::html() const {
     for (std::size_t c = 0; c < columns_.size(); ++c) shown += cell("td", c, row[c]);
     shown += "</tr>\n";
   }
-  return shown + "</table>\n";
+  return shown + "</table></div>\n";
 }
 
 std::string fixed(double number, int digits) {

@@ -31,6 +31,7 @@ class Table {
   std::string text() const;
   /// RFC 4180, "\n" at the ends.
   std::string csv() const;
+  /// In a box of the class `wide`, which scrolls where the page is narrower.
   std::string html() const;
 
  private:

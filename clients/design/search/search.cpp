@@ -9,23 +9,36 @@
 #include "clients/design/ball_numbers.h"
 #include "clients/design/search/pull.h"
 #include "clients/design/search/workers.h"
+#include "clients/design/study.h"
 #include "model/magnets/electromagnet.h"
 
 namespace hedgehog::design {
 namespace {
 
-/// One design's numbers, of the class that counts.
+/// Where a pin is without current, and how far it moves from there.
 struct Reach {
+  std::size_t pins = 0;
   double rest_mm = 0.0;
   double extension_mm = 0.0;
 };
 
-/// Rest and extension of every class; nothing when a demand is not met.
+/// The median by rest.
+Reach median_of(std::vector<Reach> classes) {
+  std::sort(classes.begin(), classes.end(),
+            [](const Reach& a, const Reach& b) { return a.rest_mm < b.rest_mm; });
+  std::size_t pins = 0;
+  for (const Reach& one : classes) pins += one.pins;
+  std::size_t before = 0;
+  for (const Reach& one : classes)
+    if ((before += one.pins) > (pins - 1) / 2) return one;
+  return {};
+}
+
+/// Rest and extension of the typical pin; nothing when a demand is not met.
 std::optional<Reach> reach_of(const std::vector<model::PinClass>& classes,
                               const std::vector<Pull>& pulls, double diameter_mm,
                               double coil_force_n, const Demands& demands) {
-  Reach commonest;
-  std::size_t most = 0;
+  std::vector<Reach> reached;
   const auto moved_of = [&](const std::vector<double>& force_n) {
     const double moved_mm = falls_through(force_n, -coil_force_n);
     return std::isnan(falls_through(force_n, 0.0)) || moved_mm > demands.travel_mm ? std::nan("")
@@ -35,16 +48,15 @@ std::optional<Reach> reach_of(const std::vector<model::PinClass>& classes,
     // With weaker shields a pin rests farther out and moves farther: that decides.
     if (std::isnan(moved_of(pulls[c].force_n(diameter_mm, 1.0 - demands.margin)))) return {};
     const std::vector<double> force_n = pulls[c].force_n(diameter_mm, 1.0);
-    const double rest_mm = falls_through(force_n, 0.0);
+    const double zero_mm = falls_through(force_n, 0.0);
     const double moved_mm = moved_of(force_n);
-    if (std::isnan(rest_mm) || std::isnan(moved_mm)) return {};
-    if (classes[c].pins.size() > most) {
-      most = classes[c].pins.size();
-      commonest = {rest_mm, moved_mm - std::max(rest_mm, 0.0)};
-    }
+    if (std::isnan(zero_mm) || std::isnan(moved_mm)) return {};
+    // The shell stops it at 0.
+    const double rest_mm = std::max(zero_mm, 0.0);
+    reached.push_back({classes[c].pins.size(), rest_mm, std::max(moved_mm - rest_mm, 0.0)});
   }
-  return commonest.extension_mm >= demands.min_extension_mm ? std::optional(commonest)
-                                                            : std::nullopt;
+  const Reach typical = median_of(std::move(reached));
+  return typical.extension_mm >= demands.min_extension_mm ? std::optional(typical) : std::nullopt;
 }
 
 double nearest_shields_deg(const model::Arrangement& array) {
@@ -160,13 +172,14 @@ Search::Batch Search::look(const Job& job) const {
       design.coil_force_n = force_n;
       batch.found.push_back({design, job.array->opened.pins.size(),
                              job.array->opened.shields.size(), reach->rest_mm, reach->extension_mm,
-                             mass_g(job.array->opened, design.sizes()), outer_diameter_mm(design)});
+                             mass_of(job.array->opened, design).total_g(),
+                             outer_diameter_mm(design)});
     }
   }
   return batch;
 }
 
-bool Search::holds_opened(const Found& found) const {
+std::optional<Found> Search::opened(const Found& found) const {
   const auto array = std::find_if(arrays_.begin(), arrays_.end(), [&](const Array& one) {
     return one.opened.name == found.design.array;
   });
@@ -174,11 +187,17 @@ bool Search::holds_opened(const Found& found) const {
   std::vector<Pull> pulls;
   for (const model::PinClass& one : array->opened_classes)
     pulls.emplace_back(one, found.design.sizes(), std::vector{diameter_mm});
-  // How far the commonest move is asked of the whole array: opened, no class is the commonest.
-  Demands each = demands_;
-  each.min_extension_mm = 0.0;
-  return reach_of(array->opened_classes, pulls, diameter_mm, found.design.coil_force_n, each)
-      .has_value();
+  if (!reach_of(array->opened_classes, pulls, diameter_mm, found.design.coil_force_n, demands_))
+    return {};
+  // The figures that all verbs have of this ball.
+  const auto classes = study_classes(array->opened_classes, found.design);
+  const ClassStudy& typical = typical_of(classes);
+  if (!typical.rest_mm() || !typical.extension_mm()) return {};
+  Found built = found;
+  built.rest_mm = *typical.rest_mm();
+  built.extension_mm = *typical.extension_mm();
+  built.wall_mm = thinnest_wall(casing_of(found.design, array->opened), array->opened).mm;
+  return built;
 }
 
 SearchOutcome Search::run(int threads, const Progress& progress) const {
@@ -199,11 +218,11 @@ SearchOutcome Search::run(int threads, const Progress& progress) const {
   }
   outcome.feasible = found.size();
   auto checked = checked_front(std::move(found), [&](const std::vector<Found>& some) {
-    std::vector<char> stays(some.size(), 0);
+    std::vector<std::optional<Found>> built(some.size());
     work_through(
-        some.size(), threads, [&](std::size_t k) { stays[k] = holds_opened(some[k]) ? 1 : 0; },
+        some.size(), threads, [&](std::size_t k) { built[k] = opened(some[k]); },
         [&](std::size_t) { progress(outcome.looked_at); });
-    return stays;
+    return built;
   });
   outcome.front = std::move(checked.front);
   outcome.refused_when_opened = checked.refused;

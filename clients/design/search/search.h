@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "clients/design/search/space.h"
@@ -63,8 +64,9 @@ class Search {
   Search(SearchSpace space, const Demands& demands) : space_(std::move(space)), demands_(demands) {}
   std::vector<Job> jobs() const;
   Batch look(const Job& job) const;
-  /// The ball as it would be built does what is demanded of each pin.
-  bool holds_opened(const Found& found) const;
+  /// The ball as it would be built, with its own figures; nothing when one of its pins does not do
+  /// what is demanded.
+  std::optional<Found> opened(const Found& found) const;
   bool fits(const Job& job, double diameter_mm) const;
   std::vector<double> coil_forces_n(const Job& job) const;
 

@@ -48,28 +48,33 @@ CheckedFront checked_front(std::vector<Found> found, const Check& check) {
   // In this order nothing is dominated by what comes after it, but for ties in the first number.
   std::sort(found.begin(), found.end(),
             [](const Found& a, const Found& b) { return rank(a) < rank(b); });
-  enum class Standing : char { kNotAsked, kStays, kRefused };
-  std::vector<Standing> standing(found.size(), Standing::kNotAsked);
+  enum class Answer : char { kNotAsked, kStays, kRefused };
+  std::vector<Answer> answers(found.size(), Answer::kNotAsked);
   CheckedFront checked;
   while (true) {
     const std::vector<std::size_t> front =
-        front_of(found, [&](std::size_t i) { return standing[i] == Standing::kRefused; });
+        front_of(found, [&](std::size_t i) { return answers[i] == Answer::kRefused; });
     std::vector<std::size_t> asked;
     std::vector<Found> some;
     for (const std::size_t i : front) {
-      if (standing[i] != Standing::kNotAsked) continue;
+      if (answers[i] != Answer::kNotAsked) continue;
       asked.push_back(i);
       some.push_back(found[i]);
     }
-    const std::vector<char> stays = check(some);
-    const std::size_t refused_before = checked.refused;
-    for (std::size_t i = 0; i < asked.size(); ++i) {
-      standing[asked[i]] = stays[i] != 0 ? Standing::kStays : Standing::kRefused;
-      if (stays[i] == 0) ++checked.refused;
+    if (asked.empty()) {
+      for (const std::size_t i : front) checked.front.push_back(std::move(found[i]));
+      std::sort(checked.front.begin(), checked.front.end(),
+                [](const Found& a, const Found& b) { return rank(a) < rank(b); });
+      return checked;
     }
-    if (checked.refused > refused_before) continue;
-    for (const std::size_t i : front) checked.front.push_back(std::move(found[i]));
-    return checked;
+    const std::vector<std::optional<Found>> built = check(some);
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+      answers[asked[i]] = built[i] ? Answer::kStays : Answer::kRefused;
+      if (built[i])
+        found[asked[i]] = *built[i];
+      else
+        ++checked.refused;
+    }
   }
 }
 

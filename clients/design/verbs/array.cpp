@@ -38,12 +38,15 @@ std::string magnet_name(model::MagnetKind kind, int id) {
 }  // namespace
 
 std::string array_json(const Design& design, const model::Arrangement& array) {
+  const BallMass mass = mass_of(array, design);
   Json root{{"array", array.name},
             {"pins", array.pins.size()},
             {"shields", array.shields.size()},
             {"sphere_mm", design.sphere_mm},
             {"outer_diameter_mm", outer_diameter_mm(design)},
-            {"mass_g", mass_g(array, design.sizes())}};
+            {"mass_g", mass.total_g()},
+            {"casing_g", mass.casing_g},
+            {"wall_mm", thinnest_wall(casing_of(design, array), array).mm}};
   for (const model::MagnetGap& gap : model::smallest_gaps(array, design.sizes())) {
     root["gaps"].push_back(
         {{"between", {magnet_name(gap.kind_a, gap.id_a), magnet_name(gap.kind_b, gap.id_b)}},
@@ -63,21 +66,23 @@ std::string array_json(const Design& design, const model::Arrangement& array) {
 namespace {
 
 void print_text(const Design& design, const model::Arrangement& array, std::ostream& out) {
+  const BallMass mass = mass_of(array, design);
   out << "  " << to_text(design) << "\n"
       << "  " << array.pins.size() << " pins, " << array.shields.size() << " shields, outside "
-      << fixed(outer_diameter_mm(design), 1) << " mm across, "
-      << fixed(mass_g(array, design.sizes()) / 1000.0, 2) << " kg before plastic\n\n";
+      << fixed(outer_diameter_mm(design), 1) << " mm across, " << fixed(mass.total_g() / 1000.0, 2)
+      << " kg,\n  of it the casing " << fixed(mass.casing_g / 1000.0, 2)
+      << " kg when printed solid in PLA\n\n";
   Table gaps({{"nearest", "nearest", true},
               {"", "other", true},
-              {"angle °", "angle_deg"},
+              {"angle deg", "angle_deg"},
               {"gap mm", "gap_mm"}});
   for (const model::MagnetGap& gap : model::smallest_gaps(array, design.sizes())) {
     gaps.add({magnet_name(gap.kind_a, gap.id_a), magnet_name(gap.kind_b, gap.id_b),
               fixed(gap.angle_deg, 4), fixed(gap.gap_mm, 2)});
   }
   Table classes({{"class", "class", true},
-                 {"nearest shield °", "nearest_shield_deg"},
-                 {"nearest pin °", "nearest_pin_deg"},
+                 {"nearest shield deg", "nearest_shield_deg"},
+                 {"nearest pin deg", "nearest_pin_deg"},
                  {"pins", "pins", true}});
   for (const model::PinClass& one : model::symmetry_classes(array)) {
     classes.add({std::to_string(one.pins.size()) + (one.pins.size() == 1 ? " pin" : " pins"),

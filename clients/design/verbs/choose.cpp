@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "clients/common/text.h"
+#include "clients/design/casing/casing.h"
 #include "clients/design/input/design_file.h"
 #include "clients/design/output/table.h"
 #include "clients/design/output/tool.h"
@@ -87,13 +88,15 @@ Table table_of(const std::vector<Found>& front, std::size_t most) {
                {"coil N", "coil_force_n"},
                {"rest", "rest_mm"},
                {"moves", "extension_mm"},
+               {"wall", "wall_mm"},
                {"kg", "mass_kg"}});
   for (std::size_t i = 0; i < std::min(most, front.size()); ++i) {
     const Found& one = front[i];
     table.add({one.design.array, std::to_string(one.pins), to_text(one.design.magnet),
                to_text(one.design.shield), to_text(one.design.sphere_mm),
                fixed(one.outer_diameter_mm, 1), fixed(one.design.coil_force_n, 3),
-               fixed(one.rest_mm, 2), fixed(one.extension_mm, 3), fixed(one.mass_g / 1000.0, 3)});
+               fixed(one.rest_mm, 2), fixed(one.extension_mm, 3), fixed(one.wall_mm, 2),
+               fixed(one.mass_g / 1000.0, 3)});
   }
   return table;
 }
@@ -115,6 +118,7 @@ Json json_of(const SearchOutcome& outcome) {
                              {"coil_force_n", one.design.coil_force_n},
                              {"rest_mm", one.rest_mm},
                              {"extension_mm", one.extension_mm},
+                             {"wall_mm", one.wall_mm},
                              {"mass_g", one.mass_g}});
   }
   root["best"] = outcome.front.empty() ? Json(nullptr) : root["front"].front();
@@ -131,7 +135,7 @@ std::string summary(const Found& best) {
 Picture picture_of(const std::vector<Found>& front) {
   Panel panel{"Designs that no other beats in pins, movement, mass and size",
               "outer diameter (mm)",
-              "extension of the commonest pins (mm)",
+              "extension of the typical pin (mm)",
               {},
               {},
               {0, 0},
@@ -185,7 +189,8 @@ void print_text(const SearchOutcome& outcome, double seconds, const ChooseOption
       << fixed(seconds, 1) << " s\n";
   if (outcome.refused_when_opened > 0) {
     out << "  " << outcome.refused_when_opened
-        << " more were, but for pins at the fan's opening that are not held\n";
+        << " more were, but with the fan's opening a pin is not held or the typical one moves too "
+           "little\n";
   }
   if (outcome.front.empty()) {
     out << "  none does what is asked; weaker demands: --least-extension, --margin, --wall\n";
@@ -196,13 +201,24 @@ void print_text(const SearchOutcome& outcome, double seconds, const ChooseOption
     out << "  and " << outcome.front.size() - kShownRows << " more: --csv or --json lists them\n";
   out << "\n"
       << client::wrapped(
-             "rest and moves: of the commonest pins of the whole array, which move from the shell "
-             "on if "
-             "they rest below it; the fan's opening changes each by some hundredths (stability "
-             "tells)",
+             "rest and moves: of the typical pin, the one with the median rest; 0 is the shell "
+             "(stability tells of every pin)",
              78, 2);
   out << "\n  " << (options.save.empty() ? std::string("best") : options.save) << ": "
       << summary(outcome.front.front()) << "\n";
+  const Found& best = outcome.front.front();
+  if (best.wall_mm >= kNozzleMm) return;
+  // The clearance around both magnets comes off what is between them, and some hundredths at the
+  // cavities' mouths.
+  constexpr double kMouthsMm = 0.1;
+  const double wanted_mm = kNozzleMm + 2.0 * kUsualClearanceMm + kMouthsMm;
+  out << client::wrapped("its casing has walls of " + fixed(best.wall_mm, 2) + " mm at the usual " +
+                             to_text(kUsualClearanceMm) +
+                             " mm around a magnet, and a common nozzle prints " +
+                             to_text(kNozzleMm) + " mm: --wall " + fixed(wanted_mm, 1) +
+                             " finds balls that can be printed so, export --clearance 0.05 "
+                             "leaves this one thicker walls",
+                         78, 2);
 }
 
 }  // namespace

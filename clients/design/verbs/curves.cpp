@@ -18,8 +18,12 @@ Json class_json(const ClassStudy& one, const model::ForceCurve& curve) {
   return {{"size", one.size()},
           {"pins", one.pins().pins},
           {"stable", character.stable()},
-          {"rest_mm", or_none(character.rest_mm)},
-          {"extension_mm", or_none(one.extension_mm)},
+          {"state", name_of(one.standing())},
+          {"rest_mm", or_none(one.rest_mm())},
+          {"preload_n", character.preload_n()},
+          {"extension_mm", or_none(one.extension_mm())},
+          {"zero_mm", or_none(character.rest_mm)},
+          {"crossings_mm", or_none(one.crossings_mm)},
           {"unstable_mm", or_none(character.unstable_mm)},
           {"stiffness_n_mm", character.stiffness_n_mm},
           {"minimum_n", character.minimum_n},
@@ -70,9 +74,10 @@ std::string text_of(const std::vector<Study>& studies) {
                {"F(0) N", "force_n"},
                {"least N", "minimum_n"},
                {"at mm", "minimum_mm"},
-               {"rest mm", "rest_mm"},
+               {"zero mm", "zero_mm"},
                {"N/mm", "stiffness_n_mm"},
-               {"extension mm", "extension_mm"}});
+               {"rest mm", "rest_mm"},
+               {"moves mm", "extension_mm"}});
   const auto shown = [](const std::optional<double>& number) { return fixed(or_none(number), 3); };
   for (const Study& study : studies) {
     for (const ClassStudy& one : study.classes()) {
@@ -80,7 +85,7 @@ std::string text_of(const std::vector<Study>& studies) {
       table.add({study.arrangement().name, to_text(study.design().shield), one.name(),
                  fixed(one.force.at(0.0).force_n, 4), fixed(c.minimum_n, 4), fixed(c.minimum_mm, 2),
                  shown(c.rest_mm), c.stable() ? fixed(c.stiffness_n_mm, 3) : "none",
-                 shown(one.extension_mm)});
+                 shown(one.rest_mm()), shown(one.extension_mm())});
     }
   }
   return table.text();
@@ -91,9 +96,9 @@ std::string legend(const ClassStudy& one, const std::string& array, bool few) {
   std::string text = one.name();
   if (!few)
     text += " (" + std::to_string(one.pins().pins.front()) + (one.size() > 1 ? ", …)" : ")");
-  if (!one.character.stable()) return text + ": no rest";
-  text += ": rest " + fixed(*one.character.rest_mm, 2) + ", ";
-  text += one.extension_mm ? "moves " + fixed(*one.extension_mm, 2) + " mm" : "not held";
+  if (!one.character.stable()) return text + ": no zero";
+  text += ": zero at " + fixed(*one.character.rest_mm, 2) + ", ";
+  text += one.crossings_mm ? fixed(*one.crossings_mm, 2) + " mm more when pushed" : "not held";
   const auto printed = thesis_extension_mm(array, one.size());
   return printed ? text + " (thesis " + fixed(*printed, 1) + ")" : text;
 }
@@ -144,6 +149,25 @@ Panel panel_of(const Study& study, const model::OffsetGrid& grid) {
   return panel;
 }
 
+/// Nothing when nothing is asked; equal ends for "own".
+Result<std::optional<Point>> forces_of(const std::string& typed) {
+  if (typed.empty()) return std::optional<Point>();
+  if (typed == "own") return std::optional(Point{});
+  const Problem problem{kUsage,
+                        "--forces: '" + typed + "' is neither own nor a range such as -2..6"};
+  const std::size_t dots = typed.find("..");
+  if (dots == std::string::npos) return problem;
+  const auto end = [](const std::string& text) {
+    return parse_range(text, 1.0, -1000.0, 1000.0, "--forces");
+  };
+  const auto first = end(typed.substr(0, dots));
+  const auto last = end(typed.substr(dots + 2));
+  if (!first) return first.error();
+  if (!last) return last.error();
+  if (first->size() != 1 || last->size() != 1 || first->front() >= last->front()) return problem;
+  return std::optional(Point{first->front(), last->front()});
+}
+
 }  // namespace
 
 Result<std::vector<Study>> figure_210(const Design& design) {
@@ -161,7 +185,8 @@ Result<std::vector<Study>> figure_210(const Design& design) {
   return studies;
 }
 
-Picture curves_picture(const std::vector<Study>& studies, const model::OffsetGrid& grid) {
+Picture curves_picture(const std::vector<Study>& studies, const model::OffsetGrid& grid,
+                       std::optional<Point> forces_n) {
   Picture picture;
   picture.columns = studies.size() > 1 ? 2 : 1;
   const bool figure = studies.size() > 1 &&
@@ -170,7 +195,13 @@ Picture curves_picture(const std::vector<Study>& studies, const model::OffsetGri
   picture.title = std::string("Force on a pin that alone is moved") +
                   (figure ? " (thesis Fig. 2.10), " : ", ") +
                   std::string(model::name_of(studies.front().design().settings.model)) + " model";
-  for (const Study& study : studies) picture.panels.push_back(panel_of(study, grid));
+  const bool as_thesis = !forces_n && studies.size() > 1;
+  for (const Study& study : studies) {
+    Panel panel = panel_of(study, grid);
+    panel.y_range = as_thesis ? kThesisForcesN : forces_n.value_or(Point{});
+    panel.y_tick = as_thesis ? kThesisForceTickN : 0.0;
+    picture.panels.push_back(std::move(panel));
+  }
   return picture;
 }
 
@@ -180,8 +211,15 @@ Result<void> run_curves(const CurvesOptions& options, const Screen& screen) {
   if (offsets->size() < 2)
     return Problem{kUsage, "--offsets: must be a range such as -2.5..12.5/0.5"};
   const model::OffsetGrid grid{offsets->front(), offsets->back(), (*offsets)[1] - (*offsets)[0]};
+  const auto forces = forces_of(options.forces);
+  if (!forces) return forces.error();
   const auto design = design_from(options.design);
   if (!design) return design.error();
+  if (grid.first_mm <= -design->sphere_mm) {
+    return Problem{kUsage, "--offsets: " + to_text(grid.first_mm) +
+                               " mm is beyond the centre of a sphere of " +
+                               to_text(design->sphere_mm) + " mm"};
+  }
   const bool figure = options.design.names_no_array() && !options.design.shield;
   std::vector<Study> studies;
   if (figure) {
@@ -193,7 +231,7 @@ Result<void> run_curves(const CurvesOptions& options, const Screen& screen) {
     if (!one) return one.error();
     studies.push_back(std::move(*one));
   }
-  const auto drawn = draw(curves_picture(studies, grid), options.pictures);
+  const auto drawn = draw(curves_picture(studies, grid, *forces), options.pictures);
   if (!drawn) return drawn.error();
   if (screen.format == Format::kCsv) {
     screen.out << csv_of(studies, grid);

@@ -2,6 +2,9 @@
 // The six panels of thesis Fig. 2.10, or those of one design.
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "clients/design/output/picture.h"
 #include "clients/design/study.h"
 
@@ -10,7 +13,15 @@ namespace hedgehog::design {
 /// cD, wD and tkD with shields of 3 and of 4 mm, otherwise as `design`.
 Result<std::vector<Study>> figure_210(const Design& design);
 
-/// A panel each, with the coil's force and the thesis' values marked.
-Picture curves_picture(const std::vector<Study>& studies, const model::OffsetGrid& grid);
+/// The force axis of thesis Fig. 2.10, N: its numbers are -2, 0, 2, 4 and 6, and the strongest pull
+/// of its curves, tkD's pentagons, is computed to be 2.96 N.
+inline constexpr Point kThesisForcesN{-3.0, 6.0};
+inline constexpr double kThesisForceTickN = 2.0;
+
+/// A panel each, with the coil's force and the thesis' values marked. `forces_n`: the force axis of
+/// all panels; nothing: the thesis' where there are several panels, each panel's own where not.
+/// Equal ends: each panel's own.
+Picture curves_picture(const std::vector<Study>& studies, const model::OffsetGrid& grid,
+                       std::optional<Point> forces_n = {});
 
 }  // namespace hedgehog::design

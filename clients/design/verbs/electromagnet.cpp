@@ -18,13 +18,20 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kShownPins = 12;
 
 Json json_of(const CoilStudy& coil) {
-  Json root{{"pin", coil.pin}, {"class_size", coil.class_size}};
+  const auto calibration_json = [](double force_n, const model::Stroke& stroke) {
+    return Json{{"force_n", force_n},
+                {"extension_mm", stroke.extension_mm},
+                {"at_casing", stroke.at_casing}};
+  };
+  Json root{{"pin", coil.pin},
+            {"class_size", coil.class_size},
+            {"rest_mm", coil.rest_mm},
+            {"preload_n", coil.preload_n}};
   for (const CoilRow& row : coil.rows) {
     root["currents"].push_back(
         {{"current_a", row.current_a},
-         {"fea", {{"force_n", row.fea_force_n}, {"extension_mm", or_none(row.fea_mm)}}},
-         {"measured",
-          {{"force_n", row.measured_force_n}, {"extension_mm", or_none(row.measured_mm)}}}});
+         {"fea", calibration_json(row.fea_force_n, row.fea)},
+         {"measured", calibration_json(row.measured_force_n, row.measured)}});
   }
   root["spread"] = Json::array();
   for (const model::Activation& one : coil.spread) {
@@ -39,20 +46,19 @@ Json json_of(const CoilStudy& coil) {
 
 void print_text(const Study& study, const CoilStudy& coil, std::ostream& out) {
   out << "  aimed at pin " << coil.pin << " (class of " << coil.class_size << ") of "
-      << to_text(study.design()) << "\n\n"
+      << to_text(study.design()) << "\n  " << standing_text(coil) << "\n\n"
       << coil_table(coil).text() << "\n";
   const double travel_mm = model::PinTravel{}.highest_mm;
-  if (std::any_of(coil.rows.begin(), coil.rows.end(), [&](const CoilRow& row) {
-        return row.fea_mm.value_or(0.0) > travel_mm || row.measured_mm.value_or(0.0) > travel_mm;
-      }))
-    out << "  the casing stops a pin after " << to_text(travel_mm) << " mm\n\n";
+  if (std::any_of(coil.rows.begin(), coil.rows.end(),
+                  [](const CoilRow& row) { return row.fea.at_casing || row.measured.at_casing; }))
+    out << "  the casing stops the pin " << to_text(travel_mm) << " mm outside the sphere\n\n";
   out << client::wrapped(
-             "simulated: 0.4 N at 15 A on the thesis' pin (Fig. 2.9); measured: 0.0126 N/A (Table "
-             "3.1). The"
-             " thesis' two electromagnets differ by 2.1; its ball reached 0.5 mm at 15 A.",
+             "N: on the pin at its rest. Simulated: 0.4 N at 15 A on the thesis' pin on the sphere "
+             "(Fig. 2.9); measured: 0.0126 N/A on it at its rest (Table 3.1). The thesis' two "
+             "electromagnets differ by 2; its ball reached 0.5 mm at 15 A.",
              78, 2)
       << "\n  while it is aimed at pin " << coil.pin << ", the others get:\n\n";
-  Table spread({{"pin", "pin"}, {"angle °", "angle_deg"}, {"part of the force", "fraction"}});
+  Table spread({{"pin", "pin"}, {"angle deg", "angle_deg"}, {"part of the force", "fraction"}});
   for (std::size_t i = 0; i < std::min(kShownPins, coil.spread.size()); ++i) {
     const model::Activation& one = coil.spread[i];
     spread.add(
@@ -84,30 +90,27 @@ std::size_t CoilStudy::pins_pulled_in() const noexcept {
 Result<CoilStudy> study_coil(const Study& study, std::optional<int> pin,
                              const std::vector<double>& currents_a) {
   CoilStudy coil;
-  coil.pin = pin.value_or(study.commonest().pins().pins.front());
+  coil.pin = pin.value_or(study.typical().pins().pins.front());
   const ClassStudy* one = study.class_of(coil.pin);
   if (one == nullptr) return Problem{kUsage, "--pin: there is no pin " + std::to_string(coil.pin)};
-  if (!one->character.stable()) {
-    return Problem{kBadData, "pin " + std::to_string(coil.pin) +
-                                 (one->standing() == Standing::kPressed
-                                      ? " has no rest: it is pressed onto the shell with " +
-                                            fixed(-one->force.at(0.0).force_n, 2) + " N"
-                                      : std::string(" has no rest: nothing draws it back"))};
+  if (one->standing() == Standing::kPushedOut) {
+    return Problem{kBadData,
+                   "pin " + std::to_string(coil.pin) + " has no rest: nothing draws it back"};
   }
   coil.class_size = one->size();
-  const auto sizes = study.design().sizes();
-  const double rest_mm = *one->character.rest_mm;
+  coil.rest_mm = *one->rest_mm();
+  coil.preload_n = one->character.preload_n();
   const auto push = [&](const model::Electromagnet& magnet, double current_a, double& force_n,
-                        std::optional<double>& out_mm) {
-    force_n =
-        model::coil_force_n(magnet, current_a, sizes.pin, sizes.sphere_radius_mm, 0.0, rest_mm);
-    out_mm = model::extension_mm(one->force, one->character, magnet, current_a);
+                        model::Stroke& moved) {
+    const model::Push push_n = model::coil_push(magnet, current_a, study.design().sizes());
+    force_n = push_n(coil.rest_mm);
+    moved = *model::stroke(one->force, one->character, push_n);
   };
   for (const double current_a : currents_a) {
     CoilRow row;
     row.current_a = current_a;
-    push(model::fea_electromagnet(), current_a, row.fea_force_n, row.fea_mm);
-    push(model::measured_electromagnet(), current_a, row.measured_force_n, row.measured_mm);
+    push(model::fea_electromagnet(), current_a, row.fea_force_n, row.fea);
+    push(model::measured_electromagnet(), current_a, row.measured_force_n, row.measured);
     coil.rows.push_back(row);
   }
   coil.spread = model::activation_spread(study.arrangement(), coil.pin);
@@ -121,10 +124,16 @@ Table coil_table(const CoilStudy& coil) {
                {"measured N", "measured_force_n"},
                {"moves mm", "measured_extension_mm"}});
   for (const CoilRow& row : coil.rows) {
-    table.add({to_text(row.current_a), fixed(row.fea_force_n, 3), fixed(or_none(row.fea_mm), 3),
-               fixed(row.measured_force_n, 3), fixed(or_none(row.measured_mm), 3)});
+    table.add({to_text(row.current_a), fixed(row.fea_force_n, 3), fixed(row.fea.extension_mm, 3),
+               fixed(row.measured_force_n, 3), fixed(row.measured.extension_mm, 3)});
   }
   return table;
+}
+
+std::string standing_text(const CoilStudy& coil) {
+  if (coil.preload_n <= 0.0) return "it rests " + fixed(coil.rest_mm, 3) + " mm outside the sphere";
+  return "it is pressed onto the shell with " + fixed(coil.preload_n, 3) +
+         " N, below which no push moves it";
 }
 
 Result<Picture> coil_picture(const Study& study, int pin, double max_a) {
@@ -139,8 +148,8 @@ Result<Picture> coil_picture(const Study& study, int pin, double max_a) {
   for (const CoilRow& row : coil->rows) {
     fea_force.push_back({row.current_a, row.fea_force_n});
     measured_force.push_back({row.current_a, row.measured_force_n});
-    if (row.fea_mm) fea_mm.push_back({row.current_a, *row.fea_mm});
-    if (row.measured_mm) measured_mm.push_back({row.current_a, *row.measured_mm});
+    fea_mm.push_back({row.current_a, row.fea.extension_mm});
+    measured_mm.push_back({row.current_a, row.measured.extension_mm});
   }
   const std::string aimed =
       "pin " + std::to_string(pin) + ", class of " + std::to_string(coil->class_size);

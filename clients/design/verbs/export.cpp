@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "clients/common/text.h"
 #include "clients/design/casing/casing.h"
 #include "clients/design/device_file.h"
 #include "clients/design/input/design_file.h"
@@ -38,20 +39,16 @@ Result<void> deliver(const std::string& file, const std::string& content, const 
   return {};
 }
 
-Result<Casing> casing_of(const ExportOptions& options, const Design& design,
-                         const model::Arrangement& array) {
+Result<Casing> asked_casing(const ExportOptions& options, const Design& design,
+                            const model::Arrangement& array) {
   if (options.facets < 8 || options.facets > 64 || options.facets % 4 != 0)
     return Problem{kUsage, "--facets: must be 8 to 64, a multiple of 4"};
-  if (!(options.clearance_mm >= 0.0 && options.clearance_mm <= 2.0))
+  if (const auto asked_mm = options.clearance_mm;
+      asked_mm && !(*asked_mm >= 0.0 && *asked_mm <= 2.0))
     return Problem{kUsage, "--clearance: must be from 0 to 2 mm"};
-  Casing casing;
-  casing.sphere_mm = design.sphere_mm;
-  casing.pin = design.magnet;
-  casing.shield = design.shield;
-  casing.clearance_mm = options.clearance_mm;
+  Casing casing = casing_of(design, array);
   casing.facets = options.facets;
-  for (const auto& site : array.pins) casing.pins.push_back(site.direction);
-  for (const auto& site : array.shields) casing.shields.push_back(site.direction);
+  casing.clearance_mm = options.clearance_mm.value_or(widest_clearance_mm(casing, array));
   const double widest_mm = widest_fan_mm(casing);
   casing.fan_mm = options.fan_mm.value_or(widest_mm);
   if (!(casing.fan_mm >= 0.0 && casing.fan_mm <= widest_mm)) {
@@ -89,7 +86,7 @@ Result<void> render_halves(const std::string& scad, const std::string& folder,
 
 Result<void> write_casing(const ExportOptions& options, const Design& design,
                           const model::Arrangement& array, const Screen& screen) {
-  const auto casing = casing_of(options, design, array);
+  const auto casing = asked_casing(options, design, array);
   if (!casing) return casing.error();
   const std::string text = openscad_text(
       *casing, {"Casing of a Hedgehog ball in two halves: " + to_text(design),
@@ -110,7 +107,15 @@ Result<void> write_casing(const ExportOptions& options, const Design& design,
     if (error) return Problem{kCannotCreate, options.stl + " cannot be made: " + error.message()};
   }
   const Wall wall = thinnest_wall(*casing, array);
-  screen.err << "  thinnest wall " << fixed(wall.mm, 2) << " mm, between " << wall.between << "\n";
+  screen.err << "  thinnest wall " << fixed(wall.mm, 2) << " mm, between " << wall.between
+             << "; clearance " << to_text(casing->clearance_mm) << " mm around a magnet\n";
+  if (wall.mm < kNozzleMm) {
+    screen.err << client::wrapped(
+        "a common nozzle prints lines of " + to_text(kNozzleMm) +
+            " mm and leaves thinner walls out, so that cavities open into each other there: print "
+            "it in resin, or design thinner magnets or a larger sphere (choose --wall)",
+        78, 2);
+  }
   return options.stl.empty() ? Result<void>() : render_halves(scad, options.stl, screen);
 }
 

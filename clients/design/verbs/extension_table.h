@@ -14,8 +14,11 @@ struct ExtensionRow {
   std::string array;
   std::size_t faces = 0;
   std::size_t size = 0;
+  /// As all verbs have them: where the pin is without current, and how far it moves from there.
   std::optional<double> rest_mm;
   std::optional<double> extension_mm;
+  /// As the thesis counts: from zero crossing to crossing, through the shell too.
+  std::optional<double> crossings_mm;
   std::optional<double> thesis_mm;
   /// The printed value comes out, within `kPrintedToleranceMm`.
   bool reproduced = false;

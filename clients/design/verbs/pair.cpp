@@ -26,6 +26,11 @@ Result<void> run_pair(const PairOptions& options, const Screen& screen) {
     return Problem{kUsage, "--angle: must be from 0 to 180 degrees"};
   if (!(std::abs(options.offset_mm) <= 100.0))
     return Problem{kUsage, "--offset: must be from -100 to 100 mm"};
+  if (options.offset_mm <= -design->sphere_mm) {
+    return Problem{kUsage, "--offset: " + to_text(options.offset_mm) +
+                               " mm is beyond the centre of a sphere of " +
+                               to_text(design->sphere_mm) + " mm"};
+  }
   if (const auto problem = model::problem_with(design->sizes())) return Problem{kUsage, *problem};
   const model::MagnetPair pair = design->sizes().pin_and_shield();
   const model::PairPlace place{options.angle_deg, options.offset_mm, 0.0};

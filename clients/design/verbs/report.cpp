@@ -25,6 +25,7 @@ h1 { font-size: 1.6rem; } h2 { font-size: 1.2rem; margin-top: 2.5rem; }
 table { border-collapse: collapse; margin: 1rem 0; font-variant-numeric: tabular-nums; }
 th, td { padding: .25rem .8rem; text-align: right; border-bottom: 1px solid #ddd; }
 .l { text-align: left; } th { border-bottom: 2px solid #888; font-weight: 600; }
+.wide { overflow-x: auto; } h1, p { overflow-wrap: anywhere; }
 svg { width: 100%; height: auto; } .note { color: #555; max-width: 46rem; } .bad { color: #b00020; font-weight: 600; }
 </style>
 )";
@@ -47,8 +48,9 @@ Table numbers_of(const Study& study) {
              to_text(design.magnet) + " mm, " + to_text(design.shield) + " mm"});
   table.add({"sphere, outside", to_text(design.sphere_mm) + " mm radius, " +
                                     fixed(outer_diameter_mm(design), 1) + " mm across"});
-  table.add({"mass before plastic",
-             fixed(mass_g(study.arrangement(), design.sizes()) / 1000.0, 2) + " kg"});
+  const BallMass mass = mass_of(study.arrangement(), design);
+  table.add({"mass", fixed(mass.total_g() / 1000.0, 2) + " kg, of it the casing " +
+                         fixed(mass.casing_g / 1000.0, 2) + " kg when printed solid in PLA"});
   table.add({"coil force", to_text(design.coil_force_n) + " N"});
   for (const model::MagnetGap& gap : model::smallest_gaps(study.arrangement(), design.sizes())) {
     table.add({"smallest gap " + std::string(model::name_of(gap.kind_a)) + " to " +
@@ -61,32 +63,35 @@ Table numbers_of(const Study& study) {
 std::string stability_html(const Study& study) {
   const std::vector<int> unstable = study.unstable_pins();
   std::string html = heading("Stability");
-  const std::vector<int> pressed = study.pins_that(Standing::kPressed);
-  if (!pressed.empty()) {
-    html +=
-        paragraph(std::to_string(pressed.size()) +
-                      " pins have no rest, they are pressed onto the shell: " + ids_text(pressed),
-                  "bad");
+  if (study.stable()) {
+    html += paragraph("Every pin rests: all " + std::to_string(study.arrangement().pins.size()) +
+                      " are stable.");
   }
-  html +=
-      unstable.empty() && pressed.empty()
-          ? paragraph("Every pin rests: all " + std::to_string(study.arrangement().pins.size()) +
-                      " are stable.")
-      : unstable.empty()
-          ? std::string()
-          : paragraph(std::to_string(unstable.size()) + " pins are unstable: " + ids_text(unstable),
+  if (!unstable.empty()) {
+    html += paragraph(std::to_string(unstable.size()) + " pins are unstable: " + ids_text(unstable),
                       "bad");
+  }
+  for (const bool with_zero : {true, false}) {
+    const std::vector<int> pressed = study.pressed_pins(with_zero);
+    if (pressed.empty()) continue;
+    html += paragraph(std::to_string(pressed.size()) + " pins are pressed onto the shell" +
+                          (with_zero ? ": " : " and have no rest, the shields are too strong: ") +
+                          ids_text(pressed),
+                      with_zero ? "note" : "bad");
+  }
   Table table({{"pins", "class_size"},
                {"rest mm", "rest_mm"},
+               {"pressed N", "preload_n"},
                {"stiffness N/mm", "stiffness_n_mm"},
                {"held up to N", "held_n"},
                {"moves mm", "extension_mm"},
                {"which", "pins", true}});
   for (const ClassStudy& one : study.classes()) {
     const auto& c = one.character;
-    table.add({std::to_string(one.size()), fixed(or_none(c.rest_mm), 3),
-               c.stable() ? fixed(c.stiffness_n_mm, 3) : "none", fixed(or_none(one.held_n()), 3),
-               fixed(or_none(one.extension_mm), 3), ids_text(one.pins().pins)});
+    table.add({std::to_string(one.size()), fixed(or_none(one.rest_mm()), 3),
+               fixed(c.preload_n(), 3), c.stable() ? fixed(c.stiffness_n_mm, 3) : "none",
+               fixed(or_none(one.held_n()), 3), fixed(or_none(one.extension_mm()), 3),
+               ids_text(one.pins().pins)});
   }
   return html + table.html();
 }
@@ -100,9 +105,9 @@ Result<std::string> coil_html(const Study& study) {
   const auto svg = draw_svg(*picture);
   if (!svg) return svg.error();
   html += paragraph(
-      "Simulated: 0.4 N at 15 A (thesis Fig. 2.9). Measured: 0.0126 N/A (Table 3.1). The two "
-      "differ by 2.1.");
-  return html + coil_table(*coil).html() + *svg +
+      "Simulated: 0.4 N at 15 A on the sphere (thesis Fig. 2.9). Measured: 0.0126 N/A on a pin at "
+      "its rest (Table 3.1). The two differ by 2.");
+  return html + paragraph(standing_text(*coil)) + coil_table(*coil).html() + *svg +
          paragraph("Aimed at pin " + std::to_string(coil->pin) + ", " +
                    std::to_string(coil->pins_above(0.9)) + " pins get 90 % of the force or more, " +
                    std::to_string(coil->pins_above(0.5)) + " half or more, " +

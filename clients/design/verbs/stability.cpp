@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "clients/common/text.h"
@@ -26,27 +27,23 @@ std::string state_of(const ClassStudy& one) {
     case Standing::kRests:
       return "stable";
     case Standing::kPressed:
-      return "pressed in";
+      return "on the shell, " + fixed(one.character.preload_n(), 2) + " N";
     case Standing::kPushedOut:
       break;
   }
   return "UNSTABLE";
 }
 
-/// How hard, N at the shell: the least and the most of all pins that are.
-std::string pressed_text(const Study& study) {
-  double lowest = 0.0;
+/// "0.19" or "0.19 to 0.21": how hard the pins on the shell are pressed onto it, N.
+std::string preloads_text(const Study& study, bool stable) {
+  double lowest = std::numeric_limits<double>::infinity();
   double most = 0.0;
   for (const ClassStudy& one : study.classes()) {
-    if (one.standing() != Standing::kPressed) continue;
-    const double pull_n = -one.force.at(0.0).force_n;
-    lowest = lowest == 0.0 ? pull_n : std::min(lowest, pull_n);
-    most = std::max(most, pull_n);
+    if (one.standing() != Standing::kPressed || one.character.stable() != stable) continue;
+    lowest = std::min(lowest, one.character.preload_n());
+    most = std::max(most, one.character.preload_n());
   }
-  const std::string range =
-      fixed(lowest, 2) + (most - lowest < 0.005 ? "" : " to " + fixed(most, 2));
-  return "pressed onto the shell with " + range +
-         " N and without a rest, the shields are too strong: ";
+  return fixed(lowest, 2) + (most - lowest < 0.005 ? "" : " to " + fixed(most, 2));
 }
 
 Table table_of(const Study& study) {
@@ -59,10 +56,10 @@ Table table_of(const Study& study) {
                {"pins", "pins", true}});
   for (const ClassStudy& one : study.classes()) {
     const bool stable = one.character.stable();
-    table.add({std::to_string(one.size()), fixed(or_none(one.character.rest_mm), 3),
+    table.add({std::to_string(one.size()), fixed(or_none(one.rest_mm()), 3),
                stable ? fixed(one.character.stiffness_n_mm, 3) : "none",
-               fixed(or_none(one.held_n()), 3), fixed(or_none(one.extension_mm), 3), state_of(one),
-               ids_text(one.pins().pins)});
+               fixed(or_none(one.held_n()), 3), fixed(or_none(one.extension_mm()), 3),
+               state_of(one), ids_text(one.pins().pins)});
   }
   return table;
 }
@@ -72,29 +69,36 @@ Json json_of(const Study& study,
   const std::vector<int> unstable = study.unstable_pins();
   const std::vector<int> pressed = study.pins_that(Standing::kPressed);
   const ClassStudy& weakest = weakest_of(study);
+  const ClassStudy& typical = study.typical();
   Json root{{"array", study.arrangement().name},
             {"pins", study.arrangement().pins.size()},
             {"shields", study.arrangement().shields.size()},
             {"coil_force_n", study.design().coil_force_n},
-            {"stable", unstable.empty() && pressed.empty()},
+            {"stable", study.stable()},
             {"unstable", unstable},
             {"pressed", pressed},
             {"weakest",
              {{"pin", weakest.pins().pins.front()},
               {"held_n", or_none(weakest.held_n())},
-              {"extension_mm", or_none(weakest.extension_mm)}}},
+              {"extension_mm", or_none(weakest.extension_mm())}}},
+            {"typical",
+             {{"pin", typical.pins().pins.front()},
+              {"rest_mm", or_none(typical.rest_mm())},
+              {"extension_mm", or_none(typical.extension_mm())}}},
             {"classes", Json::array()}};
   for (const ClassStudy& one : study.classes()) {
     root["classes"].push_back({{"size", one.size()},
                                {"pins", one.pins().pins},
                                {"stable", one.character.stable()},
                                {"state", name_of(one.standing())},
-                               {"rest_mm", or_none(one.character.rest_mm)},
+                               {"rest_mm", or_none(one.rest_mm())},
+                               {"zero_mm", or_none(one.character.rest_mm)},
+                               {"preload_n", one.character.preload_n()},
                                {"stiffness_n_mm", one.character.stiffness_n_mm},
                                {"held_n", or_none(one.held_n())},
                                {"minimum_n", one.character.minimum_n},
                                {"minimum_mm", one.character.minimum_mm},
-                               {"extension_mm", or_none(one.extension_mm)}});
+                               {"extension_mm", or_none(one.extension_mm())}});
   }
   if (!together) return root;
   if (*together) {
@@ -114,31 +118,31 @@ void print_text(const Study& study,
   const std::vector<int> unstable = study.unstable_pins();
   const std::size_t count = study.arrangement().pins.size();
   out << "  " << to_text(study.design()) << "; " << study.arrangement().shields.size()
-      << " shields\n  ";
-  const std::vector<int> pressed = study.pins_that(Standing::kPressed);
-  if (unstable.empty() && pressed.empty()) {
+      << " shields\n";
+  if (study.stable()) {
     const ClassStudy& weakest = weakest_of(study);
-    out << "all " << count << " pins stable; weakest: pin " << weakest.pins().pins.front()
+    out << "  all " << count << " pins stable; weakest: pin " << weakest.pins().pins.front()
         << ", held up to " << fixed(or_none(weakest.held_n()), 2) << " N";
-    out << (weakest.extension_mm ? ", " + fixed(*weakest.extension_mm, 2) + " mm" : ", expelled")
-        << " at " << to_text(study.design().coil_force_n) << " N\n\n";
-  } else {
-    std::string text;
-    if (!unstable.empty()) {
-      text += std::to_string(unstable.size()) + " of " + std::to_string(count) +
-              " pins UNSTABLE, nothing draws them back: " + ids_text(unstable);
-    }
-    if (!pressed.empty()) {
-      // The first line's blanks are there already.
-      text += (text.empty() ? "" : "\n  ") +
-              client::wrapped(std::to_string(pressed.size()) + " of " + std::to_string(count) +
-                                  " pins " + pressed_text(study) + ids_text(pressed),
-                              78, 2)
-                  .substr(2);
-      text.pop_back();
-    }
-    out << text << "\n\n";
+    out << (weakest.extension_mm() ? ", " + fixed(*weakest.extension_mm(), 2) + " mm"
+                                   : ", expelled")
+        << " at " << to_text(study.design().coil_force_n) << " N\n";
   }
+  if (!unstable.empty()) {
+    out << "  " << unstable.size() << " of " << count
+        << " pins UNSTABLE, nothing draws them back: " << ids_text(unstable) << "\n";
+  }
+  for (const bool stable : {true, false}) {
+    const std::vector<int> pressed = study.pressed_pins(stable);
+    if (pressed.empty()) continue;
+    out << client::wrapped(std::to_string(pressed.size()) + " of " + std::to_string(count) +
+                               " pins pressed onto the shell with " + preloads_text(study, stable) +
+                               " N" +
+                               (stable ? ", below which no push moves them: "
+                                       : " and without a rest, the shields are too strong: ") +
+                               ids_text(pressed),
+                           78, 2);
+  }
+  out << "\n";
   out << table_of(study).text();
   if (!together) return;
   if (!*together) {

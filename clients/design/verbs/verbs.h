@@ -32,6 +32,9 @@ Result<void> run_pair(const PairOptions& options, const Screen& screen);
 struct CurvesOptions {
   DesignFlags design;
   std::string offsets = "-2.5..12.5/0.5";
+  /// The force axis of a picture, FIRST..LAST in N, or "own": each panel as its data are. Empty:
+  /// the thesis' for its six panels, else "own".
+  std::string forces;
   PictureFiles pictures;
 };
 Result<void> run_curves(const CurvesOptions& options, const Screen& screen);
@@ -51,7 +54,7 @@ Result<void> run_stability(const StabilityOptions& options, const Screen& screen
 struct ElectromagnetOptions {
   DesignFlags design;
   std::string currents = "0..15/2.5";
-  /// The pin that is aimed at; none: the first of the commonest class.
+  /// The pin that is aimed at; none: the first of the typical pin's class.
   std::optional<int> pin;
   PictureFiles pictures;
 };
@@ -82,7 +85,8 @@ struct ExportOptions {
   std::string stl;
   std::string device;
   int facets = 16;
-  double clearance_mm = 0.15;
+  /// Nothing: as wide as the walls allow, at most 0.15 mm.
+  std::optional<double> clearance_mm;
   std::optional<double> fan_mm;
 };
 Result<void> run_export(const ExportOptions& options, const Screen& screen);
