@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Compiles the board core for a Cortex-M0+ with Debian's gcc, prints its size and its worst stack, and links the
-# vectors to DIRECTORY/vectors.elf. build.sh DIRECTORY. Exit: 0 built, 64 usage, 69 no compiler, else the compiler's.
+# vectors to the board core of the image, as firmware/build.sh has compiled it in DIRECTORY/board: DIRECTORY/vectors.elf.
+# build.sh DIRECTORY. Exit: 0 built, 64 usage, 66 no image, 69 no compiler, else the compiler's.
 set -eu
 
 [ $# -eq 1 ] || { echo "build.sh DIRECTORY" >&2; exit 64; }
@@ -18,18 +19,24 @@ compile() { # source, object, more options
     -Wno-sign-conversion -Wshadow -Werror -I. -c "$source" -o "$object" "$@"
 }
 
-rm -f "$out"/*.o "$out"/*.ci
+rm -rf "$out"/*.o "$out"/*.ci "$out/small"
+mkdir "$out/small"
+objects=
 for source in daemon/device/board_core/*.cpp; do
-  compile "$source" "$out/$(basename "$source" .cpp).o" -fcallgraph-info=su
+  name=$(basename "$source" .cpp).o
+  [ -e "$out/board/$name" ] || { echo "build.sh: no $out/board/$name (firmware/build.sh)" >&2; exit 66; }
+  compile "$source" "$out/small/$name" -fcallgraph-info=su
+  objects="$objects $out/board/$name"
 done
 echo "board core for Cortex-M0+, -Os:"
-arm-none-eabi-size -t "$out"/*.o | sed "s|$out/||"
+arm-none-eabi-size -t "$out"/small/*.o | sed "s|$out/small/||"
 # The deepest of the runtime's helpers, 64-bit division (100 bytes as disassembled), pushes less than this.
 awk -v roots='BoardCore7receive BoardCore4step BoardCore15write_telemetry board8measured board8pins_for' \
-  -v runtime=112 -f tests/firmware/worst_stack.awk "$out"/*.ci
+  -v runtime=112 -f tests/firmware/worst_stack.awk "$out"/small/*.ci
 
 compile tests/firmware/vectors.cpp "$out/vectors.o"
 # Flat registers and addresses are what start-up code is made of.
 compile tests/firmware/cortex_main.cpp "$out/cortex_main.o" -Wno-register -Wno-volatile -fno-tree-loop-distribute-patterns
+# shellcheck disable=SC2086
 arm-none-eabi-g++ -mcpu=cortex-m0plus -mthumb -nostdlib -Wl,--gc-sections -Wl,-T,tests/firmware/cortex.ld \
-  "$out"/*.o -lgcc -o "$out/vectors.elf"
+  "$out"/*.o $objects -lgcc -o "$out/vectors.elf"

@@ -49,6 +49,9 @@ class Noise {
   uint32_t state_;
 };
 
+/// Frames of telemetry that are in the hashes so far.
+uint32_t frames = 0;
+
 /// A host and a world for one board.
 struct Bench {
   BoardCore core;
@@ -93,6 +96,7 @@ struct Bench {
     for (unsigned i = 0; i < 4; ++i)
       telemetry[kFrameSize - 4 + i] = static_cast<uint8_t>(hash >> (8 * i));
     hash = crc32(telemetry, sizeof(telemetry));
+    ++frames;
   }
   void run(int ms) noexcept {
     for (int i = 0; i < ms; ++i) {
@@ -265,12 +269,14 @@ bool run_vectors(Say say) noexcept {
   faults(result);
   port(result, "port with CS", Wiring{});
   port(result, "port with shunts", reference_wiring());
-  for (uint32_t seed = 1; seed <= 3; ++seed) soup(result, seed, 40'000);
+  for (uint32_t seed = 1; seed <= 8; ++seed) soup(result, seed, 120'000);
   // Otherwise the soup was too thin to show anything.
   const bool rich = result.modes == 0xE && result.seen == 0x7FF;
   Line met;
   say(met.text("met: modes ").hex(result.modes, 1).text(" faults ").hex(result.seen, 4).end());
-  result.good = result.good && rich;
+  Line compared;
+  say(compared.text("frames: ").hex(frames).end());
+  result.good = result.good && rich && frames >= 1u << 20;
   return result.good;
 }
 

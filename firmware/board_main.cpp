@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// The firmware of the reference board: a loop of a millisecond, asleep in between.
+#include "daemon/device/board_core/board_core.h"
+#include "daemon/device/board_core/port.h"
+#include "firmware/boot_loader.h"
+#include "firmware/clocks.h"
+#include "firmware/flash_id.h"
+#include "firmware/pico_port.h"
+#include "firmware/registers.h"
+#include "firmware/tick.h"
+#include "firmware/usb_descriptors.h"
+#include "firmware/watchdog.h"
+
+namespace hedgehog::firmware {
+namespace {
+
+constexpr uint32_t kWakeups = kTimerInterrupt | kUsbInterrupt | kPinInterrupt;
+
+// Not on the stack, whose depth is that of the calls.
+constinit board::BoardCore core;
+constinit PicoPort port;
+
+void start_usb_serial() noexcept {
+  char serial[kSerialDigits + 1];
+  read_serial(serial);
+  set_serial(serial);
+}
+
+/// Until the next millisecond. Interrupts are masked: one that is pending ends the sleep (ARMv6-M
+/// Architecture Reference Manual, WFI), also one that came between the question and the sleep.
+void wait_for(Tick& tick) noexcept {
+  for (;;) {
+    reg(kNvicClearPending) = kWakeups;
+    port.poll();
+    if (tick.take()) return;
+    asm volatile("wfi");
+  }
+}
+
+}  // namespace
+
+extern "C" [[noreturn]] void board_main() {
+  start_clocks();
+  start_peripherals();
+  start_pins();
+  start_watchdog();
+  start_usb_serial();
+  port.start();
+  reg(kNvicEnable) = kWakeups;
+  Tick tick;
+  tick.start();
+  constexpr board::Wiring kWiring = pico_wiring();
+  for (;;) {
+    wait_for(tick);
+    port.convert();
+    board::board_millisecond(core, kWiring, port);
+    if (core.boot_loader_due()) enter_boot_loader();
+    if (core.set_point_age_ms() == 0) tick.follow(port.arrived_us());
+    feed_watchdog();
+  }
+}
+
+}  // namespace hedgehog::firmware

@@ -1,0 +1,46 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# The firmware of the reference board with Debian's gcc: DIRECTORY/hedgehog-board.uf2, .elf, .map, and its sizes and worst
+# stack. build.sh DIRECTORY FIRMWARE_IMAGE. Exit: 0 built, 64 usage, 69 no compiler, else the compiler's.
+set -eu
+
+[ $# -eq 2 ] || { echo "build.sh DIRECTORY FIRMWARE_IMAGE" >&2; exit 64; }
+mkdir -p "$1"
+out=$(cd "$1" && pwd)
+image=$(cd "$(dirname "$2")" && pwd)/$(basename "$2")
+cd "$(dirname -- "$0")/.."
+command -v arm-none-eabi-g++ >/dev/null || { echo "build.sh: no arm-none-eabi-g++ (gcc-arm-none-eabi)" >&2; exit 69; }
+
+export LC_ALL=C
+rm -rf "$out/board"
+mkdir -p "$out/board"
+objects=
+for source in daemon/device/board_core/*.cpp firmware/*.cpp; do
+  object=$out/board/$(basename "$source" .cpp).o
+  # The same bytes wherever it is built. Registers and addresses are what start-up code is made of.
+  (cd "$out/board" && arm-none-eabi-g++ -std=c++20 -mcpu=cortex-m0plus -mthumb -O2 -g -ffreestanding -nostdinc++ \
+    -fno-exceptions -fno-rtti -fno-threadsafe-statics -ffunction-sections -fdata-sections \
+    -fno-tree-loop-distribute-patterns "-ffile-prefix-map=$OLDPWD=." "-ffile-prefix-map=$out/board=." \
+    -fcallgraph-info=su -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion -Wshadow -Werror "-I$OLDPWD" \
+    -c "$OLDPWD/$source" -o "$(basename "$object")")
+  objects="$objects $(basename "$object")"
+done
+# shellcheck disable=SC2086
+(cd "$out/board" && arm-none-eabi-g++ -mcpu=cortex-m0plus -mthumb -nostdlib -Wl,--gc-sections -Wl,--fatal-warnings \
+  -Wl,--no-warn-rwx-segments "-Wl,-Map=../hedgehog-board.map" "-Wl,-T,$OLDPWD/firmware/board.ld" $objects -lgcc -o board.elf)
+
+arm-none-eabi-objcopy -O binary --only-section=.boot2 "$out/board/board.elf" "$out/board/boot2.bin"
+"$image" boot2 "$out/board/boot2.bin" "$out/board/boot2.crc"
+arm-none-eabi-objcopy --update-section ".boot2=$out/board/boot2.crc" "$out/board/board.elf" "$out/hedgehog-board.elf"
+arm-none-eabi-objcopy -O binary "$out/hedgehog-board.elf" "$out/board/board.bin"
+"$image" uf2 "$out/board/board.bin" "$out/hedgehog-board.uf2"
+
+echo "firmware of the reference board:"
+arm-none-eabi-size -A "$out/hedgehog-board.elf" | awk '
+  $1 == ".boot2" || $1 == ".start" || $1 == ".image" { flash += $2 }
+  $1 == ".image" || $1 == ".bss" { ram += $2 }
+  END { printf "flash %d bytes of 2097152, RAM %d bytes of 266240 (the program is in it), stack of 4096:\n", flash, ram }'
+# The calls through pointers are the one of `board_main`, and those into the ROM, which never return.
+rm "$out/board/startup.ci" "$out/board/boot_loader.ci"
+# The runtime's helpers as in tests/firmware/build.sh.
+awk -v roots=board_main -v runtime=112 -f tests/firmware/worst_stack.awk "$out"/board/*.ci

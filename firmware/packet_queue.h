@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// The host's packets between their arrival and the board's millisecond.
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+namespace hedgehog::firmware {
+
+/// First in, first out; a full one keeps the endpoint from taking more.
+class PacketQueue {
+ public:
+  static constexpr size_t kPacketBytes = 64;
+  static constexpr uint32_t kCapacity = 8;
+
+  bool has_capacity() const noexcept { return written_ - read_ < kCapacity; }
+  void clear() noexcept { read_ = written_; }
+
+  /// REQUIRES: has_capacity(), length <= kPacketBytes.
+  void put(const volatile uint8_t* bytes, size_t length) noexcept {
+    Packet& packet = packets_[written_++ % kCapacity];
+    packet.length = static_cast<uint8_t>(length);
+    for (size_t i = 0; i < length; ++i) packet.bytes[i] = bytes[i];
+  }
+
+  /// The length of the oldest packet, of which as much as fits is copied; 0: none.
+  size_t take(uint8_t* bytes, size_t capacity) noexcept {
+    if (read_ == written_) return 0;
+    const Packet& packet = packets_[read_++ % kCapacity];
+    for (size_t i = 0; i < packet.length && i < capacity; ++i) bytes[i] = packet.bytes[i];
+    return packet.length;
+  }
+
+ private:
+  struct Packet {
+    uint8_t length = 0;
+    uint8_t bytes[kPacketBytes] = {};
+  };
+  Packet packets_[kCapacity];
+  uint32_t written_ = 0;
+  uint32_t read_ = 0;
+};
+
+}  // namespace hedgehog::firmware

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// The `Port` of `board_millisecond` (daemon/device/board_core/port.h) on a Raspberry Pi Pico.
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "firmware/converter.h"
+#include "firmware/pins.h"
+#include "firmware/tach.h"
+#include "firmware/usb_device.h"
+
+namespace hedgehog::firmware {
+
+class PicoPort {
+ public:
+  /// REQUIRES: clocks, peripherals and pins run, `set_serial` was called.
+  void start() noexcept {
+    start_converter();
+    tach_.start();
+    usb_.start();
+  }
+
+  /// What came while the loop slept.
+  void poll() noexcept {
+    usb_.poll();
+    tach_.poll();
+  }
+
+  /// The slow part of `measure`, before the host's packets are taken: what has come by its end
+  /// still counts in this millisecond.
+  void convert() noexcept {
+    raw_.faults_low = faults_low();
+    raw_.tach_period_us = tach_.period_us();
+    converter_.measure(raw_);
+    poll();
+  }
+
+  size_t receive(uint8_t* packet, size_t capacity) noexcept {
+    return usb_.receive(packet, capacity);
+  }
+  /// When the host's last packet came.
+  uint32_t arrived_us() const noexcept { return usb_.arrived_us(); }
+  void measure(board::RawInputs& raw) noexcept { raw = raw_; }
+  void apply(const board::PinOutputs& pins) noexcept { set_pins(pins); }
+  void send(const uint8_t* frame) noexcept {
+    // A frame of the bus that began during the measurement is noted first.
+    usb_.poll();
+    usb_.send(frame);
+  }
+
+ private:
+  UsbDevice usb_;
+  Converter converter_;
+  Tach tach_;
+  board::RawInputs raw_;
+};
+
+}  // namespace hedgehog::firmware

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "firmware/pins.h"
+
+#include "firmware/registers.h"
+
+namespace hedgehog::firmware {
+namespace {
+
+// 2.3.1.7
+constexpr uint32_t kInputs = kSio + 0x04;
+constexpr uint32_t kOutputs = kSio + 0x10;
+constexpr uint32_t kSetOutputs = kSio + 0x14;
+constexpr uint32_t kClearOutputs = kSio + 0x18;
+constexpr uint32_t kEnableOutputs = kSio + 0x24;
+
+// 2.19.2
+constexpr uint32_t kFunctionSpi = 1;
+constexpr uint32_t kFunctionPwm = 4;
+constexpr uint32_t kFunctionSio = 5;
+
+// 2.19.6.3: input buffer, drive, pulls, Schmitt trigger.
+constexpr uint32_t kPad = (1u << 6) | (1u << 1);
+constexpr uint32_t kDrive4Ma = 1u << 4;
+constexpr uint32_t kDrive12Ma = 3u << 4;
+constexpr uint32_t kPullUp = 1u << 3;
+constexpr uint32_t kPullDown = 1u << 2;
+
+// 4.5.3
+constexpr uint32_t slice(uint32_t number) noexcept { return kPwm + 0x14 * number; }
+constexpr uint32_t kCompare = 0x0C;
+constexpr uint32_t kTop = 0x10;
+constexpr uint32_t kEnableSlices = kPwm + 0xA0;
+constexpr uint32_t kWraps = kPwm + 0xA4;
+constexpr uint32_t kBridgeSlices = (1u << 0) | (1u << 1);
+constexpr uint32_t kFanSlice = 5;
+
+constexpr uint32_t bit(uint32_t pin) noexcept { return 1u << pin; }
+constexpr uint32_t kDirBits = 7u << kDirPin;
+
+void connect(uint32_t pin, uint32_t function, uint32_t pull, uint32_t drive = kDrive4Ma) noexcept {
+  reg(kPadsBank0 + 4 + 4 * pin) = kPad | drive | pull;
+  reg(kIoBank0 + 4 + 8 * pin) = function;
+}
+
+void set_compare(const uint16_t (&pwm)[board::kWindings]) noexcept {
+  reg(slice(0) + kCompare) = pwm[0] | (uint32_t{pwm[1]} << 16);
+  reg(slice(1) + kCompare) = pwm[2];
+}
+
+/// The compare values count from the end of the period on (4.5.2.3).
+void wait_for_wrap() noexcept {
+  reg(kWraps) = kBridgeSlices;
+  const uint32_t begin = now_us();
+  while ((reg(kWraps) & kBridgeSlices) != kBridgeSlices && now_us() - begin < kMaxTurnUs) {
+  }
+}
+
+void write_output(uint32_t pin, bool high) noexcept {
+  reg(high ? kSetOutputs : kClearOutputs) = bit(pin);
+}
+
+}  // namespace
+
+void start_pins() noexcept {
+  reg(kClearOutputs) = ~0u;
+  reg(kSetOutputs) = bit(kSpiSelectPin);
+  for (uint32_t k = 0; k < board::kWindings; ++k) {
+    connect(kDirPin + k, kFunctionSio, kPullDown);
+    connect(kFaultPin + k, kFunctionSio, kPullUp);
+  }
+  // High, it feeds the resistor that holds the bridges asleep: 7.2 mA (firmware/board/common.net).
+  connect(kSleepPin, kFunctionSio, kPullDown, kDrive12Ma);
+  connect(kSupplySwitchPin, kFunctionSio, kPullDown);
+  connect(kSpiSelectPin, kFunctionSio, kPullUp);
+  connect(kLedPin, kFunctionSio, kPullDown);
+  connect(kTachPin, kFunctionSio, kPullUp);
+  connect(kVbusPin, kFunctionSio, 0);
+  connect(kSpiInPin, kFunctionSpi, kPullDown);
+  connect(kSpiClockPin, kFunctionSpi, kPullDown);
+  connect(kSpiOutPin, kFunctionSpi, kPullDown);
+  reg(kEnableOutputs) =
+      kDirBits | bit(kSleepPin) | bit(kSupplySwitchPin) | bit(kSpiSelectPin) | bit(kLedPin);
+  for (uint32_t k = 0; k < 2; ++k) {
+    reg(slice(k) + kTop) = kPwmTop;
+    reg(slice(k) + kCompare) = 0;
+  }
+  reg(slice(kFanSlice) + kTop) = kFanTop;
+  reg(slice(kFanSlice) + kCompare) = kFanTop;
+  // At once, so that the bridges' periods begin together.
+  reg(kEnableSlices) = kBridgeSlices | (1u << kFanSlice);
+  for (uint32_t k = 0; k < board::kWindings; ++k) connect(kPwmPin + k, kFunctionPwm, kPullDown);
+  connect(kFanPin, kFunctionPwm, 0);
+}
+
+void set_pins(const board::PinOutputs& pins) noexcept {
+  // What shall sleep does so first, what shall wake has its duty before it does.
+  if (!pins.awake) write_output(kSleepPin, false);
+  uint32_t direction = 0;
+  for (uint32_t k = 0; k < board::kWindings; ++k)
+    if (pins.reverse[k]) direction |= bit(kDirPin + k);
+  set_compare(pins.pwm);
+  const uint32_t turned = (reg(kOutputs) ^ direction) & kDirBits;
+  if (turned != 0) {
+    wait_for_wrap();
+    reg(kSetOutputs) = turned & direction;
+    reg(kClearOutputs) = turned & ~direction;
+  }
+  write_output(kSupplySwitchPin, pins.supply_switch_closed);
+  if (pins.awake) write_output(kSleepPin, true);
+  write_output(kLedPin, pins.awake);
+  reg(slice(kFanSlice) + kCompare) = pins.fan_pwm;
+}
+
+void set_safe_pins() noexcept { set_pins(board::safe_pins(pico_wiring())); }
+
+uint8_t faults_low() noexcept { return static_cast<uint8_t>(~(reg(kInputs) >> kFaultPin) & 7u); }
+
+bool vbus_present() noexcept { return (reg(kInputs) & bit(kVbusPin)) != 0; }
+
+}  // namespace hedgehog::firmware

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// The millisecond, by alarm 0 of the timer (data sheet 4.6). Interrupts stay masked: an alarm only
+// ends the sleep of the main loop.
+//
+// Its phase follows the host's set-points, each of which otherwise waited up to a millisecond and
+// then for the work: now it waits for `kWaitUs`, give or take what the host is late or early by.
+#pragma once
+
+#include "firmware/registers.h"
+
+namespace hedgehog::firmware {
+
+class Tick {
+ public:
+  void start() noexcept {
+    reg(kTimer + 0x38) = 1;
+    next_us_ = now_us() + kPeriodUs;
+    reg(kTimer + 0x10) = next_us_;
+  }
+
+  /// True once a millisecond; one that was missed is made up for at once.
+  bool take() noexcept {
+    if (static_cast<int32_t>(now_us() - next_us_) < 0) return false;
+    began_us_ = next_us_;
+    set_next(next_us_ + kPeriodUs);
+    return true;
+  }
+
+  /// A set-point that arrived at `arrived_us` counts from this millisecond on: moves the next one
+  /// by half a per cent of a millisecond at most. In the millisecond, at most once.
+  void follow(uint32_t arrived_us) noexcept {
+    const int32_t late_us =
+        static_cast<int32_t>(began_us_ - arrived_us) - static_cast<int32_t>(kWaitUs);
+    int32_t step_us = late_us / kShare;
+    if (step_us > kMaxStepUs) step_us = kMaxStepUs;
+    if (step_us < -kMaxStepUs) step_us = -kMaxStepUs;
+    set_next(next_us_ - static_cast<uint32_t>(step_us));
+  }
+
+ private:
+  static constexpr uint32_t kPeriodUs = 1000;
+  /// With conversions and work of at most 350 us after it, as much is left before as behind.
+  static constexpr uint32_t kWaitUs = 250;
+  static constexpr int32_t kShare = 8;
+  static constexpr int32_t kMaxStepUs = 5;
+
+  void set_next(uint32_t us) noexcept {
+    next_us_ = us;
+    reg(kTimer + 0x34) = 1;
+    reg(kTimer + 0x10) = next_us_;
+  }
+
+  uint32_t began_us_ = 0;
+  uint32_t next_us_ = 0;
+};
+
+}  // namespace hedgehog::firmware

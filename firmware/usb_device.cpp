@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: MIT
+#include "firmware/usb_device.h"
+
+#include "firmware/pins.h"
+#include "firmware/registers.h"
+
+namespace hedgehog::firmware {
+namespace {
+
+// 4.1.2.7.1, 4.1.4: the controller's memory.
+constexpr uint32_t kEndpoint1InControl = kUsbMemory + 0x08;
+constexpr uint32_t kEndpoint1OutControl = kUsbMemory + 0x0C;
+constexpr uint32_t kIn0 = kUsbMemory + 0x80;
+constexpr uint32_t kOut0 = kUsbMemory + 0x84;
+constexpr uint32_t kIn1 = kUsbMemory + 0x88;
+constexpr uint32_t kOut1 = kUsbMemory + 0x8C;
+constexpr uint32_t kControlBuffer = 0x100;
+constexpr uint32_t kOutBuffer = 0x180;
+constexpr uint32_t kInBuffer = 0x1C0;
+constexpr uint32_t kBulkEndpoint = (1u << 31) | (1u << 29) | (2u << 26);
+
+// Buffer control.
+constexpr uint32_t kFull = 1u << 15;
+constexpr uint32_t kData1 = 1u << 13;
+constexpr uint32_t kStall = 1u << 11;
+constexpr uint32_t kAvailable = 1u << 10;
+constexpr uint32_t kLength = 0x3FF;
+
+// 4.1.4
+constexpr uint32_t kAddress = kUsb + 0x00;
+constexpr uint32_t kMainControl = kUsb + 0x40;
+constexpr uint32_t kFrameNumber = kUsb + 0x48;
+constexpr uint32_t kSieControl = kUsb + 0x4C;
+constexpr uint32_t kSieStatus = kUsb + 0x50;
+constexpr uint32_t kBuffers = kUsb + 0x58;
+constexpr uint32_t kStallArm = kUsb + 0x68;
+constexpr uint32_t kMuxing = kUsb + 0x74;
+constexpr uint32_t kPower = kUsb + 0x78;
+constexpr uint32_t kEnabledEvents = kUsb + 0x90;
+constexpr uint32_t kEvents = kUsb + 0x98;
+
+constexpr uint32_t kPullUp = 1u << 16;
+constexpr uint32_t kStatusSetup = 1u << 17;
+constexpr uint32_t kStatusReset = 1u << 19;
+constexpr uint32_t kStatusSuspended = 1u << 4;
+
+constexpr uint32_t kBufferEvent = 1u << 4;
+constexpr uint32_t kResetEvent = 1u << 12;
+constexpr uint32_t kSuspendEvent = 1u << 14;
+constexpr uint32_t kSetupEvent = 1u << 16;
+constexpr uint32_t kFrameEvent = 1u << 17;
+
+constexpr uint32_t kIn0Done = 1u << 0;
+constexpr uint32_t kOut0Done = 1u << 1;
+constexpr uint32_t kIn1Done = 1u << 2;
+constexpr uint32_t kOut1Done = 1u << 3;
+
+constexpr uint16_t kControlPacket = 64;
+
+/// Erratum RP2040-E15: a bulk packet of more than 50 bytes in the last fifth of a frame can hang
+/// the controller. Without frames there is no such time.
+constexpr uint32_t kArmBeforeUs = 800;
+constexpr uint32_t kNoFramesUs = 2000;
+
+volatile uint8_t* memory(uint32_t offset) noexcept {
+  return reinterpret_cast<volatile uint8_t*>(kUsbMemory + offset);
+}
+
+/// 4.1.2.5.1: the controller may read a buffer's length only after all of it has crossed to its
+/// clock.
+void arm(uint32_t buffer, uint32_t value) noexcept {
+  reg(buffer) = value;
+  asm volatile("nop\nnop\nnop\nnop\nnop\nnop\nnop\nnop\nnop\nnop\nnop\nnop");
+  reg(buffer) = value | kAvailable;
+}
+
+uint32_t pid(bool& data1) noexcept {
+  const uint32_t bits = data1 ? kData1 : 0;
+  data1 = !data1;
+  return bits;
+}
+
+}  // namespace
+
+void UsbDevice::start() noexcept {
+  for (uint32_t offset = 0; offset < 0x200; offset += 4) reg(kUsbMemory + offset) = 0;
+  reg(kMuxing) = (1u << 0) | (1u << 3);
+  // The cable is watched at its pin: the controller shall think that it is always in.
+  reg(kPower) = (1u << 2) | (1u << 3);
+  reg(kMainControl) = 1;
+  reg(kSieControl) = 1u << 29;
+  reg(kEnabledEvents) = kBufferEvent | kResetEvent | kSuspendEvent | kSetupEvent | kFrameEvent;
+}
+
+void UsbDevice::attach(bool wanted) noexcept {
+  if (wanted == attached_) return;
+  attached_ = wanted;
+  // 7.1.5 of the specification: a device with a supply of its own pulls up nothing without VBUS.
+  reg(kSieControl) = (1u << 29) | (wanted ? kPullUp : 0);
+  forget_bus();
+}
+
+void UsbDevice::poll() noexcept {
+  attach(vbus_present());
+  const uint32_t events = reg(kEvents);
+  take_frame_start(events);
+  if ((events & kResetEvent) != 0) {
+    clear_bits(kSieStatus, kStatusReset);
+    forget_bus();
+    reset_exit_.begin();
+  }
+  reset_exit_.poll();
+  if ((events & kSuspendEvent) != 0) {
+    clear_bits(kSieStatus, kStatusSuspended);
+    // What would be sent after a resume is too old by then.
+    in_waiting_ = false;
+  }
+  if ((events & kBufferEvent) != 0) take_buffers();
+  if ((events & kSetupEvent) != 0) take_setup();
+  arm_in();
+}
+
+void UsbDevice::take_frame_start(uint32_t events) noexcept {
+  if ((events & kFrameEvent) != 0) {
+    [[maybe_unused]] const uint32_t acknowledged = reg(kFrameNumber);
+    frame_start_us_ = polled_us_;
+  }
+  polled_us_ = now_us();
+}
+
+void UsbDevice::forget_bus() noexcept {
+  reg(kAddress) = 0;
+  requests_.reset();
+  control_state_ = Control::kIdle;
+  reg(kIn0) = 0;
+  reg(kOut0) = 0;
+  configure(false);
+  reg(kBuffers) = ~0u;
+}
+
+void UsbDevice::take_setup() noexcept {
+  clear_bits(kSieStatus, kStatusSetup);
+  const volatile uint8_t* bytes = memory(0);
+  const auto word = [&](int at) { return static_cast<uint16_t>(bytes[at] | bytes[at + 1] << 8); };
+  const SetupPacket setup{bytes[0], bytes[1], word(2), word(4), word(6)};
+  // Whatever is left of the request before.
+  reg(kIn0) = 0;
+  reg(kOut0) = 0;
+  reg(kBuffers) = kIn0Done | kOut0Done;
+  control_state_ = Control::kIdle;
+  const UsbAnswer answer = requests_.answer(setup);
+  if (answer.stalled) {
+    reg(kStallArm) = 3;
+    reg(kIn0) = kStall;
+    reg(kOut0) = kStall;
+    return;
+  }
+  act(answer);
+  control_data1_ = true;
+  control_ = answer.data;
+  if (control_.length > setup.length) control_.length = setup.length;
+  if (answer.data.bytes == nullptr || setup.length == 0) {
+    arm(kIn0, kFull | kData1);
+    return;
+  }
+  control_state_ = Control::kSending;
+  control_ends_empty_ = control_.length < setup.length && control_.length % kControlPacket == 0;
+  send_control_data();
+}
+
+void UsbDevice::act(const UsbAnswer& answer) noexcept {
+  const bool in = (answer.argument & 0x80) != 0;
+  const bool halt = answer.action == UsbAction::kHalt;
+  switch (answer.action) {
+    case UsbAction::kNone:
+      return;
+    case UsbAction::kSetAddress:
+      address_ = answer.argument;
+      control_state_ = Control::kAddressing;
+      return;
+    case UsbAction::kConfigure:
+      configure(answer.argument != 0);
+      return;
+    case UsbAction::kHalt:
+    case UsbAction::kClearHalt:
+      // Either way the endpoint begins anew with DATA0.
+      reg(in ? kIn1 : kOut1) = halt ? kStall : 0;
+      (in ? in_halted_ : out_halted_) = halt;
+      (in ? in_data1_ : out_data1_) = false;
+      (in ? in_armed_ : out_armed_) = false;
+      if (!in) arm_out();
+      return;
+  }
+}
+
+void UsbDevice::configure(bool configured) noexcept {
+  reg(kIn1) = 0;
+  reg(kOut1) = 0;
+  reg(kEndpoint1InControl) = configured ? kBulkEndpoint | kInBuffer : 0;
+  reg(kEndpoint1OutControl) = configured ? kBulkEndpoint | kOutBuffer : 0;
+  received_.clear();
+  in_halted_ = out_halted_ = false;
+  in_data1_ = out_data1_ = false;
+  in_armed_ = out_armed_ = false;
+  in_waiting_ = false;
+  arm_out();
+}
+
+void UsbDevice::take_buffers() noexcept {
+  const uint32_t done = reg(kBuffers);
+  reg(kBuffers) = done;
+  if ((done & kIn0Done) != 0) continue_control();
+  if ((done & kIn1Done) != 0) in_armed_ = false;
+  if ((done & kOut1Done) != 0) take_packet();
+}
+
+void UsbDevice::take_packet() noexcept {
+  if (!out_armed_) return;
+  out_armed_ = false;
+  const size_t length = reg(kOut1) & kLength;
+  arrived_us_ = now_us();
+  if (length != 0) received_.put(memory(kOutBuffer), length);
+  arm_out();
+}
+
+void UsbDevice::continue_control() noexcept {
+  switch (control_state_) {
+    case Control::kIdle:
+      return;
+    case Control::kAddressing:
+      // 9.4.6 of the specification: the new address holds after the status stage.
+      reg(kAddress) = address_;
+      control_state_ = Control::kIdle;
+      return;
+    case Control::kSending:
+      if (control_.length != 0 || control_ends_empty_) {
+        if (control_.length == 0) control_ends_empty_ = false;
+        send_control_data();
+        return;
+      }
+      control_state_ = Control::kIdle;
+      arm(kOut0, kData1);
+      return;
+  }
+}
+
+void UsbDevice::send_control_data() noexcept {
+  const uint16_t length = control_.length < kControlPacket ? control_.length : kControlPacket;
+  volatile uint8_t* buffer = memory(kControlBuffer);
+  for (uint16_t i = 0; i < length; ++i) buffer[i] = control_.bytes[i];
+  control_.bytes += length;
+  control_.length = static_cast<uint16_t>(control_.length - length);
+  arm(kIn0, kFull | pid(control_data1_) | length);
+}
+
+void UsbDevice::arm_out() noexcept {
+  if (!requests_.configured() || out_armed_ || out_halted_ || !received_.has_capacity()) return;
+  out_armed_ = true;
+  arm(kOut1, pid(out_data1_) | PacketQueue::kPacketBytes);
+}
+
+size_t UsbDevice::receive(uint8_t* packet, size_t capacity) noexcept {
+  const size_t length = received_.take(packet, capacity);
+  arm_out();
+  return length;
+}
+
+void UsbDevice::send(const uint8_t* frame) noexcept {
+  if (!requests_.configured() || in_waiting_ || in_armed_) return;
+  for (size_t i = 0; i < sizeof(in_frame_); ++i) in_frame_[i] = frame[i];
+  in_waiting_ = true;
+  arm_in();
+}
+
+void UsbDevice::arm_in() noexcept {
+  if (!requests_.configured() || !in_waiting_ || in_armed_ || in_halted_) return;
+  const uint32_t into_frame_us = now_us() - frame_start_us_;
+  if (into_frame_us >= kArmBeforeUs && into_frame_us < kNoFramesUs) return;
+  volatile uint8_t* buffer = memory(kInBuffer);
+  for (size_t i = 0; i < sizeof(in_frame_); ++i) buffer[i] = in_frame_[i];
+  in_waiting_ = false;
+  in_armed_ = true;
+  arm(kIn1, kFull | pid(in_data1_) | sizeof(in_frame_));
+}
+
+}  // namespace hedgehog::firmware

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// The USB controller (data sheet 4.1) as a full-speed device with one bulk endpoint each way. It
+// has no interrupt handler: `poll` does what there is to do, whenever the main loop wakes.
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "firmware/packet_queue.h"
+#include "firmware/usb_requests.h"
+#include "firmware/usb_reset_exit.h"
+
+namespace hedgehog::firmware {
+
+class UsbDevice {
+ public:
+  /// REQUIRES: clocks run, `set_serial` was called.
+  void start() noexcept;
+
+  /// Takes what has arrived, answers requests, and arms what is to be sent. The host sees the
+  /// device while its cable is in.
+  void poll() noexcept;
+
+  /// The next packet; 0: none. `capacity` above 64 shows a packet that is longer than a frame.
+  size_t receive(uint8_t* packet, size_t capacity) noexcept;
+  /// When the last packet was noticed.
+  uint32_t arrived_us() const noexcept { return arrived_us_; }
+  /// 64 bytes; dropped while the last are still waiting.
+  void send(const uint8_t* frame) noexcept;
+
+ private:
+  void attach(bool wanted) noexcept;
+  void take_frame_start(uint32_t events) noexcept;
+  void forget_bus() noexcept;
+  void take_setup() noexcept;
+  void act(const UsbAnswer& answer) noexcept;
+  void configure(bool configured) noexcept;
+  void take_buffers() noexcept;
+  void take_packet() noexcept;
+  void continue_control() noexcept;
+  void send_control_data() noexcept;
+  void arm_out() noexcept;
+  void arm_in() noexcept;
+
+  UsbRequests requests_;
+  UsbResetExit reset_exit_;
+  PacketQueue received_;
+
+  /// What endpoint 0 has still to send, a packet of no bytes at the end included.
+  Descriptor control_;
+  bool control_ends_empty_ = false;
+  enum class Control : uint8_t { kIdle, kSending, kAddressing } control_state_ = Control::kIdle;
+  bool control_data1_ = false;
+  uint8_t address_ = 0;
+
+  bool attached_ = false;
+  bool out_armed_ = false;
+  bool out_halted_ = false;
+  bool out_data1_ = false;
+  bool in_armed_ = false;
+  bool in_halted_ = false;
+  bool in_data1_ = false;
+  bool in_waiting_ = false;
+  uint8_t in_frame_[PacketQueue::kPacketBytes] = {};
+
+  uint32_t arrived_us_ = 0;
+  /// The earliest that the last frame can have begun.
+  uint32_t frame_start_us_ = 0;
+  uint32_t polled_us_ = 0;
+};
+
+}  // namespace hedgehog::firmware

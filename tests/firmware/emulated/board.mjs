@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+// The reference board around an emulated microcontroller: its pins drive the simulator's ball, whose readings come back through a
+// converter at SPI, fault lines and a tach.
+import { Chip } from './chip.mjs';
+import { flashImage } from './elf.mjs';
+import { arm, setPoint, telemetry } from './frames.mjs';
+import { Plant } from './plant.mjs';
+import { UsbHost } from './usb_host.mjs';
+
+// firmware/README.md
+const kDir = 3;
+const kSleep = 6;
+const kFault = 7;
+const kTach = 11;
+const kSwitch = 12;
+const kSelect = 17;
+const kSio = 5;
+const kPwm = 4;
+const kCompare = 0x0c;
+const kFanTop = 4999;
+
+const kPlantUs = 1000;
+const kLateUs = 1200;
+/** Longer between two conversions: a millisecond of the firmware begins. */
+const kPauseUs = 300;
+/** MCP3208 at 3.3 V, by interpolation of DS21298E. */
+const kMaxSpiHz = 1.26e6;
+const kDeselectedUs = 0.5;
+
+const kSafePins = { pwm: [0, 0, 0], direction: 0, awake: false, closed: false, fan: kFanTop };
+
+export class Board {
+  constructor(elf = process.env.HEDGEHOG_FIRMWARE_ELF, options = {}) {
+    this.plant = new Plant(options.plant);
+    this.host = new UsbHost();
+    this.events = []; // what SLP did: { us, awake }
+    this.applied = []; // compare values of winding x: { us, value }, when the PWM period before them has ended
+    this.ticks = []; // when each millisecond of the firmware began, us
+    this.shownCurrent = undefined; // what the amplifier of winding x shows instead of its current
+    this.onTick = () => {}; // with the readings that the firmware is about to convert
+    this.onApply = () => {}; // it writes its compare values
+    this.readings = this.plant.step(kSafePins);
+    this.chip = new Chip(flashImage(elf), { ...options, attach: (mcu, chip) => this.attach(mcu, chip) });
+  }
+
+  attach(mcu, chip) {
+    this.chip = chip;
+    this.mcu = mcu;
+    chip.pinsNow = () => this.pins();
+    this.selectedUs = -1e9;
+    this.host.attach(mcu, chip);
+    this.attachConverter();
+    let awake = false;
+    mcu.gpio[kSleep].addListener(() => {
+      if (this.high(kSleep) === awake) return;
+      awake = !awake;
+      this.events.push({ us: chip.us, awake });
+    });
+    const slice = mcu.pwm.channels[0];
+    const write = slice.writeRegister.bind(slice);
+    slice.writeRegister = (offset, value) => {
+      if (offset === kCompare) this.onApply();
+      write(offset, value);
+    };
+    const wrap = slice.updateDoubleBuffered.bind(slice);
+    slice.updateDoubleBuffered = () => {
+      if (slice.ccUpdated) this.applied.push({ us: chip.us, value: slice.cc & 0xffff });
+      wrap();
+    };
+    this.late = mcu.clock.createAlarm(() => this.stepPlant(kPlantUs));
+    this.late.schedule(kPlantUs * 1000);
+    this.tachHigh = true;
+    this.tach = mcu.clock.createAlarm(() => this.turnFan());
+    this.tach.schedule(1e6);
+    this.faultsShown = undefined;
+    this.showFaults();
+  }
+
+  /** A pin with the board's resistors: not driven is low. */
+  high(pin) {
+    const gpio = this.mcu.gpio[pin];
+    return gpio.outputEnable && gpio.functionSelect === kSio && gpio.outputValue;
+  }
+
+  pins() {
+    const { gpio, pwm } = this.mcu;
+    const compare = (pin, alarm) => (gpio[pin].functionSelect === kPwm && pwm.channels[pin >> 1].timer.enable ? alarm.target : undefined);
+    return {
+      pwm: [
+        compare(0, pwm.channels[0].alarmA) ?? 0, compare(1, pwm.channels[0].alarmB) ?? 0, compare(2, pwm.channels[1].alarmA) ?? 0,
+      ],
+      direction: [0, 1, 2].reduce((bits, k) => bits | (this.high(kDir + k) ? 1 << k : 0), 0),
+      awake: this.high(kSleep),
+      closed: this.high(kSwitch),
+      fan: compare(10, pwm.channels[5].alarmA) ?? kFanTop, // a fan whose line is open runs at full speed
+    };
+  }
+
+  stepPlant(untilNextUs) {
+    this.readings = this.plant.step(this.pins());
+    this.showFaults();
+    this.late.schedule(untilNextUs * 1000);
+  }
+
+  showFaults() {
+    if (this.faultsShown === this.readings.faultsLow) return;
+    this.faultsShown = this.readings.faultsLow;
+    for (let k = 0; k < 3; ++k) this.mcu.gpio[kFault + k].setInputValue(((this.faultsShown >> k) & 1) === 0);
+  }
+
+  turnFan() {
+    const period = this.readings.tachUs;
+    this.tach.schedule((period > 0 ? period / 2 : 1000) * 1000);
+    if (period === 0) return;
+    this.tachHigh = !this.tachHigh;
+    this.mcu.gpio[kTach].setInputValue(this.tachHigh);
+  }
+
+  attachConverter() {
+    const { mcu, chip } = this;
+    const spi = mcu.spi[0];
+    let bytes = [];
+    let selected = true;
+    let deselectedUs = -1;
+    mcu.gpio[kSelect].addListener(() => {
+      if (this.high(kSelect) !== selected) return;
+      selected = !selected;
+      bytes = [];
+      if (!selected) {
+        deselectedUs = chip.us;
+        return;
+      }
+      if (chip.us - deselectedUs < kDeselectedUs) chip.warnings.push('the converter is selected again too soon');
+      if (chip.us - this.selectedUs > kPauseUs) {
+        this.ticks.push(chip.us);
+        // The firmware has read the fault lines just before.
+        const faultsLow = this.faultsShown;
+        this.stepPlant(kLateUs);
+        this.onTick({ ...this.readings, faultsLow });
+      }
+      this.selectedUs = chip.us;
+    });
+    let answer = 0;
+    const done = mcu.clock.createAlarm(() => spi.completeTransmit(answer));
+    spi.onTransmit = (value) => {
+      if (this.high(kSelect) || spi.control0 !== 7 || !spi.enabled || spi.clockFrequency > kMaxSpiHz)
+        chip.warnings.push('the converter is not spoken to as its data sheet says');
+      bytes.push(value);
+      answer = this.converterByte(bytes);
+      done.schedule((8e9 / spi.clockFrequency) | 0);
+    };
+  }
+
+  /** DS21298E, figure 6-1; what is not defined there is 1. */
+  converterByte(bytes) {
+    if (bytes.length === 1) return 0xff;
+    if ((bytes[0] & 0xfe) !== 0x06) this.chip.warnings.push('no single ended conversion');
+    const { current, shunt, supply, ntc } = this.readings;
+    const value = [this.shownCurrent ?? current[0], current[1], current[2], shunt, supply, ...ntc][((bytes[0] & 1) << 2) | (bytes[1] >> 6)];
+    return bytes.length === 2 ? 0xe0 | (value >> 8) : value & 0xff;
+  }
+
+  /** Milliamperes of the true current vector. */
+  get trueMa() { return Math.hypot(...this.readings.trueMa); }
+
+  /** Once, so many microseconds from now. */
+  after(us, what) {
+    if (us <= 0) what();
+    else this.mcu.clock.createAlarm(what).schedule(us * 1000);
+  }
+
+  run(ms, stop) { return this.chip.run(ms * 1000, stop); }
+
+  close() { this.plant.close(); }
+}
+
+/** A host that sends a set-point in each frame of the bus. */
+export class Driver {
+  constructor(board) {
+    this.board = board;
+    this.sequence = 0;
+    this.armCount = 0;
+    this.target = { enable: false };
+    this.sending = true;
+    this.last = undefined;
+    this.first = true;
+    board.host.onFrame = () => {
+      if (!this.sending) return;
+      board.host.outQueue.push(setPoint(++this.sequence, this.target));
+      // The boost is for one millisecond, as the daemon's.
+      if (this.target.boost) this.target = { ...this.target, boost: undefined };
+    };
+    board.host.onIn = (packet) => { this.last = telemetry(packet); };
+  }
+
+  enumerate() {
+    const found = this.board.host.enumerate();
+    this.board.run(5);
+    return found;
+  }
+
+  arm() {
+    this.armCount = (this.armCount + 1) & 255;
+    this.board.host.outQueue.push(arm(++this.sequence, this.armCount));
+    this.board.run(10);
+  }
+
+  /** Enumerated, armed and driving: a holding duty without a boost takes some ms to its current. */
+  drive(duty, ms = 60) {
+    this.enumerate();
+    this.arm();
+    this.target = { enable: true, duty };
+    this.board.run(ms);
+  }
+}

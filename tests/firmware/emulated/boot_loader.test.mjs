@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// The command that reboots into the boot loader: only while the bridges sleep.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { assertDriving, assertNoCurrent, kFiveAmps, withBoard } from './fixture.mjs';
+import { bootLoader, kMode } from './frames.mjs';
+
+const ask = (board, driver, key) => board.host.outQueue.push(bootLoader(++driver.sequence, key));
+
+function assertInBootLoader(board) {
+  assert.ok(board.chip.bootLoader, 'it has called the ROM');
+  const { lamp, disabled, pinsBefore } = board.chip.bootLoader;
+  assert.deepEqual([lamp, disabled], [0, 0], 'no lamp, both of its interfaces');
+  assert.deepEqual([pinsBefore.awake, pinsBefore.direction], [false, 0], 'safe before it');
+  assert.equal(board.pins().awake, false);
+  assert.equal(board.pins().fan, 4999, 'the fan’s line is open');
+  assert.equal(board.pins().closed, false, 'the supply switch is off by its resistor');
+  assert.equal(board.host.connected, false);
+  assertNoCurrent(board);
+}
+
+test('a board that was never armed goes into its boot loader', withBoard((board, driver) => {
+  driver.enumerate();
+  driver.target = { enable: true, duty: kFiveAmps };
+  board.run(20);
+  assert.equal(driver.last.mode, kMode.safe);
+  ask(board, driver);
+  board.run(5);
+  assertInBootLoader(board);
+  board.run(50);
+  assertInBootLoader(board);
+}));
+
+test('so does a latched one', withBoard((board, driver) => {
+  driver.drive(kFiveAmps);
+  driver.sending = false;
+  board.run(140);
+  assert.equal(driver.last.mode, kMode.latched);
+  ask(board, driver);
+  board.run(5);
+  assertInBootLoader(board);
+}));
+
+test('a board that drives refuses and drives on; one that is armed and asleep goes 20 ms later', withBoard((board, driver) => {
+  driver.drive(kFiveAmps);
+  const { refused } = driver.last;
+  ask(board, driver);
+  board.run(20);
+  assert.equal(board.chip.bootLoader, undefined);
+  assertDriving(board, driver);
+  assert.equal(driver.last.refused, refused + 1);
+  driver.target = { enable: false };
+  board.run(10);
+  assert.equal(driver.last.mode, kMode.ready);
+  ask(board, driver);
+  board.run(15);
+  assert.equal(board.chip.bootLoader, undefined);
+  assert.equal(driver.last.mode, kMode.ready);
+  ask(board, driver);
+  board.run(5);
+  assertInBootLoader(board);
+}));
+
+test('a frame with another key is refused', withBoard((board, driver) => {
+  driver.enumerate();
+  const { refused } = driver.last;
+  ask(board, driver, 0x12345678);
+  board.run(20);
+  assert.equal(board.chip.bootLoader, undefined);
+  assert.equal(driver.last.refused, refused + 1);
+}));

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+// An RP2040 (rp2040js) with a run loop of its own, booted as its ROM boots it. What rp2040js gets wrong and this board can meet is
+// put right or is an error here: README.md.
+import { createRequire } from 'node:module';
+import { crc32Mpeg2 } from './elf.mjs';
+
+const require = createRequire(`${process.env.HEDGEHOG_NODE_MODULES}/`);
+const { Simulator } = require('rp2040js');
+
+const kNanosPerCycle = 8; // 125 MHz
+const kRomMs = 4; // ROM and crystal, about
+const kBoot2At = 0x20041f00; // the end of SRAM, where the ROM copies the second stage
+const kStackBytes = 4096;
+const kPaint = 0xa5;
+const kHang = [0xfe, 0xe7]; // b .
+
+// The ROM: its table of functions, and two of them.
+const kRomEnd = 0x4000;
+const kRomTable = 0x7a;
+const kRomLookup = 0x1d;
+const kRomUsbBoot = 0x2591;
+
+const kSysInfo = 0x40000000;
+const kResets = 0x4000c000;
+const kWatchdog = 0x40058000;
+const kSsi = 0x18000000;
+const kIoQspi = 0x40018000;
+/** Bits of RESETS. */
+const kResetOf = new Map([
+  [0x4004c, 0], [0x40014, 5], [0x4001c, 8], [0x40028, 12], [0x4002c, 13], [0x40050, 14], [0x4003c, 16], [0x40054, 21], [0x50110, 24],
+]);
+
+function sleepForGood(core) {
+  core.enabledInterrupts = 0;
+  core.waiting = true;
+}
+
+const slot = (address) => (address >>> 14) << 2;
+
+export class Chip {
+  /** `attach(mcu, chip)` is called at every boot. */
+  constructor(image, { attach, flashId = [0xe4, 0x62, 0x8c, 0x11, 0x27, 0x5a, 0x3f, 0x2b], revision = 2 }) {
+    this.image = image;
+    this.attach = attach;
+    this.flashId = flashId;
+    this.revision = revision; // 1: B0 and B1, 2: B2
+    this.baseNanos = 0;
+    this.resets = 0;
+    this.warnings = [];
+    this.longestAwake = 0;
+    this.visited = new Uint8Array(0x42000 >> 1); // halfwords of SRAM, of which the program's first steps are the only ones elsewhere
+    this.visitedInFlash = new Uint8Array(256);
+    this.boot();
+  }
+
+  get nanos() { return this.baseNanos + this.clock.nanosCounter; }
+  get us() { return this.nanos / 1000; }
+
+  boot() {
+    const { rp2040: mcu, clock } = new Simulator();
+    Object.assign(this, { mcu, clock, core: mcu.core, awakeCycles: 0, watchdogFired: false });
+    const warn = (name, text) => this.warnings.push(`${name}: ${text}`);
+    mcu.logger = { debug() {}, info() {}, warn, error: warn };
+    mcu.onBreak = (code) => warn('core', `bkpt ${code}`);
+    mcu.peripherals[slot(kSysInfo)].readUint32 = () => ((this.revision << 28) | 0x2927) >>> 0;
+    this.holdResets();
+    this.replaceFlash();
+    this.fixCore();
+    const watchdog = mcu.peripherals[slot(kWatchdog)];
+    watchdog.tickEnable = false; // rp2040js: as if the firmware had switched it on
+    watchdog.onWatchdogTrigger = () => {
+      watchdog.alarm.enable = false; // else it fires for ever at this instant
+      this.watchdogFired = true;
+    };
+    mcu.flash.set(this.image);
+    new DataView(mcu.bootrom.buffer).setUint16(0x14, kRomTable, true);
+    new DataView(mcu.bootrom.buffer).setUint16(0x18, kRomLookup, true);
+    this.enterSecondStage();
+    this.attach(mcu, this);
+    clock.tick(kRomMs * 1e6);
+    // The boot loader's own USB is not here: the pins stay as reset leaves them.
+    if (this.bootLoader) sleepForGood(this.core);
+  }
+
+  /** What the ROM does: check, copy, jump. */
+  enterSecondStage() {
+    const { mcu, core } = this;
+    const stage = mcu.flash.subarray(0, 256);
+    const view = new DataView(stage.buffer, 0, 256);
+    if (crc32Mpeg2(stage.subarray(0, 252)) !== view.getUint32(252, true)) throw new Error('the second stage has a wrong check sum');
+    mcu.sram.fill(kPaint, 0, kStackBytes);
+    mcu.sram.set(stage, kBoot2At - 0x20000000);
+    core.SP = kBoot2At;
+    core.LR = 0;
+    core.PC = kBoot2At;
+  }
+
+  /** RP2040 data sheet 2.8.3: what the firmware may call there. */
+  runRom(entry) {
+    const { core } = this;
+    const [first, second] = core.registers;
+    if (entry === kRomLookup) {
+      const known = first === kRomTable && second === ('U'.charCodeAt(0) | ('B'.charCodeAt(0) << 8));
+      core.registers[0] = known ? kRomUsbBoot : 0;
+      core.PC = core.LR & ~1;
+    } else if (entry === kRomUsbBoot) {
+      this.bootLoader = { lamp: first, disabled: second, pinsBefore: this.pinsNow?.() };
+      this.watchdogFired = true;
+    } else {
+      this.warnings.push(`no function of the ROM at ${entry.toString(16)}`);
+      core.PC = core.LR & ~1;
+    }
+  }
+
+  /** Blocks begin in reset, and whoever touches one there is told. */
+  holdResets() {
+    const { mcu } = this;
+    const resets = mcu.peripherals[slot(kResets)];
+    resets.reset = 0x1ffffff;
+    Object.defineProperty(resets, 'reset_done', { get: () => ~resets.reset & 0x1ffffff });
+    const find = mcu.findPeripheral.bind(mcu);
+    mcu.findPeripheral = (address) => {
+      const bit = kResetOf.get(slot(address));
+      if (bit !== undefined && resets.reset & (1 << bit)) this.warnings.push(`${address.toString(16)} is in reset`);
+      return find(address);
+    };
+  }
+
+  /** The flash chip behind SSI: plain reading is rp2040js's, the number is here. */
+  replaceFlash() {
+    const { mcu } = this;
+    const registers = new Map();
+    const store = (peripheral) => {
+      peripheral.readUint32 = (offset) => registers.get(offset) ?? 0;
+      peripheral.writeUint32 = (offset, value) => registers.set(offset, value);
+    };
+    let sent = [];
+    const answers = [];
+    const qspi = mcu.peripherals[slot(kIoQspi)];
+    store(qspi);
+    qspi.writeUint32 = () => { sent = []; };
+    const ssi = mcu.peripherals[slot(kSsi)];
+    const values = new Map();
+    ssi.readUint32 = (offset) => {
+      if (offset === 0x28) return 0x06 | (answers.length > 0 ? 8 : 0);
+      return offset === 0x60 ? answers.shift() ?? 0 : values.get(offset) ?? 0;
+    };
+    ssi.writeUint32 = (offset, value) => {
+      values.set(offset, value);
+      if (offset !== 0x60) return;
+      sent.push(value & 255);
+      answers.push(sent[0] === 0x4b && sent.length > 5 ? this.flashId[sent.length - 6] ?? 0xff : 0xff);
+    };
+  }
+
+  /** An interrupt that is pending while it is masked ends a WFI and enters no handler. */
+  fixCore() {
+    const { core } = this;
+    core.setInterrupt = (number, pending) => {
+      if (pending) {
+        core.pendingInterrupts |= 1 << number;
+        if (!core.PM) core.interruptsUpdated = true;
+      } else {
+        core.pendingInterrupts &= ~(1 << number);
+      }
+    };
+  }
+
+  /** Until `us` of absolute time, or until `stop()` says so after a step. */
+  runUntil(us, stop) {
+    for (;;) {
+      const { core, clock, visited } = this;
+      const end = us * 1000 - this.baseNanos;
+      while (clock.nanosCounter < end && !this.watchdogFired) {
+        if (core.waiting) {
+          if (this.awakeCycles > this.longestAwake) this.longestAwake = this.awakeCycles;
+          this.awakeCycles = 0;
+          if (core.pendingInterrupts & core.enabledInterrupts) {
+            core.waiting = false;
+            continue;
+          }
+          const next = clock.nextAlarm;
+          clock.tick(Math.min(next ? next.nanos : end, end) - clock.nanosCounter);
+        } else {
+          const pc = core.registers[15];
+          if (pc < kRomEnd) {
+            this.runRom(pc | 1);
+            continue;
+          }
+          if (pc >= 0x20000000) visited[(pc - 0x20000000) >> 1] = 1;
+          else this.visitedInFlash[(pc - 0x10000000) >> 1] = 1;
+          const cycles = core.executeInstruction();
+          this.awakeCycles += cycles;
+          clock.tick(cycles * kNanosPerCycle);
+        }
+        if (stop && stop()) return this.checked(true);
+      }
+      if (!this.watchdogFired) return this.checked(false);
+      this.baseNanos += clock.nanosCounter;
+      this.resetUs = this.baseNanos / 1000;
+      ++this.resets;
+      this.boot();
+    }
+  }
+
+  run(us, stop) { return this.runUntil(this.us + us, stop); }
+
+  /** A gap of the emulator, or an error of the firmware: neither passes. */
+  checked(result) {
+    if (this.warnings.length > 0) throw new Error(`emulator: ${[...new Set(this.warnings)].join('; ')}`);
+    return result;
+  }
+
+  /** As if the program had lost its way into an endless loop. */
+  hang() {
+    this.mcu.sram.set(kHang, 0);
+    this.core.PC = 0x20000000;
+    this.core.waiting = false;
+  }
+
+  /** As the processor enters a HardFault, which rp2040js never does. */
+  fault() {
+    this.core.PC = this.mcu.readUint32(this.core.VTOR + 4 * 3) & ~1;
+    this.core.waiting = false;
+  }
+
+  /** Addresses of the instructions that were executed, the second stage's where it is linked to. */
+  executed() {
+    const of = (array, base) => [...array.keys()].filter((i) => array[i]).map((i) => base + 2 * i);
+    const sram = of(this.visited, 0x20000000).map((pc) => (pc >= kBoot2At ? pc - kBoot2At + 0x10000000 : pc));
+    return [...of(this.visitedInFlash, 0x10000000), ...sram];
+  }
+
+  stackUsed() {
+    // The first bytes are the loop of `hang`.
+    const free = this.mcu.sram.subarray(2, kStackBytes).findIndex((byte) => byte !== kPaint);
+    return kStackBytes - 2 - free;
+  }
+}

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// hedgehogd on the emulated board: its own program, in a folder where hedgehog-simboard is simboard.mjs. They keep step, so a busy machine
+// makes both slow and neither late.
+import { execFile, spawn } from 'node:child_process';
+import { once } from 'node:events';
+import { copyFileSync, existsSync, linkSync, mkdirSync, mkdtempSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { createInterface } from 'node:readline';
+import { setTimeout as pause } from 'node:timers/promises';
+import { fileURLToPath } from 'node:url';
+import { Ball } from '../../../clients/js/src/node.js';
+
+const kSimboard = fileURLToPath(new URL('simboard.mjs', import.meta.url));
+const kPollMs = 20;
+/** Of whatever is waited for; what a test asserts is in the ball's time. */
+const kPatienceMs = 500_000;
+
+/** Waits until `look()` is something. */
+export async function eventually(what, look) {
+  for (const end = Date.now() + kPatienceMs; Date.now() < end; await pause(kPollMs)) {
+    const seen = await look();
+    if (seen) return seen;
+  }
+  throw new Error(`never: ${what}`);
+}
+
+function place(program, folder) {
+  const to = join(folder, 'hedgehogd');
+  try {
+    linkSync(program, to);
+  } catch {
+    copyFileSync(program, to);
+  }
+  writeFileSync(join(folder, 'hedgehog-simboard'), `#!/bin/sh\nexec '${process.execPath}' '${kSimboard}' "$@"\n`, { mode: 0o755 });
+  return to;
+}
+
+export class DaemonOnBoard {
+  /** `config` on top of the simulator's process, `devices`: name to device file, `speed`: at most so many times real time. */
+  static async start({ config = {}, devices = {}, speed = 10, programs = process.env.HEDGEHOG_PROGRAMS } = {}) {
+    const daemon = new DaemonOnBoard();
+    daemon.programs = programs;
+    daemon.folder = mkdtempSync(join(programs, 'emulated-'));
+    const path = (...below) => join(daemon.folder, ...below);
+    daemon.traceFile = path('trace');
+    daemon.controlFile = path('control');
+    mkdirSync(path('hedgehog', 'devices.d'), { recursive: true });
+    for (const [name, file] of Object.entries(devices)) writeFileSync(path('hedgehog', 'devices.d', `${name}.json`), JSON.stringify(file));
+    const { simulator, ...others } = config;
+    const all = { http: { listen: null }, ...others, simulator: { ...simulator, process: true } };
+    writeFileSync(path('hedgehog', 'hedgehogd.json'), JSON.stringify(all));
+    daemon.environment = {
+      ...process.env, HOME: daemon.folder, XDG_CONFIG_HOME: daemon.folder, XDG_STATE_HOME: path('state'),
+      XDG_RUNTIME_DIR: daemon.folder, HEDGEHOG_SIMBOARD_TRACE: daemon.traceFile, HEDGEHOG_BOARD_CONTROL: daemon.controlFile,
+    };
+    daemon.child = spawn(place(join(programs, 'daemon', 'hedgehogd'), daemon.folder),
+      ['--simulate', '--speed', String(speed), '--listen', '127.0.0.1:0'],
+      { env: daemon.environment, stdio: ['ignore', 'pipe', 'pipe'] });
+    daemon.log = '';
+    daemon.child.stderr.on('data', (bytes) => { daemon.log += bytes; });
+    for await (const line of createInterface({ input: daemon.child.stdout })) {
+      daemon.address = /^listening on (127\.0\.0\.1:\d+)$/.exec(line)?.[1];
+      if (daemon.address) break;
+    }
+    if (!daemon.address) throw new Error(`hedgehogd ended: ${daemon.log}`);
+    daemon.environment.HEDGEHOG_ADDRESS = daemon.address;
+    daemon.ball = await Ball.connect({ address: daemon.address, patienceMs: kPatienceMs });
+    return daemon;
+  }
+
+  /** What the board has done so far (simboard.mjs). */
+  trace() {
+    if (!existsSync(this.traceFile)) return [];
+    return readFileSync(this.traceFile, 'utf8').split('\n').slice(0, -1).map((line) => JSON.parse(line));
+  }
+
+  /** One line for the board; its trace of when it was done. */
+  async control(line) {
+    const before = this.trace().length;
+    writeFileSync(`${this.controlFile}.new`, `${line}\n`);
+    renameSync(`${this.controlFile}.new`, this.controlFile);
+    await eventually(`${line} is done`, () => !existsSync(this.controlFile));
+    return this.trace().slice(before);
+  }
+
+  state(wanted) {
+    return eventually(`the ball is ${wanted}`, async () => {
+      const status = await this.ball.status();
+      return status.state === wanted && status;
+    });
+  }
+
+  /** A verb of hedgehogctl: { code, out, err }. */
+  ctl(...words) {
+    return new Promise((resolve) => {
+      execFile(join(this.programs, 'clients', 'ctl', 'hedgehogctl'), words, { env: this.environment, cwd: this.folder },
+        (error, out, err) => resolve({ code: error ? error.code : 0, out, err }));
+    });
+  }
+
+  /** The board goes on until it has made itself safe; its whole trace. */
+  async stop(signal = 'SIGTERM') {
+    if (this.child.exitCode === null && this.child.signalCode === null) {
+      const ended = once(this.child, 'exit');
+      this.child.kill(signal);
+      await ended;
+    }
+    await eventually('the board ends', () => this.trace().at(-1)?.event === 'exit');
+    return this.trace();
+  }
+
+  close() {
+    this.ball?.close();
+    this.child?.kill('SIGKILL');
+    rmSync(this.folder, { recursive: true, force: true });
+  }
+}
+

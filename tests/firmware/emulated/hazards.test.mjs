@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+// The hazards of the safety table that the board guards against by itself, each on the image that is flashed, driving the simulator's
+// ball: bridges asleep in time, no current in the ball, and none until it is armed without the hazard. The table is in README.md.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { assertDriving, assertNoCurrent, assertSafePins, kFiveAmps, withBoard } from './fixture.mjs';
+import { kFault, kMode, limits } from './frames.mjs';
+
+/** Bits of SimFault. */
+const kSim = { open: 1, short: 2, bridgeFault: 1 << 7, currentHalf: 1 << 11, supplyLow: 1 << 12 };
+/** SimulatorErrorKind. */
+const kError = { currentGain: 0, supplyGain: 2, pwmStuck: 5, thermistorK: 6 };
+const kThirteenAmps = [0.5, 0, 0];
+const kWindings = [0, 1, 2];
+
+const faults = (bits, winding = 0) => ({ board }) => board.plant.ask(`faults ${bits} ${winding}`);
+const error = (kind, winding, value) => ({ board }) => board.plant.ask(`error ${kind} ${winding} ${value}`);
+/** What the converter shows of the amplifier of winding x. */
+const shown = (value) => ({ board }) => { board.shownCurrent = value; };
+
+/** `again`: it goes as the current goes, so the board can be armed. */
+const kHazards = [
+  ...kWindings.map((k) => ({ what: `thermistor ${k} open`, begin: faults(kSim.open, k), fault: kFault.sensorOpen, withinMs: 25 })),
+  ...kWindings.map((k) => ({ what: `thermistor ${k} shorted`, begin: faults(kSim.short, k), fault: kFault.sensorShort, withinMs: 25 })),
+  ...kWindings.map((k) => ({ what: `thermistor ${k} above 75 C`, begin: error(kError.thermistorK, k, 55), fault: kFault.overHeat, withinMs: 62 })),
+  { what: 'too hot', begin: ({ board }) => board.plant.ask('heat 80'), fault: kFault.overHeat, withinMs: 62 },
+  ...kWindings.map((k) => ({ what: `bridge ${k} reports a fault`, begin: faults(kSim.bridgeFault, k), fault: kFault.bridge, withinMs: 5 })),
+  { what: 'a PWM line is stuck', begin: error(kError.pwmStuck, 1, 0.4), fault: kFault.unexpectedCurrent, withinMs: 30, again: true },
+  { what: 'supply below 6.5 V', begin: faults(kSim.supplyLow), fault: kFault.supply, withinMs: 13 },
+  { what: 'supply above 30 V', begin: error(kError.supplyGain, 0, 2.6), fault: kFault.supply, withinMs: 13 },
+  { what: 'an amplifier’s line is open', begin: shown(0), fault: kFault.unexpectedCurrent, withinMs: 8, again: true },
+  { what: 'an amplifier’s line is at its supply', begin: shown(4095), fault: kFault.unexpectedCurrent, withinMs: 8, again: true },
+  { what: 'an amplifier shows zero at 13 A', duty: kThirteenAmps, begin: shown(2048), fault: kFault.unexpectedCurrent, withinMs: 24, again: true },
+  {
+    what: 'an amplifier keeps what it shows', begin: ({ board, driver }) => {
+      board.shownCurrent = board.readings.current[0];
+      driver.target = { enable: true, duty: [0, 0, 0] };
+    }, fault: kFault.unexpectedCurrent, withinMs: 30, again: true,
+  },
+  { what: 'an amplifier shows half of 13 A', duty: kThirteenAmps, begin: faults(kSim.currentHalf), fault: kFault.unexpectedCurrent, withinMs: 24, again: true },
+  { what: 'an amplifier shows twice 5 A', begin: error(kError.currentGain, 0, 2), fault: kFault.unexpectedCurrent, withinMs: 24, again: true },
+  {
+    what: 'more than 16.5 A', begin: ({ driver }) => { driver.target = { enable: true, duty: [0.8, 0, 0] }; },
+    fault: kFault.overCurrent, withinMs: 60, again: true,
+  },
+  {
+    what: 'more than the host’s tighter limit', begin: ({ board, driver }) => {
+      board.host.outQueue.push(limits(++driver.sequence, { currentMa: 4000 }));
+    }, fault: kFault.overCurrent, withinMs: 54, again: true,
+  },
+  {
+    // 1 % of the budget of a winding are 96 A^2 s; 25 A^2 leave it after about 4 s.
+    what: 'the I²t budget is spent', begin: ({ board, driver }) => {
+      board.host.outQueue.push(limits(++driver.sequence, { heat: 10 }));
+    }, fault: kFault.heatBudget, withinMs: 4500,
+  },
+];
+
+for (const { what, duty = kFiveAmps, begin, fault, withinMs, again = false } of kHazards) {
+  test(`${what}: asleep within ${withinMs} ms, no current`, withBoard((board, driver) => {
+    driver.drive(duty);
+    assertDriving(board, driver);
+    board.events.length = 0;
+    const { us } = board.chip;
+    begin({ board, driver });
+    board.run(withinMs + 1, () => board.events.length > 0);
+    const tookMs = (board.chip.us - us) / 1000;
+    assert.ok(board.events.length > 0 && tookMs <= withinMs, `asleep after ${board.events.length > 0 ? tookMs : 'never'} ms`);
+    board.run(20); // 8 ms from 16.5 A, against the diodes
+    assert.equal(driver.last.mode, kMode.latched);
+    assert.ok(driver.last.faults & fault, `faults ${driver.last.faults}`);
+    assertSafePins(board);
+    assertNoCurrent(board);
+    console.log(`${what}: asleep after ${tookMs.toFixed(1)} ms`);
+    if (again) return;
+    driver.arm();
+    assert.equal(driver.last.mode, kMode.latched, 'armed in spite of it');
+    assertNoCurrent(board);
+  }));
+}
+
+test('the host’s machine stops, without a frame of the bus: asleep 100 ms +- 1 ms after the last set-point, no current, none when it is back', withBoard((board, driver) => {
+  let last = 0;
+  board.host.onOut = (packet, us) => { last = us; };
+  driver.drive(kFiveAmps);
+  assertDriving(board, driver);
+  board.host.frames = false;
+  driver.sending = false;
+  board.events.length = 0;
+  board.run(120, () => board.events.length > 0);
+  const ms = (board.events[0].us - last) / 1000;
+  console.log(`the host's machine stops: asleep after ${ms.toFixed(2)} ms`);
+  assert.ok(ms > 99 && ms < 101, `${ms} ms`);
+  board.run(20);
+  assertSafePins(board);
+  assertNoCurrent(board);
+  // Another machine, which knows nothing of an armed ball.
+  board.host.frames = true;
+  driver.sending = true;
+  driver.enumerate();
+  board.run(200);
+  assert.equal(driver.last.mode, kMode.latched);
+  assert.ok(driver.last.faults & kFault.deadMan);
+  assertNoCurrent(board);
+}));
+
+test('suspended and resumed before the dead-man’s time, the board drives on; after it, it does not', withBoard((board, driver) => {
+  driver.drive(kFiveAmps);
+  const pause = (ms) => {
+    board.host.frames = false;
+    board.run(ms);
+    assert.ok(board.host.suspended);
+    board.host.frames = true;
+    board.run(10);
+  };
+  pause(50);
+  assertDriving(board, driver);
+  pause(110);
+  board.run(200);
+  assert.equal(driver.last.mode, kMode.latched);
+  assertSafePins(board);
+  assertNoCurrent(board);
+  driver.arm();
+  board.run(60);
+  assertDriving(board, driver);
+}));
+
+test('enumerated anew by a daemon that has just begun: asleep with its first set-point, no current', withBoard((board, driver) => {
+  driver.drive(kFiveAmps);
+  driver.target = { enable: false };
+  board.events.length = 0;
+  board.host.reset();
+  board.host.enumerate(9);
+  board.run(5);
+  assert.equal(board.events[0]?.awake, false);
+  board.run(15);
+  assertNoCurrent(board);
+  // It goes on with numbers of its own, which are older than the last that the board took.
+  driver.sequence = 0;
+  driver.target = { enable: true, duty: kFiveAmps };
+  board.run(200);
+  assert.equal(driver.last.mode, kMode.latched);
+  assert.ok(driver.last.faults & kFault.deadMan);
+  assertSafePins(board);
+  assertNoCurrent(board);
+}));
+
+test('a thermistor opens under a flood of packets: the rules are kept', withBoard((board, driver) => {
+  driver.drive(kFiveAmps);
+  const flood = () => { while (board.host.outQueue.length < 8) board.host.outQueue.push(Buffer.alloc(64, 0x48)); };
+  board.run(60, () => void flood());
+  board.plant.ask(`faults ${kSim.open} 1`);
+  board.events.length = 0;
+  const { us } = board.chip;
+  const ticks = board.ticks.length;
+  board.run(150, () => void flood());
+  assert.ok(board.events.length > 0 && board.events[0].us - us < 25e3, 'asleep');
+  assert.ok(board.ticks.length - ticks >= 149, 'every millisecond was kept');
+  assertSafePins(board);
+  assertNoCurrent(board);
+}));
+
+test('the converter’s clock stops: a loop that waits for it is reset within 21 ms, and the bridges sleep', withBoard((board, driver) => {
+  driver.drive(kFiveAmps);
+  const { us } = board.chip;
+  board.mcu.spi[0].onTransmit = () => {};
+  board.run(25, () => board.chip.resets === 1);
+  assert.equal(board.chip.resets, 1);
+  assert.ok(board.chip.resetUs - us < 22e3, `${board.chip.resetUs - us} us`);
+  board.run(10);
+  assert.equal(board.pins().awake, false);
+  assertNoCurrent(board);
+}));

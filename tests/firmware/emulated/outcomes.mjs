@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+// A reporter of node:test for programs: a line of JSON for each test that was run: {name, failure}; failure is null, or Node's word for it.
+export default async function* outcomes(source) {
+  for await (const { type, data } of source) {
+    if ((type !== 'test:pass' && type !== 'test:fail') || data.skip !== undefined) continue;
+    const error = data.details?.error;
+    yield `${JSON.stringify({ name: data.name, failure: type === 'test:fail' ? error?.failureType ?? 'unknown' : null, message: String(error?.cause?.message ?? error?.message ?? '') })}\n`;
+  }
+}

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// The simulator's ball and electronics (plant_main.cpp) as a process, a line to and from it at a time.
+import { execFileSync, spawn } from 'node:child_process';
+import { closeSync, mkdtempSync, openSync, readSync, rmSync, writeSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+
+export class Plant {
+  /** `words` are its arguments; `socket` is the descriptor of a host, which it gets as 3. */
+  constructor({ words = [], socket = undefined, program = process.env.HEDGEHOG_FIRMWARE_PLANT } = {}) {
+    // Pipes with names, because those of spawn cannot be waited for.
+    this.folder = mkdtempSync(join(tmpdir(), 'hedgehog-plant-'));
+    const [to, from] = ['to', 'from'].map((name) => join(this.folder, name));
+    execFileSync('mkfifo', [to, from]);
+    const script = 'program=$1 to=$2 from=$3; shift 3; exec "$program" "$@" <"$to" >"$from"';
+    this.child = spawn('sh', ['-c', script, 'sh', program, to, from, ...words], {
+      stdio: ['ignore', 'ignore', 'inherit', ...(socket === undefined ? [] : [socket])],
+    });
+    this.child.unref();
+    this.input = openSync(to, 'w');
+    this.output = openSync(from, 'r');
+    this.buffer = Buffer.alloc(4096);
+  }
+
+  ask(line) {
+    writeSync(this.input, `${line}\n`);
+    let length = 0;
+    do {
+      const got = readSync(this.output, this.buffer, length, this.buffer.length - length, null);
+      if (got === 0) throw new Error(`the plant ended at: ${line}`);
+      length += got;
+    } while (this.buffer[length - 1] !== 10);
+    return this.buffer.toString('latin1', 0, length - 1);
+  }
+
+  /** A millisecond on these pins; what the converter shows then, and what is true. */
+  step({ pwm, direction, awake, closed, fan }) {
+    const n = this.ask(`step ${pwm.join(' ')} ${direction} ${awake ? 1 : 0} ${closed ? 1 : 0} ${fan}`).split(' ').map(Number);
+    return {
+      current: n.slice(0, 3), shunt: n[3], supply: n[4], ntc: n.slice(5, 8), faultsLow: n[8], tachUs: n[9],
+      trueMa: n.slice(10, 13), fan: n[13] / 1000,
+    };
+  }
+
+  /** Packets of the host, at most up to a set-point, waited for so long; undefined: the host is gone. */
+  receive(patienceMs) {
+    const [state, begun, ...packets] = this.ask(`host ${patienceMs}`).split(' ');
+    if (state === 'closed') return undefined;
+    return { begun: begun === '1', packets: packets.map((hex) => Buffer.from(hex, 'hex')) };
+  }
+
+  answer(ms, packets) { this.ask(['answer', ms, ...packets.map((packet) => Buffer.from(packet).toString('hex'))].join(' ')); }
+
+  close() {
+    closeSync(this.input);
+    closeSync(this.output);
+    rmSync(this.folder, { recursive: true });
+  }
+}

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Tests as programs of their own, and which of them found something: a test that does not end has judged nothing.
+import { spawn } from 'node:child_process';
+import { fileURLToPath } from 'node:url';
+
+const reporter = fileURLToPath(new URL('outcomes.mjs', import.meta.url));
+/** A failed assertion or an exception, in the test itself, in a part of it or in a hook. */
+const kFound = ['testCodeFailure', 'subtestsFailed', 'hookFailed'];
+const literally = (text) => text.replace(/[.*+?^${}()|[\]\\]/g, '\\$&');
+
+/** What a program prints, and its exit code. */
+export const run = (program, args, env = {}) => new Promise((done) => {
+  const child = spawn(program, args, { env: { ...process.env, ...env } });
+  let said = '';
+  for (const stream of [child.stdout, child.stderr]) stream.on('data', (data) => { said += data; });
+  child.on('close', (code) => done({ code, said }));
+});
+
+/** The tests of `files` whose name has `word`. {red: names of those that failed, problem: why that is no judgement; empty: it is one}. */
+export async function runTests(files, word, { timeoutMs, env = {} }) {
+  // Within another test Node would skip them.
+  const ended = await run(process.execPath, ['--test', `--test-reporter=${reporter}`, `--test-timeout=${timeoutMs}`, `--test-name-pattern=${literally(word)}`, ...files],
+    { ...env, NODE_TEST_CONTEXT: undefined });
+  const outcomes = ended.said.split('\n').filter((line) => line.startsWith('{"name"')).map((line) => JSON.parse(line));
+  const ours = outcomes.filter(({ name }) => name.includes(word));
+  // Where a test does not end, Node names its file.
+  const unjudged = outcomes.filter(({ failure }) => failure && !kFound.includes(failure));
+  const red = ours.filter(({ failure }) => kFound.includes(failure)).map(({ name }) => name);
+  let problem = '';
+  if (unjudged.length > 0) problem = `did not end: ${unjudged.map(({ name, message }) => `${name}: ${message}`).join('; ')}`;
+  else if (red.length === 0 && ended.code !== 0) problem = `failed otherwise\n${ended.said}`;
+  else if (ours.length === 0) problem = 'there is no such test';
+  return { red, problem };
+}

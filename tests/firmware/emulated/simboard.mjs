@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// In the place of hedgehog-simboard: the emulated board behind the socket that hedgehogd hands to its simulated board, in step with it
+// (hedgehogd --simulate --speed N, simulator.process). Takes the arguments of hedgehog-simboard. The host of the USB is the operating
+// system's share: it enumerates, sends what the daemon sends and hands over what the board sends.
+//
+// --trace F: JSON lines { event, us, since_set_point_us, awake, closed, fan, current_ma, peak_ma } in the board's own time; `peak_ma` is
+// the largest current of each winding since the line before, with its sign. Events: start; awake, asleep (the bridges); reset (by the
+// watchdog); lost (the host is gone); zero (no current any more, bridges asleep); unplugged, plugged; done (control); exit.
+// HEDGEHOG_BOARD_CONTROL=F: a file whose lines are done, then it is removed: `alone MS` (the board runs on, its host does nothing, as
+// one that is frozen or busy), `unplug MS` (of USB, for so long), `hang` (the program).
+import { appendFileSync, closeSync, existsSync, readFileSync, rmSync } from 'node:fs';
+import { Board } from './board.mjs';
+
+const kSetPoint = 0x01;
+const kNoCurrentMa = 100;
+const kMaxQueued = 16;
+const kShutdownMs = 5000;
+const kPollMs = 20;
+const kTicksPerLook = 20;
+
+const words = process.argv.slice(2);
+const option = (name) => (words.includes(name) ? words[words.indexOf(name) + 1] : undefined);
+if (!words.includes('--in-step') || option('--fd') === undefined) {
+  console.error('the emulated board keeps step with its host: hedgehogd --simulate --speed N with simulator.process');
+  process.exit(64);
+}
+
+class ServedBoard {
+  constructor() {
+    const socket = Number(option('--fd'));
+    const plantWords = words.map((word, i) => (words[i - 1] === '--fd' ? '3' : word));
+    this.board = new Board(undefined, { plant: { words: plantWords, socket } });
+    closeSync(socket);
+    this.trace = option('--trace');
+    this.control = process.env.HEDGEHOG_BOARD_CONTROL;
+    this.host = this.board.host;
+    this.setPointUs = undefined;
+    this.peakMa = [0, 0, 0];
+    this.awake = false;
+    this.flowed = false;
+    this.resets = 0;
+    this.ms = 0;
+    this.host.onOut = (packet, us) => { if (packet[2] === kSetPoint) this.setPointUs = us; };
+  }
+
+  note(event, more = {}) {
+    if (this.trace === undefined) return;
+    const { us } = this.board.chip;
+    const { awake, closed, fan } = this.board.pins();
+    const current_ma = this.board.readings.trueMa;
+    const since_set_point_us = this.setPointUs === undefined ? null : us - this.setPointUs;
+    appendFileSync(this.trace, `${JSON.stringify({ event, us, since_set_point_us, awake, closed, fan, current_ma, peak_ma: this.peakMa, ...more })}\n`);
+    this.peakMa = [0, 0, 0];
+  }
+
+  millisecond() {
+    const { board } = this;
+    board.run(1);
+    this.peakMa = board.readings.trueMa.map((ma, k) => (Math.abs(ma) > Math.abs(this.peakMa[k]) ? ma : this.peakMa[k]));
+    for (const { us, awake } of board.events.splice(0)) {
+      this.awake = awake;
+      // As it was at the pin, not at the end of the millisecond.
+      this.note(awake ? 'awake' : 'asleep', { us, since_set_point_us: this.setPointUs === undefined ? null : us - this.setPointUs });
+    }
+    if (board.chip.resets !== this.resets) {
+      this.resets = board.chip.resets;
+      this.awake = false;
+      this.note('reset');
+    }
+    if (board.trueMa > kNoCurrentMa) this.flowed = true;
+    else if (this.flowed && !this.awake) {
+      this.flowed = false;
+      this.note('zero');
+    }
+    board.ticks.length = 0;
+    board.applied.length = 0;
+  }
+
+  alone(ms) {
+    this.host.outQueue.length = 0;
+    const { reading } = this.host;
+    this.host.reading = false;
+    for (let i = 0; i < ms; ++i) this.millisecond();
+    this.host.reading = reading;
+  }
+
+  unplug(ms) {
+    this.host.plug(false);
+    this.note('unplugged');
+    this.alone(ms);
+    this.note('plugged');
+    this.host.plug(true);
+  }
+
+  /** What a test wants, once it is there as a whole. */
+  obey() {
+    if (!this.control || !existsSync(this.control)) return;
+    const lines = readFileSync(this.control, 'utf8').trim().split('\n');
+    for (const line of lines) {
+      const [command, value] = line.split(' ');
+      if (command === 'alone') this.alone(Number(value));
+      else if (command === 'unplug') this.unplug(Number(value));
+      else if (command === 'hang') this.board.chip.hang();
+      else throw new Error(`${this.control}: ${line}`);
+    }
+    this.note('done');
+    rmSync(this.control);
+  }
+
+  /** The operating system finds the board when it is plugged in and after its reset. */
+  enumerate() {
+    if (this.host.configured || !this.host.connected) return;
+    this.host.enumerate();
+  }
+
+  serve() {
+    this.note('start');
+    for (let look = 0; ; ++look) {
+      const received = this.board.plant.receive(kPollMs);
+      if (received === undefined) return;
+      if (!received.begun || look % kTicksPerLook === 0) this.obey();
+      this.host.outQueue.push(...received.packets);
+      if (!received.begun) continue;
+      this.enumerate();
+      this.host.outQueue.splice(0, this.host.outQueue.length - kMaxQueued);
+      this.millisecond();
+      this.board.plant.answer(++this.ms, this.host.received.splice(0).map(({ packet }) => packet));
+    }
+  }
+
+  /** The process that used the board is gone, the operating system is not. */
+  shutDown() {
+    this.note('lost');
+    this.alone(0);
+    this.host.reading = false;
+    const end = this.board.chip.us + kShutdownMs * 1000;
+    do this.millisecond();
+    while (this.board.chip.us < end && (this.awake || this.board.trueMa > kNoCurrentMa));
+    this.note('exit');
+    this.board.close();
+  }
+}
+
+const served = new ServedBoard();
+served.serve();
+served.shutDown();

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// How long it takes, in cycles of the emulated processor, at every phase of the host's frames against the board's millisecond; and
+// that each frame is the one that the board core gives on the host.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { CoreMirror } from './core_mirror.mjs';
+import { withBoard } from './fixture.mjs';
+import { kMode, setPoint, telemetry } from './frames.mjs';
+
+const kTicks = Number(process.env.HEDGEHOG_FIRMWARE_TICKS ?? 3000);
+/** 40 % of a millisecond at 125 MHz. */
+const kMaxCycles = 50_000;
+
+const percentile = (values, share) => values.sort((a, b) => a - b)[Math.min(values.length - 1, Math.floor(share * values.length))];
+
+/** Lines of "from..to us  count" in steps of `width`. */
+const histogram = (values, width) => {
+  const counts = [];
+  for (const value of values) counts[Math.floor(value / width)] = (counts[Math.floor(value / width)] ?? 0) + 1;
+  return Object.entries(counts).map(([bin, count]) =>
+    `${`${bin * width}..${(Number(bin) + 1) * width}`.padStart(12)} us ${String(count).padStart(5)} ${'#'.repeat(Math.ceil((40 * count) / values.length))}`).join('\n');
+};
+
+/** A host's pseudo-random whole numbers below `below`. */
+function noise(state) {
+  return (below) => {
+    state ^= state << 13;
+    state ^= state >>> 17;
+    state ^= state << 5;
+    return (state >>> 0) % below;
+  };
+}
+
+/** Set-points with a duty of their own each, so late in each frame as `lateUs()` says. Returns the latencies, us: to the end of the PWM
+ *  period from which on the compare value counts, and to the telemetry that shows the set-point. */
+function measureLatency(board, driver, ms, lateUs) {
+  const arrived = new Map();
+  const sent = [];
+  const answered = [];
+  let shown = 0;
+  board.host.onFrame = () => {
+    board.after(lateUs(), () => {
+      ++driver.sequence;
+      const duty = ((driver.sequence * 7) % 1000) / 10000;
+      board.host.outQueue.push(setPoint(driver.sequence, { duty: [duty, 0, 0] }));
+    });
+  };
+  board.host.onOut = (packet, us) => {
+    const frame = Buffer.from(packet);
+    arrived.set(frame.readUInt32LE(4), us);
+    sent.push({ us, value: Math.floor((6249 * frame.readInt16LE(8)) / 32767) });
+  };
+  board.host.onIn = (packet, us) => {
+    driver.last = telemetry(packet);
+    const set = arrived.get(driver.last.setPoint);
+    if (set !== undefined && driver.last.setPoint !== shown) answered.push(us - set);
+    shown = driver.last.setPoint;
+  };
+  board.applied.length = 0;
+  board.run(ms);
+  const pwm = [];
+  for (const { us, value } of sent) {
+    // Of two that arrive in one millisecond of the board the later counts.
+    const write = board.applied.find((one) => one.us > us && one.value === value);
+    if (write && write.us - us < 2000) pwm.push(write.us - us);
+  }
+  return { all: sent.length, pwm, answered };
+}
+
+const kSettlingMs = 250;
+const kHosts = [
+  ['whose clock is slow by 0.3 %', 1_003_000, () => 0],
+  ['whose clock is fast by 0.3 %', 997_000, () => 0],
+  // Its telemetry would be sent where erratum E15 forbids it.
+  ['that sends in the middle of its frames', 1_000_000, () => 400],
+  ['that sends late by up to 0.35 ms', 1_000_300, ((random) => () => random(350))(noise(0x1234567))],
+];
+for (const [which, frameNanos, lateUs] of kHosts) {
+  test(`a set-point of a host ${which} is at the PWM within a millisecond of its arrival`, withBoard((board, driver) => {
+    driver.drive([0, 0, 0], 5);
+    board.host.frameNanos = frameNanos;
+    measureLatency(board, driver, kSettlingMs, lateUs);
+    const { all, pwm, answered } = measureLatency(board, driver, 500, lateUs);
+    assert.ok(pwm.length > 0.99 * all - 3, `${pwm.length} of ${all}`);
+    assert.ok(answered.length > 0.99 * all - 3, `${answered.length} of ${all}`);
+    const us = (values, share) => percentile(values, share).toFixed(0);
+    console.log(`host ${which}:\nset-point to PWM, its period's end included: median ${us(pwm, 0.5)} us, worst ${us(pwm, 1)} us\n${histogram(pwm, 50)}`);
+    console.log(`set-point to telemetry at the host: median ${us(answered, 0.5)} us, worst ${us(answered, 1)} us\n${histogram(answered, 50)}`);
+    assert.ok(percentile(pwm, 1) <= 1000);
+    assert.ok(percentile(answered, 1) < 1600);
+  }));
+}
+
+test('the millisecond of the board follows the set-points from any phase, and by half a per cent at most', withBoard((board, driver) => {
+  driver.drive([0, 0, 0], 5);
+  const worst = [];
+  for (let phase = 0; phase < 8; ++phase) {
+    // One frame that is longer moves all that follow.
+    board.host.frameNanos = 1_000_000 + 125_000 * (phase + 1);
+    board.run(1.5);
+    board.host.frameNanos = 1_000_000;
+    board.ticks.length = 0;
+    measureLatency(board, driver, kSettlingMs, () => 0);
+    const periods = board.ticks.slice(1).map((us, i) => us - board.ticks[i]);
+    // What the loop does when it wakes takes a few microseconds.
+    assert.ok(Math.min(...periods) > 985 && Math.max(...periods) < 1015, `${Math.min(...periods)}..${Math.max(...periods)}`);
+    const mean = periods.slice(0, 50).reduce((sum, one) => sum + one, 0) / 50;
+    assert.ok(mean > 994.9 && mean < 1005.1, `${mean}`);
+    worst.push(percentile(measureLatency(board, driver, 30, () => 0).pwm, 1));
+  }
+  console.log(`set-point to PWM, worst after each of eight shifts: ${worst.map((us) => us.toFixed(0)).join(', ')} us`);
+  assert.ok(Math.max(...worst) < 700);
+}));
+
+test('bad packets do not move the millisecond of the board', withBoard((board, driver) => {
+  driver.enumerate();
+  driver.sending = false;
+  board.host.onFrame = () => board.host.outQueue.push(Buffer.alloc(64, 0x48));
+  board.run(20);
+  board.ticks.length = 0;
+  board.run(200);
+  const mean = (board.ticks.at(-1) - board.ticks[0]) / (board.ticks.length - 1);
+  assert.ok(Math.abs(mean - 1000) < 0.2, `${mean} us`);
+}));
+
+test(`${kTicks} frames are those of the board core on the host`, withBoard((board, driver) => {
+  const mirror = new CoreMirror(board);
+  driver.enumerate();
+  const random = noise(0x2545f491);
+  for (let ms = 0; ms < kTicks; ++ms) {
+    if (ms % 400 === 0) driver.arm();
+    if (random(40) === 0)
+      driver.target = { enable: random(5) > 0, duty: [0, 1, 2].map(() => (random(2001) - 1000) / 1400), boost: [0.1, -0.1, 0], fan: random(256) };
+    if (random(700) === 0) board.plant.ask(`faults ${1 << random(13)} ${random(3)}`);
+    if (random(150) === 0) board.plant.ask('faults 0 0');
+    driver.sending = ms % 1500 < 1300;
+    if (random(20) === 0) board.host.outQueue.push(Buffer.alloc(random(64) + 1, random(256)));
+    board.run(1);
+    for (const list of [board.host.received, board.ticks, board.applied, board.events]) list.length = 0;
+  }
+  console.log(`${mirror.compared} frames compared, modes ${[...mirror.modes].sort()}, faults 0x${mirror.faults.toString(16)}`);
+  assert.deepEqual(mirror.differences.slice(0, 3), []);
+  assert.ok(mirror.compared > 0.95 * kTicks);
+  assert.ok(mirror.modes.has(kMode.driving) && mirror.modes.has(kMode.latched));
+}));
+
+test('the longest that the processor is awake, and its stack', withBoard((board, driver) => {
+  driver.drive([0.1, -0.1, 0.1], 20);
+  let sign = 1;
+  board.run(300, () => {
+    if (board.host.outQueue.length < 3) board.host.outQueue.push(Buffer.alloc(64, 0x48));
+    driver.target = { enable: true, duty: [0.1 * (sign = -sign), 0.1 * sign, 0.1] };
+  });
+  for (let i = 0; i < 20; ++i) board.host.descriptor(2);
+  const share = board.chip.longestAwake / 1250;
+  console.log(`worst millisecond: ${board.chip.longestAwake} of 125000 cycles (${share.toFixed(1)} %), stack ${board.chip.stackUsed()} bytes of 4096`);
+  assert.ok(board.chip.longestAwake < kMaxCycles);
+  assert.ok(board.chip.stackUsed() < 1024);
+}));

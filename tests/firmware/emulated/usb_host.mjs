@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: MIT
+// A full-speed host in place of rp2040js's, which lets an unread packet complete and hides STALL, toggles, SOF and suspend: tokens
+// against the buffers that the firmware has armed.
+
+const kAvailable = 1 << 10;
+const kStall = 1 << 11;
+const kData1 = 1 << 13;
+const kFull = 1 << 15;
+const kEnabled = 1 << 31;
+const kPullUp = 1 << 16;
+const kSuspended = 1 << 4;
+const kBusReset = 1 << 19;
+const kSofEvent = 1 << 17;
+const kVbusPin = 24;
+
+// Crystals of host and board differ: the frames drift through the board's milliseconds.
+const kFrameUs = 1000.3;
+const kRetryUs = 20;
+const kQuietUs = 900; // no transaction is begun so late in a frame
+const kArmCycles = 12;
+
+export class UsbHost {
+  constructor() {
+    this.plugged = true;
+    this.frames = true; // SOFs are sent
+    this.reading = true; // the IN endpoint is polled
+    this.frameNanos = kFrameUs * 1000;
+    this.outQueue = [];
+    this.received = [];
+    this.onFrame = () => {};
+    this.onIn = () => {};
+    this.onOut = () => {};
+    this.onTaken = () => {}; // a bulk packet has left the controller's memory
+    this.busyHub = false;
+    this.deaf = false;
+    this.counts = { sof: 0, nak: 0, stall: 0, toggle: 0, late: 0, unarmed: 0 };
+    this.forget();
+  }
+
+  forget() {
+    this.address = 0;
+    this.toggle = new Map();
+    this.configured = false;
+  }
+
+  attach(mcu, chip) {
+    this.chip = chip;
+    this.mcu = mcu;
+    this.forget();
+    this.phy = new Map();
+    this.idleUs = undefined;
+    this.frameUs = -1e9;
+    this.suspended = false;
+    const usb = (this.usb = mcu.usbCtrl);
+    mcu.gpio[kVbusPin].setInputValue(this.plugged);
+    this.watchArming();
+    const read = usb.readUint32.bind(usb);
+    usb.readUint32 = (offset) => {
+      if (offset === 0x48) this.event(kSofEvent, false);
+      return read(offset);
+    };
+    const write = usb.writeUint32.bind(usb);
+    usb.writeUint32 = (offset, value) => {
+      if (offset === 0x78) return; // power: nothing to model
+      if (offset === 0x74) this.route(value);
+      if (offset === 0x7c || offset === 0x80) this.phy.set(offset, value);
+      if (offset === 0x74 || offset === 0x7c || offset === 0x80) return;
+      if (offset === 0x50 && usb.rawWriteValue & kSuspended) usb.sieStatus &= ~kSuspended;
+      write(offset, value);
+    };
+    const every = (nanos, what) => {
+      const alarm = mcu.clock.createAlarm(() => {
+        alarm.schedule(nanos());
+        what();
+      });
+      alarm.schedule(nanos());
+    };
+    every(() => this.frameNanos, () => this.frame());
+    every(() => kRetryUs * 1000, () => this.bulk());
+  }
+
+  /** A chip before B2 behind a busy hub listens after a reset only when it has been shown an idle line (erratum E5). */
+  route(muxing) {
+    const pin = this.mcu.gpio[15];
+    const pullUp = this.phy.get(0x7c) === 1 << 1 && this.phy.get(0x80) === 1 << 2;
+    const idle = muxing === 12 && pin.functionSelect === 8 && pin.inputOverride === 3 && pin.outputEnableOverride === 2 && pullUp;
+    if (idle) this.idleUs = this.chip.us;
+    else if (muxing === 9 && this.idleUs !== undefined) {
+      if (this.chip.us - this.idleUs >= 800) this.deaf = false;
+      this.idleUs = undefined;
+    }
+  }
+
+  /** The datasheet's rule for AVAILABLE, and erratum E15 for what is sent. */
+  watchArming() {
+    const last = new Map();
+    this.usb.DPRAMUpdated = (offset, value) => {
+      if (offset < 0x80 || offset > 0x8c) return;
+      const cycles = this.mcu.core.cycles;
+      const before = last.get(offset);
+      last.set(offset, { value, cycles });
+      if (!(value & kAvailable)) return;
+      if (before?.value !== (value & ~kAvailable) || cycles - before.cycles < kArmCycles) ++this.counts.unarmed;
+      const into = this.chip.us - this.frameUs;
+      if (offset === 0x8c && this.unread !== undefined) {
+        this.onTaken(this.unread);
+        this.unread = undefined;
+      }
+      if (offset === 0x88 && into >= 800 && into < 998) ++this.counts.late;
+    };
+  }
+
+  event(bit, set) {
+    if (set) this.usb.intRaw |= bit;
+    else this.usb.intRaw &= ~bit;
+    this.usb.checkInterrupts();
+  }
+
+  get connected() { return this.plugged && (this.usb.sieCtrl & kPullUp) !== 0 && (this.usb.mainCtrl & 1) !== 0; }
+
+  frame() {
+    if (!this.connected) return;
+    const now = this.chip.us;
+    if (this.frames) {
+      this.suspended = false;
+      this.frameUs = now;
+      ++this.counts.sof;
+      this.usb.sofFrameNumber = (this.usb.sofFrameNumber + 1) & 0x7ff;
+      this.event(kSofEvent, true);
+      if (this.configured) this.onFrame(this);
+    } else if (!this.suspended && now - this.frameUs > 3000) {
+      this.suspended = true;
+      this.usb.sieStatus |= kSuspended;
+      this.usb.sieStatusUpdated();
+    }
+  }
+
+  bulk() {
+    if (!this.configured || !this.frames || !this.connected || this.chip.us - this.frameUs > kQuietUs) return;
+    if (this.outQueue.length > 0 && this.out(1, this.outQueue[0]) !== 'nak') this.onOut(this.outQueue.shift(), this.chip.us);
+    if (!this.reading) return;
+    const packet = this.in(1);
+    if (typeof packet === 'string') return;
+    this.received.push({ us: this.chip.us, packet });
+    this.onIn(packet, this.chip.us);
+  }
+
+  listens() {
+    return this.connected && !this.deaf && (this.usb.addrEndp & 0x7f) === this.address && !(this.usb.sieStatus & kBusReset);
+  }
+
+  enabled(endpoint, out) {
+    if (endpoint === 0) return true;
+    return (this.mcu.usbDPRAMView.getUint32(8 * endpoint + (out ? 4 : 0), true) & kEnabled) !== 0;
+  }
+
+  /** What a token meets: 'none', 'stall', 'nak', or the buffer control that is armed. */
+  token(endpoint, out) {
+    if (!this.listens() || !this.enabled(endpoint, out)) return 'none';
+    const at = 0x80 + 8 * endpoint + (out ? 4 : 0);
+    const control = this.mcu.usbDPRAMView.getUint32(at, true);
+    if (control & kStall && (endpoint > 0 || this.usb.epStallArm & (out ? 2 : 1))) {
+      ++this.counts.stall;
+      return 'stall';
+    }
+    if (!(control & kAvailable) || out === ((control & kFull) !== 0)) {
+      ++this.counts.nak;
+      return 'nak';
+    }
+    const key = endpoint | (out ? 0 : 0x80);
+    const expected = this.toggle.get(key) ?? 0;
+    if (expected !== (control & kData1 ? 1 : 0)) {
+      ++this.counts.toggle;
+      return 'toggle';
+    }
+    this.toggle.set(key, expected ^ 1);
+    return { at, control };
+  }
+
+  in(endpoint) {
+    const met = this.token(endpoint, false);
+    if (typeof met === 'string') return met;
+    const offset = this.usb.getEndpointBufferOffset(endpoint, false);
+    const data = this.mcu.usbDPRAM.slice(offset, offset + (met.control & 0x3ff));
+    this.mcu.usbDPRAMView.setUint32(met.at, met.control & ~(kAvailable | kFull), true);
+    this.usb.indicateBufferReady(endpoint, false);
+    return data;
+  }
+
+  out(endpoint, data) {
+    const met = this.token(endpoint, true);
+    if (typeof met === 'string') return met;
+    const length = Math.min(data.length, met.control & 0x3ff);
+    this.mcu.usbDPRAM.set(data.subarray(0, length), this.usb.getEndpointBufferOffset(endpoint, true));
+    this.mcu.usbDPRAMView.setUint32(met.at, (met.control & ~(kAvailable | 0x3ff)) | kFull | length, true);
+    if (endpoint > 0) this.unread = data;
+    this.usb.indicateBufferReady(endpoint, true);
+    return 'ack';
+  }
+
+  retry(transaction) {
+    for (let tries = 0; tries < 500; ++tries) {
+      this.chip.run(kRetryUs);
+      const result = transaction();
+      if (result !== 'nak') return result;
+    }
+    return 'timeout';
+  }
+
+  /** A control transfer: what was read, 'stall', or what went wrong. */
+  control(type, request, value = 0, index = 0, length = 0) {
+    if (!this.listens()) return 'none';
+    this.usb.epStallArm = 0;
+    for (const at of [0x80, 0x84])
+      this.mcu.usbDPRAMView.setUint32(at, this.mcu.usbDPRAMView.getUint32(at, true) & ~(kAvailable | kStall), true);
+    this.toggle.set(0x80, 1).set(0, 1);
+    this.usb.sendSetupPacket(Uint8Array.of(type, request, value, value >> 8, index, index >> 8, length, length >> 8));
+    const data = [];
+    if (type & 0x80 && length > 0) {
+      for (;;) {
+        const part = this.retry(() => this.in(0));
+        if (typeof part === 'string') return part;
+        data.push(...part);
+        if (part.length < 64 || data.length >= length) break;
+      }
+      this.toggle.set(0, 1);
+      const status = this.retry(() => this.out(0, new Uint8Array(0)));
+      return status === 'ack' ? Uint8Array.from(data) : status;
+    }
+    const status = this.retry(() => this.in(0));
+    return typeof status === 'string' ? status : Uint8Array.of();
+  }
+
+  reset() {
+    this.forget();
+    this.chip.run(10000);
+    this.deaf = this.busyHub && this.chip.revision < 2;
+    this.usb.sieStatus |= kBusReset;
+    this.usb.sieStatusUpdated();
+    this.chip.run(10000);
+  }
+
+  descriptor(type, index = 0, length = 255) { return this.control(0x80, 6, (type << 8) | index, type === 3 && index > 0 ? 0x409 : 0, length); }
+
+  /** As an operating system does it; throws when the device does not follow. */
+  enumerate(address = 7) {
+    if (!this.chip.run(200000, () => this.connected)) throw new Error('no device pulls up');
+    this.reset();
+    const must = (what, result) => {
+      if (typeof result === 'string') throw new Error(`${what}: ${result}`);
+      return result;
+    };
+    const device = must('device descriptor', this.descriptor(1, 0, 18));
+    must('address', this.control(0, 5, address));
+    this.chip.run(2000);
+    this.address = address;
+    const configuration = must('configuration descriptor', this.descriptor(2));
+    const strings = [1, 2, 3].map((index) => Buffer.from(must('string', this.descriptor(3, index))).toString('utf16le', 2));
+    this.configure();
+    return { device, configuration, strings };
+  }
+
+  configure() {
+    const result = this.control(0, 9, 1);
+    if (typeof result === 'string') throw new Error(`configuration: ${result}`);
+    this.toggle.set(1, 0).set(0x81, 0);
+    this.configured = true;
+  }
+
+  clearHalt(endpoint) {
+    const result = this.control(2, 1, 0, endpoint);
+    this.toggle.set(endpoint, 0);
+    return result;
+  }
+
+  plug(plugged) {
+    this.plugged = plugged;
+    this.forget();
+    this.mcu.gpio[kVbusPin].setInputValue(plugged);
+  }
+}

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+// The boards against the rest of the project: what the firmware takes them for, what the simulator makes of them, and the
+// files that are made from the netlists.
+import assert from "node:assert/strict";
+import { existsSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+
+import { generated } from "../../firmware/board/board.mjs";
+import { circuitAt } from "../../firmware/board/circuits.mjs";
+import { errorBudget } from "../../firmware/board/error_budget.mjs";
+import { safeWays } from "../../firmware/board/figures.mjs";
+import { sleep } from "../../firmware/board/flyback.mjs";
+import { kBoardFolder } from "../../firmware/board/netlist.mjs";
+import { asBuilt, kTypes, sourceText } from "./boards.mjs";
+
+const reference = asBuilt("reference");
+const thesis = asBuilt("thesis");
+
+/** The number behind `pattern` in a source; digits may have separators. */
+function constant(path, pattern) {
+  const match = pattern.exec(sourceText(path));
+  assert.ok(match, `${path}: ${pattern}`);
+  return Number(match[1].replaceAll("'", ""));
+}
+const port = (pattern) => constant("daemon/device/board_core/port.h", pattern);
+const frontEnd = (pattern) => constant("daemon/device/simulator/front_end.cpp", pattern);
+const close = (actual, expected) => assert.ok(Math.abs(actual - expected) <= 1e-6 * Math.abs(expected), `${actual} is not ${expected}`);
+
+test("the firmware takes the reference board for what it is", () => {
+  for (const at of ["U7.CH0", "U7.CH1", "U7.CH2"]) {
+    const { voltsPerUnit, zero, amp } = circuitAt(reference, kTypes, at);
+    close(1e6 * voltsPerUnit, port(/current_uv_per_a = (50'000);/));
+    assert.equal(Math.round(1e3 * zero / reference.nets.get(amp.pins.get("VS")).min * 3.3), port(/current_zero_uv\[k\] = ([\d']+);/) / 1e3);
+  }
+  close(1e6 * circuitAt(reference, kTypes, "U7.CH3").voltsPerUnit, port(/shunt_uv_per_a = ([\d']{5,});/));
+  for (const at of ["U7.CH5", "U7.CH6", "U7.CH7"])
+    close(circuitAt(reference, kTypes, at).pullUp.value, port(/ntc_pull_up_ohm = ([\d']+);/));
+  assert.equal(port(/wiring\.thermistors = (\d);/), 3);
+});
+
+test("the firmware takes both boards' divider, converter and CS for what they are", () => {
+  for (const board of [reference, thesis]) {
+    const { upper, lower } = circuitAt(board, kTypes, "U7.CH4");
+    close(upper.value, port(/supply_upper_ohm = ([\d']+);/));
+    close(lower.value, port(/supply_lower_ohm = ([\d']+);/));
+    close(1e3 * kTypes.get("REF3033").output_v, port(/adc_reference_mv = ([\d']+);/));
+    close(1e6 * circuitAt(board, kTypes, "U1.GP26").voltsPerUnit, port(/uint32_t current_uv_per_a = ([\d']+);/));
+    close(1e6 * circuitAt(board, kTypes, "U1.GP26").zero, port(/current_zero_uv\[kWindings\] = \{([\d']+),/));
+  }
+});
+
+/** [quantity, the simulator's figure, share of the budget that it must be at least]. */
+const kLimits = [
+  ["current_a gain", /kGain = ([\d.]+);/, 1], ["current_a zero, calibrated", /kInLineOffsetA = ([\d.]+);/, 1],
+  ["current_a noise", /in_line \? ([\d.]+) : 0\.10;/, 1], ["supply_a gain", /kGain = ([\d.]+);/, 1],
+  ["supply_a zero, calibrated", /kShuntOffsetA = ([\d.]+);/, 1], ["supply_a noise", /shunt_noise_a = ([\d.]+);/, 1],
+  ["supply_v gain", /kGain = ([\d.]+);/, 1], ["supply_v noise", /supply_noise_v = ([\d.]+);/, 1],
+  ["ntc_a at 75 C", /kThermistorK = ([\d.]+);/, 1],
+  // The microcontroller's own converter is worse than the simulator has it, by its linearity: figures.md.
+  ["cs_a gain, calibrated", /kGain = ([\d.]+);/, 0.8], ["cs_a zero, calibrated", /kDriverCsOffsetA = ([\d.]+);/, 1],
+  ["cs_a noise", /0\.04 : ([\d.]+);/, 0.8],
+];
+
+for (const [name, pattern, share] of kLimits)
+  test(`the simulator is no better than the board: ${name}`, () => {
+    const board = name.startsWith("cs") ? thesis : reference;
+    const found = errorBudget(board, kTypes).find((one) => one.name === name);
+    const simulated = frontEnd(pattern);
+    assert.ok(simulated >= share * found.combined, `${simulated} < ${share} * ${found.combined}`);
+    // Nor so much worse that its tests say nothing of this board.
+    assert.ok(simulated <= 5 * found.combined, `${simulated} > 5 * ${found.combined}`);
+  });
+
+test("zero must be calibrated: out of the box it may be off by more than the simulator has it", () => {
+  const found = errorBudget(reference, kTypes).find(({ name }) => name === "current_a zero");
+  assert.ok(found.combined > frontEnd(/kInLineOffsetA = ([\d.]+);/));
+});
+
+test("what the supply's amplifier shows at no current is below what counts as a stuck bridge", () => {
+  const budget = errorBudget(reference, kTypes);
+  const floor = budget.find(({ name }) => name === "supply_a floor").worst;
+  const zero = budget.find(({ name }) => name === "supply_a zero, calibrated").worst;
+  const stuckA = constant("daemon/device/board_core/limits.h", /kStuckSupplyMa = (\d+);/) / 1e3;
+  assert.ok(Math.max(floor, zero) + 3 * budget.find(({ name }) => name === "supply_a noise").combined < stuckA);
+});
+
+test("a winding's energy is in the capacitors, in its resistance, in the diodes or in the clamp, and nowhere else", () => {
+  const winding = { henry: 1.5e-3, ohm: 0.45 };
+  const [farad, startV, amps] = [2.4e-3, 13.2, 16.5];
+  const { peakV, returnedJ, clampJ } = sleep(winding, [amps], farad, startV, null);
+  assert.equal(clampJ, 0);
+  const capacitorsJ = farad * (peakV * peakV - startV * startV) / 2;
+  assert.ok(Math.abs(capacitorsJ - returnedJ) < 0.01 * returnedJ, `${capacitorsJ} J, ${returnedJ} J`);
+  assert.ok(returnedJ < winding.henry * amps * amps / 2);
+});
+
+test("the board stands bridges that fall asleep at full current; nothing needs them to brake before", () => {
+  const ways = safeWays(reference, kTypes);
+  assert.ok(Math.abs(ways.storedJ - 0.204) < 0.001);
+  for (const { peakV, limitV, clampJ, energyJ } of ways.cases) {
+    assert.ok(peakV < limitV);
+    assert.ok(clampJ < energyJ / 5);
+  }
+  // Asleep the current is gone in less than a tenth of the brake's time.
+  assert.ok(ways.cases[0].seconds < ways.brakeS / 10);
+});
+
+test("the limits of the board are those of its reckoning", () => {
+  const core = (pattern) => constant("daemon/device/board_core/limits.h", pattern);
+  assert.equal(reference.winding.amps, core(/current_ma = (\d+);/) / 1e3);
+  assert.ok(kTypes.get("G2_18V17").practical_v < core(/supply_max_mv = (\d+);/) / 1e3);
+  close(reference.winding.henry, constant("model/thermal/plant.h", /inductance_h = ([\d.e-]+);/));
+  close(reference.winding.ohm, constant("model/thermal/plant.h", /r25_ohm\{([\d.]+),/));
+});
+
+for (const board of [reference, thesis])
+  test(`the diagram of the board ${board.name} has every part and every net`, () => {
+    const words = new Set(generated()[`wiring-${board.name}.svg`].replace(/<[^>]*>/g, " ").split(/[\s.]+/));
+    const rows = generated()[`bom-${board.name}.csv`].split(/[\s,]+/);
+    for (const ref of board.parts.keys()) {
+      assert.ok(words.has(ref), `${ref} is not in the diagram`);
+      assert.ok(rows.includes(ref), `${ref} is not in the bill of materials`);
+    }
+    for (const net of board.nets.keys()) assert.ok(words.has(net), `${net} is not in the diagram`);
+  });
+
+/** Where the texts of a diagram stand: {text, left, right, top, bottom}; a letter is taken as 0.55 of its size wide. */
+function textBoxes(svg) {
+  return [...svg.matchAll(/<text x="([-\d.]+)" y="([-\d.]+)" font-size="([\d.]+)" text-anchor="(\w+)"[^>]*>(.*?)<\/text>/g)].map(([, x, y, size, anchor, inner]) => {
+    const text = inner.replace(/<[^>]*>/g, "");
+    const width = 0.55 * size * text.length;
+    const left = x - { start: 0, middle: width / 2, end: width }[anchor];
+    return { text, left, right: left + width, top: y - 0.7 * size, bottom: +y };
+  });
+}
+
+for (const board of [reference, thesis])
+  test(`no text of the diagram of the board ${board.name} hides another or leaves the page`, () => {
+    const boxes = textBoxes(generated()[`wiring-${board.name}.svg`]);
+    assert.ok(boxes.length > 150);
+    for (const [i, a] of boxes.entries()) {
+      assert.ok(a.left >= 0 && a.right <= 1188 && a.top >= 0 && a.bottom <= 840, `${a.text} leaves the page`);
+      for (const b of boxes.slice(i + 1))
+        assert.ok(a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top, `${a.text} and ${b.text}`);
+    }
+  });
+
+for (const [name, text] of Object.entries(generated()))
+  test(`${name} is what the netlists give (else: node firmware/board/board.mjs write)`, () =>
+    assert.equal(readFileSync(join(kBoardFolder, name), "utf8"), text));
+
+test("the firmware's pins are the board's", (context) => {
+  const path = join(kBoardFolder, "../pins.h");
+  if (!existsSync(path)) return context.skip("there is no firmware for it here");
+  const first = { PWM: "kPwmPin", DIR: "kDirPin", FLT: "kFaultPin" };
+  const single = { SLP: "kSleepPin", FAN_CTL: "kFanPin", TACH: "kTachPin", SWITCH: "kSupplySwitchPin", SPI_OUT: "kSpiInPin",
+    SPI_CS: "kSpiSelectPin", SPI_CLK: "kSpiClockPin", SPI_IN: "kSpiOutPin" };
+  const pin = (name) => constant("firmware/pins.h", new RegExp(`${name} = (\\d+);`));
+  for (const board of [reference, thesis]) {
+    const net = (number) => board.parts.get("U1").pins.get(`GP${number}`);
+    for (const [name, at] of Object.entries(single)) assert.equal(net(pin(at)), name);
+    for (const [name, at] of Object.entries(first))
+      ["A", "B", "C"].forEach((letter, k) => assert.equal(net(pin(at) + k), `${name}_${letter}`));
+  }
+});
+
+test("the README tells the reckoning's figures", () => {
+  const text = sourceText("firmware/board/README.md");
+  const { cases, bare, stuckJ, farads, brakeS } = safeWays(reference, kTypes);
+  const told = [`13.2 → ${cases[0].peakV.toFixed(1)} V; all three at 18 A: ${cases[2].peakV.toFixed(1)} V`,
+    `${cases[0].returnedJ.toFixed(2)} J of it come back`, `after ${(1e3 * cases[0].seconds).toFixed(1)} ms`,
+    `VM would reach ${bare.peakV.toFixed(0)} V`, `${stuckJ.toFixed(1)} J |`, `${(1e3 * farads[0].farad).toFixed(2)} mF hold 24 V`,
+    `want ${(1e3 * farads[1].farad).toFixed(1)} mF`, `5 L/R = ${(1e3 * brakeS).toFixed(0)} ms`];
+  for (const one of told) assert.ok(text.includes(one), one);
+});
