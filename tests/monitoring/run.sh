@@ -1,0 +1,58 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# run.sh BUILD: config/monitoring against the Prometheus of Debian and a simulated ball of that build. Exit: 0 all is well.
+set -euo pipefail
+
+[ $# -eq 1 ] || { echo "run.sh BUILD" >&2; exit 64; }
+build=$(cd "$1" && pwd)
+here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
+monitoring=$(cd "$here/../../config/monitoring" && pwd)
+work=$(mktemp -d)
+running=()
+# shellcheck disable=SC2317  # called by the trap
+clean_up() {
+  [ ${#running[@]} -eq 0 ] || kill "${running[@]}" 2>/dev/null || true
+  wait
+  rm -rf "$work"
+}
+trap clean_up EXIT
+step() { echo "tests/monitoring: $*"; }
+
+step "rules"
+promtool check rules "$monitoring/hedgehog.rules.yml"
+promtool test rules "$monitoring/hedgehog.rules.test.yml"
+
+export XDG_RUNTIME_DIR=$work/run XDG_STATE_HOME=$work/state XDG_CONFIG_HOME=$work/config HOME=$work
+unset HEDGEHOG_ADDRESS
+mkdir -p "$work/run" "$work/config/hedgehog"
+echo '{"http": {"listen": "127.0.0.1:0"}}' >"$work/config/hedgehog/hedgehogd.json"
+mkfifo "$work/lines"
+exec 3<>"$work/lines"
+
+# said PATTERN: the rest of the next line that begins so.
+said() {
+  local line
+  while read -r -t 120 -u 3 line; do
+    [[ $line != *"$1"* ]] || { printf '%s\n' "${line##*"$1"}"; return; }
+  done
+  echo "tests/monitoring: no line with $1" >&2
+  return 1
+}
+
+"$build/daemon/hedgehogd" --simulate --listen 127.0.0.1:0 >"$work/lines" 2>"$work/daemon.log" &
+running+=($!)
+ball=$(said "listening on http://")
+
+echo 'global: { evaluation_interval: 1s }' >"$work/prometheus.yml"
+sed -e "s|/usr/share/hedgehog/monitoring|$monitoring|; s|/etc/hedgehog/balls.json|$work/balls.json|; s|scrape_interval: 5s|scrape_interval: 1s|" \
+  "$monitoring/scrape.yml" >>"$work/prometheus.yml"
+sed -e "s|127.0.0.1:7587|$ball|" "$monitoring/balls.json" >"$work/balls.json"
+promtool check config "$work/prometheus.yml"
+prometheus --config.file="$work/prometheus.yml" --storage.tsdb.path="$work/data" --web.listen-address=127.0.0.1:0 \
+  >"$work/prometheus.log" 2>"$work/lines" &
+running+=($!)
+prometheus=$(said 'msg="Listening on" address=')
+
+step "Prometheus at $prometheus, a ball at $ball"
+python3 "$here/queries.py" "$monitoring" "http://$prometheus" "$ball"
+step "all is well"
