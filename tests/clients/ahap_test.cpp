@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "clients/lib/import/trailing_commas.h"
 #include "tests/clients/import_sample.h"
 
 namespace hedgehog::client {
@@ -159,8 +160,41 @@ TEST(Ahap, LongOnesAreSimplifiedNotRefused) {
   EXPECT_THAT(i.notes, Contains(HasSubstr("more than 256")));
 }
 
+TEST(Ahap, CommasBehindALastItemAreReadAndSaid) {
+  const std::string file =
+      R"({"Version":1.0,"Metadata":{"Description":"a, b ,] and , }",},"Pattern":[)" +
+      transient(0.2, 0.6) + " ,\n ] , }";
+  const auto i = import_pattern(file).value();
+  EXPECT_EQ(i.pattern.description, "a, b ,] and , }");
+  EXPECT_NEAR(level_at(i, 210), 0.6, 1e-3);
+  EXPECT_THAT(i.notes, ElementsAre(HasSubstr("commas behind a last item are left out")));
+  for (const std::string wrong :
+       {R"({"Pattern":[,]})", R"({"Pattern":[1,,]})", R"({"Pattern":,})", R"({,"Pattern":[]})",
+        R"({"Pattern":[1,)", R"({"Pattern":["a,]})"})
+    EXPECT_THAT(import_pattern(wrong).error().message, HasSubstr("not JSON")) << wrong;
+}
+
+TEST(TrailingCommas, NothingElseIsTouched) {
+  for (const std::string kept :
+       {R"("a,]")", R"(["\\",1])", R"("\",}")", R"([1,,])", R"([,])", R"({"a":,})", "[1,", R"("a,)",
+        R"("\)", R"({"a,":[1,2,{"b":","}]})", ""})
+    EXPECT_EQ(without_trailing_commas(kept), kept);
+  EXPECT_EQ(without_trailing_commas(R"(["\\",])"), R"(["\\" ])");
+  EXPECT_EQ(without_trailing_commas("{\"a\":[1,\t\n],}"), "{\"a\":[1 \t\n] }");
+  EXPECT_EQ(without_trailing_commas("[[],{},\"\",]"), "[[],{},\"\" ]");
+}
+
+RC_GTEST_PROP(TrailingCommas, EveryTextKeepsItsLengthAndAllButCommas, (const std::string& text)) {
+  const std::string made = without_trailing_commas(text);
+  RC_ASSERT(made.size() == text.size());
+  for (std::size_t i = 0; i < text.size(); ++i)
+    RC_ASSERT(made[i] == text[i] || (text[i] == ',' && made[i] == ' '));
+}
+
 TEST(Ahap, ComplaintsNameWhatIsWrong) {
   EXPECT_THAT(import_pattern("{").error().message, HasSubstr("not JSON"));
+  EXPECT_THAT(import_pattern(ahap(transient(0, 1)) + '\0' + "garbage").error().message,
+              HasSubstr("NUL at byte"));
   EXPECT_THAT(import_pattern("{}").error().message, HasSubstr("Pattern"));
   EXPECT_THAT(import_pattern(ahap("")).error().message, HasSubstr("no haptic event"));
   EXPECT_EQ(import_pattern("[]").error().failure, Failure::kBadData);

@@ -6,6 +6,7 @@
 #include <time.h>
 
 #include "base/wall_time.h"
+#include "clients/ctl/screen/forecast_screen.h"
 #include "clients/ctl/screen/history_screen.h"
 #include "clients/ctl/screen/preview_screen.h"
 #include "clients/ctl/screen/trips_screen.h"
@@ -35,7 +36,7 @@ TEST(PreviewScreen, DrawsEachWindingToOneScaleAndSaysWhatHeatTakes) {
   EXPECT_EQ(lines[0], "pulse left, 10000 ms, if it began now. Nothing has moved.");
   EXPECT_EQ(lines[1], "  x  nothing flows");
   EXPECT_EQ(lines[2], "  y  9.0 to 15.0 A     " + std::string(25, '=') + std::string(25, '_'));
-  EXPECT_THAT(lines[3], HasSubstr("-4.0 to -4.0 A"));
+  EXPECT_EQ(lines[3], "  z  -4.0 A            " + std::string(50, '-')) << "a constant is a line";
   EXPECT_EQ(lines[4], "  current      15.5 A at most, duty 56 %");
   EXPECT_EQ(lines[5], "  temperature  55.0 °C now, 64.9 °C at most");
   EXPECT_EQ(lines[6], "  limited by   heat, from 5.01 s on: 80 % on average, at least 60 %");
@@ -43,6 +44,22 @@ TEST(PreviewScreen, DrawsEachWindingToOneScaleAndSaysWhatHeatTakes) {
   EXPECT_THAT(preview_screen("pulse left", preview, false)[6], HasSubstr("nothing"));
   preview.current_a.clear();
   EXPECT_EQ(preview_screen("x", preview, false)[2], "  y  nothing flows");
+}
+
+TEST(ForecastScreen, SaysWhatIsKnownAndThatNothingIs) {
+  protocol::ForecastResult forecast{.seconds_to_derating = 22.0, .sustainable_a = 5.6};
+  forecast.recovery_s = 0.0;
+  EXPECT_THAT(forecast_screen(forecast, 15.0, "left"),
+              ElementsAre("15.0 A from now, left:", "  derated     in 22 s",
+                          "  trips       never, if nothing were reduced", "  for ever    5.6 A",
+                          "  full again  now"));
+  forecast.temperature_known = false;
+  const auto unknown = forecast_screen(forecast, 15.0, "left");
+  EXPECT_THAT(unknown[0], HasSubstr("temperature of the ball is not known"));
+  for (const std::string& line : unknown) {
+    EXPECT_THAT(line, testing::Not(testing::AnyOf(HasSubstr("never"), HasSubstr("for ever"))));
+    EXPECT_LE(columns(line), 90u);
+  }
 }
 
 TEST(TripsScreen, IsNewestFirstAndLeavesRestartsOut) {
@@ -74,6 +91,7 @@ TEST(TripsScreen, IsNewestFirstAndLeavesRestartsOut) {
   EXPECT_EQ(lines[2],
             "  2026-10-09 18:02:51  fan_stopped       61.0 °C  10.6 A  hedgehogctl  trip-0016");
   for (const std::string& line : lines) EXPECT_LE(columns(line), 80u);
+  EXPECT_THAT(trips_screen(history, {.cuts = false})[1], HasSubstr("  thermometer_disagrees  "));
   EXPECT_EQ(trips_screen({}).front(), "  it has not tripped");
   history.more = true;
   EXPECT_EQ(trips_screen(history).size(), 4u);
@@ -98,6 +116,21 @@ TEST(HistoryScreen, HasALineADayAndALineAnEvent) {
               ElementsAre("  2026-11-20", "  23:14:07.412  state_changed  tripped: sensor_frozen",
                           "  23:14:07.413  effect_ended  #431 (Racer/1.2)", "  2026-11-21",
                           "  00:00:00.000  derating_ended"));
+}
+
+TEST(HistoryScreen, SaysHowOftenWhatRecursHasComeAndWhenLast) {
+  ::setenv("TZ", "UTC0", 1);
+  ::tzset();
+  protocol::HistoryResult history;
+  history.events.push_back(
+      {.at = "2026-11-20T23:14:07.412Z", .event = {.type = "overrun", .skipped = 812}});
+  history.events.back().count = 37;
+  history.events.back().last = "2026-11-20T23:58:01.500Z";
+  EXPECT_EQ(history_screen(history)[1],
+            "  23:14:07.412  overrun  812 ticks skipped  37 times, the last at 23:58:01.500");
+  history.events.back().last = "2026-11-21T00:03:01.500Z";
+  EXPECT_THAT(history_screen(history)[1],
+              testing::EndsWith("37 times, the last 2026-11-21 at 00:03:01.500"));
 }
 
 // Now is a Saturday's half past two in the night, an hour east of Greenwich.

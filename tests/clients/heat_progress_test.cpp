@@ -99,6 +99,12 @@ TEST(HeatProgress, ALineThatWasCutOffIsLeftOut) {
   file.add(sample(1.5), true, 0, 0);
   file.add(sample(3.0), true, 0, 1);
   std::string text = folder.read("p");
+  EXPECT_EQ(read_progress(text)->next_step, 2u);
+  std::string with_nul = text;
+  with_nul.insert(with_nul.size() - 1, 1, '\0');
+  EXPECT_EQ(read_progress(with_nul)->next_step, 1u) << "a NUL ends no line";
+  with_nul.insert(with_nul.find('\n'), 1, '\0');
+  EXPECT_FALSE(read_progress(with_nul));
   text.resize(text.size() - 20);
   ASSERT_TRUE(read_progress(text));
   EXPECT_EQ(read_progress(text)->next_step, 1u);

@@ -206,6 +206,51 @@ TEST(Hjif, WhatALibraryHasButNoBallPlaysIsSaid) {
       ElementsAre(HasSubstr("more than 1")));
 }
 
+TEST(Hjif, TheReferenceEncodersModalityIsTakenForVibrotactile) {
+  const auto i =
+      import_pattern(hjif(band("Transient", basis(0, key(0, 0.8))), R"("gain":1)", "Other"))
+          .value();
+  EXPECT_THAT(i.notes, ElementsAre(HasSubstr("'Other' are taken for vibrotactile")));
+  EXPECT_NEAR(level_at(i, 10), 0.8, 1e-3);
+}
+
+TEST(Hjif, NegativePositionsWrittenAsUnsignedAreJustBeforeTheirEffect) {
+  const auto curve =
+      import_pattern(hjif(band("Curve", basis(100, key(65'534, 1) + "," + key(48, 1))))).value();
+  EXPECT_EQ(curve.pattern.keyframes.back().t_ms, 148);
+  EXPECT_NEAR(level_at(curve, 99), 1, 1e-3);
+  EXPECT_NEAR(level_at(curve, 97), 0, 1e-3);
+  EXPECT_THAT(curve.notes, ElementsAre(HasSubstr("negative number of 16 bits")));
+
+  const auto tap = import_pattern(hjif(band("Transient", basis(100, key(65'534, 1))))).value();
+  EXPECT_EQ(tap.pattern.keyframes.back().t_ms, 123) << "alone";
+  const auto cut = import_pattern(hjif(band("Transient", basis(0, key(65'534, 1))))).value();
+  EXPECT_EQ(cut.pattern.keyframes.back().t_ms, 25) << "nothing is before the beginning";
+  const auto several =
+      import_pattern(hjif(band("Curve", basis(100, key(65'500, 0.5) + "," + key(65'534, 0.5) + "," +
+                                                       key(0, 0.5) + "," + key(20, 0.5)))))
+          .value();
+  EXPECT_EQ(several.pattern.keyframes.back().t_ms, 120);
+  EXPECT_NEAR(level_at(several, 65), 0.5, 1e-3);
+  const std::string behind = basis(100, key(0, 1) + "," + key(50, 1) + "," + key(65'534, 1));
+  const auto last = import_pattern(hjif(band("Curve", behind))).value();
+  EXPECT_EQ(last.pattern.keyframes.back().t_ms, 150) << "written behind the others";
+  EXPECT_THAT(last.notes, ElementsAre(HasSubstr("negative number of 16 bits")));
+}
+
+TEST(Hjif, LateKeyFramesInTheirOrderStayLate) {
+  const auto i =
+      import_pattern(hjif(band("Curve", basis(0, key(0, 1) + "," + key(40'000, 1))))).value();
+  EXPECT_EQ(i.pattern.keyframes.back().t_ms, 40'000);
+  EXPECT_THAT(i.notes, IsEmpty());
+  std::string file =
+      hjif(band("Curve", basis(0, key(0, 1) + "," + key(40'000, 1) + "," + key(65'500, 1))));
+  file.replace(file.find("1000"), 4, "2000");
+  const auto steady = import_pattern(file).value();
+  EXPECT_EQ(steady.pattern.keyframes.back().t_ms, 32'750) << "others on the way to it";
+  EXPECT_THAT(steady.notes, IsEmpty());
+}
+
 TEST(Hjif, WhatDoesNotMapIsSaid) {
   const std::string wave = band("VectorialWave", basis(0, key(0, 1, 40) + "," + key(99, 1, 90)));
   const std::string curve = band("Curve", basis(0, key(0, -1) + "," + key(99, 1)), "Akima");

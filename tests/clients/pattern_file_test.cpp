@@ -4,6 +4,7 @@
 #include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -38,6 +39,18 @@ TEST(PatternFile, ANameIsAFileWhenItEndsInJsonUnlessItIsAVendorsAndThereIsNoSuch
   EXPECT_FALSE(is_pattern_file("acme/x.json"));
   std::ofstream("acme/x.json") << "{}";
   EXPECT_TRUE(is_pattern_file("acme/x.json")) << "the file is nearer";
+}
+
+TEST(PatternFile, WhatIsNoRegularFileIsRefusedWithoutWaitingForIt) {
+  const TemporaryFolder folder;
+  const std::string fifo = folder.path("fifo.json");
+  ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
+  EXPECT_EQ(read_text(fifo).error().message, fifo + ": is a FIFO, not a regular file");
+  EXPECT_EQ(read_text("/dev/full").error().message, "/dev/full: is a device, not a regular file");
+  EXPECT_EQ(read_text(folder.path()).error().message,
+            folder.path() + ": is a folder, not a regular file");
+  EXPECT_EQ(read_text(folder.path("none")).error().failure, Failure::kNoInput);
+  EXPECT_EQ(read_text(folder.write("some.json", "{}")).value(), "{}");
 }
 
 }  // namespace

@@ -44,6 +44,7 @@ Ball warm_ball() {
   ball.description = thesis_description();
   ball.description.limits.derate_from_c = 60;
   ball.description.limits.trip_c = 70;
+  ball.description.thermal.sensor_winding = 2;
   protocol::Status& status = ball.status;
   status.device = "ball-7";
   status.state = "armed";
@@ -130,6 +131,11 @@ TEST(Words, SayNumbersAsPeopleReadThem) {
   EXPECT_EQ(headroom_words(std::nullopt), "for ever");
 }
 
+TEST(Words, ATemperatureThatIsNotKnownIsNoNumber) {
+  EXPECT_EQ(temperature_words(61.24), "61.2 °C");
+  EXPECT_EQ(temperature_words({}), "temperature unknown");
+}
+
 TEST(Words, CutByCharactersNotBytes) {
   EXPECT_EQ(cut("°°°°", 4), "°°°°");
   EXPECT_EQ(cut("°°°°", 3), "°°…");
@@ -140,13 +146,55 @@ TEST(StatusScreen, SaysEverythingInEightyColumns) {
   for (const std::string& line : lines) EXPECT_LE(columns(line), 80u) << line;
   EXPECT_THAT(lines[0], StartsWith("  ball-7 · armed"));
   EXPECT_THAT(lines[0], EndsWith("hedgehogd 1.0.0, up 3 d 4 h, USB"));
-  EXPECT_THAT(lines, testing::Contains(StartsWith("  temperature    41.2 °C  ━━━━━━━━━")));
+  EXPECT_THAT(lines, testing::Contains(StartsWith("  temperature    41.6 °C  ━━━━━━━━━")));
   EXPECT_THAT(lines, testing::Contains(EndsWith("of 15.0 A allowed")));
   EXPECT_THAT(lines, testing::Contains("  force          0.062 N  at pin 33, left"));
   EXPECT_THAT(lines, testing::Contains(
                          "  headroom      for ever  at this current; 15 A for 11 s, then less"));
   EXPECT_THAT(lines, testing::Contains(
                          "  orientation   3 ms old  tilted 12° left, 4° forward, heading 0°"));
+}
+
+TEST(StatusScreen, ColoursTheStateAndCutsNothingIntoAPipe) {
+  const ScreenStyle coloured{.colour = true};
+  Ball ball = warm_ball();
+  EXPECT_THAT(live_title(ball.status, coloured), HasSubstr("\033[32marmed\033[0m"));
+  ball.status.derating = true;
+  EXPECT_THAT(live_title(ball.status, coloured), HasSubstr("\033[33marmed\033[0m"));
+  ball.status.state = "tripped";
+  EXPECT_THAT(live_title(ball.status, coloured), HasSubstr("\033[31mTRIPPED\033[0m"));
+  const std::string name = "A game with a name of more than twenty-four characters";
+  ball.status.effects[0].client = name;
+  EXPECT_THAT(status_screen(ball, {.cuts = false}), testing::Contains(EndsWith(name)));
+  EXPECT_THAT(status_screen(ball, {}), testing::Contains(EndsWith("…")));
+}
+
+/// 40 s into 15 A.
+Ball hot_ball() {
+  Ball ball = warm_ball();
+  ball.status.temperature_c = {
+      .sensor = 38.3, .model = 66.1, .coils = {40.8, 66.1, 38.4}, .age_ms = 3};
+  return ball;
+}
+
+TEST(StatusScreen, LeadsWithTheHottestWindingAndNamesTheThermistor) {
+  const auto lines = status_screen(hot_ball(), {});
+  for (const std::string& line : lines) EXPECT_LE(columns(line), 80u) << line;
+  EXPECT_THAT(lines[2], StartsWith("  temperature    66.1 °C  ━━━━━━━━━"));
+  EXPECT_THAT(lines[2], EndsWith("derates at 60, trips at 70"));
+  EXPECT_EQ(lines[3], "               winding y  the hottest; x 40.8 °C, z 38.4 °C");
+  EXPECT_EQ(lines[4], "  thermistor     38.3 °C  on winding z, 3 ms old");
+}
+
+TEST(StatusScreen, AThermistorThatIsSilentIsSaidToBe) {
+  Ball ball = hot_ball();
+  ball.status.temperature_c.sensor.reset();
+  ball.status.temperature_c.age_ms = 1500;
+  EXPECT_THAT(status_screen(ball, {}),
+              testing::Contains("  thermistor     unknown  on winding z, silent for 1.5 s"));
+  ball.status.temperature_c.age_ms.reset();
+  EXPECT_THAT(status_screen(ball, {}),
+              testing::Contains("  thermistor     unknown  on winding z, never read"));
 }
 
 TEST(StatusScreen, SaysWhyItIsTrippedAndWhatToDo) {
@@ -166,8 +214,33 @@ TEST(StatusScreen, NeverInventsATemperature) {
   ball.status.temperature_c.thermometer = 38.04;
   EXPECT_THAT(status_screen(ball, {}),
               testing::Contains(testing::AllOf(HasSubstr("thermometer"), HasSubstr("38.0 °C"))));
-  ball.status.temperature_c = {};
-  EXPECT_THAT(status_screen(ball, {}), testing::Contains(HasSubstr("unknown")));
+  ball.status.temperature_c = {.sensor = 38.3};
+  EXPECT_THAT(status_screen(ball, {})[2], StartsWith("  temperature    unknown  "))
+      << "the thermistor is on one winding";
+  ball.status.headroom_s = 0.0;
+  EXPECT_THAT(
+      status_screen(ball, {}),
+      testing::Contains("  headroom       unknown  nothing may flow until the temperature is "
+                        "known"));
+}
+
+TEST(WatchScreen, LeadsWithTheHottestWinding) {
+  WatchScreen screen({});
+  screen.take(hot_ball().status);
+  const auto lines = screen.lines(hot_ball());
+  EXPECT_LE(lines.size(), 22u);
+  EXPECT_THAT(lines, testing::Contains(testing::AllOf(StartsWith("  temperature    66.1 °C  ━━━"),
+                                                      EndsWith("thermistor 38.3 °C"))));
+  EXPECT_THAT(lines, testing::Contains(testing::AllOf(StartsWith("  last minute  winding y  "),
+                                                      EndsWith("66 to 66 °C"))));
+}
+
+TEST(DemoScreen, LeadsWithTheHottestWinding) {
+  const auto lines = demo_screen(hot_ball(), tour(true).front(), nullptr, {});
+  EXPECT_THAT(lines, testing::Contains(testing::AllOf(StartsWith("  temperature    66.1 °C  ━━━"),
+                                                      EndsWith("derates at 60, trips at 70"))));
+  EXPECT_THAT(lines,
+              testing::Contains("               winding y  the hottest; x 40.8 °C, z 38.4 °C"));
 }
 
 TEST(WatchScreen, FitsATerminalOf24Rows) {

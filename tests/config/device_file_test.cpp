@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -84,10 +85,8 @@ TEST(DeviceFile, WrongValuesAreNamed) {
             kDeviceFile + ":1: thermal.sensor_winding: must be 0 to 2, not 3\n");
   EXPECT_EQ(wrong_device("{\"arrangement\": \"cD-42\"}"),
             kDeviceFile +
-                ":1: arrangement: unknown array 'cD-42': known are cD, wD, tkD, GP(m,n), " +
+                ":1: arrangement: unknown array 'cD-42': known are cD, wD, tkD, D, tI, GP(m,n), " +
                 "tkD-86, tkD-86-5 and tkD-86-20\n");
-  EXPECT_EQ(wrong_device("{\n\"arrangement\": \"wD\",\n\"front_pin\": 72}"),
-            kDeviceFile + ":2: arrangement: there is no pin 72 to be the front\n");
   EXPECT_EQ(wrong_device("{\"removed_pins\": 3}"),
             kDeviceFile + ":1: removed_pins: must be a list of numbers, not 3\n");
   EXPECT_EQ(wrong_device("{\"pin_magnet_mm\": [8]}"),
@@ -101,6 +100,58 @@ TEST(DeviceFile, WrongValuesAreNamed) {
                 "\".\", not \"my ball\"\n");
   EXPECT_EQ(wrong_device("{\"resistance_ohm\": 1}"),
             kDeviceFile + ":1: resistance_ohm: unknown key\n");
+}
+
+TEST(DeviceFile, AGeometryThatCannotBeNamesTheKeyThatIsWrong) {
+  EXPECT_EQ(wrong_device("{\n\"arrangement\": \"wD\",\n\"front_pin\": 72}"),
+            kDeviceFile + ":3: front_pin: there is no pin 72 to be the front\n");
+  EXPECT_EQ(wrong_device("{\n\"arrangement\": \"wD\",\n\"front_pin\": 0}"),
+            kDeviceFile + ":3: front_pin: pin 0 is at a pole and shows no front\n");
+  EXPECT_EQ(wrong_device("{\n\"arrangement\": \"cD\", \"front_pin\": 1,\n\"removed_pins\": [42]}"),
+            kDeviceFile + ":3: removed_pins: there is no pin 42 to remove\n");
+  EXPECT_EQ(wrong_device("{\n\"arrangement\": \"cD\",\n\"removed_shields\": [3, 80]}"),
+            kDeviceFile + ":3: removed_shields: there is no shield 80 to remove\n");
+  EXPECT_EQ(wrong_device("{\n\"removed_pins\": [3, 17, 3]}"),
+            kDeviceFile + ":2: removed_pins: names 3 twice\n");
+  EXPECT_EQ(wrong_device("{\n\"removed_pins\": [86]}"),
+            kDeviceFile + ":2: removed_pins: there is no pin 86 to remove\n");
+  const auto key_of_overlap = [](const std::string& text) {
+    const std::string wrong = wrong_device(text);
+    const std::size_t reason = wrong.find(": pin ");
+    EXPECT_NE(wrong.find("overlap by"), std::string::npos) << wrong;
+    return wrong.substr(kDeviceFile.size(), reason - kDeviceFile.size());
+  };
+  EXPECT_EQ(key_of_overlap("{\n\"shield_magnet_mm\": [5, 10]}"), ":2: shield_magnet_mm");
+  EXPECT_EQ(key_of_overlap("{\n\"pin_magnet_mm\": [9, 10]}"), ":2: pin_magnet_mm");
+  EXPECT_EQ(key_of_overlap("{\n\"sphere_mm\": 30}"), ":2: sphere_mm");
+  EXPECT_EQ(key_of_overlap("{\n\"arrangement\": \"GP(4,1)\"}"), ":2: arrangement");
+}
+
+// The check computes the whole array, up to seconds: not again for what is running.
+TEST(DeviceFile, AGeometryThatRunsIsNotCheckedAgain) {
+  const FakeFiles fake = FakeFiles::with_device("{\"sphere_mm\": 30}");
+  ASSERT_THAT(fake.errors(), testing::HasSubstr("overlap by"));
+  Config running;
+  running.device.geometry.sizes.sphere_radius_mm = 30.0;
+  EXPECT_TRUE(fake.load(&running).has_value()) << "taken as checked when it was loaded";
+  running.device.geometry.sizes.sphere_radius_mm = 31.0;
+  EXPECT_FALSE(fake.load(&running).has_value());
+}
+
+TEST(DeviceFile, OfTheSimulatedBallHasThePinsOfTheDevice) {
+  FakeFiles fake = FakeFiles::with(
+      R"({"backend": "simulator", "device": "mine", "simulator": {"device": "true"}})");
+  fake.files[kDeviceFile] = "{}";
+  std::string& truth = fake.files["/etc/hedgehog/devices.d/true.json"];
+  truth = R"({"shield_magnet_mm": [3.9, 10], "removed_shields": [0]})";
+  EXPECT_EQ(fake.errors(), "");
+  for (const char* other :
+       {R"({"arrangement": "tkD-86-5"})", R"({"removed_pins": [3]})", R"({"front_pin": 2})"}) {
+    truth = other;
+    EXPECT_THAT(fake.errors(), testing::HasSubstr("simulator.device: the simulated ball must have "
+                                                  "the pins of device"))
+        << other;
+  }
 }
 
 TEST(DeviceFile, HeatThatNoEstimateCouldFollowIsRefused) {
@@ -187,10 +238,17 @@ TEST(DeviceFile, TheSimulatedBallIsTheDaemonsUnlessAnotherFileSaysOtherwise) {
   EXPECT_EQ(before.simulated_ball().coils.r25_ohm[0], 0.5);
   EXPECT_EQ(before.device.coils.r25_ohm[0], 0.45) << "what is believed is another matter";
   truth = "{}";
-  EXPECT_FALSE(same_settings(before, *fake.load()));
+  EXPECT_EQ(different_keys(before, *fake.load()), std::vector<std::string>{"simulator.device"});
 
   fake = FakeFiles::with(R"({"backend": "usb", "simulator": {"device": "gone"}})");
   EXPECT_EQ(fake.errors(), "") << "what was rehearsed does not stop a daemon of a real ball";
+}
+
+TEST(DeviceFile, ItsContentIsADifferenceToo) {
+  const Config before = *FakeFiles::with_device(R"({"r25_ohm": [0.41, 0.42, 0.43]})").load();
+  const Config after = *FakeFiles::with_device(R"({"r25_ohm": [0.41, 0.42, 0.44]})").load();
+  EXPECT_EQ(different_keys(before, after), std::vector<std::string>{"device"});
+  EXPECT_TRUE(different_keys(before, before).empty());
 }
 
 // Overrides a little above and below what the ball bears: what loads is within it.

@@ -21,14 +21,13 @@ struct FakeFiles {
               .state_directory = "/var/lib/hedgehog",
               .runtime_directory = "/run/hedgehog"};
 
-  boost::system::result<Config, ConfigErrors> load() const {
-    const FileReader reader =
-        [this](const std::string& path) -> boost::system::result<std::string> {
+  boost::system::result<Config, ConfigErrors> load(const Config* running = nullptr) const {
+    const FileReader reader = [this](const std::string& path) -> base::FileText {
       const auto found = files.find(path);
-      if (found != files.end()) return found->second;
-      return make_error_code(boost::system::errc::no_such_file_or_directory);
+      if (found != files.end()) return {found->second, {}};
+      return {{}, "No such file or directory", true};
     };
-    return load_config(paths, overrides, reader);
+    return load_config(paths, overrides, reader, running);
   }
 
   /// With `text` as the configuration file.

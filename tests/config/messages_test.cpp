@@ -55,6 +55,13 @@ TEST(Messages, SyntaxErrorsHaveTheLine) {
   EXPECT_EQ(wrong(std::string((1u << 20) + 1, ' ')), kFile + ": is larger than 1 MiB\n");
 }
 
+TEST(Messages, ANulEndsNoFile) {
+  using namespace std::string_literals;
+  const std::string why = ": not valid JSON: has a NUL byte, which JSON never has\n";
+  EXPECT_EQ(wrong("{}\n\0garbage"s), kFile + ":2" + why);
+  EXPECT_EQ(wrong("// mine\0 {\n{}\n"s), kFile + ":1" + why) << "nor a comment";
+}
+
 TEST(Messages, AKeyGivenTwice) {
   EXPECT_EQ(wrong("{\"log\": {\"level\": \"info\",\n\"level\": \"debug\"}}"),
             kFile + ":2: log.level: given twice\n");

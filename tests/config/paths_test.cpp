@@ -4,7 +4,11 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <filesystem>
+#include <fstream>
 #include <map>
+
+#include "tests/temporary_folder.h"
 
 namespace hedgehog::config {
 namespace {
@@ -50,6 +54,23 @@ TEST(Paths, TheOptionReplacesTheFileAndMustExist) {
   EXPECT_EQ(paths.config_file, "mine.json");
   EXPECT_TRUE(paths.config_file_required);
   EXPECT_EQ(paths.state_directory, "/h/.local/state/hedgehog");
+}
+
+TEST(Paths, WhatIsInstalledIsThatOfTheOwnPrefix) {
+  const TemporaryFolder prefix;
+  const std::string share = prefix.path() + "/share/hedgehog";
+  const auto none = variables({{"HOME", "/h"}});
+  const Paths built = find_paths(none, std::nullopt, prefix.path() + "/bin/hedgehogd");
+  EXPECT_EQ(built.defaults_file, "/usr/share/hedgehog/hedgehogd.json");
+  EXPECT_EQ(built.device_directories, std::vector<std::string>{"/usr/share/hedgehog/devices.d"});
+  std::filesystem::create_directories(share + "/devices.d");
+  std::ofstream(share + "/hedgehogd.json") << "{}";
+  const Paths installed = find_paths(none, std::nullopt, prefix.path() + "/bin/hedgehogd");
+  EXPECT_EQ(installed.defaults_file, share + "/hedgehogd.json");
+  EXPECT_EQ(installed.pages_directory, share + "/www");
+  EXPECT_EQ(installed.device_directories,
+            (std::vector<std::string>{share + "/devices.d", "/usr/share/hedgehog/devices.d"}));
+  EXPECT_EQ(find_paths(none, std::nullopt, "/usr/bin/hedgehogd").device_directories.size(), 1u);
 }
 
 }  // namespace

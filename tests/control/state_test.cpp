@@ -20,7 +20,7 @@ device::BoardTelemetry ready(std::uint8_t arm_count) {
 }
 
 TEST(Names, EveryReasonHasOneAndComesBackByIt) {
-  for (int i = 0; i <= static_cast<int>(Reason::kInternal); ++i) {
+  for (int i = 0; i <= static_cast<int>(Reason::kBootLoader); ++i) {
     const auto reason = static_cast<Reason>(i);
     EXPECT_EQ(reason_named(name(reason)), reason);
   }
@@ -119,6 +119,57 @@ TEST(StateMachine, AnEmergencyStopWhileAbsentDoesNotLoosenATrip) {
   states.board_alive(ready(0), 5);
   EXPECT_EQ(states.state(), State::kTripped);
   EXPECT_EQ(states.reason(), Reason::kOverheated) << "arming still waits until it is cool";
+}
+
+TEST(StateMachine, ABoardInItsBootLoaderIsAbsentForThatReasonAndThenAHotPlug) {
+  StateMachine states{ControlSettings{}};
+  states.board_alive(ready(0), 1);
+  states.enter_boot_loader(2);
+  EXPECT_EQ(states.boot_loader_count(), 1);
+  states.arm(Reason::kNone, 3);
+  EXPECT_FALSE(states.arming()) << "the board may be gone in a moment";
+  states.board_gone(Reason::kTelemetryLost, 4);
+  EXPECT_EQ(states.state(), State::kAbsent);
+  EXPECT_EQ(states.reason(), Reason::kBootLoader);
+  EXPECT_EQ(states.latch(), Reason::kNone);
+  states.board_gone(Reason::kNoBoard, 5);
+  EXPECT_EQ(states.reason(), Reason::kBootLoader);
+  states.board_alive(ready(0), 6);
+  EXPECT_EQ(states.reason(), Reason::kHotPlug);
+  states.board_gone(Reason::kNoBoard, 7);
+  EXPECT_EQ(states.reason(), Reason::kNoBoard) << "nobody asked for that";
+}
+
+TEST(StateMachine, TheBootLoaderIsForABoardThatIsNeitherArmedNorBeingArmed) {
+  StateMachine states{ControlSettings{}};
+  states.enter_boot_loader(1);
+  EXPECT_EQ(states.boot_loader_count(), 0) << "there is none";
+  states.board_alive(ready(0), 1);
+  states.arm(Reason::kNone, 2);
+  states.enter_boot_loader(3);
+  states.step(ready(1), true, Reason::kNone, 4);
+  ASSERT_TRUE(states.armed());
+  states.enter_boot_loader(5);
+  EXPECT_EQ(states.boot_loader_count(), 0);
+  states.trip(Reason::kOverheated, 6);
+  states.enter_boot_loader(7);
+  EXPECT_EQ(states.boot_loader_count(), 1);
+  states.board_gone(Reason::kNoBoard, 8);
+  states.board_alive(ready(0), 9);
+  EXPECT_EQ(states.state(), State::kTripped) << "new firmware does not loosen a trip";
+}
+
+TEST(StateMachine, ABoardThatStaysCanBeArmedAfterAWhile) {
+  StateMachine states{ControlSettings{}};
+  states.board_alive(ready(0), 1);
+  states.enter_boot_loader(2);
+  const model::Tick end = 2 + StateMachine::kBootLoaderPatience;
+  states.step(ready(0), true, Reason::kNone, end);
+  EXPECT_TRUE(states.boot_loader_pending());
+  states.step(ready(0), true, Reason::kNone, end + 1);
+  EXPECT_FALSE(states.boot_loader_pending());
+  states.arm(Reason::kNone, end + 2);
+  EXPECT_TRUE(states.arming());
 }
 
 TEST(StateMachine, ABoardThatComesLongAfterTheStartIsAHotPlug) {

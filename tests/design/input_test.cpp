@@ -101,9 +101,11 @@ TEST(DesignFile, ComplaintsNameTheKey) {
   };
   EXPECT_THAT(sentence("[]"), HasSubstr("no design file"));
   EXPECT_THAT(sentence("{"), HasSubstr("no design file"));
+  EXPECT_THAT(sentence("{}" + std::string(1, '\0') + "garbage"),
+              HasSubstr("x.json is no design file: has a NUL byte"));
   EXPECT_THAT(sentence(R"({"aray": "tkD"})"), HasSubstr("unknown key 'aray'"));
   EXPECT_THAT(sentence(R"({"sphere_mm": "35"})"),
-              HasSubstr("sphere_mm: must be a number from 1 to 1000"));
+              HasSubstr("sphere_mm: must be a number from 5 to 500"));
   EXPECT_THAT(sentence(R"({"magnet": "8"})"), HasSubstr("magnet: '8' is not a magnet"));
   EXPECT_THAT(sentence(R"({"removed_pins": [-1]})"),
               HasSubstr("removed_pins: must be a list of ids"));

@@ -141,6 +141,20 @@ TEST(BadInput, GetsOneClearSentence) {
   EXPECT_THAT(wrong({"pair", "--angle", "5"}, kBadData), HasSubstr("overlap"));
   EXPECT_THAT(wrong({"pair", "--angle", "200"}, kUsage), HasSubstr("--angle"));
   EXPECT_THAT(wrong({"pair"}, kUsage), HasSubstr("--angle"));
+  EXPECT_THAT(wrong({"pair", "--angle", "12", "--offset", "-40"}, kUsage),
+              HasSubstr("beyond the centre of a sphere of 35 mm"));
+  EXPECT_THAT(wrong({"curves", "--sphere", "10", "--array", "D", "--magnet", "1x1", "--shield",
+                     "1x1", "--offsets", "-20..2/1"},
+                    kUsage),
+              HasSubstr("beyond the centre of a sphere of 10 mm"));
+  EXPECT_THAT(wrong({"stability", "--sphere", "1"}, kUsage), HasSubstr("outside 5 to 500 mm"));
+  EXPECT_THAT(wrong({"stability", "--sphere", "500", "--magnet", "0.1x0.1", "--shield", "0.1x0.1"},
+                    kBadData),
+              HasSubstr("too far apart to hold anything"));
+  EXPECT_THAT(wrong({"stability", "--array", "GP(8,0)", "--remove-pins", "5", "--magnet", "1x2",
+                     "--shield", "0.5x2", "--sphere", "60"},
+                    kBadData),
+              HasSubstr("328 of its pins differ"));
   EXPECT_THAT(wrong({"curves", "--model", "fem"}, kUsage), HasSubstr("exact, hybrid, dipole"));
   EXPECT_THAT(wrong({"curves", "--accuracy", "2"}, kUsage), HasSubstr("--accuracy"));
   EXPECT_THAT(wrong({"curves", "--accuracy", "-1"}, kUsage), HasSubstr("--accuracy"));

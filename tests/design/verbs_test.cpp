@@ -9,7 +9,6 @@
 #include "clients/common/problem.h"
 #include "clients/design/output/picture.h"
 #include "clients/design/verbs/curves.h"
-#include "clients/design/verbs/electromagnet.h"
 #include "tests/design/program.h"
 
 namespace hedgehog::design {
@@ -104,6 +103,30 @@ TEST(Curves, AreCalledTheThesisOnesOnThatBallOnly) {
   }
 }
 
+// The numbers at the thesis' axis are -2, 0, 2, 4 and 6 N, in all six panels.
+TEST(Curves, OfTheFigureShareTheAxisOfTheThesisUnlessAsked) {
+  const auto count = [](const std::string& script, const std::string& words) {
+    std::size_t found = 0;
+    for (std::size_t at = script.find(words); at != std::string::npos;
+         at = script.find(words, at + 1))
+      ++found;
+    return found;
+  };
+  const model::OffsetGrid grid{-2.5, 12.5, 0.5};
+  const auto six = figure_210({}).value();
+  const auto script = [&](const std::vector<Study>& studies, std::optional<Point> forces_n) {
+    return gnuplot_script(curves_picture(studies, grid, forces_n), "svg", "x.svg");
+  };
+  EXPECT_EQ(count(script(six, {}), "set yrange [-3:6]\n"), 6U);
+  EXPECT_EQ(count(script(six, {}), "set ytics 2\n"), 6U);
+  EXPECT_EQ(count(script(six, Point{-1, 1}), "set yrange [-1:1]\n"), 6U);
+  EXPECT_EQ(count(script(six, Point{}), "set yrange [*:*]\n"), 6U);
+  EXPECT_EQ(count(script({six.front()}, {}), "set yrange [*:*]\n"), 1U);
+  for (const char* forces : {"3", "6..-2", "1..1", "1..2/0.5", "all", "1..x"})
+    EXPECT_EQ(ask({"curves", "--array", "cD", "--forces", forces}).exit_code, kUsage) << forces;
+  EXPECT_EQ(ask({"curves", "--array", "cD", "--forces", "-2..6"}).exit_code, 0);
+}
+
 TEST(Curves, AreThoseOfTheReference) {
   const Answer answer = ask({"curves", "--array", "tkD", "--magnet", "8x10", "--shield", "4x10",
                              "--model", "exact", "--accuracy", "1e-6", "--json"});
@@ -150,11 +173,15 @@ TEST(Table, StandsBesideTheThesis) {
       if (one.at("array") == array && one.at("class_size") == size) return one;
     return Json();
   };
-  EXPECT_NEAR(row("tkD", 12).at("extension_mm"), 0.113, 0.002);
+  EXPECT_NEAR(row("tkD", 12).at("crossings_mm"), 0.113, 0.002);
+  EXPECT_NEAR(row("tkD", 60).at("crossings_mm"), 0.589, 0.002);
+  EXPECT_NEAR(row("tkD", 20).at("crossings_mm"), 0.656, 0.002);
+  EXPECT_NEAR(row("cD", 12).at("crossings_mm"), 0.878, 0.002);
+  EXPECT_NEAR(row("wD", 60).at("crossings_mm"), 0.906, 0.002);
+  // The shell is in the way of the first and of the fourth.
+  EXPECT_NEAR(row("tkD", 12).at("extension_mm"), 0.060, 0.002);
   EXPECT_NEAR(row("tkD", 60).at("extension_mm"), 0.589, 0.002);
-  EXPECT_NEAR(row("tkD", 20).at("extension_mm"), 0.656, 0.002);
-  EXPECT_NEAR(row("cD", 12).at("extension_mm"), 0.878, 0.002);
-  EXPECT_NEAR(row("wD", 60).at("extension_mm"), 0.906, 0.002);
+  EXPECT_NEAR(row("cD", 12).at("extension_mm"), 0.816, 0.002);
   // Shown as they come out, with the reason.
   EXPECT_TRUE(row("cD", 30).at("extension_mm").is_null());
   EXPECT_EQ(row("cD", 30).at("reproduced"), false);
@@ -176,41 +203,6 @@ TEST(Table, StandsBesideTheThesis) {
   }
 }
 
-TEST(Stability, OfTheBallOfTheThesis) {
-  const Json ball = ask({"stability", "--json"}).json();
-  EXPECT_EQ(ball.at("pins"), 86);
-  EXPECT_EQ(ball.at("shields"), 170);
-  EXPECT_EQ(ball.at("stable"), true);
-  EXPECT_EQ(ball.at("unstable"), Json::array());
-  const Answer all_twenty = ask({"stability", "--array", "tkD-86-20", "--json"});
-  EXPECT_EQ(all_twenty.exit_code, 0);
-  EXPECT_EQ(all_twenty.json().at("stable"), false);
-  EXPECT_EQ(all_twenty.json().at("unstable"), Json({76, 77, 78, 79, 80, 81, 82, 83, 84, 85}));
-  EXPECT_THAT(ask({"stability", "--array", "tkD-86-20"}).out,
-              HasSubstr("10 of 86 pins UNSTABLE, nothing draws them back: 76-85"));
-}
-
-TEST(Stability, PinsPulledOntoTheShellAreNotCalledExpelled) {
-  const Json strong = ask({"stability", "--array", "tkD", "--shield", "4x4", "--json"}).json();
-  EXPECT_EQ(strong.at("stable"), false);
-  EXPECT_EQ(strong.at("unstable"), Json::array());
-  EXPECT_EQ(strong.at("pressed").size(), 92U);
-  for (const Json& one : strong.at("classes")) {
-    EXPECT_EQ(one.at("state"), "pressed");
-    EXPECT_GT(one.at("held_n"), 1.0) << "the shell stops it, the shields hold it";
-    EXPECT_TRUE(one.at("rest_mm").is_null());
-  }
-  const std::string text = ask({"stability", "--array", "tkD", "--shield", "4x4"}).out;
-  EXPECT_THAT(text, HasSubstr("92 of 92 pins pressed onto the shell with 1."));
-  EXPECT_THAT(text, Not(HasSubstr("UNSTABLE")));
-  EXPECT_THAT(ask({"electromagnet", "--array", "tkD", "--shield", "4x4"}).err,
-              HasSubstr("pressed onto the shell"));
-  const Json weak = ask({"stability", "--array", "tkD", "--shield", "3x10", "--json"}).json();
-  EXPECT_EQ(weak.at("unstable").size(), 92U);
-  EXPECT_EQ(weak.at("pressed"), Json::array());
-  for (const Json& one : weak.at("classes")) EXPECT_TRUE(one.at("held_n").is_null());
-}
-
 TEST(Csv, HasOneNameAColumn) {
   EXPECT_THAT(ask({"pair", "--angle", "12", "--csv"}).out,
               StartsWith("model,force_n,error_n\nexact,0.2814"));
@@ -220,63 +212,7 @@ TEST(Csv, HasOneNameAColumn) {
       ask({"choose", "--arrays", "tkD", "tkD", "--shields", "4x10", "--spheres", "35", "--csv"})
           .out,
       AllOf(StartsWith("array,pins,magnet,shield,sphere_mm,outer_diameter_mm,coil_force_n,"
-                       "rest_mm,extension_mm,mass_kg\ntkD-86,86,8x10,4x10,35,"),
-            testing::EndsWith("1.184\n")));
-}
-
-TEST(Stability, WithMagnetsTakenOut) {
-  // The five shields round the top pin.
-  const Json without = ask({"stability", "--remove-shields", "0-4", "--json"}).json();
-  EXPECT_EQ(without.at("shields"), 165);
-  EXPECT_EQ(without.at("stable"), false);
-  EXPECT_EQ(without.at("unstable").front(), 0);
-  EXPECT_EQ(ask({"stability", "--remove-pins", "0,5-7", "--json"}).json().at("pins"), 82);
-  EXPECT_EQ(ask({"stability", "--remove-pins", "86"}).exit_code, kUsage);
-  EXPECT_EQ(ask({"stability", "--remove-pins", "all"}).exit_code, kUsage);
-}
-
-TEST(Stability, OfAllPinsAtOnce) {
-  const Json together =
-      ask({"stability", "--array", "cD", "--together", "--accuracy", "1e-4", "--json"})
-          .json()
-          .at("together");
-  EXPECT_EQ(together.at("stable"), true);
-  EXPECT_NEAR(together.at("softest_n_mm"), 0.144, 0.002);
-  EXPECT_NEAR(together.at("stiffest_n_mm"), 0.618, 0.002);
-}
-
-TEST(Electromagnet, ByBothCalibrations) {
-  const Json coil =
-      ask({"electromagnet", "--array", "tkD", "--current", "0..15/5", "--json"}).json();
-  EXPECT_EQ(coil.at("class_size"), 60);
-  ASSERT_EQ(coil.at("currents").size(), 4U);
-  const Json most = coil.at("currents").back();
-  EXPECT_NEAR(most.at("fea").at("force_n"), 0.380, 0.001);
-  EXPECT_NEAR(most.at("fea").at("extension_mm"), 0.521, 0.002);
-  EXPECT_NEAR(most.at("measured").at("extension_mm"), 0.236, 0.002);
-  EXPECT_EQ(coil.at("currents").front().at("fea").at("extension_mm"), 0.0);
-  const Json ball = ask({"electromagnet", "--pin", "17", "--json"}).json();
-  EXPECT_EQ(ball.at("spread").size(), 86U);
-  EXPECT_EQ(ball.at("pins_above_90_percent"), 7);
-  EXPECT_EQ(ball.at("pins_above_50_percent"), 21);
-  EXPECT_EQ(ball.at("pins_pulled_in"), 40);
-  EXPECT_EQ(ask({"electromagnet", "--pin", "86"}).exit_code, kUsage);
-  const auto study = Study::of({}).value();
-  const std::string picture = gnuplot_script(coil_picture(study, 17, 40.0).value(), "svg", "x.svg");
-  EXPECT_THAT(picture, HasSubstr("\n40 "));
-  EXPECT_EQ(ask({"electromagnet", "--array", "tkD", "--shield", "3x10"}).exit_code, kBadData);
-}
-
-TEST(Array, TellsGapsAndOverlaps) {
-  const Json array = ask({"array", "--array", "tkD", "--json"}).json();
-  EXPECT_EQ(array.at("pins"), 92);
-  EXPECT_EQ(array.at("positions").at("shields").size(), 180U);
-  EXPECT_NEAR(array.at("gaps").at(1).at("angle_deg"), 10.3882, 1e-3);
-  EXPECT_NEAR(array.at("classes").at(1).at("nearest_shield_deg"), 12.8868, 1e-3);
-  EXPECT_NEAR(ask({"array", "--json"}).json().at("mass_g"), 1180, 10);
-  const Answer overlap = ask({"array", "--array", "tkD", "--magnet", "10x10"});
-  EXPECT_EQ(overlap.exit_code, kBadData);
-  EXPECT_THAT(overlap.err, HasSubstr("pin 0 and shield 0 overlap by"));
+                       "rest_mm,extension_mm,wall_mm,mass_kg\ntkD-86,86,8x10,4x10,35,")));
 }
 
 }  // namespace

@@ -184,6 +184,20 @@ TEST(BoardCodec, ABoardSaysWhatItMeasures) {
   EXPECT_EQ(thermistor_on(telemetry, 2).state, ThermistorState::kOpen);
 }
 
+TEST(BoardCodec, ABoardSaysItsMinorVersionFrom12On) {
+  board::TelemetryFrame values = sample_telemetry();
+  values.minor = 2;
+  Frame frame;
+  board::write_frame(values, frame.data());
+  EXPECT_EQ(frame[3], 0b0010'0010) << "beside the bridges' bit";
+  EXPECT_EQ(board::read_telemetry(frame.data()).minor, 2);
+  EXPECT_EQ(decode_telemetry(frame).telemetry.protocol_minor, 2);
+  EXPECT_TRUE(decode_telemetry(frame).telemetry.bridges_awake);
+  board::BoardCore core;
+  core.write_telemetry(frame.data());
+  EXPECT_EQ(decode_telemetry(frame).telemetry.protocol_minor, board::kProtocolMinor);
+}
+
 TEST(BoardCodec, AModeFromTheFutureIsNotOneThatDrives) {
   board::TelemetryFrame values = sample_telemetry();
   values.mode = 4;

@@ -37,9 +37,10 @@ struct LinkBench : testing::Test {
   // A new command from control, driving.
   void renew() {
     ++command.count;
-    const std::uint8_t arm_count = command.board.arm_count;
+    const BoardCommand before = command.board;
     command.board = BoardCommand::drive(limited({5, 0, 0}), kColdOhm, 1.5e-3, {5, 0, 0}, 12.0);
-    command.board.arm_count = arm_count;
+    command.board.arm_count = before.arm_count;
+    command.board.boot_loader_count = before.boot_loader_count;
   }
   void step() { frames = link.step(command); }
   void tick() {

@@ -76,7 +76,9 @@ TEST_F(Ctl, PlayingVerbsStayUntilTheEffectHasEnded) {
   };
   const Case cases[] = {
       {{"pulse", "left"}, "^pulse left +5\\.0 A +0\\.06[0-9] N at pin 34 +150 ms +completed\n$"},
+      {{"circle"}, "^circle +5\\.0 A .* at pin 46 +1500 ms +completed\n$"},
       {{"circle", "--duration-ms", "300"}, "^circle +5\\.0 A .* at pin 46 +300 ms +completed\n$"},
+      {{"circle", "--lease-ms", "500", "--for", "0.2"}, "^circle .* ms +completed\n$"},
       {{"vibrate", "--duration-ms", "200"}, "^vibrate +5\\.0 A .* 200 ms +completed\n$"},
       {{"hold", "up", "--for", "0.3"}, "^hold up +5\\.0 A .* at pin 0 +[0-9]+ ms +completed\n$"},
       {{"pulse", "34", "--current-a", "8", "--duration-ms", "100"},
@@ -247,8 +249,9 @@ TEST_F(Ctl, PinsShowsThePush) {
   const Ended lines = ctl({"pins", "--live", "--count", "2"}, renew);
   EXPECT_EQ(lines.exit_code, 0);
   EXPECT_EQ(std::count(lines.out.begin(), lines.out.end(), '\n'), 2);
-  EXPECT_THAT(lines.out, ContainsRegex(" s +1[12]\\.[0-9] A +0\\.1[0-9]+ N +\\+0\\.1[0-9]+ mm at "
-                                       "pin [0-9]+ +[0-9]+ out, [0-9]+ in\n"));
+  EXPECT_THAT(lines.out,
+              ContainsRegex(" s +1[12]\\.[0-9] A +0\\.1[0-9]+ N +\\+0\\.[12][0-9]+ mm at "
+                            "pin [0-9]+ +[0-9]+ out, [0-9]+ in\n"));
   const Ended json = ctl({"pins", "--live", "--count", "1", "--json"});
   EXPECT_EQ(Json::parse(json.out)["pins"]["extension_mm"].size(), 86u);
   EXPECT_EQ(ctl({"pins", "--count", "2"}).exit_code, kUsage);
@@ -256,7 +259,7 @@ TEST_F(Ctl, PinsShowsThePush) {
 
 TEST_F(Ctl, MistakesAreUsage) {
   const std::vector<std::pair<std::vector<std::string>, const char*>> mistakes{
-      {{"frobnicate"}, "there is no 'frobnicate'"},
+      {{"frobnicate"}, "there is no verb 'frobnicate'"},
       {{"pulse", "sideways"}, "there is no 'sideways'"},
       {{"pulse", "99"}, "99 is above 85"},
       {{"pulse", "1,2,3,4"}, "1,2,3,4"},

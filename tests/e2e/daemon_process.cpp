@@ -68,10 +68,13 @@ Home::Home() {
 }
 
 std::vector<std::string> Home::environment() const {
-  std::vector<std::string> variables{
-      "XDG_RUNTIME_DIR=" + path("run"),           "XDG_STATE_HOME=" + path("state"),
-      "XDG_CONFIG_HOME=" + path("config"),        "HOME=" + folder_.path(),
-      "HEDGEHOG_SIMBOARD_TRACE=" + path("trace"), "HEDGEHOG_PATIENCE_MS=60000"};
+  std::vector<std::string> variables{"XDG_RUNTIME_DIR=" + path("run"),
+                                     "XDG_STATE_HOME=" + path("state"),
+                                     "XDG_CONFIG_HOME=" + path("config"),
+                                     "HOME=" + folder_.path(),
+                                     "HEDGEHOG_SIMBOARD_TRACE=" + path("trace"),
+                                     "HEDGEHOG_PATIENCE_MS=60000",
+                                     "LC_ALL=C.UTF-8"};
   for (const char* name : {"PATH", "ASAN_OPTIONS", "TSAN_OPTIONS", "UBSAN_OPTIONS"})
     if (const char* value = std::getenv(name)) variables.push_back(std::string(name) + "=" + value);
   return variables;

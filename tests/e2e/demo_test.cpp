@@ -94,7 +94,7 @@ TEST_F(Demo, PlaysEveryChapterAndKeepsItsPromises) {
   EXPECT_EQ(captures(ended.out, R"( s  (derating) +1\d\.\d A allowed)").size(), 1u) << ended.out;
   EXPECT_THAT(ended.out, testing::ContainsRegex("rest +[0-9]+\\.[0-9] A allowed"));
 
-  const auto hottest = captures(ended.out, R"(Hottest (\d+\.\d) )");
+  const auto hottest = captures(ended.out, R"(Hottest winding (\d+\.\d) )");
   ASSERT_EQ(hottest.size(), 1u) << ended.out;
   EXPECT_GT(std::stod(hottest[0]), 60.0);
   EXPECT_LT(std::stod(hottest[0]), 70.0);
@@ -120,6 +120,14 @@ TEST_F(Demo, CtrlCEndsItsDaemonToo) {
   EXPECT_THAT(ended.err, testing::HasSubstr("the coils are off"));
   EXPECT_THAT(left_behind(), testing::IsEmpty());
   EXPECT_EQ(processes(), 0);
+}
+
+TEST_F(Demo, WithoutATemporaryFolderIsAnErrorOfItsKind) {
+  const std::vector<std::string> nowhere{"TMPDIR=" + home_.path("nowhere")};
+  const Ended ended = Program(home_, installed_, {"demo", "--private", "--json"}, nowhere).wait();
+  EXPECT_EQ(ended.exit_code, 69);
+  EXPECT_THAT(ended.err, testing::StartsWith(R"({"error":{"code":null,)"));
+  EXPECT_THAT(ended.err, testing::HasSubstr("no temporary folder"));
 }
 
 TEST_F(Demo, OnATerminalItDrawsAndCtrlCGivesTheTerminalBack) {

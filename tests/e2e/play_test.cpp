@@ -229,6 +229,17 @@ TEST_F(OwnBoard, IsSafe100MsAfterTheDaemonIsKilled) {
   expect_safe_after_dead_man(home_);
 }
 
+TEST_F(OwnBoard, KeepsStepWithADaemonThatHasASpeedAndIsSafeWithoutIt) {
+  DaemonProcess daemon(home_, {"--speed", "5"});
+  RawClient game(daemon.port());
+  ASSERT_NO_FATAL_FAILURE(drive(game));
+  const Json status = game.call("device.status");
+  EXPECT_EQ(status["loop"]["skipped"], 0);
+  EXPECT_EQ(status["link"]["lost"], 0);
+  daemon.stop(SIGKILL);
+  expect_safe_after_dead_man(home_);
+}
+
 TEST_F(OwnBoard, IsSafe100MsAfterTheDaemonFreezesAndStaysSoUntilArmed) {
   DaemonProcess daemon(home_, {}, {}, DaemonProcess::Backend::kFree);
   RawClient game(daemon.port());

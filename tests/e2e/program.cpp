@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <pty.h>
+#include <sys/ioctl.h>
 #include <sys/wait.h>
 #include <termios.h>
 #include <unistd.h>
@@ -119,6 +120,13 @@ TerminalProgram::~TerminalProgram() {
 void TerminalProgram::type(const std::string& keys) const {
   if (::write(terminal_, keys.data(), keys.size()) != static_cast<ssize_t>(keys.size()))
     throw std::runtime_error("the terminal takes no keys");
+}
+
+void TerminalProgram::resize(int columns, int rows) const {
+  winsize size{};
+  size.ws_col = static_cast<unsigned short>(columns);
+  size.ws_row = static_cast<unsigned short>(rows);
+  if (::ioctl(terminal_, TIOCSWINSZ, &size) != 0) throw std::runtime_error("no such size");
 }
 
 void TerminalProgram::read_more() {

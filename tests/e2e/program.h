@@ -52,6 +52,8 @@ class TerminalProgram {
   ~TerminalProgram();
 
   void type(const std::string& keys) const;
+  /// As a person does who drags the window's corner.
+  void resize(int columns, int rows) const;
   void signal(int number) const { ::kill(pid_, number); }
   /// Waits until everything written since the start has `text`.
   bool shows(const std::string& text);

@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <sstream>
 #include <stdexcept>
 
 namespace hedgehog::e2e {
@@ -27,10 +31,31 @@ std::string program(const std::string& place) {
 
 std::string hedgehogd() { return program(kDaemon); }
 std::string hedgehogctl() { return program("clients/ctl/hedgehogctl"); }
+std::string hedgehog_design() { return program("clients/design/hedgehog-design"); }
+std::string hedgehog_gamepad() { return program("clients/gamepad/hedgehog-gamepad"); }
 std::string hedgehog_orientation() { return program("clients/orientation/hedgehog-orientation"); }
 std::string hedgehog_racer() { return program("clients/racer/hedgehog-racer"); }
 std::string hedgehog_study() { return program("clients/study/hedgehog-study"); }
 std::string hedgehog_usbip() { return program("emulator/hedgehog-usbip"); }
+
+std::vector<std::string> installed_programs() {
+  std::ifstream file(HEDGEHOG_SOURCE_DIR "/cmake/install.cmake");
+  const std::string rules{std::istreambuf_iterator<char>(file), {}};
+  const std::regex rule(R"(install\(TARGETS((?:\s+hedgehog[a-z-]*)+)\s+RUNTIME)");
+  std::smatch match;
+  std::regex_search(rules, match, rule);
+  std::istringstream names(match[1]);
+  std::vector<std::string> paths;
+  for (std::string name; names >> name;) {
+    const std::string suffix = name.substr(name.rfind('-') + 1);
+    const bool is_of_daemon = name == "hedgehogd" || name == "hedgehog-simboard";
+    const std::string folder = is_of_daemon            ? "daemon"
+                               : name == "hedgehogctl" ? "clients/ctl"
+                                                       : "clients/" + suffix;
+    paths.push_back(program(folder + "/" + name));
+  }
+  return paths;
+}
 
 int attainable_speed(int wanted) {
   const char* limit = std::getenv("HEDGEHOG_SPEED_LIMIT");

@@ -4,15 +4,21 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace hedgehog::e2e {
 
 std::string hedgehogd();
 std::string hedgehogctl();
+std::string hedgehog_design();
+std::string hedgehog_gamepad();
 std::string hedgehog_orientation();
 std::string hedgehog_racer();
 std::string hedgehog_study();
 std::string hedgehog_usbip();
+
+/// The paths of all that cmake/install.cmake installs as programs.
+std::vector<std::string> installed_programs();
 
 /// A --speed that these programs keep up with: `wanted`, or the environment's HEDGEHOG_SPEED_LIMIT.
 int attainable_speed(int wanted);

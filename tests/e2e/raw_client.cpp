@@ -13,6 +13,7 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "protocol/methods.h"
 #include "tests/e2e/patience.h"
 
 namespace hedgehog::e2e {
@@ -22,7 +23,8 @@ constexpr int kPatienceMs = std::chrono::milliseconds(kPatience).count();
 
 }  // namespace
 
-RawClient::RawClient(int port) : fd_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+RawClient::RawClient(int port, int buffer) : fd_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+  if (buffer > 0) ::setsockopt(fd_, SOL_SOCKET, SO_RCVBUF, &buffer, sizeof buffer);
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_port = htons(static_cast<std::uint16_t>(port));
@@ -99,6 +101,12 @@ Json RawClient::call(const std::string& method, const Json& params) {
   const Json reply = answer();
   if (reply.value("id", Json()) != next_id_)
     throw std::runtime_error("not the answer to " + request.dump() + ": " + reply.dump());
+  const auto known = protocol::method_named(method);
+  if (known && reply.contains("error")) {
+    const auto code = static_cast<protocol::ErrorCode>(reply["error"].value("code", 0));
+    if (!protocol::possible_errors(protocol::info(*known)).contains(code))
+      throw std::runtime_error(method + " lists no such error: " + reply.dump());
+  }
   return reply.contains("result") ? reply["result"] : reply["error"];
 }
 

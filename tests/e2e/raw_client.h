@@ -18,8 +18,9 @@ inline constexpr std::size_t kMaxLine = 65'536;
 
 class RawClient {
  public:
-  /// TCP on 127.0.0.1, or a Unix socket.
-  explicit RawClient(int port);
+  /// TCP on 127.0.0.1, or a Unix socket. `buffer`: about so many bytes wait in the system until
+  /// they are read; 0: as many as it likes.
+  explicit RawClient(int port, int buffer = 0);
   explicit RawClient(const std::string& socket_path);
   RawClient(const RawClient&) = delete;
   RawClient& operator=(const RawClient&) = delete;

@@ -112,7 +112,7 @@ TEST_F(Study, ADamagedJournalIsNoUnfinishedRun) {
   // Killed before its first line: nothing is missing.
   home_.write("th/journal/P02.quick.1.jsonl", "");
   EXPECT_EQ(study({"status"}).exit_code, 0);
-  const Ended analysed = study({"analyse", "--bootstraps", "0"});
+  const Ended analysed = study({"analyse"});
   EXPECT_EQ(analysed.exit_code, 0);
   EXPECT_THAT(analysed.err, HasSubstr("P02.quick.1.jsonl was killed before it began"));
   EXPECT_EQ(study({"run", "quick", "--participant", "P02", "--simulated"}).exit_code, 0);

@@ -39,8 +39,12 @@ TEST_F(Study, APersonSeesTheQuestionAndNothingElse) {
   ASSERT_TRUE(desk.shows("in cm:"));
   desk.type("184\n");
   ASSERT_TRUE(desk.shows("between 10 and 30 cm"));
+  desk.type("18,4\n");
+  ASSERT_TRUE(desk.shows("write 18,4 with a point, 18.4"));
   desk.type("18.4\n");
   ASSERT_TRUE(desk.shows("headphones"));
+  desk.type("u\n");
+  ASSERT_TRUE(desk.shows("y or n, please"));
   desk.type("y\n");
   ASSERT_TRUE(desk.shows("on top of the ball"));
   desk.type("y\n");
@@ -128,6 +132,13 @@ TEST_F(Study, ADaemonThatDiesWhileAPersonThinksSpoilsNothing) {
   ASSERT_TRUE(desk.shows("waiting for the ball"));
   EXPECT_EQ(count(journal(name), "answered"), 1);
   start_daemon(20);
+  // Another start of the daemon may be another ball: nothing is played without the experimenter's
+  // word.
+  ASSERT_TRUE(desk.shows("started anew"));
+  EXPECT_EQ(count(journal(name), "daemon_changed"), 0);
+  EXPECT_EQ(count(journal(name), "trial_started"), 1);
+  desk.type("c");
+  ASSERT_TRUE(eventually([&] { return count(journal(name), "daemon_changed") == 1; }));
   const auto answers = [&](int wanted) {
     return type_until(desk, "\033[D", [&] { return count(journal(name), "answered") >= wanted; });
   };

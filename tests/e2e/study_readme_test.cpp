@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
 #include <sstream>
 
 #include "tests/e2e/programs.h"
@@ -22,7 +23,7 @@ TEST_F(Study, AnalysesAndExportsWhatWasMeasured) {
   remember_address();
   plan("th", "2", quick_path() + "," + home_.path("quick-yes-no.json"));
   ASSERT_EQ(study({"rehearse"}).exit_code, 0);
-  const Ended analysed = study({"analyse", "--bootstraps", "50"});
+  const Ended analysed = study({"analyse"});
   ASSERT_EQ(analysed.exit_code, 0) << analysed.err;
   EXPECT_THAT(analysed.out, HasSubstr("n = 2"));
   EXPECT_THAT(analysed.err, HasSubstr("4 of 4 runs are of simulated people"));
@@ -66,7 +67,7 @@ TEST_F(Study, TheLinesOfItsReadmeRun) {
     if (line.rfind(program, 0) != 0) continue;
     std::vector<std::string> words{"-C", folder};
     std::istringstream rest(line.substr(program.size()));
-    for (std::string word; rest >> word;) {
+    for (std::string word; rest >> std::quoted(word);) {
       // Fewer simulated people than the README has: their numbers have tests of their own.
       words.push_back(word == "2000" ? "50" : word);
     }

@@ -11,6 +11,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <utility>
 
 #include "tests/e2e/daemon_process.h"
 #include "tests/e2e/patience.h"
@@ -19,6 +20,8 @@
 
 namespace hedgehog::e2e {
 namespace {
+
+using std::string_literals::operator""s;
 
 struct Said {
   int exit_code = -1;
@@ -42,9 +45,11 @@ class Unit : public testing::TestWithParam<const char*> {
     const std::string name = GetParam();
     std::ifstream in(std::string(HEDGEHOG_SOURCE_DIR) + "/systemd/" + name);
     std::string text{std::istreambuf_iterator<char>(in), {}};
-    const std::string program = "/usr/bin/hedgehogd";
-    for (auto at = text.find(program); at != std::string::npos; at = text.find(program, at + 1))
-      text.replace(at, program.size(), hedgehogd());
+    for (const auto& [program, built] :
+         {std::pair("/usr/bin/hedgehogd"s, hedgehogd()),
+          std::pair("/usr/bin/hedgehog-gamepad"s, hedgehog_gamepad())})
+      for (auto at = text.find(program); at != std::string::npos; at = text.find(program, at + 1))
+        text.replace(at, program.size(), built);
     home_.write("units/" + name, text);
     std::string unit = name;
     if (const auto at = unit.find("@."); at != std::string::npos) unit.insert(at + 1, "ball-7");
@@ -65,11 +70,13 @@ TEST_P(Unit, IsShutInTight) {
   EXPECT_EQ(said.exit_code, 0) << said.text;
 }
 
-INSTANTIATE_TEST_SUITE_P(Systemd, Unit, testing::Values("hedgehogd.service", "hedgehogd@.service"),
+INSTANTIATE_TEST_SUITE_P(Systemd, Unit,
+                         testing::Values("hedgehogd.service", "hedgehogd@.service",
+                                         "hedgehog-gamepad.service"),
                          [](const auto& unit) {
-                           return std::string(unit.param).find('@') == std::string::npos
-                                      ? "Single"
-                                      : "Instance";
+                           const std::string name = unit.param;
+                           if (name.starts_with("hedgehog-gamepad")) return "Gamepad";
+                           return name.find('@') == std::string::npos ? "Single" : "Instance";
                          });
 
 /// systemd's end of sd_notify.

@@ -53,6 +53,24 @@ TEST_F(Watch, DrawsTheBallStopsItAtSpaceAndQuitsAtQ) {
   EXPECT_TRUE(watch_.is_as_a_shell_leaves_it());
 }
 
+TEST_F(Watch, IsDrawnAnewInTheWidthThatTheTerminalGets) {
+  // "ball · armed · 15.0 A allowed" and the keys are 50 columns, the margins 3.
+  const auto title = [](std::size_t columns) {
+    return "15.0 A allowed" + std::string(columns - 53, ' ') + "SPACE stops";
+  };
+  ASSERT_TRUE(watch_.shows(title(80)));
+  EXPECT_TRUE(watch_.shows("\033[32marmed\033[0m")) << "green";
+  watch_.resize(140, 40);
+  EXPECT_TRUE(watch_.shows(title(140))) << watch_.shown();
+  const std::size_t drawn = watch_.shown().size();
+  watch_.resize(60, 24);
+  EXPECT_TRUE(eventually([&] {
+    return watch_.shows("SPACE") && watch_.shown().find("\033[2J", drawn) != std::string::npos;
+  })) << "from nothing";
+  watch_.type("q");
+  EXPECT_EQ(watch_.wait(), 0);
+}
+
 /// However it comes: behind another key, behind the escape sequence of one, before leaving.
 TEST_F(Watch, ASpaceStopsWhateverIsTypedWithIt) {
   ASSERT_TRUE(watch_.shows("SPACE stops"));

@@ -37,6 +37,21 @@ TEST_F(WebSocket, SpeaksTheSameProtocolAsTcp) {
   EXPECT_EQ(metric(R"(hedgehog_connections{device="ball",transport="websocket"})"), 1);
 }
 
+TEST_F(WebSocket, ANulEndsNoMessage) {
+  WebSocketClient web(daemon_.http_port());
+  web.text(kPingRequest + std::string(1, '\0') + " garbage");
+  EXPECT_EQ(web.json()["error"]["code"], -32700);
+}
+
+TEST_F(WebSocket, TextThatIsNotUtf8ClosesTheConnection) {
+  WebSocketClient web(daemon_.http_port());
+  web.text("{\"jsonrpc\":\"2.0\",\"id\":1,\"method\":\"\xff\"}");
+  const auto closed = web.next();
+  ASSERT_TRUE(closed);
+  EXPECT_EQ(closed->opcode, WebSocketClient::kClose);
+  EXPECT_EQ(closed->payload.substr(0, 2), std::string("\x03\xef")) << "1007";
+}
+
 TEST_F(WebSocket, AMessageMayComeInFragmentsWithAPingInBetween) {
   WebSocketClient web(daemon_.http_port());
   web.frame(WebSocketClient::kText, kPingRequest.substr(0, 9), false);

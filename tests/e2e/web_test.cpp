@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <sstream>
 #include <string>
 
 #include "tests/e2e/program.h"
@@ -27,6 +29,14 @@ TEST_F(Web, ServesThePagesThatAreThereAndNothingElse) {
   EXPECT_EQ(get("/deep/style.css").status, 200);
   for (const std::string path : {"/secret.key", "/../outside.html", "/www/../../outside.html",
                                  "/%2e%2e/outside.html", "//index.html", "/deep", "/deep/", "*"})
+    EXPECT_EQ(get(path).status, 404) << path;
+}
+
+TEST_F(Web, ARecordingIsNamedByItsTripAndNothingElseOfTheStateDirectoryIsServed) {
+  for (const std::string path :
+       {"/recordings/", "/recordings/trip-0001.hhr", "/recordings/trip-0001",
+        "/recordings/state.json", "/recordings/../state.json",
+        "/recordings/trip-0001.hhr/../state.json"})
     EXPECT_EQ(get(path).status, 404) << path;
 }
 
@@ -86,6 +96,28 @@ TEST_F(Web, ForeignPagesAreRefusedByNameOfTheKey) {
   EXPECT_EQ(metric(R"(hedgehog_connections_rejected_total{device="ball",reason="origin"})"), 11);
 }
 
+// Fetch Metadata (W3C): a page's image, script or link comes without Origin, and says so instead.
+TEST_F(Web, WhatForeignPagesEmbedIsRefusedWithoutAnOriginToo) {
+  const auto fetched = [&](const std::string& path, const std::string& site,
+                           const std::string& mode) {
+    return get(path, "Sec-Fetch-Site: " + site + "\r\nSec-Fetch-Mode: " + mode + "\r\n").status;
+  };
+  const std::string recording = "/recordings/trip-0001.hhr";
+  for (const std::string site : {"cross-site", "same-site"}) {
+    for (const std::string& path : {recording, std::string("/metrics"), std::string("/app.js")})
+      EXPECT_EQ(fetched(path, site, "no-cors"), 403) << path;
+    EXPECT_EQ(fetched("/", site, "navigate"), 200) << "a link to the dashboard";
+    EXPECT_EQ(fetched(recording, site, "navigate"), 403) << "a download that nobody asked for";
+  }
+  for (const std::string site : {"same-origin", "none"}) {
+    EXPECT_EQ(fetched("/app.js", site, "no-cors"), 200);
+    EXPECT_EQ(fetched(recording, site, "navigate"), 404) << "there is none, but one may ask";
+  }
+  const std::string allowed = "Origin: https://game.example\r\nSec-Fetch-Site: cross-site\r\n";
+  EXPECT_EQ(get("/metrics", allowed + "Sec-Fetch-Mode: cors\r\n").status, 200);
+  EXPECT_EQ(metric(R"(hedgehog_connections_rejected_total{device="ball",reason="origin"})"), 8);
+}
+
 TEST_F(Web, GarbageAndTooMuchAreRefused) {
   const int port = daemon_.http_port();
   EXPECT_EQ(web_say(port, kPingRequest + "\n\r\n\r\n").status, 400);
@@ -140,6 +172,62 @@ TEST_F(Web, MetricsIntegrateWhatHappensBetweenTwoLooks) {
   for (const char* ticks : {R"(hedgehog_tick_lateness_seconds_bucket{device="ball",le="+Inf"})",
                             R"(hedgehog_tick_work_seconds_count{device="ball"})"})
     EXPECT_TRUE(eventually([&] { return metric(ticks) > 100; })) << ticks;
+}
+
+TEST_F(Web, CountersWithKnownLabelsAreThereBeforeTheyCount) {
+  for (const char* name :
+       {R"(hedgehog_trips_total{device="ball",reason="overheated"})",
+        R"(hedgehog_trips_total{device="ball",reason="sensor_frozen"})",
+        R"(hedgehog_trips_total{device="ball",reason="no_board"})",
+        R"(hedgehog_effects_limited_total{device="ball",by="thermal"})",
+        R"(hedgehog_effects_total{device="ball",method="effect.play",)"
+        R"(outcome="tripped"})",
+        R"(hedgehog_connections_rejected_total{device="ball",reason="slow"})",
+        R"(hedgehog_requests_total{device="ball",method="none",code="-32700"})",
+        R"(hedgehog_requests_total{device="ball",method="none",code="-32601"})",
+        R"(hedgehog_requests_total{device="ball",method="none",code="-32602"})",
+        R"(hedgehog_requests_total{device="ball",method="device.arm",code="0"})"})
+    EXPECT_EQ(metric(name), 0) << name;
+}
+
+TEST_F(Web, MetricsLeadWithTheHottestWindingAndTellEachWinding) {
+  const std::string text = get("/metrics").body;
+  const auto at = [&](const char* line) { return text.find(line); };
+  EXPECT_LT(at(R"(hedgehog_temperature_celsius{device="ball",source="model"})"),
+            at(R"(hedgehog_temperature_celsius{device="ball",source="sensor"})"));
+  for (const char* family : {"temperature_celsius", "temperature_threshold_celsius"}) {
+    const std::size_t help = at(("# HELP hedgehog_" + std::string(family) + " ").c_str());
+    ASSERT_NE(help, std::string::npos) << family;
+    EXPECT_THAT(text.substr(help, text.find('\n', help) - help), HasSubstr("hottest winding"));
+  }
+  EXPECT_GT(metric(R"(hedgehog_temperature_celsius{device="ball",source="upper"})"), 10);
+  for (const char* coil : {"x", "y", "z"}) {
+    EXPECT_GT(metric(R"(hedgehog_winding_temperature_celsius{device="ball",coil=")" +
+                     std::string(coil) + "\"}"),
+              10);
+  }
+}
+
+TEST_F(Web, MetricsTellWhatTheProcessUses) {
+  EXPECT_GT(metric("process_cpu_seconds_total"), 0);
+  EXPECT_GT(metric("process_open_fds"), 5);
+  EXPECT_GE(metric("process_max_fds"), metric("process_open_fds"));
+  EXPECT_GT(metric("process_resident_memory_bytes"), 1e6);
+  EXPECT_GT(metric("process_virtual_memory_bytes"), metric("process_resident_memory_bytes"));
+  EXPECT_GT(metric("process_threads"), 3);
+  EXPECT_GT(metric("process_start_time_seconds"), 1.6e9);
+}
+
+/// Every family has a sentence, not a word.
+TEST_F(Web, MetricsAreExplained) {
+  std::istringstream text(get("/metrics").body);
+  int families = 0;
+  for (std::string line; std::getline(text, line);) {
+    if (!line.starts_with("# HELP ")) continue;
+    ++families;
+    EXPECT_GE(std::count(line.begin(), line.end(), ' '), 6) << line;
+  }
+  EXPECT_GT(families, 30);
 }
 
 TEST(WebOff, IsNotThereWhenItIsNotWanted) {

@@ -155,6 +155,15 @@ TEST(Circles, HaveFifteenStepsAtTheEquatorAndElevenAt45Degrees) {
   EXPECT_EQ(circle_steps(180), 1);
 }
 
+TEST(Circles, OfAnotherPitchHaveStepsOfThat) {
+  EXPECT_EQ(circle_steps(90, 36.0), 10);
+  EXPECT_EQ(circle_steps(30, 36.0), 5);
+  EffectSpec spec = circle();
+  spec.trajectory.pitch_deg = 36.0;
+  EXPECT_EQ(ring_of(spec.trajectory).steps, 10);
+  EXPECT_EQ(carried(circle(), spec, {.steps = 7.5}).steps, 5.0) << "half way round stays half way";
+}
+
 TEST(Circles, AtTenPinsASecondStepTenTimesASecondFromTheFrontToTheLeft) {
   const auto at = directions(circle(), 1501);
   for (int i = 0; i < 1500; ++i) {

@@ -181,5 +181,21 @@ RC_GTEST_PROP(PinArray, NoOtherPinIsNearer, (int x, int y, int z)) {
     RC_ASSERT(dot(pin.position, wanted) / norm(wanted) <= found.cosine + 1e-6);
 }
 
+// Thesis section 3.2: 10 pins a second are about 20 cm/s.
+TEST(PinPitch, IsTwoCentimetresOnTheBallOfTheThesisAndFollowsThePins) {
+  EXPECT_EQ(pin_pitch_deg(thesis_ball().array), 23.5);
+  const auto pitch_of = [](const char* name) {
+    BallGeometry geometry;
+    geometry.arrangement = name;
+    geometry.sizes = {{1.0, 2.0}, {0.5, 2.0}, 60.0};
+    return pin_pitch_deg(ball_pins(geometry).value()->array);
+  };
+  EXPECT_EQ(pitch_of("tkD"), 23.5);
+  // cD's pins are 31.7 degrees from their nearest, tkD's 19.8.
+  EXPECT_NEAR(pitch_of("cD"), 23.5 * 31.7175 / 19.8178, 0.01);
+  EXPECT_NEAR(pitch_of("GP(4,0)"), 20.66, 0.01);
+  EXPECT_EQ(pin_pitch_deg({}), kThesisPitchDeg);
+}
+
 }  // namespace
 }  // namespace hedgehog::model

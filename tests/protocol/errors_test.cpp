@@ -52,8 +52,12 @@ TEST(Errors, EveryCodeHasItsNameAndNumber) {
                                                             {-32006, "unsupported"},
                                                             {-32007, "refused_thermal"},
                                                             {-32008, "no_such_pattern"},
-                                                            {-32009, "claimed"}};
+                                                            {-32009, "claimed"},
+                                                            {-32010, "armed"}};
   for (const auto& [code, text] : documented) EXPECT_EQ(name(static_cast<ErrorCode>(code)), text);
+  ASSERT_EQ(kErrorCodes.size(), documented.size());
+  for (std::size_t i = 0; i < documented.size(); ++i)
+    EXPECT_EQ(static_cast<int>(kErrorCodes[i]), documented[i].first);
 }
 
 TEST(Errors, ClientsGetThemBackWhole) {

@@ -25,6 +25,7 @@ TEST(Methods, RolesAreThoseOfTheDocument) {
   EXPECT_EQ(info(kMethodOf<DeviceStatus>).role, Role::kObserve);
   EXPECT_EQ(info(*method_named("effect.pulse")).role, Role::kPlay);
   EXPECT_EQ(info(kMethodOf<DeviceArm>).role, Role::kOperate);
+  EXPECT_EQ(info(kMethodOf<DeviceEnterBootLoader>).role, Role::kOperate);
 }
 
 TEST(Methods, UnknownOnesNameTheNearest) {
@@ -39,8 +40,8 @@ TEST(Methods, UnknownOnesNameTheNearest) {
 TEST(Requests, MethodsWithoutParametersTakeNone) {
   for (const std::string method :
        {"ping", "device.describe", "device.list", "device.status", "device.emergency_stop",
-        "device.arm", "device.release", "telemetry.unsubscribe", "events.unsubscribe",
-        "connection.list"}) {
+        "device.arm", "device.release", "device.enter_boot_loader", "telemetry.unsubscribe",
+        "events.unsubscribe", "connection.list"}) {
     EXPECT_EQ(name(method_of(*only(line_of(method, "{}")).request)), method);
     const RpcError error = refused(method, R"({"x":1})");
     EXPECT_EQ(error.field, "x") << method;

@@ -140,8 +140,8 @@ TEST(Results, EveryKindComesBackTheSame) {
        {4, std::nullopt, "unix", std::nullopt, Role::kOperate, 1.0, true, {}}}};
   EXPECT_EQ(*decode_result<ConnectionsResult>(result_of(connections)), connections);
   const DevicesResult devices{
-      {{"USB 1-3", "1209:0001", "Hedgehog driver board", "7", "1.02", "board", std::nullopt},
-       {"Bluetooth", "054c:0ce6", "Pad", std::nullopt, std::nullopt, std::nullopt,
+      {{"USB 1-3", "1209:0001", "Hedgehog driver board", "7", "1.02", "1.2", "board", std::nullopt},
+       {"Bluetooth", "054c:0ce6", "Pad", std::nullopt, std::nullopt, std::nullopt, std::nullopt,
         "not asked for"}},
       {{"thermometer", "no TEMPer thermometer is connected"}},
       3};
@@ -156,7 +156,7 @@ TEST(Results, EveryKindComesBackTheSame) {
   description.coils.measured = {{0.4512, 0.0027, -0.012}, {0.46, 0.0, std::nullopt}, {}};
   description.thermal = {{60, 58, 57}, 84, {1, 0.9, 1.1}, 1.8, 5, 2, 1.5};
   description.uncertainty = {0.06, 0.01, 0.5};
-  description.board = {"simulator", true, std::nullopt, "1.2"};
+  description.board = {"simulator", true, std::nullopt, "1.02", "1.2"};
   EXPECT_EQ(*decode_result<Description>(result_of(description)), description);
   TelemetryResult telemetry{100.0, {}};
   telemetry.fields.add(StatusKey::kOrientation);

@@ -2,6 +2,7 @@
 #include "tests/protocol/schema.h"
 
 #include <algorithm>
+#include <cctype>
 
 #include "protocol/values/event.h"
 #include "tests/protocol/schema_fields.h"
@@ -97,19 +98,75 @@ Json history_schema() {
   return schema;
 }
 
-/// References to what messages.schema.json defines, from another file.
-void refer_to_messages(Json& json) {
+/// What messages.schema.json refers to as its own definitions is among the components of OpenRPC.
+void refer_to_components(Json& json) {
+  constexpr std::string_view kDefinitions = "#/$defs/";
   if (auto* list = std::get_if<Json::List>(&json.value)) {
-    for (Json& item : *list) refer_to_messages(item);
+    for (Json& item : *list) refer_to_components(item);
   } else if (auto* object = std::get_if<Json::Object>(&json.value)) {
     for (auto& [name, value] : *object) {
       const auto* text = value.as<std::string>();
-      if (name == "$ref" && text != nullptr && text->starts_with('#'))
-        value = text_json("messages.schema.json" + *text);
+      if (name == "$ref" && text != nullptr && text->starts_with(kDefinitions))
+        value = text_json("#/components/schemas/" + text->substr(kDefinitions.size()));
       else
-        refer_to_messages(value);
+        refer_to_components(value);
     }
   }
+}
+
+/// "telemetry.history" as generators call the type of that method: "TelemetryHistory".
+std::string type_name(std::string_view method) {
+  std::string name;
+  bool begins = true;
+  for (const char letter : method) {
+    const bool between = letter == '.' || letter == '_';
+    if (!between)
+      name += begins ? static_cast<char>(std::toupper(static_cast<unsigned char>(letter))) : letter;
+    begins = between;
+  }
+  return name;
+}
+
+/// The title of a definition, which generators make a type of: none that a method's type has.
+std::string title_of(const std::string& definition) {
+  const bool taken = std::any_of(kMethods.begin(), kMethods.end(), [&](const MethodInfo& row) {
+    return type_name(row.name) == definition;
+  });
+  return taken ? definition + "Result" : definition;
+}
+
+/// The errors of JSON-RPC by the protocol's names.
+Json errors_of_all_methods() {
+  Json::Object errors;
+  for (const ErrorCode code : kErrorCodes)
+    errors.emplace_back(std::string(name(code)),
+                        object({{"code", {std::int64_t{static_cast<int>(code)}}},
+                                {"message", text_json(meaning_of(code))},
+                                {"data", object({{"name", text_json(name(code))}})}}));
+  return {std::move(errors)};
+}
+
+Json errors_of(const MethodInfo& row) {
+  Json::List errors;
+  for (const ErrorCode code : kErrorCodes)
+    if (possible_errors(row).contains(code))
+      errors.push_back(
+          object({{"$ref", text_json("#/components/errors/" + std::string(name(code)))}}));
+  return {std::move(errors)};
+}
+
+/// Every definition of messages.schema.json that is no whole message, named for generators.
+Json components() {
+  const Json messages = messages_schema();
+  Json::Object schemas;
+  for (const auto& [name, definition] : *messages.find("$defs")->as<Json::Object>()) {
+    if (name == "Request" || name == "Notification") continue;
+    Json schema = definition;
+    refer_to_components(schema);
+    members(schema).insert(members(schema).begin(), {"title", text_json(title_of(name))});
+    schemas.emplace_back(name, std::move(schema));
+  }
+  return object({{"schemas", {std::move(schemas)}}, {"errors", errors_of_all_methods()}});
 }
 
 }  // namespace
@@ -191,10 +248,13 @@ Json openrpc_document() {
           std::any_of(needed->as<Json::List>()->begin(), needed->as<Json::List>()->end(),
                       [&wanted = name](const Json& n) { return *n.as<std::string>() == wanted; });
       Json described = property;
-      refer_to_messages(described);
+      refer_to_components(described);
       params.push_back(object(
           {{"name", text_json(name)}, {"required", {must}}, {"schema", std::move(described)}}));
     }
+    // The specification's order, in which a generated function takes them.
+    std::stable_partition(params.begin(), params.end(),
+                          [](const Json& param) { return *param.find("required")->as<bool>(); });
     const std::string result = result_name(*method_named(row.name));
     methods.push_back(object(
         {{"name", text_json(row.name)},
@@ -202,14 +262,16 @@ Json openrpc_document() {
          {"paramStructure", text_json("by-name")},
          {"x-role", row.role ? text_json(name(*row.role)) : Json{}},
          {"params", {std::move(params)}},
-         {"result", object({{"name", text_json(result)},
-                            {"schema", object({{"$ref", text_json("messages.schema.json#/$defs/" +
-                                                                  result)}})}})}}));
+         {"result",
+          object({{"name", text_json(result)},
+                  {"schema", object({{"$ref", text_json("#/components/schemas/" + result)}})}})},
+         {"errors", errors_of(row)}}));
   }
   return object(
       {{"openrpc", text_json("1.3.2")},
        {"info", object({{"title", text_json("Hedgehog")}, {"version", text_json("1.0")}})},
-       {"methods", {std::move(methods)}}});
+       {"methods", {std::move(methods)}},
+       {"components", components()}});
 }
 
 }  // namespace hedgehog::protocol

@@ -15,7 +15,8 @@ Json schema_of_params(Method method);
 
 /// protocol/schema/messages.schema.json: JSON Schema 2020-12, `$defs` of every message.
 Json messages_schema();
-/// protocol/schema/openrpc.json: OpenRPC 1.3, refers to the file above.
+/// protocol/schema/openrpc.json: OpenRPC 1.3. Stands alone, since its tools resolve no files: has
+/// the definitions of the file above as components.
 Json openrpc_document();
 
 /// Indented, with short values on one line.

@@ -48,6 +48,26 @@ TEST(Schema, OpenRpcHasExactlyTheMethodsOfTheTable) {
   EXPECT_EQ(documented, served);
 }
 
+TEST(Schema, EachMethodHasItsErrors) {
+  const auto has = [](std::string_view method, ErrorCode code) {
+    return possible_errors(info(*method_named(method))).contains(code);
+  };
+  EXPECT_TRUE(has("effect.play", ErrorCode::kNoSuchPattern));
+  EXPECT_FALSE(has("effect.pulse", ErrorCode::kNoSuchPattern));
+  EXPECT_TRUE(has("ping", ErrorCode::kInvalidParams)) << "an unknown parameter";
+  EXPECT_FALSE(has("ping", ErrorCode::kForbidden)) << "anybody may";
+  const Json document = *parse_json(contents("openrpc.json"), 64);
+  const Json& components = *document.find("components")->find("errors");
+  for (const Json& method : *document.find("methods")->as<Json::List>()) {
+    const auto& errors = *method.find("errors")->as<Json::List>();
+    EXPECT_FALSE(errors.empty());
+    for (const Json& error : errors) {
+      const std::string ref = *error.find("$ref")->as<std::string>();
+      EXPECT_NE(components.find(ref.substr(ref.rfind('/') + 1)), nullptr) << ref;
+    }
+  }
+}
+
 TEST(Schema, ParametersAreThoseThatDecodingKnows) {
   const std::vector<std::string> pulse = parameter_names(*method_named("effect.pulse"));
   for (const std::string name :

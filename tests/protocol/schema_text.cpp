@@ -62,4 +62,43 @@ std::string_view meaning_of(std::string_view parameter) {
   return found == kMeanings.end() ? std::string_view{} : found->second;
 }
 
+std::string_view meaning_of(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::kParseError:
+      return "The line is not JSON.";
+    case ErrorCode::kInvalidRequest:
+      return "JSON, but no request.";
+    case ErrorCode::kMethodNotFound:
+      return "There is no such method.";
+    case ErrorCode::kInvalidParams:
+      return "A parameter is unknown, missing, of the wrong type, out of range, or at odds with "
+             "another.";
+    case ErrorCode::kInternalError:
+      return "A bug, or the disk: what was asked is done, but not on disk.";
+    case ErrorCode::kNotArmed:
+      return "Nothing can be played: state, reason and remedy say why.";
+    case ErrorCode::kBusy:
+      return "Something is full or stopping; nothing was changed.";
+    case ErrorCode::kNoSuchEffect:
+      return "It has ended, or is somebody else's.";
+    case ErrorCode::kUnauthorized:
+      return "The token is not known.";
+    case ErrorCode::kForbidden:
+      return "It needs role_needed.";
+    case ErrorCode::kDeviceAbsent:
+      return "There is no board, or no orientation sensor.";
+    case ErrorCode::kUnsupported:
+      return "Not by this server, not in this configuration.";
+    case ErrorCode::kRefusedThermal:
+      return "Heat would make it less than asked, and if_limited is refuse.";
+    case ErrorCode::kNoSuchPattern:
+      return "There is no pattern of that name.";
+    case ErrorCode::kClaimed:
+      return "Another client has the ball for itself, or feeds its orientation.";
+    case ErrorCode::kArmed:
+      return "It is refused while the ball is armed.";
+  }
+  return {};
+}
+
 }  // namespace hedgehog::protocol

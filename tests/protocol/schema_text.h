@@ -4,9 +4,12 @@
 
 #include <string_view>
 
+#include "protocol/wire/error.h"
+
 namespace hedgehog::protocol {
 
 /// Empty when the name says it all.
 std::string_view meaning_of(std::string_view parameter);
+std::string_view meaning_of(ErrorCode code);
 
 }  // namespace hedgehog::protocol

@@ -15,13 +15,13 @@ namespace {
 
 TEST(HostCheck, KnowsItsOwnNames) {
   const HostCheck host_check{"127.0.0.1", 7585};
-  for (const char* ours :
-       {"127.0.0.1:7585", "localhost:7585", "LocalHost:7585", "[::1]:7585", "127.9.9.9:7585"})
+  for (const char* ours : {"127.0.0.1:7585", "localhost:7585", "LocalHost:7585", "[::1]:7585",
+                           "127.9.9.9:7585", "127.0.0.1:17585", "localhost"})
     EXPECT_TRUE(host_check.is_ours(ours)) << ours;
   for (const char* foreign :
-       {"", ":7585", "127.0.0.1", "127.0.0.1:7586", "127.0.0.1:75850", "example.com:7585",
-        "127.0.0.1.example.com:7585", "localhost.example:7585", "192.168.1.5:7585", "[::2]:7585",
-        "127.1:7585", "localhost:7585:7585", "[localhost]:7585"})
+       {"", ":7585", "127.0.0.1:758500", "example.com:7585", "127.0.0.1.example.com:7585",
+        "localhost.example:7585", "192.168.1.5:7585", "[::2]:7585", "127.1:7585",
+        "localhost:7585:7585", "[localhost]:7585"})
     EXPECT_FALSE(host_check.is_ours(foreign)) << foreign;
   EXPECT_TRUE((HostCheck{"192.168.1.5", 80}.is_ours("192.168.1.5")));
   EXPECT_FALSE((HostCheck{"192.168.1.5", 80}.is_ours("192.168.1.6")));
@@ -61,6 +61,9 @@ TEST(PageMessages, AreTakenOrRefusedWithASentence) {
     ASSERT_TRUE(std::holds_alternative<NotUnderstood>(message)) << text;
     EXPECT_FALSE(std::get<NotUnderstood>(message).why.empty());
   }
+  EXPECT_TRUE(std::holds_alternative<NotUnderstood>(
+      page_message(R"({"type":"reset"})" + std::string(1, '\0') + "garbage")))
+      << "a NUL ends no text";
 }
 
 }  // namespace

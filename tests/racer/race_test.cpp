@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "clients/racer/best_lap.h"
 #include "clients/racer/game/car.h"
 #include "clients/racer/game/driver.h"
 #include "clients/racer/game/laps.h"
@@ -232,6 +233,35 @@ TEST(Lap, IsNotDrivenBackwards) {
   // Across the line again.
   EXPECT_TRUE(drive<LapDone>(race, 4.0, {.throttle = 1.0}).empty());
   EXPECT_EQ(race.scene().lap, 1);
+}
+
+TEST(Lap, IsTimedFromWhenSomebodyBeginsToDrive) {
+  Race race(home_track());
+  drive<LapDone>(race, 3.0, {});
+  EXPECT_EQ(race.scene().lap_time_s, 0.0);
+  drive<LapDone>(race, 1.0, {.throttle = 1.0});
+  EXPECT_NEAR(race.scene().lap_time_s, 1.0, 0.05);
+  drive<LapDone>(race, 1.0, {});
+  EXPECT_NEAR(race.scene().lap_time_s, 2.0, 0.05) << "letting go does not stop the clock";
+}
+
+TEST(BestLap, IsThePlayersOwn) {
+  BestLap best;
+  best.drive(true);
+  EXPECT_TRUE(best.by_driver());
+  EXPECT_FALSE(best.finish(20.0)) << "the driver's";
+  EXPECT_EQ(best.time_s(), std::nullopt);
+  best.drive(false);
+  EXPECT_TRUE(best.finish(40.0));
+  best.drive(false);
+  best.drive(true);
+  best.drive(false);
+  EXPECT_FALSE(best.finish(30.0)) << "the driver helped";
+  best.drive(false);
+  EXPECT_FALSE(best.finish(41.0));
+  best.drive(false);
+  EXPECT_TRUE(best.finish(39.0));
+  EXPECT_EQ(best.time_s(), 39.0);
 }
 
 }  // namespace

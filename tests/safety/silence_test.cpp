@@ -36,6 +36,7 @@ TEST(ClientSilent, ItsLeaseRunsOut) {
   rig.run(1000);
   EXPECT_TRUE(rig.playing(effect));
   expect_zero(rig, 2);
+  ASSERT_NE(rig.last(EventType::kEffectEnded), nullptr);
   EXPECT_EQ(rig.last(EventType::kEffectEnded)->end_reason, EndReason::kExpired);
 }
 

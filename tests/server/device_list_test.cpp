@@ -46,6 +46,7 @@ TEST(DeviceList, TheBoardThatIsOpenIsUsed) {
   EXPECT_EQ(seen.devices[0].ids, "1209:0001");
   EXPECT_EQ(seen.devices[0].serial, "7");
   EXPECT_EQ(seen.devices[0].firmware, "1.02");
+  EXPECT_EQ(seen.devices[0].protocol, "1") << "by its interface; its telemetry has the rest";
   EXPECT_EQ(seen.devices[0].use, "board");
   EXPECT_FALSE(seen.devices[0].why_not);
   EXPECT_FALSE(seen.devices[1].use);
@@ -100,6 +101,8 @@ struct SlowLooker : server::DeviceScanner {
       if (--pumps > 0) return std::nullopt;
       protocol::DevicesResult found;
       found.others = 7;
+      found.devices = {{"USB 1-3", "1209:0001", "Board", {}, "1.02", "1", "board", {}},
+                       {"USB 1-4", "1209:0001", "Board", {}, "1.01", "1", {}, "another is used"}};
       return found;
     };
   }
@@ -117,7 +120,10 @@ TEST(DeviceList, TheAnswerComesWhenItIsThereAndNobodyElseWaits) {
   EXPECT_TRUE(asker.lines.empty());
   rig.run(30);
   ASSERT_FALSE(asker.lines.empty());
-  EXPECT_EQ(server::Json::parse(asker.lines.front().text)["result"]["others"], 7);
+  const auto found = server::Json::parse(asker.lines.front().text)["result"];
+  EXPECT_EQ(found["others"], 7);
+  EXPECT_EQ(found["devices"][0]["protocol"], "1.2") << "as its telemetry says";
+  EXPECT_EQ(found["devices"][1]["protocol"], "1") << "nobody has heard that one";
 }
 
 }  // namespace

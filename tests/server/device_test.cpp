@@ -25,6 +25,19 @@ TEST(Device, HelloSaysWhatAGameNeedsFirst) {
   EXPECT_EQ(list[1]["client"], nullptr);
 }
 
+TEST(Device, HelloNamesThisStartOfTheDaemon) {
+  const auto start_id = [](ServerRig& rig) {
+    return rig.call(rig.connect(), "hello")["start_id"].get<std::string>();
+  };
+  ServerRig rig;
+  const std::string first = start_id(rig);
+  EXPECT_EQ(first.size(), 16u);
+  EXPECT_EQ(first.find_first_not_of("0123456789abcdef"), std::string::npos) << first;
+  EXPECT_EQ(start_id(rig), first);
+  ServerRig other;
+  EXPECT_NE(start_id(other), first);
+}
+
 TEST(Device, TheForecastKnowsCurrentsMethodsAndEffects) {
   ServerRig rig;
   FakeClient& game = rig.connect(protocol::Role::kPlay);

@@ -2,6 +2,8 @@
 // Who may play what, and what they are told: DESIGN section 4.
 #include <gtest/gtest.h>
 
+#include "daemon/server/effects/effect_spec.h"
+#include "model/magnets/ball_geometry.h"
 #include "tests/server/server_rig.h"
 
 namespace hedgehog::server {
@@ -11,6 +13,18 @@ Json pulse(const Json& more = Json::object()) {
   Json params{{"direction", "left"}, {"duration_ms", 1000}};
   params.update(more);
   return params;
+}
+
+// It compares every pin with every other: once a ball, not once a request.
+TEST(Effects, ACircleHasThePitchThatWasComputedForTheBall) {
+  constexpr double kPitchDeg = 31.0;
+  const SpecFacts facts{{}, 0.0126, model::thesis_ball().array, kPitchDeg};
+  const auto params = protocol::with_defaults(model::EffectMethod::kCircle, {});
+  const auto spec = make_spec(model::EffectMethod::kCircle, params, facts);
+  ASSERT_TRUE(spec.has_value());
+  EXPECT_EQ(spec->trajectory.pitch_deg, kPitchDeg);
+  ServerRig rig;
+  EXPECT_EQ(rig.device_view->pin_pitch_deg(), model::pin_pitch_deg(rig.device_view->array()));
 }
 
 TEST(Effects, AStartIsAdmittedAndPlays) {

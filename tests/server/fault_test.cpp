@@ -34,6 +34,31 @@ TEST(Faults, AFaultTripsWithItsNameAndArmingSaysWhyNot) {
   EXPECT_EQ(rig.call(owner, "sim.set", {{"fault", {{"faults", {"gremlins"}}}}})["code"], -32602);
 }
 
+TEST(Faults, WithoutATemperatureNothingIsForecast) {
+  ServerRig rig;
+  FakeClient& owner = rig.connect();
+  EXPECT_EQ(rig.call(owner, "thermal.forecast", {{"current_a", 5}})["temperature_known"], true);
+  rig.call(owner, "sim.set", {{"fault", {{"faults", {"sensor_open"}}}}});
+  rig.run(500);
+  const Json status = rig.call(owner, "device.status");
+  ASSERT_EQ(status["state"], "tripped");
+  ASSERT_EQ(status["temperature_c"]["model"], nullptr);
+  EXPECT_EQ(status["headroom_s"], 0.0) << "not for ever";
+  EXPECT_EQ(status["burst_s"], 0.0);
+  const Json unknown{{"seconds_to_derating", 0.0},
+                     {"seconds_to_limit", nullptr},
+                     {"sustainable_a", 0.0},
+                     {"recovery_s", nullptr},
+                     {"temperature_known", false}};
+  const Json pulse{{"method", "effect.pulse"}, {"params", {{"direction", "left"}}}};
+  EXPECT_EQ(rig.call(owner, "thermal.forecast", {{"current_a", 5}}), unknown);
+  EXPECT_EQ(rig.call(owner, "thermal.forecast", {{"current_a", 5}, {"direction", "left"}}),
+            unknown);
+  EXPECT_EQ(rig.call(owner, "thermal.forecast", pulse), unknown);
+  EXPECT_EQ(rig.call(owner, "thermal.forecast", {{"current_a", 99}})["data"]["limit"], 15);
+  EXPECT_EQ(rig.call(owner, "effect.preview", pulse)["data"]["reason"], "sensor_open");
+}
+
 TEST(Faults, AnOldReadingIsNullAndItsAgeGrows) {
   ServerRig rig;
   FakeClient& owner = rig.connect();
@@ -152,6 +177,34 @@ TEST(Faults, EveryReasonHasARemedyWithACommand) {
             std::string::npos);
   EXPECT_NE(remedy(control::State::kTripped, Reason::kOverheated, {45.0, false})->find("45 °C"),
             std::string::npos);
+}
+
+TEST(Faults, AnEmergencyStopIsAnsweredWhenItsLatchIsOnDiskAndStopsBeforeThat) {
+  ServerRig rig;
+  FakeClient& owner = rig.connect();
+  rig.call(owner, "effect.hold", {{"direction", "left"}, {"current_a", 5}, {"lease_ms", 5000}});
+  rig.run(100);
+  rig.memory.persisted = Persisted::kPending;
+  rig.server->line(owner.session, R"({"jsonrpc":"2.0","id":1,"method":"device.emergency_stop"})");
+  rig.run(50);
+  EXPECT_LT(rig.plant_current_a(), 0.1);
+  EXPECT_TRUE(owner.lines.empty());
+  rig.memory.persisted = Persisted::kYes;
+  rig.run(1);
+  ASSERT_EQ(owner.lines.size(), 1u);
+  const Json result = Json::parse(owner.lines[0].text)["result"];
+  EXPECT_EQ(result["state"], "disarmed");
+  EXPECT_EQ(result["on_disk"], true);
+}
+
+TEST(Faults, AnEmergencyStopWhoseLatchTheDiskRefusesSaysSo) {
+  ServerRig rig;
+  FakeClient& owner = rig.connect();
+  rig.memory.persisted = Persisted::kNo;
+  const Json result = rig.call(owner, "device.emergency_stop");
+  EXPECT_EQ(result["state"], "disarmed");
+  EXPECT_EQ(result["on_disk"], false);
+  EXPECT_FALSE(rig.call(owner, "device.arm").contains("on_disk")) << "of a stop only";
 }
 
 TEST(Faults, AnAnswerThatTakesATickReachesAClientThatSaysNoMore) {

@@ -195,6 +195,38 @@ TEST_F(RefusingDisk, IsAskedAgainEachSecondUntilItHasTheLatch) {
   EXPECT_FALSE(on_disk()) << "written again without need";
 }
 
+TEST_F(RefusingDisk, SaysWhetherTheLatchIsOnDisk) {
+  DiskThread disk;
+  FileStateStore keeper(folder.path(), disk, device_view, last);
+  std::promise<void> slow;
+  ASSERT_TRUE(disk.post(DiskUse::kSafety, [wait = slow.get_future().share()] { wait.wait(); }));
+  const std::uint64_t first = keeper.persist_latch(control::Reason::kEmergencyStop);
+  EXPECT_EQ(keeper.latch_persisted(first), Persisted::kPending);
+  slow.set_value();
+  settle(disk);
+  EXPECT_EQ(keeper.latch_persisted(first), Persisted::kYes);
+  EXPECT_EQ(on_disk()->latch, control::Reason::kEmergencyStop);
+  refuse();
+  const std::uint64_t second = keeper.persist_latch(control::Reason::kEmergencyStop);
+  EXPECT_EQ(keeper.latch_persisted(first), Persisted::kYes)
+      << "whoever asks again does not hold it up";
+  settle(disk);
+  EXPECT_EQ(keeper.latch_persisted(second), Persisted::kNo);
+  allow();
+  keeper.pump(now);
+  settle(disk);
+  EXPECT_EQ(keeper.latch_persisted(second), Persisted::kYes) << "asked again";
+}
+
+TEST_F(RefusingDisk, WhatAKillHasCutOffIsRemovedBesideAWholeFile) {
+  folder.write("state.json.new", "{");
+  folder.write("state.json", encode(last));
+  DiskThread disk;
+  const FileStateStore keeper(folder.path(), disk, device_view, std::nullopt);
+  EXPECT_FALSE(std::filesystem::exists(folder.path("state.json.new")));
+  EXPECT_TRUE(std::filesystem::exists(folder.path("state.json")));
+}
+
 TEST_F(RefusingDisk, DoesNotKeepAnOrderlyStopThatAnEmergencyStopFollowed) {
   {
     DiskThread disk;

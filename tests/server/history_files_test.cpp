@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <csignal>
 #include <filesystem>
@@ -69,6 +70,20 @@ TEST_F(HistoryFiles, AnAppendThatFailsHalfwayLeavesNothingAndTurnsNothingOverTwi
   EXPECT_EQ(write(HistoryPart::kTrips, "two\n", true), "");
   EXPECT_EQ(text(HistoryPart::kTrips).full, much + "\n");
   EXPECT_EQ(text(HistoryPart::kTrips).filling, "two\n");
+}
+
+TEST_F(HistoryFiles, WhatIsNoRegularFileIsNeitherReadNorWritten) {
+  ASSERT_EQ(::mkfifo(temporary_.path("trips.jsonl").c_str(), 0600), 0);
+  ASSERT_EQ(::mkfifo(temporary_.path("effects.jsonl.1").c_str(), 0600), 0);
+  std::filesystem::create_symlink("/dev/zero", temporary_.path("events.jsonl"));
+  EXPECT_EQ(text(HistoryPart::kTrips).filling, "");
+  EXPECT_EQ(text(HistoryPart::kEffects).full, "");
+  EXPECT_EQ(text(HistoryPart::kBall).filling, "");
+  EXPECT_EQ(write(HistoryPart::kTrips, "one\n"),
+            temporary_.path("trips.jsonl") + ": is a FIFO, not a regular file");
+  EXPECT_EQ(write(HistoryPart::kBall, "one\n"),
+            temporary_.path("events.jsonl") + ": is a device, not a regular file");
+  EXPECT_EQ(write(HistoryPart::kEffects, "one\n"), "") << "beside it";
 }
 
 TEST(WallTime, IsRfc3339BothWays) {

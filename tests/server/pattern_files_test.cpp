@@ -81,6 +81,7 @@ TEST_F(OnDisk, ARestartFindsThemAndLeavesOutWhatIsDamaged) {
   }
   write("patterns/acme/torn.json", "{\"name\":\"acme/to");
   write("patterns/acme/other.json", pattern("acme/knock"));
+  write("patterns/acme/nul.json", pattern("acme/nul") + '\0' + "garbage");
   write("patterns/acme/huge.json", std::string(70'000, ' '));
   write("patterns/acme/cut-off.json.new", "{\"na");
   write("patterns/stray.json", pattern("acme/stray"));

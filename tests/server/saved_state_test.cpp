@@ -57,6 +57,7 @@ TEST(SavedState, WhatCannotBeIsNotBelieved) {
   impossible = hot();
   impossible.gain = 7.0;
   EXPECT_FALSE(decode_saved_state(encode(impossible)));
+  EXPECT_FALSE(decode_saved_state(encode(hot()) + '\0' + "garbage")) << "a NUL ends no file";
 }
 
 /// The hottest node of a real ball that starts at `now`, after hot().
@@ -113,6 +114,22 @@ TEST(StartState, AFileThatIsMissingOrDamagedIsNotTrusted) {
   EXPECT_GT(warm.start.winding_c[1], 55.0);
   EXPECT_EQ(warm.start_measured, hot().measured);
   EXPECT_EQ(warm.rearms, hot().rearms);
+}
+
+TEST(StartState, IsAsUncertainAsTheConstantsByWhichItCooled) {
+  const auto deviation_k = [](double thermal, double seconds) {
+    config::Config real;
+    real.backend = config::Backend::kUsb;
+    real.device.uncertainty.thermal = thermal;
+    return daemon::start_state(real, hot(), BootTime{kBoot, 1000.0 + seconds})
+        .settings.start_deviation_k;
+  };
+  const double rested_k = control::ControlSettings{}.start_deviation_k;
+  EXPECT_EQ(deviation_k(0.2, 0.0), rested_k);
+  EXPECT_GT(deviation_k(0.2, 600.0), rested_k + 1.0);
+  EXPECT_NEAR(deviation_k(0.4, 600.0) - rested_k, 2.0 * (deviation_k(0.2, 600.0) - rested_k), 1e-9);
+  EXPECT_NEAR(deviation_k(0.05, 600.0) - rested_k, (deviation_k(0.2, 600.0) - rested_k) / 4.0,
+              1e-9);
 }
 
 TEST(StartState, ALostStateStartsTrippedAndUnknown) {

@@ -88,6 +88,12 @@ Json ServerRig::call(FakeClient& client, const std::string& method, const Json& 
       {"jsonrpc", "2.0"}, {"id", ++next_id_}, {"method", method}, {"params", params}};
   const Json answer = say(client, request.dump());
   EXPECT_EQ(answer.value("id", -1), next_id_);
+  const auto known = protocol::method_named(method);
+  if (known && answer.contains("error")) {
+    const auto code = static_cast<protocol::ErrorCode>(answer["error"].value("code", 0));
+    EXPECT_TRUE(protocol::possible_errors(protocol::info(*known)).contains(code))
+        << method << " lists no " << protocol::name(code) << " among its errors";
+  }
   return answer.contains("result") ? answer["result"] : answer.value("error", Json::object());
 }
 

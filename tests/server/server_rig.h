@@ -24,9 +24,15 @@ using Json = nlohmann::json;
 class FakeMemory final : public StateStore {
  public:
   void persist_gain(double value) override { gain = value; }
-  void persist_latch(control::Reason reason) override { latch = reason; }
+  std::uint64_t persist_latch(control::Reason reason) override {
+    latch = reason;
+    return ++writes;
+  }
+  Persisted latch_persisted(std::uint64_t) const override { return persisted; }
   double gain = -1.0;
   control::Reason latch = control::Reason::kNone;
+  Persisted persisted = Persisted::kYes;
+  std::uint64_t writes = 0;
 };
 
 /// Of a disk that is done at once.

@@ -49,6 +49,22 @@ TEST(WriteQueue, WhoReadsNothingMustGo) {
   EXPECT_FALSE(queue.push("e", LineKind::kEvent));
 }
 
+TEST(WriteQueue, AnswersAreCountedUntilTheyAreSent) {
+  WriteQueue queue(kMax);
+  EXPECT_TRUE(queue.push(std::string(99, 't'), LineKind::kTelemetry));
+  EXPECT_TRUE(queue.push(std::string(99, 'e'), LineKind::kEvent));
+  EXPECT_EQ(queue.answer_bytes(), 0u);
+  EXPECT_TRUE(queue.push(std::string(99, 'a'), LineKind::kAnswer));
+  queue.take();
+  EXPECT_TRUE(queue.push(std::string(49, 'a'), LineKind::kAnswer));
+  EXPECT_EQ(queue.answer_bytes(), 150u);
+  queue.sent();
+  EXPECT_EQ(queue.answer_bytes(), 50u);
+  queue.take_one();
+  queue.sent();
+  EXPECT_EQ(queue.answer_bytes(), 0u);
+}
+
 TEST(WriteQueue, WhatIsBeingSentStaysWhereItIs) {
   WriteQueue queue(kMax);
   EXPECT_TRUE(queue.push(std::string(299, 't'), LineKind::kTelemetry));

@@ -39,6 +39,10 @@ Violations check_terms(const SourceFile& file);
 // Relative links of a Markdown file lead somewhere.
 Violations check_links(const SourceFile& file, const SourceTree& tree);
 
+// Each message that the first column of a table quotes, `like … this`, is in a source of the
+// product.
+Violations check_quoted_messages(const SourceFile& file, const SourceTree& tree);
+
 // Every top-level folder and every layer says in a README what lives there.
 Violations check_readmes(const SourceTree& tree);
 

@@ -33,6 +33,7 @@ TEST(LayerRule, FollowsTheArrows) {
   EXPECT_THAT(layer("daemon/main.cpp", "\"daemon/server/b.h\""), IsEmpty());
   EXPECT_THAT(layer("clients/ctl/a.cpp", "\"clients/lib/b.h\""), IsEmpty());
   EXPECT_THAT(layer("tests/e2e/a.cpp", "\"clients/lib/b.h\""), IsEmpty());
+  EXPECT_THAT(layer("clients/unreal/Source/a.h", "\"CoreMinimal.h\""), IsEmpty());
 }
 
 TEST(LayerRule, RefusesAnArrowBackwards) {
@@ -137,6 +138,15 @@ TEST(LinkRule, ResolvesRelativeToTheFile) {
   EXPECT_THAT(check_links({"model/README.md", {"[p](protocol/README.md)"}}, tree),
               ElementsAre(HasSubstr("leads nowhere")));
   EXPECT_THAT(check_links({"README.md", {"```", "[p](nowhere)", "```"}}, tree), IsEmpty());
+}
+
+TEST(MessageRule, FindsWhatNoSourceSays) {
+  const SourceFile page{
+      "a.md", {"| message | why |", "| `late: … ticks skipped` | |", "| `never said` | |"}};
+  const SourceTree tree{
+      {{"daemon/a.cpp", {"warn(\"late: {} tic\"", "     \"ks skipped\");"}}}, {}, {}};
+  EXPECT_THAT(check_quoted_messages(page, tree),
+              ElementsAre("a.md:3: no source says \"never said\""));
 }
 
 TEST(ReadmeRule, LooksAtTopLevelFoldersAndLayers) {

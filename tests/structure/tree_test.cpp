@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/structure/rules.h"
 
 namespace hedgehog::structure {
@@ -15,6 +17,13 @@ class Tree : public testing::Test {
   static const SourceTree& tree() {
     static const SourceTree kTree = read_tree(HEDGEHOG_SOURCE_DIR);
     return kTree;
+  }
+
+  /// REQUIRES: there is such a file.
+  static const SourceFile& file_at(const std::string& path) {
+    const auto& files = tree().files;
+    return *std::find_if(files.begin(), files.end(),
+                         [&](const SourceFile& one) { return one.path == path; });
   }
 
   template <typename Rule>
@@ -53,6 +62,34 @@ TEST_F(Tree, NamesAreTerms) { EXPECT_THAT(everywhere(check_terms), IsEmpty()); }
 TEST_F(Tree, LinksLeadSomewhere) {
   EXPECT_THAT(everywhere([](const SourceFile& file) { return check_links(file, tree()); }),
               IsEmpty());
+}
+
+TEST_F(Tree, TroubleshootingQuotesWhatIsSaid) {
+  EXPECT_THAT(check_quoted_messages(file_at("daemon/troubleshooting.md"), tree()), IsEmpty());
+}
+
+/// The lines of the first block of code.
+std::string first_commands(const SourceFile& readme) {
+  std::string commands;
+  for (const std::string& line : readme.lines)
+    if (line.starts_with("    "))
+      commands += line.substr(4) + "\n";
+    else if (!commands.empty())
+      break;
+  return commands;
+}
+
+TEST_F(Tree, ReadmesOfTheServiceBeginWithItsCommands) {
+  const SourceFile& daemon = file_at("daemon/README.md");
+  const auto heading =
+      std::find_if(daemon.lines.begin(), daemon.lines.end(),
+                   [](const std::string& line) { return line.starts_with("## "); });
+  ASSERT_NE(heading, daemon.lines.end());
+  EXPECT_EQ(*heading, "## As a service");
+  for (const char* readme : {"daemon/README.md", "systemd/README.md"})
+    EXPECT_THAT(first_commands(file_at(readme)),
+                testing::HasSubstr("systemctl enable --now hedgehogd\n"))
+        << readme;
 }
 
 TEST_F(Tree, EveryFolderHasAReadme) { EXPECT_THAT(check_readmes(tree()), IsEmpty()); }

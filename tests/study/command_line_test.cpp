@@ -37,6 +37,14 @@ TEST(CommandLine, TakesFiniteNumbersWithinTheirRange) {
         << wrong;
   }
   EXPECT_EQ(asked({"run", "force-jnd", "--participant", "P01", "--hand-size", "18.4"}), EX_NOINPUT);
+  for (const char* wrong : {"old", "24", "29-22"}) {
+    EXPECT_EQ(asked({"run", "force-jnd", "--participant", "P01", "--age-band", wrong}), EX_USAGE)
+        << wrong;
+  }
+  for (const char* wrong : {"18,3", "18.3 foo"}) {
+    EXPECT_EQ(asked({"run", "force-jnd", "--participant", "P01", "--hand-size", wrong}), EX_USAGE)
+        << wrong;
+  }
 }
 
 TEST(CommandLine, MakesNoStudyInAFolderWithoutAName) { EXPECT_EQ(asked({"plan", ""}), EX_USAGE); }

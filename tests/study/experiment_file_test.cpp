@@ -50,6 +50,14 @@ TEST(Presets, PlayWhatTheThesisPlayed) {
             (Stimulus{3.4512, 10}));
 }
 
+TEST(ExperimentFile, ANulEndsNoFile) {
+  const std::string good = experiment_text(find_experiment("force-jnd").value());
+  EXPECT_THAT(
+      parse_experiment("\n" + good.substr(0, 1) + '\0' + good.substr(1), "mine").error().message,
+      testing::Eq("mine:2: this is no JSON: has a NUL byte, which JSON never has"));
+  EXPECT_FALSE(parse_experiment(good + '\0' + "garbage", "mine").has_value());
+}
+
 TEST(ExperimentFile, ReadsBackWhatItWrites) {
   for (const Preset& preset : presets()) {
     Experiment e = find_experiment(std::string(preset.name)).value();
@@ -89,6 +97,7 @@ TEST(ExperimentFile, NamesEachMistakeByLineAndKey) {
                         "\"stages\": [{\"gap_ms\": 2}],\n \"gap_ms\" : -1}"),
               HasSubstr("mine.json:5: gap_ms: must be a number"));
   EXPECT_THAT(complaint("{\n\"a\""), HasSubstr("mine.json:2: this is no JSON"));
+  EXPECT_THAT(complaint("{\n\"a\": 1e999}"), HasSubstr("mine.json:2: this is no JSON"));
   EXPECT_THAT(complaint("{}"), HasSubstr("stages: is missing"));
   EXPECT_THAT(complaint(changed("\"step_up\": 20", "\"step_up\": -1")),
               HasSubstr("steps must be above 0"));

@@ -44,7 +44,9 @@ RunStarted header(const std::string& experiment) {
 }
 
 IntervalPlayed played(int interval) {
-  return {interval, {5, 10}, 100, 200, 300, 5'000'000'300, "completed", 1.0, 1.0, 0, 0, 4.99, 30.5};
+  return {
+      interval, {5, 10}, 100, 200, 300,  5'000'000'300, "completed",
+      1.0,      1.0,     0,   0,   4.99, 30.5,          model::Quaternion{0.5, -0.5, 0.25, 0.125}};
 }
 
 /// What somebody simulated answers: the same for a trial however often it is asked.
@@ -238,6 +240,12 @@ TEST_F(Files, ADamagedLineIsNoTornOneWhereverItIs) {
     EXPECT_TRUE(has_begun(path));
     EXPECT_EQ(text_of(path), damaged);
   }
+}
+
+TEST_F(Files, ANulEndsNoLine) {
+  const std::string line = encode({1, utc_now(), header("force-jnd")});
+  EXPECT_TRUE(decode(line).has_value());
+  EXPECT_THAT(decode(line + '\0' + "garbage").error().message, HasSubstr("has a NUL byte"));
 }
 
 TEST_F(Files, AFullDiskIsAnErrorAndLosesNothingThatFollowed) {

@@ -38,6 +38,13 @@ TEST(StudyFolder, IsFoundFromBelowAndNeverMadeTwice) {
   EXPECT_TRUE(found.is_unmistakable(std::string("P-11")));
 }
 
+TEST(Plan, ANulEndsNoFile) {
+  const std::string good = plan_text(make_plan(1, {"a"}, 5));
+  EXPECT_TRUE(parse_plan(good).has_value());
+  EXPECT_EQ(parse_plan(good + '\0' + "garbage").error().message,
+            "has a NUL byte, which JSON never has");
+}
+
 TEST(Plan, TheSameSeedMakesTheSamePlan) {
   const StudyPlan a = make_plan(3, {"a", "b"}, 5);
   const StudyPlan b = make_plan(3, {"a", "b"}, 5);

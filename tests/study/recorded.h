@@ -24,7 +24,8 @@ inline IntervalPlayed good(int interval, double current_a) {
           0,
           0,
           current_a,
-          30.0};
+          30.0,
+          model::Quaternion{0.5, 0.5, 0.5, -0.5}};
 }
 
 /// Practice, a right answer, a void, a wrong answer.

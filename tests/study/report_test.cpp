@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "clients/common/csv.h"
 #include "clients/study/experiment_file.h"
@@ -13,6 +15,7 @@
 #include "clients/study/report/collect.h"
 #include "clients/study/report/figures.h"
 #include "clients/study/report/rows.h"
+#include "clients/study/report/sidecar.h"
 #include "tests/study/recorded.h"
 #include "tests/temporary_folder.h"
 
@@ -30,8 +33,13 @@ std::map<std::string, std::string> named(const std::vector<std::string>& row) {
 TEST(Rows, AreOneForEachPresentationBlock) {
   const auto rows = rows_of(recorded());
   ASSERT_EQ(rows.size(), 4U);
-  for (const auto& row : rows) ASSERT_EQ(row.size(), columns().size());
-  EXPECT_EQ(columns().size(), 33U);
+  for (const auto& row : rows) {
+    ASSERT_EQ(row.size(), columns().size());
+    auto cells = named(row);
+    for (const char* column : {"time", "onset", "orientation_w"})
+      EXPECT_NE(cells[column], "n/a") << cells["kind"] << ": " << column;
+  }
+  EXPECT_EQ(columns().size(), 42U);
   auto practice = named(rows[0]);
   EXPECT_EQ(practice["kind"], "practice");
   EXPECT_EQ(practice["included"], "0");
@@ -47,6 +55,13 @@ TEST(Rows, AreOneForEachPresentationBlock) {
   EXPECT_EQ(right["response_time"], "0.64");
   EXPECT_EQ(right["duration"], "11");
   EXPECT_EQ(right["t_onset"], "7");
+  EXPECT_EQ(right["t_offset_1"], "12");
+  EXPECT_EQ(right["t_onset_2"], "13");
+  EXPECT_EQ(right["onset_2"], "6");  // of a run whose first onset was at 7 too
+  EXPECT_EQ(right["time"], "t");
+  EXPECT_EQ(right["excluded"], "n/a");
+  EXPECT_EQ(right["orientation_w"], "0.5");
+  EXPECT_EQ(right["orientation_z"], "-0.5");
   auto voided = named(rows[2]);
   EXPECT_EQ(voided["kind"], "void");
   EXPECT_EQ(voided["response"], "n/a");
@@ -137,6 +152,15 @@ TEST(Sidecar, SaysTheChoicesOfItsOwnExperiment) {
   EXPECT_THAT(other, HasSubstr("one in 6, never first"));
 }
 
+TEST(Sidecar, NamesTheProgramAsBidsDoes) {
+  const AnalysedRun run{{"P01", "force-jnd", 1, {}}, recorded(), {}, true};
+  const auto file = nlohmann::json::parse(bids_sidecar(run));
+  EXPECT_EQ(file["StimulusPresentation"]["SoftwareName"], "hedgehog-study");
+  EXPECT_EQ(file["StimulusPresentation"]["SoftwareVersion"], "0.1.0");
+  EXPECT_THAT(file["StimulusPresentation"]["OperatingSystem"], HasSubstr("Linux"));
+  for (const Column& column : columns()) EXPECT_TRUE(file.contains(column.name)) << column.name;
+}
+
 TEST(Figure, MarksReversalsAndTheMean) {
   AnalysedRun run{{"P01", "force-jnd", 1, {}}, recorded(), {}, true};
   run.analysis.threshold = 13.25;
@@ -145,8 +169,8 @@ TEST(Figure, MarksReversalsAndTheMean) {
   EXPECT_THAT(plot, HasSubstr("$reversals << END\n2 89.024 1\nEND"));
   EXPECT_THAT(plot, HasSubstr("mean of reversals, 13.25 %"));
   EXPECT_THAT(plot, testing::Not(HasSubstr("95 %")));
-  run.analysis.interval = {8.0, 19.0};
-  EXPECT_THAT(staircase_plot(run), HasSubstr("title '95 % of the fitted curve, approximate'"));
+  run.analysis.interval = Interval{8.0, 19.0};
+  EXPECT_THAT(staircase_plot(run), HasSubstr("title '95 % of the fitted curve'"));
   EXPECT_THAT(staircase_plot(run), testing::Not(HasSubstr("disagree")));
   run.analysis.flags = {Flag::kDisagreement};
   EXPECT_THAT(staircase_plot(run), HasSubstr("mean of reversals, 13.25 % (fit and mean disagree)"));
@@ -226,7 +250,7 @@ TEST(Figure, IsDrawnInAFolderOfAnyName) {
   std::filesystem::create_directories(folder);
   AnalysedRun run{{"P01", "force-jnd", 1, {}}, recorded(), {}, true};
   run.analysis.threshold = 13.25;
-  run.analysis.interval = {8.0, 19.0};
+  run.analysis.interval = Interval{8.0, 19.0};
   const auto drawn = draw(folder, {run}, {});
   ASSERT_TRUE(drawn) << drawn.error().message;
   EXPECT_GT(std::filesystem::file_size(folder + "/P01.force-jnd.1.svg"), 2000U);
@@ -250,35 +274,16 @@ TEST(Bids, RefusesPeopleAndExperimentsThatWouldBeOne) {
   EXPECT_THAT(refused(one, threshold_of("P-1", 2, 10, false)), HasSubstr("P-1 and P1"));
   EXPECT_THAT(refused(one, experiment), HasSubstr("would be task-forcejnd"));
   ASSERT_TRUE(write_bids(base / "bids", study, {one, threshold_of("P2", 1, 10, false)}));
+  std::ifstream participants(base / "bids" / "participants.json");
+  EXPECT_EQ(nlohmann::json::parse(participants)["hand_size_cm"]["Units"], "cm");
+  std::ifstream description(base / "bids" / "dataset_description.json");
+  EXPECT_EQ(nlohmann::json::parse(description)["Authors"],
+            nlohmann::json::array({"n/a", "hedgehog-study"}));
   EXPECT_EQ(write_bids(base / "bids", study, {one}).error().exit_code, EX_CANTCREAT);
   // What fails leaves nothing behind that would be in the way of the next.
   EXPECT_FALSE(write_csv(base / "nowhere" / "data.csv", {one}));
   EXPECT_FALSE(write_bids(base / "study.json" / "bids", study, {one}));
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(base), {}), 3);
-}
-
-TEST(Collect, GivesEachRunReplicationsOfItsOwn) {
-  const TemporaryFolder folder;
-  const StudyFolder study =
-      StudyFolder::create(folder.path(), make_plan(2, {"force-jnd"}, 1)).value();
-  for (const char* participant : {"P01", "P02"}) {
-    RunStarted header;
-    header.participant = participant;
-    header.experiment = find_experiment("force-jnd").value();
-    Journal journal =
-        Journal::create(study.journal_path(participant, "force-jnd", 1), header).value();
-    for (int trial = 0; const auto next = journal.run().state().next(); ++trial) {
-      ASSERT_TRUE(journal.append(TrialStarted{*next}));
-      const bool right = trial % 3 != 2;
-      ASSERT_TRUE(journal.append(Answered{
-          (next->interval_of_test == 1) == right ? Answer::kFirst : Answer::kSecond, 500}));
-    }
-  }
-  std::vector<Problem> problems;
-  const auto runs = collect(study, 40, problems);
-  ASSERT_EQ(runs.size(), 2U);
-  EXPECT_EQ(runs[0].analysis.threshold_text, runs[1].analysis.threshold_text);
-  EXPECT_NE(runs[0].analysis.interval, runs[1].analysis.interval);
 }
 
 }  // namespace

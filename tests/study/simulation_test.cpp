@@ -12,6 +12,7 @@
 #include "clients/study/rules/distinguishable_levels.h"
 #include "clients/study/rules/simulation.h"
 #include "clients/study/rules/statistics.h"
+#include "tests/study/answered.h"
 
 namespace hedgehog::study {
 namespace {
@@ -97,52 +98,37 @@ TEST(Observer, IsPositiveIn80PercentAtTheThresholdAndKnowsItsInverse) {
   }
 }
 
-/// A run of somebody simulated, as a journal would have it.
-RunState answered(const Experiment& e, const Observer& o, std::uint64_t seed) {
-  RunState run(e, {seed, seed}, false);
-  while (const auto trial = run.next()) {
-    const double level = to_value(trial->level, e.decimals());
-    const bool positive = draw(seed, Purpose::kAnswer,
-                               {static_cast<std::uint64_t>(trial->number),
-                                static_cast<std::uint64_t>(trial->kind)}) < o.positive_at(level);
-    if (e.task == Task::kYesNo)
-      run.answer(positive ? Answer::kYes : Answer::kNo);
-    else
-      run.answer((trial->interval_of_test == 1) == positive ? Answer::kFirst : Answer::kSecond);
-  }
-  return run;
-}
-
 TEST(Analysis, FindsAPersonsThresholdInThreeWays) {
   const Experiment e = find_experiment("force-jnd").value();
   const Observer o{Curve::kWeibull, 13.0, 2.0, 0.5, 0.02, 0.6};
   int covered = 0;
   std::vector<double> fits;
   for (std::uint64_t person = 0; person < 60; ++person) {
-    const RunAnalysis a = analyse(e, answered(e, o, person), {.bootstraps = 200});
+    const RunAnalysis a = analyse(e, answered(e, o, person), {});
     ASSERT_TRUE(a.threshold && a.fit && a.interval);
     EXPECT_NEAR(*a.weber_fraction, *a.threshold / 100.0, 1e-12);
     EXPECT_NEAR(*a.force_n, *a.threshold / 100.0 * 5 * 0.0126, 1e-12);
     fits.push_back(a.fit->threshold);
     const double truth = o.level_at(0.8035);
-    covered += a.interval->first <= truth && truth <= a.interval->second ? 1 : 0;
+    covered += a.interval->contains(truth) ? 1 : 0;
   }
   EXPECT_NEAR(mean(fits), o.level_at(0.8035), 2.5);
-  EXPECT_GE(covered, 48);  // nominally 57 of 60; the reference found 90 %
+  EXPECT_GE(covered, 52);  // nominally 57 of 60
 }
 
 TEST(Analysis, FlagsAThresholdOutsideTheIntervalBesideIt) {
   const Experiment e = find_experiment("speed-jnd").value();
-  const Observer o{Curve::kWeibull, 45.0, 2.0, 0.5, 0.02, 0.6};
+  // Somebody whose mind is elsewhere in a third of the trials, which the fit does not expect.
+  const Observer o{Curve::kWeibull, 45.0, 0.6, 0.5, 0.3, 0.6};
   int outside = 0;
   for (std::uint64_t person = 0; person < 60; ++person) {
-    const RunAnalysis a = analyse(e, answered(e, o, person), {.bootstraps = 60});
-    const bool excluded = *a.threshold < a.interval->first || *a.threshold > a.interval->second;
+    const RunAnalysis a = analyse(e, answered(e, o, person), {});
+    const bool excluded = !a.interval->contains(*a.threshold);
     EXPECT_EQ(std::count(a.flags.begin(), a.flags.end(), Flag::kDisagreement), excluded ? 1 : 0);
     outside += excluded ? 1 : 0;
   }
   EXPECT_GT(outside, 0);
-  EXPECT_LT(outside, 20);
+  EXPECT_LT(outside, 30);
 }
 
 TEST(Analysis, FlagsWhoGuesses) {
@@ -152,7 +138,7 @@ TEST(Analysis, FlagsWhoGuesses) {
   const auto flagged = [&](const Observer& o) {
     int count = 0;
     for (std::uint64_t i = 0; i < 100; ++i) {
-      const auto flags = analyse(e, answered(e, o, i), {.bootstraps = 0}).flags;
+      const auto flags = analyse(e, answered(e, o, i), {}).flags;
       count += static_cast<int>(std::count(flags.begin(), flags.end(), Flag::kGuessing));
     }
     return count;
@@ -164,10 +150,10 @@ TEST(Analysis, FlagsWhoGuesses) {
 TEST(Analysis, FlagsFalseAlarmsAndFloors) {
   const Experiment e = find_experiment("force-threshold").value();
   const Observer yes{Curve::kWeibull, 2.1, 3.0, 0.999, 0.0, 0.8};
-  EXPECT_THAT(analyse(e, answered(e, yes, 3), {.bootstraps = 0}).flags,
+  EXPECT_THAT(analyse(e, answered(e, yes, 3), {}).flags,
               testing::IsSupersetOf({Flag::kFalseAlarms, Flag::kEarlyFloor, Flag::kZeroLevel}));
   const Observer person{Curve::kWeibull, 2.1, 3.0, 0.02, 0.02, 0.8};
-  EXPECT_THAT(analyse(e, answered(e, person, 3), {.bootstraps = 0}).flags, testing::IsEmpty());
+  EXPECT_THAT(analyse(e, answered(e, person, 3), {}).flags, testing::IsEmpty());
 }
 
 TEST(Analysis, AnUnfinishedRunHasNoThreshold) {

@@ -9,14 +9,13 @@ import { join } from "node:path";
 const kProgram = process.env.HEDGEHOGD;
 
 export class Daemon {
-  /** Listens on free ports; a `port` given is the HTTP one. In lock-step: a busy machine skips no tick. */
-  static async start({ port = 0, config = {}, more = [] } = {}) {
+  /** Listens on free ports; a `home` given is that of a daemon before. In lock-step: a busy machine skips no tick. */
+  static async start({ config = {}, more = [], home = null, speed = 1 } = {}) {
     const daemon = new Daemon();
-    daemon.home = mkdtempSync(join(tmpdir(), "hedgehog-web-"));
+    daemon.home = home ?? mkdtempSync(join(tmpdir(), "hedgehog-web-"));
     mkdirSync(join(daemon.home, "config/hedgehog"), { recursive: true });
-    const settings = port ? { ...config, http: { listen: `127.0.0.1:${port}` } } : config;
-    writeFileSync(join(daemon.home, "config/hedgehog/hedgehogd.json"), JSON.stringify(settings));
-    daemon.process = spawn(kProgram, ["--simulate", "--speed", "1", "--listen", "127.0.0.1:0", "--log-level", "error", ...more], {
+    writeFileSync(join(daemon.home, "config/hedgehog/hedgehogd.json"), JSON.stringify(config));
+    daemon.process = spawn(kProgram, ["--simulate", "--speed", String(speed), "--listen", "127.0.0.1:0", "--log-level", "error", ...more], {
       env: { PATH: process.env.PATH, HOME: daemon.home, XDG_CONFIG_HOME: `${daemon.home}/config`,
         XDG_STATE_HOME: `${daemon.home}/state`, XDG_RUNTIME_DIR: `${daemon.home}/run` },
       stdio: ["ignore", "pipe", "inherit"],
@@ -60,12 +59,13 @@ export class Daemon {
     return counts.filter(([, name]) => name === outcome).reduce((sum, [, , count]) => sum + Number(count), 0);
   }
 
-  async end(signal = "SIGTERM") {
+  /** `keep`: its folders, for the next one. */
+  async end(signal = "SIGTERM", { keep = false } = {}) {
     if (this.process.exitCode !== null || this.process.signalCode !== null) return;
     const ended = new Promise((resolve) => this.process.once("exit", resolve));
     this.process.kill("SIGCONT"); // a test that fails may leave it stopped
     this.process.kill(signal);
     await ended;
-    rmSync(this.home, { recursive: true, force: true });
+    if (!keep) rmSync(this.home, { recursive: true, force: true });
   }
 }

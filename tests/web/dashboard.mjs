@@ -3,6 +3,7 @@
 import assert from "node:assert/strict";
 import { after, afterEach, before, beforeEach } from "node:test";
 
+import { Address } from "./address.mjs";
 import { Complaints, kDesktop, launch } from "./browser.mjs";
 import { Daemon } from "./daemon.mjs";
 import { kPatience } from "./patience.mjs";
@@ -10,6 +11,7 @@ import { kPatience } from "./patience.mjs";
 export let daemon;
 export let page;
 export const complaints = new Complaints();
+let address = null;
 let browser;
 
 before(async () => { browser = await launch(); });
@@ -18,11 +20,20 @@ beforeEach(async () => { await startDaemon(); });
 afterEach(async () => {
   await page?.context().close();
   await daemon.end();
+  await address?.end();
+  address = null;
   assert.deepEqual(complaints.take(), []);
 });
 
 export async function startDaemon(options) {
   daemon = await Daemon.start(options);
+  address?.leadTo(daemon);
+}
+
+/** The pages opened from now on have an address at which the next daemon of this test will be, too. */
+export async function keepAddress() {
+  address = await Address.listen();
+  address.leadTo(daemon);
 }
 
 /** `prepare(page)`: before anything is loaded. */
@@ -31,7 +42,7 @@ export async function open(path = "/", device = kDesktop, prepare = () => {}) {
   page.setDefaultTimeout(kPatience.timeout);
   complaints.watch(page);
   await prepare(page);
-  await page.goto(daemon.url + path);
+  await page.goto((address ?? daemon).url + path);
   await page.waitForSelector("body[data-link=open][data-state=armed]", kPatience);
   await page.waitForFunction(() => window.dashboard.ball.pins.length === 86, null, kPatience);
 }

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { kDesktop } from "./browser.mjs";
+import { kDesktop, kPhone } from "./browser.mjs";
 import { daemon, open, page, startDaemon, until } from "./dashboard.mjs";
 import { comes } from "./patience.mjs";
 
@@ -113,8 +113,36 @@ test("a phone whose turning the daemon refuses is told why, and the ball is draw
     server.onMessage((text) => socket.send(text.replace('"simulated":true', '"simulated":false')));
   }));
   await tiltPhone(50);
-  await until(() => /^orientation\.set: the sensor is simulated/.test(document.getElementById("sensor").textContent));
+  await until(() => /^The sensor is simulated/.test(document.getElementById("sensor").textContent));
   assert.ok(await turnedBy() < 0.1);
   await daemon.call("sim.set", { orientation: { w: 0, x: 1, y: 0, z: 0 } });
   await comes(async () => await turnedBy() > 3);
+});
+
+test("both arrows are in the picture to their tips, whichever way the ball is turned", async () => {
+  for (const [path, device] of [["/orientation.html", kDesktop], ["/orientation.html", kPhone], ["/", kPhone], ["/", { viewport: { width: 1000, height: 800 } }]]) {
+    await page?.context().close();
+    await open(path, device);
+    const outside = await page.evaluate(() => {
+      const { ball } = window.dashboard;
+      const found = [];
+      const look = (arrow, name) => {
+        const { tip, tipLength } = arrow.userData;
+        ball.scene.updateMatrixWorld(true);
+        const end = tip.localToWorld(ball.camera.position.clone().set(0, tipLength / 2, 0)).project(ball.camera);
+        if (Math.max(Math.abs(end.x), Math.abs(end.y)) > 1) found.push(`${name}: ${end.x.toFixed(2)}, ${end.y.toFixed(2)}`);
+      };
+      ball.showUp();
+      look(ball.up, "up");
+      for (let azimuth = 0; azimuth < 360; azimuth += 15) {
+        for (const height of [-0.8, -0.3, 0, 0.3, 0.8]) {
+          const flat = Math.sqrt(1 - height * height);
+          ball.setField([flat * Math.cos((azimuth * Math.PI) / 180), flat * Math.sin((azimuth * Math.PI) / 180), height], 1);
+          look(ball.arrow, `azimuth ${azimuth}, height ${height}`);
+        }
+      }
+      return found;
+    });
+    assert.deepEqual(outside, [], `${path} at ${device.viewport.width} px`);
+  }
 });

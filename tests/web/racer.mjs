@@ -5,11 +5,11 @@ import { spawn } from "node:child_process";
 const kProgram = process.env.HEDGEHOG_RACER;
 
 export class Racer {
-  /** `daemon`: the one that it feels on; none: no ball. `port` 0: a free one. */
-  static async start({ daemon = null, port = 0, more = [] } = {}) {
+  /** On a free port. `daemon`: the one that it feels on; none: no ball. */
+  static async start({ daemon = null, more = [] } = {}) {
     const racer = new Racer();
     const ball = daemon ? ["--address", `127.0.0.1:${daemon.tcp}`] : ["--no-ball"];
-    racer.process = spawn(kProgram, ["--listen", `127.0.0.1:${port}`, ...ball, ...more], { stdio: ["ignore", "pipe", "inherit"] });
+    racer.process = spawn(kProgram, ["--listen", "127.0.0.1:0", ...ball, ...more], { stdio: ["ignore", "pipe", "inherit"] });
     let out = "";
     await new Promise((resolve, reject) => {
       racer.process.stdout.on("data", (text) => {

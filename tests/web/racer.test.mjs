@@ -2,45 +2,14 @@
 // The racing game in a browser: what happens in the race is seen on its page and felt on a real daemon's ball.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { after, afterEach, before, test } from "node:test";
+import { test } from "node:test";
 
-import { Complaints, kAxe, kDesktop, kPhone, launch } from "./browser.mjs";
-import { Daemon } from "./daemon.mjs";
+import { kAxe, kDesktop, kPhone } from "./browser.mjs";
 import { comes, kPatience } from "./patience.mjs";
-import { Racer } from "./racer.mjs";
-
-/** Software draws it: few pixels are enough to see that there is a picture. */
-const kSmall = { viewport: { width: 640, height: 420 } };
-const complaints = new Complaints();
-let browser;
-let racer;
-let daemon;
-let page;
-
-before(async () => { browser = await launch(); });
-after(async () => { await browser?.close(); });
-afterEach(async () => {
-  await page?.context().close();
-  await racer?.end();
-  await daemon?.end();
-  page = racer = daemon = null;
-  assert.deepEqual(complaints.take(), []);
-});
-
-async function open(device = kSmall) {
-  page = await (await browser.newContext(device)).newPage();
-  page.setDefaultTimeout(kPatience.timeout);
-  complaints.watch(page);
-  await page.goto(racer.url);
-  await page.waitForSelector("body[data-link=open]", kPatience);
-  await page.waitForFunction(() => window.racer.frame > 1, null, kPatience);
-}
-
-const until = (look, argument) => page.waitForFunction(look, argument, kPatience);
-const at = () => page.evaluate(() => window.racer.scene().car.at);
+import { at, browser, complaints, daemon, keepAddress, kSmall, open, openBlank, page, racer, startDaemon, startRacer, until } from "./race.mjs";
 
 test("the race is drawn by WebGL 2, and the built-in driver's car moves", async () => {
-  racer = await Racer.start({ more: ["--driver"] });
+  await startRacer({ more: ["--driver"] });
   await open();
   const picture = await page.evaluate(() => {
     const { renderer, camera, stage } = window.racer;
@@ -65,7 +34,7 @@ test("the race is drawn by WebGL 2, and the built-in driver's car moves", async 
 });
 
 test("keys drive, let go, pause and put the car back", async () => {
-  racer = await Racer.start();
+  await startRacer();
   await open();
   const start = await at();
   await page.keyboard.down("ArrowUp");
@@ -78,7 +47,8 @@ test("keys drive, let go, pause and put the car back", async () => {
   await page.keyboard.press("p");
   await until(() => window.racer.scene().paused && !document.getElementById("paused").hidden);
   const still = await at();
-  await page.waitForTimeout(300);
+  // The game tells how it stands while it is paused too.
+  await until(() => (window.scenesSeen ??= new Set()).add(window.racer.scene()).size > 10);
   assert.deepEqual(await at(), still);
   await page.getByRole("button", { name: "Pause" }).click();
   await until(() => !window.racer.scene().paused);
@@ -88,7 +58,7 @@ test("keys drive, let go, pause and put the car back", async () => {
 });
 
 test("a page that goes lets go of its keys", async () => {
-  racer = await Racer.start();
+  await startRacer();
   await open();
   const other = await (await browser.newContext(kSmall)).newPage();
   await other.goto(racer.url);
@@ -100,8 +70,8 @@ test("a page that goes lets go of its keys", async () => {
 });
 
 test("a hit is seen on the ring and felt on the ball, and costs of its budget", async () => {
-  daemon = await Daemon.start();
-  racer = await Racer.start({ daemon, more: ["--driver"] });
+  await startDaemon();
+  await startRacer({ daemon, more: ["--driver"] });
   await open();
   await until(() => document.body.dataset.ball === "armed" && /°C/.test(document.getElementById("strength").textContent));
   const meter = () => page.getAttribute("#budget", "aria-valuenow").then(Number);
@@ -141,8 +111,8 @@ test("a hit is seen on the ring and felt on the ball, and costs of its budget", 
 });
 
 test("tilting the simulated ball steers and drives", async () => {
-  daemon = await Daemon.start();
-  racer = await Racer.start({ daemon });
+  await startDaemon();
+  await startRacer({ daemon });
   await open();
   await until(() => window.racer.scene().mode === "ball");
   const turn = (degrees, x, y) => {
@@ -159,20 +129,20 @@ test("tilting the simulated ball steers and drives", async () => {
 });
 
 test("a game that goes is said each way, and the page comes back by itself", async () => {
-  racer = await Racer.start({ more: ["--driver"] });
+  await startRacer({ more: ["--driver"] });
+  await keepAddress();
   await open();
-  const { port } = racer;
   complaints.expected = true;
   await racer.end("SIGKILL");
   await page.waitForSelector("body[data-link=gone]", kPatience);
   assert.match(await page.textContent("#gone"), /The game is gone \(it ended without a word\)/);
-  racer = await Racer.start({ port, more: ["--driver"] });
+  await startRacer({ more: ["--driver"] });
   await page.waitForSelector("body[data-link=open]", kPatience);
   assert.match(await page.textContent("#gone"), /The game is back/);
   await racer.end("SIGTERM");
   assert.equal(racer.process.exitCode, 0);
   await until(() => /The game is gone \(it was stopped\)/.test(document.getElementById("gone").textContent));
-  racer = await Racer.start({ port, more: ["--driver"] });
+  await startRacer({ more: ["--driver"] });
   await page.waitForSelector("body[data-link=open]", kPatience);
   racer.process.kill("SIGSTOP");
   await page.waitForSelector("body[data-link=silent]", kPatience);
@@ -181,8 +151,8 @@ test("a game that goes is said each way, and the page comes back by itself", asy
 });
 
 test("a ball that goes is said, and the race goes on", async () => {
-  daemon = await Daemon.start();
-  racer = await Racer.start({ daemon, more: ["--driver"] });
+  await startDaemon();
+  await startRacer({ daemon, more: ["--driver"] });
   await open();
   await page.waitForSelector("body[data-ball=armed]", kPatience);
   await daemon.call("device.emergency_stop");
@@ -195,7 +165,7 @@ test("a ball that goes is said, and the race goes on", async () => {
 });
 
 test("axe finds no serious fault, on a desk and on a phone, and thumbs can drive", async () => {
-  racer = await Racer.start();
+  await startRacer();
   for (const device of [kDesktop, kPhone]) {
     await page?.context().close();
     await open(device);
@@ -215,9 +185,9 @@ test("axe finds no serious fault, on a desk and on a phone, and thumbs can drive
 });
 
 test("a page of another origin, and one under another name, get nothing", async () => {
-  racer = await Racer.start();
+  await startRacer();
   const { port } = racer;
-  page = await (await browser.newContext(kSmall)).newPage();
+  await openBlank();
   const refused = (url) => page.evaluate((to) => new Promise((resolve) => {
     const socket = new WebSocket(to);
     socket.onopen = () => { socket.close(); resolve(false); };

@@ -29,6 +29,15 @@ for (const [name, device] of [["desktop", kDesktop], ["phone", kPhone]]) {
   for (let i = 0; i < 6; ++i) await page.evaluate(() => window.dashboard.ball.turnBy(0.05, 0.12));
   await page.waitForTimeout(1500);
   await page.screenshot({ path: `${folder}/orientation-${name}.png` });
+  await page.goto(`${daemon.url}/designer.html`);
+  await page.waitForSelector("body[data-state=armed]");
+  for (const [t, x] of [[0, 0.42], [700, 0.5], [1600, 0.56]]) {
+    await page.locator("[name=time]").fill(String(t));
+    const box = await page.locator("#ball").boundingBox();
+    await page.mouse.click(box.x + x * box.width, box.y + 0.5 * box.height);
+  }
+  await page.waitForFunction(() => document.getElementById("currents").points.length > 10);
+  await page.screenshot({ path: `${folder}/designer-${name}.png`, fullPage: name === "phone" });
   await page.goto(racer.url);
   await page.waitForFunction(() => window.racer.ring.last?.kind === "hit" || window.racer.ring.last?.kind === "landing", null, { timeout: 90_000 });
   await page.screenshot({ path: `${folder}/racer-${name}.png` });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the daemon finds in /sys, in a tree made like it.
-#include "daemon/device/sensors/discovery.h"
+#include "daemon/device/sensors/drivers.h"
 
 #include <gtest/gtest.h>
 
@@ -62,7 +62,7 @@ TEST_F(FakeSys, AnEmptyMachineHasNothing) {
   EXPECT_TRUE(list_usb(sys()).empty());
   EXPECT_TRUE(list_hid(sys()).empty());
   EXPECT_TRUE(list_hid("/nowhere").empty());
-  EXPECT_EQ(find_sensor(list_hid(sys()), SensorKind::kDualSense, "").failure,
+  EXPECT_EQ(find_sensor(list_hid(sys()), kDualSenseDriver, "").failure,
             "no DualSense pad is connected");
 }
 
@@ -74,12 +74,12 @@ TEST_F(FakeSys, APadOnUsbAndOneOnBluetooth) {
       "hidraw4");
   const auto devices = list_hid(sys());
   ASSERT_EQ(devices.size(), 2u);
-  EXPECT_EQ(kind_of(devices[0]), SensorKind::kDualSense);
+  EXPECT_EQ(driver_of(devices[0]), &kDualSenseDriver);
   EXPECT_EQ(devices[0].hidraw, "/dev/hidraw0");
   EXPECT_EQ(devices[0].usb, (UsbPlace{1, 7, 3}));
   EXPECT_FALSE(devices[0].bluetooth);
   EXPECT_EQ(describe(devices[0]), "Sony DualSense (054c:0ce6)");
-  EXPECT_EQ(kind_of(devices[1]), SensorKind::kDualShock4);
+  EXPECT_EQ(driver_of(devices[1]), &kDualShock4Driver);
   EXPECT_TRUE(devices[1].bluetooth);
   EXPECT_FALSE(devices[1].usb);
   EXPECT_EQ(devices[1].serial, "cc:dd");
@@ -92,10 +92,10 @@ TEST_F(FakeSys, AnOrientationSensorWithoutANode) {
       0);
   const auto devices = list_hid(sys());
   ASSERT_EQ(devices.size(), 1u);
-  EXPECT_EQ(kind_of(devices[0]), SensorKind::kHidSensor);
+  EXPECT_EQ(driver_of(devices[0]), &kHidSensorDriver);
   EXPECT_EQ(devices[0].hidraw, "");
   EXPECT_EQ(devices[0].usb, (UsbPlace{1, 3, 0}));
-  EXPECT_EQ(find_sensor(devices, SensorKind::kHidSensor, "").index, 0u);
+  EXPECT_EQ(find_sensor(devices, kHidSensorDriver, "").index, 0u);
 }
 
 TEST_F(FakeSys, OfATemperTheSecondInterface) {
@@ -103,7 +103,7 @@ TEST_F(FakeSys, OfATemperTheSecondInterface) {
   hid(stick / "1-4:1.0", "0003:413D:2107.0001", mouse_descriptor(), "TEMPer2", "", "hidraw1", 0);
   hid(stick / "1-4:1.1", "0003:413D:2107.0002", {0x06, 0, 0xFF}, "TEMPer2", "", "hidraw2", 1);
   const auto devices = list_hid(sys());
-  const Found found = find_sensor(devices, SensorKind::kTemper, "");
+  const Found found = find_sensor(devices, kTemperDriver, "");
   ASSERT_TRUE(found.index) << found.failure;
   EXPECT_EQ(devices[*found.index].hidraw, "/dev/hidraw2");
 }
@@ -112,11 +112,11 @@ TEST_F(FakeSys, TwoOfAKindNeedASerialNumber) {
   hid(root_ / "devices/a", "0005:054C:0CE6.0001", {}, "One", "aa", "hidraw0");
   hid(root_ / "devices/b", "0005:054C:0CE6.0002", {}, "Two", "bb", "hidraw1");
   const auto devices = list_hid(sys());
-  EXPECT_EQ(find_sensor(devices, SensorKind::kDualSense, "").failure,
+  EXPECT_EQ(find_sensor(devices, kDualSenseDriver, "").failure,
             "two of them are connected, One (054c:0ce6) and Two (054c:0ce6); the setting `serial` "
             "says which");
-  EXPECT_EQ(find_sensor(devices, SensorKind::kDualSense, "bb").index, 1u);
-  EXPECT_EQ(find_sensor(devices, SensorKind::kDualSense, "cc").failure,
+  EXPECT_EQ(find_sensor(devices, kDualSenseDriver, "bb").index, 1u);
+  EXPECT_EQ(find_sensor(devices, kDualSenseDriver, "cc").failure,
             "no DualSense pad with serial number cc, only with others");
 }
 
@@ -126,11 +126,11 @@ TEST_F(FakeSys, AnMtiAndARadioStation) {
   put(root_ / "bus/usb/devices/1-1:1.0/bInterfaceNumber", "00\n");
   const auto devices = list_usb(sys());
   ASSERT_EQ(devices.size(), 2u);
-  EXPECT_EQ(kind_of(devices[0]), SensorKind::kMti);
+  EXPECT_EQ(driver_of(devices[0]), &kMtiDriver);
   EXPECT_EQ(devices[0].serial, "0368248C");
   EXPECT_EQ(describe(devices[0]), "MTi-30 (2639:0003)");
-  EXPECT_EQ(kind_of(devices[1]), SensorKind::kClosedXsens);
-  EXPECT_EQ(find_sensor(devices, SensorKind::kMti, "").index, 0u);
+  EXPECT_EQ(driver_of(devices[1]), &kClosedXsensDriver);
+  EXPECT_EQ(find_sensor(devices, kMtiDriver, "").index, 0u);
 }
 
 // Pulled out between open and read, its files can still be opened but not be read any more. A

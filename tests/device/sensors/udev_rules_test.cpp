@@ -8,7 +8,7 @@
 #include <regex>
 #include <set>
 
-#include "daemon/device/sensors/discovery.h"
+#include "daemon/device/sensors/drivers.h"
 
 namespace hedgehog::device {
 namespace {
@@ -51,7 +51,7 @@ Ids known(const std::set<int>& vendors, Wanted wanted) {
       Device device;
       device.vendor = static_cast<std::uint16_t>(vendor);
       device.product = static_cast<std::uint16_t>(product);
-      if (wanted(kind_of(device))) ids.emplace(vendor, product);
+      if (wanted(driver_of(device))) ids.emplace(vendor, product);
     }
   }
   return ids;
@@ -60,12 +60,12 @@ Ids known(const std::set<int>& vendors, Wanted wanted) {
 TEST(UdevRules, NameEveryHidDeviceThatIsKnown) {
   EXPECT_EQ(hid_ids(rules()), (known<HidDevice>(
                                   {0x054C, 0x0C45, 0x413D, 0x1A86},
-                                  [](SensorKind kind) { return kind != SensorKind::kNone; })));
+                                  [](const SensorDriver* driver) { return driver != nullptr; })));
 }
 
 TEST(UdevRules, NameTheMtiAndTheBoard) {
   Ids expected =
-      known<UsbDevice>({0x2639}, [](SensorKind kind) { return kind == SensorKind::kMti; });
+      known<UsbDevice>({0x2639}, [](const SensorDriver* driver) { return driver == &kMtiDriver; });
   expected.emplace(0x1209, 0x0001);
   EXPECT_EQ(usb_ids(rules()), expected);
 }

@@ -182,7 +182,7 @@ TEST(Arrangement, PinsOfTheBallBearTheirNumbers) {
 }
 
 TEST(Arrangement, UnknownNamesHaveASentence) {
-  for (const char* name : {"", "tkd", "D", "GP(", "GP()", "GP(3)", "GP(3,)", "GP(3,0", "GP(3,0) ",
+  for (const char* name : {"", "tkd", "d", "GP(", "GP()", "GP(3)", "GP(3,)", "GP(3,0", "GP(3,0) ",
                            "GP(a,b)", "tkD-85"}) {
     const auto result = arrangement_named(name);
     ASSERT_TRUE(result.has_error()) << name;

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/magnets/force_curve.h"
+
 namespace hedgehog::model {
 namespace {
 
@@ -94,11 +96,31 @@ TEST(BallGeometry, RingsThatAreEmptyHaveNoPins) {
   EXPECT_EQ(ball->array.pins.size(), 37u);
 }
 
+// A pin less, and every pin is a class of its own: 410 000 pairs, but few angles.
+TEST(BallGeometry, WithoutSymmetryHasTheCurvesThatAreComputedPinByPin) {
+  BallGeometry geometry = small_magnets("tkD");
+  geometry.removed_pins = {40};
+  const Arrangement arrangement = arrangement_of(geometry).value();
+  const auto classes = symmetry_classes(arrangement);
+  ASSERT_GT(classes.size(), 40u);
+  constexpr ForceSettings kFine{ForceModel::kExact, 1e-4};
+  constexpr OffsetGrid kGrid{0.0, 1.5, 0.5};
+  const auto curves = force_curves(classes, geometry.sizes, kFine, kGrid);
+  ASSERT_EQ(curves.size(), classes.size());
+  for (std::size_t c = 0; c < classes.size(); ++c) {
+    const ForceCurve alone = force_curve({classes[c], geometry.sizes, kFine}, kGrid);
+    for (std::size_t i = 0; i < alone.force_n.size(); ++i)
+      EXPECT_NEAR(curves[c].force_n[i], alone.force_n[i], 1e-4 * std::abs(alone.force_n[i]) + 1e-9);
+  }
+}
+
 TEST(BallGeometry, WhatCannotBeIsSaid) {
   EXPECT_THAT(error_of(small_magnets("tkD-85")), HasSubstr("unknown array 'tkD-85'"));
   BallGeometry geometry = small_magnets("cD");
   geometry.removed_pins = {42};
   EXPECT_EQ(error_of(geometry), "there is no pin 42 to remove");
+  geometry.removed_pins = {41, 17, 41};
+  EXPECT_EQ(error_of(geometry), "pin 41 is removed twice");
   geometry = small_magnets("cD");
   geometry.front_pin = 42;
   EXPECT_EQ(error_of(geometry), "there is no pin 42 to be the front");

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "model/magnets/ball_geometry.h"
 #include "model/magnets/electromagnet.h"
 #include "model/magnets/symmetry_classes.h"
 
@@ -80,12 +81,16 @@ TEST(Equilibrium, BadInputHasASentence) {
 // Reference: physics.md section 5.
 TEST(Electromagnet, TwoCalibrations) {
   EXPECT_NEAR(fea_electromagnet().moment_per_ampere, 0.202271, 1e-6);
-  EXPECT_NEAR(measured_electromagnet().moment_per_ampere, 0.09557, 1e-5);
+  // 0.09557 were the 0.0126 N/A measured on the sphere; they were on a pin some 0.5 mm out.
+  EXPECT_NEAR(measured_electromagnet().moment_per_ampere, 0.10036, 2e-5);
   const auto force = [](const Electromagnet& coil, double current_a) {
     return coil_force_n(coil, current_a, kThesisPinMagnet, 35.0, 0.0, 0.0);
   };
   EXPECT_NEAR(force(fea_electromagnet(), 15.0), 0.4, 1e-9);
-  EXPECT_NEAR(force(measured_electromagnet(), 5.0), 0.063, 1e-9);
+  const double rest_mm = thesis_ball().curves.typical_rest_mm();
+  EXPECT_NEAR(rest_mm, 0.486, 0.002);
+  EXPECT_NEAR(coil_force_n(measured_electromagnet(), 5.0, kThesisPinMagnet, 35.0, 0.0, rest_mm),
+              0.063, 1e-9);
   // At the rest of the commonest pin, physics.md section 6.
   EXPECT_NEAR(coil_force_n(fea_electromagnet(), 15.0, kThesisPinMagnet, 35.0, 0.0, 0.522), 0.380,
               1e-3);

@@ -197,7 +197,8 @@ TEST(Thesis, DipolesAloneAreQualitativelyWrong) {
   EXPECT_NEAR(extension(dipole).value(), 0.095, 0.002);
 }
 
-// Reference: physics.md section 6.
+// Reference: physics.md section 6; its measured calibration is of a pin on the sphere, here it is
+// of one at its rest, where the thesis measured: 5 % more, from the same curve and the same law.
 TEST(Thesis, ExtensionAgainstCurrent) {
   const PinForce force = force_of("tkD", 60);
   const Characterisation character = characterise(force);
@@ -207,8 +208,8 @@ TEST(Thesis, ExtensionAgainstCurrent) {
     double measured_mm;
   };
   for (const Point& p :
-       {Point{2.1, 0.068, 0.032}, Point{5, 0.165, 0.077}, Point{7.5, 0.250, 0.116},
-        Point{10, 0.338, 0.156}, Point{12.5, 0.428, 0.196}, Point{15, 0.521, 0.236}}) {
+       {Point{2.1, 0.068, 0.034}, Point{5, 0.165, 0.081}, Point{7.5, 0.250, 0.122},
+        Point{10, 0.338, 0.164}, Point{12.5, 0.428, 0.206}, Point{15, 0.521, 0.249}}) {
     EXPECT_NEAR(*extension_mm(force, character, fea_electromagnet(), p.current_a), p.fea_mm, 1e-3);
     EXPECT_NEAR(*extension_mm(force, character, measured_electromagnet(), p.current_a),
                 p.measured_mm, 1e-3);
@@ -224,7 +225,7 @@ TEST(Thesis, ExtensionOfTheOtherPinsAt15Ampere) {
     double fea_mm;
     double measured_mm;
   };
-  for (const Other& o : {Other{20, 0.574, 0.261}, Other{12, 0.113, 0.052}}) {
+  for (const Other& o : {Other{20, 0.574, 0.275}, Other{12, 0.113, 0.055}}) {
     const PinForce force = force_of("tkD", o.size);
     const Characterisation character = characterise(force);
     EXPECT_NEAR(*extension_mm(force, character, fea_electromagnet(), 15.0), o.fea_mm, 1e-3);

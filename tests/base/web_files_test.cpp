@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// Files of web pages: packed ones are sent to who takes them, and what never changes is kept.
+#include "base/web_files.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "tests/temporary_folder.h"
+
+namespace hedgehog::base {
+namespace {
+
+constexpr const char* kScript = "export {};";
+/// The same by gzip.
+constexpr std::array<unsigned char, 30> kPacked{
+    0x1f, 0x8b, 0x08, 0x00, 0x00, 0x00, 0x00, 0x00, 0x02, 0xff, 0x4b, 0xad, 0x28, 0xc8, 0x2f,
+    0x2a, 0x51, 0xa8, 0xae, 0xb5, 0x06, 0x00, 0xc6, 0x47, 0x25, 0xd7, 0x0a, 0x00, 0x00, 0x00};
+
+std::string packed() { return {kPacked.begin(), kPacked.end()}; }
+
+class WebFilesTest : public testing::Test {
+ protected:
+  WebFiles read() const { return read_web_files(folder_.path(), WebFolder::kAlone, 1 << 20); }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(WebFilesTest, ThePackedFileIsSentToWhoTakesIt) {
+  folder_.write("main.js", kScript);
+  folder_.write("main.js.gz", packed());
+  const WebFiles files = read();
+  EXPECT_EQ(files.by_path.size(), 1u) << "a packed file is no page of its own";
+  const WebFile& file = *files.find("/main.js");
+  for (const char* accepted : {"gzip", "deflate, gzip;q=0.5", "br , gzip ; q=1"}) {
+    const WebFileAnswer answer = web_file_answer(file, accepted, "");
+    EXPECT_EQ(*answer.body, packed()) << accepted;
+    EXPECT_EQ(answer.encoding, "gzip");
+    EXPECT_EQ(answer.vary, "Accept-Encoding");
+    EXPECT_NE(answer.etag, file.etag) << "other bytes, another tag";
+  }
+  for (const char* accepted : {"", "br", "gzip;q=0", "gzip; q=0.000", "notgzip"}) {
+    const WebFileAnswer answer = web_file_answer(file, accepted, "");
+    EXPECT_EQ(*answer.body, kScript) << accepted;
+    EXPECT_EQ(answer.encoding, "");
+    EXPECT_EQ(answer.vary, "Accept-Encoding") << "for caches between";
+  }
+}
+
+TEST_F(WebFilesTest, APackedFileOfOtherContentIsNotSent) {
+  folder_.write("main.js", "export { changed };");
+  folder_.write("main.js.gz", packed());
+  folder_.write("short.js", "x");
+  folder_.write("short.js.gz", "x");
+  folder_.write("alone.js.gz", packed());
+  const WebFiles files = read();
+  for (const char* path : {"/main.js", "/short.js"}) {
+    const WebFileAnswer answer = web_file_answer(*files.find(path), "gzip", "");
+    EXPECT_EQ(answer.encoding, "") << path;
+    EXPECT_EQ(answer.vary, "");
+  }
+  EXPECT_EQ(files.find("/alone.js"), nullptr);
+}
+
+TEST_F(WebFilesTest, WhatABrowserHasIsNotSentAgain) {
+  folder_.write("main.js", kScript);
+  folder_.write("main.js.gz", packed());
+  const WebFiles files = read();
+  const WebFile& file = *files.find("/main.js");
+  for (const char* accepted : {"", "gzip"}) {
+    const std::string tag = web_file_answer(file, accepted, "").etag;
+    EXPECT_EQ(web_file_answer(file, accepted, tag).body, nullptr);
+    EXPECT_EQ(web_file_answer(file, accepted, "\"other\", " + tag).body, nullptr);
+    EXPECT_NE(web_file_answer(file, accepted, "\"other\"").body, nullptr);
+  }
+  EXPECT_NE(web_file_answer(file, "gzip", file.etag).body, nullptr) << "it has the other bytes";
+  const WebFile without_tag{"text/plain", file.bytes};
+  EXPECT_NE(web_file_answer(without_tag, "", "\"any\"").body, nullptr);
+}
+
+TEST_F(WebFilesTest, OnlyANameWithAHashIsKeptForGood) {
+  for (const char* name : {"chunk-3F2A9C0B.js", "main.js", "chunk-3f2a9c0b.js", "-AB.js"})
+    folder_.write(name, kScript);
+  const WebFiles files = read();
+  const auto kept = [&](const char* path) {
+    return web_file_answer(*files.find(path), "", "").cache_control;
+  };
+  EXPECT_EQ(kept("/chunk-3F2A9C0B.js"), "public, max-age=31536000, immutable");
+  for (const char* path : {"/main.js", "/chunk-3f2a9c0b.js", "/-AB.js"})
+    EXPECT_EQ(kept(path), "no-cache") << path;
+}
+
+}  // namespace
+}  // namespace hedgehog::base

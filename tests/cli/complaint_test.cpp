@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "cli/complaint.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "tests/cli/sample_app.h"
+
+namespace hedgehog::cli {
+namespace {
+
+/// What is complained of; "" when it is a command line.
+std::string complaint_of(std::vector<std::string> words) {
+  SampleApp sample;
+  std::reverse(words.begin(), words.end());
+  try {
+    sample.app.parse(words);
+  } catch (const CLI::ParseError& error) {
+    return usage_error(sample.app, complaint(sample.app, error));
+  }
+  return "";
+}
+
+TEST(Complaint, NamesTheVerbThatWasMeant) {
+  EXPECT_EQ(complaint_of({"pusj", "left"}),
+            "sample: there is no verb 'pusj'; did you mean 'push'?; sample --help says more");
+  EXPECT_EQ(complaint_of({"preview", "pusj"}),
+            "sample preview: there is no verb 'pusj'; did you mean 'push'?; sample preview --help "
+            "says more");
+  EXPECT_EQ(complaint_of({"lists", "remvoe"}),
+            "sample lists: there is no verb 'remvoe'; did you mean 'remove'?; sample lists --help "
+            "says more")
+      << "where none is needed, too";
+  EXPECT_EQ(complaint_of({"lists"}), "");
+  EXPECT_EQ(complaint_of({"frobnicate"}),
+            "sample: there is no verb 'frobnicate'; sample --help says more");
+}
+
+TEST(Complaint, NamesTheOptionThatWasMeant) {
+  EXPECT_EQ(
+      complaint_of({"push", "left", "--speeed", "3"}),
+      "sample push: '--speeed' is not understood; did you mean '--speed'?; sample push --help "
+      "says more");
+  EXPECT_EQ(complaint_of({"push", "left", "--adress=x"}),
+            "sample push: '--adress=x' is not understood; did you mean '--address'?; sample push "
+            "--help says more")
+      << "those of the program too";
+  EXPECT_EQ(complaint_of({"push", "left", "--loud"}),
+            "sample push: '--loud' is not understood; sample push --help says more");
+}
+
+TEST(Complaint, SaysWhatIsMissing) {
+  EXPECT_EQ(complaint_of({}), "sample: a verb is missing; sample --help says more");
+  EXPECT_EQ(complaint_of({"push"}),
+            "sample push: --side is required; sample push --help says more");
+  EXPECT_EQ(complaint_of({"push", "left"}), "");
+}
+
+}  // namespace
+}  // namespace hedgehog::cli

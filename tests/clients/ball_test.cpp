@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+// The client for games, against a daemon that says what each test wants it to.
+#include "clients/lib/ball.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "clients/lib/threaded_ball.h"
+#include "tests/clients/fake_daemon.h"
+
+namespace hedgehog {
+namespace {
+
+using namespace std::chrono_literals;
+using client::Failure;
+using client::FakeDaemon;
+using client::FakePeer;
+using client::kLongPatience;
+using client::Notification;
+using client::SilentPort;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+constexpr const char* kWelcome =
+    R"({"jsonrpc":"2.0","id":1,"result":{"server":"fake","protocol":"1.0","role":"play",)"
+    R"("limits":{"current_a":15.0,"continuous_a":5.0,"felt_a":2.1}}})";
+constexpr const char* kArmedEvent =
+    R"({"jsonrpc":"2.0","method":"event","params":{"type":"armed","time_ns":7}})";
+
+BallOptions patient() { return {.name = "test", .patience = kLongPatience}; }
+
+/// A frame loop, until it is so. Whoever runs the test ends one that never gets there.
+template <class Until>
+void frames(Ball& ball, Until until) {
+  do {
+    ball.update();
+    std::this_thread::yield();
+  } while (!until());
+}
+
+TEST(Ball, ConnectsWhileFramesGoOn) {
+  std::string rumbled;
+  FakeDaemon daemon([&](FakePeer& peer) {
+    EXPECT_THAT(peer.read(), HasSubstr(R"("method":"hello","params":{"client":"test")"));
+    peer.send_line(kWelcome);
+    rumbled = peer.read();
+  });
+  Ball ball({SilentPort().address(), daemon.address()}, patient());
+  EXPECT_FALSE(ball.rumble("engine", 0.5)) << "nobody is there yet";
+  frames(ball, [&] { return ball.connected(); });
+  EXPECT_EQ(ball.hello().limits.felt_a, 2.1);
+  EXPECT_TRUE(ball.rumble("engine", 0.5, protocol::Word::kBack, {.frequency_hz = 70.0}));
+  daemon.finish();
+  EXPECT_THAT(rumbled, HasSubstr(R"("slot":"engine")"));
+  EXPECT_THAT(rumbled, HasSubstr(R"("level":0.57)"));
+  EXPECT_THAT(rumbled, HasSubstr(R"("lease_ms":250)"));
+  EXPECT_THAT(rumbled, testing::Not(HasSubstr("\"id\"")));
+}
+
+TEST(Ball, SaysThatTheDaemonDoesNotRun) {
+  const SilentPort silent;
+  Ball ball({silent.address()}, patient());
+  frames(ball, [&] { return !ball.problem().empty(); });
+  EXPECT_EQ(ball.problem(),
+            "the daemon does not run: " + to_string(silent.address()) + ": connection refused");
+  EXPECT_FALSE(ball.connected());
+  EXPECT_GT(ball.retry_after(), 0ms);
+  const auto soon = ball.call(protocol::Ping{});
+  ASSERT_FALSE(soon.has_value());
+  EXPECT_EQ(soon.error().failure, Failure::kNoDaemon);
+}
+
+TEST(Ball, EndsAConnectionWhoseIntroductionIsNotAnswered) {
+  FakeDaemon daemon([](FakePeer& peer) {
+    peer.read();
+    EXPECT_EQ(peer.read(), "") << "the client has closed";
+  });
+  Ball ball({daemon.address()}, {.name = "test", .patience = 50ms});
+  frames(ball, [&] { return !ball.problem().empty(); });
+  EXPECT_THAT(ball.problem(), HasSubstr("no response within 0.1 s"));
+}
+
+TEST(Ball, AnswersComeAFewFramesLater) {
+  FakeDaemon daemon([](FakePeer& peer) {
+    peer.read();
+    peer.send_line(kWelcome);
+    peer.read();
+    peer.send_line(kArmedEvent);
+    peer.send_line(R"({"jsonrpc":"2.0","id":2,"result":{"time_ns":42}})");
+    peer.read();
+  });
+  Ball ball({daemon.address()}, patient());
+  frames(ball, [&] { return ball.connected(); });
+  const auto asked = ball.ask(protocol::Ping{});
+  std::optional<protocol::Reply> reply;
+  frames(ball, [&] { return (reply = ball.answer()).has_value(); });
+  EXPECT_EQ(reply->id, asked);
+  const auto event = ball.next();
+  ASSERT_TRUE(event.has_value());
+  EXPECT_EQ(std::get<protocol::EventMessage>(*event).event.time_ns, 7);
+  EXPECT_FALSE(ball.next().has_value());
+}
+
+TEST(Ball, AnswersEndWithTheirConnectionBecauseTheNextOneCountsAnew) {
+  FakeDaemon daemon([](FakePeer& peer) {
+    peer.read();
+    peer.send_line(kWelcome);
+    peer.read();
+    peer.send_line(R"({"jsonrpc":"2.0","id":2,"result":{"time_ns":42}})");
+  });
+  Ball ball({daemon.address()}, patient());
+  frames(ball, [&] { return ball.connected(); });
+  ball.ask(protocol::Ping{});
+  frames(ball, [&] { return !ball.connected(); });
+  EXPECT_FALSE(ball.answer().has_value());
+}
+
+TEST(Ball, SaysWhatTheDaemonSaidOfTheConnection) {
+  FakeDaemon daemon([](FakePeer& peer) {
+    peer.read();
+    peer.send_line(
+        R"({"jsonrpc":"2.0","id":null,"error":{"code":-32001,"message":"64 are connected"}})");
+  });
+  Ball ball({daemon.address()}, patient());
+  const auto opened = ball.open();
+  ASSERT_FALSE(opened.has_value());
+  EXPECT_EQ(opened.error().message,
+            "the connection to the daemon has ended: the daemon closed the connection "
+            "(it said: 64 are connected)");
+}
+
+TEST(Ball, ARequestThatIsTooLongEndsNoConnection) {
+  FakeDaemon daemon([](FakePeer& peer) {
+    peer.read();
+    peer.send_line(kWelcome);
+    peer.read();
+    peer.send_line(R"({"jsonrpc":"2.0","id":3,"result":{"time_ns":42}})");
+    peer.read();
+  });
+  Ball ball({daemon.address()}, patient());
+  const auto refused = ball.call_raw("ping", "{\"x\":\"" + std::string(70'000, 'x') + "\"}");
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_THAT(refused.error().message, StartsWith("the request is longer than 64 KiB"));
+  EXPECT_EQ(ball.call(protocol::Ping{}).value().time_ns, 42);
+}
+
+TEST(Ball, FeltLevelBeginsWhereAPushIsFelt) {
+  const protocol::HelloLimits limits{.current_a = 15.0, .felt_a = 2.1};
+  EXPECT_EQ(felt_level(0.0, limits), 0.0);
+  EXPECT_EQ(felt_level(std::numeric_limits<double>::quiet_NaN(), limits), 0.0);
+  EXPECT_NEAR(felt_level(1e-9, limits), 0.14, 1e-6);
+  EXPECT_EQ(felt_level(7.0, limits), 1.0);
+}
+
+TEST(ThreadedBall, PlaysFromAnyThreadWithoutWaiting) {
+  std::vector<std::string> lines;
+  FakeDaemon daemon([&](FakePeer& peer) {
+    peer.read();
+    peer.send_line(kWelcome);
+    peer.send_line(kArmedEvent);
+    lines.push_back(peer.read());
+    peer.send_line(R"({"jsonrpc":"2.0","id":2,"result":{"time_ns":42}})");
+    lines.push_back(peer.read());
+    lines.push_back(peer.read());
+  });
+  {
+    ThreadedBall ball({daemon.address()}, patient());
+    EXPECT_EQ(ball.call(protocol::Ping{}).get().value().time_ns, 42);
+    while (!ball.connected()) std::this_thread::yield();
+    EXPECT_TRUE(ball.rumble("engine", 1.0));
+    EXPECT_TRUE(ball.notify(protocol::EffectStopAll{}));
+    EXPECT_EQ(ball.problem(), "");
+    std::optional<Notification> event;
+    while (!(event = ball.next())) std::this_thread::yield();
+    EXPECT_TRUE(std::holds_alternative<protocol::EventMessage>(*event));
+  }
+  daemon.finish();
+  EXPECT_THAT(lines, testing::ElementsAre(HasSubstr("ping"), HasSubstr("effect.vibrate"),
+                                          HasSubstr("effect.stop_all")));
+}
+
+TEST(ThreadedBall, EndsWithoutADaemon) {
+  const SilentPort silent;
+  ThreadedBall ball({silent.address()}, patient());
+  while (ball.problem().empty()) std::this_thread::yield();
+  EXPECT_FALSE(ball.rumble("engine", 1.0));
+  EXPECT_EQ(ball.call(protocol::Ping{}).get().error().failure, Failure::kNoDaemon);
+}
+
+}  // namespace
+}  // namespace hedgehog

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// A board goes into its boot loader when it is asked to while its bridges sleep, and not otherwise.
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "tests/device/core_bench.h"
+
+namespace hedgehog::board {
+namespace {
+
+TEST(BootLoader, IsEnteredByABoardThatWasNeverArmed) {
+  CoreBench bench;
+  bench.run(kBootLoaderMs);
+  EXPECT_FALSE(bench.core.boot_loader_due());
+  bench.send(BootLoaderFrame{});
+  bench.run(1);
+  EXPECT_TRUE(bench.core.boot_loader_due());
+  EXPECT_FALSE(bench.drives());
+}
+
+TEST(BootLoader, IsEnteredByALatchedBoardAndWithoutSetPoints) {
+  CoreBench bench;
+  bench.arm_and_drive();
+  bench.feeding = false;
+  bench.run(100 + kBootLoaderMs);
+  ASSERT_TRUE(bench.latched_by(kDeadMan));
+  bench.send(BootLoaderFrame{});
+  bench.run(1);
+  EXPECT_TRUE(bench.core.boot_loader_due());
+  EXPECT_FALSE(bench.drives());
+}
+
+TEST(BootLoader, IsRefusedByABoardThatDrivesAndDrivesOn) {
+  CoreBench bench;
+  bench.arm_and_drive();
+  bench.run(100);
+  const auto refused = bench.telemetry().refused;
+  bench.send(BootLoaderFrame{});
+  bench.run(1);
+  EXPECT_FALSE(bench.core.boot_loader_due());
+  EXPECT_TRUE(bench.drives());
+  EXPECT_EQ(bench.telemetry().refused, refused + 1);
+  // Nothing is kept of the request.
+  bench.feeding = false;
+  bench.run(200);
+  ASSERT_TRUE(bench.latched_by(kDeadMan));
+  EXPECT_FALSE(bench.core.boot_loader_due());
+}
+
+// There is no frame that disarms: a host that has done so lets the bridges sleep.
+TEST(BootLoader, IsEnteredByAReadyBoardOnceItsBridgesHaveSleptForLong) {
+  CoreBench bench;
+  bench.arm_and_drive();
+  bench.set_point.enable = false;
+  for (std::uint32_t ms = 1; ms < kBootLoaderMs; ++ms) {
+    bench.send(BootLoaderFrame{});
+    bench.run(1);
+    ASSERT_EQ(bench.core.mode(), Mode::kReady);
+    ASSERT_FALSE(bench.core.boot_loader_due()) << ms;
+  }
+  bench.send(BootLoaderFrame{});
+  bench.run(1);
+  EXPECT_TRUE(bench.core.boot_loader_due());
+  EXPECT_FALSE(bench.drives());
+}
+
+TEST(BootLoader, IsNotEnteredInAMillisecondThatDrives) {
+  CoreBench bench;
+  bench.set_point.enable = false;
+  bench.arm_and_drive();
+  bench.run(kBootLoaderMs);
+  bench.set_point.enable = true;
+  bench.send(BootLoaderFrame{});
+  bench.run(1);
+  EXPECT_TRUE(bench.drives());
+  EXPECT_FALSE(bench.core.boot_loader_due());
+}
+
+TEST(BootLoader, WantsItsKey) {
+  CoreBench bench;
+  std::array<std::uint8_t, kFrameSize> frame;
+  BootLoaderFrame asked;
+  asked.sequence = 1;
+  asked.key = 0;
+  write_frame(asked, frame.data());
+  bench.feeding = false;
+  bench.run(kBootLoaderMs);
+  bench.core.receive(frame.data(), frame.size());
+  bench.run(1);
+  EXPECT_FALSE(bench.core.boot_loader_due());
+  EXPECT_EQ(bench.telemetry().refused, 1);
+}
+
+TEST(BootLoader, IsDueInOneMillisecondOnly) {
+  CoreBench bench;
+  bench.run(kBootLoaderMs);
+  bench.send(BootLoaderFrame{});
+  bench.run(1);
+  ASSERT_TRUE(bench.core.boot_loader_due());
+  bench.run(1);
+  EXPECT_FALSE(bench.core.boot_loader_due());
+}
+
+}  // namespace
+}  // namespace hedgehog::board

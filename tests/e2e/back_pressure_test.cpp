@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// A client that sends faster than it reads is read more slowly, not cut.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+
+#include "tests/e2e/web_fixture.h"
+
+namespace hedgehog::e2e {
+namespace {
+
+constexpr int kMany = 1000;
+/// On WebSocket, of smaller answers: 2 MB of them too.
+constexpr int kFrames = 1500;
+/// Its answers are 10 kB; those to `kStatus` come in one frame.
+const std::string kDescribe = R"({"jsonrpc":"2.0","id":7,"method":"device.describe"})";
+const std::string kStatus = R"({"jsonrpc":"2.0","id":7,"method":"device.status"})";
+
+class BackPressure : public Web {
+ protected:
+  /// All answers to so many requests that came at once, beside which a game plays on.
+  void expect_answers(const std::function<Json()>& next, int count = kMany) {
+    RawClient game(daemon_.port());
+    for (int i = 0; i < count; ++i) {
+      const Json answer = next();
+      ASSERT_EQ(answer["id"], 7) << i;
+      ASSERT_TRUE(answer["result"].contains("simulated")) << i;
+      if (i % 100 == 0) EXPECT_TRUE(game.call("ping").contains("time_ns"));
+    }
+    EXPECT_LE(metric(R"(hedgehog_connections_rejected_total{device="ball",reason="slow"})"), 0)
+        << "nobody was cut";
+  }
+  static std::string requests() {
+    std::string all;
+    for (int i = 0; i < kMany; ++i) all += kDescribe + "\n";
+    return all;
+  }
+};
+
+TEST_F(BackPressure, OnTcpAThousandRequestsAtOnceAreAnswered) {
+  RawClient client(daemon_.port());
+  client.send(requests());
+  expect_answers([&] { return client.answer(); });
+}
+
+TEST_F(BackPressure, OnTheUnixSocketToo) {
+  RawClient client(daemon_.socket());
+  client.send(requests());
+  expect_answers([&] { return client.answer(); });
+}
+
+TEST_F(BackPressure, OnWebSocketToo) {
+  WebSocketClient client(daemon_.http_port());
+  for (int i = 0; i < kFrames; ++i) client.text(kStatus);
+  expect_answers([&] { return client.json(); }, kFrames);
+}
+
+TEST_F(BackPressure, WhatWaitsForATickIsAnsweredToo) {
+  RawClient client(daemon_.port());
+  std::string all;
+  for (int i = 0; i < kMany; ++i)
+    all += R"({"jsonrpc":"2.0","id":7,"method":"device.arm"})"
+           "\n";
+  client.send(all);
+  for (int i = 0; i < kMany; ++i) ASSERT_EQ(client.answer()["id"], 7) << i;
+}
+
+TEST_F(BackPressure, WhatWasSentBeforeTheClientStoppedSendingIsAnswered) {
+  RawClient client(daemon_.port());
+  client.send(requests());
+  client.half_close();
+  expect_answers([&] { return client.answer(); });
+  EXPECT_TRUE(client.closed_by_daemon());
+}
+
+}  // namespace
+}  // namespace hedgehog::e2e

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+// The gamepad bridge between a gamepad that a test holds and a real daemon.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <deque>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "clients/gamepad/bridge.h"
+#include "model/quaternion.h"
+#include "tests/e2e/daemon_process.h"
+#include "tests/e2e/json_vector.h"
+#include "tests/e2e/patience.h"
+#include "tests/e2e/program.h"
+#include "tests/e2e/programs.h"
+#include "tests/e2e/raw_client.h"
+
+namespace hedgehog::e2e {
+namespace {
+
+using gamepad::DeviceCommand;
+using gamepad::StickPosition;
+
+/// The test is the game, on a thread of its own.
+class FakeGamepad : public gamepad::GamepadDevice {
+ public:
+  ~FakeGamepad() override { ::close(fd_); }
+
+  void command(const DeviceCommand& command) {
+    const std::lock_guard lock(mutex_);
+    commands_.push_back(command);
+    ::eventfd_write(fd_, 1);
+  }
+  /// The errno of the newest answer to an upload; -1: none yet.
+  int uploaded() const { return uploaded_; }
+  int erased() const { return erased_; }
+  bool moved() const { return moved_; }
+  StickPosition stick() const {
+    const std::lock_guard lock(mutex_);
+    return stick_;
+  }
+
+  int descriptor() const noexcept override { return fd_; }
+  Result<std::optional<DeviceCommand>> next() override {
+    const std::lock_guard lock(mutex_);
+    eventfd_t ignored = 0;
+    ::eventfd_read(fd_, &ignored);
+    if (commands_.empty()) return std::optional<DeviceCommand>();
+    std::optional<DeviceCommand> oldest = commands_.front();
+    commands_.pop_front();
+    return oldest;
+  }
+  void answer_upload(const gamepad::UploadRequest&, int error) override { uploaded_ = error; }
+  void answer_erase(const gamepad::EraseRequest&, int error) override { erased_ = error; }
+  void move_stick(const StickPosition& position) override {
+    const std::lock_guard lock(mutex_);
+    stick_ = position;
+    moved_ = true;
+  }
+
+ private:
+  int fd_ = ::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC);
+  mutable std::mutex mutex_;
+  std::deque<DeviceCommand> commands_;
+  StickPosition stick_{};
+  std::atomic<int> uploaded_ = -1;
+  std::atomic<int> erased_ = -1;
+  std::atomic<bool> moved_ = false;
+};
+
+ff_effect push_right(int length_ms) {
+  ff_effect effect{};
+  effect.type = FF_CONSTANT;
+  effect.direction = 0x4000;
+  effect.u.constant.level = 0x7fff;
+  effect.replay.length = static_cast<std::uint16_t>(length_ms);
+  return effect;
+}
+
+class Gamepad : public testing::Test {
+ protected:
+  Gamepad() : daemon_(home_), ball_(daemon_.port()) {
+    ball_.call("events.subscribe",
+               {{"scope", "all"}, {"types", {"effect_started", "effect_ended"}}});
+    gamepad::BridgeOptions options;
+    options.addresses = {client::parse_address(daemon_.socket()).value()};
+    thread_ = std::thread([this, options] {
+      gamepad::Bridge bridge(
+          device_, options, [this](const std::string&) { connected_ = true; });
+      (void)bridge.run([this] { return stop_.load(); });
+    });
+    EXPECT_TRUE(eventually([&] { return connected_.load(); }));
+  }
+  ~Gamepad() override {
+    stop_ = true;
+    thread_.join();
+  }
+  int upload(const ff_effect& effect) {
+    device_.command(gamepad::UploadRequest{1, effect});
+    EXPECT_TRUE(eventually([&] { return device_.uploaded() >= 0; }));
+    return device_.uploaded();
+  }
+  bool flows(const model::Vec3& direction) {
+    return eventually([&] {
+      const Json status = ball_.call("device.status");
+      const auto field = vector_of(status["field"]);
+      return dot(field, direction) > 0.99 && status["force_n"] > 0.0;
+    });
+  }
+
+  const Home home_;
+  DaemonProcess daemon_;
+  RawClient ball_;
+  FakeGamepad device_;
+  std::atomic<bool> connected_ = false;
+  std::atomic<bool> stop_ = false;
+  std::thread thread_;
+};
+
+TEST_F(Gamepad, AForceFromTheRightPushesTheRightSideAndEndsByItself) {
+  EXPECT_EQ(upload(push_right(300)), 0);
+  device_.command(gamepad::PlayCommand{0, 1});
+  EXPECT_EQ(ball_.notification("event", "effect_started")["slot"], "ff0");
+  const Json ended = ball_.notification("event", "effect_ended");
+  EXPECT_EQ(ended["reason"], "completed");
+  EXPECT_EQ(ended["offset_ns"].get<std::int64_t>() - ended["onset_ns"].get<std::int64_t>(),
+            300'000'000);
+}
+
+TEST_F(Gamepad, OneWithoutAnEndGoesOnUntilItIsErased) {
+  EXPECT_EQ(upload(push_right(0)), 0);
+  device_.command(gamepad::PlayCommand{0, 1});
+  EXPECT_TRUE(flows({0, -1, 0}));
+  // Longer than its lease, which is device time.
+  const auto now = [&] { return ball_.call("ping")["time_ns"].get<std::int64_t>(); };
+  const auto from = now();
+  EXPECT_TRUE(eventually([&] { return now() - from > 1'500'000'000; }));
+  EXPECT_EQ(ball_.call("device.status")["effects"].size(), 1u);
+  device_.command(gamepad::EraseRequest{2, 0});
+  EXPECT_EQ(ball_.notification("event", "effect_ended")["reason"], "stopped");
+  EXPECT_EQ(device_.erased(), 0);
+}
+
+TEST_F(Gamepad, ASpringIsRefused) {
+  ff_effect spring{};
+  spring.type = FF_SPRING;
+  EXPECT_EQ(upload(spring), EINVAL);
+}
+
+TEST_F(Gamepad, TiltingTheBallMovesTheStick) {
+  const auto turn = [&](const model::Quaternion& q) {
+    ball_.call("sim.set", {{"orientation", {{"w", q.w}, {"x", q.x}, {"y", q.y}, {"z", q.z}}}});
+  };
+  ASSERT_TRUE(eventually([&] { return device_.moved(); })) << "upright is the centre";
+  turn(model::axis_angle({1, 0, 0}, 60));
+  EXPECT_TRUE(eventually([&] { return device_.stick().x > 30'000; }));
+  turn({});
+  EXPECT_TRUE(eventually([&] { return device_.stick() == StickPosition{}; }));
+}
+
+TEST(GamepadProgram, WithoutUinputItEndsWith69AndSaysWhatHelps) {
+  const Home home;
+  const Ended ended = Program(home, hedgehog_gamepad(), {"--device", home.path("uinput")}).wait();
+  EXPECT_EQ(ended.exit_code, 69);
+  EXPECT_THAT(ended.err, testing::HasSubstr("modprobe uinput"));
+  EXPECT_EQ(Program(home, hedgehog_gamepad(), {"--curve", "9"}).wait().exit_code, 64);
+}
+
+}  // namespace
+}  // namespace hedgehog::e2e

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// A client that does not take its answers: what it is still obeyed in, and when it has to go.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/e2e/patience.h"
+#include "tests/e2e/web_fixture.h"
+
+namespace hedgehog::e2e {
+namespace {
+
+/// Their answers, 10 kB each, are more than what the system buffers for a client.
+constexpr int kUnread = 1500;
+
+std::string line(const Json& id, const std::string& method, const Json& params = Json::object()) {
+  return Json{{"jsonrpc", "2.0"}, {"id", id}, {"method", method}, {"params", params}}.dump() + "\n";
+}
+
+std::string many_requests() {
+  std::string all;
+  for (int i = 0; i < kUnread; ++i) all += line("many", "device.describe");
+  return all;
+}
+
+class HeldBack : public testing::Test {
+ protected:
+  /// Nobody is cut for its slowness here.
+  struct PatientHome : Home {
+    PatientHome() { configure(R"({"connections": {"write_timeout_s": 600}})"); }
+  };
+  HeldBack() { watcher_.call("events.subscribe", {{"scope", "all"}}); }
+  bool becomes(const std::string& state) {
+    return wait_until([&] { return watcher_.call("device.status")["state"] == state; });
+  }
+
+  PatientHome home_;
+  DaemonProcess daemon_{home_};
+  RawClient watcher_{daemon_.port()};
+};
+
+TEST_F(HeldBack, AnEmergencyStopIsCarriedOutAtOnceAndWhatCameBeforeArmsNothing) {
+  RawClient client(daemon_.port());
+  client.send(many_requests() + line("arm", "device.arm") +
+              line("push", "effect.hold", {{"direction", "left"}}) +
+              line("stop", "device.emergency_stop"));
+  EXPECT_TRUE(becomes("disarmed"));
+  int described = 0;
+  Json answers;
+  while (described < kUnread || answers.size() < 3) {
+    const Json answer = client.answer();
+    if (answer["id"] == "many")
+      described += answer.contains("result");
+    else
+      answers[answer["id"].get<std::string>()] = answer;
+  }
+  EXPECT_EQ(described, kUnread);
+  EXPECT_EQ(answers["stop"]["result"]["state"], "disarmed");
+  EXPECT_EQ(answers["arm"]["error"]["code"], -32001);
+  EXPECT_EQ(answers["push"]["error"]["code"], -32001);
+  EXPECT_EQ(watcher_.call("device.status")["state"], "disarmed");
+  EXPECT_EQ(client.call("device.arm")["state"], "armed") << "what comes after it is carried out";
+}
+
+TEST_F(HeldBack, WhatIsSentAfterTheStopIsCarriedOutThoughOlderRequestsAreStillHeld) {
+  RawClient client(daemon_.port());
+  client.send(many_requests() + line("stop", "device.emergency_stop"));
+  ASSERT_TRUE(becomes("disarmed"));
+  client.send(line("arm", "device.arm"));
+  Json answer;
+  do answer = client.answer();
+  while (answer["id"] != "arm");
+  EXPECT_EQ(answer["result"]["state"], "armed") << answer;
+}
+
+TEST_F(HeldBack, OnTheUnixSocketToo) {
+  RawClient client(daemon_.socket());
+  client.send(many_requests() + line("stop", "device.emergency_stop"));
+  EXPECT_TRUE(becomes("disarmed"));
+}
+
+TEST_F(HeldBack, OnWebSocketToo) {
+  WebSocketClient client(daemon_.http_port());
+  for (int i = 0; i < kUnread; ++i) client.text(line("many", "device.describe"));
+  client.text(line("stop", "device.emergency_stop"));
+  EXPECT_TRUE(becomes("disarmed"));
+}
+
+TEST_F(HeldBack, WhoStopsSendingEndsItsEffectsAtOnceAndGetsItsAnswers) {
+  RawClient client(daemon_.port());
+  client.send(line("hold", "effect.hold", {{"direction", "left"}, {"lease_ms", 10000}}) +
+              many_requests());
+  EXPECT_EQ(watcher_.notification("event")["type"], "effect_started");
+  client.half_close();
+  EXPECT_EQ(watcher_.notification("event", "effect_ended")["reason"], "disconnected");
+  EXPECT_EQ(client.answer()["id"], "hold");
+  for (int i = 0; i < kUnread; ++i) ASSERT_EQ(client.answer()["id"], "many") << i;
+  EXPECT_TRUE(client.closed_by_daemon());
+}
+
+TEST_F(HeldBack, StopsWithoutEndStopTheBallAndEndWithTheirConnection) {
+  RawClient client(daemon_.port());
+  client.send(many_requests());
+  std::string stops;
+  for (int i = 0; i < 200; ++i) stops += line(i, "device.emergency_stop");
+  bool open = true;
+  for (int i = 0; i < 10'000 && open; ++i) open = client.send(stops);
+  EXPECT_FALSE(open) << "its answers fill its queue";
+  EXPECT_TRUE(daemon_.logs("does not read"));
+  EXPECT_TRUE(becomes("disarmed"));
+  EXPECT_TRUE(
+      wait_until([&] { return watcher_.call("connection.list")["connections"].size() == 1; }));
+}
+
+TEST(ReadSlowly, IsNotCutAsLongAsItTakesSomething) {
+  constexpr int kTimeoutS = 2;
+  const Home home;
+  home.configure(R"({"connections": {"write_timeout_s": )" + std::to_string(kTimeoutS) + "}}");
+  DaemonProcess daemon(home);
+  RawClient clock(daemon.port());
+  clock.call("telemetry.subscribe", {{"rate_hz", 10}, {"fields", {"state"}}});
+  RawClient client(daemon.port(), 16 * 1024);
+  client.send(many_requests());
+  // Three times as long, in the time of the ball.
+  for (int i = 0; i < 3 * kTimeoutS * 10; ++i) {
+    clock.notification("telemetry");
+    ASSERT_TRUE(client.bytes(4096));
+  }
+  client.half_close();
+  while (client.bytes()) {
+  }
+  EXPECT_EQ(daemon.log().find("does not read"), std::string::npos) << daemon.log();
+}
+
+}  // namespace
+}  // namespace hedgehog::e2e

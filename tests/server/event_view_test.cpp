@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Events as clients are told of them.
+#include "daemon/server/rpc/event_view.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+
+#include "protocol/server_codec.h"
+
+namespace hedgehog::server {
+namespace {
+
+std::string told(control::EventType type, double temperature_c) {
+  control::Event event;
+  event.type = type;
+  event.limit_a = 9.0;
+  event.temperature_c = temperature_c;
+  return protocol::encode_event(event_view(event, nullptr, 0, {}).value());
+}
+
+TEST(EventView, ATemperatureThatNobodyKnowsIsLeftOut) {
+  for (const auto type :
+       {control::EventType::kDeratingStarted, control::EventType::kDeratingEnded}) {
+    EXPECT_NE(told(type, 61.234).find(R"("temperature_c":61.23)"), std::string::npos);
+    const std::string unknown = told(type, std::numeric_limits<double>::infinity());
+    EXPECT_EQ(unknown.find("temperature_c"), std::string::npos) << unknown;
+    EXPECT_NE(unknown.find(R"("limit_a":9)"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace hedgehog::server

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// An emergency stop whose latch the disk neither takes nor refuses.
+#include <gtest/gtest.h>
+
+#include "tests/e2e/patience.h"
+#include "tests/server/server_rig.h"
+
+namespace hedgehog::server {
+namespace {
+
+TEST(SlowStop, IsAnsweredThoughNobodyKnowsWhetherTheLatchIsOnDisk) {
+  ServerRig rig;
+  FakeClient& owner = rig.connect();
+  rig.memory.persisted = Persisted::kPending;
+  rig.server->line(owner.session, R"({"jsonrpc":"2.0","id":1,"method":"device.emergency_stop"})");
+  // The bound is in real time, which the ticks of the rig are not.
+  ASSERT_TRUE(e2e::wait_until([&] {
+    rig.run(1);
+    return !owner.lines.empty();
+  }));
+  const Json result = Json::parse(owner.lines[0].text)["result"];
+  EXPECT_EQ(result["state"], "disarmed");
+  EXPECT_EQ(result["on_disk"], false);
+}
+
+}  // namespace
+}  // namespace hedgehog::server

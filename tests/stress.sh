@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# stress.sh [ROUNDS]: all tests, so many times (5), beside `stress-ng --cpu 4 --io 2`. Everything is built first, without
+# that load. Each round ends with its table (build/stress/<round>.json) and goes on to its end when a test fails. A round
+# takes more than half an hour on 2 cores.
+# Exit: 0 no round had a failure, 1 one had, 64 usage.
+set -u
+
+rounds=${1:-5}
+[[ $# -le 1 && $rounds =~ ^[1-9][0-9]*$ ]] || { echo "stress.sh [ROUNDS]" >&2; exit 64; }
+cd "$(dirname -- "${BASH_SOURCE[0]}")/.." || exit 70
+out=$PWD/build/stress
+mkdir -p "$out"
+
+for preset in dev tsan asan; do
+  make "build/$preset/build.ninja" && cmake --build --preset "$preset" || exit
+done
+cmake --build --preset asan --target fuzzers && cmake --build --preset dev --target test_usb || exit
+make shipped dashboard racer-page || exit
+
+stress-ng --cpu 4 --io 2 --temp-path "$out" --quiet &
+load=$!
+trap 'kill "$load"; wait "$load"' EXIT
+trap 'exit 130' INT TERM
+
+failed=0
+for round in $(seq "$rounds"); do
+  export HEDGEHOG_STAGES=$out/$round.tsv
+  : >"$HEDGEHOG_STAGES"
+  SECONDS=0
+  make test >"$out/$round.log" 2>&1 || failed=1
+  tests/side_by_side.sh waiting computing >>"$out/$round.log" 2>&1 || failed=1
+  printf 'whole\t%d\n' "$SECONDS" >>"$HEDGEHOG_STAGES"
+  echo "round $round of $rounds"
+  cmake/stage_table.sh "$HEDGEHOG_STAGES" "$out/$round.json"
+done
+exit "$failed"

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+// A run is pinned to its daemon: with another start of it nothing is played unless the experimenter
+// says so.
+#include "clients/study/session/runner.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <filesystem>
+
+#include "tests/clients/fake_daemon.h"
+#include "tests/study/fake_answers.h"
+#include "tests/study/preset.h"
+#include "tests/temporary_folder.h"
+
+namespace hedgehog::study {
+namespace {
+
+using namespace std::chrono_literals;
+using client::FakeDaemon;
+using client::FakePeer;
+using nlohmann::json;
+
+/// Answers until somebody asks for `last`, or goes away.
+FakeDaemon::Conversation daemon_of(json answers, std::string last, std::atomic<int>& circles) {
+  return [=, &circles](FakePeer& peer) {
+    for (std::string line = peer.read(); !line.empty(); line = peer.read()) {
+      const json asked = json::parse(line);
+      const std::string method = asked["method"];
+      circles += method == "effect.circle" ? 1 : 0;
+      if (method == last) return;
+      if (!asked.contains("id")) continue;
+      const json result = method == "ping" ? json{{"time_ns", 1'000'000'000}} : answers.at(method);
+      peer.send_line(json{{"jsonrpc", "2.0"}, {"id", asked["id"]}, {"result", result}}.dump());
+    }
+  };
+}
+
+/// Says `c` to begin with; when it is asked about another start, `word` at the twentieth look. It
+/// may wait for another message, or for fewer looks at it.
+class ScriptedDesk : public Desk {
+ public:
+  explicit ScriptedDesk(Input::Kind word, std::string message = "started anew", int looks = 20)
+      : word_(word), awaited_(std::move(message)), looks_(looks) {}
+  void show(const View& view) override { message_ = view.message; }
+  Input wait(std::chrono::milliseconds) override {
+    Input input;
+    if (message_.find(awaited_) == std::string::npos)
+      input.kind = asked_ == 0 ? Input::Kind::kContinue : Input::Kind::kNone;
+    else if (++asked_ == looks_)
+      input.kind = word_;
+    return input;
+  }
+  bool unattended() const override { return false; }
+  int asked() const { return asked_; }
+
+ private:
+  Input::Kind word_;
+  std::string awaited_;
+  int looks_;
+  std::string message_{};
+  int asked_ = 0;
+};
+
+class Pinned : public testing::Test {
+ protected:
+  std::string socket() const { return folder_.path("ball.sock"); }
+
+  Journal begun_on(const Player& player) const {
+    RunStarted header;
+    header.participant = "P01";
+    header.experiment = preset("force-threshold");
+    header.ball = player.ball();
+    header.daemon = player.pin().daemon;
+    return Journal::create(folder_.path("run.jsonl"), header).value();
+  }
+  /// A run whose daemon dies when it is asked for a circle; `next` comes after it at its address.
+  RunEnd run(const json& next, const std::string& last, Input::Kind word) {
+    client::Address address;
+    address.path = socket();
+    FakeDaemon first(socket(),
+                     daemon_of(fake_answers("0000000000000001"), "effect.circle", before_));
+    auto player = Player::open({address}, 5s, 20s);
+    EXPECT_TRUE(player) << player.error().message;
+    Journal journal = begun_on(*player);
+    ScriptedDesk desk(word);
+    std::filesystem::remove(socket());
+    FakeDaemon second(socket(), daemon_of(next, last, after_));
+    Runner runner(journal, *std::move(player), desk, [&] { return after_ > 0; });
+    const auto end = runner.run();
+    asked_ = desk.asked();
+    journal_ = read_journal(folder_.path("run.jsonl")).value();
+    return end.value();
+  }
+  int count_changes() const {
+    int changes = 0;
+    for (const Line& line : journal_)
+      changes += std::holds_alternative<DaemonChanged>(line.event) ? 1 : 0;
+    return changes;
+  }
+
+  TemporaryFolder folder_;
+  std::atomic<int> before_ = 0;
+  std::atomic<int> after_ = 0;
+  int asked_ = 0;
+  std::vector<Line> journal_{};
+};
+
+TEST_F(Pinned, ARunPlaysNothingOnAnotherStartWithoutTheExperimentersWord) {
+  EXPECT_EQ(run(fake_answers("0000000000000002"), "never", Input::Kind::kStop), RunEnd::kStopped);
+  EXPECT_EQ(before_, 1);
+  EXPECT_EQ(after_, 0);
+  EXPECT_GE(asked_, 20);
+  EXPECT_EQ(count_changes(), 0);
+}
+
+TEST_F(Pinned, ARunGoesOnWhenTheExperimenterSaysSo) {
+  EXPECT_EQ(run(fake_answers("0000000000000002"), "effect.circle", Input::Kind::kContinue),
+            RunEnd::kStopped);
+  EXPECT_EQ(after_, 1);
+  EXPECT_EQ(count_changes(), 1);
+  EXPECT_EQ(RecordedRun::replay(journal_).value().pin().daemon.start_id, "0000000000000002");
+}
+
+TEST_F(Pinned, ADaemonThatTellsNoStartIsNotTakenForTheSameSimulator) {
+  EXPECT_EQ(run(fake_answers(), "never", Input::Kind::kStop), RunEnd::kStopped);
+  EXPECT_EQ(after_, 0);
+  EXPECT_GE(asked_, 20);
+}
+
+// Its address was one of several at which a daemon is looked for: only the first look is at all.
+TEST_F(Pinned, ARunGoesToNoOtherAddressWhenItsDaemonDies) {
+  client::Address address;
+  address.path = socket();
+  client::Address elsewhere;
+  elsewhere.path = folder_.path("other.sock");
+  std::atomic<bool> over = false;
+  std::atomic<bool> visited = false;
+  FakeDaemon other(elsewhere.path, [&](FakePeer&) { visited = !over; });
+  FakeDaemon first(socket(), daemon_of(fake_answers("0000000000000001"), "effect.circle", before_));
+  auto player = Player::open({address, elsewhere}, 5s, 20s);
+  ASSERT_TRUE(player) << player.error().message;
+  Journal journal = begun_on(*player);
+  std::filesystem::remove(socket());
+  ScriptedDesk desk(Input::Kind::kStop, "waiting for the ball", 1);
+  Runner runner(journal, *std::move(player), desk, [] { return false; });
+  EXPECT_EQ(runner.run().value(), RunEnd::kStopped);
+  EXPECT_EQ(before_, 1);
+  over = true;
+  // Whose conversation would not end by itself.
+  (void)client::Connection::open({elsewhere});
+  other.finish();
+  EXPECT_FALSE(visited);
+}
+
+TEST_F(Pinned, AConnectionThatWasLostComesBackByItself) {
+  EXPECT_EQ(run(fake_answers("0000000000000001"), "effect.circle", Input::Kind::kStop),
+            RunEnd::kStopped);
+  EXPECT_EQ(after_, 1);
+  EXPECT_EQ(asked_, 0);
+  EXPECT_EQ(count_changes(), 0);
+}
+
+}  // namespace
+}  // namespace hedgehog::study

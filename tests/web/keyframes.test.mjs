@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Key frames as the designer edits them; no browser, no daemon.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { angles, between, Keyframes, vector } from "../../clients/dashboard/src/keyframes.js";
+
+const off = (a, b) => (Math.acos(Math.min(1, a.reduce((sum, c, i) => sum + c * b[i], 0))) * 180) / Math.PI;
+
+test("key frames stay in order, and one replaces that of its time", () => {
+  const frames = new Keyframes();
+  frames.put({ t: 500, direction: [0, 2, 0], level: 1 });
+  assert.equal(frames.put({ t: 0, direction: [1, 0, 0], level: 0.5 }), 0);
+  frames.put({ t: 500, direction: [0, 0, 3], level: 2, ease: "smooth" });
+  assert.deepEqual(frames.wire(), [
+    { t_ms: 0, direction: [1, 0, 0], level: 0.5 }, { t_ms: 500, direction: [0, 0, 1], level: 1, ease: "smooth" }]);
+  assert.equal(frames.length(), 500);
+});
+
+test("between two key frames it goes along the great circle, as their ease says; beyond them it rests", () => {
+  const frames = new Keyframes();
+  frames.put({ t: 100, direction: [1, 0, 0], level: 0 });
+  frames.put({ t: 300, direction: [0, 1, 0], level: 1 });
+  assert.equal(frames.at(99), null);
+  assert.equal(frames.at(301), null);
+  assert.ok(off(frames.at(200).direction, vector(45, 0)) < 1e-4);
+  assert.equal(frames.at(200).level, 0.5);
+  frames.put({ ...frames.frames[0], ease: "step" });
+  assert.equal(frames.at(299).level, 0);
+  assert.ok(off(between([1, 0, 0], [-1, 0, 0], 0.5), [0, 0, 1]) < 1e-4, "opposite ones over the top");
+});
+
+test("angles are those of the protocol", () => {
+  assert.deepEqual(angles(vector(90, 20)), { azimuth: 90, elevation: 20 });
+  assert.ok(off(vector(90, 0), [0, 1, 0]) < 1e-4);
+});
+
+test("what was written is read again, and other directions of the protocol too", () => {
+  const read = Keyframes.read(JSON.stringify({ keyframes: [{ t_ms: 0, level: 1, direction: "left" },
+    { t_ms: 100, level: 0.5 }, { t_ms: 100, level: 0 }, { t_ms: 200, level: 1, direction: { azimuth_deg: -90 } },
+    { t_ms: 300, level: 0, direction: { pin: 7 } }] }), [{ number: 7, direction: [0, 0, 1] }]);
+  assert.deepEqual(read.frames.map(({ t }) => t), [0, 100, 101, 200, 300]);
+  assert.deepEqual(read.frames[1].direction, [0, 1, 0]);
+  assert.ok(off(read.frames[3].direction, [0, -1, 0]) < 1e-4);
+  assert.deepEqual(read.frames[4].direction, [0, 0, 1]);
+  assert.deepEqual(Keyframes.read(JSON.stringify({ keyframes: read.wire() })).wire(), read.wire());
+});
+
+test("a file that is no pattern is refused with what is wrong", () => {
+  const why = (value) => {
+    try {
+      Keyframes.read(typeof value === "string" ? value : JSON.stringify(value));
+      return "nothing";
+    } catch ({ message }) {
+      return message;
+    }
+  };
+  assert.equal(why("{"), "this file is no JSON");
+  assert.equal(why({}), "this file has no keyframes");
+  assert.equal(why({ keyframes: [{ t_ms: 5, level: 0 }, { t_ms: 1, level: 0 }] }), "its times are not in order");
+  assert.equal(why({ keyframes: [{ t_ms: 0, level: 2 }] }), "one of its levels is not 0 to 1");
+  assert.equal(why({ keyframes: [{ t_ms: 11_000, level: 1 }] }), "it is longer than the 10 s of this page");
+  assert.equal(why({ keyframes: [{ t_ms: 0, level: 1, direction: "there" }] }), "one of its directions is none");
+});
+
+test("a drag becomes few key frames that are off by at most the tolerance", () => {
+  const points = Array.from({ length: 300 }, (_, i) => ({
+    t: 10 * i, direction: vector(i < 150 ? i : 150, 30 * Math.sin(i / 40)) }));
+  const drawn = Keyframes.drawn(points, 0.7, 3);
+  assert.ok(drawn.frames.length < 25, `${drawn.frames.length}`);
+  assert.equal(drawn.length(), 2990);
+  for (const { t, direction } of points) assert.ok(off(drawn.at(t).direction, direction) <= 3.01, `${t}`);
+});

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// A game of its own for each test, perhaps with a daemon, and its page, open in one browser.
+import assert from "node:assert/strict";
+import { after, afterEach, before } from "node:test";
+
+import { Address } from "./address.mjs";
+import { Complaints, launch } from "./browser.mjs";
+import { Daemon } from "./daemon.mjs";
+import { kPatience } from "./patience.mjs";
+import { Racer } from "./racer.mjs";
+
+/** Software draws it: few pixels are enough to see that there is a picture. */
+export const kSmall = { viewport: { width: 640, height: 420 } };
+export const complaints = new Complaints();
+export let browser;
+export let racer;
+export let daemon;
+export let page;
+let address = null;
+
+before(async () => { browser = await launch(); });
+after(async () => { await browser?.close(); });
+afterEach(async () => {
+  await page?.context().close();
+  await racer?.end();
+  await daemon?.end();
+  await address?.end();
+  page = racer = daemon = address = null;
+  assert.deepEqual(complaints.take(), []);
+});
+
+export async function startDaemon(options) {
+  daemon = await Daemon.start(options);
+}
+
+export async function startRacer(options) {
+  racer = await Racer.start(options);
+  address?.leadTo(racer);
+}
+
+/** The pages opened from now on have an address at which the next game of this test will be, too. */
+export async function keepAddress() {
+  address = await Address.listen();
+  address.leadTo(racer);
+}
+
+/** A page with nothing on it. */
+export async function openBlank(device = kSmall) {
+  page = await (await browser.newContext(device)).newPage();
+}
+
+export async function open(device = kSmall) {
+  await openBlank(device);
+  page.setDefaultTimeout(kPatience.timeout);
+  complaints.watch(page);
+  await page.goto((address ?? racer).url);
+  await page.waitForSelector("body[data-link=open]", kPatience);
+  await page.waitForFunction(() => window.racer.frame > 1, null, kPatience);
+}
+
+export const until = (look, argument) => page.waitForFunction(look, argument, kPatience);
+export const at = () => page.evaluate(() => window.racer.scene().car.at);
