@@ -2,7 +2,7 @@
 # The menu. What it does stands in CMakePresets.json and cmake/.
 
 .DEFAULT_GOAL := help
-.PHONY: help deps run race demo test test-web test-usb test-all check bench asan tsan fuzz faults guards mutations coverage firmware clean
+.PHONY: help deps run race demo test deb test-deb test-web test-sdk test-openrpc test-json-rpc test-bids test-monitoring test-install test-usb test-all check bench asan tsan fuzz faults guards mutations coverage firmware stress clean
 
 JOBS ?= $(shell nproc)
 ARGS ?=
@@ -19,10 +19,19 @@ TEST_DEPS := $(BUILD_DEPS) build/.packages-test
 help:
 	@echo 'make run        the daemon on a simulated ball (ARGS="--speed 10" adds options)'
 	@echo 'make race       the racing game, beside make run or alone; its page is http://127.0.0.1:7585'
+	@echo 'make tools      hedgehogctl, for the ball of make run'
+	@echo 'make release    all programs as they ship; cmake --install build/release installs them'
 	@echo 'make demo       a 40-second tour in this terminal, on a daemon of its own'
 	@echo 'make test       build and run the tests (the first time: minutes)'
 	@echo 'make test-web   the pages in a browser without a screen'
+	@echo 'make test-sdk   the client libraries against a simulated daemon, and the table of who passes what'
+	@echo 'make test-openrpc  the machine-readable protocol with OpenRPC'"'"'s own tools'
+	@echo 'make test-json-rpc  the daemon with JSON-RPC clients that others wrote'
+	@echo 'make test-bids  a study'"'"'s export before the BIDS validator'
 	@echo 'make test-all   everything: linters, what ships, fault campaigns, pages, USB, sanitizers, fuzzers (40 minutes)'
+	@echo 'make test-install  what ships, installed, and a game compiled against it'
+	@echo 'make deb        Debian packages in build/deb; make test-deb tries them in a fresh Debian'
+	@echo 'make test-monitoring  the alert rules and the dashboard in Prometheus'
 	@echo 'make test-usb   real USB and HID: the daemon in a machine with Debian'"'"'s kernel, on emulated devices'
 	@echo 'make check      clang-format, shellcheck, clang-tidy; each file compiled by itself'
 	@echo 'make asan       the tests under AddressSanitizer and UBSan'
@@ -33,8 +42,11 @@ help:
 	@echo 'make guards     each safety guard taken out once: a test must go red'
 	@echo 'make mutations  safety code with one operator, constant or statement wrong: a test must go red (ARGS=--changed: your lines)'
 	@echo 'make coverage   every line of board core, limiter and watchdog is executed by the tests'
-	@echo 'make firmware   the board core for a Cortex-M0+: its size, its worst stack'
+	@echo 'make firmware   the reference board'"'"'s image in build/firmware, on an emulated RP2040 with a simulated ball'
+	@echo 'make firmware-guards  each guard of that image taken out once: a test must go red'
+	@echo 'make reference-board  the electrical rules of the driver board (firmware/board)'
 	@echo 'make bench      the benchmarks'
+	@echo 'make stress     all tests ROUNDS=5 times on a busy machine (half an hour a round and more)'
 	@echo 'make deps       install what is missing (Debian, Ubuntu: apt)'
 	@echo 'make clean      remove build/'
 
@@ -57,10 +69,22 @@ build/.packages-%: cmake/apt/%.txt cmake/bootstrap.sh
 
 deps: $(TEST_DEPS)
 
-.PHONY: release
-release: $(BUILD_DEPS)
+# What a target starts is built before anything else, and shown as it is built.
+BUILD_RELEASE := $(ONE_AT_A_TIME) cmake --build --preset release
+
+.PHONY: release-configured release
+release-configured: $(BUILD_DEPS)
 	@$(ONE_AT_A_TIME) cmake --preset release >build/release.log || { cat build/release.log; exit 1; }
-	@$(ONE_AT_A_TIME) cmake --build --preset release
+
+release: release-configured
+	@$(BUILD_RELEASE)
+	@$(MAKE) --no-print-directory dashboard racer-page || echo 'make: no pages this time; the daemon works without' >&2
+
+# hedgehogctl plays on what `make run` started: make tools, in another terminal.
+.PHONY: tools
+tools: release-configured
+	@echo 'make: building hedgehogctl'
+	@$(BUILD_RELEASE) --target hedgehogctl
 
 # node and npm from apt, unless there are some already (of another source, perhaps).
 build/.packages-dashboard: cmake/apt/dashboard.txt cmake/bootstrap.sh
@@ -69,7 +93,9 @@ build/.packages-dashboard: cmake/apt/dashboard.txt cmake/bootstrap.sh
 	@touch $@
 
 DASHBOARD := build/release/share/hedgehog/www
-DASHBOARD_SOURCES := $(wildcard clients/dashboard/*.* clients/dashboard/src/*)
+# What build.sh of both pages calls.
+BUNDLER := cmake/bundle.sh cmake/compress.sh cmake/npm.sh
+DASHBOARD_SOURCES := $(wildcard clients/dashboard/*.* clients/dashboard/src/*) $(BUNDLER)
 $(DASHBOARD)/index.html: $(DASHBOARD_SOURCES) build/.packages-dashboard
 	@$(ONE_AT_A_TIME) clients/dashboard/build.sh $(DASHBOARD)
 	@touch $@
@@ -79,7 +105,8 @@ dashboard: $(DASHBOARD)/index.html
 
 # The page of the racing game, with the dashboard's packages.
 RACER := build/release/share/hedgehog/racer
-RACER_SOURCES := $(wildcard clients/racer/page/*.* clients/racer/page/src/*) clients/dashboard/package-lock.json
+RACER_SOURCES := $(wildcard clients/racer/page/*.* clients/racer/page/src/*) $(BUNDLER) \
+  clients/dashboard/package-lock.json clients/dashboard/icon.svg
 $(RACER)/index.html: $(RACER_SOURCES) build/.packages-dashboard
 	@$(ONE_AT_A_TIME) clients/racer/page/build.sh $(RACER)
 	@touch $@
@@ -87,23 +114,51 @@ $(RACER)/index.html: $(RACER_SOURCES) build/.packages-dashboard
 .PHONY: racer-page
 racer-page: $(RACER)/index.html
 
-race: release
+race: release-configured
+	@echo 'make: building hedgehog-racer'
+	@$(BUILD_RELEASE) --target hedgehog-racer
 	@$(MAKE) --no-print-directory racer-page || echo 'make: no page this time; hedgehog-racer lap drives without one' >&2
 	build/release/clients/racer/hedgehog-racer $(ARGS)
 
 # The daemon is worth having without its pages too: npm may be out of reach.
-run: release
+run: release-configured
+	@echo 'make: building hedgehogd'
+	@$(BUILD_RELEASE) --target hedgehogd
+	@echo 'make: bundling the dashboard'
 	@$(MAKE) --no-print-directory dashboard || echo 'make: no dashboard this time; /ws, /metrics and /healthz work' >&2
 	build/release/daemon/hedgehogd --simulate $(ARGS)
 
 test-web: dashboard racer-page build/.packages-web $(CONFIGURED_DEV)
-	@$(LOCK_DEV) $(BUILD_DEV) --target hedgehogd hedgehog-racer
+	@$(LOCK_DEV) $(BUILD_DEV) --target hedgehogd hedgehog-racer hedgehog-study hedgehog-design
 	@mkdir -p build/dev/share/hedgehog
 	@ln -sfn $(CURDIR)/$(DASHBOARD) build/dev/share/hedgehog/www
 	@ln -sfn $(CURDIR)/$(RACER) build/dev/share/hedgehog/racer
 	@$(STAGE) 'tests web' tests/web/run.sh build/dev
 
-demo: release
+# The client libraries of all languages.
+test-sdk: $(CONFIGURED_DEV) build/.packages-dashboard build/.packages-csharp build/.packages-godot
+	@$(LOCK_DEV) $(BUILD_DEV) --target hedgehogd cpp_conformance cpp_racer slow_names
+	@$(STAGE) 'tests sdk' tests/sdk/run.sh build/dev
+
+test-openrpc: build/.packages-dashboard
+	@$(STAGE) 'tests openrpc' tests/openrpc/run.sh
+
+test-json-rpc: $(CONFIGURED_DEV) build/.packages-dashboard
+	@$(LOCK_DEV) $(BUILD_DEV) --target hedgehogd
+	@$(STAGE) 'tests json-rpc' tests/json_rpc/run.sh build/dev
+
+# Alert rules and dashboard in Debian's Prometheus.
+test-monitoring: build/.packages-monitoring $(CONFIGURED_DEV)
+	@$(LOCK_DEV) $(BUILD_DEV) --target hedgehogd
+	@$(STAGE) 'tests monitoring' tests/monitoring/run.sh build/dev
+
+test-bids: build/.packages-dashboard $(CONFIGURED_DEV)
+	@$(LOCK_DEV) $(BUILD_DEV) --target hedgehogd hedgehog-study
+	@$(STAGE) 'tests bids' tests/bids/run.sh build/dev
+
+demo: release-configured
+	@echo 'make: building hedgehogd and hedgehogctl'
+	@$(BUILD_RELEASE) --target hedgehogd hedgehogctl
 	@build/release/clients/ctl/hedgehogctl demo --private $(ARGS)
 
 build/%/build.ninja: CMakePresets.json $(TEST_DEPS)
@@ -136,10 +191,31 @@ faults: $(CONFIGURED_BENCH)
 	$(LOCK_BENCH) $(BUILD_BENCH) --target campaigns
 	@set -e; for program in build/bench/tests/campaign/campaign_*; do echo "$$program"; "$$program"; done
 
-firmware: $(CONFIGURED_DEV) build/.packages-firmware
-	@$(STAGE) 'build firmware' tests/firmware/build.sh build/firmware
-	@$(LOCK_DEV) $(BUILD_DEV) --target firmware_vectors
-	@$(STAGE) 'tests firmware' tests/firmware/compare.sh build/dev/tests/firmware/firmware_vectors build/firmware/vectors.elf
+FIRMWARE_IMAGE := build/dev/firmware/firmware_image
+firmware: $(CONFIGURED_DEV) build/.packages-firmware build/.packages-dashboard
+	@$(LOCK_DEV) $(BUILD_DEV) --target firmware_image firmware_plant firmware_vectors hedgehogd hedgehogctl
+	@$(STAGE) 'build firmware' firmware/build.sh build/firmware $(FIRMWARE_IMAGE)
+	@build/dev/clients/ctl/hedgehogctl board flash --check build/firmware/hedgehog-board.uf2
+	@$(STAGE) 'build vectors' tests/firmware/build.sh build/firmware
+	@$(STAGE) 'tests reproducible' tests/firmware/reproducible.sh build/firmware $(FIRMWARE_IMAGE)
+	@$(STAGE) 'tests vectors' tests/firmware/compare.sh build/dev/tests/firmware/firmware_vectors build/firmware/vectors.elf
+	@$(STAGE) 'tests firmware' tests/firmware/emulated/run.sh build/firmware/hedgehog-board.elf \
+	  build/dev/tests/firmware/firmware_plant build/npm/firmware build/dev
+
+# Each guard of the image taken out once: a test must go red. ARGS: a word of its name or hazard.
+.PHONY: firmware-guards
+firmware-guards: $(CONFIGURED_DEV) build/.packages-firmware build/.packages-dashboard
+	@$(LOCK_DEV) $(BUILD_DEV) --target firmware_image firmware_plant hedgehogd
+	@firmware/build.sh build/firmware $(FIRMWARE_IMAGE) >/dev/null
+	@$(STAGE) 'firmware guards' tests/firmware/emulated/run.sh build/firmware/hedgehog-board.elf build/dev/tests/firmware/firmware_plant \
+	  build/npm/firmware build/dev guards $(FIRMWARE_IMAGE) $(ARGS)
+
+# The rules of the driver board's netlist, and whether each finds what breaks it. Node has them all; no npm.
+.PHONY: reference-board
+firmware: reference-board
+reference-board: build/.packages-dashboard
+	@node firmware/board/board.mjs check
+	@$(STAGE) 'tests reference-board' node --test tests/firmware_board/
 
 # The guest runs what ships: an emulated processor has no time for code that is not optimised.
 test-usb: shipped $(CONFIGURED_DEV) build/.packages-vm
@@ -159,6 +235,22 @@ test-shipped: shipped dev
 .PHONY: faults-ci
 faults-ci: shipped
 	@$(STAGE) 'fault campaigns' ctest --preset campaign -j $(JOBS)
+
+# What ships in a prefix of its own, and the C++ program of clients/README.md compiled against it.
+.PHONY: test-install
+test-install: shipped
+	@$(STAGE) 'tests install' tests/install/run.sh build/bench
+
+# Debian packages of what `make release` built, or of another build: PACKED=build/bench.
+PACKED ?= build/release
+deb: build/.packages-deb
+	@$(MAKE) --no-print-directory $(if $(filter build/bench,$(PACKED)),shipped dashboard racer-page,release)
+	@$(if $(filter build/release,$(PACKED)),,mkdir -p $(PACKED)/share && cp -rT build/release/share/hedgehog $(PACKED)/share/hedgehog)
+	@$(STAGE) 'build deb' cmake/deb.sh $(PACKED) build/deb
+
+# Installed, used, upgraded and purged in a fresh system below build/.
+test-deb: deb
+	@$(STAGE) 'tests deb' tests/deb/run.sh build/deb
 
 # Ten simulated people through the three experiments, runner and daemon killed twenty times.
 .PHONY: rehearsal
@@ -180,33 +272,34 @@ bench: $(CONFIGURED_BENCH)
 	$(LOCK_BENCH) $(BUILD_BENCH) --target benchmarks
 	@set -e; for program in build/bench/tests/bench/bench_*; do "$$program" --benchmark_min_time=0.2; done
 
-# What waits most of the time goes on beside what computes; its output comes when it has ended.
-.PHONY: waiting computing
+# What waits most of the time goes on beside what computes; its output comes when it has ended. A stage that fails keeps
+# none of the others from being tried.
+each_of = @code=0; for one in $(1); do eval "$(MAKE) $$one" || code=1; done; exit $$code
+.PHONY: waiting computing checked
 waiting:
-	$(MAKE) rehearsal
-	$(MAKE) test-web
-	$(MAKE) test-shipped
-	$(MAKE) test-usb
+	$(call each_of,test-openrpc test-json-rpc rehearsal test-sdk test-web test-bids test-monitoring test-shipped test-install \
+	  'test-deb PACKED=build/bench' test-usb)
 
 # Whose mutants have all been judged once; the other files of tests/mutations/scope.txt still have survivors.
 MUTATED := board_core.cpp heat_budget.h persistence.h thermal_limiter.cpp link.cpp
 computing:
-	$(MAKE) shipped
-	$(MAKE) check CHECKS=tidy-product
-	$(MAKE) guards ARGS=--third
-	$(MAKE) mutations ARGS="--changed $(MUTATED:%=--file %)"
-	$(MAKE) coverage
-	$(MAKE) faults-ci
-	$(MAKE) tsan
-	$(MAKE) asan
-	$(MAKE) fuzz FUZZ_SECONDS=10
+	$(call each_of,shipped 'guards ARGS=--third' firmware-guards "mutations ARGS='--changed $(MUTATED:%=--file %)'" coverage \
+	  faults-ci tsan asan 'fuzz FUZZ_SECONDS=10')
+
+checked:
+	$(call each_of,shipped 'check CHECKS="tidy-product alone-third"' computing)
 
 # What is quick and fails often comes first.
 test-all: $(TEST_DEPS)
 	$(MAKE) check CHECKS='format shell'
 	$(MAKE) firmware
 	$(MAKE) $(CONFIGURED_BENCH)
-	tests/side_by_side.sh waiting computing
+	tests/side_by_side.sh waiting checked
+
+# All tests again and again on a machine that has no time for them.
+ROUNDS ?= 5
+stress: build/.packages-stress
+	tests/stress.sh $(ROUNDS)
 
 clean:
 	rm -rf build

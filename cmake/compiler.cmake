@@ -4,19 +4,27 @@
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
-set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
-# Spelt out, because libraries and programs must agree for a shared precompiled header.
-add_compile_options(-fPIE)
-add_link_options(-pie)
 
-if(NOT CMAKE_BUILD_TYPE)
-  set(CMAKE_BUILD_TYPE RelWithDebInfo)
+# A game that builds the client library as a part of itself decides these.
+if(PROJECT_IS_TOP_LEVEL)
+  set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+  # Spelt out, because libraries and programs must agree for a shared precompiled header.
+  add_compile_options(-fPIE)
+  add_link_options(-pie)
+
+  if(NOT CMAKE_BUILD_TYPE)
+    set(CMAKE_BUILD_TYPE RelWithDebInfo)
+  endif()
+
+  # Development builds keep assert(); layers that simulate hours of heat ask for -O2 themselves (layer.cmake).
+  set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O0 -g1")
+  set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
+  add_compile_definitions($<$<CONFIG:RelWithDebInfo,Debug>:_GLIBCXX_ASSERTIONS>)
+  # As Debian hardens its own programs. No path of the machine that compiled stays in them.
+  add_compile_options($<$<CONFIG:Release>:-fstack-protector-strong> "$<$<CONFIG:Release>:-ffile-prefix-map=${CMAKE_SOURCE_DIR}=.>")
+  add_compile_definitions($<$<CONFIG:Release>:_FORTIFY_SOURCE=2>)
+  add_link_options($<$<CONFIG:Release>:-Wl,-z,relro,-z,now>)
 endif()
-
-# Development builds keep assert(); layers that simulate hours of heat ask for -O2 themselves (layer.cmake).
-set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O0 -g1")
-set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
-add_compile_definitions($<$<CONFIG:RelWithDebInfo,Debug>:_GLIBCXX_ASSERTIONS>)
 
 # A replay must be bit for bit, so no fused multiply-add may appear where the source has none.
 add_compile_options(-ffp-contract=off)
@@ -39,8 +47,10 @@ endif()
 
 add_library(hedgehog_warnings INTERFACE)
 # -Wconversion means less to g++ than to clang; sign changes are left out for both.
-target_compile_options(hedgehog_warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion -Wshadow
-                                                   -Werror)
+if(PROJECT_IS_TOP_LEVEL)
+  target_compile_options(hedgehog_warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion
+                                                     -Wshadow -Werror)
+endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   # g++ 12 sees overlaps and overruns in std::string that are none (its bugs 105329, 105651); AddressSanitizer sees the
   # real ones.
