@@ -50,8 +50,12 @@ help:
 	@echo 'make deps       install what is missing (Debian, Ubuntu: apt)'
 	@echo 'make clean      remove build/'
 
-# make run and make race may start at once, in two terminals: what both need is made once.
-ONE_AT_A_TIME := flock build/.lock
+# make run and make race may start at once, in two terminals: what both need is made once. Packages, pages and programs
+# have locks of their own, so that pages are bundled while programs are compiled.
+LOCK_PACKAGES := flock build/.lock-packages
+LOCK_PAGES := flock build/.lock-pages
+LOCK_RUN := flock build/.lock-run
+LOCK_RELEASE := flock build/.lock-release
 
 # Targets that are made side by side share these builds: each is configured once (ninja does it again when a list of
 # files changes) and built by one ninja at a time.
@@ -64,69 +68,77 @@ BUILD_BENCH := cmake --build --preset bench
 
 build/.packages-%: cmake/apt/%.txt cmake/bootstrap.sh
 	@mkdir -p build
-	@$(ONE_AT_A_TIME) cmake/bootstrap.sh $*
+	@$(LOCK_PACKAGES) cmake/bootstrap.sh $*
 	@touch $@
 
 deps: $(TEST_DEPS)
 
-# What a target starts is built before anything else, and shown as it is built.
-BUILD_RELEASE := $(ONE_AT_A_TIME) cmake --build --preset release
+# Programs that are started at once: what they need and no more, in batches, so that a newcomer does not wait for long.
+BUILD_RUN := $(LOCK_RUN) cmake --build --preset run
+.PHONY: run-configured
+run-configured: $(BUILD_DEPS)
+	@$(LOCK_RUN) cmake --preset run >build/run.log || { cat build/run.log; exit 1; }
 
-.PHONY: release-configured release
-release-configured: $(BUILD_DEPS)
-	@$(ONE_AT_A_TIME) cmake --preset release >build/release.log || { cat build/release.log; exit 1; }
-
-release: release-configured
-	@$(BUILD_RELEASE)
-	@$(MAKE) --no-print-directory dashboard racer-page || echo 'make: no pages this time; the daemon works without' >&2
+# What ships: each file by itself.
+.PHONY: release
+release: $(BUILD_DEPS) pages
+	@$(LOCK_RELEASE) cmake --preset release >build/release.log || { cat build/release.log; exit 1; }
+	@$(LOCK_RELEASE) cmake --build --preset release
+	@mkdir -p build/release/share && cp -rT $(PAGES) build/release/share/hedgehog
 
 # hedgehogctl plays on what `make run` started: make tools, in another terminal.
 .PHONY: tools
-tools: release-configured
+tools: run-configured
 	@echo 'make: building hedgehogctl'
-	@$(BUILD_RELEASE) --target hedgehogctl
+	@$(BUILD_RUN) --target hedgehogctl
 
 # node and npm from apt, unless there are some already (of another source, perhaps).
 build/.packages-dashboard: cmake/apt/dashboard.txt cmake/bootstrap.sh
 	@mkdir -p build
-	@{ command -v node && command -v npm; } >/dev/null || $(ONE_AT_A_TIME) cmake/bootstrap.sh dashboard
+	@{ command -v node && command -v npm; } >/dev/null || $(LOCK_PACKAGES) cmake/bootstrap.sh dashboard
 	@touch $@
 
-DASHBOARD := build/release/share/hedgehog/www
+PAGES := build/run/share/hedgehog
+DASHBOARD := $(PAGES)/www
 # What build.sh of both pages calls.
 BUNDLER := cmake/bundle.sh cmake/compress.sh cmake/npm.sh
 DASHBOARD_SOURCES := $(wildcard clients/dashboard/*.* clients/dashboard/src/*) $(BUNDLER)
 $(DASHBOARD)/index.html: $(DASHBOARD_SOURCES) build/.packages-dashboard
-	@$(ONE_AT_A_TIME) clients/dashboard/build.sh $(DASHBOARD)
+	@$(LOCK_PAGES) clients/dashboard/build.sh $(DASHBOARD)
 	@touch $@
 
 .PHONY: dashboard
 dashboard: $(DASHBOARD)/index.html
 
 # The page of the racing game, with the dashboard's packages.
-RACER := build/release/share/hedgehog/racer
+RACER := $(PAGES)/racer
 RACER_SOURCES := $(wildcard clients/racer/page/*.* clients/racer/page/src/*) $(BUNDLER) \
   clients/dashboard/package-lock.json clients/dashboard/icon.svg
 $(RACER)/index.html: $(RACER_SOURCES) build/.packages-dashboard
-	@$(ONE_AT_A_TIME) clients/racer/page/build.sh $(RACER)
+	@$(LOCK_PAGES) clients/racer/page/build.sh $(RACER)
 	@touch $@
 
 .PHONY: racer-page
 racer-page: $(RACER)/index.html
 
-race: release-configured
-	@echo 'make: building hedgehog-racer'
-	@$(BUILD_RELEASE) --target hedgehog-racer
-	@$(MAKE) --no-print-directory racer-page || echo 'make: no page this time; hedgehog-racer lap drives without one' >&2
-	build/release/clients/racer/hedgehog-racer $(ARGS)
+# Programs are worth having without their pages: npm may be out of reach.
+.PHONY: pages dashboard-tried racer-page-tried hedgehogd-built hedgehog-racer-built
+pages: dashboard-tried racer-page-tried
+	@mkdir -p $(PAGES)
+dashboard-tried racer-page-tried: %-tried:
+	@$(MAKE) --no-print-directory $* >build/$*.log 2>&1 || \
+	  { tail -n 3 build/$*.log; echo 'make: no $* this time (build/$*.log); the programs work without it'; } >&2
+hedgehogd-built hedgehog-racer-built: %-built: run-configured
+	@echo 'make: building $*'
+	@$(BUILD_RUN) --target $*
 
-# The daemon is worth having without its pages too: npm may be out of reach.
-run: release-configured
-	@echo 'make: building hedgehogd'
-	@$(BUILD_RELEASE) --target hedgehogd
-	@echo 'make: bundling the dashboard'
-	@$(MAKE) --no-print-directory dashboard || echo 'make: no dashboard this time; /ws, /metrics and /healthz work' >&2
-	build/release/daemon/hedgehogd --simulate $(ARGS)
+race: run-configured
+	@$(MAKE) --no-print-directory -j 2 hedgehog-racer-built racer-page-tried
+	build/run/clients/racer/hedgehog-racer $(ARGS)
+
+run: run-configured
+	@$(MAKE) --no-print-directory -j 2 hedgehogd-built dashboard-tried
+	build/run/daemon/hedgehogd --simulate $(ARGS)
 
 test-web: dashboard racer-page build/.packages-web $(CONFIGURED_DEV)
 	@$(LOCK_DEV) $(BUILD_DEV) --target hedgehogd hedgehog-racer hedgehog-study hedgehog-design
@@ -156,10 +168,10 @@ test-bids: build/.packages-dashboard $(CONFIGURED_DEV)
 	@$(LOCK_DEV) $(BUILD_DEV) --target hedgehogd hedgehog-study
 	@$(STAGE) 'tests bids' tests/bids/run.sh build/dev
 
-demo: release-configured
+demo: run-configured
 	@echo 'make: building hedgehogd and hedgehogctl'
-	@$(BUILD_RELEASE) --target hedgehogd hedgehogctl
-	@build/release/clients/ctl/hedgehogctl demo --private $(ARGS)
+	@$(BUILD_RUN) --target hedgehogd hedgehogctl
+	@build/run/clients/ctl/hedgehogctl demo --private $(ARGS)
 
 build/%/build.ninja: CMakePresets.json $(TEST_DEPS)
 	cmake --preset $*
@@ -245,7 +257,7 @@ test-install: shipped
 PACKED ?= build/release
 deb: build/.packages-deb
 	@$(MAKE) --no-print-directory $(if $(filter build/bench,$(PACKED)),shipped dashboard racer-page,release)
-	@$(if $(filter build/release,$(PACKED)),,mkdir -p $(PACKED)/share && cp -rT build/release/share/hedgehog $(PACKED)/share/hedgehog)
+	@$(if $(filter build/release,$(PACKED)),,mkdir -p $(PACKED)/share && cp -rT $(PAGES) $(PACKED)/share/hedgehog)
 	@$(STAGE) 'build deb' cmake/deb.sh $(PACKED) build/deb
 
 # Installed, used, upgraded and purged in a fresh system below build/.

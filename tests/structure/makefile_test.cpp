@@ -26,7 +26,7 @@ std::string commands_of(const std::string& target) {
 }
 
 TEST(FirstRun, BuildsOnlyWhatItStarts) {
-  const std::string build = "cmake --build --preset release";
+  const std::string build = "cmake --build --preset run";
   const auto expect_only = [&](const std::string& target, const std::string& programs) {
     const std::string commands = commands_of(target);
     EXPECT_THAT(commands, HasSubstr(build + " --target " + programs + "\n")) << target;
@@ -36,7 +36,7 @@ TEST(FirstRun, BuildsOnlyWhatItStarts) {
   expect_only("demo", "hedgehogd hedgehogctl");
   expect_only("race", "hedgehog-racer");
   expect_only("tools", "hedgehogctl");
-  EXPECT_THAT(commands_of("release"), HasSubstr(build + "\n")) << "and that builds all";
+  EXPECT_THAT(commands_of("release"), HasSubstr("cmake --build --preset release\n")) << "and that builds all";
 }
 
 /// "clients/dashboard/index.html ..." of "FILE: ..." in make's own list of rules.
@@ -51,7 +51,7 @@ std::string prerequisites_of(const std::string& file) {
 TEST(Pages, AreMadeAgainWhenWhatMakesThemChanges) {
   for (const std::string page : {"www", "racer"}) {
     const std::string prerequisites =
-        prerequisites_of("build/release/share/hedgehog/" + page + "/index.html");
+        prerequisites_of("build/run/share/hedgehog/" + page + "/index.html");
     for (const char* script : {"build.sh", "cmake/bundle.sh", "cmake/compress.sh", "cmake/npm.sh",
                                "clients/dashboard/package-lock.json", "icon.svg"})
       EXPECT_THAT(prerequisites, HasSubstr(script)) << page;
