@@ -29,25 +29,6 @@ constexpr double kWhole = 1.0 - 1e-6;
 constexpr double kFullDuty = model::Fan::kFullDuty;
 constexpr control::EffectId kOnly = 1;
 
-/// The mean of what was added.
-class Mean {
- public:
-  void add(const Vec3& value) {
-    sum_ = sum_ + value;
-    ++count_;
-  }
-  std::array<double, 3> take() {
-    const Vec3 mean = (1.0 / static_cast<double>(count_)) * sum_;
-    *this = Mean();
-    return {mean.x, mean.y, mean.z};
-  }
-  Tick count() const noexcept { return count_; }
-
- private:
-  Vec3 sum_;
-  Tick count_ = 0;
-};
-
 model::Plant plant_now(const DeviceView& device_view, model::Fan& fan) {
   const control::StatusSnapshot& now = device_view.now();
   const config::Config& config = device_view.config();
@@ -65,6 +46,25 @@ model::Plant plant_now(const DeviceView& device_view, model::Fan& fan) {
 }  // namespace
 
 struct Preview::World {
+  /// Mean of the values added since the last take().
+  class Mean {
+   public:
+    void add(const Vec3& value) {
+      sum_ = sum_ + value;
+      ++count_;
+    }
+    std::array<double, 3> take() {
+      const Vec3 mean = (1.0 / static_cast<double>(count_)) * sum_;
+      *this = Mean();
+      return {mean.x, mean.y, mean.z};
+    }
+    Tick count() const noexcept { return count_; }
+
+   private:
+    Vec3 sum_;
+    Tick count_ = 0;
+  };
+
   explicit World(const DeviceView& device_view)
       : gain(device_view.gain()),
         orientation(device_view.now().orientation),
