@@ -26,7 +26,7 @@ help:
 	@echo 'make test-web   the pages in a browser without a screen'
 	@echo 'make test-sdk   the client libraries against a simulated daemon, and the table of who passes what'
 	@echo 'make test-openrpc  the machine-readable protocol with OpenRPC'"'"'s own tools'
-	@echo 'make test-json-rpc  the daemon with JSON-RPC clients that others wrote'
+	@echo 'make test-json-rpc  the daemon with JSON-RPC clients and JSON documents that others wrote'
 	@echo 'make test-bids  a study'"'"'s export before the BIDS validator'
 	@echo 'make test-all   everything: linters, what ships, fault campaigns, pages, USB, sanitizers, fuzzers (40 minutes)'
 	@echo 'make test-install  what ships, installed, and a game compiled against it'
@@ -155,8 +155,8 @@ test-sdk: $(CONFIGURED_DEV) build/.packages-dashboard build/.packages-csharp bui
 test-openrpc: build/.packages-dashboard
 	@$(STAGE) 'tests openrpc' tests/openrpc/run.sh
 
-test-json-rpc: $(CONFIGURED_DEV) build/.packages-dashboard
-	@$(LOCK_DEV) $(BUILD_DEV) --target hedgehogd
+test-json-rpc: $(CONFIGURED_DEV) build/.packages-dashboard build/.packages-json_rpc
+	@$(LOCK_DEV) $(BUILD_DEV) --target hedgehogd json_readers
 	@$(STAGE) 'tests json-rpc' tests/json_rpc/run.sh build/dev
 
 # Alert rules and dashboard in Debian's Prometheus.

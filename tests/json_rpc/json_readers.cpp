@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// What each reader of JSON makes of a document: a line of stdin is a document in hexadecimal, the line of stdout has an
+// `r` (read) or an `x` (refused) for each reader of kReaders.
+#include <cstddef>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+#include "base/parse_json.h"
+#include "daemon/config/json_text.h"
+#include "protocol/wire/json.h"
+
+namespace {
+
+namespace base = hedgehog::base;
+using Reader = bool (*)(std::string_view);
+
+/// As on the wire, with which patterns and imported files are read too.
+bool wire(std::string_view text) {
+  constexpr std::size_t kMaxNesting = 32;
+  return bool(hedgehog::protocol::parse_json(text, kMaxNesting));
+}
+
+bool saved_file(std::string_view text) { return base::parse_json<nlohmann::json>(text).good(); }
+
+bool written_file(std::string_view text) {
+  return base::parse_json<nlohmann::ordered_json>(text, base::JsonComments::kAllowed).good();
+}
+
+bool configuration(std::string_view text) {
+  return bool(hedgehog::config::parse_json(text, "document"));
+}
+
+constexpr Reader kReaders[] = {wire, saved_file, written_file, configuration};
+
+int digit(char c) { return c <= '9' ? c - '0' : c - 'a' + 10; }
+
+std::string from_hexadecimal(const std::string& line) {
+  std::string bytes;
+  for (std::size_t i = 0; i + 1 < line.size(); i += 2)
+    bytes += static_cast<char>(digit(line[i]) << 4 | digit(line[i + 1]));
+  return bytes;
+}
+
+}  // namespace
+
+int main() {
+  for (std::string line; std::getline(std::cin, line);) {
+    const std::string document = from_hexadecimal(line);
+    for (const Reader reads : kReaders) std::cout << (reads(document) ? 'r' : 'x');
+    std::cout << '\n';
+  }
+}

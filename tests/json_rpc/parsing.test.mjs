@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// Each document of JSONTestSuite sent to a real daemon: as a message, as the parameters of a request, and as an id.
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+
+import { Daemon } from '../web/daemon.mjs';
+import { documents, is_refused, is_utf8, of_kind, unknown_rows } from './json_test_suite.mjs';
+import { TcpWire, WebSocketWire } from './wire.mjs';
+
+const kParseError = -32700;
+const kInvalidRequest = -32600;
+const kInvalidParams = -32602;
+const kMaxId = 2 ** 53;
+const kLineFeed = 0x0a;
+
+let daemon;
+before(async () => { daemon = await Daemon.start(); });
+after(() => daemon.end());
+
+const joined = (...parts) => Buffer.concat(parts.map((part) => Buffer.from(part)));
+/** A line feed at its end would end the message on TCP. */
+const as_params = ({ name, bytes }) =>
+  joined(`{"jsonrpc":"2.0","id":${JSON.stringify(name)},"method":"ping","params":`,
+    bytes.at(-1) === kLineFeed ? bytes.subarray(0, -1) : bytes, '}');
+
+function expect_parse_error(answers, name) {
+  assert.equal(answers.length, 1, `${name}: ${JSON.stringify(answers)}`);
+  assert.equal(answers[0].id, null, name);
+  assert.equal(answers[0].error?.code, kParseError, `${name}: ${JSON.stringify(answers)}`);
+}
+
+/** A document of the suite is no request, and a list a batch of none; one document has an id. */
+function expect_invalid_request(answers, { name, text }) {
+  const value = JSON.parse(text.replace(/^\ufeff/, ''));
+  const batch = Array.isArray(value) && value.length > 0;
+  assert.equal(answers.length, 1, name);
+  const errors = batch ? answers[0] : answers;
+  assert.equal(errors.length, batch ? value.length : 1, name);
+  for (const [i, { id, error }] of errors.entries()) {
+    const request = batch ? value[i] : value;
+    assert.deepEqual([id, error.code], [request?.id ?? null, kInvalidRequest], name);
+  }
+}
+
+function expect_as_params(answers, { name, text }) {
+  assert.equal(answers.length, 1, name);
+  assert.equal(answers[0].id, name);
+  if (text.trim() === '{}') assert.ok(answers[0].result.time_ns > 0, name);
+  else assert.equal(answers[0].error?.code, kInvalidParams, name);
+}
+
+/** A string or a number comes back as the same; what may be no id is refused, but read. */
+function expect_as_id(answers, value, name) {
+  assert.equal(answers.length, 1, name);
+  const is_id = typeof value === 'string' || value === null || Math.abs(typeof value === 'number' ? value : NaN) <= kMaxId;
+  if (!is_id) {
+    assert.deepEqual([answers[0].id, answers[0].error?.code], [null, kInvalidRequest], name);
+    return;
+  }
+  assert.ok(answers[0].result.time_ns > 0, name);
+  // -0 is 0.
+  assert.ok(answers[0].id === value, `${name}: ${JSON.stringify(value)} became ${JSON.stringify(answers[0].id)}`);
+}
+
+/** A list of one is what stands in it: most documents are lists for the sake of older JSON. */
+function as_id({ text }) {
+  const value = JSON.parse(text);
+  if (!Array.isArray(value) || value.length !== 1) return { value, json: text };
+  return { value: value[0], json: text.trim().slice(1, -1) };
+}
+
+test('the package has all documents, and README.md no others', () => {
+  assert.deepEqual(['y', 'n', 'i'].map((kind) => of_kind(kind).filter(is_utf8).length), [95, 188, 35]);
+  assert.deepEqual(unknown_rows, []);
+});
+
+const transports = [
+  // On TCP a line feed ends a message.
+  { transport: 'TCP', open: TcpWire.open, takes: ({ bytes }) => !bytes.subarray(0, -1).includes(kLineFeed), on_bad_utf8: null },
+  { transport: 'WebSocket', open: WebSocketWire.open, takes: () => true, on_bad_utf8: 1007 },
+];
+
+for (const { transport, open, takes, on_bad_utf8 } of transports) {
+  describe(`on ${transport}`, () => {
+    const ours = (kind) => of_kind(kind).filter(takes);
+    let wire;
+    before(async () => { wire = await open(daemon); });
+    after(() => wire.end());
+
+    async function exchange(bytes) {
+      const { answers, closed } = await wire.exchange(bytes);
+      assert.equal(closed, null);
+      return answers;
+    }
+
+    async function expect_refused(document) {
+      for (const bytes of [document.bytes, as_params(document)]) {
+        if (is_utf8(document) || on_bad_utf8 === null) {
+          expect_parse_error(await exchange(bytes), document.name);
+          continue;
+        }
+        assert.deepEqual(await wire.exchange(bytes), { answers: [], closed: on_bad_utf8 }, document.name);
+        wire = await open(daemon);
+      }
+    }
+
+    async function expect_read(document) {
+      expect_invalid_request(await exchange(document.bytes), document);
+    }
+
+    test('what is JSON is read', async () => {
+      for (const document of ours('y').filter((document) => !is_refused(document))) {
+        await expect_read(document);
+        expect_as_params(await exchange(as_params(document)), document);
+        const { value, json } = as_id(document);
+        const request = `{"jsonrpc":"2.0","id":${json},"method":"ping"}`;
+        expect_as_id(await exchange(Buffer.from(request)), value, document.name);
+      }
+    });
+
+    test('JSON beyond a documented limit is a parse error', async () => {
+      for (const document of ours('y').filter(is_refused)) await expect_refused(document);
+    });
+
+    test('what is no JSON is a parse error, and the next request is answered', async () => {
+      for (const document of ours('n')) await expect_refused(document);
+    });
+
+    test('what JSON leaves open is answered as README.md says', async () => {
+      for (const document of ours('i')) await (is_refused(document) ? expect_refused(document) : expect_read(document));
+    });
+  });
+}
+
+test('as the first line on TCP it is answered if it begins as a request does; otherwise the connection is closed', async () => {
+  for (const { name, bytes } of documents) {
+    const wire = await TcpWire.open(daemon);
+    const { answers, closed } = await wire.exchange(bytes);
+    wire.end();
+    const first = bytes.find((byte) => byte !== kLineFeed && byte !== 0x0d);
+    // Nothing before the ping.
+    const begins_well = first === undefined || first === 0x5b || first === 0x7b;
+    assert.equal(closed, begins_well ? null : 'connection', name);
+    assert.equal(answers.length > 0, begins_well, name);
+  }
+});
