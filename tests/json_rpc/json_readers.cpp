@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What each reader of JSON makes of a document: a line of stdin is a document in hexadecimal, the line of stdout has an
-// `r` (read) or an `x` (refused) for each reader of kReaders.
+// What each reader of JSON makes of a document: a line of stdin is a document in hexadecimal, the
+// line of stdout has an `r` (read) or an `x` (refused) for each reader of kReaders.
 #include <cstddef>
 #include <iostream>
 #include <nlohmann/json.hpp>

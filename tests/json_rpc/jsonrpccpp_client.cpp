@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// jsonrpccpp_client SOCKET: Debian's libjson-rpc-cpp with the daemon on that Unix socket. Exit: 0 answered as it expects.
-// In C++14: the library's headers have exception specifications.
+// jsonrpccpp_client SOCKET: Debian's libjson-rpc-cpp with the daemon on that Unix socket. Exit: 0
+// answered as it expects. In C++14: the library's headers have exception specifications.
 #include <jsonrpccpp/client.h>
 #include <jsonrpccpp/client/connectors/unixdomainsocketclient.h>
 
