@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "base/parse_json.h"
+#include "clients/lib/import/import.h"
 #include "daemon/config/json_text.h"
 #include "protocol/wire/json.h"
 
@@ -16,7 +17,7 @@ namespace {
 namespace base = hedgehog::base;
 using Reader = bool (*)(std::string_view);
 
-/// As on the wire, with which patterns and imported files are read too.
+/// As patterns are read too.
 bool wire(std::string_view text) {
   constexpr std::size_t kMaxNesting = 32;
   return bool(hedgehog::protocol::parse_json(text, kMaxNesting));
@@ -32,7 +33,13 @@ bool configuration(std::string_view text) {
   return bool(hedgehog::config::parse_json(text, "document"));
 }
 
-constexpr Reader kReaders[] = {wire, saved_file, written_file, configuration};
+/// AHAP or HJIF. None of the documents is, but the sentence about that comes after reading.
+bool imported_file(std::string_view text) {
+  const auto imported = hedgehog::client::import_pattern(text);
+  return !imported && imported.error().message.find("neither AHAP") != std::string::npos;
+}
+
+constexpr Reader kReaders[] = {wire, saved_file, written_file, configuration, imported_file};
 
 int digit(char c) { return c <= '9' ? c - '0' : c - 'a' + 10; }
 

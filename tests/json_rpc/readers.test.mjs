@@ -9,11 +9,16 @@ import { text } from 'node:stream/consumers';
 import { documents, is_refused } from './json_test_suite.mjs';
 
 /** As json_readers.cpp has them. */
-const kReaders = ['wire', 'saved_file', 'written_file', 'configuration'];
+const kReaders = ['wire', 'saved_file', 'written_file', 'configuration', 'imported_file'];
 
 /** Documents that are no JSON but for their comments. */
 const kCommented = [
   'n_object_trailing_comment', 'n_object_trailing_comment_slash_open', 'n_structure_object_with_comment',
+];
+/** Documents that are no JSON but for a comma behind a last item. */
+const kTrailingComma = [
+  'n_array_extra_comma', 'n_array_number_and_comma', 'n_object_trailing_comma',
+  'n_object_lone_continuation_byte_in_key_and_trailing_comma', // with U+FFFD, as the package has it
 ];
 /** Files of the programs' own and of experimenters may have a name twice, the last counts, and be nested deeply. */
 const kBeyondTheWire = ['y_object_duplicated_key', 'y_object_duplicated_key_and_value', 'i_structure_500_nested_arrays'];
@@ -49,4 +54,8 @@ test('files that people write may have comments too', () => {
 test('so may the configuration', () => {
   const also = [...kBeyondTheWire, ...kCommented].filter((name) => !kBeyondTheConfiguration.includes(name));
   assert.deepEqual(read_by('configuration'), readable(also));
+});
+
+test('imported patterns may have a comma behind a last item', () => {
+  assert.deepEqual(read_by('imported_file'), readable(kTrailingComma));
 });
