@@ -7,14 +7,11 @@
 #include <algorithm>
 #include <array>
 
-#include "clients/ctl/demo/demo_screen.h"
 #include "clients/ctl/screen/ball_map.h"
 #include "clients/ctl/screen/status_screen.h"
-#include "clients/ctl/screen/watch_screen.h"
 #include "clients/ctl/terminal/bar.h"
 #include "clients/ctl/terminal/words.h"
-#include "model/geometry/field.h"
-#include "tests/clients/thesis_description.h"
+#include "tests/clients/warm_ball.h"
 
 namespace hedgehog::client {
 namespace {
@@ -23,12 +20,6 @@ using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-std::vector<double> forces_of(const model::Vec3& demand_a) {
-  std::vector<double> forces(model::thesis_ball().array.pins.size());
-  model::pin_forces(model::thesis_ball().array, {demand_a}, 0.0126, forces);
-  return forces;
-}
-
 std::size_t marks(const std::vector<std::string>& lines, const std::string& mark) {
   std::size_t count = 0;
   for (std::size_t row = 1; row + 1 < lines.size(); ++row)
@@ -36,40 +27,6 @@ std::size_t marks(const std::vector<std::string>& lines, const std::string& mark
          at = lines[row].find(mark, at + mark.size()))
       ++count;
   return count;
-}
-
-Ball warm_ball() {
-  Ball ball;
-  ball.hello.version = "1.0.0";
-  ball.description = thesis_description();
-  ball.description.limits.derate_from_c = 60;
-  ball.description.limits.trip_c = 70;
-  ball.description.thermal.sensor_winding = 2;
-  protocol::Status& status = ball.status;
-  status.device = "ball-7";
-  status.state = "armed";
-  status.temperature_c = {.sensor = 41.2, .model = 41.6, .coils = {41.0, 41.6, 40.9}, .age_ms = 3};
-  status.limit_a = 15;
-  status.burst_s = 11.0;
-  status.current_a = {0, 4.99, 0.12};
-  status.duty = {0, 0.199, 0.005};
-  status.field = {0, 0.9997, 0.024};
-  status.force_n = 0.062;
-  status.pin = 33;
-  status.fan = {4310, 0.6};
-  status.orientation =
-      protocol::OrientationStatus{{0.994, -0.105, 0.035, 0}, {-0.069, -0.208, 0.976}, {}, 3};
-  status.loop = {1000, 273'600'000, 0, {12, 61, 240}};
-  status.pins.force_n = forces_of({0, 5, 0});
-  protocol::EffectStatus circle;
-  circle.effect = 412;
-  circle.method = "effect.circle";
-  circle.client = "Racer 1.2";
-  circle.playing = true;
-  circle.remaining_ms = 12'000;
-  circle.current_a = 4.99;
-  status.effects.push_back(circle);
-  return ball;
 }
 
 TEST(BallMap, HasARowARingAndAMarkAPin) {
@@ -169,14 +126,6 @@ TEST(StatusScreen, ColoursTheStateAndCutsNothingIntoAPipe) {
   EXPECT_THAT(status_screen(ball, {}), testing::Contains(EndsWith("…")));
 }
 
-/// 40 s into 15 A.
-Ball hot_ball() {
-  Ball ball = warm_ball();
-  ball.status.temperature_c = {
-      .sensor = 38.3, .model = 66.1, .coils = {40.8, 66.1, 38.4}, .age_ms = 3};
-  return ball;
-}
-
 TEST(StatusScreen, LeadsWithTheHottestWindingAndNamesTheThermistor) {
   const auto lines = status_screen(hot_ball(), {});
   for (const std::string& line : lines) EXPECT_LE(columns(line), 80u) << line;
@@ -222,73 +171,6 @@ TEST(StatusScreen, NeverInventsATemperature) {
       status_screen(ball, {}),
       testing::Contains("  headroom       unknown  nothing may flow until the temperature is "
                         "known"));
-}
-
-TEST(WatchScreen, LeadsWithTheHottestWinding) {
-  WatchScreen screen({});
-  screen.take(hot_ball().status);
-  const auto lines = screen.lines(hot_ball());
-  EXPECT_LE(lines.size(), 22u);
-  EXPECT_THAT(lines, testing::Contains(testing::AllOf(StartsWith("  temperature    66.1 °C  ━━━"),
-                                                      EndsWith("thermistor 38.3 °C"))));
-  EXPECT_THAT(lines, testing::Contains(testing::AllOf(StartsWith("  last minute  winding y  "),
-                                                      EndsWith("66 to 66 °C"))));
-}
-
-TEST(DemoScreen, LeadsWithTheHottestWinding) {
-  const auto lines = demo_screen(hot_ball(), tour(true).front(), nullptr, {});
-  EXPECT_THAT(lines, testing::Contains(testing::AllOf(StartsWith("  temperature    66.1 °C  ━━━"),
-                                                      EndsWith("derates at 60, trips at 70"))));
-  EXPECT_THAT(lines,
-              testing::Contains("               winding y  the hottest; x 40.8 °C, z 38.4 °C"));
-}
-
-TEST(WatchScreen, FitsATerminalOf24Rows) {
-  WatchScreen screen({});
-  Ball ball = warm_ball();
-  screen.take(ball.status);
-  protocol::Event started;
-  started.type = "effect_started";
-  started.effect = 431;
-  for (int i = 0; i < 9; ++i) screen.take(started, "14:03:21");
-  const auto lines = screen.lines(ball);
-  EXPECT_LE(lines.size(), 24u);
-  for (const std::string& line : lines) EXPECT_LE(columns(line), 80u) << line;
-  EXPECT_THAT(lines[0], HasSubstr("SPACE stops   q quits"));
-  EXPECT_EQ(lines.back(), "  14:03:21  effect_started  #431");
-}
-
-TEST(DemoScreen, FitsATerminalOf22Rows) {
-  for (const TourChapter& chapter : tour(true)) {
-    const TourStep* playing = chapter.steps.empty() ? nullptr : &chapter.steps.front();
-    const auto lines = demo_screen(warm_ball(), chapter, playing, {});
-    EXPECT_LE(lines.size(), 22u);
-    for (const std::string& line : lines) EXPECT_LE(columns(line), 80u) << line;
-  }
-}
-
-TEST(Tour, LastsAtMostFortySecondsAndNeverGoesBack) {
-  const auto chapters = tour(true);
-  EXPECT_LE(chapters.back().to, std::chrono::seconds(40));
-  Milliseconds before{0};
-  int numbered = 0;
-  for (const TourChapter& chapter : chapters) {
-    EXPECT_EQ(chapter.from, before);
-    before = chapter.to;
-    numbered += chapter.number > 0 ? 1 : 0;
-    EXPECT_TRUE(std::is_sorted(chapter.steps.begin(), chapter.steps.end(),
-                               [](const auto& a, const auto& b) { return a.at < b.at; }));
-    for (const TourStep& step : chapter.steps) {
-      EXPECT_GE(step.at, chapter.from);
-      EXPECT_LT(step.at, chapter.to);
-    }
-  }
-  EXPECT_EQ(numbered, kTourChapters);
-}
-
-TEST(Tour, TurnsOnlyASimulatedBall) {
-  for (const TourChapter& chapter : tour(false))
-    for (const TourStep& step : chapter.steps) EXPECT_NE(step.method, "sim.set");
 }
 
 }  // namespace

@@ -56,6 +56,7 @@ std::vector<std::string> demo_screen(const Ball& ball, const TourChapter& chapte
   lines.emplace_back();
   lines.push_back(temperature_line(ball, thresholds_words(ball), style.ascii));
   lines.push_back(windings_line(status, style.ascii));
+  lines.push_back(thermistor_line(ball, style.ascii));
   lines.push_back(current_line(ball, allowed_words(ball), style.ascii));
   lines.emplace_back();
   lines.push_back(spread("   " + ball_map_legend(style.ascii), "Ctrl-C: coils off, end"));
