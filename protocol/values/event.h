@@ -3,6 +3,7 @@
 // wire; which fields a type has stands beside them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -19,6 +20,20 @@ inline constexpr std::array<std::string_view, 11> kEventTypes{
     "derating_ended", "derating_started", "device_attached",  "device_detached",
     "effect_ended",   "effect_started",   "orientation_lost", "orientation_restored",
     "overrun",        "shutting_down",    "state_changed"};
+
+/// Types of events that recur while something goes on, such as a machine that is too busy. Those of
+/// one type with at most `kSeriesMaxGapMs` between them are one series, of at most `kSeriesMaxMs`:
+/// its first event, how many there were, and when the last was.
+inline constexpr std::array<std::string_view, 3> kRecurringEventTypes{
+    "orientation_lost", "orientation_restored", "overrun"};
+inline constexpr std::int64_t kSeriesMaxGapMs = 60'000;
+inline constexpr std::int64_t kSeriesMaxMs = 3'600'000;
+
+/// Of events of this type there are series.
+constexpr bool is_recurring(std::string_view type) noexcept {
+  return std::find(kRecurringEventTypes.begin(), kRecurringEventTypes.end(), type) !=
+         kRecurringEventTypes.end();
+}
 
 /// effect_ended: how it was delivered.
 struct EventDelivery {
@@ -79,6 +94,10 @@ struct Event {
   void describe(Fields& f);
   friend bool operator==(const Event&, const Event&) = default;
 };
+
+constexpr bool is_derating(std::string_view type) noexcept {
+  return type == "derating_started" || type == "derating_ended";
+}
 
 /// The ball has tripped, or was armed and is gone; not that it still is tripped after a restart.
 inline bool is_trip(const Event& event) noexcept {

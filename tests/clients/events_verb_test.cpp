@@ -45,5 +45,52 @@ TEST(EventsVerb, WhatTheHistoryHasToldIsNotToldAgain) {
   EXPECT_THAT(out, testing::ContainsRegex("\"time_ns\":7.*\n.*\"time_ns\":8"));
 }
 
+protocol::Event overrun(std::int64_t second) {
+  protocol::Event event{.type = "overrun", .time_ns = second * 1'000'000'000};
+  event.skipped = 30;
+  return event;
+}
+
+/// What `hedgehogctl events` prints of an overrun a second, an emergency stop among them.
+std::string printed_of_a_busy_machine(bool json) {
+  FakeDaemon daemon([](FakePeer& peer) {
+    peer.read();
+    peer.send_line(protocol::encode_result(protocol::Id::number(1), protocol::HelloResult{}));
+    peer.read();
+    peer.send_line(protocol::encode_result(
+        protocol::Id::number(2), protocol::EventsResult{.state = "armed", .limit_a = 15.0}));
+    for (std::int64_t second = 1; second <= 20; ++second)
+      peer.send_line(protocol::encode_event(overrun(second)));
+    protocol::Event stopped{.type = "state_changed", .time_ns = 20'500'000'000};
+    stopped.state = "disarmed";
+    stopped.reason = "emergency_stop";
+    peer.send_line(protocol::encode_event(stopped));
+    for (std::int64_t second = 21; second <= 40; ++second)
+      peer.send_line(protocol::encode_event(overrun(second)));
+  });
+  Session session{Connection::open({daemon.address()}, kLongPatience).value(), json, {}};
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run_events(session, {}), kUnavailable);
+  testing::internal::GetCapturedStderr();
+  return testing::internal::GetCapturedStdout();
+}
+
+TEST(EventsVerb, OfASeriesTheFirstIsPrintedAndThenHowManyThereWere) {
+  const std::string out = printed_of_a_busy_machine(false);
+  const std::size_t first = out.find("overrun  30 ticks skipped\n");
+  const std::size_t stopped = out.find("state_changed  disarmed: emergency_stop\n");
+  const std::size_t all = out.find("overrun  1200 ticks skipped, 40 times since ");
+  EXPECT_LT(first, stopped) << out;
+  EXPECT_LT(stopped, all) << out;
+  EXPECT_NE(all, std::string::npos) << out;
+  EXPECT_LE(std::count(out.begin(), out.end(), '\n'), 5) << out;
+}
+
+TEST(EventsVerb, WithJsonEveryEventIsALine) {
+  const std::string out = printed_of_a_busy_machine(true);
+  EXPECT_EQ(std::count(out.begin(), out.end(), '\n'), 41) << out;
+}
+
 }  // namespace
 }  // namespace hedgehog::client

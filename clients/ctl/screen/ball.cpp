@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 
-#include "clients/ctl/terminal/bar.h"
 #include "clients/ctl/terminal/words.h"
 
 namespace hedgehog::client {
@@ -67,13 +66,14 @@ std::string hottest_winding(const protocol::Status& status) {
   return std::string("winding ") + kWindings[hottest_of(status.temperature_c)];
 }
 
-std::string temperature_line(const Ball& ball, std::string_view behind, bool ascii) {
+std::string temperature_line(const Ball& ball, std::string_view behind, bool ascii,
+                             int gauge_columns) {
   const std::optional<double>& hottest = ball.status.temperature_c.model;
   const protocol::LimitsDescription& limits = ball.description.limits;
   const std::array marks{limits.derate_from_c, limits.trip_c};
   return row("temperature", hottest ? degrees(*hottest, ascii) : "unknown",
              bar(hottest.value_or(kScaleLowC), kScaleLowC, limits.trip_c + kScaleAboveTripC, marks,
-                 ascii) +
+                 ascii, gauge_columns) +
                  "  " + std::string(behind));
 }
 
@@ -105,11 +105,11 @@ std::string thermistor_line(const Ball& ball, bool ascii) {
              behind);
 }
 
-std::string current_line(const Ball& ball, std::string_view behind, bool ascii) {
+std::string current_line(const Ball& ball, std::string_view behind, bool ascii, int gauge_columns) {
   const double current = current_norm_a(ball.status);
-  return row(
-      "current", fixed(current, 1) + " A",
-      bar(current, 0.0, ball.hello.limits.current_a, {}, ascii) + "  " + std::string(behind));
+  return row("current", fixed(current, 1) + " A",
+             bar(current, 0.0, ball.hello.limits.current_a, {}, ascii, gauge_columns) + "  " +
+                 std::string(behind));
 }
 
 }  // namespace hedgehog::client

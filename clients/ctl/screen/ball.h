@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "clients/ctl/terminal/bar.h"
 #include "model/geometry/pin_array.h"
 #include "protocol/methods.h"
 #include "protocol/values/description.h"
@@ -25,8 +26,9 @@ model::PinArray pin_array(const protocol::Description& description);
 std::string effect_words(const protocol::EffectStatus& effect);
 
 /// Of the hottest winding, which the thresholds belong to: "  temperature    41.2 °C  ━━━━──┊──
-/// <behind>".
-std::string temperature_line(const Ball& ball, std::string_view behind, bool ascii);
+/// <behind>". `gauge_columns`: the width of the gauge.
+std::string temperature_line(const Ball& ball, std::string_view behind, bool ascii,
+                             int gauge_columns = kBarColumns);
 /// Which winding that is, and the others: "               winding y  the hottest; x 40.8 °C, z
 /// 38.4 °C"; empty while none is known.
 std::string windings_line(const protocol::Status& status, bool ascii);
@@ -35,7 +37,8 @@ std::string thermistor_line(const Ball& ball, bool ascii);
 /// "winding y".
 std::string hottest_winding(const protocol::Status& status);
 /// "  current          5.0 A  ━━━━──────────  <behind>".
-std::string current_line(const Ball& ball, std::string_view behind, bool ascii);
+std::string current_line(const Ball& ball, std::string_view behind, bool ascii,
+                         int gauge_columns = kBarColumns);
 
 /// What may flow now: the limit by heat, and nothing while the ball is not armed.
 double allowed_a(const protocol::Status& status);

@@ -2,7 +2,7 @@
 #include "clients/ctl/screen/history_screen.h"
 
 #include "base/wall_time.h"
-#include "clients/ctl/screen/watch_screen.h"
+#include "clients/ctl/events/event_words.h"
 #include "clients/ctl/terminal/words.h"
 
 namespace hedgehog::client {

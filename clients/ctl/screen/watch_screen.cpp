@@ -2,6 +2,7 @@
 #include "clients/ctl/screen/watch_screen.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "clients/ctl/screen/ball_map.h"
 #include "clients/ctl/terminal/bar.h"
@@ -13,10 +14,16 @@ namespace {
 
 constexpr std::size_t kUsualColumns = 80;
 constexpr std::size_t kBallColumns = 79;
+/// Half a kelvin a column; with more a gauge tells nothing more.
+constexpr std::size_t kMaxGaugeColumns = 100;
 constexpr std::int64_t kMinuteNs = 60'000'000'000;
 constexpr std::size_t kMaxSamples = 240;
 constexpr std::int64_t kSampleNs = kMinuteNs / static_cast<std::int64_t>(kMaxSamples);
-constexpr std::size_t kHappenings = 3;
+
+/// Between the numbers on the left and the words on the right of a gauge.
+std::size_t free_columns(const ScreenStyle& style) {
+  return style.columns - kUsualColumns + kBarColumns;
+}
 
 std::string push_words(const protocol::Status& status) {
   return status.pin ? fixed(current_norm_a(status), 1) + " A, " + fixed(status.force_n, 3) +
@@ -48,6 +55,11 @@ std::string loop_words_of(const protocol::Status& status) {
 
 }  // namespace
 
+void WatchScreen::set_size(TerminalSize size) {
+  style_.columns = size.columns;
+  rows_ = size.rows;
+}
+
 void WatchScreen::take(const protocol::Status& status) {
   const std::optional<double>& shown = status.temperature_c.model;
   if (!shown || status.time_ns < next_sample_ns_) return;
@@ -57,8 +69,7 @@ void WatchScreen::take(const protocol::Status& status) {
 }
 
 void WatchScreen::take(const protocol::Event& event, const std::string& clock) {
-  happened_.push_front("  " + clock + "  " + event_words(event));
-  if (happened_.size() > kHappenings) happened_.pop_back();
+  events_.take(event, clock);
 }
 
 std::vector<double> WatchScreen::last_minute(std::size_t width) const {
@@ -74,7 +85,7 @@ std::vector<double> WatchScreen::last_minute(std::size_t width) const {
 
 std::string WatchScreen::minute_line(const protocol::Status& status) const {
   if (minute_c_.empty()) return row("last minute", "", "");
-  const std::size_t width = style_.columns - kUsualColumns + kBarColumns;
+  const std::size_t width = free_columns(style_);
   const std::vector<double> values = last_minute(width);
   const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
   return row("last minute", hottest_winding(status),
@@ -95,37 +106,23 @@ std::vector<std::string> WatchScreen::lines(const Ball& ball) const {
   lines.push_back(status.remedy ? "  " + *status.remedy : "");
   const std::optional<double>& sensor = status.temperature_c.sensor;
   const std::string degrees = style_.ascii ? " C" : " °C";
-  lines.push_back(temperature_line(
-      ball, "thermistor " + (sensor ? fixed(*sensor, 1) + degrees : "unknown"), style_.ascii));
+  const auto gauge = static_cast<int>(std::min(free_columns(style_), kMaxGaugeColumns));
+  lines.push_back(
+      temperature_line(ball, "thermistor " + (sensor ? fixed(*sensor, 1) + degrees : "unknown"),
+                       style_.ascii, gauge));
   lines.push_back(minute_line(status));
   lines.push_back(current_line(ball,
                                "x " + fixed_signed(status.current_a.x, 1) + "  y " +
                                    fixed_signed(status.current_a.y, 1) + "  z " +
                                    fixed_signed(status.current_a.z, 1),
-                               style_.ascii));
+                               style_.ascii, gauge));
   lines.push_back(headroom_words_of(ball));
   lines.push_back(loop_words_of(status));
   lines.emplace_back();
-  lines.insert(lines.end(), happened_.begin(), happened_.end());
+  const std::size_t free = rows_ - std::min(rows_, lines.size());
+  for (std::string& line : events_.lines(std::max(free, RecentEvents::kMinLines)))
+    lines.push_back(std::move(line));
   return lines;
-}
-
-std::string event_words(const protocol::Event& event) {
-  std::string words = event.type;
-  if (event.effect)
-    words += "  #" + std::to_string(*event.effect) + (event.slot ? " " + *event.slot : "");
-  if (event.state) words += "  " + *event.state;
-  if (event.reason) words += (event.state ? ": " : "  ") + *event.reason;
-  if (event.onset_ns && event.offset_ns)
-    words += ", " + std::to_string((*event.offset_ns - *event.onset_ns) / 1'000'000) + " ms";
-  if (event.delivered && event.delivered->mean < 0.995)
-    words += ", " + fixed(100.0 * event.delivered->mean, 0) + " % of its strength";
-  if (event.limit_a) words += "  " + fixed(*event.limit_a, 1) + " A allowed";
-  if (event.temperature_c) words += " at " + fixed(*event.temperature_c, 1) + " °C";
-  if (event.current_a) words += ", " + fixed(*event.current_a, 1) + " A";
-  if (event.device) words += "  " + *event.device;
-  if (event.skipped) words += "  " + std::to_string(*event.skipped) + " ticks skipped";
-  return words;
 }
 
 }  // namespace hedgehog::client

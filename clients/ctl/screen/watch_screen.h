@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `hedgehogctl watch`: the ball as it lives, in 80x24 or wider.
+// `hedgehogctl watch`: the ball as it lives, in 80x22 or larger.
 #pragma once
 
 #include <cstddef>
@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "clients/common/terminal.h"
+#include "clients/ctl/events/recent_events.h"
 #include "clients/ctl/screen/ball.h"
 #include "clients/ctl/screen/status_screen.h"
 #include "protocol/values/event.h"
@@ -19,8 +21,8 @@ class WatchScreen {
  public:
   explicit WatchScreen(ScreenStyle style) : style_(style) {}
 
-  /// The terminal's, at least 80: the picture takes all of them.
-  void set_columns(std::size_t columns) { style_.columns = columns; }
+  /// The terminal's, at least 80x22: gauges take the columns, events the rows that are left.
+  void set_size(TerminalSize size);
 
   void take(const protocol::Status& status);
   /// `clock` is the person's time of day, "14:03:21".
@@ -33,12 +35,10 @@ class WatchScreen {
   std::string minute_line(const protocol::Status& status) const;
 
   ScreenStyle style_;
+  std::size_t rows_ = 22;
   std::deque<double> minute_c_;
   std::int64_t next_sample_ns_ = 0;
-  std::deque<std::string> happened_;
+  RecentEvents events_;
 };
-
-/// One event in words: "#431 ended: stopped, 9.8 A ..."; for `watch` and `events`.
-std::string event_words(const protocol::Event& event);
 
 }  // namespace hedgehog::client

@@ -10,23 +10,24 @@ namespace hedgehog::client {
 
 namespace {
 
-/// The column of `value`, 0..kBarColumns.
-int column_of(double value, double low, double high) {
-  const double position = (value - low) / (high - low) * kBarColumns;
+/// The column of `value`, 0..width.
+int column_of(double value, double low, double high, int width) {
+  const double position = (value - low) / (high - low) * width;
   return std::isfinite(position)
-             ? static_cast<int>(std::lround(std::clamp(position, 0.0, double{kBarColumns})))
+             ? static_cast<int>(std::lround(std::clamp(position, 0.0, static_cast<double>(width))))
              : 0;
 }
 
 }  // namespace
 
-std::string bar(double value, double low, double high, std::span<const double> marks, bool ascii) {
-  const int filled = column_of(value, low, high);
+std::string bar(double value, double low, double high, std::span<const double> marks, bool ascii,
+                int width) {
+  const int filled = column_of(value, low, high, width);
   std::string line;
-  for (int column = 0; column < kBarColumns; ++column) {
+  for (int column = 0; column < width; ++column) {
     const bool full = column < filled;
     const bool marked = std::any_of(marks.begin(), marks.end(), [&](double mark) {
-      return column_of(mark, low, high) == column + 1;
+      return column_of(mark, low, high, width) == column + 1;
     });
     if (ascii)
       line += marked ? '|' : full ? '=' : '-';

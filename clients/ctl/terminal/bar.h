@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A horizontal gauge of 26 columns for a terminal.
+// A horizontal gauge for a terminal.
 #pragma once
 
 #include <span>
@@ -7,11 +7,13 @@
 
 namespace hedgehog::client {
 
+/// Of a gauge on a screen of 80 columns.
 inline constexpr int kBarColumns = 26;
 
 /// `value` on the scale `low`..`high` as a thick line, the rest thin; `marks` are drawn across it.
-/// With `ascii`: = - |.
-std::string bar(double value, double low, double high, std::span<const double> marks, bool ascii);
+/// With `ascii`: = - |. `width`: its columns.
+std::string bar(double value, double low, double high, std::span<const double> marks, bool ascii,
+                int width = kBarColumns);
 
 /// The last `values` as eight-step blocks, scaled between their own extremes (at least `min_span`
 /// apart).

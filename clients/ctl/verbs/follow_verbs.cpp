@@ -7,9 +7,10 @@
 
 #include "base/wall_time.h"
 #include "clients/common/terminal.h"
+#include "clients/common/text.h"
+#include "clients/ctl/events/event_log.h"
 #include "clients/ctl/screen/history_screen.h"
 #include "clients/ctl/screen/watch_screen.h"
-#include "clients/ctl/terminal/words.h"
 #include "clients/ctl/verbs/live.h"
 #include "clients/ctl/verbs/since_argument.h"
 
@@ -53,6 +54,11 @@ Outcome<protocol::HistoryResult> print_past(Session& session, const EventsOption
   return *std::move(past);
 }
 
+void print_lines(const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) std::puts(line.c_str());
+  if (!lines.empty()) std::fflush(stdout);
+}
+
 /// What happened between the subscription and the look back is told by both.
 bool is_among(const protocol::HistoryResult& past, const protocol::Event& event) {
   return std::any_of(
@@ -82,7 +88,7 @@ int run_watch(Session& session) {
     if (const auto* telemetry = std::get_if<protocol::TelemetryMessage>(&notification)) {
       ball->status = telemetry->telemetry.status;
       screen.take(ball->status);
-      screen.set_columns(live_columns());
+      screen.set_size(live_size());
       return screen.lines(*ball);
     }
     screen.take(std::get<protocol::EventMessage>(notification).event, time_of_day());
@@ -108,15 +114,17 @@ int run_events(Session& session, const EventsOptions& options) {
   }
   if (!now) return kDone;
   if (!session.json) print_now(*now);
-  return follow(session, [&](const Notification& notification) {
+  EventLog log;
+  const auto take = [&](const Notification& notification) {
     const auto* event = std::get_if<protocol::EventMessage>(&notification);
-    if (event != nullptr && !is_among(*past, event->event)) {
-      std::puts(session.json ? event->json.c_str()
-                             : ("  " + time_of_day() + "  " + event_words(event->event)).c_str());
-      std::fflush(stdout);
-    }
+    if (event == nullptr || is_among(*past, event->event)) return true;
+    print_lines(session.json ? std::vector{event->json}
+                             : log.take(event->event, time_of_day(), EventLog::Clock::now()));
     return true;
-  });
+  };
+  const int code = follow(session, take, [&] { print_lines(log.due(EventLog::Clock::now())); });
+  print_lines(log.rest());
+  return code;
 }
 
 int run_telemetry(Session& session, const TelemetryOptions& options) {

@@ -18,6 +18,8 @@ namespace {
 
 using std::chrono::milliseconds;
 
+constexpr std::size_t kMinColumns = 80;
+constexpr std::size_t kMinRows = 22;
 constexpr milliseconds kEventPoll{50};
 constexpr milliseconds kKeyPoll{20};
 /// A daemon that has told nothing for so long is taken for silent; it tells ten
@@ -81,7 +83,7 @@ int draw_until_left(Session& session,
     if (const std::string warning = trust.warning(); !warning.empty()) {
       shown.resize(std::max(shown.size(), std::size_t{1}));
       ScreenStyle style = session.style;
-      style.columns = live_columns();
+      style.columns = live_size().columns;
       shown.front() = warning_title(warning, style);
     }
     terminal.draw(shown);
@@ -94,13 +96,15 @@ int draw_until_left(Session& session,
 
 std::string time_of_day() { return local_time(base::rfc3339(base::unix_ms_now()), "%H:%M:%S"); }
 
-std::size_t live_columns() {
-  constexpr std::size_t kMinColumns = 80;
-  return std::max(kMinColumns, terminal_size().columns);
+TerminalSize live_size() {
+  const TerminalSize size = terminal_size();
+  return {.columns = std::max(kMinColumns, size.columns), .rows = std::max(kMinRows, size.rows)};
 }
 
-int follow(Session& session, const std::function<bool(const Notification&)>& take) {
+int follow(Session& session, const std::function<bool(const Notification&)>& take,
+           const std::function<void()>& idle) {
   while (!interrupted()) {
+    idle();
     auto notification = session.connection.next(kEventPoll);
     if (!notification) return complain(notification.error());
     if (*notification && !take(**notification)) return kDone;

@@ -50,7 +50,7 @@ int draw_pins(Session& session) {
     if (telemetry == nullptr) return std::vector<std::string>{};
     ball->status = telemetry->telemetry.status;
     ScreenStyle style = session.style;
-    style.columns = live_columns();
+    style.columns = live_size().columns;
     return pins_screen(*ball, style);
   });
 }

@@ -47,16 +47,12 @@ bool only_replaces(const protocol::Event& event, const Effect* effect) {
   return started ? effect != nullptr && effect->replacing : event.reason == "replaced";
 }
 
-bool is_derating(std::string_view type) {
-  return type == "derating_started" || type == "derating_ended";
-}
-
 HistoryPart part_of(const protocol::Event& event) {
-  return protocol::is_trip(event)          ? HistoryPart::kTrips
-         : event.effect                    ? HistoryPart::kEffects
-         : is_derating(event.type)         ? HistoryPart::kDerating
-         : EventSeries::recurs(event.type) ? HistoryPart::kRecurring
-                                           : HistoryPart::kBall;
+  return protocol::is_trip(event)             ? HistoryPart::kTrips
+         : event.effect                       ? HistoryPart::kEffects
+         : protocol::is_derating(event.type)  ? HistoryPart::kDerating
+         : protocol::is_recurring(event.type) ? HistoryPart::kRecurring
+                                              : HistoryPart::kBall;
 }
 
 /// `json` of an event, and the name of its recording behind its last field.
@@ -124,7 +120,7 @@ void EventHistory::add(protocol::PastEvent&& event, std::int64_t unix_ms, unsign
                           protocol::is_trip(event.event), recording,
                           protocol::encode_past_event(event)});
   if (part.entries.size() > kMaxEach) part.entries.pop_front();
-  if (!EventSeries::recurs(event.event.type)) return;
+  if (!protocol::is_recurring(event.event.type)) return;
   write_series_again(unix_ms, true);
   series_.insert_or_assign(type, EventSeries(std::move(event), unix_ms, number_));
 }

@@ -2,18 +2,11 @@
 #include "daemon/server/history/event_series.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "base/wall_time.h"
 
 namespace hedgehog::server {
-
-bool EventSeries::recurs(std::string_view type) noexcept {
-  constexpr std::array<std::string_view, 3> kTypes{"orientation_lost", "orientation_restored",
-                                                   "overrun"};
-  return std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end();
-}
 
 EventSeries::EventSeries(protocol::PastEvent event, std::int64_t unix_ms, std::uint64_t number)
     : event_(std::move(event)),

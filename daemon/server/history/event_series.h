@@ -5,7 +5,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string_view>
 
 #include "protocol/methods.h"
 
@@ -15,14 +14,11 @@ namespace hedgehog::server {
 class EventSeries {
  public:
   /// What comes later than this after the last one is something new.
-  static constexpr std::int64_t kMaxGapMs = 60'000;
+  static constexpr std::int64_t kMaxGapMs = protocol::kSeriesMaxGapMs;
   /// Maximum length of a series.
-  static constexpr std::int64_t kMaxMs = 3'600'000;
+  static constexpr std::int64_t kMaxMs = protocol::kSeriesMaxMs;
   /// How often one that goes on is written again.
   static constexpr std::int64_t kWriteEveryMs = 600'000;
-
-  /// Of events of this type there are series.
-  static bool recurs(std::string_view type) noexcept;
 
   /// `event`: of `unix_ms`, perhaps a series itself. `number`: of the entry that it is kept as.
   EventSeries(protocol::PastEvent event, std::int64_t unix_ms, std::uint64_t number);

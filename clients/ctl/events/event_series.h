@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Events of one type that recur while something goes on, as one line.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "protocol/values/event.h"
+
+namespace hedgehog::client {
+
+/// An event, and those of its type that followed it closely; of a type that does not recur always
+/// one (protocol/values/event.h). One thread.
+class EventSeries {
+ public:
+  /// `clock` is the person's time of day, "14:03:21".
+  EventSeries(protocol::Event event, std::string clock);
+
+  /// Adds the event that came after the last one; false: it does not belong to this series.
+  bool add(const protocol::Event& next, const std::string& clock);
+
+  const std::string& type() const noexcept { return event_.type; }
+  /// "  14:05:33  overrun  180 ticks skipped, 37 times since 14:03:21": when the last one was, the
+  /// sum of what was skipped, how many there were, and when the first was.
+  std::string line() const;
+
+ private:
+  protocol::Event event_;
+  std::int64_t first_ns_;
+  std::int64_t last_ns_;
+  std::string first_clock_;
+  std::string last_clock_;
+  std::int64_t count_ = 1;
+};
+
+}  // namespace hedgehog::client
