@@ -6,7 +6,7 @@
 #include "daemon/control/state/event.h"
 #include "daemon/control/state/state.h"
 #include "protocol/methods.h"
-#include "protocol/wire/error.h"
+#include "protocol/wire/error_set.h"
 
 namespace hedgehog::server {
 namespace {
@@ -36,10 +36,14 @@ Counters known_counters() {
   add_effects(counters);
   add_trips(counters);
   for (const char* why : {"cap", "slow", "not_json", "host", "origin"}) counters.rejected[why] = 0;
-  for (const protocol::MethodInfo& method : protocol::kMethods)
-    counters.requests[{method.name, 0}] = 0;
-  // All that decoding may refuse, before it is known which method is meant.
   using protocol::ErrorCode;
+  for (const protocol::MethodInfo& method : protocol::kMethods) {
+    counters.requests[{method.name, 0}] = 0;
+    for (const ErrorCode code : protocol::kErrorCodes)
+      if (protocol::possible_errors(method).contains(code))
+        counters.requests[{method.name, static_cast<int>(code)}] = 0;
+  }
+  // All that decoding may refuse, before it is known which method is meant.
   for (const ErrorCode code : {ErrorCode::kParseError, ErrorCode::kInvalidRequest,
                                ErrorCode::kMethodNotFound, ErrorCode::kInvalidParams})
     counters.requests[{"none", static_cast<int>(code)}] = 0;
