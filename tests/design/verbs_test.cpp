@@ -127,6 +127,22 @@ TEST(Curves, OfTheFigureShareTheAxisOfTheThesisUnlessAsked) {
   EXPECT_EQ(ask({"curves", "--array", "cD", "--forces", "-2..6"}).exit_code, 0);
 }
 
+// -2 N, the lowest number at the thesis' axis, would cut off the curves of tkD.
+TEST(Curves, OfTheFigureAreNotCutOffByItsAxis) {
+  double lowest_n = 0.0;
+  const model::OffsetGrid grid{-2.5, 12.5, 0.5};
+  for (const Panel& panel : curves_picture(figure_210({}).value(), grid).panels) {
+    for (const Series& series : panel.series) {
+      for (const Point& point : series.points) {
+        EXPECT_GE(point.y, panel.y_range.x) << panel.title << ", " << series.name;
+        EXPECT_LE(point.y, panel.y_range.y) << panel.title << ", " << series.name;
+        lowest_n = std::min(lowest_n, point.y);
+      }
+    }
+  }
+  EXPECT_LT(lowest_n, -2.9) << "else the axis could begin at -2 N";
+}
+
 TEST(Curves, AreThoseOfTheReference) {
   const Answer answer = ask({"curves", "--array", "tkD", "--magnet", "8x10", "--shield", "4x10",
                              "--model", "exact", "--accuracy", "1e-6", "--json"});
