@@ -6,12 +6,12 @@
 #include <time.h>
 
 #include "base/wall_time.h"
+#include "clients/ctl/arguments/since_argument.h"
 #include "clients/ctl/screen/forecast_screen.h"
 #include "clients/ctl/screen/history_screen.h"
 #include "clients/ctl/screen/preview_screen.h"
 #include "clients/ctl/screen/trips_screen.h"
 #include "clients/ctl/terminal/words.h"
-#include "clients/ctl/verbs/since_argument.h"
 
 namespace hedgehog::client {
 namespace {

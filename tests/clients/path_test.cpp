@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A recorded path plays back within its bound.
-#include "clients/ctl/verbs/path.h"
+#include "clients/ctl/patterns/path.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What `hedgehogctl play` takes for a file, and what for the name of a pattern.
-#include "clients/ctl/verbs/pattern_file.h"
+#include "clients/ctl/patterns/pattern_file.h"
 #include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>

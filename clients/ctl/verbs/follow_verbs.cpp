@@ -8,11 +8,11 @@
 #include "base/wall_time.h"
 #include "clients/common/terminal.h"
 #include "clients/common/text.h"
+#include "clients/ctl/arguments/since_argument.h"
 #include "clients/ctl/events/event_log.h"
 #include "clients/ctl/screen/history_screen.h"
 #include "clients/ctl/screen/watch_screen.h"
 #include "clients/ctl/verbs/live.h"
-#include "clients/ctl/verbs/since_argument.h"
 
 namespace hedgehog::client {
 

@@ -5,13 +5,13 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "clients/ctl/arguments/direction_argument.h"
 #include "clients/ctl/screen/check_json.h"
 #include "clients/ctl/screen/check_screen.h"
 #include "clients/ctl/screen/devices_screen.h"
 #include "clients/ctl/screen/forecast_screen.h"
 #include "clients/ctl/screen/trips_screen.h"
 #include "clients/ctl/terminal/words.h"
-#include "clients/ctl/verbs/direction_argument.h"
 
 namespace hedgehog::client {
 

@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "clients/ctl/patterns/pattern_file.h"
 #include "clients/ctl/terminal/words.h"
-#include "clients/ctl/verbs/pattern_file.h"
 #include "clients/lib/import/import.h"
 #include "protocol/values/effect_params.h"
 

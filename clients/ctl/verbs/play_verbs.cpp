@@ -8,13 +8,13 @@
 #include <nlohmann/json.hpp>
 
 #include "clients/common/interrupts.h"
+#include "clients/ctl/arguments/direction_argument.h"
+#include "clients/ctl/arguments/text_argument.h"
 #include "clients/ctl/effect_options.h"
+#include "clients/ctl/patterns/pattern_file.h"
 #include "clients/ctl/screen/ball.h"
 #include "clients/ctl/screen/preview_screen.h"
 #include "clients/ctl/terminal/words.h"
-#include "clients/ctl/verbs/direction_argument.h"
-#include "clients/ctl/verbs/pattern_file.h"
-#include "clients/ctl/verbs/text_argument.h"
 #include "model/effect/effect.h"
 #include "model/geometry/direction.h"
 #include "model/geometry/pin_array.h"

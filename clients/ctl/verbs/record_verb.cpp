@@ -11,9 +11,9 @@
 
 #include "base/atomic_file.h"
 #include "clients/common/interrupts.h"
-#include "clients/ctl/verbs/direction_argument.h"
-#include "clients/ctl/verbs/path.h"
-#include "clients/ctl/verbs/pattern_file.h"
+#include "clients/ctl/arguments/direction_argument.h"
+#include "clients/ctl/patterns/path.h"
+#include "clients/ctl/patterns/pattern_file.h"
 #include "model/quaternion.h"
 #include "protocol/wire/direction.h"
 

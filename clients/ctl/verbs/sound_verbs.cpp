@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "clients/common/interrupts.h"
+#include "clients/ctl/patterns/pattern_file.h"
 #include "clients/ctl/terminal/bar.h"
 #include "clients/ctl/terminal/words.h"
-#include "clients/ctl/verbs/pattern_file.h"
 #include "clients/ctl/verbs/sound_player.h"
 #include "clients/sound/slices.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "clients/ctl/verbs/direction_argument.h"
+#include "clients/ctl/arguments/direction_argument.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "clients/ctl/verbs/text_argument.h"
+#include "clients/ctl/arguments/text_argument.h"
 
 namespace hedgehog::client {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "clients/ctl/verbs/since_argument.h"
+#include "clients/ctl/arguments/since_argument.h"
 
 #include <array>
 #include <charconv>

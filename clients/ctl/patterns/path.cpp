@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "clients/ctl/verbs/path.h"
+#include "clients/ctl/patterns/path.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "clients/ctl/verbs/pattern_file.h"
+#include "clients/ctl/patterns/pattern_file.h"
 
 #include <filesystem>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "clients/ctl/verbs/text_argument.h"
+#include "clients/ctl/arguments/text_argument.h"
 
 #include <nlohmann/json.hpp>
 
