@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Events as clients are told of them.
-#include "daemon/server/rpc/event_view.h"
+#include "daemon/server/rpc/view/event_view.h"
 
 #include <gtest/gtest.h>
 

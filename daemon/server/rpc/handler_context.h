@@ -16,7 +16,7 @@
 #include "daemon/server/effects/effect_registry.h"
 #include "daemon/server/effects/keyframe_allocator.h"
 #include "daemon/server/history/telemetry_samples.h"
-#include "daemon/server/rpc/status_view.h"
+#include "daemon/server/rpc/view/status_view.h"
 #include "daemon/server/session/claim.h"
 #include "daemon/server/session/counters.h"
 #include "daemon/server/session/session.h"

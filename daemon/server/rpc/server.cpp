@@ -8,8 +8,8 @@
 
 #include "daemon/server/history/event_history.h"
 #include "daemon/server/history/trip_recordings.h"
-#include "daemon/server/rpc/event_view.h"
 #include "daemon/server/rpc/known_counters.h"
+#include "daemon/server/rpc/view/event_view.h"
 #include "protocol/server_codec.h"
 
 namespace hedgehog::server {

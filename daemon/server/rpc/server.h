@@ -15,7 +15,7 @@
 #include "daemon/server/effects/keyframe_allocator.h"
 #include "daemon/server/rpc/dispatcher.h"
 #include "daemon/server/rpc/handler_context.h"
-#include "daemon/server/rpc/status_view.h"
+#include "daemon/server/rpc/view/status_view.h"
 #include "daemon/server/session/claim.h"
 #include "daemon/server/session/polled_time.h"
 #include "daemon/server/session/session.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "daemon/server/rpc/status_view.h"
+#include "daemon/server/rpc/view/status_view.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "daemon/server/effects/admission.h"
-#include "daemon/server/rpc/event_view.h"
+#include "daemon/server/rpc/view/event_view.h"
 #include "model/geometry/field.h"
 #include "model/geometry/pin_motion.h"
 #include "model/thermal/thermal_flow.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "daemon/server/rpc/event_view.h"
+#include "daemon/server/rpc/view/event_view.h"
 
 #include <cmath>
 #include <string>
