@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The fitted curve is the likelihood's maximum, and its interval covers what it says: against a
 // search and people that have nothing to do with either.
-#include "clients/study/rules/weibull_fit.h"
+#include "clients/study/rules/fit/weibull_fit.h"
 
 #include <gtest/gtest.h>
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "clients/study/rules/draw.h"
+#include "clients/study/rules/fit/weibull_fit.h"
 #include "clients/study/rules/staircase.h"
-#include "clients/study/rules/weibull_fit.h"
 
 namespace hedgehog::study {
 

@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
+#include "clients/study/rules/fit/weibull_fit.h"
 #include "clients/study/rules/observer.h"
 #include "clients/study/rules/staircase.h"
-#include "clients/study/rules/weibull_fit.h"
 
 namespace hedgehog::study {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "clients/study/rules/weibull_fit.h"
+#include "clients/study/rules/fit/weibull_fit.h"
 
 #include <nlopt.h>
 

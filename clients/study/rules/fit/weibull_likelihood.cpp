@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "clients/study/rules/weibull_likelihood.h"
+#include "clients/study/rules/fit/weibull_likelihood.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "clients/study/rules/weibull_likelihood.h"
+#include "clients/study/rules/fit/weibull_likelihood.h"
 
 namespace hedgehog::study {
 
