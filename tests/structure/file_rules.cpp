@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <map>
 #include <regex>
 #include <string_view>
 
@@ -132,6 +133,19 @@ Violations check_links(const SourceFile& file, const SourceTree& tree) {
       violations.push_back(file.path + ":" + std::to_string(i + 1) + ": link to " + target +
                            " leads nowhere");
     }
+  }
+  return violations;
+}
+
+Violations check_folder_sizes(const SourceTree& tree) {
+  std::map<std::string, std::size_t> sources;
+  for (const std::string& path : tree.names)
+    if (is_code(path) && !path.starts_with("tests/")) ++sources[folder_of(path)];
+  Violations violations;
+  for (const auto& [folder, count] : sources) {
+    if (count <= kMaxSources) continue;
+    violations.push_back(folder + ": has " + std::to_string(count) + " files in C++, more than " +
+                         std::to_string(kMaxSources));
   }
   return violations;
 }

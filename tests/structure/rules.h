@@ -43,6 +43,11 @@ Violations check_links(const SourceFile& file, const SourceTree& tree);
 // product.
 Violations check_quoted_messages(const SourceFile& file, const SourceTree& tree);
 
+// A folder of the product has at most kMaxSources files in C++, without those of its subfolders:
+// with more it holds two things.
+inline constexpr std::size_t kMaxSources = 24;
+Violations check_folder_sizes(const SourceTree& tree);
+
 // Every top-level folder and every layer says in a README what lives there.
 Violations check_readmes(const SourceTree& tree);
 

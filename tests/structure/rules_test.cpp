@@ -158,5 +158,21 @@ TEST(ReadmeRule, LooksAtTopLevelFoldersAndLayers) {
               ElementsAre("cmake: no README.md", "daemon/device: no README.md"));
 }
 
+TEST(FolderSizeRule, CountsTheSourcesOfEachFolderOfTheProduct) {
+  SourceTree tree;
+  const auto add = [&](const std::string& folder, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i)
+      tree.names.push_back(folder + "/file" + std::to_string(i) + (i % 2 == 0 ? ".cpp" : ".h"));
+  };
+  add("daemon/server", 24);
+  add("daemon/server/net", 24);
+  add("tests/e2e", 40);
+  tree.names.emplace_back("daemon/server/README.md");
+  EXPECT_THAT(check_folder_sizes(tree), IsEmpty());
+  tree.names.emplace_back("daemon/server/one_more.h");
+  EXPECT_THAT(check_folder_sizes(tree),
+              ElementsAre("daemon/server: has 25 files in C++, more than 24"));
+}
+
 }  // namespace
 }  // namespace hedgehog::structure

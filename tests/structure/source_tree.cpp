@@ -11,10 +11,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_skipped(const fs::path& folder) {
+// In a linked worktree of git `.git` is a file.
+bool is_skipped(const fs::path& entry) {
   static constexpr std::array<std::string_view, 5> kSkipped{".git", ".cache", ".vscode", ".idea",
                                                             "corpus"};
-  const std::string name = folder.filename().string();
+  const std::string name = entry.filename().string();
   return std::find(kSkipped.begin(), kSkipped.end(), name) != kSkipped.end();
 }
 
@@ -42,7 +43,7 @@ SourceTree read_tree(const fs::path& root) {
         it.disable_recursion_pending();
       else
         tree.folders.push_back(path);
-    } else if (it->is_regular_file()) {
+    } else if (it->is_regular_file() && !is_skipped(it->path())) {
       tree.names.push_back(path);
       if (is_text(it->path())) tree.files.push_back({path, read_lines(it->path())});
     }
