@@ -88,9 +88,9 @@ void Terminal::draw(const std::vector<std::string>& lines) {
   for (std::size_t row = 0; row < std::min(rows, std::max(lines.size(), shown_.size())); ++row) {
     const std::string_view line = row < lines.size() ? std::string_view{lines[row]} : "";
     if (row < shown_.size() && shown_[row] == line) continue;
-    std::printf("\033[%zu;1H", row + 1);
+    // Erased first: behind a line of the whole width the cursor is still in the last column.
+    std::printf("\033[%zu;1H\033[K", row + 1);
     put(line);
-    put("\033[K");
   }
   shown_ = lines;
   std::fflush(stdout);
