@@ -36,6 +36,7 @@ std::vector<std::string> RecentEvents::lines(std::size_t count) const {
   shown.insert(shown.end(), others.begin(), others.begin() + static_cast<std::ptrdiff_t>(free));
   std::sort(shown.begin(), shown.end(), is_newer);
   std::vector<std::string> lines;
+  lines.reserve(shown.size());
   for (const Entry* entry : shown) lines.push_back(entry->series.line());
   return lines;
 }
