@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// What the clients of a soak do, one random action after the other.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "tests/soak/random.h"
+#include "tests/soak/request_generator.h"
+#include "tests/soak/traffic.h"
+
+namespace hedgehog::soak {
+
+/// Configuration of a start, and the current it allows.
+struct Configuration {
+  std::string json;
+  double current_a = 15.0;
+};
+Configuration random_configuration(Random& random);
+
+class Actions {
+ public:
+  /// `random` is also the generator's: each action begins it anew, so that what one action draws
+  /// depends on `seed` and on its number only, not on what the daemon has answered before.
+  Actions(Random& random, RequestGenerator& generator, Traffic& traffic, std::uint64_t seed);
+
+  void act();
+  /// From now on nothing arms the ball.
+  void keep_latched() noexcept { arms_ = false; }
+
+ private:
+  Peer& somebody();
+  Transport any_transport();
+  void send(Peer& peer, const std::string& message);
+  void requests();
+  void batches();
+  void damaged_line();
+  void long_line();
+  void partial_line();
+  void new_client();
+  void leave();
+  void flood();
+  void read_again();
+  void subscribe();
+  void web_page();
+  void web_frames();
+  void foreigner();
+  void reload();
+  void mend_ball();
+
+  Random& random_;
+  RequestGenerator& generator_;
+  Traffic& traffic_;
+  std::uint64_t seed_;
+  std::uint64_t count_ = 0;
+  bool arms_ = true;
+};
+
+}  // namespace hedgehog::soak

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// What the daemon did that its documents exclude.
+#pragma once
+
+#include <stdexcept>
+
+namespace hedgehog::soak {
+
+struct Failure : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace hedgehog::soak

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Messages as bytes on a connection, and back: lines, or WebSocket frames after their handshake.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace hedgehog::soak {
+
+enum class Transport : std::uint8_t { kTcp, kUnix, kWebSocket, kHttp };
+std::string_view name(Transport transport) noexcept;
+
+inline constexpr int kTextFrame = 1;
+inline constexpr int kBinaryFrame = 2;
+inline constexpr int kCloseFrame = 8;
+inline constexpr int kPingFrame = 9;
+inline constexpr int kPongFrame = 10;
+
+/// A frame as a client sends it. `last`: of its message; 0 as `opcode`: its continuation.
+std::string web_frame(int opcode, std::string_view payload, bool last = true);
+/// The request to become a WebSocket.
+std::string web_handshake(int port);
+
+struct Received {
+  int opcode = kTextFrame;
+  std::string payload;
+};
+
+/// Takes messages off the bytes that arrived.
+class Unframer {
+ public:
+  explicit Unframer(Transport transport) : transport_(transport) {}
+
+  void feed(std::string_view bytes) { bytes_ += bytes; }
+  /// The next whole message; nullopt: not yet. Throws Failure on frames that a server may not send.
+  std::optional<Received> next();
+  /// The status of the handshake's response; 0 before it, and without one.
+  int status() const noexcept { return status_; }
+
+ private:
+  std::optional<Received> next_line();
+  std::optional<Received> next_frame();
+  bool take_handshake();
+
+  Transport transport_;
+  std::string bytes_;
+  std::size_t taken_ = 0;  // of bytes_
+  int status_ = 0;
+};
+
+}  // namespace hedgehog::soak

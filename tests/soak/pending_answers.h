@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// The responses that one connection has still to receive: each request with an id gets one, of its
+// method's schema or with an error that its method lists.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <list>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "protocol/server_codec.h"
+#include "protocol/wire/json.h"
+
+namespace hedgehog::soak {
+
+/// A response that was expected, with its request's method if there is one.
+struct AnsweredRequest {
+  std::string id;
+  std::optional<protocol::Method> method;
+  const protocol::Json* result = nullptr;  // null: an error
+  int error = 0;                           // 0: a result
+};
+
+class PendingAnswers {
+ public:
+  using OnAnswer = std::function<void(const AnsweredRequest&)>;
+
+  /// A line was sent; what it is worth is what the protocol's decoder makes of it.
+  void expect(const protocol::Incoming& incoming);
+  /// A line of more than 64 KiB was sent.
+  void expect_parse_error();
+  /// A response, or those to a batch, have come. Throws Failure when none or another was expected.
+  void receive(const protocol::Json& message, const OnAnswer& on_answer);
+
+  std::size_t size() const noexcept { return size_; }
+  /// Some of what is missing, for a report.
+  std::string text() const;
+
+ private:
+  struct Expected {
+    std::string id;
+    std::optional<protocol::Method> method;
+    std::optional<int> error;  // the request can only be refused, with this code
+  };
+  using Batch = std::vector<Expected>;
+
+  void receive_one(const protocol::Json& message, const OnAnswer& on_answer);
+  void receive_batch(const protocol::Json::List& messages, const OnAnswer& on_answer);
+
+  std::map<std::string, std::list<Expected>> single_;  // by the id's JSON text
+  std::list<Batch> batches_;
+  std::size_t size_ = 0;
+};
+
+}  // namespace hedgehog::soak

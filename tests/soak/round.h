@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// One round of a soak: a few starts of the daemon on one state directory, each with its clients and
+// an end of some kind. It depends on its seed alone.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "tests/e2e/daemon_process.h"
+#include "tests/soak/actions.h"
+#include "tests/soak/state_folder.h"
+#include "tests/soak/summary.h"
+#include "tests/soak/traffic.h"
+
+namespace hedgehog::soak {
+
+struct RoundSize {
+  int starts = 4;
+  int actions = 400;  // a start
+};
+
+class Round {
+ public:
+  Round(std::uint64_t seed, RoundSize size, Summary& summary);
+  /// Throws Failure, with the end of the daemon's log.
+  void run();
+
+ private:
+  enum class End { kTerminate, kInterrupt, kTerminateBusy, kKill, kKillLatched, kKillFull };
+  /// What a start inherits from the end before it.
+  struct Inherited {
+    bool latched = false;  // an emergency stop is on the disk
+    bool orderly = false;  // the state on the disk must be as the daemon left it
+    std::map<std::string, std::string> incomplete;
+  };
+
+  void run_start(int number);
+  void check_start(Traffic& traffic);
+  void act(Traffic& traffic, Actions& actions, int count);
+  void use_full_disk(Traffic& traffic, Actions& actions);
+  void end(Traffic& traffic, Actions& actions, End how);
+  void stop_and_kill(Traffic& traffic, Actions& actions);
+  void terminate(Traffic& traffic, int signal, bool is_quiet);
+  void kill(Traffic& traffic);
+  void check_log(const std::string& log) const;
+
+  std::uint64_t seed_;
+  RoundSize size_;
+  Summary& summary_;
+  Random random_;  // of the round
+  Random draws_;   // of the actions
+  RequestGenerator generator_;
+  e2e::Home home_;
+  StateFolder folder_;
+  std::unique_ptr<e2e::DaemonProcess> daemon_;
+  Inherited inherited_;
+  bool disk_was_full_ = false;  // during this start
+};
+
+}  // namespace hedgehog::soak

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: MIT
+#include "tests/soak/traffic.h"
+
+#include <poll.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include "tests/soak/failure.h"
+
+namespace hedgehog::soak {
+namespace {
+
+/// With a millisecond between two of them, more than any wait that the daemon documents.
+constexpr int kMaxPings = 60'000;
+
+}  // namespace
+
+Traffic::Traffic(e2e::DaemonProcess& daemon, const e2e::Home& home, RequestGenerator& generator,
+                 Summary& summary, double current_a)
+    : daemon_(daemon),
+      home_(home),
+      generator_(generator),
+      summary_(summary),
+      log_(home.path("log")),
+      endpoints_{daemon.port(), daemon.http_port(), daemon.socket()},
+      watcher_(Transport::kUnix, endpoints_, 0),
+      control_(daemon.socket()),
+      current_a_(current_a) {
+  watcher_.send(generator.request("hello", R"({"client":"watcher"})"));
+  watcher_.send(generator.request("events.subscribe", R"({"scope":"all"})"));
+  pump_until([&] { return watcher_.pending() == 0; }, [] { return "the watcher"; });
+}
+
+template <class Visit>
+void Traffic::for_each_peer(Visit visit) const {
+  for (const auto& peer : places_)
+    if (peer) visit(*peer);
+}
+
+Peer* Traffic::peer(std::size_t place) {
+  Peer* const found = places_[place].get();
+  return found != nullptr && found->is_open() ? found : nullptr;
+}
+
+Peer& Traffic::connect(std::size_t place, Transport transport, int receive_buffer) {
+  places_[place] = std::make_unique<Peer>(transport, endpoints_, receive_buffer);
+  Peer& peer = *places_[place];
+  ++summary_.connections;
+  if (transport == Transport::kHttp)
+    peer.provoke("HTTP");
+  else
+    send(peer, generator_.request("hello", R"({"client":"soak","protocol":"1.0"})"));
+  return peer;
+}
+
+void Traffic::connect_foreigner(std::size_t place, Transport transport, const std::string& bytes) {
+  places_[place] = std::make_unique<Peer>(transport, endpoints_, 0);
+  ++summary_.connections;
+  places_[place]->provoke("a first byte that begins no request");
+  places_[place]->send_bytes(bytes);
+}
+
+void Traffic::send(Peer& peer, const std::string& message, int fragments) {
+  constexpr std::size_t kMaxUnsent = std::size_t{4} << 20;
+  if (peer.unsent_bytes() > kMaxUnsent) return;
+  summary_.requests += protocol::decode_line(message).items.size();
+  peer.send(message, fragments);
+}
+
+bool Traffic::pump(int timeout_ms) {
+  std::vector<pollfd> waiting;
+  std::vector<Peer*> peers;
+  const auto add = [&](Peer& peer) {
+    const int events = (peer.wants_to_read() ? POLLIN : 0) | (peer.wants_to_write() ? POLLOUT : 0);
+    if (!peer.is_open() || events == 0) return;
+    waiting.push_back({peer.fd(), static_cast<short>(events), 0});
+    peers.push_back(&peer);
+  };
+  add(watcher_);
+  for_each_peer(add);
+  if (::poll(waiting.data(), waiting.size(), timeout_ms) <= 0) return false;
+  for (std::size_t i = 0; i < waiting.size(); ++i) {
+    if (waiting[i].revents == 0) continue;
+    const bool readable = peers[i]->reads() && (waiting[i].revents & ~POLLOUT) != 0;
+    peers[i]->exchange(readable, (waiting[i].revents & ~POLLIN) != 0, *this);
+    if (peers[i]->is_closed_by_daemon()) on_close(*peers[i]);
+  }
+  return true;
+}
+
+void Traffic::pump_until(const std::function<bool()>& done,
+                         const std::function<std::string()>& what) {
+  for (int pings = 0; pings < kMaxPings; ++pings) {
+    while (pump()) {
+    }
+    if (done()) return;
+    check_alive();
+    control_.call("ping");
+    pump(1);
+  }
+  throw Failure(what() + " is still missing after " + std::to_string(kMaxPings) + " pings");
+}
+
+void Traffic::check_alive() {
+  siginfo_t end{};
+  ::waitid(P_PID, static_cast<id_t>(daemon_.pid()), &end, WEXITED | WNOHANG | WNOWAIT);
+  if (end.si_pid != 0 && !ending_)
+    throw Failure("the daemon has ended by itself, status " + std::to_string(end.si_status));
+}
+
+std::string Traffic::reason_of_close(const Peer& peer) {
+  if (!peer.provoked().empty()) return peer.provoked();
+  if (ending_) return "the end of the daemon";
+  if (peer.is_half_closed() && peer.pending() == 0) return "half close";
+  const std::string is_cut = "does not read; disconnected";
+  if (peer.number() && log_.has_line("connection " + std::to_string(*peer.number()) + " (", is_cut))
+    return "does not read";
+  const std::string from = peer.address().empty() ? "unix" : peer.address();
+  if (!peer.has_received() && log_.has_line("a client from " + from, "is turned away"))
+    return "too many clients";
+  return {};
+}
+
+void Traffic::on_close(Peer& peer) {
+  const std::string report = peer.text();
+  std::string why = reason_of_close(peer);
+  // What the log says is written at about the same time.
+  for (int pings = 0; why.empty() && pings < kMaxPings / 60; ++pings) {
+    check_alive();
+    control_.call("ping");
+    why = reason_of_close(peer);
+  }
+  if (why.empty()) throw Failure("the daemon has closed a connection without a reason: " + report);
+  ++summary_.closed[why];
+}
+
+void Traffic::on_answer(Peer&, const AnsweredRequest& answered) {
+  ++summary_.answers[answered.error];
+  if (!answered.result || !answered.method) return;
+  const std::string_view method = protocol::name(*answered.method);
+  const protocol::Json* effect = answered.result->find("effect");
+  if (effect == nullptr || !method.starts_with("effect.")) return;
+  const auto number = static_cast<std::uint32_t>(*effect->as<std::int64_t>());
+  effects_.admitted(number);
+  generator_.offer_effect(number);
+}
+
+void Traffic::on_notification(Peer& peer, const protocol::Json& message) {
+  ++summary_.notifications;
+  if (&peer == &watcher_) effects_.event(*message.find("params"));
+}
+
+bool Traffic::is_settled() const {
+  bool settled = watcher_.pending() == 0;
+  for_each_peer([&](const Peer& peer) {
+    if (peer.is_open() && peer.provoked().empty())
+      settled =
+          settled && peer.pending() == 0 && peer.unsent_bytes() == 0 && !peer.is_half_closed();
+  });
+  return settled;
+}
+
+void Traffic::check() {
+  for_each_peer([&](Peer& peer) {
+    peer.read(true);
+    peer.complete_line();
+    // Whoever waits for a web page, or for the end that it asked for.
+    if (!peer.provoked().empty()) peer.close();
+  });
+  pump_until([&] { return is_settled(); }, [&] { return text(); });
+  check_connections();
+  check_limits();
+  end_effects();
+  if (!e2e::RawClient(daemon_.socket()).call("ping").contains("time_ns"))
+    throw Failure("a new client gets no answer to its ping");
+  ++summary_.checks;
+}
+
+void Traffic::check_connections() {
+  std::set<std::int64_t> expected{*watcher_.number(), call("hello")["connection"]};
+  for_each_peer([&](const Peer& peer) {
+    if (!peer.is_open()) return;
+    if (!peer.number()) throw Failure("a client without a number: " + peer.text());
+    expected.insert(*peer.number());
+  });
+  e2e::Json listed;
+  const auto is_right = [&] {
+    listed = call("connection.list")["connections"];
+    std::set<std::int64_t> present;
+    bool effects_are_owned = true;
+    for (const e2e::Json& one : listed) {
+      present.insert(one["connection"].get<std::int64_t>());
+      constexpr std::size_t kMaxEffects = 32;
+      if (one["effects"].size() > kMaxEffects) throw Failure("too many effects: " + one.dump());
+      for (const e2e::Json& effect : one["effects"])
+        effects_are_owned = effects_are_owned && effect["connection"] == one["connection"];
+    }
+    const e2e::Json effects = call("device.status")["effects"];
+    for (const e2e::Json& effect : effects)
+      effects_are_owned = effects_are_owned && expected.contains(effect["connection"]);
+    return present == expected && effects_are_owned;
+  };
+  pump_until(is_right, [&] {
+    return "that only " + std::to_string(expected.size()) +
+           " clients and their effects are left: " + listed.dump();
+  });
+}
+
+void Traffic::check_limits() {
+  control_.send(R"([{"jsonrpc":"2.0","id":"h","method":"hello"},)"
+                R"({"jsonrpc":"2.0","id":"s","method":"device.status"},)"
+                R"({"jsonrpc":"2.0","id":"d","method":"device.describe"}])"
+                "\n");
+  const e2e::Json answers = control_.answer();
+  const e2e::Json limits = answers[0]["result"]["limits"];
+  const double limit_a = answers[1]["result"]["limit_a"];
+  const double current_a = limits["current_a"];
+  if (limit_a > current_a || limit_a < 0.0 || limits["continuous_a"] > current_a ||
+      limits["felt_a"] > current_a || answers[2]["result"]["limits"]["current_a"] != current_a)
+    throw Failure("limits that contradict each other: " + answers[0].dump() + answers[1].dump());
+  constexpr double kRounding = 1e-6;
+  if (std::fabs(current_a - current_a_) > kRounding)
+    throw Failure("limits.current_a is " + std::to_string(current_a) + ", configured is " +
+                  std::to_string(current_a_));
+}
+
+void Traffic::end_effects() {
+  call("effect.stop_all", {{"scope", "all"}});
+  const auto is_over = [&] {
+    return effects_.unended().empty() && call("device.status")["effects"].empty();
+  };
+  pump_until(is_over, [&] { return "the end of effects" + effects_.unended(); });
+}
+
+e2e::Json Traffic::call(const std::string& method, const e2e::Json& params) {
+  ++summary_.requests;
+  const e2e::Json reply = control_.call(method, params);
+  ++summary_.answers[reply.contains("code") ? reply["code"].get<int>() : 0];
+  return reply;
+}
+
+void Traffic::reload(const std::string& configuration, bool is_good, double current_a) {
+  const std::string report = is_good ? "configuration reloaded" : "the old one stays";
+  const std::string not_taken = "the new limits were not taken";
+  const std::size_t before = log_.count(report);
+  const std::size_t untaken = log_.count(not_taken);
+  home_.configure(configuration);
+  daemon_.signal(SIGHUP);
+  ++summary_.reloads;
+  pump_until([&] { return log_.count(report) > before; },
+             [&] { return "\"" + report + "\" in the log for " + configuration; });
+  // Wider limits wait for the next start.
+  if (is_good && log_.count(not_taken) == untaken) current_a_ = std::min(current_a_, current_a);
+}
+
+std::string Traffic::text() const {
+  std::string text;
+  for_each_peer([&](const Peer& peer) {
+    if (peer.pending() > 0 || peer.unsent_bytes() > 0) text += peer.text() + "\n";
+  });
+  return text;
+}
+
+}  // namespace hedgehog::soak

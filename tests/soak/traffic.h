@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// The clients of one start of the daemon: each in a place of its own, beside one that watches all
+// events and one that pings.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "tests/e2e/daemon_process.h"
+#include "tests/e2e/raw_client.h"
+#include "tests/soak/effects_model.h"
+#include "tests/soak/log_view.h"
+#include "tests/soak/peer.h"
+#include "tests/soak/random.h"
+#include "tests/soak/request_generator.h"
+#include "tests/soak/summary.h"
+
+namespace hedgehog::soak {
+
+class Traffic : public PeerObserver {
+ public:
+  static constexpr std::size_t kPlaces = 10;
+
+  /// `current_a`: what the configuration limits the current to.
+  Traffic(e2e::DaemonProcess& daemon, const e2e::Home& home, RequestGenerator& generator,
+          Summary& summary, double current_a);
+
+  /// The client of that place; null: none, or it has gone.
+  Peer* peer(std::size_t place);
+  /// A new client there, whose first request is a hello.
+  Peer& connect(std::size_t place, Transport transport, int receive_buffer);
+
+  /// A client there whose first bytes are no request.
+  void connect_foreigner(std::size_t place, Transport transport, const std::string& bytes);
+
+  /// Counts what is sent through it.
+  void send(Peer& peer, const std::string& message, int fragments = 1);
+
+  /// Exchanges what can be exchanged at once, or waits up to a millisecond for the first of it.
+  /// True: there was something.
+  bool pump(int timeout_ms = 0);
+  /// Pumps until `done`. Throws Failure with `what` when the daemon has answered so many pings
+  /// meanwhile that it cannot be only slow.
+  void pump_until(const std::function<bool()>& done, const std::function<std::string()>& what);
+
+  /// Lets everything come to its end, then checks all that must hold: each response has come,
+  /// connections and effects are those of the clients that are there.
+  void check();
+  /// The result of a request of the client that pings.
+  e2e::Json call(const std::string& method, const e2e::Json& params = e2e::Json::object());
+  /// SIGHUP with this configuration; waits until the daemon has reported what it did. `current_a`:
+  /// the limit in it.
+  void reload(const std::string& configuration, bool is_good, double current_a);
+  /// The daemon ends now: it may close everything.
+  void expect_end() noexcept { ending_ = true; }
+
+  void on_answer(Peer& peer, const AnsweredRequest& answered) override;
+  void on_notification(Peer& peer, const protocol::Json& message) override;
+
+  LogView& log() noexcept { return log_; }
+  /// For a report: the clients, as far as something is pending.
+  std::string text() const;
+
+ private:
+  std::string reason_of_close(const Peer& peer);
+  void on_close(Peer& peer);
+  void check_alive();
+  void check_limits();
+  void check_connections();
+  void end_effects();
+  bool is_settled() const;
+  template <class Visit>
+  void for_each_peer(Visit visit) const;
+
+  e2e::DaemonProcess& daemon_;
+  const e2e::Home& home_;
+  RequestGenerator& generator_;
+  Summary& summary_;
+  LogView log_;
+  EffectsModel effects_;
+  Endpoints endpoints_;
+  std::array<std::unique_ptr<Peer>, kPlaces> places_;
+  Peer watcher_;
+  e2e::RawClient control_;
+  double current_a_;
+  bool ending_ = false;
+};
+
+}  // namespace hedgehog::soak
