@@ -63,7 +63,7 @@ WebSocketClient::WebSocketClient(int port, const std::string& more) : socket_(po
   answer_ = read_answer(socket_, false);
 }
 
-bool WebSocketClient::frame(int opcode, std::string_view payload, bool last) {
+std::string WebSocketClient::framed(int opcode, std::string_view payload, bool last) {
   std::string bytes(1, static_cast<char>((last ? 0x80 : 0) | opcode));
   const std::size_t size = payload.size();
   if (size < 126) {
@@ -76,7 +76,11 @@ bool WebSocketClient::frame(int opcode, std::string_view payload, bool last) {
   const std::string mask = "\x11\x22\x33\x44";
   bytes += mask;
   for (std::size_t i = 0; i < size; ++i) bytes += static_cast<char>(payload[i] ^ mask[i % 4]);
-  return socket_.send(bytes);
+  return bytes;
+}
+
+bool WebSocketClient::frame(int opcode, std::string_view payload, bool last) {
+  return socket_.send(framed(opcode, payload, last));
 }
 
 std::optional<WebSocketClient::Frame> WebSocketClient::next() {

@@ -36,7 +36,9 @@ class WebSocketClient {
   explicit WebSocketClient(int port, const std::string& more = "");
   const WebAnswer& answer() const noexcept { return answer_; }
 
-  /// One frame. `last`: of its message.
+  /// The bytes of one frame. `last`: of its message.
+  static std::string framed(int opcode, std::string_view payload, bool last);
+  /// Sends one.
   bool frame(int opcode, std::string_view payload, bool last = true);
   bool text(std::string_view message) { return frame(kText, message); }
 

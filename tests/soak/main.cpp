@@ -38,13 +38,13 @@ int main(int argc, char** argv) {
       return EX_USAGE;
     }
   }
+  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   std::printf("%s, from seed %llu on%s\n", hedgehog::e2e::hedgehogd().c_str(),
               static_cast<unsigned long long>(options.seed),
               soak::may_mount() ? "" : "; no full disks: this user may not mount one");
   soak::Summary summary;
   const std::string failure = soak::run_soak(options, summary, [&] {
     std::printf("%s\n", summary.line().c_str());
-    std::fflush(stdout);
   });
   std::printf("%s", summary.text().c_str());
   if (failure.empty()) return EXIT_SUCCESS;

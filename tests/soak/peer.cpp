@@ -39,7 +39,7 @@ bool is_utf8(std::string_view text) {
 Peer::Peer(Transport transport, const Endpoints& endpoints, int receive_buffer)
     : transport_(transport), unframer_(transport) {
   connect(endpoints, receive_buffer);
-  if (transport == Transport::kWebSocket) out_ = web_handshake(endpoints.http_port);
+  if (transport == Transport::kWebSocket) handshake_ = web_handshake(endpoints.http_port);
 }
 
 void Peer::connect(const Endpoints& endpoints, int receive_buffer) {
@@ -142,6 +142,14 @@ void Peer::half_close() {
   rest_.clear();
   record("(half close)");
   half_closed_ = true;
+  shut_when_sent();
+}
+
+void Peer::shut_when_sent() {
+  if (half_closed_ && !shut_ && out_.empty() && is_open()) {
+    shut_ = true;
+    ::shutdown(fd_, SHUT_WR);
+  }
 }
 
 void Peer::close() {
@@ -159,19 +167,18 @@ void Peer::reset() {
 
 void Peer::exchange(bool readable, bool writable, PeerObserver& observer) {
   if (writable) write_some();
-  if (half_closed_ && !shut_ && out_.empty() && is_open()) {
-    shut_ = true;
-    ::shutdown(fd_, SHUT_WR);
-  }
+  shut_when_sent();
   if (readable && is_open()) read_some(observer);
 }
 
 void Peer::write_some() {
-  const ssize_t sent = ::send(fd_, out_.data(), out_.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+  std::string& out = is_upgrading() ? handshake_ : out_;
+  if (out.empty()) return;
+  const ssize_t sent = ::send(fd_, out.data(), out.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
   if (sent > 0)
-    out_.erase(0, static_cast<std::size_t>(sent));
+    out.erase(0, static_cast<std::size_t>(sent));
   else if (errno != EAGAIN && errno != EINTR)
-    out_.clear();  // the end is seen when it reads
+    out.clear();  // the end is seen when it reads
 }
 
 void Peer::read_some(PeerObserver& observer) {

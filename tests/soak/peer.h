@@ -63,7 +63,9 @@ class Peer {
 
   /// Reads and writes what it can.
   void exchange(bool readable, bool writable, PeerObserver& observer);
-  bool wants_to_write() const noexcept { return is_open() && !out_.empty(); }
+  bool wants_to_write() const noexcept {
+    return is_open() && !(is_upgrading() ? handshake_ : out_).empty();
+  }
   bool wants_to_read() const noexcept { return is_open() && reads_; }
   void read(bool on) noexcept { reads_ = on; }
   bool reads() const noexcept { return reads_; }
@@ -86,16 +88,22 @@ class Peer {
   std::string text() const;
 
  private:
+  /// A WebSocket's frames wait for the response to its handshake (RFC 6455, section 4.1).
+  bool is_upgrading() const noexcept {
+    return transport_ == Transport::kWebSocket && unframer_.status() == 0;
+  }
   void connect(const Endpoints& endpoints, int receive_buffer);
   void record(const std::string& sent);
   void receive(const Received& message, PeerObserver& observer);
   void read_some(PeerObserver& observer);
   void write_some();
+  void shut_when_sent();
 
   Transport transport_;
   int fd_ = -1;
   std::string address_;
   Unframer unframer_;
+  std::string handshake_;
   std::string out_;
   std::string rest_;  // of a line that was sent in part, without its LF
   std::string part_;  // of the same line

@@ -17,6 +17,19 @@ std::string tail(const std::string& text) {
   return text.size() <= kShownLog ? text : "..." + text.substr(text.size() - kShownLog);
 }
 
+/// A sanitizer's report, or that of an assertion; empty: none.
+std::string report_in(const std::string& log) {
+  for (const char* report : {"ERROR: AddressSanitizer", "ERROR: LeakSanitizer", "runtime error:",
+                             "WARNING: ThreadSanitizer", "terminate called", "Assertion"})
+    if (const auto at = log.find(report); at != std::string::npos)
+      return "A report on stderr:\n" + log.substr(log.rfind('\n', at) + 1, kShownLog) + "\n";
+  return {};
+}
+
+void check_log(const std::string& log) {
+  if (const std::string report = report_in(log); !report.empty()) throw Failure(report);
+}
+
 }  // namespace
 
 Round::Round(std::uint64_t seed, RoundSize size, Summary& summary)
@@ -34,10 +47,9 @@ void Round::run() {
     try {
       run_start(start);
     } catch (const std::exception& e) {
-      // The clients report what the daemon does to them, too.
-      check_log(home_.read("log"));
+      const std::string log = home_.read("log");
       throw Failure(std::string(e.what()) + "\nin start " + std::to_string(start + 1) +
-                    " of the round; the log ends:\n" + tail(home_.read("log")));
+                    " of the round. " + report_in(log) + "The log ends:\n" + tail(log));
     }
   }
 }
@@ -179,13 +191,6 @@ void Round::terminate(Traffic& traffic, int signal, bool is_quiet) {
       throw Failure("no state is left after an orderly end: " + folder_.state());
   }
   inherited_.orderly = !folder_.has_planted();
-}
-
-void Round::check_log(const std::string& log) const {
-  for (const char* report : {"ERROR: AddressSanitizer", "ERROR: LeakSanitizer", "runtime error:",
-                             "WARNING: ThreadSanitizer", "terminate called", "Assertion"})
-    if (const auto at = log.find(report); at != std::string::npos)
-      throw Failure("a report on stderr:\n" + log.substr(at, kShownLog));
 }
 
 }  // namespace hedgehog::soak

@@ -43,7 +43,6 @@ class Round {
   void stop_and_kill(Traffic& traffic, Actions& actions);
   void terminate(Traffic& traffic, int signal, bool is_quiet);
   void kill(Traffic& traffic);
-  void check_log(const std::string& log) const;
 
   std::uint64_t seed_;
   RoundSize size_;

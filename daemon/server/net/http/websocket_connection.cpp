@@ -54,12 +54,16 @@ class WebSocketConnection final : public Connection {
   Stream stream_;
   beast::flat_buffer buffer_;
   bool skipping_ = false;
+  // Beast reads on by itself then; a read that begins in the middle of a message that it has
+  // skipped meanwhile would fail its assertions.
+  bool closing_ = false;
 };
 
 asio::awaitable<bool> WebSocketConnection::read_message() {
   buffer_.clear();
   skipping_ = false;
   do {
+    if (closing_) co_return false;
     error_code ec;
     co_await stream_.async_read_some(buffer_, Connection::kReadBytes,
                                      asio::redirect_error(asio::use_awaitable, ec));
@@ -115,6 +119,7 @@ std::size_t WebSocketConnection::untaken_bytes() noexcept {
 
 asio::awaitable<void> WebSocketConnection::finish_stream() {
   if (stream_.is_open()) {
+    closing_ = true;
     error_code ignored;
     co_await stream_.async_close(websocket::close_code::going_away,
                                  asio::redirect_error(asio::use_awaitable, ignored));
