@@ -43,9 +43,8 @@ int main(int argc, char** argv) {
               static_cast<unsigned long long>(options.seed),
               soak::may_mount() ? "" : "; no full disks: this user may not mount one");
   soak::Summary summary;
-  const std::string failure = soak::run_soak(options, summary, [&] {
-    std::printf("%s\n", summary.line().c_str());
-  });
+  const std::string failure =
+      soak::run_soak(options, summary, [&] { std::printf("%s\n", summary.line().c_str()); });
   std::printf("%s", summary.text().c_str());
   if (failure.empty()) return EXIT_SUCCESS;
   std::fprintf(stderr, "%s\nAgain: soak --rounds 1 --seed N with the seed above\n",

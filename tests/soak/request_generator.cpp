@@ -70,7 +70,7 @@ std::string RequestGenerator::id() {
     case 4:
       return std::to_string(9'007'199'254'740'992 - next);
     case 5:
-      return random_.percent(30) ? "null" : std::to_string(next);
+      return in_batch_ && random_.percent(30) ? "null" : std::to_string(next);
     default:
       return std::to_string(next);
   }
@@ -271,9 +271,11 @@ std::string RequestGenerator::batch() {
   const std::size_t count = random_.percent(5)    ? kMost + random_.below(3)
                             : random_.percent(10) ? kMost - random_.below(3)
                                                   : 1 + random_.below(8);
+  in_batch_ = true;
   std::string made;
   for (std::size_t i = 0; i < count; ++i)
     made += (i == 0 ? "[" : ",") + (random_.percent(85) ? valid() : invalid());
+  in_batch_ = false;
   return made + "]";
 }
 

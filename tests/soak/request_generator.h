@@ -43,7 +43,8 @@ class RequestGenerator {
   std::string list(std::string_view name, const protocol::Json& schema);
   std::string keyframes();
   std::string odd_value();
-  /// Unique as long as it is not null: a number, a fraction or a string.
+  /// Unique: a number, a fraction or a string. In a batch also null: its responses have an order,
+  /// so that each belongs to one request.
   std::string id();
   std::string joined(const Members& members);
 
@@ -52,6 +53,7 @@ class RequestGenerator {
   std::vector<protocol::Json> schemas_;  // of the parameters, by method
   std::vector<std::uint32_t> effects_;
   std::int64_t last_id_ = 0;
+  bool in_batch_ = false;
 };
 
 }  // namespace hedgehog::soak

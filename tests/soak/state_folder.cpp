@@ -42,7 +42,10 @@ bool mount_memory(const std::string& folder) {
   return ::mount("soak", folder.c_str(), "tmpfs", MS_NOSUID | MS_NODEV, "size=512k,mode=0700") == 0;
 }
 
+/// Empty when it is no file: a FIFO would wait for a writer.
 std::string contents(const std::string& path) {
+  std::error_code ec;
+  if (!fs::is_regular_file(fs::symlink_status(path, ec))) return {};
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
 }

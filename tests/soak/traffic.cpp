@@ -260,7 +260,8 @@ void Traffic::reload(const std::string& configuration, bool is_good, double curr
 std::string Traffic::text() const {
   std::string text;
   for_each_peer([&](const Peer& peer) {
-    if (peer.pending() > 0 || peer.unsent_bytes() > 0 || peer.is_half_closed()) text += peer.text() + "\n";
+    if (peer.pending() > 0 || peer.unsent_bytes() > 0 || peer.is_half_closed())
+      text += peer.text() + "\n";
   });
   return text;
 }
