@@ -37,6 +37,7 @@ help:
 	@echo 'make asan       the tests under AddressSanitizer and UBSan'
 	@echo 'make tsan       under ThreadSanitizer, the tests in which threads meet'
 	@echo 'make fuzz       each fuzzer for FUZZ_SECONDS=20'
+	@echo 'make soak       random clients, kills and full disks against the daemon under AddressSanitizer (ARGS="--seconds 1200 --seed 7")'
 	@echo 'make faults     the fault campaigns at full length'
 	@echo 'make rehearsal  a study of ten simulated people under twenty kills (REHEARSAL=whole: 5 s circles)'
 	@echo 'make guards     each safety guard taken out once: a test must go red'
@@ -194,6 +195,14 @@ fuzz: $(TEST_DEPS)
 	cmake --preset asan -DHEDGEHOG_FUZZ_SECONDS=$(FUZZ_SECONDS)
 	@$(STAGE) 'build fuzzers' cmake --build --preset asan --target fuzzers
 	@$(STAGE) 'fuzz' ctest --preset fuzz -j $(JOBS)
+
+# The clients are those of dev. ARGS: tests/soak/README.md. Ten minutes, if it does not say otherwise.
+.PHONY: soak
+soak: $(CONFIGURED_DEV) build/asan/build.ninja
+	@$(LOCK_DEV) $(BUILD_DEV) --target soak
+	@$(STAGE) 'build asan daemon' cmake --build --preset asan --target hedgehogd
+	@HEDGEHOG_PROGRAMS=$(CURDIR)/build/asan HEDGEHOG_SPEED_LIMIT=4 UBSAN_OPTIONS=print_stacktrace=1 \
+	  ASAN_OPTIONS=detect_stack_use_after_return=1:handle_abort=1 $(STAGE) soak build/dev/tests/soak $(ARGS)
 
 CHECKS ?= format shell tidy alone
 check: $(TEST_DEPS)

@@ -4,6 +4,7 @@
 #include <sched.h>
 #include <sys/mount.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
@@ -50,16 +51,24 @@ std::string contents(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+bool unshare_mounts() {
+  return has_own_mounts() && ::mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0;
+}
+
+/// Tried in a child: a process that was refused halfway could not go on.
+bool child_may_mount() {
+  const TemporaryFolder place;
+  const pid_t child = ::fork();
+  if (child == 0) ::_exit(unshare_mounts() && mount_memory(place.path()) ? 0 : 1);
+  int status = 1;
+  ::waitpid(child, &status, 0);
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
 }  // namespace
 
 bool may_mount() {
-  static const bool may = [] {
-    if (!has_own_mounts() || ::mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0)
-      return false;
-    const TemporaryFolder probe;
-    if (!mount_memory(probe.path())) return false;
-    return ::umount2(probe.path().c_str(), MNT_DETACH) == 0;
-  }();
+  static const bool may = child_may_mount() && unshare_mounts();
   return may;
 }
 

@@ -5,8 +5,6 @@
 #include <sys/wait.h>
 
 #include <algorithm>
-#include <cmath>
-#include <set>
 #include <vector>
 
 #include "tests/soak/failure.h"
@@ -33,12 +31,6 @@ Traffic::Traffic(e2e::DaemonProcess& daemon, const e2e::Home& home, RequestGener
   watcher_.send(generator.request("hello", R"({"client":"watcher"})"));
   watcher_.send(generator.request("events.subscribe", R"({"scope":"all"})"));
   pump_until([&] { return watcher_.pending() == 0; }, [] { return "the watcher"; });
-}
-
-template <class Visit>
-void Traffic::for_each_peer(Visit visit) const {
-  for (const auto& peer : places_)
-    if (peer) visit(*peer);
 }
 
 Peer* Traffic::peer(std::size_t place) {
@@ -152,88 +144,6 @@ void Traffic::on_answer(Peer&, const AnsweredRequest& answered) {
 void Traffic::on_notification(Peer& peer, const protocol::Json& message) {
   ++summary_.notifications;
   if (&peer == &watcher_) effects_.event(*message.find("params"));
-}
-
-bool Traffic::is_settled() const {
-  bool settled = watcher_.pending() == 0;
-  for_each_peer([&](const Peer& peer) {
-    if (peer.is_open() && peer.provoked().empty())
-      settled =
-          settled && peer.pending() == 0 && peer.unsent_bytes() == 0 && !peer.is_half_closed();
-  });
-  return settled;
-}
-
-void Traffic::check() {
-  for_each_peer([&](Peer& peer) {
-    peer.read(true);
-    peer.complete_line();
-    // Whoever waits for a web page, or for the end that it asked for.
-    if (!peer.provoked().empty()) peer.close();
-  });
-  pump_until([&] { return is_settled(); }, [&] { return text(); });
-  check_connections();
-  check_limits();
-  end_effects();
-  if (!e2e::RawClient(daemon_.socket()).call("ping").contains("time_ns"))
-    throw Failure("a new client gets no answer to its ping");
-  ++summary_.checks;
-}
-
-void Traffic::check_connections() {
-  std::set<std::int64_t> expected{*watcher_.number(), call("hello")["connection"]};
-  for_each_peer([&](const Peer& peer) {
-    if (!peer.is_open()) return;
-    if (!peer.number()) throw Failure("a client without a number: " + peer.text());
-    expected.insert(*peer.number());
-  });
-  e2e::Json listed;
-  const auto is_right = [&] {
-    listed = call("connection.list")["connections"];
-    std::set<std::int64_t> present;
-    bool effects_are_owned = true;
-    for (const e2e::Json& one : listed) {
-      present.insert(one["connection"].get<std::int64_t>());
-      constexpr std::size_t kMaxEffects = 32;
-      if (one["effects"].size() > kMaxEffects) throw Failure("too many effects: " + one.dump());
-      for (const e2e::Json& effect : one["effects"])
-        effects_are_owned = effects_are_owned && effect["connection"] == one["connection"];
-    }
-    const e2e::Json effects = call("device.status")["effects"];
-    for (const e2e::Json& effect : effects)
-      effects_are_owned = effects_are_owned && expected.contains(effect["connection"]);
-    return present == expected && effects_are_owned;
-  };
-  pump_until(is_right, [&] {
-    return "that only " + std::to_string(expected.size()) +
-           " clients and their effects are left: " + listed.dump();
-  });
-}
-
-void Traffic::check_limits() {
-  control_.send(R"([{"jsonrpc":"2.0","id":"h","method":"hello"},)"
-                R"({"jsonrpc":"2.0","id":"s","method":"device.status"},)"
-                R"({"jsonrpc":"2.0","id":"d","method":"device.describe"}])"
-                "\n");
-  const e2e::Json answers = control_.answer();
-  const e2e::Json limits = answers[0]["result"]["limits"];
-  const double limit_a = answers[1]["result"]["limit_a"];
-  const double current_a = limits["current_a"];
-  if (limit_a > current_a || limit_a < 0.0 || limits["continuous_a"] > current_a ||
-      limits["felt_a"] > current_a || answers[2]["result"]["limits"]["current_a"] != current_a)
-    throw Failure("limits that contradict each other: " + answers[0].dump() + answers[1].dump());
-  constexpr double kRounding = 1e-6;
-  if (std::fabs(current_a - current_a_) > kRounding)
-    throw Failure("limits.current_a is " + std::to_string(current_a) + ", configured is " +
-                  std::to_string(current_a_));
-}
-
-void Traffic::end_effects() {
-  call("effect.stop_all", {{"scope", "all"}});
-  const auto is_over = [&] {
-    return effects_.unended().empty() && call("device.status")["effects"].empty();
-  };
-  pump_until(is_over, [&] { return "the end of effects" + effects_.unended(); });
 }
 
 e2e::Json Traffic::call(const std::string& method, const e2e::Json& params) {

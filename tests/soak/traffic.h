@@ -69,11 +69,15 @@ class Traffic : public PeerObserver {
   void on_close(Peer& peer);
   void check_alive();
   void check_limits();
+  void check_slot();
   void check_connections();
   void end_effects();
   bool is_settled() const;
   template <class Visit>
-  void for_each_peer(Visit visit) const;
+  void for_each_peer(Visit visit) const {
+    for (const auto& peer : places_)
+      if (peer) visit(*peer);
+  }
 
   e2e::DaemonProcess& daemon_;
   const e2e::Home& home_;
