@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The daemon's side of a case of conformance.json: fake_daemon.py NAME. Prints its port; ends when the case has been
-played: exit 0, or 1 with a sentence when a client sent something else than the case expects."""
+"""The daemon's side of a case of conformance.json: fake_daemon.py NAME [--websocket]. Prints its port; ends when the case has
+been played: exit 0, or 1 with a sentence when a client sent something else than the case expects."""
 
 import json
 import pathlib
 import socket
 import sys
+
+from websocket import WebSocketLines
 
 HELLO = {"server": "fake", "protocol": "1.0", "role": "operate",
          "limits": {"current_a": 15.0, "continuous_a": 5.0, "felt_a": 2.1, "burst_s": 22.0}}
@@ -34,6 +36,19 @@ def check(expected, message):
             raise Refused("%s: parameters %s" % (expected["method"], json.dumps(params)))
 
 
+class Lines:
+    """A connection of lines, as on TCP."""
+
+    def __init__(self, connection):
+        self._stream = connection.makefile("rb")
+        self.readline = self._stream.readline
+        self.close = self._stream.close
+
+    @staticmethod
+    def encode(data):
+        return data
+
+
 def send(connection, data, piece):
     for at in range(0, len(data), piece or len(data)):
         connection.sendall(data[at:at + (piece or len(data))])
@@ -48,15 +63,15 @@ def play(step, connection, lines):
     message = json.loads(text)
     check(step["expect"], message)
     for other in step.get("send", []):
-        connection.sendall(line_of(other))
+        connection.sendall(lines.encode(line_of(other)))
     if "raw" in step:
-        connection.sendall(step["raw"].encode("utf-8"))
+        connection.sendall(lines.encode(step["raw"].encode("utf-8")))
     for kind in ("result", "error"):
         if kind in step:
-            send(connection, line_of({"jsonrpc": "2.0", "id": message["id"], kind: step[kind]}),
+            send(connection, lines.encode(line_of({"jsonrpc": "2.0", "id": message["id"], kind: step[kind]})),
                  step.get("piece_bytes", 0))
     for other in step.get("after", []):
-        connection.sendall(line_of(other))
+        connection.sendall(lines.encode(line_of(other)))
 
 
 def main():
@@ -69,7 +84,7 @@ def main():
         for steps in case["connections"]:
             connection, _ = server.accept()
             connection.settimeout(60)
-            lines = connection.makefile("rb")
+            lines = (WebSocketLines if "--websocket" in sys.argv[2:] else Lines)(connection)
             for step in steps:
                 play(step, connection, lines)
             # The client closes, unless the case says that the daemon does.

@@ -24,7 +24,11 @@ bounded() {
 bounded python3 conformance_table_test.py
 bounded python3 python_conformance.py
 bounded python3 python_live.py "$daemon"
-HEDGEHOGD=$daemon bounded node --test --test-concurrency=1 --test-timeout=240000 --test-reporter=spec ./*.test.mjs
+
+# JavaScript, in Node.js and in the browser of tests/web.
+../../cmake/npm.sh ../web ../../build/npm/web
+HEDGEHOGD=$daemon HEDGEHOG_NODE_MODULES=$PWD/../../build/npm/web/node_modules \
+  bounded node --test --test-concurrency=1 --test-timeout=240000 --test-reporter=spec js/*.test.mjs
 
 # C#, for Unity and others.
 bounded unity/run.sh "$daemon"

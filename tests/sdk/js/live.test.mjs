@@ -8,10 +8,10 @@ import path from "node:path";
 import { createInterface } from "node:readline";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { daemonAddresses, parseAddress } from "../../clients/js/src/addresses.js";
-import { AddressError, Ball, NotConnected } from "../../clients/js/src/node.js";
+import { daemonAddresses, parseAddress } from "../../../clients/js/src/addresses.js";
+import { AddressError, Ball, NotConnected } from "../../../clients/js/src/node.js";
 
-const library = fileURLToPath(new URL("../../clients/js", import.meta.url));
+const library = fileURLToPath(new URL("../../../clients/js", import.meta.url));
 let folder;
 let daemon;
 let address;

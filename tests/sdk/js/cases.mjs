@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// conformance.json as tests of one library.
+import assert from "node:assert/strict";
+import { spawn } from "node:child_process";
+import fs from "node:fs";
+import { test } from "node:test";
+import { fileURLToPath } from "node:url";
+
+const here = (name) => fileURLToPath(new URL(name, import.meta.url));
+const { cases } = JSON.parse(fs.readFileSync(here("../conformance.json"), "utf8"));
+const PATIENCE_MS = 60_000;
+// A case in which the daemon never answers takes as long as the library's patience.
+const SLOW = "a slow response ends the connection, the next call makes a new one";
+
+async function fakeDaemon(name, more) {
+  const process = spawn("python3", [here("../fake_daemon.py"), name, ...more], { stdio: ["ignore", "pipe", "pipe"] });
+  let errors = "";
+  process.stderr.on("data", (text) => (errors += text));
+  const ended = new Promise((resolve) => process.on("close", (code) => resolve([code, errors])));
+  const port = await new Promise((resolve) => process.stdout.once("data", resolve));
+  return { port: String(port).trim(), ended };
+}
+
+/** What came of a step has to be what it says. */
+function check(step, outcome) {
+  if (step.failure) {
+    assert.equal(outcome.failure, step.failure, JSON.stringify(outcome));
+    assert.ok(outcome.message.includes(step.says), outcome.message);
+  } else if (step.error) {
+    assert.deepEqual(outcome, { error: step.error });
+  } else {
+    assert.ok("value" in outcome, JSON.stringify(outcome));
+    if (step.result) assert.deepEqual(outcome.value, step.result);
+    else if (step.notify || step.rumble) assert.equal(outcome.value, true);
+    else if (step.notification) assert.deepEqual(outcome.value, [step.notification, step.params ?? {}]);
+  }
+}
+
+/** For the table of run.sh. */
+function report(library, name, outcome) {
+  const table = process.env.HEDGEHOG_CONFORMANCE_TABLE;
+  if (table) fs.appendFileSync(table, `${library}\t${name}\t${outcome}\n`);
+}
+
+/**
+ * A test a case. `driver`: makes a Driver, or what passes its steps on to one. `address`: of a daemon at a port; `more`:
+ * arguments of fake_daemon.py.
+ */
+export function addCases(library, driver, address, more = []) {
+  for (const one of cases) {
+    test(`${library}: ${one.name}`, async (context) => {
+      let passed = false;
+      context.after(() => report(library, one.name, passed ? "ok" : "failed"));
+      const daemon = await fakeDaemon(one.name, more);
+      const ball = await driver();
+      const opened = await ball.open({
+        address: address(daemon.port),
+        name: "conformance",
+        patienceMs: one.name === SLOW ? 3000 : PATIENCE_MS,
+      });
+      const [first, ...rest] = one.client[0].open ? one.client : [{ open: true }, ...one.client];
+      check(first, opened);
+      for (const step of rest) check(step, await ball.do(step));
+      await ball.close();
+      assert.deepEqual(await daemon.ended, [0, ""]);
+      passed = true;
+    });
+  }
+}

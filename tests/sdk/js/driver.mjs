@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// A step of a case on a Ball, in Node.js or in a page. What comes of it is plain data, so that a browser can hand it over:
+// {value}, {failure, message} or {error: {code, name, message, field}}.
+export class Driver {
+  #library;
+  #ball = null;
+  #notifications;
+
+  /** The module of the library: {Ball, NotConnected, RequestError}. */
+  constructor(library) {
+    this.#library = library;
+  }
+
+  open(options) {
+    return this.#outcome(async () => {
+      this.#ball = await this.#library.Ball.connect(options);
+      this.#notifications = this.#ball.notifications();
+    });
+  }
+
+  do(step) {
+    return this.#outcome(() => this.#action(step));
+  }
+
+  close() {
+    this.#ball?.close();
+  }
+
+  #action(step) {
+    const ball = this.#ball;
+    if (step.call) return ball.call(step.call, step.params);
+    if (step.call_again) return this.#again(step.call_again);
+    if (step.notify) return ball.notify(step.notify, step.params);
+    if (step.rumble) return ball.rumble(step.rumble, step.strength, step.direction, step.params);
+    return this.#notifications.next().then(({ value }) => value);
+  }
+
+  async #again(method) {
+    for (;;) {
+      try {
+        return await this.#ball.call(method);
+      } catch (error) {
+        if (!(error instanceof this.#library.NotConnected)) throw error;
+        await new Promise((resolve) => setTimeout(resolve, error.retryAfterMs));
+      }
+    }
+  }
+
+  async #outcome(action) {
+    const { NotConnected, RequestError } = this.#library;
+    try {
+      return { value: await action() };
+    } catch (error) {
+      if (error instanceof NotConnected) return { failure: "not_connected", message: error.message };
+      if (!(error instanceof RequestError)) throw error;
+      const { code, reason, message, data } = error;
+      return { error: { code, name: reason, message, ...("field" in data ? { field: data.field } : {}) } };
+    }
+  }
+}

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Files of folders over HTTP, on a free port: what a page's modules are loaded from.
+import fs from "node:fs";
+import http from "node:http";
+import path from "node:path";
+
+const TYPES = { ".html": "text/html", ".js": "text/javascript", ".mjs": "text/javascript" };
+
+/** `folders`: path prefix → folder. */
+export async function servePages(folders) {
+  const server = http.createServer((request, response) => {
+    const asked = path.posix.normalize(new URL(request.url, "http://localhost").pathname);
+    const prefix = Object.keys(folders).find((one) => asked.startsWith(one));
+    const file = prefix && path.join(folders[prefix], asked.slice(prefix.length) || "index.html");
+    if (!file || !fs.existsSync(file)) {
+      response.writeHead(404).end();
+      return;
+    }
+    response.writeHead(200, { "Content-Type": TYPES[path.extname(file)] ?? "text/plain" });
+    response.end(fs.readFileSync(file));
+  });
+  await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
+  return {
+    port: server.address().port,
+    url: `http://127.0.0.1:${server.address().port}`,
+    close() {
+      server.close();
+      server.closeAllConnections();
+    },
+  };
+}
