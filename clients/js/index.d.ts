@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
-import { Methods, Direction, Result } from "./methods.js";
+import type { MethodTypes } from "./methods.js";
+import { Methods } from "./methods.js";
+import type { BallEvent, Direction, ErrorData, ErrorName, EventType, Hello, Telemetry } from "./results.js";
 
-export { Direction, Result } from "./methods.js";
+export type * from "./methods.js";
+export type * from "./results.js";
+export { ErrorCode } from "./results.js";
 
 export interface Options {
   /** "127.0.0.1:7586" or a socket's path in Node.js, "ws://..." in a browser; without, found as by every client. */
@@ -12,7 +16,14 @@ export interface Options {
   patienceMs?: number;
   /** Of roles beyond those of this machine. */
   token?: string;
+  /** Called after each connection but the first: subscriptions are renewed, effects are not. */
+  onReconnect?: (hello: Hello) => void;
 }
+
+/** A key of the status, for telemetry. */
+export type TelemetryField = NonNullable<MethodTypes["telemetry.subscribe"]["params"]["fields"]>[number];
+export type Scope = NonNullable<MethodTypes["events.subscribe"]["params"]["scope"]>;
+export type VibrateParams = Omit<MethodTypes["effect.vibrate"]["params"], "direction" | "slot" | "level">;
 
 export declare class BallError extends Error {}
 export declare class AddressError extends BallError {}
@@ -20,23 +31,27 @@ export declare class NotConnected extends BallError {
   readonly retryAfterMs: number;
 }
 export declare class RequestError extends BallError {
+  /** One of ErrorCode, or one that a later daemon has. */
   readonly code: number;
-  /** "invalid_params" */
-  readonly reason: string;
-  readonly data: Record<string, unknown>;
+  /** "invalid_params"; "" when the daemon gave none. */
+  readonly reason: ErrorName | (string & {});
+  readonly data: Partial<ErrorData>;
 }
 
 export declare class Ball extends Methods {
   static connect(options?: Options): Promise<Ball>;
   constructor(options?: Options);
   readonly connected: boolean;
-  readonly hello: Result | null;
+  readonly hello: Hello | null;
   open(): Promise<void>;
   close(): void;
-  call(method: string, params?: object): Promise<any>;
+  call<M extends keyof MethodTypes>(method: M, params?: MethodTypes[M]["params"]): Promise<MethodTypes[M]["result"]>;
+  /** Of a method that these types do not know. */
+  call(method: string, params?: object): Promise<unknown>;
+  notify<M extends keyof MethodTypes>(method: M, params?: MethodTypes[M]["params"]): boolean;
   notify(method: string, params?: object): boolean;
-  rumble(slot: string, strength: number, direction?: Direction, params?: object): boolean;
-  events(types?: string[], options?: { scope?: string }): AsyncGenerator<Result>;
-  telemetry(rate_hz?: number, fields?: string[]): AsyncGenerator<Result>;
-  notifications(): AsyncIterableIterator<[string, Result]>;
+  rumble(slot: string, strength: number, direction?: Direction, params?: VibrateParams): boolean;
+  events(types?: EventType[], options?: { scope?: Scope }): AsyncGenerator<BallEvent, void, undefined>;
+  telemetry(rate_hz?: number, fields?: TelemetryField[]): AsyncGenerator<Telemetry, void, undefined>;
+  notifications(): AsyncIterableIterator<["event", BallEvent] | ["telemetry", Telemetry]>;
 }

@@ -26,8 +26,10 @@ bounded python3 python_conformance.py
 bounded python3 python_live.py "$daemon"
 
 # JavaScript, in Node.js and in the browser of tests/web.
-../../cmake/npm.sh ../web ../../build/npm/web
-HEDGEHOGD=$daemon HEDGEHOG_NODE_MODULES=$PWD/../../build/npm/web/node_modules \
+packages=$PWD/../../build/npm
+../../cmake/npm.sh ../web "$packages/web"
+../../cmake/npm.sh js/types "$packages/typescript"
+HEDGEHOGD=$daemon HEDGEHOG_NODE_MODULES=$packages/web/node_modules HEDGEHOG_TYPESCRIPT=$packages/typescript/node_modules \
   bounded node --test --test-concurrency=1 --test-timeout=240000 --test-reporter=spec js/*.test.mjs
 
 # C#, for Unity and others.

@@ -12,11 +12,12 @@ const kChromium = process.env.CHROMIUM ?? ["/usr/bin/chromium", "/usr/bin/chromi
 export const kDesktop = { viewport: { width: 1360, height: 860 } };
 export const kPhone = { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, isMobile: true, hasTouch: true };
 
-export function launch() {
+/** `names`: further rules of Chromium for where an address leads. */
+export function launch(names = []) {
   return chromium.launch({
     executablePath: kChromium,
     args: ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking",
-      "--disable-component-update", "--disable-sync", "--enable-unsafe-swiftshader", "--host-resolver-rules=MAP *.example 127.0.0.1"],
+      "--disable-component-update", "--disable-sync", "--enable-unsafe-swiftshader", `--host-resolver-rules=${["MAP *.example 127.0.0.1", ...names].join(", ")}`],
   });
 }
 

@@ -23,7 +23,8 @@ function given(params) {
 
 /**
  * A connection to the daemon; the effects of a connection end with it. After a lost connection the next call connects
- * anew, no more often than its back-off allows.
+ * anew, no more often than its back-off allows. What the program subscribed to is subscribed to again; its effects are
+ * not made again: `onReconnect(hello)` is called after each connection but the first.
  *
  * `connectors`: functions that open a transport, tried in order; each is given `{message, ended}` and resolves to
  * `{send(text), close()}` or rejects with an Error that says where and why.
@@ -40,14 +41,19 @@ export class BallCore extends Methods {
   #waitMs = 0;
   #nextAttempt = 0;
   #closed = false;
+  #connections = 0;
+  #onReconnect;
+  /** Parameters by method, of subscriptions that the daemon has accepted. */
+  #subscriptions = new Map();
   /** What the daemon said of itself: server, role, limits. */
   hello = null;
 
-  constructor(connectors, { name = "javascript", patienceMs = 2000, token } = {}) {
+  constructor(connectors, { name = "javascript", patienceMs = 2000, token, onReconnect } = {}) {
     super();
     this.#connectors = connectors;
     this.#hello = given({ client: name, protocol: "1", token });
     this.#patienceMs = patienceMs;
+    this.#onReconnect = onReconnect;
   }
 
   get connected() {
@@ -63,7 +69,9 @@ export class BallCore extends Methods {
   /** The result of a method. Rejects with RequestError when the daemon refuses, with NotConnected when there is none. */
   async call(method, params = {}) {
     await this.open();
-    return this.#ask(method, params);
+    const result = await this.#ask(method, params);
+    this.#noteSubscription(method, params);
+    return result;
   }
 
   /** Sends without waiting for a response. False: nothing was sent, there is no daemon; then it connects meanwhile. */
@@ -73,6 +81,7 @@ export class BallCore extends Methods {
       return false;
     }
     this.#send({ method }, params);
+    this.#noteSubscription(method, params);
     return true;
   }
 
@@ -165,6 +174,15 @@ export class BallCore extends Methods {
     }
     this.#waitMs = 0;
     this.#nextAttempt = 0;
+    // Nobody waits for these responses.
+    for (const [method, params] of this.#subscriptions) this.#send({ id: ++this.#lastId, method }, params);
+    const { hello } = this;
+    if (this.#connections++ > 0) queueMicrotask(() => this.#onReconnect?.(hello));
+  }
+
+  #noteSubscription(method, params) {
+    if (method.endsWith(".subscribe")) this.#subscriptions.set(method, params);
+    if (method.endsWith(".unsubscribe")) this.#subscriptions.delete(method.replace(".unsubscribe", ".subscribe"));
   }
 
   async #openTransport(connect) {

@@ -3,6 +3,7 @@
 import { BallCore } from "./ball.js";
 import { NotConnected } from "./errors.js";
 
+export * from "./error_codes.js";
 export * from "./errors.js";
 
 function connector(address) {

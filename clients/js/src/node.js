@@ -6,6 +6,7 @@ import { daemonAddresses, describe } from "./addresses.js";
 import { BallCore } from "./ball.js";
 import { NotConnected } from "./errors.js";
 
+export * from "./error_codes.js";
 export * from "./errors.js";
 
 const CAUSES = { ECONNREFUSED: "Connection refused", ENOENT: "No such file or directory", EACCES: "Permission denied" };

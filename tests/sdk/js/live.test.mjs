@@ -10,6 +10,7 @@ import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { daemonAddresses, parseAddress } from "../../../clients/js/src/addresses.js";
 import { AddressError, Ball, NotConnected } from "../../../clients/js/src/node.js";
+import { example, installed } from "./installed.mjs";
 
 const library = fileURLToPath(new URL("../../../clients/js", import.meta.url));
 let folder;
@@ -35,19 +36,18 @@ after(async () => {
   fs.rmSync(folder, { recursive: true });
 });
 
-test("the first example of the README runs in an empty folder", () => {
-  const [, example] = /```js\n([\s\S]*?)```/.exec(fs.readFileSync(`${library}/README.md`, "utf8"));
-  assert.ok(example.trim().split("\n").length <= 10);
-  const empty = path.join(folder, "empty");
-  fs.mkdirSync(path.join(empty, "node_modules", "@hedgehog"), { recursive: true });
-  fs.symlinkSync(library, path.join(empty, "node_modules", "@hedgehog", "client"));
-  fs.writeFileSync(path.join(empty, "game.mjs"), example);
+test("the first example of the README runs in an empty folder that has the packed library", () => {
+  const game = installed();
+  const text = example("js");
+  assert.ok(text.trim().split("\n").length <= 10);
+  fs.writeFileSync(path.join(game.folder, "game.mjs"), text);
   const printed = execFileSync(process.execPath, ["game.mjs"], {
-    cwd: empty,
+    cwd: game.folder,
     env: { ...process.env, HEDGEHOG_ADDRESS: address },
     encoding: "utf8",
   });
   assert.ok(Number(printed) > 10);
+  game.remove();
 });
 
 test("a pulse is played and ends", async () => {
