@@ -24,6 +24,7 @@ bounded() {
 bounded python3 conformance_table_test.py
 bounded python3 python_conformance.py
 bounded python3 python_live.py "$daemon"
+bounded python3 python_types.py
 
 # JavaScript, in Node.js and in the browser of tests/web.
 packages=$PWD/../../build/npm

@@ -12,8 +12,10 @@
 
 from .aio import AsyncBall
 from .ball import Ball
+from .error_codes import ErrorCode, ErrorName
 from .errors import AddressError, BallError, NotConnected, RequestError
-from .methods import Direction
+from .messages import Direction, Event, EventType, Status, Telemetry, TelemetryField
 
-__all__ = ["AddressError", "AsyncBall", "Ball", "BallError", "Direction", "NotConnected", "RequestError"]
+__all__ = ["AddressError", "AsyncBall", "Ball", "BallError", "Direction", "ErrorCode", "ErrorName", "Event", "EventType",
+           "NotConnected", "RequestError", "Status", "Telemetry", "TelemetryField"]
 __version__ = "1.0.0"

@@ -3,14 +3,16 @@
 
 import asyncio
 import time
-from typing import Any, AsyncIterator, Dict, Iterable, List, Mapping, Optional
+from typing import Any, AsyncIterator, Callable, Dict, Iterable, List, Mapping, Optional, Tuple
 
 from .address import Address, daemon_addresses
 from .backoff import Backoff, nobody_there
 from .errors import NotConnected
 from .exchange import MAX_WAITING, Exchange
+from .messages import Direction, Event, EventType, Hello, Scope, Telemetry, TelemetryField
 from .methods import AsyncMethods
 from .rumble import rumble_params
+from .subscriptions import Subscriptions
 
 
 class AsyncBall(AsyncMethods):
@@ -21,9 +23,9 @@ class AsyncBall(AsyncMethods):
     """
 
     def __init__(self, address: Optional[str] = None, *, name: str = "python", patience_s: float = 2.0,
-                 token: Optional[str] = None) -> None:
+                 token: Optional[str] = None, on_reconnect: Optional[Callable[[Hello], None]] = None) -> None:
         self._addresses = daemon_addresses(address)
-        self._hello = {"client": name, "protocol": "1", "token": token}
+        self._hello: Dict[str, Any] = {"client": name, "protocol": "1", "token": token}
         self._patience_s = patience_s
         self._backoff = Backoff()
         self._connecting = asyncio.Lock()
@@ -32,7 +34,10 @@ class AsyncBall(AsyncMethods):
         self._exchange = Exchange()
         self._waiting: Dict[int, "asyncio.Future[None]"] = {}
         self._subscribers: List["asyncio.Queue[Any]"] = []
-        self._welcome: Mapping[str, Any] = {}
+        self._subscriptions = Subscriptions()
+        self._on_reconnect = on_reconnect
+        self._connections = 0
+        self._welcome: Optional[Hello] = None
         self._closed = False
 
     async def __aenter__(self) -> "AsyncBall":
@@ -56,14 +61,17 @@ class AsyncBall(AsyncMethods):
         return self._writer is not None
 
     @property
-    def hello(self) -> Mapping[str, Any]:
-        """What the daemon said of itself: server, role, limits."""
+    def hello(self) -> Hello:
+        """What the daemon said of itself: server, role, limits. REQUIRES: it was connected once."""
+        assert self._welcome is not None
         return self._welcome
 
     async def call(self, method: str, /, **params: Any) -> Any:
         """The result of a method. Raises RequestError when the daemon refuses, NotConnected when there is none."""
         await self._ensure()
-        return await self._ask(method, params)
+        result = await self._ask(method, params)
+        self._subscriptions.note(method, params)
+        return result
 
     async def notify(self, method: str, /, **params: Any) -> bool:
         """Sends without waiting for a response. False: nothing was sent, there is no daemon."""
@@ -73,9 +81,10 @@ class AsyncBall(AsyncMethods):
             return False
         assert self._writer is not None
         self._writer.write(self._exchange.notification(method, params))
+        self._subscriptions.note(method, params)
         return True
 
-    async def rumble(self, slot: str, strength: float, direction: Any = None, **params: Any) -> bool:
+    async def rumble(self, slot: str, strength: float, direction: Optional[Direction] = None, **params: Any) -> bool:
         """A vibration that goes on while this is called every frame; strength 0..1, 0 ends it. As `notify`."""
         if strength <= 0.0:
             return await self.notify("effect.stop", slot=slot)
@@ -84,24 +93,24 @@ class AsyncBall(AsyncMethods):
         except NotConnected:
             return False
         return await self.notify("effect.vibrate", direction=direction,
-                                 **rumble_params(slot, strength, self._welcome["limits"], params))
+                                 **rumble_params(slot, strength, self.hello["limits"], params))
 
-    async def events(self, types: Optional[Iterable[str]] = None, *,
-                     scope: Optional[str] = None) -> AsyncIterator[Mapping[str, Any]]:
+    async def events(self, types: Optional[Iterable[EventType]] = None, *,
+                     scope: Optional[Scope] = None) -> AsyncIterator[Event]:
         """Events as they come. Raises NotConnected when the connection ends."""
         async for params in self._subscribed("event", "events.subscribe", {
                 "types": list(types) if types is not None else None, "scope": scope}):
             yield params
 
     async def telemetry(self, rate_hz: float = 10.0,
-                        fields: Optional[Iterable[str]] = None) -> AsyncIterator[Mapping[str, Any]]:
+                        fields: Optional[Iterable[TelemetryField]] = None) -> AsyncIterator[Telemetry]:
         """The status again and again. Raises NotConnected when the connection ends."""
         async for params in self._subscribed("telemetry", "telemetry.subscribe", {
                 "rate_hz": rate_hz, "fields": list(fields) if fields is not None else None}):
             yield params
 
     async def _subscribed(self, method: str, subscribe: str,
-                          params: Mapping[str, Any]) -> AsyncIterator[Mapping[str, Any]]:
+                          params: Mapping[str, Any]) -> AsyncIterator[Any]:
         queue: "asyncio.Queue[Any]" = asyncio.Queue(MAX_WAITING)
         self._subscribers.append(queue)
         try:
@@ -149,6 +158,11 @@ class AsyncBall(AsyncMethods):
             self._end(str(refused))
             raise
         self._backoff.succeeded()
+        for line in self._subscriptions.requests(self._exchange):
+            self._writer.write(line)
+        self._connections += 1
+        if self._connections > 1 and self._on_reconnect is not None:
+            self._on_reconnect(self.hello)
 
     async def _ask(self, method: str, params: Mapping[str, Any]) -> Any:
         if self._writer is None:
@@ -215,7 +229,7 @@ class AsyncBall(AsyncMethods):
         return lost
 
 
-async def _open(address: Address) -> Any:
+async def _open(address: Address) -> Tuple[asyncio.StreamReader, asyncio.StreamWriter]:
     if isinstance(address, str):
         return await asyncio.open_unix_connection(address)
     host, port = address

@@ -4,14 +4,16 @@
 import socket
 import threading
 import time
-from typing import Any, Iterable, Iterator, Mapping, Optional, Tuple
+from typing import Any, Callable, Dict, Iterable, Iterator, List, Mapping, Optional, Tuple, cast
 
 from .address import Address, daemon_addresses
 from .backoff import Backoff, nobody_there
 from .errors import NotConnected, RequestError
 from .exchange import Exchange
+from .messages import Direction, Event, EventType, Hello, Scope, Telemetry, TelemetryField
 from .methods import Methods
 from .rumble import rumble_params
+from .subscriptions import Subscriptions
 
 #: The longest that waiting for a notification keeps other threads from calling.
 SLICE_S = 0.02
@@ -23,22 +25,27 @@ class Ball(Methods):
     address: "127.0.0.1:7586" or "/run/hedgehog/hedgehogd.sock"; None: found as by every client (address.py).
     name: of this program, as the daemon's log and `hedgehogctl clients` show it. patience_s: the longest that
     connecting, and waiting for a response, take. token: of roles beyond those of this machine.
+    on_reconnect: called with the daemon's introduction after each connection but the first.
     May be used from several threads; their calls go one after the other. After a lost connection the next call
-    connects anew, no more often than its back-off allows.
+    connects anew, no more often than its back-off allows. What the program subscribed to is subscribed to again;
+    its effects are not made again.
     """
 
     def __init__(self, address: Optional[str] = None, *, name: str = "python", patience_s: float = 2.0,
-                 token: Optional[str] = None) -> None:
+                 token: Optional[str] = None, on_reconnect: Optional[Callable[[Hello], None]] = None) -> None:
         self._addresses = daemon_addresses(address)
-        self._hello = {"client": name, "protocol": "1", "token": token}
+        self._hello: Dict[str, Any] = {"client": name, "protocol": "1", "token": token}
         self._patience_s = patience_s
         self._lock = threading.RLock()
         self._backoff = Backoff()
         self._socket: Optional[socket.socket] = None
         self._exchange = Exchange()
-        self._welcome: Mapping[str, Any] = {}
+        self._subscriptions = Subscriptions()
+        self._on_reconnect: Optional[Callable[[Hello], None]] = None
+        self._welcome: Optional[Hello] = None
         self._closed = False
         self._connect()
+        self._on_reconnect = on_reconnect
 
     def __enter__(self) -> "Ball":
         return self
@@ -57,15 +64,18 @@ class Ball(Methods):
         return self._socket is not None
 
     @property
-    def hello(self) -> Mapping[str, Any]:
+    def hello(self) -> Hello:
         """What the daemon said of itself: server, role, limits."""
+        assert self._welcome is not None
         return self._welcome
 
     def call(self, method: str, /, **params: Any) -> Any:
         """The result of a method. Raises RequestError when the daemon refuses, NotConnected when there is none."""
         with self._lock:
             self._ensure()
-            return self._ask(method, params)
+            result = self._ask(method, params)
+            self._subscriptions.note(method, params)
+            return result
 
     def notify(self, method: str, /, **params: Any) -> bool:
         """Sends without waiting for a response, for every frame of a game. False: nothing was sent, there is no daemon."""
@@ -73,32 +83,31 @@ class Ball(Methods):
             try:
                 self._ensure()
                 self._send(self._exchange.notification(method, params))
+                self._subscriptions.note(method, params)
                 self._drain()
             except NotConnected:
                 return False
             return True
 
-    def rumble(self, slot: str, strength: float, direction: Any = None, **params: Any) -> bool:
+    def rumble(self, slot: str, strength: float, direction: Optional[Direction] = None, **params: Any) -> bool:
         """A vibration that goes on while this is called every frame; strength 0..1, 0 ends it. As `notify`."""
         with self._lock:
-            if not self.connected and not self._welcome:
-                return False
             if strength <= 0.0:
                 return self.notify("effect.stop", slot=slot)
             return self.notify("effect.vibrate", direction=direction,
-                               **rumble_params(slot, strength, self._welcome["limits"], params))
+                               **rumble_params(slot, strength, self.hello["limits"], params))
 
-    def events(self, types: Optional[Iterable[str]] = None, *, scope: Optional[str] = None,
-               patience_s: Optional[float] = None) -> Iterator[Mapping[str, Any]]:
+    def events(self, types: Optional[Iterable[EventType]] = None, *, scope: Optional[Scope] = None,
+               patience_s: Optional[float] = None) -> Iterator[Event]:
         """Events as they come; ends when none came for `patience_s` (None: never). Raises NotConnected."""
         self.call("events.subscribe", types=list(types) if types is not None else None, scope=scope)
-        return self._notifications("event", patience_s)
+        return cast(Iterator[Event], self._notifications("event", patience_s))
 
-    def telemetry(self, rate_hz: float = 10.0, fields: Optional[Iterable[str]] = None, *,
-                  patience_s: Optional[float] = None) -> Iterator[Mapping[str, Any]]:
+    def telemetry(self, rate_hz: float = 10.0, fields: Optional[Iterable[TelemetryField]] = None, *,
+                  patience_s: Optional[float] = None) -> Iterator[Telemetry]:
         """The status again and again. Raises NotConnected."""
         self.call("telemetry.subscribe", rate_hz=rate_hz, fields=list(fields) if fields is not None else None)
-        return self._notifications("telemetry", patience_s)
+        return cast(Iterator[Telemetry], self._notifications("telemetry", patience_s))
 
     def next_notification(self, patience_s: float = 0.0) -> Optional[Tuple[str, Mapping[str, Any]]]:
         """The next notification, as method and parameters; None: none came. Raises NotConnected."""
@@ -123,7 +132,8 @@ class Ball(Methods):
                 yield received[1]
 
     def _connect(self) -> None:
-        tried, why = [], []
+        tried: List[Address] = []
+        why: List[str] = []
         for address in self._addresses:
             try:
                 self._socket = _open(address, self._patience_s)
@@ -142,6 +152,10 @@ class Ball(Methods):
             self._drop()
             raise
         self._backoff.succeeded()
+        for line in self._subscriptions.requests(self._exchange):
+            self._send(line)
+        if self._on_reconnect is not None:
+            self._on_reconnect(self.hello)
 
     def _ensure(self) -> None:
         if self._closed:

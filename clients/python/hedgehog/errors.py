@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 """What can go wrong, each with a sentence for people."""
 
-from typing import Any, Mapping, Optional
+from typing import Any, Mapping, Optional, cast
+
+from .messages import ErrorData
 
 
 class BallError(Exception):
@@ -26,11 +28,12 @@ class NotConnected(BallError):
 class RequestError(BallError):
     """The daemon refused a request.
 
-    code: of JSON-RPC or of the protocol, for example -32602. name: "invalid_params". data: field, limit, value.
+    code: of JSON-RPC or of the protocol: one of ErrorCode, for example ErrorCode.INVALID_PARAMS, or one of a later daemon.
+    name: "invalid_params"; "" when the daemon gave none. data: field, limit, value.
     """
 
     def __init__(self, code: int, message: str, data: Optional[Mapping[str, Any]] = None) -> None:
         super().__init__(message)
         self.code = code
-        self.data = dict(data or {})
+        self.data = cast(ErrorData, dict(data or {}))
         self.name = str(self.data.get("name", ""))

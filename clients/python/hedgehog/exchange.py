@@ -3,7 +3,7 @@
 
 import json
 from collections import deque
-from typing import Any, Deque, Dict, List, Mapping, Optional, Tuple
+from typing import Any, Deque, Dict, List, Mapping, Optional, Set, Tuple
 
 from .errors import RequestError
 
@@ -20,7 +20,7 @@ class Exchange:
         self._last_id = 0
         self._partial = bytearray()
         self._responses: Dict[int, Mapping[str, Any]] = {}
-        self._expected = set()
+        self._expected: Set[int] = set()
         self.notifications: Deque[Tuple[str, Mapping[str, Any]]] = deque(maxlen=MAX_WAITING)
 
     def notification(self, method: str, params: Mapping[str, Any]) -> bytes:
@@ -43,7 +43,7 @@ class Exchange:
         self._partial = bytearray(rest)
         if len(self._partial) > MAX_LINE:
             raise ValueError("a line of more than %d bytes" % MAX_LINE)
-        arrived = []
+        arrived: List[int] = []
         for line in lines:
             if line.strip():
                 self._sort(json.loads(line.decode("utf-8")), arrived)

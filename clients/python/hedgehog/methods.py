@@ -2,10 +2,14 @@
 # Written by generate.py from protocol/schema/openrpc.json.
 """The daemon's methods. Parameters that are None are left out; protocol/README.md has all of them at length."""
 
-from typing import Any, List, Mapping, Optional, Sequence, Union
+from typing import Any, Mapping, Optional, Sequence
 
-#: "left", [0, 1, 0], {"azimuth_deg": 90} or {"pin": 34}: where the pins push out.
-Direction = Union[str, Sequence[float], Mapping[str, Any]]
+from .messages import (
+    Admission, Claim, Connections, Description, Devices, Direction, Done, Fault, Forecast, Frame, Gain,
+    History, IfLimited, Method, OnClose, Pattern, PatternKeyframes, PatternSummary, PatternWaveform,
+    Patterns, Ping, Preview, Recentered, Scope, Sense, SimulatedTruth, SimulatedWorld, SimulatedWorldErrors,
+    State, Status, StatusOrientationQuaternion, Stepping, Stopped, TelemetryHistory,
+)
 
 
 class Methods:
@@ -14,56 +18,66 @@ class Methods:
     def call(self, method: str, /, **params: Any) -> Any:
         raise NotImplementedError
 
-    def connection_list(self) -> Any:
+    def connection_list(self) -> Connections:
         """Who is connected, since when, and what they play."""
-        return self.call("connection.list")
+        result: Connections = self.call("connection.list")
+        return result
 
-    def arm(self) -> Any:
+    def arm(self) -> State:
         """Lets the coils be driven again, when the cause of the stop is gone."""
-        return self.call("device.arm")
+        result: State = self.call("device.arm")
+        return result
 
-    def claim(self, *, lease_ms: Optional[float] = None) -> Any:
+    def claim(self, *, lease_ms: Optional[float] = None) -> Claim:
         """Only this connection plays until it releases, ends, or is silent.
 
         lease_ms: Ends after it unless renewed; 100 to 10000
         """
-        return self.call("device.claim", lease_ms=lease_ms)
+        result: Claim = self.call("device.claim", lease_ms=lease_ms)
+        return result
 
-    def describe(self) -> Any:
+    def describe(self) -> Description:
         """The ball: pins, coils, limits, calibration, identity."""
-        return self.call("device.describe")
+        result: Description = self.call("device.describe")
+        return result
 
-    def emergency_stop(self) -> Any:
+    def emergency_stop(self) -> State:
         """Coils off at the next tick, latched until armed."""
-        return self.call("device.emergency_stop")
+        result: State = self.call("device.emergency_stop")
+        return result
 
-    def enter_boot_loader(self) -> Any:
+    def enter_boot_loader(self) -> State:
         """The board goes into its boot loader and waits for new firmware; not while it is armed."""
-        return self.call("device.enter_boot_loader")
+        result: State = self.call("device.enter_boot_loader")
+        return result
 
-    def list(self) -> Any:
+    def list(self) -> Devices:
         """USB and HID devices: which are used, and why the others are not."""
-        return self.call("device.list")
+        result: Devices = self.call("device.list")
+        return result
 
-    def release(self) -> Any:
+    def release(self) -> Done:
         """Gives a claim back."""
-        return self.call("device.release")
+        result: Done = self.call("device.release")
+        return result
 
-    def status(self) -> Any:
+    def status(self) -> Status:
         """Everything that can be known of the ball now."""
-        return self.call("device.status")
+        result: Status = self.call("device.status")
+        return result
 
     def circle(self, axis: Optional[Direction] = None, *, ring_deg: Optional[float] = None,
-               speed_pins_s: Optional[float] = None, sense: Optional[str] = None,
-               stepping: Optional[str] = None, frame: Optional[str] = None, level: Optional[float] = None,
-               current_a: Optional[float] = None, force_n: Optional[float] = None, gain: Optional[float] = None,
-               start_at_ns: Optional[int] = None, delay_ms: Optional[float] = None,
-               attack_ms: Optional[float] = None, fade_ms: Optional[float] = None,
-               attack_level: Optional[float] = None, fade_level: Optional[float] = None,
-               waveform: Optional[str] = None, frequency_hz: Optional[float] = None,
-               on_fraction: Optional[float] = None, duration_ms: Optional[float] = None,
-               lease_ms: Optional[float] = None, on_close: Optional[str] = None, slot: Optional[str] = None,
-               priority: Optional[int] = None, if_limited: Optional[str] = None) -> Any:
+               speed_pins_s: Optional[float] = None, sense: Optional[Sense] = None,
+               stepping: Optional[Stepping] = None, frame: Optional[Frame] = None,
+               level: Optional[float] = None, current_a: Optional[float] = None,
+               force_n: Optional[float] = None, gain: Optional[float] = None, start_at_ns: Optional[int] = None,
+               delay_ms: Optional[float] = None, attack_ms: Optional[float] = None,
+               fade_ms: Optional[float] = None, attack_level: Optional[float] = None,
+               fade_level: Optional[float] = None, waveform: Optional[PatternWaveform] = None,
+               frequency_hz: Optional[float] = None, on_fraction: Optional[float] = None,
+               duration_ms: Optional[float] = None, lease_ms: Optional[float] = None,
+               on_close: Optional[OnClose] = None, slot: Optional[str] = None, priority: Optional[int] = None,
+               if_limited: Optional[IfLimited] = None) -> Admission:
         """The field walks round an axis, from pin to pin.
 
         axis: The axis of the circle
@@ -93,22 +107,23 @@ class Methods:
         priority: Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9
         if_limited: "refuse": an error instead of less than what was asked; reduce, refuse
         """
-        return self.call("effect.circle", axis=axis, ring_deg=ring_deg, speed_pins_s=speed_pins_s, sense=sense,
-            stepping=stepping, frame=frame, level=level, current_a=current_a, force_n=force_n, gain=gain,
-            start_at_ns=start_at_ns, delay_ms=delay_ms, attack_ms=attack_ms, fade_ms=fade_ms,
+        result: Admission = self.call("effect.circle", axis=axis, ring_deg=ring_deg, speed_pins_s=speed_pins_s,
+            sense=sense, stepping=stepping, frame=frame, level=level, current_a=current_a, force_n=force_n,
+            gain=gain, start_at_ns=start_at_ns, delay_ms=delay_ms, attack_ms=attack_ms, fade_ms=fade_ms,
             attack_level=attack_level, fade_level=fade_level, waveform=waveform, frequency_hz=frequency_hz,
             on_fraction=on_fraction, duration_ms=duration_ms, lease_ms=lease_ms, on_close=on_close, slot=slot,
             priority=priority, if_limited=if_limited)
+        return result
 
-    def hold(self, direction: Direction, *, frame: Optional[str] = None, level: Optional[float] = None,
+    def hold(self, direction: Direction, *, frame: Optional[Frame] = None, level: Optional[float] = None,
              current_a: Optional[float] = None, force_n: Optional[float] = None, gain: Optional[float] = None,
              start_at_ns: Optional[int] = None, delay_ms: Optional[float] = None,
              attack_ms: Optional[float] = None, fade_ms: Optional[float] = None,
              attack_level: Optional[float] = None, fade_level: Optional[float] = None,
-             waveform: Optional[str] = None, frequency_hz: Optional[float] = None,
+             waveform: Optional[PatternWaveform] = None, frequency_hz: Optional[float] = None,
              on_fraction: Optional[float] = None, duration_ms: Optional[float] = None,
-             lease_ms: Optional[float] = None, on_close: Optional[str] = None, slot: Optional[str] = None,
-             priority: Optional[int] = None, if_limited: Optional[str] = None) -> Any:
+             lease_ms: Optional[float] = None, on_close: Optional[OnClose] = None, slot: Optional[str] = None,
+             priority: Optional[int] = None, if_limited: Optional[IfLimited] = None) -> Admission:
         """A push that lasts as long as it is renewed.
 
         direction: Where the pins push out
@@ -134,23 +149,24 @@ class Methods:
         priority: Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9
         if_limited: "refuse": an error instead of less than what was asked; reduce, refuse
         """
-        return self.call("effect.hold", direction=direction, frame=frame, level=level, current_a=current_a,
-            force_n=force_n, gain=gain, start_at_ns=start_at_ns, delay_ms=delay_ms, attack_ms=attack_ms,
-            fade_ms=fade_ms, attack_level=attack_level, fade_level=fade_level, waveform=waveform,
-            frequency_hz=frequency_hz, on_fraction=on_fraction, duration_ms=duration_ms, lease_ms=lease_ms,
-            on_close=on_close, slot=slot, priority=priority, if_limited=if_limited)
+        result: Admission = self.call("effect.hold", direction=direction, frame=frame, level=level,
+            current_a=current_a, force_n=force_n, gain=gain, start_at_ns=start_at_ns, delay_ms=delay_ms,
+            attack_ms=attack_ms, fade_ms=fade_ms, attack_level=attack_level, fade_level=fade_level,
+            waveform=waveform, frequency_hz=frequency_hz, on_fraction=on_fraction, duration_ms=duration_ms,
+            lease_ms=lease_ms, on_close=on_close, slot=slot, priority=priority, if_limited=if_limited)
+        return result
 
-    def play(self, pattern: Optional[str] = None, *, keyframes: Optional[List[Mapping[str, Any]]] = None,
+    def play(self, pattern: Optional[str] = None, *, keyframes: Optional[Sequence[PatternKeyframes]] = None,
              rotate_to: Optional[Direction] = None, rate: Optional[float] = None, loop: Optional[bool] = None,
-             frame: Optional[str] = None, level: Optional[float] = None, current_a: Optional[float] = None,
+             frame: Optional[Frame] = None, level: Optional[float] = None, current_a: Optional[float] = None,
              force_n: Optional[float] = None, gain: Optional[float] = None, start_at_ns: Optional[int] = None,
              delay_ms: Optional[float] = None, attack_ms: Optional[float] = None,
              fade_ms: Optional[float] = None, attack_level: Optional[float] = None,
-             fade_level: Optional[float] = None, waveform: Optional[str] = None,
+             fade_level: Optional[float] = None, waveform: Optional[PatternWaveform] = None,
              frequency_hz: Optional[float] = None, on_fraction: Optional[float] = None,
              duration_ms: Optional[float] = None, lease_ms: Optional[float] = None,
-             on_close: Optional[str] = None, slot: Optional[str] = None, priority: Optional[int] = None,
-             if_limited: Optional[str] = None) -> Any:
+             on_close: Optional[OnClose] = None, slot: Optional[str] = None, priority: Optional[int] = None,
+             if_limited: Optional[IfLimited] = None) -> Admission:
         """Plays key frames, of a named pattern or its own.
 
         pattern: The name of a pattern, or keyframes instead
@@ -180,30 +196,32 @@ class Methods:
         priority: Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9
         if_limited: "refuse": an error instead of less than what was asked; reduce, refuse
         """
-        return self.call("effect.play", pattern=pattern, keyframes=keyframes, rotate_to=rotate_to, rate=rate,
-            loop=loop, frame=frame, level=level, current_a=current_a, force_n=force_n, gain=gain,
+        result: Admission = self.call("effect.play", pattern=pattern, keyframes=keyframes, rotate_to=rotate_to,
+            rate=rate, loop=loop, frame=frame, level=level, current_a=current_a, force_n=force_n, gain=gain,
             start_at_ns=start_at_ns, delay_ms=delay_ms, attack_ms=attack_ms, fade_ms=fade_ms,
             attack_level=attack_level, fade_level=fade_level, waveform=waveform, frequency_hz=frequency_hz,
             on_fraction=on_fraction, duration_ms=duration_ms, lease_ms=lease_ms, on_close=on_close, slot=slot,
             priority=priority, if_limited=if_limited)
+        return result
 
-    def preview(self, method: str, params: Mapping[str, Any]) -> Any:
+    def preview(self, method: Method, params: Mapping[str, Any]) -> Preview:
         """What an effect would do, without doing it.
 
         method: A method that plays; effect.pulse, effect.circle, effect.vibrate, effect.hold, effect.play
         params: The parameters of that method
         """
-        return self.call("effect.preview", method=method, params=params)
+        result: Preview = self.call("effect.preview", method=method, params=params)
+        return result
 
-    def pulse(self, direction: Direction, *, frame: Optional[str] = None, level: Optional[float] = None,
+    def pulse(self, direction: Direction, *, frame: Optional[Frame] = None, level: Optional[float] = None,
               current_a: Optional[float] = None, force_n: Optional[float] = None, gain: Optional[float] = None,
               start_at_ns: Optional[int] = None, delay_ms: Optional[float] = None,
               attack_ms: Optional[float] = None, fade_ms: Optional[float] = None,
               attack_level: Optional[float] = None, fade_level: Optional[float] = None,
-              waveform: Optional[str] = None, frequency_hz: Optional[float] = None,
+              waveform: Optional[PatternWaveform] = None, frequency_hz: Optional[float] = None,
               on_fraction: Optional[float] = None, duration_ms: Optional[float] = None,
-              lease_ms: Optional[float] = None, on_close: Optional[str] = None, slot: Optional[str] = None,
-              priority: Optional[int] = None, if_limited: Optional[str] = None) -> Any:
+              lease_ms: Optional[float] = None, on_close: Optional[OnClose] = None, slot: Optional[str] = None,
+              priority: Optional[int] = None, if_limited: Optional[IfLimited] = None) -> Admission:
         """One push towards a direction.
 
         direction: Where the pins push out
@@ -229,41 +247,45 @@ class Methods:
         priority: Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9
         if_limited: "refuse": an error instead of less than what was asked; reduce, refuse
         """
-        return self.call("effect.pulse", direction=direction, frame=frame, level=level, current_a=current_a,
-            force_n=force_n, gain=gain, start_at_ns=start_at_ns, delay_ms=delay_ms, attack_ms=attack_ms,
-            fade_ms=fade_ms, attack_level=attack_level, fade_level=fade_level, waveform=waveform,
-            frequency_hz=frequency_hz, on_fraction=on_fraction, duration_ms=duration_ms, lease_ms=lease_ms,
-            on_close=on_close, slot=slot, priority=priority, if_limited=if_limited)
+        result: Admission = self.call("effect.pulse", direction=direction, frame=frame, level=level,
+            current_a=current_a, force_n=force_n, gain=gain, start_at_ns=start_at_ns, delay_ms=delay_ms,
+            attack_ms=attack_ms, fade_ms=fade_ms, attack_level=attack_level, fade_level=fade_level,
+            waveform=waveform, frequency_hz=frequency_hz, on_fraction=on_fraction, duration_ms=duration_ms,
+            lease_ms=lease_ms, on_close=on_close, slot=slot, priority=priority, if_limited=if_limited)
+        return result
 
-    def stop(self, *, effect: Optional[int] = None, slot: Optional[str] = None) -> Any:
+    def stop(self, *, effect: Optional[int] = None, slot: Optional[str] = None) -> Stopped:
         """Ends one of the connection's own effects.
 
         effect: The number of an effect, from its admission; 1 to 4294967295
         slot: The connection's own name for an effect
         """
-        return self.call("effect.stop", effect=effect, slot=slot)
+        result: Stopped = self.call("effect.stop", effect=effect, slot=slot)
+        return result
 
-    def stop_all(self, *, scope: Optional[str] = None) -> Any:
+    def stop_all(self, *, scope: Optional[Scope] = None) -> Stopped:
         """Ends all effects of the connection, or of everybody.
 
         scope: "all" for effects of others too; mine, all
         """
-        return self.call("effect.stop_all", scope=scope)
+        result: Stopped = self.call("effect.stop_all", scope=scope)
+        return result
 
     def update(self, *, effect: Optional[int] = None, direction: Optional[Direction] = None,
-               pattern: Optional[str] = None, keyframes: Optional[List[Mapping[str, Any]]] = None,
+               pattern: Optional[str] = None, keyframes: Optional[Sequence[PatternKeyframes]] = None,
                rotate_to: Optional[Direction] = None, rate: Optional[float] = None, loop: Optional[bool] = None,
                axis: Optional[Direction] = None, ring_deg: Optional[float] = None,
-               speed_pins_s: Optional[float] = None, sense: Optional[str] = None,
-               stepping: Optional[str] = None, frame: Optional[str] = None, level: Optional[float] = None,
-               current_a: Optional[float] = None, force_n: Optional[float] = None, gain: Optional[float] = None,
-               start_at_ns: Optional[int] = None, delay_ms: Optional[float] = None,
-               attack_ms: Optional[float] = None, fade_ms: Optional[float] = None,
-               attack_level: Optional[float] = None, fade_level: Optional[float] = None,
-               waveform: Optional[str] = None, frequency_hz: Optional[float] = None,
-               on_fraction: Optional[float] = None, duration_ms: Optional[float] = None,
-               lease_ms: Optional[float] = None, on_close: Optional[str] = None, slot: Optional[str] = None,
-               priority: Optional[int] = None, if_limited: Optional[str] = None) -> Any:
+               speed_pins_s: Optional[float] = None, sense: Optional[Sense] = None,
+               stepping: Optional[Stepping] = None, frame: Optional[Frame] = None,
+               level: Optional[float] = None, current_a: Optional[float] = None,
+               force_n: Optional[float] = None, gain: Optional[float] = None, start_at_ns: Optional[int] = None,
+               delay_ms: Optional[float] = None, attack_ms: Optional[float] = None,
+               fade_ms: Optional[float] = None, attack_level: Optional[float] = None,
+               fade_level: Optional[float] = None, waveform: Optional[PatternWaveform] = None,
+               frequency_hz: Optional[float] = None, on_fraction: Optional[float] = None,
+               duration_ms: Optional[float] = None, lease_ms: Optional[float] = None,
+               on_close: Optional[OnClose] = None, slot: Optional[str] = None, priority: Optional[int] = None,
+               if_limited: Optional[IfLimited] = None) -> Admission:
         """Changes a playing effect and renews its lease.
 
         effect: The number of an effect, from its admission; 1 to 4294967295
@@ -300,24 +322,26 @@ class Methods:
         priority: Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9
         if_limited: "refuse": an error instead of less than what was asked; reduce, refuse
         """
-        return self.call("effect.update", effect=effect, direction=direction, pattern=pattern,
+        result: Admission = self.call("effect.update", effect=effect, direction=direction, pattern=pattern,
             keyframes=keyframes, rotate_to=rotate_to, rate=rate, loop=loop, axis=axis, ring_deg=ring_deg,
             speed_pins_s=speed_pins_s, sense=sense, stepping=stepping, frame=frame, level=level,
             current_a=current_a, force_n=force_n, gain=gain, start_at_ns=start_at_ns, delay_ms=delay_ms,
             attack_ms=attack_ms, fade_ms=fade_ms, attack_level=attack_level, fade_level=fade_level,
             waveform=waveform, frequency_hz=frequency_hz, on_fraction=on_fraction, duration_ms=duration_ms,
             lease_ms=lease_ms, on_close=on_close, slot=slot, priority=priority, if_limited=if_limited)
+        return result
 
-    def vibrate(self, direction: Optional[Direction] = None, *, frame: Optional[str] = None,
+    def vibrate(self, direction: Optional[Direction] = None, *, frame: Optional[Frame] = None,
                 level: Optional[float] = None, current_a: Optional[float] = None,
                 force_n: Optional[float] = None, gain: Optional[float] = None,
                 start_at_ns: Optional[int] = None, delay_ms: Optional[float] = None,
                 attack_ms: Optional[float] = None, fade_ms: Optional[float] = None,
                 attack_level: Optional[float] = None, fade_level: Optional[float] = None,
-                waveform: Optional[str] = None, frequency_hz: Optional[float] = None,
+                waveform: Optional[PatternWaveform] = None, frequency_hz: Optional[float] = None,
                 on_fraction: Optional[float] = None, duration_ms: Optional[float] = None,
-                lease_ms: Optional[float] = None, on_close: Optional[str] = None, slot: Optional[str] = None,
-                priority: Optional[int] = None, if_limited: Optional[str] = None) -> Any:
+                lease_ms: Optional[float] = None, on_close: Optional[OnClose] = None,
+                slot: Optional[str] = None, priority: Optional[int] = None,
+                if_limited: Optional[IfLimited] = None) -> Admission:
         """A push with a waveform.
 
         direction: Where the pins push out
@@ -343,14 +367,15 @@ class Methods:
         priority: Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9
         if_limited: "refuse": an error instead of less than what was asked; reduce, refuse
         """
-        return self.call("effect.vibrate", direction=direction, frame=frame, level=level, current_a=current_a,
-            force_n=force_n, gain=gain, start_at_ns=start_at_ns, delay_ms=delay_ms, attack_ms=attack_ms,
-            fade_ms=fade_ms, attack_level=attack_level, fade_level=fade_level, waveform=waveform,
-            frequency_hz=frequency_hz, on_fraction=on_fraction, duration_ms=duration_ms, lease_ms=lease_ms,
-            on_close=on_close, slot=slot, priority=priority, if_limited=if_limited)
+        result: Admission = self.call("effect.vibrate", direction=direction, frame=frame, level=level,
+            current_a=current_a, force_n=force_n, gain=gain, start_at_ns=start_at_ns, delay_ms=delay_ms,
+            attack_ms=attack_ms, fade_ms=fade_ms, attack_level=attack_level, fade_level=fade_level,
+            waveform=waveform, frequency_hz=frequency_hz, on_fraction=on_fraction, duration_ms=duration_ms,
+            lease_ms=lease_ms, on_close=on_close, slot=slot, priority=priority, if_limited=if_limited)
+        return result
 
-    def events_history(self, *, since: Optional[str] = None, types: Optional[List[str]] = None,
-                       trips: Optional[bool] = None, limit: Optional[int] = None) -> Any:
+    def events_history(self, *, since: Optional[str] = None, types: Optional[Sequence[str]] = None,
+                       trips: Optional[bool] = None, limit: Optional[int] = None) -> History:
         """What has happened, also before the last start.
 
         since: Not before this time, RFC 3339
@@ -358,43 +383,50 @@ class Methods:
         trips
         limit: The newest so many; 1 to 1000
         """
-        return self.call("events.history", since=since, types=types, trips=trips, limit=limit)
+        result: History = self.call("events.history", since=since, types=types, trips=trips, limit=limit)
+        return result
 
-    def orientation_recenter(self, *, azimuth_deg: Optional[float] = None) -> Any:
+    def orientation_recenter(self, *, azimuth_deg: Optional[float] = None) -> Recentered:
         """The front of the ball points at this azimuth now.
 
         azimuth_deg: Anticlockwise seen from above; -360 to 360
         """
-        return self.call("orientation.recenter", azimuth_deg=azimuth_deg)
+        result: Recentered = self.call("orientation.recenter", azimuth_deg=azimuth_deg)
+        return result
 
-    def orientation_set(self, quaternion: Mapping[str, Any]) -> Any:
+    def orientation_set(self, quaternion: StatusOrientationQuaternion) -> Done:
         """Feeds the orientation from outside.
 
         quaternion: Device to world, of length 1
         """
-        return self.call("orientation.set", quaternion=quaternion)
+        result: Done = self.call("orientation.set", quaternion=quaternion)
+        return result
 
-    def output_set_gain(self, gain: float) -> Any:
+    def output_set_gain(self, gain: float) -> Gain:
         """The owner's comfort setting for everything, stored.
 
         gain: Multiplies the strength; 0 to 1
         """
-        return self.call("output.set_gain", gain=gain)
+        result: Gain = self.call("output.set_gain", gain=gain)
+        return result
 
-    def pattern_get(self, name: str) -> Any:
+    def pattern_get(self, name: str) -> Pattern:
         """One named pattern with its key frames.
 
         name: Of a pattern: vendor/name, or that of a shipped one
         """
-        return self.call("pattern.get", name=name)
+        result: Pattern = self.call("pattern.get", name=name)
+        return result
 
-    def pattern_list(self) -> Any:
+    def pattern_list(self) -> Patterns:
         """The named patterns there are."""
-        return self.call("pattern.list")
+        result: Patterns = self.call("pattern.list")
+        return result
 
-    def pattern_put(self, name: str, keyframes: List[Mapping[str, Any]], *, description: Optional[str] = None,
-                    waveform: Optional[str] = None, frequency_hz: Optional[float] = None,
-                    on_fraction: Optional[float] = None) -> Any:
+    def pattern_put(self, name: str, keyframes: Sequence[PatternKeyframes], *,
+                    description: Optional[str] = None, waveform: Optional[PatternWaveform] = None,
+                    frequency_hz: Optional[float] = None,
+                    on_fraction: Optional[float] = None) -> PatternSummary:
         """Keeps a pattern under vendor/name.
 
         name: Of a pattern: vendor/name, or that of a shipped one
@@ -404,23 +436,26 @@ class Methods:
         frequency_hz: 0.5 to 250
         on_fraction: The part of a period that a square is on; 0.05 to 0.95
         """
-        return self.call("pattern.put", name=name, keyframes=keyframes, description=description,
-            waveform=waveform, frequency_hz=frequency_hz, on_fraction=on_fraction)
+        result: PatternSummary = self.call("pattern.put", name=name, keyframes=keyframes,
+            description=description, waveform=waveform, frequency_hz=frequency_hz, on_fraction=on_fraction)
+        return result
 
-    def pattern_remove(self, name: str) -> Any:
+    def pattern_remove(self, name: str) -> Done:
         """Forgets a pattern that was put.
 
         name: Of a pattern: vendor/name, or that of a shipped one
         """
-        return self.call("pattern.remove", name=name)
+        result: Done = self.call("pattern.remove", name=name)
+        return result
 
-    def ping(self) -> Any:
+    def ping(self) -> Ping:
         """The device time."""
-        return self.call("ping")
+        result: Ping = self.call("ping")
+        return result
 
-    def sim_set(self, *, orientation: Optional[Mapping[str, Any]] = None, ambient_c: Optional[float] = None,
-                fault: Optional[Mapping[str, Any]] = None,
-                errors: Optional[List[Mapping[str, Any]]] = None) -> Any:
+    def sim_set(self, *, orientation: Optional[StatusOrientationQuaternion] = None,
+                ambient_c: Optional[float] = None, fault: Optional[Fault] = None,
+                errors: Optional[Sequence[SimulatedWorldErrors]] = None) -> SimulatedWorld:
         """Changes the simulated world.
 
         orientation: Device to world, of length 1
@@ -428,22 +463,26 @@ class Methods:
         fault: Replaces all simulated faults; {} mends the ball
         errors: Replaces all errors of measurement and of the ball; [] ends them
         """
-        return self.call("sim.set", orientation=orientation, ambient_c=ambient_c, fault=fault, errors=errors)
+        result: SimulatedWorld = self.call("sim.set", orientation=orientation, ambient_c=ambient_c, fault=fault,
+            errors=errors)
+        return result
 
-    def sim_truth(self) -> Any:
+    def sim_truth(self) -> SimulatedTruth:
         """The simulated ball as it really is."""
-        return self.call("sim.truth")
+        result: SimulatedTruth = self.call("sim.truth")
+        return result
 
-    def telemetry_history(self, *, seconds: Optional[float] = None) -> Any:
+    def telemetry_history(self, *, seconds: Optional[float] = None) -> TelemetryHistory:
         """Temperatures and currents of the last minutes.
 
         seconds: 1 to 600
         """
-        return self.call("telemetry.history", seconds=seconds)
+        result: TelemetryHistory = self.call("telemetry.history", seconds=seconds)
+        return result
 
     def thermal_forecast(self, *, current_a: Optional[float] = None, direction: Optional[Direction] = None,
-                         method: Optional[str] = None, params: Optional[Mapping[str, Any]] = None,
-                         effect: Optional[int] = None) -> Any:
+                         method: Optional[Method] = None, params: Optional[Mapping[str, Any]] = None,
+                         effect: Optional[int] = None) -> Forecast:
         """How long a current or an effect can flow.
 
         current_a: Strength as a current; at most limits.current_a; at least 0
@@ -452,8 +491,9 @@ class Methods:
         params: The parameters of that method
         effect: The number of an effect, from its admission; 1 to 4294967295
         """
-        return self.call("thermal.forecast", current_a=current_a, direction=direction, method=method,
-            params=params, effect=effect)
+        result: Forecast = self.call("thermal.forecast", current_a=current_a, direction=direction,
+            method=method, params=params, effect=effect)
+        return result
 
 
 class AsyncMethods:
@@ -462,57 +502,67 @@ class AsyncMethods:
     async def call(self, method: str, /, **params: Any) -> Any:
         raise NotImplementedError
 
-    async def connection_list(self) -> Any:
+    async def connection_list(self) -> Connections:
         """Who is connected, since when, and what they play."""
-        return await self.call("connection.list")
+        result: Connections = await self.call("connection.list")
+        return result
 
-    async def arm(self) -> Any:
+    async def arm(self) -> State:
         """Lets the coils be driven again, when the cause of the stop is gone."""
-        return await self.call("device.arm")
+        result: State = await self.call("device.arm")
+        return result
 
-    async def claim(self, *, lease_ms: Optional[float] = None) -> Any:
+    async def claim(self, *, lease_ms: Optional[float] = None) -> Claim:
         """Only this connection plays until it releases, ends, or is silent.
 
         lease_ms: Ends after it unless renewed; 100 to 10000
         """
-        return await self.call("device.claim", lease_ms=lease_ms)
+        result: Claim = await self.call("device.claim", lease_ms=lease_ms)
+        return result
 
-    async def describe(self) -> Any:
+    async def describe(self) -> Description:
         """The ball: pins, coils, limits, calibration, identity."""
-        return await self.call("device.describe")
+        result: Description = await self.call("device.describe")
+        return result
 
-    async def emergency_stop(self) -> Any:
+    async def emergency_stop(self) -> State:
         """Coils off at the next tick, latched until armed."""
-        return await self.call("device.emergency_stop")
+        result: State = await self.call("device.emergency_stop")
+        return result
 
-    async def enter_boot_loader(self) -> Any:
+    async def enter_boot_loader(self) -> State:
         """The board goes into its boot loader and waits for new firmware; not while it is armed."""
-        return await self.call("device.enter_boot_loader")
+        result: State = await self.call("device.enter_boot_loader")
+        return result
 
-    async def list(self) -> Any:
+    async def list(self) -> Devices:
         """USB and HID devices: which are used, and why the others are not."""
-        return await self.call("device.list")
+        result: Devices = await self.call("device.list")
+        return result
 
-    async def release(self) -> Any:
+    async def release(self) -> Done:
         """Gives a claim back."""
-        return await self.call("device.release")
+        result: Done = await self.call("device.release")
+        return result
 
-    async def status(self) -> Any:
+    async def status(self) -> Status:
         """Everything that can be known of the ball now."""
-        return await self.call("device.status")
+        result: Status = await self.call("device.status")
+        return result
 
     async def circle(self, axis: Optional[Direction] = None, *, ring_deg: Optional[float] = None,
-                     speed_pins_s: Optional[float] = None, sense: Optional[str] = None,
-                     stepping: Optional[str] = None, frame: Optional[str] = None, level: Optional[float] = None,
-                     current_a: Optional[float] = None, force_n: Optional[float] = None,
-                     gain: Optional[float] = None, start_at_ns: Optional[int] = None,
-                     delay_ms: Optional[float] = None, attack_ms: Optional[float] = None,
-                     fade_ms: Optional[float] = None, attack_level: Optional[float] = None,
-                     fade_level: Optional[float] = None, waveform: Optional[str] = None,
-                     frequency_hz: Optional[float] = None, on_fraction: Optional[float] = None,
-                     duration_ms: Optional[float] = None, lease_ms: Optional[float] = None,
-                     on_close: Optional[str] = None, slot: Optional[str] = None, priority: Optional[int] = None,
-                     if_limited: Optional[str] = None) -> Any:
+                     speed_pins_s: Optional[float] = None, sense: Optional[Sense] = None,
+                     stepping: Optional[Stepping] = None, frame: Optional[Frame] = None,
+                     level: Optional[float] = None, current_a: Optional[float] = None,
+                     force_n: Optional[float] = None, gain: Optional[float] = None,
+                     start_at_ns: Optional[int] = None, delay_ms: Optional[float] = None,
+                     attack_ms: Optional[float] = None, fade_ms: Optional[float] = None,
+                     attack_level: Optional[float] = None, fade_level: Optional[float] = None,
+                     waveform: Optional[PatternWaveform] = None, frequency_hz: Optional[float] = None,
+                     on_fraction: Optional[float] = None, duration_ms: Optional[float] = None,
+                     lease_ms: Optional[float] = None, on_close: Optional[OnClose] = None,
+                     slot: Optional[str] = None, priority: Optional[int] = None,
+                     if_limited: Optional[IfLimited] = None) -> Admission:
         """The field walks round an axis, from pin to pin.
 
         axis: The axis of the circle
@@ -542,23 +592,24 @@ class AsyncMethods:
         priority: Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9
         if_limited: "refuse": an error instead of less than what was asked; reduce, refuse
         """
-        return await self.call("effect.circle", axis=axis, ring_deg=ring_deg, speed_pins_s=speed_pins_s,
-            sense=sense, stepping=stepping, frame=frame, level=level, current_a=current_a, force_n=force_n,
-            gain=gain, start_at_ns=start_at_ns, delay_ms=delay_ms, attack_ms=attack_ms, fade_ms=fade_ms,
-            attack_level=attack_level, fade_level=fade_level, waveform=waveform, frequency_hz=frequency_hz,
-            on_fraction=on_fraction, duration_ms=duration_ms, lease_ms=lease_ms, on_close=on_close, slot=slot,
-            priority=priority, if_limited=if_limited)
+        result: Admission = await self.call("effect.circle", axis=axis, ring_deg=ring_deg,
+            speed_pins_s=speed_pins_s, sense=sense, stepping=stepping, frame=frame, level=level,
+            current_a=current_a, force_n=force_n, gain=gain, start_at_ns=start_at_ns, delay_ms=delay_ms,
+            attack_ms=attack_ms, fade_ms=fade_ms, attack_level=attack_level, fade_level=fade_level,
+            waveform=waveform, frequency_hz=frequency_hz, on_fraction=on_fraction, duration_ms=duration_ms,
+            lease_ms=lease_ms, on_close=on_close, slot=slot, priority=priority, if_limited=if_limited)
+        return result
 
-    async def hold(self, direction: Direction, *, frame: Optional[str] = None, level: Optional[float] = None,
+    async def hold(self, direction: Direction, *, frame: Optional[Frame] = None, level: Optional[float] = None,
                    current_a: Optional[float] = None, force_n: Optional[float] = None,
                    gain: Optional[float] = None, start_at_ns: Optional[int] = None,
                    delay_ms: Optional[float] = None, attack_ms: Optional[float] = None,
                    fade_ms: Optional[float] = None, attack_level: Optional[float] = None,
-                   fade_level: Optional[float] = None, waveform: Optional[str] = None,
+                   fade_level: Optional[float] = None, waveform: Optional[PatternWaveform] = None,
                    frequency_hz: Optional[float] = None, on_fraction: Optional[float] = None,
                    duration_ms: Optional[float] = None, lease_ms: Optional[float] = None,
-                   on_close: Optional[str] = None, slot: Optional[str] = None, priority: Optional[int] = None,
-                   if_limited: Optional[str] = None) -> Any:
+                   on_close: Optional[OnClose] = None, slot: Optional[str] = None,
+                   priority: Optional[int] = None, if_limited: Optional[IfLimited] = None) -> Admission:
         """A push that lasts as long as it is renewed.
 
         direction: Where the pins push out
@@ -584,24 +635,26 @@ class AsyncMethods:
         priority: Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9
         if_limited: "refuse": an error instead of less than what was asked; reduce, refuse
         """
-        return await self.call("effect.hold", direction=direction, frame=frame, level=level,
+        result: Admission = await self.call("effect.hold", direction=direction, frame=frame, level=level,
             current_a=current_a, force_n=force_n, gain=gain, start_at_ns=start_at_ns, delay_ms=delay_ms,
             attack_ms=attack_ms, fade_ms=fade_ms, attack_level=attack_level, fade_level=fade_level,
             waveform=waveform, frequency_hz=frequency_hz, on_fraction=on_fraction, duration_ms=duration_ms,
             lease_ms=lease_ms, on_close=on_close, slot=slot, priority=priority, if_limited=if_limited)
+        return result
 
-    async def play(self, pattern: Optional[str] = None, *, keyframes: Optional[List[Mapping[str, Any]]] = None,
+    async def play(self, pattern: Optional[str] = None, *,
+                   keyframes: Optional[Sequence[PatternKeyframes]] = None,
                    rotate_to: Optional[Direction] = None, rate: Optional[float] = None,
-                   loop: Optional[bool] = None, frame: Optional[str] = None, level: Optional[float] = None,
+                   loop: Optional[bool] = None, frame: Optional[Frame] = None, level: Optional[float] = None,
                    current_a: Optional[float] = None, force_n: Optional[float] = None,
                    gain: Optional[float] = None, start_at_ns: Optional[int] = None,
                    delay_ms: Optional[float] = None, attack_ms: Optional[float] = None,
                    fade_ms: Optional[float] = None, attack_level: Optional[float] = None,
-                   fade_level: Optional[float] = None, waveform: Optional[str] = None,
+                   fade_level: Optional[float] = None, waveform: Optional[PatternWaveform] = None,
                    frequency_hz: Optional[float] = None, on_fraction: Optional[float] = None,
                    duration_ms: Optional[float] = None, lease_ms: Optional[float] = None,
-                   on_close: Optional[str] = None, slot: Optional[str] = None, priority: Optional[int] = None,
-                   if_limited: Optional[str] = None) -> Any:
+                   on_close: Optional[OnClose] = None, slot: Optional[str] = None,
+                   priority: Optional[int] = None, if_limited: Optional[IfLimited] = None) -> Admission:
         """Plays key frames, of a named pattern or its own.
 
         pattern: The name of a pattern, or keyframes instead
@@ -631,31 +684,33 @@ class AsyncMethods:
         priority: Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9
         if_limited: "refuse": an error instead of less than what was asked; reduce, refuse
         """
-        return await self.call("effect.play", pattern=pattern, keyframes=keyframes, rotate_to=rotate_to,
-            rate=rate, loop=loop, frame=frame, level=level, current_a=current_a, force_n=force_n, gain=gain,
-            start_at_ns=start_at_ns, delay_ms=delay_ms, attack_ms=attack_ms, fade_ms=fade_ms,
-            attack_level=attack_level, fade_level=fade_level, waveform=waveform, frequency_hz=frequency_hz,
-            on_fraction=on_fraction, duration_ms=duration_ms, lease_ms=lease_ms, on_close=on_close, slot=slot,
-            priority=priority, if_limited=if_limited)
+        result: Admission = await self.call("effect.play", pattern=pattern, keyframes=keyframes,
+            rotate_to=rotate_to, rate=rate, loop=loop, frame=frame, level=level, current_a=current_a,
+            force_n=force_n, gain=gain, start_at_ns=start_at_ns, delay_ms=delay_ms, attack_ms=attack_ms,
+            fade_ms=fade_ms, attack_level=attack_level, fade_level=fade_level, waveform=waveform,
+            frequency_hz=frequency_hz, on_fraction=on_fraction, duration_ms=duration_ms, lease_ms=lease_ms,
+            on_close=on_close, slot=slot, priority=priority, if_limited=if_limited)
+        return result
 
-    async def preview(self, method: str, params: Mapping[str, Any]) -> Any:
+    async def preview(self, method: Method, params: Mapping[str, Any]) -> Preview:
         """What an effect would do, without doing it.
 
         method: A method that plays; effect.pulse, effect.circle, effect.vibrate, effect.hold, effect.play
         params: The parameters of that method
         """
-        return await self.call("effect.preview", method=method, params=params)
+        result: Preview = await self.call("effect.preview", method=method, params=params)
+        return result
 
-    async def pulse(self, direction: Direction, *, frame: Optional[str] = None, level: Optional[float] = None,
+    async def pulse(self, direction: Direction, *, frame: Optional[Frame] = None, level: Optional[float] = None,
                     current_a: Optional[float] = None, force_n: Optional[float] = None,
                     gain: Optional[float] = None, start_at_ns: Optional[int] = None,
                     delay_ms: Optional[float] = None, attack_ms: Optional[float] = None,
                     fade_ms: Optional[float] = None, attack_level: Optional[float] = None,
-                    fade_level: Optional[float] = None, waveform: Optional[str] = None,
+                    fade_level: Optional[float] = None, waveform: Optional[PatternWaveform] = None,
                     frequency_hz: Optional[float] = None, on_fraction: Optional[float] = None,
                     duration_ms: Optional[float] = None, lease_ms: Optional[float] = None,
-                    on_close: Optional[str] = None, slot: Optional[str] = None, priority: Optional[int] = None,
-                    if_limited: Optional[str] = None) -> Any:
+                    on_close: Optional[OnClose] = None, slot: Optional[str] = None,
+                    priority: Optional[int] = None, if_limited: Optional[IfLimited] = None) -> Admission:
         """One push towards a direction.
 
         direction: Where the pins push out
@@ -681,43 +736,46 @@ class AsyncMethods:
         priority: Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9
         if_limited: "refuse": an error instead of less than what was asked; reduce, refuse
         """
-        return await self.call("effect.pulse", direction=direction, frame=frame, level=level,
+        result: Admission = await self.call("effect.pulse", direction=direction, frame=frame, level=level,
             current_a=current_a, force_n=force_n, gain=gain, start_at_ns=start_at_ns, delay_ms=delay_ms,
             attack_ms=attack_ms, fade_ms=fade_ms, attack_level=attack_level, fade_level=fade_level,
             waveform=waveform, frequency_hz=frequency_hz, on_fraction=on_fraction, duration_ms=duration_ms,
             lease_ms=lease_ms, on_close=on_close, slot=slot, priority=priority, if_limited=if_limited)
+        return result
 
-    async def stop(self, *, effect: Optional[int] = None, slot: Optional[str] = None) -> Any:
+    async def stop(self, *, effect: Optional[int] = None, slot: Optional[str] = None) -> Stopped:
         """Ends one of the connection's own effects.
 
         effect: The number of an effect, from its admission; 1 to 4294967295
         slot: The connection's own name for an effect
         """
-        return await self.call("effect.stop", effect=effect, slot=slot)
+        result: Stopped = await self.call("effect.stop", effect=effect, slot=slot)
+        return result
 
-    async def stop_all(self, *, scope: Optional[str] = None) -> Any:
+    async def stop_all(self, *, scope: Optional[Scope] = None) -> Stopped:
         """Ends all effects of the connection, or of everybody.
 
         scope: "all" for effects of others too; mine, all
         """
-        return await self.call("effect.stop_all", scope=scope)
+        result: Stopped = await self.call("effect.stop_all", scope=scope)
+        return result
 
     async def update(self, *, effect: Optional[int] = None, direction: Optional[Direction] = None,
-                     pattern: Optional[str] = None, keyframes: Optional[List[Mapping[str, Any]]] = None,
+                     pattern: Optional[str] = None, keyframes: Optional[Sequence[PatternKeyframes]] = None,
                      rotate_to: Optional[Direction] = None, rate: Optional[float] = None,
                      loop: Optional[bool] = None, axis: Optional[Direction] = None,
                      ring_deg: Optional[float] = None, speed_pins_s: Optional[float] = None,
-                     sense: Optional[str] = None, stepping: Optional[str] = None, frame: Optional[str] = None,
-                     level: Optional[float] = None, current_a: Optional[float] = None,
-                     force_n: Optional[float] = None, gain: Optional[float] = None,
-                     start_at_ns: Optional[int] = None, delay_ms: Optional[float] = None,
-                     attack_ms: Optional[float] = None, fade_ms: Optional[float] = None,
-                     attack_level: Optional[float] = None, fade_level: Optional[float] = None,
-                     waveform: Optional[str] = None, frequency_hz: Optional[float] = None,
-                     on_fraction: Optional[float] = None, duration_ms: Optional[float] = None,
-                     lease_ms: Optional[float] = None, on_close: Optional[str] = None,
-                     slot: Optional[str] = None, priority: Optional[int] = None,
-                     if_limited: Optional[str] = None) -> Any:
+                     sense: Optional[Sense] = None, stepping: Optional[Stepping] = None,
+                     frame: Optional[Frame] = None, level: Optional[float] = None,
+                     current_a: Optional[float] = None, force_n: Optional[float] = None,
+                     gain: Optional[float] = None, start_at_ns: Optional[int] = None,
+                     delay_ms: Optional[float] = None, attack_ms: Optional[float] = None,
+                     fade_ms: Optional[float] = None, attack_level: Optional[float] = None,
+                     fade_level: Optional[float] = None, waveform: Optional[PatternWaveform] = None,
+                     frequency_hz: Optional[float] = None, on_fraction: Optional[float] = None,
+                     duration_ms: Optional[float] = None, lease_ms: Optional[float] = None,
+                     on_close: Optional[OnClose] = None, slot: Optional[str] = None,
+                     priority: Optional[int] = None, if_limited: Optional[IfLimited] = None) -> Admission:
         """Changes a playing effect and renews its lease.
 
         effect: The number of an effect, from its admission; 1 to 4294967295
@@ -754,25 +812,27 @@ class AsyncMethods:
         priority: Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9
         if_limited: "refuse": an error instead of less than what was asked; reduce, refuse
         """
-        return await self.call("effect.update", effect=effect, direction=direction, pattern=pattern,
-            keyframes=keyframes, rotate_to=rotate_to, rate=rate, loop=loop, axis=axis, ring_deg=ring_deg,
-            speed_pins_s=speed_pins_s, sense=sense, stepping=stepping, frame=frame, level=level,
-            current_a=current_a, force_n=force_n, gain=gain, start_at_ns=start_at_ns, delay_ms=delay_ms,
-            attack_ms=attack_ms, fade_ms=fade_ms, attack_level=attack_level, fade_level=fade_level,
-            waveform=waveform, frequency_hz=frequency_hz, on_fraction=on_fraction, duration_ms=duration_ms,
-            lease_ms=lease_ms, on_close=on_close, slot=slot, priority=priority, if_limited=if_limited)
+        result: Admission = await self.call("effect.update", effect=effect, direction=direction,
+            pattern=pattern, keyframes=keyframes, rotate_to=rotate_to, rate=rate, loop=loop, axis=axis,
+            ring_deg=ring_deg, speed_pins_s=speed_pins_s, sense=sense, stepping=stepping, frame=frame,
+            level=level, current_a=current_a, force_n=force_n, gain=gain, start_at_ns=start_at_ns,
+            delay_ms=delay_ms, attack_ms=attack_ms, fade_ms=fade_ms, attack_level=attack_level,
+            fade_level=fade_level, waveform=waveform, frequency_hz=frequency_hz, on_fraction=on_fraction,
+            duration_ms=duration_ms, lease_ms=lease_ms, on_close=on_close, slot=slot, priority=priority,
+            if_limited=if_limited)
+        return result
 
-    async def vibrate(self, direction: Optional[Direction] = None, *, frame: Optional[str] = None,
+    async def vibrate(self, direction: Optional[Direction] = None, *, frame: Optional[Frame] = None,
                       level: Optional[float] = None, current_a: Optional[float] = None,
                       force_n: Optional[float] = None, gain: Optional[float] = None,
                       start_at_ns: Optional[int] = None, delay_ms: Optional[float] = None,
                       attack_ms: Optional[float] = None, fade_ms: Optional[float] = None,
                       attack_level: Optional[float] = None, fade_level: Optional[float] = None,
-                      waveform: Optional[str] = None, frequency_hz: Optional[float] = None,
+                      waveform: Optional[PatternWaveform] = None, frequency_hz: Optional[float] = None,
                       on_fraction: Optional[float] = None, duration_ms: Optional[float] = None,
-                      lease_ms: Optional[float] = None, on_close: Optional[str] = None,
+                      lease_ms: Optional[float] = None, on_close: Optional[OnClose] = None,
                       slot: Optional[str] = None, priority: Optional[int] = None,
-                      if_limited: Optional[str] = None) -> Any:
+                      if_limited: Optional[IfLimited] = None) -> Admission:
         """A push with a waveform.
 
         direction: Where the pins push out
@@ -798,14 +858,15 @@ class AsyncMethods:
         priority: Only the highest active one is felt; 8 and 9 need the role operate; 0 to 9
         if_limited: "refuse": an error instead of less than what was asked; reduce, refuse
         """
-        return await self.call("effect.vibrate", direction=direction, frame=frame, level=level,
+        result: Admission = await self.call("effect.vibrate", direction=direction, frame=frame, level=level,
             current_a=current_a, force_n=force_n, gain=gain, start_at_ns=start_at_ns, delay_ms=delay_ms,
             attack_ms=attack_ms, fade_ms=fade_ms, attack_level=attack_level, fade_level=fade_level,
             waveform=waveform, frequency_hz=frequency_hz, on_fraction=on_fraction, duration_ms=duration_ms,
             lease_ms=lease_ms, on_close=on_close, slot=slot, priority=priority, if_limited=if_limited)
+        return result
 
-    async def events_history(self, *, since: Optional[str] = None, types: Optional[List[str]] = None,
-                             trips: Optional[bool] = None, limit: Optional[int] = None) -> Any:
+    async def events_history(self, *, since: Optional[str] = None, types: Optional[Sequence[str]] = None,
+                             trips: Optional[bool] = None, limit: Optional[int] = None) -> History:
         """What has happened, also before the last start.
 
         since: Not before this time, RFC 3339
@@ -813,43 +874,50 @@ class AsyncMethods:
         trips
         limit: The newest so many; 1 to 1000
         """
-        return await self.call("events.history", since=since, types=types, trips=trips, limit=limit)
+        result: History = await self.call("events.history", since=since, types=types, trips=trips, limit=limit)
+        return result
 
-    async def orientation_recenter(self, *, azimuth_deg: Optional[float] = None) -> Any:
+    async def orientation_recenter(self, *, azimuth_deg: Optional[float] = None) -> Recentered:
         """The front of the ball points at this azimuth now.
 
         azimuth_deg: Anticlockwise seen from above; -360 to 360
         """
-        return await self.call("orientation.recenter", azimuth_deg=azimuth_deg)
+        result: Recentered = await self.call("orientation.recenter", azimuth_deg=azimuth_deg)
+        return result
 
-    async def orientation_set(self, quaternion: Mapping[str, Any]) -> Any:
+    async def orientation_set(self, quaternion: StatusOrientationQuaternion) -> Done:
         """Feeds the orientation from outside.
 
         quaternion: Device to world, of length 1
         """
-        return await self.call("orientation.set", quaternion=quaternion)
+        result: Done = await self.call("orientation.set", quaternion=quaternion)
+        return result
 
-    async def output_set_gain(self, gain: float) -> Any:
+    async def output_set_gain(self, gain: float) -> Gain:
         """The owner's comfort setting for everything, stored.
 
         gain: Multiplies the strength; 0 to 1
         """
-        return await self.call("output.set_gain", gain=gain)
+        result: Gain = await self.call("output.set_gain", gain=gain)
+        return result
 
-    async def pattern_get(self, name: str) -> Any:
+    async def pattern_get(self, name: str) -> Pattern:
         """One named pattern with its key frames.
 
         name: Of a pattern: vendor/name, or that of a shipped one
         """
-        return await self.call("pattern.get", name=name)
+        result: Pattern = await self.call("pattern.get", name=name)
+        return result
 
-    async def pattern_list(self) -> Any:
+    async def pattern_list(self) -> Patterns:
         """The named patterns there are."""
-        return await self.call("pattern.list")
+        result: Patterns = await self.call("pattern.list")
+        return result
 
-    async def pattern_put(self, name: str, keyframes: List[Mapping[str, Any]], *,
-                          description: Optional[str] = None, waveform: Optional[str] = None,
-                          frequency_hz: Optional[float] = None, on_fraction: Optional[float] = None) -> Any:
+    async def pattern_put(self, name: str, keyframes: Sequence[PatternKeyframes], *,
+                          description: Optional[str] = None, waveform: Optional[PatternWaveform] = None,
+                          frequency_hz: Optional[float] = None,
+                          on_fraction: Optional[float] = None) -> PatternSummary:
         """Keeps a pattern under vendor/name.
 
         name: Of a pattern: vendor/name, or that of a shipped one
@@ -859,23 +927,26 @@ class AsyncMethods:
         frequency_hz: 0.5 to 250
         on_fraction: The part of a period that a square is on; 0.05 to 0.95
         """
-        return await self.call("pattern.put", name=name, keyframes=keyframes, description=description,
-            waveform=waveform, frequency_hz=frequency_hz, on_fraction=on_fraction)
+        result: PatternSummary = await self.call("pattern.put", name=name, keyframes=keyframes,
+            description=description, waveform=waveform, frequency_hz=frequency_hz, on_fraction=on_fraction)
+        return result
 
-    async def pattern_remove(self, name: str) -> Any:
+    async def pattern_remove(self, name: str) -> Done:
         """Forgets a pattern that was put.
 
         name: Of a pattern: vendor/name, or that of a shipped one
         """
-        return await self.call("pattern.remove", name=name)
+        result: Done = await self.call("pattern.remove", name=name)
+        return result
 
-    async def ping(self) -> Any:
+    async def ping(self) -> Ping:
         """The device time."""
-        return await self.call("ping")
+        result: Ping = await self.call("ping")
+        return result
 
-    async def sim_set(self, *, orientation: Optional[Mapping[str, Any]] = None,
-                      ambient_c: Optional[float] = None, fault: Optional[Mapping[str, Any]] = None,
-                      errors: Optional[List[Mapping[str, Any]]] = None) -> Any:
+    async def sim_set(self, *, orientation: Optional[StatusOrientationQuaternion] = None,
+                      ambient_c: Optional[float] = None, fault: Optional[Fault] = None,
+                      errors: Optional[Sequence[SimulatedWorldErrors]] = None) -> SimulatedWorld:
         """Changes the simulated world.
 
         orientation: Device to world, of length 1
@@ -883,23 +954,27 @@ class AsyncMethods:
         fault: Replaces all simulated faults; {} mends the ball
         errors: Replaces all errors of measurement and of the ball; [] ends them
         """
-        return await self.call("sim.set", orientation=orientation, ambient_c=ambient_c, fault=fault,
-            errors=errors)
+        result: SimulatedWorld = await self.call("sim.set", orientation=orientation, ambient_c=ambient_c,
+            fault=fault, errors=errors)
+        return result
 
-    async def sim_truth(self) -> Any:
+    async def sim_truth(self) -> SimulatedTruth:
         """The simulated ball as it really is."""
-        return await self.call("sim.truth")
+        result: SimulatedTruth = await self.call("sim.truth")
+        return result
 
-    async def telemetry_history(self, *, seconds: Optional[float] = None) -> Any:
+    async def telemetry_history(self, *, seconds: Optional[float] = None) -> TelemetryHistory:
         """Temperatures and currents of the last minutes.
 
         seconds: 1 to 600
         """
-        return await self.call("telemetry.history", seconds=seconds)
+        result: TelemetryHistory = await self.call("telemetry.history", seconds=seconds)
+        return result
 
     async def thermal_forecast(self, *, current_a: Optional[float] = None,
-                               direction: Optional[Direction] = None, method: Optional[str] = None,
-                               params: Optional[Mapping[str, Any]] = None, effect: Optional[int] = None) -> Any:
+                               direction: Optional[Direction] = None, method: Optional[Method] = None,
+                               params: Optional[Mapping[str, Any]] = None,
+                               effect: Optional[int] = None) -> Forecast:
         """How long a current or an effect can flow.
 
         current_a: Strength as a current; at most limits.current_a; at least 0
@@ -908,5 +983,6 @@ class AsyncMethods:
         params: The parameters of that method
         effect: The number of an effect, from its admission; 1 to 4294967295
         """
-        return await self.call("thermal.forecast", current_a=current_a, direction=direction, method=method,
-            params=params, effect=effect)
+        result: Forecast = await self.call("thermal.forecast", current_a=current_a, direction=direction,
+            method=method, params=params, effect=effect)
+        return result

@@ -3,11 +3,13 @@
 
 from typing import Any, Dict, Mapping
 
+from .messages import HelloLimits
+
 #: It ends so long after the last frame: a game that hangs lets go of the ball.
 LEASE_MS = 250
 
 
-def felt_level(strength: float, limits: Mapping[str, Any]) -> float:
+def felt_level(strength: float, limits: HelloLimits) -> float:
     """`strength` 0..1 as a level: 0 stays 0; anything above begins where a push can be felt (limits.felt_a)."""
     most_a = float(limits["current_a"])
     if not strength > 0.0 or not most_a > 0.0:
@@ -16,5 +18,5 @@ def felt_level(strength: float, limits: Mapping[str, Any]) -> float:
     return felt + (1.0 - felt) * min(1.0, strength)
 
 
-def rumble_params(slot: str, strength: float, limits: Mapping[str, Any], params: Mapping[str, Any]) -> Dict[str, Any]:
+def rumble_params(slot: str, strength: float, limits: HelloLimits, params: Mapping[str, Any]) -> Dict[str, Any]:
     return {"slot": slot, "lease_ms": LEASE_MS, **params, "level": felt_level(strength, limits)}

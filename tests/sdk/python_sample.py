@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: MIT
+"""What a game in Python writes, and what a type checker has to refuse: an ignored line that is right is an error, too."""
+
+from typing import Optional
+
+from hedgehog import AsyncBall, Ball, Direction, ErrorCode, ErrorName, Event, NotConnected, RequestError, Telemetry
+
+
+def play() -> Optional[float]:
+    side: Direction = [0, 1, 0]
+    with Ball(name="sample", on_reconnect=lambda hello: print(hello["limits"]["felt_a"])) as ball:
+        effect: int = ball.pulse(side, level=0.5, on_close="finish")["effect"]
+        ball.circle("up", duration_ms=1500, sense="cw")
+        ball.play("heartbeat", loop=True, lease_ms=2000, rotate_to={"azimuth_deg": 90})
+        ball.pattern_put("game/hit", keyframes=[{"t_ms": 0, "level": 1.0, "direction": {"pin": 34}}, {"t_ms": 80, "level": 0.0}])
+        felt: bool = ball.rumble("engine", 0.3, "back", frequency_hz=70)
+        print(effect, felt)
+        for event in ball.events(["effect_ended", "state_changed"], scope="all"):
+            explain_event(event)
+        return ball.status()["temperature_c"]["model"]
+
+
+async def follow(ball: AsyncBall) -> None:
+    async for status in ball.telemetry(10, ["temperature_c"]):
+        show(status)
+    effects = (await ball.status())["effects"]
+    print([one["slot"] for one in effects])
+
+
+def show(status: Telemetry) -> None:
+    print(status["temperature_c"]["skin"])
+
+
+def explain_event(event: Event) -> str:
+    return event.get("reason") or event["type"]
+
+
+def explain(error: Exception) -> str:
+    if isinstance(error, NotConnected):
+        return "again in %g s" % error.retry_after_s
+    if not isinstance(error, RequestError):
+        raise error
+    name: ErrorName = "refused_thermal"
+    if error.code == ErrorCode.INVALID_PARAMS:
+        return "%s: %s" % (error.data.get("field"), error)
+    return "too warm" if error.name == name else str(error)
+
+
+def mistakes(ball: Ball) -> None:
+    ball.pulse("sideways")  # type: ignore[arg-type]
+    ball.pulse("left", level="0.5")  # type: ignore[arg-type]
+    ball.pulse("left", leval=0.5)  # type: ignore[call-arg]
+    ball.vibrate("down", waveform="sinus")  # type: ignore[arg-type]
+    ball.hold()  # type: ignore[call-arg]
+    ball.status()["temperature"]  # type: ignore[typeddict-item]
+    ball.status()["temperature_c"]["model"] + 1.0  # type: ignore[operator]
+    ball.events(["effect_over"])  # type: ignore[list-item]
+    ball.telemetry(10, ["temperatur_c"])  # type: ignore[list-item]
+    ErrorCode.TOO_WARM  # type: ignore[attr-defined]
