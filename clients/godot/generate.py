@@ -115,6 +115,11 @@ def parameters_text(methods):
     return "\n".join(lines + ["}"]) + "\n"
 
 
+def errors_text(errors):
+    lines = ["## Codes of refusals by name: a request's `code` and `error_name`.", "const ERROR_CODES = {"]
+    return "\n".join(lines + ['\t"%s": %d,' % (name, error["code"]) for name, error in errors.items()] + ["}"]) + "\n"
+
+
 def method_text(method):
     first = method["params"][0] if method["params"] and method["params"][0]["name"] in FIRST else None
     lines = ["", "", "## " + method["summary"]]
@@ -133,6 +138,7 @@ def script_text():
     document = json.loads(DOCUMENT.read_text(encoding="utf-8"))
     events = document["components"]["schemas"]["Event"]["properties"]["type"]["examples"]
     text = HEAD + "\n".join(["## The types of events."] + wrapped("const EVENTS = [%s]" % json.dumps(events)[1:-1], "", "\t")) + "\n\n"
+    text += errors_text(document["components"]["errors"]) + "\n"
     text += parameters_text(document["methods"])
     text += "".join(method_text(m) for m in document["methods"] if m["name"] not in OWN)
     return text + TAIL

@@ -111,7 +111,9 @@ bool Ball::receive(client::Milliseconds patience) {
 
 void Ball::take(protocol::Reply reply) {
   std::erase_if(asked_, [&](const Asked& one) { return one.id == reply.id; });
+  if (std::erase(renewals_, reply.id) > 0) return;
   if (reply.id != introduction_) {
+    subscriptions_.answered(reply.id, reply.result.has_value());
     if (answers_.size() >= kMaxWaiting) answers_.pop_front();
     answers_.push_back(std::move(reply));
     return;
@@ -128,37 +130,15 @@ void Ball::take(protocol::Reply reply) {
   }
   hello_ = *std::move(hello);
   stage_ = Stage::kConnected;
+  ++connections_;
   backoff_.reset();
   failure_.reset();
+  renew_subscriptions();
 }
 
 void Ball::expire() {
   if (asked_.empty() || client::Clock::now() < asked_.front().deadline) return;
   lose({client::Failure::kTimeout, "no response within " + seconds(options_.patience), {}});
-}
-
-bool Ball::notify(const protocol::Request& request) {
-  return connected() && keep(connection_->notify(request, kNow));
-}
-
-bool Ball::notify_raw(std::string_view method, std::string_view params_json) {
-  return connected() && keep(connection_->notify_raw(method, params_json, kNow));
-}
-
-std::optional<protocol::Id> Ball::ask(const protocol::Request& request) {
-  if (!connected()) return std::nullopt;
-  return remember(connection_->ask(request, kNow));
-}
-
-std::optional<protocol::Id> Ball::ask_raw(std::string_view method, std::string_view params_json) {
-  if (!connected()) return std::nullopt;
-  return remember(connection_->ask_raw(method, params_json, kNow));
-}
-
-std::optional<protocol::Id> Ball::remember(client::Outcome<protocol::Id> asked) {
-  if (!keep(asked ? client::Outcome<void>{} : asked.error())) return std::nullopt;
-  asked_.push_back({*asked, client::Clock::now() + options_.patience});
-  return *std::move(asked);
 }
 
 std::optional<protocol::Reply> Ball::answer() {
@@ -194,14 +174,15 @@ client::Outcome<void> Ball::open() {
 }
 
 client::Outcome<std::string> Ball::call_raw(std::string_view method, std::string_view params_json) {
-  return exchange([&] { return connection_->ask_raw(method, params_json, kNow); });
+  return exchange(client::RawRequest{std::string(method), std::string(params_json)});
 }
 
-client::Outcome<std::string> Ball::wait_for(client::Outcome<protocol::Id> asked) {
-  if (!keep(asked ? client::Outcome<void>{} : asked.error()))
-    return connected() ? asked.error() : *failure_;
-  const auto deadline = client::Clock::now() + options_.patience;
-  asked_.push_back({*asked, deadline});
+client::Outcome<std::string> Ball::exchange(const client::AnyRequest& request) {
+  if (auto opened = open(); !opened) return opened.error();
+  const auto asked = send(request);
+  if (!asked) return asked.error();
+  subscriptions_.asked(*asked, request);
+  const auto deadline = asked_.back().deadline;
   while (connected()) {
     receive(left_until(deadline));
     if (auto reply = take_answer(*asked)) {
@@ -248,6 +229,8 @@ client::ClientError Ball::lose(const client::ClientError& why) {
   asked_.clear();
   // The next connection counts its requests anew.
   answers_.clear();
+  renewals_.clear();
+  subscriptions_.connection_lost();
   introduction_.reset();
   if (why.failure == client::Failure::kRefused && !introduced) {
     auto refused = stay_away(client::Failure::kRefused, why.message);

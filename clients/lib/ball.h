@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "clients/lib/connection.h"
+#include "clients/lib/subscriptions.h"
 
 namespace hedgehog {
 
@@ -38,7 +39,8 @@ double felt_level(double strength, const protocol::HelloLimits& limits) noexcept
 ///
 /// Errors: kRefused has the daemon's RpcError. kNoDaemon: "the daemon does not run: ...". kClosed,
 /// kTimeout and kProtocol end the connection; the next call connects anew, no more often than
-/// `retry_after` allows.
+/// `retry_after` allows. What the program subscribed to is subscribed to again; its effects are not
+/// made again: `connections` shows that there is a new connection.
 class Ball {
  public:
   /// A rumble ends so long after its last frame: a game that hangs lets go of the ball.
@@ -54,6 +56,8 @@ class Ball {
   /// Once a frame: connects, reads what has come, ends a connection whose response is overdue.
   void update();
   bool connected() const noexcept { return stage_ == Stage::kConnected; }
+  /// Connections made so far.
+  int connections() const noexcept { return connections_; }
   /// Why it is not connected, one sentence; empty: it is, or the first attempt is under way.
   std::string problem() const { return failure_ ? failure_->message : std::string(); }
   /// The same as an error. REQUIRES: it is not connected, and was once or tried to.
@@ -85,7 +89,7 @@ class Ball {
   /// Waits for the response.
   template <class Request>
   client::Outcome<typename Request::Result> call(const Request& request) {
-    const auto json = exchange([&] { return connection_->ask(request, kNow); });
+    const auto json = exchange(protocol::Request(request));
     if (!json) return json.error();
     auto value = protocol::decode_result<typename Request::Result>(*json);
     if (!value) return client::ClientError{client::Failure::kProtocol, value.error().message, {}};
@@ -120,13 +124,12 @@ class Ball {
   bool receive(client::Milliseconds patience);
   void take(protocol::Reply reply);
   void expire();
-  /// The response to what `send` asks, by when it is due.
-  template <class Send>
-  client::Outcome<std::string> exchange(Send send) {
-    if (auto opened = open(); !opened) return opened.error();
-    return wait_for(send());
-  }
-  std::optional<protocol::Id> remember(client::Outcome<protocol::Id> asked);
+  void renew_subscriptions();
+  client::Outcome<protocol::Id> send(const client::AnyRequest& request);
+  std::optional<protocol::Id> ask_any(const client::AnyRequest& request);
+  bool notify_any(const client::AnyRequest& request);
+  /// The response, by when it is due.
+  client::Outcome<std::string> exchange(const client::AnyRequest& request);
   client::Outcome<std::string> wait_for(client::Outcome<protocol::Id> asked);
   std::optional<protocol::Reply> take_answer(const protocol::Id& id);
   /// False: `sent` failed; a connection that is of no further use has ended.
@@ -142,6 +145,9 @@ class Ball {
   client::Clock::time_point due_{};  // of the attempt to connect
   std::string tried_;                // addresses, and why each did not answer
   std::optional<protocol::Id> introduction_;
+  int connections_ = 0;
+  client::Subscriptions subscriptions_;
+  std::vector<protocol::Id> renewals_;  // whose responses nobody waits for
   std::deque<Asked> asked_;
   std::deque<protocol::Reply> answers_;
   std::deque<client::Notification> notifications_;

@@ -20,9 +20,19 @@ bool ThreadedBall::connected() const {
   return connected_;
 }
 
-std::string ThreadedBall::problem() const {
+int ThreadedBall::connections() const {
   const std::lock_guard lock(mutex_);
-  return problem_;
+  return connections_;
+}
+
+std::string ThreadedBall::problem() const {
+  const auto why = failure();
+  return why ? why->message : std::string();
+}
+
+std::optional<client::ClientError> ThreadedBall::failure() const {
+  const std::lock_guard lock(mutex_);
+  return failure_;
 }
 
 bool ThreadedBall::rumble(std::string_view slot, double strength,
@@ -37,6 +47,19 @@ bool ThreadedBall::rumble(std::string_view slot, double strength,
 bool ThreadedBall::notify(protocol::Request request) {
   if (!connected()) return false;
   return post([request = std::move(request)](Ball& ball) { ball.notify(request); });
+}
+
+bool ThreadedBall::notify_raw(std::string method, std::string params_json) {
+  if (!connected()) return false;
+  return post([method = std::move(method), params = std::move(params_json)](Ball& ball) {
+    ball.notify_raw(method, params);
+  });
+}
+
+std::future<client::Outcome<std::string>> ThreadedBall::call_raw(std::string method,
+                                                                 std::string params_json) {
+  return later<std::string>([method = std::move(method), params = std::move(params_json)](
+                                Ball& ball) { return ball.call_raw(method, params); });
 }
 
 std::optional<client::Notification> ThreadedBall::next() {
@@ -68,7 +91,9 @@ void ThreadedBall::run() {
     ball_.update();
     lock.lock();
     connected_ = ball_.connected();
-    problem_ = ball_.problem();
+    connections_ = ball_.connections();
+    failure_.reset();
+    if (!ball_.problem().empty()) failure_ = ball_.failure();
     while (auto notification = ball_.next()) {
       if (notifications_.size() >= Ball::kMaxWaiting) notifications_.pop_front();
       notifications_.push_back(*std::move(notification));

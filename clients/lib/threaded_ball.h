@@ -36,30 +36,41 @@ class ThreadedBall {
   ThreadedBall& operator=(const ThreadedBall&) = delete;
 
   bool connected() const;
+  /// As those of `Ball`, a moment ago. `failure`: nullopt: it is connected, or the first attempt is
+  /// under way.
+  int connections() const;
   std::string problem() const;
+  std::optional<client::ClientError> failure() const;
   /// As of `Ball`; false also when too much is waiting to be sent.
   bool rumble(std::string_view slot, double strength,
               std::optional<protocol::Direction> direction = std::nullopt,
               protocol::EffectParams others = {});
   bool notify(protocol::Request request);
+  bool notify_raw(std::string method, std::string params_json);
   /// The response, or why there is none, later.
   template <class Request>
   std::future<client::Outcome<typename Request::Result>> call(Request request) {
-    using Promise = std::promise<client::Outcome<typename Request::Result>>;
-    auto promise = std::make_shared<Promise>();
-    auto response = promise->get_future();
-    const bool queued = post([promise, request = std::move(request)](Ball& ball) {
-      promise->set_value(ball.call(request));
-    });
-    if (!queued)
-      promise->set_value(client::ClientError{client::Failure::kClosed, "too much is waiting", {}});
-    return response;
+    return later<typename Request::Result>(
+        [request = std::move(request)](Ball& ball) { return ball.call(request); });
   }
+  /// The same for any method; the result is the JSON text that the daemon sent.
+  std::future<client::Outcome<std::string>> call_raw(std::string method, std::string params_json);
   std::optional<client::Notification> next();
 
  private:
   using Task = std::function<void(Ball&)>;
   bool post(Task task);
+  /// What `call` returns, on the thread.
+  template <class Result, class Call>
+  std::future<client::Outcome<Result>> later(Call call) {
+    auto promise = std::make_shared<std::promise<client::Outcome<Result>>>();
+    auto response = promise->get_future();
+    const bool queued =
+        post([promise, call = std::move(call)](Ball& ball) { promise->set_value(call(ball)); });
+    if (!queued)
+      promise->set_value(client::ClientError{client::Failure::kClosed, "too much is waiting", {}});
+    return response;
+  }
   void run();
 
   mutable std::mutex mutex_;  // of all but ball_
@@ -67,7 +78,8 @@ class ThreadedBall {
   std::deque<Task> tasks_;
   std::deque<client::Notification> notifications_;
   bool connected_ = false;
-  std::string problem_;
+  int connections_ = 0;
+  std::optional<client::ClientError> failure_;
   bool ending_ = false;
   Ball ball_;  // of the thread
   std::thread thread_;

@@ -128,8 +128,9 @@ class Types:
 class Requests:
     """Enumerations, ranges and methods of the requests."""
 
-    def __init__(self, methods):
+    def __init__(self, methods, errors):
         self.methods = [method for method in methods if method["name"] not in OWN]
+        self.errors = errors
         self.enums = {}
         self.ranges = {}
         for method in self.methods:
@@ -179,7 +180,9 @@ class Requests:
         text += "    public static class Ranges\n    {\n"
         text += "".join("        public const double %s = %s;\n" % item for item in self.ranges.items())
         text += "    }\n\n    /// <summary>Codes of RequestError.</summary>\n    public static class ErrorCode\n    {\n"
-        text += "".join("        public const int %s = %s;\n" % item for item in error_codes()) + "    }\n}\n"
+        text += "".join("        public const int %s = %s;\n" % (pascal(name), error["code"]) for name, error in self.errors.items())
+        text += "    }\n\n    /// <summary>Names of RequestError.</summary>\n    public static class ErrorName\n    {\n"
+        text += "".join("        public const string %s = \"%s\";\n" % (pascal(name), name) for name in self.errors) + "    }\n}\n"
         return text
 
     def arguments(self, method):
@@ -234,13 +237,6 @@ def escaped(text):
     return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
 
 
-def error_codes():
-    """The table of the protocol's errors; the document has their shape, not their numbers."""
-    table = re.findall(r"^\| −(32\d{3}) \| `([a-z_]+)` \|", (PROTOCOL / "README.md").read_text(encoding="utf-8"), re.M)
-    assert len(table) > 10, "no table of errors"
-    return [(pascal(name), "-" + code) for code, name in table]
-
-
 def guid(path):
     """The same wherever the package is, so that a scene finds its script again."""
     return hashlib.md5(("com.hedgehog.client/" + path).encode("utf-8")).hexdigest()
@@ -260,7 +256,7 @@ def meta_text(path, folder):
 
 def files():
     document = json.loads((PROTOCOL / "schema" / "openrpc.json").read_text(encoding="utf-8"))
-    requests = Requests(document["methods"])
+    requests = Requests(document["methods"], document["components"]["errors"])
     written = {str(GENERATED / "Results.cs"): Types(document["components"]["schemas"]).text(),
                str(GENERATED / "Words.cs"): requests.words_text(),
                str(GENERATED / "Methods.cs"): requests.methods_text()}

@@ -151,10 +151,22 @@ def methods_text(document):
     return text + "};\n\n}  // namespace hedgehog::unreal::methods\n"
 
 
+def error_text(errors):
+    text = HEAD + "// Why the daemon refuses a request.\n"
+    text += '#pragma once\n\n#include "CoreMinimal.h"\n\n#include "hedgehog_error.generated.h"\n\n'
+    text += "UENUM(BlueprintType)\nenum class EHedgehogError : uint8 {\n  None,\n"
+    text += "".join("  /// %s\n  %s,\n" % (error["message"], pascal(name)) for name, error in errors.items())
+    text += "  /// One that a later daemon has.\n  Other,\n};\n\n/// Of an answer's Code; 0: None.\n"
+    text += "inline EHedgehogError HedgehogErrorOf(int32 Code) {\n  switch (Code) {\n    case 0: return EHedgehogError::None;\n"
+    text += "".join("    case %d: return EHedgehogError::%s;\n" % (error["code"], pascal(name)) for name, error in errors.items())
+    return text + "    default: return EHedgehogError::Other;\n  }\n}\n"
+
+
 def files():
     document = json.loads(DOCUMENT.read_text(encoding="utf-8"))
     shared, added = by_structure(document)
     return {MODULE / "Public" / "hedgehog_effect.h": effects_text(shared, added),
+            MODULE / "Public" / "hedgehog_error.h": error_text(document["components"]["errors"]),
             MODULE / "Private" / "hedgehog_effect_json.h": json_header_text(added),
             MODULE / "Private" / "hedgehog_effect_json.cpp": json_source_text(shared, added),
             MODULE / "Private" / "core" / "methods.h": methods_text(document)}

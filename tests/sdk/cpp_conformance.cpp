@@ -83,6 +83,7 @@ class Waiting {
     return ball_.rumble(slot, strength, std::move(direction), std::move(others));
   }
   client::Notification next() { return ball_.next(kPatience).value().value(); }
+  int connections() { return ball_.connections(); }
   Milliseconds retry_after() { return ball_.retry_after(); }
 
  protected:
@@ -125,6 +126,41 @@ class Frames : public Waiting {
     ball_.update();
     std::this_thread::yield();
   }
+};
+
+/// As a game with a thread: the calling thread asks again and again, and waits only for futures.
+class Threaded {
+ public:
+  static constexpr const char* kName = "C++ ThreadedBall";
+  Threaded(const client::Address& address, BallOptions options)
+      : ball_({address}, std::move(options)) {}
+
+  client::Outcome<void> open() {
+    for (;; std::this_thread::yield()) {
+      if (ball_.connected()) return {};
+      if (const auto failure = ball_.failure()) return *failure;
+    }
+  }
+  client::Outcome<std::string> call(const std::string& method, const std::string& params) {
+    return ball_.call_raw(method, params).get();
+  }
+  bool notify(const std::string& method, const std::string& params) {
+    return ball_.notify_raw(method, params);
+  }
+  bool rumble(const std::string& slot, double strength,
+              std::optional<protocol::Direction> direction, protocol::EffectParams others) {
+    return ball_.rumble(slot, strength, std::move(direction), std::move(others));
+  }
+  client::Notification next() {
+    for (;; std::this_thread::yield())
+      if (auto one = ball_.next()) return *std::move(one);
+  }
+  int connections() { return ball_.connections(); }
+  // The library makes no attempt earlier than its back-off allows.
+  Milliseconds retry_after() { return ThreadedBall::kReadInterval; }
+
+ private:
+  ThreadedBall ball_;
 };
 
 /// The outcome is what the step says.
@@ -175,6 +211,8 @@ void play(Library& library, const json& step) {
     if (step.value("direction", "") == "back") direction = protocol::Word::kBack;
     expect(library.rumble(step["rumble"], step["strength"], direction, effect_params(params)),
            "rumbled");
+  } else if (step.contains("reconnected")) {
+    expect(library.connections() - 1 == step["reconnected"], "another number of connections");
   } else {
     const auto received = library.next();
     const auto& event = std::get<protocol::EventMessage>(received);
@@ -226,6 +264,7 @@ int run_all(const std::string& folder) {
   for (const json& one : cases) {
     well = run<Waiting>(folder, one) && well;
     well = run<Frames>(folder, one) && well;
+    well = run<Threaded>(folder, one) && well;
   }
   return well ? 0 : 1;
 }

@@ -37,11 +37,22 @@ def patience_of(case):
     return 3.0 if case["name"] == SLOW else PATIENCE_S
 
 
-class Blocking:
+class Reconnections:
+    """How often the library has said that it is connected again."""
+
+    def __init__(self):
+        self.reconnections = 0
+
+    def again(self, hello):
+        assert hello["protocol"] == "1.0"
+        self.reconnections += 1
+
+
+class Blocking(Reconnections):
     """A step of a case on Ball."""
 
     async def open(self, address, patience_s):
-        self.ball = hedgehog.Ball(address, name="conformance", patience_s=patience_s)
+        self.ball = hedgehog.Ball(address, name="conformance", patience_s=patience_s, on_reconnect=self.again)
 
     async def close(self):
         self.ball.close()
@@ -59,11 +70,11 @@ class Blocking:
         return self.ball.next_notification(PATIENCE_S)
 
 
-class Asynchronous:
+class Asynchronous(Reconnections):
     """A step of a case on AsyncBall."""
 
     async def open(self, address, patience_s):
-        self.ball = hedgehog.AsyncBall(address, name="conformance", patience_s=patience_s)
+        self.ball = hedgehog.AsyncBall(address, name="conformance", patience_s=patience_s, on_reconnect=self.again)
         await self.ball.__aenter__()
         # What the generators of events and telemetry read from.
         self.queue = asyncio.Queue(100)
@@ -82,7 +93,9 @@ class Asynchronous:
         return await self.ball.rumble(slot, strength, direction, **params)
 
     async def notification(self):
-        return await asyncio.wait_for(self.queue.get(), PATIENCE_S)
+        received = await asyncio.wait_for(self.queue.get(), PATIENCE_S)
+        # Generators end with a connection; their queue goes on here.
+        return await self.notification() if isinstance(received, hedgehog.NotConnected) else received
 
 
 class Conformance(unittest.IsolatedAsyncioTestCase):
@@ -126,6 +139,8 @@ class Conformance(unittest.IsolatedAsyncioTestCase):
             self.assertTrue(await library.notify(step["notify"], params))
         elif "rumble" in step:
             self.assertTrue(await library.rumble(step["rumble"], step["strength"], step.get("direction"), params))
+        elif "reconnected" in step:
+            self.assertEqual(library.reconnections, step["reconnected"])
         else:
             self.assertEqual(await library.notification(), (step["notification"], params))
 

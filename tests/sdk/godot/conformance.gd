@@ -40,6 +40,9 @@ func take(step):
 		if ball.received.size() > 0:
 			check(same(ball.received.pop_front(), [step.notification, step.get("params", {})]), "another notification")
 			next()
+	elif step.has("reconnected"):
+		check(ball.connections - 1 == step.reconnected, "%d connections" % ball.connections)
+		next()
 	elif step.has("notify"):
 		check(ball.notify(step.notify, step.get("params", {})), "not sent")
 		next()

@@ -1,9 +1,14 @@
 # SPDX-License-Identifier: MIT
-# A ball that keeps its notifications: signals are connected in other ways in Godot 3 and 4.
+# A ball that keeps its notifications and counts its connections: signals are connected in other ways in Godot 3 and 4.
 extends "res://addons/hedgehog/ball.gd"
 
 var received := []
+var connections := 0
 
 
 func on_notification(method: String, params: Dictionary) -> void:
 	received.append([method, params])
+
+
+func on_connected() -> void:
+	connections += 1

@@ -38,6 +38,7 @@ func effects():
 	print("stopped ", stopped.result.stopped)
 	var refused = ANSWER(ball.pulse("left", {"level": 1.4}))
 	print("refused ", refused.failure, " ", refused.error_name, " ", refused.data.field)
+	print("its code ", ball.ERROR_CODES.invalid_params == refused.code)
 	var infinite = ANSWER(ball.play(null, {"keyframes": [{"level": 1e308 * 10}]}))
 	print("infinite ", infinite.message)
 	ball.notify("effect.pulse", {"direction": "left", "strenght": 1})

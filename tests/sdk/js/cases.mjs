@@ -32,6 +32,7 @@ function check(step, outcome) {
     assert.ok("value" in outcome, JSON.stringify(outcome));
     if (step.result) assert.deepEqual(outcome.value, step.result);
     else if (step.notify || step.rumble) assert.equal(outcome.value, true);
+    else if ("reconnected" in step) assert.equal(outcome.value, step.reconnected);
     else if (step.notification) assert.deepEqual(outcome.value, [step.notification, step.params ?? {}]);
   }
 }

@@ -5,6 +5,7 @@ export class Driver {
   #library;
   #ball = null;
   #notifications;
+  #reconnections = 0;
 
   /** The module of the library: {Ball, NotConnected, RequestError}. */
   constructor(library) {
@@ -13,7 +14,7 @@ export class Driver {
 
   open(options) {
     return this.#outcome(async () => {
-      this.#ball = await this.#library.Ball.connect(options);
+      this.#ball = await this.#library.Ball.connect({ ...options, onReconnect: () => ++this.#reconnections });
       this.#notifications = this.#ball.notifications();
     });
   }
@@ -32,6 +33,7 @@ export class Driver {
     if (step.call_again) return this.#again(step.call_again);
     if (step.notify) return ball.notify(step.notify, step.params);
     if (step.rumble) return ball.rumble(step.rumble, step.strength, step.direction, step.params);
+    if ("reconnected" in step) return this.#reconnections;
     return this.#notifications.next().then(({ value }) => value);
   }
 
@@ -51,7 +53,11 @@ export class Driver {
     try {
       return { value: await action() };
     } catch (error) {
-      if (error instanceof NotConnected) return { failure: "not_connected", message: error.message };
+      if (error instanceof NotConnected) {
+        // The iterator has ended with the connection.
+        this.#notifications = this.#ball?.notifications();
+        return { failure: "not_connected", message: error.message };
+      }
       if (!(error instanceof RequestError)) throw error;
       const { code, reason, message, data } = error;
       return { error: { code, name: reason, message, ...("field" in data ? { field: data.field } : {}) } };

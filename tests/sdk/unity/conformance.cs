@@ -90,6 +90,10 @@ internal static class Conformance
         {
             Check.That(library.Rumble(step["rumble"].Text, step["strength"].Number, step["direction"].Text, ParamsOf(step["params"])), "rumbled");
         }
+        else if (step.Has("reconnected"))
+        {
+            Check.Equal((int)step["reconnected"].Integer, library.Reconnections, "connections but the first");
+        }
         else
         {
             Notification received = library.Next();
@@ -144,6 +148,18 @@ internal static class Conformance
 
     private abstract class Library
     {
+        private int reconnections;
+
+        public int Reconnections
+        {
+            get { return Volatile.Read(ref reconnections); }
+        }
+
+        protected void Again(Hedgehog.Results.Hello hello)
+        {
+            Interlocked.Increment(ref reconnections);
+        }
+
         public abstract Json Open(string address, double patienceS);
         public abstract void Close();
         public abstract Json Call(string method, Params given);
@@ -159,6 +175,7 @@ internal static class Conformance
         public override Json Open(string address, double patienceS)
         {
             ball = new Ball(address, "conformance", patienceS);
+            ball.Reconnected += Again;
             return Json.Null;
         }
 
@@ -196,6 +213,7 @@ internal static class Conformance
         public override Json Open(string address, double patienceS)
         {
             ball = new AsyncBall(address, "conformance", patienceS);
+            ball.Reconnected += Again;
             ball.Open().GetAwaiter().GetResult();
             return Json.Null;
         }

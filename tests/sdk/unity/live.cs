@@ -79,6 +79,7 @@ internal static class Live
             Check.That(ball.Play(keyframes: keyframes, waveform: Waveform.Sine).Accepted, "key frames are played");
             var refused = Check.Throws<RequestError>(() => ball.Pulse(Direction.Vector(0, 1, 0), level: Ranges.LevelMax + 0.4));
             Check.Equal(ErrorCode.InvalidParams, refused.Code, "the code");
+            Check.Equal(ErrorName.InvalidParams, refused.Name, "the name");
             Check.Equal("level", refused.Data.Field, "the field");
             Check.Equal(1.4, refused.Data.Value.Number, "the value");
         }

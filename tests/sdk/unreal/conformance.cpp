@@ -37,6 +37,7 @@ class Player {
  private:
   Listeners listeners() {
     Listeners all;
+    all.connected = [this](const Json&) { ++connections_; };
     all.disconnected = [this](const std::string& reason) { ended_ = reason; };
     all.notification = [this](const std::string& method, const Json& params) {
       notifications_.emplace_back(method, params);
@@ -51,6 +52,8 @@ class Player {
       const auto [method, received] = notifications_.front();
       notifications_.pop_front();
       check(method == step["notification"].text() && received == step["params"], method);
+    } else if (step["reconnected"].is(Json::Kind::kNumber)) {
+      check(connections_ - 1 == step["reconnected"].number(), "connected more or less often");
     } else if (step["notify"].is(Json::Kind::kString)) {
       check(client_.notify(step["notify"].text(), params), "not sent");
     } else if (step["rumble"].is(Json::Kind::kString)) {
@@ -111,6 +114,7 @@ class Player {
     std::exit(1);
   }
 
+  int connections_ = 0;
   std::string ended_;
   std::deque<std::pair<std::string, Json>> notifications_;
   Client client_;

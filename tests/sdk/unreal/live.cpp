@@ -62,7 +62,8 @@ void listen(UHedgehogSubsystem& ball) {
     print("event " + text(event.Type) + " " + text(event.Slot) + " " + text(event.Reason));
   });
   ball.OnRefused.bound.push_back([](const FHedgehogAnswer& answer) {
-    print("refused " + text(answer.Method) + " " + text(answer.Name) + " " + text(answer.Field));
+    print("refused " + text(answer.Method) + " " + text(answer.Name) + " " + text(answer.Field) +
+          (answer.Error == EHedgehogError::InvalidParams ? " InvalidParams" : " another error"));
   });
 }
 

@@ -70,7 +70,7 @@ class Live(unittest.TestCase):
         playing = next(line for line in lines if line.startswith("playing "))
         for expected in ('"state":"armed"', '"slot":"Größe"', '"method":"effect.circle"', '"method":"effect.play"'):
             self.assertIn(expected, playing)
-        self.assertIn("refused effect.pulse invalid_params level", lines)
+        self.assertIn("refused effect.pulse invalid_params level InvalidParams", lines)
         self.assertIn("no object: the parameters are no JSON object", lines)
         self.assertIn("measured", lines)
 

@@ -194,6 +194,10 @@ func _begin() -> void:
 			_session.ask(Request.new(method), _subscriptions[method])
 	for waiting in queued:
 		_ask_or_wait(waiting[0], waiting[1])
+	on_connected()
+
+
+func on_connected() -> void:
 	emit_signal("connected", hello)
 
 

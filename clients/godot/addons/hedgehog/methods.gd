@@ -8,6 +8,26 @@ extends Node
 const EVENTS = ["derating_ended", "derating_started", "device_attached", "device_detached", "effect_ended",
 	"effect_started", "orientation_lost", "orientation_restored", "overrun", "shutting_down", "state_changed"]
 
+## Codes of refusals by name: a request's `code` and `error_name`.
+const ERROR_CODES = {
+	"parse_error": -32700,
+	"invalid_request": -32600,
+	"method_not_found": -32601,
+	"invalid_params": -32602,
+	"internal_error": -32603,
+	"not_armed": -32000,
+	"busy": -32001,
+	"no_such_effect": -32002,
+	"unauthorized": -32003,
+	"forbidden": -32004,
+	"device_absent": -32005,
+	"unsupported": -32006,
+	"refused_thermal": -32007,
+	"no_such_pattern": -32008,
+	"claimed": -32009,
+	"armed": -32010,
+}
+
 ## By method and parameter: [minimum, maximum], [minimum], the words that are allowed, or null.
 const PARAMETERS = {
 	"connection.list": {},

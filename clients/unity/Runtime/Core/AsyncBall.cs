@@ -10,7 +10,8 @@ using System.Threading.Tasks;
 namespace Hedgehog
 {
     /// <summary>A connection to the daemon for a frame loop: nothing here waits. The effects of a connection end with it.
-    /// After a lost connection the next call connects anew in the background, no more often than the back-off allows.
+    /// After a lost connection the next call connects anew in the background, no more often than the back-off allows. What the
+    /// program subscribed to is subscribed to again; its effects are not made again.
     /// Any thread; two threads of its own read and write. Tasks end with RequestError or NotConnected.</summary>
     public sealed class AsyncBall : AsyncMethods, IDisposable
     {
@@ -25,12 +26,17 @@ namespace Hedgehog
         private readonly Backoff backoff = new Backoff();
         private readonly Stopwatch clock = Stopwatch.StartNew();
         private readonly Dictionary<long, Pending> pending = new Dictionary<long, Pending>();
+        private readonly Subscriptions subscriptions = new Subscriptions();
         private readonly Queue<Notification> notifications = new Queue<Notification>();
         private TaskCompletionSource<Results.Hello> opening;
         private Wire wire;
         private Results.Hello welcome;
         private long lastId;
         private bool closed;
+        private bool welcomed;
+
+        /// <summary>After each connection but the first, on a thread of the library.</summary>
+        public event Action<Results.Hello> Reconnected;
 
         /// <summary>Does not connect yet. address: "127.0.0.1:7586" or "/run/hedgehog/hedgehogd.sock"; null: found as by every
         /// client. name: of this game, as the daemon's log shows it. patienceS: the longest that connecting, and waiting for a
@@ -94,7 +100,11 @@ namespace Hedgehog
             {
                 if (welcome != null)
                 {
-                    if (wire.Send(Exchange.Line(0, method, parameters))) return true;
+                    if (wire.Send(Exchange.Line(0, method, parameters)))
+                    {
+                        subscriptions.Note(method, parameters);
+                        return true;
+                    }
                     End("the daemon does not read what it is sent");
                     return false;
                 }
@@ -173,7 +183,7 @@ namespace Hedgehog
                 byte[] line = Exchange.Line(id, method, parameters);
                 Wire of = wire;
                 string late = method + ": no response within " + (0.001 * patienceMs).ToString(CultureInfo.InvariantCulture) + " s";
-                var asked = new Pending(patienceMs, () => EndOf(of, late));
+                var asked = new Pending(method, parameters, patienceMs, () => EndOf(of, late));
                 pending.Add(id, asked);
                 if (!wire.Send(line)) End("the daemon does not read what it is sent");
                 return asked.Response;
@@ -198,6 +208,7 @@ namespace Hedgehog
         {
             Ask("hello", introduction).ContinueWith(answered =>
             {
+                Results.Hello again;
                 lock (gate)
                 {
                     // Unless another connection has followed.
@@ -213,9 +224,15 @@ namespace Hedgehog
                     }
                     welcome = new Results.Hello(answered.Result);
                     backoff.Succeeded();
+                    // Nobody waits for these responses.
+                    foreach (var one in subscriptions.Asked) wire.Send(Exchange.Line(++lastId, one.Key, one.Value));
+                    again = welcomed ? welcome : null;
+                    welcomed = true;
                     opening.TrySetResult(welcome);
                     opening = null;
                 }
+                Action<Results.Hello> told = Reconnected;
+                if (again != null && told != null) told(again);
             }, CancellationToken.None, TaskContinuationOptions.None, TaskScheduler.Default);
         }
 
@@ -282,6 +299,7 @@ namespace Hedgehog
                 Pending asked;
                 if (!pending.TryGetValue(id, out asked)) return;
                 pending.Remove(id);
+                if (message["error"].IsNull) subscriptions.Note(asked.Method, asked.Parameters);
                 asked.Answer(message);
             }
         }

@@ -28,6 +28,13 @@ namespace Hedgehog
             }
         }
 
+        /// <summary>As AsyncBall.Reconnected.</summary>
+        public event Action<Results.Hello> Reconnected
+        {
+            add { ball.Reconnected += value; }
+            remove { ball.Reconnected -= value; }
+        }
+
         public bool Connected
         {
             get { return ball.Connected; }

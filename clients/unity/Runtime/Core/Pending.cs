@@ -12,8 +12,13 @@ namespace Hedgehog
             new TaskCompletionSource<Json>(TaskCreationOptions.RunContinuationsAsynchronously);
         private readonly Timer timer;
 
-        public Pending(int patienceMs, Action tooLate)
+        public readonly string Method;
+        public readonly Params Parameters;
+
+        public Pending(string method, Params parameters, int patienceMs, Action tooLate)
         {
+            Method = method;
+            Parameters = parameters;
             timer = new Timer(unused => tooLate(), null, patienceMs, Timeout.Infinite);
         }
 

@@ -129,6 +129,7 @@ namespace Hedgehog.Unity
                 await of.Open();
                 await of.EventsSubscribe();
                 if (telemetryHz > 0f) await of.TelemetrySubscribe(telemetryHz, telemetryFields);
+                else await of.TelemetryUnsubscribe();
                 Problem = "";
             }
             catch (BallError error)

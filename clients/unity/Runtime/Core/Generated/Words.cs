@@ -229,4 +229,25 @@ namespace Hedgehog
         public const int Claimed = -32009;
         public const int Armed = -32010;
     }
+
+    /// <summary>Names of RequestError.</summary>
+    public static class ErrorName
+    {
+        public const string ParseError = "parse_error";
+        public const string InvalidRequest = "invalid_request";
+        public const string MethodNotFound = "method_not_found";
+        public const string InvalidParams = "invalid_params";
+        public const string InternalError = "internal_error";
+        public const string NotArmed = "not_armed";
+        public const string Busy = "busy";
+        public const string NoSuchEffect = "no_such_effect";
+        public const string Unauthorized = "unauthorized";
+        public const string Forbidden = "forbidden";
+        public const string DeviceAbsent = "device_absent";
+        public const string Unsupported = "unsupported";
+        public const string RefusedThermal = "refused_thermal";
+        public const string NoSuchPattern = "no_such_pattern";
+        public const string Claimed = "claimed";
+        public const string Armed = "armed";
+    }
 }

@@ -39,6 +39,7 @@ FHedgehogAnswer ToAnswer(const FString& Method, const Answer& Came) {
   Report.Method = Method;
   if (Came.ok()) Report.Result = FromUtf8(Came.result.to_text());
   Report.Message = FromUtf8(Came.message);
+  Report.Error = HedgehogErrorOf(Came.code);
   Report.Code = Came.code;
   Report.Name = FromUtf8(Came.name);
   Report.Field = FromUtf8(Came.data["field"].text());

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "CoreMinimal.h"
+#include "hedgehog_error.h"
 
 #include "hedgehog_types.generated.h"
 
@@ -22,6 +23,9 @@ struct HEDGEHOGHAPTICS_API FHedgehogAnswer {
   /// Why not, one sentence: "the daemon does not run: ...", "level: 1.4 is above 1".
   UPROPERTY(BlueprintReadOnly, Category = "Hedgehog")
   FString Message;
+  /// Why, of a refusal; for a switch.
+  UPROPERTY(BlueprintReadOnly, Category = "Hedgehog")
+  EHedgehogError Error = EHedgehogError::None;
   /// Of a refusal: the protocol's number and name, and the parameter that is wrong.
   UPROPERTY(BlueprintReadOnly, Category = "Hedgehog")
   int32 Code = 0;
