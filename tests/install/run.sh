@@ -120,6 +120,9 @@ quick_start() {
 }
 felt "quick start" quick_start
 
+step "a newcomer's way"
+PKG_CONFIG_PATH=$config PYTHONDONTWRITEBYTECODE=1 python3 "$source/tests/sdk/newcomer.py" "$prefix/bin/hedgehogd" C++
+
 # What only programs and tests need is not looked for.
 without=$(printf ' -DCMAKE_DISABLE_FIND_PACKAGE_%s=ON' CLI11 spdlog PkgConfig GTest rapidcheck benchmark)
 # shellcheck disable=SC2086

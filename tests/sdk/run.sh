@@ -21,16 +21,22 @@ bounded() {
     return "$result"
   }
 }
+# Nothing of a registry is asked for but what the lock files name.
+export npm_config_update_notifier=false
+packed=$PWD/../../build/sdk
+./pack.sh "$packed"
 bounded python3 conformance_table_test.py
 bounded python3 python_conformance.py
 bounded python3 python_live.py "$daemon"
 bounded python3 python_types.py
+bounded python3 python_wheel.py "$daemon" "$packed"
 
 # JavaScript, in Node.js and in the browser of tests/web.
 packages=$PWD/../../build/npm
 ../../cmake/npm.sh ../web "$packages/web"
 ../../cmake/npm.sh js/types "$packages/typescript"
-HEDGEHOGD=$daemon HEDGEHOG_NODE_MODULES=$packages/web/node_modules HEDGEHOG_TYPESCRIPT=$packages/typescript/node_modules \
+HEDGEHOGD=$daemon HEDGEHOG_PACKED=$packed HEDGEHOG_NODE_MODULES=$packages/web/node_modules \
+  HEDGEHOG_TYPESCRIPT=$packages/typescript/node_modules \
   bounded node --test --test-concurrency=1 --test-timeout=240000 --test-reporter=spec js/*.test.mjs
 
 # C#, for Unity and others.
@@ -46,4 +52,7 @@ bounded godot/run.sh "$daemon"
 # Unreal.
 bounded unreal/run.sh "$daemon"
 
+# What a newcomer does, what a game ships with, and who passes what.
+bounded ./newcomer.py "$daemon"
+./sizes.py "$packed" ../../build/release/share/hedgehog/*
 ./conformance_table.py "$HEDGEHOG_CONFORMANCE_TABLE"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The library as npm ships it: packed, and installed into an empty folder.
+// The library as npm ships it: the file that pack.sh has put into HEDGEHOG_PACKED, installed into an empty folder.
 import { execFileSync } from "node:child_process";
 import fs from "node:fs";
 import os from "node:os";
@@ -12,17 +12,13 @@ function npm(folder, ...args) {
   return execFileSync("npm", [...args, "--no-audit", "--no-fund", "--offline", "--loglevel=error"], { cwd: folder, encoding: "utf8" });
 }
 
-/** The file of `npm pack`, in this folder. */
-export function pack(folder) {
-  return path.join(folder, npm(LIBRARY, "pack", "--pack-destination", folder).trim().split("\n").pop());
-}
-
 /** A new folder with the library in its node_modules. */
 export function installed() {
   const folder = fs.realpathSync(fs.mkdtempSync(path.join(os.tmpdir(), "hedgehog-npm-")));
   const game = path.join(folder, "game");
   fs.mkdirSync(game);
-  npm(game, "install", pack(folder));
+  const [file] = fs.readdirSync(process.env.HEDGEHOG_PACKED).filter((name) => name.endsWith(".tgz"));
+  npm(game, "install", path.join(process.env.HEDGEHOG_PACKED, file));
   return { folder: game, remove: () => fs.rmSync(folder, { recursive: true }) };
 }
 

@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: MIT
+"""The quick start of a client library's README: a program, the name of its file, and the commands that run it."""
+
+import pathlib
+import re
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+CLIENTS = ROOT / "clients"
+
+
+class Readme:
+    def __init__(self, path):
+        self.text = (CLIENTS / path).read_text(encoding="utf-8")
+
+    def program(self, language):
+        """The first block of that language."""
+        return re.search(r"```%s\n(.*?)```" % language, self.text, re.S).group(1)
+
+    def commands(self):
+        """The lines of the first block of shell commands, without comments."""
+        block = re.search(r"```sh\n(.*?)```", self.text, re.S).group(1)
+        return [line.partition(" #")[0].strip() for line in block.splitlines()]
+
+    def names(self, file):
+        """Whether the text before the first program says how its file is called."""
+        return "`%s`" % file in self.text.partition("```")[0]
