@@ -20,8 +20,9 @@ def check(*files):
 
 
 class Types(unittest.TestCase):
-    def test_the_library_and_a_program_are_right_and_mistakes_are_refused(self):
-        self.assertEqual(check("hedgehog", HERE / "python_sample.py"), "")
+    def test_the_library_and_programs_are_right_and_mistakes_are_refused(self):
+        example = PYTHON.parent / "examples" / "racer.py"
+        self.assertEqual(check("hedgehog", HERE / "python_sample.py", example), "")
 
     def test_what_only_a_newer_python_understands_is_refused(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -52,6 +52,9 @@ bounded godot/run.sh "$daemon"
 # Unreal.
 bounded unreal/run.sh "$daemon"
 
+# The racer's haptics in each language.
+bounded python3 examples_live.py "$daemon" "$packed" ../../build/unreal/live
+
 # What a newcomer does, what a game ships with, and who passes what.
 bounded ./newcomer.py "$daemon"
 ./sizes.py "$packed" ../../build/release/share/hedgehog/*

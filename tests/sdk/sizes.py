@@ -9,7 +9,7 @@ import sys
 
 CLIENTS = pathlib.Path(__file__).resolve().parent.parent.parent / "clients"
 # What is not copied into a game.
-APART = ("README.md", "generate.py", "__pycache__", "Samples~", "example")
+APART = ("README.md", "generate.py", "__pycache__", "Samples~", "Example")
 
 
 def files(folder):

@@ -6,6 +6,7 @@
 #include <string>
 #include <thread>
 
+#include "clients/unreal/Example/car_feel.h"
 #include "clients/unreal/Source/HedgehogHaptics/Public/hedgehog_subsystem.h"
 
 namespace {
@@ -110,6 +111,34 @@ void effects(UHedgehogSubsystem& ball) {
   print("measured");
 }
 
+/// A lap of three seconds, a frame in 16 ms.
+void racer(UHedgehogSubsystem& ball) {
+  FHedgehogCarFeel feel(ball);
+  run_until(ball, [&ball] { return ball.IsBallConnected(); });
+  const auto blow = [&feel](const char* what, FVector side, double impulse_n_s, double time_s) {
+    char line[64];
+    std::snprintf(line, sizeof line, "%.2f s  %s: step %d", time_s, what,
+                  feel.Blow(side, impulse_n_s, time_s));
+    print(line);
+  };
+  for (int frame = 0; frame < 180; ++frame) {
+    const double time_s = frame / 60.0;
+    if (frame == 30 || frame == 60) {
+      feel.Gear();
+      print(frame == 30 ? "0.50 s  gear" : "1.00 s  gear");
+    }
+    if (frame > 60 && frame < 90) feel.Skid(static_cast<float>(frame - 60) / 30.0f);
+    if (frame == 100) blow("wall", FVector(0.7, 0.7, 0), 5000, time_s);
+    if (frame == 105) blow("crate", FVector(0, -1, 0), 300, time_s);
+    if (frame == 150) blow("landing", FVector(0, 0, -1), 2500, time_s);
+    feel.Engine(static_cast<float>(frame % 60) / 60.0f, 1.0f);
+    ball.Tick(0.016f);
+    std::this_thread::sleep_for(std::chrono::milliseconds(16));
+  }
+  ball.StopAll();
+  ask(ball, "ping", "");
+}
+
 }  // namespace
 
 #include <quick_start.inc>
@@ -124,6 +153,8 @@ int main(int count, char** arguments) {
   ball.Initialize(collection);
   if (scene == "effects") {
     effects(ball);
+  } else if (scene == "racer") {
+    racer(ball);
   } else if (scene == "nobody") {
     print(text(ask(ball, "ping", "").Message));
   } else if (scene == "outage") {

@@ -1,0 +1,73 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""The racer's haptics in Python, JavaScript and C++ for Unreal against a simulated daemon: examples_live.py HEDGEHOGD PACKED UNREAL,
+the folder of pack.sh and the program of unreal/live.cpp."""
+
+import os
+import pathlib
+import subprocess
+import sys
+import tarfile
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+EXAMPLES = ROOT / "clients" / "examples"
+sys.path.insert(0, str(ROOT / "clients" / "python"))
+
+import hedgehog  # noqa: E402
+from live_daemon import LIMIT_S, LiveDaemon  # noqa: E402
+
+UNREAL = sys.argv.pop(3) if len(sys.argv) > 3 else ""
+PACKED = pathlib.Path(sys.argv.pop(2)) if len(sys.argv) > 2 else pathlib.Path()
+DAEMON = sys.argv.pop(1) if len(sys.argv) > 1 else ""
+# Steps of an eight: 0 is just felt. The crate comes too soon after the wall.
+LAP = ["0.50 s  gear", "1.00 s  gear", "1.67 s  wall: step 6", "1.75 s  crate: step -1", "2.50 s  landing: step 5"]
+PULSES = 4
+
+
+class Examples(unittest.TestCase):
+    def check_lap(self, command, **environment):
+        """The lap is printed as it is; engine and skid are felt in their slots, each blow and gear as a pulse."""
+        daemon = LiveDaemon(DAEMON)
+        self.addCleanup(daemon.stop)
+        with hedgehog.Ball(daemon.address, patience_s=LIMIT_S) as watcher:
+            events = watcher.events(["effect_started"], scope="all", patience_s=LIMIT_S)
+            printed = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True, timeout=LIMIT_S,
+                                     env=dict(os.environ, HEDGEHOG_ADDRESS=daemon.address, **environment)).stdout
+            self.assertEqual([line for line in printed.splitlines() if " s  " in line], LAP)
+            slots, pulses = set(), 0
+            for event in events:
+                slot = event.get("slot")
+                pulses += slot is None
+                slots.add(slot)
+                if pulses == PULSES and {"engine", "skid"} <= slots:
+                    break
+            self.assertEqual(pulses, PULSES)
+            self.assertEqual(slots, {None, "engine", "skid"})
+
+    def test_python(self):
+        self.check_lap([sys.executable, str(EXAMPLES / "racer.py")], PYTHONPATH=str(ROOT / "clients" / "python"))
+
+    def test_javascript(self):
+        with tempfile.TemporaryDirectory() as folder:
+            library = pathlib.Path(folder) / "node_modules" / "@hedgehog"
+            packed, = PACKED.glob("*.tgz")
+            with tarfile.open(packed) as file:
+                file.extractall(library)
+            (library / "package").rename(library / "client")
+            game = pathlib.Path(folder) / "racer.mjs"
+            game.write_text((EXAMPLES / "racer.mjs").read_text(encoding="utf-8"), encoding="utf-8")
+            self.check_lap(["node", str(game)])
+
+    def test_unreal(self):
+        self.check_lap([UNREAL, "racer"])
+
+    def test_nobody_there_is_said_in_words(self):
+        ended = subprocess.run([sys.executable, str(EXAMPLES / "racer.py")], stderr=subprocess.PIPE, text=True, check=False,
+                               env=dict(os.environ, HEDGEHOG_ADDRESS="127.0.0.1:1", PYTHONPATH=str(ROOT / "clients" / "python")))
+        self.assertEqual((ended.returncode, ended.stderr), (69, "the daemon does not run: 127.0.0.1:1: Connection refused\n"))
+
+
+if __name__ == "__main__":
+    unittest.main()
