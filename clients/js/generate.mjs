@@ -1,6 +1,6 @@
 #!/usr/bin/env node
 // SPDX-License-Identifier: MIT
-// Writes src/methods.js, src/error_codes.js, methods.d.ts and results.d.ts from the OpenRPC document. With --check nothing is
+// Writes src/methods.js, src/error_codes.js, methods.d.ts and messages.d.ts from the OpenRPC document. With --check nothing is
 // written; exit 1 says that a file is not what the document gives.
 import fs from "node:fs";
 import { fileURLToPath } from "node:url";
@@ -85,13 +85,10 @@ function paramsOf(method) {
 }
 
 function methodsTypes() {
-  const results = [...new Set(known.map((method) => typeOf(method.result.schema)))].sort();
-  let types = `${HEAD}import type {\n  Direction, ${results.join(", ")},\n} from "./results.js";\n`;
-  types += known.map(paramsOf).join("");
-  types += "\n/** Parameters and result of each method, for `ball.call`. */\nexport interface MethodTypes {\n";
-  for (const method of known)
-    types += `  "${method.name}": { params: ${pascal(method.name)}Params; result: ${typeOf(method.result.schema)} };\n`;
-  types += "}\n\nexport declare class Methods {\n";
+  const results = methods.map((method) => typeOf(method.result.schema));
+  const params = methods.map((method) => `${pascal(method.name)}Params`);
+  const names = [...new Set(["Direction", ...results, ...params])].sort();
+  let types = `${HEAD}import type {\n${names.map((name) => `  ${name},\n`).join("")}} from "./messages.js";\n\nexport declare class Methods {\n`;
   for (const method of methods) {
     const first = firstOf(method);
     const params = `${pascal(method.name)}Params`;
@@ -105,8 +102,8 @@ function methodsTypes() {
   return `${types}}\n`;
 }
 
-function resultsTypes() {
-  let types = `${HEAD}// Results, events and errors. A later daemon may send more than they name.\n`;
+function messagesTypes() {
+  let types = `${HEAD}// Results, events, errors and parameters. A later daemon may send more than they name.\n`;
   for (const [name, schema] of Object.entries(schemas)) {
     if (name === "Error") {
       types += `\n/** \`data\` of a refusal. */\nexport interface ErrorData {\n${fields(schema.properties.data, "  ")}}\n`;
@@ -119,7 +116,12 @@ function resultsTypes() {
   types += `\n/** The types of events. */\nexport type EventType = ${quoted(schemas.Event.properties.type.examples)};\n`;
   types += "\n/** Codes of refusals, by name. */\nexport declare const ErrorCode: {\n";
   for (const [name, { code, message }] of Object.entries(errors)) types += `  /** ${message} */\n  readonly ${name}: ${code};\n`;
-  return `${types}};\nexport type ErrorName = keyof typeof ErrorCode;\n`;
+  types += "};\nexport type ErrorName = keyof typeof ErrorCode;\n";
+  types += known.map(paramsOf).join("");
+  types += "\n/** Parameters and result of each method, for `ball.call`. */\nexport interface MethodTypes {\n";
+  for (const method of known)
+    types += `  "${method.name}": { params: ${pascal(method.name)}Params; result: ${typeOf(method.result.schema)} };\n`;
+  return `${types}}\n`;
 }
 
 function errorCodes() {
@@ -131,7 +133,7 @@ const files = {
   "src/methods.js": methodsCode(),
   "src/error_codes.js": errorCodes(),
   "methods.d.ts": methodsTypes(),
-  "results.d.ts": resultsTypes(),
+  "messages.d.ts": messagesTypes(),
 };
 const check = process.argv.includes("--check");
 for (const [path, text] of Object.entries(files)) {

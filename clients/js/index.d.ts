@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
-import type { MethodTypes } from "./methods.js";
+import type { BallEvent, Direction, ErrorData, ErrorName, EventType, Hello, MethodTypes, Telemetry } from "./messages.js";
 import { Methods } from "./methods.js";
-import type { BallEvent, Direction, ErrorData, ErrorName, EventType, Hello, Telemetry } from "./results.js";
 
-export type * from "./methods.js";
-export type * from "./results.js";
-export { ErrorCode } from "./results.js";
+export * from "./messages.js";
 
 export interface Options {
   /** "127.0.0.1:7586" or a socket's path in Node.js, "ws://..." in a browser; without, found as by every client. */
