@@ -149,7 +149,7 @@ test-web: dashboard racer-page build/.packages-web $(CONFIGURED_DEV)
 	@$(STAGE) 'tests web' tests/web/run.sh build/dev
 
 # The client libraries of all languages.
-test-sdk: $(CONFIGURED_DEV) build/.packages-dashboard build/.packages-web build/.packages-csharp build/.packages-godot \
+test-sdk: dashboard racer-page $(CONFIGURED_DEV) build/.packages-dashboard build/.packages-web build/.packages-csharp build/.packages-godot \
   build/.packages-python
 	@$(LOCK_DEV) $(BUILD_DEV) --target hedgehogd cpp_conformance cpp_racer slow_names
 	@$(STAGE) 'tests sdk' tests/sdk/run.sh build/dev

@@ -57,5 +57,7 @@ bounded python3 examples_live.py "$daemon" "$packed" ../../build/unreal/live
 
 # What a newcomer does, what a game ships with, and who passes what.
 bounded ./newcomer.py "$daemon"
-./sizes.py "$packed" ../../build/release/share/hedgehog/*
+../../cmake/bundle.sh ../../clients/js/src "$packed/client" browser.js
+../../cmake/compress.sh "$packed/client"
+./sizes.py "$packed" "$packed/client" ../../build/release/share/hedgehog/*
 ./conformance_table.py "$HEDGEHOG_CONFORMANCE_TABLE"
