@@ -44,6 +44,7 @@ help:
 	@echo 'make mutations  safety code with one operator, constant or statement wrong: a test must go red (ARGS=--changed: your lines)'
 	@echo 'make coverage   every line of board core, limiter and watchdog is executed by the tests'
 	@echo 'make firmware   the reference board'"'"'s image in build/firmware, on an emulated RP2040 with a simulated ball'
+	@echo 'make firmware-calibrated CALIBRATION=my-board.h  the image for a board of your own, with its measured figures'
 	@echo 'make firmware-guards  each guard of that image taken out once: a test must go red'
 	@echo 'make reference-board  the electrical rules of the driver board (firmware/board)'
 	@echo 'make bench      the benchmarks'
@@ -231,6 +232,16 @@ firmware-guards: $(CONFIGURED_DEV) build/.packages-firmware build/.packages-dash
 	@firmware/build.sh build/firmware $(FIRMWARE_IMAGE) >/dev/null
 	@$(STAGE) 'firmware guards' tests/firmware/emulated/run.sh build/firmware/hedgehog-board.elf build/dev/tests/firmware/firmware_plant \
 	  build/npm/firmware build/dev guards $(FIRMWARE_IMAGE) $(ARGS)
+
+# The image for a board whose figures have been measured (firmware/board/bring-up.md, step 6), and what it reads.
+CALIBRATION ?= firmware/calibration.h
+.PHONY: firmware-calibrated
+firmware-calibrated: $(CONFIGURED_DEV) build/.packages-firmware build/.packages-dashboard
+	@$(LOCK_DEV) $(BUILD_DEV) --target firmware_image firmware_plant
+	@firmware/build.sh build/firmware/calibrated $(FIRMWARE_IMAGE) $(CALIBRATION)
+	@HEDGEHOG_FIRMWARE_CALIBRATION=$(abspath $(CALIBRATION)) $(STAGE) 'tests calibration' tests/firmware/emulated/run.sh \
+	  build/firmware/calibrated/hedgehog-board.elf build/dev/tests/firmware/firmware_plant build/npm/firmware build/dev test calibration
+	@echo 'make: build/firmware/calibrated/hedgehog-board.uf2 is for the board with the figures of $(CALIBRATION)'
 
 # The rules of the driver board's netlist, and whether each finds what breaks it. Node has them all; no npm.
 .PHONY: reference-board

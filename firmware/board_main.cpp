@@ -6,6 +6,7 @@
 #include "firmware/clocks.h"
 #include "firmware/flash_id.h"
 #include "firmware/pico_port.h"
+#include "firmware/pico_wiring.h"
 #include "firmware/registers.h"
 #include "firmware/tick.h"
 #include "firmware/usb_descriptors.h"

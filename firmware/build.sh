@@ -1,19 +1,24 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # The firmware of the reference board with Debian's gcc: DIRECTORY/hedgehog-board.uf2, .elf, .map, and its sizes and worst
-# stack. build.sh DIRECTORY FIRMWARE_IMAGE. Exit: 0 built, 64 usage, 69 no compiler, else the compiler's.
+# stack. build.sh DIRECTORY FIRMWARE_IMAGE [CALIBRATION]: the last in place of firmware/calibration.h.
+# Exit: 0 built, 64 usage, 66 no such calibration, 69 no compiler, else the compiler's.
 set -eu
 
-[ $# -eq 2 ] || { echo "build.sh DIRECTORY FIRMWARE_IMAGE" >&2; exit 64; }
+[ $# -eq 2 ] || [ $# -eq 3 ] || { echo "build.sh DIRECTORY FIRMWARE_IMAGE [CALIBRATION]" >&2; exit 64; }
 mkdir -p "$1"
 out=$(cd "$1" && pwd)
+calibration=${3:-$(dirname -- "$0")/calibration.h}
+[ -r "$calibration" ] || { echo "build.sh: no $calibration" >&2; exit 66; }
+calibration=$(realpath "$calibration")
 image=$(cd "$(dirname "$2")" && pwd)/$(basename "$2")
 cd "$(dirname -- "$0")/.."
 command -v arm-none-eabi-g++ >/dev/null || { echo "build.sh: no arm-none-eabi-g++ (gcc-arm-none-eabi)" >&2; exit 69; }
 
 export LC_ALL=C
 rm -rf "$out/board"
-mkdir -p "$out/board"
+mkdir -p "$out/board/include/firmware"
+cp "$calibration" "$out/board/include/firmware/calibration.h"
 objects=
 for source in daemon/device/board_core/*.cpp firmware/*.cpp; do
   object=$out/board/$(basename "$source" .cpp).o
@@ -21,7 +26,8 @@ for source in daemon/device/board_core/*.cpp firmware/*.cpp; do
   (cd "$out/board" && arm-none-eabi-g++ -std=c++20 -mcpu=cortex-m0plus -mthumb -O2 -g -ffreestanding -nostdinc++ \
     -fno-exceptions -fno-rtti -fno-threadsafe-statics -ffunction-sections -fdata-sections \
     -fno-tree-loop-distribute-patterns "-ffile-prefix-map=$OLDPWD=." "-ffile-prefix-map=$out/board=." \
-    -fcallgraph-info=su -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion -Wshadow -Werror "-I$OLDPWD" \
+    -fcallgraph-info=su -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion -Wshadow -Werror \
+    -Iinclude "-I$OLDPWD" \
     -c "$OLDPWD/$source" -o "$(basename "$object")")
   objects="$objects $(basename "$object")"
 done

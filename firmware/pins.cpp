@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "firmware/pins.h"
 
+#include "firmware/pico_wiring.h"
 #include "firmware/registers.h"
 
 namespace hedgehog::firmware {

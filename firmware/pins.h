@@ -22,18 +22,6 @@ inline constexpr uint32_t kSpiOutPin = 19;
 inline constexpr uint32_t kVbusPin = 24;
 inline constexpr uint32_t kLedPin = 25;
 
-/// 125 MHz / 6250 = 20 kHz for the bridges, / 5000 = 25 kHz for the fan.
-inline constexpr uint16_t kPwmTop = 6249;
-inline constexpr uint16_t kFanTop = 4999;
-
-/// The wiring of the reference board with this firmware's timers.
-constexpr board::Wiring pico_wiring() noexcept {
-  board::Wiring wiring = board::reference_wiring();
-  wiring.pwm_top = kPwmTop;
-  wiring.fan_top = kFanTop;
-  return wiring;
-}
-
 /// All outputs at their safe level, then driven. REQUIRES: the peripherals are out of reset.
 void start_pins() noexcept;
 

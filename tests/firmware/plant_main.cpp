@@ -7,10 +7,9 @@
 //       currents, the supply current, the supply, the three thermistors; bits of FLT lines that are
 //       low; the tach's period in us; the true currents in mA; the fan's true duty in thousandths
 //   faults BITS WINDING   as in daemon/device/simulator/simulator_settings.h
-//   error KIND WINDING VALUE   one error of daemon/device/simulator/simulator_error.h
-//   heat CELSIUS   windings, core and thermistors
-//   core   a new board core
-//   frame CURRENT CURRENT CURRENT SHUNT SUPPLY NTC NTC NTC CONVERTED FLT TACH [PACKET]...
+//   error [KIND WINDING VALUE]...   errors of daemon/device/simulator/simulator_error.h, in place
+//   of those before heat CELSIUS   windings, core and thermistors core   a new board core frame
+//   CURRENT CURRENT CURRENT SHUNT SUPPLY NTC NTC NTC CONVERTED FLT TACH [PACKET]...
 //       a millisecond of that core: its inputs and the packets in hexadecimal. Answer: its
 //       telemetry
 //   host MS   with --fd: waits so long for packets of the host, up to a set-point. Answer:
@@ -40,7 +39,7 @@
 #include "daemon/device/board_core/port.h"
 #include "daemon/device/simulator/simulated_board.h"
 #include "daemon/device/socket_transport.h"
-#include "firmware/pins.h"
+#include "firmware/pico_wiring.h"
 #include "tests/firmware/board_arguments.h"
 
 namespace hedgehog {
@@ -118,15 +117,13 @@ bool set_world(device::SimulatedBoard& world, const std::string& command, std::i
   } else if (command == "error") {
     int kind = 0;
     int winding = 0;
-    double value = 0.0;
-    words >> kind >> winding >> value;
     device::SimulatorErrorList errors;
     device::SimulatorError error;
-    error.kind = static_cast<device::SimulatorErrorKind>(kind);
-    error.coil = static_cast<std::uint8_t>(winding);
-    error.value = value;
-    errors.error[0] = error;
-    errors.count = 1;
+    while (errors.count < errors.kMaxErrors && words >> kind >> winding >> error.value) {
+      error.kind = static_cast<device::SimulatorErrorKind>(kind);
+      error.coil = static_cast<std::uint8_t>(winding);
+      errors.error[errors.count++] = error;
+    }
     errors.generation = static_cast<std::uint8_t>(world.settings().errors.generation + 1);
     world.set_errors(errors);
   } else if (command == "heat") {

@@ -30,7 +30,7 @@ const close = (actual, expected) => assert.ok(Math.abs(actual - expected) <= 1e-
 test("the firmware takes the reference board for what it is", () => {
   for (const at of ["U7.CH0", "U7.CH1", "U7.CH2"]) {
     const { voltsPerUnit, zero, amp } = circuitAt(reference, kTypes, at);
-    close(1e6 * voltsPerUnit, port(/current_uv_per_a = (50'000);/));
+    close(1e6 * voltsPerUnit, port(/current_uv_per_a\[k\] = ([\d']+);/));
     assert.equal(Math.round(1e3 * zero / reference.nets.get(amp.pins.get("VS")).min * 3.3), port(/current_zero_uv\[k\] = ([\d']+);/) / 1e3);
   }
   close(1e6 * circuitAt(reference, kTypes, "U7.CH3").voltsPerUnit, port(/shunt_uv_per_a = ([\d']{5,});/));
@@ -45,8 +45,22 @@ test("the firmware takes both boards' divider, converter and CS for what they ar
     close(upper.value, port(/supply_upper_ohm = ([\d']+);/));
     close(lower.value, port(/supply_lower_ohm = ([\d']+);/));
     close(1e3 * kTypes.get("REF3033").output_v, port(/adc_reference_mv = ([\d']+);/));
-    close(1e6 * circuitAt(board, kTypes, "U1.GP26").voltsPerUnit, port(/uint32_t current_uv_per_a = ([\d']+);/));
+    close(1e6 * circuitAt(board, kTypes, "U1.GP26").voltsPerUnit, port(/uint32_t current_uv_per_a\[kWindings\] = \{([\d']+),/));
     close(1e6 * circuitAt(board, kTypes, "U1.GP26").zero, port(/current_zero_uv\[kWindings\] = \{([\d']+),/));
+  }
+});
+
+test("the firmware takes each calibration that parts within their tolerances can lead to", () => {
+  const limit = (name) => constant("firmware/pico_wiring.h", new RegExp(`${name} = ([\\d']+);`));
+  // What a voltmeter at the amplifier's output and an ammeter see of it, all at their limits.
+  const seen = (name, kinds) => errorBudget(reference, kTypes).find((one) => one.name === name).list
+    .filter(([kind]) => kinds.includes(kind)).reduce((sum, [, value]) => sum + value, 0);
+  const { voltsPerUnit } = circuitAt(reference, kTypes, "U7.CH0");
+  const zeroUv = 1e6 * voltsPerUnit * seen("current_a zero", ["amplifier", "divider of the zero"]);
+  assert.ok(zeroUv > 1000 && zeroUv < limit("kMaxZeroDeviationUv"), `${zeroUv} uV`);
+  for (const name of ["current_a gain", "supply_a gain"]) {
+    const percent = 100 * (seen(name, ["shunt", "amplifier"]) + seen(`${name}, calibrated`, ["ammeter"]));
+    assert.ok(percent > 1 && percent < limit("kMaxScaleDeviationPercent"), `${percent} %`);
   }
 });
 

@@ -104,7 +104,7 @@ BoardInputs measured(const Wiring& wiring, const RawInputs& raw, const BoardOutp
   inputs.currents_in_line = wiring.current_sense == CurrentSense::kInLine;
   for (int k = 0; k < kWindings; ++k) {
     const int16_t shown_ma = milliamperes(microvolts(wiring, raw.current_adc[k]),
-                                          wiring.current_zero_uv[k], wiring.current_uv_per_a);
+                                          wiring.current_zero_uv[k], wiring.current_uv_per_a[k]);
     const WindingCurrent current = wiring.current_sense == CurrentSense::kInLine
                                        ? WindingCurrent{shown_ma, true}
                                        : by_driver_cs(shown_ma, applied.duty_q15[k], applied.awake);

@@ -37,9 +37,9 @@ struct Wiring {
   /// At adc_full; the NTC's pull-up goes to the same voltage, so it drops out of the temperature.
   uint16_t adc_reference_mv = 3300;
   CurrentSense current_sense = CurrentSense::kDriverCs;
-  /// Microvolts an ampere, at least 1000, and at no current. CS of the 18v17: about 20 mV/A and 50
-  /// mV; to be calibrated, for the zero alone is 2.5 A.
-  uint32_t current_uv_per_a = 20'000;
+  /// Of each winding: microvolts an ampere, at least 1000, and at no current. CS of the 18v17:
+  /// about 20 mV/A and 50 mV; to be calibrated, for the zero alone is 2.5 A.
+  uint32_t current_uv_per_a[kWindings] = {20'000, 20'000, 20'000};
   int32_t current_zero_uv[kWindings] = {50'000, 50'000, 50'000};
   /// The conversion of each comes so long before the end of the millisecond; up to there the
   /// current is taken to go on as it has since the start. 0: that late that it does not matter.
@@ -67,8 +67,8 @@ struct Wiring {
 constexpr Wiring reference_wiring() noexcept {
   Wiring wiring;
   wiring.current_sense = CurrentSense::kInLine;
-  wiring.current_uv_per_a = 50'000;
   for (int k = 0; k < kWindings; ++k) {
+    wiring.current_uv_per_a[k] = 50'000;
     wiring.current_zero_uv[k] = 1'650'000;
     // One after the other, 20 us each.
     wiring.converted_before_us[k] = static_cast<uint16_t>(20 * (kWindings - k));

@@ -103,7 +103,7 @@ std::uint16_t FrontEnd::ntc_adc(double celsius) const noexcept {
 double FrontEnd::current_uv(const Analogue& analogue, int coil) noexcept {
   const auto i = static_cast<std::size_t>(coil);
   const board::Wiring& wiring = parameters_.wiring;
-  const double uv_per_a = wiring.current_uv_per_a;
+  const double uv_per_a = wiring.current_uv_per_a[i];
   const double disturbed_a =
       parameters_.current_offset_a[i] + parameters_.current_noise_a * noise_.gaussian();
   const double slope_a_s = (analogue.after_a[coil] - analogue.before_a[coil]) / model::kTickSeconds;

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// An image with the figures of a board of one's own (bring-up.md, steps 2, 5 and 6): what it reads through electronics with these figures
+// is what flows, and figures that no part has are errors of the compiler. HEDGEHOG_FIRMWARE_CALIBRATION: of the image
+// HEDGEHOG_FIRMWARE_ELF (make firmware-calibrated); otherwise calibration_example.h, for which an image is built here.
+import assert from 'node:assert/strict';
+import { execFileSync, spawnSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { Board, Driver } from './board.mjs';
+import { kMode } from './frames.mjs';
+
+const top = fileURLToPath(new URL('../../..', import.meta.url));
+const own = process.env.HEDGEHOG_FIRMWARE_CALIBRATION;
+const file = own ?? fileURLToPath(new URL('calibration_example.h', import.meta.url));
+const folder = mkdtempSync(join(tmpdir(), 'hedgehog-calibration-'));
+after(() => rmSync(folder, { recursive: true }));
+
+const kDesign = { zeroUv: 1_650_000, uvPerA: 50_000, shuntUvPerA: 100_000 };
+/** In the order of SimulatorErrorKind. */
+const kErrorKinds = { gain: 0, offset: 1 };
+const kDuty = [0.19, -0.19, 0.15];
+/** A step of the converter is 16 mA; the noise of 0.04 A is averaged. */
+const kMaxErrorMa = 25;
+const kMean = 100;
+
+/** The figures in a calibration header. */
+function figures(text) {
+  const list = (name) => new RegExp(`${name}(?:\\[\\])? = \\{?([\\d', ]+)`).exec(text)[1].replaceAll("'", '').split(',').map(Number);
+  return { zeroUv: list('kCurrentZeroUv'), uvPerA: list('kCurrentUvPerA'), shuntUvPerA: list('kShuntUvPerA')[0] };
+}
+const calibration = figures(readFileSync(file, 'utf8'));
+
+function calibratedImage() {
+  if (own) return process.env.HEDGEHOG_FIRMWARE_ELF;
+  execFileSync(join(top, 'firmware/build.sh'), [folder, join(process.env.HEDGEHOG_PROGRAMS, 'firmware/firmware_image'), file]);
+  return join(folder, 'hedgehog-board.elf');
+}
+
+/** Means of what telemetry says and of what flows in each winding at rest and while it drives, mA, through the electronics of `file`. */
+function readings(elf) {
+  const board = new Board(elf);
+  try {
+    const driver = new Driver(board);
+    const errors = calibration.uvPerA.flatMap((uvPerA, k) => [
+      kErrorKinds.gain, k, uvPerA / kDesign.uvPerA, kErrorKinds.offset, k, (calibration.zeroUv[k] - kDesign.zeroUv) / kDesign.uvPerA,
+    ]);
+    board.plant.ask(`error ${errors.join(' ')}`);
+    const mean = () => {
+      const sums = { said: [0, 0, 0], flows: [0, 0, 0] };
+      for (let i = 0; i < kMean; ++i) {
+        board.run(1);
+        for (let k = 0; k < 3; ++k) {
+          sums.said[k] += driver.last.currentMa[k] / kMean;
+          sums.flows[k] += board.readings.trueMa[k] / kMean;
+        }
+      }
+      return sums;
+    };
+    driver.enumerate();
+    const rest = mean();
+    driver.drive(kDuty, 100);
+    const driven = mean();
+    assert.equal(driver.last.mode, kMode.driving, `faults ${driver.last.faults}`);
+    return { rest, driven };
+  } finally {
+    board.close();
+  }
+}
+
+const worst = ({ said, flows }) => Math.max(...said.map((one, k) => Math.abs(one - flows[k])));
+
+test('a calibrated image reads what flows, at rest and at 5 A, in each winding', () => {
+  const { rest, driven } = readings(calibratedImage());
+  assert.ok(Math.min(...driven.flows.map(Math.abs)) > 3000, `${driven.flows} mA`);
+  assert.ok(worst(rest) < kMaxErrorMa, `${rest.said} for ${rest.flows} mA`);
+  assert.ok(worst(driven) < kMaxErrorMa, `${driven.said} for ${driven.flows} mA`);
+});
+
+test('without these figures the same electronics are read wrongly', { skip: own !== undefined }, () => {
+  const { rest, driven } = readings(process.env.HEDGEHOG_FIRMWARE_ELF);
+  for (let k = 0; k < 3; ++k) {
+    const zeroMa = (calibration.zeroUv[k] - kDesign.zeroUv) / kDesign.uvPerA * 1000;
+    const gain = calibration.uvPerA[k] / kDesign.uvPerA;
+    assert.ok(Math.abs(rest.said[k] - rest.flows[k] - zeroMa) < kMaxErrorMa, `winding ${k}: ${rest.said[k]} mA`);
+    assert.ok(Math.abs(driven.said[k] - gain * driven.flows[k] - zeroMa) < kMaxErrorMa, `winding ${k}: ${driven.said[k]} mA`);
+  }
+});
+
+/** What the compiler says to a calibration: '' when it takes it. */
+function compiled(text) {
+  const header = join(folder, 'firmware/calibration.h');
+  execFileSync('mkdir', ['-p', join(folder, 'firmware')]);
+  writeFileSync(header, text);
+  const { status, stderr } = spawnSync('arm-none-eabi-g++', ['-std=c++20', '-ffreestanding', '-fsyntax-only', `-I${folder}`, `-I${top}`, '-x', 'c++',
+    join(top, 'firmware/pico_wiring.h')], { encoding: 'utf8' });
+  return status === 0 ? '' : stderr;
+}
+
+test('a calibration may be as far from the design as its parts, and no farther', () => {
+  const text = readFileSync(file, 'utf8');
+  assert.equal(compiled(text), '');
+  const put = (name, value) => text.replace(new RegExp(`(${name}(?:\\[\\])? = \\{?)[\\d']+`), `$1${value}`);
+  for (const [name, least, most, sentence] of [
+    ['kCurrentZeroUv', kDesign.zeroUv - 8000, kDesign.zeroUv + 8000, /repeat step 2/],
+    ['kCurrentUvPerA', 0.98 * kDesign.uvPerA, 1.02 * kDesign.uvPerA, /repeat step 5/],
+    ['kShuntUvPerA', 0.98 * kDesign.shuntUvPerA, 1.02 * kDesign.shuntUvPerA, /repeat step 5/],
+  ]) {
+    for (const value of [least, most]) assert.equal(compiled(put(name, value)), '', `${name} ${value}`);
+    for (const value of [least - 1, most + 1, 0]) assert.match(compiled(put(name, value)), sentence, `${name} ${value}`);
+  }
+  assert.match(compiled(text.replace(/(kCurrentZeroUv\[\] = \{[^,]*,[^,]*),[^}]*/, '$1')), /three figures/);
+});
