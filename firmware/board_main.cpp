@@ -56,7 +56,7 @@ extern "C" [[noreturn]] void board_main() {
     port.convert();
     board::board_millisecond(core, kWiring, port);
     if (core.boot_loader_due()) enter_boot_loader();
-    if (core.set_point_age_ms() == 0) tick.follow(port.arrived_us());
+    if (core.set_point_age_ms() == 0) tick.follow(port.arrived_us(), core.outputs().awake);
     feed_watchdog();
   }
 }

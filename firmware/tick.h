@@ -27,13 +27,16 @@ class Tick {
   }
 
   /// A set-point that arrived at `arrived_us` counts from this millisecond on: moves the next one
-  /// by half a per cent of a millisecond at most. In the millisecond, at most once.
-  void follow(uint32_t arrived_us) noexcept {
+  /// by half a per cent of a millisecond at most, with the bridges asleep by five: then no time of
+  /// the rules counts, and it has the host's phase before they wake. In the millisecond, at most
+  /// once.
+  void follow(uint32_t arrived_us, bool awake) noexcept {
     const int32_t late_us =
         static_cast<int32_t>(began_us_ - arrived_us) - static_cast<int32_t>(kWaitUs);
     int32_t step_us = late_us / kShare;
-    if (step_us > kMaxStepUs) step_us = kMaxStepUs;
-    if (step_us < -kMaxStepUs) step_us = -kMaxStepUs;
+    const int32_t max_step_us = awake ? kMaxStepUs : kMaxStepAsleepUs;
+    if (step_us > max_step_us) step_us = max_step_us;
+    if (step_us < -max_step_us) step_us = -max_step_us;
     set_next(next_us_ - static_cast<uint32_t>(step_us));
   }
 
@@ -43,6 +46,7 @@ class Tick {
   static constexpr uint32_t kWaitUs = 250;
   static constexpr int32_t kShare = 8;
   static constexpr int32_t kMaxStepUs = 5;
+  static constexpr int32_t kMaxStepAsleepUs = 50;
 
   void set_next(uint32_t us) noexcept {
     next_us_ = us;

@@ -36,6 +36,7 @@ export class Board {
     this.events = []; // what SLP did: { us, awake }
     this.applied = []; // compare values of winding x: { us, value }, when the PWM period before them has ended
     this.ticks = []; // when each millisecond of the firmware began, us
+    this.busiestCycles = 0; // of its milliseconds, from one conversion to the next
     this.shownCurrent = undefined; // what the amplifier of winding x shows instead of its current
     this.onTick = () => {}; // with the readings that the firmware is about to convert
     this.onApply = () => {}; // it writes its compare values
@@ -48,6 +49,7 @@ export class Board {
     this.mcu = mcu;
     chip.pinsNow = () => this.pins();
     this.selectedUs = -1e9;
+    this.busyBefore = undefined;
     this.host.attach(mcu, chip);
     this.attachConverter();
     let awake = false;
@@ -133,6 +135,8 @@ export class Board {
       if (chip.us - deselectedUs < kDeselectedUs) chip.warnings.push('the converter is selected again too soon');
       if (chip.us - this.selectedUs > kPauseUs) {
         this.ticks.push(chip.us);
+        if (this.busyBefore !== undefined) this.busiestCycles = Math.max(this.busiestCycles, chip.busyCycles - this.busyBefore);
+        this.busyBefore = chip.busyCycles;
         // The firmware has read the fault lines just before.
         const faultsLow = this.faultsShown;
         this.stepPlant(kLateUs);

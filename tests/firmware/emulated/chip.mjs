@@ -47,7 +47,7 @@ export class Chip {
     this.baseNanos = 0;
     this.resets = 0;
     this.warnings = [];
-    this.longestAwake = 0;
+    this.busyCycles = 0; // since it was made
     this.visited = new Uint8Array(0x42000 >> 1); // halfwords of SRAM, of which the program's first steps are the only ones elsewhere
     this.visitedInFlash = new Uint8Array(256);
     this.boot();
@@ -58,7 +58,7 @@ export class Chip {
 
   boot() {
     const { rp2040: mcu, clock } = new Simulator();
-    Object.assign(this, { mcu, clock, core: mcu.core, awakeCycles: 0, watchdogFired: false });
+    Object.assign(this, { mcu, clock, core: mcu.core, watchdogFired: false });
     const warn = (name, text) => this.warnings.push(`${name}: ${text}`);
     mcu.logger = { debug() {}, info() {}, warn, error: warn };
     mcu.onBreak = (code) => warn('core', `bkpt ${code}`);
@@ -173,8 +173,6 @@ export class Chip {
       const end = us * 1000 - this.baseNanos;
       while (clock.nanosCounter < end && !this.watchdogFired) {
         if (core.waiting) {
-          if (this.awakeCycles > this.longestAwake) this.longestAwake = this.awakeCycles;
-          this.awakeCycles = 0;
           if (core.pendingInterrupts & core.enabledInterrupts) {
             core.waiting = false;
             continue;
@@ -190,7 +188,7 @@ export class Chip {
           if (pc >= 0x20000000) visited[(pc - 0x20000000) >> 1] = 1;
           else this.visitedInFlash[(pc - 0x10000000) >> 1] = 1;
           const cycles = core.executeInstruction();
-          this.awakeCycles += cycles;
+          this.busyCycles += cycles;
           clock.tick(cycles * kNanosPerCycle);
         }
         if (stop && stop()) return this.checked(true);
