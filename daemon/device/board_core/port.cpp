@@ -32,10 +32,16 @@ uint32_t log2_q12(uint32_t value) noexcept {
   return (exponent << 12) | fraction;
 }
 
+/// A Cortex-M0 divides 64 bits many times as long as 32, which nearly every reading fits into.
+uint32_t quotient(uint64_t dividend, uint32_t divisor) noexcept {
+  if (dividend <= UINT32_MAX) return static_cast<uint32_t>(dividend) / divisor;
+  return static_cast<uint32_t>(dividend / divisor);
+}
+
 /// Sixteenths of a millivolt: a whole one would be 50 mA at CS.
 uint32_t sixteenths_mv(const Wiring& wiring, uint16_t adc) noexcept {
   const uint16_t read = adc < wiring.adc_full ? adc : wiring.adc_full;
-  return static_cast<uint32_t>(uint64_t{read} * wiring.adc_reference_mv * 16u / wiring.adc_full);
+  return quotient(uint64_t{read} * wiring.adc_reference_mv * 16u, wiring.adc_full);
 }
 
 int32_t microvolts(const Wiring& wiring, uint16_t adc) noexcept {
@@ -83,8 +89,7 @@ int16_t ntc_cc(uint16_t adc, uint16_t adc_full, uint16_t pull_up_ohm) noexcept {
   if (adc == 0) adc = 1;
   if (adc >= adc_full) return static_cast<int16_t>(kNtcFirstCc);
   // In eighths of an ohm, for a hot NTC has few.
-  const uint32_t eighths =
-      static_cast<uint32_t>(uint64_t{8} * pull_up_ohm * adc / (uint32_t{adc_full} - adc));
+  const uint32_t eighths = quotient(uint64_t{8} * pull_up_ohm * adc, uint32_t{adc_full} - adc);
   const uint32_t level = log2_q12(eighths < 8 ? 8 : eighths) - (3u << 12);
   if (level >= kNtc[0]) return static_cast<int16_t>(kNtcFirstCc);
   for (int i = 1; i < kNtcSteps; ++i) {

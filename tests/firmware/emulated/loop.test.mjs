@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// The closed loop: what changes at the converter's input is in a telemetry frame, the host answers it in its next frame, and the answer is
+// at the PWM. The host is the simplest controller: two duties, by the current of winding x.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { withBoard } from './fixture.mjs';
+import { kMode, setPoint, telemetry } from './frames.mjs';
+import { histogram, percentile } from './histogram.mjs';
+
+/** MCP3208: no current, and 0.4 A. */
+const kCodes = [2048, 2073];
+const kThresholdMa = 200;
+const kDuties = [0.01, 0.02];
+const kCompares = kDuties.map((duty) => Math.floor((6249 * Math.round(duty * 32767)) / 32767));
+const kChanges = 200;
+/** A conversion in each millisecond, 0.35 ms into the host's frame, which is sent by the start of the next (E15); the host's next frame,
+ *  from the telemetry on; a set-point to its PWM. */
+const kMaxUs = { telemetry: 1000 + 750, command: 1000, pwm: 1000 };
+
+test('from a changed current to the PWM that answers it: at most the sum of its three parts', withBoard((board, driver) => {
+  driver.drive([kDuties[0], 0, 0], 60);
+  board.shownCurrent = kCodes[0];
+  let level = 0; // what the host has seen last
+  let change; // the one that is under way
+  const done = [];
+  board.host.onFrame = () => {
+    board.host.outQueue.push(setPoint(++driver.sequence, { duty: [kDuties[level], 0, 0] }));
+    if (change?.telemetryUs && !change.commandUs) change.commandUs = board.chip.us;
+  };
+  board.host.onIn = (packet, us) => {
+    driver.last = telemetry(packet);
+    level = driver.last.currentMa[0] > kThresholdMa ? 1 : 0;
+    if (change && level === change.level) change.telemetryUs ??= us;
+  };
+  for (let i = 1; i <= kChanges; ++i) {
+    // At another place of the millisecond each time.
+    board.run(10 + (i % 20) / 20);
+    board.applied.length = 0;
+    change = { level: i % 2, us: board.chip.us };
+    board.shownCurrent = kCodes[change.level];
+    board.run(10, () => board.applied.some(({ us, value }) => us > change.us && value === kCompares[change.level]));
+    const applied = board.applied.find(({ us, value }) => us > change.us && value === kCompares[change.level]);
+    assert.ok(applied && change.commandUs, `change ${i} is not answered: mode ${driver.last.mode}, faults ${driver.last.faults}`);
+    done.push({ ...change, pwmUs: applied.us });
+  }
+  assert.equal(driver.last.mode, kMode.driving);
+  const parts = {
+    telemetry: done.map(({ us, telemetryUs }) => telemetryUs - us),
+    command: done.map(({ telemetryUs, commandUs }) => commandUs - telemetryUs),
+    pwm: done.map(({ commandUs, pwmUs }) => pwmUs - commandUs),
+  };
+  const all = done.map(({ us, pwmUs }) => pwmUs - us);
+  console.log(`current to PWM, all around the loop: median ${percentile(all, 0.5).toFixed(0)} us, worst ${percentile(all, 1).toFixed(0)} us\n${histogram(all, 100)}`);
+  for (const [part, values] of Object.entries(parts)) {
+    console.log(`to the ${part}: median ${percentile(values, 0.5).toFixed(0)} us, worst ${percentile(values, 1).toFixed(0)} us`);
+    assert.ok(percentile(values, 1) <= kMaxUs[part], `${part}: ${percentile(values, 1)} us`);
+  }
+  // None is answered before it can be: a conversion, a frame each way, the end of a PWM period.
+  assert.ok(Math.min(...all) > 500 && Math.max(...all) <= kMaxUs.telemetry + kMaxUs.command + kMaxUs.pwm);
+}));
