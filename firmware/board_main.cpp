@@ -9,7 +9,7 @@
 #include "firmware/pico_wiring.h"
 #include "firmware/registers.h"
 #include "firmware/tick.h"
-#include "firmware/usb_descriptors.h"
+#include "firmware/usb/descriptors.h"
 #include "firmware/watchdog.h"
 
 namespace hedgehog::firmware {

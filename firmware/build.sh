@@ -20,7 +20,7 @@ rm -rf "$out/board"
 mkdir -p "$out/board/include/firmware"
 cp "$calibration" "$out/board/include/firmware/calibration.h"
 objects=
-for source in daemon/device/board_core/*.cpp firmware/*.cpp; do
+for source in daemon/device/board_core/*.cpp firmware/*.cpp firmware/usb/*.cpp; do
   object=$out/board/$(basename "$source" .cpp).o
   # The same bytes wherever it is built. Registers and addresses are what start-up code is made of.
   (cd "$out/board" && arm-none-eabi-g++ -std=c++20 -mcpu=cortex-m0plus -mthumb -O2 -g -ffreestanding -nostdinc++ \

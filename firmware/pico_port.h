@@ -8,7 +8,7 @@
 #include "firmware/converter.h"
 #include "firmware/pins.h"
 #include "firmware/tach.h"
-#include "firmware/usb_device.h"
+#include "firmware/usb/device.h"
 
 namespace hedgehog::firmware {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "firmware/usb_device.h"
+#include "firmware/usb/device.h"
 
 #include "firmware/pins.h"
 #include "firmware/registers.h"

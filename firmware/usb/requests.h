@@ -5,7 +5,7 @@
 
 #include <stdint.h>
 
-#include "firmware/usb_descriptors.h"
+#include "firmware/usb/descriptors.h"
 
 namespace hedgehog::firmware {
 

@@ -6,9 +6,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "firmware/packet_queue.h"
-#include "firmware/usb_requests.h"
-#include "firmware/usb_reset_exit.h"
+#include "firmware/usb/packet_queue.h"
+#include "firmware/usb/requests.h"
+#include "firmware/usb/reset_exit.h"
 
 namespace hedgehog::firmware {
 

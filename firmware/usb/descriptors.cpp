@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "firmware/usb_descriptors.h"
+#include "firmware/usb/descriptors.h"
 
 #include <stddef.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "firmware/usb_requests.h"
+#include "firmware/usb/requests.h"
 
 namespace hedgehog::firmware {
 namespace {
