@@ -44,6 +44,7 @@ help:
 	@echo 'make mutations  safety code with one operator, constant or statement wrong: a test must go red (ARGS=--changed: your lines)'
 	@echo 'make coverage   every line of board core, limiter and watchdog is executed by the tests'
 	@echo 'make firmware   the reference board'"'"'s image in build/firmware, on an emulated RP2040 with a simulated ball'
+	@echo 'make firmware-play HOURS=1  a game on that emulated board; make firmware-frames FRAMES=1048576 compares it with the host'"'"'s'
 	@echo 'make firmware-calibrated CALIBRATION=my-board.h  the image for a board of your own, with its measured figures'
 	@echo 'make firmware-guards  each guard of that image taken out once: a test must go red'
 	@echo 'make reference-board  the electrical rules of the driver board (firmware/board)'
@@ -232,6 +233,20 @@ firmware-guards: $(CONFIGURED_DEV) build/.packages-firmware build/.packages-dash
 	@firmware/build.sh build/firmware $(FIRMWARE_IMAGE) >/dev/null
 	@$(STAGE) 'firmware guards' tests/firmware/emulated/run.sh build/firmware/hedgehog-board.elf build/dev/tests/firmware/firmware_plant \
 	  build/npm/firmware build/dev guards $(FIRMWARE_IMAGE) $(ARGS)
+
+# Play for HOURS of device time, which a quiet machine computes twice as fast, and FRAMES of telemetry compared with the
+# host's board core.
+HOURS ?= 1
+FRAMES ?= 1048576
+.PHONY: firmware-built firmware-play firmware-frames
+firmware-built: $(CONFIGURED_DEV) build/.packages-firmware build/.packages-dashboard
+	@$(LOCK_DEV) $(BUILD_DEV) --target firmware_image firmware_plant hedgehogd hedgehogctl
+	@firmware/build.sh build/firmware $(FIRMWARE_IMAGE) >/dev/null
+EMULATED := tests/firmware/emulated/run.sh build/firmware/hedgehog-board.elf build/dev/tests/firmware/firmware_plant build/npm/firmware build/dev
+firmware-play: firmware-built
+	@$(STAGE) 'firmware play' $(EMULATED) play $$(awk 'BEGIN { print 60 * $(HOURS) }')
+firmware-frames: firmware-built
+	@HEDGEHOG_FIRMWARE_TICKS=$(FRAMES) $(STAGE) 'firmware frames' $(EMULATED) test timing 'frames are those'
 
 # The image for a board whose figures have been measured (firmware/board/bring-up.md, step 6), and what it reads.
 CALIBRATION ?= firmware/calibration.h
