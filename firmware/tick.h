@@ -27,14 +27,14 @@ class Tick {
   }
 
   /// A set-point that arrived at `arrived_us` counts from this millisecond on: moves the next one
-  /// by half a per cent of a millisecond at most, with the bridges asleep by five: then no time of
-  /// the rules counts, and it has the host's phase before they wake. In the millisecond, at most
-  /// once.
+  /// by half a per cent of a millisecond at most, until the bridges wake for the first time by
+  /// five: then no time of the rules counts yet. In the millisecond, at most once.
   void follow(uint32_t arrived_us, bool awake) noexcept {
     const int32_t late_us =
         static_cast<int32_t>(began_us_ - arrived_us) - static_cast<int32_t>(kWaitUs);
     int32_t step_us = late_us / kShare;
-    const int32_t max_step_us = awake ? kMaxStepUs : kMaxStepAsleepUs;
+    woken_ |= awake;
+    const int32_t max_step_us = woken_ ? kMaxStepUs : kMaxFirstStepUs;
     if (step_us > max_step_us) step_us = max_step_us;
     if (step_us < -max_step_us) step_us = -max_step_us;
     set_next(next_us_ - static_cast<uint32_t>(step_us));
@@ -46,7 +46,7 @@ class Tick {
   static constexpr uint32_t kWaitUs = 250;
   static constexpr int32_t kShare = 8;
   static constexpr int32_t kMaxStepUs = 5;
-  static constexpr int32_t kMaxStepAsleepUs = 50;
+  static constexpr int32_t kMaxFirstStepUs = 50;
 
   void set_next(uint32_t us) noexcept {
     next_us_ = us;
@@ -56,6 +56,7 @@ class Tick {
 
   uint32_t began_us_ = 0;
   uint32_t next_us_ = 0;
+  bool woken_ = false;
 };
 
 }  // namespace hedgehog::firmware
