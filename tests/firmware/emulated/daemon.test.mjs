@@ -127,3 +127,20 @@ test('USB that is pulled ends the current, and the board is found again', withDa
   await eventually('it can be armed', () => ball.call('device.arm').then((answer) => answer.state === 'armed', () => false));
   await drive(daemon);
 }));
+
+test('a ball that is armed is refused its boot loader; one that is not goes into the ROM’s, and cannot be armed there', withDaemon(async (daemon, ball) => {
+  await drive(daemon);
+  await assert.rejects(ball.call('device.enter_boot_loader'), /armed/);
+  assert.equal((await daemon.ctl('stop')).code, 0);
+  await eventually('no current', async () => Math.hypot(...(await trueCurrent(ball))) < 0.1);
+  const before = daemon.trace().length;
+  const { state } = await ball.call('device.enter_boot_loader');
+  assert.equal(state, 'absent');
+  const status = await ball.status();
+  assert.equal(status.reason, 'boot_loader');
+  assert.equal(status.last_trip, null);
+  await assert.rejects(ball.call('device.arm'));
+  const entered = await eventually('it enters the ROM', () => daemon.trace().slice(before).find((line) => line.event === 'boot_loader'));
+  assert.deepEqual([entered.awake, entered.closed, entered.fan], [false, false, 4999]);
+  assert.ok(Math.hypot(...(await trueCurrent(ball))) < 0.1);
+}));

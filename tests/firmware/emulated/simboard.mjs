@@ -5,7 +5,7 @@
 //
 // --trace F: JSON lines { event, us, since_set_point_us, awake, closed, fan, current_ma, peak_ma } in the board's own time; `peak_ma` is
 // the largest current of each winding since the line before, with its sign. Events: start; awake, asleep (the bridges); reset (by the
-// watchdog); lost (the host is gone); zero (no current any more, bridges asleep); unplugged, plugged; done (control); exit.
+// watchdog); boot_loader (it has entered the ROM's); lost (the host is gone); zero (no current any more, bridges asleep); unplugged, plugged; done (control); exit.
 // HEDGEHOG_BOARD_CONTROL=F: a file whose lines are done, then it is removed: `alone MS` (the board runs on, its host does nothing, as
 // one that is frozen or busy), `unplug MS` (of USB, for so long), `hang` (the program).
 import { appendFileSync, closeSync, existsSync, readFileSync, rmSync } from 'node:fs';
@@ -65,7 +65,7 @@ class ServedBoard {
     if (board.chip.resets !== this.resets) {
       this.resets = board.chip.resets;
       this.awake = false;
-      this.note('reset');
+      this.note(board.chip.bootLoader ? 'boot_loader' : 'reset');
     }
     if (board.trueMa > kNoCurrentMa) this.flowed = true;
     else if (this.flowed && !this.awake) {
