@@ -14,23 +14,29 @@ import { kRules, violations } from "./check.mjs";
 
 export const kBoards = ["reference", "thesis"];
 
-function check() {
-  const types = readParts();
+/** Lines of the check's output, and the number of violations. */
+function report(types) {
   let broken = 0;
-  for (const name of kBoards) {
+  const lines = kBoards.flatMap((name) => {
     const board = readBoard(name);
     const found = violations(board, types);
-    console.log(`${name}: ${board.parts.size} parts, ${board.nets.size} nets, ${kRules.length} rules, ${found.length} broken`);
-    for (const text of found) console.log(`  ${text}`);
     broken += found.length;
-  }
+    return [`${name}: ${board.parts.size} parts, ${board.nets.size} nets, ${kRules.length} rules, ${found.length} broken`, ...found.map((text) => `  ${text}`)];
+  });
+  return { lines, broken };
+}
+
+function check() {
+  const { lines, broken } = report(readParts());
+  console.log(lines.join("\n"));
   return broken === 0 ? 0 : 1;
 }
 
 /** Text of each file that is made from the netlists, by its name. */
 export function generated() {
   const types = readParts();
-  const files = { "figures.md": figures(kBoards.map(readBoard), types) };
+  const rules = ["## Electrical rules", "", "Output of `board.mjs check`:", "", ...report(types).lines.map((line) => `    ${line}`), ""];
+  const files = { "figures.md": `${figures(kBoards.map(readBoard), types)}\n${rules.join("\n")}` };
   for (const name of kBoards) {
     files[`bom-${name}.csv`] = bomCsv(readBoard(name));
     files[`wiring-${name}.svg`] = diagram(readBoard(name), types);

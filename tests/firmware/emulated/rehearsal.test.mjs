@@ -90,6 +90,8 @@ test('with that file it gives its first push', async () => {
       const before = daemon.trace().length;
       await does(daemon, 'pulse', direction, '--current-a', '10', '--duration-ms', '300');
       const line = await eventually('the bridges sleep', () => daemon.trace().slice(before).find(({ event }) => event === 'asleep'));
+      // What is left of this pulse is not the next one's.
+      await eventually('no current', () => daemon.trace().slice(before).some(({ event }) => event === 'zero'));
       line.peak_ma.forEach((ma, i) => assert.ok(i === k ? ma > 9500 && ma < 10_500 : Math.abs(ma) < 300, `${direction}: ${line.peak_ma} mA`));
     }
     assert.equal((await daemon.ball.status()).last_trip, null);
