@@ -139,7 +139,10 @@ test('from arming on each set-point is at the PWM within a millisecond, at whate
   const worst = [];
   for (let phase = 0; phase < 8; ++phase) {
     withBoard((board, driver) => {
-      board.run(5 + phase / 8);
+      // One frame that is longer moves all that follow.
+      board.host.frameNanos = 1_000_000 + 125_000 * (phase + 1);
+      board.run(1.5);
+      board.host.frameNanos = 1_000_000;
       // Set-points begin with the enumeration, without `enable`: the daemon's begin seconds before it arms.
       driver.enumerate();
       board.run(5);
@@ -150,7 +153,8 @@ test('from arming on each set-point is at the PWM within a millisecond, at whate
     })();
   }
   console.log(`set-point to PWM, worst of the first 100 ms after arming: ${worst.map((us) => us.toFixed(0)).join(', ')} us`);
-  assert.ok(Math.max(...worst) <= 1000);
+  // It has the host's phase already; otherwise some of these would wait up to 1.15 ms.
+  assert.ok(Math.max(...worst) < 700);
 });
 
 test('the processor is busy for at most 40 % of each millisecond, and its stack is small', withBoard((board, driver) => {
