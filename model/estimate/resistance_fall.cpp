@@ -2,6 +2,8 @@
 #include "model/estimate/resistance_fall.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace hedgehog::model {
 namespace {
@@ -21,6 +23,37 @@ void ResistanceFall::add(double deviations, bool each_winding_has_a_thermistor) 
 
 void ResistanceFall::age(double dt_s) noexcept {
   margin_k_ *= 1.0 - std::min(1.0, dt_s / kMarginDecayS);
+}
+
+void ResistanceFall::follow(const WindingThermometer& winding, double offset_a) noexcept {
+  const bool compared = std::exchange(comparing_, winding.comparing());
+  if (winding.reference_taken())
+    compare({winding.r25_ohm(), winding.reference_per_ampere()}, offset_a);
+  else if (compared && !comparing_)
+    resume();
+  else if (!compared && comparing_)
+    rest();
+}
+
+void ResistanceFall::rest() noexcept {
+  set_aside_ = std::max(set_aside_, sum_);
+  sum_ = 0.0;
+}
+
+void ResistanceFall::compare(const RestResistance& now, double offset_a) noexcept {
+  const double by_offset =
+      by_file_ ? 0.0 : offset_a * std::abs(now.per_ampere - before_.per_ampere);
+  const bool same = now.ohm >= (1.0 - tolerance_) * before_.ohm && by_offset <= kSameShare;
+  if (set_aside_ > 0.0 && !same) return resume();
+  set_aside_ = 0.0;
+  before_ = now;
+  tolerance_ = kSameShare;
+  by_file_ = false;
+}
+
+void ResistanceFall::resume() noexcept {
+  sum_ = std::max(sum_, set_aside_);
+  set_aside_ = 0.0;
 }
 
 }  // namespace hedgehog::model

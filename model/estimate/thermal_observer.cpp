@@ -83,6 +83,7 @@ ThermalObserver::ThermalObserver(const CoilModel& coils, const ThermalModel& the
   floor_ = EnergyFloor(thermal, uncertainty.thermal, start.nodes, ambient_c);
   for (std::size_t i = 0; i < kCoils; ++i) {
     thermometer_[i] = WindingThermometer(coils, thermal, static_cast<int>(i));
+    fall_[i] = ResistanceFall(coils.r25_ohm[i], uncertainty.resistance);
     if (start.at_rest()) thermometer_[i].start_rested();
   }
   const double at = start.nodes.winding_c[static_cast<std::size_t>(thermal.sensor_winding)];
@@ -131,6 +132,7 @@ void ThermalObserver::follow_currents(const ThermalMeasurement& m, double dt_s) 
     reading.loss_w = ohm * mean_square_a2_[coil];
     reading.reference = reference_of(thermistors_, coil, thermal_.sensor_winding, rested);
     thermometer.step(reading, dt_s);
+    fall_[i].follow(thermometer, accuracy_.offset_a);
     window_.heat_j[i] += reading.loss_w * dt_s;
     if (!thermometer.measuring()) window_.measured_throughout[i] = false;
     if (m.idle && std::isfinite(m.idle_a[coil])) {

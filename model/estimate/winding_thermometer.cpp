@@ -27,6 +27,7 @@ WindingThermometer::WindingThermometer(const CoilModel& coils, const ThermalMode
       r25_ohm_(coils.r25_ohm[static_cast<std::size_t>(coil)]) {}
 
 void WindingThermometer::step(const WindingReading& reading, double dt_s) noexcept {
+  reference_taken_ = false;
   meter_.step(reading.voltage_v, reading.before_a, reading.after_a, reading.measured, dt_s);
   if (rested() && reading.reference.valid && (weight_a2s_ == 0.0 || !meter_.valid())) {
     rest_c_ = reading.reference.celsius;
@@ -55,6 +56,7 @@ void WindingThermometer::compare(const WindingReading& reading, double dt_s) noe
     r25_ohm_ = weighted_ohm_ / weight_a2s_;
     reference_per_ampere_ = weighted_per_ampere_ / weight_a2s_;
     referenced_ = true;
+    reference_taken_ = true;
     comparing_ = false;
   }
   if (late) comparing_ = false;

@@ -48,11 +48,15 @@ class WindingThermometer {
   bool measuring() const noexcept { return meter_.valid(); }
   /// It rests, or has just begun to carry what its reference is made of.
   bool comparing() const noexcept { return comparing_; }
+  /// The last step has completed a reference.
+  bool reference_taken() const noexcept { return reference_taken_; }
   /// Compared with a reference of its own, not with the device file.
   bool referenced() const noexcept { return referenced_; }
   /// Its resistance at 25 C by its reference (else by the file), with this board's gains in it,
   /// ohm.
   double r25_ohm() const noexcept { return r25_ohm_; }
+  /// The share by which an offset of the current of 1 A has lowered that.
+  double reference_per_ampere() const noexcept { return reference_per_ampere_; }
   /// By V/I; before the first that at 25 C, ohm.
   double resistance_ohm() const noexcept {
     return meter_.resistance_ohm() > 0.0 ? meter_.resistance_ohm() : r25_ohm_;
@@ -78,6 +82,7 @@ class WindingThermometer {
   double warmed_k_ = kUnknownK;
   double rest_c_ = 25.0;
   bool comparing_ = false;
+  bool reference_taken_ = false;
   double weight_a2s_ = 0.0;
   double weighted_ohm_ = 0.0;
   double weighted_per_ampere_ = 0.0;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <utility>
 #include <vector>
 
 #include "model/random_stream.h"
@@ -41,6 +42,120 @@ TEST(ResistanceFall, RaisesTheBoundLongBeforeItIsCertainAndGivesItBackInMinutes)
   EXPECT_NEAR(fall.margin_k(), 2.5, 0.01) << "not at once: R25 may stay changed";
   for (int i = 0; i < 3000; ++i) fall.age(kWindow);
   EXPECT_NEAR(fall.margin_k(), 2.5 / 2.718, 0.02);
+}
+
+constexpr double kFileOhm = 0.45;
+constexpr double kFileDeviation = 0.03;
+constexpr double kOffsetA = 0.1;
+constexpr RestResistance kFirst{0.44, 0.1};
+
+/// A winding whose first reference is `kFirst`, and whose resistance has fallen since.
+ResistanceFall fallen(double deviations = -2.0) {
+  ResistanceFall fall(kFileOhm, kFileDeviation);
+  fall.rest();
+  fall.compare(kFirst, kOffsetA);
+  for (int i = 0; i < 60; ++i) fall.add(deviations, false);
+  return fall;
+}
+
+RestResistance shares_of_the_first(double share) { return {share * kFirst.ohm, kFirst.per_ampere}; }
+
+TEST(ResistanceFall, StaysCertainHoweverLongNothingIsMeasured) {
+  ResistanceFall fall = fallen();
+  for (int i = 0; i < 36'000; ++i) fall.age(kWindow);
+  EXPECT_TRUE(fall.certain());
+}
+
+TEST(ResistanceFall, IsSetAsideAtARestAndClearedByTheResistanceOfBefore) {
+  ResistanceFall fall = fallen();
+  fall.rest();
+  EXPECT_FALSE(fall.certain()) << "the next current shows its resistance at a known temperature";
+  fall.compare(shares_of_the_first(0.991), kOffsetA);
+  EXPECT_FALSE(fall.certain());
+  fall.resume();
+  EXPECT_FALSE(fall.certain());
+}
+
+TEST(ResistanceFall, CountsAgainWhenTheResistanceIsLowerThanBefore) {
+  ResistanceFall fall = fallen();
+  fall.rest();
+  fall.compare(shares_of_the_first(0.989), kOffsetA);
+  EXPECT_TRUE(fall.certain());
+}
+
+TEST(ResistanceFall, CountsAgainWhenNoReferenceIsTaken) {
+  ResistanceFall fall = fallen();
+  fall.rest();
+  fall.resume();
+  EXPECT_TRUE(fall.certain());
+}
+
+TEST(ResistanceFall, IsComparedWithTheResistanceBeforeItHoweverOftenTheWindingRests) {
+  ResistanceFall fall = fallen();
+  for (int rests = 0; rests < 3; ++rests) {
+    fall.rest();
+    fall.compare(shares_of_the_first(0.95), kOffsetA);
+    ASSERT_TRUE(fall.certain()) << rests;
+  }
+  fall.rest();
+  fall.compare(shares_of_the_first(1.0), kOffsetA);
+  EXPECT_FALSE(fall.certain());
+}
+
+TEST(ResistanceFall, AnUncertainOneIsNotForgottenByARestEither) {
+  ResistanceFall fall = fallen(-1.0);
+  ASSERT_FALSE(fall.certain());
+  fall.rest();
+  fall.compare(shares_of_the_first(0.98), kOffsetA);
+  int windows = 0;
+  for (; !fall.certain() && windows < 1000; ++windows) fall.add(-1.0, false);
+  EXPECT_NEAR(windows, 41, 1) << "60 windows came before the rest";
+}
+
+TEST(ResistanceFall, ANewOneIsFoundWhileTheWindingIsCompared) {
+  ResistanceFall fall = fallen();
+  fall.rest();
+  int windows = 0;
+  for (; !fall.certain() && windows < 1000; ++windows) fall.add(-1.0, false);
+  EXPECT_NEAR(windows, 101, 1);
+  fall.rest();
+  fall.compare(shares_of_the_first(1.0), kOffsetA);
+  EXPECT_FALSE(fall.certain());
+}
+
+TEST(ResistanceFall, IsNotClearedByACurrentWhoseOffsetCouldHideIt) {
+  for (const double per_ampere : {0.21, -0.01}) {
+    ResistanceFall fall = fallen();
+    fall.rest();
+    fall.compare({kFirst.ohm, per_ampere}, kOffsetA);
+    EXPECT_TRUE(fall.certain()) << "0.1 A make 1.1 %";
+  }
+  ResistanceFall fall = fallen();
+  fall.rest();
+  fall.compare({kFirst.ohm, 0.19}, kOffsetA);
+  EXPECT_FALSE(fall.certain());
+}
+
+TEST(ResistanceFall, WithoutAReferenceBeforeItIsComparedWithTheFile) {
+  for (const auto& [share, certain] : {std::pair{0.961, false}, {0.959, true}}) {
+    ResistanceFall fall(kFileOhm, kFileDeviation);
+    for (int i = 0; i < 60; ++i) fall.add(-2.0, false);
+    fall.rest();
+    fall.compare({share * kFileOhm, 0.5}, kOffsetA);
+    EXPECT_EQ(fall.certain(), certain) << share;
+  }
+}
+
+TEST(ResistanceFall, AReferenceIsTheMeasureOfTheNextFall) {
+  ResistanceFall fall(kFileOhm, kFileDeviation);
+  fall.rest();
+  fall.compare(shares_of_the_first(1.0), kOffsetA);
+  fall.rest();
+  fall.compare(shares_of_the_first(0.98), kOffsetA);
+  for (int i = 0; i < 60; ++i) fall.add(-2.0, false);
+  fall.rest();
+  fall.compare(shares_of_the_first(0.98), kOffsetA);
+  EXPECT_FALSE(fall.certain()) << "nothing had fallen when that was measured";
 }
 
 RC_GTEST_PROP(ResistanceFall, ItsDoubtIsWithinBounds, (const std::vector<std::int8_t>& tenths)) {

@@ -151,6 +151,24 @@ TEST(ThermalObserver, AResistanceThatCannotBeStaysWithinAFactorOfTwo) {
 }
 
 // A saved temperature that the thermistor contradicts tells nothing of the other windings.
+TEST(ThermalObserver, AFallThatIsNotComparedAfterARestCountsAgain) {
+  constexpr double kRestStepS = 0.02;
+  ThermalObserver observer(CoilModel{}, ThermalModel{}, known(25.0));
+  const auto show = [&](double below_k) {
+    observer.step(carrying(1, 10.0, observer.filter().winding_c(1) - below_k, 25.0), kRestStepS);
+  };
+  for (int step = 0; step < 500; ++step) show(0.0);
+  for (int step = 0; step < 3000 && !observer.fall(1).certain(); ++step) show(2.5);
+  ASSERT_TRUE(observer.fall(1).certain());
+  for (int step = 0; step < 36'000; ++step) observer.step(quiet(25.0), kRestStepS);
+  ASSERT_TRUE(observer.winding(1).rested());
+  EXPECT_FALSE(observer.fall(1).certain());
+  ThermalMeasurement unmeasured = carrying(1, 15.0, 25.0, 25.0);
+  unmeasured.current_measured[1] = false;
+  for (int step = 0; step < 100; ++step) observer.step(unmeasured, kRestStepS);
+  EXPECT_TRUE(observer.fall(1).certain()) << "warmed by more than what it may be compared after";
+}
+
 TEST(ThermalObserver, AStartThatIsKnownToAKelvinMakesAReferenceAndNoOther) {
   for (const double deviation_k : {0.3, 5.0}) {
     ThermalStart start = known(60.0);

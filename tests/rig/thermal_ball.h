@@ -55,6 +55,9 @@ class ThermalBall {
   /// driven any more.
   void step(const model::Vec3& peak_a, double rms = 1.0) noexcept;
 
+  /// Somebody arms it again, whatever stopped it.
+  void rearm() noexcept { stop_ = {}; }
+
   const Stop& stop() const noexcept { return stop_; }
   const model::Plant& plant() const noexcept { return plant_; }
   const model::ThermalObserver& observer() const noexcept { return observer_; }
