@@ -87,6 +87,36 @@ TEST(SupplyBalance, SaysOfAMoveOfVIWhatElseHasMoved) {
             (Disagreement{1, Quantity::kSupplyVoltage, Quantity::kHeatBalance}));
 }
 
+// The supply's current has not followed yet when a step of V/I trips, and while the limiter
+// reduces.
+TEST(SupplyBalance, NamesTheCurrentTooATenthOfASecondAfterItsGainHasChanged) {
+  for (const double gain : {0.8, 0.95, 1.2}) {
+    SupplyBench bench;
+    bench.run({0, 12, 0}, 10.0);
+    bench.gain[1] = gain;
+    bench.run({0, 12, 0}, 0.1);
+    const Disagreement found =
+        bench.balance.moved(1, -std::log(gain), SupplyBalance::Since::kStart);
+    EXPECT_EQ(
+        found,
+        (Disagreement{1, Quantity::kResistance, Quantity::kHeatBalance}.with(Quantity::kCurrent)))
+        << gain;
+  }
+}
+
+TEST(SupplyBalance, WhatHasMovedTheOtherWayIsNotExcluded) {
+  const auto moved = [](double gain, double supply_v, double share) {
+    SupplyBench bench;
+    bench.run({0, 12, 0}, 10.0);
+    bench.gain[1] = gain;
+    bench.supply_v = supply_v;
+    bench.run({0, 12, 0}, 2.0);
+    return bench.balance.moved(1, share, SupplyBalance::Since::kStart);
+  };
+  EXPECT_TRUE(moved(1.03, 12.0, 0.03).has(Quantity::kCurrent));
+  EXPECT_TRUE(moved(1.0, 11.6, 0.033).has(Quantity::kSupplyVoltage));
+}
+
 TEST(SupplyBalance, OfWhatItHasNotSeenItNamesBoth) {
   const SupplyBalance fresh;
   const Disagreement found = fresh.moved(2, -0.05, SupplyBalance::Since::kStart);

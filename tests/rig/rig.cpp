@@ -28,7 +28,28 @@ device::SimulatedBoardOptions random_board(model::RandomStream& random) noexcept
   return options;
 }
 
-Rig::Rig(const RigOptions& options) : controller_(options.control), board_(options.board) {
+namespace {
+
+/// What a board of 1.0 says of the same millisecond.
+device::Frame of_first_protocol(const device::Frame& frame) noexcept {
+  board::TelemetryFrame values = board::read_telemetry(frame.data());
+  values.minor = 0;
+  values.currents_measured = 0;
+  values.thermistors = 0;
+  values.currents_in_line = false;
+  values.supply_current_measured = false;
+  values.supply_ma = 0;
+  values.other_thermistor = 0;
+  values.other_cc = 0;
+  device::Frame out;
+  board::write_frame(values, out.data());
+  return out;
+}
+
+}  // namespace
+
+Rig::Rig(const RigOptions& options)
+    : controller_(options.control), board_(options.board), first_protocol_(options.first_protocol) {
   queue_.reserve(4096);
   log_.reserve(4096);
 }
@@ -90,7 +111,8 @@ void Rig::step_link_and_board() {
   const device::LinkFrames frames = link_.step(command_);
   board_.receive(frames.set_point);
   if (frames.other) board_.receive(*frames.other);
-  const auto telemetry = board_.step();
+  auto telemetry = board_.step();
+  if (telemetry && first_protocol_) telemetry = of_first_protocol(*telemetry);
   if (lose_ > 0) {
     --lose_;
   } else if (telemetry && std::exchange(delay_, false)) {

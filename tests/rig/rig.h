@@ -21,6 +21,8 @@ namespace hedgehog::rig {
 struct RigOptions {
   control::ControlSettings control = armed_at_start();
   device::SimulatedBoardOptions board;
+  /// The board sends telemetry of protocol 1.0, which says nothing of what is measured.
+  bool first_protocol = false;
 
   static control::ControlSettings armed_at_start() noexcept {
     control::ControlSettings settings;
@@ -127,6 +129,7 @@ class Rig {
   int lose_ = 0;
   bool delay_ = false;
   std::optional<device::Frame> delayed_;
+  bool first_protocol_ = false;
   bool orientation_live_ = false;
 };
 

@@ -113,15 +113,16 @@ void ThermalBall::step(const Vec3& peak_a, double rms) noexcept {
   m.accuracy = accuracy_;
   plant_.step_thermal(squares, fan_duty_, kStepS);
   m.thermistors = read_thermistors();
-  fan_check_.follow({true, fan_duty_, plant_.fan_rpm()}, kStepS);
+  const double rpm = errors_.tach_gain() * plant_.fan_rpm();
+  fan_check_.follow({true, fan_duty_, rpm}, kStepS);
   m.fan_running = fan_check_.cooling();
   const double supply_a = now.shunt_gain * drawn_a + now.shunt_offset_a +
                           now.shunt_noise_a / kAveraged * random_.gaussian();
-  judge(m, duty, supply_a, supply_read_v);
+  judge(m, duty, supply_a, supply_read_v, fan_check_.step(fan_duty_, rpm, kStepS));
 }
 
 void ThermalBall::judge(const model::ThermalMeasurement& m, const Vec3& duty,
-                        double supply_current_a, double supply_v) noexcept {
+                        double supply_current_a, double supply_v, Reason fan) noexcept {
   const auto own = static_cast<std::size_t>(thermal_.sensor_winding);
   control::SensorReading reading;
   reading.fresh = true;
@@ -164,6 +165,8 @@ void ThermalBall::judge(const model::ThermalMeasurement& m, const Vec3& duty,
     stop_ = {sensor != Reason::kNone ? sensor : heat, {}};
   } else if (current.any()) {
     stop_ = {Reason::kMeasurementsDisagree, current};
+  } else if (fan != Reason::kNone) {
+    stop_ = {fan, {}};
   } else if (estimate != Reason::kNone) {
     stop_ = {estimate, estimate == Reason::kMeasurementsDisagree ? estimate_.disagreement()
                                                                  : control::Disagreement{}};

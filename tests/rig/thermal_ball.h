@@ -72,7 +72,7 @@ class ThermalBall {
  private:
   model::ThermistorReadings read_thermistors() noexcept;
   void judge(const model::ThermalMeasurement& measurement, const model::Vec3& duty,
-             double supply_current_a, double supply_v) noexcept;
+             double supply_current_a, double supply_v, control::Reason fan) noexcept;
 
   model::CoilModel coils_;
   model::ThermalModel thermal_;

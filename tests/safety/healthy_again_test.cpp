@@ -4,7 +4,7 @@
 // trips again before its winding has been warmed by what that measurement takes.
 #include <tuple>
 
-#include "tests/rig/thermal_faults.h"
+#include "tests/rig/thermal_ball.h"
 #include "tests/safety/safe.h"
 
 namespace hedgehog::safety {

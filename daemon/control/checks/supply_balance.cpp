@@ -35,6 +35,9 @@ constexpr double kRememberedS = 0.3;
 // it, and not explained when it makes up less than the minor share.
 constexpr double kMainShare = 0.6;
 constexpr double kMinorShare = 0.3;
+// The current is excluded below this share, in either direction: a tenth of a second after a step
+// the means of kRememberedS show 0.28 of it, and what moved the other way proves no resistance.
+constexpr double kExcludedShare = 0.2;
 // Changes of the supply's voltage below this share are not considered; and how far a sound one may
 // be from its nominal voltage, a share.
 constexpr double kNoticed = 0.004;
@@ -186,8 +189,9 @@ Disagreement SupplyBalance::moved(int coil, double share, Since since) const noe
     return {coil, Quantity::kSupplyVoltage, Quantity::kHeatBalance};
   if (of_current > kMainShare) return {coil, Quantity::kCurrent, Quantity::kSupplyCurrent};
   const Disagreement found(coil, Quantity::kResistance, Quantity::kHeatBalance);
-  if (of_voltage > kMinorShare) return found.with(Quantity::kSupplyVoltage);
-  return of_current < kMinorShare ? found : found.with(Quantity::kCurrent);
+  if (of_voltage > kMinorShare || (!by_file && of_voltage < -kMinorShare))
+    return found.with(Quantity::kSupplyVoltage);
+  return std::abs(of_current) < kExcludedShare ? found : found.with(Quantity::kCurrent);
 }
 
 }  // namespace hedgehog::control

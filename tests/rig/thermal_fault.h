@@ -24,33 +24,35 @@ struct ThermalFault {
   double minutes = 10.0;
 };
 
-struct FaultResult {
-  double hottest_c = 0.0;
-  double above_75_s = 0.0;
-  Stop stop;
-};
+/// The fault on this wiring: with one thermistor only that one can be wrong.
+ThermalFault on(ThermalFault fault, const device::FrontEndChoice& front_end) noexcept;
 
-/// Each kind, sudden and growing, cold and warm, at several currents: made by hand.
-std::vector<ThermalFault> thermal_faults();
-
-/// One of those with other numbers, on a ball of the family.
-struct RandomFault {
-  ThermalFault fault;
-  ThermalBallOptions ball;
-};
-RandomFault random_fault(std::uint64_t seed, const device::FrontEndChoice& front_end,
-                         double thermal_tolerance);
+/// Each kind on each winding, in both directions, sudden and growing, cold and warm, at several
+/// currents: made by hand.
+std::vector<ThermalFault> thermal_faults(const device::FrontEndChoice& front_end);
 
 /// The ball that matches its device file, in the fault's room.
 ThermalBallOptions matching_ball(const ThermalFault& fault,
                                  const device::FrontEndChoice& front_end) noexcept;
 
-FaultResult run_fault(const ThermalFault& fault, const ThermalBallOptions& ball);
+/// A kind and a value of its range, on a ball of the family.
+struct RandomFault {
+  ThermalFault fault;
+  ThermalBallOptions ball;
+};
+/// From what random faults are drawn, evenly: each kind, its values, all windings; a third of them
+/// from the start, the others at 5 K above the room to 60 C; half of them growing over 10 s to 15
+/// minutes; 5 to 15 A, or, a third of them, random play.
+struct FaultRange {
+  device::SimulatorErrorKind kind;
+  double min;
+  double max;
+};
+const std::vector<FaultRange>& fault_ranges();
+RandomFault random_fault(std::uint64_t seed, const device::FrontEndChoice& front_end,
+                         double thermal_tolerance);
 
 /// "current_gain 1.10 on winding y, growing over 120 s from 45 C, 15 A asked".
 std::string words(const ThermalFault& fault);
-/// The stop names what is wrong, or a set of quantities that has it. A ball that did not stop names
-/// nothing.
-bool named(const ThermalFault& fault, const Stop& stop) noexcept;
 
 }  // namespace hedgehog::rig
