@@ -151,22 +151,45 @@ TEST(ThermalObserver, AResistanceThatCannotBeStaysWithinAFactorOfTwo) {
 }
 
 // A saved temperature that the thermistor contradicts tells nothing of the other windings.
+/// A ball of which winding 1 has been found to fall, and that has rested since.
+class FallenAndRested {
+ public:
+  FallenAndRested() {
+    for (int step = 0; step < 500; ++step) show(0.0);
+    for (int step = 0; step < 3000 && !fall().certain(); ++step) show(2.5);
+    was_certain = fall().certain();
+    for (int step = 0; step < 36'000; ++step) observer.step(quiet(25.0), kStepOfRestS);
+  }
+  /// 10 A, by whose V/I the winding is cooler than it is estimated.
+  void show(double below_k) {
+    observer.step(carrying(1, 10.0, observer.filter().winding_c(1) - below_k, 25.0), kStepOfRestS);
+  }
+  const ResistanceFall& fall() const { return observer.fall(1); }
+
+  static constexpr double kStepOfRestS = 0.02;
+  ThermalObserver observer{CoilModel{}, ThermalModel{}, known(25.0)};
+  bool was_certain = false;
+};
+
+TEST(ThermalObserver, AFallIsClearedAfterARestByTheResistanceOfBefore) {
+  FallenAndRested ball;
+  ASSERT_TRUE(ball.was_certain);
+  for (int step = 0; step < 500; ++step) {
+    ball.show(0.0);
+    ASSERT_FALSE(ball.fall().certain()) << step;
+  }
+}
+
 TEST(ThermalObserver, AFallThatIsNotComparedAfterARestCountsAgain) {
-  constexpr double kRestStepS = 0.02;
-  ThermalObserver observer(CoilModel{}, ThermalModel{}, known(25.0));
-  const auto show = [&](double below_k) {
-    observer.step(carrying(1, 10.0, observer.filter().winding_c(1) - below_k, 25.0), kRestStepS);
-  };
-  for (int step = 0; step < 500; ++step) show(0.0);
-  for (int step = 0; step < 3000 && !observer.fall(1).certain(); ++step) show(2.5);
-  ASSERT_TRUE(observer.fall(1).certain());
-  for (int step = 0; step < 36'000; ++step) observer.step(quiet(25.0), kRestStepS);
-  ASSERT_TRUE(observer.winding(1).rested());
-  EXPECT_FALSE(observer.fall(1).certain());
+  FallenAndRested ball;
+  ASSERT_TRUE(ball.was_certain);
+  ASSERT_TRUE(ball.observer.winding(1).rested());
+  EXPECT_FALSE(ball.fall().certain());
   ThermalMeasurement unmeasured = carrying(1, 15.0, 25.0, 25.0);
   unmeasured.current_measured[1] = false;
-  for (int step = 0; step < 100; ++step) observer.step(unmeasured, kRestStepS);
-  EXPECT_TRUE(observer.fall(1).certain()) << "warmed by more than what it may be compared after";
+  for (int step = 0; step < 100; ++step)
+    ball.observer.step(unmeasured, FallenAndRested::kStepOfRestS);
+  EXPECT_TRUE(ball.fall().certain()) << "warmed by more than what it may be compared after";
 }
 
 TEST(ThermalObserver, AStartThatIsKnownToAKelvinMakesAReferenceAndNoOther) {
