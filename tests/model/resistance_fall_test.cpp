@@ -136,6 +136,17 @@ TEST(ResistanceFall, IsNotClearedByACurrentWhoseOffsetCouldHideIt) {
   EXPECT_FALSE(fall.certain());
 }
 
+TEST(ResistanceFall, WhatHasDecayedIsNotSetAsideAgain) {
+  ResistanceFall fall = fallen();
+  fall.rest();
+  fall.resume();
+  for (int i = 0; i < 60; ++i) fall.add(2.0, false);
+  ASSERT_FALSE(fall.certain());
+  fall.rest();
+  fall.resume();
+  EXPECT_FALSE(fall.certain());
+}
+
 TEST(ResistanceFall, WithoutAReferenceBeforeItIsComparedWithTheFile) {
   for (const auto& [share, certain] : {std::pair{0.961, false}, {0.959, true}}) {
     ResistanceFall fall(kFileOhm, kFileDeviation);

@@ -180,6 +180,13 @@ TEST(ThermalObserver, AFallIsClearedAfterARestByTheResistanceOfBefore) {
   }
 }
 
+TEST(ThermalObserver, AFallCountsAgainOnceTheResistanceAfterARestIsLower) {
+  FallenAndRested ball;
+  ASSERT_TRUE(ball.was_certain);
+  for (int step = 0; step < 30; ++step) ball.show(5.0);
+  EXPECT_TRUE(ball.fall().certain()) << "36 A^2s are enough";
+}
+
 TEST(ThermalObserver, AFallThatIsNotComparedAfterARestCountsAgain) {
   FallenAndRested ball;
   ASSERT_TRUE(ball.was_certain);

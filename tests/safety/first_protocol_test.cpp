@@ -6,7 +6,6 @@
 namespace hedgehog::safety {
 namespace {
 
-using control::Reason;
 using device::SimulatorErrorKind;
 
 class FirstProtocol : public ::testing::Test {

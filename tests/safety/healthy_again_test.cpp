@@ -10,7 +10,6 @@
 namespace hedgehog::safety {
 namespace {
 
-using control::Reason;
 using device::SimulatorErrorKind;
 
 constexpr int kY = 1;
