@@ -74,6 +74,29 @@ RandomFault random_fault(std::uint64_t seed, const device::FrontEndChoice& front
   return out;
 }
 
+bool hides_heat(const device::SimulatorError& error) noexcept {
+  switch (error.kind) {
+    case SimulatorErrorKind::kCurrentGain:
+      return error.value > 1.0;
+    case SimulatorErrorKind::kCurrentOffsetA:
+      return error.value > 0.0;
+    case SimulatorErrorKind::kSupplyGain:
+    case SimulatorErrorKind::kResistanceGain:
+    case SimulatorErrorKind::kCoolingGain:
+    case SimulatorErrorKind::kHeatCapacityGain:
+      return error.value < 1.0;
+    case SimulatorErrorKind::kThermistorOffsetK:
+      return error.value < 0.0;
+    case SimulatorErrorKind::kTachGain:
+      return false;
+    case SimulatorErrorKind::kShortedTurns:
+    case SimulatorErrorKind::kPwmStuck:
+    case SimulatorErrorKind::kThermistorContact:
+      break;
+  }
+  return true;
+}
+
 std::string words(const ThermalFault& fault) {
   char text[160];
   std::snprintf(text, sizeof text, "%s %.2f on winding %c, %s from %.0f C, %s %.1f A, room %.0f C",

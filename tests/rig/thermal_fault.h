@@ -52,6 +52,10 @@ const std::vector<FaultRange>& fault_ranges();
 RandomFault random_fault(std::uint64_t seed, const device::FrontEndChoice& front_end,
                          double thermal_tolerance);
 
+/// It makes a winding seem cooler than it is, or heats what is measured as before: the dangerous
+/// direction. Those of the other one feign heat.
+bool hides_heat(const device::SimulatorError& error) noexcept;
+
 /// "current_gain 1.10 on winding y, growing over 120 s from 45 C, 15 A asked".
 std::string words(const ThermalFault& fault);
 
