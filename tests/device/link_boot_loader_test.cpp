@@ -32,6 +32,7 @@ TEST_F(LinkBootLoader, IsAskedForInFiftyFramesOnly) {
 TEST_F(LinkBootLoader, IsNotAskedOfABoardThatAppearsLater) {
   ++command.board.boot_loader_count;
   step();
+  EXPECT_FALSE(asks()) << "of a board that is absent";
   for (int i = 0; i < 200; ++i) {
     tick();
     ASSERT_FALSE(asks());

@@ -31,11 +31,11 @@ constexpr std::int64_t kStaleMs = 50;
 
 /// The pointer as a unit vector of the ball.
 Outcome<Vec3> pointer_of(Session& session, const std::string& text) {
-  const auto json = direction_json(text);
-  if (!json) return json.error();
+  const auto direction_text = direction_json(text);
+  if (!direction_text) return direction_text.error();
   // A key frame's direction is read as every direction of the protocol.
   const auto pattern = protocol::decode_pattern(
-      R"({"name":"a/a","keyframes":[{"t_ms":1,"level":1,"direction":)" + *json + "}]}");
+      R"({"name":"a/a","keyframes":[{"t_ms":1,"level":1,"direction":)" + *direction_text + "}]}");
   if (!pattern || !pattern->keyframes.front().direction)
     return ClientError{Failure::kBadAddress, "--pointer: '" + text + "' is no direction", {}};
   const auto description = session.connection.call(protocol::DeviceDescribe{});
