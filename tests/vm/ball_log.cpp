@@ -14,7 +14,8 @@ namespace hedgehog::vm {
 namespace {
 
 constexpr double kQuietMs = 60'000;
-constexpr int kTelemetryHz = 50;
+// Every 61 ms: it meets each phase of the waves that games play, whose periods are round numbers.
+constexpr double kTelemetryHz = 1000.0 / 61.0;
 constexpr double kStillA = 0.1;
 // Of the angle between field and side.
 constexpr double kSameSide = 0.99;
@@ -57,7 +58,8 @@ void BallLog::take_telemetry(const Json& telemetry) {
     PlayedEffect* one = find(playing["effect"].get<std::int64_t>());
     if (one == nullptr) continue;
     one->method = playing["method"];
-    if (current_a_ <= one->peak_a) continue;
+    // The field may have been cut in a tick whose current still decays.
+    if (current_a_ <= one->peak_a || norm(side_) == 0.0) continue;
     one->peak_a = current_a_;
     one->side = side_;
   }

@@ -70,7 +70,8 @@ void EventNode::write(std::uint16_t code, int value) const {
 std::optional<input_event> EventNode::next() const {
   input_event event{};
   pollfd waiting{fd_, POLLIN, 0};
-  if (::poll(&waiting, 1, kEventPatienceMs) != 1 || ::read(fd_, &event, sizeof event) != sizeof event)
+  if (::poll(&waiting, 1, kEventPatienceMs) != 1 ||
+      ::read(fd_, &event, sizeof event) != sizeof event)
     return std::nullopt;
   return event;
 }

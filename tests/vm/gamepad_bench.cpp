@@ -30,6 +30,13 @@ void GamepadBench::turn(const model::Quaternion& q) {
   daemon_->call("sim.set", {{"orientation", {{"w", q.w}, {"x", q.x}, {"y", q.y}, {"z", q.z}}}});
 }
 
+std::vector<std::string> GamepadBench::debian_environment() const {
+  std::vector<std::string> variables = home_.environment();
+  std::erase_if(variables, [](const std::string& one) { return one.starts_with("PATH="); });
+  variables.emplace_back("PATH=/usr/bin:/bin");
+  return variables;
+}
+
 void GamepadBench::print(const std::string& program) const {
   std::printf("  %s; the ball:\n%s", program.c_str(), ball_->text().c_str());
   std::fflush(stdout);

@@ -37,6 +37,8 @@ class GamepadBench : public testing::Test {
   static std::string node() { return event_node(kGamepadName); }
   /// How the simulated ball is held: device -> world.
   void turn(const model::Quaternion& q);
+  /// NAME=VALUE for programs of Debian's, which find Debian's own interpreters only.
+  std::vector<std::string> debian_environment() const;
   /// In the test's output: what `program` did to the ball.
   void print(const std::string& program) const;
 
