@@ -5,10 +5,8 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 
-#include "tests/e2e/programs.h"
 #include "tests/vm/bench.h"
 
 namespace hedgehog::vm {
@@ -23,11 +21,7 @@ class Access : public Bench {
   static void SetUpTestSuite() {
     shell("systemd-sysusers " HEDGEHOG_SOURCE_DIR "/systemd/hedgehog.sysusers");
     ASSERT_NE(::getgrnam("hedgehog"), nullptr);
-    // A path that everybody may walk, wherever the build is.
-    const char* programs = std::getenv("HEDGEHOG_PROGRAMS");
-    shell("mkdir -p /run/hedgehog-test && mount --bind " +
-          std::string(programs != nullptr ? programs : HEDGEHOG_BUILD_DIR) + " /run/hedgehog-test");
-    ::setenv("HEDGEHOG_PROGRAMS", "/run/hedgehog-test", 1);
+    open_programs_to_everybody();
   }
   static void install_rules() {
     shell("mkdir -p /run/udev/rules.d && cp " HEDGEHOG_SOURCE_DIR

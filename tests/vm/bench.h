@@ -32,6 +32,10 @@ void pause_ms(int milliseconds);
 /// What a shell says to it, both streams; REQUIRES that it ends by itself.
 std::string shell(const std::string& command);
 
+/// From now on the programs under test run from a path that every user may walk, wherever the build
+/// is.
+void open_programs_to_everybody();
+
 /// A line of the table that is printed after the last test.
 void figure(const std::string& what, double value, const std::string& unit);
 

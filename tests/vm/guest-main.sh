@@ -4,7 +4,7 @@
 exec </dev/null >/dev/ttyS0 2>&1
 mkdir -p /lib/modules
 mount --bind "$(</run/vm/kernel)/lib/modules" /lib/modules
-modprobe -a vhci-hcd usbhid hid-generic
+modprobe -a vhci-hcd usbhid hid-generic uinput evdev joydev
 /lib/systemd/systemd-udevd --daemon
 udevadm trigger --action=add --subsystem-match=usb --subsystem-match=hid --subsystem-match=hidraw
 udevadm settle

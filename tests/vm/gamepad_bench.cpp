@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "tests/vm/gamepad_bench.h"
+
+#include <cstdio>
+
+#include "tests/e2e/programs.h"
+
+namespace hedgehog::vm {
+
+GamepadBench::GamepadBench() {
+  // Without a configuration the daemon simulates a ball.
+  daemon_.emplace(home_);
+  daemon_->arm();
+  ball_.emplace(home_.path("run/hedgehog/hedgehogd.sock"));
+}
+
+void GamepadBench::begin(const std::vector<std::string>& options, const std::string& user) {
+  std::vector<std::string> words{e2e::hedgehog_gamepad()};
+  words.insert(words.end(), options.begin(), options.end());
+  bridge_.emplace(words, home_.environment(), home_.path("bridge"), user);
+  ASSERT_TRUE(bridge_logs("connected to")) << bridge_log();
+  ASSERT_FALSE(node().empty()) << shell("ls -l /dev/input");
+}
+
+bool GamepadBench::bridge_logs(const std::string& text) const {
+  return eventually([&] { return bridge_log().find(text) != std::string::npos; });
+}
+
+void GamepadBench::turn(const model::Quaternion& q) {
+  daemon_->call("sim.set", {{"orientation", {{"w", q.w}, {"x", q.x}, {"y", q.y}, {"z", q.z}}}});
+}
+
+std::vector<std::string> GamepadBench::debian_environment() const {
+  std::vector<std::string> variables = home_.environment();
+  std::erase_if(variables, [](const std::string& one) { return one.starts_with("PATH="); });
+  variables.emplace_back("PATH=/usr/bin:/bin");
+  return variables;
+}
+
+void GamepadBench::print(const std::string& program) const {
+  std::printf("  %s; the ball:\n%s", program.c_str(), ball_->text().c_str());
+  std::fflush(stdout);
+}
+
+}  // namespace hedgehog::vm

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// The ball as a gamepad in the guest: a simulated ball, hedgehog-gamepad on uinput, and a log of
+// what the ball does.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/quaternion.h"
+#include "tests/vm/ball_log.h"
+#include "tests/vm/bench.h"
+#include "tests/vm/event_node.h"
+
+namespace hedgehog::vm {
+
+inline constexpr model::Vec3 kFront{1, 0, 0};
+inline constexpr model::Vec3 kBack{-1, 0, 0};
+inline constexpr model::Vec3 kLeft{0, 1, 0};
+inline constexpr model::Vec3 kRight{0, -1, 0};
+inline constexpr model::Vec3 kDown{0, 0, -1};
+
+/// Of hedgehog-gamepad.
+inline constexpr const char* kGamepadName = "Hedgehog haptic ball";
+
+class GamepadBench : public testing::Test {
+ protected:
+  /// The simulated ball is armed.
+  GamepadBench();
+
+  /// hedgehog-gamepad as `user`, until its node is there and the daemon knows it.
+  void begin(const std::vector<std::string>& options = {}, const std::string& user = "");
+  std::string bridge_log() const { return home_.read("bridge"); }
+  bool bridge_logs(const std::string& text) const;
+  /// Of the gamepad; empty when there is none.
+  static std::string node() { return event_node(kGamepadName); }
+  /// How the simulated ball is held: device -> world.
+  void turn(const model::Quaternion& q);
+  /// NAME=VALUE for programs of Debian's, which find Debian's own interpreters only.
+  std::vector<std::string> debian_environment() const;
+  /// In the test's output: what `program` did to the ball.
+  void print(const std::string& program) const;
+
+  Home home_;
+  std::optional<Daemon> daemon_;
+  std::optional<BallLog> ball_;
+  std::optional<Child> bridge_;
+};
+
+}  // namespace hedgehog::vm

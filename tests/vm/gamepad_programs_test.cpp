@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+// Programs of Debian's that know nothing of the ball, unmodified, on the gamepad.
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "tests/vm/gamepad_bench.h"
+
+namespace hedgehog::vm {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string kSdlTests = "/usr/libexec/installed-tests/SDL2/";
+
+/// A program that a test types to; both of its outputs go to the file `log`.
+class Typed {
+ public:
+  Typed(const std::string& command, const std::string& log)
+      : pipe_(::popen((command + " >>" + log + " 2>&1").c_str(), "w")) {}
+  Typed(const Typed&) = delete;
+  Typed& operator=(const Typed&) = delete;
+  ~Typed() { end(); }
+
+  void type(const std::string& line) const {
+    std::fputs((line + "\n").c_str(), pipe_);
+    std::fflush(pipe_);
+  }
+  /// Its exit status as of pclose.
+  int end() {
+    const int status = pipe_ == nullptr ? 0 : ::pclose(pipe_);
+    pipe_ = nullptr;
+    return status;
+  }
+
+ private:
+  std::FILE* pipe_;
+};
+
+class GamepadPrograms : public GamepadBench {
+ protected:
+  void SetUp() override { begin(); }
+  void start(const std::vector<std::string>& words) {
+    std::vector<std::string> environment = debian_environment();
+    environment.emplace_back("SDL_VIDEODRIVER=dummy");
+    shell("udevadm settle");
+    program_.emplace(words, environment, home_.path("program"));
+  }
+  /// Until it has ended.
+  void wait() {
+    EXPECT_TRUE(ball_->until([&] { return program_->ended(); })) << said();
+  }
+  std::string said() const { return home_.read("program"); }
+  /// The effects of the ball in the order of their starts.
+  const PlayedEffect& effect(std::size_t number) const { return ball_->played().at(number); }
+
+  std::optional<Child> program_;
+};
+
+// Rows of fftest's list: 0 a sine along x, 1 a constant force from behind to the right, 4 the
+// strong motor, 5 the weak one. Springs and dampers, 2 and 3, are refused.
+TEST_F(GamepadPrograms, Fftest) {
+  const model::Vec3 back_right{-0.7071, -0.7071, 0};
+  const auto play = [&](const std::string& number, const model::Vec3& side) {
+    Typed fftest("fftest " + node(), home_.path("program"));
+    fftest.type(number);
+    EXPECT_TRUE(ball_->until_pushed(side, 2)) << said() << ball_->text() << bridge_log();
+    fftest.type("-1");
+    EXPECT_EQ(fftest.end(), 0) << said();
+    EXPECT_TRUE(ball_->until_still());
+  };
+  play("0", kDown);
+  play("1", back_right);
+  play("4", kDown);
+  play("5", kDown);
+  EXPECT_THAT(said(), HasSubstr("Constant, Periodic, Ramp, Rumble, Gain"));
+  EXPECT_THAT(said(), HasSubstr("Uploading effect #0 (Periodic sinusoidal) ... OK"));
+  EXPECT_THAT(said(), HasSubstr("Uploading effect #2 (Spring) ... Error: Invalid argument"));
+  ASSERT_EQ(ball_->played().size(), 4U) << ball_->text();
+  for (const PlayedEffect& one : ball_->played()) EXPECT_EQ(one.ended, "stopped") << ball_->text();
+  print("fftest");
+}
+
+// What the ball can play of SDL's list, five seconds each, forces by the point of the compass that
+// they come from. Of the list, springs, dampers, friction and inertia are left out by the program,
+// for the gamepad does not offer them.
+TEST_F(GamepadPrograms, SdlTesthaptic) {
+  const auto azimuth = [](double from_deg) {
+    const double rad = -from_deg * 3.14159265 / 180.0;
+    return model::Vec3{std::cos(rad), std::sin(rad), 0};
+  };
+  start({kSdlTests + "testhaptic"});
+  wait();
+  print("testhaptic");
+  struct Expected {
+    std::string text;
+    std::string method;
+    model::Vec3 side;
+  };
+  const std::vector<Expected> all{{"Sine Wave", "effect.play", kFront},
+                                  {"Sawtooth Up", "effect.play", kFront},
+                                  {"Constant Force", "effect.play", azimuth(200)},
+                                  {"Ramp", "effect.play", azimuth(225)},
+                                  {"Left/Right", "effect.vibrate", kDown}};
+  ASSERT_EQ(ball_->played().size(), all.size()) << said();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const PlayedEffect& one = effect(i);
+    EXPECT_THAT(said(), HasSubstr("effect " + std::to_string(i) + ": " + all[i].text));
+    EXPECT_EQ(one.method, all[i].method) << i;
+    EXPECT_GT(dot(one.side, all[i].side), 0.99) << i;
+    EXPECT_EQ(one.ended, "completed") << i;
+    EXPECT_NEAR(one.flowed_ms, 5000, 1) << i;
+  }
+}
+
+TEST_F(GamepadPrograms, SdlTestrumble) {
+  start({kSdlTests + "testrumble"});
+  wait();
+  print("testrumble");
+  ASSERT_GE(ball_->played().size(), 2U) << said();
+  for (const PlayedEffect& one : ball_->played()) {
+    EXPECT_EQ(one.method, "effect.vibrate");
+    EXPECT_GT(dot(one.side, kDown), 0.99) << "SDL's rumble has no direction";
+  }
+}
+
+TEST_F(GamepadPrograms, Pygame) {
+  start({"/usr/bin/python3", HEDGEHOG_SOURCE_DIR "/tests/vm/pygame_pad.py"});
+  EXPECT_TRUE(ball_->until_pushed(kDown, 8)) << said();
+  EXPECT_TRUE(ball_->until_ended(1)) << said();
+  turn(model::axis_angle(kFront, 60));
+  wait();
+  EXPECT_THAT(said(), HasSubstr(std::string(kGamepadName) + " axes 2 buttons 11\nrumble True\n"));
+  EXPECT_THAT(said(), HasSubstr("tilted, rumble True"));
+  print("python3-pygame");
+}
+
+}  // namespace
+}  // namespace hedgehog::vm
