@@ -36,7 +36,8 @@ TEST(FirstRun, BuildsOnlyWhatItStarts) {
   expect_only("demo", "hedgehogd hedgehogctl");
   expect_only("race", "hedgehog-racer");
   expect_only("tools", "hedgehogctl");
-  EXPECT_THAT(commands_of("release"), HasSubstr("cmake --build --preset release\n")) << "and that builds all";
+  EXPECT_THAT(commands_of("release"), HasSubstr("cmake --build --preset release\n"))
+      << "and that builds all";
 }
 
 /// "clients/dashboard/index.html ..." of "FILE: ..." in make's own list of rules.
