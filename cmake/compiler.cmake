@@ -34,7 +34,7 @@ add_compile_definitions(HEDGEHOG_VERSION="${PROJECT_VERSION}")
 if(HEDGEHOG_UNITY)
   set(CMAKE_UNITY_BUILD ON)
   set(CMAKE_UNITY_BUILD_BATCH_SIZE 16 CACHE STRING "Sources in a batch; 0: all of a target")
-  if(CMAKE_UNITY_BUILD_BATCH_SIZE)
+  if(CMAKE_UNITY_BUILD_BATCH_SIZE AND HEDGEHOG_TESTS)
     # `make guards`, `make mutations` and `make coverage` compile these one at a time, so they are in no batch.
     foreach(list guards/guards mutations/scope)
       set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${list}.txt)
