@@ -35,25 +35,20 @@ void ResistanceFall::follow(const WindingThermometer& winding, double offset_a) 
     rest();
 }
 
-void ResistanceFall::rest() noexcept {
-  set_aside_ = std::max(set_aside_, sum_);
-  sum_ = 0.0;
-}
+void ResistanceFall::rest() noexcept { set_aside_ += std::exchange(sum_, 0.0); }
 
 void ResistanceFall::compare(const RestResistance& now, double offset_a) noexcept {
-  const double by_offset =
-      by_file_ ? 0.0 : offset_a * std::abs(now.per_ampere - before_.per_ampere);
+  const double by_offset = offset_a * std::abs(now.per_ampere - before_.per_ampere);
   const bool same = now.ohm >= (1.0 - tolerance_) * before_.ohm && by_offset <= kSameShare;
   if (set_aside_ > 0.0 && !same) return resume();
   set_aside_ = 0.0;
-  before_ = now;
+  // Never lower than before: a fall that begins at rest, or goes on by less than the tolerance, is
+  // not its own measure.
+  if (by_file_ || now.ohm > before_.ohm) before_ = now;
   tolerance_ = kSameShare;
   by_file_ = false;
 }
 
-void ResistanceFall::resume() noexcept {
-  sum_ = std::max(sum_, set_aside_);
-  set_aside_ = 0.0;
-}
+void ResistanceFall::resume() noexcept { sum_ += std::exchange(set_aside_, 0.0); }
 
 }  // namespace hedgehog::model

@@ -60,7 +60,7 @@ class ResistanceFall {
   double sum_ = 0.0;
   double set_aside_ = 0.0;
   double margin_k_ = 0.0;
-  /// The reference before the fall. While it is the file's, no offset is compared.
+  /// The highest reference so far; until the first, the file's, which no offset has lowered.
   RestResistance before_;
   double tolerance_ = kSameShare;
   bool by_file_ = true;

@@ -152,24 +152,58 @@ TEST(ResistanceFall, WithoutAReferenceBeforeItIsComparedWithTheFile) {
     ResistanceFall fall(kFileOhm, kFileDeviation);
     for (int i = 0; i < 60; ++i) fall.add(-2.0, false);
     fall.rest();
-    fall.compare({share * kFileOhm, 0.5}, kOffsetA);
+    fall.compare({share * kFileOhm, 0.05}, kOffsetA);
     EXPECT_EQ(fall.certain(), certain) << share;
   }
 }
 
-TEST(ResistanceFall, AReferenceIsTheMeasureOfTheNextFall) {
+TEST(ResistanceFall, IsNotClearedByTheFileWhenAnOffsetCouldHideIt) {
+  ResistanceFall fall(kFileOhm, kFileDeviation);
+  for (int i = 0; i < 60; ++i) fall.add(-2.0, false);
+  fall.rest();
+  fall.compare({kFileOhm, -0.5}, kOffsetA);
+  EXPECT_TRUE(fall.certain()) << "0.1 A make 5 %";
+}
+
+TEST(ResistanceFall, OneThatBeganAtARestIsNotItsOwnMeasure) {
   ResistanceFall fall(kFileOhm, kFileDeviation);
   fall.rest();
   fall.compare(shares_of_the_first(1.0), kOffsetA);
   fall.rest();
-  fall.compare(shares_of_the_first(0.98), kOffsetA);
+  fall.compare(shares_of_the_first(0.9), kOffsetA);
   for (int i = 0; i < 60; ++i) fall.add(-2.0, false);
-  fall.rest();
-  fall.compare(shares_of_the_first(0.98), kOffsetA);
-  EXPECT_FALSE(fall.certain()) << "nothing had fallen when that was measured";
+  ASSERT_TRUE(fall.certain());
+  for (int rests = 0; rests < 3; ++rests) {
+    fall.rest();
+    fall.compare(shares_of_the_first(0.9), kOffsetA);
+    EXPECT_TRUE(fall.certain()) << rests;
+  }
 }
 
-RC_GTEST_PROP(ResistanceFall, ItsDoubtIsWithinBounds, (const std::vector<std::int8_t>& tenths)) {
+TEST(ResistanceFall, ManySmallOnesAreClearedOnlyUpToTheToleranceOfOne) {
+  ResistanceFall fall = fallen();
+  double share = 1.0;
+  for (int rests = 0; rests < 12; ++rests) {
+    share *= 0.991;
+    fall.rest();
+    fall.compare(shares_of_the_first(share), kOffsetA);
+    EXPECT_EQ(fall.certain(), share < 0.99) << share;
+    for (int i = 0; i < 60; ++i) fall.add(-2.0, false);
+  }
+}
+
+TEST(ResistanceFall, BurstsBetweenRestsAddUp) {
+  ResistanceFall fall = fallen(0.0);
+  for (int bursts = 0; bursts < 2; ++bursts) {
+    fall.rest();
+    for (int i = 0; i < 35; ++i) fall.add(-1.5, false);
+    EXPECT_FALSE(fall.certain());
+    fall.compare(shares_of_the_first(0.95), kOffsetA);
+  }
+  EXPECT_TRUE(fall.certain()) << "38 and 38";
+}
+
+RC_GTEST_PROP(ResistanceFall, ItsMarginIsWithinBounds, (const std::vector<std::int8_t>& tenths)) {
   ResistanceFall fall;
   for (const std::int8_t tenth : tenths) {
     fall.add(tenth, tenth % 2 == 0);
