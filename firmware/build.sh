@@ -16,7 +16,8 @@ cd "$(dirname -- "$0")/.."
 command -v arm-none-eabi-g++ >/dev/null || { echo "build.sh: no arm-none-eabi-g++ (gcc-arm-none-eabi)" >&2; exit 69; }
 
 export LC_ALL=C
-rm -rf "$out/board"
+# An image of before must not be taken for the one that was refused.
+rm -rf "$out/board" "$out/hedgehog-board.uf2" "$out/hedgehog-board.elf" "$out/hedgehog-board.map"
 mkdir -p "$out/board/include/firmware"
 cp "$calibration" "$out/board/include/firmware/calibration.h"
 objects=

@@ -130,7 +130,6 @@ class Ball {
   bool notify_any(const client::AnyRequest& request);
   /// The response, by when it is due.
   client::Outcome<std::string> exchange(const client::AnyRequest& request);
-  client::Outcome<std::string> wait_for(client::Outcome<protocol::Id> asked);
   std::optional<protocol::Reply> take_answer(const protocol::Id& id);
   /// False: `sent` failed; a connection that is of no further use has ended.
   bool keep(const client::Outcome<void>& sent);

@@ -59,5 +59,5 @@ bounded python3 examples_live.py "$daemon" "$packed" ../../build/unreal/live
 bounded ./newcomer.py "$daemon"
 ../../cmake/bundle.sh ../../clients/js/src "$packed/client" browser.js
 ../../cmake/compress.sh "$packed/client"
-./sizes.py "$packed" "$packed/client" ../../build/release/share/hedgehog/*
+./sizes.py "$packed" "$packed/client" ../../build/run/share/hedgehog/*
 ./conformance_table.py "$HEDGEHOG_CONFORMANCE_TABLE"
