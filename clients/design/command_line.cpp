@@ -143,8 +143,7 @@ class CommandLine {
     auto* choose = verb("choose", "search for designs that no other beats", choose_, run_choose);
     add_formats(choose);
     add_pictures(choose, choose_.pictures);
-    choose->add_option("--arrays", choose_.arrays,
-                       "whole arrays; from 32 to 162 faces when not said");
+    choose->add_option("--arrays", choose_.arrays, "whole arrays; from 32 to 162 faces by default");
     choose->add_option("--pins", choose_.pins, "sizes, such as 7..9/0.5x8..12")
         ->capture_default_str();
     choose->add_option("--shields", choose_.shields, "sizes, diameters in steps of 0.05")
@@ -152,7 +151,7 @@ class CommandLine {
     choose->add_option("--spheres", choose_.spheres, "radii, mm, in steps of 0.25")
         ->capture_default_str();
     choose->add_option("--coil-force", choose_.coil_forces,
-                       "N; when not said the thesis' coil at 15 A");
+                       "N; by default that of the thesis' coil at 15 A");
     choose->add_option("--wall", choose_.wall_mm, "between any two magnets, mm, 0 to 20")
         ->capture_default_str();
     choose
@@ -163,7 +162,7 @@ class CommandLine {
         ->add_option("--least-extension", choose_.min_extension_mm,
                      "of the typical pin, mm, 0 to 1.5")
         ->capture_default_str();
-    choose->add_option("--threads", choose_.threads, "all cores when not said")
+    choose->add_option("--threads", choose_.threads, "all cores by default")
         ->check(CLI::Range(1, 256));
     choose->add_option("--save", choose_.save, "write the best into this design file");
     auto* exports = verb("export", "positions, casing to print, device file", export_, run_export);
@@ -178,9 +177,9 @@ class CommandLine {
     exports->add_option("--facets", export_.facets, "sides of a cavity, 8 to 64")
         ->capture_default_str();
     exports->add_option("--clearance", export_.clearance_mm,
-                        "around each magnet, mm; 0.15, less for walls of 0.2, when not said");
+                        "around each magnet, mm; 0.15, less for walls of 0.2, by default");
     exports->add_option("--fan", export_.fan_mm,
-                        "opening at the bottom, mm; the widest when not said");
+                        "opening at the bottom, mm; the widest by default");
     auto* report =
         verb("report", "everything about a design on one HTML page", report_, run_report);
     add_design(report, report_.design);

@@ -54,7 +54,7 @@ class Bridge {
   Report report_;
   EffectPlayer player_;
   TiltAxes axes_;
-  std::optional<StickPosition> stick_;  // as last told to the device
+  std::optional<StickPosition> stick_;  // as last sent to the device
   std::optional<client::Connection> connection_;
   client::Backoff backoff_;
   TimePoint next_attempt_{};

@@ -7,15 +7,22 @@
 //       currents, the supply current, the supply, the three thermistors; bits of FLT lines that are
 //       low; the tach's period in us; the true currents in mA; the fan's true duty in thousandths
 //   faults BITS WINDING   as in daemon/device/simulator/simulator_settings.h
-//   error [KIND WINDING VALUE]...   errors of daemon/device/simulator/simulator_error.h, in place
-//   of those before heat CELSIUS   windings, core and thermistors core   a new board core frame
-//   CURRENT CURRENT CURRENT SHUNT SUPPLY NTC NTC NTC CONVERTED FLT TACH [PACKET]...
+//   error [KIND WINDING VALUE]...
+//       errors of daemon/device/simulator/simulator_error.h, in place of those before
+//
+//   heat CELSIUS   windings, core and thermistors
+//
+//   core   a new board core
+//
+//   frame CURRENT CURRENT CURRENT SHUNT SUPPLY NTC NTC NTC CONVERTED FLT TACH [PACKET]...
 //       a millisecond of that core: its inputs and the packets in hexadecimal. Answer: its
 //       telemetry
-//   host MS   with --fd: waits so long for packets of the host, up to a set-point. Answer:
-//   "closed", or
+//
+//   host MS
+//       with --fd: waits so long for packets of the host, up to a set-point. Answer: "closed", or
 //       "open", 1 when there was a set-point, and the packets for the board in hexadecimal. Those
 //       for the simulator are applied here
+//
 //   answer MS [PACKET]...   to the host, and the truth of this millisecond, which ends it
 //
 // Arguments are those of hedgehog-simboard (--fd of the host's socket); none: a ball of typical

@@ -150,7 +150,6 @@ TEST(ThermalObserver, AResistanceThatCannotBeStaysWithinAFactorOfTwo) {
   }
 }
 
-// A saved temperature that the thermistor contradicts tells nothing of the other windings.
 /// A ball of which winding 1 has been found to fall, and that has rested since.
 class FallenAndRested {
  public:
@@ -199,6 +198,8 @@ TEST(ThermalObserver, AFallThatIsNotComparedAfterARestCountsAgain) {
   EXPECT_TRUE(ball.fall().certain()) << "warmed by more than what it may be compared after";
 }
 
+// A saved temperature that the thermistor contradicts gives no information about the other
+// windings.
 TEST(ThermalObserver, AStartThatIsKnownToAKelvinMakesAReferenceAndNoOther) {
   for (const double deviation_k : {0.3, 5.0}) {
     ThermalStart start = known(60.0);

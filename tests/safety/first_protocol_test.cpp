@@ -44,10 +44,10 @@ class FirstProtocol : public ::testing::Test {
 
 TEST_F(FirstProtocol, KnowsLeast) {
   rig.run(10);
-  const device::BoardTelemetry& told = rig.link().report().telemetry;
-  EXPECT_EQ(told.protocol_minor, 0);
-  EXPECT_EQ(told.thermistors, 1);
-  EXPECT_FALSE(told.supply_current_known);
+  const device::BoardTelemetry& telemetry = rig.link().report().telemetry;
+  EXPECT_EQ(telemetry.protocol_minor, 0);
+  EXPECT_EQ(telemetry.thermistors, 1);
+  EXPECT_FALSE(telemetry.supply_current_known);
 }
 
 TEST_F(FirstProtocol, AHealthyBallPlaysAlongEachWindingWithoutATrip) {
@@ -73,22 +73,25 @@ TEST_F(FirstProtocol, AStuckLineIsMadeSafeWithinThirtyMilliseconds) {
   EXPECT_EQ(name(rig.controller().state()), "tripped");
 }
 
-TEST_F(FirstProtocol, TurnsThatShortStopTheBall) {
-  for (int coil : {1}) {
-    play(coil, 10.0, 15);
-    set_error(SimulatorErrorKind::kShortedTurns, coil, 0.2);
-    play(coil, 10.0, 60);
-    EXPECT_LT(hottest_c, 75.0);
-    EXPECT_EQ(name(rig.controller().state()), "tripped");
-    EXPECT_LT(rig.current_a(), kZeroA);
-  }
+struct FirstProtocolWinding : FirstProtocol, testing::WithParamInterface<int> {};
+
+TEST_P(FirstProtocolWinding, TurnsThatShortStopTheBall) {
+  play(GetParam(), 10.0, 15);
+  set_error(SimulatorErrorKind::kShortedTurns, GetParam(), 0.2);
+  play(GetParam(), 10.0, 60);
+  EXPECT_LT(hottest_c, 75.0);
+  EXPECT_EQ(name(rig.controller().state()), "tripped");
+  EXPECT_LT(rig.current_a(), kZeroA);
 }
+
+INSTANTIATE_TEST_SUITE_P(Each, FirstProtocolWinding, testing::Values(0, 1, 2));
 
 TEST_F(FirstProtocol, ASilentBoardIsAbsentAndSafe) {
   rig.start(rig::hold({1, 0, 0}, 5.0));
   rig.run(100);
   rig.lose_telemetry(1000);
   rig.run(200);
+  EXPECT_EQ(name(rig.controller().state()), "absent");
   EXPECT_EQ(name(rig.controller().reason()), "telemetry_lost");
   rig.run(kDecay);
   EXPECT_LT(rig.current_a(), kZeroA);

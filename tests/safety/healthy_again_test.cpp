@@ -18,6 +18,8 @@ constexpr double kRestS = 720.0;
 /// What a winding may be warmed by until its resistance has been compared, K, and the tolerance of
 /// its capacity.
 constexpr double kComparedK = 3.0 * 1.2;
+/// What a winding is warmed by at least, K, by a ball that plays what is demanded.
+constexpr double kPlayedK = 20.0;
 
 device::SimulatorErrorList errors_of(const device::SimulatorError& error, std::uint8_t generation) {
   device::SimulatorErrorList errors;
@@ -82,8 +84,11 @@ class HealthyAgain : public ::testing::TestWithParam<Case> {
 TEST_P(HealthyAgain, PlaysAfterARest) {
   ball.set_errors(errors_of({SimulatorErrorKind::kTachGain, 0, 1.0, 0.0}, 2));
   rest(kRestS);
+  const double rested_c = ball.plant().hottest_winding_c();
   ball.rearm();
-  EXPECT_LT(play(300.0), 75.0);
+  const double hottest_c = play(300.0);
+  EXPECT_LT(hottest_c, 75.0);
+  EXPECT_GT(hottest_c, rested_c + kPlayedK);
   EXPECT_FALSE(ball.stop().any()) << words(ball.stop());
 }
 
@@ -155,7 +160,9 @@ class HealthyAgainOnTheRig : public ::testing::Test {
 TEST_F(HealthyAgainOnTheRig, PlaysAfterARest) {
   rig.board().set_errors({});
   rig.run_s(kRestS);
+  const double rested_c = rig.plant().hottest_winding_c();
   rearm_and_play(60);
+  EXPECT_GT(rig.plant().hottest_winding_c(), rested_c + kPlayedK);
   EXPECT_FALSE(tripped()) << name(rig.controller().reason());
 }
 
