@@ -37,10 +37,10 @@ std::ostream& operator<<(std::ostream& out, const Electronics& one) {
   return out << name(one.kind) << " " << one.thermistors;
 }
 
-using Case = std::tuple<Electronics, device::SimulatorError>;
+using HealthyAgainCase = std::tuple<Electronics, device::SimulatorError>;
 
 /// A ball that has stopped because its resistance fell.
-class HealthyAgain : public ::testing::TestWithParam<Case> {
+class HealthyAgain : public ::testing::TestWithParam<HealthyAgainCase> {
  protected:
   HealthyAgain() : ball(options()) {
     const auto& error = std::get<1>(GetParam());

@@ -26,8 +26,8 @@ rig::RigOptions with(FrontEndKind kind) {
   return options;
 }
 
-using Case = std::tuple<FrontEndKind, double>;
-class StuckLine : public ::testing::TestWithParam<Case> {
+using StuckLineCase = std::tuple<FrontEndKind, double>;
+class StuckLine : public ::testing::TestWithParam<StuckLineCase> {
  protected:
   rig::Rig rig{with(std::get<0>(GetParam()))};
   double duty = std::get<1>(GetParam());
@@ -77,7 +77,7 @@ TEST_P(StuckLine, CanBeArmedAgainWhenItIsMended) {
   EXPECT_EQ(name(rig.controller().state()), "armed") << name(rig.snapshot().arming_blocker);
 }
 
-std::string name_of(const ::testing::TestParamInfo<Case>& info) {
+std::string name_of(const ::testing::TestParamInfo<StuckLineCase>& info) {
   std::string text(device::name(std::get<0>(info.param)));
   const double duty = std::get<1>(info.param);
   return text + (duty < 0.0 ? "_minus_" : "_") +
