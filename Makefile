@@ -2,7 +2,7 @@
 # The menu. What it does stands in CMakePresets.json and cmake/.
 
 .DEFAULT_GOAL := help
-.PHONY: help deps run race demo test deb test-deb test-web test-sdk test-openrpc test-json-rpc test-bids test-monitoring test-install test-usb test-all check bench asan tsan fuzz faults guards mutations coverage firmware stress clean
+.PHONY: help deps run race demo test deb test-deb test-web test-sdk test-openrpc test-json-rpc test-bids test-monitoring test-mqtt test-install test-usb test-all check bench asan tsan fuzz faults guards mutations coverage firmware stress clean
 
 JOBS ?= $(shell nproc)
 ARGS ?=
@@ -31,6 +31,7 @@ help:
 	@echo 'make test-all   everything: linters, what ships, fault campaigns, pages, USB, sanitizers, fuzzers (40 minutes)'
 	@echo 'make test-install  what ships, installed, and a game compiled against it'
 	@echo 'make deb        Debian packages in build/deb; make test-deb tries them in a fresh Debian'
+	@echo 'make test-mqtt  the ball at Debian'"'"'s MQTT broker'
 	@echo 'make test-monitoring  the alert rules and the dashboard in Prometheus'
 	@echo 'make test-usb   real USB and HID: the daemon in a machine with Debian'"'"'s kernel, on emulated devices'
 	@echo 'make check      clang-format, shellcheck, clang-tidy; each file compiled by itself'
@@ -168,6 +169,10 @@ test-json-rpc: $(CONFIGURED_DEV) build/.packages-dashboard build/.packages-json_
 test-monitoring: build/.packages-monitoring $(CONFIGURED_DEV)
 	@$(LOCK_DEV) $(BUILD_DEV) --target hedgehogd
 	@$(STAGE) 'tests monitoring' tests/monitoring/run.sh build/dev
+
+test-mqtt: build/.packages-mqtt $(CONFIGURED_DEV)
+	@$(LOCK_DEV) $(BUILD_DEV) --target test_mqtt mqtt_fleet
+	@$(STAGE) 'tests mqtt' tests/mqtt/run.sh build/dev
 
 test-bids: build/.packages-dashboard $(CONFIGURED_DEV)
 	@$(LOCK_DEV) $(BUILD_DEV) --target hedgehogd hedgehog-study
@@ -331,7 +336,7 @@ bench: $(CONFIGURED_BENCH)
 each_of = @code=0; for one in $(1); do eval "$(MAKE) $$one" || code=1; done; exit $$code
 .PHONY: waiting computing checked
 waiting:
-	$(call each_of,test-openrpc test-json-rpc rehearsal test-sdk test-web test-bids test-monitoring test-shipped test-install \
+	$(call each_of,test-openrpc test-json-rpc rehearsal test-sdk test-web test-bids test-monitoring test-mqtt test-shipped test-install \
 	  'test-deb PACKED=build/bench' test-usb)
 
 # Whose mutants have all been judged once; the other files of tests/mutations/scope.txt still have survivors.

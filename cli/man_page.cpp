@@ -176,11 +176,15 @@ std::string man_page(const Command& program, int section, const std::string& ver
   append_environment(environment, program);
   if (!environment.empty()) page += ".SH ENVIRONMENT\n" + environment;
   page += ".SH \"SEE ALSO\"\n";
-  constexpr std::array<std::string_view, 8> kPages{
-      "hedgehogctl(1)",       "hedgehog\\-gamepad(1)",
-      "hedgehog\\-design(1)", "hedgehog\\-orientation(1)",
-      "hedgehog\\-racer(1)",  "hedgehog\\-study(1)",
-      "hedgehogd(8)",         "hedgehog\\-simboard(8)"};
+  constexpr std::array<std::string_view, 9> kPages{"hedgehogctl(1)",
+                                                   "hedgehog\\-gamepad(1)",
+                                                   "hedgehog\\-mqtt(1)",
+                                                   "hedgehog\\-design(1)",
+                                                   "hedgehog\\-orientation(1)",
+                                                   "hedgehog\\-racer(1)",
+                                                   "hedgehog\\-study(1)",
+                                                   "hedgehogd(8)",
+                                                   "hedgehog\\-simboard(8)"};
   std::string others;
   for (const std::string_view other : kPages)
     if (!other.starts_with(escaped(program.name) + "("))

@@ -21,6 +21,8 @@ if(HEDGEHOG_PROGRAMS)
   pkg_check_modules(BULLET REQUIRED IMPORTED_TARGET bullet)
   # Sound files that hedgehogctl plays.
   pkg_check_modules(SNDFILE REQUIRED IMPORTED_TARGET sndfile)
+  # hedgehog-mqtt.
+  pkg_check_modules(MOSQUITTO REQUIRED IMPORTED_TARGET libmosquitto)
   # The fit of psychometric curves in hedgehog-study.
   pkg_check_modules(NLOPT REQUIRED IMPORTED_TARGET nlopt)
 endif()

@@ -32,7 +32,7 @@ if(NOT HEDGEHOG_PROGRAMS)
 endif()
 
 set(data ${CMAKE_INSTALL_DATADIR}/hedgehog)
-install(TARGETS hedgehogd hedgehog-simboard hedgehogctl hedgehog-gamepad hedgehog-orientation hedgehog-study hedgehog-design hedgehog-racer
+install(TARGETS hedgehogd hedgehog-simboard hedgehogctl hedgehog-gamepad hedgehog-mqtt hedgehog-orientation hedgehog-study hedgehog-design hedgehog-racer
         RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(FILES config/hedgehogd.json DESTINATION ${data})
 install(DIRECTORY config/devices.d config/patterns config/study DESTINATION ${data} FILES_MATCHING PATTERN *.json)
@@ -55,7 +55,7 @@ install(FILES systemd/hedgehogd.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR
 install(FILES systemd/hedgehog-gamepad.sysusers DESTINATION lib/sysusers.d RENAME hedgehog-gamepad.conf)
 # A unit names the program by its whole path, which is known when the prefix is.
 install(CODE "
-  foreach(unit hedgehogd.service hedgehogd@.service hedgehog-gamepad.service)
+  foreach(unit hedgehogd.service hedgehogd@.service hedgehog-gamepad.service hedgehog-mqtt.service)
     file(READ \"${PROJECT_SOURCE_DIR}/systemd/\${unit}\" text)
     string(REPLACE /usr/bin/hedgehog \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_BINDIR}/hedgehog\" text \"\${text}\")
     set(installed \"\${CMAKE_INSTALL_PREFIX}/lib/systemd/system/\${unit}\")

@@ -20,7 +20,9 @@ step "install"
 begun=$SECONDS
 quietly apt-get install -y --no-install-recommends /packages/before/*.deb
 [ -e /etc/systemd/system/multi-user.target.wants/hedgehogd.service ] || fail "the service is not enabled"
-[ ! -e /etc/systemd/system/multi-user.target.wants/hedgehog-gamepad.service ] || fail "the gamepad is enabled"
+for unit in hedgehog-gamepad hedgehog-mqtt; do
+  [ ! -e "/etc/systemd/system/multi-user.target.wants/$unit.service" ] || fail "$unit is enabled"
+done
 for user in hedgehog hedgehog-gamepad; do getent passwd "$user" >/dev/null || fail "there is no user $user"; done
 ! systemd-analyze verify hedgehogd.service 2>&1 | grep -i hedgehog || fail "systemd-analyze verify"
 
@@ -61,7 +63,7 @@ from hedgehog import Ball
 with Ball() as ball:
     ball.pulse("left", level=0.5)
     print("python:", ball.status()["state"])'
-for program in hedgehog-gamepad hedgehog-orientation hedgehog-study hedgehog-design hedgehog-simboard hedgehog-racer; do quietly "$program" --version; done
+for program in hedgehog-gamepad hedgehog-mqtt hedgehog-orientation hedgehog-study hedgehog-design hedgehog-simboard hedgehog-racer; do quietly "$program" --version; done
 stop
 
 step "remove, purge"

@@ -30,6 +30,7 @@ class Program {
   pid_t pid() const noexcept { return pid_; }
   void signal(int number) const { ::kill(pid_, number); }
   std::string out() const { return home_.read(out_); }
+  std::string err() const { return home_.read(err_); }
   /// Waits until stdout has `text`.
   bool says(const std::string& text) const;
   /// Waits for the end. The exit code is -1 when a signal, or this after ten minutes, ended it.

@@ -33,6 +33,7 @@ std::string hedgehogd() { return program(kDaemon); }
 std::string hedgehogctl() { return program("clients/ctl/hedgehogctl"); }
 std::string hedgehog_design() { return program("clients/design/hedgehog-design"); }
 std::string hedgehog_gamepad() { return program("clients/gamepad/hedgehog-gamepad"); }
+std::string hedgehog_mqtt() { return program("clients/mqtt/hedgehog-mqtt"); }
 std::string hedgehog_orientation() { return program("clients/orientation/hedgehog-orientation"); }
 std::string hedgehog_racer() { return program("clients/racer/hedgehog-racer"); }
 std::string hedgehog_study() { return program("clients/study/hedgehog-study"); }

@@ -12,6 +12,7 @@ std::string hedgehogd();
 std::string hedgehogctl();
 std::string hedgehog_design();
 std::string hedgehog_gamepad();
+std::string hedgehog_mqtt();
 std::string hedgehog_orientation();
 std::string hedgehog_racer();
 std::string hedgehog_study();

@@ -47,7 +47,8 @@ class Unit : public testing::TestWithParam<const char*> {
     std::string text{std::istreambuf_iterator<char>(in), {}};
     for (const auto& [program, built] :
          {std::pair("/usr/bin/hedgehogd"s, hedgehogd()),
-          std::pair("/usr/bin/hedgehog-gamepad"s, hedgehog_gamepad())})
+          std::pair("/usr/bin/hedgehog-gamepad"s, hedgehog_gamepad()),
+          std::pair("/usr/bin/hedgehog-mqtt"s, hedgehog_mqtt())})
       for (auto at = text.find(program); at != std::string::npos; at = text.find(program, at + 1))
         text.replace(at, program.size(), built);
     home_.write("units/" + name, text);
@@ -72,10 +73,11 @@ TEST_P(Unit, IsShutInTight) {
 
 INSTANTIATE_TEST_SUITE_P(Systemd, Unit,
                          testing::Values("hedgehogd.service", "hedgehogd@.service",
-                                         "hedgehog-gamepad.service"),
+                                         "hedgehog-gamepad.service", "hedgehog-mqtt.service"),
                          [](const auto& unit) {
                            const std::string name = unit.param;
                            if (name.starts_with("hedgehog-gamepad")) return "Gamepad";
+                           if (name.starts_with("hedgehog-mqtt")) return "Mqtt";
                            return name.find('@') == std::string::npos ? "Single" : "Instance";
                          });
 

@@ -24,7 +24,7 @@ grep -q "^ExecStart=$work/first/bin/hedgehogd$" "$work/first/lib/systemd/system/
   fail "hedgehogd.service names another program"
 mv "$work/first" "$work/prefix"
 prefix=$work/prefix
-for file in bin/hedgehogd bin/hedgehogctl bin/hedgehog-study bin/hedgehog-design bin/hedgehog-gamepad bin/hedgehog-orientation \
+for file in bin/hedgehogd bin/hedgehogctl bin/hedgehog-study bin/hedgehog-design bin/hedgehog-gamepad bin/hedgehog-mqtt bin/hedgehog-orientation \
   bin/hedgehog-racer share/hedgehog/hedgehogd.json share/hedgehog/devices.d/hedgehog-86.json \
   share/hedgehog/patterns/heartbeat.json share/hedgehog/study/speed-jnd.json share/hedgehog/schema/openrpc.json \
   lib/systemd/system/hedgehogd@.service lib/udev/rules.d/60-hedgehog.rules lib/sysusers.d/hedgehog.conf \

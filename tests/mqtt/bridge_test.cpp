@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+// hedgehog-mqtt between a real daemon and Debian's broker, seen by Debian's clients of it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "tests/e2e/daemon_process.h"
+#include "tests/e2e/program.h"
+#include "tests/e2e/programs.h"
+#include "tests/e2e/raw_client.h"
+#include "tests/mqtt/mosquitto.h"
+
+namespace hedgehog::e2e {
+namespace {
+
+using testing::HasSubstr;
+
+class MqttBridge : public ::testing::Test {
+ protected:
+  /// Started, and connected to both.
+  void start(const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments{
+        "--address", daemon->socket(), "--broker",      broker.socket(),
+        "--id",      "HH-0042",        "--keepalive-s", "5"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    bridge.emplace(home, hedgehog_mqtt(), arguments);
+    ASSERT_TRUE(subscriber.sees("0 hedgehog/HH-0042/availability online"));
+  }
+  Json call(const std::string& method, const Json& params = Json::object()) {
+    return RawClient(daemon->socket()).call(method, params);
+  }
+
+  Home home;
+  Mosquitto broker{home};
+  Subscriber subscriber{home, broker.socket(), {"#"}};
+  std::optional<DaemonProcess> daemon{std::in_place, home};
+  std::optional<Program> bridge;
+};
+
+TEST_F(MqttBridge, TellsALateSubscriberWhatIsRetained) {
+  start();
+  const Subscriber late(home, broker.socket(), {"#"});
+  EXPECT_TRUE(late.sees("1 hedgehog/HH-0042/availability online"));
+  EXPECT_TRUE(late.sees("1 hedgehog/HH-0042/status {\"device\":\"ball\""));
+  EXPECT_TRUE(late.sees("1 hedgehog/HH-0042/description {\"name\":\"ball\""));
+  EXPECT_TRUE(late.sees("1 homeassistant/sensor/hedgehog-HH-0042/temperature/config {"));
+  EXPECT_TRUE(late.sees("0 hedgehog/HH-0042/telemetry {\"device\":\"ball\""));
+}
+
+TEST_F(MqttBridge, SaysOfWhichBallEachMessageIs) {
+  const Subscriber properties(home, broker.socket(), {"hedgehog/+/availability"}, "%t %P");
+  start();
+  EXPECT_TRUE(properties.sees("hedgehog/HH-0042/availability device:HH-0042 model:hedgehog-86"));
+}
+
+TEST_F(MqttBridge, PlaysWhatIsAskedAndAnswersOnTheResponseTopic) {
+  start();
+  Program asking(
+      home, "/usr/bin/mosquitto_rr",
+      {"--unix", broker.socket(), "-V", "5", "-W", "60", "-t", "hedgehog/HH-0042/effect/pulse",
+       "-e", "replies/1", "-m", R"({"direction": "left", "level": 0.5, "duration_ms": 200})"});
+  const Ended ended = asking.wait();
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr(R"({"result":{"effect":1,"accepted":true)"));
+  EXPECT_TRUE(
+      subscriber.sees("0 hedgehog/HH-0042/event/effect_started {\"type\":\"effect_started\""));
+  EXPECT_TRUE(subscriber.sees("0 hedgehog/HH-0042/event/effect_ended {\"type\":\"effect_ended\""));
+}
+
+TEST_F(MqttBridge, SaysWhyARequestIsRefused) {
+  start();
+  publish(home, broker.socket(), "hedgehog/HH-0042/effect/pulse", R"({"direction": "lefty"})");
+  ASSERT_TRUE(subscriber.sees("0 hedgehog/HH-0042/refused "));
+  EXPECT_THAT(subscriber.all(), HasSubstr("there is no 'lefty'; did you mean 'left'?"));
+  publish(home, broker.socket(), "hedgehog/HH-0042/effect/preview", "{}");
+  EXPECT_TRUE(eventually([&] { return subscriber.count("0 hedgehog/HH-0042/refused ") == 2; }));
+}
+
+// It would play whenever the bridge comes back.
+TEST_F(MqttBridge, DoesNotPlayARetainedRequest) {
+  publish(home, broker.socket(), "hedgehog/HH-0042/effect/pulse", R"({"direction": "left"})",
+          {"-r"});
+  start();
+  publish(home, broker.socket(), "hedgehog/HH-0042/effect/pulse", R"({"direction": "up"})", {"-r"});
+  publish(home, broker.socket(), "hedgehog/HH-0042/effect/pulse", R"({"direction": "up"})");
+  ASSERT_TRUE(subscriber.sees("0 hedgehog/HH-0042/event/effect_ended "));
+  EXPECT_EQ(subscriber.count("0 hedgehog/HH-0042/event/effect_started "), 1);
+}
+
+TEST_F(MqttBridge, StopsTheBallForWhoeverPresses) {
+  start();
+  publish(home, broker.socket(), "hedgehog/HH-0042/emergency_stop", "PRESS", {"-q", "1"});
+  ASSERT_TRUE(subscriber.sees("0 hedgehog/HH-0042/event/state_changed "));
+  EXPECT_EQ(call("device.status")["state"], "disarmed");
+  EXPECT_TRUE(eventually([&] {
+    return subscriber.all().find(
+               "\"state\":\"disarmed\",\"reason\":\"emergency_stop\",\"since_s\"") !=
+           std::string::npos;
+  }));
+}
+
+TEST_F(MqttBridge, ThatEndsSaysSo) {
+  start();
+  bridge->signal(SIGTERM);
+  EXPECT_EQ(bridge->wait().exit_code, 130);
+  EXPECT_TRUE(subscriber.sees("0 hedgehog/HH-0042/availability offline"));
+}
+
+TEST_F(MqttBridge, ThatIsKilledOrHangsIsReportedByTheBroker) {
+  start();
+  bridge->signal(SIGKILL);
+  EXPECT_TRUE(subscriber.sees("0 hedgehog/HH-0042/availability offline"));
+  const int gone = subscriber.count("0 hedgehog/HH-0042/availability offline");
+  bridge.emplace(
+      home, hedgehog_mqtt(),
+      std::vector<std::string>{"--address", daemon->socket(), "--broker", broker.socket(), "--id",
+                               "HH-0042", "--keepalive-s", "5"});
+  ASSERT_TRUE(
+      eventually([&] { return subscriber.count("0 hedgehog/HH-0042/availability online") == 2; }));
+  bridge->signal(SIGSTOP);
+  EXPECT_TRUE(eventually(
+      [&] { return subscriber.count("0 hedgehog/HH-0042/availability offline") > gone; }));
+  bridge->signal(SIGCONT);
+  EXPECT_TRUE(
+      eventually([&] { return subscriber.count("0 hedgehog/HH-0042/availability online") == 3; }));
+}
+
+TEST_F(MqttBridge, TellsTheNextBrokerWhatHappenedMeanwhile) {
+  start();
+  broker.stop();
+  call("device.emergency_stop");
+  // It may not come back before somebody listens.
+  bridge->signal(SIGSTOP);
+  broker.start();
+  const Subscriber second(home, broker.socket(), {"#"});
+  bridge->signal(SIGCONT);
+  EXPECT_TRUE(second.sees("0 hedgehog/HH-0042/availability online"));
+  EXPECT_TRUE(second.sees("0 hedgehog/HH-0042/status "));
+  EXPECT_TRUE(second.sees("0 hedgehog/HH-0042/event/state_changed "));
+}
+
+// A broker that neither reads nor answers, as a network that is cut.
+TEST_F(MqttBridge, KeepsServingTheDaemonWhileTheBrokerHangs) {
+  start({"--telemetry-hz", "200"});
+  broker.signal(SIGSTOP);
+  call("device.emergency_stop");
+  EXPECT_TRUE(eventually([&] { return call("device.status")["state"] == "disarmed"; }));
+  const auto own = [&](const Json& one) {
+    const std::string client = one.value("client", "");
+    return client.starts_with("hedgehog-mqtt/");
+  };
+  const Json connections = call("connection.list")["connections"];
+  EXPECT_TRUE(std::any_of(connections.begin(), connections.end(), own)) << connections;
+  broker.signal(SIGCONT);
+  EXPECT_TRUE(subscriber.sees("0 hedgehog/HH-0042/event/state_changed "));
+}
+
+TEST_F(MqttBridge, SaysThatTheDaemonIsAwayAndThatItIsBack) {
+  start();
+  const std::string address = daemon->socket();
+  daemon->stop();
+  ASSERT_TRUE(subscriber.sees("0 hedgehog/HH-0042/availability offline"));
+  publish(home, broker.socket(), "hedgehog/HH-0042/effect/pulse", R"({"direction": "up"})");
+  EXPECT_TRUE(subscriber.sees("0 hedgehog/HH-0042/refused "));
+  EXPECT_THAT(subscriber.all(), HasSubstr("the daemon is gone"));
+  daemon.emplace(home);
+  ASSERT_EQ(daemon->socket(), address);
+  EXPECT_TRUE(
+      eventually([&] { return subscriber.count("0 hedgehog/HH-0042/availability online") == 2; }));
+}
+
+TEST_F(MqttBridge, EndsWithASentenceWhenItIsToldFieldsThatThereAreNot) {
+  Program wrong(home, hedgehog_mqtt(),
+                {"--address", daemon->socket(), "--broker", broker.socket(), "--fields", "warmth"});
+  const Ended ended = wrong.wait();
+  EXPECT_EQ(ended.exit_code, 64);
+  EXPECT_THAT(ended.err, HasSubstr("warmth"));
+}
+
+}  // namespace
+}  // namespace hedgehog::e2e
