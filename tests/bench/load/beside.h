@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Two things at once, for load beside what is measured.
+#pragma once
+
+#include <future>
+#include <utility>
+
+namespace hedgehog::bench {
+
+/// `measure` in this thread while `load` runs in another. Returns when both have ended; throws what
+/// either threw.
+template <class Load, class Measure>
+void beside(Load load, Measure measure) {
+  std::future<void> loaded = std::async(std::launch::async, std::move(load));
+  measure();
+  loaded.get();
+}
+
+}  // namespace hedgehog::bench

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// A client that costs as little as possible: a blocking TCP socket with lines.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace hedgehog::bench {
+
+inline constexpr std::string_view kPing = R"({"jsonrpc":"2.0","id":1,"method":"ping"})"
+                                          "\n";
+
+/// Movable. A connection that fails or is silent for a minute is a std::runtime_error.
+class Client {
+ public:
+  /// To 127.0.0.1, with TCP_NODELAY.
+  explicit Client(int port);
+  Client(Client&& other) noexcept;
+  Client& operator=(Client&&) = delete;
+  ~Client();
+
+  void send(std::string_view bytes);
+  /// The next line without its LF.
+  std::string line();
+  /// Sends a line, with its LF, and returns the next one that is no notification.
+  std::string answer(std::string_view request);
+  /// Waits for `bytes` of any kind.
+  void skip(std::size_t bytes);
+  int descriptor() const noexcept { return fd_; }
+
+ private:
+  void receive();
+
+  int fd_;
+  std::string read_;
+};
+
+/// A port of 127.0.0.1 that is free now.
+int free_port();
+/// Waits until something listens there, at most a minute.
+Client connect_when_listening(int port);
+/// The body of http://127.0.0.1:port/path.
+std::string http_get(int port, const std::string& path);
+
+}  // namespace hedgehog::bench

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include "tests/bench/load/daemon.h"
+
+#include "tests/bench/load/client.h"
+
+namespace hedgehog::bench {
+
+Daemon::Daemon(const std::string& program) {
+  home_.write("config/hedgehog/hedgehogd.json", R"({"connections":{"max":1024}})");
+  process_.emplace(std::vector<std::string>{program, "--simulate", "--listen", "127.0.0.1:0",
+                                            "--log-level", "error"},
+                   std::vector<std::string>{
+                       "XDG_RUNTIME_DIR=" + home_.path(), "XDG_STATE_HOME=" + home_.path("state"),
+                       "XDG_CONFIG_HOME=" + home_.path("config"), "HOME=" + home_.path()});
+  for (std::string address; !address.starts_with('/');) {
+    address = process_->line_after("listening on ");
+    const std::string tcp = "127.0.0.1:";
+    const std::string http = "http://127.0.0.1:";
+    if (address.starts_with(tcp)) port_ = std::stoi(address.substr(tcp.size()));
+    if (address.starts_with(http)) http_port_ = std::stoi(address.substr(http.size()));
+  }
+}
+
+DelayHistogram Daemon::histogram(const std::string& name) const {
+  return {http_get(http_port_, "/metrics"), "hedgehog_" + name};
+}
+
+}  // namespace hedgehog::bench

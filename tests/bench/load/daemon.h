@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// A daemon on the simulator, as it is started for one measurement.
+#pragma once
+
+#include <string>
+
+#include "tests/bench/load/child.h"
+#include "tests/bench/load/delays.h"
+#include "tests/temporary_folder.h"
+
+namespace hedgehog::bench {
+
+/// On a free port, with a state folder of its own and room for 1024 clients.
+class Daemon {
+ public:
+  explicit Daemon(const std::string& program);
+
+  int port() const noexcept { return port_; }
+  const Child& process() const noexcept { return *process_; }
+  Child& process() noexcept { return *process_; }
+  /// A histogram of /metrics since the start, without the prefix of its name.
+  DelayHistogram histogram(const std::string& name) const;
+
+ private:
+  TemporaryFolder home_;
+  std::optional<Child> process_;
+  int port_ = 0;
+  int http_port_ = 0;
+};
+
+}  // namespace hedgehog::bench

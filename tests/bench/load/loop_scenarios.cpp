@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "daemon/device/tick_clock.h"
+#include "tests/bench/load/beside.h"
+#include "tests/bench/load/child.h"
+#include "tests/bench/load/client.h"
+#include "tests/bench/load/crowd.h"
+#include "tests/bench/load/daemon.h"
+#include "tests/bench/load/scenarios.h"
+
+namespace hedgehog::bench {
+namespace {
+
+/// Effects and clients of the busiest tick that clients may cause.
+constexpr int kEffectsOfClient = 32;
+constexpr int kPlayers = 2;
+
+void wait(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
+
+std::vector<std::string> cyclictest(double seconds) {
+  std::vector<std::string> words{
+      "cyclictest",      "--quiet",
+      "--interval=1000", "--histogram=20000",
+      "--threads=1",     "--loops=" + std::to_string(std::lround(seconds * 1000.0))};
+  // As the control thread, which gets what the system allows.
+  rlimit realtime{};
+  ::getrlimit(RLIMIT_RTPRIO, &realtime);
+  if (::geteuid() == 0 || realtime.rlim_cur >= rlim_t{device::kControlPriority}) {
+    words.push_back("--priority=" + std::to_string(device::kControlPriority));
+    words.push_back("--mlockall");
+  }
+  return words;
+}
+
+/// The daemon's loop and cyclictest's in the same time.
+void add_lateness(const std::string& scenario, const Daemon& daemon, const Setup& setup,
+                  Figures& figures) {
+  const bool beside_cyclictest = setup.with_references && !installed("cyclictest").empty();
+  const DelayHistogram before = daemon.histogram("tick_lateness_seconds");
+  std::string text;
+  if (beside_cyclictest)
+    text = Child(cyclictest(setup.seconds)).finish();
+  else
+    wait(setup.seconds);
+  const DelayHistogram late = daemon.histogram("tick_lateness_seconds").since(before);
+  const DelayHistogram reference = late.like_this(text);
+  for (const auto& [name, q] : {std::pair{" p50_us", 0.5}, std::pair{" p99_us", 0.99}}) {
+    figures[scenario + " daemon" + name] = late.quantile_us(q);
+    const std::string of_reference = scenario + " cyclictest" + name;
+    if (beside_cyclictest)
+      figures[of_reference] = reference.quantile_us(q);
+    else
+      figures.left_out[of_reference] = "cyclictest is not installed (rt-tests)";
+  }
+}
+
+void play_many_effects(Client& client) {
+  for (int i = 0; i < kEffectsOfClient; ++i) {
+    client.answer(R"({"jsonrpc":"2.0","id":1,"method":"effect.vibrate","params":{"slot":"s)" +
+                  std::to_string(i) +
+                  R"(","waveform":"sine","frequency_hz":60,"current_a":0.1,"lease_ms":10000}})"
+                  "\n");
+  }
+}
+
+double loop_tick_us(const Setup& setup) {
+  Child loop({setup.reference_program("timer_loop")});
+  loop.line_after("loops");
+  const double before_s = loop.cpu_s();
+  wait(setup.seconds);
+  return 1e3 * (loop.cpu_s() - before_s) / setup.seconds;
+}
+
+double share_percent(const Child& process, double seconds) {
+  const double before_s = process.cpu_s();
+  const auto begun = std::chrono::steady_clock::now();
+  wait(seconds);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
+  return 100.0 * (process.cpu_s() - before_s) / took.count();
+}
+
+}  // namespace
+
+void measure_lateness(const Setup& setup, Figures& figures) {
+  add_lateness("lateness", Daemon(setup.daemon()), setup, figures);
+}
+
+void measure_lateness_under_requests(const Setup& setup, Figures& figures) {
+  const Daemon daemon(setup.daemon());
+  Crowd crowd(daemon.port(), kCrowd, 1);
+  beside([&] { crowd.run(1.2 * setup.seconds); },
+         [&] { add_lateness("requests lateness", daemon, setup, figures); });
+}
+
+void measure_lateness_under_stress(const Setup& setup, Figures& figures) {
+  const Daemon daemon(setup.daemon());
+  if (installed("stress-ng").empty()) {
+    for (const char* figure : {"daemon p50_us", "daemon p99_us"})
+      figures.left_out[std::string("stress lateness ") + figure] = "stress-ng is not installed";
+    return;
+  }
+  const long seconds = std::lround(std::ceil(1.2 * setup.seconds));
+  Child stress({"stress-ng", "--quiet", "--cpu", "4", "--io", "2", "--timeout",
+                std::to_string(seconds) + "s"});
+  add_lateness("stress lateness", daemon, setup, figures);
+  stress.finish();
+}
+
+void measure_tick_work(const Setup& setup, Figures& figures) {
+  const Daemon daemon(setup.daemon());
+  std::vector<Client> players;
+  for (int i = 0; i < kPlayers; ++i) play_many_effects(players.emplace_back(daemon.port()));
+  Client watcher(daemon.port());
+  watcher.send(R"({"jsonrpc":"2.0","id":1,"method":"telemetry.subscribe",)"
+               R"("params":{"rate_hz":100,"fields":["pins"]}})"
+               "\n");
+  const DelayHistogram before = daemon.histogram("tick_work_seconds");
+  const double before_s = daemon.process().cpu_s("control");
+  const auto until =
+      std::chrono::steady_clock::now() + std::chrono::duration<double>(setup.seconds);
+  while (std::chrono::steady_clock::now() < until) watcher.line();
+  const double spent_s = daemon.process().cpu_s("control") - before_s;
+  const DelayHistogram work = daemon.histogram("tick_work_seconds").since(before);
+  figures["work daemon work_us"] = work.mean_us();
+  figures["work daemon tick_us"] = 1e6 * spent_s / std::max(1.0, work.count());
+  if (!setup.with_references) return;
+  figures["work loop tick_us"] = loop_tick_us(setup);
+  figures["work daemon own_us"] = figures["work daemon tick_us"] - figures["work loop tick_us"];
+}
+
+void measure_idle(const Setup& setup, Figures& figures) {
+  const auto loop = [&] {
+    if (!setup.with_references) return;
+    Child process({setup.reference_program("timer_loop")});
+    process.line_after("loops");
+    figures["idle loop percent"] = share_percent(process, setup.seconds);
+  };
+  const auto daemon_alone = [&] {
+    const Daemon daemon(setup.daemon());
+    {
+      Client client(daemon.port());
+      client.answer(R"({"jsonrpc":"2.0","id":1,"method":"device.emergency_stop"})"
+                    "\n");
+    }
+    wait(0.1);
+    figures["idle daemon disarmed_percent"] = share_percent(daemon.process(), setup.seconds);
+  };
+  const auto daemon_with_client = [&] {
+    const Daemon daemon(setup.daemon());
+    Client client(daemon.port());
+    client.answer(kPing);
+    figures["idle daemon percent"] = share_percent(daemon.process(), setup.seconds);
+  };
+  in_turn(setup.round, {loop, daemon_alone, daemon_with_client});
+}
+
+}  // namespace hedgehog::bench

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// Measures the daemon beside reference programs, or beside another revision's, in rounds.
+#include <sys/resource.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "tests/bench/load/results.h"
+#include "tests/bench/load/scenarios.h"
+
+namespace {
+
+namespace bench = hedgehog::bench;
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+struct Options {
+  std::string build = (fs::read_symlink("/proc/self/exe").parent_path() / "../..").string();
+  std::string other;
+  std::string revision = "other";
+  std::string out;
+  std::string only;
+  int rounds = 7;
+  double seconds = 1.0;
+  double limit_s = 420.0;
+  std::size_t subscribers = 1000;
+  bool json = false;
+};
+
+void add_options(CLI::App& app, Options& options) {
+  app.add_option("--rounds", options.rounds, "How often everything is measured")
+      ->check(CLI::Range(1, 1000));
+  app.add_option("--seconds", options.seconds, "Of one measurement")->check(CLI::Range(0.01, 60.0));
+  app.add_option("--limit", options.limit_s,
+                 "No round begins that would end after so many seconds");
+  app.add_option("--subscribers", options.subscribers)->check(CLI::Range(1, 1000));
+  app.add_option("--only", options.only, "Only scenarios whose name has this");
+  app.add_option("--build", options.build, "Build folder with the daemon");
+  app.add_option("--other", options.other, "Compare with the daemon of this build folder");
+  app.add_option("--revision", options.revision, "What the table calls it");
+  app.add_option("--out", options.out, "Write the figures to this file, as JSON");
+  app.add_flag("--json", options.json, "Print them so, instead of a table");
+}
+
+/// A socket of each subscriber, at both ends.
+void allow_many_sockets() {
+  rlimit files{};
+  ::getrlimit(RLIMIT_NOFILE, &files);
+  files.rlim_cur = files.rlim_max;
+  ::setrlimit(RLIMIT_NOFILE, &files);
+}
+
+void measure(const bench::Scenario& scenario, const bench::Setup& setup, bench::Figures& figures) {
+  try {
+    scenario.measure(setup, figures);
+  } catch (const std::exception& e) {
+    std::cerr << "\nbench: " << scenario.name << ": " << e.what() << '\n';
+  }
+}
+
+/// Other and own in turn, so that both see the same moments of a busy machine.
+void compare(const bench::Scenario& scenario, const Options& options, const bench::Setup& setup,
+             bench::Figures& figures) {
+  bench::Setup own = setup;
+  own.with_references = false;
+  bench::Setup other = own;
+  other.build = options.other;
+  bench::Figures theirs;
+  bench::in_turn(setup.round, {[&] { measure(scenario, other, theirs); },
+                               [&] { measure(scenario, own, figures); }});
+  for (const auto& [name, value] : theirs.values) figures[bench::kOther + name] = value;
+  for (const auto& [name, why] : theirs.left_out) figures.left_out[bench::kOther + name] = why;
+}
+
+std::vector<bench::Figures> measure_rounds(const Options& options) {
+  std::vector<bench::Figures> rounds;
+  bench::Setup setup{.build = options.build,
+                     .reference = options.build,
+                     .seconds = options.seconds,
+                     .subscribers = options.subscribers};
+  const auto begun = Clock::now();
+  const auto passed_s = [&] { return std::chrono::duration<double>(Clock::now() - begun).count(); };
+  for (double longest_s = 0.0; setup.round < options.rounds; ++setup.round) {
+    const double start_s = passed_s();
+    if (!rounds.empty() && start_s + longest_s > options.limit_s) {
+      std::cerr << "\nbench: " << rounds.size() << " rounds, for more there is no time\n";
+      break;
+    }
+    bench::Figures& figures = rounds.emplace_back();
+    for (const bench::Scenario& scenario : bench::scenarios()) {
+      if (std::string(scenario.name).find(options.only) == std::string::npos) continue;
+      std::cerr << "\r\033[Kround " << setup.round + 1 << " of " << options.rounds << ": "
+                << scenario.name << std::flush;
+      if (options.other.empty())
+        measure(scenario, setup, figures);
+      else
+        compare(scenario, options, setup, figures);
+    }
+    longest_s = std::max(longest_s, passed_s() - start_s);
+  }
+  std::cerr << "\r\033[K";
+  return rounds;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app("Measures hedgehogd beside reference programs, in rounds");
+  add_options(app, options);
+  CLI11_PARSE(app, argc, argv);
+  std::signal(SIGPIPE, SIG_IGN);
+  allow_many_sockets();
+  const std::vector<bench::Figures> rounds = measure_rounds(options);
+  const auto rows =
+      options.other.empty() ? bench::reference_rows() : bench::comparison_rows(options.revision);
+  std::vector<bench::Result> results = bench::results(rows, rounds);
+  if (!options.only.empty())
+    std::erase_if(results, [](const bench::Result& one) { return one.is_incomplete(); });
+  const std::string json = bench::json_of(results, rounds.size(), options.seconds);
+  std::cout << (options.json ? json : bench::table_of(results));
+  if (!options.out.empty() && !(std::ofstream(options.out) << json)) {
+    std::cerr << "bench: cannot write " << options.out << '\n';
+    return EXIT_FAILURE;
+  }
+  const bool complete = std::none_of(results.begin(), results.end(),
+                                     [](const bench::Result& one) { return one.is_incomplete(); });
+  return complete && !results.empty() ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "daemon/device/tick_clock.h"
+#include "tests/bench/load/beside.h"
+#include "tests/bench/load/client.h"
+#include "tests/bench/load/crowd.h"
+#include "tests/bench/load/daemon.h"
+#include "tests/bench/load/scenarios.h"
+
+namespace hedgehog::bench {
+namespace {
+
+/// Milliseconds of device time, which are ticks, from sending a pulse to the tick that begins it.
+std::vector<double> pulse_delays(int port, double seconds) {
+  Client client(port);
+  client.answer(R"({"jsonrpc":"2.0","id":1,"method":"events.subscribe",)"
+                R"("params":{"types":["effect_started"]}})"
+                "\n");
+  std::minstd_rand random(7);
+  std::uniform_int_distribution<int> pause_us(2000, 6000);
+  std::vector<double> delays;
+  const std::int64_t until = device::monotonic_ns() + std::llround(seconds * 1e9);
+  while (device::monotonic_ns() < until || delays.empty()) {
+    // At any time of a tick.
+    std::this_thread::sleep_for(std::chrono::microseconds(pause_us(random)));
+    const std::int64_t sent_ns = device::monotonic_ns();
+    client.send(R"({"jsonrpc":"2.0","method":"effect.pulse",)"
+                R"("params":{"direction":"left","duration_ms":5,"current_a":1}})"
+                "\n");
+    const auto event = nlohmann::json::parse(client.line())["params"];
+    delays.push_back(1e-6 * static_cast<double>(event["time_ns"].get<std::int64_t>() - sent_ns));
+  }
+  return delays;
+}
+
+void add_pulses(const Daemon& daemon, const std::string& scenario, double seconds,
+                Figures& figures) {
+  pulse_delays(daemon.port(), kWarmUpShare * seconds);
+  const DelayHistogram before = daemon.histogram("request_to_coil_seconds");
+  const std::vector<double> delays = pulse_delays(daemon.port(), seconds);
+  const DelayHistogram own = daemon.histogram("request_to_coil_seconds").since(before);
+  figures[scenario + " p50_ticks"] = quantile(delays, 0.5);
+  figures[scenario + " p99_ticks"] = quantile(delays, 0.99);
+  figures[scenario + " own p50_ticks"] = 1e-3 * own.quantile_us(0.5);
+  figures[scenario + " own p99_ticks"] = 1e-3 * own.quantile_us(0.99);
+}
+
+}  // namespace
+
+void measure_pulse(const Setup& setup, Figures& figures) {
+  const Daemon daemon(setup.daemon());
+  add_pulses(daemon, "pulse", setup.seconds, figures);
+  Crowd crowd(daemon.port(), kCrowd, 1);
+  beside([&] { crowd.run(1.5 * setup.seconds); },
+         [&] { add_pulses(daemon, "busy pulse", setup.seconds, figures); });
+}
+
+}  // namespace hedgehog::bench
