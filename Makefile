@@ -50,7 +50,9 @@ help:
 	@echo 'make firmware-calibrated CALIBRATION=my-board.h  the image for a board of your own, with its measured figures'
 	@echo 'make firmware-guards  each guard of that image taken out once: a test must go red'
 	@echo 'make reference-board  the electrical rules of the driver board (firmware/board)'
-	@echo 'make bench      the benchmarks'
+	@echo 'make bench      the daemon beside reference programs, as one table (also build/bench.json), after benchmarks of its functions'
+	@echo 'make bench-compare REV=main  this tree beside another revision, in the same rounds'
+	@echo 'make instructions  instructions of each request and tick, within 2 % of what is written; make instructions-write writes them'
 	@echo 'make stress     all tests ROUNDS=5 times on a busy machine (half an hour a round and more)'
 	@echo 'make deps       install what is missing (Debian, Ubuntu: apt)'
 	@echo 'make clean      remove build/'
@@ -327,9 +329,28 @@ mutations: dev
 coverage: dev
 	@$(STAGE) coverage tests/mutations/coverage.sh
 
-bench: $(CONFIGURED_BENCH)
-	$(LOCK_BENCH) $(BUILD_BENCH) --target benchmarks
-	@set -e; for program in build/bench/tests/bench/bench_*; do "$$program" --benchmark_min_time=0.2; done
+# Functions first, then the daemon beside reference programs: ten minutes at most. ARGS: tests/bench/README.md.
+BENCH := build/bench/tests/bench
+bench: $(CONFIGURED_BENCH) build/.packages-bench build/.packages-stress
+	@$(LOCK_BENCH) $(BUILD_BENCH) --target benchmarks
+	@set -e; for program in $(BENCH)/bench_*; do "$$program" --benchmark_min_time=0.2; done
+	@$(BENCH)/rounds --out build/bench.json $(ARGS)
+
+# This tree's build beside that of revision REV.
+REV ?= HEAD
+.PHONY: bench-compare
+bench-compare: $(CONFIGURED_BENCH) build/.packages-bench build/.packages-stress
+	@$(LOCK_BENCH) $(BUILD_BENCH) --target rounds
+	@tests/bench/compare.sh $(REV) $(ARGS)
+
+# Instructions a request and a tick, against tests/bench/instructions/instructions.json.
+.PHONY: instructions instructions-write
+instructions: $(CONFIGURED_BENCH) build/.packages-bench
+	@$(LOCK_BENCH) $(BUILD_BENCH) --target instructions
+	@$(STAGE) 'instructions' tests/bench/instructions/check.sh $(BENCH)/instructions
+instructions-write: $(CONFIGURED_BENCH) build/.packages-bench
+	@$(LOCK_BENCH) $(BUILD_BENCH) --target instructions
+	@tests/bench/instructions/check.sh $(BENCH)/instructions --write
 
 # What waits most of the time goes on beside what computes; its output comes when it has ended. A stage that fails keeps
 # none of the others from being tried.
@@ -342,7 +363,7 @@ waiting:
 # Whose mutants have all been judged once; the other files of tests/mutations/scope.txt still have survivors.
 MUTATED := board_core.cpp heat_budget.h persistence.h thermal_limiter.cpp link.cpp
 computing:
-	$(call each_of,shipped 'guards ARGS=--third' firmware-guards "mutations ARGS='--changed $(MUTATED:%=--file %)'" coverage \
+	$(call each_of,shipped instructions 'guards ARGS=--third' firmware-guards "mutations ARGS='--changed $(MUTATED:%=--file %)'" coverage \
 	  faults-ci tsan asan 'fuzz FUZZ_SECONDS=10')
 
 checked:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Measures the daemon beside reference programs, or beside another revision's, in rounds.
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -58,11 +59,16 @@ void allow_many_sockets() {
   ::setrlimit(RLIMIT_NOFILE, &files);
 }
 
+/// Over what was shown before, where somebody looks.
+void show_progress(const std::string& text) {
+  if (::isatty(STDERR_FILENO) != 0) std::cerr << "\r\033[K" << text << std::flush;
+}
+
 void measure(const bench::Scenario& scenario, const bench::Setup& setup, bench::Figures& figures) {
   try {
     scenario.measure(setup, figures);
   } catch (const std::exception& e) {
-    std::cerr << "\nbench: " << scenario.name << ": " << e.what() << '\n';
+    std::cerr << "bench: " << scenario.name << ": " << e.what() << '\n';
   }
 }
 
@@ -91,14 +97,14 @@ std::vector<bench::Figures> measure_rounds(const Options& options) {
   for (double longest_s = 0.0; setup.round < options.rounds; ++setup.round) {
     const double start_s = passed_s();
     if (!rounds.empty() && start_s + longest_s > options.limit_s) {
-      std::cerr << "\nbench: " << rounds.size() << " rounds, for more there is no time\n";
+      std::cerr << "bench: " << rounds.size() << " rounds, for more there is no time\n";
       break;
     }
     bench::Figures& figures = rounds.emplace_back();
     for (const bench::Scenario& scenario : bench::scenarios()) {
       if (std::string(scenario.name).find(options.only) == std::string::npos) continue;
-      std::cerr << "\r\033[Kround " << setup.round + 1 << " of " << options.rounds << ": "
-                << scenario.name << std::flush;
+      show_progress("round " + std::to_string(setup.round + 1) + " of " +
+                    std::to_string(options.rounds) + ": " + scenario.name);
       if (options.other.empty())
         measure(scenario, setup, figures);
       else
@@ -106,7 +112,7 @@ std::vector<bench::Figures> measure_rounds(const Options& options) {
     }
     longest_s = std::max(longest_s, passed_s() - start_s);
   }
-  std::cerr << "\r\033[K";
+  show_progress("");
   return rounds;
 }
 

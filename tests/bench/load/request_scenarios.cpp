@@ -9,6 +9,7 @@
 #include "tests/bench/load/daemon.h"
 #include "tests/bench/load/scenarios.h"
 #include "tests/bench/load/server.h"
+#include "tests/temporary_folder.h"
 
 namespace hedgehog::bench {
 namespace {
@@ -48,7 +49,8 @@ void ping_gpsd(const Setup& setup, Figures& figures) {
   const std::string path = program_or_reason("gpsd", "ping gpsd p50_us", figures);
   if (path.empty()) return;
   const int port = free_port();
-  const Child server({path, "-N", "-n", "-S", std::to_string(port)});
+  const TemporaryFolder folder;
+  const Child server({path, "-N", "-S", std::to_string(port), "-F", folder.path("control")});
   Client client = connect_when_listening(port);
   client.line();
   add_round_trips(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reference server: sends each line back. `--parse`: as nlohmann/json parses and writes it. Prints
-// its port.
+// Reference server: sends each line back. `--parse`: parses it with nlohmann/json, and answers with
+// what that writes, a response to `ping`. Prints its port.
 #include <array>
 #include <boost/asio/awaitable.hpp>
 #include <boost/asio/buffer.hpp>
@@ -11,6 +11,7 @@
 #include <boost/asio/redirect_error.hpp>
 #include <boost/asio/use_awaitable.hpp>
 #include <boost/asio/write.hpp>
+#include <cstdint>
 #include <cstdlib>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -24,13 +25,18 @@ using asio::ip::tcp;
 using boost::system::error_code;
 
 constexpr std::size_t kReadBytes = 16 * 1024;
+constexpr std::int64_t kAnyTimeNs = 273'660'123'456'789;
 
 /// Appends what `line`, without its LF, is answered with.
 void answer(std::string_view line, bool parse, std::string& out) {
-  if (parse)
-    out += nlohmann::json::parse(line).dump();
-  else
+  if (parse) {
+    const nlohmann::json request = nlohmann::json::parse(line);
+    const nlohmann::json response{
+        {"jsonrpc", "2.0"}, {"id", request.at("id")}, {"result", {{"time_ns", kAnyTimeNs}}}};
+    out += response.dump();
+  } else {
     out += line;
+  }
   out += '\n';
 }
 

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// Carries out one thing again and again inside the process: server, controller, link and simulated
+// board on virtual time, no socket, no thread. `instructions WHAT TIMES`; callgrind counts what
+// `hedgehog_counted` calls (check.sh).
+#include <cstdlib>
+#include <functional>
+#include <iostream>
+#include <map>
+#include <string>
+
+#include "tests/server/server_rig.h"
+
+/// A name that callgrind's --toggle-collect finds.
+extern "C" [[gnu::noinline]] void hedgehog_counted(const std::function<void()>& once) { once(); }
+
+namespace hedgehog::server {
+namespace {
+
+constexpr int kWarmUp = 100;
+/// Ticks until a pulse of 5 ms has ended and its place is free again.
+constexpr int kPulseTicks = 10;
+
+constexpr const char* kPing = R"({"jsonrpc":"2.0","id":1,"method":"ping"})";
+constexpr const char* kStatus = R"({"jsonrpc":"2.0","id":1,"method":"device.status"})";
+constexpr const char* kPulse = R"({"jsonrpc":"2.0","id":1,"method":"effect.pulse",)"
+                               R"("params":{"direction":"left","current_a":5,"duration_ms":5}})";
+constexpr const char* kHold = R"({"jsonrpc":"2.0","id":1,"method":"effect.hold",)"
+                              R"("params":{"direction":[1,2,3],"current_a":5,"lease_ms":10000}})";
+constexpr const char* kSubscribe =
+    R"({"jsonrpc":"2.0","id":1,"method":"telemetry.subscribe",)"
+    R"("params":{"rate_hz":100,"fields":["state","temperature_c","current_a"]}})";
+
+class Counting {
+ public:
+  void requests(const char* line, int ticks) {
+    count_if_wanted([&] { rig_.server->line(client_.session, line); });
+    for (int i = 0; i < ticks; ++i) tick([&](auto run) { run(); }, [&](auto pump) { pump(); });
+    client_.lines.clear();
+  }
+  void control_tick() {
+    tick([&](auto run) { count_if_wanted(run); }, [&](auto pump) { pump(); });
+  }
+  void server_pump() {
+    tick([&](auto run) { run(); }, [&](auto pump) { count_if_wanted(pump); });
+    client_.lines.clear();
+  }
+  void send(const char* line) {
+    rig_.server->line(client_.session, line);
+    client_.lines.clear();
+  }
+  void count() { counts_ = true; }
+  bool is_armed() const { return rig_.device_view->now().state == control::State::kArmed; }
+
+ private:
+  void count_if_wanted(const std::function<void()>& once) {
+    if (counts_)
+      hedgehog_counted(once);
+    else
+      once();
+  }
+  template <class Run, class Pump>
+  void tick(Run run, Pump pump) {
+    run([&] { rig_.control->run(++tick_, 0, {}); });
+    rig_.world.step();
+    pump([&] { rig_.server->pump(); });
+  }
+
+  ServerRig rig_;
+  FakeClient& client_ = rig_.connect();
+  model::Tick tick_ = 1000;
+  bool counts_ = false;
+};
+
+/// What can be counted, once.
+const std::map<std::string, std::function<void(Counting&)>>& things() {
+  static const std::map<std::string, std::function<void(Counting&)>> kAll{
+      {"ping", [](Counting& c) { c.requests(kPing, 0); }},
+      {"device.status", [](Counting& c) { c.requests(kStatus, 0); }},
+      {"effect.pulse", [](Counting& c) { c.requests(kPulse, kPulseTicks); }},
+      {"tick", [](Counting& c) { c.control_tick(); }},
+      {"pump", [](Counting& c) { c.server_pump(); }},
+  };
+  return kAll;
+}
+
+int run(const std::string& what, int times) {
+  const auto found = things().find(what);
+  if (found == things().end() || times < 1) {
+    std::cerr << "instructions WHAT TIMES; WHAT:";
+    for (const auto& [name, once] : things()) std::cerr << ' ' << name;
+    std::cerr << '\n';
+    return EXIT_FAILURE;
+  }
+  Counting counting;
+  // A ball that pushes and a client that watches, which is what ticks and pumps are for.
+  if (what == "tick") counting.send(kHold);
+  if (what == "pump") counting.send(kSubscribe);
+  for (int i = 0; i < kWarmUp; ++i) found->second(counting);
+  counting.count();
+  for (int i = 0; i < times; ++i) found->second(counting);
+  if (!counting.is_armed()) std::cerr << "instructions: the ball is not armed any more\n";
+  return counting.is_armed() ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+}  // namespace
+}  // namespace hedgehog::server
+
+int main(int argc, char** argv) {
+  return hedgehog::server::run(argc == 3 ? argv[1] : "", argc == 3 ? std::atoi(argv[2]) : 0);
+}
