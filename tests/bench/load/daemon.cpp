@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/bench/load/daemon.h"
 
+#include <nlohmann/json.hpp>
+
 #include "tests/bench/load/client.h"
 
 namespace hedgehog::bench {
@@ -19,6 +21,15 @@ Daemon::Daemon(const std::string& program) {
     if (address.starts_with(tcp)) port_ = std::stoi(address.substr(tcp.size()));
     if (address.starts_with(http)) http_port_ = std::stoi(address.substr(http.size()));
   }
+}
+
+Daemon::Lateness Daemon::lateness() const {
+  Client client(port_);
+  const auto status =
+      nlohmann::json::parse(client.answer(R"({"jsonrpc":"2.0","id":1,"method":"device.status"})"
+                                          "\n"));
+  const auto& late_us = status.at("result").at("loop").at("lateness_us");
+  return {late_us.at("p50").get<double>(), late_us.at("p99").get<double>()};
 }
 
 DelayHistogram Daemon::histogram(const std::string& name) const {

@@ -2,6 +2,7 @@
 // A daemon on the simulator, as it is started for one measurement.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "tests/bench/load/child.h"
@@ -18,6 +19,13 @@ class Daemon {
   int port() const noexcept { return port_; }
   const Child& process() const noexcept { return *process_; }
   Child& process() noexcept { return *process_; }
+  /// Lateness of the control loop's ticks since the start, as of its last sum, at most a second
+  /// ago.
+  struct Lateness {
+    double p50_us = 0.0;
+    double p99_us = 0.0;
+  };
+  Lateness lateness() const;
   /// A histogram of /metrics since the start, without the prefix of its name.
   DelayHistogram histogram(const std::string& name) const;
 

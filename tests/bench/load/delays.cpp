@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
@@ -15,6 +16,23 @@ double quantile(std::vector<double> delays, double q) {
   const auto at = delays.begin() + static_cast<std::ptrdiff_t>(q * last);
   std::nth_element(delays.begin(), at, delays.end());
   return *at;
+}
+
+double quantile_us(const std::string& counts, double q) {
+  std::map<double, double> by_us;
+  double total = 0.0;
+  std::istringstream lines(counts);
+  for (std::string line; std::getline(lines, line);) {
+    double us = 0.0;
+    double count = 0.0;
+    if (line.starts_with('#') || !(std::istringstream(line) >> us >> count)) continue;
+    by_us[us] += count;
+    total += count;
+  }
+  double sum = 0.0;
+  for (const auto& [us, count] : by_us)
+    if ((sum += count) >= q * total) return us + 1.0;
+  throw std::runtime_error("a histogram without counts");
 }
 
 DelayHistogram::DelayHistogram(const std::string& page, const std::string& name) {
@@ -38,24 +56,6 @@ DelayHistogram DelayHistogram::since(const DelayHistogram& earlier) const {
   for (std::size_t i = 0; i < counts_.size(); ++i) rest.counts_[i] -= earlier.counts_[i];
   rest.sum_s_ -= earlier.sum_s_;
   return rest;
-}
-
-DelayHistogram DelayHistogram::like_this(const std::string& text) const {
-  DelayHistogram filled = *this;
-  std::fill(filled.counts_.begin(), filled.counts_.end(), 0.0);
-  filled.sum_s_ = 0.0;
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
-    double us = 0.0;
-    double count = 0.0;
-    if (line.starts_with('#') || !(std::istringstream(line) >> us >> count)) continue;
-    // A count of whole microseconds has those up to the next one.
-    const double seconds = (us + 0.5) * 1e-6;
-    const auto bucket = std::lower_bound(upper_s_.begin(), upper_s_.end() - 1, seconds);
-    filled.counts_[static_cast<std::size_t>(bucket - upper_s_.begin())] += count;
-    filled.sum_s_ += seconds * count;
-  }
-  return filled;
 }
 
 double DelayHistogram::count() const {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Quantiles: of delays that were measured one by one, and of histograms with buckets as wide as
-// those of /metrics.
+// Quantiles: of delays that were measured one by one, and of histograms.
 #pragma once
 
 #include <string>
@@ -11,8 +10,11 @@ namespace hedgehog::bench {
 /// Of all `delays`, which may be in any order; 0 without any. `q` 0..1.
 double quantile(std::vector<double> delays, double q);
 
-/// Counts by seconds. Quantiles are interpolated within a bucket, so those of two histograms can be
-/// compared only if they have the same bounds.
+/// Of the lines "US COUNT" of a text (cyclictest --histogram), in us: the end of that microsecond,
+/// as the daemon's status has it.
+double quantile_us(const std::string& counts, double q);
+
+/// Counts by seconds.
 class DelayHistogram {
  public:
   /// `name` of a page of metrics in Prometheus' text form.
@@ -20,9 +22,8 @@ class DelayHistogram {
 
   /// What was counted since `earlier`.
   DelayHistogram since(const DelayHistogram& earlier) const;
-  /// The lines "US COUNT" of a text (cyclictest --histogram), in buckets like these.
-  DelayHistogram like_this(const std::string& text) const;
 
+  /// Interpolated within a bucket, whose bounds are far apart.
   double quantile_us(double q) const;
   double count() const;
   double mean_us() const { return count() > 0.0 ? sum_s_ * 1e6 / count() : 0.0; }

@@ -41,25 +41,29 @@ std::vector<std::string> cyclictest(double seconds) {
   return words;
 }
 
-/// The daemon's loop and cyclictest's in the same time.
+/// The status has the lateness of ticks until so long ago.
+constexpr double kSumS = 1.1;
+/// The daemon's start under stress.
+constexpr double kStartS = 0.5;
+
+/// The daemon's loop, since it was started, and cyclictest's in the same time.
 void add_lateness(const std::string& scenario, const Daemon& daemon, const Setup& setup,
                   Figures& figures) {
   const bool beside_cyclictest = setup.with_references && !installed("cyclictest").empty();
-  const DelayHistogram before = daemon.histogram("tick_lateness_seconds");
-  std::string text;
+  std::string counts;
   if (beside_cyclictest)
-    text = Child(cyclictest(setup.seconds)).finish();
+    counts = Child(cyclictest(setup.seconds + kSumS)).finish();
   else
-    wait(setup.seconds);
-  const DelayHistogram late = daemon.histogram("tick_lateness_seconds").since(before);
-  const DelayHistogram reference = late.like_this(text);
-  for (const auto& [name, q] : {std::pair{" p50_us", 0.5}, std::pair{" p99_us", 0.99}}) {
-    figures[scenario + " daemon" + name] = late.quantile_us(q);
-    const std::string of_reference = scenario + " cyclictest" + name;
+    wait(setup.seconds + kSumS);
+  const Daemon::Lateness late = daemon.lateness();
+  figures[scenario + " daemon p50_us"] = late.p50_us;
+  figures[scenario + " daemon p99_us"] = late.p99_us;
+  for (const auto& [name, q] : {std::pair{"p50_us", 0.5}, std::pair{"p99_us", 0.99}}) {
+    const std::string figure = scenario + " cyclictest " + name;
     if (beside_cyclictest)
-      figures[of_reference] = reference.quantile_us(q);
+      figures[figure] = quantile_us(counts, q);
     else
-      figures.left_out[of_reference] = "cyclictest is not installed (rt-tests)";
+      figures.left_out[figure] = "cyclictest is not installed (rt-tests)";
   }
 }
 
@@ -97,21 +101,20 @@ void measure_lateness(const Setup& setup, Figures& figures) {
 void measure_lateness_under_requests(const Setup& setup, Figures& figures) {
   const Daemon daemon(setup.daemon());
   Crowd crowd(daemon.port(), kCrowd, 1);
-  beside([&] { crowd.run(1.2 * setup.seconds); },
+  beside([&] { crowd.run(setup.seconds + kSumS); },
          [&] { add_lateness("requests lateness", daemon, setup, figures); });
 }
 
 void measure_lateness_under_stress(const Setup& setup, Figures& figures) {
-  const Daemon daemon(setup.daemon());
   if (installed("stress-ng").empty()) {
     for (const char* figure : {"daemon p50_us", "daemon p99_us"})
       figures.left_out[std::string("stress lateness ") + figure] = "stress-ng is not installed";
     return;
   }
-  const long seconds = std::lround(std::ceil(1.2 * setup.seconds));
+  const long seconds = std::lround(std::ceil(setup.seconds + kSumS + kStartS));
   Child stress({"stress-ng", "--quiet", "--cpu", "4", "--io", "2", "--timeout",
                 std::to_string(seconds) + "s"});
-  add_lateness("stress lateness", daemon, setup, figures);
+  add_lateness("stress lateness", Daemon(setup.daemon()), setup, figures);
   stress.finish();
 }
 

@@ -2,6 +2,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "tests/bench/load/child.h"
 #include "tests/bench/load/client.h"
@@ -37,7 +38,14 @@ void ping(const std::string& name, const Child& server, int port, double seconds
       name, server, seconds, [&] { client.answer(kPing); }, figures);
 }
 
-/// Clear words for what is not there.
+/// The same command with nothing on stderr.
+std::vector<std::string> quiet(std::vector<std::string> words) {
+  const std::vector<std::string> shell{"sh", "-c", R"(exec "$0" "$@" 2>/dev/null)"};
+  words.insert(words.begin(), shell.begin(), shell.end());
+  return words;
+}
+
+/// Empty: the program is not installed.
 std::string program_or_reason(const std::string& program, const std::string& figure,
                               Figures& figures) {
   const std::string path = installed(program);
@@ -50,7 +58,7 @@ void ping_gpsd(const Setup& setup, Figures& figures) {
   if (path.empty()) return;
   const int port = free_port();
   const TemporaryFolder folder;
-  const Child server({path, "-N", "-S", std::to_string(port), "-F", folder.path("control")});
+  const Child server(quiet({path, "-N", "-S", std::to_string(port), "-F", folder.path("control")}));
   Client client = connect_when_listening(port);
   client.line();
   add_round_trips(
@@ -61,7 +69,7 @@ void ping_mosquitto(const Setup& setup, Figures& figures) {
   const std::string path = program_or_reason("mosquitto", "ping mosquitto p50_us", figures);
   if (path.empty()) return;
   const int port = free_port();
-  const Child server({path, "-p", std::to_string(port)});
+  const Child server(quiet({path, "-p", std::to_string(port)}));
   Client client = connect_when_listening(port);
   // MQTT 3.1.1: CONNECT of client "b" with a keep-alive of a minute; CONNACK has four bytes.
   using namespace std::string_view_literals;

@@ -79,7 +79,7 @@ std::vector<Result> results(const std::vector<Row>& rows, const std::vector<Figu
 }
 
 std::string table_of(const std::vector<Result>& results) {
-  constexpr const char* kLine = "{:<38}{:>9} {:<5}{:>9}  {:<14}{:<20}{:<10}{}\n";
+  constexpr const char* kLine = "{:<38}{:>9} {:<5}{:>9}  {:<14}{:<22}{:<10}{}\n";
   std::string text =
       fmt::format(kLine, "measure", "ours", "unit", "theirs", "of", "ratio (range)", "goal", "");
   for (const Result& one : results) {

@@ -46,7 +46,6 @@ std::vector<double> rare_pings(Client& client, double seconds) {
 
 void subscribe_to_daemon(const Setup& setup, Figures& figures) {
   const Daemon daemon(setup.daemon());
-  const DelayHistogram before = daemon.histogram("tick_lateness_seconds");
   Client client(daemon.port());
   Subscribers subscribers(daemon.port(), setup.subscribers);
   subscribers.run(setup.seconds);
@@ -54,8 +53,7 @@ void subscribe_to_daemon(const Setup& setup, Figures& figures) {
   beside([&] { took_s = rare_pings(client, 2.0 * setup.seconds); },
          [&] { add_subscribers("daemon", daemon.process(), subscribers, setup, figures); });
   figures["subscribers daemon ping_us"] = 1e6 * quantile(took_s, 0.5);
-  figures["subscribers daemon lateness_p99_us"] =
-      daemon.histogram("tick_lateness_seconds").since(before).quantile_us(0.99);
+  figures["subscribers daemon lateness_p99_us"] = daemon.lateness().p99_us;
 }
 
 void subscribe_to_sender(const Setup& setup, Figures& figures) {
