@@ -64,11 +64,16 @@ void show_progress(const std::string& text) {
   if (::isatty(STDERR_FILENO) != 0) std::cerr << "\r\033[K" << text << std::flush;
 }
 
+/// A machine that is busy elsewhere may hold a program up for so long that it gives up: once more.
+constexpr int kAttempts = 2;
+
 void measure(const bench::Scenario& scenario, const bench::Setup& setup, bench::Figures& figures) {
-  try {
-    scenario.measure(setup, figures);
-  } catch (const std::exception& e) {
-    std::cerr << "bench: " << scenario.name << ": " << e.what() << '\n';
+  for (int attempt = 1; attempt <= kAttempts; ++attempt) {
+    try {
+      return scenario.measure(setup, figures);
+    } catch (const std::exception& e) {
+      std::cerr << "bench: " << scenario.name << ": " << e.what() << '\n';
+    }
   }
 }
 
