@@ -6,6 +6,19 @@
 #include "tests/bench/load/client.h"
 
 namespace hedgehog::bench {
+namespace {
+
+nlohmann::json call(int port, const std::string& method) {
+  Client client(port);
+  return nlohmann::json::parse(
+      client.answer(R"({"jsonrpc":"2.0","id":1,"method":")" + method + "\"}\n"));
+}
+
+Daemon::Quantiles quantiles_of(const nlohmann::json& us) {
+  return {us.at("p50").get<double>(), us.at("p99").get<double>()};
+}
+
+}  // namespace
 
 Daemon::Daemon(const std::string& program) {
   home_.write("config/hedgehog/hedgehogd.json", R"({"connections":{"max":1024}})");
@@ -23,13 +36,16 @@ Daemon::Daemon(const std::string& program) {
   }
 }
 
-Daemon::Lateness Daemon::lateness() const {
-  Client client(port_);
-  const auto status =
-      nlohmann::json::parse(client.answer(R"({"jsonrpc":"2.0","id":1,"method":"device.status"})"
-                                          "\n"));
-  const auto& late_us = status.at("result").at("loop").at("lateness_us");
-  return {late_us.at("p50").get<double>(), late_us.at("p99").get<double>()};
+Daemon::Quantiles Daemon::lateness() const {
+  return quantiles_of(call(port_, "device.status").at("result").at("loop").at("lateness_us"));
+}
+
+Daemon::Quantiles Daemon::request_to_board() const {
+  const nlohmann::json response = call(port_, "effect.latency");
+  if (response.contains("result"))
+    return quantiles_of(response["result"].at("received_to_written_us"));
+  const DelayHistogram delays = histogram("request_to_coil_seconds");
+  return {delays.quantile_us(0.5), delays.quantile_us(0.99)};
 }
 
 DelayHistogram Daemon::histogram(const std::string& name) const {

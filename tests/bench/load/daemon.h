@@ -19,13 +19,16 @@ class Daemon {
   int port() const noexcept { return port_; }
   const Child& process() const noexcept { return *process_; }
   Child& process() noexcept { return *process_; }
-  /// Lateness of the control loop's ticks since the start, as of its last sum, at most a second
-  /// ago.
-  struct Lateness {
+  struct Quantiles {
     double p50_us = 0.0;
     double p99_us = 0.0;
   };
-  Lateness lateness() const;
+  /// Lateness of the control loop's ticks since the start, as of its last sum, a second ago at
+  /// most.
+  Quantiles lateness() const;
+  /// From reading a request to the board: of the newest effects by `effect.latency`; of a daemon
+  /// that does not have this method, by its histogram.
+  Quantiles request_to_board() const;
   /// A histogram of /metrics since the start, without the prefix of its name.
   DelayHistogram histogram(const std::string& name) const;
 

@@ -55,7 +55,7 @@ void add_lateness(const std::string& scenario, const Daemon& daemon, const Setup
     counts = Child(cyclictest(setup.seconds + kSumS)).finish();
   else
     wait(setup.seconds + kSumS);
-  const Daemon::Lateness late = daemon.lateness();
+  const Daemon::Quantiles late = daemon.lateness();
   figures[scenario + " daemon p50_us"] = late.p50_us;
   figures[scenario + " daemon p99_us"] = late.p99_us;
   for (const auto& [name, q] : {std::pair{"p50_us", 0.5}, std::pair{"p99_us", 0.99}}) {

@@ -18,6 +18,8 @@
 namespace hedgehog::bench {
 namespace {
 
+constexpr double kTickUs = 1000.0;
+
 /// Milliseconds of device time, which are ticks, from sending a pulse to the tick that begins it.
 std::vector<double> pulse_delays(int port, double seconds) {
   Client client(port);
@@ -43,23 +45,21 @@ std::vector<double> pulse_delays(int port, double seconds) {
 
 void add_pulses(const Daemon& daemon, const std::string& scenario, double seconds,
                 Figures& figures) {
-  pulse_delays(daemon.port(), kWarmUpShare * seconds);
-  const DelayHistogram before = daemon.histogram("request_to_coil_seconds");
   const std::vector<double> delays = pulse_delays(daemon.port(), seconds);
-  const DelayHistogram own = daemon.histogram("request_to_coil_seconds").since(before);
+  const Daemon::Quantiles own = daemon.request_to_board();
   figures[scenario + " p50_ticks"] = quantile(delays, 0.5);
   figures[scenario + " p99_ticks"] = quantile(delays, 0.99);
-  figures[scenario + " own p50_ticks"] = 1e-3 * own.quantile_us(0.5);
-  figures[scenario + " own p99_ticks"] = 1e-3 * own.quantile_us(0.99);
+  figures[scenario + " own p50_ticks"] = own.p50_us / kTickUs;
+  figures[scenario + " own p99_ticks"] = (own.p99_us - daemon.lateness().p99_us) / kTickUs;
 }
 
 }  // namespace
 
 void measure_pulse(const Setup& setup, Figures& figures) {
+  add_pulses(Daemon(setup.daemon()), "pulse", setup.seconds, figures);
   const Daemon daemon(setup.daemon());
-  add_pulses(daemon, "pulse", setup.seconds, figures);
   Crowd crowd(daemon.port(), kCrowd, 1);
-  beside([&] { crowd.run(1.5 * setup.seconds); },
+  beside([&] { crowd.run(1.2 * setup.seconds); },
          [&] { add_pulses(daemon, "busy pulse", setup.seconds, figures); });
 }
 
