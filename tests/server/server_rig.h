@@ -105,7 +105,7 @@ class ServerRig {
   PatternLibrary patterns{shelf, {}};
   /// What the history's files would have.
   std::string history_lines;
-  EventHistory history{[this](HistoryPart, std::string lines, bool) {
+  EventHistory history{[this](HistoryPart, const std::string& lines, bool) {
                          history_lines += lines;
                          return done_work();
                        },

@@ -32,6 +32,7 @@ Child::Child(std::vector<std::string> words, const std::vector<std::string>& var
   if (::pipe2(in.data(), O_CLOEXEC) != 0 || ::pipe2(out.data(), O_CLOEXEC) != 0)
     throw std::runtime_error("no pipe for " + name_);
   std::vector<char*> argv;
+  argv.reserve(words.size() + 1);
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
   const pid_t parent = ::getpid();
@@ -126,8 +127,7 @@ std::string installed(const std::string& program) {
   const char* path = std::getenv("PATH");
   std::istringstream folders(std::string(path != nullptr ? path : "") + ":/usr/sbin");
   for (std::string folder; std::getline(folders, folder, ':');)
-    if (const std::string file = folder + "/" + program; ::access(file.c_str(), X_OK) == 0)
-      return file;
+    if (std::string file = folder + "/" + program; ::access(file.c_str(), X_OK) == 0) return file;
   return {};
 }
 

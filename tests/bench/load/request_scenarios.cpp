@@ -48,7 +48,7 @@ std::vector<std::string> quiet(std::vector<std::string> words) {
 /// Empty: the program is not installed.
 std::string program_or_reason(const std::string& program, const std::string& figure,
                               Figures& figures) {
-  const std::string path = installed(program);
+  std::string path = installed(program);
   if (path.empty()) figures.left_out[figure] = program + " is not installed";
   return path;
 }
