@@ -16,6 +16,7 @@
 #include "tests/bench/load/crowd.h"
 #include "tests/bench/load/daemon.h"
 #include "tests/bench/load/scenarios.h"
+#include "tests/temporary_folder.h"
 
 namespace hedgehog::bench {
 namespace {
@@ -26,19 +27,26 @@ constexpr int kPlayers = 2;
 
 void wait(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
 
+/// Why cyclictest, which needs a real-time priority, cannot run here; empty: it can.
+std::string cyclictest_blocker() {
+  if (installed("cyclictest").empty()) return "cyclictest is not installed (rt-tests)";
+  rlimit priority{};
+  ::getrlimit(RLIMIT_RTPRIO, &priority);
+  const bool allowed =
+      ::geteuid() == 0 || priority.rlim_cur >= static_cast<rlim_t>(device::kControlPriority);
+  return allowed ? "" : "cyclictest may not run here (ulimit -r)";
+}
+
+/// With the control thread's priority.
 std::vector<std::string> cyclictest(double seconds) {
-  std::vector<std::string> words{
-      "cyclictest",      "--quiet",
-      "--interval=1000", "--histogram=20000",
-      "--threads=1",     "--loops=" + std::to_string(std::lround(seconds * 1000.0))};
-  // As the control thread, which gets what the system allows.
-  rlimit realtime{};
-  ::getrlimit(RLIMIT_RTPRIO, &realtime);
-  if (::geteuid() == 0 || realtime.rlim_cur >= rlim_t{device::kControlPriority}) {
-    words.push_back("--priority=" + std::to_string(device::kControlPriority));
-    words.push_back("--mlockall");
-  }
-  return words;
+  return {"cyclictest",
+          "--quiet",
+          "--mlockall",
+          "--threads=1",
+          "--interval=1000",
+          "--histogram=20000",
+          "--priority=" + std::to_string(device::kControlPriority),
+          "--loops=" + std::to_string(std::lround(seconds * 1000.0))};
 }
 
 /// The status has the lateness of ticks until so long ago.
@@ -49,7 +57,8 @@ constexpr double kStartS = 0.5;
 /// The daemon's loop, since it was started, and cyclictest's in the same time.
 void add_lateness(const std::string& scenario, const Daemon& daemon, const Setup& setup,
                   Figures& figures) {
-  const bool beside_cyclictest = setup.with_references && !installed("cyclictest").empty();
+  const std::string blocker = cyclictest_blocker();
+  const bool beside_cyclictest = setup.with_references && blocker.empty();
   std::string counts;
   if (beside_cyclictest)
     counts = Child(cyclictest(setup.seconds + kSumS)).finish();
@@ -63,7 +72,7 @@ void add_lateness(const std::string& scenario, const Daemon& daemon, const Setup
     if (beside_cyclictest)
       figures[figure] = quantile_us(counts, q);
     else
-      figures.left_out[figure] = "cyclictest is not installed (rt-tests)";
+      figures.left_out[figure] = blocker;
   }
 }
 
@@ -112,8 +121,9 @@ void measure_lateness_under_stress(const Setup& setup, Figures& figures) {
     return;
   }
   const long seconds = std::lround(std::ceil(setup.seconds + kSumS + kStartS));
-  Child stress({"stress-ng", "--quiet", "--cpu", "4", "--io", "2", "--timeout",
-                std::to_string(seconds) + "s"});
+  const TemporaryFolder folder;
+  Child stress({"stress-ng", "--quiet", "--cpu", "4", "--io", "2", "--temp-path", folder.path(),
+                "--timeout", std::to_string(seconds) + "s"});
   add_lateness("stress lateness", Daemon(setup.daemon()), setup, figures);
   stress.finish();
 }
