@@ -127,7 +127,7 @@ PKG_CONFIG_PATH=$config PYTHONDONTWRITEBYTECODE=1 python3 "$source/tests/sdk/new
 without=$(printf ' -DCMAKE_DISABLE_FIND_PACKAGE_%s=ON' CLI11 spdlog PkgConfig GTest rapidcheck benchmark)
 # shellcheck disable=SC2086
 cmake --no-warn-unused-cli -S "$source/tests/install/game" -B "$work/subproject" -G Ninja -DGAME_SOURCE="$work/game.cpp" \
-  -DHEDGEHOG_SUBPROJECT="$source" $without >"$work/cmake.log" || { cat "$work/cmake.log"; exit 1; }
+  -DHEDGEHOG_SUBPROJECT="$source" -DHEDGEHOG_UNITY=ON $without >"$work/cmake.log" || { cat "$work/cmake.log"; exit 1; }
 cmake --build "$work/subproject" --target game >"$work/cmake.log" || { tail -30 "$work/cmake.log"; exit 1; }
 felt "add_subdirectory" "$work/subproject/game"
 

@@ -26,7 +26,14 @@ case ${1-} in
     program=$here/$1.mjs
     shift
     exec node "$program" "$@" ;;
-  test) exec node --test "--test-timeout=$patience_ms" --test-reporter=spec "--test-name-pattern=${3-.}" "$here/$2.test.mjs" ;;
+  test)
+    counts=$(mktemp)
+    trap 'rm -f "$counts"' EXIT
+    node --test "--test-timeout=$patience_ms" --test-reporter=spec --test-reporter-destination=stdout \
+      --test-reporter=tap "--test-reporter-destination=$counts" "--test-name-pattern=${3-.}" "$here/$2.test.mjs"
+    # A pattern that no name has runs nothing, and node calls that a success.
+    grep -q '^# pass [1-9]' "$counts" || { echo "run.sh: no test of $2 is named '${3-.}'" >&2; exit 64; }
+    exit ;;
   *) echo "run.sh: $1?" >&2; exit 64 ;;
 esac
 HEDGEHOG_FIRMWARE_COVERAGE=$(mktemp -d)
