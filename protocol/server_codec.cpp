@@ -143,7 +143,25 @@ std::string joined(const std::vector<std::string>& values) {
   return out;
 }
 
-std::string answer(const Id& id) { return "{\"jsonrpc\":\"2.0\",\"id\":" + id.json; }
+/// The start of an answer, with the memory that most of them need.
+std::string answer(const Id& id) {
+  constexpr std::size_t kMostBytes = 240;
+  std::string out;
+  out.reserve(kMostBytes);
+  out += R"({"jsonrpc":"2.0","id":)";
+  out += id.json;
+  return out;
+}
+
+void append_result(std::string& out, const ResultValue& result) {
+  if (const auto* hello = std::get_if<HelloResult>(&result); hello && hello->methods.empty()) {
+    HelloResult filled = *hello;
+    for (const MethodInfo& row : kMethods) filled.methods.emplace_back(row.name);
+    append(out, filled);
+  } else {
+    std::visit([&](const auto& value) { append(out, value); }, result);
+  }
+}
 
 }  // namespace
 
@@ -181,11 +199,16 @@ Incoming decode_line(std::string_view line) {
 }
 
 std::string encode_result(const Id& id, const ResultValue& result) {
-  return encode_encoded(id, encode_value(result));
+  std::string out = answer(id);
+  out += ",\"result\":";
+  append_result(out, result);
+  out += '}';
+  return out;
 }
 
 std::string encode_encoded(const Id& id, std::string_view value) {
-  std::string out = answer(id) + ",\"result\":";
+  std::string out = answer(id);
+  out += ",\"result\":";
   out += value;
   out += '}';
   return out;
@@ -193,18 +216,13 @@ std::string encode_encoded(const Id& id, std::string_view value) {
 
 std::string encode_value(const ResultValue& result) {
   std::string out;
-  if (const auto* hello = std::get_if<HelloResult>(&result); hello && hello->methods.empty()) {
-    HelloResult filled = *hello;
-    for (const MethodInfo& row : kMethods) filled.methods.emplace_back(row.name);
-    append(out, filled);
-  } else {
-    std::visit([&](const auto& value) { append(out, value); }, result);
-  }
+  append_result(out, result);
   return out;
 }
 
 std::string encode_error(const Id& id, const RpcError& error) {
-  std::string out = answer(id) + ",\"error\":{\"code\":";
+  std::string out = answer(id);
+  out += ",\"error\":{\"code\":";
   out += std::to_string(static_cast<int>(error.code));
   out += ",\"message\":";
   append_string(out, error.message);

@@ -8,6 +8,7 @@
 
 #include "base/nul_byte.h"
 #include "protocol/wire/names.h"
+#include "protocol/wire/plain_json.h"
 
 namespace hedgehog::protocol {
 namespace {
@@ -116,6 +117,7 @@ std::string_view Json::kind() const noexcept {
 }
 
 Result<Json> parse_json(std::string_view text, std::size_t max_nesting) {
+  if (auto plain = parse_plain_json(text, max_nesting)) return *std::move(plain);
   Builder builder(max_nesting);
   const auto nul = base::first_nul(text);
   const bool good = nul ? builder.refuse("it has a NUL at byte " + std::to_string(*nul + 1))

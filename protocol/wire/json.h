@@ -44,5 +44,6 @@ std::string to_text(const Json& json);
 /// not finite null; a number is the shortest text that reads back the same.
 void append_string(std::string& out, std::string_view text);
 void append_number(std::string& out, double number);
+void append_integer(std::string& out, std::int64_t number);
 
 }  // namespace hedgehog::protocol

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -51,12 +52,21 @@ void append_control(std::string& out, unsigned char c) {
   }
 }
 
+/// Bytes at the start of `text` that stand for themselves in a JSON string.
+std::size_t plain_length(std::string_view text) noexcept {
+  const auto* const end = std::find_if(text.begin(), text.end(), [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte < 0x20 || byte >= 0x80 || c == '"' || c == '\\';
+  });
+  return static_cast<std::size_t>(end - text.begin());
+}
+
 struct Appender {
   std::string& out;
 
   void operator()(std::nullptr_t) const { out += "null"; }
   void operator()(bool value) const { out += value ? "true" : "false"; }
-  void operator()(std::int64_t value) const { out += std::to_string(value); }
+  void operator()(std::int64_t value) const { append_integer(out, value); }
   void operator()(double value) const { append_number(out, value); }
   void operator()(const std::string& value) const { append_string(out, value); }
   void operator()(const Json::List& list) const {
@@ -85,7 +95,11 @@ struct Appender {
 
 void append_string(std::string& out, std::string_view text) {
   out += '"';
-  while (!text.empty()) {
+  for (;;) {
+    const std::size_t plain = plain_length(text);
+    out += text.substr(0, plain);
+    text.remove_prefix(plain);
+    if (text.empty()) break;
     const std::size_t length = utf8_length(text);
     const auto c = static_cast<unsigned char>(text.front());
     if (length == 0) {
@@ -110,10 +124,17 @@ void append_number(std::string& out, double number) {
   }
   constexpr double kWhole = 1e15;
   std::array<char, 40> text{};
-  const bool integer = std::fabs(number) < kWhole && number == std::trunc(number);
-  const auto end = integer ? std::to_chars(text.data(), text.data() + text.size(),
-                                           static_cast<std::int64_t>(number))
-                           : std::to_chars(text.data(), text.data() + text.size(), number);
+  if (std::fabs(number) < kWhole && number == std::trunc(number)) {
+    append_integer(out, static_cast<std::int64_t>(number));
+    return;
+  }
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), number);
+  out.append(text.data(), end.ptr);
+}
+
+void append_integer(std::string& out, std::int64_t number) {
+  std::array<char, 24> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), number);
   out.append(text.data(), end.ptr);
 }
 

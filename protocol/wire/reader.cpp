@@ -42,6 +42,8 @@ std::optional<ErrorValue> as_value(const Json& json) {
 
 Reader::Reader(const Json& root, Strictness strictness, std::string_view what)
     : strict_(strictness == Strictness::kStrict), what_(what) {
+  constexpr std::size_t kDepthOfARequest = 4;
+  places_.reserve(kDepthOfARequest);
   places_.push_back({&root, {}});
 }
 
@@ -102,7 +104,9 @@ bool Reader::begin_object() {
     wrong_type("an object");
     return false;
   }
+  constexpr std::size_t kFieldsOfARequest = 32;
   places_.back().known.clear();
+  places_.back().known.reserve(kFieldsOfARequest);
   return true;
 }
 
@@ -235,13 +239,14 @@ void Reader::enumerator(std::size_t& index, std::span<const std::string_view> na
 
 void Reader::numbers(std::span<double> v, const Spec& spec) {
   const auto* list = here().as<Json::List>();
-  const std::string wanted = "a list of " + std::to_string(v.size()) + " numbers";
+  const auto wanted = [&] { return "a list of " + std::to_string(v.size()) + " numbers"; };
   if (list == nullptr) {
-    wrong_type(wanted);
+    wrong_type(wanted());
     return;
   }
   if (list->size() != v.size()) {
-    fail(invalid_params(path(), "must be " + wanted + ", not of " + std::to_string(list->size())));
+    fail(
+        invalid_params(path(), "must be " + wanted() + ", not of " + std::to_string(list->size())));
     return;
   }
   for (std::size_t i = 0; i < v.size(); ++i) {

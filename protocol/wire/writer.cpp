@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "protocol/wire/writer.h"
 
+#include <array>
 #include <cmath>
 
 #include "protocol/wire/json.h"
@@ -8,9 +9,15 @@
 namespace hedgehog::protocol {
 namespace {
 
+double power_of_ten(int exponent) {
+  constexpr std::array<double, 8> kPowers{1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7};
+  const auto index = static_cast<std::size_t>(exponent);
+  return index < kPowers.size() ? kPowers[index] : std::pow(10.0, exponent);
+}
+
 double to_decimals(double value, int decimals) {
   if (decimals < 0) return value;
-  const double scale = std::pow(10.0, decimals);
+  const double scale = power_of_ten(decimals);
   const double scaled = std::round(value * scale) / scale;
   // Beyond 2^53 there are no decimals left to round, and scaling would overflow.
   return std::isfinite(scaled) ? scaled : value;
@@ -48,7 +55,7 @@ void Writer::end_list() { out_ += ']'; }
 
 void Writer::boolean(bool& v) { out_ += v ? "true" : "false"; }
 
-void Writer::integer(std::int64_t& v, const Spec&) { out_ += std::to_string(v); }
+void Writer::integer(std::int64_t& v, const Spec&) { append_integer(out_, v); }
 
 void Writer::number(double& v, const Spec& spec) {
   append_number(out_, to_decimals(v, spec.decimals));

@@ -124,6 +124,46 @@ TEST(JsonVectors, NumbersKeepTheirValue) {
   EXPECT_TRUE(std::signbit(*parse_json("-0.0", kVectorLevels)->as<double>()));
 }
 
+TEST(JsonVectors, AnEscapeInItChangesNothingElse) {
+  for (const std::string_view value : {R"(0)"sv,
+                                       R"(-0)"sv,
+                                       R"(-0.0)"sv,
+                                       R"(17)"sv,
+                                       R"(999999999999999999)"sv,
+                                       R"(1000000000000000000)"sv,
+                                       R"(18446744073709551615)"sv,
+                                       R"(0.1)"sv,
+                                       R"(-1.5E+3)"sv,
+                                       R"(1e-400)"sv,
+                                       R"(4.9e-324)"sv,
+                                       R"(1.7976931348623157e308)"sv,
+                                       R"(123456789012345678901234567890.5)"sv,
+                                       R"(true)"sv,
+                                       R"(false)"sv,
+                                       R"(null)"sv,
+                                       R"("")"sv,
+                                       R"("a b~")"sv,
+                                       R"("é")"sv,
+                                       R"([])"sv,
+                                       R"([1,[2,[]],{}])"sv,
+                                       R"({})"sv,
+                                       R"({"a":1,"b":{"a":[null]}})"sv}) {
+    const auto plain = parse_json("{\"v\":" + std::string(value) + " }", kVectorLevels);
+    const auto escaped = parse_json("{\"\\u0076\":" + std::string(value) + " }", kVectorLevels);
+    ASSERT_TRUE(plain && escaped) << value;
+    EXPECT_EQ(to_text(*plain), to_text(*escaped)) << value;
+    EXPECT_EQ(plain->find("v")->value.index(), escaped->find("v")->value.index()) << value;
+  }
+}
+
+TEST(JsonVectors, AnObjectOfManyMembersHasEachOnce) {
+  std::string text = "{";
+  for (int i = 0; i < 100; ++i) text += "\"m" + std::to_string(i) + "\":" + std::to_string(i) + ',';
+  EXPECT_TRUE(is_json(text + "\"m100\":0}"));
+  EXPECT_FALSE(is_json(text + "\"m99\":0}"));
+  EXPECT_FALSE(is_json(R"({"a":0,"a":0})"));
+}
+
 TEST(JsonVectors, StringsEscapeWhatTheyMust) {
   for (const std::string_view text :
        {"\""sv,      "\"a"sv,         "\"a\\\""sv,    "a\""sv,         "'a'"sv,     "\"\n\""sv,
