@@ -2,6 +2,7 @@
 #include "model/limit/forecast.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -122,6 +123,37 @@ Settled settled(const CoilModel& coils, const ThermalModel& thermal, double ambi
   return {hottest, core_c};
 }
 
+/// True only if neither temperature of `rise` is ever reached. The nodes only warm each other, so
+/// they stay below each state that is above them now and from which, even without fan, nothing
+/// rises: a core that is not cooler than it settles, with the windings that settle at that core.
+bool stays_below(const CoilModel& coils, const ThermalModel& thermal, const ForecastStart& start,
+                 const Vec3& rms_a, const Crossing& rise) noexcept {
+  // For what is rounded, and for windings that differ (coming_core_c).
+  constexpr double kMarginK = 0.5;
+  const ThermalState& nodes = start.nodes;
+  const double to_room_k_w = std::max(thermal.core_to_room_fan_k_w, thermal.core_to_room_still_k_w);
+  double core_c = settled(coils, thermal, start.ambient_c, to_room_k_w, rms_a).core_c;
+  double sum_c = nodes.core_c;
+  core_c = std::max(core_c, nodes.core_c);
+  std::array<double, kCoils> rise_per_k{};
+  for (std::size_t i = 0; i < kCoils; ++i) {
+    const double square_a2 = rms_a[static_cast<int>(i)] * rms_a[static_cast<int>(i)];
+    rise_per_k[i] = thermal.winding_to_core_k_w[i] * square_a2 * coils.r25_ohm[i];
+    const double copper = 1.0 + kCopperPerKelvin * (nodes.winding_c[i] - 25.0);
+    core_c = std::max(core_c, nodes.winding_c[i] - rise_per_k[i] * copper);
+    sum_c += nodes.winding_c[i];
+  }
+  if (!std::isfinite(sum_c) || !std::isfinite(core_c)) return false;
+  double hottest_c = core_c;
+  for (const double h : rise_per_k)
+    hottest_c = std::max(
+        hottest_c, (core_c + h * (1.0 - 25.0 * kCopperPerKelvin)) / (1.0 - h * kCopperPerKelvin));
+  const double skin_c =
+      std::max(start.skin.following_c(), settled_skin_c(core_c, start.ambient_c)) +
+      start.skin_above_k;
+  return hottest_c + kMarginK < rise.goal_c && skin_c + kMarginK < rise.skin_goal_c;
+}
+
 Vec3 along(int coil, double current_a) noexcept {
   Vec3 v;
   v[coil] = current_a;
@@ -151,8 +183,9 @@ Celsius derating_temperature(const Limits& limits, Amps peak) noexcept {
 std::optional<double> Forecaster::seconds_to_derating(const ForecastStart& start,
                                                       const AskedCurrents& asked) const noexcept {
   if (!(asked.peak_a > 0.0)) return std::nullopt;
-  return time_to(HeatCourse(coils_, thermal_, start, asked.rms_a),
-                 derating_at(limits_, start, asked.peak_a));
+  const Crossing derating = derating_at(limits_, start, asked.peak_a);
+  if (stays_below(coils_, thermal_, start, asked.rms_a, derating)) return std::nullopt;
+  return time_to(HeatCourse(coils_, thermal_, start, asked.rms_a), derating);
 }
 
 std::optional<double> Forecaster::burst_s(const ForecastStart& start) const noexcept {

@@ -95,6 +95,25 @@ TEST(Forecast, AllAnswersAtOnceAreThoseAskedOneByOne) {
   }
 }
 
+RC_GTEST_PROP(Forecast, NeverIsNeverWhetherItIsRunAheadOrNot, ()) {
+  const auto within = [](const char* what, int low, int high) {
+    return 0.1 * *rc::gen::inRange(10 * low, 10 * high).as(what);
+  };
+  ForecastStart start;
+  start.ambient_c = within("ambient", 10, 40);
+  for (double& winding_c : start.nodes.winding_c) winding_c = within("winding", 10, 75);
+  start.nodes.core_c = within("core", 10, 65);
+  start.above_k = within("above", 0, 8);
+  start.skin_above_k =
+      *rc::gen::arbitrary<bool>() ? within("skin", 0, 5) : -std::numeric_limits<double>::infinity();
+  start.fan_works = *rc::gen::arbitrary<bool>();
+  start.mean_current_a = within("mean", 0, 10);
+  const auto asked =
+      AskedCurrents::constant({within("x", -6, 6), within("y", -6, 6), within("z", -3, 3)});
+  const Forecast run_ahead = kNominal.forecast(start, asked);
+  RC_ASSERT(kNominal.seconds_to_derating(start, asked) == run_ahead.seconds_to_derating);
+}
+
 TEST(Forecast, SecondsToLimitAreThoseOfTheUnlimitedPlant) {
   for (const double current : {8.0, 10.0, 12.0, 15.0}) {
     ThermalLoop loop(PlantParameters{}, 25.0);
