@@ -7,6 +7,7 @@
 
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/detached.hpp>
+#include <boost/asio/post.hpp>
 #include <boost/asio/redirect_error.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/use_awaitable.hpp>
@@ -128,6 +129,11 @@ asio::awaitable<void> Daemon::pump() {
     else if (device_view_.now().state == control::State::kArmed ||
              startup_grace.over(Clock::now(), threads_.loop().heartbeat()))
       start_listening();
+    if (server_.has_unsent_telemetry()) {
+      // After what has come from clients meanwhile.
+      co_await asio::post(io_, asio::use_awaitable);
+      continue;
+    }
     timer.expires_after(server_.busy() ? kBusyPause : kIdlePause);
     error_code ignored;
     co_await timer.async_wait(asio::redirect_error(asio::use_awaitable, ignored));

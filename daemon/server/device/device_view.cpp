@@ -32,12 +32,17 @@ DeviceView::DeviceView(const config::Config& config, control::Mailbox& mailbox,
   link_.limits.write(device::BoardLimits::of(config.limits));
   simulator_.ambient_c = config.simulator.ambient_c;
   if (config.imu == config::ImuType::kSimulator) set_orientation({});
-  refresh();
+  set_snapshot(mailbox_.status.read());
 }
 
 void DeviceView::refresh() {
+  const control::StatusSnapshot& latest = mailbox_.status.read();
+  if (mailbox_.status.was_fresh()) set_snapshot(latest);
+}
+
+void DeviceView::set_snapshot(const control::StatusSnapshot& latest) {
   const model::Tick before = snapshot_.tick;
-  snapshot_ = mailbox_.status.read();
+  snapshot_ = latest;
   outbox_.set_applied(snapshot_.applied_seq);
   const double seconds = static_cast<double>(snapshot_.tick - before) * model::kTickSeconds;
   mean_current_a_ += (model::norm(snapshot_.limited_a) - mean_current_a_) *

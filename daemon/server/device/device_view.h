@@ -131,6 +131,7 @@ class DeviceView {
   const device::PlantTruth& truth() const noexcept { return link_.truth.read(); }
 
  private:
+  void set_snapshot(const control::StatusSnapshot& latest);
   void keep_orientation_fresh();
 
   config::Config config_;

@@ -12,6 +12,9 @@
 #include <exception>
 #include <utility>
 
+#include "daemon/device/tick_clock.h"
+#include "daemon/server/net/wait.h"
+
 namespace hedgehog::server {
 namespace {
 
@@ -21,12 +24,6 @@ using boost::system::error_code;
 constexpr std::chrono::seconds kCloseTimeout{1};
 /// So long one client is served before the others get their turn.
 constexpr std::chrono::milliseconds kTurn{1};
-
-/// Until `timer` is cancelled.
-asio::awaitable<void> wait(asio::steady_timer& timer) {
-  error_code cancelled;
-  co_await timer.async_wait(asio::redirect_error(asio::use_awaitable, cancelled));
-}
 
 }  // namespace
 
@@ -77,6 +74,7 @@ asio::awaitable<void> Connection::run() {
   } catch (const std::exception& e) {
     spdlog::error("connection {} ends: {}", session_.id, e.what());
   }
+  end_turn();
   read_ended_ = true;
   on_client_close();
   work_.cancel();
@@ -112,20 +110,34 @@ void Connection::on_sent_part() {
 
 void Connection::send(std::string line, LineKind kind) {
   if (write_ended_ || (finishing_ && kind == LineKind::kTelemetry)) return;
-  const std::uint64_t dropped = queue_.telemetry_dropped();
-  const bool fits = queue_.push(std::move(line), kind);
-  counters().telemetry_dropped += queue_.telemetry_dropped() - dropped;
+  on_queued(queue_.push(std::move(line), kind), kind);
+}
+
+void Connection::send_telemetry(SharedLine line) {
+  if (write_ended_ || finishing_) return;
+  on_queued(queue_.push(std::move(line)), LineKind::kTelemetry);
+}
+
+void Connection::on_queued(bool fits, LineKind kind) {
+  counters().telemetry_dropped += queue_.take_dropped();
   if (fits) {
-    wake_.cancel();
+    if (!in_turn_) flush();
     if (kind != LineKind::kAnswer) return;
     progress_.cancel();
-    work_.cancel();
+    // Not by those to come: an answer makes them fewer.
+    if (held_back_by_bytes()) work_.cancel();
     capacity_.cancel();
   } else if (!aborted_) {
     report_not_reading();
     aborted_ = true;
     asio::post(executor_, [self = shared_from_this()] { self->abort(); });
   }
+}
+
+void Connection::flush() {
+  if (writing_ || write_ended_ || queue_.bytes() == 0) return;
+  send_now(queue_);
+  if (queue_.bytes() > 0) wake_.cancel();
 }
 
 void Connection::report_not_reading() {
@@ -143,138 +155,69 @@ void Connection::abort() noexcept {
   capacity_.cancel();
 }
 
-asio::awaitable<bool> Connection::take(std::string_view text) {
-  if (!aborted_) {
-    if (!has_to_wait())
-      server_.line(session_, text);
-    else if (Server::has_emergency_stop(text))
-      overtake(text);
-    else
-      hold({std::string(text)});
-  }
-  return next_turn();
+void Connection::take(std::string_view text) {
+  if (aborted_) return;
+  if (!has_to_wait())
+    carry_out(text, received_ns_);
+  else if (Server::has_emergency_stop(text))
+    overtake(text);
+  else
+    hold({std::string(text), false, received_ns_});
 }
 
-asio::awaitable<bool> Connection::too_long() {
+void Connection::too_long() {
   if (has_to_wait())
     hold({{}, true});
   else if (!aborted_)
     server_.line_too_long(session_);
-  return next_turn();
 }
 
-bool Connection::held_back() const noexcept {
-  return queue_.answer_bytes() + session_.open_bytes > allowed_answer_bytes() ||
-         server_.pending(session_) > kMaxPending;
+void Connection::on_received() noexcept {
+  begin_turn();
+  received_ns_ = device::monotonic_ns();
 }
 
-bool Connection::full() const noexcept {
-  return !write_ended_ &&
-         (held_bytes_ > max_held_bytes_ || server_.pending(session_) > 2 * kMaxPending);
+void Connection::begin_turn() noexcept {
+  turn_ends_ = std::chrono::steady_clock::now() + kTurn;
+  in_turn_ = true;
 }
 
-void Connection::hold(Held line) {
-  // A line of no bytes takes memory too.
-  held_bytes_ += line.text.size() + sizeof line;
-  held_.push_back(std::move(line));
-  session_.held = held_.size();
-  work_.cancel();
+void Connection::end_turn() {
+  in_turn_ = false;
+  flush();
 }
-
-void Connection::overtake(std::string_view text) {
-  session_.overtaken = 0;
-  server_.line(session_, text);
-  session_.overtaken = held_.size();
-}
-
-void Connection::serve_next() {
-  const Held line = std::move(held_.front());
-  held_.pop_front();
-  held_bytes_ -= line.text.size() + sizeof line;
-  if (line.too_long)
-    server_.line_too_long(session_);
-  else
-    server_.line(session_, line.text);
-  session_.held = held_.size();
-  if (session_.overtaken > 0) --session_.overtaken;
-  capacity_.cancel();
-}
-
-void Connection::begin_turn() noexcept { turn_ends_ = std::chrono::steady_clock::now() + kTurn; }
 
 asio::awaitable<void> Connection::yield_turn() {
   if (std::chrono::steady_clock::now() <= turn_ends_) co_return;
+  end_turn();
   co_await asio::post(executor_, asio::use_awaitable);
   begin_turn();
 }
 
-asio::awaitable<bool> Connection::next_turn() {
+bool Connection::has_to_pause() const noexcept {
+  return aborted_ || held_back() || full() || std::chrono::steady_clock::now() > turn_ends_;
+}
+
+asio::awaitable<bool> Connection::pause() {
+  if (held_back_by_bytes()) flush();
   co_await yield_turn();
   if (held_back()) work_.cancel();
-  while (full() && !aborted_) co_await wait(capacity_);
+  while (full() && !aborted_) {
+    end_turn();
+    co_await wait(capacity_);
+    begin_turn();
+  }
   co_return !aborted_;
-}
-
-asio::awaitable<void> Connection::serve_held() {
-  try {
-    co_await serve_until_end();
-  } catch (const std::exception& e) {
-    spdlog::error("connection {} ends: {}", session_.id, e.what());
-    abort();
-  }
-  held_.clear();
-  session_.held = session_.overtaken = 0;
-  served_ = true;
-  capacity_.cancel();
-}
-
-asio::awaitable<void> Connection::serve_until_end() {
-  while (!aborted_) {
-    if (held_back() && !write_ended_) {
-      co_await wait_for_reader();
-      begin_turn();
-    } else if (!held_.empty()) {
-      serve_next();
-      co_await yield_turn();
-    } else if (!read_ended_) {
-      co_await wait(work_);
-      begin_turn();
-    } else {
-      co_return;
-    }
-  }
-}
-
-asio::awaitable<void> Connection::wait_for_reader() {
-  std::size_t untaken = 0;
-  const auto restart = [&] {
-    sent_part_ = false;
-    untaken = untaken_bytes();
-    progress_.expires_after(write_timeout_);
-  };
-  restart();
-  while (!aborted_ && !write_ended_ && held_back()) {
-    error_code woken;
-    co_await progress_.async_wait(asio::redirect_error(asio::use_awaitable, woken));
-    if (woken && !sent_part_) continue;
-    // The system sends from a buffer of its own, and tells when there is much space in it again.
-    const bool waits = queue_.answer_bytes() > allowed_answer_bytes();
-    if (!waits || sent_part_ || untaken_bytes() < untaken) {
-      restart();
-    } else if (!aborted_) {
-      report_not_reading();
-      abort();
-    }
-  }
 }
 
 asio::awaitable<void> Connection::write() {
   error_code ec;
   while (!ec && !aborted_) {
-    if (queue_.empty()) {
+    if (queue_.bytes() == 0) {
       if (finishing_) break;
-      error_code woken;
-      co_await wake_.async_wait(asio::redirect_error(asio::use_awaitable, woken));
+      writing_ = false;
+      co_await wait(wake_);
+      writing_ = true;
       continue;
     }
     ec = co_await send_next(queue_);

@@ -11,6 +11,7 @@
 #include <boost/system/error_code.hpp>
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <memory>
 #include <string>
@@ -37,6 +38,7 @@ class Connection : public Sink, public std::enable_shared_from_this<Connection> 
   void finish() override;
 
   void send(std::string line, LineKind kind) override;
+  void send_telemetry(SharedLine line) override;
 
   const Session& session() const noexcept { return session_; }
 
@@ -49,6 +51,9 @@ class Connection : public Sink, public std::enable_shared_from_this<Connection> 
   virtual boost::asio::awaitable<void> read() = 0;
   /// Sends what is next in the queue; reports each part of it that the socket took.
   virtual boost::asio::awaitable<boost::system::error_code> send_next(WriteQueue& queue) = 0;
+  /// Sends as much of the queue as the stream takes without waiting; errors and the rest are left
+  /// to `send_next`. Nothing, unless the stream can do that.
+  virtual void send_now(WriteQueue&) {}
   /// Everything has been sent.
   virtual boost::asio::awaitable<void> finish_stream() = 0;
   /// At once; what still runs on the socket ends with an error. A second call does nothing.
@@ -59,12 +64,16 @@ class Connection : public Sink, public std::enable_shared_from_this<Connection> 
   /// The client says no more, though its socket may still be open: what it plays ends.
   void on_client_close();
   void on_sent_part();
-  /// Something has arrived: its turn begins.
-  void begin_turn() noexcept;
-  /// Carries out one message, or holds it; when the turn is over the others get theirs first.
-  /// False: the client has to go.
-  boost::asio::awaitable<bool> take(std::string_view text);
-  boost::asio::awaitable<bool> too_long();
+  /// Something has arrived: its turn begins. Its responses are sent together at the end of it.
+  void on_received() noexcept;
+  void end_turn();
+  /// Carries out one message, or holds it.
+  void take(std::string_view text);
+  void too_long();
+  /// After each message: false while the turn goes on.
+  bool has_to_pause() const noexcept;
+  /// Gives the others their turn; while no more can be held, waits. False: the client has to go.
+  boost::asio::awaitable<bool> pause();
   std::int64_t id() const noexcept { return session_.id; }
   Counters& counters() noexcept { return server_.counters(); }
 
@@ -73,6 +82,7 @@ class Connection : public Sink, public std::enable_shared_from_this<Connection> 
   struct Held {
     std::string text;
     bool too_long = false;
+    std::int64_t received_ns = 0;
   };
 
   boost::asio::awaitable<void> run();
@@ -82,15 +92,23 @@ class Connection : public Sink, public std::enable_shared_from_this<Connection> 
   boost::asio::awaitable<void> serve_held();
   boost::asio::awaitable<void> serve_until_end();
   void serve_next();
+  void carry_out(std::string_view text, std::int64_t received_ns);
   boost::asio::awaitable<void> wait_for_reader();
-  boost::asio::awaitable<bool> next_turn();
+  void begin_turn() noexcept;
   boost::asio::awaitable<void> yield_turn();
+  /// Sends what waits, now as far as that is possible; `write` does the rest.
+  void flush();
+  /// A line was put into the queue; `fits`: it was not full.
+  void on_queued(bool fits, LineKind kind);
   void hold(Held line);
   /// Carries out `text` before what is held, which starts nothing after it.
   void overtake(std::string_view text);
   bool has_to_wait() const noexcept { return !held_.empty() || held_back(); }
   /// Too many responses wait to be sent, or are still to come.
   bool held_back() const noexcept;
+  bool held_back_by_bytes() const noexcept {
+    return queue_.answer_bytes() + session_.open_bytes > allowed_answer_bytes();
+  }
   /// After the last request all of them are to be taken.
   std::size_t allowed_answer_bytes() const noexcept {
     return read_ended_ && held_.empty() ? 0 : held_back_bytes_;
@@ -119,6 +137,9 @@ class Connection : public Sink, public std::enable_shared_from_this<Connection> 
   boost::asio::steady_timer pending_timer_;  // waits until no response is pending
   boost::asio::steady_timer close_timer_;
   std::chrono::steady_clock::time_point turn_ends_{};
+  std::int64_t received_ns_ = 0;
+  bool in_turn_ = false;
+  bool writing_ = false;  // `write` is not waiting for something to send
   bool finishing_ = false;
   bool aborted_ = false;
   bool sent_part_ = false;  // since the client's time to take something began

@@ -16,15 +16,22 @@ class LineConnection final : public Connection {
   LineConnection(Socket socket, Server& server, Session session,
                  const config::ConnectionSettings& settings)
       : Connection(socket.get_executor(), server, std::move(session), settings),
-        socket_(std::move(socket)) {}
+        socket_(std::move(socket)) {
+    // For `send_now`; what waits is not concerned.
+    boost::system::error_code ignored;
+    socket_.non_blocking(true, ignored);
+  }
 
  private:
   boost::asio::awaitable<void> read() override;
   boost::asio::awaitable<boost::system::error_code> send_next(WriteQueue& queue) override;
+  void send_now(WriteQueue& queue) override;
   boost::asio::awaitable<void> finish_stream() override { co_return; }
   void close() noexcept override;
   std::size_t untaken_bytes() noexcept override;
-  boost::asio::awaitable<bool> take_lines(LineReader& reader);
+  /// What else has arrived, up to `kReadBytes`.
+  void read_more(LineReader& reader);
+  void take_line(const LineReader::Line& line);
 
   Socket socket_;
 };

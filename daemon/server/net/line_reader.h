@@ -23,6 +23,8 @@ class LineReader {
 
   /// Takes over `bytes`. REQUIRES: `next` has returned nullopt since the last `feed`.
   void feed(std::string_view bytes);
+  /// More bytes that follow those of the last `feed`. REQUIRES: no `next` since.
+  void append(std::string_view bytes);
   /// The next whole line; nullopt: more bytes are needed.
   std::optional<Line> next();
 

@@ -30,7 +30,8 @@ Server::Server(DeviceView& device_view, StateStore& memory, PatternLibrary& patt
       wall_clock_(std::move(wall_clock)),
       status_(device_view, effects_),
       context_{device_view, effects_, keyframes_, patterns, history, claim_, status_, memory},
-      dispatcher_(context_) {
+      dispatcher_(context_),
+      telemetry_(context_) {
   context_.counters = known_counters();
 }
 
@@ -93,7 +94,7 @@ void Server::pump() {
   device_view_.outbox().flush();
   dispatcher_.poll();
   release();
-  send_telemetry();
+  telemetry_.pump();
   keep_telemetry();
   context_.history.pump(wall_clock_());
 }
@@ -149,28 +150,6 @@ void Server::remember(const protocol::Event& view, const control::Event& event,
   TripRecordings* recordings = context_.recordings;
   const unsigned recording = recordings != nullptr && event.trip ? recordings->tripped() : 0;
   context_.history.record(view, wall_clock_(), effect, recording);
-}
-
-void Server::send_telemetry() {
-  const model::Tick now = device_view_.now().tick;
-  std::vector<Session*> due;
-  bool with_pins = false;
-  for (const auto& [id, session] : context_.sessions) {
-    if (session->telemetry && session->telemetry->next <= now) {
-      due.push_back(session);
-      with_pins = with_pins || session->telemetry->fields.contains(protocol::StatusKey::kPins);
-    }
-  }
-  if (due.empty()) return;
-  protocol::Telemetry telemetry;
-  telemetry.status = status_.status(with_pins);
-  for (Session* session : due) {
-    TelemetrySubscription& wanted = *session->telemetry;
-    wanted.next += wanted.period;
-    if (wanted.next <= now) wanted.next = now + wanted.period;
-    telemetry.keys = wanted.fields;
-    session->sink->send(protocol::encode_telemetry(telemetry), LineKind::kTelemetry);
-  }
 }
 
 bool Server::has_recording(std::string_view file) const {

@@ -15,6 +15,7 @@
 #include "daemon/server/effects/keyframe_allocator.h"
 #include "daemon/server/rpc/dispatcher.h"
 #include "daemon/server/rpc/handler_context.h"
+#include "daemon/server/rpc/telemetry_publisher.h"
 #include "daemon/server/rpc/view/status_view.h"
 #include "daemon/server/session/claim.h"
 #include "daemon/server/session/polled_time.h"
@@ -65,6 +66,8 @@ class Server {
   bool has_pending() const noexcept { return dispatcher_.waiting(); }
   /// Somebody waits for the next tick: pump again in a millisecond.
   bool busy() const noexcept;
+  /// Some telemetry was left out, so that requests are served in between: pump again at once.
+  bool has_unsent_telemetry() const noexcept { return telemetry_.has_unsent(); }
 
   std::size_t connections() const noexcept { return context_.sessions.size(); }
   const HandlerContext& context() const noexcept { return context_; }
@@ -89,7 +92,6 @@ class Server {
   void take_events();
   void notify(const control::Event& event, const Effect* effect);
   void remember(const protocol::Event& view, const control::Event& event, const Effect* effect);
-  void send_telemetry();
   void keep_telemetry();
 
   DeviceView& device_view_;
@@ -101,6 +103,7 @@ class Server {
   StatusView status_;
   HandlerContext context_;
   Dispatcher dispatcher_;
+  TelemetryPublisher telemetry_;
   std::vector<ConnectionId> closing_;
   ConnectionId last_id_ = 0;
   model::Tick last_tick_ = 0;

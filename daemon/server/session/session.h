@@ -26,6 +26,10 @@ class Sink {
   /// `line` without LF. May end the session when its client does not read (later, never inside
   /// this call).
   virtual void send(std::string line, LineKind kind) = 0;
+  /// The same for telemetry that others get too.
+  virtual void send_telemetry(SharedLine line) {
+    send(line->substr(0, line->size() - 1), LineKind::kTelemetry);
+  }
   /// Nothing more will come: what was sent may go out, then the session is over.
   virtual void finish() = 0;
 };
@@ -34,6 +38,7 @@ struct TelemetrySubscription {
   protocol::StatusKeys fields;
   model::Tick period = 100;
   model::Tick next = 0;
+  bool due = false;  // it waits for its turn
 };
 
 struct EventSubscription {
@@ -56,6 +61,8 @@ struct Session {
   std::size_t batch_bytes = std::size_t{512} << 10;
   /// Of answers that wait for others of their batch.
   std::size_t open_bytes = 0;
+  /// When the request that is carried out was read, CLOCK_MONOTONIC ns; 0: not known.
+  std::int64_t received_ns = 0;
   /// Its requests that wait until it takes its responses.
   std::size_t held = 0;
   /// So many of them, the first ones, were sent before an emergency stop that has been carried out,

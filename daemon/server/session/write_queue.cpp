@@ -7,44 +7,55 @@ namespace hedgehog::server {
 
 bool WriteQueue::push(std::string line, LineKind kind) {
   line.push_back('\n');
-  if (kind == LineKind::kTelemetry && bytes_ + line.size() > max_bytes_ / 2) {
+  return push(Line{std::move(line), kind, nullptr});
+}
+
+bool WriteQueue::push(SharedLine line) {
+  return push(Line{{}, LineKind::kTelemetry, std::move(line)});
+}
+
+bool WriteQueue::push(Line line) {
+  const std::size_t size = line.bytes().size();
+  if (line.kind == LineKind::kTelemetry && bytes_ + size > max_bytes_ / 2) {
     ++dropped_;
     return true;
   }
-  if (bytes_ + line.size() > max_bytes_) drop_telemetry();
-  if (bytes_ + line.size() > max_bytes_) return false;
-  bytes_ += line.size();
-  if (kind == LineKind::kAnswer) answer_bytes_ += line.size();
-  lines_.push_back({std::move(line), kind});
+  if (bytes_ + size > max_bytes_) drop_telemetry();
+  if (bytes_ + size > max_bytes_) return false;
+  bytes_ += size;
+  if (line.kind == LineKind::kAnswer) answer_bytes_ += size;
+  lines_.push_back(std::move(line));
   return true;
 }
 
 void WriteQueue::move_next() {
   Line& line = lines_.front();
   if (line.kind == LineKind::kAnswer) sending_answers_ += line.text.size();
-  if (sending_.empty())
-    sending_ = std::move(line.text);
+  if (line.shared && lines_.size() == 1 && sending_.empty())
+    sending_shared_ = std::move(line.shared);
   else
-    sending_ += line.text;
+    sending_ += line.bytes();
   lines_.pop_front();
 }
 
 const std::string& WriteQueue::take_one() {
   move_next();
-  return sending_;
+  return sending();
 }
 
 const std::string& WriteQueue::take() {
   take_one();
-  while (!lines_.empty() && sending_.size() + lines_.front().text.size() <= kChunkBytes)
+  while (!lines_.empty() && sending_.size() + lines_.front().bytes().size() <= kChunkBytes)
     move_next();
-  return sending_;
+  return sending();
 }
 
 void WriteQueue::sent() noexcept {
-  bytes_ -= sending_.size();
+  bytes_ -= sending().size();
   answer_bytes_ -= sending_answers_;
   sending_.clear();
+  sending_shared_.reset();
+  sent_bytes_ = 0;
   sending_answers_ = 0;
 }
 
@@ -53,7 +64,7 @@ void WriteQueue::drop_telemetry() {
       lines_,
       [this](const Line& line) {
         const bool telemetry = line.kind == LineKind::kTelemetry;
-        bytes_ -= telemetry ? line.text.size() : 0;
+        bytes_ -= telemetry ? line.bytes().size() : 0;
         return telemetry;
       });
 }

@@ -6,11 +6,17 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <string>
+#include <string_view>
+#include <utility>
 
 namespace hedgehog::server {
 
 enum class LineKind : std::uint8_t { kAnswer, kEvent, kTelemetry };
+
+/// A line of telemetry, with its LF, that several clients get.
+using SharedLine = std::shared_ptr<const std::string>;
 
 /// io thread; one a connection.
 class WriteQueue {
@@ -24,13 +30,23 @@ class WriteQueue {
 
   /// Adds `line` and its LF. False: the queue is full, disconnect.
   [[nodiscard]] bool push(std::string line, LineKind kind);
+  [[nodiscard]] bool push(SharedLine line);
 
+  /// Nothing waits but what is being sent.
   bool empty() const noexcept { return lines_.empty(); }
   /// The next lines as one buffer, which stays where it is until `sent`. REQUIRES: !empty(), and
   /// `sent` was called since the last `take`.
   const std::string& take();
   /// The same with the next line only.
   const std::string& take_one();
+  bool is_sending() const noexcept { return sending_shared_ != nullptr || !sending_.empty(); }
+  /// What was taken, without the parts of it that were sent.
+  std::string_view unsent() const noexcept {
+    return std::string_view(sending()).substr(sent_bytes_);
+  }
+  /// So many more bytes of it. REQUIRES: no more than `unsent`.
+  void sent_part(std::size_t bytes) noexcept { sent_bytes_ += bytes; }
+  /// All of it.
   void sent() noexcept;
 
   /// What waits, the buffer that is being sent included.
@@ -38,22 +54,36 @@ class WriteQueue {
   /// The answers among it.
   std::size_t answer_bytes() const noexcept { return answer_bytes_; }
   std::uint64_t telemetry_dropped() const noexcept { return dropped_; }
+  /// Those since the last call.
+  std::uint64_t take_dropped() noexcept {
+    return dropped_ - std::exchange(taken_dropped_, dropped_);
+  }
 
  private:
   struct Line {
     std::string text;
     LineKind kind;
+    SharedLine shared;  // instead of `text`
+    const std::string& bytes() const noexcept { return shared ? *shared : text; }
   };
+  bool push(Line line);
   void drop_telemetry();
-  /// Moves the next line to the end of `sending_`.
+  /// Moves the next line to the end of `sending_`; a shared one, when it is the only one, stays
+  /// where it is.
   void move_next();
+  const std::string& sending() const noexcept {
+    return sending_shared_ ? *sending_shared_ : sending_;
+  }
 
   std::size_t max_bytes_;
   std::deque<Line> lines_;
   std::size_t bytes_ = 0;
   std::size_t answer_bytes_ = 0;
   std::uint64_t dropped_ = 0;
+  std::uint64_t taken_dropped_ = 0;
   std::string sending_;
+  SharedLine sending_shared_;
+  std::size_t sent_bytes_ = 0;
   std::size_t sending_answers_ = 0;  // bytes
 };
 

@@ -73,8 +73,11 @@ asio::awaitable<bool> WebSocketConnection::read_message() {
     } else if (buffer_.size() > protocol::kMaxLineBytes) {
       skipping_ = true;
       buffer_.clear();
-      begin_turn();
-      if (!co_await too_long()) co_return false;
+      on_received();
+      too_long();
+      const bool stays = !has_to_pause() || co_await pause();
+      end_turn();
+      if (!stays) co_return false;
     }
   } while (!stream_.is_message_done());
   co_return true;
@@ -87,9 +90,11 @@ asio::awaitable<void> WebSocketConnection::read() {
       co_return;
     }
     if (skipping_) continue;
-    begin_turn();
+    on_received();
     const asio::const_buffer bytes = buffer_.cdata();
-    if (!co_await take({static_cast<const char*>(bytes.data()), bytes.size()})) co_return;
+    take({static_cast<const char*>(bytes.data()), bytes.size()});
+    if (has_to_pause() && !co_await pause()) co_return;
+    end_turn();
   }
 }
 

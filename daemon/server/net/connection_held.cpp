@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// The requests of a connection that are held while its client does not take its responses.
+#include <spdlog/spdlog.h>
+
+#include <boost/asio/redirect_error.hpp>
+#include <boost/asio/use_awaitable.hpp>
+#include <exception>
+#include <utility>
+
+#include "daemon/server/net/connection.h"
+#include "daemon/server/net/wait.h"
+
+namespace hedgehog::server {
+
+namespace asio = boost::asio;
+using boost::system::error_code;
+
+bool Connection::held_back() const noexcept {
+  return held_back_by_bytes() || server_.pending(session_) > kMaxPending;
+}
+
+bool Connection::full() const noexcept {
+  return !write_ended_ &&
+         (held_bytes_ > max_held_bytes_ || server_.pending(session_) > 2 * kMaxPending);
+}
+
+void Connection::hold(Held line) {
+  // A line of no bytes takes memory too.
+  held_bytes_ += line.text.size() + sizeof line;
+  held_.push_back(std::move(line));
+  session_.held = held_.size();
+  work_.cancel();
+}
+
+void Connection::overtake(std::string_view text) {
+  session_.overtaken = 0;
+  carry_out(text, received_ns_);
+  session_.overtaken = held_.size();
+}
+
+void Connection::carry_out(std::string_view text, std::int64_t received_ns) {
+  session_.received_ns = received_ns;
+  server_.line(session_, text);
+}
+
+void Connection::serve_next() {
+  const Held line = std::move(held_.front());
+  held_.pop_front();
+  held_bytes_ -= line.text.size() + sizeof line;
+  if (line.too_long)
+    server_.line_too_long(session_);
+  else
+    carry_out(line.text, line.received_ns);
+  session_.held = held_.size();
+  if (session_.overtaken > 0) --session_.overtaken;
+  capacity_.cancel();
+}
+
+asio::awaitable<void> Connection::serve_held() {
+  try {
+    co_await serve_until_end();
+  } catch (const std::exception& e) {
+    spdlog::error("connection {} ends: {}", session_.id, e.what());
+    abort();
+  }
+  held_.clear();
+  session_.held = session_.overtaken = 0;
+  served_ = true;
+  capacity_.cancel();
+}
+
+asio::awaitable<void> Connection::serve_until_end() {
+  while (!aborted_) {
+    if (held_back() && !write_ended_) {
+      end_turn();
+      co_await wait_for_reader();
+      begin_turn();
+    } else if (!held_.empty()) {
+      serve_next();
+      co_await yield_turn();
+    } else if (!read_ended_) {
+      end_turn();
+      co_await wait(work_);
+      begin_turn();
+    } else {
+      break;
+    }
+  }
+  end_turn();
+}
+
+asio::awaitable<void> Connection::wait_for_reader() {
+  std::size_t untaken = 0;
+  const auto restart = [&] {
+    sent_part_ = false;
+    untaken = untaken_bytes();
+    progress_.expires_after(write_timeout_);
+  };
+  restart();
+  while (!aborted_ && !write_ended_ && held_back()) {
+    error_code woken;
+    co_await progress_.async_wait(asio::redirect_error(asio::use_awaitable, woken));
+    if (woken && !sent_part_) continue;
+    // The system sends from a buffer of its own, and tells when there is much space in it again.
+    const bool waits = queue_.answer_bytes() > allowed_answer_bytes();
+    if (!waits || sent_part_ || untaken_bytes() < untaken) {
+      restart();
+    } else if (!aborted_) {
+      report_not_reading();
+      abort();
+    }
+  }
+}
+
+}  // namespace hedgehog::server

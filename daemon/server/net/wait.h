@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Waiting for something that others signal by cancelling a timer.
+#pragma once
+
+#include <boost/asio/awaitable.hpp>
+#include <boost/asio/redirect_error.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/asio/use_awaitable.hpp>
+#include <boost/system/error_code.hpp>
+
+namespace hedgehog::server {
+
+/// Until `timer` is cancelled. io thread.
+inline boost::asio::awaitable<void> wait(boost::asio::steady_timer& timer) {
+  boost::system::error_code cancelled;
+  co_await timer.async_wait(boost::asio::redirect_error(boost::asio::use_awaitable, cancelled));
+}
+
+}  // namespace hedgehog::server
