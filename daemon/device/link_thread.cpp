@@ -29,7 +29,7 @@ LinkThread::~LinkThread() {
 
 void LinkThread::run() noexcept {
   use_fifo(kLinkPriority);
-  TickClock clock;
+  TickClock clock = TickClock::at_phase(kLinkPhaseNs);
   while (!stop_.load(std::memory_order_relaxed)) {
     const bool idle = transport_->idle() && !link_.report().present;
     const int wanted = idle ? kIdleTicks : 1;

@@ -26,6 +26,13 @@ std::int64_t monotonic_ns() noexcept {
 TickClock::TickClock(std::int64_t period_ns) noexcept
     : period_ns_(period_ns), due_ns_(monotonic_ns()) {}
 
+TickClock TickClock::at_phase(std::int64_t phase_ns) noexcept {
+  TickClock clock;
+  // From the next one on, so that the first tick does not come early.
+  clock.due_ns_ = at_phase_before(clock.due_ns_, phase_ns) + clock.period_ns_;
+  return clock;
+}
+
 std::uint64_t TickClock::wait(int ticks) noexcept {
   due_ns_ += ticks * period_ns_;
   std::uint64_t skipped = 0;

@@ -13,6 +13,8 @@ class TickClock {
   static constexpr std::int64_t kCatchUp = 3;
 
   explicit TickClock(std::int64_t period_ns = 1'000'000) noexcept;
+  /// Its ticks are `phase_ns` after each whole millisecond of CLOCK_MONOTONIC.
+  static TickClock at_phase(std::int64_t phase_ns) noexcept;
 
   /// Sleeps until the next tick is due, or that many ticks on purpose. Returns how many more were
   /// left out because the thread was late.
@@ -28,6 +30,17 @@ class TickClock {
 
 /// CLOCK_MONOTONIC, nanoseconds.
 std::int64_t monotonic_ns() noexcept;
+
+/// The newest point up to `now_ns` that is `phase_ns` after a whole millisecond.
+constexpr std::int64_t at_phase_before(std::int64_t now_ns, std::int64_t phase_ns) noexcept {
+  constexpr std::int64_t kMillisecond = 1'000'000;
+  return now_ns - (now_ns - phase_ns) % kMillisecond;
+}
+
+/// A set-point goes out soon after the tick that made it, without a thread that wakes another. What
+/// a late tick makes goes out a millisecond later.
+inline constexpr std::int64_t kControlPhaseNs = 250'000;
+inline constexpr std::int64_t kLinkPhaseNs = kControlPhaseNs + 100'000;
 
 /// Priorities of SCHED_FIFO (DESIGN section 3, thread table).
 inline constexpr int kControlPriority = 50;

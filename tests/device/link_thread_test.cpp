@@ -218,6 +218,12 @@ TEST(SimulatedBoardProcesses, AProgramThatIsMissingIsAnError) {
 }
 #endif
 
+TEST(TickClock, APhaseIsThatOfWholeMilliseconds) {
+  constexpr std::int64_t kPhaseNs = 250'000;
+  EXPECT_EQ(at_phase_before(7'250'000, kPhaseNs), 7'250'000);
+  EXPECT_EQ(at_phase_before(8'249'999, kPhaseNs), 7'250'000);
+}
+
 TEST(TickClock, LeavesOutWhatItMissedInsteadOfCatchingUp) {
   TickClock clock(1'000'000);
   std::this_thread::sleep_for(std::chrono::milliseconds(50));

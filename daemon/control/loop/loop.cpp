@@ -9,7 +9,8 @@ namespace hedgehog::control {
 
 Loop::Loop(const ControlSettings& settings, Mailbox& mailbox, device::LinkPort& port,
            FlightRecorder* recorder, int speed)
-    : tick_(settings, mailbox, port, recorder, speed), origin_ns_(device::monotonic_ns()) {}
+    : tick_(settings, mailbox, port, recorder, speed),
+      origin_ns_(device::at_phase_before(device::monotonic_ns(), device::kControlPhaseNs)) {}
 
 void Loop::start() {
   const device::SignalsBlocked blocked;
