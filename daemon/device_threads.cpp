@@ -35,7 +35,9 @@ device::SimulatedBoardOptions board_options(const config::Config& config, double
 
 DeviceThreads::DeviceThreads(const config::Config& config, const control::ControlSettings& settings,
                              double start_c, std::optional<int> speed)
-    : mailbox_(std::make_unique<control::Mailbox>()), port_(std::make_unique<device::LinkPort>()) {
+    // The queues' memory is used as they fill; it need not be zero before.
+    : mailbox_(std::make_unique_for_overwrite<control::Mailbox>()),
+      port_(std::make_unique<device::LinkPort>()) {
   if (speed) {
     loop_ = std::make_unique<control::LockstepLoop>(settings, *mailbox_, *port_, &recorder_, *speed,
                                                     make_stepped_board(config, start_c));
