@@ -19,6 +19,7 @@
 #include "clients/ctl/record_arguments.h"
 #include "clients/ctl/verbs/act_verbs.h"
 #include "clients/ctl/verbs/follow_verbs.h"
+#include "clients/ctl/verbs/latency_verb.h"
 #include "clients/ctl/verbs/look_verbs.h"
 #include "clients/ctl/verbs/pattern_verbs.h"
 #include "clients/ctl/verbs/pins_verb.h"
@@ -129,6 +130,7 @@ class CommandLine {
         ->check(current())
         ->capture_default_str();
     forecast->add_option("direction", forecast_.direction, "left, 34, 90,20 or 0,1,0.5");
+    verb("latency", "how long effects took from their request to the board", run_latency);
     verb("trips", "earlier trips: when, why, and what was playing", run_trips);
   }
 

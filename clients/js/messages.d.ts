@@ -285,6 +285,30 @@ export interface Preview {
   };
 }
 
+export interface Latency {
+  effects: number;
+  received_to_queued_us: {
+    p50: number;
+    p99: number;
+    max: number;
+  } | null;
+  queued_to_applied_us: {
+    p50: number;
+    p99: number;
+    max: number;
+  } | null;
+  applied_to_written_us: {
+    p50: number;
+    p99: number;
+    max: number;
+  } | null;
+  received_to_written_us: {
+    p50: number;
+    p99: number;
+    max: number;
+  } | null;
+}
+
 export interface EventsSubscription {
   state: string;
   reason: string | null;
@@ -711,6 +735,8 @@ export interface EffectHoldParams {
   if_limited?: "reduce" | "refuse";
 }
 
+export type EffectLatencyParams = Record<string, never>;
+
 export interface EffectPlayParams {
   /** The name of a pattern, or keyframes instead. */
   pattern?: string;
@@ -1098,6 +1124,7 @@ export interface MethodTypes {
   "device.status": { params: DeviceStatusParams; result: Status };
   "effect.circle": { params: EffectCircleParams; result: Admission };
   "effect.hold": { params: EffectHoldParams; result: Admission };
+  "effect.latency": { params: EffectLatencyParams; result: Latency };
   "effect.play": { params: EffectPlayParams; result: Admission };
   "effect.preview": { params: EffectPreviewParams; result: Preview };
   "effect.pulse": { params: EffectPulseParams; result: Admission };

@@ -19,6 +19,7 @@ import type {
   Done,
   EffectCircleParams,
   EffectHoldParams,
+  EffectLatencyParams,
   EffectPlayParams,
   EffectPreviewParams,
   EffectPulseParams,
@@ -30,6 +31,7 @@ import type {
   Forecast,
   Gain,
   History,
+  Latency,
   OrientationRecenterParams,
   OrientationSetParams,
   OutputSetGainParams,
@@ -79,6 +81,8 @@ export declare class Methods {
   circle(axis?: Direction, params?: Omit<EffectCircleParams, "axis">): Promise<Admission>;
   /** A push that lasts as long as it is renewed. */
   hold(direction: Direction, params?: Omit<EffectHoldParams, "direction">): Promise<Admission>;
+  /** How long effects took from their request to the board. */
+  latency(params?: EffectLatencyParams): Promise<Latency>;
   /** Plays key frames, of a named pattern or its own. */
   play(pattern?: string, params?: Omit<EffectPlayParams, "pattern">): Promise<Admission>;
   /** What an effect would do, without doing it. */

@@ -10,6 +10,7 @@
 
 #include "base/triple_buffer.h"
 #include "daemon/control/effects/command.h"
+#include "daemon/control/effects/effect_times.h"
 #include "daemon/control/snapshot.h"
 #include "daemon/control/state/event.h"
 #include "daemon/control/step_inputs.h"
@@ -18,23 +19,33 @@
 
 namespace hedgehog::control {
 
-/// When io read the request of a command, by its seq: for the metrics only, so that commands (and
-/// recordings of them) need not carry it.
+/// When io read the request of a command, and when it was queued, by its seq: for the metrics only,
+/// so that commands (and recordings of them) need not carry it.
 class RequestTimes {
  public:
   /// io thread.
-  void asked(std::uint64_t seq, std::int64_t ns) noexcept {
-    times_[seq % kRemembered].store(ns, std::memory_order_relaxed);
+  void received(std::uint64_t seq, std::int64_t ns) noexcept {
+    times_[seq % kRemembered].received_ns.store(ns, std::memory_order_relaxed);
   }
-  /// Control thread, real-time safe. REQUIRES: the command has come through the queue.
-  std::int64_t of(std::uint64_t seq) const noexcept {
-    return times_[seq % kRemembered].load(std::memory_order_relaxed);
+  void queued(std::uint64_t seq, std::int64_t ns) noexcept {
+    times_[seq % kRemembered].queued_ns.store(ns, std::memory_order_relaxed);
+  }
+  /// Control thread, real-time safe. 0 is not known. REQUIRES: the command has come through the
+  /// queue.
+  EffectTimes of(std::uint64_t seq) const noexcept {
+    const Times& times = times_[seq % kRemembered];
+    return {seq, times.received_ns.load(std::memory_order_relaxed),
+            times.queued_ns.load(std::memory_order_relaxed)};
   }
 
  private:
+  struct Times {
+    std::atomic<std::int64_t> received_ns{0};
+    std::atomic<std::int64_t> queued_ns{0};
+  };
   /// More than can be under way.
   static constexpr std::size_t kRemembered = 2048;
-  std::array<std::atomic<std::int64_t>, kRemembered> times_{};
+  std::array<Times, kRemembered> times_{};
 };
 
 /// Stop requests, one word an effect place: overwriting, never full, seen at the next tick.
@@ -71,6 +82,8 @@ static_assert(kEffectPlaces == 128, "StopBoard keeps its change flags in two wor
 struct Mailbox {
   static constexpr std::size_t kCommands = 512;
   static constexpr std::size_t kEvents = 8192;
+  /// Of more than io can leave unread for long; further ones are not measured.
+  static constexpr std::size_t kEffectTimes = 1024;
 
   /// io -> control. `push` fails when full: answer `busy`, never wait.
   boost::lockfree::spsc_queue<Command, boost::lockfree::capacity<kCommands>> commands;
@@ -85,6 +98,7 @@ struct Mailbox {
 
   /// control -> io.
   boost::lockfree::spsc_queue<Event, boost::lockfree::capacity<kEvents>> events;
+  boost::lockfree::spsc_queue<EffectTimes, boost::lockfree::capacity<kEffectTimes>> effect_times;
   base::TripleBuffer<StatusSnapshot> status;
 };
 

@@ -128,6 +128,12 @@ LinkFrames Link::step(const LinkCommand& command) noexcept {
   return frames;
 }
 
+void Link::set_written(std::int64_t now_ns) noexcept {
+  if (overdue_ || !report_.present || report_.written_count == last_count_) return;
+  report_.written_count = last_count_;
+  report_.written_ns = now_ns;
+}
+
 void Link::note_presence() noexcept {
   const bool present = ticks_without_telemetry_ < kAbsentTicks;
   if (present && !report_.present) limits_due_ticks_ = 0;

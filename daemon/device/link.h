@@ -62,6 +62,9 @@ class Link {
   /// The same with all that is in the port for the link.
   LinkFrames step(LinkPort& port) noexcept;
 
+  /// The set-point of the last `step` was written to the board at `now_ns`: for the report.
+  void set_written(std::int64_t now_ns) noexcept;
+
   /// What has arrived so far; presence and the counters of what was sent as of the last `step`.
   const LinkReport& report() const noexcept { return report_; }
   /// The simulated board's last report of its plant.

@@ -27,6 +27,10 @@ struct LinkReport {
   BoardTelemetry telemetry;
   std::uint64_t telemetry_count = 0;
   LinkCounters counters;
+  /// The newest set-point that was written to the board, by LinkCommand::count, and when it first
+  /// was, CLOCK_MONOTONIC; 0: none yet.
+  std::uint64_t written_count = 0;
+  std::int64_t written_ns = 0;
 };
 
 struct LinkPort {

@@ -51,7 +51,7 @@ void LinkThread::tick() noexcept {
     link_.receive(std::span(packet).first(length));
   }
   const LinkFrames frames = link_.step(port_);
-  transport_->send(frames.set_point);
+  if (transport_->send(frames.set_point)) link_.set_written(monotonic_ns());
   if (frames.other) transport_->send(*frames.other);
   port_.reports.write(link_.report());
   if (link_.truth().known) port_.truth.write(link_.truth());

@@ -63,6 +63,20 @@ void PreviewResult::describe(Fields& f) {
   f.required("delivered", delivered);
 }
 
+void LatencyQuantiles::describe(Fields& f) {
+  f.required("p50", p50, decimals(1));
+  f.required("p99", p99, decimals(1));
+  f.required("max", max, decimals(1));
+}
+
+void LatencyResult::describe(Fields& f) {
+  f.required("effects", effects);
+  f.nullable("received_to_queued_us", received_to_queued_us);
+  f.nullable("queued_to_applied_us", queued_to_applied_us);
+  f.nullable("applied_to_written_us", applied_to_written_us);
+  f.nullable("received_to_written_us", received_to_written_us);
+}
+
 void EffectPreview::describe(Fields& f) {
   describe_planned(f, start);
   if (f.checks() && !start)

@@ -160,6 +160,39 @@ struct EffectPreview {
 /// A start that is only talked about: `method` names it, `params` are its parameters.
 void describe_planned(Fields& f, std::optional<EffectStart>& start);
 
-using EffectMethods = TypeList<EffectStart, EffectUpdate, EffectStop, EffectStopAll, EffectPreview>;
+struct LatencyQuantiles {
+  double p50 = 0.0;
+  double p99 = 0.0;
+  double max = 0.0;
+
+  void describe(Fields& f);
+  friend bool operator==(const LatencyQuantiles&, const LatencyQuantiles&) = default;
+};
+
+/// Of the newest effects, microseconds; null when there were none.
+struct LatencyResult {
+  static constexpr std::string_view kSchema = "Latency";
+  std::int64_t effects = 0;  // so many
+  /// The request was read, and its command was queued to the control loop.
+  std::optional<LatencyQuantiles> received_to_queued_us{};
+  /// A tick applied it.
+  std::optional<LatencyQuantiles> queued_to_applied_us{};
+  /// The first frame with its set-point was written to the board.
+  std::optional<LatencyQuantiles> applied_to_written_us{};
+  std::optional<LatencyQuantiles> received_to_written_us{};
+
+  void describe(Fields& f);
+  friend bool operator==(const LatencyResult&, const LatencyResult&) = default;
+};
+
+struct EffectLatency {
+  static constexpr MethodInfo kMethod{"effect.latency", Role::kObserve,
+                                      "How long effects took from their request to the board."};
+  using Result = LatencyResult;
+  friend bool operator==(const EffectLatency&, const EffectLatency&) = default;
+};
+
+using EffectMethods =
+    TypeList<EffectStart, EffectUpdate, EffectStop, EffectStopAll, EffectPreview, EffectLatency>;
 
 }  // namespace hedgehog::protocol

@@ -41,6 +41,28 @@ TEST_F(LinkBench, ASetPointIsRepeatedForNineteenTicksAndThenReplacedByTheSafeCom
   EXPECT_TRUE(set_point().enable);
 }
 
+TEST_F(LinkBench, ReportsWhenASetPointWasFirstWritten) {
+  tick();
+  EXPECT_EQ(link.report().written_count, 0u);
+  link.set_written(1000);
+  EXPECT_EQ(link.report().written_count, command.count);
+  EXPECT_EQ(link.report().written_ns, 1000);
+  telemetry();
+  step();  // the same again
+  link.set_written(2000);
+  EXPECT_EQ(link.report().written_ns, 1000);
+  tick();
+  link.set_written(3000);
+  EXPECT_EQ(link.report().written_count, command.count);
+  EXPECT_EQ(link.report().written_ns, 3000);
+}
+
+TEST_F(LinkBench, TheSafeCommandIsNoSetPointOfControls) {
+  for (int i = 0; i <= Link::kOverdueTicks; ++i) step();
+  link.set_written(1000);
+  EXPECT_EQ(link.report().written_count, 0u);
+}
+
 TEST_F(LinkBench, ARepeatedSetPointHasNoBoost) {
   telemetry();
   renew();

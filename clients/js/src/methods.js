@@ -47,6 +47,10 @@ export class Methods {
   hold(direction, params) {
     return this.call("effect.hold", { direction, ...params });
   }
+  /** How long effects took from their request to the board. */
+  latency(params) {
+    return this.call("effect.latency", params);
+  }
   /** Plays key frames, of a named pattern or its own. */
   play(pattern, params) {
     return this.call("effect.play", { pattern, ...params });

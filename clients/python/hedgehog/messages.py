@@ -389,6 +389,16 @@ class Preview(TypedDict):
     delivered: PreviewDelivered
 
 
+class Latency(TypedDict):
+    """Latency of protocol/README.md."""
+
+    effects: int
+    received_to_queued_us: Optional[StatusLoopLatenessUs]
+    queued_to_applied_us: Optional[StatusLoopLatenessUs]
+    applied_to_written_us: Optional[StatusLoopLatenessUs]
+    received_to_written_us: Optional[StatusLoopLatenessUs]
+
+
 class EventsSubscription(TypedDict):
     """EventsSubscription of protocol/README.md."""
 

@@ -6,9 +6,9 @@ from typing import Any, Mapping, Optional, Sequence
 
 from .messages import (
     Admission, Claim, Connections, Description, Devices, Direction, Done, Fault, Forecast, Frame, Gain,
-    History, IfLimited, Method, OnClose, Pattern, PatternKeyframes, PatternSummary, PatternWaveform,
-    Patterns, Ping, Preview, Recentered, Scope, Sense, SimulatedTruth, SimulatedWorld, SimulatedWorldErrors,
-    State, Status, StatusOrientationQuaternion, Stepping, Stopped, TelemetryHistory,
+    History, IfLimited, Latency, Method, OnClose, Pattern, PatternKeyframes, PatternSummary,
+    PatternWaveform, Patterns, Ping, Preview, Recentered, Scope, Sense, SimulatedTruth, SimulatedWorld,
+    SimulatedWorldErrors, State, Status, StatusOrientationQuaternion, Stepping, Stopped, TelemetryHistory,
 )
 
 
@@ -154,6 +154,11 @@ class Methods:
             attack_ms=attack_ms, fade_ms=fade_ms, attack_level=attack_level, fade_level=fade_level,
             waveform=waveform, frequency_hz=frequency_hz, on_fraction=on_fraction, duration_ms=duration_ms,
             lease_ms=lease_ms, on_close=on_close, slot=slot, priority=priority, if_limited=if_limited)
+        return result
+
+    def latency(self) -> Latency:
+        """How long effects took from their request to the board."""
+        result: Latency = self.call("effect.latency")
         return result
 
     def play(self, pattern: Optional[str] = None, *, keyframes: Optional[Sequence[PatternKeyframes]] = None,
@@ -640,6 +645,11 @@ class AsyncMethods:
             attack_ms=attack_ms, fade_ms=fade_ms, attack_level=attack_level, fade_level=fade_level,
             waveform=waveform, frequency_hz=frequency_hz, on_fraction=on_fraction, duration_ms=duration_ms,
             lease_ms=lease_ms, on_close=on_close, slot=slot, priority=priority, if_limited=if_limited)
+        return result
+
+    async def latency(self) -> Latency:
+        """How long effects took from their request to the board."""
+        result: Latency = await self.call("effect.latency")
         return result
 
     async def play(self, pattern: Optional[str] = None, *,

@@ -27,6 +27,7 @@ void ControlTick::gather(model::Tick tick, std::uint32_t skipped) noexcept {
   telemetry_count_ = report.telemetry_count;
   inputs_.board = report.telemetry;
   snapshot_.link = report.counters;
+  latency_.written(report, mailbox_);
 
   inputs_.orientation = mailbox_.orientation.read();
   inputs_.thermometer = mailbox_.thermometer.read();
@@ -66,10 +67,11 @@ void ControlTick::add_up(std::uint32_t skipped) noexcept {
   if (inputs_.command_count == 0) return;
   const std::int64_t now_ns = device::monotonic_ns();
   for (std::uint16_t i = 0; i < inputs_.command_count; ++i) {
-    const std::int64_t asked_ns = mailbox_.request_times.of(inputs_.commands[i].seq);
+    const std::int64_t asked_ns = mailbox_.request_times.of(inputs_.commands[i].seq).received_ns;
     // 0: it did not come through the outbox.
     if (asked_ns != 0) totals.request_to_coil.add(now_ns - asked_ns);
   }
+  latency_.applied(inputs_, mailbox_.request_times, sent_, now_ns);
 }
 
 void ControlTick::send(const device::BoardCommand& command) noexcept {

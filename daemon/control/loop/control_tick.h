@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "daemon/control/controller.h"
+#include "daemon/control/loop/latency_meter.h"
 #include "daemon/control/mailbox.h"
 #include "daemon/control/recording/flight_recorder.h"
 #include "daemon/control/state/event_list.h"
@@ -61,6 +62,7 @@ class ControlTick {
   std::uint64_t sent_ = 0;
   std::uint64_t telemetry_count_ = 0;
   std::uint64_t safe_since_ = 0;
+  LatencyMeter latency_;
   device::BoardCommand last_;
 };
 

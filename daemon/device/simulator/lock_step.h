@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Link and simulated board as one pure step, without threads or a clock: for the test rig, and for
-// `hedgehogd --simulate --speed N`, where the control thread drives it.
+// Link and simulated board as one pure step, without threads or a clock but for time
+// stamps: for the test rig, and for `hedgehogd --simulate --speed N`, where the control thread
+// drives it.
 #pragma once
 
 #include <optional>

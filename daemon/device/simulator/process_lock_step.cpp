@@ -4,6 +4,7 @@
 #include <array>
 
 #include "daemon/device/board_codec.h"
+#include "daemon/device/tick_clock.h"
 #include "daemon/device/transport.h"
 
 namespace hedgehog::device {
@@ -17,6 +18,7 @@ void ProcessLockStep::step() noexcept {
 
 void ProcessLockStep::exchange(const LinkFrames& frames) noexcept {
   const bool sent = socket_->send(frames.set_point);
+  if (sent) link_.set_written(monotonic_ns());
   // The set-point begins the board's millisecond; this is for the next one.
   if (frames.other) socket_->send(*frames.other);
   // Waiting again in each of the following steps would stop the daemon's time for hours.

@@ -2,7 +2,6 @@
 #include "daemon/server/device/outbox.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "daemon/device/tick_clock.h"
@@ -22,7 +21,8 @@ std::optional<std::uint64_t> Outbox::add(ConnectionId owner, const What& what,
   ++waiting_each_[owner];
   ++waiting_;
   open_.push_back({owner, {++last_seq_, what}, after});
-  mailbox_.request_times.asked(last_seq_, device::monotonic_ns());
+  mailbox_.request_times.received(last_seq_,
+                                  received_ns_ != 0 ? received_ns_ : device::monotonic_ns());
   return last_seq_;
 }
 
@@ -62,21 +62,22 @@ void Outbox::commit() {
 void Outbox::flush() {
   if (groups_.empty()) return;
   const std::size_t queued = control::Mailbox::kCommands - mailbox_.commands.write_available();
-  std::array<control::Command, control::kMaxCommandsPerTick> ready{};
-  std::size_t count = 0;
+  ready_.clear();
+  const std::int64_t now_ns = device::monotonic_ns();
   while (!groups_.empty() && is_due(groups_.front()) &&
-         queued + count + groups_.front().size() <= ready.size()) {
+         queued + ready_.size() + groups_.front().size() <= control::kMaxCommandsPerTick) {
     for (const Owned& owned : groups_.front()) {
-      ready[count++] = owned.command;
+      ready_.push_back(owned.command);
+      mailbox_.request_times.queued(owned.command.seq, now_ns);
       handed_over_seq_ = owned.command.seq;
       const auto each = waiting_each_.find(owned.owner);
       if (--each->second == 0) waiting_each_.erase(each);
     }
     groups_.pop_front();
   }
-  waiting_ -= count;
+  waiting_ -= ready_.size();
   // One push: the control thread sees all of it or nothing.
-  mailbox_.commands.push(ready.data(), count);
+  mailbox_.commands.push(ready_.data(), ready_.size());
 }
 
 }  // namespace hedgehog::server

@@ -43,6 +43,9 @@ class Outbox {
   /// Gives the start of `effect`, and all updates of it, the spec `spec`. False, and nothing is
   /// changed: that start has been handed over.
   bool amend(control::EffectId effect, const model::EffectSpec& spec) noexcept;
+  /// When the request was read that commands are added for, CLOCK_MONOTONIC; 0: it is none, or as
+  /// they are added.
+  void set_received(std::int64_t ns) noexcept { received_ns_ = ns; }
   /// Closes the group and hands over what fits.
   void commit();
   /// Hands over what fits; call it at least every millisecond while `waiting()`.
@@ -65,8 +68,11 @@ class Outbox {
   control::Mailbox& mailbox_;
   std::deque<std::vector<Owned>> groups_;
   std::vector<Owned> open_;
+  /// Being handed over; kept for its memory.
+  std::vector<control::Command> ready_;
   std::size_t waiting_ = 0;
   std::map<ConnectionId, std::size_t> waiting_each_;
+  std::int64_t received_ns_ = 0;
   std::uint64_t last_seq_ = 0;
   std::uint64_t handed_over_seq_ = 0;
   std::uint64_t applied_seq_ = 0;

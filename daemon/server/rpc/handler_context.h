@@ -15,6 +15,7 @@
 #include "daemon/server/effects/effect_plan.h"
 #include "daemon/server/effects/effect_registry.h"
 #include "daemon/server/effects/keyframe_allocator.h"
+#include "daemon/server/effects/latency_log.h"
 #include "daemon/server/history/telemetry_samples.h"
 #include "daemon/server/rpc/view/status_view.h"
 #include "daemon/server/session/claim.h"
@@ -45,6 +46,7 @@ struct HandlerContext {
   ConnectionId orientation_feeder = 0;
   Counters counters{};
   TelemetrySamples telemetry{};
+  LatencyLog latency{};
   /// Of this start of the daemon.
   std::string start_id = random_start_id();
   /// nullptr: devices are not scanned.

@@ -20,6 +20,7 @@ Outcome handle(Call& call, const protocol::EffectUpdate& request);
 Outcome handle(Call& call, const protocol::EffectStop& request);
 Outcome handle(Call& call, const protocol::EffectStopAll& request);
 Outcome handle(Call& call, const protocol::EffectPreview& request);
+Outcome handle(Call& call, const protocol::EffectLatency& request);
 
 Outcome handle(Call& call, const protocol::DeviceDescribe& request);
 Outcome handle(Call& call, const protocol::DeviceList& request);

@@ -78,7 +78,9 @@ void Server::release() {
 void Server::line(Session& session, std::string_view text) {
   // What a client hears is of now, not of the last pump.
   device_view_.refresh();
+  device_view_.outbox().set_received(session.received_ns);
   dispatcher_.line(session, text);
+  device_view_.outbox().set_received(0);
 }
 
 void Server::pump() {
@@ -90,6 +92,7 @@ void Server::pump() {
     control_silent_.restart(now);
   }
   keyframes_.applied(device_view_.now().applied_seq);
+  take_effect_times();
   take_events();
   device_view_.outbox().flush();
   dispatcher_.poll();
@@ -104,6 +107,11 @@ bool Server::busy() const noexcept {
          std::any_of(
              context_.sessions.begin(), context_.sessions.end(),
              [](const auto& entry) { return entry.second->telemetry || entry.second->events; });
+}
+
+void Server::take_effect_times() {
+  control::EffectTimes times;
+  while (device_view_.mailbox().effect_times.pop(times)) context_.latency.add(times);
 }
 
 void Server::take_events() {

@@ -89,6 +89,7 @@ class Server {
 
  private:
   void release();
+  void take_effect_times();
   void take_events();
   void notify(const control::Event& event, const Effect* effect);
   void remember(const protocol::Event& view, const control::Event& event, const Effect* effect);

@@ -50,6 +50,7 @@ const PARAMETERS = {
 		"attack_level": [0, 1], "fade_level": [0, 1], "waveform": ["constant", "sine", "square", "triangle", "sawtooth", "noise"],
 		"frequency_hz": [0.5, 250], "on_fraction": [0.05, 0.95], "duration_ms": [1, 10000], "lease_ms": [100, 10000],
 		"on_close": ["stop", "finish"], "slot": null, "priority": [0, 9], "if_limited": ["reduce", "refuse"]},
+	"effect.latency": {},
 	"effect.play": {"pattern": null, "keyframes": null, "rotate_to": null, "rate": [0.1, 10], "loop": null,
 		"frame": ["device", "world", "coil"], "level": [0, 1], "current_a": [0], "force_n": [0], "gain": [0, 1],
 		"start_at_ns": [0], "delay_ms": [0, 10000], "attack_ms": [0, 10000], "fade_ms": [0, 10000], "attack_level": [0, 1],
@@ -204,6 +205,11 @@ func circle(axis = null, params: Dictionary = {}):
 ## if_limited: "refuse": an error instead of less than what was asked; reduce, refuse
 func hold(direction, params: Dictionary = {}):
 	return request("effect.hold", _with(params, "direction", direction))
+
+
+## How long effects took from their request to the board.
+func latency(params: Dictionary = {}):
+	return request("effect.latency", params)
 
 
 ## Plays key frames, of a named pattern or its own.

@@ -67,7 +67,10 @@ class Page {
   }
   void histogram(const std::string& name, const std::string& help, const base::Histogram& h) {
     family(name, help, MetricType::Histogram);
-    ClientMetric metric = labelled({});
+    add(h);
+  }
+  void add(const base::Histogram& h, Labels labels = {}) {
+    ClientMetric metric = labelled(std::move(labels));
     std::uint64_t sum = 0;
     for (std::size_t i = 0; i < h.counts.size(); ++i) {
       sum += h.counts[i];
@@ -220,6 +223,18 @@ void clients(Page& page, const HandlerContext& context) {
       .add(counters.telemetry_dropped);
 }
 
+void latency(Page& page, const LatencyLog& log) {
+  page.family("effect_latency_seconds",
+              "Time that effects took on their way to the board. received: the request was read; "
+              "queued: to the control loop; applied: by a tick; written: the first frame with it "
+              "was sent",
+              MetricType::Histogram);
+  for (std::size_t i = 0; i < kLatencyStageNames.size(); ++i) {
+    page.add(log.histogram(static_cast<LatencyStage>(i)),
+             {{"stage", std::string(kLatencyStageNames[i])}});
+  }
+}
+
 void loop(Page& page, const control::StatusSnapshot& now) {
   page.histogram("request_to_coil_seconds",
                  "Time from reading a request to handing what follows from it to the board",
@@ -270,6 +285,7 @@ std::string metrics_text(Server& server) {
   effects(page, server.context().counters, status);
   clients(page, server.context());
   loop(page, device_view.now());
+  latency(page, server.context().latency);
   process(page);
   return page.text();
 }

@@ -170,6 +170,12 @@ namespace Hedgehog
                 .Set("if_limited", Words.Of(ifLimited))));
         }
 
+        /// <summary>How long effects took from their request to the board.</summary>
+        public Results.Latency Latency()
+        {
+            return new Results.Latency(Call("effect.latency"));
+        }
+
         /// <summary>Plays key frames, of a named pattern or its own.</summary>
         /// <param name="pattern">The name of a pattern, or keyframes instead</param>
         /// <param name="keyframes">Where and how strongly, at points in time; t_ms never falls</param>
@@ -744,6 +750,12 @@ namespace Hedgehog
                 .Set("slot", slot)
                 .Set("priority", priority)
                 .Set("if_limited", Words.Of(ifLimited))).ConfigureAwait(false));
+        }
+
+        /// <summary>How long effects took from their request to the board.</summary>
+        public async Task<Results.Latency> Latency()
+        {
+            return new Results.Latency(await Call("effect.latency").ConfigureAwait(false));
         }
 
         /// <summary>Plays key frames, of a named pattern or its own.</summary>

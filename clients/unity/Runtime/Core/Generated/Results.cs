@@ -1474,6 +1474,43 @@ namespace Hedgehog.Results
         }
     }
 
+    /// <summary>Latency of protocol/README.md.</summary>
+    public sealed class Latency
+    {
+        /// <summary>All that came, also what this version does not know.</summary>
+        public readonly Json Json;
+
+        public Latency(Json json)
+        {
+            Json = json;
+        }
+
+        public long Effects
+        {
+            get { return Json["effects"].Integer; }
+        }
+
+        public StatusLoopLatenessUs ReceivedToQueuedUs
+        {
+            get { return Json["received_to_queued_us"].IsNull ? null : new StatusLoopLatenessUs(Json["received_to_queued_us"]); }
+        }
+
+        public StatusLoopLatenessUs QueuedToAppliedUs
+        {
+            get { return Json["queued_to_applied_us"].IsNull ? null : new StatusLoopLatenessUs(Json["queued_to_applied_us"]); }
+        }
+
+        public StatusLoopLatenessUs AppliedToWrittenUs
+        {
+            get { return Json["applied_to_written_us"].IsNull ? null : new StatusLoopLatenessUs(Json["applied_to_written_us"]); }
+        }
+
+        public StatusLoopLatenessUs ReceivedToWrittenUs
+        {
+            get { return Json["received_to_written_us"].IsNull ? null : new StatusLoopLatenessUs(Json["received_to_written_us"]); }
+        }
+    }
+
     /// <summary>EventsSubscription of protocol/README.md.</summary>
     public sealed class EventsSubscription
     {

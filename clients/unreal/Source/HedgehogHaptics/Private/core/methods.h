@@ -17,6 +17,7 @@ inline constexpr const char* kDeviceRelease = "device.release";
 inline constexpr const char* kDeviceStatus = "device.status";
 inline constexpr const char* kEffectCircle = "effect.circle";
 inline constexpr const char* kEffectHold = "effect.hold";
+inline constexpr const char* kEffectLatency = "effect.latency";
 inline constexpr const char* kEffectPlay = "effect.play";
 inline constexpr const char* kEffectPreview = "effect.preview";
 inline constexpr const char* kEffectPulse = "effect.pulse";
