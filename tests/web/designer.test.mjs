@@ -31,6 +31,121 @@ test("clicks on the ball become key frames, which are forecast and played", asyn
   await comes(async () => await daemon.ended("completed") > 0);
 });
 
+const chosen = () => page.locator("#frames tr[aria-current]").evaluateAll((rows) => rows.map((row) => row.rowIndex));
+/** Where a key frame is on the screen. */
+const markAt = (index) => page.evaluate((which) => window.dashboard.path.screen(which), index);
+
+/** Three key frames, from the left to the right of what is seen. */
+async function threeFrames() {
+  await open("/designer.html");
+  for (const [t, x] of [[0, 0.45], [700, 0.5], [1500, 0.55]]) {
+    await at(t);
+    await clickBall(x, 0.5);
+  }
+  assert.equal((await frames()).length, 3);
+}
+
+test("key frames are marks on the ball where they were put, with the path between them as dots", async () => {
+  await open("/designer.html");
+  await clickBall(0.47, 0.45);
+  const box = await page.locator("#ball").boundingBox();
+  const [x, y] = await markAt(0);
+  assert.ok(Math.hypot(x - box.x - 0.47 * box.width, y - box.y - 0.45 * box.height) < 2, "under the pointer");
+  const drawn = () => page.evaluate(() => [window.dashboard.path.marks.count, window.dashboard.path.dots.count]);
+  assert.deepEqual(await drawn(), [1, 0]);
+  await at(500);
+  await clickBall(0.55, 0.5);
+  assert.deepEqual(await drawn(), [2, 49], "a dot every 10 ms");
+  await page.getByRole("button", { name: "Clear" }).click();
+  assert.deepEqual(await drawn(), [0, 0]);
+});
+
+test("a press on a key frame of the ball chooses it, and a drag moves it there and in the table", async () => {
+  await threeFrames();
+  const before = await frames();
+  const [x, y] = await markAt(1);
+  await page.mouse.click(x, y);
+  assert.deepEqual(await frames(), before, "no other one was put");
+  assert.deepEqual(await chosen(), [2]);
+  assert.match(await page.textContent("#caption"), /^Key frame 2 of 3, at 0\.70 s towards /);
+  assert.equal(await page.locator("[name=time]").inputValue(), "700");
+
+  const view = () => page.evaluate(() => window.dashboard.ball.camera.position.toArray());
+  const seenFrom = await view();
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  for (let i = 1; i <= 10; ++i) await page.mouse.move(x + i, y - 4 * i);
+  await page.mouse.up();
+  const after = await frames();
+  assert.deepEqual(after.map(({ t }) => t), [0, 700, 1500]);
+  assert.deepEqual([after[0], after[2]], [before[0], before[2]]);
+  assert.ok(after[1].direction[2] > before[1].direction[2] + 0.2, "up");
+  const [movedX, movedY] = await markAt(1);
+  assert.ok(Math.hypot(movedX - x - 10, movedY - y + 40) < 2, "it follows the pointer");
+  assert.deepEqual(await view(), seenFrom, "and the view stays");
+  const shown = Number(await page.getByLabel("elevation of key frame 2").inputValue());
+  assert.ok(Math.abs(shown - (Math.asin(after[1].direction[2]) * 180) / Math.PI) < 1);
+  await until(() => document.getElementById("currents").points.length > 10);
+});
+
+test("the chosen key frame has its level from the slider and goes with Delete", async () => {
+  await threeFrames();
+  await page.mouse.click(...await markAt(1));
+  await page.locator("[name=level]").fill("0.4");
+  assert.deepEqual((await frames()).map(({ level }) => level), [1, 0.4, 1]);
+  await page.keyboard.press("Delete");
+  assert.deepEqual((await frames()).map(({ t }) => t), [0, 1500]);
+  assert.deepEqual(await chosen(), []);
+  await page.keyboard.press("Delete");
+  assert.equal((await frames()).length, 2, "none is chosen");
+  await page.mouse.click(...await markAt(1));
+  await page.locator("[name=name]").focus();
+  await page.keyboard.press("Delete");
+  assert.equal((await frames()).length, 2, "of the name's letters");
+});
+
+test("a key frame behind the ball is not taken through it, and a drag beside all turns the view", async () => {
+  await threeFrames();
+  await page.getByLabel("azimuth of key frame 2").fill("0");
+  await page.getByLabel("azimuth of key frame 2").press("Enter");
+  await page.getByLabel("elevation of key frame 2").fill("0");
+  await page.getByLabel("elevation of key frame 2").press("Enter");
+  assert.equal(await page.evaluate(() => window.dashboard.path.hidden(1)), true, "the holder looks at the back");
+  assert.equal(await page.evaluate(() => window.dashboard.path.hidden(0)), false);
+  await at(1000);
+  await page.mouse.click(...await markAt(1));
+  assert.equal((await frames()).length, 4, "a new one before it");
+  const seenFrom = await page.evaluate(() => window.dashboard.ball.camera.position.y);
+  await page.locator("#ball").scrollIntoViewIfNeeded();
+  const box = await page.locator("#ball").boundingBox();
+  const low = box.y + 0.9 * box.height;
+  await page.mouse.move(box.x + 20, low);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 120, low, { steps: 5 });
+  await page.mouse.up();
+  const turned = await page.evaluate(() => window.dashboard.ball.camera.position.y);
+  assert.ok(Math.abs(turned - seenFrom) > 10, `${turned}`);
+  assert.equal((await frames()).length, 4);
+});
+
+test("what is kept in the daemon is a pattern of it, and what the daemon refuses says why", async () => {
+  await threeFrames();
+  await page.locator("[name=name]").fill("acme/wave");
+  await page.getByRole("button", { name: "Keep in the daemon" }).click();
+  await until(() => document.getElementById("said").textContent === "acme/wave is kept by the daemon");
+  const { keyframes, duration_ms } = await daemon.call("pattern.get", { name: "acme/wave" });
+  assert.equal(duration_ms, 1500);
+  assert.deepEqual(keyframes.map(({ t_ms }) => t_ms), [0, 700, 1500]);
+  assert.equal((await daemon.call("effect.play", { pattern: "acme/wave", on_close: "finish" })).current_a > 0, true);
+  await page.locator("[name=name]").fill("No Name");
+  await page.getByRole("button", { name: "Keep in the daemon" }).click();
+  await until(() => /is no name for a pattern/.test(document.getElementById("said").textContent));
+  assert.equal(await page.locator("#said.bad").count(), 1);
+  await page.getByRole("button", { name: "Clear" }).click();
+  await page.getByRole("button", { name: "Keep in the daemon" }).click();
+  await until(() => document.getElementById("said").textContent === "There is nothing to keep yet.");
+});
+
 test("what is saved is a pattern that the daemon takes and this page loads", async () => {
   await open("/designer.html");
   await page.getByRole("button", { name: "Add key frame" }).click();

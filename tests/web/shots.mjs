@@ -31,12 +31,19 @@ for (const [name, device] of [["desktop", kDesktop], ["phone", kPhone]]) {
   await page.screenshot({ path: `${folder}/orientation-${name}.png` });
   await page.goto(`${daemon.url}/designer.html`);
   await page.waitForSelector("body[data-state=armed]");
-  for (const [t, x] of [[0, 0.42], [700, 0.5], [1600, 0.56]]) {
+  for (const [t, x, y, level] of [[0, 0.42, 0.52, 0.5], [500, 0.46, 0.4, 1], [1000, 0.53, 0.42, 0.7], [1700, 0.56, 0.58, 0.3]]) {
     await page.locator("[name=time]").fill(String(t));
+    await page.locator("[name=level]").fill(String(level));
     const box = await page.locator("#ball").boundingBox();
-    await page.mouse.click(box.x + x * box.width, box.y + 0.5 * box.height);
+    await page.mouse.click(box.x + x * box.width, box.y + y * box.height);
   }
-  await page.waitForFunction(() => document.getElementById("currents").points.length > 10);
+  await page.mouse.click(...(await page.evaluate(() => window.dashboard.path.screen(1))));
+  // The currents of all of it, not of what was there before.
+  await page.waitForFunction(() => {
+    const [levels, currents] = ["levels", "currents"].map((id) => document.getElementById(id).points);
+    const ends = (points) => points.getItem(points.length - 1).x;
+    return currents.length > 0 && ends(currents) > 0.95 * ends(levels);
+  });
   await page.screenshot({ path: `${folder}/designer-${name}.png`, fullPage: name === "phone" });
   await page.goto(racer.url);
   await page.waitForFunction(() => window.racer.ring.last?.kind === "hit" || window.racer.ring.last?.kind === "landing", null, { timeout: 90_000 });

@@ -251,15 +251,19 @@ export class Ball extends EventTarget {
     });
   }
 
-  /** What of the ball is under the pointer. */
-  hit(event) {
-    if (!this.mesh) return undefined;
+  /** A three.Raycaster from the eye through the pointer. */
+  ray(event) {
     const box = this.canvas.getBoundingClientRect();
     const at = new Vector2(
       (2 * (event.clientX - box.left)) / box.width - 1, 1 - (2 * (event.clientY - box.top)) / box.height);
     const ray = new Raycaster();
     ray.setFromCamera(at, this.camera);
-    return ray.intersectObjects([this.mesh, this.shell])[0];
+    return ray;
+  }
+
+  /** What of the ball is under the pointer. */
+  hit(event) {
+    return this.mesh && this.ray(event).intersectObjects([this.mesh, this.shell])[0];
   }
 
   /** Where the pointer is on the ball: a unit vector of its frame; null beside it. */

@@ -5,6 +5,8 @@ import { FrameTable } from "./frame_table.js";
 import { Keyframes, kMaxMs } from "./keyframes.js";
 import { Link } from "./link.js";
 import { Listener } from "./listen.js";
+import { Path } from "./path.js";
+import { PathEditor } from "./path_editor.js";
 import { stopButton } from "./stop.js";
 import { watch } from "./watch.js";
 import { amperes, complaint, counted, degrees, limitation, whither } from "./words.js";
@@ -23,17 +25,21 @@ const link = new Link("designer page", [
   { method: "telemetry.subscribe", params: { rate_hz: 25, fields: ["state", "current_a", "field", "pins"] } },
 ]);
 const ball = new Ball($("ball"));
+const path = new Path(ball);
 watch(link);
 stopButton(link, say);
 const form = $("design");
 form.addEventListener("submit", (event) => event.preventDefault());
 let frames = new Keyframes();
+/** The time of the key frame that is chosen, of which there is one at most; null: none. */
+let chosenAt = null;
 let limits = { current_a: 15, felt_a: 2.1 };
 /** A drag that is recorded: {from, points}. */
 let drag = null;
 
 const number = (name) => Number(form.elements[name].value);
 const span = () => number("span");
+const chosen = () => frames.frames.findIndex(({ t }) => t === chosenAt);
 const ask = async (method, params, done) => {
   try {
     done(await link.call(method, params));
@@ -47,11 +53,11 @@ const table = new FrameTable($("frames"), {
     frames.remove(index);
     frames.put(frame);
   }),
-  remove: (index) => edit(() => frames.remove(index)),
+  remove: (index) => remove(index),
 });
 
-/** Carries out a change of the key frames and shows it. */
-function edit(change) {
+/** Carries out a change of the key frames and shows it; `tabled` false: not in the table, which is slow to fill. */
+function edit(change, tabled = true) {
   try {
     change();
     say("");
@@ -59,7 +65,7 @@ function edit(change) {
     say(complaint(error), true);
   }
   $("no-frames").hidden = frames.frames.length > 0;
-  table.show(frames.frames);
+  if (tabled) table.show(frames.frames, chosen());
   while (span() < frames.length()) form.elements.span.selectedIndex += 1;
   draw();
   clearTimeout(edit.timer);
@@ -73,15 +79,17 @@ function line(id, points) {
 
 function draw() {
   form.elements.time.max = span();
-  const now = number("time");
+  const now = chosen() < 0 ? number("time") : chosenAt;
   $("time-shown").value = `${(now / 1000).toFixed(2)} s`;
   $("level-shown").value = number("level").toFixed(2);
   $("strength-shown").value = amperes(number("strength"));
   for (const end of ["x1", "x2"]) $("now").setAttribute(end, (1000 * now) / span());
   line("levels", frames.frames.map(({ t, level }) => [t, level]));
   const at = frames.at(now);
+  path.show(frames, chosen());
   ball.setField(at && at.level > 0 ? at.direction : [0, 0, 0], at?.level ?? 0);
-  $("caption").textContent = at ? `At ${(now / 1000).toFixed(2)} s towards ${whither(at.direction)}, level ${at.level.toFixed(2)}` : "At rest";
+  const which = chosen() < 0 ? "At" : `Key frame ${chosen() + 1} of ${frames.frames.length}, at`;
+  $("caption").textContent = at ? `${which} ${(now / 1000).toFixed(2)} s towards ${whither(at.direction)}, level ${at.level.toFixed(2)}` : "At rest";
 }
 
 const params = () => ({ keyframes: frames.wire(), current_a: number("strength") });
@@ -90,9 +98,9 @@ async function forecast() {
   line("currents", []);
   $("forecast").textContent = "";
   if (!frames.playable() || !link.ready) return;
-  const asked = frames;
+  const asked = frames.frames;
   await ask("effect.preview", { method: "effect.play", params: params() }, (preview) => {
-    if (asked !== frames) return;
+    if (asked !== frames.frames) return;
     line("currents", preview.current_a.map((current, i) =>
       [(i + 0.5) * preview.step_ms, Math.min(1, Math.hypot(...current) / number("strength"))]));
     const limited = limitation(preview.limited_by);
@@ -102,7 +110,10 @@ async function forecast() {
 }
 
 form.addEventListener("input", (event) => {
-  if (["time", "level", "strength", "span"].includes(event.target.name)) edit(() => {});
+  const { name } = event.target;
+  if (name === "time") chosenAt = null;
+  if (name === "level" && chosen() >= 0) edit(() => frames.put({ ...frames.frames[chosen()], level: number("level") }));
+  else if (["time", "level", "strength", "span"].includes(name)) edit(() => {});
 });
 $("add").addEventListener("click", () => edit(() => {
   const direction = frames.at(number("time"))?.direction ?? frames.frames.at(-1)?.direction ?? [1, 0, 0];
@@ -116,8 +127,35 @@ $("play").addEventListener("click", () => {
     `plays with ${amperes(admission.current_a)}${limitation(admission.limited_by)}`));
 });
 
-// A click on the ball is a key frame; a drag, while recording, many.
-let pressedAt = null;
+/** Chooses a key frame, or none with -1: the sliders have its time and level. */
+function choose(index) {
+  const frame = frames.frames[index];
+  chosenAt = frame?.t ?? null;
+  if (frame) {
+    form.elements.time.value = frame.t;
+    form.elements.level.value = frame.level;
+  }
+  edit(() => {});
+}
+const remove = (index) => edit(() => frames.remove(index));
+new PathEditor(ball, path, {
+  busy: () => $("record").getAttribute("aria-pressed") === "true",
+  choose,
+  move: (index, direction) => edit(() => frames.put({ ...frames.frames[index], direction }), false),
+  moved: () => edit(() => {}),
+  put: (direction) => edit(() => {
+    chosenAt = null;
+    frames.put({ t: number("time"), direction, level: number("level") });
+  }),
+});
+addEventListener("keydown", (event) => {
+  const typing = event.target.closest?.("input:not([type=range]), select, textarea");
+  if (!["Delete", "Backspace"].includes(event.key) || typing || chosen() < 0) return;
+  event.preventDefault();
+  remove(chosen());
+});
+
+// A drag, while recording, is many key frames.
 function recording(on) {
   $("record").setAttribute("aria-pressed", on);
   $("record").textContent = on ? "Drag on the ball now" : "Record a drag";
@@ -125,15 +163,14 @@ function recording(on) {
 }
 $("record").addEventListener("click", () => recording($("record").getAttribute("aria-pressed") !== "true"));
 $("ball").addEventListener("pointerdown", (event) => {
-  pressedAt = [event.clientX, event.clientY];
-  const direction = ball.directionAt(event);
-  if (ball.look.enableRotate || !direction) return;
+  const direction = path.directionAt(event);
+  if ($("record").getAttribute("aria-pressed") !== "true" || !direction) return;
   $("ball").setPointerCapture(event.pointerId);
   drag = { from: performance.now(), points: [{ t: 0, direction }] };
   link.tell("effect.hold", { slot: "drag", direction, current_a: number("strength") * number("level"), lease_ms: kDragLeaseMs });
 });
 $("ball").addEventListener("pointermove", (event) => {
-  const direction = drag && ball.directionAt(event);
+  const direction = drag && path.directionAt(event);
   if (!direction) return;
   const t = Math.round(performance.now() - drag.from);
   if (t > kMaxMs || t <= drag.points.at(-1).t) return;
@@ -141,24 +178,19 @@ $("ball").addEventListener("pointermove", (event) => {
   link.tell("effect.update", { slot: "drag", direction });
 });
 function endDrag() {
-  if (!drag) return false;
+  if (!drag) return;
   const { points } = drag;
   drag = null;
   link.tell("effect.stop", { slot: "drag" });
   recording(false);
-  if (points.length < 2) return true;
-  edit(() => { frames = Keyframes.drawn(points, number("level")); });
+  if (points.length < 2) return;
+  edit(() => {
+    chosenAt = null;
+    frames = Keyframes.drawn(points, number("level"));
+  });
   say(`${(frames.length() / 1000).toFixed(1)} s as ${counted(frames.frames.length, "key frame")}`);
-  return true;
 }
-for (const ending of ["pointercancel", "blur", "pagehide"]) addEventListener(ending, endDrag);
-addEventListener("pointerup", (event) => {
-  if (endDrag()) return;
-  const still = pressedAt && Math.hypot(event.clientX - pressedAt[0], event.clientY - pressedAt[1]) < 6;
-  pressedAt = null;
-  const direction = still && event.target === $("ball") ? ball.directionAt(event) : null;
-  if (direction) edit(() => frames.put({ t: number("time"), direction, level: number("level") }));
-});
+for (const ending of ["pointerup", "pointercancel", "blur", "pagehide"]) addEventListener(ending, endDrag);
 // A hand that rests while it drags still holds.
 setInterval(() => {
   if (drag && performance.now() - drag.from > kMaxMs) endDrag();
@@ -174,7 +206,10 @@ $("save").addEventListener("click", () => {
   URL.revokeObjectURL(url);
   return say(`${file}: hedgehogctl play ${file}`);
 });
-$("keep").addEventListener("click", () => ask("pattern.put", pattern(), ({ name }) => say(`${name} is kept by the daemon`)));
+$("keep").addEventListener("click", () => {
+  if (!frames.playable()) return say("There is nothing to keep yet.", true);
+  return ask("pattern.put", pattern(), ({ name }) => say(`${name} is kept by the daemon`));
+});
 $("load").addEventListener("change", async () => {
   const [file] = $("load").files;
   if (!file) return;
@@ -226,4 +261,4 @@ link.addEventListener("telemetry", ({ detail: status }) => {
 });
 draw();
 
-window.dashboard = { ball, link, listener, frames: () => frames.frames };
+window.dashboard = { ball, path, link, listener, frames: () => frames.frames };

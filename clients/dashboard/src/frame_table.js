@@ -8,10 +8,12 @@ export class FrameTable {
     Object.assign(this, { table, change, remove });
   }
 
-  show(frames) {
+  /** `chosen`: the index of the one that is marked, or -1. */
+  show(frames, chosen) {
     this.table.hidden = frames.length === 0;
     const focused = document.activeElement?.getAttribute?.("aria-label");
     this.table.tBodies[0].replaceChildren(...frames.map((frame, index) => this.row(frame, index)));
+    this.table.tBodies[0].rows[chosen]?.setAttribute("aria-current", "true");
     if (focused) this.table.querySelector(`[aria-label="${focused}"]`)?.focus();
   }
 

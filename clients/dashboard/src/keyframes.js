@@ -50,7 +50,7 @@ function vectorOf(direction, pins) {
 
 export class Keyframes {
   constructor() {
-    /** In order of time: {t, direction, level, ease}; t in ms, direction a unit vector of the ball. */
+    /** In order of time: {t, direction, level, ease}; t in ms, direction a unit vector of the ball. A new list for each change. */
     this.frames = [];
   }
 
@@ -66,7 +66,7 @@ export class Keyframes {
   }
 
   remove(index) {
-    this.frames.splice(index, 1);
+    this.frames = this.frames.filter((_, i) => i !== index);
   }
 
   length() {
