@@ -17,7 +17,9 @@ export function launch(names = []) {
   return chromium.launch({
     executablePath: kChromium,
     args: ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking",
-      "--disable-component-update", "--disable-sync", "--enable-unsafe-swiftshader", `--host-resolver-rules=${["MAP *.example 127.0.0.1", ...names].join(", ")}`],
+      "--disable-component-update", "--disable-sync", "--enable-unsafe-swiftshader",
+      // A microphone that beeps, which each page may use.
+      "--use-fake-device-for-media-stream", "--use-fake-ui-for-media-stream", `--host-resolver-rules=${["MAP *.example 127.0.0.1", ...names].join(", ")}`],
   });
 }
 

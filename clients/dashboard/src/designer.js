@@ -178,17 +178,17 @@ $("ball").addEventListener("pointermove", (event) => {
   link.tell("effect.update", { slot: "drag", direction });
 });
 function endDrag() {
-  if (!drag) return;
+  if (!drag) return undefined;
   const { points } = drag;
   drag = null;
   link.tell("effect.stop", { slot: "drag" });
   recording(false);
-  if (points.length < 2) return;
+  if (points.length < 2) return say("Nothing was recorded: the pointer did not move on the ball.", true);
   edit(() => {
     chosenAt = null;
     frames = Keyframes.drawn(points, number("level"));
   });
-  say(`${(frames.length() / 1000).toFixed(1)} s as ${counted(frames.frames.length, "key frame")}`);
+  return say(`${(frames.length() / 1000).toFixed(1)} s as ${counted(frames.frames.length, "key frame")}`);
 }
 for (const ending of ["pointerup", "pointercancel", "blur", "pagehide"]) addEventListener(ending, endDrag);
 // A hand that rests while it drags still holds.
