@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The C# library, the component, the inspector and the sample against a simulated daemon: live.exe ADDRESS. Exit: 0 all is well.
+// The C# library and the sample, and what live_component.cs has, against a simulated daemon: live.exe ADDRESS. Exit: 0 all is well.
 using System;
 using System.Threading;
 using Hedgehog;
-using Hedgehog.Editor;
 using Hedgehog.Samples;
 using Hedgehog.Unity;
-using UnityEditor;
 using UnityEngine;
 using Results = Hedgehog.Results;
 
-internal static class Live
+internal static partial class Live
 {
     private const double PatienceS = 60.0;
 
@@ -29,6 +27,8 @@ internal static class Live
         well &= Check.Run("the component connects, plays and ends", Component);
         well &= Check.Run("the component without a daemon says why", ComponentAlone);
         well &= Check.Run("the component with a wrong address says so", ComponentWithoutAddress);
+        well &= Check.Run("the component reconnects, subscribes again and reports it on the main thread", ComponentAgain);
+        well &= Check.Run("a rumble that connects first keeps no event from the component", RumbleConnects);
         well &= Check.Run("the racer's blows are eight steps, apart", RacerSteps);
         well &= Check.Run("the racer's car is felt", RacerFelt);
         return well ? 0 : 1;
@@ -132,75 +132,6 @@ internal static class Live
         var none = Check.Throws<NotConnected>(() => new Ball("/none/hedgehogd.sock"));
         Check.That(none.Message.StartsWith("the daemon does not run: /none/hedgehogd.sock: "), none.Message);
         Check.Throws<AddressError>(() => new AsyncBall("host:0"));
-    }
-
-    /// Frames until it is so; a test that never gets there is ended by whoever runs it.
-    private static void Frames(MonoBehaviour one, Func<bool> until)
-    {
-        do
-        {
-            one.Message("Update");
-            Thread.Sleep(1);
-        } while (!until());
-    }
-
-    private static HedgehogBall Enabled()
-    {
-        var ball = new HedgehogBall();
-        ball.Set("address", address);
-        ball.Message("OnEnable");
-        Frames(ball, () => ball.Problem == "");
-        return ball;
-    }
-
-    private static void Component()
-    {
-        HedgehogBall ball = Enabled();
-        string slot = null;
-        ball.EventReceived += happened => slot = slot ?? happened.Slot;
-        Frames(ball, () =>
-        {
-            Check.That(ball.Rumble("wheel", 0.5f, Vector3.up), "sent");
-            return slot != null;
-        });
-        Check.Equal("wheel", slot, "the slot");
-        var pulse = ball.Pulse(Vector3.left, 0.5f);
-        Frames(ball, () => pulse.IsCompleted);
-        Check.That(pulse.Result.Accepted, "accepted");
-        Check.That(ball.StopAll(), "stopped");
-
-        var inspector = new HedgehogBallEditor { target = ball };
-        GUILayout.pressed = "Push left";
-        Check.That(inspector.RequiresConstantRepaint(), "drawn while playing");
-        inspector.OnInspectorGUI();
-        Check.That(EditorGUILayout.shown.StartsWith("Connected to "), EditorGUILayout.shown);
-        ball.Message("OnDisable");
-        Check.That(!ball.Connected && !ball.Rumble("wheel", 1f, Vector3.up), "disabled");
-        inspector.OnInspectorGUI();
-        Check.That(EditorGUILayout.shown.StartsWith("Play mode connects"), EditorGUILayout.shown);
-    }
-
-    private static void ComponentAlone()
-    {
-        var ball = new HedgehogBall();
-        ball.Set("address", "127.0.0.1:1");
-        ball.Message("OnEnable");
-        Frames(ball, () => ball.Problem.StartsWith("the daemon does not run: 127.0.0.1:1: "));
-        var pulse = ball.Pulse(Vector3.left);
-        Check.That(pulse.Exception.InnerException is NotConnected, "no push");
-        ball.Message("OnDisable");
-    }
-
-    private static void ComponentWithoutAddress()
-    {
-        var ball = new HedgehogBall();
-        ball.Set("address", "host:0");
-        ball.Message("OnEnable");
-        ball.Message("Update");
-        Check.That(ball.Problem.StartsWith("'host:0' is no address of a daemon"), ball.Problem);
-        Check.Equal(ball.Problem, Debug.warned, "the warning");
-        Check.That(!ball.Rumble("wheel", 1f, Vector3.up), "nothing to play on");
-        ball.Message("OnDisable");
     }
 
     private static void RacerSteps()

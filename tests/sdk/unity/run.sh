@@ -49,7 +49,7 @@ all=(-r:"$work/bin/Hedgehog.Client.dll" -r:"$work/bin/Hedgehog.Unity.dll" -r:"$w
 # Sees what is internal.
 compile -out:"$work/bin/core_test.exe" "$here/check.cs" "$here/core_test.cs" -recurse:"$package/Runtime/Core/*.cs"
 compile -out:"$work/bin/conformance.exe" "${all[@]}" "$here/check.cs" "$here/conformance.cs"
-compile -out:"$work/bin/live.exe" "${all[@]}" "$here/check.cs" "$here/live.cs"
+compile -out:"$work/bin/live.exe" "${all[@]}" "$here/check.cs" "$here/relay.cs" "$here/live.cs" "$here/live_component.cs"
 
 run core_test.exe
 run conformance.exe "$here/.."

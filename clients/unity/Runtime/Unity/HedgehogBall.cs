@@ -22,8 +22,15 @@ namespace Hedgehog.Unity
 
         private AsyncBall client;
         private Task opening;
+        /// The connection on which this has subscribed, and the one that was reported; null: none.
+        private volatile Results.Hello prepared;
+        private Results.Hello reported;
         private float telemetryHz;
         private string[] telemetryFields;
+
+        /// <summary>The daemon is back after a lost connection, on the main thread: events and telemetry come again, effects have
+        /// ended and are the game's to start again.</summary>
+        public event Action Reconnected;
 
         /// <summary>What happened to effects and to the ball, on the main thread.</summary>
         public event Action<Results.Event> EventReceived;
@@ -104,7 +111,12 @@ namespace Hedgehog.Unity
         private void Update()
         {
             if (client == null) return;
-            if (!client.Connected && client.RetryAfterS <= 0.0 && (opening == null || opening.IsCompleted)) opening = Open(client);
+            Results.Hello hello = client.Hello;
+            if (hello == null && Problem == "") Problem = "the connection to the daemon has ended";
+            // A rumble may have connected it meanwhile, which subscribes to nothing new.
+            bool due = hello == null || hello != prepared;
+            if (due && client.RetryAfterS <= 0.0 && (opening == null || opening.IsCompleted)) opening = Open(client);
+            Report();
             Notification received;
             while (client != null && client.TryNext(out received))
             {
@@ -115,10 +127,20 @@ namespace Hedgehog.Unity
             }
         }
 
+        private void Report()
+        {
+            Results.Hello now = prepared;
+            if (now == reported) return;
+            bool again = reported != null;
+            reported = now;
+            if (again && Reconnected != null) Reconnected();
+        }
+
         private void OnDisable()
         {
             AsyncBall ended = client;
             client = null;
+            prepared = reported = null;
             if (ended != null) ended.Dispose();
         }
 
@@ -127,10 +149,13 @@ namespace Hedgehog.Unity
             try
             {
                 await of.Open();
+                Results.Hello hello = of.Hello;
                 await of.EventsSubscribe();
                 if (telemetryHz > 0f) await of.TelemetrySubscribe(telemetryHz, telemetryFields);
                 else await of.TelemetryUnsubscribe();
+                if (of != client) return;
                 Problem = "";
+                prepared = hello;
             }
             catch (BallError error)
             {
