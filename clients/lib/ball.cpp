@@ -111,9 +111,10 @@ bool Ball::receive(client::Milliseconds patience) {
 
 void Ball::take(protocol::Reply reply) {
   std::erase_if(asked_, [&](const Asked& one) { return one.id == reply.id; });
-  if (std::erase(renewals_, reply.id) > 0) return;
   if (reply.id != introduction_) {
-    subscriptions_.answered(reply.id, reply.result.has_value());
+    const auto ended = subscriptions_.answered(reply.id, reply.result.has_value());
+    if (ended) keep_refusal(*ended, reply.result.error());
+    if (std::erase(renewals_, reply.id) > 0) return;
     if (answers_.size() >= kMaxWaiting) answers_.pop_front();
     answers_.push_back(std::move(reply));
     return;

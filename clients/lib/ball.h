@@ -39,14 +39,17 @@ double felt_level(double strength, const protocol::HelloLimits& limits) noexcept
 ///
 /// Errors: kRefused has the daemon's RpcError. kNoDaemon: "the daemon does not run: ...". kClosed,
 /// kTimeout and kProtocol end the connection; the next call connects anew, no more often than
-/// `retry_after` allows. What the program subscribed to is subscribed to again; its effects are not
-/// made again: `connections` shows that there is a new connection.
+/// `retry_after` allows. What the program subscribed to is subscribed to again, and
+/// `refused_renewal` has what could not be; its effects are not made again: `connections` shows
+/// that there is a new connection.
 class Ball {
  public:
   /// A rumble ends so long after its last frame: a game that hangs lets go of the ball.
   static constexpr std::int64_t kRumbleLeaseMs = 250;
   /// Notifications that nobody has fetched; the oldest are dropped.
   static constexpr std::size_t kMaxWaiting = 10'000;
+  /// Refused renewals that nobody has fetched; the oldest are dropped.
+  static constexpr std::size_t kMaxRefused = 16;
 
   /// Does not connect yet: `update` begins.
   explicit Ball(std::vector<client::Address> addresses, BallOptions options = {});
@@ -74,13 +77,19 @@ class Ball {
               protocol::EffectParams others = {});
   /// Sends and wants no response. False: nothing was sent.
   bool notify(const protocol::Request& request);
-  /// The same for any method; `params_json` is an object or empty.
+  /// The same for any method; `params_json` is an object or empty. A subscription is made again on
+  /// the next connection only if this library knows its parameters; with `ask_raw`, if the daemon
+  /// accepts it.
   bool notify_raw(std::string_view method, std::string_view params_json);
   /// Sends; `answer` has the response a few frames later. nullopt: nothing was sent.
   std::optional<protocol::Id> ask(const protocol::Request& request);
   std::optional<protocol::Id> ask_raw(std::string_view method, std::string_view params_json);
   /// The oldest response to an `ask`.
   std::optional<protocol::Reply> answer();
+  /// The oldest subscription that the program had and a new connection could not make again, as the
+  /// daemon refused it (another version, another role): kRefused, "events.subscribe: ...". It has
+  /// ended. At most one of each kind for a connection is kept, `kMaxRefused` in all.
+  std::optional<client::ClientError> refused_renewal();
   /// The oldest event or telemetry that was read and not yet taken.
   std::optional<client::Notification> next();
 
@@ -125,6 +134,7 @@ class Ball {
   void take(protocol::Reply reply);
   void expire();
   void renew_subscriptions();
+  void keep_refusal(const std::string& method, const protocol::RpcError& refusal);
   client::Outcome<protocol::Id> send(const client::AnyRequest& request);
   std::optional<protocol::Id> ask_any(const client::AnyRequest& request);
   bool notify_any(const client::AnyRequest& request);
@@ -147,6 +157,7 @@ class Ball {
   int connections_ = 0;
   client::Subscriptions subscriptions_;
   std::vector<protocol::Id> renewals_;  // whose responses nobody waits for
+  std::deque<client::ClientError> refused_renewals_;
   std::deque<Asked> asked_;
   std::deque<protocol::Reply> answers_;
   std::deque<client::Notification> notifications_;

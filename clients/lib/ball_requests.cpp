@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How a Ball's requests are sent, and which of them the next connection makes again.
+#include <utility>
+
 #include "clients/lib/ball.h"
 
 namespace hedgehog {
@@ -45,11 +47,25 @@ std::optional<protocol::Id> Ball::ask_raw(std::string_view method, std::string_v
 }
 
 void Ball::renew_subscriptions() {
-  for (const client::AnyRequest& one : subscriptions_.current()) {
-    const auto asked = send(one);
+  for (const client::Subscriptions::Held& one : subscriptions_.current()) {
+    const auto asked = send(one.request);
     if (!asked) return;
+    subscriptions_.renewed(*asked, one);
     renewals_.push_back(*asked);
   }
+}
+
+void Ball::keep_refusal(const std::string& method, const protocol::RpcError& refusal) {
+  if (refused_renewals_.size() >= kMaxRefused) refused_renewals_.pop_front();
+  refused_renewals_.push_back(
+      {client::Failure::kRefused, method + ": " + refusal.message, refusal});
+}
+
+std::optional<client::ClientError> Ball::refused_renewal() {
+  if (refused_renewals_.empty()) return std::nullopt;
+  std::optional<client::ClientError> oldest = std::move(refused_renewals_.front());
+  refused_renewals_.pop_front();
+  return oldest;
 }
 
 }  // namespace hedgehog

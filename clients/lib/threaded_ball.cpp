@@ -70,6 +70,14 @@ std::optional<client::Notification> ThreadedBall::next() {
   return oldest;
 }
 
+std::optional<client::ClientError> ThreadedBall::refused_renewal() {
+  const std::lock_guard lock(mutex_);
+  if (refused_renewals_.empty()) return std::nullopt;
+  std::optional<client::ClientError> oldest = std::move(refused_renewals_.front());
+  refused_renewals_.pop_front();
+  return oldest;
+}
+
 bool ThreadedBall::post(Task task) {
   {
     const std::lock_guard lock(mutex_);
@@ -97,6 +105,10 @@ void ThreadedBall::run() {
     while (auto notification = ball_.next()) {
       if (notifications_.size() >= Ball::kMaxWaiting) notifications_.pop_front();
       notifications_.push_back(*std::move(notification));
+    }
+    while (auto refused = ball_.refused_renewal()) {
+      if (refused_renewals_.size() >= Ball::kMaxRefused) refused_renewals_.pop_front();
+      refused_renewals_.push_back(*std::move(refused));
     }
     if (!ending)
       changed_.wait_for(lock, kReadInterval, [this] { return ending_ || !tasks_.empty(); });

@@ -56,6 +56,7 @@ class ThreadedBall {
   /// The same for any method; the result is the JSON text that the daemon sent.
   std::future<client::Outcome<std::string>> call_raw(std::string method, std::string params_json);
   std::optional<client::Notification> next();
+  std::optional<client::ClientError> refused_renewal();
 
  private:
   using Task = std::function<void(Ball&)>;
@@ -77,6 +78,7 @@ class ThreadedBall {
   std::condition_variable changed_;
   std::deque<Task> tasks_;
   std::deque<client::Notification> notifications_;
+  std::deque<client::ClientError> refused_renewals_;
   bool connected_ = false;
   int connections_ = 0;
   std::optional<client::ClientError> failure_;

@@ -147,6 +147,55 @@ TEST(Ball, ARequestThatIsTooLongEndsNoConnection) {
   EXPECT_EQ(ball.call(protocol::Ping{}).value().time_ns, 42);
 }
 
+/// Accepts a subscription to events, and closes.
+void accept_events(FakePeer& peer) {
+  peer.read();
+  peer.send_line(kWelcome);
+  EXPECT_THAT(peer.read(), HasSubstr("events.subscribe"));
+  peer.send_line(R"({"jsonrpc":"2.0","id":2,"result":{"types":[]}})");
+}
+
+/// Refuses to renew it, and goes on.
+void refuse_events(FakePeer& peer) {
+  peer.read();
+  peer.send_line(kWelcome);
+  EXPECT_THAT(peer.read(), HasSubstr("events.subscribe"));
+  peer.send_line(
+      R"({"jsonrpc":"2.0","id":2,"error":{"code":-32004,"message":"forbidden: not any more"}})");
+  EXPECT_THAT(peer.read(), HasSubstr("ping"));
+  peer.send_line(R"({"jsonrpc":"2.0","id":3,"result":{"time_ns":42}})");
+  peer.read();
+}
+
+TEST(Ball, ReportsASubscriptionThatTheNextDaemonRefuses) {
+  FakeDaemon first(accept_events);
+  FakeDaemon second(refuse_events);
+  Ball ball({first.address(), second.address()}, patient());
+  ASSERT_TRUE(ball.call_raw("events.subscribe", ""));
+  first.finish();
+  frames(ball, [&] { return ball.connections() == 2; });
+  std::optional<client::ClientError> refused;
+  frames(ball, [&] { return (refused = ball.refused_renewal()).has_value(); });
+  EXPECT_EQ(refused->failure, Failure::kRefused);
+  EXPECT_EQ(refused->message, "events.subscribe: forbidden: not any more");
+  EXPECT_EQ(refused->refusal->code, protocol::ErrorCode::kForbidden);
+  EXPECT_FALSE(ball.refused_renewal().has_value()) << "once";
+  EXPECT_FALSE(ball.answer().has_value()) << "nobody asked for that response";
+  EXPECT_EQ(ball.call(protocol::Ping{}).value().time_ns, 42) << "the connection goes on";
+}
+
+TEST(ThreadedBall, ReportsASubscriptionThatTheNextDaemonRefuses) {
+  FakeDaemon first(accept_events);
+  FakeDaemon second(refuse_events);
+  ThreadedBall ball({first.address(), second.address()}, patient());
+  ASSERT_TRUE(ball.call_raw("events.subscribe", "").get());
+  first.finish();
+  std::optional<client::ClientError> refused;
+  while (!(refused = ball.refused_renewal())) std::this_thread::yield();
+  EXPECT_EQ(refused->message, "events.subscribe: forbidden: not any more");
+  while (!ball.call(protocol::Ping{}).get()) std::this_thread::yield();
+}
+
 TEST(Ball, FeltLevelBeginsWhereAPushIsFelt) {
   const protocol::HelloLimits limits{.current_a = 15.0, .felt_a = 2.1};
   EXPECT_EQ(felt_level(0.0, limits), 0.0);

@@ -12,7 +12,7 @@ using protocol::Id;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-const RawRequest kEvents{"events.subscribe", R"({"types":["armed"]})"};
+const RawRequest kEvents{"events.subscribe", R"({"types":["state_changed"]})"};
 
 TEST(Subscriptions, HoldOnceTheDaemonHasAcceptedThem) {
   Subscriptions subscriptions;
@@ -20,7 +20,8 @@ TEST(Subscriptions, HoldOnceTheDaemonHasAcceptedThem) {
   EXPECT_THAT(subscriptions.current(), IsEmpty());
   subscriptions.answered(Id::number(2), true);
   ASSERT_THAT(subscriptions.current(), SizeIs(1));
-  EXPECT_EQ(std::get<RawRequest>(subscriptions.current()[0]).params_json, kEvents.params_json);
+  EXPECT_EQ(std::get<RawRequest>(subscriptions.current()[0].request).params_json,
+            kEvents.params_json);
 }
 
 TEST(Subscriptions, ThatWereRefusedOrNotAnsweredDoNotHold) {
@@ -39,7 +40,7 @@ TEST(Subscriptions, AreOneOfEachKind) {
   subscriptions.notified(protocol::Request(protocol::TelemetrySubscribe{.rate_hz = 5.0}));
   subscriptions.notified(protocol::Request(protocol::TelemetrySubscribe{.rate_hz = 20.0}));
   ASSERT_THAT(subscriptions.current(), SizeIs(2));
-  const auto& last = std::get<protocol::Request>(subscriptions.current()[1]);
+  const auto& last = std::get<protocol::Request>(subscriptions.current()[1].request);
   EXPECT_EQ(std::get<protocol::TelemetrySubscribe>(last).rate_hz, 20.0);
 }
 
@@ -53,6 +54,85 @@ TEST(Subscriptions, EndWithTheirOwnUnsubscribe) {
   ASSERT_THAT(subscriptions.current(), SizeIs(1));
   subscriptions.notified(RawRequest{"telemetry.unsubscribe", ""});
   EXPECT_THAT(subscriptions.current(), IsEmpty());
+}
+
+TEST(Subscriptions, ThatWereEndedAreNotBroughtBackByALateAcceptance) {
+  Subscriptions subscriptions;
+  subscriptions.asked(Id::number(2), kEvents);
+  subscriptions.notified(RawRequest{"events.unsubscribe", ""});
+  subscriptions.answered(Id::number(2), true);
+  EXPECT_THAT(subscriptions.current(), IsEmpty()) << "it was sent before its end was";
+
+  subscriptions.asked(Id::number(3), kEvents);
+  subscriptions.asked(Id::number(4), RawRequest{"events.unsubscribe", ""});
+  subscriptions.answered(Id::number(4), true);
+  subscriptions.answered(Id::number(3), true);
+  EXPECT_THAT(subscriptions.current(), IsEmpty()) << "in whichever order the responses come";
+
+  subscriptions.asked(Id::number(5), kEvents);
+  subscriptions.answered(Id::number(5), true);
+  EXPECT_THAT(subscriptions.current(), SizeIs(1)) << "subscribed to anew";
+}
+
+TEST(Subscriptions, OfTwoTheOneThatWasSentLastHolds) {
+  Subscriptions subscriptions;
+  subscriptions.asked(Id::number(2), kEvents);
+  subscriptions.notified(RawRequest{"events.subscribe", R"({"scope":"all"})"});
+  subscriptions.answered(Id::number(2), true);
+  ASSERT_THAT(subscriptions.current(), SizeIs(1));
+  EXPECT_EQ(std::get<RawRequest>(subscriptions.current()[0].request).params_json,
+            R"({"scope":"all"})");
+}
+
+TEST(Subscriptions, WhoseLaterChangeWasRefusedHoldAsTheyWere) {
+  Subscriptions subscriptions;
+  subscriptions.asked(Id::number(2), kEvents);
+  subscriptions.asked(Id::number(3), RawRequest{"events.subscribe", R"({"types":["no"]})"});
+  subscriptions.answered(Id::number(3), false);
+  subscriptions.answered(Id::number(2), true);
+  ASSERT_THAT(subscriptions.current(), SizeIs(1));
+  EXPECT_EQ(std::get<RawRequest>(subscriptions.current()[0].request).params_json,
+            kEvents.params_json);
+}
+
+TEST(Subscriptions, ByANotificationThatTheDaemonCannotReadDoNotHold) {
+  Subscriptions subscriptions;
+  subscriptions.notified(kEvents);
+  for (const char* bad : {R"({"types":["no such type"]})", R"({"of":1})", "[1]", "{", "\n"})
+    subscriptions.notified(RawRequest{"events.subscribe", bad});
+  subscriptions.notified(RawRequest{"events.unsubscribe", R"({"types":["state_changed"]})"});
+  subscriptions.notified(protocol::Request(protocol::TelemetrySubscribe{.rate_hz = 1e6}));
+  ASSERT_THAT(subscriptions.current(), SizeIs(1)) << "the daemon refused those, unheard";
+  EXPECT_EQ(std::get<RawRequest>(subscriptions.current()[0].request).params_json,
+            kEvents.params_json);
+  subscriptions.notified(RawRequest{"of_the_future.subscribe", R"({"of":1})"});
+  EXPECT_THAT(subscriptions.current(), SizeIs(2)) << "whose parameters nobody here knows";
+}
+
+TEST(Subscriptions, EndWhenTheDaemonRefusesToRenewThem) {
+  Subscriptions subscriptions;
+  subscriptions.notified(kEvents);
+  subscriptions.connection_lost();
+  const auto renew = [&](int id) {
+    subscriptions.renewed(Id::number(id), Subscriptions::Held(subscriptions.current()[0]));
+  };
+  renew(2);
+  EXPECT_EQ(subscriptions.answered(Id::number(2), true), std::nullopt);
+  renew(3);
+  subscriptions.connection_lost();
+  EXPECT_THAT(subscriptions.current(), SizeIs(1)) << "not answered: due again";
+  renew(4);
+  EXPECT_EQ(subscriptions.answered(Id::number(4), false), "events.subscribe");
+  EXPECT_THAT(subscriptions.current(), IsEmpty());
+}
+
+TEST(Subscriptions, ThatWereReplacedMeanwhileOutliveARefusedRenewal) {
+  Subscriptions subscriptions;
+  subscriptions.notified(kEvents);
+  subscriptions.renewed(Id::number(2), Subscriptions::Held(subscriptions.current()[0]));
+  subscriptions.notified(RawRequest{"events.subscribe", R"({"scope":"all"})"});
+  EXPECT_EQ(subscriptions.answered(Id::number(2), false), std::nullopt);
+  EXPECT_THAT(subscriptions.current(), SizeIs(1));
 }
 
 TEST(Subscriptions, AreNoOtherRequests) {
