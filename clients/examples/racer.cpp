@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is felt in a racing game: a lap of two seconds with a hit, a crate, a landing, a skid and a
-// tumble. Exit: 0 every blow was played, 69 there is no daemon, 1 a blow was refused.
+// What is felt in a racing game: a lap of three seconds with two gear changes, a skid, a hit, a
+// crate and a landing. Exit: 0 all of it was played, 69 there is no daemon, 1 a pulse was refused.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -23,8 +23,13 @@ constexpr double kSoftestBlow = 150.0;
 constexpr double kHardestBlow = 8000.0;
 /// One blow in 0.25 s, unless a harder one comes.
 constexpr double kApartS = 0.25;
-/// What is sent every frame ends this long after the last.
-constexpr int kLeaseMs = 150;
+/// Of two effects only the one of higher priority is felt; of the same, both.
+constexpr int kEngine = 3;
+constexpr int kGear = 4;
+constexpr int kSkid = 5;
+constexpr int kBlow = 7;
+constexpr int kFrames = 180;
+constexpr double kRateHz = 60.0;
 
 int step_of(double impulse_n_s) {
   const double share = std::log(std::max(impulse_n_s, kSoftestBlow) / kSoftestBlow) /
@@ -32,9 +37,10 @@ int step_of(double impulse_n_s) {
   return static_cast<int>(std::lround((kSteps - 1) * std::min(share, 1.0)));
 }
 
-class Haptics {
+/// Nothing here waits for a response.
+class CarFeel {
  public:
-  explicit Haptics(Ball& ball) : ball_(ball) {}
+  explicit CarFeel(Ball& ball) : ball_(ball) {}
 
   /// Once a frame, before anything else.
   void frame() {
@@ -47,41 +53,47 @@ class Haptics {
     }
   }
 
-  /// The car was hit on that side, or landed.
-  void blow(const char* what, const protocol::Direction& side, double impulse_n_s, double time_s) {
-    const int step = step_of(impulse_n_s);
-    if (time_s - last_s_ < kApartS && step <= last_step_) return;
-    last_step_ = step;
-    last_s_ = time_s;
-    const auto& limits = ball_.hello().limits;
-    const double current_a = limits.felt_a * std::pow(limits.current_a / limits.felt_a,
-                                                      static_cast<double>(step) / (kSteps - 1));
-    const protocol::EffectParams pulse{
-        .direction = side, .current_a = current_a, .duration_ms = 180, .priority = 7};
-    if (ball_.ask(protocol::EffectStart{model::EffectMethod::kPulse, pulse})) ++asked_;
-    std::printf("%.2f s  %s: %.1f A\n", time_s, what, current_a);
+  /// Every frame, 0..1 each. False: there is no daemon.
+  bool engine(double revolutions, double throttle) {
+    return ball_.rumble("engine", 0.05 + 0.25 * throttle, Word::kBack,
+                        {.frequency_hz = 30.0 + 60.0 * revolutions, .priority = kEngine});
   }
 
-  /// Every frame while the wheels slide; `amount` 0 grips .. 1 no grip at all.
+  /// Every frame while the wheels slide; 0 they grip .. 1 not at all. It lasts, so it is weaker
+  /// than a blow can be.
   void skid(double amount) {
     ball_.rumble("skid", 0.5 * amount, Word::kDown,
-                 {.waveform = model::Waveform::kSquare,
-                  .frequency_hz = 60.0,
-                  .lease_ms = kLeaseMs,
-                  .priority = 5});
+                 {.waveform = model::Waveform::kSquare, .frequency_hz = 60.0, .priority = kSkid});
   }
 
-  /// Every frame while the car turns over; `ground`: where it is, seen from the car.
-  void tumble(const protocol::Direction& ground) {
-    const protocol::EffectParams hold{
-        .direction = ground, .level = 0.4, .lease_ms = kLeaseMs, .slot = "tumble", .priority = 6};
-    ball_.notify(protocol::EffectStart{model::EffectMethod::kHold, hold});
+  /// The clutch has closed: a knock from behind.
+  void gear() { pulse(Word::kBack, 1, 40, kGear); }
+
+  /// The car was hit on that side, or landed; its step, or -1 when it is too soon to be felt.
+  int blow(const protocol::Direction& side, double impulse_n_s, double time_s) {
+    const int step = step_of(impulse_n_s);
+    if (time_s - last_s_ < kApartS && step <= last_step_) return -1;
+    last_step_ = step;
+    last_s_ = time_s;
+    pulse(side, step, 180, kBlow);
+    return step;
   }
 
   bool answered() const { return answered_ == asked_; }
   bool felt() const { return asked_ > 0 && refused_ == 0; }
 
  private:
+  void pulse(const protocol::Direction& side, int step, int duration_ms, int priority) {
+    const auto& limits = ball_.hello().limits;
+    const double current_a = limits.felt_a * std::pow(limits.current_a / limits.felt_a,
+                                                      static_cast<double>(step) / (kSteps - 1));
+    const protocol::EffectParams pulse{.direction = side,
+                                       .current_a = current_a,
+                                       .duration_ms = duration_ms,
+                                       .priority = priority};
+    if (ball_.ask(protocol::EffectStart{model::EffectMethod::kPulse, pulse})) ++asked_;
+  }
+
   Ball& ball_;
   int last_step_ = -1;
   double last_s_ = -kApartS;
@@ -90,13 +102,20 @@ class Haptics {
   int refused_ = 0;
 };
 
-void frame_at(Haptics& haptics, int frame) {
-  const double time_s = frame / 60.0;
-  if (frame == 20) haptics.blow("wall", model::Vec3{0.7, 0.7, 0.0}, 5000.0, time_s);
-  if (frame == 25) haptics.blow("crate, too soon to be felt", Word::kLeft, 300.0, time_s);
-  if (frame == 60) haptics.blow("landing", Word::kDown, 2500.0, time_s);
-  if (frame > 70 && frame < 95) haptics.skid((frame - 70) / 25.0);
-  if (frame > 95) haptics.tumble(model::Vec3{0.0, std::sin(0.2 * frame), -std::cos(0.2 * frame)});
+void play_frame(CarFeel& feel, int frame) {
+  const double time_s = frame / kRateHz;
+  const auto blow = [&](const char* what, const protocol::Direction& side, double impulse_n_s) {
+    std::printf("%.2f s  %s: step %d\n", time_s, what, feel.blow(side, impulse_n_s, time_s));
+  };
+  if (frame == 30 || frame == 60) {
+    feel.gear();
+    std::printf("%.2f s  gear\n", time_s);
+  }
+  if (frame > 60 && frame < 90) feel.skid((frame - 60) / 30.0);
+  if (frame == 100) blow("wall", model::Vec3{0.7, -0.7, 0.0}, 5000.0);
+  if (frame == 105) blow("crate", Word::kLeft, 300.0);
+  if (frame == 150) blow("landing", Word::kDown, 2500.0);
+  feel.engine((frame % 60) / 60.0, 1.0);
 }
 
 }  // namespace
@@ -107,15 +126,15 @@ int main() {
     std::fprintf(stderr, "%s\n", ball.error().message.c_str());
     return 69;
   }
-  Haptics haptics(*ball);
-  for (int frame = 0; frame < 120 || !haptics.answered(); ++frame) {
+  CarFeel feel(*ball);
+  for (int frame = 0; frame < kFrames || !feel.answered(); ++frame) {
+    feel.frame();
+    if (frame < kFrames) play_frame(feel, frame);
     if (!ball->connected()) {
       std::fprintf(stderr, "%s\n", ball->problem().c_str());
       return 69;
     }
-    haptics.frame();
-    if (frame < 120) frame_at(haptics, frame);
     std::this_thread::sleep_for(std::chrono::milliseconds(16));
   }
-  return haptics.felt() ? 0 : 1;
+  return feel.felt() ? 0 : 1;
 }

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The racer's haptics in Python, JavaScript and C++ for Unreal against a simulated daemon: examples_live.py HEDGEHOGD PACKED UNREAL,
-the folder of pack.sh and the program of unreal/live.cpp."""
+"""The racer's haptics in Python, JavaScript, C++ and C++ for Unreal against a simulated daemon: examples_live.py HEDGEHOGD PACKED CPP
+UNREAL, the folder of pack.sh, the program of examples/racer.cpp and that of unreal/live.cpp."""
 
 import os
 import pathlib
@@ -18,7 +18,8 @@ sys.path.insert(0, str(ROOT / "clients" / "python"))
 import hedgehog  # noqa: E402
 from live_daemon import LIMIT_S, LiveDaemon  # noqa: E402
 
-UNREAL = sys.argv.pop(3) if len(sys.argv) > 3 else ""
+UNREAL = sys.argv.pop(4) if len(sys.argv) > 4 else ""
+CPP = sys.argv.pop(3) if len(sys.argv) > 3 else ""
 PACKED = pathlib.Path(sys.argv.pop(2)) if len(sys.argv) > 2 else pathlib.Path()
 DAEMON = sys.argv.pop(1) if len(sys.argv) > 1 else ""
 # Steps of an eight: 0 is just felt. The crate comes too soon after the wall.
@@ -59,6 +60,9 @@ class Examples(unittest.TestCase):
             game = pathlib.Path(folder) / "racer.mjs"
             game.write_text((EXAMPLES / "racer.mjs").read_text(encoding="utf-8"), encoding="utf-8")
             self.check_lap(["node", str(game)])
+
+    def test_cpp(self):
+        self.check_lap([CPP])
 
     def test_unreal(self):
         self.check_lap([UNREAL, "racer"])

@@ -53,7 +53,7 @@ bounded godot/run.sh "$daemon"
 bounded unreal/run.sh "$daemon"
 
 # The racer's haptics in each language.
-bounded python3 examples_live.py "$daemon" "$packed" ../../build/unreal/live
+bounded python3 examples_live.py "$daemon" "$packed" "$build/tests/sdk/cpp_racer" ../../build/unreal/live
 
 # What a newcomer does, what a game ships with, and who passes what.
 bounded ./newcomer.py "$daemon"
