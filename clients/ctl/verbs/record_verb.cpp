@@ -118,23 +118,37 @@ void print_recorded(const Session& session, const RecordOptions& options,
                   .c_str());
     return;
   }
-  const bool long_one = takes_ms > protocol::kMaxDurationMs;
-  const std::string more =
-      long_one ? fmt::format(" --loop --for {:g}", static_cast<double>(takes_ms) / 1000.0) : "";
-  fmt::print(
-      "{}: {:.1f} s as {} key frames, off by {:.1f} degrees at most: hedgehogctl play {}{}\n",
-      options.file, static_cast<double>(takes_ms) / 1000.0, path.keyframes.size(), path.error_deg,
-      options.file, more);
+  fmt::print("{}: {:.1f} s as {} key frames, off by {:.1f} degrees at most: hedgehogctl play {}\n",
+             options.file, static_cast<double>(takes_ms) / 1000.0, path.keyframes.size(),
+             path.error_deg, options.file);
   if (lost > 0) fmt::print(stderr, "hedgehogctl: the orientation was not known {} times\n", lost);
 }
 
 }  // namespace
 
-int run_record(Session& session, const RecordOptions& options) {
+namespace {
+
+/// What would be noticed only when the recording is over; kDone: nothing.
+int check_before(const RecordOptions& options) {
   std::error_code ec;
   if (!options.replace && std::filesystem::exists(options.file, ec))
     return print_failed("failed", options.file + " is there already; --force replaces it",
                         kCannotCreate);
+  const auto folder = std::filesystem::path(options.file).parent_path();
+  if (!folder.empty() && !std::filesystem::is_directory(folder, ec))
+    return print_failed("failed", options.file + ": there is no folder " + folder.string(),
+                        kCannotCreate);
+  protocol::Pattern any;
+  any.name = options.name;
+  any.keyframes = {{.t_ms = 1, .level = 0.0}};
+  const auto good = protocol::decode_pattern(pattern_text(any));
+  return good ? static_cast<int>(kDone) : print_failed("usage", good.error().message, kUsage);
+}
+
+}  // namespace
+
+int run_record(Session& session, const RecordOptions& options) {
+  if (const int code = check_before(options); code != kDone) return code;
   if (auto hello = session.connection.hello("hedgehogctl"); !hello) return complain(hello.error());
   const auto pointer = pointer_of(session, options.pointer);
   if (!pointer) return complain(pointer.error());
@@ -142,23 +156,24 @@ int run_record(Session& session, const RecordOptions& options) {
     fmt::print(stderr, "Turn the ball{}. Ctrl-C ends the recording.\n",
                options.seconds ? fmt::format(" for {:g} s", *options.seconds) : std::string());
   Recorder recorder(options, *pointer);
-  if (auto recorded = record(session, recorder); !recorded) return complain(recorded.error());
-  if (recorder.points().size() < 2)
+  const auto recorded = record(session, recorder);
+  if (recorder.points().size() < 2) {
+    if (!recorded) return complain(recorded.error());
     return print_failed(
         "failed", "nothing was recorded: the ball has no orientation sensor, or it was too short",
         kUnavailable);
+  }
   const SimplifiedPath path =
       simplify_path(recorder.points(), options.tolerance_deg, options.level);
   protocol::Pattern pattern;
   pattern.name = options.name;
   pattern.keyframes = path.keyframes;
   const std::string text = pattern_text(pattern) + "\n";
-  if (const auto good = protocol::decode_pattern(text); !good)
-    return print_failed("usage", good.error().message, kUsage);
   if (const std::string problem = base::write_file_atomically(options.file, text); !problem.empty())
     return print_failed("failed", options.file + ": " + problem, kCannotCreate);
   print_recorded(session, options, path, recorder.lost());
-  return kDone;
+  // What was recorded until the daemon went is kept.
+  return recorded ? static_cast<int>(kDone) : static_cast<int>(complain(recorded.error()));
 }
 
 }  // namespace hedgehog::client

@@ -27,7 +27,8 @@ struct RecordOptions {
 inline constexpr double kMaxRecordSeconds = 60.0;
 
 /// Writes where the pointer pointed, seen from how the ball lay at the beginning. Ctrl-C ends the
-/// recording, not the verb.
+/// recording, not the verb; a daemon that goes ends both, and what was recorded until then is kept.
+/// File and name are checked before it begins.
 int run_record(Session& session, const RecordOptions& options);
 
 }  // namespace hedgehog::client

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// hedgehogctl record at its edges: a ball at rest, too long, nobody there, files that are in the
+// way.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/e2e/daemon_process.h"
+#include "tests/e2e/exit_codes.h"
+#include "tests/e2e/program.h"
+#include "tests/e2e/programs.h"
+#include "tests/e2e/raw_client.h"
+
+namespace hedgehog::e2e {
+namespace {
+
+using testing::HasSubstr;
+
+class Record : public testing::Test {
+ protected:
+  std::vector<std::string> record(const std::vector<std::string>& more) const {
+    std::vector<std::string> arguments{"--json", "record", file_};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+  Ended ctl(const DaemonProcess& daemon, const std::vector<std::string>& arguments) const {
+    return Program(home_, hedgehogctl(), arguments, {"HEDGEHOG_ADDRESS=" + daemon.socket()}).wait();
+  }
+  Json pattern() const { return Json::parse(home_.read("path.json")); }
+  bool is_written() const { return std::filesystem::exists(file_); }
+
+  Home home_;
+  std::string file_ = home_.path("path.json");
+};
+
+TEST_F(Record, ABallAtRestIsAPatternOfItsFrontThatPlays) {
+  const DaemonProcess daemon(home_);
+  const Ended ended = ctl(daemon, record({"--seconds", "0.3", "--level", "0.5"}));
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_EQ(Json::parse(ended.out)["keyframes"], 2);
+  const Json frames = pattern()["keyframes"];
+  ASSERT_EQ(frames.size(), 2u);
+  for (const Json& frame : frames) {
+    EXPECT_EQ(frame["direction"], Json::parse("[1,0,0]"));
+    EXPECT_EQ(frame["level"], 0.5);
+  }
+  EXPECT_EQ(ctl(daemon, {"play", file_}).exit_code, 0);
+}
+
+TEST_F(Record, EndsByItselfAfterAMinuteOfTheBallsTime) {
+  const DaemonProcess daemon(home_, {"--speed", "60"});
+  const Ended ended = ctl(daemon, record({}));
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_EQ(pattern()["keyframes"].back()["t_ms"], 60'000);
+  const Ended played = ctl(daemon, {"play", file_, "--current-a", "3"});
+  EXPECT_EQ(played.exit_code, 0) << "whole, though one effect lasts 10 s at most: " << played.err;
+}
+
+TEST_F(Record, MoreThanAMinuteIsRefusedWithWhatIsAllowed) {
+  const DaemonProcess daemon(home_);
+  const Ended ended = ctl(daemon, record({"--seconds", "61"}));
+  EXPECT_EQ(ended.exit_code, kUsage);
+  EXPECT_THAT(ended.err, HasSubstr("--seconds"));
+  EXPECT_THAT(ended.err, HasSubstr("60"));
+  EXPECT_FALSE(is_written());
+}
+
+TEST_F(Record, CtrlCEndsTheRecordingAndKeepsIt) {
+  const DaemonProcess daemon(home_);
+  RawClient other(daemon.port());
+  Program program(home_, hedgehogctl(), record({}), {"HEDGEHOG_ADDRESS=" + daemon.socket()});
+  ASSERT_TRUE(eventually([&] { return other.call("connection.list")["connections"].size() == 2; }));
+  const double from_ns = other.call("ping")["time_ns"];
+  while (other.call("ping")["time_ns"].get<double>() < from_ns + 1e9) continue;
+  program.signal(SIGINT);
+  const Ended ended = program.wait();
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_GT(pattern()["keyframes"].back()["t_ms"], 0);
+}
+
+TEST_F(Record, WhatWasRecordedBeforeTheDaemonWentIsKept) {
+  DaemonProcess daemon(home_);
+  RawClient other(daemon.port());
+  Program program(home_, hedgehogctl(), record({}), {"HEDGEHOG_ADDRESS=" + daemon.socket()});
+  ASSERT_TRUE(eventually([&] { return other.call("connection.list")["connections"].size() == 2; }));
+  const double from_ns = other.call("ping")["time_ns"];
+  while (other.call("ping")["time_ns"].get<double>() < from_ns + 1e9) continue;
+  daemon.stop(SIGKILL);
+  const Ended ended = program.wait();
+  EXPECT_EQ(ended.exit_code, kUnavailable);
+  EXPECT_EQ(Json::parse(ended.err)["error"]["data"]["name"], "closed");
+  EXPECT_EQ(Json::parse(ended.out)["file"], file_);
+  EXPECT_GE(pattern()["keyframes"].size(), 2u);
+}
+
+TEST_F(Record, ABallWithoutASensorRecordsNothing) {
+  home_.configure(R"({"imu":{"source":"none"}})");
+  const DaemonProcess daemon(home_);
+  const Ended ended = ctl(daemon, record({"--seconds", "0.3"}));
+  EXPECT_EQ(ended.exit_code, kUnavailable);
+  EXPECT_THAT(ended.err, HasSubstr("nothing was recorded: the ball has no orientation sensor"));
+  EXPECT_FALSE(is_written());
+}
+
+TEST_F(Record, AFileInTheWayIsReplacedOnlyByForce) {
+  const DaemonProcess daemon(home_);
+  home_.write("path.json", "mine");
+  const Ended refused = ctl(daemon, record({"--seconds", "0.1"}));
+  EXPECT_EQ(refused.exit_code, kCannotCreate);
+  EXPECT_THAT(refused.err, HasSubstr("path.json is there already; --force replaces it"));
+  EXPECT_EQ(home_.read("path.json"), "mine");
+  EXPECT_EQ(ctl(daemon, record({"--seconds", "0.3", "--force"})).exit_code, 0);
+  EXPECT_EQ(pattern()["name"], "recorded/path");
+}
+
+TEST_F(Record, WhatCannotBeWrittenIsRefusedBeforeItBegins) {
+  const DaemonProcess daemon(home_);
+  // Without --seconds: a recording that began would go on for a minute.
+  const Ended nowhere = ctl(daemon, {"record", home_.path("nowhere/path.json")});
+  EXPECT_EQ(nowhere.exit_code, kCannotCreate);
+  EXPECT_THAT(nowhere.err, HasSubstr("there is no folder " + home_.path("nowhere")));
+  const Ended unnamed = ctl(daemon, record({"--name", "No Name"}));
+  EXPECT_EQ(unnamed.exit_code, kUsage);
+  EXPECT_THAT(unnamed.err, HasSubstr("is no name for a pattern"));
+  EXPECT_EQ(ctl(daemon, record({"--pointer", "nowhere"})).exit_code, kUsage);
+  EXPECT_FALSE(is_written());
+}
+
+}  // namespace
+}  // namespace hedgehog::e2e
