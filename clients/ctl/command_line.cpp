@@ -152,7 +152,8 @@ class CommandLine {
     add_effect(parent, act, kCircle, "a push that walks once round the ball");
     add_effect(parent, act, kVibrate, "many pushes a second");
     add_effect(parent, act, kHold, "a push that stays, until Ctrl-C");
-    add_effect(parent, act, kPlay, "a pattern, by its name or from a file, or a sound file");
+    add_effect(parent, act, kPlay,
+               "a pattern, by its name or from a file (.json, .ahap, .hjif), or a sound file");
   }
 
   void add_preview() {

@@ -20,7 +20,7 @@ using protocol::FieldType;
 /// The bounds are the protocol's and stand before the text.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 31> kHelp{{
     {"direction", "where the pins push out: left, 34 (a pin), 90,20 (azimuth, elevation), 0,1,0.5"},
-    {"pattern", "heartbeat, acme/knock, or mine.json"},
+    {"pattern", "heartbeat, acme/knock, or a file: .json, .ahap, .hjif, .wav ..."},
     {"keyframes", "instead of a pattern: a JSON list of {\"t_ms\", \"level\", \"direction\"}"},
     {"rotate_to", "what the pattern's front turns to: left, 34, 90,20 ..."},
     {"rate", "speed, times that of the pattern"},

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What `hedgehogctl play` takes for a file, and what for the name of a pattern.
 #include "clients/ctl/patterns/pattern_file.h"
+#include "clients/ctl/verbs/play_options.h"
 #include "tests/temporary_folder.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -12,6 +14,21 @@
 
 namespace hedgehog::client {
 namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+constexpr const char* kAhap = R"({"Version":1,"Pattern":[{"Event":{"Time":0,
+    "EventType":"HapticTransient","EventParameters":[
+    {"ParameterID":"HapticIntensity","ParameterValue":0.9},
+    {"ParameterID":"HapticSharpness","ParameterValue":0.4}]}}]})";
+constexpr const char* kHjif = R"({"version":"2023","timescale":1000,"perceptions":[
+    {"perception_modality":"Vibrotactile","channels":[{"gain":1.0,"bands":[
+    {"band_type":"Curve","curve_type":"Linear","effects":[{"effect_type":"Basis","position":0,"keyframes":[
+    {"relative_position":0,"amplitude_modulation":1.0},
+    {"relative_position":40,"amplitude_modulation":0.0}]}]}]}]}]})";
 
 /// An empty working directory for as long as it lives.
 class EmptyFolder {
@@ -39,6 +56,92 @@ TEST(PatternFile, ANameIsAFileWhenItEndsInJsonUnlessItIsAVendorsAndThereIsNoSuch
   EXPECT_FALSE(is_pattern_file("acme/x.json"));
   std::ofstream("acme/x.json") << "{}";
   EXPECT_TRUE(is_pattern_file("acme/x.json")) << "the file is nearer";
+}
+
+TEST(PatternFile, OtherFormatsAreFilesByTheirEndingInCapitalsToo) {
+  const EmptyFolder here;
+  for (const char* file : {"boing.ahap", "Boing.AHAP", "buzz.hjif", "/nowhere/Buzz.Hjif"})
+    EXPECT_TRUE(is_pattern_file(file)) << file;
+  for (const char* name : {"acme/boing.ahap", "ahap", "boing.ahap.txt", "boing.midi"})
+    EXPECT_FALSE(is_pattern_file(name)) << name;
+}
+
+TEST(PatternFile, IsReadByItsEndingWhateverItsFormat) {
+  const TemporaryFolder folder;
+  const auto own = read_any_pattern(
+      folder.write("own.json", R"({"name":"a/b","keyframes":[{"t_ms":5,"level":1}]})"));
+  ASSERT_TRUE(own) << own.error().message;
+  EXPECT_EQ(own->pattern.keyframes.size(), 1u);
+  EXPECT_TRUE(own->notes.empty());
+
+  const auto ahap = read_any_pattern(folder.write("My Boing.AHAP", kAhap));
+  ASSERT_TRUE(ahap) << ahap.error().message;
+  EXPECT_EQ(ahap->pattern.name, "imported/my-boing");
+  EXPECT_EQ(ahap->pattern.keyframes.back().t_ms, 25);
+  EXPECT_THAT(ahap->notes, ElementsAre(HasSubstr("HapticSharpness is left out")));
+
+  const auto hjif = read_any_pattern(folder.write("buzz.hjif", kHjif));
+  ASSERT_TRUE(hjif) << hjif.error().message;
+  EXPECT_EQ(hjif->pattern.keyframes.back().level, 0.0);
+}
+
+TEST(PatternFile, AnErrorNamesTheFileThePlaceAndWhatIsAllowed) {
+  const TemporaryFolder folder;
+  const auto why = [&](const char* name, const std::string& text) {
+    const std::string path = folder.write(name, text);
+    const auto read = read_any_pattern(path);
+    EXPECT_FALSE(read);
+    EXPECT_EQ(read.error().failure, Failure::kBadData);
+    EXPECT_THAT(read.error().message, StartsWith(path + ": "));
+    return read.error().message;
+  };
+  EXPECT_THAT(why("broken.ahap", R"({"Pattern":[})"), HasSubstr("goes wrong at byte 13"));
+  EXPECT_THAT(why("other.hjif", "{}"), HasSubstr("neither AHAP"));
+  EXPECT_THAT(why("list.ahap", R"({"Pattern":{}})"), HasSubstr("has a list of that name"));
+  EXPECT_THAT(why("audio.ahap", R"({"Pattern":[{"Event":{"EventType":"AudioCustom"}}]})"),
+              HasSubstr("there is no haptic event in the file that a ball can play"));
+  EXPECT_THAT(why("own.json", R"({"name":"a/b","keyframes":[{"t_ms":5,"level":7}]})"),
+              HasSubstr("keyframes[0].level"));
+  EXPECT_EQ(read_any_pattern(folder.path("none.ahap")).error().failure, Failure::kNoInput);
+}
+
+PlayOptions played(const std::string& file,
+                   std::vector<std::pair<std::string, std::string>> params = {}) {
+  return {.method = "effect.play", .pattern = file, .params = std::move(params)};
+}
+
+TEST(PlayedFile, BecomesTheKeyFramesOfTheEffect) {
+  const TemporaryFolder folder;
+  const auto read = with_file(played(folder.write("boing.ahap", kAhap), {{"level", "0.5"}}));
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_FALSE(read->options.held());
+  const std::string params = play_params(read->options).value();
+  EXPECT_THAT(params, HasSubstr(R"("keyframes":[)"));
+  EXPECT_THAT(params, HasSubstr(R"("level":0.5)"));
+  EXPECT_THAT(params, Not(HasSubstr("boing"))) << "neither file nor name";
+}
+
+TEST(PlayedFile, LongerThanAnEffectMayLastIsRenewedUntilItsEnd) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write(
+      "long.json", R"({"name":"a/b","keyframes":[{"t_ms":0,"level":1},{"t_ms":30000,"level":0}]})");
+  EXPECT_EQ(with_file(played(file))->options.hold_s, 30.0);
+  EXPECT_EQ(with_file(played(file, {{"rate", "2"}}))->options.hold_s, 15.0);
+  EXPECT_EQ(with_file(played(file, {{"rate", "3"}}))->options.hold_s, std::nullopt);
+  EXPECT_EQ(with_file(played(file, {{"rate", "fast"}}))->options.hold_s, std::nullopt);
+  EXPECT_EQ(with_file(played(file, {{"duration_ms", "50"}}))->options.hold_s, std::nullopt);
+  EXPECT_EQ(with_file(played(file, {{"lease_ms", "500"}}))->options.hold_s, std::nullopt)
+      << "until Ctrl-C";
+}
+
+TEST(PlayedFile, OfAnotherFormatIsRefusedWithThoseThatThereAre) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("Drum.midi", "MThd");
+  const auto read = with_file(played(file));
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().failure, Failure::kBadData);
+  EXPECT_THAT(read.error().message, StartsWith(file + ": plays files ending in .json, .ahap"));
+  EXPECT_TRUE(with_file(played("heartbeat"))) << "a name";
 }
 
 TEST(PatternFile, WhatIsNoRegularFileIsRefusedWithoutWaitingForIt) {

@@ -119,6 +119,43 @@ TEST_F(Patterns, AnAhapIsImportedAndWhatDoesNotMapIsSaid) {
   EXPECT_THAT(bad.err, HasSubstr("not JSON"));
 }
 
+TEST_F(Patterns, AFileOfAnotherFormatPlaysAsItIs) {
+  home_.write("Boing.ahap", R"({"Version":1,"Pattern":[{"Event":{"Time":0.05,
+      "EventType":"HapticTransient","EventParameters":[
+      {"ParameterID":"HapticIntensity","ParameterValue":1.0},
+      {"ParameterID":"HapticSharpness","ParameterValue":0.4}]}}]})");
+  home_.write("buzz.hjif", R"({"timescale":1000,"perceptions":[
+      {"perception_modality":"Vibrotactile","channels":[{"gain":1.0,"bands":[
+      {"band_type":"Curve","curve_type":"Linear","effects":[{"effect_type":"Basis","position":0,"keyframes":[
+      {"relative_position":0,"amplitude_modulation":1.0},
+      {"relative_position":40,"amplitude_modulation":0.5}]}]}]}]}]})");
+  const Ended boing = ctl({"play", home_.path("Boing.ahap"), "left", "--level", "0.5"});
+  EXPECT_EQ(boing.exit_code, 0) << boing.err;
+  EXPECT_THAT(boing.out, HasSubstr("7.5 A"));
+  EXPECT_THAT(boing.out, HasSubstr("75 ms   completed"));
+  EXPECT_THAT(boing.err, HasSubstr("Boing.ahap: HapticSharpness is left out"));
+  const Ended buzz = ctl({"play", home_.path("buzz.hjif"), "--json"});
+  EXPECT_EQ(buzz.exit_code, 0) << buzz.err;
+  EXPECT_THAT(buzz.out, HasSubstr(R"("reason":"completed")"));
+  const Ended shown = ctl({"preview", "play", home_.path("buzz.hjif"), "--json"});
+  EXPECT_EQ(shown.exit_code, 0) << shown.err;
+  EXPECT_EQ(Json::parse(shown.out)["duration_ms"], 40) << shown.out;
+}
+
+TEST_F(Patterns, ABadFileOfAnotherFormatIsNamedWithThePlace) {
+  home_.write("broken.ahap", R"({"Pattern":[})");
+  const std::string file = home_.path("broken.ahap");
+  const Ended broken = ctl({"play", file});
+  EXPECT_EQ(broken.exit_code, kBadData);
+  EXPECT_THAT(broken.err, HasSubstr(file + ": "));
+  EXPECT_THAT(broken.err, HasSubstr("at byte 13"));
+  EXPECT_EQ(ctl({"play", home_.path("none.hjif")}).exit_code, kNoInput);
+  home_.write("Drum.midi", "MThd");
+  const Ended other = ctl({"play", home_.path("Drum.midi")});
+  EXPECT_EQ(other.exit_code, kBadData);
+  EXPECT_THAT(other.err, HasSubstr(".json, .ahap or .hjif"));
+}
+
 TEST_F(Patterns, WhatIsImportedLongerThanOneEffectLastsSaysHowItIsPlayed) {
   const auto ahap = [](const std::string& seconds) {
     return R"({"Version":1,"Pattern":[{"Event":{"Time":0,"EventType":"HapticContinuous",
@@ -146,6 +183,13 @@ TEST_F(Patterns, WhatIsImportedLongerThanOneEffectLastsSaysHowItIsPlayed) {
     return play.wait();
   });
   EXPECT_EQ(played.exit_code, kInterrupted);
+  // As a file it needs no more than its name.
+  Program file(home_, hedgehogctl(), {"play", home_.path("long.ahap")},
+               {"HEDGEHOG_ADDRESS=" + daemon_.socket()});
+  EXPECT_TRUE(file.says("play"));
+  EXPECT_EQ(other_.call("device.status")["effects"][0]["method"], "effect.play");
+  file.signal(SIGINT);
+  EXPECT_EQ(file.wait().exit_code, kInterrupted);
 }
 
 TEST(PatternsKept, APatternSurvivesAKilledDaemon) {

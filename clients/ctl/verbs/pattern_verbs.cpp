@@ -5,11 +5,9 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 
 #include "clients/ctl/patterns/pattern_file.h"
 #include "clients/ctl/terminal/words.h"
-#include "clients/lib/import/import.h"
 #include "protocol/values/effect_params.h"
 
 namespace hedgehog::client {
@@ -42,19 +40,6 @@ int put(Session& session, const protocol::Pattern& pattern) {
   std::printf("%s is kept: hedgehogctl play %s%s\n", pattern.name.c_str(), pattern.name.c_str(),
               more.empty() ? "" : (" " + more).c_str());
   return kDone;
-}
-
-/// The name of a file as the second part of a pattern's.
-std::string part_of(const std::string& path) {
-  std::string part = std::filesystem::path(path).stem().string();
-  std::transform(part.begin(), part.end(), part.begin(), [](char c) {
-    const char low = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    const bool good = (low >= 'a' && low <= 'z') || (low >= '0' && low <= '9');
-    return good ? low : '-';
-  });
-  part.erase(0, part.find_first_not_of('-'));
-  constexpr std::size_t kMaxName = 32;
-  return part.empty() ? "pattern" : part.substr(0, kMaxName);
 }
 
 }  // namespace
@@ -97,23 +82,15 @@ int run_pattern_remove(Session& session, const std::string& name) {
 }
 
 int run_pattern_import(const CommonOptions& common, const ImportOptions& options) {
-  const auto text = read_text(options.file);
-  if (!text) return complain(text.error());
-  auto imported = import_pattern(*text);
-  if (!imported) {
-    ClientError error = imported.error();
-    error.message = options.file + ": " + error.message;
-    return complain(error);
-  }
-  imported->pattern.name =
-      options.name.empty() ? "imported/" + part_of(options.file) : options.name;
+  auto imported = read_foreign_pattern(options.file);
+  if (!imported) return complain(imported.error());
+  if (!options.name.empty()) imported->pattern.name = options.name;
   if (const std::string more = more_to_play(imported->pattern); !more.empty()) {
     imported->notes.push_back("it takes " + seconds(imported->pattern.keyframes.back().t_ms) +
                               " s, one effect " + seconds(protocol::kMaxDurationMs) +
                               " s at most: play it with " + more);
   }
-  for (const std::string& note : imported->notes)
-    std::fprintf(stderr, "hedgehogctl: %s: %s\n", options.file.c_str(), note.c_str());
+  print_notes(options.file, imported->notes);
   if (!options.put) {
     std::puts(pattern_text(imported->pattern).c_str());
     return kDone;

@@ -6,17 +6,13 @@
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "clients/common/interrupts.h"
-#include "clients/ctl/arguments/direction_argument.h"
-#include "clients/ctl/arguments/text_argument.h"
-#include "clients/ctl/effect_options.h"
 #include "clients/ctl/patterns/pattern_file.h"
 #include "clients/ctl/screen/ball.h"
 #include "clients/ctl/screen/preview_screen.h"
 #include "clients/ctl/terminal/words.h"
-#include "model/effect/effect.h"
-#include "model/geometry/direction.h"
 #include "model/geometry/pin_array.h"
 #include "protocol/methods.h"
 
@@ -30,54 +26,6 @@ using std::chrono::milliseconds;
 constexpr milliseconds kEndPoll{50};
 // Telemetry tells when to renew: its rate, like the lease, counts the device's time (--speed).
 constexpr double kRenewalHz = 20.0;
-constexpr int kHoldLeaseMs = 1000;
-
-/// A parameter as typed: a number where it reads as one, else a word, which the daemon refuses with
-/// the parameter's name.
-json typed(const std::string& text) {
-  const json number = json::parse(text, nullptr, false);
-  return number.is_number() || number.is_boolean() ? number : json(text);
-}
-
-bool is_given(const PlayOptions& options, std::string_view parameter) {
-  return std::any_of(
-      options.params.begin(), options.params.end(),
-      [&](const auto& given) { return given.first == parameter; });
-}
-
-/// A number among the parameters, or what it is when it is not given.
-std::optional<double> number_of(const PlayOptions& options, std::string_view parameter,
-                                double otherwise) {
-  double number = otherwise;
-  for (const auto& [name, text] : options.params) {
-    if (name != parameter) continue;
-    const json value = typed(text);
-    if (!value.is_number()) return std::nullopt;
-    number = value.get<double>();
-  }
-  return number;
-}
-
-/// The value of a parameter on the wire, as JSON text.
-Outcome<std::string> wire_value(protocol::FieldType type, const std::string& name,
-                                const std::string& text) {
-  switch (type) {
-    case protocol::FieldType::kText:
-    case protocol::FieldType::kEnumerator:
-      return text_json(name, text);
-    case protocol::FieldType::kDirection:
-      return direction_json(text);
-    case protocol::FieldType::kList:
-    case protocol::FieldType::kObject:
-      if (!json::accept(text)) return ClientError{Failure::kBadAddress, name + ": is not JSON", {}};
-      return text;
-    case protocol::FieldType::kBoolean:
-    case protocol::FieldType::kNumber:
-      break;
-  }
-  const json number = typed(text);
-  return number.is_string() ? text_json(name, text) : number.dump();
-}
 
 std::string verb_of(const std::string& method) { return method.substr(method.find('.') + 1); }
 
@@ -166,51 +114,6 @@ void print_end(const protocol::Event& event, const std::string& reason) {
   std::puts("");
 }
 
-}  // namespace
-
-Outcome<std::string> play_params(const PlayOptions& options) {
-  json params = json::object();
-  if (!options.direction.empty()) {
-    auto direction = direction_json(options.direction);
-    if (!direction) return direction.error();
-    params[options.method == "effect.play" ? "rotate_to" : "direction"] = json::parse(*direction);
-  }
-  if (!options.pattern.empty()) {
-    if (!is_pattern_file(options.pattern)) {
-      const auto pattern = text_json("pattern", options.pattern);
-      if (!pattern) return pattern.error();
-      params["pattern"] = json::parse(*pattern);
-    } else if (const auto pattern = read_pattern(options.pattern); !pattern) {
-      return pattern.error();
-    } else {
-      params.update(json::parse(protocol::encode_pattern(*pattern)));
-      params.erase("name");
-      params.erase("description");
-    }
-  }
-  if (options.loop) params["loop"] = true;
-  if (options.held()) params["lease_ms"] = kHoldLeaseMs;
-  const auto method = protocol::enumerator_named<model::EffectMethod>(options.method);
-  const auto known = method ? effect_options(*method) : std::vector<EffectOption>{};
-  for (const auto& given : options.params) {
-    const std::string& name = given.first;
-    const auto option = std::find_if(known.begin(), known.end(),
-                                     [&](const auto& one) { return one.parameter == name; });
-    const auto type = option == known.end() ? protocol::FieldType::kNumber : option->type;
-    const auto value = wire_value(type, name, given.second);
-    if (!value) return value.error();
-    params[name] = json::parse(*value);
-  }
-  return params.dump();
-}
-
-bool PlayOptions::held() const {
-  const bool is_endless = method == "effect.hold" || loop;
-  return hold_s || is_given(*this, "lease_ms") || (is_endless && !is_given(*this, "duration_ms"));
-}
-
-namespace {
-
 /// The circle's step on the connected ball; others need none.
 double pitch_deg(Session& session, const PlayOptions& options) {
   if (options.method == "effect.circle")
@@ -219,26 +122,20 @@ double pitch_deg(Session& session, const PlayOptions& options) {
   return model::kThesisPitchDeg;
 }
 
-}  // namespace
-
-PlayOptions with_end(PlayOptions options, double pitch_deg) {
-  if (options.method != "effect.circle" || options.held() || is_given(options, "duration_ms"))
-    return options;
-  const protocol::EffectParams defaults = protocol::with_defaults(model::EffectMethod::kCircle, {});
-  const auto ring_deg = number_of(options, "ring_deg", *defaults.ring_deg);
-  const auto speed_pins_s = number_of(options, "speed_pins_s", *defaults.speed_pins_s);
-  // The daemon refuses those that cannot be, with their names.
-  if (!ring_deg || !speed_pins_s || !(*speed_pins_s > 0.0)) return options;
-  const double round_s = model::circle_steps(*ring_deg, pitch_deg) / *speed_pins_s;
-  if (1000.0 * round_s <= static_cast<double>(protocol::kMaxDurationMs))
-    options.params.emplace_back("duration_ms", std::to_string(std::llround(1000.0 * round_s)));
-  else
-    options.hold_s = round_s;
-  return options;
+/// `given` with its file and an end; what was left out of the file goes to stderr.
+Outcome<PlayOptions> with_file_and_end(Session& session, const PlayOptions& given) {
+  auto read = with_file(given);
+  if (!read) return read.error();
+  print_notes(given.pattern, read->notes);
+  return with_end(std::move(read->options), pitch_deg(session, given));
 }
 
+}  // namespace
+
 int run_preview(Session& session, const PlayOptions& given) {
-  const PlayOptions options = with_end(given, pitch_deg(session, given));
+  const auto completed = with_file_and_end(session, given);
+  if (!completed) return complain(completed.error());
+  const PlayOptions& options = *completed;
   const auto params = play_params(options);
   if (!params) return complain(params.error());
   json asked{{"method", options.method}, {"params", json::parse(*params)}};
@@ -260,7 +157,9 @@ int run_preview(Session& session, const PlayOptions& given) {
 }
 
 int run_play(Session& session, const PlayOptions& given) {
-  const PlayOptions options = with_end(given, pitch_deg(session, given));
+  const auto completed = with_file_and_end(session, given);
+  if (!completed) return complain(completed.error());
+  const PlayOptions& options = *completed;
   const auto params = play_params(options);
   if (!params) return complain(params.error());
   if (auto hello = session.connection.hello("hedgehogctl"); !hello) return complain(hello.error());
