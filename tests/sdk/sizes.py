@@ -1,15 +1,28 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """sizes.py PACKED WWW...: how large the client libraries are that a game takes with it, and the pages that browsers load. PACKED is
-of pack.sh; a page that was not built is left out. Exit: 1 something is missing or empty.
+of pack.sh; a page that was not built is left out. Exit: 1 something is missing or empty, or the table of clients/README.md has another
+size.
 """
 
 import pathlib
+import re
 import sys
 
 CLIENTS = pathlib.Path(__file__).resolve().parent.parent.parent / "clients"
 # What is not copied into a game.
 APART = ("README.md", "generate.py", "__pycache__", "Samples~", "Example")
+
+
+# A library grows now and then: the documented size may be off by so much.
+TOLERANCE = 0.15
+
+
+def documented(folder):
+    """kB in the table of clients/README.md, by the library's folder; None: it has none."""
+    table = (CLIENTS / "README.md").read_text(encoding="utf-8")
+    found = re.search(r"^\| \[[^]]+\]\(%s/README\.md\) (?:\|[^|]*){2}\| ([0-9.]+)," % folder, table, re.M)
+    return float(found.group(1)) if found else None
 
 
 def files(folder):
@@ -19,17 +32,19 @@ def files(folder):
 
 def main():
     packed, pages = pathlib.Path(sys.argv[1]), [pathlib.Path(one) for one in sys.argv[2:]]
-    rows = [("JavaScript: npm's file", list(packed.glob("*.tgz"))), ("Python: wheel", list(packed.glob("*.whl"))),
-            ("Unity: package", files(CLIENTS / "unity")), ("Godot: addon", files(CLIENTS / "godot" / "addons")),
-            ("Unreal: plugin", files(CLIENTS / "unreal"))]
+    rows = [("JavaScript: npm's file", "js", list(packed.glob("*.tgz"))), ("Python: wheel", "python", list(packed.glob("*.whl"))),
+            ("Unity: package", "unity", files(CLIENTS / "unity")), ("Godot: addon", "godot", files(CLIENTS / "godot" / "addons")),
+            ("Unreal: plugin", "unreal", files(CLIENTS / "unreal"))]
     # A browser asks for the compressed file.
-    rows += [("page: " + one.name, list(one.rglob("*.gz"))) for one in pages if one.is_dir()]
+    rows += [("page: " + one.name, None, list(one.rglob("*.gz"))) for one in pages if one.is_dir()]
     print("%-24s %7s %9s" % ("", "files", "kB"))
     well = True
-    for name, those in rows:
-        size = sum(path.stat().st_size for path in those)
-        print("%-24s %7d %9.1f" % (name, len(those), size / 1000))
-        well = well and size > 0
+    for name, folder, those in rows:
+        size = sum(path.stat().st_size for path in those) / 1000
+        known = documented(folder) if folder else size
+        problem = "" if known and abs(size - known) <= TOLERANCE * known else "  clients/README.md says %s" % known
+        print("%-24s %7d %9.1f%s" % (name, len(those), size, problem))
+        well = well and size > 0 and not problem
     return 0 if well else 1
 
 
