@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What `hedgehogctl play` takes for a file, and what for the name of a pattern.
 #include "clients/ctl/patterns/pattern_file.h"
-#include "clients/ctl/verbs/play_options.h"
+#include "clients/ctl/play_options.h"
 #include "tests/temporary_folder.h"
 
 #include <gmock/gmock.h>

@@ -4,7 +4,7 @@
 // what any of them would do.
 #pragma once
 
-#include "clients/ctl/verbs/play_options.h"
+#include "clients/ctl/play_options.h"
 #include "clients/ctl/verbs/session.h"
 
 namespace hedgehog::client {

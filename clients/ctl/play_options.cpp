@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "clients/ctl/verbs/play_options.h"
+#include "clients/ctl/play_options.h"
 
 #include <fmt/format.h>
 
