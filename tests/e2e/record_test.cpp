@@ -97,7 +97,7 @@ TEST_F(Record, WhatWasRecordedBeforeTheDaemonWentIsKept) {
 }
 
 TEST_F(Record, ABallWithoutASensorRecordsNothing) {
-  home_.configure(R"({"imu":{"source":"none"}})");
+  home_.configure(R"({"imu":{"type":"none"}})");
   const DaemonProcess daemon(home_);
   const Ended ended = ctl(daemon, record({"--seconds", "0.3"}));
   EXPECT_EQ(ended.exit_code, kUnavailable);
