@@ -113,9 +113,9 @@ void Connection::send(std::string line, LineKind kind) {
   on_queued(queue_.push(std::move(line), kind), kind);
 }
 
-void Connection::send_telemetry(SharedLine line) {
+void Connection::send_telemetry(const SharedLine& line) {
   if (write_ended_ || finishing_) return;
-  on_queued(queue_.push(std::move(line)), LineKind::kTelemetry);
+  on_queued(queue_.push(line), LineKind::kTelemetry);
 }
 
 void Connection::on_queued(bool fits, LineKind kind) {

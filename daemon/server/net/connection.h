@@ -38,7 +38,7 @@ class Connection : public Sink, public std::enable_shared_from_this<Connection> 
   void finish() override;
 
   void send(std::string line, LineKind kind) override;
-  void send_telemetry(SharedLine line) override;
+  void send_telemetry(const SharedLine& line) override;
 
   const Session& session() const noexcept { return session_; }
 

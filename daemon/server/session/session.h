@@ -27,7 +27,7 @@ class Sink {
   /// this call).
   virtual void send(std::string line, LineKind kind) = 0;
   /// The same for telemetry that others get too.
-  virtual void send_telemetry(SharedLine line) {
+  virtual void send_telemetry(const SharedLine& line) {
     send(line->substr(0, line->size() - 1), LineKind::kTelemetry);
   }
   /// Nothing more will come: what was sent may go out, then the session is over.
