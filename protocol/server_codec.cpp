@@ -145,9 +145,9 @@ std::string joined(const std::vector<std::string>& values) {
 
 /// The start of an answer, with the memory that most of them need.
 std::string answer(const Id& id) {
-  constexpr std::size_t kMostBytes = 240;
+  constexpr std::size_t kUsualBytes = 240;
   std::string out;
-  out.reserve(kMostBytes);
+  out.reserve(kUsualBytes);
   out += R"({"jsonrpc":"2.0","id":)";
   out += id.json;
   return out;

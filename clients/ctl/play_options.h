@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the verbs that play are told on the command line, and the parameters of an effect from it.
+// The options of the verbs that play, and the parameters of an effect from them.
 #pragma once
 
 #include <optional>
@@ -25,7 +25,7 @@ struct PlayOptions {
   /// "effect.pulse" ...
   std::string method{};
   /// As a person says it: a word, "34" (a pin), "90,20" (azimuth, elevation) or "0,1,0.5" (a
-  /// vector); empty: not said.
+  /// vector); empty: not given.
   std::string direction{};
   /// play: the name of a pattern, or a file: see is_pattern_file.
   std::string pattern{};

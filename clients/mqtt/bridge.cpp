@@ -90,14 +90,8 @@ Outcome<void> Bridge::connect() {
   events.scope = protocol::Scope::kAll;
   if (const auto subscribed = opened->call(events); !subscribed) return subscribed.error();
   if (options_.telemetry_hz > 0.0) {
-    std::string fields;
-    for (const auto& field : options_.fields)
-      fields += (fields.empty() ? "\"" : ",\"") + field + "\"";
-    const auto subscribed = opened->call_raw(
-        protocol::TelemetrySubscribe::kMethod.name,
-        "{\"rate_hz\":" + std::to_string(options_.telemetry_hz) +
-            (fields.empty() ? std::string() : ",\"fields\":[" + fields + "]") + "}");
-    if (!subscribed) return subscribed.error();
+    const protocol::TelemetrySubscribe telemetry{options_.telemetry_hz, options_.fields};
+    if (const auto subscribed = opened->call(telemetry); !subscribed) return subscribed.error();
   }
   auto status = opened->call_text(protocol::DeviceStatus{});
   if (!status) return status.error();
@@ -129,7 +123,10 @@ Outcome<void> Bridge::introduce(client::Connection& daemon) {
 }
 
 Outcome<void> Bridge::exchange() {
-  if (client::Clock::now() >= status_due_)
+  const TimePoint now = client::Clock::now();
+  if (status_asked_ && now > answer_due_)
+    return client::ClientError{client::Failure::kTimeout, "the daemon does not answer", {}};
+  if (now >= status_due_)
     if (auto asked = ask_status(); !asked) return asked;
   for (;;) {
     const auto notification = daemon_->next(Milliseconds(0));
@@ -147,6 +144,7 @@ Outcome<void> Bridge::ask_status() {
   const auto asked = daemon_->ask(protocol::DeviceStatus{});
   if (!asked) return asked.error();
   status_asked_ = *asked;
+  answer_due_ = client::Clock::now() + client::response_timeout();
   return {};
 }
 
@@ -186,6 +184,7 @@ void Bridge::lose(const std::string& why) {
 Result<void> Bridge::open_broker() {
   BrokerOptions options = options_.broker;
   options.client_id = "hedgehog-" + topics_.id();
+  options.urgent_topic = topics_.emergency_stop();
   options.will.topic = topics_.availability();
   options.will.payload = kOffline;
   options.will.delivery = Delivery::kQos1;
@@ -231,7 +230,7 @@ void Bridge::request(const Message& message) {
       protocol::error(protocol::ErrorCode::kDeviceAbsent, "the daemon is gone");
   if (!wanted) {
     refusal = wanted.error();
-  } else if (pending_.full()) {
+  } else if (pending_.full() && message.topic != topics_.emergency_stop()) {
     refusal = protocol::busy("too many requests wait for the daemon", 100);
   } else if (daemon_) {
     const auto asked = daemon_->ask_raw(wanted->method, wanted->params_json);
@@ -252,7 +251,7 @@ void Bridge::publish(std::string topic, std::string payload, Delivery delivery) 
 }
 
 void Bridge::retain(std::string topic, std::string payload) {
-  // A broker that is away is told when it is back.
+  // `announce` publishes it when the broker is back.
   if (broker_connected_)
     broker_->publish({.topic = std::move(topic),
                       .payload = std::move(payload),

@@ -24,9 +24,8 @@ struct BridgeOptions {
   std::string prefix = "hedgehog";
   /// nullopt: the serial number of the board, or the ball's name and that of this machine.
   std::optional<std::string> id{};
-  double telemetry_hz = 1.0;  // 0: none
-  /// Of telemetry; empty: as the daemon chooses.
-  std::vector<std::string> fields{};
+  double telemetry_hz = 1.0;                                  // 0: none
+  protocol::StatusKeys fields = protocol::kTelemetryDefault;  // of telemetry
   double status_s = 10.0;  // how often the status is published that did not change
   /// nullopt: no discovery by Home Assistant.
   std::optional<std::string> home_assistant{"homeassistant"};
@@ -40,8 +39,8 @@ class Bridge {
   /// `report` gets a sentence for a person now and then.
   Bridge(const BridgeOptions& options, Report report);
 
-  /// Until `stop`. An error when it can never work: `Broker::open`, fields of telemetry that there
-  /// are not, a token that is not the daemon's.
+  /// Until `stop`. An error when it can never work: `Broker::open`, or the daemon
+  /// refuses the token.
   Result<void> run(const std::function<bool()>& stop);
 
  private:
@@ -77,6 +76,7 @@ class Bridge {
   TimePoint next_attempt_{};
   TimePoint status_due_{};
   std::optional<protocol::Id> status_asked_;
+  TimePoint answer_due_{};  // to `status_asked_`
   PendingRequests pending_;
   BallIdentity ball_;
   std::string description_;  // JSON, of the last connection

@@ -48,7 +48,7 @@ class Properties {
                                              value.c_str());
   }
   const mosquitto_property* list() const noexcept { return list_; }
-  /// Whoever takes the list frees it.
+  /// The caller owns the list.
   mosquitto_property* release() noexcept { return std::exchange(list_, nullptr); }
 
  private:
@@ -157,11 +157,13 @@ struct Broker::Impl {
     notify_locked(std::move(notice));
   }
   void notify_locked(BrokerNotice notice) {
-    if (std::holds_alternative<Message>(notice) && notices.size() >= kMaxArrived) {
+    const auto* message = std::get_if<Message>(&notice);
+    const bool urgent = message != nullptr && message->topic == options.urgent_topic;
+    if (message != nullptr && notices.size() >= (urgent ? 2 : 1) * kMaxArrived) {
       ++dropped;
       return;
     }
-    notices.push_back(std::move(notice));
+    notices.insert(urgent ? notices.begin() : notices.end(), std::move(notice));
     ::eventfd_write(readable, 1);
   }
 

@@ -30,6 +30,8 @@ struct BrokerOptions {
   int keepalive_s = 15;
   /// What the broker publishes when it has lost this client.
   Message will{};
+  /// A message on this topic is handed out before all others, also when there are too many.
+  std::string urgent_topic{};
   /// User properties of everything that is published.
   std::vector<std::pair<std::string, std::string>> properties{};
 };

@@ -71,11 +71,4 @@ std::vector<Message> discovery(std::string_view prefix, const Topics& topics,
   return messages;
 }
 
-std::vector<Message> forgetting(std::string_view prefix, const Topics& topics) {
-  std::vector<Message> messages;
-  messages.reserve(kEntities.size());
-  for (const Entity& entity : kEntities) messages.push_back(configuration(prefix, topics, entity));
-  return messages;
-}
-
 }  // namespace hedgehog::mqtt

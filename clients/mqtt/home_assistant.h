@@ -24,7 +24,4 @@ struct BallIdentity {
 std::vector<Message> discovery(std::string_view prefix, const Topics& topics,
                                const BallIdentity& ball);
 
-/// The same topics without a payload: Home Assistant forgets the device.
-std::vector<Message> forgetting(std::string_view prefix, const Topics& topics);
-
 }  // namespace hedgehog::mqtt

@@ -2,10 +2,12 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include "clients/common/arguments.h"
 #include "clients/common/exit_code.h"
 #include "clients/common/interrupts.h"
+#include "clients/lib/status_fields.h"
 #include "clients/mqtt/bridge.h"
 #include "clients/mqtt/broker_address.h"
 
@@ -45,6 +47,7 @@ int main(int argc, char** argv) {
   std::optional<std::string> address;
   std::string broker = "127.0.0.1";
   std::optional<std::string> password_file;
+  std::vector<std::string> fields;
   std::string home_assistant = *options.home_assistant;
   app.add_option("--address", address, "host:port or a socket's path (HEDGEHOG_ADDRESS)");
   app.add_option("--token", options.token, "for the daemon, where it asks for one")
@@ -67,7 +70,7 @@ int main(int argc, char** argv) {
   app.add_option("--telemetry-hz", options.telemetry_hz, "0: none")
       ->check(CLI::Range(0.0, 200.0))
       ->capture_default_str();
-  app.add_option("--fields", options.fields, "of telemetry, instead of the daemon's choice")
+  app.add_option("--fields", fields, "of telemetry, instead of the daemon's choice")
       ->delimiter(',');
   app.add_option("--status-s", options.status_s, "how often a status that did not change is sent")
       ->check(CLI::Range(0.5, 3600.0))
@@ -85,6 +88,12 @@ int main(int argc, char** argv) {
     return kUsage;
   }
   options.addresses = *addresses;
+  const auto keys = client::status_fields(fields);
+  if (!keys) {
+    print(keys.error().message);
+    return kUsage;
+  }
+  options.fields = *keys;
   if (auto set = set_address(options.broker, broker); !set) {
     print(set.error().message);
     return set.error().exit_code;

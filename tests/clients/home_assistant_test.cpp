@@ -68,16 +68,5 @@ TEST(HomeAssistant, StopsTheBallByItsButton) {
   EXPECT_TRUE(found);
 }
 
-TEST(HomeAssistant, ForgetsTheDeviceByTheSameTopicsWithoutAPayload) {
-  const auto found = discovery("ha", kHomeTopics, kBall);
-  const auto forgotten = forgetting("ha", kHomeTopics);
-  ASSERT_EQ(found.size(), forgotten.size());
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    EXPECT_EQ(forgotten[i].topic, found[i].topic);
-    EXPECT_TRUE(forgotten[i].retained);
-    EXPECT_EQ(forgotten[i].payload, "");
-  }
-}
-
 }  // namespace
 }  // namespace hedgehog::mqtt

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 // A broker that lets in who has a password, and only over TLS.
-#include <arpa/inet.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
 #include "tests/e2e/daemon_process.h"
 #include "tests/e2e/program.h"
 #include "tests/e2e/programs.h"
+#include "tests/free_port.h"
 #include "tests/mqtt/mosquitto.h"
 
 namespace hedgehog::e2e {
@@ -51,20 +49,6 @@ TEST(MqttAccess, IsByUserAndAPasswordThatNobodySees) {
   const Program admitted(home, hedgehog_mqtt(), with("right"));
   EXPECT_TRUE(eventually(
       [&] { return admitted.err().find("connected to the broker") != std::string::npos; }));
-}
-
-/// Free when it was asked; another program may take it before the broker does.
-int free_port() {
-  const int fd = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  socklen_t size = sizeof address;
-  if (::bind(fd, reinterpret_cast<const sockaddr*>(&address), size) != 0 ||
-      ::getsockname(fd, reinterpret_cast<sockaddr*>(&address), &size) != 0)
-    throw std::runtime_error("no free port");
-  ::close(fd);
-  return ntohs(address.sin_port);
 }
 
 TEST(MqttAccess, OverTlsIsToABrokerWhoseCertificateIsKnown) {

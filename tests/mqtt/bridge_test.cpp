@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <optional>
 
 #include "tests/e2e/daemon_process.h"
@@ -25,7 +26,7 @@ class MqttBridge : public ::testing::Test {
         "--address", daemon->socket(), "--broker",      broker.socket(),
         "--id",      "HH-0042",        "--keepalive-s", "5"};
     arguments.insert(arguments.end(), more.begin(), more.end());
-    bridge.emplace(home, hedgehog_mqtt(), arguments);
+    bridge.emplace(home, hedgehog_mqtt(), arguments, more_variables);
     ASSERT_TRUE(subscriber.sees("0 hedgehog/HH-0042/availability online"));
   }
   Json call(const std::string& method, const Json& params = Json::object()) {
@@ -37,6 +38,7 @@ class MqttBridge : public ::testing::Test {
   Subscriber subscriber{home, broker.socket(), {"#"}};
   std::optional<DaemonProcess> daemon{std::in_place, home};
   std::optional<Program> bridge;
+  std::vector<std::string> more_variables;
 };
 
 TEST_F(MqttBridge, TellsALateSubscriberWhatIsRetained) {
@@ -169,6 +171,47 @@ TEST_F(MqttBridge, SaysThatTheDaemonIsAwayAndThatItIsBack) {
   ASSERT_EQ(daemon->socket(), address);
   EXPECT_TRUE(
       eventually([&] { return subscriber.count("0 hedgehog/HH-0042/availability online") == 2; }));
+}
+
+// Its socket still takes connections, as the kernel does that.
+TEST_F(MqttBridge, SaysThatADaemonThatHangsIsAway) {
+  more_variables = {"HEDGEHOG_PATIENCE_MS=2000"};
+  start({"--status-s", "0.5"});
+  daemon->signal(SIGSTOP);
+  EXPECT_TRUE(subscriber.sees("0 hedgehog/HH-0042/availability offline"));
+  daemon->signal(SIGCONT);
+  EXPECT_TRUE(
+      eventually([&] { return subscriber.count("0 hedgehog/HH-0042/availability online") >= 2; }));
+}
+
+/// Lines of the README that begin with `program`, indented as commands, without their remarks.
+std::vector<std::string> commands_of_the_readme(const std::string& program) {
+  std::ifstream readme(HEDGEHOG_SOURCE_DIR "/clients/mqtt/README.md");
+  std::vector<std::string> found;
+  for (std::string line; std::getline(readme, line);)
+    if (line.starts_with("    " + program)) found.push_back(line.substr(4, line.find("   #") - 4));
+  return found;
+}
+
+std::string with(std::string command, const std::string& from, const std::string& to) {
+  const auto at = command.find(from);
+  return at == std::string::npos ? command : command.replace(at, from.size(), to);
+}
+
+TEST_F(MqttBridge, IsUsedByTheCommandsOfItsReadme) {
+  const auto bridges = commands_of_the_readme("hedgehog-mqtt");
+  const auto asks = commands_of_the_readme("mosquitto_pub");
+  ASSERT_EQ(bridges.size(), 2u);
+  ASSERT_EQ(asks.size(), 1u);
+  const std::string command = with(with(bridges[0], "hedgehog-mqtt", "exec " + hedgehog_mqtt()),
+                                   "broker.lan", broker.socket());
+  bridge.emplace(home, "/bin/sh", std::vector<std::string>{"-c", command + " --id HH-0042"},
+                 std::vector<std::string>{"HEDGEHOG_ADDRESS=" + daemon->socket()});
+  ASSERT_TRUE(subscriber.sees("0 hedgehog/HH-0042/availability online"));
+  Program ask(home, "/bin/sh", {"-c", with(asks[0], "-h broker.lan", "--unix " + broker.socket())});
+  EXPECT_EQ(ask.wait().exit_code, 0);
+  EXPECT_TRUE(subscriber.sees("0 hedgehog/HH-0042/event/effect_started "));
+  EXPECT_EQ(subscriber.count("0 hedgehog/HH-0042/refused "), 0);
 }
 
 TEST_F(MqttBridge, EndsWithASentenceWhenItIsToldFieldsThatThereAreNot) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a fleet costs a broker: as many of hedgehog-mqtt's connections as it is told, each with a
-// ball's telemetry, status and events, and a subscriber that counts what arrives.
+// What a fleet costs a broker: `--balls` connections of hedgehog-mqtt's kind, each with a ball's
+// telemetry and status, and a subscriber that counts what arrives.
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>

@@ -13,6 +13,7 @@
 #include "clients/ctl/screen/history_screen.h"
 #include "clients/ctl/screen/watch_screen.h"
 #include "clients/ctl/verbs/live.h"
+#include "clients/lib/status_fields.h"
 
 namespace hedgehog::client {
 
@@ -128,16 +129,9 @@ int run_events(Session& session, const EventsOptions& options) {
 }
 
 int run_telemetry(Session& session, const TelemetryOptions& options) {
-  protocol::TelemetrySubscribe request{options.rate_hz, protocol::kTelemetryDefault};
-  if (!options.fields.empty()) {
-    request.fields = {};
-    for (const std::string& field : options.fields) {
-      const auto key = protocol::enumerator_named<protocol::StatusKey>(field);
-      if (!key)
-        return complain({Failure::kBadAddress, "fields: the status has no '" + field + "'"});
-      request.fields.add(*key);
-    }
-  }
+  const auto fields = status_fields(options.fields);
+  if (!fields) return complain(fields.error());
+  const protocol::TelemetrySubscribe request{options.rate_hz, *fields};
   if (auto hello = session.connection.hello("hedgehogctl"); !hello) return complain(hello.error());
   if (auto subscribed = session.connection.call(request); !subscribed)
     return complain(subscribed.error());

@@ -13,10 +13,7 @@ namespace {
 constexpr std::size_t kStageColumns = 24;
 constexpr std::size_t kNumberColumns = 10;
 
-std::string number(const std::string& text) {
-  return text.size() < kNumberColumns ? std::string(kNumberColumns - text.size(), ' ') + text
-                                      : ' ' + text;
-}
+std::string number(const std::string& text) { return ' ' + right(text, kNumberColumns - 1); }
 
 std::string stage(const std::string& name,
                   const std::optional<protocol::LatencyQuantiles>& quantiles) {

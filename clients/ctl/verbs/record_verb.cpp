@@ -124,10 +124,6 @@ void print_recorded(const Session& session, const RecordOptions& options,
   if (lost > 0) fmt::print(stderr, "hedgehogctl: the orientation was not known {} times\n", lost);
 }
 
-}  // namespace
-
-namespace {
-
 /// What would be noticed only when the recording is over; kDone: nothing.
 int check_before(const RecordOptions& options) {
   std::error_code ec;

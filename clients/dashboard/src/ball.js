@@ -266,12 +266,6 @@ export class Ball extends EventTarget {
     return this.mesh && this.ray(event).intersectObjects([this.mesh, this.shell])[0];
   }
 
-  /** Where the pointer is on the ball: a unit vector of its frame; null beside it. */
-  directionAt(event) {
-    const hit = this.hit(event);
-    return hit ? this.body.worldToLocal(hit.point.clone()).normalize().toArray() : null;
-  }
-
   click(event) {
     const hit = this.hit(event);
     if (hit?.object === this.mesh) {

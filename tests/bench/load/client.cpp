@@ -85,17 +85,6 @@ void Client::skip(std::size_t bytes) {
   read_.erase(0, bytes);
 }
 
-int free_port() {
-  const int fd = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  sockaddr_in address = loopback(0);
-  socklen_t size = sizeof address;
-  const bool bound = ::bind(fd, reinterpret_cast<const sockaddr*>(&address), size) == 0 &&
-                     ::getsockname(fd, reinterpret_cast<sockaddr*>(&address), &size) == 0;
-  ::close(fd);
-  if (!bound) throw std::runtime_error("no free port");
-  return ntohs(address.sin_port);
-}
-
 Client connect_when_listening(int port) {
   const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(kPatience.tv_sec);
   for (;;) {

@@ -36,8 +36,6 @@ class Client {
   std::string read_;
 };
 
-/// A port of 127.0.0.1 that is free now.
-int free_port();
 /// Waits until something listens there, at most a minute.
 Client connect_when_listening(int port);
 /// The body of http://127.0.0.1:port/path.

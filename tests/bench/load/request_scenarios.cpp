@@ -10,6 +10,7 @@
 #include "tests/bench/load/daemon.h"
 #include "tests/bench/load/scenarios.h"
 #include "tests/bench/load/server.h"
+#include "tests/free_port.h"
 #include "tests/temporary_folder.h"
 
 namespace hedgehog::bench {
