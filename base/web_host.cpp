@@ -38,8 +38,8 @@ WebHost parse_web_host(std::string_view host) {
   return {lower_case(host.substr(0, colon)), std::string(host.substr(colon + 1))};
 }
 
-bool is_origin_of(std::string_view origin, std::string_view host) {
-  return lower_case(origin) == "http://" + lower_case(host);
+bool is_origin_of(std::string_view origin, std::string_view host, bool tls) {
+  return lower_case(origin) == (tls ? "https://" : "http://") + lower_case(host);
 }
 
 }  // namespace hedgehog::base

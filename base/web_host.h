@@ -25,7 +25,7 @@ struct WebHost {
 
 WebHost parse_web_host(std::string_view host);
 
-/// Whether `origin` is that of the pages that `host` itself serves.
-bool is_origin_of(std::string_view origin, std::string_view host);
+/// Whether `origin` is that of the pages that `host` itself serves, with TLS or without.
+bool is_origin_of(std::string_view origin, std::string_view host, bool tls = false);
 
 }  // namespace hedgehog::base

@@ -7,6 +7,7 @@ find_package(Boost 1.81 REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(fmt REQUIRED)
+find_package(OpenSSL 3.0 REQUIRED)
 
 if(HEDGEHOG_PROGRAMS)
   find_package(spdlog REQUIRED)

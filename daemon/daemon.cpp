@@ -67,6 +67,7 @@ Daemon::Daemon(const Options& options, const config::Paths& paths, const config:
           device_view_, state_store_, patterns_, history_,
           [this](const control::Event& e, const server::Effect* x) { on_event(e, x); },
           base::unix_ms_now) {
+  server_.set_access(config_);
   server_.set_devices(devices_);
   device_view_.set_board_info_source([this] { return threads_.sensors().board_seen(); });
   server_.set_recordings(recordings_);
@@ -204,6 +205,7 @@ void Daemon::reload() {
   next.log_level = fresh->log_level;
   next.telemetry_max_rate_hz = fresh->telemetry_max_rate_hz;
   next.connections = fresh->connections;
+  next.access = fresh->access;
   // A board never widens its limits.
   const bool too_wide =
       !model::is_within(next.limits, next.device.limits) ||
@@ -218,6 +220,7 @@ void Daemon::reload() {
   config_ = next;
   device_view_.set_config(next);
   listener_.set_config(next);
+  server_.set_access(next);
   set_log_level(next.log_level);
   const std::vector<std::string> waiting = config::different_keys(*fresh, next);
   spdlog::info(

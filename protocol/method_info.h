@@ -23,9 +23,10 @@ struct MethodInfo {
 };
 
 /// What a request of `method` may be refused with: parameters are checked for all, a daemon that is
-/// stopping or a batch that is too long is busy for all.
+/// stopping or a batch that is too long is busy for all, and where a token is needed, it is for
+/// all.
 constexpr ErrorSet possible_errors(const MethodInfo& method) noexcept {
-  const ErrorSet of_all{ErrorCode::kInvalidParams, ErrorCode::kBusy};
+  const ErrorSet of_all{ErrorCode::kInvalidParams, ErrorCode::kBusy, ErrorCode::kUnauthorized};
   const ErrorSet of_role = method.role ? ErrorSet{ErrorCode::kForbidden} : ErrorSet{};
   return of_all | of_role | method.errors;
 }

@@ -17,6 +17,7 @@
 #include "clients/ctl/effect_arguments.h"
 #include "clients/ctl/flash_arguments.h"
 #include "clients/ctl/record_arguments.h"
+#include "clients/ctl/token/token_arguments.h"
 #include "clients/ctl/verbs/act_verbs.h"
 #include "clients/ctl/verbs/follow_verbs.h"
 #include "clients/ctl/verbs/latency_verb.h"
@@ -28,7 +29,6 @@
 #include "clients/ctl/verbs/sound_verbs.h"
 
 namespace hedgehog::client {
-
 namespace {
 
 /// The first argument of forecast; CLI11 would only say that it cannot convert it.
@@ -265,6 +265,11 @@ class CommandLine {
                    "starts a daemon with a simulated ball for it");
     demo->add_flag("--yes", demo_.confirmed, "does not ask before it plays on a real ball");
     demo->callback([this] { verb_ = [this] { return run_demo(common_, demo_); }; });
+    CLI::App* token = app_.add_subcommand(
+        "token", "who may reach the daemon from elsewhere: add, list, revoke, certificate");
+    add_token_arguments(*token, token_, [this](TokenVerb run) {
+      verb_ = [this, run] { return run(common_, token_); };
+    });
   }
 
   CLI::App app_{"hedgehogctl: look at the ball, play on it, stop it", "hedgehogctl"};
@@ -280,6 +285,7 @@ class CommandLine {
   DemoOptions demo_;
   CalibrateOptions calibrate_;
   FlashOptions flash_;
+  TokenOptions token_;
   std::optional<double> gain_;
   std::function<int()> verb_;
 };

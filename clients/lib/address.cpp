@@ -16,6 +16,13 @@ ClientError bad_address(std::string_view text, std::string_view why) {
           {}};
 }
 
+ClientError bad_fingerprint() {
+  return {Failure::kBadAddress,
+          "HEDGEHOG_FINGERPRINT is none: it has 64 hexadecimal digits, as hedgehogctl token "
+          "certificate prints it",
+          {}};
+}
+
 std::optional<std::uint16_t> parse_port(std::string_view text) {
   std::uint16_t port = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), port);
@@ -64,14 +71,18 @@ Outcome<Address> parse_address(std::string_view text) {
     if (text.empty()) return bad_address(whole, "it names no socket");
     return unix_socket(std::string(text));
   }
-  take_prefix(text, "tcp:");
-  return parse_tcp(text, whole);
+  const bool tls = take_prefix(text, "tls://");
+  if (!tls) take_prefix(text, "tcp:");
+  auto address = parse_tcp(text, whole);
+  if (address) address->tls = tls;
+  return address;
 }
 
 std::string to_string(const Address& address) {
   if (!address.path.empty()) return address.path;
   const bool v6 = address.host.find(':') != std::string::npos;
-  return (v6 ? "[" + address.host + "]" : address.host) + ":" + std::to_string(address.port);
+  return (address.tls ? "tls://" : "") + (v6 ? "[" + address.host + "]" : address.host) + ":" +
+         std::to_string(address.port);
 }
 
 std::optional<std::string> process_environment(const std::string& name) {
@@ -85,13 +96,20 @@ Outcome<std::vector<Address>> daemon_addresses(const std::optional<std::string>&
     auto value = environment(name);
     return value && !value->empty() ? value : std::nullopt;
   };
+  const auto token = variable("HEDGEHOG_TOKEN");
   if (const auto one = given ? given : variable("HEDGEHOG_ADDRESS")) {
     auto address = parse_address(*one);
     if (!address) return address.error();
+    address->token = token;
+    if (const auto fingerprint = variable("HEDGEHOG_FINGERPRINT"); fingerprint && address->tls) {
+      address->fingerprint = base::parse_sha256(*fingerprint);
+      if (!address->fingerprint) return bad_fingerprint();
+    }
     return std::vector<Address>{*std::move(address)};
   }
   std::vector<Address> all;
   const auto add = [&](Address address) {
+    address.token = token;
     for (const Address& known : all)
       if (known == address) return;
     all.push_back(std::move(address));

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/digest_text.h"
 #include "clients/lib/client_error.h"
 
 namespace hedgehog::client {
@@ -22,12 +23,18 @@ struct Address {
   std::string path{};  // not empty: a Unix socket
   std::string host{};
   std::uint16_t port = kDefaultPort;
+  bool tls = false;
+  /// With TLS, of the daemon's certificate; nullopt: the system's authorities vouch for it.
+  std::optional<base::Sha256> fingerprint{};
+  /// What `Connection::open` and `Ball` introduce themselves with.
+  std::optional<std::string> token{};
   friend bool operator==(const Address&, const Address&) = default;
 };
 
-/// "/path", "unix:/path", "host", "host:port", "[::1]:port", "tcp:host:port".
+/// "/path", "unix:/path", "host", "host:port", "[::1]:port", "tcp:host:port", "tls://host:port".
 Outcome<Address> parse_address(std::string_view text);
-/// As `parse_address` reads it: "/run/hedgehog/hedgehogd.sock", "127.0.0.1:7586", "[::1]:7586".
+/// As `parse_address` reads it: "/run/hedgehog/hedgehogd.sock", "127.0.0.1:7586", "[::1]:7586",
+/// "tls://192.0.2.7:7586".
 std::string to_string(const Address& address);
 
 /// The value of an environment variable; nullopt when it is not set.
@@ -36,7 +43,8 @@ std::optional<std::string> process_environment(const std::string& name);
 
 /// The places to try, in order. `given` (a command-line flag) or else HEDGEHOG_ADDRESS is the only
 /// one when there is one. Otherwise: the socket in RUNTIME_DIRECTORY, in /run/hedgehog, in
-/// XDG_RUNTIME_DIR/hedgehog (without that variable: /tmp/hedgehog-UID), and 127.0.0.1:7586.
+/// XDG_RUNTIME_DIR/hedgehog (without that variable: /tmp/hedgehog-UID), and 127.0.0.1:7586. Each
+/// has the token of HEDGEHOG_TOKEN, and with TLS the fingerprint of HEDGEHOG_FINGERPRINT.
 Outcome<std::vector<Address>> daemon_addresses(
     const std::optional<std::string>& given = std::nullopt,
     const Environment& environment = process_environment);

@@ -78,7 +78,8 @@ void Ball::poll_connection(client::Clock::time_point deadline) {
 void Ball::introduce() {
   stage_ = Stage::kIntroducing;
   notice_.clear();
-  auto asked = connection_->ask(protocol::Hello{options_.name, "1.0", options_.token}, kNow);
+  const auto& token = options_.token ? options_.token : connection_->address().token;
+  auto asked = connection_->ask(protocol::Hello{options_.name, "1.0", token}, kNow);
   if (!asked) {
     lose(asked.error());
     return;

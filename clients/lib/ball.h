@@ -23,7 +23,7 @@ namespace hedgehog {
 struct BallOptions {
   /// Of this program, as the daemon's log shows it.
   std::string name = "c++";
-  /// Of roles beyond those of this machine.
+  /// Of roles beyond those of this machine; else that of the address (HEDGEHOG_TOKEN).
   std::optional<std::string> token{};
   /// The longest that connecting, and waiting for a response, take.
   client::Milliseconds patience = client::response_timeout();

@@ -47,11 +47,20 @@ Outcome<Connection> Connection::open(const std::vector<Address>& addresses, Mill
   std::vector<std::string> places;
   for (const Address& address : addresses) {
     auto socket = LineSocket::connect(address, deadline);
-    if (socket) return Connection(*std::move(socket), address);
+    if (socket) return introduced(Connection(*std::move(socket), address), deadline);
     const std::string& why = socket.error().message;
     places.push_back(to_string(address) + (nobody_there(why) ? "" : " (" + why + ")"));
   }
   return ClientError{Failure::kNoDaemon, no_daemon_at(places), {}};
+}
+
+Outcome<Connection> Connection::introduced(Connection connection, Clock::time_point deadline) {
+  const auto& token = connection.address_.token;
+  if (!token) return connection;
+  const auto left = std::chrono::ceil<Milliseconds>(deadline - Clock::now());
+  const auto hello = connection.hello({}, token, std::max(left, Milliseconds(1)));
+  if (!hello) return hello.error();
+  return connection;
 }
 
 Outcome<Connection> Connection::start(const Address& address) {

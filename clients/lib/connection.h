@@ -33,7 +33,8 @@ class Connection {
   /// Telemetry beyond this many unread notifications loses the oldest; events are never lost.
   static constexpr std::size_t kMaxTelemetry = 256;
 
-  /// Connects to the first of `addresses` that answers. kNoDaemon: "no daemon answers at A or B".
+  /// Connects to the first of `addresses` that answers, and shows it the token of that address.
+  /// kNoDaemon: "no daemon answers at A or B". kRefused: it does not know the token.
   static Outcome<Connection> open(const std::vector<Address>& addresses,
                                   Milliseconds patience = kConnectTimeout);
   /// The same again and again, with the pauses of `Backoff`, until `patience` is over.
@@ -97,6 +98,8 @@ class Connection {
 
  private:
   Connection(LineSocket socket, Address address);
+  /// `connection`, once the daemon knows the token of its address.
+  static Outcome<Connection> introduced(Connection connection, Clock::time_point deadline);
 
   template <class T>
   static Outcome<T> decoded(const Outcome<std::string>& json) {

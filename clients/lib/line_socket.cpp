@@ -3,8 +3,11 @@
 
 #include <array>
 #include <boost/asio.hpp>
+#include <boost/asio/ssl/error.hpp>
 #include <utility>
 #include <vector>
+
+#include "clients/lib/tls_stream.h"
 
 namespace hedgehog::client {
 
@@ -12,13 +15,25 @@ namespace asio = boost::asio;
 using boost::system::error_code;
 using Stream = asio::generic::stream_protocol;
 
+namespace {
+
+std::string reason(const error_code& error) {
+  std::string text = error.message();
+  if (!text.empty() && text[0] >= 'A' && text[0] <= 'Z') text[0] += 'a' - 'A';
+  return text;
+}
+
+}  // namespace
+
 struct LineSocket::Impl {
   asio::io_context io{1};
   Stream::socket socket{io};
+  std::optional<TlsStream> tls;  // over `socket`, once that is connected
   std::array<char, 16 * 1024> chunk{};
   std::string buffer;
   std::size_t begin = 0;    // of the line that is not whole yet
   std::size_t scanned = 0;  // no LF before here
+  Address address;
   // Of `start_connect`: where to go, which of them is tried, and how that ended.
   std::vector<Stream::endpoint> endpoints;
   std::size_t tried = 0;
@@ -54,9 +69,33 @@ struct LineSocket::Impl {
     return finished;
   }
 
-  error_code connect(const Stream::endpoint& endpoint, Clock::time_point deadline) {
+  void close() {
     error_code ignored;
     socket.close(ignored);
+  }
+
+  /// Of a connected socket: TLS begins. Its outcome goes to `done`.
+  template <class Done>
+  void start_handshake(Done done) {
+    tls.emplace(socket, address);
+    tls->async_handshake(std::move(done));
+  }
+
+  /// After TCP, and TLS where it is wanted; empty: ready.
+  std::string prepare(Clock::time_point deadline) {
+    // A game's small lines must not wait for each other's acknowledgement.
+    error_code error;
+    if (address.path.empty()) socket.set_option(asio::ip::tcp::no_delay(true), error);
+    if (!address.tls) return {};
+    error = await(deadline, [&](auto done) {
+              start_handshake([done](const error_code& failed) { done(failed, 0); });
+            }).error;
+    return error ? "TLS: " + reason(error) : tls->why_not_trusted();
+  }
+
+  error_code connect(const Stream::endpoint& endpoint, Clock::time_point deadline) {
+    tls.reset();
+    close();
     return await(deadline,
                  [&](auto done) {
                    socket.async_connect(endpoint,
@@ -66,8 +105,8 @@ struct LineSocket::Impl {
   }
 
   void start_attempt() {
-    error_code ignored;
-    socket.close(ignored);
+    tls.reset();
+    close();
     attempt.reset();
     socket.async_connect(endpoints[tried], [this](const error_code& error) { attempt = error; });
   }
@@ -111,15 +150,9 @@ std::vector<Stream::endpoint> endpoints_of(const Address& address, asio::io_cont
   return all;
 }
 
-std::string reason(const error_code& error) {
-  std::string text = error.message();
-  if (!text.empty() && text[0] >= 'A' && text[0] <= 'Z') text[0] += 'a' - 'A';
-  return text;
-}
-
 ClientError ended(const error_code& error) {
   if (error == asio::error::eof || error == asio::error::connection_reset ||
-      error == asio::error::broken_pipe)
+      error == asio::error::broken_pipe || error == asio::ssl::error::stream_truncated)
     return {Failure::kClosed, "the daemon closed the connection", {}};
   return {Failure::kClosed, "the connection to the daemon is lost: " + reason(error), {}};
 }
@@ -133,19 +166,20 @@ LineSocket& LineSocket::operator=(LineSocket&&) noexcept = default;
 
 Outcome<LineSocket> LineSocket::connect(const Address& address, Clock::time_point deadline) {
   auto impl = std::make_unique<Impl>();
+  impl->address = address;
   error_code error;
+  std::string why;
   for (const auto& endpoint : endpoints_of(address, impl->io, error)) {
     error = impl->connect(endpoint, deadline);
-    if (error) continue;
-    // A game's small lines must not wait for each other's acknowledgement.
-    if (address.path.empty()) impl->socket.set_option(asio::ip::tcp::no_delay(true), error);
-    return LineSocket(std::move(impl));
+    why = error ? reason(error) : impl->prepare(deadline);
+    if (why.empty()) return LineSocket(std::move(impl));
   }
-  return ClientError{Failure::kNoDaemon, reason(error), {}};
+  return ClientError{Failure::kNoDaemon, why.empty() ? reason(error) : why, {}};
 }
 
 Outcome<LineSocket> LineSocket::start_connect(const Address& address) {
   auto impl = std::make_unique<Impl>();
+  impl->address = address;
   error_code error;
   impl->endpoints = endpoints_of(address, impl->io, error);
   if (impl->endpoints.empty()) return ClientError{Failure::kNoDaemon, reason(error), {}};
@@ -161,14 +195,22 @@ Outcome<bool> LineSocket::connected(Clock::time_point deadline) {
     impl_->io.run_until(deadline);
   }
   if (!impl_->attempt) return false;
-  error_code error = *impl_->attempt;
-  if (!error) {
-    const bool tcp = impl_->endpoints[impl_->tried].protocol().family() != AF_UNIX;
-    if (tcp) impl_->socket.set_option(asio::ip::tcp::no_delay(true), error);
+  const error_code error = *impl_->attempt;
+  if (!error && impl_->address.tls && !impl_->tls) {
+    impl_->attempt.reset();
+    impl_->start_handshake(
+        [impl = impl_.get()](const error_code& failed) { impl->attempt = failed; });
+    return false;
+  }
+  std::string why = error ? reason(error) : std::string();
+  if (!error && impl_->tls) why = impl_->tls->why_not_trusted();
+  if (why.empty()) {
+    error_code ignored;
+    if (impl_->address.path.empty())
+      impl_->socket.set_option(asio::ip::tcp::no_delay(true), ignored);
     return true;
   }
-  if (++impl_->tried == impl_->endpoints.size())
-    return ClientError{Failure::kNoDaemon, reason(error), {}};
+  if (++impl_->tried == impl_->endpoints.size()) return ClientError{Failure::kNoDaemon, why, {}};
   impl_->start_attempt();
   return false;
 }
@@ -177,11 +219,14 @@ Outcome<void> LineSocket::write(std::string_view line, Clock::time_point deadlin
   if (!impl_->socket.is_open()) return ended(asio::error::eof);
   std::string bytes(line);
   bytes += '\n';
-  const auto finished = impl_->await(
-      deadline, [&](auto done) { asio::async_write(impl_->socket, asio::buffer(bytes), done); });
+  const auto finished = impl_->await(deadline, [&](auto done) {
+    if (impl_->tls)
+      asio::async_write(impl_->tls->stream(), asio::buffer(bytes), done);
+    else
+      asio::async_write(impl_->socket, asio::buffer(bytes), done);
+  });
   if (!finished.error) return {};
-  error_code ignored;
-  impl_->socket.close(ignored);
+  impl_->close();
   if (finished.error == asio::error::timed_out)
     return ClientError{Failure::kClosed, "the daemon does not read what it is sent", {}};
   return ended(finished.error);
@@ -196,19 +241,20 @@ Outcome<std::optional<std::string>> LineSocket::read(Clock::time_point deadline)
     if (auto line = impl_->take_line()) return line;
     impl_->forget_taken_lines();
     if (impl_->buffer.size() > kMaxIncomingLine) {
-      error_code ignored;
-      impl_->socket.close(ignored);
+      impl_->close();
       return ClientError{Failure::kProtocol, "the daemon sent a line that does not end", {}};
     }
     if (!impl_->socket.is_open()) return ended(asio::error::eof);
     const auto finished = impl_->await(deadline, [&](auto done) {
-      impl_->socket.async_read_some(asio::buffer(impl_->chunk), done);
+      if (impl_->tls)
+        impl_->tls->stream().async_read_some(asio::buffer(impl_->chunk), done);
+      else
+        impl_->socket.async_read_some(asio::buffer(impl_->chunk), done);
     });
     impl_->buffer.append(impl_->chunk.data(), finished.bytes);
     if (finished.bytes > 0) continue;
     if (finished.error == asio::error::timed_out) return std::optional<std::string>();
-    error_code ignored;
-    impl_->socket.close(ignored);
+    impl_->close();
     return ended(finished.error);
   }
 }

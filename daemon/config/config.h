@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "access/token_file.h"
 #include "daemon/config/listen_address.h"
 #include "daemon/config/sensor_settings.h"
 #include "daemon/device/simulator/front_end.h"
@@ -36,6 +37,19 @@ struct HttpSettings {
   /// The dashboard's folder.
   std::string pages;
   friend bool operator==(const HttpSettings&, const HttpSettings&) = default;
+};
+
+/// Who may reach the daemon from elsewhere. What the files have is not part of what is printed.
+struct AccessSettings {
+  /// Absolute paths.
+  std::string tokens_file;
+  std::string certificate_file;
+  std::string key_file;
+  access::Tokens tokens;
+  /// Of certificate and key, which fit each other; empty where nobody listens with TLS.
+  std::string certificate_pem;
+  std::string key_pem;
+  friend bool operator==(const AccessSettings&, const AccessSettings&) = default;
 };
 
 struct SimulatorSettings {
@@ -83,6 +97,7 @@ struct Config {
   double gain = 1.0;
   ListenSettings listen;
   HttpSettings http;
+  AccessSettings access;
   ConnectionSettings connections;
   /// The most that `telemetry.subscribe` grants, 1..200.
   int telemetry_max_rate_hz = 200;

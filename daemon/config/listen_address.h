@@ -15,6 +15,8 @@ struct ListenAddress {
   std::string host;
   /// 0: any free one, printed when bound.
   std::uint16_t port = 0;
+  /// Clients speak TLS and have to show a token; always so where other machines could reach it.
+  bool tls = false;
   friend bool operator==(const ListenAddress&, const ListenAddress&) = default;
 };
 
@@ -22,10 +24,14 @@ struct AddressError {
   std::string reason;
 };
 
-/// "127.0.0.1:7586" or "[::1]:7586". The error is a reason for people. Addresses that other
-/// machines can reach are refused: as long as there are neither tokens nor TLS, whoever reaches the
-/// port may play.
+/// "127.0.0.1:7586", "[::1]:7586", "tls://127.0.0.1:7586" or, with TLS either way, "0.0.0.0:7586".
+/// The error is a reason for people.
 boost::system::result<ListenAddress, AddressError> parse_listen_address(std::string_view text);
+
+/// Two listeners cannot both have it.
+inline bool is_same_place(const ListenAddress& a, const ListenAddress& b) noexcept {
+  return a.host == b.host && a.port == b.port;
+}
 
 /// The inverse.
 std::string to_string(const ListenAddress& address);

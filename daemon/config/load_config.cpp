@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "daemon/config/access_files.h"
 #include "daemon/config/json_text.h"
 #include "daemon/config/keys/config_keys.h"
 #include "daemon/config/keys/device_keys.h"
@@ -45,6 +46,7 @@ class Loader {
     settle_device();
     settle_sensors(draft_, origins_, paths_.config_file, errors_);
     settle_places();
+    settle_access(draft_.config, origins_, paths_.config_file, reader_, errors_);
   }
 
   boost::system::result<Config, ConfigErrors> finish() {
@@ -158,7 +160,9 @@ class Loader {
     }
     const auto& tcp = config.listen.tcp;
     const auto& http = config.http.listen;
-    if (http && http->port != 0 && std::find(tcp.begin(), tcp.end(), *http) != tcp.end()) {
+    if (http && http->port != 0 &&
+        std::any_of(tcp.begin(), tcp.end(),
+                    [&](const ListenAddress& other) { return is_same_place(other, *http); })) {
       errors_.push_back(error_at(origins_, "http.listen",
                                  to_string(*http) + " is in listen.tcp too: take another port",
                                  paths_.config_file));

@@ -63,7 +63,7 @@ struct Hello {
       "hello",
       std::nullopt,
       "Introduces the client; answers who the server is and what it allows.",
-      {ErrorCode::kUnauthorized, ErrorCode::kUnsupported}};
+      {ErrorCode::kUnsupported}};
   using Result = HelloResult;
 
   std::string client{};    // at most 128 characters, shown to the operator; empty: not said

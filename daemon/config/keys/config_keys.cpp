@@ -19,8 +19,10 @@ Reason read_addresses(Draft& draft, const Value& value) {
       return must_be(R"(a list of texts such as "127.0.0.1:7586")", element);
     const auto address = parse_listen_address(element.text);
     if (!address) return describe(element) + ": " + address.error().reason;
-    const bool twice = address->port != 0 &&
-                       std::find(addresses.begin(), addresses.end(), *address) != addresses.end();
+    const bool twice = address->port != 0 && std::any_of(addresses.begin(), addresses.end(),
+                                                         [&](const ListenAddress& other) {
+                                                           return is_same_place(other, *address);
+                                                         });
     if (twice) return describe(element) + " is given twice";
     addresses.push_back(*address);
   }
@@ -112,6 +114,13 @@ void add_listeners(std::vector<Key<D>>& keys) {
   keys.push_back({"http.allow_origins", read_origins, write_origins});
   keys.push_back(path_key(
       "http.pages", true, true, [](auto& d) -> auto& { return d.config.http.pages; }));
+  keys.push_back(path_key(
+      "access.tokens", true, true, [](auto& d) -> auto& { return d.config.access.tokens_file; }));
+  keys.push_back(path_key(
+      "access.certificate", true, true,
+      [](auto& d) -> auto& { return d.config.access.certificate_file; }));
+  keys.push_back(path_key(
+      "access.key", true, true, [](auto& d) -> auto& { return d.config.access.key_file; }));
   keys.push_back(integer_key<D>(
       "connections.max", 1, 1024, [](auto& d) -> auto& { return d.config.connections.max; }));
   keys.push_back(integer_key<D>(

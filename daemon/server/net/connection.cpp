@@ -148,7 +148,7 @@ void Connection::report_not_reading() {
 
 void Connection::abort() noexcept {
   aborted_ = true;
-  close();
+  close_socket();
   wake_.cancel();
   progress_.cancel();
   work_.cancel();
@@ -184,6 +184,7 @@ void Connection::begin_turn() noexcept {
 
 void Connection::end_turn() {
   in_turn_ = false;
+  if (ticket_ && !session_.locked) ticket_.release();
   flush();
 }
 
@@ -229,6 +230,11 @@ asio::awaitable<void> Connection::write() {
   capacity_.cancel();
   if (!ec && !aborted_) co_await finish_stream();
   close_timer_.cancel();
+  close_socket();
+}
+
+void Connection::close_socket() noexcept {
+  ticket_.release();
   close();
 }
 

@@ -18,6 +18,7 @@
 #include <string_view>
 
 #include "daemon/config/config.h"
+#include "daemon/server/net/half_open.h"
 #include "daemon/server/rpc/server.h"
 #include "daemon/server/session/session.h"
 #include "daemon/server/session/write_queue.h"
@@ -41,6 +42,8 @@ class Connection : public Sink, public std::enable_shared_from_this<Connection> 
   void send_telemetry(const SharedLine& line) override;
 
   const Session& session() const noexcept { return session_; }
+  /// `ticket` is given up once it has logged in.
+  void set_half_open(HalfOpen::Ticket ticket) noexcept { ticket_ = std::move(ticket); }
 
  protected:
   /// `session`: transport, address and role are filled in.
@@ -117,10 +120,12 @@ class Connection : public Sink, public std::enable_shared_from_this<Connection> 
   bool full() const noexcept;
   void report_not_reading();
   void abort() noexcept;
+  void close_socket() noexcept;
 
   boost::asio::any_io_executor executor_;
   Server& server_;
   Session session_;
+  HalfOpen::Ticket ticket_{};
   WriteQueue queue_;
   /// Of waiting responses. Beside them a whole batch still fits: half of the queue, one more answer
   /// and those that say `busy`.

@@ -23,18 +23,20 @@ constexpr std::size_t kWaitBytes = 2048;
 
 }  // namespace
 
-asio::awaitable<void> LineConnection::read() {
+template <class Stream>
+asio::awaitable<void> BasicLineConnection<Stream>::read() {
   LineReader reader(protocol::kMaxLineBytes);
   std::array<char, kWaitBytes> buffer;
   bool known = false;
   for (;;) {
     error_code ec;
-    const std::size_t count = co_await socket_.async_read_some(
+    const std::size_t count = co_await stream_.async_read_some(
         asio::buffer(buffer), asio::redirect_error(asio::use_awaitable, ec));
     if (ec) co_return;
     on_received();
     reader.feed({buffer.data(), count});
-    if (count == buffer.size()) read_more(reader);
+    if constexpr (kPlain)
+      if (count == buffer.size()) read_more(reader);
     if (!known && reader.first_byte()) {
       known = true;
       // Web pages can reach loopback, and what a browser sends begins with a letter.
@@ -52,52 +54,75 @@ asio::awaitable<void> LineConnection::read() {
   }
 }
 
-void LineConnection::read_more(LineReader& reader) {
-  // Used by one connection at a time, never across a wait.
-  static std::array<char, kReadBytes> buffer;
-  error_code ec;
-  // An end or an error is met by the next read.
-  const std::size_t count = socket_.read_some(asio::buffer(buffer), ec);
-  if (!ec) reader.append({buffer.data(), count});
+template <class Stream>
+void BasicLineConnection<Stream>::read_more(LineReader& reader) {
+  if constexpr (kPlain) {
+    // Used by one connection at a time, never across a wait.
+    static std::array<char, kReadBytes> buffer;
+    error_code ec;
+    // An end or an error is met by the next read.
+    const std::size_t count = stream_.read_some(asio::buffer(buffer), ec);
+    if (!ec) reader.append({buffer.data(), count});
+  }
 }
 
-void LineConnection::take_line(const LineReader::Line& line) {
+template <class Stream>
+void BasicLineConnection<Stream>::take_line(const LineReader::Line& line) {
   if (line.too_long)
     too_long();
   else
     take(line.text);
 }
 
-asio::awaitable<error_code> LineConnection::send_next(WriteQueue& queue) {
+template <class Stream>
+asio::awaitable<error_code> BasicLineConnection<Stream>::send_next(WriteQueue& queue) {
   if (!queue.is_sending()) queue.take();
   error_code ec;
   while (!ec && !queue.unsent().empty()) {
-    queue.sent_part(co_await socket_.async_write_some(
+    queue.sent_part(co_await stream_.async_write_some(
         asio::buffer(queue.unsent()), asio::redirect_error(asio::use_awaitable, ec)));
     on_sent_part();
   }
   co_return ec;
 }
 
-void LineConnection::send_now(WriteQueue& queue) {
-  error_code ec;
-  while (queue.bytes() > 0) {
-    if (!queue.is_sending()) queue.take();
-    queue.sent_part(socket_.write_some(asio::buffer(queue.unsent()), ec));
-    if (ec) return;
-    on_sent_part();
-    if (queue.unsent().empty()) queue.sent();
+template <class Stream>
+void BasicLineConnection<Stream>::send_now(WriteQueue& queue) {
+  if constexpr (kPlain) {
+    error_code ec;
+    while (queue.bytes() > 0) {
+      if (!queue.is_sending()) queue.take();
+      queue.sent_part(stream_.write_some(asio::buffer(queue.unsent()), ec));
+      if (ec) return;
+      on_sent_part();
+      if (queue.unsent().empty()) queue.sent();
+    }
   }
 }
 
-void LineConnection::close() noexcept {
-  error_code ignored;
-  socket_.shutdown(Socket::shutdown_both, ignored);
-  socket_.close(ignored);
+template <class Stream>
+asio::awaitable<void> BasicLineConnection<Stream>::finish_stream() {
+  if constexpr (!kPlain) {
+    // So that the client knows that nothing is missing.
+    error_code ignored;
+    co_await stream_.async_shutdown(asio::redirect_error(asio::use_awaitable, ignored));
+  }
+  co_return;
 }
 
-std::size_t LineConnection::untaken_bytes() noexcept {
-  return socket_send_queue(socket_.native_handle());
+template <class Stream>
+void BasicLineConnection<Stream>::close() noexcept {
+  error_code ignored;
+  stream_.lowest_layer().shutdown(Socket::shutdown_both, ignored);
+  stream_.lowest_layer().close(ignored);
 }
+
+template <class Stream>
+std::size_t BasicLineConnection<Stream>::untaken_bytes() noexcept {
+  return socket_send_queue(stream_.lowest_layer().native_handle());
+}
+
+template class BasicLineConnection<asio::generic::stream_protocol::socket>;
+template class BasicLineConnection<TlsStream>;
 
 }  // namespace hedgehog::server

@@ -7,7 +7,6 @@
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/detached.hpp>
-#include <boost/asio/ip/v6_only.hpp>
 #include <boost/asio/redirect_error.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/use_awaitable.hpp>
@@ -16,6 +15,7 @@
 #include <utility>
 
 #include "daemon/config/listen_address.h"
+#include "daemon/server/net/tcp_acceptor.h"
 #include "daemon/server/net/unix_path.h"
 #include "protocol/server_codec.h"
 
@@ -35,7 +35,6 @@ constexpr int kMaxHttpClients = 64;
 /// places for pages, and further ones for the Unix socket.
 constexpr std::size_t kMorePages = 8;
 constexpr std::size_t kMoreOnUnix = 8;
-
 /// While it goes on, a failing accept is reported once; another one after so long is another
 /// episode.
 constexpr std::chrono::seconds kAcceptEpisode{60};
@@ -65,7 +64,6 @@ Session session_of(Tcp::socket& socket) {
   socket.set_option(Tcp::no_delay(true), ignored);
   Session session;
   session.transport = "tcp";
-  session.role = protocol::Role::kPlay;
   const Tcp::endpoint peer = socket.remote_endpoint(ignored);
   session.address = text(peer);
   return session;
@@ -74,7 +72,6 @@ Session session_of(Tcp::socket& socket) {
 Session session_of(Local::socket&) {
   Session session;
   session.transport = "unix";
-  session.role = protocol::Role::kOperate;
   return session;
 }
 
@@ -83,57 +80,35 @@ Session session_of(Local::socket&) {
 Listener::Listener(asio::io_context& io, const config::Config& config)
     : io_(io),
       settings_(config.connections),
-      simulated_(config.backend == config::Backend::kSimulator),
+      tls_(make_tls_context(config.access)),
+      half_open_(io.get_executor()),
       http_settings_(config.http) {}
 
 Listener::~Listener() { remove_if_ours(unix_path_, unix_inode_); }
 
 void Listener::open(const config::Config& config) {
   for (const config::ListenAddress& address : config.listen.tcp) {
-    if (auto acceptor = open_tcp(address, "--listen")) {
-      addresses_.push_back(text(acceptor->local_endpoint()));
-      tcp_.push_back(*std::move(acceptor));
+    if (auto listener = open_tcp(address, "--listen")) {
+      addresses_.push_back((address.tls ? "tls://" : "") +
+                           text(listener->acceptor.local_endpoint()));
+      tcp_.push_back(*std::move(listener));
     }
   }
   if (config.http.listen) http_ = open_tcp(*config.http.listen, "http.listen in the configuration");
-  if (http_) addresses_.push_back("http://" + text(http_->local_endpoint()));
+  if (http_) {
+    addresses_.push_back((http_->tls ? "https://" : "http://") +
+                         text(http_->acceptor.local_endpoint()));
+  }
   if (!config.listen.unix_socket.empty()) open_unix(config.listen.unix_socket);
 }
 
-std::optional<Tcp::acceptor> Listener::open_tcp(const config::ListenAddress& wanted,
-                                                const char* remedy) {
-  const std::string name = config::to_string(wanted);
-  error_code ec;
-  const auto address = asio::ip::make_address(wanted.host, ec);
-  if (ec || !address.is_loopback()) {
-    throw std::runtime_error(
-        name +
-        ": refused: other machines could reach it, and there are no tokens and no TLS yet; "
-        "use 127.0.0.1 or [::1], and ssh -L from elsewhere");
-  }
-  Tcp::acceptor acceptor(io_);
-  const Tcp::endpoint endpoint(address, wanted.port);
-  acceptor.open(endpoint.protocol(), ec);
-  if (address.is_v6() && (ec == asio::error::address_family_not_supported)) {
-    spdlog::warn("{}: this machine has no IPv6; left out", name);
-    return std::nullopt;
-  }
-  if (!ec) acceptor.set_option(Tcp::acceptor::reuse_address(true), ec);
-  if (!ec && address.is_v6()) acceptor.set_option(asio::ip::v6_only(true), ec);
-  if (!ec) acceptor.bind(endpoint, ec);
-  if (address.is_v6() && ec == boost::system::errc::address_not_available) {
-    spdlog::warn("{}: this machine has no IPv6 loopback; left out", name);
-    return std::nullopt;
-  }
-  if (!ec) acceptor.listen(asio::socket_base::max_listen_connections, ec);
-  if (ec == asio::error::address_in_use) {
-    throw std::runtime_error(name +
-                             ": something listens there already, another hedgehogd perhaps; "
-                             "end it, or take another port with " +
-                             remedy);
-  }
-  if (ec) throw std::runtime_error(name + ": " + ec.message());
-  return acceptor;
+std::optional<Listener::TcpListener> Listener::open_tcp(const config::ListenAddress& wanted,
+                                                        const char* remedy) {
+  if (wanted.tls && tls_ == nullptr)
+    throw std::runtime_error(config::to_string(wanted) + ": refused: there is no certificate");
+  auto acceptor = open_acceptor(io_, wanted, remedy);
+  if (!acceptor) return std::nullopt;
+  return TcpListener{*std::move(acceptor), wanted.tls};
 }
 
 void Listener::open_unix(const std::string& path) {
@@ -157,21 +132,36 @@ void Listener::start(Server& server) {
   server_ = &server;
   const auto line = [this](auto socket) {
     Session session = session_with(socket);
-    let_in(LineConnection::Socket(std::move(socket)), std::move(session));
+    let_in(asio::generic::stream_protocol::socket(std::move(socket)), std::move(session));
   };
-  for (Tcp::acceptor& acceptor : tcp_) asio::co_spawn(io_, accept(acceptor, line), asio::detached);
+  const auto tls_line = [this](Tcp::socket socket) {
+    asio::co_spawn(io_, let_in_tls(std::move(socket)), asio::detached);
+  };
+  for (TcpListener& listener : tcp_)
+    if (listener.tls)
+      asio::co_spawn(io_, accept(listener.acceptor, tls_line), asio::detached);
+    else
+      asio::co_spawn(io_, accept(listener.acceptor, line), asio::detached);
   if (unix_) asio::co_spawn(io_, accept(*unix_, line), asio::detached);
   if (!http_) return;
   http_endpoint_.emplace(HttpEndpoint{
       Website(server, http_settings_.pages, http_settings_.allow_origins), server, settings_,
-      [this](Tcp::socket& socket) -> std::optional<Session> {
-        Session session = session_with(socket);
-        session.transport = "websocket";
-        return has_capacity(session) ? std::optional(std::move(session)) : std::nullopt;
+      [this](Tcp::socket& socket, bool tls) -> std::optional<Session> {
+        Session session = session_with(socket, "websocket");
+        session.locked = tls;
+        if (tls ? closing_ : !has_capacity(session))
+          return std::nullopt;  // `half_open_` bounds TLS
+        return session;
       },
       [this](const std::shared_ptr<Connection>& connection) { enter(connection); }});
   asio::co_spawn(io_,
-                 accept(*http_, [this](Tcp::socket socket) { let_in_http(std::move(socket)); }),
+                 accept(http_->acceptor,
+                        [this](Tcp::socket socket) {
+                          if (http_->tls)
+                            let_in_https(std::move(socket));
+                          else
+                            let_in_http(std::move(socket));
+                        }),
                  asio::detached);
 }
 
@@ -204,10 +194,10 @@ void Listener::report_accept_failure(const error_code& error) {
 }
 
 template <class AnySocket>
-Session Listener::session_with(AnySocket& socket) const {
+Session Listener::session_with(AnySocket& socket, const char* transport) const {
   Session session = session_of(socket);
-  // Nobody can be hurt on the simulator: whoever comes may do everything.
-  session.role = simulated_ ? protocol::Role::kOperate : session.role;
+  if (transport != nullptr) session.transport = transport;
+  session.role = server_->tokens().role_without_token(session.transport);
   session.batch_bytes = settings_.queue_bytes / 2;
   return session;
 }
@@ -222,7 +212,7 @@ bool Listener::has_capacity(const Session& session) {
   return false;
 }
 
-void Listener::let_in(LineConnection::Socket socket, Session session) {
+void Listener::let_in(asio::generic::stream_protocol::socket socket, Session session) {
   if (!has_capacity(session)) {
     const std::string line =
         protocol::encode_error({}, protocol::busy("too many clients are connected", 1000)) + "\n";
@@ -247,6 +237,44 @@ void Listener::let_in_http(Tcp::socket socket) {
                  [this](const std::exception_ptr&) { --http_clients_; });
 }
 
+HalfOpen::Ticket Listener::half_open(Tcp::socket& socket) {
+  error_code gone;
+  return half_open_.enter(socket.native_handle(), text(socket.remote_endpoint(gone)));
+}
+
+asio::awaitable<void> Listener::let_in_tls(Tcp::socket socket) {
+  Session session = session_with(socket);
+  session.locked = true;
+  TlsStream stream(std::move(socket), *tls_);
+  HalfOpen::Ticket ticket = half_open(stream.next_layer());  // goes before its socket does
+  error_code ec;
+  co_await stream.async_handshake(asio::ssl::stream_base::server,
+                                  asio::redirect_error(asio::use_awaitable, ec));
+  if (ec) ++server_->counters().rejected["tls"];
+  if (ec || closing_) co_return;
+  const auto connection = std::make_shared<TlsLineConnection>(std::move(stream), *server_,
+                                                              std::move(session), settings_);
+  connection->set_half_open(std::move(ticket));
+  enter(connection);
+  connection->start();
+}
+
+void Listener::let_in_https(Tcp::socket socket) {
+  HalfOpen::Ticket ticket = half_open(socket);
+  asio::co_spawn(io_, serve_https(std::move(socket), *http_endpoint_, tls_, std::move(ticket)),
+                 asio::detached);
+}
+
+void Listener::set_config(const config::Config& config) {
+  settings_ = config.connections;
+  try {
+    // Where no certificate is needed any more, those that listen keep theirs.
+    if (TlsContext fresh = make_tls_context(config.access)) tls_ = std::move(fresh);
+  } catch (const std::exception& e) {
+    spdlog::error("the new certificate cannot be used; the old one stays: {}", e.what());
+  }
+}
+
 void Listener::enter(const std::shared_ptr<Connection>& connection) {
   connections_.remove_if([](const auto& c) { return c.expired(); });
   connections_.push_back(connection);
@@ -255,8 +283,8 @@ void Listener::enter(const std::shared_ptr<Connection>& connection) {
 void Listener::close() {
   closing_ = true;
   error_code ignored;
-  for (Tcp::acceptor& acceptor : tcp_) acceptor.close(ignored);
-  if (http_) http_->close(ignored);
+  for (TcpListener& listener : tcp_) listener.acceptor.close(ignored);
+  if (http_) http_->acceptor.close(ignored);
   if (unix_) unix_->close(ignored);
   remove_if_ours(unix_path_, unix_inode_);
   for (const auto& weak : connections_)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Listening sockets: TCP on loopback, a Unix socket, and HTTP on loopback. An accepted socket
-// becomes a Connection; on HTTP, a WebSocket does.
+// Listening sockets: TCP, a Unix socket, and HTTP; TCP and HTTP with TLS where other machines can
+// reach them. An accepted socket becomes a Connection; on HTTP, a WebSocket does.
 #pragma once
 
 #include <boost/asio/awaitable.hpp>
@@ -32,7 +32,8 @@ class Listener {
   /// Opens every address of `listen` and `http`. Throws std::runtime_error with a sentence for a
   /// person.
   void open(const config::Config& config);
-  /// Where it waits: "127.0.0.1:7586", "http://127.0.0.1:7587", "/run/hedgehog/hedgehogd.sock".
+  /// Where it waits: "127.0.0.1:7586", "tls://192.0.2.7:7586", "http://127.0.0.1:7587",
+  /// "https://192.0.2.7:7587", "/run/hedgehog/hedgehogd.sock".
   const std::vector<std::string>& addresses() const noexcept { return addresses_; }
   /// Lets clients in. `server` must outlive the io_context's work.
   void start(Server& server);
@@ -40,19 +41,27 @@ class Listener {
   void close();
   bool empty() const noexcept;
 
-  void set_config(const config::Config& config) noexcept { settings_ = config.connections; }
+  /// Limits, and certificate and key for those that connect from now on.
+  void set_config(const config::Config& config);
 
  private:
   using Acceptor = boost::asio::ip::tcp::acceptor;
+  struct TcpListener {
+    Acceptor acceptor;
+    bool tls;
+  };
   /// nullopt: this machine has no IPv6.
-  std::optional<Acceptor> open_tcp(const config::ListenAddress& address, const char* remedy);
+  std::optional<TcpListener> open_tcp(const config::ListenAddress& address, const char* remedy);
   void open_unix(const std::string& path);
   template <class AnyAcceptor, class LetIn>
   boost::asio::awaitable<void> accept(AnyAcceptor& acceptor, LetIn let_in);
   template <class AnySocket>
-  Session session_with(AnySocket& socket) const;
-  void let_in(LineConnection::Socket socket, Session session);
+  Session session_with(AnySocket& socket, const char* transport = nullptr) const;
+  void let_in(boost::asio::generic::stream_protocol::socket socket, Session session);
   void let_in_http(boost::asio::ip::tcp::socket socket);
+  boost::asio::awaitable<void> let_in_tls(boost::asio::ip::tcp::socket socket);
+  void let_in_https(boost::asio::ip::tcp::socket socket);
+  HalfOpen::Ticket half_open(boost::asio::ip::tcp::socket& socket);
   /// One more; false, and counted, when all places are taken; false when this daemon is about to
   /// end.
   bool has_capacity(const Session& session);
@@ -62,10 +71,11 @@ class Listener {
 
   boost::asio::io_context& io_;
   config::ConnectionSettings settings_;
-  bool simulated_;
+  TlsContext tls_;
+  HalfOpen half_open_;
   config::HttpSettings http_settings_;
-  std::list<Acceptor> tcp_;
-  std::optional<Acceptor> http_;
+  std::list<TcpListener> tcp_;
+  std::optional<TcpListener> http_;
   std::optional<HttpEndpoint> http_endpoint_;
   Server* server_ = nullptr;
   int http_clients_ = 0;

@@ -22,6 +22,7 @@
 #include "daemon/server/session/counters.h"
 #include "daemon/server/session/session.h"
 #include "daemon/server/session/start_id.h"
+#include "daemon/server/session/token_check.h"
 #include "protocol/methods.h"
 #include "protocol/wire/error.h"
 
@@ -44,6 +45,7 @@ struct HandlerContext {
   std::map<ConnectionId, Session*> sessions{};
   /// The connection that feeds the orientation when `imu.type` is `external`; 0: none yet.
   ConnectionId orientation_feeder = 0;
+  TokenCheck tokens{};
   Counters counters{};
   TelemetrySamples telemetry{};
   LatencyLog latency{};
@@ -57,6 +59,14 @@ struct HandlerContext {
   std::map<ConnectionId, std::weak_ptr<Preview>> previews{};
   /// The coils are off and the daemon stops: only pending responses are still sent.
   bool stopping = false;
+
+  /// `connections.max`.
+  std::size_t max_connections = config::ConnectionSettings{}.max;
+
+  /// Sessions that are not `locked`.
+  std::size_t connections() const noexcept;
+  /// As `Server::log_in`; logged and counted.
+  std::optional<protocol::RpcError> log_in(Session& session, std::string_view secret);
 };
 
 /// One request being carried out.

@@ -35,7 +35,8 @@ Counters known_counters() {
   Counters counters;
   add_effects(counters);
   add_trips(counters);
-  for (const char* why : {"cap", "slow", "not_json", "host", "origin"}) counters.rejected[why] = 0;
+  for (const char* why : {"cap", "slow", "not_json", "host", "origin", "token", "tls"})
+    counters.rejected[why] = 0;
   using protocol::ErrorCode;
   for (const protocol::MethodInfo& method : protocol::kMethods) {
     counters.requests[{method.name, 0}] = 0;

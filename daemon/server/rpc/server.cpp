@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/server/rpc/server.h"
 
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -33,6 +35,26 @@ Server::Server(DeviceView& device_view, StateStore& memory, PatternLibrary& patt
       dispatcher_(context_),
       telemetry_(context_) {
   context_.counters = known_counters();
+}
+
+void Server::set_access(const config::Config& config) {
+  context_.tokens.set_tokens(config.access.tokens);
+  context_.tokens.set_simulated(config.backend == config::Backend::kSimulator);
+  context_.max_connections = config.connections.max;
+  std::vector<Session*> revoked;
+  for (const auto& [id, session] : context_.sessions) {
+    if (!session->token && !session->locked)
+      session->role = context_.tokens.role_without_token(session->transport);
+    if (!context_.tokens.is_valid(*session)) revoked.push_back(session);
+  }
+  for (Session* session : revoked) {
+    spdlog::warn("connection {} ends: its token {} is revoked", session->id, session->token->name);
+    Sink* sink = session->sink;
+    // What it has sent, and sends until its socket is closed, is refused.
+    session->locked = true;
+    close(*session);
+    sink->finish();
+  }
 }
 
 void Server::open(Session& session) {

@@ -41,6 +41,15 @@ class Server {
   /// The recorder of trips; outlives the server.
   void set_recordings(TripRecordings& recordings) noexcept { context_.recordings = &recordings; }
 
+  /// From the start on and at each reload. A connection whose token is no longer valid ends; those
+  /// without a token get the role that their transport has now.
+  void set_access(const config::Config& config);
+  /// As `TokenCheck::log_in`; a `locked` session also needs a place among `connections.max`: busy.
+  std::optional<protocol::RpcError> log_in(Session& session, std::string_view secret) {
+    return context_.log_in(session, secret);
+  }
+  const TokenCheck& tokens() const noexcept { return context_.tokens; }
+
   /// A client has connected. `session` and its sink stay until `close`.
   void open(Session& session);
   /// It says no more: its effects end at the next tick, but for those that may play out. Its sink
@@ -69,7 +78,8 @@ class Server {
   /// Some telemetry was left out, so that requests are served in between: pump again at once.
   bool has_unsent_telemetry() const noexcept { return telemetry_.has_unsent(); }
 
-  std::size_t connections() const noexcept { return context_.sessions.size(); }
+  /// Without those that are `locked`.
+  std::size_t connections() const noexcept { return context_.connections(); }
   const HandlerContext& context() const noexcept { return context_; }
   Counters& counters() noexcept { return context_.counters; }
   TelemetrySamples& telemetry() noexcept { return context_.telemetry; }

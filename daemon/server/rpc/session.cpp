@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // hello, ping, connection.list
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
 #include <string>
 
 #include "daemon/server/rpc/handlers.h"
@@ -7,10 +10,47 @@
 
 namespace hedgehog::server {
 
+namespace {
+
+/// When asking again may help.
+constexpr std::int64_t kFullMs = 1000;
+
+}  // namespace
+
+std::size_t HandlerContext::connections() const noexcept {
+  return static_cast<std::size_t>(std::count_if(
+      sessions.begin(), sessions.end(), [](const auto& one) { return !one.second->locked; }));
+}
+
+std::optional<protocol::RpcError> HandlerContext::log_in(Session& session,
+                                                         std::string_view secret) {
+  const bool was_locked = session.locked;
+  // Before it is one of them.
+  const std::size_t others = connections();
+  auto refusal = tokens.log_in(session, secret, device_view.now().tick);
+  if (!refusal && was_locked && others >= max_connections) {
+    session.locked = true;
+    ++counters.rejected["cap"];
+    return protocol::busy("too many clients are connected", kFullMs);
+  }
+  const std::string& from = session.address ? *session.address : session.transport;
+  if (!refusal) {
+    spdlog::info("the token {} gives {} the role {}", session.token->name, from,
+                 protocol::name(session.role));
+    return refusal;
+  }
+  ++counters.rejected["token"];
+  // While it has to wait, a line for each attempt would fill the log.
+  if (!refusal->retry_after_ms) spdlog::warn("a wrong token came from {}", from);
+  return refusal;
+}
+
 Outcome handle(Call& call, const protocol::Hello& request) {
   if (request.token) {
-    return Answer(protocol::error(protocol::ErrorCode::kUnauthorized,
-                                  "token: this server knows no tokens; connect without one"));
+    if (auto refusal = call.context.log_in(call.session, *request.token))
+      return Answer(*std::move(refusal));
+  } else if (call.session.locked) {
+    return Answer(token_needed());
   }
   if (!request.client.empty()) call.session.client = request.client;
   const DeviceView& device_view = call.device_view();

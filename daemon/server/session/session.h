@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "access/token.h"
 #include "daemon/server/session/write_queue.h"
 #include "model/tick.h"
 #include "protocol/methods.h"
@@ -52,6 +53,10 @@ struct Session {
   std::string transport;  // "tcp", "unix"
   std::optional<std::string> address;
   protocol::Role role = protocol::Role::kPlay;
+  /// What it has shown; nullopt: the role is that of its transport.
+  std::optional<access::Token> token;
+  /// Nothing but `hello` with a token is carried out: it needs one, or its own was revoked.
+  bool locked = false;
   std::string client;
   model::Tick since = 0;
   std::optional<TelemetrySubscription> telemetry;

@@ -10,12 +10,15 @@
 #include <boost/beast/http/read.hpp>
 #include <boost/beast/http/span_body.hpp>
 #include <boost/beast/http/write.hpp>
+#include <boost/beast/ssl/ssl_stream.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
 #include <chrono>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
+#include "base/spelling.h"
 #include "daemon/server/net/http/websocket_connection.h"
 
 namespace hedgehog::server {
@@ -38,6 +41,17 @@ constexpr const char* kContentPolicy =
     "font-src 'self'; connect-src 'self'; manifest-src 'self'; base-uri 'none'; "
     "form-action 'none'; frame-ancestors 'none'";
 
+/// The token of `Authorization: Bearer TOKEN`.
+std::optional<std::string> bearer_token(const UpgradeRequest& request) {
+  constexpr std::string_view kScheme = "bearer ";
+  const auto found = request.find(http::field::authorization);
+  if (found == request.end()) return std::nullopt;
+  const std::string value(found->value());
+  if (base::lower_case(value.substr(0, kScheme.size())) != kScheme) return std::nullopt;
+  const std::size_t begin = value.find_first_not_of(' ', kScheme.size());
+  return begin == std::string::npos ? std::string() : value.substr(begin);
+}
+
 HttpRequest value_of(const UpgradeRequest& request) {
   const auto optional = [&](http::field field) -> std::optional<std::string> {
     const auto found = request.find(field);
@@ -52,6 +66,7 @@ HttpRequest value_of(const UpgradeRequest& request) {
   value.accept_encoding = optional(http::field::accept_encoding).value_or("");
   value.fetch_site = std::string(request["Sec-Fetch-Site"]);
   value.fetch_mode = std::string(request["Sec-Fetch-Mode"]);
+  value.token = bearer_token(request);
   return value;
 }
 
@@ -73,6 +88,7 @@ void fill(http::fields& fields, const HttpAnswer& answer) {
     fields.set(http::field::content_disposition,
                "attachment; filename=\"" + answer.filename + "\"");
   }
+  if (!answer.challenge.empty()) fields.set(http::field::www_authenticate, answer.challenge);
   if (answer.allow) fields.set(http::field::allow, *answer.allow);
   fields.set("Content-Security-Policy", kContentPolicy);
   fields.set("Cross-Origin-Opener-Policy", "same-origin");
@@ -82,8 +98,8 @@ void fill(http::fields& fields, const HttpAnswer& answer) {
 }
 
 /// `method` HEAD: the same without the body.
-asio::awaitable<bool> send(beast::tcp_stream& stream, const HttpAnswer& answer, bool head,
-                           bool keep_alive) {
+template <class Stream>
+asio::awaitable<bool> send(Stream& stream, const HttpAnswer& answer, bool head, bool keep_alive) {
   error_code ec;
   if (head || answer.status == 304) {
     http::response<http::empty_body> response;
@@ -105,7 +121,8 @@ asio::awaitable<bool> send(beast::tcp_stream& stream, const HttpAnswer& answer, 
 }
 
 /// Waits for the disk; what cannot be read, or takes too long, becomes an error.
-asio::awaitable<void> complete(beast::tcp_stream& stream, HttpAnswer& answer) {
+template <class Stream>
+asio::awaitable<void> complete(Stream& stream, HttpAnswer& answer) {
   const auto pending = std::exchange(answer.pending, nullptr);
   asio::steady_timer pause(stream.get_executor());
   const auto until = std::chrono::steady_clock::now() + kDiskPatience;
@@ -137,35 +154,55 @@ asio::awaitable<void> leave(beast::tcp_stream& stream) {
   }
 }
 
-}  // namespace
+using HttpsStream = beast::ssl_stream<beast::tcp_stream>;
 
-asio::awaitable<void> serve_http(asio::ip::tcp::socket socket, HttpEndpoint& endpoint) {
-  beast::tcp_stream stream(std::move(socket));
+asio::awaitable<void> leave(HttpsStream& stream) {
+  error_code ec;
+  beast::get_lowest_layer(stream).expires_after(kLingerTimeout);
+  co_await stream.async_shutdown(asio::redirect_error(asio::use_awaitable, ec));
+}
+
+std::string address_of(beast::tcp_stream& stream) {
+  error_code gone;
+  const auto peer = stream.socket().remote_endpoint(gone);
+  return config::to_string({peer.address().to_string(), peer.port()});
+}
+
+/// One request after the other. `ticket` is empty without TLS.
+template <class Stream>
+asio::awaitable<void> serve(Stream given, HttpEndpoint& endpoint, HalfOpen::Ticket given_ticket) {
+  constexpr bool kTls = std::is_same_v<Stream, HttpsStream>;
+  Stream stream(std::move(given));
+  HalfOpen::Ticket ticket(std::move(given_ticket));  // goes before its socket does
+  beast::tcp_stream& lowest = beast::get_lowest_layer(stream);
   beast::flat_buffer buffer(kMaxHeaderBytes + kMaxBodyBytes);
   for (bool open = true; open;) {
     http::request_parser<http::string_body> parser;
     parser.header_limit(kMaxHeaderBytes);
     parser.body_limit(kMaxBodyBytes);
-    stream.expires_after(kPatience);
+    lowest.expires_after(kPatience);
     error_code ec;
     co_await http::async_read(stream, buffer, parser,
                               asio::redirect_error(asio::use_awaitable, ec));
-    if (ec == http::error::end_of_stream || ec == beast::error::timeout ||
-        (ec && ec.category() == asio::error::get_system_category()))
-      break;
+    const bool is_http =
+        ec.category() == http::make_error_code(http::error::end_of_stream).category();
+    if (ec == http::error::end_of_stream || (ec && !is_http)) break;
     if (ec) {
       co_await send(stream, answer_to(ec), false, false);
       break;
     }
     UpgradeRequest request = parser.release();
-    const HttpRequest value = value_of(request);
+    HttpRequest value = value_of(request);
+    value.tls = kTls;
+    if constexpr (kTls) value.address = address_of(lowest);
     HttpAnswer answer;
     if (websocket::is_upgrade(request) && value.path() == "/ws") {
       auto refusal = endpoint.site.refusal(value);
-      auto session = refusal ? std::nullopt : endpoint.admit(stream.socket());
-      if (session && buffer.size() == 0) {
+      auto session = refusal ? std::nullopt : endpoint.admit(lowest.socket(), kTls);
+      if (session && buffer.size() == 0) refusal = endpoint.site.log_in(*session, value);
+      if (session && !refusal && buffer.size() == 0) {
         co_await become_web_socket(std::move(stream), std::move(request), *std::move(session),
-                                   endpoint);
+                                   endpoint, std::move(ticket));
         co_return;
       }
       answer = refusal   ? *std::move(refusal)
@@ -173,12 +210,33 @@ asio::awaitable<void> serve_http(asio::ip::tcp::socket socket, HttpEndpoint& end
                          : http_error(503, "too many clients are connected");
     } else {
       answer = endpoint.site.answer(value);
+      if (answer.authorized) ticket.release();
       if (answer.pending) co_await complete(stream, answer);
     }
     open =
         co_await send(stream, answer, request.method() == http::verb::head, request.keep_alive());
   }
   co_await leave(stream);
+}
+
+}  // namespace
+
+asio::awaitable<void> serve_http(asio::ip::tcp::socket socket, HttpEndpoint& endpoint) {
+  return serve(beast::tcp_stream(std::move(socket)), endpoint, HalfOpen::Ticket());
+}
+
+asio::awaitable<void> serve_https(asio::ip::tcp::socket socket, HttpEndpoint& endpoint,
+                                  TlsContext context, HalfOpen::Ticket given_ticket) {
+  HttpsStream stream(beast::tcp_stream(std::move(socket)), *context);
+  HalfOpen::Ticket ticket(std::move(given_ticket));
+  error_code ec;
+  co_await stream.async_handshake(asio::ssl::stream_base::server,
+                                  asio::redirect_error(asio::use_awaitable, ec));
+  if (ec) {
+    ++endpoint.server.counters().rejected["tls"];
+    co_return;
+  }
+  co_await serve(std::move(stream), endpoint, std::move(ticket));
 }
 
 }  // namespace hedgehog::server

@@ -11,6 +11,7 @@
 
 #include "daemon/server/net/connection.h"
 #include "daemon/server/net/http/website.h"
+#include "daemon/server/net/tls_context.h"
 
 namespace hedgehog::server {
 
@@ -19,8 +20,8 @@ struct HttpEndpoint {
   Website site;
   Server& server;
   const config::ConnectionSettings& connections;
-  /// The session of a new WebSocket, or nullopt at the limit of connections.
-  std::function<std::optional<Session>(boost::asio::ip::tcp::socket&)> admit;
+  /// The session of a new WebSocket, or nullopt at the limit of connections. With TLS it is locked.
+  std::function<std::optional<Session>(boost::asio::ip::tcp::socket&, bool tls)> admit;
   /// It has.
   std::function<void(std::shared_ptr<Connection>)> enter;
 };
@@ -28,5 +29,9 @@ struct HttpEndpoint {
 /// Bounds: 8 KiB of headers, 1 KiB of body (none is ever needed), 30 s for a request to come.
 boost::asio::awaitable<void> serve_http(boost::asio::ip::tcp::socket socket,
                                         HttpEndpoint& endpoint);
+/// The same with TLS. `ticket` is given up when a good token has come.
+boost::asio::awaitable<void> serve_https(boost::asio::ip::tcp::socket socket,
+                                         HttpEndpoint& endpoint, TlsContext context,
+                                         HalfOpen::Ticket ticket);
 
 }  // namespace hedgehog::server

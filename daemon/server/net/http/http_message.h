@@ -22,6 +22,11 @@ struct HttpRequest {
   /// Fetch Metadata (W3C): who asks, "cross-site", and what for, "navigate".
   std::string fetch_site{};
   std::string fetch_mode{};
+  /// Of `Authorization: Bearer`; nullopt: there is none.
+  std::optional<std::string> token{};
+  /// It came over TLS, from "192.0.2.7:5000".
+  bool tls = false;
+  std::string address{};
 
   /// The target without its query.
   std::string path() const { return target.substr(0, target.find('?')); }
@@ -43,6 +48,10 @@ struct HttpAnswer {
   std::function<std::shared_ptr<const std::string>()> pending{};
   /// Methods that would have been right, "GET, HEAD".
   std::optional<std::string> allow{};
+  /// Of `WWW-Authenticate`; empty: none.
+  std::string challenge{};
+  /// Its token was good.
+  bool authorized = false;
 };
 
 /// An error as one sentence for a person.

@@ -34,7 +34,8 @@ bool is_own_host(std::string_view host) { return base::parse_web_host(host).is_l
 
 std::optional<Refusal> refused(const HttpRequest& request,
                                const std::vector<std::string>& allow_origins) {
-  if (!is_own_host(request.host)) {
+  // A name that leads here by DNS rebinding is not the certificate's, and a page has no token.
+  if (!request.tls && !is_own_host(request.host)) {
     return Refusal{http_error(421, "\"" + shown(request.host) +
                                        "\" is not a name of this machine: use http://127.0.0.1 or "
                                        "http://localhost, and ssh -L from elsewhere"),
@@ -46,7 +47,7 @@ std::optional<Refusal> refused(const HttpRequest& request,
                    "origin"};
   }
   const std::string origin = base::lower_case(*request.origin);
-  const bool ours = base::is_origin_of(origin, request.host);
+  const bool ours = base::is_origin_of(origin, request.host, request.tls);
   const bool allowed = std::any_of(allow_origins.begin(), allow_origins.end(),
                                    [&](const std::string& allowed_origin) {
                                      return base::lower_case(allowed_origin) == origin;

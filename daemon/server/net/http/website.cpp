@@ -16,6 +16,14 @@ namespace {
 /// The control thread is allowed to miss this much before a monitor is told.
 constexpr std::chrono::seconds kMaxControlSilence{1};
 
+/// `error` as HTTP says it.
+HttpAnswer unauthorized(const protocol::RpcError& error) {
+  if (error.code == protocol::ErrorCode::kBusy) return http_error(503, error.message);
+  HttpAnswer answer = http_error(401, error.message);
+  answer.challenge = "Bearer realm=\"hedgehogd\"";
+  return answer;
+}
+
 }  // namespace
 
 Website::Website(Server& server, const std::string& pages, std::vector<std::string> allow_origins)
@@ -40,14 +48,36 @@ HttpAnswer Website::answer(const HttpRequest& request) {
     return answer;
   }
   const std::string path = request.path();
+  const bool live = path == "/metrics" || path == "/healthz" || path.starts_with(kRecordingsPath);
+  if (live && !request.tls) return live_answer(path);
+  if (live) {
+    Session session;
+    session.transport = "https";
+    session.address = request.address;
+    session.locked = true;
+    if (auto no = log_in(session, request)) return *std::move(no);
+    if (session.locked) return unauthorized(token_needed());
+    HttpAnswer answer = live_answer(path);
+    answer.authorized = true;
+    return answer;
+  }
+  if (path == "/ws") return http_error(426, "this is for WebSocket: one JSON-RPC message a frame");
+  return page(request);
+}
+
+std::optional<HttpAnswer> Website::log_in(Session& session, const HttpRequest& request) {
+  if (!request.token) return std::nullopt;
+  const auto error = server_.log_in(session, *request.token);
+  return error ? std::optional(unauthorized(*error)) : std::nullopt;
+}
+
+HttpAnswer Website::live_answer(const std::string& path) {
   if (path == "/metrics") {
     return {200, "text/plain; version=0.0.4; charset=utf-8",
             std::make_shared<const std::string>(metrics_text(server_))};
   }
   if (path == "/healthz") return health();
-  if (path == "/ws") return http_error(426, "this is for WebSocket: one JSON-RPC message a frame");
-  if (path.starts_with(kRecordingsPath)) return recording(path.substr(kRecordingsPath.size()));
-  return page(request);
+  return recording(path.substr(kRecordingsPath.size()));
 }
 
 HttpAnswer Website::recording(const std::string& name) const {

@@ -22,8 +22,13 @@ class Website {
   HttpAnswer answer(const HttpRequest& request);
   /// Why `request` gets nothing here, whatever it asks; counted and logged. nullopt: welcome.
   std::optional<HttpAnswer> refusal(const HttpRequest& request);
+  /// Gives `session` the role of the request's token. Why not, as 401 or 503. Without a token the
+  /// session stays as it is.
+  std::optional<HttpAnswer> log_in(Session& session, const HttpRequest& request);
 
  private:
+  /// What is not the same for everybody.
+  HttpAnswer live_answer(const std::string& path);
   HttpAnswer health() const;
   HttpAnswer page(const HttpRequest& request) const;
   /// Of a trip, as the page that lists it links it: "/recordings/trip-0017.hhr".

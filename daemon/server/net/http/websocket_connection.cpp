@@ -4,6 +4,7 @@
 #include <boost/asio/redirect_error.hpp>
 #include <boost/asio/use_awaitable.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/ssl/ssl_stream.hpp>
 #include <boost/beast/websocket.hpp>
 #include <chrono>
 #include <memory>
@@ -26,9 +27,11 @@ constexpr std::chrono::seconds kHandshake{10};
 /// A peer that answers no ping for so long is gone.
 constexpr std::chrono::seconds kMaxPeerSilence{60};
 
+/// Over `Next`.
+template <class Next>
 class WebSocketConnection final : public Connection {
  public:
-  using Stream = websocket::stream<beast::tcp_stream>;
+  using Stream = websocket::stream<Next>;
 
   WebSocketConnection(Stream stream, Server& server, Session session,
                       const config::ConnectionSettings& settings)
@@ -59,7 +62,8 @@ class WebSocketConnection final : public Connection {
   bool closing_ = false;
 };
 
-asio::awaitable<bool> WebSocketConnection::read_message() {
+template <class Next>
+asio::awaitable<bool> WebSocketConnection<Next>::read_message() {
   buffer_.clear();
   skipping_ = false;
   do {
@@ -83,7 +87,8 @@ asio::awaitable<bool> WebSocketConnection::read_message() {
   co_return true;
 }
 
-asio::awaitable<void> WebSocketConnection::read() {
+template <class Next>
+asio::awaitable<void> WebSocketConnection<Next>::read() {
   while (co_await read_message()) {
     if (stream_.got_binary()) {
       co_await refuse_binary();
@@ -98,13 +103,15 @@ asio::awaitable<void> WebSocketConnection::read() {
   }
 }
 
-asio::awaitable<void> WebSocketConnection::refuse_binary() {
+template <class Next>
+asio::awaitable<void> WebSocketConnection<Next>::refuse_binary() {
   error_code ignored;
   const websocket::close_reason why(websocket::close_code::unknown_data, "send text frames");
   co_await stream_.async_close(why, asio::redirect_error(asio::use_awaitable, ignored));
 }
 
-asio::awaitable<error_code> WebSocketConnection::send_next(WriteQueue& queue) {
+template <class Next>
+asio::awaitable<error_code> WebSocketConnection<Next>::send_next(WriteQueue& queue) {
   std::string_view left = queue.take_one();
   left.remove_suffix(1);  // the LF
   error_code ec;
@@ -118,11 +125,13 @@ asio::awaitable<error_code> WebSocketConnection::send_next(WriteQueue& queue) {
   co_return ec;
 }
 
-std::size_t WebSocketConnection::untaken_bytes() noexcept {
+template <class Next>
+std::size_t WebSocketConnection<Next>::untaken_bytes() noexcept {
   return socket_send_queue(beast::get_lowest_layer(stream_).socket().native_handle());
 }
 
-asio::awaitable<void> WebSocketConnection::finish_stream() {
+template <class Next>
+asio::awaitable<void> WebSocketConnection<Next>::finish_stream() {
   if (stream_.is_open()) {
     closing_ = true;
     error_code ignored;
@@ -131,7 +140,8 @@ asio::awaitable<void> WebSocketConnection::finish_stream() {
   }
 }
 
-void WebSocketConnection::close() noexcept {
+template <class Next>
+void WebSocketConnection<Next>::close() noexcept {
   error_code ignored;
   auto& socket = beast::get_lowest_layer(stream_).socket();
   socket.shutdown(asio::ip::tcp::socket::shutdown_both, ignored);
@@ -140,10 +150,12 @@ void WebSocketConnection::close() noexcept {
 
 }  // namespace
 
-asio::awaitable<void> become_web_socket(beast::tcp_stream stream, UpgradeRequest request,
-                                        Session session, HttpEndpoint& endpoint) {
-  stream.expires_never();
-  WebSocketConnection::Stream upgraded(std::move(stream));
+template <class Stream>
+asio::awaitable<void> become_web_socket(Stream stream, UpgradeRequest request, Session session,
+                                        HttpEndpoint& endpoint, HalfOpen::Ticket given_ticket) {
+  beast::get_lowest_layer(stream).expires_never();
+  typename WebSocketConnection<Stream>::Stream upgraded(std::move(stream));
+  HalfOpen::Ticket ticket(std::move(given_ticket));  // goes before its socket does
   upgraded.set_option(websocket::stream_base::timeout{kHandshake, kMaxPeerSilence, true});
   // Beast would close the connection over one that is too long; here it is told, as on TCP.
   upgraded.read_message_max(0);
@@ -151,10 +163,17 @@ asio::awaitable<void> become_web_socket(beast::tcp_stream stream, UpgradeRequest
   error_code ec;
   co_await upgraded.async_accept(request, asio::redirect_error(asio::use_awaitable, ec));
   if (ec) co_return;
-  const auto connection = std::make_shared<WebSocketConnection>(
+  const auto connection = std::make_shared<WebSocketConnection<Stream>>(
       std::move(upgraded), endpoint.server, std::move(session), endpoint.connections);
+  if (connection->session().locked) connection->set_half_open(std::move(ticket));
   endpoint.enter(connection);
   connection->start();
 }
+
+template asio::awaitable<void> become_web_socket(beast::tcp_stream, UpgradeRequest, Session,
+                                                 HttpEndpoint&, HalfOpen::Ticket);
+template asio::awaitable<void> become_web_socket(beast::ssl_stream<beast::tcp_stream>,
+                                                 UpgradeRequest, Session, HttpEndpoint&,
+                                                 HalfOpen::Ticket);
 
 }  // namespace hedgehog::server

@@ -14,9 +14,11 @@ namespace hedgehog::server {
 
 using UpgradeRequest = boost::beast::http::request<boost::beast::http::string_body>;
 
-/// Answers `request`, and `stream` is a connection of the server's from then on. io thread.
-boost::asio::awaitable<void> become_web_socket(boost::beast::tcp_stream stream,
-                                               UpgradeRequest request, Session session,
-                                               HttpEndpoint& endpoint);
+/// Answers `request`, and `stream` is a connection of the server's from then on, which keeps
+/// `ticket` as long as it is locked. `Stream`: a tcp_stream, or an ssl_stream of one. io thread.
+template <class Stream>
+boost::asio::awaitable<void> become_web_socket(Stream stream, UpgradeRequest request,
+                                               Session session, HttpEndpoint& endpoint,
+                                               HalfOpen::Ticket ticket);
 
 }  // namespace hedgehog::server

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// The certificate by which clients know a daemon on another machine. Any thread.
+#pragma once
+
+#include <boost/system/result.hpp>
+#include <string>
+#include <string_view>
+
+#include "access/token.h"
+
+namespace hedgehog::access {
+
+struct Certificate {
+  std::string certificate_pem;
+  std::string key_pem;
+};
+
+/// Self-signed, for `name` (a host's name or a numeric address), with a new P-256 key; valid from
+/// now on for so many days. Throws std::runtime_error when OpenSSL fails.
+Certificate new_certificate(const std::string& name, int days);
+
+/// SHA-256 of the first certificate of a PEM text, as clients pin it. The error is what is wrong.
+boost::system::result<Digest, std::string> fingerprint_of(std::string_view certificate_pem);
+
+/// Why TLS cannot use them: no certificate, no key, or a key of another certificate. Empty: it can.
+std::string why_not_usable(std::string_view certificate_pem, std::string_view key_pem);
+
+}  // namespace hedgehog::access

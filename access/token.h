@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Tokens: random secrets that clients show, of which the daemon keeps only digests. Any thread.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "base/digest_text.h"
+#include "protocol/wire/role.h"
+
+namespace hedgehog::access {
+
+/// SHA-256. Neither salt nor a slow function: a token has 256 random bits, so there is no list of
+/// likely ones to try, and no two tokens have the same digest.
+using Digest = base::Sha256;
+
+/// What is kept of a token.
+struct Token {
+  /// 1..32 letters, digits, "-", "_", "."; unique.
+  std::string name{};
+  protocol::Role role = protocol::Role::kObserve;
+  Digest digest{};
+  /// "2026-11-24".
+  std::string made{};
+  friend bool operator==(const Token&, const Token&) = default;
+};
+
+/// "hht_" and 256 random bits in base64url. Throws std::runtime_error when the system has no random
+/// numbers.
+std::string new_token();
+
+Digest digest_of(std::string_view text);
+/// The time it takes does not depend on where they differ.
+bool is_same(const Digest& a, const Digest& b) noexcept;
+
+bool is_token_name(std::string_view text) noexcept;
+
+}  // namespace hedgehog::access

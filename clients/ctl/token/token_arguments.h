@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// The command line of `token`.
+#pragma once
+
+#include <functional>
+
+#include "clients/ctl/token/token_verb.h"
+
+namespace CLI {  // NOLINT(readability-identifier-naming): CLI11 calls it so
+class App;
+}
+
+namespace hedgehog::client {
+
+using TokenVerb = int (*)(const CommonOptions&, const TokenOptions&);
+
+/// Adds add, list, revoke and certificate to `token`; `chosen` is called with the one that was
+/// given.
+void add_token_arguments(CLI::App& token, TokenOptions& options,
+                         const std::function<void(TokenVerb)>& chosen);
+
+}  // namespace hedgehog::client

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// TLS 1.3 to a daemon whose certificate is known by its fingerprint, or by the authorities that the
+// system trusts. For line_socket.cpp only.
+#pragma once
+
+#include <boost/asio/generic/stream_protocol.hpp>
+#include <boost/asio/ssl/context.hpp>
+#include <boost/asio/ssl/stream.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "clients/lib/address.h"
+
+namespace hedgehog::client {
+
+/// Over a socket that outlives it and is connected.
+class TlsStream {
+ public:
+  using Socket = boost::asio::generic::stream_protocol::socket;
+
+  /// Throws boost::system::system_error when OpenSSL fails.
+  TlsStream(Socket& socket, const Address& address);
+
+  /// `done`: an error_code.
+  template <class Done>
+  void async_handshake(Done done) {
+    stream_.async_handshake(boost::asio::ssl::stream_base::client, std::move(done));
+  }
+  /// After the handshake, before anything is sent: why this is not the daemon that `address` means;
+  /// empty: it is.
+  std::string why_not_trusted();
+  boost::asio::ssl::stream<Socket&>& stream() noexcept { return stream_; }
+
+ private:
+  std::optional<base::Sha256> fingerprint_;
+  boost::asio::ssl::context context_;
+  boost::asio::ssl::stream<Socket&> stream_;
+};
+
+}  // namespace hedgehog::client

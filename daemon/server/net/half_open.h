@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// Connections from other machines that have shown no token yet: those whose TLS handshake goes on,
+// and those that have not logged in. They are bounded, and a new one is never turned away for old
+// ones: whoever is slow, or sends garbage, or nothing, keeps nobody out.
+#pragma once
+
+#include <boost/asio/any_io_executor.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <list>
+#include <string>
+
+namespace hedgehog::server {
+
+/// io thread only; outlives its tickets.
+class HalfOpen {
+ public:
+  /// At once, and of one address; with more, the oldest (of that address) is disconnected.
+  static constexpr std::size_t kMax = 32;
+  static constexpr std::size_t kMaxOfAddress = 8;
+  /// Afterwards it is disconnected.
+  static constexpr std::chrono::seconds kPatience{10};
+
+  explicit HalfOpen(boost::asio::any_io_executor executor,
+                    std::chrono::milliseconds patience = kPatience)
+      : executor_(std::move(executor)), patience_(patience) {}
+  HalfOpen(const HalfOpen&) = delete;
+  HalfOpen& operator=(const HalfOpen&) = delete;
+
+ private:
+  struct Entry {
+    std::uint64_t id;
+    int descriptor;
+    std::string host;
+    bool ended;
+    boost::asio::steady_timer timer;
+  };
+
+ public:
+  /// A connection's place, until it goes away. To be given up before its socket is closed.
+  class Ticket {
+   public:
+    Ticket() = default;
+    Ticket(Ticket&& other) noexcept;
+    Ticket& operator=(Ticket&& other) noexcept;
+    ~Ticket() { release(); }
+    void release() noexcept;
+    explicit operator bool() const noexcept { return owner_ != nullptr; }
+
+   private:
+    friend class HalfOpen;
+    Ticket(HalfOpen& owner, std::list<Entry>::iterator entry) : owner_(&owner), entry_(entry) {}
+    HalfOpen* owner_ = nullptr;
+    std::list<Entry>::iterator entry_{};
+  };
+
+  /// For the socket `descriptor`, whose peer is at `address` ("192.0.2.7:5000"). Disconnecting is a
+  /// shutdown(2) in both directions: what waits on the socket then ends by itself.
+  Ticket enter(int descriptor, const std::string& address);
+  std::size_t size() const noexcept { return entries_.size(); }
+  /// Disconnected so far, for taking too long or too much.
+  std::size_t disconnected() const noexcept { return disconnected_; }
+
+ private:
+  void make_space(const std::string& host);
+  void expire(std::uint64_t id) noexcept;
+  void disconnect(Entry& entry) noexcept;
+
+  boost::asio::any_io_executor executor_;
+  std::chrono::milliseconds patience_;
+  std::list<Entry> entries_;  // the oldest first
+  std::uint64_t last_id_ = 0;
+  std::size_t disconnected_ = 0;
+};
+
+}  // namespace hedgehog::server

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/server/net/tcp_acceptor.h"
+
+#include <spdlog/spdlog.h>
+
+#include <boost/asio/ip/v6_only.hpp>
+#include <stdexcept>
+#include <string>
+
+namespace hedgehog::server {
+
+namespace asio = boost::asio;
+using boost::system::error_code;
+using Tcp = asio::ip::tcp;
+
+std::optional<Tcp::acceptor> open_acceptor(asio::io_context& io,
+                                           const config::ListenAddress& wanted,
+                                           const char* remedy) {
+  const std::string name = config::to_string(wanted);
+  error_code ec;
+  const auto address = asio::ip::make_address(wanted.host, ec);
+  // The configuration makes sure of it; here is where it would matter.
+  if (ec || (!address.is_loopback() && !wanted.tls))
+    throw std::runtime_error(name + ": refused: other machines could reach it without TLS");
+  Tcp::acceptor acceptor(io);
+  const Tcp::endpoint endpoint(address, wanted.port);
+  acceptor.open(endpoint.protocol(), ec);
+  if (address.is_v6() && (ec == asio::error::address_family_not_supported)) {
+    spdlog::warn("{}: this machine has no IPv6; left out", name);
+    return std::nullopt;
+  }
+  if (!ec) acceptor.set_option(Tcp::acceptor::reuse_address(true), ec);
+  if (!ec && address.is_v6()) acceptor.set_option(asio::ip::v6_only(true), ec);
+  if (!ec) acceptor.bind(endpoint, ec);
+  if (address.is_v6() && ec == boost::system::errc::address_not_available) {
+    spdlog::warn("{}: this machine has no IPv6 loopback; left out", name);
+    return std::nullopt;
+  }
+  if (!ec) acceptor.listen(asio::socket_base::max_listen_connections, ec);
+  if (ec == asio::error::address_in_use) {
+    throw std::runtime_error(name +
+                             ": something listens there already, another hedgehogd perhaps; "
+                             "end it, or take another port with " +
+                             remedy);
+  }
+  if (ec) throw std::runtime_error(name + ": " + ec.message());
+  return acceptor;
+}
+
+}  // namespace hedgehog::server

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// A listening TCP socket.
+#pragma once
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <optional>
+
+#include "daemon/config/listen_address.h"
+
+namespace hedgehog::server {
+
+/// Listens at `wanted`. nullopt: this machine has no IPv6. Throws std::runtime_error with a
+/// sentence for a person, in which `remedy` is where another port is chosen; also for an address
+/// without TLS that other machines could reach.
+std::optional<boost::asio::ip::tcp::acceptor> open_acceptor(boost::asio::io_context& io,
+                                                            const config::ListenAddress& wanted,
+                                                            const char* remedy);
+
+}  // namespace hedgehog::server
