@@ -5,14 +5,16 @@ import { Methods } from "./methods.js";
 export * from "./messages.js";
 
 export interface Options {
-  /** "127.0.0.1:7586" or a socket's path in Node.js, "ws://..." in a browser; without, found as by every client. */
+  /** "127.0.0.1:7586", "tls://host:7586" or a socket's path in Node.js, "ws://..." in a browser; without, found as by every client. */
   address?: string;
   /** Of this program, as the daemon's log shows it. */
   name?: string;
   /** The longest that connecting, and waiting for a response, take. 2000. */
   patienceMs?: number;
-  /** Of roles beyond those of this machine. */
+  /** Of roles beyond those of this machine; in Node.js else HEDGEHOG_TOKEN. */
   token?: string;
+  /** In Node.js, of the daemon's certificate with "tls://"; else HEDGEHOG_FINGERPRINT. */
+  fingerprint?: string;
   /** Called after each connection but the first: subscriptions are renewed, effects are not. */
   onReconnect?: (hello: Hello) => void;
 }

@@ -38,6 +38,8 @@ TEST(Address, IsReadInTheWaysThatPeopleWriteIt) {
       {"::1", "[::1]:7586"},
       {"/run/hedgehog/hedgehogd.sock", "/run/hedgehog/hedgehogd.sock"},
       {"unix:ball.sock", "ball.sock"},
+      {"tls://ball-host", "tls://ball-host:7586"},
+      {"tls://[::1]:80", "tls://[::1]:80"},
   };
   for (const auto& [text, meant] : cases) {
     const auto address = parse_address(text);
@@ -76,6 +78,25 @@ TEST(Daemon, IsOnlyWhereTheFlagOrElseTheVariableSays) {
   EXPECT_THAT(places({}, environment), ElementsAre("[::1]:9"));
   EXPECT_THAT(places("/tmp/a.sock", environment), ElementsAre("/tmp/a.sock"));
   EXPECT_THAT(places({}, with({{"HEDGEHOG_ADDRESS", ""}})), testing::SizeIs(3)) << "empty is unset";
+}
+
+TEST(Daemon, IsShownTheTokenAndKnownByTheFingerprintOfTheEnvironment) {
+  const std::string fingerprint(64, 'a');
+  const auto environment = with({{"HEDGEHOG_ADDRESS", "tls://ball-host"},
+                                 {"HEDGEHOG_TOKEN", "hht_secret"},
+                                 {"HEDGEHOG_FINGERPRINT", fingerprint}});
+  const auto remote = daemon_addresses({}, environment).value();
+  ASSERT_EQ(remote.size(), 1u);
+  EXPECT_TRUE(remote[0].tls);
+  EXPECT_EQ(remote[0].token, "hht_secret");
+  EXPECT_EQ(remote[0].fingerprint, base::parse_sha256(fingerprint));
+  EXPECT_EQ(to_string(remote[0]), "tls://ball-host:7586") << "without the token";
+  for (const Address& address :
+       daemon_addresses({}, with({{"HEDGEHOG_TOKEN", "hht_secret"}})).value())
+    EXPECT_EQ(address.token, "hht_secret");
+  const auto wrong = daemon_addresses("tls://ball-host", with({{"HEDGEHOG_FINGERPRINT", "aa:bb"}}));
+  ASSERT_FALSE(wrong.has_value());
+  EXPECT_EQ(wrong.error().failure, Failure::kBadAddress);
 }
 
 TEST(Daemon, IsNotLookedForElsewhereWhenTheAddressIsWrong) {

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT
 """hedgehogd --simulate for the tests of the client libraries, an address that outlives it, and a limit for what a test starts."""
 
+import hashlib
 import os
 import re
 import socket
+import ssl
 import subprocess
 import tempfile
 import threading
@@ -21,28 +23,45 @@ def limit(process):
 
 
 class LiveDaemon:
-    """Listens once it is made."""
+    """Listens once it is made; also with TLS at `tls_address`, with `fingerprint`, for who has `token` (the role play)."""
 
     def __init__(self, program):
         self._folder = tempfile.TemporaryDirectory()
+        self.token = "hht_of-a-test"
+        self.fingerprint = self._make_access(os.path.join(self._folder.name, "hedgehog"))
         environment = dict(os.environ)
         for name in ("HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_RUNTIME_DIR"):
             environment[name] = self._folder.name
         for name in ("RUNTIME_DIRECTORY", "STATE_DIRECTORY"):
             environment.pop(name, None)
-        self._process = subprocess.Popen([program, "--simulate", "--listen", "127.0.0.1:0"], env=environment,
+        self._process = subprocess.Popen([program, "--simulate", "--listen", "tls://127.0.0.1:0", "--listen", "127.0.0.1:0"], env=environment,
                                          stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
         timer = limit(self._process)
         self.address = ""
+        self.tls_address = ""
         for line in self._process.stdout:
-            found = re.match(r"listening on (127\.0\.0\.1:\d+)$", line)
-            if found:
+            found = re.match(r"listening on ((tls://)?127\.0\.0\.1:\d+)$", line)
+            if found and found.group(2):
+                self.tls_address = found.group(1)
+            elif found:
                 self.address = found.group(1)
                 break
         timer.cancel()
         if not self.address:
             self.stop()
             raise RuntimeError("the daemon does not listen")
+
+    def _make_access(self, state):
+        """A certificate and a token as other tools than hedgehogctl make them; the fingerprint."""
+        os.makedirs(state)
+        certificate = os.path.join(state, "certificate.pem")
+        subprocess.run(["openssl", "req", "-x509", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:P-256", "-nodes", "-days", "30",
+                        "-subj", "/CN=ball-host", "-keyout", os.path.join(state, "key.pem"), "-out", certificate],
+                       check=True, stderr=subprocess.DEVNULL)
+        with open(os.path.join(state, "tokens"), "w", encoding="ascii") as tokens:
+            tokens.write("arcade play sha256:%s 2026-11-24\n" % hashlib.sha256(self.token.encode("ascii")).hexdigest())
+        with open(certificate, encoding="ascii") as text:
+            return hashlib.sha256(ssl.PEM_cert_to_DER_cert(text.read())).hexdigest()
 
     def stop(self):
         self._process.terminate()

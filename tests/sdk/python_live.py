@@ -53,6 +53,30 @@ class Live(unittest.TestCase):
             ended = next(events)
             self.assertEqual((ended["effect"], ended["reason"]), (effect, "completed"))
 
+    def test_a_daemon_elsewhere_is_known_by_its_fingerprint_and_shown_the_token(self):
+        known = dict(token=self.daemon.token, fingerprint=self.daemon.fingerprint, patience_s=60)
+        with hedgehog.Ball(self.daemon.tls_address, **known) as ball:
+            self.assertEqual(ball.hello["role"], "play")
+            self.assertTrue(ball.rumble("engine", 0.3, "back"))
+            events = ball.events(["effect_ended"], patience_s=60)
+            effect = ball.pulse("left", level=0.5, duration_ms=30)["effect"]
+            self.assertIn(effect, (event["effect"] for event in events))
+
+        async def play():
+            async with hedgehog.AsyncBall(self.daemon.tls_address, **known) as ball:
+                return (await ball.pulse("left"))["accepted"]
+
+        self.assertTrue(asyncio.run(play()))
+
+    def test_another_fingerprint_or_authority_is_not_spoken_to(self):
+        for fingerprint, why in (("0" * 64, "another fingerprint"), (None, "certificate")):
+            with self.assertRaisesRegex(hedgehog.NotConnected, why):
+                hedgehog.Ball(self.daemon.tls_address, token=self.daemon.token, fingerprint=fingerprint, patience_s=60)
+        with self.assertRaises(hedgehog.AddressError):
+            hedgehog.Ball(self.daemon.tls_address, fingerprint="0")
+        with self.assertRaisesRegex(hedgehog.RequestError, "token"):
+            hedgehog.Ball(self.daemon.tls_address, token="hht_wrong", fingerprint=self.daemon.fingerprint, patience_s=60)
+
     def test_a_rumble_goes_on_in_its_slot_and_ends(self):
         with hedgehog.Ball(self.address, patience_s=60) as ball:
             events = ball.events(["effect_started"], patience_s=60)

@@ -14,14 +14,15 @@ function bad(text, why) {
   );
 }
 
-/** "host", "host:port", "[v6]:port", a bare IPv6 address, or "/path" → {host, port} or {path}. */
+/** "host", "host:port", "[v6]:port", a bare IPv6 address, or "/path" → {host, port} or {path}; with "tls://" also {tls}. */
 export function parseAddress(text) {
   if (text.startsWith("unix:") || text.startsWith("/")) {
     const path = text.replace(/^unix:/, "");
     if (!path) throw bad(text, "it names no socket");
     return { path };
   }
-  const place = text.replace(/^tcp:/, "");
+  const tls = text.startsWith("tls://");
+  const place = tls ? text.slice("tls://".length) : text.replace(/^tcp:/, "");
   let host = place;
   let rest = "";
   if (place.startsWith("[")) {
@@ -33,16 +34,31 @@ export function parseAddress(text) {
     [host, rest] = [place.slice(0, place.indexOf(":")), place.slice(place.indexOf(":"))];
   }
   if (!host) throw bad(text, "it names no host");
-  if (!rest) return { host, port: PORT };
+  if (!rest) return { host, port: PORT, ...(tls && { tls }) };
   const port = /^:\d+$/.test(rest) ? Number(rest.slice(1)) : 0;
   if (port < 1 || port > 65535) throw bad(text, "the port is a number from 1 to 65535");
-  return { host, port };
+  return { host, port, ...(tls && { tls }) };
+}
+
+/** As `hedgehogctl token certificate` prints it, or with a colon after each pair, as Node.js has it: "AB:CD:…". */
+export function parseFingerprint(text) {
+  const digits = text.replaceAll(":", "").toUpperCase();
+  if (!/^[0-9A-F]{64}$/.test(digits)) {
+    throw new AddressError(
+      "the fingerprint is none: it has 64 hexadecimal digits, as hedgehogctl token certificate prints it",
+    );
+  }
+  return digits.match(/../g).join(":");
 }
 
 /** In the order in which they are tried. */
-export function daemonAddresses(address, environment, uid) {
+export function daemonAddresses(address, environment, uid, fingerprint) {
   const text = address || environment.HEDGEHOG_ADDRESS;
-  if (text) return [parseAddress(text)];
+  if (text) {
+    const parsed = parseAddress(text);
+    const pinned = fingerprint || environment.HEDGEHOG_FINGERPRINT;
+    return [parsed.tls && pinned ? { ...parsed, fingerprint: parseFingerprint(pinned) } : parsed];
+  }
   const runtime = environment.RUNTIME_DIRECTORY;
   const session = environment.XDG_RUNTIME_DIR;
   // systemd may name several, separated by colons: the first is the daemon's.
@@ -53,6 +69,6 @@ export function daemonAddresses(address, environment, uid) {
   return [...new Set(folders)].map((folder) => ({ path: `${folder}/${SOCKET}` })).concat({ host: "127.0.0.1", port: PORT });
 }
 
-export function describe({ path, host, port }) {
-  return path ?? (host.includes(":") ? `[${host}]:${port}` : `${host}:${port}`);
+export function describe({ path, host, port, tls }) {
+  return path ?? (tls ? "tls://" : "") + (host.includes(":") ? `[${host}]:${port}` : `${host}:${port}`);
 }

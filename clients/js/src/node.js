@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// In Node.js: over TCP or a Unix socket.
+// In Node.js: over TCP, with TLS or without, or a Unix socket.
 import net from "node:net";
 import { StringDecoder } from "node:string_decoder";
+import tls from "node:tls";
 import { daemonAddresses, describe } from "./addresses.js";
 import { BallCore } from "./ball.js";
 import { NotConnected } from "./errors.js";
@@ -14,17 +15,33 @@ const CAUSES = { ECONNREFUSED: "Connection refused", ENOENT: "No such file or di
 /** Longer than any response. */
 const MAX_LINE = 4 << 20;
 
+/** With a fingerprint no authority has to vouch for the certificate: that is compared before anything is sent. */
+function connect(address) {
+  if (!address.tls) return net.connect(address);
+  const { host, port, fingerprint } = address;
+  const servername = net.isIP(host) ? "" : host;
+  return tls.connect({ host, port, servername, minVersion: "TLSv1.3", rejectUnauthorized: !fingerprint });
+}
+
+/** Why this is not the daemon that `address` means; undefined: it is. */
+function mistaken(socket, { fingerprint }) {
+  const seen = fingerprint && socket.getPeerCertificate().fingerprint256;
+  return seen === fingerprint ? undefined : new Error(`its certificate has another fingerprint: ${seen}`);
+}
+
 function connector(address) {
   return ({ message, ended, patienceMs }) =>
     new Promise((resolve, reject) => {
-      const socket = net.connect(address);
+      const socket = connect(address);
       const decoder = new StringDecoder("utf8");
       let partial = "";
       let open = false;
       let cause = "the daemon closed it";
       const timer = setTimeout(() => socket.destroy(new Error("no answer")), patienceMs);
       socket.setNoDelay(true);
-      socket.on("connect", () => {
+      socket.on(address.tls ? "secureConnect" : "connect", () => {
+        const mistake = mistaken(socket, address);
+        if (mistake) return socket.destroy(mistake);
         open = true;
         clearTimeout(timer);
         resolve({ send: (text) => socket.write(text + "\n"), close: () => socket.destroy() });
@@ -45,9 +62,13 @@ function connector(address) {
 }
 
 export class Ball extends BallCore {
-  /** `address`: "127.0.0.1:7586" or "/run/hedgehog/hedgehogd.sock"; without, found as by every client. Throws AddressError. */
-  constructor({ address, ...options } = {}) {
-    super(daemonAddresses(address, process.env, process.getuid?.()).map(connector), options);
+  /**
+   * `address`: "127.0.0.1:7586", "tls://host:7586" or "/run/hedgehog/hedgehogd.sock"; without, found as by every client.
+   * `token` and `fingerprint`: else HEDGEHOG_TOKEN and HEDGEHOG_FINGERPRINT. Throws AddressError.
+   */
+  constructor({ address, fingerprint, token = process.env.HEDGEHOG_TOKEN || undefined, ...options } = {}) {
+    const addresses = daemonAddresses(address, process.env, process.getuid?.(), fingerprint);
+    super(addresses.map(connector), { token, ...options });
   }
 
   /** A ball that is connected. Rejects with NotConnected or RequestError. */

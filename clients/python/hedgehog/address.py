@@ -1,15 +1,25 @@
 # SPDX-License-Identifier: MIT
 """Where the daemon listens: $HEDGEHOG_ADDRESS, and nowhere else if it is set; otherwise the sockets in
 $RUNTIME_DIRECTORY, /run/hedgehog and $XDG_RUNTIME_DIR/hedgehog (/tmp/hedgehog-UID without these variables), then
-127.0.0.1:7586. As every client of Hedgehog."""
+127.0.0.1:7586. As every client of Hedgehog. With TLS, $HEDGEHOG_FINGERPRINT is that of the daemon's certificate."""
 
 import os
-from typing import List, Mapping, Optional, Tuple, Union
+from typing import List, Mapping, NamedTuple, Optional, Tuple, Union
 
 from .errors import AddressError
 
-#: A host and a port, or the path of a Unix socket.
-Address = Union[Tuple[str, int], str]
+
+class TlsAddress(NamedTuple):
+    """A host and a port with TLS; fingerprint: SHA-256 of the daemon's certificate, empty: the system's authorities
+    vouch for it."""
+
+    host: str
+    port: int
+    fingerprint: bytes
+
+
+#: A host and a port, with TLS or without, or the path of a Unix socket.
+Address = Union[Tuple[str, int], TlsAddress, str]
 
 PORT = 7586
 SOCKET = "hedgehogd.sock"
@@ -21,13 +31,19 @@ def _bad(text: str, why: str) -> AddressError:
 
 
 def parse_address(text: str) -> Address:
-    """"host", "host:port", "[v6]:port", a bare IPv6 address, or "/path", each with "tcp:" or "unix:" in front."""
+    """"host", "host:port", "[v6]:port", a bare IPv6 address, or "/path", each with "tcp:", "tls://" or "unix:" in front."""
+    if text.startswith("tls://"):
+        host, port = _parse_tcp(text, text[6:])
+        return TlsAddress(host, port, b"")
     if text.startswith("unix:") or text.startswith("/"):
         path = text[5:] if text.startswith("unix:") else text
         if not path:
             raise _bad(text, "it names no socket")
         return path
-    place = text[4:] if text.startswith("tcp:") else text
+    return _parse_tcp(text, text[4:] if text.startswith("tcp:") else text)
+
+
+def _parse_tcp(text: str, place: str) -> Tuple[str, int]:
     if place.startswith("["):
         host, closed, rest = place[1:].partition("]")
         if not closed:
@@ -47,11 +63,27 @@ def parse_address(text: str) -> Address:
     return host, int(digits)
 
 
-def daemon_addresses(given: Optional[str] = None, environment: Mapping[str, str] = os.environ) -> List[Address]:
+def parse_fingerprint(text: str) -> bytes:
+    """As `hedgehogctl token certificate` prints it, or with a colon after each pair."""
+    try:
+        digest = bytes.fromhex(text.replace(":", ""))
+    except ValueError:
+        digest = b""
+    if len(digest) != 32:
+        raise AddressError("the fingerprint is none: it has 64 hexadecimal digits, as hedgehogctl token certificate prints it")
+    return digest
+
+
+def daemon_addresses(given: Optional[str] = None, environment: Mapping[str, str] = os.environ,
+                     fingerprint: Optional[str] = None) -> List[Address]:
     """In the order in which they are tried."""
     text = given or environment.get("HEDGEHOG_ADDRESS", "")
     if text:
-        return [parse_address(text)]
+        address = parse_address(text)
+        pinned = fingerprint or environment.get("HEDGEHOG_FINGERPRINT", "")
+        if isinstance(address, TlsAddress) and pinned:
+            address = address._replace(fingerprint=parse_fingerprint(pinned))
+        return [address]
     runtime = environment.get("RUNTIME_DIRECTORY", "")
     session = environment.get("XDG_RUNTIME_DIR", "")
     # systemd may name several, separated by colons: the first is the daemon's.
@@ -62,11 +94,13 @@ def daemon_addresses(given: Optional[str] = None, environment: Mapping[str, str]
     elif not runtime and hasattr(os, "getuid"):
         # Where a daemon that was started by hand without XDG_RUNTIME_DIR puts it.
         folders.append("/tmp/hedgehog-%d" % os.getuid())
-    return [folder + "/" + SOCKET for folder in dict.fromkeys(folders)] + [("127.0.0.1", PORT)]
+    return [*(folder + "/" + SOCKET for folder in dict.fromkeys(folders)), ("127.0.0.1", PORT)]
 
 
 def describe(address: Address) -> str:
     if isinstance(address, str):
         return address
+    if isinstance(address, TlsAddress):
+        return "tls://" + describe((address.host, address.port))
     host, port = address
     return "[%s]:%d" % (host, port) if ":" in host else "%s:%d" % (host, port)

@@ -2,10 +2,11 @@
 """The client for asyncio."""
 
 import asyncio
+import os
 import time
 from typing import Any, AsyncIterator, Callable, Dict, Iterable, List, Mapping, Optional, Tuple
 
-from .address import Address, daemon_addresses
+from .address import Address, TlsAddress, daemon_addresses
 from .backoff import Backoff, nobody_there
 from .errors import NotConnected
 from .exchange import MAX_WAITING, Exchange
@@ -13,6 +14,7 @@ from .messages import Direction, Event, EventType, Hello, Scope, Telemetry, Tele
 from .methods import AsyncMethods
 from .rumble import rumble_params
 from .subscriptions import Subscriptions
+from .tls import check_certificate, tls_context
 
 
 class AsyncBall(AsyncMethods):
@@ -23,9 +25,11 @@ class AsyncBall(AsyncMethods):
     """
 
     def __init__(self, address: Optional[str] = None, *, name: str = "python", patience_s: float = 2.0,
-                 token: Optional[str] = None, on_reconnect: Optional[Callable[[Hello], None]] = None) -> None:
-        self._addresses = daemon_addresses(address)
-        self._hello: Dict[str, Any] = {"client": name, "protocol": "1", "token": token}
+                 token: Optional[str] = None, fingerprint: Optional[str] = None,
+                 on_reconnect: Optional[Callable[[Hello], None]] = None) -> None:
+        self._addresses = daemon_addresses(address, fingerprint=fingerprint)
+        self._hello: Dict[str, Any] = {"client": name, "protocol": "1",
+                                       "token": token or os.environ.get("HEDGEHOG_TOKEN") or None}
         self._patience_s = patience_s
         self._backoff = Backoff()
         self._connecting = asyncio.Lock()
@@ -232,5 +236,14 @@ class AsyncBall(AsyncMethods):
 async def _open(address: Address) -> Tuple[asyncio.StreamReader, asyncio.StreamWriter]:
     if isinstance(address, str):
         return await asyncio.open_unix_connection(address)
+    if isinstance(address, TlsAddress):
+        reader, writer = await asyncio.open_connection(address.host, address.port, ssl=tls_context(address),
+                                                       server_hostname=address.host)
+        try:
+            check_certificate(address, writer.get_extra_info("ssl_object").getpeercert(True))
+        except OSError:
+            writer.close()
+            raise
+        return reader, writer
     host, port = address
     return await asyncio.open_connection(host, port)

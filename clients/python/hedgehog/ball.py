@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: MIT
 """The client that blocks."""
 
+import os
 import socket
+import ssl
 import threading
 import time
 from typing import Any, Callable, Dict, Iterable, Iterator, List, Mapping, Optional, Tuple, cast
 
-from .address import Address, daemon_addresses
+from .address import Address, TlsAddress, daemon_addresses
 from .backoff import Backoff, nobody_there
 from .errors import NotConnected, RequestError
 from .exchange import Exchange
@@ -14,6 +16,7 @@ from .messages import Direction, Event, EventType, Hello, Scope, Telemetry, Tele
 from .methods import Methods
 from .rumble import rumble_params
 from .subscriptions import Subscriptions
+from .tls import check_certificate, tls_context
 
 #: The longest that waiting for a notification keeps other threads from calling.
 SLICE_S = 0.02
@@ -24,7 +27,8 @@ class Ball(Methods):
 
     address: "127.0.0.1:7586" or "/run/hedgehog/hedgehogd.sock"; None: found as by every client (address.py).
     name: of this program, as the daemon's log and `hedgehogctl clients` show it. patience_s: the longest that
-    connecting, and waiting for a response, take. token: of roles beyond those of this machine.
+    connecting, and waiting for a response, take. token: of roles beyond those of this machine, else HEDGEHOG_TOKEN.
+    fingerprint: of the daemon's certificate with "tls://host:port", else HEDGEHOG_FINGERPRINT.
     on_reconnect: called with the daemon's introduction after each connection but the first.
     May be used from several threads; their calls go one after the other. After a lost connection the next call
     connects anew, no more often than its back-off allows. What the program subscribed to is subscribed to again;
@@ -32,9 +36,11 @@ class Ball(Methods):
     """
 
     def __init__(self, address: Optional[str] = None, *, name: str = "python", patience_s: float = 2.0,
-                 token: Optional[str] = None, on_reconnect: Optional[Callable[[Hello], None]] = None) -> None:
-        self._addresses = daemon_addresses(address)
-        self._hello: Dict[str, Any] = {"client": name, "protocol": "1", "token": token}
+                 token: Optional[str] = None, fingerprint: Optional[str] = None,
+                 on_reconnect: Optional[Callable[[Hello], None]] = None) -> None:
+        self._addresses = daemon_addresses(address, fingerprint=fingerprint)
+        self._hello: Dict[str, Any] = {"client": name, "protocol": "1",
+                                       "token": token or os.environ.get("HEDGEHOG_TOKEN") or None}
         self._patience_s = patience_s
         self._lock = threading.RLock()
         self._backoff = Backoff()
@@ -194,7 +200,7 @@ class Ball(Methods):
         try:
             self._socket.settimeout(max(patience_s, 0.0))
             data = self._socket.recv(1 << 16)
-        except (socket.timeout, BlockingIOError):
+        except (socket.timeout, BlockingIOError, ssl.SSLWantReadError):
             return False
         except OSError as error:
             raise self._lost(error.strerror or str(error)) from error
@@ -224,6 +230,19 @@ class Ball(Methods):
 
 
 def _open(address: Address, patience_s: float) -> socket.socket:
+    if isinstance(address, TlsAddress):
+        plain = _open((address.host, address.port), patience_s)
+        try:
+            wrapped = tls_context(address).wrap_socket(plain, server_hostname=address.host)
+        except BaseException:
+            plain.close()
+            raise
+        try:
+            check_certificate(address, wrapped.getpeercert(True))
+        except OSError:
+            wrapped.close()
+            raise
+        return wrapped
     if not isinstance(address, str):
         opened = socket.create_connection(address, patience_s)
         opened.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)

@@ -56,7 +56,9 @@ void Connection::start() {
 
 asio::awaitable<void> Connection::run() {
   server_.open(session_);
-  spdlog::info("connection {} from {}", session_.id, session_.address.value_or(session_.transport));
+  // Strangers could fill the log.
+  spdlog::log(session_.locked ? spdlog::level::debug : spdlog::level::info, "connection {} from {}",
+              session_.id, session_.address.value_or(session_.transport));
   asio::co_spawn(
       executor_,
       [](std::shared_ptr<Connection> self) -> asio::awaitable<void> {
@@ -83,8 +85,9 @@ asio::awaitable<void> Connection::run() {
   while (!finishing_) co_await wait(pending_timer_);
   // At a shutdown the listener finishes who is still owed an answer.
   server_.forget(session_);
-  spdlog::info("connection {} closed{}", session_.id,
-               session_.client.empty() ? "" : " (" + session_.client + ")");
+  spdlog::log(session_.locked ? spdlog::level::debug : spdlog::level::info,
+              "connection {} closed{}", session_.id,
+              session_.client.empty() ? "" : " (" + session_.client + ")");
 }
 
 void Connection::finish() {

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// Listeners that other machines can reach need tokens and a certificate.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "access/certificate.h"
+#include "access/token_file.h"
+#include "tests/config/fake_files.h"
+
+namespace hedgehog::config {
+namespace {
+
+const std::string kFile = "/etc/hedgehog/hedgehogd.json";
+const std::string kTokens = "/var/lib/hedgehog/tokens";
+const std::string kCertificate = "/var/lib/hedgehog/certificate.pem";
+const std::string kKey = "/var/lib/hedgehog/key.pem";
+
+std::string listens_at(const std::string& address) {
+  return "{\"listen\": {\n\"tcp\": [\"" + address + "\"]}}";
+}
+
+FakeFiles with_files(const std::string& address) {
+  FakeFiles fake = FakeFiles::with(listens_at(address));
+  const access::Certificate made = access::new_certificate("ball-host", 1);
+  fake.files[kTokens] = access::to_text(
+      {{"arcade", protocol::Role::kPlay, access::digest_of("secret"), "2026-11-24"}});
+  fake.files[kCertificate] = made.certificate_pem;
+  fake.files[kKey] = made.key_pem;
+  return fake;
+}
+
+TEST(ConfigAccess, AddressesThatOthersCouldReachAreRefusedWithoutTheFiles) {
+  for (const std::string address : {"0.0.0.0:7586", "192.168.1.5:7586", "[::]:7586", "128.0.0.1:1",
+                                    "tls://127.0.0.1:7586", "tls://0.0.0.0:7586"}) {
+    const std::string shown = address.starts_with("tls://") ? address : "tls://" + address;
+    const std::string begin = kFile + ":2: listen.tcp: " + shown +
+                              ": refused, because other machines could reach it and there is no ";
+    FakeFiles fake = FakeFiles::with(listens_at(address));
+    EXPECT_EQ(fake.errors(), begin + kTokens +
+                                 "; make it: hedgehogctl token add NAME --role play\n" + begin +
+                                 kCertificate + "; make it: hedgehogctl token certificate\n");
+    EXPECT_EQ(with_files(address).errors(), "");
+  }
+  EXPECT_THAT(FakeFiles::with(R"({"http": {"listen": "0.0.0.0:7587"}})").errors(),
+              testing::HasSubstr("http.listen: tls://0.0.0.0:7587: refused"));
+}
+
+TEST(ConfigAccess, EachOfTheFilesIsNeeded) {
+  for (const std::string& missing : {kTokens, kCertificate, kKey}) {
+    FakeFiles fake = with_files("0.0.0.0:7586");
+    fake.files.erase(missing);
+    EXPECT_THAT(fake.errors(), testing::HasSubstr("there is no " + missing)) << missing;
+  }
+}
+
+TEST(ConfigAccess, AKeyOfAnotherCertificateIsAMistake) {
+  FakeFiles fake = with_files("0.0.0.0:7586");
+  fake.files[kKey] = access::new_certificate("ball-host", 1).key_pem;
+  EXPECT_EQ(fake.errors(),
+            kCertificate + ": the key is that of another certificate (" + kKey + ")\n");
+}
+
+TEST(ConfigAccess, ABrokenTokenFileIsAMistakeWhoeverListens) {
+  FakeFiles fake = with_files("127.0.0.1:7586");
+  fake.files[kTokens] += "arcade\n";
+  EXPECT_THAT(fake.errors(), testing::StartsWith(kTokens + ":3: must be NAME ROLE"));
+}
+
+TEST(ConfigAccess, AFileWithoutTokensKeepsEverybodyOutAndIsNoMistake) {
+  FakeFiles fake = with_files("0.0.0.0:7586");
+  fake.files[kTokens] = "# all revoked\n";
+  EXPECT_EQ(fake.errors(), "");
+}
+
+TEST(ConfigAccess, ThePlacesOfTheFilesMayBeChosen) {
+  FakeFiles fake = with_files("0.0.0.0:7586");
+  for (const auto& [from, to] :
+       {std::pair{kTokens, "/a/t"}, std::pair{kCertificate, "/a/c"}, std::pair{kKey, "/a/k"}}) {
+    fake.files[to] = fake.files[from];
+    fake.files.erase(from);
+  }
+  fake.files[kFile] = R"({"listen": {"tcp": ["0.0.0.0:7586"]},
+      "access": {"tokens": "/a/t", "certificate": "/a/c", "key": "/a/k"}})";
+  EXPECT_EQ(fake.errors(), "");
+  ASSERT_EQ(fake.load()->access.tokens.size(), 1u);
+}
+
+TEST(ConfigAccess, WhatIsPrintedHasPlacesAndNoSecrets) {
+  const FakeFiles fake = with_files("0.0.0.0:7586");
+  const auto config = fake.load();
+  ASSERT_TRUE(config);
+  const std::string printed = print_config(*config);
+  EXPECT_THAT(printed, testing::HasSubstr(kTokens));
+  EXPECT_THAT(printed, testing::HasSubstr("tls://0.0.0.0:7586"));
+  EXPECT_THAT(printed, testing::Not(testing::HasSubstr("PRIVATE KEY")));
+  EXPECT_THAT(printed, testing::Not(testing::HasSubstr(base::to_hex(access::digest_of("secret")))));
+}
+
+}  // namespace
+}  // namespace hedgehog::config
