@@ -10,7 +10,7 @@
 namespace hedgehog::config {
 namespace {
 
-const std::string kFile = "/etc/hedgehog/hedgehogd.json";
+const std::string kConfigFile = "/etc/hedgehog/hedgehogd.json";
 const std::string kTokens = "/var/lib/hedgehog/tokens";
 const std::string kCertificate = "/var/lib/hedgehog/certificate.pem";
 const std::string kKey = "/var/lib/hedgehog/key.pem";
@@ -33,7 +33,7 @@ TEST(ConfigAccess, AddressesThatOthersCouldReachAreRefusedWithoutTheFiles) {
   for (const std::string address : {"0.0.0.0:7586", "192.168.1.5:7586", "[::]:7586", "128.0.0.1:1",
                                     "tls://127.0.0.1:7586", "tls://0.0.0.0:7586"}) {
     const std::string shown = address.starts_with("tls://") ? address : "tls://" + address;
-    const std::string begin = kFile + ":2: listen.tcp: " + shown +
+    const std::string begin = kConfigFile + ":2: listen.tcp: " + shown +
                               ": refused, because other machines could reach it and there is no ";
     FakeFiles fake = FakeFiles::with(listens_at(address));
     EXPECT_EQ(fake.errors(), begin + kTokens +
@@ -79,7 +79,7 @@ TEST(ConfigAccess, ThePlacesOfTheFilesMayBeChosen) {
     fake.files[to] = fake.files[from];
     fake.files.erase(from);
   }
-  fake.files[kFile] = R"({"listen": {"tcp": ["0.0.0.0:7586"]},
+  fake.files[kConfigFile] = R"({"listen": {"tcp": ["0.0.0.0:7586"]},
       "access": {"tokens": "/a/t", "certificate": "/a/c", "key": "/a/k"}})";
   EXPECT_EQ(fake.errors(), "");
   ASSERT_EQ(fake.load()->access.tokens.size(), 1u);
