@@ -40,7 +40,8 @@ std::variant<Options, int> parse_options(int argc, const char* const* argv) {
       ->type_name("N")
       ->check(CLI::Range(1, kFastest));
   app.add_option("--listen", overrides.listen,
-                 "instead of 127.0.0.1:7586 and [::1]:7586; port 0 takes a free one and prints it")
+                 "instead of 127.0.0.1:7586 and [::1]:7586; tls://A:P, and whatever other machines "
+                 "can reach: with TLS and tokens; port 0 takes a free one and prints it")
       ->type_name("A:P")
       ->take_all()
       ->expected(1);

@@ -51,13 +51,13 @@ class CommandLine {
     app_.fallthrough();
     app_.set_version_flag("--version", std::string("hedgehogctl " HEDGEHOG_VERSION));
     app_.add_option("--address", common_.address,
-                    "where the daemon listens: host:port or a socket's path (HEDGEHOG_ADDRESS)");
+                    "where the daemon listens: host:port, tls://host:port or a socket's path "
+                    "(HEDGEHOG_ADDRESS)");
     app_.add_flag("--json", common_.json, "answers as JSON, for programs");
     app_.footer(
         "Exit: 0 done, 1 the effect ended otherwise than completed, 64 usage, 65 a bad file, 66 no "
         "such file or\npattern, 69 no daemon, no ball or not armed, 70 a fault of hedgehogctl or "
-        "of "
-        "the daemon, 73 a file\ncannot be written, 75 try later, 76 not understood, 77 the role "
+        "of the daemon, 73 a file\ncannot be written, 75 try later, 76 not understood, 77 the role "
         "does not suffice, 130 interrupted.");
     add_looking();
     add_playing(&app_, [](Session& session, const PlayOptions& options) {

@@ -9,6 +9,7 @@
 #include <array>
 #include <boost/asio/io_context.hpp>
 #include <deque>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -41,13 +42,14 @@ class HalfOpenTickets : public testing::Test {
  protected:
   Stranger& enter(const std::string& address) {
     Stranger& stranger = strangers_.emplace_back();
-    stranger.ticket = half_open_.enter(stranger.descriptor(), address);
+    stranger.ticket = half_open_->enter(stranger.descriptor(), address);
     return stranger;
   }
   static std::string host(std::size_t i) { return "192.0.2." + std::to_string(i) + ":1"; }
 
   boost::asio::io_context io_{1};
-  HalfOpen half_open_{io_.get_executor(), std::chrono::milliseconds(20)};
+  std::shared_ptr<HalfOpen> half_open_ =
+      std::make_shared<HalfOpen>(io_.get_executor(), std::chrono::milliseconds(20));
   std::deque<Stranger> strangers_;
 };
 
@@ -63,13 +65,13 @@ TEST_F(HalfOpenTickets, OfOneAddressTheOldestGivesWay) {
   EXPECT_FALSE(other.is_disconnected());
   enter("192.0.2.7:100");
   EXPECT_TRUE(all[1]->is_disconnected()) << "who was disconnected counts no more";
-  EXPECT_EQ(half_open_.disconnected(), 2u);
+  EXPECT_EQ(half_open_->disconnected(), 2u);
 }
 
 TEST_F(HalfOpenTickets, OfAllTheOldestGivesWay) {
   std::vector<Stranger*> all;
   for (std::size_t i = 0; i < HalfOpen::kMax; ++i) all.push_back(&enter(host(i)));
-  EXPECT_EQ(half_open_.disconnected(), 0u);
+  EXPECT_EQ(half_open_->disconnected(), 0u);
   EXPECT_FALSE(enter(host(200)).is_disconnected());
   EXPECT_TRUE(all[0]->is_disconnected());
   EXPECT_FALSE(all[1]->is_disconnected());
@@ -82,18 +84,26 @@ TEST_F(HalfOpenTickets, WhoTakesTooLongIsDisconnected) {
   io_.run();
   EXPECT_TRUE(slow.is_disconnected());
   EXPECT_FALSE(known.is_disconnected()) << "it has logged in";
-  EXPECT_EQ(half_open_.size(), 1u) << "until its connection has noticed";
+  EXPECT_EQ(half_open_->size(), 1u) << "until its connection has noticed";
   slow.ticket.release();
-  EXPECT_EQ(half_open_.size(), 0u);
+  EXPECT_EQ(half_open_->size(), 0u);
 }
 
 TEST_F(HalfOpenTickets, ATicketMovesWithItsConnection) {
   Stranger& one = enter(host(1));
   HalfOpen::Ticket moved = std::move(one.ticket);
   EXPECT_FALSE(one.ticket);
-  EXPECT_EQ(half_open_.size(), 1u);
+  EXPECT_EQ(half_open_->size(), 1u);
   moved = HalfOpen::Ticket();
-  EXPECT_EQ(half_open_.size(), 0u);
+  EXPECT_EQ(half_open_->size(), 0u);
+}
+
+TEST_F(HalfOpenTickets, MayOutliveTheListener) {
+  Stranger& one = enter(host(1));
+  half_open_.reset();
+  one.ticket.release();
+  EXPECT_FALSE(one.ticket);
+  io_.run();
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ HalfOpen::Ticket& HalfOpen::Ticket::operator=(Ticket&& other) noexcept {
 }
 
 void HalfOpen::Ticket::release() noexcept {
-  if (owner_ != nullptr) std::exchange(owner_, nullptr)->entries_.erase(entry_);
+  if (const auto owner = std::exchange(owner_, nullptr)) owner->entries_.erase(entry_);
 }
 
 HalfOpen::Ticket HalfOpen::enter(int descriptor, const std::string& address) {
@@ -31,10 +31,12 @@ HalfOpen::Ticket HalfOpen::enter(int descriptor, const std::string& address) {
   entries_.push_back(
       {++last_id_, descriptor, host, false, boost::asio::steady_timer(executor_, patience_)});
   const auto entry = std::prev(entries_.end());
-  entry->timer.async_wait([this, id = last_id_](const boost::system::error_code& cancelled) {
-    if (!cancelled) expire(id);
-  });
-  return {*this, entry};
+  entry->timer.async_wait(
+      [weak = weak_from_this(), id = last_id_](const boost::system::error_code& cancelled) {
+        const auto self = weak.lock();
+        if (!cancelled && self) self->expire(id);
+      });
+  return {shared_from_this(), entry};
 }
 
 void HalfOpen::make_space(const std::string& host) {

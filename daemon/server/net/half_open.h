@@ -10,12 +10,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <list>
+#include <memory>
 #include <string>
+#include <utility>
 
 namespace hedgehog::server {
 
-/// io thread only; outlives its tickets.
-class HalfOpen {
+/// io thread only. Made as a shared_ptr, which its tickets share: some of them go away only with
+/// the io_context.
+class HalfOpen : public std::enable_shared_from_this<HalfOpen> {
  public:
   /// At once, and of one address; with more, the oldest (of that address) is disconnected.
   static constexpr std::size_t kMax = 32;
@@ -51,8 +54,9 @@ class HalfOpen {
 
    private:
     friend class HalfOpen;
-    Ticket(HalfOpen& owner, std::list<Entry>::iterator entry) : owner_(&owner), entry_(entry) {}
-    HalfOpen* owner_ = nullptr;
+    Ticket(std::shared_ptr<HalfOpen> owner, std::list<Entry>::iterator entry)
+        : owner_(std::move(owner)), entry_(entry) {}
+    std::shared_ptr<HalfOpen> owner_;
     std::list<Entry>::iterator entry_{};
   };
 

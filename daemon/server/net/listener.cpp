@@ -81,7 +81,7 @@ Listener::Listener(asio::io_context& io, const config::Config& config)
     : io_(io),
       settings_(config.connections),
       tls_(make_tls_context(config.access)),
-      half_open_(io.get_executor()),
+      half_open_(std::make_shared<HalfOpen>(io.get_executor())),
       http_settings_(config.http) {}
 
 Listener::~Listener() { remove_if_ours(unix_path_, unix_inode_); }
@@ -239,7 +239,7 @@ void Listener::let_in_http(Tcp::socket socket) {
 
 HalfOpen::Ticket Listener::half_open(Tcp::socket& socket) {
   error_code gone;
-  return half_open_.enter(socket.native_handle(), text(socket.remote_endpoint(gone)));
+  return half_open_->enter(socket.native_handle(), text(socket.remote_endpoint(gone)));
 }
 
 asio::awaitable<void> Listener::let_in_tls(Tcp::socket socket) {

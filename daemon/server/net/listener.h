@@ -72,7 +72,7 @@ class Listener {
   boost::asio::io_context& io_;
   config::ConnectionSettings settings_;
   TlsContext tls_;
-  HalfOpen half_open_;
+  std::shared_ptr<HalfOpen> half_open_;
   config::HttpSettings http_settings_;
   std::list<TcpListener> tcp_;
   std::optional<TcpListener> http_;

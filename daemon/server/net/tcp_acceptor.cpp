@@ -9,27 +9,24 @@
 
 namespace hedgehog::server {
 
-namespace asio = boost::asio;
-using boost::system::error_code;
-using Tcp = asio::ip::tcp;
-
-std::optional<Tcp::acceptor> open_acceptor(asio::io_context& io,
-                                           const config::ListenAddress& wanted,
-                                           const char* remedy) {
+std::optional<boost::asio::ip::tcp::acceptor> open_acceptor(boost::asio::io_context& io,
+                                                            const config::ListenAddress& wanted,
+                                                            const char* remedy) {
+  namespace asio = boost::asio;
   const std::string name = config::to_string(wanted);
-  error_code ec;
+  boost::system::error_code ec;
   const auto address = asio::ip::make_address(wanted.host, ec);
   // The configuration makes sure of it; here is where it would matter.
   if (ec || (!address.is_loopback() && !wanted.tls))
     throw std::runtime_error(name + ": refused: other machines could reach it without TLS");
-  Tcp::acceptor acceptor(io);
-  const Tcp::endpoint endpoint(address, wanted.port);
+  asio::ip::tcp::acceptor acceptor(io);
+  const asio::ip::tcp::endpoint endpoint(address, wanted.port);
   acceptor.open(endpoint.protocol(), ec);
   if (address.is_v6() && (ec == asio::error::address_family_not_supported)) {
     spdlog::warn("{}: this machine has no IPv6; left out", name);
     return std::nullopt;
   }
-  if (!ec) acceptor.set_option(Tcp::acceptor::reuse_address(true), ec);
+  if (!ec) acceptor.set_option(asio::ip::tcp::acceptor::reuse_address(true), ec);
   if (!ec && address.is_v6()) acceptor.set_option(asio::ip::v6_only(true), ec);
   if (!ec) acceptor.bind(endpoint, ec);
   if (address.is_v6() && ec == boost::system::errc::address_not_available) {
