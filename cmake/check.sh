@@ -12,7 +12,7 @@ jobs=${JOBS:-2}
 failed=0
 
 sources() {
-  find base cli model protocol daemon emulator clients firmware tests cmake -name '*.cpp' -o -name '*.h' | sort
+  find base cli model protocol access daemon emulator clients firmware tests cmake -name '*.cpp' -o -name '*.h' | sort
 }
 
 check_format() {

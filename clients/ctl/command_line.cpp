@@ -267,8 +267,8 @@ class CommandLine {
     demo->callback([this] { verb_ = [this] { return run_demo(common_, demo_); }; });
     CLI::App* token = app_.add_subcommand(
         "token", "who may reach the daemon from elsewhere: add, list, revoke, certificate");
-    add_token_arguments(*token, token_, [this](TokenVerb run) {
-      verb_ = [this, run] { return run(common_, token_); };
+    add_token_arguments(*token, token_, [this](TokenVerb chosen) {
+      verb_ = [this, chosen] { return chosen(common_, token_); };
     });
   }
 
