@@ -14,8 +14,13 @@
 #include "clients/common/interrupts.h"
 #include "clients/ctl/calibrate_arguments.h"
 #include "clients/ctl/demo/demo.h"
+#include "clients/ctl/discover/discover_verb.h"
+#include "clients/ctl/discover/discovery.h"
+#include "clients/ctl/discover/on_all.h"
 #include "clients/ctl/effect_arguments.h"
 #include "clients/ctl/flash_arguments.h"
+#include "clients/ctl/follow_arguments.h"
+#include "clients/ctl/forecast_arguments.h"
 #include "clients/ctl/record_arguments.h"
 #include "clients/ctl/token/token_arguments.h"
 #include "clients/ctl/verbs/act_verbs.h"
@@ -31,28 +36,18 @@
 namespace hedgehog::client {
 namespace {
 
-/// The first argument of forecast; CLI11 would only say that it cannot convert it.
-CLI::Validator current() {
-  return {[](const std::string& text) {
-            double current_a = 0.0;
-            return CLI::detail::lexical_cast(text, current_a)
-                       ? std::string()
-                       : "'" + text +
-                             "' is no current in ampere; a direction comes after it: "
-                             "hedgehogctl forecast 15 left";
-          },
-          "AMPERE"};
-}
-
 class CommandLine {
  public:
   CommandLine() {
     app_.require_subcommand(1);
     app_.fallthrough();
     app_.set_version_flag("--version", std::string("hedgehogctl " HEDGEHOG_VERSION));
-    app_.add_option("--address", common_.address,
-                    "where the daemon listens: host:port, tls://host:port or a socket's path "
-                    "(HEDGEHOG_ADDRESS)");
+    CLI::Option* address =
+        app_.add_option("--address", common_.address,
+                        "where the daemon listens: host:port, tls://host:port or a socket's path "
+                        "(HEDGEHOG_ADDRESS)");
+    app_.add_flag("--all", all_, "the verb on every daemon of this machine at once")
+        ->excludes(address);
     app_.add_flag("--json", common_.json, "answers as JSON, for programs");
     app_.footer(
         "Exit: 0 done, 1 the effect ended otherwise than completed, 64 usage, 65 a bad file, 66 no "
@@ -88,7 +83,7 @@ class CommandLine {
     } catch (const CLI::ParseError& error) {
       return refuse(cli::complaint(app_, error), json);
     }
-    return verb_();
+    return all_ ? run_verb_on_all(json) : verb_();
   }
 
  private:
@@ -101,7 +96,19 @@ class CommandLine {
                                         : complain_of_usage(sentence);
   }
 
-  /// `run` is what is to be done, over a connection.
+  int run_verb_on_all(bool json) {
+    for (const char* name : {"watch", "record", "calibrate", "board", "demo", "discover"})
+      if (app_.got_subcommand(name))
+        return refuse("--all: " + std::string(name) + " works with one daemon at a time", json);
+    const std::vector<LocalDaemon> daemons = running_daemons();
+    if (daemons.empty())
+      return complain({Failure::kNoDaemon, "no daemon runs on this machine", {}});
+    return run_on_all(daemons, json, [this](const LocalDaemon& daemon) {
+      common_.address = "unix:" + daemon.socket;
+      return verb_();
+    });
+  }
+
   void connected(Verb run) {
     verb_ = [this, run = std::move(run)] {
       auto session = open_session(common_);
@@ -126,10 +133,7 @@ class CommandLine {
     CLI::App* forecast = verb("forecast", "how long a current can flow", [this](Session& session) {
       return run_forecast(session, forecast_);
     });
-    forecast->add_option("current_a", forecast_.current_a, "ampere")
-        ->check(current())
-        ->capture_default_str();
-    forecast->add_option("direction", forecast_.direction, "left, 34, 90,20 or 0,1,0.5");
+    add_forecast_arguments(*forecast, forecast_);
     verb("latency", "how long effects took from their request to the board", run_latency);
     verb("trips", "earlier trips: when, why, and what was playing", run_trips);
   }
@@ -230,27 +234,18 @@ class CommandLine {
 
   void add_following() {
     verb("watch", "the ball live; SPACE is the emergency stop, q quits", run_watch);
-    CLI::App* events = verb("events", "events of the ball, one a line",
-                            [this](Session& session) { return run_events(session, events_); });
-    events->add_option("--types", events_.types, "only these types, separated by commas")
-        ->delimiter(',');
-    events->add_option("--since", events_.since,
-                       "past events since then (yesterday, 2h, 23:14) instead of new ones");
-    events->add_flag("-f,--follow", events_.follow, "with --since: new events too");
-    events->add_flag("--all")->description("everybody's effects: always so")->group("");
-    CLI::App* pins = verb("pins", "a map of the ball: which pins push, and how far",
-                          [this](Session& session) { return run_pins(session, pins_); });
-    CLI::Option* live = pins->add_flag(
-        "--live", pins_.live, "repeatedly; on a terminal SPACE is the emergency stop, q quits");
-    pins->add_option("--count", pins_.count, "with --live: ends after this number of lines")
-        ->needs(live);
-    CLI::App* telemetry =
-        verb("telemetry", "the status repeatedly, one JSON object a line",
-             [this](Session& session) { return run_telemetry(session, telemetry_); });
-    telemetry->add_option("--rate-hz", telemetry_.rate_hz, "0.1..200")->capture_default_str();
-    telemetry->add_option("--fields", telemetry_.fields, "keys of the status, separated by commas")
-        ->delimiter(',');
-    telemetry->add_option("--count", telemetry_.count, "ends after this number");
+    add_events_arguments(*verb(
+                             "events", "events of the ball, one a line",
+                             [this](Session& session) { return run_events(session, events_); }),
+                         events_);
+    add_pins_arguments(*verb(
+                           "pins", "a map of the ball: which pins push, and how far",
+                           [this](Session& session) { return run_pins(session, pins_); }),
+                       pins_);
+    add_telemetry_arguments(
+        *verb("telemetry", "the status repeatedly, one JSON object a line",
+              [this](Session& session) { return run_telemetry(session, telemetry_); }),
+        telemetry_);
   }
 
   /// The verbs that open their own connection.
@@ -260,6 +255,9 @@ class CommandLine {
     check->footer(
         "Exit: 0 ok, 1 warning, 2 critical, 3 unknown, a mistake on its command line too.");
     check->callback([this] { verb_ = [this] { return run_check(common_); }; });
+    CLI::App* discover =
+        app_.add_subcommand("discover", "the balls of this machine and of the network");
+    discover->callback([this] { verb_ = [this] { return run_discover(common_.json); }; });
     CLI::App* demo = app_.add_subcommand("demo", "a tour of 40 seconds");
     demo->add_flag("--private", demo_.private_daemon,
                    "starts a daemon with a simulated ball for it");
@@ -287,6 +285,7 @@ class CommandLine {
   FlashOptions flash_;
   TokenOptions token_;
   std::optional<double> gain_;
+  bool all_ = false;
   std::function<int()> verb_;
 };
 

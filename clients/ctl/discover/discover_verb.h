@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+// The verb that lists the balls of this machine and of the network.
+#pragma once
+
+namespace hedgehog::client {
+
+/// Needs no connection. Returns kUnavailable when there is none.
+int run_discover(bool as_json);
+
+}  // namespace hedgehog::client

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "clients/ctl/forecast_arguments.h"
+
+#include <string>
+
+namespace hedgehog::client {
+namespace {
+
+/// CLI11 would only report that it cannot convert it.
+CLI::Validator current() {
+  return {[](const std::string& text) {
+            double current_a = 0.0;
+            return CLI::detail::lexical_cast(text, current_a)
+                       ? std::string()
+                       : "'" + text +
+                             "' is no current in ampere; a direction comes after it: "
+                             "hedgehogctl forecast 15 left";
+          },
+          "AMPERE"};
+}
+
+}  // namespace
+
+void add_forecast_arguments(CLI::App& forecast, ForecastOptions& options) {
+  forecast.add_option("current_a", options.current_a, "ampere")
+      ->check(current())
+      ->capture_default_str();
+  forecast.add_option("direction", options.direction, "left, 34, 90,20 or 0,1,0.5");
+}
+
+}  // namespace hedgehog::client
