@@ -25,6 +25,7 @@
 #include "daemon/server/effects/preview.h"
 #include "daemon/server/history/history_files.h"
 #include "daemon/startup_grace.h"
+#include "protocol/methods/hello.h"
 
 namespace hedgehog::daemon {
 namespace {
@@ -112,6 +113,10 @@ void Daemon::start_listening() {
     std::cout << "listening on " << address << '\n';
   }
   std::cout.flush();
+  if (const auto port = announced_port(listener_.addresses())) {
+    announcement_.emplace(AnnouncedService{config_.device.name, *port, config_.device.usb_serial,
+                                           protocol::HelloResult{}.protocol});
+  }
   manager_.ready(status_line());
 }
 
@@ -181,6 +186,7 @@ asio::awaitable<void> Daemon::leave(std::string reason) {
     server_.pump();
   }
   listener_.close();
+  announcement_.reset();
   const auto until = Clock::now() + kShutdownPatience;
   while ((!history_.flush() || !listener_.empty()) && Clock::now() < until) {
     timer.expires_after(kIdlePause);

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "daemon/announcement.h"
 #include "daemon/config/load_config.h"
 #include "daemon/device_list.h"
 #include "daemon/device_threads.h"
@@ -70,6 +71,8 @@ class Daemon {
   server::TripRecordings recordings_;
   server::TelemetryFile telemetry_file_;
   server::Server server_;
+  /// While other machines can reach a listener.
+  std::optional<Announcement> announcement_;
   bool ready_ = false;
   /// Why the ball was not armed at its first sight, until it is or the doors open.
   std::optional<control::Event> start_blocker_;
