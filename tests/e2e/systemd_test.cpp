@@ -67,7 +67,7 @@ TEST_P(Unit, HasNothingThatSystemdDoesNotKnow) {
 }
 
 TEST_P(Unit, IsShutInTight) {
-  const Said said = run("systemd-analyze security --offline=yes --threshold=20 " + installed());
+  const Said said = run("systemd-analyze security --offline=yes --threshold=15 " + installed());
   EXPECT_EQ(said.exit_code, 0) << said.text;
 }
 

@@ -108,6 +108,13 @@ TEST_F(Access, TheRulesGiveEveryDeviceToTheGroupAndTheDaemonPlaysAsItsUser) {
   }
   shell("udevadm settle");
   EXPECT_TRUE(is_the_groups(usb_node("Orientation sensor"))) << "and stays so";
+  const std::string board =
+      shell("udevadm info --query=property --name=" + usb_node("Hedgehog driver board"));
+  const auto serial = board.find("ID_SERIAL_SHORT=") + std::string("ID_SERIAL_SHORT=").size();
+  EXPECT_NE(board.find("SYSTEMD_WANTS=hedgehogd@" +
+                       board.substr(serial, board.find('\n', serial) - serial) + ".service\n"),
+            std::string::npos)
+      << board;
 
   for (const char* imu : {"mti", "hid_sensor", "dualsense"}) {
     configure({{"imu", {{"type", imu}}}});
