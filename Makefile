@@ -20,7 +20,8 @@ help:
 	@echo 'make run        the daemon on a simulated ball (ARGS="--speed 10" adds options)'
 	@echo 'make race       the racing game, beside make run or alone; its page is http://127.0.0.1:7585'
 	@echo 'make tools      hedgehogctl, for the ball of make run'
-	@echo 'make release    all programs as they ship; cmake --install build/release installs them'
+	@echo 'make release    all programs as they ship'
+	@echo 'make install    what make release built, below PREFIX=/usr/local (and DESTDIR)'
 	@echo 'make demo       a 40-second tour in this terminal, on a daemon of its own'
 	@echo 'make test       build and run the tests (the first time: minutes)'
 	@echo 'make test-web   the pages in a browser without a screen'
@@ -32,6 +33,7 @@ help:
 	@echo 'make test-install  what ships, installed, and a game compiled against it'
 	@echo 'make deb        Debian packages in build/deb; make test-deb tries them in a fresh Debian'
 	@echo 'make test-mqtt  the ball at Debian'"'"'s MQTT broker'
+	@echo 'make test-discovery  balls announced and found on a network, by Debian'"'"'s Avahi'
 	@echo 'make test-monitoring  the alert rules and the dashboard in Prometheus'
 	@echo 'make test-usb   real USB and HID: the daemon in a machine with Debian'"'"'s kernel, on emulated devices'
 	@echo 'make check      clang-format, shellcheck, clang-tidy; each file compiled by itself'
@@ -92,6 +94,14 @@ release: $(BUILD_DEPS) pages
 	@$(LOCK_RELEASE) cmake --preset release >build/release.log || { cat build/release.log; exit 1; }
 	@$(LOCK_RELEASE) cmake --build --preset release
 	@mkdir -p build/release/share && cp -rT $(PAGES) build/release/share/hedgehog
+
+# What `make release` built, below PREFIX (of a package's root DESTDIR). Builds nothing: root installs, others build.
+PREFIX ?= /usr/local
+INSTALLED ?= build/release
+.PHONY: install
+install:
+	@[ -x $(INSTALLED)/daemon/hedgehogd ] || { echo 'make: nothing to install: make release' >&2; exit 1; }
+	@DESTDIR='$(DESTDIR)' cmake --install $(INSTALLED) --prefix '$(PREFIX)'
 
 # hedgehogctl plays on what `make run` started: make tools, in another terminal.
 .PHONY: tools
@@ -175,6 +185,12 @@ test-monitoring: build/.packages-monitoring $(CONFIGURED_DEV)
 test-mqtt: build/.packages-mqtt $(CONFIGURED_DEV)
 	@$(LOCK_DEV) $(BUILD_DEV) --target test_mqtt mqtt_fleet
 	@$(STAGE) 'tests mqtt' tests/mqtt/run.sh build/dev
+
+# Announced and found by Debian's Avahi, in a network namespace (root, or sudo without password).
+.PHONY: test-discovery
+test-discovery: build/.packages-discovery $(CONFIGURED_DEV)
+	@$(LOCK_DEV) $(BUILD_DEV) --target hedgehogctl announce
+	@$(STAGE) 'tests discovery' tests/discovery/run.sh build/dev
 
 test-bids: build/.packages-dashboard $(CONFIGURED_DEV)
 	@$(LOCK_DEV) $(BUILD_DEV) --target hedgehogd hedgehog-study
@@ -357,7 +373,7 @@ instructions-write: $(CONFIGURED_BENCH) build/.packages-bench
 each_of = @code=0; for one in $(1); do eval "$(MAKE) $$one" || code=1; done; exit $$code
 .PHONY: waiting computing checked
 waiting:
-	$(call each_of,test-openrpc test-json-rpc rehearsal test-sdk test-web test-bids test-monitoring test-mqtt test-shipped test-install \
+	$(call each_of,test-openrpc test-json-rpc rehearsal test-sdk test-web test-bids test-monitoring test-mqtt test-discovery test-shipped test-install \
 	  'test-deb PACKED=build/bench' test-usb)
 
 # Whose mutants have all been judged once; the other files of tests/mutations/scope.txt still have survivors.

@@ -24,6 +24,19 @@ grep -q "^ExecStart=$work/first/bin/hedgehogd$" "$work/first/lib/systemd/system/
   fail "hedgehogd.service names another program"
 mv "$work/first" "$work/prefix"
 prefix=$work/prefix
+
+step "make install"
+make --silent -C "$source" install INSTALLED="$build" DESTDIR="$work/package" PREFIX=/opt/hedgehog >"$work/install.log" ||
+  { cat "$work/install.log"; exit 1; }
+diff <(cd "$prefix" && find . | sort) <(cd "$work/package/opt/hedgehog" && find . | sort) || fail "make install installs other files"
+[ "$(find "$work/package" -not -path "$work/package/opt/hedgehog*" | wc -l)" = 2 ] || fail "make install writes outside PREFIX"
+grep -q "^ExecStart=/opt/hedgehog/bin/hedgehogd$" "$work/package/opt/hedgehog/lib/systemd/system/hedgehogd.service" ||
+  fail "hedgehogd.service of make install names another program"
+! grep -rl "$work" "$work/package" || fail "make install leaves DESTDIR in a file"
+rm -r "$work/package"
+! make --silent -C "$source" install INSTALLED="$work/none" 2>"$work/install.log" || fail "make install installs what is not built"
+grep -q "nothing to install: make release" "$work/install.log" || fail "make install does not say what is missing"
+
 for file in bin/hedgehogd bin/hedgehogctl bin/hedgehog-study bin/hedgehog-design bin/hedgehog-gamepad bin/hedgehog-mqtt bin/hedgehog-orientation \
   bin/hedgehog-racer share/hedgehog/hedgehogd.json share/hedgehog/devices.d/hedgehog-86.json \
   share/hedgehog/patterns/heartbeat.json share/hedgehog/study/speed-jnd.json share/hedgehog/schema/openrpc.json \
