@@ -27,4 +27,14 @@ mount -t tmpfs -o mode=1777 shm /dev/shm
 ln -s /proc/self/fd /dev/fd
 ifconfig lo 127.0.0.1 up
 for place in proc sys dev; do mount --move "/$place" "/guest/$place"; done
+# guest-vm.service starts main.
+if [ -e /guest/run/vm/guest-vm.target ]; then
+  mkdir -p /guest/run/systemd/system
+  for unit in service target; do cp /guest/run/vm/guest-vm.$unit /guest/run/systemd/system/vm.$unit; done
+  # To systemd this is a container's, which has no kernel command line.
+  rm -f /guest/.dockerenv
+  # Not what empties /tmp, which is the host's, nor what wakes up later.
+  for unit in systemd-tmpfiles-setup.service timers.target; do ln -s /dev/null "/guest/run/systemd/system/$unit"; done
+  exec switch_root /guest /lib/systemd/systemd
+fi
 exec switch_root /guest /bin/bash /run/vm/main

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=bash
-# On the host's files: modules, udev, the command, the end. Sourced by nobody; guest-init starts it as process 1.
+# On the host's files: modules, udev, the command, the end. Sourced by nobody; guest-init starts it as process 1,
+# with run.sh -s systemd as vm.service.
 exec </dev/null >/dev/ttyS0 2>&1
 mkdir -p /lib/modules
 mount --bind "$(</run/vm/kernel)/lib/modules" /lib/modules
 modprobe -a vhci-hcd usbhid hid-generic uinput evdev joydev
-/lib/systemd/systemd-udevd --daemon
+[ -d /run/systemd/system ] || /lib/systemd/systemd-udevd --daemon
 udevadm trigger --action=add --subsystem-match=usb --subsystem-match=hid --subsystem-match=hidraw
 udevadm settle
 

@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: MIT
 # Runs a command where Linux has real USB, HID and udev: as root of an emulated machine with Debian's kernel and this
 # machine's files, in the same folder and environment. What it writes stays in the guest, except below DIR.
-#   run.sh [-t SECONDS] [-w DIR] [-v] COMMAND [ARGUMENT...]
+#   run.sh [-t SECONDS] [-w DIR] [-s] [-v] COMMAND [ARGUMENT...]
 #     -t   give up after so many seconds of this machine (default 300)
 #     -w   the guest may write here
+#     -s   systemd is the guest's first process, which starts basic.target and then the command
 #     -v   the guest's kernel log at the end; also whenever the guest fails
 # Exit: the command's; 64 usage, 69 something is missing, 70 the guest ended without a result, 124 out of time.
 # HEDGEHOG_VM_QEMU: more options for qemu. README.md says how it works.
@@ -12,11 +13,12 @@ set -euo pipefail
 
 say() { echo "run.sh: $*" >&2; }
 
-limit=300 writable='' verbose=0
-while getopts t:w:v option; do
+limit=300 writable='' verbose=0 systemd=''
+while getopts t:w:sv option; do
   case $option in
     t) limit=$OPTARG ;;
     w) writable=$(realpath "$OPTARG") ;;
+    s) systemd="systemd.unit=vm.target fstab=no systemd.show_status=no" ;;
     v) verbose=1 ;;
     *) exit 64 ;;
   esac
@@ -62,6 +64,7 @@ done
 printf '%s\n' "$kernel" >"$talk/kernel"
 printf '%s\n' "$writable" >"$talk/writable"
 cp "$here/guest-main.sh" "$talk/main"
+[ -z "$systemd" ] || cp "$here/guest-vm.service" "$here/guest-vm.target" "$talk"
 
 # One emulated processor whose clock counts its own instructions, 2 ns each: time in the guest knows nothing of how
 # busy this machine is. A plain one: vector instructions, which libc would use, take longer to emulate than to do without.
@@ -69,7 +72,7 @@ cp "$here/guest-main.sh" "$talk/main"
 machine=(qemu-system-x86_64 -nodefaults -no-user-config -display none -monitor none -no-reboot
   -machine pc -accel "tcg,thread=single" -icount shift=0,sleep=off -cpu qemu64 -smp 1 -m 768
   -kernel "$kernel/vmlinux" -initrd "$work/initrd"
-  -append "console=ttyS0 quiet panic=-1 tsc=reliable mitigations=off nohz=off random.trust_cpu=on"
+  -append "console=ttyS0 quiet panic=-1 tsc=reliable mitigations=off nohz=off random.trust_cpu=on $systemd"
   -serial "file:$work/console" -serial stdio
   -object "rng-random,id=random,filename=/dev/urandom" -device "virtio-rng-pci,rng=random")
 folder() { # tag, path, more
