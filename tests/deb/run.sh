@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# run.sh OUT: the packages of the folder OUT (make deb) as a stranger's machine takes them. lintian; then in a fresh Debian,
-# made once in build/debian.tar from this machine's own sources of packages: install, pulse, upgrade, purge (inside.sh).
+# run.sh OUT [BEFORE]: the packages of the folder OUT (make deb) as a stranger's machine takes them. lintian, AppStream; then in a
+# fresh Debian, made once in build/debian.tar from this machine's own sources of packages: install, pulse, upgrade, purge
+# (inside.sh). The upgrade comes from the packages of the folder BEFORE; without it from these, with a lower version.
 # Exit: 0 all is well, 69 a fresh Debian cannot be made here.
 set -euo pipefail
 
-[ $# -eq 1 ] || { echo "run.sh OUT" >&2; exit 64; }
+[ $# -eq 1 ] || [ $# -eq 2 ] || { echo "run.sh OUT [BEFORE]" >&2; exit 64; }
 out=$(cd "$1" && pwd)
+before=${2:+$(cd "$2" && pwd)}
 here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
 base=$here/../../build/debian.tar
 step() { echo "tests/deb: $*"; }
@@ -14,6 +16,9 @@ step() { echo "tests/deb: $*"; }
 step "lintian"
 # The project has no mail address yet.
 lintian --fail-on error,warning --allow-root --suppress-tags bogus-mail-host,bogus-mail-host-in-debian-changelog "$out"/*.changes
+
+step "AppStream"
+appstreamcli validate --no-net "$here/../../systemd/hedgehogd.metainfo.xml"
 
 as_root=()
 [ "$(id -u)" -eq 0 ] || as_root=(sudo -n)
@@ -44,13 +49,24 @@ mkdir -p "$root"
 mkdir "$root/packages" "$root/packages/before"
 cp "$out"/*.deb "$here/inside.sh" "$root/packages"
 
-# What an upgrade comes from: the same with a lower version.
+# What an upgrade comes from: the same with a lower version, or what is given.
 for package in "$out"/*.deb; do
+  [ -z "$before" ] || break
   rm -rf "$work/unpacked"
   dpkg-deb --raw-extract "$package" "$work/unpacked"
   sed -i -E 's/^Version: .*/Version: 0.0.1/; s/(hedgehog[a-z]* \(= )[^)]*/\10.0.1/' "$work/unpacked/DEBIAN/control"
   dpkg-deb --root-owner-group --build "$work/unpacked" "$root/packages/before" >/dev/null
 done
+
+if [ -n "$before" ]; then
+  cp "$before"/*.deb "$root/packages/before"
+  for package in "$root"/packages/before/*.deb; do
+    name=$(dpkg-deb --field "$package" Package)
+    old=$(dpkg-deb --field "$package" Version)
+    new=$(dpkg-deb --field "$out/$name"_*.deb Version)
+    dpkg --compare-versions "$old" lt "$new" || { echo "tests/deb: $name $old is not older than $new" >&2; exit 1; }
+  done
+fi
 
 step "install, pulse, upgrade, purge"
 # shellcheck disable=SC2016  # expanded by the inner shell
