@@ -1,0 +1,141 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""fleet.py BUILD DAEMONS SECONDS: simulated daemons of BUILD, each with hedgehog-mqtt, at one mosquitto and one Prometheus.
+
+Prints processor time and memory of each kind of program, and what was lost: telemetry by the device times of consecutive
+messages of a ball, scrapes by Prometheus' `up`. Exit: 1 a daemon or a bridge ended early, or a ball was never heard of.
+"""
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+import urllib.parse
+import urllib.request
+
+BUILD, DAEMONS, SECONDS = pathlib.Path(sys.argv[1]).resolve(), int(sys.argv[2]), float(sys.argv[3])
+HZ = 1
+TICKS = os.sysconf("SC_CLK_TCK")
+
+
+class Fleet:
+    def __init__(self, folder):
+        self.folder = folder
+        self.running = []  # (kind, process)
+
+    def start(self, kind, argv, **more):
+        more.setdefault("stderr", open(self.folder / f"{kind}.log", "ab"))
+        process = subprocess.Popen([str(word) for word in argv], stdin=subprocess.DEVNULL, **more)
+        self.running.append((kind, process))
+        return process
+
+    def daemon(self, number):
+        """The address of its pages; starts it and its bridge."""
+        home = self.folder / f"ball-{number}"
+        (home / "config/hedgehog").mkdir(parents=True)
+        (home / "run").mkdir()
+        (home / "config/hedgehog/hedgehogd.json").write_text('{"http": {"listen": "127.0.0.1:0"}}')
+        env = dict(os.environ, HOME=str(home), XDG_RUNTIME_DIR=str(home / "run"), XDG_STATE_HOME=str(home / "state"),
+                   XDG_CONFIG_HOME=str(home / "config"))
+        process = self.start("hedgehogd", [BUILD / "daemon/hedgehogd", "--simulate", "--listen", "127.0.0.1:0"],
+                             env=env, stdout=subprocess.PIPE, text=True)
+        for line in process.stdout:
+            if "http://" in line:
+                pages = line.strip().rsplit("/", 1)[1]
+            if "listening on /" in line:
+                break
+        self.start("hedgehog-mqtt", [BUILD / "clients/mqtt/hedgehog-mqtt", "--address",
+                                     home / "run/hedgehog/hedgehogd.sock", "--broker", self.folder / "broker.sock",
+                                     "--id", f"ball-{number}", "--telemetry-hz", HZ, "--home-assistant", "no"])
+        return pages
+
+    def usage(self):
+        """Seconds of processor time and bytes of memory, by kind."""
+        sums = {}
+        for kind, process in self.running:
+            fields = pathlib.Path(f"/proc/{process.pid}/stat").read_text().rsplit(")", 1)[1].split()
+            cpu, memory, count = sums.get(kind, (0.0, 0, 0))
+            sums[kind] = (cpu + (int(fields[11]) + int(fields[12])) / TICKS,
+                          memory + int(fields[21]) * os.sysconf("SC_PAGE_SIZE"), count + 1)
+        return sums
+
+    def end(self):
+        for _, process in self.running:
+            process.terminate()
+        for _, process in self.running:
+            process.wait()
+
+
+def first_line_with(path, text):
+    while True:
+        for line in path.read_text().splitlines():
+            if text in line:
+                return line
+        time.sleep(0.1)
+
+
+def query(prometheus, expression):
+    url = f"http://{prometheus}/api/v1/query?" + urllib.parse.urlencode({"query": expression})
+    result = json.load(urllib.request.urlopen(url))["data"]["result"]
+    return int(float(result[0]["value"][1])) if result else 0
+
+
+def telemetry_lost(lines):
+    """(messages, lost, balls)."""
+    last, messages, lost = {}, 0, 0
+    for line in lines:
+        topic, _, payload = line.partition(" ")
+        now = json.loads(payload)["time_ns"]
+        if topic in last:
+            lost += max(0, round((now - last[topic]) / 1e9 * HZ) - 1)
+        last[topic] = now
+        messages += 1
+    return messages, lost, len(last)
+
+
+def main(folder):
+    fleet = Fleet(folder)
+    try:
+        (folder / "mosquitto.conf").write_text(
+            f"listener 0 {folder}/broker.sock\nallow_anonymous true\nuser {os.environ.get('USER', 'root')}\n")
+        fleet.start("mosquitto", ["/usr/sbin/mosquitto", "-c", folder / "mosquitto.conf"])
+        while not (folder / "broker.sock").exists():
+            time.sleep(0.1)
+        pages = [fleet.daemon(number) for number in range(DAEMONS)]
+        config = {"global": {"scrape_interval": "5s"},
+                  "scrape_configs": [{"job_name": "hedgehog", "static_configs": [{"targets": pages}]}]}
+        (folder / "prometheus.yml").write_text(json.dumps(config))
+        fleet.start("prometheus", ["prometheus", f"--config.file={folder}/prometheus.yml",
+                                   f"--storage.tsdb.path={folder}/data", "--web.listen-address=127.0.0.1:0"])
+        prometheus = first_line_with(folder / "prometheus.log", 'msg="Listening on" address=').rsplit("=", 1)[1]
+        with open(folder / "telemetry", "wb") as telemetry:
+            fleet.start("mosquitto_sub", ["mosquitto_sub", "--unix", folder / "broker.sock", "-V", "5", "-t",
+                                          "hedgehog/+/telemetry", "-F", "%t %p"], stdout=telemetry)
+        before, begun = fleet.usage(), time.monotonic()
+        time.sleep(SECONDS)
+        ended = [kind for kind, process in fleet.running if process.poll() is not None]
+        if ended:
+            sys.exit(f"tests/fleet: ended early: {ended}")
+        after, took = fleet.usage(), time.monotonic() - begun
+        span = f"{int(SECONDS)}s"
+        scrapes = query(prometheus, f"sum(count_over_time(up[{span}]))")
+        good = query(prometheus, f"sum(sum_over_time(up[{span}]))")
+    finally:
+        fleet.end()
+    print(f"{DAEMONS} daemons, {took:.0f} s, {os.cpu_count()} processors")
+    print("| program | number | processor time, % of one | memory, MB |\n|---|---|---|---|")
+    for kind, (cpu, memory, count) in after.items():
+        print(f"| {kind} | {count} | {100 * (cpu - before[kind][0]) / took:.1f} | {memory / 1e6:.0f} |")
+    messages, lost, balls = telemetry_lost((folder / "telemetry").read_text().splitlines())
+    print(f"telemetry: {messages} messages of {balls} balls, {lost} lost; scrapes: {scrapes}, {scrapes - good} failed")
+    if balls != DAEMONS or not scrapes:
+        sys.exit("tests/fleet: not every ball was heard of")
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 4:
+        sys.exit(__doc__)
+    with tempfile.TemporaryDirectory() as place:
+        main(pathlib.Path(place))
