@@ -31,8 +31,11 @@ help:
 	@echo 'make test-bids  a study'"'"'s export before the BIDS validator'
 	@echo 'make test-all   everything: linters, what ships, fault campaigns, pages, USB, sanitizers, fuzzers (40 minutes)'
 	@echo 'make test-install  what ships, installed, and a game compiled against it'
-	@echo 'make deb        Debian packages in build/deb; make test-deb tries them in a fresh Debian'
+	@echo 'make deb        Debian packages in build/deb; make test-deb tries them in a fresh Debian (BEFORE=FOLDER: upgraded from those)'
+	@echo 'make test-service  the packages under systemd, in an emulated machine'
+	@echo 'make test-release  the release script (cmake/release.sh), in a clone'
 	@echo 'make test-mqtt  the ball at Debian'"'"'s MQTT broker'
+	@echo 'make fleet DAEMONS=50 MINUTES=10  simulated daemons, an MQTT broker and Prometheus: what they cost'
 	@echo 'make test-discovery  balls announced and found on a network, by Debian'"'"'s Avahi'
 	@echo 'make test-monitoring  the alert rules and the dashboard in Prometheus'
 	@echo 'make test-usb   real USB and HID: the daemon in a machine with Debian'"'"'s kernel, on emulated devices'
@@ -325,9 +328,29 @@ deb: build/.packages-deb
 	@$(if $(filter build/release,$(PACKED)),,mkdir -p $(PACKED)/share && cp -rT $(PAGES) $(PACKED)/share/hedgehog)
 	@$(STAGE) 'build deb' cmake/deb.sh $(PACKED) build/deb
 
-# Installed, used, upgraded and purged in a fresh system below build/.
+# Installed, used, upgraded and purged in a fresh system below build/; packed a second time, with equal bytes.
+# BEFORE: the folder of the packages that the upgrade comes from, of another commit (make deb there).
+BEFORE ?=
 test-deb: deb
-	@$(STAGE) 'tests deb' tests/deb/run.sh build/deb
+	@$(STAGE) 'tests reproducible' tests/deb/reproducible.sh $(PACKED) build/deb
+	@$(STAGE) 'tests deb' tests/deb/run.sh build/deb $(BEFORE)
+
+# The packages under systemd, in the emulated machine: killed, hung, reloaded, stopped, purged.
+.PHONY: test-service
+test-service: deb build/.packages-vm
+	@VM_SECONDS=$(VM_SECONDS) $(STAGE) 'tests service' tests/vm/service.sh build/deb
+
+# Simulated daemons with an MQTT broker and Prometheus: processor time, memory, what is lost. Not in CI.
+DAEMONS ?= 50
+MINUTES ?= 10
+.PHONY: fleet
+fleet: shipped build/.packages-mqtt build/.packages-monitoring
+	@tests/fleet/fleet.py build/bench $(DAEMONS) $$(awk 'BEGIN { print 60 * $(MINUTES) }')
+
+# The release script in a clone.
+.PHONY: test-release
+test-release: build/.packages-deb $(BUILD_DEPS)
+	@$(STAGE) 'tests release' tests/release/run.sh
 
 # Ten simulated people through the three experiments, runner and daemon killed twenty times.
 .PHONY: rehearsal
@@ -373,8 +396,8 @@ instructions-write: $(CONFIGURED_BENCH) build/.packages-bench
 each_of = @code=0; for one in $(1); do eval "$(MAKE) $$one" || code=1; done; exit $$code
 .PHONY: waiting computing checked
 waiting:
-	$(call each_of,test-openrpc test-json-rpc rehearsal test-sdk test-web test-bids test-monitoring test-mqtt test-discovery test-shipped test-install \
-	  'test-deb PACKED=build/bench' test-usb)
+	$(call each_of,test-openrpc test-json-rpc rehearsal test-sdk test-web test-bids test-monitoring test-mqtt test-discovery test-release test-shipped test-install \
+	  'test-deb test-service PACKED=build/bench' test-usb)
 
 # Whose mutants have all been judged once; the other files of tests/mutations/scope.txt still have survivors.
 MUTATED := board_core.cpp heat_budget.h persistence.h thermal_limiter.cpp link.cpp
