@@ -177,11 +177,12 @@ bool is_loopback(std::string_view host) {
 }  // namespace
 
 std::optional<std::uint16_t> announced_port(const std::vector<std::string>& addresses) {
-  for (const std::string_view address : addresses) {
+  constexpr std::string_view kTls = "tls://";
+  for (std::string_view address : addresses) {
+    if (!address.starts_with(kTls)) continue;
+    address.remove_prefix(kTls.size());
     const std::size_t colon = address.rfind(':');
-    if (address.empty() || address.starts_with('/') || address.find("://") != address.npos ||
-        colon == address.npos || is_loopback(address.substr(0, colon)))
-      continue;
+    if (colon == address.npos || is_loopback(address.substr(0, colon))) continue;
     std::uint16_t port = 0;
     std::from_chars(address.data() + colon + 1, address.data() + address.size(), port);
     if (port != 0) return port;

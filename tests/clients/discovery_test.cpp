@@ -36,12 +36,12 @@ TEST(AvahiBrowse, ReadsNameAddressAndRecordsOfEachService) {
   EXPECT_EQ(daemons[0].name, "Anna's ball.2");
   EXPECT_EQ(to_string(daemons[0].address), "192.0.2.9:17586");
   EXPECT_EQ(daemons[0].serial, std::nullopt);
-  EXPECT_FALSE(daemons[0].tls);
+  EXPECT_FALSE(daemons[0].address.tls);
   EXPECT_EQ(daemons[1].name, "ball-7");
   EXPECT_EQ(daemons[1].host, "lab.local");
   EXPECT_EQ(daemons[1].serial, "7");
   EXPECT_EQ(daemons[1].protocol, "1.0");
-  EXPECT_TRUE(daemons[1].tls);
+  EXPECT_TRUE(daemons[1].address.tls);
 }
 
 TEST(AvahiBrowse, KeepsAnAddressOfTheLinkThatIsTheOnlyOne) {
@@ -114,7 +114,7 @@ TEST(DiscoveryScreen, HasTheWholeAddressOfEachBall) {
             "  ball-7 (simulated)        armed          /run/hedgehog/ball-7/hedgehogd.sock");
   EXPECT_THAT(lines[2], HasSubstr("ball-9"));
   EXPECT_THAT(lines[2], HasSubstr("does not res…"));
-  EXPECT_THAT(lines[4], testing::EndsWith("network, TLS   192.0.2.7:7586"));
+  EXPECT_THAT(lines[4], testing::EndsWith("network, TLS   tls://192.0.2.7:7586"));
   EXPECT_THAT(discovery_screen({}), ElementsAre("  no ball was found"));
 }
 
@@ -126,7 +126,7 @@ TEST(DiscoveryScreen, IsJsonForPrograms) {
                             "state":"armed","protocol":"1.0","serial":"0007"})"));
   EXPECT_EQ(object["local"][1]["failure"], "does not respond");
   EXPECT_EQ(object["network"][1],
-            json::parse(R"({"name":"ball-7","host":"lab.local","address":"192.0.2.7:7586",
+            json::parse(R"({"name":"ball-7","host":"lab.local","address":"tls://192.0.2.7:7586",
                             "serial":"7","protocol":"1.0","tls":true})"));
   EXPECT_TRUE(object["network_failure"].is_null());
 }

@@ -84,7 +84,7 @@ avahi
 found 'not network' || fail "a ball was found before one was there"
 announce ball-7 17586 0007
 first=$!
-eventually found 'network == [{"name": "ball-7", "host": "lab.local", "address": "192.0.2.7:17586", "serial": "0007", "protocol": "1.0", "tls": True}]'
+eventually found 'network == [{"name": "ball-7", "host": "lab.local", "address": "tls://192.0.2.7:17586", "serial": "0007", "protocol": "1.0", "tls": True}]'
 "$ctl" discover | grep ball-7
 
 step "another of the same name has another"

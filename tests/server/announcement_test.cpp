@@ -16,14 +16,17 @@ TEST(Announcement, IsOfTheFirstListenerThatOtherMachinesReach) {
   EXPECT_EQ(announced_port({"127.0.0.1:7586", "[::1]:7586", "127.1.2.3:7", "localhost:7586",
                             "http://127.0.0.1:7587", "/run/hedgehog/hedgehogd.sock"}),
             std::nullopt);
-  EXPECT_EQ(announced_port({"127.0.0.1:7586", "192.0.2.7:17586", "10.0.0.1:9"}), 17586);
-  EXPECT_EQ(announced_port({"[2001:db8::7]:7588"}), 7588);
-  EXPECT_EQ(announced_port({"0.0.0.0:7586"}), 7586);
-  EXPECT_EQ(announced_port({"[::]:7586"}), 7586);
+  EXPECT_EQ(announced_port({"127.0.0.1:7586", "tls://127.0.0.1:7", "tls://192.0.2.7:17586",
+                            "tls://10.0.0.1:9"}),
+            17586);
+  EXPECT_EQ(announced_port({"tls://[2001:db8::7]:7588"}), 7588);
+  EXPECT_EQ(announced_port({"tls://0.0.0.0:7586"}), 7586);
+  EXPECT_EQ(announced_port({"tls://[::]:7586"}), 7586);
 }
 
 TEST(Announcement, IsNotOfWebPagesAndSockets) {
-  EXPECT_EQ(announced_port({"https://192.0.2.7:7587", "/a:12/socket", "", ":", "192.0.2.7:0"}),
+  EXPECT_EQ(announced_port({"https://192.0.2.7:7587", "/a:12/socket", "", "tls://",
+                            "tls://:", "tls://192.0.2.7:0"}),
             std::nullopt);
 }
 

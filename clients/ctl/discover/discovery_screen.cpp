@@ -51,7 +51,7 @@ ordered_json json_of(const NetworkDaemon& daemon) {
           {"address", to_string(daemon.address)},
           {"serial", value_of(daemon.serial)},
           {"protocol", value_of(daemon.protocol)},
-          {"tls", daemon.tls}};
+          {"tls", daemon.address.tls}};
 }
 
 }  // namespace
@@ -63,7 +63,7 @@ std::vector<std::string> discovery_screen(const Discovery& discovery, const Scre
                             found.daemon.socket, style));
   }
   for (const NetworkDaemon& daemon : discovery.network.daemons) {
-    lines.push_back(line_of(daemon.name, daemon.tls ? "network, TLS" : "network",
+    lines.push_back(line_of(daemon.name, daemon.address.tls ? "network, TLS" : "network",
                             to_string(daemon.address), style));
   }
   if (lines.empty()) return {"  no ball was found"};

@@ -95,7 +95,7 @@ std::optional<NetworkDaemon> daemon_of(std::string_view line) {
   daemon.address.host = printable(std::string(fields[7]));
   daemon.serial = txt_value(fields[9], "serial");
   daemon.protocol = txt_value(fields[9], "protocol");
-  daemon.tls = txt_value(fields[9], "tls") == "1";
+  daemon.address.tls = txt_value(fields[9], "tls") == "1";
   return daemon;
 }
 

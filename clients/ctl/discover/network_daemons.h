@@ -21,7 +21,6 @@ struct NetworkDaemon {
   /// TXT records; nullopt where there is none.
   std::optional<std::string> serial;
   std::optional<std::string> protocol;
-  bool tls = false;
 };
 
 /// The resolved services in what `avahi-browse --parsable --resolve` printed, one per name and
