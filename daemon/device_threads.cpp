@@ -7,7 +7,7 @@
 #include "daemon/control/loop/control_loop.h"
 #include "daemon/control/loop/lockstep_loop.h"
 #include "daemon/device/simulator/process_lock_step.h"
-#include "daemon/device/socket_transport.h"
+#include "daemon/device/simulator/simulated_board_transport.h"
 #include "daemon/device/usb/libusb_port.h"
 
 namespace hedgehog::daemon {
@@ -57,10 +57,7 @@ std::unique_ptr<device::Transport> DeviceThreads::make_board(const config::Confi
     return usb_board_->transport();
   }
   if (config.simulator.process) return start_board_process(config, start_c, false);
-  auto [host, board] = device::make_socket_pair();
-  board_thread_ = std::make_unique<device::SimulatedBoardThread>(
-      board_options(config, start_c), std::make_unique<device::SocketTransport>(std::move(board)));
-  return std::make_unique<device::SocketTransport>(std::move(host));
+  return std::make_unique<device::SimulatedBoardTransport>(board_options(config, start_c));
 }
 
 std::unique_ptr<device::SteppedBoard> DeviceThreads::make_stepped_board(

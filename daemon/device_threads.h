@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The threads below io: control, link, a reader a sensor, and the board: the one that looks for it
-// on USB, or the simulated one. Which of them there are depends on the configuration and on
-// --speed.
+// The threads below io: control, link, a reader a sensor, and the one that looks for the board on
+// USB. Which of them there are depends on the configuration and on --speed.
 #pragma once
 
 #include <memory>
@@ -16,7 +15,6 @@
 #include "daemon/device/link_thread.h"
 #include "daemon/device/simulator/lock_step.h"
 #include "daemon/device/simulator/simulated_board_process.h"
-#include "daemon/device/simulator/simulated_board_runner.h"
 #include "daemon/device/usb/usb_board.h"
 #include "daemon/sensors.h"
 
@@ -49,7 +47,6 @@ class DeviceThreads {
   control::FlightRecorder recorder_;
   // Destroyed from the last to the first: the link sends its last frame to a board that still runs.
   std::unique_ptr<device::SimulatedBoardProcess> board_process_;
-  std::unique_ptr<device::SimulatedBoardThread> board_thread_;
   std::unique_ptr<device::UsbBoard> usb_board_;
   std::unique_ptr<device::LinkThread> link_;
   std::unique_ptr<control::Loop> loop_;

@@ -129,8 +129,7 @@ Result<std::vector<Message>> decode_messages(std::string_view line) {
   if (!parsed) return not_understood(parsed.error().message);
   std::vector<Message> messages;
   const auto* batch = parsed->as<Json::List>();
-  const Json::List single = batch == nullptr ? Json::List{*parsed} : Json::List{};
-  for (const Json& json : batch == nullptr ? single : *batch) {
+  for (const Json& json : batch == nullptr ? std::span(&*parsed, 1) : std::span(*batch)) {
     Result<Message> message = read_message(json);
     if (!message) return message.error();
     messages.push_back(std::move(*message));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The threads for real: link thread, socket pair and a simulated board on its own clock. Nothing
-// here asserts a wall time; whatever is waited for has minutes.
+// The threads for real: the link thread with a simulated board in it, and a simulated board on a
+// clock of its own behind a socket pair. Nothing here asserts a wall time; whatever is waited for
+// has minutes.
 #include "daemon/device/link_thread.h"
 
 #include <gtest/gtest.h>
@@ -14,6 +15,7 @@
 
 #include "daemon/device/simulator/simulated_board_process.h"
 #include "daemon/device/simulator/simulated_board_runner.h"
+#include "daemon/device/simulator/simulated_board_transport.h"
 #include "daemon/device/socket_transport.h"
 #include "daemon/device/tick_clock.h"
 #include "tests/device/limited.h"
@@ -128,10 +130,8 @@ void expect_made_itself_safe(const Trace& trace) {
 }
 
 TEST(LinkThreads, DriveAnArmedSimulatedBoard) {
-  auto [host, board] = make_socket_pair();
-  SimulatedBoardThread simulated({}, wrap(std::move(board)));
   LinkPort port;
-  LinkThread link(port, wrap(std::move(host)));
+  LinkThread link(port, std::make_unique<SimulatedBoardTransport>(SimulatedBoardOptions{}));
   LinkCommand command;
   ASSERT_TRUE(arm_and_drive(port, command));
   const LinkReport report = port.reports.read();
@@ -140,10 +140,8 @@ TEST(LinkThreads, DriveAnArmedSimulatedBoard) {
 }
 
 TEST(LinkThreads, SimulatorSettingsReachTheBoard) {
-  auto [host, board] = make_socket_pair();
-  SimulatedBoardThread simulated({}, wrap(std::move(board)));
   LinkPort port;
-  LinkThread link(port, wrap(std::move(host)));
+  LinkThread link(port, std::make_unique<SimulatedBoardTransport>(SimulatedBoardOptions{}));
   LinkCommand command;
   SimulatorSettings settings;
   settings.faults = kSimSensorOpen;

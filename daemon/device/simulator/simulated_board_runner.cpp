@@ -68,16 +68,4 @@ bool SimulatedBoardRunner::at_rest() const noexcept {
          norm(board_.plant().current_a()) < SimulatedBoardTrace::kZeroA;
 }
 
-SimulatedBoardThread::SimulatedBoardThread(const SimulatedBoardOptions& options,
-                                           std::unique_ptr<Transport> transport)
-    : runner_(options, std::move(transport)) {
-  const SignalsBlocked blocked;
-  thread_ = std::thread([this] { runner_.run(stop_); });
-}
-
-SimulatedBoardThread::~SimulatedBoardThread() {
-  stop_.store(true, std::memory_order_relaxed);
-  thread_.join();
-}
-
 }  // namespace hedgehog::device

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Runs a simulated board on a clock of its own behind a transport, as a thread of the daemon or as
-// the process hedgehog-simboard, so that its dead-man depends on nothing that the daemon does.
+// Runs a simulated board on a clock of its own behind a transport, as the process
+// hedgehog-simboard, so that its dead-man depends on nothing that the daemon does.
 #pragma once
 
 #include <atomic>
 #include <cstdint>
 #include <cstdio>
 #include <memory>
-#include <thread>
 
 #include "daemon/device/simulator/simulated_board.h"
 #include "daemon/device/simulator/simulated_board_trace.h"
@@ -41,21 +40,6 @@ class SimulatedBoardRunner {
   SimulatedBoard board_;
   std::unique_ptr<Transport> transport_;
   SimulatedBoardTrace trace_;
-};
-
-/// The simulated board as a thread of this process.
-class SimulatedBoardThread {
- public:
-  /// Throws std::system_error.
-  SimulatedBoardThread(const SimulatedBoardOptions& options, std::unique_ptr<Transport> transport);
-  SimulatedBoardThread(const SimulatedBoardThread&) = delete;
-  SimulatedBoardThread& operator=(const SimulatedBoardThread&) = delete;
-  ~SimulatedBoardThread();
-
- private:
-  SimulatedBoardRunner runner_;
-  std::atomic<bool> stop_{false};
-  std::thread thread_;
 };
 
 }  // namespace hedgehog::device

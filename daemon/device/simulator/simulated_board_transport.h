@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// The simulated board within the host's own thread: a transport whose other end is computed when it
+// is used, which saves a thread that wakes once a millisecond.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "daemon/device/simulator/simulated_board.h"
+#include "daemon/device/tick_clock.h"
+#include "daemon/device/transport.h"
+
+namespace hedgehog::device {
+
+/// Never waits. A host that is late finds the milliseconds that it missed computed at once, as many
+/// as TickClock catches up; the board did not live through the others. A board that must go on
+/// without its host is a process (simulated_board_process.h).
+class SimulatedBoardTransport final : public Transport {
+ public:
+  /// CLOCK_MONOTONIC or a test's clock, ns.
+  using Clock = std::int64_t (*)() noexcept;
+
+  explicit SimulatedBoardTransport(const SimulatedBoardOptions& options,
+                                   Clock now_ns = monotonic_ns) noexcept;
+
+  /// Takes effect in the board's next millisecond.
+  bool send(std::span<const std::uint8_t, board::kFrameSize> frame) noexcept override;
+  /// Runs the milliseconds that are due, then returns their frames one by one.
+  std::size_t receive(std::span<std::uint8_t> packet) noexcept override;
+  bool open() const noexcept override { return true; }
+
+  /// For tests.
+  const SimulatedBoard& board() const noexcept { return board_; }
+
+ private:
+  static constexpr std::int64_t kMaxSteps = TickClock::kCatchUp + 1;
+  static constexpr std::size_t kFramesAStep = 2;
+
+  void run_what_is_due() noexcept;
+  void keep(const std::optional<Frame>& frame) noexcept;
+
+  SimulatedBoard board_;
+  Clock now_ns_;
+  std::int64_t next_ns_;
+  std::array<Frame, kMaxSteps * kFramesAStep> frames_{};
+  std::size_t kept_ = 0;
+  std::size_t taken_ = 0;
+};
+
+}  // namespace hedgehog::device
