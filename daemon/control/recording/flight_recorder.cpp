@@ -5,7 +5,6 @@
 #include <cstring>
 
 #include "daemon/control/recording/recording.h"
-#include "daemon/control/recording/tick_outputs.h"
 
 namespace hedgehog::control {
 
@@ -21,11 +20,19 @@ void FlightRecorder::write(const void* from, std::size_t bytes) noexcept {
   written_ += bytes;
 }
 
+template <class T>
+void FlightRecorder::write_delta(WordDelta<T>& delta, const T& value) noexcept {
+  std::array<std::byte, WordDelta<T>::kMaxBytes> bytes;
+  write(bytes.data(), delta.encode(value, bytes));
+}
+
 void FlightRecorder::key_frame(const Controller& controller) noexcept {
   states_[next_frame_] = controller;
   frames_[next_frame_] = {true, written_};
   next_frame_ = (next_frame_ + 1) % kKeyFrames;
   since_key_ = 0;
+  inputs_.restart();
+  outputs_.restart();
 }
 
 void FlightRecorder::before(const Controller& controller, const StepInputs& inputs) noexcept {
@@ -42,8 +49,7 @@ void FlightRecorder::before(const Controller& controller, const StepInputs& inpu
   if (since_key_ >= kKeyFrameEvery || written_ - newest.position >= ring_.size() / kKeyFramesARing)
     key_frame(controller);
   ++since_key_;
-  const TickInputs& head = inputs;
-  write(&head, sizeof(head));
+  write_delta<TickInputs>(inputs_, inputs);
   write(inputs.stops.data(), sizeof(StopRequest) * inputs.stop_count);
   write(inputs.commands.data(), sizeof(Command) * inputs.command_count);
 }
@@ -54,8 +60,7 @@ void FlightRecorder::after(const Controller& controller, const device::BoardComm
       std::any_of(events.begin(), events.end(), [](const Event& event) { return event.trip; });
   if (!recording_) return;
   const bool freeze = requested_.exchange(false, std::memory_order_relaxed) || tripped;
-  const TickOutputs outputs = outputs_of(controller, board, events);
-  write(&outputs, sizeof(outputs));
+  write_delta(outputs_, outputs_of(controller, board, events));
   if (freeze) phase_.store(Phase::kFrozen, std::memory_order_release);
 }
 

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "daemon/control/controller.h"
+#include "daemon/control/recording/tick_outputs.h"
+#include "daemon/control/recording/word_delta.h"
 #include "daemon/control/state/event_list.h"
 #include "daemon/control/step_inputs.h"
 
@@ -20,7 +22,7 @@ namespace hedgehog::control {
 class FlightRecorder {
  public:
   /// Room for at least 6 s of 1 kHz with few commands; a flood of commands shortens it.
-  static constexpr std::size_t kDefaultBytes = std::size_t{4} << 20;
+  static constexpr std::size_t kDefaultBytes = std::size_t{5} << 18;
   static constexpr model::Tick kKeyFrameEvery = 1000;
 
   explicit FlightRecorder(std::size_t bytes = kDefaultBytes);
@@ -42,7 +44,7 @@ class FlightRecorder {
 
  private:
   enum class Phase : std::uint8_t { kStarting, kRecording, kFrozen };
-  static constexpr std::size_t kKeyFrames = 16;
+  static constexpr std::size_t kKeyFrames = 8;
   /// At least so many states within the ring, so that even a flood leaves most of it to be
   /// replayed.
   static constexpr std::size_t kKeyFramesARing = 4;
@@ -52,6 +54,8 @@ class FlightRecorder {
   };
 
   void write(const void* from, std::size_t bytes) noexcept;
+  template <class T>
+  void write_delta(WordDelta<T>& delta, const T& value) noexcept;
   void key_frame(const Controller& controller) noexcept;
   bool intact(const KeyFrame& frame) const noexcept;
 
@@ -59,6 +63,9 @@ class FlightRecorder {
   std::vector<Controller> states_;
   std::array<KeyFrame, kKeyFrames> frames_{};
   std::size_t next_frame_ = 0;
+  /// Each key frame begins them anew.
+  WordDelta<TickInputs> inputs_;
+  WordDelta<TickOutputs> outputs_;
   /// Bytes written since the start; the ring has the last of them.
   std::uint64_t written_ = 0;
   model::Tick since_key_ = 0;

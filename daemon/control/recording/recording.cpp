@@ -12,11 +12,12 @@
 
 #include "base/crc32.h"
 #include "base/regular_file.h"
+#include "daemon/control/recording/word_delta.h"
 
 namespace hedgehog::control {
 namespace {
 
-constexpr std::array<char, 8> kMagic{'H', 'H', 'R', 'E', 'C', '0', '0', '1'};
+constexpr std::array<char, 8> kMagic{'H', 'H', 'R', 'E', 'C', '0', '0', '2'};
 
 struct FileHead {
   std::array<char, 8> magic = kMagic;
@@ -43,6 +44,12 @@ class Reader {
     }
     if (size > 0) std::memcpy(static_cast<void*>(to), bytes_.data(), size);
     bytes_ = bytes_.subspan(size);
+  }
+  template <class T>
+  void take(WordDelta<T>& delta, T& to) noexcept {
+    const std::size_t used = delta.decode(bytes_, to);
+    good_ = good_ && used > 0;
+    bytes_ = bytes_.subspan(used);
   }
   bool good() const noexcept { return good_; }
   bool empty() const noexcept { return bytes_.empty(); }
@@ -85,9 +92,9 @@ int find_build_id(dl_phdr_info* info, std::size_t, void* out) {
   return 1;  // only the program itself, the first object, counts
 }
 
-bool read_inputs(Reader& reader, StepInputs& inputs) noexcept {
+bool read_inputs(Reader& reader, WordDelta<TickInputs>& delta, StepInputs& inputs) noexcept {
   TickInputs head;
-  reader.take(&head);
+  reader.take(delta, head);
   if (!reader.good() || head.stop_count > inputs.stops.size() ||
       head.command_count > inputs.commands.size())
     return false;
@@ -137,10 +144,12 @@ ReplayResult replay(std::span<const std::byte> recording, const ReplaySink& sink
 
   const auto inputs = std::make_unique<StepInputs>();
   const auto events = std::make_unique<EventList>();
+  WordDelta<TickInputs> inputs_delta;
+  WordDelta<TickOutputs> outputs_delta;
   while (!reader.empty()) {
     TickOutputs recorded;
-    if (!read_inputs(reader, *inputs)) return result;
-    reader.take(&recorded);
+    if (!read_inputs(reader, inputs_delta, *inputs)) return result;
+    reader.take(outputs_delta, recorded);
     if (!reader.good()) return result;
     const device::BoardCommand board = controller->step(*inputs, *events);
     const TickOutputs replayed = outputs_of(*controller, board, *events);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The last seconds of the controller as bytes: its state at one tick, then the inputs (TickInputs,
-// the stops, the commands) and outputs of each tick from there. Only the program that wrote them
-// can replay them, so they carry its build id.
+// The last seconds of the controller as bytes: its state at one tick, then the inputs (what changed
+// of TickInputs, the stops, the commands) and what changed of the outputs of each tick from there.
+// Only the program that wrote them can replay them, so they carry its build id.
 #pragma once
 
 #include <cstddef>
