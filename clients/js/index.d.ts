@@ -17,6 +17,8 @@ export interface Options {
   fingerprint?: string;
   /** Called after each connection but the first: subscriptions are renewed, effects are not. */
   onReconnect?: (hello: Hello) => void;
+  /** Called when the daemon of a new connection refuses a subscription, which has ended. */
+  onSubscriptionEnded?: (error: SubscriptionEnded) => void;
 }
 
 /** A key of the status, for telemetry. */
@@ -35,6 +37,11 @@ export declare class RequestError extends BallError {
   /** "invalid_params"; "" when the daemon gave none. */
   readonly reason: ErrorName | (string & {});
   readonly data: Partial<ErrorData>;
+}
+/** The message begins with the method. */
+export declare class SubscriptionEnded extends RequestError {
+  /** "events.subscribe" */
+  readonly method: string;
 }
 
 export declare class Ball extends Methods {

@@ -39,6 +39,8 @@ def play_all(sdk, start):
     passed = True
     table = os.environ.get("HEDGEHOG_CONFORMANCE_TABLE", os.devnull)
     for case in CASES:
+        if sdk in case.get("without", []):
+            continue
         failure = failure_of(case, start)
         with open(table, "a", encoding="utf-8") as lines:
             lines.write("%s\t%s\t%s\n" % (sdk, case["name"], "failed" if failure else "ok"))

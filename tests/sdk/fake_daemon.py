@@ -54,7 +54,8 @@ def send(connection, data, piece):
         connection.sendall(data[at:at + (piece or len(data))])
 
 
-def play(step, connection, lines):
+def play(step, connection, lines, unanswered):
+    """`unanswered`: the ids of earlier requests, by the names that their steps gave them."""
     if step == "hello":
         step = {"expect": {"method": "hello"}, "result": HELLO}
     text = lines.readline()
@@ -62,6 +63,10 @@ def play(step, connection, lines):
         raise Refused("the client went before %s" % step["expect"]["method"])
     message = json.loads(text)
     check(step["expect"], message)
+    if "later" in step:
+        unanswered[step["later"]] = message["id"]
+    for name, response in step.get("answers", {}).items():
+        connection.sendall(lines.encode(line_of({"jsonrpc": "2.0", "id": unanswered.pop(name), **response})))
     for other in step.get("send", []):
         connection.sendall(lines.encode(line_of(other)))
     if "raw" in step:
@@ -85,8 +90,9 @@ def main():
             connection, _ = server.accept()
             connection.settimeout(60)
             lines = (WebSocketLines if "--websocket" in sys.argv[2:] else Lines)(connection)
+            unanswered = {}
             for step in steps:
-                play(step, connection, lines)
+                play(step, connection, lines, unanswered)
             # The client closes, unless the case says that the daemon does.
             if not (isinstance(steps[-1], dict) and steps[-1].get("close")):
                 while lines.readline():

@@ -37,22 +37,32 @@ def patience_of(case):
     return 3.0 if case["name"] == SLOW else PATIENCE_S
 
 
-class Reconnections:
-    """How often the library has said that it is connected again."""
+class Reports:
+    """What the library has reported: how often it is connected again, and which subscriptions have ended."""
 
     def __init__(self):
         self.reconnections = 0
+        self.ended = []
+
+    def subscription_ended(self, error):
+        assert isinstance(error, hedgehog.SubscriptionEnded) and error.name == "forbidden", repr(error)
+        self.ended.append(str(error))
 
     def again(self, hello):
         assert hello["protocol"] == "1.0"
         self.reconnections += 1
 
 
-class Blocking(Reconnections):
+class Blocking(Reports):
     """A step of a case on Ball."""
 
+    def __init__(self, ball=None):
+        super().__init__()
+        self.ball = ball
+
     async def open(self, address, patience_s):
-        self.ball = hedgehog.Ball(address, name="conformance", patience_s=patience_s, on_reconnect=self.again)
+        self.ball = hedgehog.Ball(address, name="conformance", patience_s=patience_s, on_reconnect=self.again,
+                                  on_subscription_ended=self.subscription_ended)
 
     async def close(self):
         self.ball.close()
@@ -70,11 +80,12 @@ class Blocking(Reconnections):
         return self.ball.next_notification(PATIENCE_S)
 
 
-class Asynchronous(Reconnections):
+class Asynchronous(Reports):
     """A step of a case on AsyncBall."""
 
     async def open(self, address, patience_s):
-        self.ball = hedgehog.AsyncBall(address, name="conformance", patience_s=patience_s, on_reconnect=self.again)
+        self.ball = hedgehog.AsyncBall(address, name="conformance", patience_s=patience_s, on_reconnect=self.again,
+                                       on_subscription_ended=self.subscription_ended)
         await self.ball.__aenter__()
         # What the generators of events and telemetry read from.
         self.queue = asyncio.Queue(100)
@@ -86,6 +97,14 @@ class Asynchronous(Reconnections):
     async def call(self, method, params):
         return await self.ball.call(method, **params)
 
+    async def ask(self, method, params):
+        self.asked = asyncio.ensure_future(self.ball.call(method, **params))
+        # It sends before it waits for the first time.
+        await asyncio.sleep(0)
+
+    async def answer(self):
+        return await self.asked
+
     async def notify(self, method, params):
         return await self.ball.notify(method, **params)
 
@@ -95,7 +114,7 @@ class Asynchronous(Reconnections):
     async def notification(self):
         received = await asyncio.wait_for(self.queue.get(), PATIENCE_S)
         # Generators end with a connection; their queue goes on here.
-        return await self.notification() if isinstance(received, hedgehog.NotConnected) else received
+        return await self.notification() if isinstance(received, hedgehog.BallError) else received
 
 
 class Conformance(unittest.IsolatedAsyncioTestCase):
@@ -135,14 +154,38 @@ class Conformance(unittest.IsolatedAsyncioTestCase):
                 self.assertEqual(result, step["result"])
         elif "call_again" in step:
             self.assertEqual(await self.again(library, step["call_again"]), step["result"])
+        elif "ask" in step:
+            await library.ask(step["ask"], params)
+        elif "answered" in step:
+            self.assertEqual(await library.answer(), step["result"])
         elif "notify" in step:
             self.assertTrue(await library.notify(step["notify"], params))
         elif "rumble" in step:
             self.assertTrue(await library.rumble(step["rumble"], step["strength"], step.get("direction"), params))
         elif "reconnected" in step:
             self.assertEqual(library.reconnections, step["reconnected"])
+        elif "subscriptions_ended" in step:
+            self.assertEqual(library.ended, step["subscriptions_ended"])
         else:
             self.assertEqual(await library.notification(), (step["notification"], params))
+
+    def test_an_iterator_raises_once_its_subscription_has_ended(self):
+        """Of a Ball whose other calls have connected it again meanwhile."""
+        daemon = Daemon({"name": "a subscription that the next daemon refuses has ended, and is reported"})
+        self.addCleanup(lambda: self.assertEqual(daemon.finish(), (0, "")))
+        with hedgehog.Ball(daemon.address, patience_s=PATIENCE_S) as ball:
+            events = ball.events(scope="all")
+            telemetry = ball.telemetry(5, patience_s=0)
+            with self.assertRaises(hedgehog.NotConnected):
+                ball.ping()
+            asyncio.run(self.again(Blocking(ball), "ping"))
+            with self.assertRaisesRegex(hedgehog.SubscriptionEnded, "events.subscribe: not any more") as raised:
+                next(events)
+            self.assertEqual((raised.exception.method, raised.exception.code), ("events.subscribe", hedgehog.ErrorCode.FORBIDDEN))
+            self.assertEqual(list(telemetry), [], "that one goes on")
+            with self.assertRaises(hedgehog.NotConnected):
+                ball.ping()
+            asyncio.run(self.again(Blocking(ball), "ping"))
 
     async def play(self, case, library):
         daemon = Daemon(case)
@@ -157,13 +200,15 @@ class Conformance(unittest.IsolatedAsyncioTestCase):
         self.assertEqual(await asyncio.to_thread(daemon.finish), (0, ""))
 
 
+NAMES = {Blocking: "Python Ball", Asynchronous: "Python AsyncBall"}
+
+
 def report(case, library, passed):
     """For the table of run.sh."""
     table = os.environ.get("HEDGEHOG_CONFORMANCE_TABLE")
     if table:
         with open(table, "a", encoding="utf-8") as lines:
-            name = {Blocking: "Python Ball", Asynchronous: "Python AsyncBall"}[library]
-            lines.write("%s\t%s\t%s\n" % (name, case["name"], "ok" if passed else "failed"))
+            lines.write("%s\t%s\t%s\n" % (NAMES[library], case["name"], "ok" if passed else "failed"))
 
 
 def add(case, library):
@@ -179,8 +224,9 @@ def add(case, library):
 
 
 for one in CASES:
-    add(one, Blocking)
-    add(one, Asynchronous)
+    for each, each_name in NAMES.items():
+        if each_name not in one.get("without", []):
+            add(one, each)
 
 if __name__ == "__main__":
     unittest.main()

@@ -8,7 +8,8 @@ from hedgehog import AsyncBall, Ball, Direction, ErrorCode, ErrorName, Event, No
 
 def play() -> Optional[float]:
     side: Direction = [0, 1, 0]
-    with Ball(name="sample", on_reconnect=lambda hello: print(hello["limits"]["felt_a"])) as ball:
+    with Ball(name="sample", on_reconnect=lambda hello: print(hello["limits"]["felt_a"]),
+              on_subscription_ended=lambda error: print(error.method, error.name == "forbidden")) as ball:
         effect: int = ball.pulse(side, level=0.5, on_close="finish")["effect"]
         ball.circle("up", duration_ms=1500, sense="cw")
         ball.play("heartbeat", loop=True, lease_ms=2000, rotate_to={"azimuth_deg": 90})

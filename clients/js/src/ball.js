@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The client over any transport that carries a message a line or a frame.
-import { NotConnected, RequestError } from "./errors.js";
+import { NotConnected, RequestError, SubscriptionEnded } from "./errors.js";
 import { Methods } from "./methods.js";
+import { Subscriptions } from "./subscriptions.js";
 
 /** A rumble ends so long after its last frame: a game that hangs lets go of the ball. */
 const LEASE_MS = 250;
@@ -24,7 +25,8 @@ function given(params) {
 /**
  * A connection to the daemon; the effects of a connection end with it. After a lost connection the next call connects
  * anew, no more often than its back-off allows. What the program subscribed to is subscribed to again; its effects are
- * not made again: `onReconnect(hello)` is called after each connection but the first.
+ * not made again: `onReconnect(hello)` is called after each connection but the first. A subscription that the new daemon
+ * refuses has ended: `onSubscriptionEnded(error)` is called.
  *
  * `connectors`: functions that open a transport, tried in order; each is given `{message, ended}` and resolves to
  * `{send(text), close()}` or rejects with an Error that says where and why.
@@ -43,17 +45,18 @@ export class BallCore extends Methods {
   #closed = false;
   #connections = 0;
   #onReconnect;
-  /** Parameters by method, of subscriptions that the daemon has accepted. */
-  #subscriptions = new Map();
+  #onSubscriptionEnded;
+  #subscriptions = new Subscriptions();
   /** What the daemon said of itself: server, role, limits. */
   hello = null;
 
-  constructor(connectors, { name = "javascript", patienceMs = 2000, token, onReconnect } = {}) {
+  constructor(connectors, { name = "javascript", patienceMs = 2000, token, onReconnect, onSubscriptionEnded } = {}) {
     super();
     this.#connectors = connectors;
     this.#hello = given({ client: name, protocol: "1", token });
     this.#patienceMs = patienceMs;
     this.#onReconnect = onReconnect;
+    this.#onSubscriptionEnded = onSubscriptionEnded;
   }
 
   get connected() {
@@ -69,8 +72,9 @@ export class BallCore extends Methods {
   /** The result of a method. Rejects with RequestError when the daemon refuses, with NotConnected when there is none. */
   async call(method, params = {}) {
     await this.open();
+    const change = this.#subscriptions.sent(method, params);
     const result = await this.#ask(method, params);
-    this.#noteSubscription(method, params);
+    this.#subscriptions.carriedOut(change);
     return result;
   }
 
@@ -81,7 +85,7 @@ export class BallCore extends Methods {
       return false;
     }
     this.#send({ method }, params);
-    this.#noteSubscription(method, params);
+    this.#subscriptions.carriedOut(this.#subscriptions.sent(method, params));
     return true;
   }
 
@@ -174,15 +178,21 @@ export class BallCore extends Methods {
     }
     this.#waitMs = 0;
     this.#nextAttempt = 0;
-    // Nobody waits for these responses.
-    for (const [method, params] of this.#subscriptions) this.#send({ id: ++this.#lastId, method }, params);
+    for (const change of this.#subscriptions.current()) this.#renew(change);
     const { hello } = this;
     if (this.#connections++ > 0) queueMicrotask(() => this.#onReconnect?.(hello));
   }
 
-  #noteSubscription(method, params) {
-    if (method.endsWith(".subscribe")) this.#subscriptions.set(method, params);
-    if (method.endsWith(".unsubscribe")) this.#subscriptions.delete(method.replace(".unsubscribe", ".subscribe"));
+  /** Nobody waits for this response. */
+  #renew(change) {
+    const id = ++this.#lastId;
+    const reject = (error) => {
+      if (!(error instanceof RequestError) || !this.#subscriptions.refused(change)) return;
+      const ended = new SubscriptionEnded(change.method, error);
+      queueMicrotask(() => this.#onSubscriptionEnded?.(ended));
+    };
+    this.#pending.set(id, { resolve() {}, reject });
+    this.#send({ id, method: change.method }, change.params);
   }
 
   async #openTransport(connect) {

@@ -28,3 +28,11 @@ export class RequestError extends BallError {
     this.reason = String(this.data.name ?? "");
   }
 }
+
+/** The daemon refused to renew a subscription on a new connection; it has ended. `method`: "events.subscribe". */
+export class SubscriptionEnded extends RequestError {
+  constructor(method, { code, message, data }) {
+    super(code, `${method}: ${message}`, data);
+    this.method = method;
+  }
+}

@@ -13,9 +13,9 @@
 from .aio import AsyncBall
 from .ball import Ball
 from .error_codes import ErrorCode, ErrorName
-from .errors import AddressError, BallError, NotConnected, RequestError
+from .errors import AddressError, BallError, NotConnected, RequestError, SubscriptionEnded
 from .messages import Direction, Event, EventType, Status, Telemetry, TelemetryField
 
 __all__ = ["AddressError", "AsyncBall", "Ball", "BallError", "Direction", "ErrorCode", "ErrorName", "Event", "EventType",
-           "NotConnected", "RequestError", "Status", "Telemetry", "TelemetryField"]
+           "NotConnected", "RequestError", "Status", "SubscriptionEnded", "Telemetry", "TelemetryField"]
 __version__ = "1.0.0"

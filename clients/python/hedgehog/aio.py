@@ -8,7 +8,7 @@ from typing import Any, AsyncIterator, Callable, Dict, Iterable, List, Mapping, 
 
 from .address import Address, TlsAddress, daemon_addresses
 from .backoff import Backoff, nobody_there
-from .errors import NotConnected
+from .errors import NotConnected, SubscriptionEnded
 from .exchange import MAX_WAITING, Exchange
 from .messages import Direction, Event, EventType, Hello, Scope, Telemetry, TelemetryField
 from .methods import AsyncMethods
@@ -18,7 +18,7 @@ from .tls import check_certificate, tls_context
 
 
 class AsyncBall(AsyncMethods):
-    """As `Ball`, in one event loop; several tasks may wait for responses at once.
+    """As `Ball`, in one event loop; several tasks may wait for responses at once. Its iterators end with their connection.
 
     async with AsyncBall() as ball:
         await ball.pulse("left", level=0.5)
@@ -26,7 +26,8 @@ class AsyncBall(AsyncMethods):
 
     def __init__(self, address: Optional[str] = None, *, name: str = "python", patience_s: float = 2.0,
                  token: Optional[str] = None, fingerprint: Optional[str] = None,
-                 on_reconnect: Optional[Callable[[Hello], None]] = None) -> None:
+                 on_reconnect: Optional[Callable[[Hello], None]] = None,
+                 on_subscription_ended: Optional[Callable[[SubscriptionEnded], None]] = None) -> None:
         self._addresses = daemon_addresses(address, fingerprint=fingerprint)
         self._hello: Dict[str, Any] = {"client": name, "protocol": "1",
                                        "token": token or os.environ.get("HEDGEHOG_TOKEN") or None}
@@ -40,6 +41,7 @@ class AsyncBall(AsyncMethods):
         self._subscribers: List["asyncio.Queue[Any]"] = []
         self._subscriptions = Subscriptions()
         self._on_reconnect = on_reconnect
+        self._on_subscription_ended = on_subscription_ended
         self._connections = 0
         self._welcome: Optional[Hello] = None
         self._closed = False
@@ -73,8 +75,9 @@ class AsyncBall(AsyncMethods):
     async def call(self, method: str, /, **params: Any) -> Any:
         """The result of a method. Raises RequestError when the daemon refuses, NotConnected when there is none."""
         await self._ensure()
+        change = self._subscriptions.sent(method, params)
         result = await self._ask(method, params)
-        self._subscriptions.note(method, params)
+        self._subscriptions.carried_out(change)
         return result
 
     async def notify(self, method: str, /, **params: Any) -> bool:
@@ -85,7 +88,7 @@ class AsyncBall(AsyncMethods):
             return False
         assert self._writer is not None
         self._writer.write(self._exchange.notification(method, params))
-        self._subscriptions.note(method, params)
+        self._subscriptions.carried_out(self._subscriptions.sent(method, params))
         return True
 
     async def rumble(self, slot: str, strength: float, direction: Optional[Direction] = None, **params: Any) -> bool:
@@ -162,7 +165,7 @@ class AsyncBall(AsyncMethods):
             self._end(str(refused))
             raise
         self._backoff.succeeded()
-        for line in self._subscriptions.requests(self._exchange):
+        for line in self._subscriptions.renew(self._exchange):
             self._writer.write(line)
         self._connections += 1
         if self._connections > 1 and self._on_reconnect is not None:
@@ -205,15 +208,20 @@ class AsyncBall(AsyncMethods):
 
     def _sort(self, data: bytes) -> None:
         for request in self._exchange.receive(data):
+            ended = self._subscriptions.answered(request, self._exchange)
+            if ended is not None and self._on_subscription_ended is not None:
+                asyncio.get_running_loop().call_soon(self._on_subscription_ended, ended)
             waiting = self._waiting.get(request)
             if waiting is not None and not waiting.done():
                 waiting.set_result(None)
         while self._exchange.notifications:
-            received = self._exchange.notifications.popleft()
-            for queue in self._subscribers:
-                if queue.full():
-                    queue.get_nowait()
-                queue.put_nowait(received)
+            self._publish(self._exchange.notifications.popleft())
+
+    def _publish(self, received: Any) -> None:
+        for queue in self._subscribers:
+            if queue.full():
+                queue.get_nowait()
+            queue.put_nowait(received)
 
     def _end(self, why: str) -> NotConnected:
         """Everybody who waits is told."""
@@ -226,10 +234,7 @@ class AsyncBall(AsyncMethods):
         for waiting in self._waiting.values():
             if not waiting.done():
                 waiting.set_exception(lost)
-        for queue in self._subscribers:
-            if queue.full():
-                queue.get_nowait()
-            queue.put_nowait(lost)
+        self._publish(lost)
         return lost
 
 

@@ -1,16 +1,18 @@
 # SPDX-License-Identifier: MIT
 """The client that blocks."""
 
+import contextlib
 import os
 import socket
 import ssl
 import threading
 import time
-from typing import Any, Callable, Dict, Iterable, Iterator, List, Mapping, Optional, Tuple, cast
+from collections import deque
+from typing import Any, Callable, Deque, Dict, Iterable, Iterator, List, Mapping, Optional, Tuple, cast
 
 from .address import Address, TlsAddress, daemon_addresses
 from .backoff import Backoff, nobody_there
-from .errors import NotConnected, RequestError
+from .errors import NotConnected, RequestError, SubscriptionEnded
 from .exchange import Exchange
 from .messages import Direction, Event, EventType, Hello, Scope, Telemetry, TelemetryField
 from .methods import Methods
@@ -37,7 +39,8 @@ class Ball(Methods):
 
     def __init__(self, address: Optional[str] = None, *, name: str = "python", patience_s: float = 2.0,
                  token: Optional[str] = None, fingerprint: Optional[str] = None,
-                 on_reconnect: Optional[Callable[[Hello], None]] = None) -> None:
+                 on_reconnect: Optional[Callable[[Hello], None]] = None,
+                 on_subscription_ended: Optional[Callable[[SubscriptionEnded], None]] = None) -> None:
         self._addresses = daemon_addresses(address, fingerprint=fingerprint)
         self._hello: Dict[str, Any] = {"client": name, "protocol": "1",
                                        "token": token or os.environ.get("HEDGEHOG_TOKEN") or None}
@@ -47,6 +50,8 @@ class Ball(Methods):
         self._socket: Optional[socket.socket] = None
         self._exchange = Exchange()
         self._subscriptions = Subscriptions()
+        self._on_subscription_ended = on_subscription_ended
+        self._unreported: Deque[SubscriptionEnded] = deque()
         self._on_reconnect: Optional[Callable[[Hello], None]] = None
         self._welcome: Optional[Hello] = None
         self._closed = False
@@ -77,19 +82,20 @@ class Ball(Methods):
 
     def call(self, method: str, /, **params: Any) -> Any:
         """The result of a method. Raises RequestError when the daemon refuses, NotConnected when there is none."""
-        with self._lock:
+        with self._turn():
             self._ensure()
+            change = self._subscriptions.sent(method, params)
             result = self._ask(method, params)
-            self._subscriptions.note(method, params)
+            self._subscriptions.carried_out(change)
             return result
 
     def notify(self, method: str, /, **params: Any) -> bool:
         """Sends without waiting for a response, for every frame of a game. False: nothing was sent, there is no daemon."""
-        with self._lock:
+        with self._turn():
             try:
                 self._ensure()
                 self._send(self._exchange.notification(method, params))
-                self._subscriptions.note(method, params)
+                self._subscriptions.carried_out(self._subscriptions.sent(method, params))
                 self._drain()
             except NotConnected:
                 return False
@@ -97,7 +103,7 @@ class Ball(Methods):
 
     def rumble(self, slot: str, strength: float, direction: Optional[Direction] = None, **params: Any) -> bool:
         """A vibration that goes on while this is called every frame; strength 0..1, 0 ends it. As `notify`."""
-        with self._lock:
+        with self._turn():
             if strength <= 0.0:
                 return self.notify("effect.stop", slot=slot)
             return self.notify("effect.vibrate", direction=direction,
@@ -105,23 +111,31 @@ class Ball(Methods):
 
     def events(self, types: Optional[Iterable[EventType]] = None, *, scope: Optional[Scope] = None,
                patience_s: Optional[float] = None) -> Iterator[Event]:
-        """Events as they come; ends when none came for `patience_s` (None: never). Raises NotConnected."""
+        """Events as they come; ends when none came for `patience_s` (None: never). Raises NotConnected, and SubscriptionEnded when
+        a new connection could not renew them."""
         self.call("events.subscribe", types=list(types) if types is not None else None, scope=scope)
-        return cast(Iterator[Event], self._notifications("event", patience_s))
+        return cast(Iterator[Event], self._notifications("event", "events", patience_s))
 
     def telemetry(self, rate_hz: float = 10.0, fields: Optional[Iterable[TelemetryField]] = None, *,
                   patience_s: Optional[float] = None) -> Iterator[Telemetry]:
-        """The status again and again. Raises NotConnected."""
+        """The status again and again. Raises as `events`."""
         self.call("telemetry.subscribe", rate_hz=rate_hz, fields=list(fields) if fields is not None else None)
-        return cast(Iterator[Telemetry], self._notifications("telemetry", patience_s))
+        return cast(Iterator[Telemetry], self._notifications("telemetry", "telemetry", patience_s))
 
     def next_notification(self, patience_s: float = 0.0) -> Optional[Tuple[str, Mapping[str, Any]]]:
         """The next notification, as method and parameters; None: none came. Raises NotConnected."""
+        return self._next(patience_s)
+
+    def _next(self, patience_s: float, kind: str = "") -> Optional[Tuple[str, Mapping[str, Any]]]:
+        """`kind`: raises when that subscription has ended and nothing is left of it."""
         deadline = time.monotonic() + patience_s
         while True:
             # Others may call in between.
-            with self._lock:
+            with self._turn():
                 if not self._exchange.notifications:
+                    ended = self._subscriptions.ended(kind)
+                    if ended is not None:
+                        raise ended
                     self._receive(min(SLICE_S, max(0.0, deadline - time.monotonic())))
                 if self._exchange.notifications:
                     return self._exchange.notifications.popleft()
@@ -129,13 +143,25 @@ class Ball(Methods):
                 return None
             time.sleep(0)
 
-    def _notifications(self, method: str, patience_s: Optional[float]) -> Iterator[Mapping[str, Any]]:
+    def _notifications(self, method: str, kind: str, patience_s: Optional[float]) -> Iterator[Mapping[str, Any]]:
         while True:
-            received = self.next_notification(patience_s if patience_s is not None else 3600.0)
+            received = self._next(patience_s if patience_s is not None else 3600.0, kind)
             if received is None and patience_s is not None:
                 return
             if received is not None and received[0] == method:
                 yield received[1]
+
+    @contextlib.contextmanager
+    def _turn(self) -> Iterator[None]:
+        """One thread at a time; at the end what it has read is reported."""
+        with self._lock:
+            try:
+                yield
+            finally:
+                while self._unreported:
+                    ended = self._unreported.popleft()
+                    if self._on_subscription_ended is not None:
+                        self._on_subscription_ended(ended)
 
     def _connect(self) -> None:
         tried: List[Address] = []
@@ -158,7 +184,7 @@ class Ball(Methods):
             self._drop()
             raise
         self._backoff.succeeded()
-        for line in self._subscriptions.requests(self._exchange):
+        for line in self._subscriptions.renew(self._exchange):
             self._send(line)
         if self._on_reconnect is not None:
             self._on_reconnect(self.hello)
@@ -207,9 +233,13 @@ class Ball(Methods):
         if not data:
             raise self._lost("the daemon closed it")
         try:
-            self._exchange.receive(data)
+            arrived = self._exchange.receive(data)
         except ValueError as error:
             raise self._lost("what answers is no Hedgehog daemon: %s" % error) from error
+        for request in arrived:
+            ended = self._subscriptions.answered(request, self._exchange)
+            if ended is not None:
+                self._unreported.append(ended)
         return True
 
     def _drain(self) -> None:

@@ -37,3 +37,14 @@ class RequestError(BallError):
         self.code = code
         self.data = cast(ErrorData, dict(data or {}))
         self.name = str(self.data.get("name", ""))
+
+
+class SubscriptionEnded(RequestError):
+    """The daemon refused to renew a subscription on a new connection; it has ended.
+
+    method: "events.subscribe". The message begins with it.
+    """
+
+    def __init__(self, method: str, refusal: RequestError) -> None:
+        super().__init__(refusal.code, "%s: %s" % (method, refusal), cast(Mapping[str, Any], refusal.data))
+        self.method = method

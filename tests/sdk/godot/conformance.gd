@@ -8,6 +8,8 @@ var ball = ListeningBall.new()
 var steps := []
 var at := 0
 var asked = null
+# What an "ask" waits for.
+var waiting = null
 var again_s := 0.0
 
 
@@ -42,6 +44,16 @@ func take(step):
 			next()
 	elif step.has("reconnected"):
 		check(ball.connections - 1 == step.reconnected, "%d connections" % ball.connections)
+		next()
+	elif step.has("ask"):
+		waiting = ball.request(step.ask)
+		next()
+	elif step.has("answered"):
+		if waiting.done:
+			check(waiting.ok and same(waiting.result, step.result), "another response")
+			next()
+	elif step.has("subscriptions_ended"):
+		check(same(ball.ended, step.subscriptions_ended), "ended are %s" % [ball.ended])
 		next()
 	elif step.has("notify"):
 		check(ball.notify(step.notify, step.get("params", {})), "not sent")

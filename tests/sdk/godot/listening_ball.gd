@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
-# A ball that keeps its notifications and counts its connections: signals are connected in other ways in Godot 3 and 4.
+# A ball that keeps its notifications and ended subscriptions, and counts its connections: signals are connected in other ways in Godot 3 and 4.
 extends "res://addons/hedgehog/ball.gd"
 
 var received := []
 var connections := 0
+var ended := []
 
 
 func on_notification(method: String, params: Dictionary) -> void:
@@ -12,3 +13,7 @@ func on_notification(method: String, params: Dictionary) -> void:
 
 func on_connected() -> void:
 	connections += 1
+
+
+func on_subscription_ended(answer) -> void:
+	ended.append("%s: %s" % [answer.method, answer.message])

@@ -6,15 +6,22 @@ export class Driver {
   #ball = null;
   #notifications;
   #reconnections = 0;
+  #ended = [];
+  #asked;
 
-  /** The module of the library: {Ball, NotConnected, RequestError}. */
+  /** The module of the library: {Ball, NotConnected, RequestError, SubscriptionEnded}. */
   constructor(library) {
     this.#library = library;
   }
 
   open(options) {
     return this.#outcome(async () => {
-      this.#ball = await this.#library.Ball.connect({ ...options, onReconnect: () => ++this.#reconnections });
+      const { Ball, SubscriptionEnded } = this.#library;
+      this.#ball = await Ball.connect({
+        ...options,
+        onReconnect: () => ++this.#reconnections,
+        onSubscriptionEnded: (error) => this.#ended.push(error instanceof SubscriptionEnded ? error.message : String(error)),
+      });
       this.#notifications = this.#ball.notifications();
     });
   }
@@ -31,9 +38,16 @@ export class Driver {
     const ball = this.#ball;
     if (step.call) return ball.call(step.call, step.params);
     if (step.call_again) return this.#again(step.call_again);
+    // The response of what was asked before comes later.
+    if (step.ask) {
+      this.#asked = ball.call(step.ask, step.params);
+      return null;
+    }
+    if (step.answered) return this.#asked;
     if (step.notify) return ball.notify(step.notify, step.params);
     if (step.rumble) return ball.rumble(step.rumble, step.strength, step.direction, step.params);
     if ("reconnected" in step) return this.#reconnections;
+    if (step.subscriptions_ended) return this.#ended;
     return this.#notifications.next().then(({ value }) => value);
   }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // conformance.json against the C# library, blocking and as tasks: conformance.exe FOLDER. Exit: 0 all cases pass.
 using System;
+using System.Collections.Generic;
 using System.Diagnostics;
 using System.IO;
 using System.Threading;
+using System.Threading.Tasks;
 using Hedgehog;
 
 internal static class Conformance
@@ -26,6 +28,7 @@ internal static class Conformance
                 Json one = cases[i];
                 string name = one["name"].Text;
                 string library = blocking ? "C# Ball" : "C# AsyncBall";
+                if (one["without"].ToString().Contains("\"" + library + "\"")) continue;
                 bool passed = Check.Run(library + ": " + name, () => Play(one, blocking));
                 Report(library, name, passed);
                 well &= passed;
@@ -81,6 +84,18 @@ internal static class Conformance
         else if (step.Has("call_again"))
         {
             Check.Equal(step["result"].ToString(), Again(library, step["call_again"].Text).ToString(), "the result");
+        }
+        else if (step.Has("ask"))
+        {
+            library.Ask(step["ask"].Text);
+        }
+        else if (step.Has("answered"))
+        {
+            Check.Equal(step["result"].ToString(), library.Answer().ToString(), "the response");
+        }
+        else if (step.Has("subscriptions_ended"))
+        {
+            Check.Equal(step["subscriptions_ended"].ToString(), library.Ended, "subscriptions that have ended");
         }
         else if (step.Has("notify"))
         {
@@ -148,7 +163,14 @@ internal static class Conformance
 
     private abstract class Library
     {
+        private readonly List<Json> ended = new List<Json>();
         private int reconnections;
+
+        /// What was reported, as a list of JSON.
+        public string Ended
+        {
+            get { lock (ended) return Json.List(ended.ToArray()).ToString(); }
+        }
 
         public int Reconnections
         {
@@ -160,9 +182,22 @@ internal static class Conformance
             Interlocked.Increment(ref reconnections);
         }
 
+        protected void EndOf(SubscriptionEnded error)
+        {
+            lock (ended) ended.Add(Json.Of(error.Message));
+        }
+
         public abstract Json Open(string address, double patienceS);
         public abstract void Close();
         public abstract Json Call(string method, Params given);
+        public virtual void Ask(string method)
+        {
+            throw new NotSupportedException();
+        }
+        public virtual Json Answer()
+        {
+            throw new NotSupportedException();
+        }
         public abstract bool Notify(string method, Params given);
         public abstract bool Rumble(string slot, double strength, Direction direction, Params others);
         public abstract Notification Next();
@@ -176,6 +211,7 @@ internal static class Conformance
         {
             ball = new Ball(address, "conformance", patienceS);
             ball.Reconnected += Again;
+            ball.SubscriptionEnded += EndOf;
             return Json.Null;
         }
 
@@ -209,11 +245,24 @@ internal static class Conformance
     private sealed class TaskLibrary : Library
     {
         private AsyncBall ball;
+        private Task<Json> asked;
+
+        public override void Ask(string method)
+        {
+            asked = ball.Call(method, null);
+        }
+
+        public override Json Answer()
+        {
+            while (!asked.IsCompleted) Thread.Yield();
+            return asked.GetAwaiter().GetResult();
+        }
 
         public override Json Open(string address, double patienceS)
         {
             ball = new AsyncBall(address, "conformance", patienceS);
             ball.Reconnected += Again;
+            ball.SubscriptionEnded += EndOf;
             ball.Open().GetAwaiter().GetResult();
             return Json.Null;
         }

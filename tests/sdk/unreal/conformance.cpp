@@ -8,6 +8,7 @@
 #include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "clients/unreal/Source/HedgehogHaptics/Private/core/client.h"
 #include "clients/unreal/Source/HedgehogHaptics/Private/socket_transport.h"
@@ -42,6 +43,9 @@ class Player {
     all.notification = [this](const std::string& method, const Json& params) {
       notifications_.emplace_back(method, params);
     };
+    all.subscription_ended = [this](const std::string& method, const Answer& refusal) {
+      subscriptions_ended_.emplace_back(method + ": " + refusal.message);
+    };
     return all;
   }
 
@@ -54,6 +58,14 @@ class Player {
       check(method == step["notification"].text() && received == step["params"], method);
     } else if (step["reconnected"].is(Json::Kind::kNumber)) {
       check(connections_ - 1 == step["reconnected"].number(), "connected more or less often");
+    } else if (step["ask"].is(Json::Kind::kString)) {
+      client_.request(
+          step["ask"].text(), params, [this](const Answer& answer) { asked_ = answer; });
+    } else if (step["answered"].truth()) {
+      wait_until([this] { return asked_.has_value(); });
+      judge(step, *asked_);
+    } else if (step["subscriptions_ended"].is(Json::Kind::kArray)) {
+      check(Json::array(subscriptions_ended_) == step["subscriptions_ended"], "others have ended");
     } else if (step["notify"].is(Json::Kind::kString)) {
       check(client_.notify(step["notify"].text(), params), "not sent");
     } else if (step["rumble"].is(Json::Kind::kString)) {
@@ -116,6 +128,8 @@ class Player {
 
   int connections_ = 0;
   std::string ended_;
+  std::optional<Answer> asked_;
+  std::vector<Json> subscriptions_ended_;
   std::deque<std::pair<std::string, Json>> notifications_;
   Client client_;
 };

@@ -19,6 +19,8 @@ signal disconnected(reason)
 signal event_received(event)
 # What `telemetry` asked for.
 signal telemetry_received(status)
+# A subscription of before could not be renewed on a new connection and has ended: a request (request.gd) that was refused.
+signal subscription_ended(answer)
 # Any of the daemon's notifications.
 signal notification_received(method, params)
 
@@ -26,6 +28,7 @@ const Address = preload("res://addons/hedgehog/address.gd")
 const Request = preload("res://addons/hedgehog/request.gd")
 const Resolver = preload("res://addons/hedgehog/resolver.gd")
 const Session = preload("res://addons/hedgehog/session.gd")
+const Subscriptions = preload("res://addons/hedgehog/subscriptions.gd")
 const Values = preload("res://addons/hedgehog/values.gd")
 
 const FIRST_WAIT_S := 0.1
@@ -55,8 +58,7 @@ var _reported := false
 var _queue := []
 # Requests whose end is reported once the caller can wait for it.
 var _later := []
-# Parameters by method, asked for again on every new connection.
-var _subscriptions := {}
+var _subscriptions = Subscriptions.new()
 var _warned := {}
 
 
@@ -91,7 +93,7 @@ func request(method: String, params: Dictionary = {}):
 	if field != "":
 		return _fail_later(asked, Request.BAD_VALUE, "%s: is no number" % field)
 	var known = Values.given(params)
-	_note_subscription(method, known)
+	_subscriptions.change(asked, method, known)
 	return _ask_or_wait(asked, known)
 
 
@@ -101,7 +103,7 @@ func notify(method: String, params: Dictionary = {}) -> bool:
 	if not is_open() or Values.non_finite(params, "") != "":
 		return false
 	var known = Values.given(params)
-	_note_subscription(method, known)
+	_subscriptions.change(null, method, known)
 	_session.send(method, known)
 	return true
 
@@ -167,6 +169,15 @@ func on_notification(method: String, params: Dictionary) -> void:
 		emit_signal("telemetry_received", params)
 
 
+# For the session, before the request is told. True: `on_subscription_ended` follows.
+func on_answer(asked, accepted: bool) -> bool:
+	return _subscriptions.answered(asked, accepted)
+
+
+func on_subscription_ended(answer) -> void:
+	emit_signal("subscription_ended", answer)
+
+
 func _connect() -> void:
 	_place = Address.find(address)
 	if _place.has("error"):
@@ -188,10 +199,11 @@ func _begin() -> void:
 	_queue = []
 	var asked = []
 	for waiting in queued:
-		asked.append(waiting[0].method)
-	for method in _subscriptions:
-		if not method in asked:
-			_session.ask(Request.new(method), _subscriptions[method])
+		asked.append(waiting[0])
+	for one in _subscriptions.current():
+		if not one.request in asked:
+			_subscriptions.renew(one, Request.new(one.method))
+			_session.ask(one.request, one.params)
 	for waiting in queued:
 		_ask_or_wait(waiting[0], waiting[1])
 	on_connected()
@@ -267,14 +279,6 @@ func _report_later() -> void:
 			asked.succeed(hello)
 		else:
 			asked.fail(asked.failure, asked.message, asked.retry_after_s)
-
-
-# A subscription holds on every new connection, until it is ended.
-func _note_subscription(method: String, params: Dictionary) -> void:
-	if method.ends_with(".subscribe"):
-		_subscriptions[method] = params
-	elif method.ends_with(".unsubscribe"):
-		_subscriptions.erase(method.replace(".unsubscribe", ".subscribe"))
 
 
 func _back_off() -> void:

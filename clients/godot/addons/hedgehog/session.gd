@@ -11,7 +11,7 @@ var ended := ""
 var refusal := {}
 
 var _engine
-# Is given what comes unasked: on_notification(method, params).
+# Is given what comes: on_notification(method, params), on_answer(request, accepted), on_subscription_ended(request).
 var _listener
 var _connection
 var _introduction := {}
@@ -119,10 +119,14 @@ func _receive(line: String) -> void:
 	elif _pending.has(id):
 		var request = _pending[id][0]
 		_pending.erase(id)
-		if message.get("error") is Dictionary:
-			request.refuse(message.error)
-		else:
+		var accepted = not (message.get("error") is Dictionary)
+		var ended = _listener.on_answer(request, accepted)
+		if accepted:
 			request.succeed(message.get("result"))
+		else:
+			request.refuse(message.error)
+		if ended:
+			_listener.on_subscription_ended(request)
 
 
 func _take_introduction(message: Dictionary) -> void:

@@ -27,6 +27,8 @@ namespace Hedgehog
         private readonly Stopwatch clock = Stopwatch.StartNew();
         private readonly Dictionary<long, Pending> pending = new Dictionary<long, Pending>();
         private readonly Subscriptions subscriptions = new Subscriptions();
+        /// What was asked for again on this connection.
+        private readonly Dictionary<long, Subscriptions.Change> renewals = new Dictionary<long, Subscriptions.Change>();
         private readonly Queue<Notification> notifications = new Queue<Notification>();
         private TaskCompletionSource<Results.Hello> opening;
         private Wire wire;
@@ -37,6 +39,9 @@ namespace Hedgehog
 
         /// <summary>After each connection but the first, on a thread of the library.</summary>
         public event Action<Results.Hello> Reconnected;
+
+        /// <summary>The daemon of a new connection refuses a subscription; it has ended. On a thread of the library.</summary>
+        public event Action<SubscriptionEnded> SubscriptionEnded;
 
         /// <summary>Does not connect yet. address: "127.0.0.1:7586" or "/run/hedgehog/hedgehogd.sock"; null: found as by every
         /// client. name: of this game, as the daemon's log shows it. patienceS: the longest that connecting, and waiting for a
@@ -102,7 +107,7 @@ namespace Hedgehog
                 {
                     if (wire.Send(Exchange.Line(0, method, parameters)))
                     {
-                        subscriptions.Note(method, parameters);
+                        subscriptions.CarriedOut(subscriptions.Sent(method, parameters));
                         return true;
                     }
                     End("the daemon does not read what it is sent");
@@ -138,14 +143,17 @@ namespace Hedgehog
             }
         }
 
-        /// <summary>The same, and waits for one. False: none came in time. Throws NotConnected.</summary>
-        internal bool Next(out Notification notification, double patienceS)
+        /// <summary>The same, and waits for one. False: none came in time. Throws NotConnected, and SubscriptionEnded when that kind
+        /// ("events") has ended and nothing is left of it.</summary>
+        internal bool Next(out Notification notification, double patienceS, string kind = null)
         {
             double untilS = clock.Elapsed.TotalSeconds + patienceS;
             lock (gate)
             {
                 while (notifications.Count == 0)
                 {
+                    SubscriptionEnded ended = subscriptions.EndOf(kind);
+                    if (ended != null) throw ended;
                     if (wire == null) throw new NotConnected("the connection to the daemon has ended");
                     double leftS = untilS - clock.Elapsed.TotalSeconds;
                     if (leftS <= 0.0) break;
@@ -183,7 +191,7 @@ namespace Hedgehog
                 byte[] line = Exchange.Line(id, method, parameters);
                 Wire of = wire;
                 string late = method + ": no response within " + (0.001 * patienceMs).ToString(CultureInfo.InvariantCulture) + " s";
-                var asked = new Pending(method, parameters, patienceMs, () => EndOf(of, late));
+                var asked = new Pending(subscriptions.Sent(method, parameters), patienceMs, () => EndOf(of, late));
                 pending.Add(id, asked);
                 if (!wire.Send(line)) End("the daemon does not read what it is sent");
                 return asked.Response;
@@ -224,8 +232,11 @@ namespace Hedgehog
                     }
                     welcome = new Results.Hello(answered.Result);
                     backoff.Succeeded();
-                    // Nobody waits for these responses.
-                    foreach (var one in subscriptions.Asked) wire.Send(Exchange.Line(++lastId, one.Key, one.Value));
+                    foreach (var one in subscriptions.Current())
+                    {
+                        renewals.Add(++lastId, one);
+                        wire.Send(Exchange.Line(lastId, one.Method, one.Parameters));
+                    }
                     again = welcomed ? welcome : null;
                     welcomed = true;
                     opening.TrySetResult(welcome);
@@ -285,6 +296,7 @@ namespace Hedgehog
 
         private void Take(Json message)
         {
+            SubscriptionEnded ended;
             lock (gate)
             {
                 string method = message["method"].Text;
@@ -297,11 +309,27 @@ namespace Hedgehog
                 }
                 long id = message["id"].Integer;
                 Pending asked;
-                if (!pending.TryGetValue(id, out asked)) return;
-                pending.Remove(id);
-                if (message["error"].IsNull) subscriptions.Note(asked.Method, asked.Parameters);
-                asked.Answer(message);
+                if (pending.TryGetValue(id, out asked))
+                {
+                    pending.Remove(id);
+                    if (message["error"].IsNull) subscriptions.CarriedOut(asked.Change);
+                    asked.Answer(message);
+                    return;
+                }
+                ended = TakeRenewal(id, message["error"]);
+                if (ended != null) Monitor.PulseAll(gate);
             }
+            Action<SubscriptionEnded> told = SubscriptionEnded;
+            if (ended != null && told != null) told(ended);
+        }
+
+        /// null: nothing has ended by this response.
+        private SubscriptionEnded TakeRenewal(long id, Json error)
+        {
+            Subscriptions.Change renewal;
+            if (!renewals.TryGetValue(id, out renewal)) return null;
+            renewals.Remove(id);
+            return error.IsNull ? null : subscriptions.Refused(renewal, error);
         }
 
         /// Unless another connection has followed.
@@ -326,6 +354,7 @@ namespace Hedgehog
                 var lost = new NotConnected(before + why, backoff.RemainingS(nowS));
                 foreach (var asked in pending.Values) asked.Fail(lost);
                 pending.Clear();
+                renewals.Clear();
                 if (opening != null) opening.TrySetException(lost);
                 opening = null;
                 Monitor.PulseAll(gate);

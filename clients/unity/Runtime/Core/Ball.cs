@@ -35,6 +35,13 @@ namespace Hedgehog
             remove { ball.Reconnected -= value; }
         }
 
+        /// <summary>As AsyncBall.SubscriptionEnded.</summary>
+        public event Action<SubscriptionEnded> SubscriptionEnded
+        {
+            add { ball.SubscriptionEnded += value; }
+            remove { ball.SubscriptionEnded -= value; }
+        }
+
         public bool Connected
         {
             get { return ball.Connected; }
@@ -67,18 +74,18 @@ namespace Hedgehog
         /// <summary>The next notification; null: none came in time.</summary>
         public Notification Next(double patienceS = 0.0)
         {
-            Notification next;
-            return ball.Next(out next, patienceS) ? next : null;
+            return NextOf(null, patienceS);
         }
 
-        /// <summary>Events as they come; ends when none came for `patienceS` (null: never). null: of all types.</summary>
+        /// <summary>Events as they come; ends when none came for `patienceS` (null: never). null: of all types. Throws SubscriptionEnded
+        /// when a new connection could not renew them.</summary>
         public IEnumerable<Results.Event> Events(string[] types = null, Scope? scope = null, double? patienceS = null)
         {
             EventsSubscribe(types, scope);
             return EventsOf(patienceS);
         }
 
-        /// <summary>The status again and again. null: all its fields.</summary>
+        /// <summary>The status again and again. null: all its fields. Throws as Events.</summary>
         public IEnumerable<Results.Telemetry> Telemetry(double rateHz = 10.0, string[] fields = null, double? patienceS = null)
         {
             TelemetrySubscribe(rateHz, fields);
@@ -91,15 +98,23 @@ namespace Hedgehog
             ball.Dispose();
         }
 
+        private Notification NextOf(string kind, double? patienceS)
+        {
+            Notification next;
+            return ball.Next(out next, patienceS ?? YearS, kind) ? next : null;
+        }
+
         private IEnumerable<Results.Event> EventsOf(double? patienceS)
         {
-            for (Notification next = Next(patienceS ?? YearS); next != null; next = Next(patienceS ?? YearS))
+            const string Kind = "events";
+            for (Notification next = NextOf(Kind, patienceS); next != null; next = NextOf(Kind, patienceS))
                 if (next.Event != null) yield return next.Event;
         }
 
         private IEnumerable<Results.Telemetry> TelemetryOf(double? patienceS)
         {
-            for (Notification next = Next(patienceS ?? YearS); next != null; next = Next(patienceS ?? YearS))
+            const string Kind = "telemetry";
+            for (Notification next = NextOf(Kind, patienceS); next != null; next = NextOf(Kind, patienceS))
                 if (next.Telemetry != null) yield return next.Telemetry;
         }
     }

@@ -31,7 +31,7 @@ namespace Hedgehog
     }
 
     /// <summary>The daemon refused a request.</summary>
-    public sealed class RequestError : BallError
+    public class RequestError : BallError
     {
         /// <summary>Of JSON-RPC or of the protocol, see ErrorCode.</summary>
         public readonly int Code;
@@ -42,11 +42,28 @@ namespace Hedgehog
         /// <summary>Field, limit, value and so on.</summary>
         public new readonly Results.ErrorData Data;
 
-        public RequestError(Json error) : base(error["message"].Text ?? "")
+        public RequestError(Json error) : this(error, "")
+        {
+        }
+
+        protected RequestError(Json error, string before) : base(before + (error["message"].Text ?? ""))
         {
             Code = (int)error["code"].Integer;
             Data = new Results.ErrorData(error["data"]);
             Name = Data.Name ?? "";
+        }
+    }
+
+    /// <summary>The daemon refused to renew a subscription on a new connection; it has ended. The message begins with the method.
+    /// </summary>
+    public sealed class SubscriptionEnded : RequestError
+    {
+        /// <summary>"events.subscribe".</summary>
+        public readonly string Method;
+
+        public SubscriptionEnded(string method, Json error) : base(error, method + ": ")
+        {
+            Method = method;
         }
     }
 }

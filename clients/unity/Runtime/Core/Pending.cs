@@ -12,13 +12,11 @@ namespace Hedgehog
             new TaskCompletionSource<Json>(TaskCreationOptions.RunContinuationsAsynchronously);
         private readonly Timer timer;
 
-        public readonly string Method;
-        public readonly Params Parameters;
+        public readonly Subscriptions.Change Change;
 
-        public Pending(string method, Params parameters, int patienceMs, Action tooLate)
+        public Pending(Subscriptions.Change change, int patienceMs, Action tooLate)
         {
-            Method = method;
-            Parameters = parameters;
+            Change = change;
             timer = new Timer(unused => tooLate(), null, patienceMs, Timeout.Infinite);
         }
 

@@ -4,7 +4,11 @@ import { Ball, ErrorCode, NotConnected, RequestError } from "@hedgehog/client";
 import type { Admission, BallEvent, Direction, ErrorName, Hello } from "@hedgehog/client";
 
 export async function play(): Promise<number | null> {
-  const ball = await Ball.connect({ name: "sample", onReconnect: (hello: Hello) => console.log(hello.limits.felt_a) });
+  const ball = await Ball.connect({
+    name: "sample",
+    onReconnect: (hello: Hello) => console.log(hello.limits.felt_a),
+    onSubscriptionEnded: (error) => console.log(error.method, error.reason === "forbidden"),
+  });
   const side: Direction = [0, 1, 0];
   const admission: Admission = await ball.pulse(side, { level: 0.5, on_close: "finish" });
   await ball.circle("up", { duration_ms: 1500, sense: "cw" });

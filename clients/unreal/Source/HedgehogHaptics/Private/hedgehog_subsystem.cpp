@@ -83,6 +83,9 @@ void UHedgehogSubsystem::Initialize(FSubsystemCollectionBase& Collection) {
     if (Method == "event") OnEvent.Broadcast(ToEvent(Params));
     if (Method == "telemetry") OnStatus.Broadcast(ToStatus(Params));
   };
+  Listeners.subscription_ended = [this](const std::string& Method, const Answer& Came) {
+    Refuse(Method.c_str(), Came);
+  };
   Client = std::make_shared<hedgehog::unreal::Client>(std::move(Settings), HedgehogConnector(),
                                                       std::move(Listeners));
 }

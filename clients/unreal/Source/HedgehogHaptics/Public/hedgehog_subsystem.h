@@ -104,7 +104,8 @@ class HEDGEHOGHAPTICS_API UHedgehogSubsystem : public UGameInstanceSubsystem,
   FHedgehogEventReceived OnEvent;
   UPROPERTY(BlueprintAssignable, Category = "Hedgehog")
   FHedgehogStatusReceived OnStatus;
-  /// An effect was not played; the log has a line too.
+  /// An effect was not played, or a subscription has ended as the daemon of a new connection
+  /// refused it ("events.subscribe"); the log has a line too.
   UPROPERTY(BlueprintAssignable, Category = "Hedgehog")
   FHedgehogRefused OnRefused;
 

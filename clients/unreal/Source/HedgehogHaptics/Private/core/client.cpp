@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <string_view>
 
 namespace hedgehog::unreal {
 
@@ -48,24 +47,33 @@ void Client::request(const std::string& method, const Json& params, OnAnswer on_
     fail_later(std::move(on_answer), failed(Failure::kBadValue, where + ": is no number"));
     return;
   }
-  note_subscription(method, params);
+  Waiting one{method, params, std::move(on_answer), subscriptions_.asked(method, params)};
   if (closed_) {
-    fail_later(std::move(on_answer), failed(Failure::kNotConnected, "this ball is closed"));
+    fail_later(std::move(one.on_answer), failed(Failure::kNotConnected, "this ball is closed"));
   } else if (session_ == nullptr && remaining_s() > 0.0) {
     char message[80];
     std::snprintf(message, sizeof message, "the daemon does not run; next attempt in %.1f s",
                   remaining_s());
-    fail_later(std::move(on_answer), failed(Failure::kNotConnected, message, remaining_s()));
+    fail_later(std::move(one.on_answer), failed(Failure::kNotConnected, message, remaining_s()));
   } else if (is_open()) {
-    session_->ask(method, params.without_nulls(), std::move(on_answer), now_s_);
+    ask(std::move(one));
   } else {
-    queue_.push_back({method, params, std::move(on_answer)});
+    queue_.push_back(std::move(one));
   }
+}
+
+void Client::ask(Waiting one) {
+  OnAnswer settle = [this, change = one.change,
+                     on_answer = std::move(one.on_answer)](const Answer& answer) {
+    subscriptions_.answered(change, answer);
+    on_answer(answer);
+  };
+  session_->ask(one.method, one.params.without_nulls(), std::move(settle), now_s_);
 }
 
 bool Client::notify(const std::string& method, const Json& params) {
   if (!is_open() || !params.non_finite().empty()) return false;
-  note_subscription(method, params);
+  subscriptions_.notified(method, params);
   session_->notify(method, params.without_nulls());
   return true;
 }
@@ -82,17 +90,12 @@ bool Client::rumble(const std::string& slot, double strength, const Json& direct
   return notify("effect.vibrate", effect);
 }
 
-void Client::note_subscription(const std::string& method, const Json& params) {
-  constexpr std::string_view kBegins = ".subscribe";
-  constexpr std::string_view kEnds = ".unsubscribe";
-  const std::size_t dot = std::min(method.find('.'), method.size());
-  const std::string_view kind = std::string_view(method).substr(dot);
-  if (kind != kBegins && kind != kEnds) return;
-  const std::string subscription = method.substr(0, dot).append(kBegins);
-  subscriptions_.erase(std::remove_if(subscriptions_.begin(), subscriptions_.end(),
-                                      [&](const auto& one) { return one.first == subscription; }),
-                       subscriptions_.end());
-  if (kind == kBegins) subscriptions_.emplace_back(subscription, params);
+void Client::renew(const Subscriptions::Change& one) {
+  const OnAnswer settle = [this, order = one.order, method = one.method](const Answer& answer) {
+    if (subscriptions_.answered(order, answer) && listeners_.subscription_ended)
+      listeners_.subscription_ended(method, answer);
+  };
+  session_->ask(one.method, one.params.without_nulls(), settle, now_s_);
 }
 
 const Json& Client::hello() const {
@@ -125,16 +128,10 @@ void Client::begin() {
   wait_s_ = 0.0;
   next_attempt_s_ = 0.0;
   std::vector<Waiting> queued = std::exchange(queue_, {});
-  for (const auto& [method, params] : subscriptions_) {
-    const bool asked =
-        std::any_of(queued.begin(), queued.end(),
-                    [name = &method](const Waiting& one) { return one.method == *name; });
-    if (!asked)
-      session_->ask(
-          method, params.without_nulls(), [](const Answer&) {}, now_s_);
-  }
-  for (Waiting& one : queued)
-    session_->ask(one.method, one.params.without_nulls(), std::move(one.on_answer), now_s_);
+  std::vector<std::int64_t> changes;
+  for (const Waiting& one : queued) changes.push_back(one.change);
+  for (const Subscriptions::Change& one : subscriptions_.renew(changes)) renew(one);
+  for (Waiting& one : queued) ask(std::move(one));
   if (listeners_.connected) listeners_.connected(hello());
 }
 

@@ -11,6 +11,7 @@
 #include "core/address.h"
 #include "core/answer.h"
 #include "core/session.h"
+#include "core/subscriptions.h"
 #include "core/transport.h"
 
 namespace hedgehog::unreal {
@@ -32,6 +33,8 @@ struct Listeners {
   /// Why there is no daemon any more; also once an outage that was there from the beginning.
   std::function<void(const std::string& reason)> disconnected{};
   std::function<void(const std::string& method, const Json& params)> notification{};
+  /// The daemon of a new connection refuses a subscription ("events.subscribe"), which has ended.
+  std::function<void(const std::string& method, const Answer& refusal)> subscription_ended{};
 };
 
 /// One thread. Listeners are called from `poll` and `close` alone. When it goes away the connection
@@ -52,7 +55,7 @@ class Client {
 
   /// Waits for the connection where there is none yet. Parameters that are null are left out. What
   /// a method ending in ".subscribe" asks for is asked for again on every new connection, until its
-  /// ".unsubscribe".
+  /// ".unsubscribe" or until the daemon refuses it.
   void request(const std::string& method, const Json& params, OnAnswer on_answer);
   /// For every frame: expects no response. false: nothing was sent, there is no daemon.
   bool notify(const std::string& method, const Json& params);
@@ -70,8 +73,10 @@ class Client {
     std::string method;
     Json params;
     OnAnswer on_answer;
+    std::int64_t change;  // of the subscriptions; 0: none
   };
-  void note_subscription(const std::string& method, const Json& params);
+  void ask(Waiting one);
+  void renew(const Subscriptions::Change& one);
   void connect();
   void begin();
   void lose();
@@ -96,7 +101,7 @@ class Client {
   double next_attempt_s_ = 0.0;
   std::vector<Waiting> queue_;
   std::vector<std::pair<OnAnswer, Answer>> later_;
-  std::vector<std::pair<std::string, Json>> subscriptions_;
+  Subscriptions subscriptions_;
 };
 
 /// `strength` 0..1 as a level: 0 stays 0; anything above begins where a push can be felt. `limits`:
