@@ -9,6 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -29,7 +30,7 @@ namespace fs = std::filesystem;
 using e2e::hedgehog_usbip;
 using e2e::hedgehogd;
 
-constexpr double kPatienceMs = 60'000;
+constexpr double kMinuteMs = 60'000;
 constexpr double kOftenMs = 1'000;
 constexpr int kSeldomMs = 50;
 
@@ -83,12 +84,12 @@ double now_ms() {
 
 void pause_ms(int milliseconds) { ::usleep(static_cast<useconds_t>(1000 * milliseconds)); }
 
-bool eventually(const std::function<bool()>& done, int look_ms) {
+bool eventually(const std::function<bool()>& done, int look_ms, int minutes) {
   const double from = now_ms();
   while (!done()) {
     const double waited = now_ms() - from;
-    if (waited > kPatienceMs) return false;
-    pause_ms(waited < kOftenMs ? look_ms : kSeldomMs);
+    if (waited > minutes * kMinuteMs) return false;
+    pause_ms(waited < kOftenMs ? look_ms : std::max(look_ms, kSeldomMs));
   }
   return true;
 }

@@ -25,9 +25,11 @@ using e2e::RawClient;
 
 /// CLOCK_MONOTONIC of the guest, which counts instructions: it stands still while the host is busy.
 double now_ms();
-/// Looks every `look_ms` (later on, 50 ms) until `done`, for up to a minute of the guest's; false:
-/// it never was.
-bool eventually(const std::function<bool()>& done, int look_ms = 4);
+/// Looks every `look_ms` (later on, at least 50 ms) until `done`, for up to so many minutes of the
+/// guest's; false: it never was.
+bool eventually(const std::function<bool()>& done, int look_ms = 4, int minutes = 1);
+/// For what reads large files of the host, whose time in the guest is unpredictable.
+inline constexpr int kManyMinutes = 20;
 void pause_ms(int milliseconds);
 /// What a shell says to it, both streams; REQUIRES that it ends by itself.
 std::string shell(const std::string& command);

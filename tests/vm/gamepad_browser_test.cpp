@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Debian's Chromium, unmodified, on the gamepad: a page that uses the Gamepad API.
+#include <string>
+
+#include "tests/vm/gamepad_bench.h"
+
+namespace hedgehog::vm {
+namespace {
+
+using testing::HasSubstr;
+
+// Of hello.limits.
+constexpr double kFeltA = 2.1;
+
+class GamepadBrowser : public GamepadBench {
+ protected:
+  void SetUp() override { begin(); }
+  /// Reads of the ball until the page has printed it.
+  bool prints(const std::string& text) {
+    const auto is_printed = [&] { return printed().find(text) != std::string::npos; };
+    for (int minute = 0; minute < kManyMinutes; ++minute)
+      if (ball_->until([&] { return is_printed() || browser_->ended(); })) break;
+    return is_printed();
+  }
+  std::string printed() const { return home_.read("browser"); }
+
+  std::optional<Child> browser_;
+};
+
+// A page is shown no gamepad before a button is pressed or an axis is moved more than half; the
+// ball has no buttons.
+TEST_F(GamepadBrowser, ChromiumReadsTheTiltAndPlaysDualRumble) {
+  shell("udevadm settle");
+  browser_.emplace(
+      std::vector<std::string>{"/usr/bin/chromium-headless-shell", "--no-sandbox", "--no-zygote",
+                               "--single-process", "--disable-gpu", "--enable-logging=stderr",
+                               "--user-data-dir=" + home_.path("profile"),
+                               "file://" HEDGEHOG_SOURCE_DIR "/tests/vm/gamepad_page.html"},
+      debian_environment(), home_.path("browser"));
+  ASSERT_TRUE(prints("page ready")) << printed();
+  turn(model::axis_angle(kFront, 60));
+  ASSERT_TRUE(prints("gamepad " + std::string(kGamepadName))) << printed();
+  EXPECT_THAT(printed(), HasSubstr("(Vendor: 1209 Product: 0002), 2 axes, "));
+  EXPECT_TRUE(prints("dual-rumble: complete")) << printed();
+  EXPECT_TRUE(ball_->until_ended(1)) << ball_->text() << bridge_log();
+  print("chromium");
+  ASSERT_EQ(ball_->played().size(), 1U) << ball_->text();
+  const PlayedEffect& rumble = ball_->played().front();
+  EXPECT_EQ(rumble.method, "effect.vibrate");
+  EXPECT_GT(dot(rumble.side, kDown), 0.99) << "two motors have no direction";
+  EXPECT_GT(rumble.peak_a, kFeltA);
+  EXPECT_GT(rumble.flowed_ms, 0);
+}
+
+}  // namespace
+}  // namespace hedgehog::vm

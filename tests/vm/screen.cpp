@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "tests/vm/screen.h"
+
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
+
+namespace hedgehog::vm {
+namespace {
+
+constexpr const char* kDisplay = ":9";
+constexpr const char* kSocket = "/tmp/.X11-unix/X9";
+constexpr const char* kFrameBuffer = "Xvfb_screen0";
+constexpr std::size_t kPixelBytes = 4;
+constexpr std::size_t kPictureBytes = kPixelBytes * Screen::kWidth * Screen::kHeight;
+// Of a colour's 256 steps.
+constexpr int kVisible = 24;
+// One pixel of so many is looked at, in another column of each row.
+constexpr std::size_t kSample = 7;
+
+bool is_lit(const Picture& picture, std::size_t at) {
+  return picture[at] != 0 || picture[at + 1] != 0 || picture[at + 2] != 0;
+}
+
+bool differs(const Picture& one, const Picture& other, std::size_t at) {
+  for (std::size_t i = at; i < at + 3; ++i)
+    if (std::abs(static_cast<std::uint8_t>(one[i]) - static_cast<std::uint8_t>(other[i])) >=
+        kVisible)
+      return true;
+  return false;
+}
+
+/// Of the sampled pixels.
+template <class Is>
+double share(Is is) {
+  std::size_t count = 0;
+  std::size_t all = 0;
+  for (std::size_t at = 0; at < kPictureBytes; at += kSample * kPixelBytes, ++all)
+    if (is(at)) ++count;
+  return static_cast<double>(count) / static_cast<double>(all);
+}
+
+}  // namespace
+
+double changed_share(const Picture& before, const Picture& after) {
+  return share([&](std::size_t at) { return differs(before, after, at); });
+}
+
+double lit_share(const Picture& picture) {
+  return share([&](std::size_t at) { return is_lit(picture, at); });
+}
+
+Screen::Screen(const Home& home)
+    : home_(home),
+      server_({"/usr/bin/Xvfb", kDisplay, "-screen", "0",
+               std::to_string(kWidth) + "x" + std::to_string(kHeight) + "x24", "-fbdir",
+               home.path(""), "-nolisten", "tcp"},
+              home.environment(), home.path("screen")) {
+  const bool serves =
+      eventually([&] { return std::filesystem::exists(kSocket) || server_.ended(); }, 50);
+  if (!serves || server_.ended())
+    throw std::runtime_error("Xvfb does not start: " + home.read("screen"));
+}
+
+std::string Screen::display() { return std::string("DISPLAY=") + kDisplay; }
+
+Picture Screen::picture() const {
+  // XWD: a header and a table of colours, then the pixels to the end of the file.
+  const std::string file = home_.read(kFrameBuffer);
+  if (file.size() < kPictureBytes) throw std::runtime_error("Xvfb has no picture");
+  return file.substr(file.size() - kPictureBytes);
+}
+
+std::string Screen::close_windows() const {
+  const std::string script = HEDGEHOG_SOURCE_DIR "/tests/vm/close_windows.py";
+  return shell(display() + " /usr/bin/python3 " + script);
+}
+
+}  // namespace hedgehog::vm
