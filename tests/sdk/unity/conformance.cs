@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 // conformance.json against the C# library, blocking and as tasks: conformance.exe FOLDER. Exit: 0 all cases pass.
 using System;
-using System.Collections.Generic;
 using System.Diagnostics;
 using System.IO;
 using System.Threading;
-using System.Threading.Tasks;
 using Hedgehog;
 
-internal static class Conformance
+internal static partial class Conformance
 {
     // Of calls; a case in which the daemon never answers takes so long.
     private const double PatienceS = 60.0;
@@ -33,6 +31,7 @@ internal static class Conformance
                 Report(library, name, passed);
                 well &= passed;
             }
+        well &= Check.Run("C# Ball: an enumeration throws once its subscription has ended", EndedEnumeration);
         return well ? 0 : 1;
     }
 
@@ -46,14 +45,9 @@ internal static class Conformance
     private static void Play(Json one, bool blocking)
     {
         string name = one["name"].Text;
-        using (var daemon = new Process())
+        string address;
+        using (Process daemon = Start(name, out address))
         {
-            daemon.StartInfo = new ProcessStartInfo("python3", "\"" + Path.Combine(folder, "fake_daemon.py") + "\" \"" + name + "\"")
-            {
-                UseShellExecute = false, RedirectStandardOutput = true, RedirectStandardError = true
-            };
-            daemon.Start();
-            string address = "127.0.0.1:" + daemon.StandardOutput.ReadLine().Trim();
             Json steps = one["client"];
             double patienceS = name == Slow ? SlowPatienceS : PatienceS;
             Library library = blocking ? (Library)new BlockingLibrary() : new TaskLibrary();
@@ -67,11 +61,26 @@ internal static class Conformance
                 for (int i = 0; i < steps.Count; ++i) Step(library, steps[i]);
                 library.Close();
             }
-            string errors = daemon.StandardError.ReadToEnd();
-            daemon.WaitForExit();
-            Check.Equal("", errors, "the daemon's errors");
-            Check.Equal(0, daemon.ExitCode, "the daemon's exit");
+            Finish(daemon);
         }
+    }
+
+    private static Process Start(string name, out string address)
+    {
+        var daemon = Process.Start(new ProcessStartInfo("python3", "\"" + Path.Combine(folder, "fake_daemon.py") + "\" \"" + name + "\"")
+        {
+            UseShellExecute = false, RedirectStandardOutput = true, RedirectStandardError = true
+        });
+        address = "127.0.0.1:" + daemon.StandardOutput.ReadLine().Trim();
+        return daemon;
+    }
+
+    private static void Finish(Process daemon)
+    {
+        string errors = daemon.StandardError.ReadToEnd();
+        daemon.WaitForExit();
+        Check.Equal("", errors, "the daemon's errors");
+        Check.Equal(0, daemon.ExitCode, "the daemon's exit");
     }
 
     private static void Step(Library library, Json step)
@@ -159,141 +168,5 @@ internal static class Conformance
         var given = new Params();
         for (int i = 0; i < json.Count; ++i) given.Set(json.NameAt(i), json[i]);
         return given;
-    }
-
-    private abstract class Library
-    {
-        private readonly List<Json> ended = new List<Json>();
-        private int reconnections;
-
-        /// What was reported, as a list of JSON.
-        public string Ended
-        {
-            get { lock (ended) return Json.List(ended.ToArray()).ToString(); }
-        }
-
-        public int Reconnections
-        {
-            get { return Volatile.Read(ref reconnections); }
-        }
-
-        protected void Again(Hedgehog.Results.Hello hello)
-        {
-            Interlocked.Increment(ref reconnections);
-        }
-
-        protected void EndOf(SubscriptionEnded error)
-        {
-            lock (ended) ended.Add(Json.Of(error.Message));
-        }
-
-        public abstract Json Open(string address, double patienceS);
-        public abstract void Close();
-        public abstract Json Call(string method, Params given);
-        public virtual void Ask(string method)
-        {
-            throw new NotSupportedException();
-        }
-        public virtual Json Answer()
-        {
-            throw new NotSupportedException();
-        }
-        public abstract bool Notify(string method, Params given);
-        public abstract bool Rumble(string slot, double strength, Direction direction, Params others);
-        public abstract Notification Next();
-    }
-
-    private sealed class BlockingLibrary : Library
-    {
-        private Ball ball;
-
-        public override Json Open(string address, double patienceS)
-        {
-            ball = new Ball(address, "conformance", patienceS);
-            ball.Reconnected += Again;
-            ball.SubscriptionEnded += EndOf;
-            return Json.Null;
-        }
-
-        public override void Close()
-        {
-            ball.Dispose();
-        }
-
-        public override Json Call(string method, Params given)
-        {
-            return ball.Call(method, given);
-        }
-
-        public override bool Notify(string method, Params given)
-        {
-            return ball.Notify(method, given);
-        }
-
-        public override bool Rumble(string slot, double strength, Direction direction, Params others)
-        {
-            return ball.Rumble(slot, strength, direction, null, others);
-        }
-
-        public override Notification Next()
-        {
-            return ball.Next(PatienceS);
-        }
-    }
-
-    /// As a frame loop uses it: asks again and again, and never waits.
-    private sealed class TaskLibrary : Library
-    {
-        private AsyncBall ball;
-        private Task<Json> asked;
-
-        public override void Ask(string method)
-        {
-            asked = ball.Call(method, null);
-        }
-
-        public override Json Answer()
-        {
-            while (!asked.IsCompleted) Thread.Yield();
-            return asked.GetAwaiter().GetResult();
-        }
-
-        public override Json Open(string address, double patienceS)
-        {
-            ball = new AsyncBall(address, "conformance", patienceS);
-            ball.Reconnected += Again;
-            ball.SubscriptionEnded += EndOf;
-            ball.Open().GetAwaiter().GetResult();
-            return Json.Null;
-        }
-
-        public override void Close()
-        {
-            ball.Dispose();
-        }
-
-        public override Json Call(string method, Params given)
-        {
-            var asked = ball.Call(method, given);
-            while (!asked.IsCompleted) Thread.Yield();
-            return asked.GetAwaiter().GetResult();
-        }
-
-        public override bool Notify(string method, Params given)
-        {
-            return ball.Notify(method, given);
-        }
-
-        public override bool Rumble(string slot, double strength, Direction direction, Params others)
-        {
-            return ball.Rumble(slot, strength, direction, null, others);
-        }
-
-        public override Notification Next()
-        {
-            Notification received;
-            while (!ball.TryNext(out received)) Thread.Yield();
-            return received;
-        }
     }
 }
