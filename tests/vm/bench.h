@@ -29,7 +29,7 @@ double now_ms();
 /// guest's; false: it never was.
 bool eventually(const std::function<bool()>& done, int look_ms = 4, int minutes = 1);
 /// For what reads large files of the host, whose time in the guest is unpredictable.
-inline constexpr int kManyMinutes = 20;
+inline constexpr int kManyMinutes = 5;
 void pause_ms(int milliseconds);
 /// What a shell says to it, both streams; REQUIRES that it ends by itself.
 std::string shell(const std::string& command);

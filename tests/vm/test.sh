@@ -1,25 +1,36 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# All tests in one guest. They run real programs on a real clock, as what has the label `clock` does (tests/run.sh): those
+# All tests, in two guests one after the other: programs that read hundreds of megabytes of the host get one whose memory no
+# other test has filled. They run real programs on a real clock, as what has the label `clock` does (tests/run.sh): those
 # that fail are run once more, in a guest of their own, and named in the table of stages.
 #   test.sh -t SECONDS PROGRAM
-# Exit: 0 all passed, at once or the second time; 64 usage; else the guest's.
+# Exit: 0 all passed, at once or the second time; 64 usage; else a guest's.
 set -u
 
 [ "$#,$1" = "3,-t" ] || { echo "test.sh -t SECONDS PROGRAM" >&2; exit 64; }
+limit=$2 program=$3
 run=$(dirname -- "${BASH_SOURCE[0]}")/run.sh
+large='GamepadBrowser.*:GamepadGame.*'
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 
-"$run" -t "$2" "$3" --gtest_color=no | tee "$log"
-result=${PIPESTATUS[0]}
-[ "$result" -ne 0 ] || exit 0
+# guest FILTER: its exit code; those that failed are added to `failed`.
+failed=()
+guest() {
+  "$run" -t "$limit" "$program" --gtest_color=no --gtest_filter="$1" | tee "$log"
+  local result=${PIPESTATUS[0]} before=${#failed[@]} one
+  [ "$result" -ne 0 ] || return 0
+  # A guest that ended early has not run them all.
+  grep -q '^\[==========\] .* ran\.' "$log" || exit "$result"
+  while read -r one; do failed+=("$one"); done < <(
+    sed -nE 's/^\[  FAILED  \] ([[:alnum:]_/]+\.[[:alnum:]_/]+).*/\1/p' "$log" | sort -u)
+  [ "${#failed[@]}" -gt "$before" ] || exit "$result"
+}
 
-# A guest that ended early has not run them all.
-grep -q '^\[==========\] .* ran\.' "$log" || exit "$result"
-mapfile -t failed < <(sed -nE 's/^\[  FAILED  \] ([[:alnum:]_/]+\.[[:alnum:]_/]+).*/\1/p' "$log" | sort -u)
-[ "${#failed[@]}" -gt 0 ] || exit "$result"
+guest "-$large"
+guest "$large"
+[ "${#failed[@]}" -gt 0 ] || exit 0
 [ -z "${HEDGEHOG_STAGES-}" ] || printf 'repeated\tusb %s\n' "${failed[@]}" >>"$HEDGEHOG_STAGES"
 echo "run once more: ${failed[*]}"
 filter=$(IFS=:; echo "${failed[*]}")
-"$run" -t "$2" "$3" --gtest_color=no --gtest_filter="$filter"
+"$run" -t "$limit" "$program" --gtest_color=no --gtest_filter="$filter"
