@@ -48,7 +48,7 @@ TEST(AvahiBrowse, KeepsAnAddressOfTheLinkThatIsTheOnlyOne) {
   const auto daemons =
       parse_avahi_browse("=;eth0;IPv6;a;_hedgehog._tcp;local;h.local;fe80::1;7586;\"tls=1\"\n");
   ASSERT_EQ(daemons.size(), 1u);
-  EXPECT_EQ(to_string(daemons[0].address), "[fe80::1]:7586");
+  EXPECT_EQ(to_string(daemons[0].address), "tls://[fe80::1]:7586");
 }
 
 TEST(AvahiBrowse, LetsNothingOfTheNetworkMoveTheCursor) {
