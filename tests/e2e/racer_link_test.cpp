@@ -34,7 +34,7 @@ TEST(Racer, AFrozenDaemonHoldsUpNoFrameAndIsToldAsSilent) {
     return !feel.ball().connected;
   }));
   const auto before = std::chrono::steady_clock::now();
-  for (int frame = 0; frame < kFrames; ++frame) feel.frame({racer::Skid{0.5}}, frame / 60.0);
+  for (int frame = 0; frame < kRaceFrames; ++frame) feel.frame({racer::Skid{0.5}}, frame / 60.0);
   EXPECT_LT(std::chrono::steady_clock::now() - before, kHadTheyWaited / 50);
   EXPECT_EQ(sentence(feel.ball()), "the daemon is silent");
   EXPECT_TRUE(feel.ball().late);

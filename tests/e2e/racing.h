@@ -16,8 +16,8 @@ inline std::vector<client::Address> addresses_of(const DaemonProcess& daemon) {
 }
 
 /// So many frames, and how long they would take if each waited for the daemon as long as it may.
-inline constexpr int kFrames = 1000;
-inline constexpr auto kHadTheyWaited = kFrames * std::chrono::seconds(1);
+inline constexpr int kRaceFrames = 1000;
+inline constexpr auto kHadTheyWaited = kRaceFrames * std::chrono::seconds(1);
 
 /// Waits until the daemon is heard and its ball armed: a silent one is asked for nothing.
 inline bool connects(racer::Feel& feel, double time_s = 0.0) {

@@ -60,7 +60,7 @@ TEST_F(Tls, AFrameLoopOfTheClientLibraryGetsThroughToo) {
                           .tls = true,
                           .fingerprint = base::parse_sha256(fingerprint_),
                           .token = play_};
-  Ball ball({address}, {.patience = std::chrono::minutes(1)});
+  hedgehog::Ball ball({address}, {.patience = std::chrono::minutes(1)});
   ASSERT_TRUE(wait_until([&] {
     ball.update();
     return ball.connected();

@@ -8,8 +8,8 @@
 namespace hedgehog::server {
 namespace {
 
-constexpr int kUnauthorized = -32003;
-constexpr int kForbidden = -32004;
+constexpr int kTokenWanted = -32003;
+constexpr int kRoleTooLow = -32004;
 const Json kPulse{{"direction", "left"}, {"duration_ms", 5000}};
 
 class Tokens : public testing::Test {
@@ -40,10 +40,10 @@ class Tokens : public testing::Test {
 
 TEST_F(Tokens, GiveAConnectionTheirRole) {
   FakeClient& client = rig_.connect(protocol::Role::kObserve);
-  EXPECT_EQ(rig_.call(client, "effect.pulse", kPulse)["code"], kForbidden);
+  EXPECT_EQ(rig_.call(client, "effect.pulse", kPulse)["code"], kRoleTooLow);
   EXPECT_EQ(log_in(client, "play-secret")["role"], "play");
   EXPECT_TRUE(rig_.call(client, "effect.pulse", kPulse)["accepted"]);
-  EXPECT_EQ(rig_.call(client, "output.set_gain", {{"gain", 0.5}})["code"], kForbidden);
+  EXPECT_EQ(rig_.call(client, "output.set_gain", {{"gain", 0.5}})["code"], kRoleTooLow);
   EXPECT_EQ(log_in(client, "operate-secret")["role"], "operate");
   EXPECT_FALSE(rig_.call(client, "output.set_gain", {{"gain", 0.5}}).contains("code"));
 }
@@ -52,7 +52,7 @@ TEST_F(Tokens, TakeRolesAwayToo) {
   FakeClient& client = rig_.connect(protocol::Role::kOperate);
   client.session.transport = "unix";
   EXPECT_EQ(log_in(client, "play-secret")["role"], "play");
-  EXPECT_EQ(rig_.call(client, "output.set_gain", {{"gain", 0.5}})["code"], kForbidden);
+  EXPECT_EQ(rig_.call(client, "output.set_gain", {{"gain", 0.5}})["code"], kRoleTooLow);
   EXPECT_EQ(rig_.call(client, "hello")["role"], "play")
       << "a hello without a token changes nothing";
 }
@@ -60,7 +60,7 @@ TEST_F(Tokens, TakeRolesAwayToo) {
 TEST_F(Tokens, AWrongOneChangesNothingAndIsNotRepeated) {
   FakeClient& client = rig_.connect(protocol::Role::kObserve);
   const Json error = log_in(client, "play-secreT");
-  EXPECT_EQ(error["code"], kUnauthorized);
+  EXPECT_EQ(error["code"], kTokenWanted);
   EXPECT_EQ(error["data"]["field"], "token");
   EXPECT_THAT(error.dump(), testing::Not(testing::HasSubstr("secre")));
   EXPECT_EQ(rig_.call(client, "hello")["role"], "observe");
@@ -68,8 +68,8 @@ TEST_F(Tokens, AWrongOneChangesNothingAndIsNotRepeated) {
 
 TEST_F(Tokens, WithoutOneALockedConnectionCannotEvenStopTheBall) {
   FakeClient& client = remote();
-  EXPECT_EQ(rig_.call(client, "device.emergency_stop")["code"], kUnauthorized);
-  EXPECT_EQ(rig_.call(client, "hello")["code"], kUnauthorized);
+  EXPECT_EQ(rig_.call(client, "device.emergency_stop")["code"], kTokenWanted);
+  EXPECT_EQ(rig_.call(client, "hello")["code"], kTokenWanted);
   rig_.run(50);
   EXPECT_EQ(rig_.device_view->now().state, control::State::kArmed) << "a stranger cannot stop it";
   EXPECT_EQ(log_in(client, "play-secret")["role"], "play");
@@ -79,9 +79,9 @@ TEST_F(Tokens, WithoutOneALockedConnectionCannotEvenStopTheBall) {
 TEST_F(Tokens, AfterAFewWrongOnesAnAddressHasToWaitAndOthersHaveNot) {
   FakeClient& guesser = remote("192.0.2.7:5000");
   for (int i = 0; i <= FailedTokens::kFree; ++i)
-    EXPECT_EQ(log_in(guesser, "guess")["code"], kUnauthorized);
+    EXPECT_EQ(log_in(guesser, "guess")["code"], kTokenWanted);
   const Json waits = log_in(remote("192.0.2.7:5001"), "play-secret");
-  EXPECT_EQ(waits["code"], kUnauthorized) << "it is not even looked at";
+  EXPECT_EQ(waits["code"], kTokenWanted) << "it is not even looked at";
   EXPECT_GT(waits["data"]["retry_after_ms"], 900);
   EXPECT_EQ(log_in(remote("192.0.2.8:5000"), "play-secret")["role"], "play");
   FakeClient& local = rig_.connect(protocol::Role::kOperate);
@@ -112,7 +112,7 @@ TEST_F(Tokens, ARevokedOneEndsItsConnectionsAndTheirEffects) {
       R"({"jsonrpc":"2.0","id":1,"method":"effect.pulse","params":{"direction":"left"}})");
   rig_.run(50);
   EXPECT_LT(rig_.plant_current_a(), 0.1);
-  EXPECT_EQ(rig_.call(remote(), "hello", {{"token", "play-secret"}})["code"], kUnauthorized);
+  EXPECT_EQ(rig_.call(remote(), "hello", {{"token", "play-secret"}})["code"], kTokenWanted);
 }
 
 TEST_F(Tokens, AnotherRoleOrAnotherTokenOfTheSameNameEndsConnectionsToo) {
@@ -149,7 +149,7 @@ TEST_F(Tokens, LockedConnectionsTakeNoPlaceAndGetOneByTheirToken) {
   EXPECT_EQ(log_in(first, "play-secret")["role"], "play");
   EXPECT_EQ(rig_.server->connections(), 2u);
   EXPECT_EQ(log_in(second, "play-secret")["code"], -32001) << "busy";
-  EXPECT_EQ(rig_.call(second, "ping")["code"], kUnauthorized);
+  EXPECT_EQ(rig_.call(second, "ping")["code"], kTokenWanted);
   rig_.disconnect(first);
   EXPECT_EQ(log_in(second, "play-secret")["role"], "play");
 }

@@ -10,7 +10,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::size_t kNameColumns = 24;
+constexpr std::size_t kDiscoveredColumns = 24;
 constexpr std::size_t kStateColumns = 13;
 
 std::string line_of(const std::string& name, const std::string& state, const std::string& address,
@@ -18,7 +18,7 @@ std::string line_of(const std::string& name, const std::string& state, const std
   const auto cell = [&](const std::string& text, std::size_t width) {
     return left(style.cuts ? cut(text, width) : text, width) + "  ";
   };
-  return "  " + cell(name, kNameColumns) + cell(state, kStateColumns) + address;
+  return "  " + cell(name, kDiscoveredColumns) + cell(state, kStateColumns) + address;
 }
 
 std::string name_of(const RespondingDaemon& found) {

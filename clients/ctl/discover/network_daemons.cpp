@@ -22,7 +22,7 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// "Ball\032seven\.local" as Avahi writes it: three decimal digits for a byte, else the next
 /// character itself.
-std::string unescaped(std::string_view text) {
+std::string unescaped_dns(std::string_view text) {
   std::string plain;
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] != '\\' || i + 1 == text.size()) {
@@ -65,7 +65,7 @@ std::optional<std::string> txt_value(std::string_view txt, std::string_view key)
     std::size_t end = begin + 1;
     while (end < txt.size() && txt[end] != '"') end += txt[end] == '\\' ? 2 : 1;
     const std::string record =
-        unescaped(txt.substr(begin + 1, std::min(end, txt.size()) - begin - 1));
+        unescaped_dns(txt.substr(begin + 1, std::min(end, txt.size()) - begin - 1));
     if (record.size() > key.size() && record.starts_with(key) && record[key.size()] == '=')
       return printable(record.substr(key.size() + 1));
     txt.remove_prefix(std::min(end + 1, txt.size()));
@@ -90,8 +90,8 @@ std::optional<NetworkDaemon> daemon_of(std::string_view line) {
   const auto [end, error] =
       std::from_chars(fields[8].data(), fields[8].data() + fields[8].size(), daemon.address.port);
   if (error != std::errc{} || daemon.address.port == 0 || fields[7].empty()) return std::nullopt;
-  daemon.name = printable(unescaped(fields[3]));
-  daemon.host = printable(unescaped(fields[6]));
+  daemon.name = printable(unescaped_dns(fields[3]));
+  daemon.host = printable(unescaped_dns(fields[6]));
   daemon.address.host = printable(std::string(fields[7]));
   daemon.serial = txt_value(fields[9], "serial");
   daemon.protocol = txt_value(fields[9], "protocol");

@@ -7,7 +7,7 @@ namespace hedgehog::client {
 
 void add_token_arguments(CLI::App& token, TokenOptions& options,
                          const std::function<void(TokenVerb)>& chosen) {
-  constexpr int kMaxDays = 36'500;
+  constexpr int kMaxValidDays = 36'500;
   token.require_subcommand(1);
   token.fallthrough();
   token.add_option("--state", options.state,
@@ -32,7 +32,7 @@ void add_token_arguments(CLI::App& token, TokenOptions& options,
       run_token_certificate);
   certificate->add_option("--host", options.host, "its name or address; else this machine's name");
   certificate->add_option("--days", options.days, "how long it is valid")
-      ->check(CLI::Range(1, kMaxDays))
+      ->check(CLI::Range(1, kMaxValidDays))
       ->capture_default_str();
   certificate->add_flag("--replace", options.replace, "a new one, though there is one");
 }

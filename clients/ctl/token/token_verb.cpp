@@ -37,7 +37,7 @@ int fail(ExitCode code, const char* name, const std::string& message) {
   return code;
 }
 
-int cannot_write(const std::string& problem) {
+int file_not_written(const std::string& problem) {
   return fail(kCannotCreate, "failed",
               problem + (::geteuid() == 0 ? ""
                                           : "; the service's files are changed as root: sudo "
@@ -74,7 +74,7 @@ int run_token_add(const CommonOptions& common, const TokenOptions& options) {
   }
   const std::string folder = folder_of(options);
   const FolderLock lock(folder);
-  if (!lock.problem().empty()) return cannot_write(lock.problem());
+  if (!lock.problem().empty()) return file_not_written(lock.problem());
   const std::string path = in(folder, access::kTokenFile);
   auto tokens = tokens_in(path);
   if (!tokens) return fail(kBadData, "bad_data", tokens.error().message);
@@ -90,7 +90,7 @@ int run_token_add(const CommonOptions& common, const TokenOptions& options) {
                      access::digest_of(secret), today()});
   if (std::string problem = access::write_secret_file(path, access::to_text(*tokens));
       !problem.empty())
-    return cannot_write(problem);
+    return file_not_written(problem);
   if (common.json) {
     const ordered_json line{{"name", options.name}, {"role", options.role}, {"token", secret}};
     std::printf("%s\n", line.dump().c_str());
@@ -132,7 +132,7 @@ int run_token_revoke(const CommonOptions& common, const TokenOptions& options) {
   const std::string folder = folder_of(options);
   const std::string path = in(folder, access::kTokenFile);
   const FolderLock lock(folder);
-  if (!lock.problem().empty()) return cannot_write(lock.problem());
+  if (!lock.problem().empty()) return file_not_written(lock.problem());
   auto tokens = tokens_in(path);
   if (!tokens) return fail(kBadData, "bad_data", tokens.error().message);
   if (std::erase_if(*tokens, [&](const access::Token& one) { return one.name == options.name; }) ==
@@ -140,7 +140,7 @@ int run_token_revoke(const CommonOptions& common, const TokenOptions& options) {
     return fail(kNoInput, "no_input", "there is no token " + options.name + " in " + path);
   if (std::string problem = access::write_secret_file(path, access::to_text(*tokens));
       !problem.empty())
-    return cannot_write(problem);
+    return file_not_written(problem);
   if (common.json) {
     std::printf("%s\n", ordered_json{{"revoked", options.name}}.dump().c_str());
     return kDone;
@@ -156,7 +156,7 @@ int run_token_certificate(const CommonOptions& common, const TokenOptions& optio
   const std::string certificate_file = in(folder, access::kCertificateFile);
   const std::string key_file = in(folder, access::kKeyFile);
   const FolderLock lock(folder);
-  if (!lock.problem().empty()) return cannot_write(lock.problem());
+  if (!lock.problem().empty()) return file_not_written(lock.problem());
   std::string pem = read_pem(certificate_file);
   const bool make = options.replace || pem.empty();
   if (make) {
@@ -170,7 +170,7 @@ int run_token_certificate(const CommonOptions& common, const TokenOptions& optio
     for (const auto& [file, text] :
          {std::pair{&key_file, &made.key_pem}, std::pair{&certificate_file, &made.certificate_pem}})
       if (std::string problem = access::write_secret_file(*file, *text); !problem.empty())
-        return cannot_write(problem);
+        return file_not_written(problem);
     pem = made.certificate_pem;
   }
   const auto digest = access::fingerprint_of(pem);
