@@ -201,8 +201,8 @@ asio::awaitable<void> serve(Stream given, HttpEndpoint& endpoint, HalfOpen::Tick
       auto session = refusal ? std::nullopt : endpoint.admit(lowest.socket(), kTls);
       if (session && buffer.size() == 0) refusal = endpoint.site.log_in(*session, value);
       if (session && !refusal && buffer.size() == 0) {
-        co_await become_web_socket(std::move(stream), std::move(request), *std::move(session),
-                                   endpoint, std::move(ticket));
+        co_await become_web_socket(std::move(stream), request, *std::move(session), endpoint,
+                                   std::move(ticket));
         co_return;
       }
       answer = refusal   ? *std::move(refusal)

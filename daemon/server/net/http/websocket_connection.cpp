@@ -151,8 +151,9 @@ void WebSocketConnection<Next>::close() noexcept {
 }  // namespace
 
 template <class Stream>
-asio::awaitable<void> become_web_socket(Stream stream, UpgradeRequest request, Session session,
-                                        HttpEndpoint& endpoint, HalfOpen::Ticket given_ticket) {
+asio::awaitable<void> become_web_socket(Stream&& stream, const UpgradeRequest& request,
+                                        Session&& session, HttpEndpoint& endpoint,
+                                        HalfOpen::Ticket&& given_ticket) {
   beast::get_lowest_layer(stream).expires_never();
   typename WebSocketConnection<Stream>::Stream upgraded(std::move(stream));
   HalfOpen::Ticket ticket(std::move(given_ticket));  // goes before its socket does
@@ -170,10 +171,10 @@ asio::awaitable<void> become_web_socket(Stream stream, UpgradeRequest request, S
   connection->start();
 }
 
-template asio::awaitable<void> become_web_socket(beast::tcp_stream, UpgradeRequest, Session,
-                                                 HttpEndpoint&, HalfOpen::Ticket);
-template asio::awaitable<void> become_web_socket(beast::ssl_stream<beast::tcp_stream>,
-                                                 UpgradeRequest, Session, HttpEndpoint&,
-                                                 HalfOpen::Ticket);
+template asio::awaitable<void> become_web_socket(beast::tcp_stream&&, const UpgradeRequest&,
+                                                 Session&&, HttpEndpoint&, HalfOpen::Ticket&&);
+template asio::awaitable<void> become_web_socket(beast::ssl_stream<beast::tcp_stream>&&,
+                                                 const UpgradeRequest&, Session&&, HttpEndpoint&,
+                                                 HalfOpen::Ticket&&);
 
 }  // namespace hedgehog::server
