@@ -60,6 +60,7 @@ void BallLog::take_telemetry(const Json& telemetry) {
     one->method = playing["method"];
     // The field may have been cut in a tick whose current still decays.
     if (current_a_ <= one->peak_a || norm(side_) == 0.0) continue;
+    if (current_a_ > kStillA && norm(one->begun_at) == 0.0) one->begun_at = side_;
     one->peak_a = current_a_;
     one->side = side_;
   }

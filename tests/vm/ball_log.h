@@ -16,10 +16,11 @@ struct PlayedEffect {
   std::int64_t effect = 0;
   std::string slot;
   std::string method;
-  std::string ended;     // the reason; empty: it plays
-  double flowed_ms = 0;  // of device time, when it has ended
-  double peak_a = 0;     // the largest current measured meanwhile, of all windings
-  model::Vec3 side{};    // where the field pointed then
+  std::string ended;       // the reason; empty: it plays
+  double flowed_ms = 0;    // of device time, when it has ended
+  double peak_a = 0;       // the largest current measured meanwhile, of all windings
+  model::Vec3 side{};      // where the field pointed then
+  model::Vec3 begun_at{};  // where it pointed when a current was measured first
 };
 
 /// Subscribes to the events of all clients and to telemetry. One thread.
