@@ -35,7 +35,7 @@ using boost::system::error_code;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kBusyPause{1};
-constexpr std::chrono::milliseconds kIdlePause{5};
+constexpr std::chrono::milliseconds kIdlePause{10};
 constexpr std::chrono::milliseconds kShutdownPatience{1500};
 /// For those that wait for the disk; control gives no more. Previews have a pump for each slice.
 constexpr std::chrono::milliseconds kLastAnswers{1000};
