@@ -137,7 +137,8 @@ TEST(Racer, GoesOnWithoutADaemonAndIsFeltAgainWhenItIsBack) {
     return !feel.ball().connected && !feel.ball().trouble.empty();
   }));
   const auto before = std::chrono::steady_clock::now();
-  for (int frame = 0; frame < kRaceFrames; ++frame) feel.frame({racer::Skid{0.5}}, 2.0 + frame / 60.0);
+  for (int frame = 0; frame < kRaceFrames; ++frame)
+    feel.frame({racer::Skid{0.5}}, 2.0 + frame / 60.0);
   EXPECT_LT(std::chrono::steady_clock::now() - before, kHadTheyWaited / 50);
   daemon = std::make_unique<DaemonProcess>(home);
   ASSERT_TRUE(connects(feel));
