@@ -161,7 +161,7 @@ run: run-configured
 	build/run/daemon/hedgehogd --simulate $(ARGS)
 
 test-web: dashboard racer-page build/.packages-web $(CONFIGURED_DEV)
-	@$(LOCK_DEV) $(BUILD_DEV) --target hedgehogd hedgehog-racer hedgehog-study hedgehog-design
+	@$(LOCK_DEV) $(BUILD_DEV) --target hedgehogd hedgehogctl hedgehog-racer hedgehog-study hedgehog-design
 	@mkdir -p build/dev/share/hedgehog
 	@ln -sfn $(CURDIR)/$(DASHBOARD) build/dev/share/hedgehog/www
 	@ln -sfn $(CURDIR)/$(RACER) build/dev/share/hedgehog/racer

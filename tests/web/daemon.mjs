@@ -1,23 +1,27 @@
 // SPDX-License-Identifier: MIT
 // A real hedgehogd with folders of its own, for the browser to talk to.
-import { spawn } from "node:child_process";
+import { execFileSync, spawn } from "node:child_process";
 import { mkdtempSync, mkdirSync, rmSync, writeFileSync } from "node:fs";
 import net from "node:net";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 
 const kProgram = process.env.HEDGEHOGD;
+const kTools = process.env.HEDGEHOGCTL;
 
 export class Daemon {
-  /** Listens on free ports; a `home` given is that of a daemon before. In lock-step: a busy machine skips no tick. */
-  static async start({ config = {}, more = [], home = null, speed = 1 } = {}) {
+  /**
+   * Listens on free ports; a `home` given is that of a daemon before. In lock-step: a busy machine skips no tick.
+   * `before(daemon)`: once its folders are there.
+   */
+  static async start({ config = {}, more = [], home = null, speed = 1, before = () => {} } = {}) {
     const daemon = new Daemon();
     daemon.home = home ?? mkdtempSync(join(tmpdir(), "hedgehog-web-"));
     mkdirSync(join(daemon.home, "config/hedgehog"), { recursive: true });
     writeFileSync(join(daemon.home, "config/hedgehog/hedgehogd.json"), JSON.stringify(config));
+    before(daemon);
     daemon.process = spawn(kProgram, ["--simulate", "--speed", String(speed), "--listen", "127.0.0.1:0", "--log-level", "error", ...more], {
-      env: { PATH: process.env.PATH, HOME: daemon.home, XDG_CONFIG_HOME: `${daemon.home}/config`,
-        XDG_STATE_HOME: `${daemon.home}/state`, XDG_RUNTIME_DIR: `${daemon.home}/run` },
+      env: daemon.environment(),
       stdio: ["ignore", "pipe", "inherit"],
     });
     let out = "";
@@ -28,10 +32,20 @@ export class Daemon {
       });
       daemon.process.on("exit", () => reject(new Error(`hedgehogd does not start: ${out}`)));
     });
-    daemon.port = Number(/http:\/\/127\.0\.0\.1:(\d+)/.exec(out)[1]);
+    daemon.port = Number(/https?:\/\/127\.0\.0\.1:(\d+)/.exec(out)[1]);
     daemon.tcp = Number(/listening on 127\.0\.0\.1:(\d+)/.exec(out)[1]);
-    daemon.url = `http://127.0.0.1:${daemon.port}`;
+    daemon.url = `${/https?/.exec(out)[0]}://127.0.0.1:${daemon.port}`;
     return daemon;
+  }
+
+  environment() {
+    return { PATH: process.env.PATH, HOME: this.home, XDG_CONFIG_HOME: `${this.home}/config`,
+      XDG_STATE_HOME: `${this.home}/state`, XDG_RUNTIME_DIR: `${this.home}/run` };
+  }
+
+  /** What `hedgehogctl token` with `words` prints: a token, or a fingerprint. */
+  token(...words) {
+    return execFileSync(kTools, ["token", ...words, "--state", `${this.home}/state/hedgehog`], { env: this.environment(), encoding: "utf8" }).trim();
   }
 
   /** One request on a TCP connection of its own; its result, or its error. */

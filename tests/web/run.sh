@@ -13,11 +13,12 @@ packages=$root/build/npm/web
 
 "$root/cmake/npm.sh" "$here" "$packages"
 HEDGEHOGD=$build/daemon/hedgehogd
+HEDGEHOGCTL=$build/clients/ctl/hedgehogctl
 HEDGEHOG_RACER=$build/clients/racer/hedgehog-racer
 HEDGEHOG_STUDY=$build/clients/study/hedgehog-study
 HEDGEHOG_DESIGN=$build/clients/design/hedgehog-design
 HEDGEHOG_NODE_MODULES=$packages/node_modules
-export HEDGEHOGD HEDGEHOG_RACER HEDGEHOG_STUDY HEDGEHOG_DESIGN HEDGEHOG_NODE_MODULES
+export HEDGEHOGD HEDGEHOGCTL HEDGEHOG_RACER HEDGEHOG_STUDY HEDGEHOG_DESIGN HEDGEHOG_NODE_MODULES
 if [ "${2-}" = shots ]; then
   exec node "$here/shots.mjs" "${3:?run.sh BUILD shots FOLDER}"
 fi

@@ -126,14 +126,14 @@ test("a stop that no daemon confirmed is said until one is back", async () => {
 });
 
 test("an answer that refuses the stop does not confirm it", async () => {
-  const refusal = { jsonrpc: "2.0", id: 1, error: { code: -32603, message: "no", data: { name: "internal" } } };
+  const refusal = (text) => JSON.stringify({ jsonrpc: "2.0", id: JSON.parse(text).id, error: { code: -32603, message: "no", data: { name: "internal" } } });
   let connections = 0;
   await open("/", kDesktop, (fresh) => fresh.routeWebSocket("**/ws", (socket) => {
     if (++connections === 1) {
       const server = socket.connectToServer();
       socket.onMessage((text) => text.includes("emergency_stop") || server.send(text));
     } else {
-      socket.onMessage(() => socket.send(JSON.stringify(refusal)));
+      socket.onMessage((text) => socket.send(refusal(text)));
     }
   }));
   await page.keyboard.press("Escape");

@@ -8,6 +8,7 @@ import { Listener } from "./listen.js";
 import { Path } from "./path.js";
 import { PathEditor } from "./path_editor.js";
 import { stopButton } from "./stop.js";
+import { askForToken } from "./token.js";
 import { watch } from "./watch.js";
 import { amperes, complaint, counted, degrees, limitation, whither } from "./words.js";
 
@@ -27,6 +28,7 @@ const link = new Link("designer page", [
 const ball = new Ball($("ball"));
 const path = new Path(ball);
 watch(link);
+askForToken(link);
 stopButton(link, say);
 const form = $("design");
 form.addEventListener("submit", (event) => event.preventDefault());

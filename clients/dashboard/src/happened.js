@@ -43,7 +43,8 @@ function seriesOf(event, events) {
   return recurs(event) ? events.find(({ type, at, last }) => type === event.type && Date.parse(last ?? at) >= from) : undefined;
 }
 
-function item(event) {
+/** `save(file)`: keeps a recording; undefined: the browser may load it by itself. */
+function item(event, save) {
   const line = document.createElement("li");
   const at = Object.assign(document.createElement("time"), { dateTime: event.at, textContent: when(event.at) });
   const words = Object.assign(document.createElement("span"), { textContent: happening(event) });
@@ -52,6 +53,10 @@ function item(event) {
     const file = `${event.recording}.hhr`;
     const link = Object.assign(document.createElement("a"), { href: `recordings/${file}`, download: file, textContent: "recording" });
     link.title = `The last seconds before it: hedgehogd --replay ${file} reads it`;
+    if (save) link.addEventListener("click", (click) => {
+      click.preventDefault();
+      save(file);
+    });
     words.append(" · ", link);
   }
   line.append(at, words);
@@ -64,13 +69,22 @@ export function happened(list, link) {
   let drawn = true;
   let naming = null;
   let looks = 0;
+  // A link that is clicked would not show the token.
+  const save = async (file) => {
+    const answer = await fetch(`recordings/${file}`, { headers: { Authorization: `Bearer ${link.token}` } });
+    if (!answer.ok) return;
+    const url = URL.createObjectURL(await answer.blob());
+    Object.assign(document.createElement("a"), { href: url, download: file }).click();
+    URL.revokeObjectURL(url);
+  };
   const show = () => {
     if (!drawn) return;
     drawn = false;
     requestAnimationFrame(() => {
       drawn = true;
       const events = kinds.flatMap((kind) => kind.events);
-      list.replaceChildren(...events.sort((a, b) => Date.parse(b.at) - Date.parse(a.at)).map(item));
+      list.replaceChildren(...events.sort((a, b) => Date.parse(b.at) - Date.parse(a.at))
+        .map((event) => item(event, link.token && save)));
     });
   };
   /** What the daemon remembers, behind what it has told and does not remember. */

@@ -6,6 +6,9 @@ const kFirstPauseMs = 250;
 const kLongestPauseMs = 2000;
 const kPatienceMs = 3000;
 const kSecondMs = 300;
+/** Of this tab: another one asks again, and so does this one once it was closed. */
+const kTokenKept = "hedgehog-token";
+const kUnauthorized = -32003;
 
 /** An answer that is an error; `data` as the protocol gives it. */
 export class Refused extends Error {
@@ -18,7 +21,8 @@ export class Refused extends Error {
 
 /**
  * Dispatches `open` (detail: {hello, device}: the answers to hello and device.describe), `gone` (detail:
- * {reason, retryInMs}), `telemetry` and `event` (detail: the notification's params).
+ * {reason, retryInMs}), `locked` (detail: {wrong, retryAfterMs}: the daemon wants a token, and was shown a wrong one;
+ * nothing is tried before `unlock`), `telemetry` and `event` (detail: the notification's params).
  */
 export class Link extends EventTarget {
   /** `begin`: requests to make after each hello, [{method, params}]. */
@@ -33,7 +37,13 @@ export class Link extends EventTarget {
     this.farewell = null;
     this.socket = null;
     this.ready = false;
+    this.token = sessionStorage.getItem(kTokenKept);
+    this.locked = false;
     this.connect();
+  }
+
+  hello() {
+    return { client: this.client, protocol: "1.0", ...(this.token && { token: this.token }) };
   }
 
   connect() {
@@ -44,7 +54,7 @@ export class Link extends EventTarget {
     const patience = setTimeout(() => socket.close(), kPatienceMs);
     socket.onopen = async () => {
       try {
-        const hello = await this.call("hello", { client: this.client, protocol: "1.0" });
+        const hello = await this.call("hello", this.hello());
         const device = await this.call("device.describe");
         for (const { method, params } of this.begin) await this.call(method, params);
         clearTimeout(patience);
@@ -54,7 +64,8 @@ export class Link extends EventTarget {
         this.heardAt = performance.now();
         this.say("open", { hello, device });
       } catch (error) {
-        if (error instanceof Refused) this.farewell = complaint(error).replace(/\.$/, "");
+        if (error.code === kUnauthorized) this.lock(error);
+        else if (error instanceof Refused) this.farewell = complaint(error).replace(/\.$/, "");
         socket.close();
       }
     };
@@ -69,9 +80,26 @@ export class Link extends EventTarget {
     this.ready = false;
     for (const { reject } of this.waiting.values()) reject(new Error("the daemon is gone"));
     this.waiting.clear();
+    if (this.locked) return;
     this.say("gone", { reason: this.farewell, retryInMs: this.pauseMs });
     this.retry = setTimeout(() => this.connect(), this.pauseMs);
     this.pauseMs = Math.min(2 * this.pauseMs, kLongestPauseMs);
+  }
+
+  /** `refusal`: what the daemon answered to hello. */
+  lock({ data }) {
+    this.locked = true;
+    const wrong = this.token !== null;
+    this.token = null;
+    sessionStorage.removeItem(kTokenKept);
+    this.say("locked", { wrong, retryAfterMs: data.retry_after_ms ?? 0 });
+  }
+
+  unlock(token) {
+    this.token = token;
+    sessionStorage.setItem(kTokenKept, token);
+    this.locked = false;
+    this.connect();
   }
 
   hear(message) {
@@ -122,9 +150,13 @@ export class Link extends EventTarget {
       const timer = setTimeout(() => {
         const socket = new WebSocket(this.url);
         const patience = setTimeout(() => socket.close(), kPatienceMs);
-        socket.onopen = () => socket.send('{"jsonrpc":"2.0","id":1,"method":"device.emergency_stop"}');
+        socket.onopen = () => {
+          socket.send(JSON.stringify({ jsonrpc: "2.0", id: 1, method: "hello", params: this.hello() }));
+          socket.send('{"jsonrpc":"2.0","id":2,"method":"device.emergency_stop"}');
+        };
         socket.onmessage = ({ data }) => {
-          const { result } = JSON.parse(data);
+          const { id, result } = JSON.parse(data);
+          if (id !== 2) return;
           if (result) resolve(result);
           socket.close();
         };

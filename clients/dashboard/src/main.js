@@ -9,6 +9,7 @@ import { Pad } from "./pad.js";
 import { Simulator } from "./simulator.js";
 import { StateCard } from "./state.js";
 import { stopButton } from "./stop.js";
+import { askForToken } from "./token.js";
 import { watch } from "./watch.js";
 import { amperes, complaint, counted, degrees, isHeatKnown, lasting, whither } from "./words.js";
 
@@ -36,6 +37,7 @@ const gain = new Gain($("gain"), link, say);
 let charts = null;
 let limits = { current_a: 15 };
 watch(link);
+askForToken(link);
 happened($("happened"), link);
 stopButton(link, say);
 

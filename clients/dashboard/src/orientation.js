@@ -6,6 +6,7 @@ import { Quaternion, Vector3 } from "three";
 import { Ball } from "./ball.js";
 import { Link } from "./link.js";
 import { stopButton } from "./stop.js";
+import { askForToken } from "./token.js";
 import { watch } from "./watch.js";
 import { amperes, complaint, reason, whither } from "./words.js";
 
@@ -35,6 +36,7 @@ const link = new Link("orientation page", [
 const ball = new Ball($("ball"));
 ball.showUp();
 watch(link);
+askForToken(link);
 stopButton(link, say);
 let simulated = false;
 let most = 15;

@@ -4,7 +4,7 @@
 const kSilentMs = 2000;
 const kWelcomeMs = 4000;
 
-/** Needs #gone (role=alert) on the page; sets data-link on the body: "open", "gone" or "silent". */
+/** Needs #gone (role=alert) on the page; sets data-link on the body: "open", "gone", "silent" or "locked". */
 export function watch(link) {
   const banner = document.getElementById("gone");
   let was = "start";
@@ -26,6 +26,7 @@ export function watch(link) {
       : `The daemon is gone${why}; the board has switched the coils off by itself. What stands here is old. This page comes back by itself.`);
     if (was === "open") was = "gone";
   });
+  link.addEventListener("locked", () => show("locked", "This daemon wants a token."));
   setInterval(() => {
     if (!link.ready) return;
     const silent = link.silentMs() > kSilentMs;

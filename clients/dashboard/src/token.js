@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Asks for the token of a daemon that carries out nothing without one.
+
+const kForm = `
+  <h2>This daemon wants a token</h2>
+  <p id="token-problem" role="alert"></p>
+  <label>Token <input name="token" type="password" autocomplete="off" spellcheck="false" placeholder="hht_…" required></label>
+  <button type="submit">Connect</button>
+  <p class="hint">Whoever runs the daemon makes one: <code>hedgehogctl token add</code>. This tab keeps it until it is closed.</p>`;
+
+/** Why the daemon did not take what it was shown. */
+function problem({ wrong, retryAfterMs }) {
+  if (retryAfterMs > 0) return `Too many wrong tokens: the daemon takes none for ${Math.ceil(retryAfterMs / 1000)} s.`;
+  return wrong ? "The daemon does not know this token." : "";
+}
+
+/** Adds a form to the page, shown while the link is locked. It leaves the stop button usable. */
+export function askForToken(link) {
+  const form = document.createElement("form");
+  form.id = "token";
+  form.hidden = true;
+  form.setAttribute("aria-label", "Token");
+  form.innerHTML = kForm;
+  document.body.append(form);
+  const input = form.elements.token;
+  link.addEventListener("locked", ({ detail }) => {
+    form.querySelector("#token-problem").textContent = problem(detail);
+    form.hidden = false;
+    input.value = "";
+    input.focus();
+  });
+  link.addEventListener("open", () => { form.hidden = true; });
+  form.addEventListener("submit", (event) => {
+    event.preventDefault();
+    link.unlock(input.value.trim());
+  });
+}

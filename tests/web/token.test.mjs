@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// The pages of a daemon that is reached by TLS: nothing is shown and nothing is done before it has a token.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { after, afterEach, before, beforeEach, test } from "node:test";
+
+import { Complaints, kDesktop, launch } from "./browser.mjs";
+import { Daemon } from "./daemon.mjs";
+import { kPatience } from "./patience.mjs";
+
+const complaints = new Complaints();
+let browser;
+let daemon;
+let tokens;
+let page;
+
+before(async () => { browser = await launch(); });
+after(async () => { await browser?.close(); });
+beforeEach(async () => {
+  daemon = await Daemon.start({
+    config: { http: { listen: "tls://127.0.0.1:0" } },
+    before: (ball) => {
+      tokens = { play: ball.token("add", "arcade", "--role", "play"), operate: ball.token("add", "owner", "--role", "operate") };
+      ball.token("certificate");
+    },
+  });
+});
+afterEach(async () => {
+  await page?.context().close();
+  await daemon.end();
+  assert.deepEqual(complaints.take(), []);
+});
+
+async function open(path = "/") {
+  page = await (await browser.newContext({ ...kDesktop, ignoreHTTPSErrors: true })).newPage();
+  page.setDefaultTimeout(kPatience.timeout);
+  complaints.watch(page);
+  await page.goto(daemon.url + path);
+  await page.waitForSelector("body[data-link=locked]", kPatience);
+}
+async function show(token) {
+  await page.locator("#token input").fill(token);
+  await page.getByRole("button", { name: "Connect" }).click();
+}
+const opened = () => page.waitForSelector("body[data-link=open][data-state=armed]", kPatience);
+
+for (const path of ["/", "/designer.html", "/orientation.html"]) {
+  test(`${path} asks for a token, and works with it`, async () => {
+    await open(path);
+    assert.ok(await page.locator("#token").isVisible());
+    await show(tokens.operate);
+    await page.waitForSelector("body[data-link=open]", kPatience);
+    assert.ok(await page.locator("#token").isHidden());
+  });
+}
+
+test("a wrong token is told, and a right one taken after it; a reload asks no more", async () => {
+  await open();
+  await show("hht_guess");
+  await page.getByText("The daemon does not know this token.").waitFor(kPatience);
+  await show(tokens.play);
+  await opened();
+  assert.match(await page.textContent("#version"), /role play/);
+  await page.reload();
+  await opened();
+});
+
+test("a token that is revoked ends the page's connection, and is asked for again", async () => {
+  await open();
+  await show(tokens.play);
+  await opened();
+  complaints.expected = true;
+  daemon.token("revoke", "arcade");
+  await page.waitForSelector("body[data-link=locked]", kPatience);
+  await page.getByText("The daemon does not know this token.").waitFor(kPatience);
+});
+
+test("the emergency stop gets through although the page's own connection hangs", async () => {
+  await open();
+  await show(tokens.play);
+  await opened();
+  await page.evaluate(() => { window.dashboard.link.socket.send = () => {}; });
+  await page.keyboard.press("Escape");
+  await page.waitForSelector("body[data-state=disarmed]", kPatience);
+});
+
+test("the recording of a trip is kept by a click", async () => {
+  await open();
+  await show(tokens.operate);
+  await opened();
+  await page.selectOption("[name=fault]", "sensor_open");
+  await page.waitForSelector("body[data-state=tripped]", kPatience);
+  const link = page.locator("#happened a");
+  await link.first().waitFor(kPatience);
+  const [download] = await Promise.all([page.waitForEvent("download"), link.first().click()]);
+  assert.equal(download.suggestedFilename(), "trip-0001.hhr");
+  assert.ok(readFileSync(await download.path()).equals(readFileSync(join(daemon.home, "state/hedgehog/trip-0001.hhr"))));
+});
