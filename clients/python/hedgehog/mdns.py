@@ -4,7 +4,7 @@ message that is malformed anywhere counts for nothing, and texts have no control
 
 import ipaddress
 import struct
-from typing import Dict, List, NamedTuple, Optional, Tuple
+from typing import Any, Dict, List, NamedTuple, Optional, Tuple
 
 #: Names are in the uncompressed form of RFC 1035: a byte of length before each label, 0 at the end.
 SERVICE = b"\x09_hedgehog\x04_tcp\x05local\x00"
@@ -145,7 +145,7 @@ class Answers:
                     protocol=printable(texts[b"protocol"]) if b"protocol" in texts else None, tls=texts.get(b"tls") == b"1"))
         return sorted(found, key=lambda ball: (ball.name, ":" in ball.address, ball.address))
 
-    def _records(self, message: _Message) -> List[Tuple[bytes, int, object]]:
+    def _records(self, message: _Message) -> List[Tuple[bytes, int, Any]]:
         search, flags, questions, *counts = message.numbers(">6H")
         # A response to a standard query, without an error.
         if search != self._id or flags & 0xF80F != 0x8000:
@@ -153,7 +153,7 @@ class Answers:
         for _ in range(questions):
             message.name()
             message.take(4)
-        records: List[Tuple[bytes, int, object]] = []
+        records: List[Tuple[bytes, int, Any]] = []
         for _ in range(sum(counts)):
             name = message.name()
             kind, kind_class, lifetime_s, size = message.numbers(">HHIH")
@@ -163,25 +163,25 @@ class Answers:
                 records.append((name, kind, value))
         return records
 
-    def _keep(self, key: bytes, kind: int, value: object) -> None:
-        if kind == _PTR and isinstance(value, bytes) and key == SERVICE:
+    def _keep(self, key: bytes, kind: int, value: Any) -> None:
+        if kind == _PTR:
             # One label before the service's name.
-            if value[0] and value[1 + value[0]:].lower() == SERVICE and len(self._instances) < _MAX_NAMES:
+            if key == SERVICE and value[0] and value[1 + value[0]:].lower() == SERVICE and len(self._instances) < _MAX_NAMES:
                 self._instances.setdefault(value.lower(), value)
-        elif kind == _SRV and isinstance(value, tuple) and len(self._services) < _MAX_NAMES:
+        elif kind == _SRV and len(self._services) < _MAX_NAMES:
             self._services.setdefault(key, value)
-        elif kind == _TXT and isinstance(value, dict) and len(self._texts) < _MAX_NAMES:
+        elif kind == _TXT and len(self._texts) < _MAX_NAMES:
             self._texts.setdefault(key, value)
-        elif isinstance(value, str) and (key in self._addresses or len(self._addresses) < _MAX_NAMES):
+        elif kind in (_A, _AAAA) and (key in self._addresses or len(self._addresses) < _MAX_NAMES):
             known = self._addresses.setdefault(key, [])
             if value not in known and len(known) < _MAX_ADDRESSES:
                 known.append(value)
 
 
-def _value(message: _Message, kind: int, end: int) -> object:
+def _value(message: _Message, kind: int, end: int) -> Any:
     """PTR: a name; SRV: host and port; TXT: its entries; A, AAAA: the address, but for those of a link, which lack their
     interface. None: not of interest."""
-    value: object = None
+    value: Any = None
     if kind == _PTR:
         value = message.name()
     elif kind == _SRV:
