@@ -49,7 +49,7 @@ std::vector<DiscoveredBall> balls_of(const json& one) {
   return balls;
 }
 
-std::string shown(const std::vector<DiscoveredBall>& balls) {
+std::string balls_text(const std::vector<DiscoveredBall>& balls) {
   json all = json::array();
   for (const DiscoveredBall& ball : balls)
     all.push_back({ball.name, ball.host, to_string(ball.address), ball.serial.value_or("-"),
@@ -61,7 +61,7 @@ TEST(MdnsAnswers, AreThoseOfTheVectors) {
   for (const json& one : vectors()["searches"]) {
     mdns::Answers answers(vector_id());
     for (const json& packet : one["packets"]) answers.read(from_hex(packet));
-    EXPECT_EQ(shown(answers.balls()), shown(balls_of(one))) << one["name"];
+    EXPECT_EQ(balls_text(answers.balls()), balls_text(balls_of(one))) << one["name"];
     if (one.contains("query")) EXPECT_EQ(answers.query(), from_hex(one["query"])) << one["name"];
   }
 }
@@ -73,7 +73,7 @@ TEST(MdnsAnswers, OfAResponseThatIsCutAnywhereAreNone) {
       for (std::size_t at = 0; at < packet.size(); ++at) {
         mdns::Answers answers(vector_id());
         answers.read(packet.substr(0, at));
-        EXPECT_EQ(shown(answers.balls()), "[]") << at;
+        EXPECT_EQ(balls_text(answers.balls()), "[]") << at;
       }
     }
   }
@@ -142,7 +142,7 @@ class BallSearchOnLoopback : public testing::Test {
 TEST_F(BallSearchOnLoopback, ListsWhatAnswers) {
   const MdnsResponder responder(mdns_announcement("192.0.2.7", 7586));
   ask(responder);
-  EXPECT_EQ(shown(discover(Milliseconds(500)).value()),
+  EXPECT_EQ(balls_text(discover(Milliseconds(500)).value()),
             R"([["ball-7","lab.local","tls://192.0.2.7:7586","0007","1.0"]])");
 }
 
