@@ -191,8 +191,8 @@ test-mqtt: build/.packages-mqtt $(CONFIGURED_DEV)
 
 # Announced and found by Debian's Avahi, in a network namespace (root, or sudo without password).
 .PHONY: test-discovery
-test-discovery: build/.packages-discovery $(CONFIGURED_DEV)
-	@$(LOCK_DEV) $(BUILD_DEV) --target hedgehogctl announce
+test-discovery: build/.packages-discovery build/.packages-dashboard $(CONFIGURED_DEV)
+	@$(LOCK_DEV) $(BUILD_DEV) --target hedgehogd hedgehogctl announce
 	@$(STAGE) 'tests discovery' tests/discovery/run.sh build/dev
 
 test-bids: build/.packages-dashboard $(CONFIGURED_DEV)

@@ -40,10 +40,10 @@ class CommandLine {
     app_.require_subcommand(1);
     app_.fallthrough();
     app_.set_version_flag("--version", std::string("hedgehogctl " HEDGEHOG_VERSION));
-    CLI::Option* address =
-        app_.add_option("--address", common_.address,
-                        "where the daemon listens: host:port, tls://host:port or a socket's path "
-                        "(HEDGEHOG_ADDRESS)");
+    CLI::Option* address = app_.add_option(
+        "--address", common_.address,
+        "where the daemon listens: host:port, tls://host:port, mdns://NAME or a socket's path "
+        "(HEDGEHOG_ADDRESS)");
     app_.add_flag("--all", all_, "the verb on every daemon of this machine at once")
         ->excludes(address);
     app_.add_flag("--json", common_.json, "answers as JSON, for programs");

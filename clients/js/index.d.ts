@@ -5,7 +5,7 @@ import { Methods } from "./methods.js";
 export * from "./messages.js";
 
 export interface Options {
-  /** "127.0.0.1:7586", "tls://host:7586" or a socket's path in Node.js, "ws://..." in a browser; without, found as by every client. */
+  /** "127.0.0.1:7586", "tls://host:7586", "mdns://ball-7" or a socket's path in Node.js, "ws://..." in a browser; without, found as by every client. */
   address?: string;
   /** Of this program, as the daemon's log shows it. */
   name?: string;
@@ -13,7 +13,7 @@ export interface Options {
   patienceMs?: number;
   /** Of roles beyond those of this machine; in Node.js else HEDGEHOG_TOKEN. */
   token?: string;
-  /** In Node.js, of the daemon's certificate with "tls://"; else HEDGEHOG_FINGERPRINT. */
+  /** In Node.js, of the daemon's certificate with "tls://" and "mdns://"; else HEDGEHOG_FINGERPRINT. */
   fingerprint?: string;
   /** Called after each connection but the first: subscriptions are renewed, effects are not. */
   onReconnect?: (hello: Hello) => void;
@@ -43,6 +43,22 @@ export declare class SubscriptionEnded extends RequestError {
   /** "events.subscribe" */
   readonly method: string;
 }
+
+/** A ball that has announced itself, at one of its addresses. */
+export interface DiscoveredBall {
+  name: string;
+  host: string;
+  /** Of its host, in digits. */
+  address: string;
+  port: number;
+  /** null: it announces none. */
+  serial: string | null;
+  protocol: string | null;
+  /** What it announces; the daemon always does. */
+  tls: boolean;
+}
+/** Only in Node.js: the balls on the network that answer within that time, 1000, by name. Takes the whole time. */
+export declare function discover(timeoutMs?: number): Promise<DiscoveredBall[]>;
 
 export declare class Ball extends Methods {
   static connect(options?: Options): Promise<Ball>;

@@ -71,6 +71,8 @@ Outcome<Address> parse_address(std::string_view text) {
     if (text.empty()) return bad_address(whole, "it names no socket");
     return unix_socket(std::string(text));
   }
+  if (take_prefix(text, "mdns://"))
+    return Address{.host = std::string(text), .tls = true, .mdns = true};
   const bool tls = take_prefix(text, "tls://");
   if (!tls) take_prefix(text, "tcp:");
   auto address = parse_tcp(text, whole);
@@ -80,9 +82,18 @@ Outcome<Address> parse_address(std::string_view text) {
 
 std::string to_string(const Address& address) {
   if (!address.path.empty()) return address.path;
+  if (address.mdns) return "mdns://" + address.host;
   const bool v6 = address.host.find(':') != std::string::npos;
   return (address.tls ? "tls://" : "") + (v6 ? "[" + address.host + "]" : address.host) + ":" +
          std::to_string(address.port);
+}
+
+std::optional<ClientError> missing_fingerprint(const Address& address) {
+  if (!address.mdns || address.fingerprint) return std::nullopt;
+  return ClientError{Failure::kBadAddress,
+                     "mdns:// needs a fingerprint (HEDGEHOG_FINGERPRINT), as hedgehogctl token "
+                     "certificate prints it: any machine can announce a ball",
+                     {}};
 }
 
 std::optional<std::string> process_environment(const std::string& name) {
@@ -105,6 +116,7 @@ Outcome<std::vector<Address>> daemon_addresses(const std::optional<std::string>&
       address->fingerprint = base::parse_sha256(*fingerprint);
       if (!address->fingerprint) return bad_fingerprint();
     }
+    if (auto missing = missing_fingerprint(*address)) return *std::move(missing);
     return std::vector<Address>{*std::move(address)};
   }
   std::vector<Address> all;

@@ -36,27 +36,48 @@ client::Outcome<Ball> Ball::connect(BallOptions options) {
 client::Milliseconds Ball::retry_after() const { return left_until(next_attempt_); }
 
 void Ball::update() {
-  if (stage_ == Stage::kAway && client::Clock::now() >= next_attempt_) {
-    next_address_ = 0;
-    tried_.clear();
-    start_next_address();
-  }
+  if (stage_ == Stage::kAway && client::Clock::now() >= next_attempt_) start_attempt();
+  if (stage_ == Stage::kSearching) poll_search({});
   if (stage_ == Stage::kConnecting) poll_connection({});
   for (int lines = 0; lines < kLinesPerFrame && stage_ > Stage::kConnecting; ++lines)
     if (!receive(kNow)) break;
   expire();
 }
 
+void Ball::start_attempt() {
+  next_address_ = 0;
+  tried_.clear();
+  if (client::needs_search(addresses_)) {
+    search_.emplace(addresses_);
+    stage_ = Stage::kSearching;
+    return;
+  }
+  located_ = addresses_;
+  start_next_address();
+}
+
+void Ball::poll_search(client::Clock::time_point deadline) {
+  auto located = search_->located(deadline);
+  if (!located) return;
+  search_.reset();
+  if (!*located) {
+    stay_away(located->error().failure, located->error().message);
+    return;
+  }
+  located_ = *std::move(*located);
+  start_next_address();
+}
+
 void Ball::start_next_address() {
-  while (next_address_ < addresses_.size()) {
-    auto started = client::Connection::start(addresses_[next_address_]);
+  while (next_address_ < located_.size()) {
+    auto started = client::Connection::start(located_[next_address_]);
     if (started) {
       connection_ = *std::move(started);
       stage_ = Stage::kConnecting;
       due_ = client::Clock::now() + options_.patience;
       return;
     }
-    tried_ += (tried_.empty() ? "" : "; ") + to_string(addresses_[next_address_++]) + ": " +
+    tried_ += (tried_.empty() ? "" : "; ") + to_string(located_[next_address_++]) + ": " +
               started.error().message;
   }
   connection_.reset();
@@ -70,7 +91,7 @@ void Ball::poll_connection(client::Clock::time_point deadline) {
     return;
   }
   if (connected && client::Clock::now() < due_) return;
-  tried_ += (tried_.empty() ? "" : "; ") + to_string(addresses_[next_address_++]) + ": " +
+  tried_ += (tried_.empty() ? "" : "; ") + to_string(located_[next_address_++]) + ": " +
             (connected ? "no answer" : connected.error().message);
   start_next_address();
 }
@@ -166,6 +187,7 @@ client::Outcome<void> Ball::open() {
   }
   // An attempt of `update` may be under way.
   update();
+  while (stage_ == Stage::kSearching) poll_search(client::Clock::now() + client::kSearchTime);
   while (stage_ == Stage::kConnecting) poll_connection(due_);
   while (stage_ == Stage::kIntroducing) {
     receive(left_until(asked_.front().deadline));

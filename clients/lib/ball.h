@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "clients/lib/connection.h"
+#include "clients/lib/discovery/ball_search.h"
 #include "clients/lib/subscriptions.h"
 
 namespace hedgehog {
@@ -35,7 +36,7 @@ double felt_level(double strength, const protocol::HelloLimits& limits) noexcept
 
 /// One thread at a time; starts none. Only `connect`, `open`, `call`, `call_raw` and the effects
 /// that return an admission wait, `patience` at most; everything else returns at once (a host's
-/// name is looked up, which may take longer: a game gives numbers).
+/// name is looked up, which may take longer: a game gives numbers, or mdns://NAME).
 ///
 /// Errors: kRefused has the daemon's RpcError. kNoDaemon: "the daemon does not run: ...". kClosed,
 /// kTimeout and kProtocol end the connection; the next call connects anew, no more often than
@@ -118,13 +119,16 @@ class Ball {
   Admitted play(std::string pattern, protocol::EffectParams others = {});
 
  private:
-  enum class Stage : std::uint8_t { kAway, kConnecting, kIntroducing, kConnected };
+  enum class Stage : std::uint8_t { kAway, kSearching, kConnecting, kIntroducing, kConnected };
   struct Asked {
     protocol::Id id;
     client::Clock::time_point deadline;
   };
   static constexpr client::Milliseconds kNow{0};
 
+  void start_attempt();
+  /// Waits until `deadline` at most.
+  void poll_search(client::Clock::time_point deadline);
   void start_next_address();
   /// Waits until `deadline` at most.
   void poll_connection(client::Clock::time_point deadline);
@@ -150,6 +154,8 @@ class Ball {
   BallOptions options_;
   Stage stage_ = Stage::kAway;
   std::optional<client::Connection> connection_;
+  std::optional<client::BallSearch> search_;
+  std::vector<client::Address> located_;  // of this attempt
   std::size_t next_address_ = 0;
   client::Clock::time_point due_{};  // of the attempt to connect
   std::string tried_;                // addresses, and why each did not answer

@@ -5,6 +5,8 @@
 #include <thread>
 #include <utility>
 
+#include "clients/lib/discovery/ball_search.h"
+
 namespace hedgehog::client {
 namespace {
 
@@ -43,9 +45,11 @@ Connection::Connection(LineSocket socket, Address address)
     : socket_(std::move(socket)), address_(std::move(address)) {}
 
 Outcome<Connection> Connection::open(const std::vector<Address>& addresses, Milliseconds patience) {
+  const auto located = locate(addresses);
+  if (!located) return located.error();
   const auto deadline = Clock::now() + patience;
   std::vector<std::string> places;
-  for (const Address& address : addresses) {
+  for (const Address& address : *located) {
     auto socket = LineSocket::connect(address, deadline);
     if (socket) return introduced(Connection(*std::move(socket), address), deadline);
     const std::string& why = socket.error().message;

@@ -34,12 +34,14 @@ class Connection {
   static constexpr std::size_t kMaxTelemetry = 256;
 
   /// Connects to the first of `addresses` that answers, and shows it the token of that address.
-  /// kNoDaemon: "no daemon answers at A or B". kRefused: it does not know the token.
+  /// One of mdns:// is searched for first, for `kSearchTime` more. kNoDaemon: "no daemon answers at
+  /// A or B". kRefused: it does not know the token.
   static Outcome<Connection> open(const std::vector<Address>& addresses,
                                   Milliseconds patience = kConnectTimeout);
   /// The same again and again, with the pauses of `Backoff`, until `patience` is over.
   static Outcome<Connection> reopen(const std::vector<Address>& addresses, Milliseconds patience);
 
+  /// REQUIRES: `address` is none of mdns:// (see `locate`).
   /// Begins to connect and does not wait (`LineSocket::start_connect`); nothing else may be asked
   /// of it before `connected` says true.
   static Outcome<Connection> start(const Address& address);

@@ -19,7 +19,7 @@ Result<void> set_address(BrokerOptions& options, std::string_view text) {
     rest.remove_prefix(kPlain.size());
   }
   const auto address = client::parse_address(rest);
-  if (!address || rest.empty())
+  if (!address || rest.empty() || address->mdns)
     return Problem(EX_USAGE, "'" + std::string(text) +
                                  "' is no broker: host, host:port, mqtts://host:port or the path "
                                  "of a socket");

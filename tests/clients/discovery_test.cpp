@@ -31,7 +31,7 @@ constexpr const char* kBrowsed =
     "=;eth0;IPv4;Anna\\039s\\032ball\\.2;_hedgehog._tcp;local;anna.local;192.0.2.9;17586;\n";
 
 TEST(AvahiBrowse, ReadsNameAddressAndRecordsOfEachService) {
-  const std::vector<NetworkDaemon> daemons = parse_avahi_browse(kBrowsed);
+  const std::vector<DiscoveredBall> daemons = parse_avahi_browse(kBrowsed);
   ASSERT_EQ(daemons.size(), 2u) << "one of a name and address, none of a link";
   EXPECT_EQ(daemons[0].name, "Anna's ball.2");
   EXPECT_EQ(to_string(daemons[0].address), "192.0.2.9:17586");

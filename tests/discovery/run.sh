@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# run.sh BUILD: the daemon's announcement and `hedgehogctl discover` with Debian's Avahi, on a bus and in a network
-# namespace of their own: nothing leaves this machine. Exit: 0 all is well, 69 such a namespace cannot be made here.
+# run.sh BUILD: the daemon's announcement, `hedgehogctl discover` and the mdns:// of the client libraries with Debian's Avahi,
+# on a bus and in a network namespace of their own: nothing leaves this machine. Exit: 0 all is well, 69 such a namespace cannot be made here.
 set -euo pipefail
 
 if [ "${1-}" != --inside ]; then
@@ -55,6 +55,7 @@ unset DBUS_SYSTEM_BUS_ADDRESS HEDGEHOG_ADDRESS
 export RUNTIME_DIRECTORY=/run/hedgehog
 
 ctl=$build/clients/ctl/hedgehogctl
+clients=$(cd "$(dirname -- "${BASH_SOURCE[0]}")/../../clients" && pwd)
 # found FILTER: an expression over `network`, the balls found there.
 found() {
   { "$ctl" discover --json 2>>"$work/ctl.log" || [ $? = 69 ]; } | python3 -c '
@@ -106,4 +107,50 @@ eventually found 'len(names) == 1'
 step "a killed one is withdrawn too"
 kill -KILL "$second"
 eventually found 'not names'
+
+step "the client libraries find it, and play on it"
+mkdir "$work/state"
+openssl req -x509 -newkey ec -pkeyopt ec_paramgen_curve:P-256 -nodes -days 30 -subj /CN=lab -keyout "$work/state/key.pem" \
+  -out "$work/state/certificate.pem" 2>/dev/null
+HEDGEHOG_TOKEN=hht_of-a-test
+HEDGEHOG_FINGERPRINT=$(openssl x509 -in "$work/state/certificate.pem" -outform DER | sha256sum | cut -d ' ' -f 1)
+export HEDGEHOG_TOKEN HEDGEHOG_FINGERPRINT PYTHONDONTWRITEBYTECODE=1
+printf 'arcade play sha256:%s 2026-11-24\n' "$(printf %s "$HEDGEHOG_TOKEN" | sha256sum | cut -d ' ' -f 1)" >"$work/state/tokens"
+STATE_DIRECTORY=$work/state "$build/daemon/hedgehogd" --simulate --listen tls://192.0.2.7:17590 >"$work/daemon.log" 2>&1 &
+daemon=$!
+eventually found 'len(names) == 1'
+name=$("$ctl" discover --json | python3 -c 'import json, sys; print(json.load(sys.stdin)["network"][0]["name"])')
+# in_python ADDRESS, in_javascript ADDRESS, in_cpp ADDRESS: a pulse.
+in_python() {
+  PYTHONPATH=$clients/python python3 -c 'import sys, hedgehog; hedgehog.Ball(sys.argv[1]).pulse("left", on_close="finish")' "$1"
+}
+in_javascript() {
+  node --input-type=module -e 'const { Ball } = await import(process.argv[1]);
+const ball = await Ball.connect({ address: process.argv[2] });
+await ball.pulse("left");
+ball.close();' "$clients/js/src/node.js" "$1"
+}
+in_cpp() { "$ctl" --address "$1" pulse left; }
+for library in python javascript cpp; do
+  for address in mdns:// "mdns://$name"; do
+    "in_$library" "$address" >"$work/$library.log" 2>&1 || fail "$library: $address"
+  done
+  ! "in_$library" mdns://another >"$work/$library.log" 2>&1 || fail "$library: another ball was found"
+  grep -qF "no ball \"another\" answers on this network (mDNS, 1 s); there are: \"$name\"" "$work/$library.log" || fail "$library: $name"
+done
+
+step "of several, one has to be chosen"
+announce ball-9 17591 0009
+second=$!
+eventually found 'len(names) == 2'
+for library in python javascript cpp; do
+  ! "in_$library" mdns:// >"$work/$library.log" 2>&1 || fail "$library: one was chosen"
+  grep -q 'several balls answer on this network: .*"ball-9" (serial 0009, tls://192.0.2.7:17591)' "$work/$library.log" || fail "$library"
+  "in_$library" "mdns://$name" >"$work/$library.log" 2>&1 || fail "$library: $name of several"
+  ! HEDGEHOG_FINGERPRINT=${HEDGEHOG_FINGERPRINT//[0-9]/a} "in_$library" "mdns://$name" >"$work/$library.log" 2>&1 ||
+    fail "$library: another fingerprint was spoken to"
+  grep -q "another fingerprint" "$work/$library.log" || fail "$library: fingerprint"
+done
+kill "$second" "$daemon"
+wait "$second" "$daemon" || fail "the daemon failed"
 step "all is well"

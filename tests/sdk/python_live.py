@@ -13,6 +13,9 @@ import sys
 import tempfile
 import threading
 import unittest
+from unittest import mock
+
+from mdns_responder import Responder
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
@@ -67,6 +70,23 @@ class Live(unittest.TestCase):
                 return (await ball.pulse("left"))["accepted"]
 
         self.assertTrue(asyncio.run(play()))
+
+    def test_a_daemon_that_is_announced_is_known_by_its_fingerprint_too(self):
+        host, _, port = self.daemon.tls_address.removeprefix("tls://").partition(":")
+        responder = Responder([("ball-7", "0007", host, int(port))])
+        self.addCleanup(responder.close)
+        with mock.patch.dict(os.environ, {"HEDGEHOG_MDNS_PORT": str(responder.port)}):
+            known = dict(token=self.daemon.token, fingerprint=self.daemon.fingerprint, patience_s=60)
+            with hedgehog.Ball("mdns://ball-7", **known) as ball:
+                self.assertEqual(ball.hello["role"], "play")
+
+            async def role():
+                async with hedgehog.AsyncBall("mdns://0007", **known) as ball:
+                    return ball.hello["role"]
+
+            self.assertEqual(asyncio.run(role()), "play")
+            with self.assertRaisesRegex(hedgehog.NotConnected, "another fingerprint"):
+                hedgehog.Ball("mdns://ball-7", token=self.daemon.token, fingerprint="0" * 64, patience_s=60)
 
     def test_another_fingerprint_or_authority_is_not_spoken_to(self):
         for fingerprint, why in (("0" * 64, "another fingerprint"), (None, "certificate")):

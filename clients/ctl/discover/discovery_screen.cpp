@@ -45,7 +45,7 @@ ordered_json json_of(const RespondingDaemon& found) {
   return object;
 }
 
-ordered_json json_of(const NetworkDaemon& daemon) {
+ordered_json json_of(const DiscoveredBall& daemon) {
   return {{"name", daemon.name},
           {"host", daemon.host},
           {"address", to_string(daemon.address)},
@@ -62,7 +62,7 @@ std::vector<std::string> discovery_screen(const Discovery& discovery, const Scre
     lines.push_back(line_of(name_of(found), found.hello ? found.hello->state : found.failure,
                             found.daemon.socket, style));
   }
-  for (const NetworkDaemon& daemon : discovery.network.daemons) {
+  for (const DiscoveredBall& daemon : discovery.network.daemons) {
     lines.push_back(line_of(daemon.name, daemon.address.tls ? "network, TLS" : "network",
                             to_string(daemon.address), style));
   }
@@ -74,7 +74,7 @@ std::vector<std::string> discovery_screen(const Discovery& discovery, const Scre
 std::string discovery_json(const Discovery& discovery) {
   ordered_json object{{"local", ordered_json::array()}, {"network", ordered_json::array()}};
   for (const RespondingDaemon& found : discovery.local) object["local"].push_back(json_of(found));
-  for (const NetworkDaemon& daemon : discovery.network.daemons)
+  for (const DiscoveredBall& daemon : discovery.network.daemons)
     object["network"].push_back(json_of(daemon));
   object["network_failure"] = discovery.network.failure.empty()
                                   ? ordered_json(nullptr)

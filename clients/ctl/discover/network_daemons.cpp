@@ -9,9 +9,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <nlohmann/json.hpp>
 
 #include "clients/common/program.h"
+#include "clients/lib/discovery/ball_search.h"
 
 namespace hedgehog::client {
 namespace {
@@ -42,21 +42,6 @@ std::string unescaped_dns(std::string_view text) {
   return plain;
 }
 
-/// Any machine of the network wrote it: nothing that moves a terminal's cursor.
-std::string printable(std::string text) {
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < 0x20u || c == '\x7f') c = '?';
-  // Through JSON, which replaces what is not UTF-8.
-  using nlohmann::json;
-  text = json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace))
-             .get<std::string>();
-  // C1 control characters are C2 80 to C2 9F in UTF-8.
-  for (std::size_t i = 0; i + 1 < text.size(); ++i)
-    if (text[i] == '\xc2' && static_cast<unsigned char>(text[i + 1]) < 0xa0u)
-      text.replace(i, 2, "?");
-  return text;
-}
-
 /// `"tls=1" "serial=7"`: the value of `key`.
 std::optional<std::string> txt_value(std::string_view txt, std::string_view key) {
   while (!txt.empty()) {
@@ -83,23 +68,23 @@ std::vector<std::string_view> fields_of(std::string_view line) {
   return fields;
 }
 
-std::optional<NetworkDaemon> daemon_of(std::string_view line) {
+std::optional<DiscoveredBall> daemon_of(std::string_view line) {
   const std::vector<std::string_view> fields = fields_of(line);
   if (fields.size() != kFields || fields[0] != "=") return std::nullopt;
-  NetworkDaemon daemon;
+  DiscoveredBall daemon;
   const auto [end, error] =
       std::from_chars(fields[8].data(), fields[8].data() + fields[8].size(), daemon.address.port);
   if (error != std::errc{} || daemon.address.port == 0 || fields[7].empty()) return std::nullopt;
   daemon.name = printable(unescaped_dns(fields[3]));
   daemon.host = printable(unescaped_dns(fields[6]));
-  daemon.address.host = printable(std::string(fields[7]));
+  daemon.address.host = printable(fields[7]);
   daemon.serial = txt_value(fields[9], "serial");
   daemon.protocol = txt_value(fields[9], "protocol");
   daemon.address.tls = txt_value(fields[9], "tls") == "1";
   return daemon;
 }
 
-bool is_of_a_link(const NetworkDaemon& daemon) { return daemon.address.host.starts_with("fe80:"); }
+bool is_of_a_link(const DiscoveredBall& daemon) { return daemon.address.host.starts_with("fe80:"); }
 
 std::string read_file(const std::string& path) {
   std::ifstream in(path);
@@ -108,25 +93,26 @@ std::string read_file(const std::string& path) {
 
 }  // namespace
 
-std::vector<NetworkDaemon> parse_avahi_browse(std::string_view output) {
-  std::vector<NetworkDaemon> daemons;
+std::vector<DiscoveredBall> parse_avahi_browse(std::string_view output) {
+  std::vector<DiscoveredBall> daemons;
   while (!output.empty()) {
     const std::size_t end = std::min(output.find('\n'), output.size());
     if (auto daemon = daemon_of(output.substr(0, end))) {
-      const bool known = std::any_of(daemons.begin(), daemons.end(), [&](const NetworkDaemon& one) {
-        return one.name == daemon->name && one.address == daemon->address;
-      });
+      const bool known =
+          std::any_of(daemons.begin(), daemons.end(), [&](const DiscoveredBall& one) {
+            return one.name == daemon->name && one.address == daemon->address;
+          });
       if (!known) daemons.push_back(*std::move(daemon));
     }
     output.remove_prefix(std::min(end + 1, output.size()));
   }
-  const std::vector<NetworkDaemon> all = daemons;
+  const std::vector<DiscoveredBall> all = daemons;
   std::erase_if(
       daemons,
-      [&](const NetworkDaemon& one) {
+      [&](const DiscoveredBall& one) {
         return is_of_a_link(one) && std::any_of(
                                         all.begin(), all.end(),
-                                        [&](const NetworkDaemon& other) {
+                                        [&](const DiscoveredBall& other) {
                                           return other.name == one.name && !is_of_a_link(other);
                                         });
       });
@@ -151,8 +137,11 @@ NetworkSearch search_network() {
   const std::string printed = read_file(output);
   std::filesystem::remove(output, failed);
   if (end.start_error != 0) {
-    search.failure =
-        "the network was not searched: avahi-browse is not installed (apt install avahi-utils)";
+    auto found = discover();
+    if (found)
+      search.daemons = *std::move(found);
+    else
+      search.failure = "the network was not searched: " + found.error().message;
   } else if (!end.succeeded) {
     search.failure =
         "the network was not searched: " + printable(printed.substr(0, printed.find('\n'))) +

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where the daemon listens, found as by every client of Hedgehog: HEDGEHOG_ADDRESS, and nowhere else if it is set; otherwise the
 // sockets in RUNTIME_DIRECTORY, /run/hedgehog and XDG_RUNTIME_DIR/hedgehog (/tmp/hedgehog-UID without these variables), then
-// 127.0.0.1:7586.
+// 127.0.0.1:7586. Only "mdns://" searches the network.
 import { AddressError } from "./errors.js";
 
 const PORT = 7586;
@@ -14,8 +14,9 @@ function bad(text, why) {
   );
 }
 
-/** "host", "host:port", "[v6]:port", a bare IPv6 address, or "/path" → {host, port} or {path}; with "tls://" also {tls}. */
+/** "host", "host:port", "[v6]:port", a bare IPv6 address, or "/path" → {host, port} or {path}; with "tls://" also {tls}. "mdns://NAME" → {mdns}. */
 export function parseAddress(text) {
+  if (text.startsWith("mdns://")) return { mdns: text.slice("mdns://".length) };
   if (text.startsWith("unix:") || text.startsWith("/")) {
     const path = text.replace(/^unix:/, "");
     if (!path) throw bad(text, "it names no socket");
@@ -57,7 +58,14 @@ export function daemonAddresses(address, environment, uid, fingerprint) {
   if (text) {
     const parsed = parseAddress(text);
     const pinned = fingerprint || environment.HEDGEHOG_FINGERPRINT;
-    return [parsed.tls && pinned ? { ...parsed, fingerprint: parseFingerprint(pinned) } : parsed];
+    const { tls, mdns } = parsed;
+    if (mdns !== undefined && !pinned) {
+      throw new AddressError(
+        "mdns:// needs a fingerprint (HEDGEHOG_FINGERPRINT), as hedgehogctl token certificate prints it: any machine can " +
+          "announce a ball",
+      );
+    }
+    return [(tls || mdns !== undefined) && pinned ? { ...parsed, fingerprint: parseFingerprint(pinned) } : parsed];
   }
   const runtime = environment.RUNTIME_DIRECTORY;
   const session = environment.XDG_RUNTIME_DIR;
@@ -69,6 +77,7 @@ export function daemonAddresses(address, environment, uid, fingerprint) {
   return [...new Set(folders)].map((folder) => ({ path: `${folder}/${SOCKET}` })).concat({ host: "127.0.0.1", port: PORT });
 }
 
-export function describe({ path, host, port, tls }) {
+export function describe({ path, host, port, tls, mdns }) {
+  if (mdns !== undefined) return `mdns://${mdns}`;
   return path ?? (tls ? "tls://" : "") + (host.includes(":") ? `[${host}]:${port}` : `${host}:${port}`);
 }

@@ -28,7 +28,8 @@ function given(params) {
  * not made again: `onReconnect(hello)` is called after each connection but the first. A subscription that the new daemon
  * refuses has ended: `onSubscriptionEnded(error)` is called.
  *
- * `connectors`: functions that open a transport, tried in order; each is given `{message, ended}` and resolves to
+ * `connectors`: resolves to functions that open a transport, tried in order, or rejects with an Error that says why there are none; is
+ * called for each attempt. Each function is given `{message, ended}` and resolves to
  * `{send(text), close()}` or rejects with an Error that says where and why.
  */
 export class BallCore extends Methods {
@@ -159,8 +160,11 @@ export class BallCore extends Methods {
   async #connect() {
     const wait = this.#nextAttempt - Date.now();
     if (wait > 0) throw new NotConnected(`the daemon does not run; next attempt in ${(wait / 1000).toFixed(1)} s`, wait);
+    const connectors = await this.#connectors().catch(({ message }) => {
+      throw this.#failed(message);
+    });
     const why = [];
-    for (const connect of this.#connectors) {
+    for (const connect of connectors) {
       try {
         this.#transport = await this.#openTransport(connect);
         break;

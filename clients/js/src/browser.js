@@ -29,7 +29,7 @@ function connector(address) {
 export class Ball extends BallCore {
   /** `address`: the WebSocket's; without, that of the daemon on this machine. */
   constructor({ address = "ws://127.0.0.1:7587/ws", ...options } = {}) {
-    super([connector(address)], options);
+    super(async () => [connector(address)], options);
   }
 
   /** A ball that is connected. Rejects with NotConnected or RequestError. */

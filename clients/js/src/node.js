@@ -5,8 +5,10 @@ import { StringDecoder } from "node:string_decoder";
 import tls from "node:tls";
 import { daemonAddresses, describe } from "./addresses.js";
 import { BallCore } from "./ball.js";
+import { locate } from "./discovery.js";
 import { NotConnected } from "./errors.js";
 
+export { discover } from "./discovery.js";
 export * from "./error_codes.js";
 export * from "./errors.js";
 
@@ -63,12 +65,12 @@ function connector(address) {
 
 export class Ball extends BallCore {
   /**
-   * `address`: "127.0.0.1:7586", "tls://host:7586" or "/run/hedgehog/hedgehogd.sock"; without, found as by every client.
+   * `address`: "127.0.0.1:7586", "tls://host:7586", "mdns://ball-7" or "/run/hedgehog/hedgehogd.sock"; without, found as by every client.
    * `token` and `fingerprint`: else HEDGEHOG_TOKEN and HEDGEHOG_FINGERPRINT. Throws AddressError.
    */
   constructor({ address, fingerprint, token = process.env.HEDGEHOG_TOKEN || undefined, ...options } = {}) {
     const addresses = daemonAddresses(address, process.env, process.getuid?.(), fingerprint);
-    super(addresses.map(connector), { token, ...options });
+    super(async () => (await locate(addresses)).map(connector), { token, ...options });
   }
 
   /** A ball that is connected. Rejects with NotConnected or RequestError. */

@@ -12,10 +12,13 @@
 
 from .aio import AsyncBall
 from .ball import Ball
+from .discovery import discover
 from .error_codes import ErrorCode, ErrorName
 from .errors import AddressError, BallError, NotConnected, RequestError, SubscriptionEnded
+from .mdns import DiscoveredBall
 from .messages import Direction, Event, EventType, Status, Telemetry, TelemetryField
 
-__all__ = ["AddressError", "AsyncBall", "Ball", "BallError", "Direction", "ErrorCode", "ErrorName", "Event", "EventType",
-           "NotConnected", "RequestError", "Status", "SubscriptionEnded", "Telemetry", "TelemetryField"]
+__all__ = ["AddressError", "AsyncBall", "Ball", "BallError", "Direction", "DiscoveredBall", "ErrorCode", "ErrorName", "Event", "EventType",
+           "NotConnected", "RequestError", "Status", "SubscriptionEnded", "Telemetry", "TelemetryField",
+           "discover"]
 __version__ = "1.0.0"

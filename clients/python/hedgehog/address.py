@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Where the daemon listens: $HEDGEHOG_ADDRESS, and nowhere else if it is set; otherwise the sockets in
 $RUNTIME_DIRECTORY, /run/hedgehog and $XDG_RUNTIME_DIR/hedgehog (/tmp/hedgehog-UID without these variables), then
-127.0.0.1:7586. As every client of Hedgehog. With TLS, $HEDGEHOG_FINGERPRINT is that of the daemon's certificate."""
+127.0.0.1:7586. As every client of Hedgehog. With TLS, $HEDGEHOG_FINGERPRINT is that of the daemon's certificate. Only
+"mdns://" searches the network."""
 
 import os
 from typing import List, Mapping, NamedTuple, Optional, Tuple, Union
@@ -18,8 +19,16 @@ class TlsAddress(NamedTuple):
     fingerprint: bytes
 
 
-#: A host and a port, with TLS or without, or the path of a Unix socket.
-Address = Union[Tuple[str, int], TlsAddress, str]
+class MdnsAddress(NamedTuple):
+    """A ball that is searched for on the network when a connection is made; name: its name or serial number, empty: the only
+    one; fingerprint: of its certificate."""
+
+    name: str
+    fingerprint: bytes
+
+
+#: A host and a port, with TLS or without, a ball on the network, or the path of a Unix socket.
+Address = Union[Tuple[str, int], TlsAddress, MdnsAddress, str]
 
 PORT = 7586
 SOCKET = "hedgehogd.sock"
@@ -31,7 +40,10 @@ def _bad(text: str, why: str) -> AddressError:
 
 
 def parse_address(text: str) -> Address:
-    """"host", "host:port", "[v6]:port", a bare IPv6 address, or "/path", each with "tcp:", "tls://" or "unix:" in front."""
+    """"host", "host:port", "[v6]:port", a bare IPv6 address, or "/path", each with "tcp:", "tls://" or "unix:" in front;
+    "mdns://" or "mdns://NAME"."""
+    if text.startswith("mdns://"):
+        return MdnsAddress(text[7:], b"")
     if text.startswith("tls://"):
         host, port = _parse_tcp(text, text[6:])
         return TlsAddress(host, port, b"")
@@ -81,8 +93,11 @@ def daemon_addresses(given: Optional[str] = None, environment: Mapping[str, str]
     if text:
         address = parse_address(text)
         pinned = fingerprint or environment.get("HEDGEHOG_FINGERPRINT", "")
-        if isinstance(address, TlsAddress) and pinned:
+        if isinstance(address, (TlsAddress, MdnsAddress)) and pinned:
             address = address._replace(fingerprint=parse_fingerprint(pinned))
+        if isinstance(address, MdnsAddress) and not pinned:
+            raise AddressError("mdns:// needs a fingerprint (HEDGEHOG_FINGERPRINT), as hedgehogctl token certificate prints it: "
+                               "any machine can announce a ball")
         return [address]
     runtime = environment.get("RUNTIME_DIRECTORY", "")
     session = environment.get("XDG_RUNTIME_DIR", "")
@@ -100,6 +115,8 @@ def daemon_addresses(given: Optional[str] = None, environment: Mapping[str, str]
 def describe(address: Address) -> str:
     if isinstance(address, str):
         return address
+    if isinstance(address, MdnsAddress):
+        return "mdns://" + address.name
     if isinstance(address, TlsAddress):
         return "tls://" + describe((address.host, address.port))
     host, port = address

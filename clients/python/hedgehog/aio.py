@@ -6,8 +6,9 @@ import os
 import time
 from typing import Any, AsyncIterator, Callable, Dict, Iterable, List, Mapping, Optional, Tuple
 
-from .address import Address, TlsAddress, daemon_addresses
+from .address import Address, MdnsAddress, TlsAddress, daemon_addresses
 from .backoff import Backoff, nobody_there
+from .discovery import BallNotFound, locate
 from .errors import NotConnected, SubscriptionEnded
 from .exchange import MAX_WAITING, Exchange
 from .messages import Direction, Event, EventType, Hello, Scope, Telemetry, TelemetryField
@@ -145,7 +146,15 @@ class AsyncBall(AsyncMethods):
     async def _connect(self) -> None:
         tried: List[Address] = []
         why: List[str] = []
-        for address in self._addresses:
+        addresses = self._addresses
+        try:
+            if any(isinstance(address, MdnsAddress) for address in addresses):
+                addresses = await asyncio.get_running_loop().run_in_executor(None, locate, addresses)
+        except (BallNotFound, OSError) as error:
+            now = time.monotonic()
+            self._backoff.failed(now)
+            raise NotConnected(str(error), self._backoff.remaining_s(now)) from error
+        for address in addresses:
             try:
                 reader, self._writer = await asyncio.wait_for(_open(address), self._patience_s)
                 break
@@ -250,5 +259,7 @@ async def _open(address: Address) -> Tuple[asyncio.StreamReader, asyncio.StreamW
             writer.close()
             raise
         return reader, writer
+    # `locate` has replaced it.
+    assert not isinstance(address, MdnsAddress)
     host, port = address
     return await asyncio.open_connection(host, port)

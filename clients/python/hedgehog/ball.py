@@ -10,8 +10,9 @@ import time
 from collections import deque
 from typing import Any, Callable, Deque, Dict, Iterable, Iterator, List, Mapping, Optional, Tuple, cast
 
-from .address import Address, TlsAddress, daemon_addresses
+from .address import Address, MdnsAddress, TlsAddress, daemon_addresses
 from .backoff import Backoff, nobody_there
+from .discovery import BallNotFound, locate
 from .errors import NotConnected, RequestError, SubscriptionEnded
 from .exchange import Exchange
 from .messages import Direction, Event, EventType, Hello, Scope, Telemetry, TelemetryField
@@ -27,7 +28,7 @@ SLICE_S = 0.02
 class Ball(Methods):
     """A connection to the daemon; the effects of a connection end with it.
 
-    address: "127.0.0.1:7586" or "/run/hedgehog/hedgehogd.sock"; None: found as by every client (address.py).
+    address: "127.0.0.1:7586", "/run/hedgehog/hedgehogd.sock", "mdns://ball-7"; None: found as by every client (address.py).
     name: of this program, as the daemon's log and `hedgehogctl clients` show it. patience_s: the longest that
     connecting, and waiting for a response, take. token: of roles beyond those of this machine, else HEDGEHOG_TOKEN.
     fingerprint: of the daemon's certificate with "tls://host:port", else HEDGEHOG_FINGERPRINT.
@@ -166,7 +167,13 @@ class Ball(Methods):
     def _connect(self) -> None:
         tried: List[Address] = []
         why: List[str] = []
-        for address in self._addresses:
+        try:
+            addresses = locate(self._addresses)
+        except (BallNotFound, OSError) as error:
+            now = time.monotonic()
+            self._backoff.failed(now)
+            raise NotConnected(str(error), self._backoff.remaining_s(now)) from error
+        for address in addresses:
             try:
                 self._socket = _open(address, self._patience_s)
                 break
@@ -273,6 +280,8 @@ def _open(address: Address, patience_s: float) -> socket.socket:
             wrapped.close()
             raise
         return wrapped
+    # `locate` has replaced it.
+    assert not isinstance(address, MdnsAddress)
     if not isinstance(address, str):
         opened = socket.create_connection(address, patience_s)
         opened.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)

@@ -8,6 +8,7 @@ import os from "node:os";
 import path from "node:path";
 import { createInterface } from "node:readline";
 import { after, before, test } from "node:test";
+import { fileURLToPath } from "node:url";
 import { parseFingerprint } from "../../../clients/js/src/addresses.js";
 import { AddressError, Ball, NotConnected, RequestError } from "../../../clients/js/src/node.js";
 
@@ -77,6 +78,26 @@ test("another fingerprint, or a certificate that nobody vouches for, is not spok
     });
   await refused({ fingerprint: "0".repeat(64) }, /another fingerprint/);
   await refused({}, /self-signed/);
+});
+
+test("a daemon that is announced is known by its fingerprint too", async () => {
+  const { port } = new URL(address.replace("tls:", "http:"));
+  const responder = spawn("python3", [fileURLToPath(new URL("../mdns_responder.py", import.meta.url)), "ball-7", "0007", "127.0.0.1", port], {
+    stdio: ["pipe", "pipe", "inherit"],
+  });
+  const ended = new Promise((resolve) => responder.on("close", resolve));
+  try {
+    process.env.HEDGEHOG_MDNS_PORT = String(await new Promise((resolve) => responder.stdout.once("data", resolve))).trim();
+    const announced = { address: "mdns://ball-7", token, patienceMs };
+    const ball = await Ball.connect({ ...announced, fingerprint });
+    assert.equal(ball.hello.role, "play");
+    ball.close();
+    await assert.rejects(Ball.connect({ ...announced, fingerprint: "0".repeat(64) }), /another fingerprint/);
+  } finally {
+    responder.stdin.end();
+    await ended;
+    delete process.env.HEDGEHOG_MDNS_PORT;
+  }
 });
 
 test("a wrong token is refused", async () => {

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Arbitrary bytes as answers to a search for balls: what is found is printable, bounded, and asked
+// for in a query that fits a datagram.
+#include <algorithm>
+#include <cstdlib>
+
+#include "clients/lib/discovery/choice.h"
+#include "clients/lib/discovery/mdns_answers.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace hedgehog::client;
+  const auto is_plain = [](const std::string& text) {
+    return std::none_of(text.begin(), text.end(), [](char c) {
+      return static_cast<unsigned char>(c) < 0x20u || c == '\x7f';
+    });
+  };
+  // The id of the seeds. A second response has only the end of the first, from where its first byte
+  // points to.
+  mdns::Answers answers(0x1234);
+  const std::string_view packet(reinterpret_cast<const char*>(data), size);
+  answers.read(packet);
+  if (size > 0) answers.read(packet.substr(std::min<std::size_t>(data[0], size)));
+  if (answers.query().size() > 1200) std::abort();
+  const auto balls = answers.balls();
+  for (const DiscoveredBall& ball : balls) {
+    const bool whole = !ball.name.empty() && ball.address.port != 0 && !ball.address.host.empty();
+    if (!whole || !is_plain(ball.name) || !is_plain(ball.host) ||
+        !is_plain(ball.serial.value_or("")) || !is_plain(ball.protocol.value_or("")))
+      std::abort();
+    const auto chosen = chosen_ball(ball.name, balls);
+    if (chosen.has_value() != ball.address.tls &&
+        named_balls(ball.name, balls).empty() == chosen.has_value())
+      std::abort();
+  }
+  return 0;
+}
