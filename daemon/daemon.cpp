@@ -212,6 +212,10 @@ void Daemon::reload() {
   next.telemetry_max_rate_hz = fresh->telemetry_max_rate_hz;
   next.connections = fresh->connections;
   next.access = fresh->access;
+  // Whoever got in by the lists, while they decided, is not in the socket's group.
+  if (access::has_everybody(next.access.unix_roles.operate) &&
+      !access::has_everybody(config_.access.unix_roles.operate))
+    next.access.unix_roles = config_.access.unix_roles;
   // A board never widens its limits.
   const bool too_wide =
       !model::is_within(next.limits, next.device.limits) ||

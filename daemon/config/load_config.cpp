@@ -11,6 +11,7 @@
 #include "daemon/config/keys/device_keys.h"
 #include "daemon/config/keys/key_tree.h"
 #include "daemon/config/keys/sensor_keys.h"
+#include "daemon/config/keys/unix_role_keys.h"
 
 namespace hedgehog::config {
 namespace {
@@ -46,6 +47,7 @@ class Loader {
     settle_device();
     settle_sensors(draft_, origins_, paths_.config_file, errors_);
     settle_places();
+    check_unix_roles(draft_.config.access.unix_roles, origins_, paths_.config_file, errors_);
     settle_access(draft_.config, origins_, paths_.config_file, reader_, errors_);
   }
 

@@ -10,13 +10,17 @@
 #include <boost/asio/redirect_error.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/use_awaitable.hpp>
+#include <cerrno>
 #include <chrono>
+#include <cstring>
 #include <stdexcept>
 #include <utility>
 
 #include "daemon/config/listen_address.h"
+#include "daemon/server/net/peer_of.h"
 #include "daemon/server/net/tcp_acceptor.h"
 #include "daemon/server/net/unix_path.h"
+#include "daemon/server/session/origin.h"
 #include "protocol/server_codec.h"
 
 namespace hedgehog::server {
@@ -50,6 +54,11 @@ std::string text(const Tcp::endpoint& endpoint) {
   return config::to_string({endpoint.address().to_string(), endpoint.port()});
 }
 
+/// Of the socket's file: its group, or everybody where the roles decide.
+mode_t unix_mode(const access::UnixRoles& roles) {
+  return access::has_everybody(roles.operate) ? 0660 : 0666;
+}
+
 /// Reset before it was accepted: there is nobody to serve. Who has only closed may have asked
 /// first.
 bool is_reset(const Tcp::socket& socket) {
@@ -69,9 +78,10 @@ Session session_of(Tcp::socket& socket) {
   return session;
 }
 
-Session session_of(Local::socket&) {
+Session session_of(Local::socket& socket) {
   Session session;
   session.transport = "unix";
+  session.peer = peer_of(socket.native_handle());
   return session;
 }
 
@@ -99,7 +109,8 @@ void Listener::open(const config::Config& config) {
     addresses_.push_back((http_->tls ? "https://" : "http://") +
                          text(http_->acceptor.local_endpoint()));
   }
-  if (!config.listen.unix_socket.empty()) open_unix(config.listen.unix_socket);
+  if (!config.listen.unix_socket.empty())
+    open_unix(config.listen.unix_socket, config.access.unix_roles);
 }
 
 std::optional<Listener::TcpListener> Listener::open_tcp(const config::ListenAddress& wanted,
@@ -111,9 +122,9 @@ std::optional<Listener::TcpListener> Listener::open_tcp(const config::ListenAddr
   return TcpListener{*std::move(acceptor), wanted.tls};
 }
 
-void Listener::open_unix(const std::string& path) {
+void Listener::open_unix(const std::string& path, const access::UnixRoles& roles) {
   make_room_for_socket(path);
-  const mode_t before = ::umask(0117);  // 0660 from its first moment
+  const mode_t before = ::umask(0777 & ~unix_mode(roles));  // so from its first moment
   unix_.emplace(io_);
   error_code ec;
   unix_->open(Local(), ec);
@@ -197,7 +208,7 @@ template <class AnySocket>
 Session Listener::session_with(AnySocket& socket, const char* transport) const {
   Session session = session_of(socket);
   if (transport != nullptr) session.transport = transport;
-  session.role = server_->tokens().role_without_token(session.transport);
+  server_->tokens().admit(session);
   session.batch_bytes = settings_.queue_bytes / 2;
   return session;
 }
@@ -207,13 +218,17 @@ bool Listener::has_capacity(const Session& session) {
   const auto here = server_->connections();
   if (here < places(session, settings_.max)) return true;
   ++server_->counters().rejected["cap"];
-  spdlog::warn("a client from {} is turned away: {} are connected already",
-               session.address.value_or(session.transport), here);
+  spdlog::warn("a client from {} is turned away: {} are connected already", origin_text(session),
+               here);
   return false;
 }
 
 void Listener::let_in(asio::generic::stream_protocol::socket socket, Session session) {
-  if (!has_capacity(session)) {
+  HalfOpen::Ticket ticket;
+  if (session.locked && !closing_) {
+    const std::string from = session.peer ? user_text(*session.peer) : session.transport;
+    ticket = half_open_->enter(socket.native_handle(), from);
+  } else if (!has_capacity(session)) {
     const std::string line =
         protocol::encode_error({}, protocol::busy("too many clients are connected", 1000)) + "\n";
     error_code ignored;
@@ -223,6 +238,7 @@ void Listener::let_in(asio::generic::stream_protocol::socket socket, Session ses
   }
   const auto connection =
       std::make_shared<LineConnection>(std::move(socket), *server_, std::move(session), settings_);
+  connection->set_half_open(std::move(ticket));
   enter(connection);
   connection->start();
 }
@@ -267,6 +283,9 @@ void Listener::let_in_https(Tcp::socket socket) {
 
 void Listener::set_config(const config::Config& config) {
   settings_ = config.connections;
+  if (!unix_path_.empty() && inode_of(unix_path_) == unix_inode_ &&
+      ::chmod(unix_path_.c_str(), unix_mode(config.access.unix_roles)) != 0)
+    spdlog::error("{}: its mode cannot be changed: {}", unix_path_, std::strerror(errno));
   try {
     // Where no certificate is needed any more, those that listen keep theirs.
     if (TlsContext fresh = make_tls_context(config.access)) tls_ = std::move(fresh);
