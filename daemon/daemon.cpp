@@ -211,11 +211,7 @@ void Daemon::reload() {
   next.log_level = fresh->log_level;
   next.telemetry_max_rate_hz = fresh->telemetry_max_rate_hz;
   next.connections = fresh->connections;
-  next.access = fresh->access;
-  // Whoever got in by the lists, while they decided, is not in the socket's group.
-  if (access::has_everybody(next.access.unix_roles.operate) &&
-      !access::has_everybody(config_.access.unix_roles.operate))
-    next.access.unix_roles = config_.access.unix_roles;
+  next.access = config::reloaded_access(config_.access, fresh->access);
   // A board never widens its limits.
   const bool too_wide =
       !model::is_within(next.limits, next.device.limits) ||

@@ -205,6 +205,13 @@ boost::system::result<Config, ConfigErrors> load_config(const Paths& paths,
   return loader.finish();
 }
 
+AccessSettings reloaded_access(const AccessSettings& running, AccessSettings fresh) {
+  if (access::has_everybody(fresh.unix_roles.operate) &&
+      !access::has_everybody(running.unix_roles.operate))
+    fresh.unix_roles = running.unix_roles;
+  return fresh;
+}
+
 base::FileText read_file(const std::string& path) {
   return base::read_regular_file(path, kMaxFileBytes);
 }

@@ -29,7 +29,7 @@ class TlsChecks : public TlsFixture {
   std::string s_client(int port, const std::string& options, const std::string& input = "") {
     const std::string command = "openssl s_client -connect 127.0.0.1:" + std::to_string(port) +
                                 (options.empty() ? "" : " " + options);
-    const std::string out =
+    std::string out =
         Program(home_, "/bin/sh", {"-c", "printf '" + input + "' | " + command + " 2>&1"})
             .wait()
             .out;

@@ -23,7 +23,6 @@ namespace hedgehog::e2e {
 namespace {
 
 using testing::HasSubstr;
-using testing::Not;
 
 constexpr int kNoRole = -32003;
 constexpr int kRoleIsTooLow = -32004;
@@ -170,7 +169,9 @@ TEST_F(LocalUsers, WhomTheListsHaveLetInDoNotOperateAfterAReloadToEverybody) {
 
 TEST_F(LocalUsers, WithoutARoleKeepNobodyFromTheEmergencyStop) {
   std::vector<std::unique_ptr<RawClient>> strangers;
-  for (int i = 0; i < 100; ++i) strangers.push_back(client_of(kNobodyUser));
+  constexpr int kStrangers = 100;
+  strangers.reserve(kStrangers);
+  for (int i = 0; i < kStrangers; ++i) strangers.push_back(client_of(kNobodyUser));
   EXPECT_TRUE(strangers.front()->closed_by_daemon()) << "the oldest lost its place";
   EXPECT_FALSE(client_of(kBinUser)->call("device.emergency_stop").contains("code"));
 }

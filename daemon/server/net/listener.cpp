@@ -2,7 +2,6 @@
 #include "daemon/server/net/listener.h"
 
 #include <spdlog/spdlog.h>
-#include <sys/stat.h>
 
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/co_spawn.hpp>
@@ -10,9 +9,7 @@
 #include <boost/asio/redirect_error.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/use_awaitable.hpp>
-#include <cerrno>
 #include <chrono>
-#include <cstring>
 #include <stdexcept>
 #include <utility>
 
@@ -52,11 +49,6 @@ std::size_t places(const Session& session, std::size_t max) {
 
 std::string text(const Tcp::endpoint& endpoint) {
   return config::to_string({endpoint.address().to_string(), endpoint.port()});
-}
-
-/// Of the socket's file: its group, or everybody where the roles decide.
-mode_t unix_mode(const access::UnixRoles& roles) {
-  return access::has_everybody(roles.operate) ? 0660 : 0666;
 }
 
 /// Reset before it was accepted: there is nobody to serve. Who has only closed may have asked
@@ -123,19 +115,9 @@ std::optional<Listener::TcpListener> Listener::open_tcp(const config::ListenAddr
 }
 
 void Listener::open_unix(const std::string& path, const access::UnixRoles& roles) {
-  make_room_for_socket(path);
-  const mode_t before = ::umask(0777 & ~unix_mode(roles));  // so from its first moment
-  unix_.emplace(io_);
-  error_code ec;
-  unix_->open(Local(), ec);
-  if (!ec) unix_->bind(Local::endpoint(path), ec);
-  ::umask(before);
-  if (!ec) {
-    unix_path_ = path;
-    unix_inode_ = inode_of(path);
-    unix_->listen(asio::socket_base::max_listen_connections, ec);
-  }
-  if (ec) throw std::runtime_error(path + ": " + ec.message());
+  unix_ = open_unix_acceptor(io_, path, roles);
+  unix_path_ = path;
+  unix_inode_ = inode_of(path);
   addresses_.push_back(path);
 }
 
@@ -283,9 +265,8 @@ void Listener::let_in_https(Tcp::socket socket) {
 
 void Listener::set_config(const config::Config& config) {
   settings_ = config.connections;
-  if (!unix_path_.empty() && inode_of(unix_path_) == unix_inode_ &&
-      ::chmod(unix_path_.c_str(), unix_mode(config.access.unix_roles)) != 0)
-    spdlog::error("{}: its mode cannot be changed: {}", unix_path_, std::strerror(errno));
+  if (!set_unix_mode(unix_path_, unix_inode_, config.access.unix_roles))
+    spdlog::error("{}: its mode cannot be changed", unix_path_);
   try {
     // Where no certificate is needed any more, those that listen keep theirs.
     if (TlsContext fresh = make_tls_context(config.access)) tls_ = std::move(fresh);
