@@ -211,7 +211,7 @@ void Daemon::reload() {
   next.log_level = fresh->log_level;
   next.telemetry_max_rate_hz = fresh->telemetry_max_rate_hz;
   next.connections = fresh->connections;
-  next.access = fresh->access;
+  next.access = config::reloaded_access(config_.access, fresh->access);
   // A board never widens its limits.
   const bool too_wide =
       !model::is_within(next.limits, next.device.limits) ||

@@ -53,6 +53,8 @@ export interface Connections {
     client: string | null;
     transport: string;
     address: string | null;
+    uid?: number;
+    pid?: number;
     role: "observe" | "play" | "operate";
     since_s: number;
     claimed: boolean;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "access/token_file.h"
+#include "access/unix_roles.h"
 #include "daemon/config/listen_address.h"
 #include "daemon/config/sensor_settings.h"
 #include "daemon/device/simulator/front_end.h"
@@ -39,7 +40,8 @@ struct HttpSettings {
   friend bool operator==(const HttpSettings&, const HttpSettings&) = default;
 };
 
-/// Who may reach the daemon from elsewhere. What the files have is not part of what is printed.
+/// Who may reach the daemon from elsewhere, and which users may do what on the Unix socket. What
+/// the files have is not part of what is printed.
 struct AccessSettings {
   /// Absolute paths.
   std::string tokens_file;
@@ -49,6 +51,7 @@ struct AccessSettings {
   /// Of certificate and key, which fit each other; empty where nobody listens with TLS.
   std::string certificate_pem;
   std::string key_pem;
+  access::UnixRoles unix_roles{};
   friend bool operator==(const AccessSettings&, const AccessSettings&) = default;
 };
 

@@ -11,6 +11,7 @@
 #include "daemon/config/keys/device_keys.h"
 #include "daemon/config/keys/key_tree.h"
 #include "daemon/config/keys/sensor_keys.h"
+#include "daemon/config/keys/unix_role_keys.h"
 
 namespace hedgehog::config {
 namespace {
@@ -46,6 +47,7 @@ class Loader {
     settle_device();
     settle_sensors(draft_, origins_, paths_.config_file, errors_);
     settle_places();
+    check_unix_roles(draft_.config.access.unix_roles, origins_, paths_.config_file, errors_);
     settle_access(draft_.config, origins_, paths_.config_file, reader_, errors_);
   }
 
@@ -201,6 +203,13 @@ boost::system::result<Config, ConfigErrors> load_config(const Paths& paths,
   loader.apply(overrides);
   loader.settle();
   return loader.finish();
+}
+
+AccessSettings reloaded_access(const AccessSettings& running, AccessSettings fresh) {
+  if (access::has_everybody(fresh.unix_roles.operate) &&
+      !access::has_everybody(running.unix_roles.operate))
+    fresh.unix_roles = running.unix_roles;
+  return fresh;
 }
 
 base::FileText read_file(const std::string& path) {

@@ -42,6 +42,11 @@ boost::system::result<Config, ConfigErrors> load_config(const Paths& paths,
                                                         const FileReader& reader = read_file,
                                                         const Config* running = nullptr);
 
+/// What a reload takes of `fresh`. The lists of the Unix socket stay while everybody would operate
+/// by the new ones and not by the `running`: clients whom those let in need not be in the socket's
+/// group.
+AccessSettings reloaded_access(const AccessSettings& running, AccessSettings fresh);
+
 /// JSON with every key and its value in effect; loaded as a configuration file it gives the same
 /// Config.
 std::string print_config(const Config& config);

@@ -18,6 +18,9 @@ struct ConnectionInfo {
   std::optional<std::string> client{};
   std::string transport{};               // "tcp", "unix", "websocket"
   std::optional<std::string> address{};  // the peer's; null on a Unix socket
+  // Of the program on a Unix socket, as the kernel knew it when it connected; left out elsewhere.
+  std::optional<std::int64_t> uid{};
+  std::optional<std::int64_t> pid{};
   Role role = Role::kObserve;
   double since_s = 0.0;  // seconds it has been connected
   bool claimed = false;
@@ -28,6 +31,8 @@ struct ConnectionInfo {
     f.nullable("client", client);
     f.required("transport", transport);
     f.nullable("address", address);
+    f.optional("uid", uid);
+    f.optional("pid", pid);
     f.required("role", role);
     f.required("since_s", since_s, decimals(1));
     f.required("claimed", claimed);

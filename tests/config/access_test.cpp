@@ -96,5 +96,44 @@ TEST(ConfigAccess, WhatIsPrintedHasPlacesAndNoSecrets) {
   EXPECT_THAT(printed, testing::Not(testing::HasSubstr(base::to_hex(access::digest_of("secret")))));
 }
 
+FakeFiles with_unix(const std::string& lists) {
+  return FakeFiles::with("{\"access\": {\"unix\": {\n" + lists + "}}}");
+}
+
+TEST(ConfigAccess, UsersOfTheUnixSocketOperateUnlessTheListsSayOtherwise) {
+  EXPECT_EQ(FakeFiles{}.load()->access.unix_roles, access::UnixRoles{});
+  const FakeFiles fake = with_unix(R"("operate": ["@root"], "play": ["daemon"], "observe": ["*"])");
+  ASSERT_EQ(fake.errors(), "");
+  const access::UnixRoles roles = fake.load()->access.unix_roles;
+  ASSERT_EQ(roles.play.size(), 1u);
+  EXPECT_EQ(roles.play[0].id, 1u) << "by the system's list of users";
+  EXPECT_FALSE(access::has_everybody(roles.operate));
+  EXPECT_THAT(print_config(*fake.load()), testing::HasSubstr("\"@root\""));
+  EXPECT_EQ(with_unix(R"("operate": [])").errors(), "") << "root and the daemon's own user only";
+}
+
+TEST(ConfigAccess, AUserOrGroupThatDoesNotExistIsAMistake) {
+  EXPECT_EQ(
+      with_unix(R"("operate": ["root", "no-such-user-here"])").errors(),
+      kConfigFile + ":2: access.unix.operate: \"no-such-user-here\": there is no such user\n");
+  EXPECT_EQ(
+      with_unix(R"("operate": [], "play": ["@no-such-group-here"])").errors(),
+      kConfigFile + ":2: access.unix.play: \"@no-such-group-here\": there is no such group\n");
+  for (const std::string list : {R"("root")", "[0]", "null"})
+    EXPECT_THAT(with_unix("\"operate\": " + list).errors(),
+                testing::HasSubstr("access.unix.operate: must be a list of users and groups"))
+        << list;
+}
+
+TEST(ConfigAccess, AListBelowEverybodysIsAMistake) {
+  EXPECT_EQ(with_unix(R"("play": ["daemon"])").errors(),
+            kConfigFile +
+                ":2: access.unix.play: changes nothing, because access.unix.operate has "
+                "\"*\"; write there who may\n");
+  EXPECT_THAT(with_unix(R"("operate": [], "play": ["*"], "observe": ["root"])").errors(),
+              testing::HasSubstr("access.unix.observe: changes nothing, because access.unix.play"));
+  EXPECT_EQ(with_unix(R"("operate": [], "play": ["*"])").errors(), "");
+}
+
 }  // namespace
 }  // namespace hedgehog::config

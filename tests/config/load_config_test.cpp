@@ -86,7 +86,8 @@ constexpr const char* kEverythingElse = R"({
   "thermometer": {"type": "temper", "role": "shell", "serial": "7"},
   "listen": {"tcp": ["127.0.0.2:0"], "unix": "/tmp/ball.sock"},
   "http": {"listen": null, "allow_origins": ["https://game.example:8443"], "pages": "/srv/www"},
-  "access": {"tokens": "/srv/tokens", "certificate": "/srv/cert.pem", "key": "/srv/cert.key"},
+  "access": {"tokens": "/srv/tokens", "certificate": "/srv/cert.pem", "key": "/srv/cert.key",
+             "unix": {"operate": ["root", "@0"], "play": ["@root"], "observe": ["*"]}},
   "connections": {"max": 8, "queue_bytes": 262144, "write_timeout_s": 3},
   "telemetry": {"max_rate_hz": 50},
   "log": {"level": "debug"}, "state_directory": "/srv/state", "runtime_directory": "/srv/run",
@@ -117,8 +118,11 @@ TEST(LoadConfig, EveryKeyArrives) {
             (ThermometerSettings{&device::kTemperDriver, device::ThermometerRole::kShell, "7"}));
   EXPECT_EQ(c.listen, (ListenSettings{{{"127.0.0.2", 0}}, "/tmp/ball.sock"}));
   EXPECT_EQ(c.http, (HttpSettings{std::nullopt, {"https://game.example:8443"}, "/srv/www"}));
+  using enum access::Principal::Kind;
+  const access::UnixRoles roles{
+      {{}}, {{kGroup, 0, "@root"}}, {{kUser, 0, "root"}, {kGroup, 0, "@0"}}};
   EXPECT_EQ(c.access,
-            (AccessSettings{"/srv/tokens", "/srv/cert.pem", "/srv/cert.key", {}, "", ""}));
+            (AccessSettings{"/srv/tokens", "/srv/cert.pem", "/srv/cert.key", {}, "", "", roles}));
   EXPECT_EQ(c.connections, (ConnectionSettings{8, 262144, 3}));
   EXPECT_EQ(c.telemetry_max_rate_hz, 50);
   EXPECT_EQ(c.log_level, LogLevel::kDebug);

@@ -136,8 +136,10 @@ TEST(Results, TextIsEscapedAndAlwaysUtf8) {
 
 TEST(Results, EveryKindComesBackTheSame) {
   const ConnectionsResult connections{
-      {{3, "Racer", "tcp", "127.0.0.1:5", Role::kPlay, 12.5, false, example_status().effects},
-       {4, std::nullopt, "unix", std::nullopt, Role::kOperate, 1.0, true, {}}}};
+      {{3, "Racer", "tcp", "127.0.0.1:5", std::nullopt, std::nullopt, Role::kPlay, 12.5, false,
+        example_status().effects},
+       {4, std::nullopt, "unix", std::nullopt, 1000, 4711, Role::kOperate, 1.0, true, {}},
+       {5, std::nullopt, "unix", std::nullopt, 0, std::nullopt, Role::kOperate, 1.0, false, {}}}};
   EXPECT_EQ(*decode_result<ConnectionsResult>(result_of(connections)), connections);
   const DevicesResult devices{
       {{"USB 1-3", "1209:0001", "Hedgehog driver board", "7", "1.02", "1.2", "board", std::nullopt},

@@ -132,8 +132,13 @@ TEST_F(Tokens, OnceThereIsOneTcpWithoutAnyMayOnlyObserve) {
   EXPECT_EQ(rig_.call(client, "hello")["role"], "play");
   set({{"owner", protocol::Role::kOperate, access::digest_of("operate-secret"), ""}});
   EXPECT_EQ(rig_.call(client, "hello")["role"], "observe");
-  EXPECT_EQ(rig_.server->tokens().role_without_token("websocket"), protocol::Role::kObserve);
-  EXPECT_EQ(rig_.server->tokens().role_without_token("unix"), protocol::Role::kOperate);
+  const auto role = [&](const std::string& transport) {
+    Session session;
+    session.transport = transport;
+    return rig_.server->tokens().role_without_token(session);
+  };
+  EXPECT_EQ(role("websocket"), protocol::Role::kObserve);
+  EXPECT_EQ(role("unix"), protocol::Role::kOperate);
   settings_.backend = config::Backend::kSimulator;
   rig_.server->set_access(settings_);
   EXPECT_EQ(rig_.call(client, "hello")["role"], "operate") << "on the simulator nobody is hurt";

@@ -32,6 +32,11 @@ std::optional<std::size_t> others_of(Connection& connection, const Ball& ball) {
                     [&](const auto& info) { return info.connection != ball.hello.connection; }));
 }
 
+/// Of a user or process; "-": not of the Unix socket, or not known.
+std::string id_words(const std::optional<std::int64_t>& id) {
+  return id ? std::to_string(*id) : "-";
+}
+
 int print_check(const Check& check, bool as_json) {
   std::puts(as_json ? check_json(check).c_str() : check.line.c_str());
   return check.code;
@@ -63,14 +68,16 @@ int run_clients(Session& session) {
   const auto list = protocol::decode_result<protocol::ConnectionsResult>(*text);
   if (!list) return complain({Failure::kProtocol, list.error().message, {}});
   const std::size_t name_columns = session.style.cuts ? 20 : std::string::npos;
-  std::puts("    #  CLIENT                VIA   ROLE      SINCE         PLAYS");
+  std::puts("    #  CLIENT                VIA   UID     PID      ROLE      SINCE         PLAYS");
   for (const protocol::ConnectionInfo& info : list->connections) {
     std::string plays;
     for (const protocol::EffectStatus& effect : info.effects)
       plays += (plays.empty() ? "" : ", ") + effect_words(effect);
-    std::printf("%5lld  %s%s%s%s%s%s\n", static_cast<long long>(info.connection),
+    std::printf("%5lld  %s%s%s%s%s%s%s%s\n", static_cast<long long>(info.connection),
                 left(cut(info.client.value_or("-"), name_columns) + "  ", 22).c_str(),
-                left(info.transport, 6).c_str(), left(protocol::name(info.role), 10).c_str(),
+                left(info.transport, 6).c_str(), left(id_words(info.uid) + " ", 8).c_str(),
+                left(id_words(info.pid) + " ", 9).c_str(),
+                left(protocol::name(info.role), 10).c_str(),
                 left(time_words(info.since_s), 14).c_str(), plays.empty() ? "-" : plays.c_str(),
                 info.claimed ? "  (the ball is its alone)" : "");
   }

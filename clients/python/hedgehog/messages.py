@@ -86,7 +86,7 @@ class ConnectionsConnectionsEffects(TypedDict):
     current_a: float
 
 
-class ConnectionsConnections(TypedDict):
+class _ConnectionsConnectionsAlways(TypedDict):
     connection: int
     client: Optional[str]
     transport: str
@@ -95,6 +95,11 @@ class ConnectionsConnections(TypedDict):
     since_s: float
     claimed: bool
     effects: Sequence[ConnectionsConnectionsEffects]
+
+
+class ConnectionsConnections(_ConnectionsConnectionsAlways, total=False):
+    uid: int
+    pid: int
 
 
 class Connections(TypedDict):

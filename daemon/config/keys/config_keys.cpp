@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "daemon/config/keys/sensor_keys.h"
+#include "daemon/config/keys/unix_role_keys.h"
 
 namespace hedgehog::config {
 namespace {
@@ -121,6 +122,7 @@ void add_listeners(std::vector<Key<D>>& keys) {
       [](auto& d) -> auto& { return d.config.access.certificate_file; }));
   keys.push_back(path_key(
       "access.key", true, true, [](auto& d) -> auto& { return d.config.access.key_file; }));
+  add_unix_role_keys(keys);
   keys.push_back(integer_key<D>(
       "connections.max", 1, 1024, [](auto& d) -> auto& { return d.config.connections.max; }));
   keys.push_back(integer_key<D>(

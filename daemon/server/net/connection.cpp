@@ -14,6 +14,7 @@
 
 #include "daemon/device/tick_clock.h"
 #include "daemon/server/net/wait.h"
+#include "daemon/server/session/origin.h"
 
 namespace hedgehog::server {
 namespace {
@@ -58,7 +59,7 @@ asio::awaitable<void> Connection::run() {
   server_.open(session_);
   // Strangers could fill the log.
   spdlog::log(session_.locked ? spdlog::level::debug : spdlog::level::info, "connection {} from {}",
-              session_.id, session_.address.value_or(session_.transport));
+              session_.id, origin_text(session_));
   asio::co_spawn(
       executor_,
       [](std::shared_ptr<Connection> self) -> asio::awaitable<void> {

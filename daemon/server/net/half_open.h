@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Connections from other machines that have shown no token yet: those whose TLS handshake goes on,
-// and those that have not logged in. They are bounded, and a new one is never turned away for old
-// ones: whoever is slow, or sends garbage, or nothing, keeps nobody out.
+// Connections that need a token and have shown none yet: of other machines those whose TLS
+// handshake goes on and those that have not logged in, and those of local users without a role.
+// They are bounded, and a new one is never turned away for old ones: whoever is slow, or sends
+// garbage, or nothing, keeps nobody out.
 #pragma once
 
 #include <boost/asio/any_io_executor.hpp>
@@ -60,8 +61,9 @@ class HalfOpen : public std::enable_shared_from_this<HalfOpen> {
     std::list<Entry>::iterator entry_{};
   };
 
-  /// For the socket `descriptor`, whose peer is at `address` ("192.0.2.7:5000"). Disconnecting is a
-  /// shutdown(2) in both directions: what waits on the socket then ends by itself.
+  /// For the socket `descriptor`, whose peer is at `address` ("192.0.2.7:5000", "user 1000").
+  /// Disconnecting is a shutdown(2) in both directions: what waits on the socket then ends by
+  /// itself.
   Ticket enter(int descriptor, const std::string& address);
   std::size_t size() const noexcept { return entries_.size(); }
   /// Disconnected so far, for taking too long or too much.

@@ -2,7 +2,6 @@
 #include "daemon/server/net/listener.h"
 
 #include <spdlog/spdlog.h>
-#include <sys/stat.h>
 
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/co_spawn.hpp>
@@ -15,8 +14,10 @@
 #include <utility>
 
 #include "daemon/config/listen_address.h"
+#include "daemon/server/net/peer_of.h"
 #include "daemon/server/net/tcp_acceptor.h"
 #include "daemon/server/net/unix_path.h"
+#include "daemon/server/session/origin.h"
 #include "protocol/server_codec.h"
 
 namespace hedgehog::server {
@@ -69,9 +70,10 @@ Session session_of(Tcp::socket& socket) {
   return session;
 }
 
-Session session_of(Local::socket&) {
+Session session_of(Local::socket& socket) {
   Session session;
   session.transport = "unix";
+  session.peer = peer_of(socket.native_handle());
   return session;
 }
 
@@ -99,7 +101,8 @@ void Listener::open(const config::Config& config) {
     addresses_.push_back((http_->tls ? "https://" : "http://") +
                          text(http_->acceptor.local_endpoint()));
   }
-  if (!config.listen.unix_socket.empty()) open_unix(config.listen.unix_socket);
+  if (!config.listen.unix_socket.empty())
+    open_unix(config.listen.unix_socket, config.access.unix_roles);
 }
 
 std::optional<Listener::TcpListener> Listener::open_tcp(const config::ListenAddress& wanted,
@@ -111,20 +114,10 @@ std::optional<Listener::TcpListener> Listener::open_tcp(const config::ListenAddr
   return TcpListener{*std::move(acceptor), wanted.tls};
 }
 
-void Listener::open_unix(const std::string& path) {
-  make_room_for_socket(path);
-  const mode_t before = ::umask(0117);  // 0660 from its first moment
-  unix_.emplace(io_);
-  error_code ec;
-  unix_->open(Local(), ec);
-  if (!ec) unix_->bind(Local::endpoint(path), ec);
-  ::umask(before);
-  if (!ec) {
-    unix_path_ = path;
-    unix_inode_ = inode_of(path);
-    unix_->listen(asio::socket_base::max_listen_connections, ec);
-  }
-  if (ec) throw std::runtime_error(path + ": " + ec.message());
+void Listener::open_unix(const std::string& path, const access::UnixRoles& roles) {
+  unix_ = open_unix_acceptor(io_, path, roles);
+  unix_path_ = path;
+  unix_inode_ = inode_of(path);
   addresses_.push_back(path);
 }
 
@@ -197,7 +190,7 @@ template <class AnySocket>
 Session Listener::session_with(AnySocket& socket, const char* transport) const {
   Session session = session_of(socket);
   if (transport != nullptr) session.transport = transport;
-  session.role = server_->tokens().role_without_token(session.transport);
+  server_->tokens().admit(session);
   session.batch_bytes = settings_.queue_bytes / 2;
   return session;
 }
@@ -207,13 +200,17 @@ bool Listener::has_capacity(const Session& session) {
   const auto here = server_->connections();
   if (here < places(session, settings_.max)) return true;
   ++server_->counters().rejected["cap"];
-  spdlog::warn("a client from {} is turned away: {} are connected already",
-               session.address.value_or(session.transport), here);
+  spdlog::warn("a client from {} is turned away: {} are connected already", origin_text(session),
+               here);
   return false;
 }
 
 void Listener::let_in(asio::generic::stream_protocol::socket socket, Session session) {
-  if (!has_capacity(session)) {
+  HalfOpen::Ticket ticket;
+  if (session.locked && !closing_) {
+    const std::string from = session.peer ? user_text(*session.peer) : session.transport;
+    ticket = half_open_->enter(socket.native_handle(), from);
+  } else if (!has_capacity(session)) {
     const std::string line =
         protocol::encode_error({}, protocol::busy("too many clients are connected", 1000)) + "\n";
     error_code ignored;
@@ -223,6 +220,7 @@ void Listener::let_in(asio::generic::stream_protocol::socket socket, Session ses
   }
   const auto connection =
       std::make_shared<LineConnection>(std::move(socket), *server_, std::move(session), settings_);
+  connection->set_half_open(std::move(ticket));
   enter(connection);
   connection->start();
 }
@@ -267,6 +265,8 @@ void Listener::let_in_https(Tcp::socket socket) {
 
 void Listener::set_config(const config::Config& config) {
   settings_ = config.connections;
+  if (!set_unix_mode(unix_path_, unix_inode_, config.access.unix_roles))
+    spdlog::error("{}: its mode cannot be changed", unix_path_);
   try {
     // Where no certificate is needed any more, those that listen keep theirs.
     if (TlsContext fresh = make_tls_context(config.access)) tls_ = std::move(fresh);

@@ -41,7 +41,8 @@ class Listener {
   void close();
   bool empty() const noexcept;
 
-  /// Limits, and certificate and key for those that connect from now on.
+  /// Limits, who may open the Unix socket, and certificate and key for those that connect from now
+  /// on.
   void set_config(const config::Config& config);
 
  private:
@@ -52,7 +53,7 @@ class Listener {
   };
   /// nullopt: this machine has no IPv6.
   std::optional<TcpListener> open_tcp(const config::ListenAddress& address, const char* remedy);
-  void open_unix(const std::string& path);
+  void open_unix(const std::string& path, const access::UnixRoles& roles);
   template <class AnyAcceptor, class LetIn>
   boost::asio::awaitable<void> accept(AnyAcceptor& acceptor, LetIn let_in);
   template <class AnySocket>

@@ -39,6 +39,10 @@ void require_private(const std::filesystem::path& folder) {
     throw std::runtime_error(folder.string() + ": not a folder of this user; not used for sockets");
 }
 
+mode_t unix_mode(const access::UnixRoles& roles) noexcept {
+  return access::has_everybody(roles.operate) ? 0660 : 0666;
+}
+
 }  // namespace
 
 void make_room_for_socket(const std::string& path) {
@@ -54,6 +58,31 @@ void make_room_for_socket(const std::string& path) {
   if (somebody_answers(path))
     throw std::runtime_error(path + ": another hedgehogd is running there");
   ::unlink(path.c_str());
+}
+
+boost::asio::local::stream_protocol::acceptor open_unix_acceptor(boost::asio::io_context& io,
+                                                                 const std::string& path,
+                                                                 const access::UnixRoles& roles) {
+  using Socket = boost::asio::local::stream_protocol;
+  make_room_for_socket(path);
+  const mode_t before = ::umask(0777 & ~unix_mode(roles));  // so from its first moment
+  Socket::acceptor acceptor(io);
+  boost::system::error_code ec;
+  acceptor.open(Socket(), ec);
+  if (!ec) acceptor.bind(Socket::endpoint(path), ec);
+  ::umask(before);
+  if (!ec) {
+    const std::uint64_t inode = inode_of(path);
+    acceptor.listen(boost::asio::socket_base::max_listen_connections, ec);
+    if (ec) remove_if_ours(path, inode);
+  }
+  if (ec) throw std::runtime_error(path + ": " + ec.message());
+  return acceptor;
+}
+
+bool set_unix_mode(const std::string& path, std::uint64_t inode,
+                   const access::UnixRoles& roles) noexcept {
+  return path.empty() || inode_of(path) != inode || ::chmod(path.c_str(), unix_mode(roles)) == 0;
 }
 
 std::uint64_t inode_of(const std::string& path) noexcept {

@@ -2,6 +2,7 @@
 #include "daemon/server/rpc/server.h"
 
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "daemon/server/history/trip_recordings.h"
 #include "daemon/server/rpc/known_counters.h"
 #include "daemon/server/rpc/view/event_view.h"
+#include "daemon/server/session/origin.h"
 #include "protocol/server_codec.h"
 
 namespace hedgehog::server {
@@ -21,6 +23,11 @@ bool wants(const EventSubscription& subscription, std::string_view type) {
   return subscription.types.empty() ||
          std::find(subscription.types.begin(), subscription.types.end(), type) !=
              subscription.types.end();
+}
+
+/// nullopt: none.
+std::optional<protocol::Role> role_now(const Session& session) {
+  return session.locked ? std::nullopt : std::optional(session.role);
 }
 
 }  // namespace
@@ -39,16 +46,23 @@ Server::Server(DeviceView& device_view, StateStore& memory, PatternLibrary& patt
 
 void Server::set_access(const config::Config& config) {
   context_.tokens.set_tokens(config.access.tokens);
+  context_.tokens.set_unix_roles(config.access.unix_roles, ::geteuid());
   context_.tokens.set_simulated(config.backend == config::Backend::kSimulator);
   context_.max_connections = config.connections.max;
   std::vector<Session*> revoked;
   for (const auto& [id, session] : context_.sessions) {
-    if (!session->token && !session->locked)
-      session->role = context_.tokens.role_without_token(session->transport);
     if (!context_.tokens.is_valid(*session)) revoked.push_back(session);
+    if (session->token || (session->locked && session->transport != "unix")) continue;
+    const auto role = context_.tokens.role_without_token(*session);
+    if (session->transport != "unix")
+      session->role = *role;
+    else if (role != role_now(*session))
+      revoked.push_back(session);
   }
   for (Session* session : revoked) {
-    spdlog::warn("connection {} ends: its token {} is revoked", session->id, session->token->name);
+    spdlog::warn("connection {} ends: {}", session->id,
+                 session->token ? "its token " + session->token->name + " is revoked"
+                                : "the role of " + origin_text(*session) + " has changed");
     Sink* sink = session->sink;
     // What it has sent, and sends until its socket is closed, is refused.
     session->locked = true;

@@ -41,8 +41,9 @@ class Server {
   /// The recorder of trips; outlives the server.
   void set_recordings(TripRecordings& recordings) noexcept { context_.recordings = &recordings; }
 
-  /// From the start on and at each reload. A connection whose token is no longer valid ends; those
-  /// without a token get the role that their transport has now.
+  /// From the start on and at each reload. A connection whose token is no longer valid ends, and
+  /// one of the Unix socket whose user has another role now; others without a token get the role
+  /// that their transport has now.
   void set_access(const config::Config& config);
   /// As `TokenCheck::log_in`; a `locked` session also needs a place among `connections.max`: busy.
   std::optional<protocol::RpcError> log_in(Session& session, std::string_view secret) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "daemon/server/rpc/handlers.h"
+#include "daemon/server/session/origin.h"
 #include "protocol/server_codec.h"
 
 namespace hedgehog::server {
@@ -33,7 +34,7 @@ std::optional<protocol::RpcError> HandlerContext::log_in(Session& session,
     ++counters.rejected["cap"];
     return protocol::busy("too many clients are connected", kFullMs);
   }
-  const std::string& from = session.address ? *session.address : session.transport;
+  const std::string from = origin_text(session);
   if (!refusal) {
     spdlog::info("the token {} gives {} the role {}", session.token->name, from,
                  protocol::name(session.role));
@@ -50,7 +51,7 @@ Outcome handle(Call& call, const protocol::Hello& request) {
     if (auto refusal = call.context.log_in(call.session, *request.token))
       return Answer(*std::move(refusal));
   } else if (call.session.locked) {
-    return Answer(token_needed());
+    return Answer(token_needed(call.session));
   }
   if (!request.client.empty()) call.session.client = request.client;
   const DeviceView& device_view = call.device_view();
@@ -89,6 +90,10 @@ Outcome handle(Call& call, const protocol::ConnectionList&) {
     if (!session->client.empty()) info.client = session->client;
     info.transport = session->transport;
     info.address = session->address;
+    if (session->peer) {
+      info.uid = session->peer->user;
+      if (session->peer->process > 0) info.pid = session->peer->process;
+    }
     info.role = session->role;
     info.since_s = static_cast<double>(now - session->since) * model::kTickSeconds;
     info.claimed = context.claim.holder(now) == id;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "access/peer.h"
 #include "access/token.h"
 #include "daemon/server/session/write_queue.h"
 #include "model/tick.h"
@@ -52,10 +53,13 @@ struct Session {
   ConnectionId id = 0;
   std::string transport;  // "tcp", "unix"
   std::optional<std::string> address;
+  /// On the Unix socket; nullopt there: the system does not tell.
+  std::optional<access::Peer> peer;
   protocol::Role role = protocol::Role::kPlay;
-  /// What it has shown; nullopt: the role is that of its transport.
+  /// What it has shown; nullopt: the role is that of its transport, or of its user.
   std::optional<access::Token> token;
-  /// Nothing but `hello` with a token is carried out: it needs one, or its own was revoked.
+  /// Nothing but `hello` with a token is carried out: it needs one, its own was revoked, or its
+  /// user has no role.
   bool locked = false;
   std::string client;
   model::Tick since = 0;

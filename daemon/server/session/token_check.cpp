@@ -1,22 +1,41 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/server/session/token_check.h"
 
-namespace hedgehog::server {
+#include "daemon/server/session/origin.h"
 
-protocol::Role TokenCheck::role_without_token(std::string_view transport) const noexcept {
+namespace hedgehog::server {
+namespace {
+
+/// Of whom wrong tokens are counted: host or network, on the Unix socket the user; empty: nobody.
+std::string counted_key(const Session& session) {
+  if (session.address) return FailedTokens::key_of(*session.address);
+  return session.peer ? user_text(*session.peer) : "";
+}
+
+}  // namespace
+
+std::optional<protocol::Role> TokenCheck::role_without_token(
+    const Session& session) const noexcept {
   using protocol::Role;
-  if (simulated_ || transport == "unix") return Role::kOperate;
+  if (session.transport == "unix")
+    return access::role_of(unix_roles_, session.peer ? &*session.peer : nullptr, own_user_);
+  if (simulated_) return Role::kOperate;
   return tokens_.empty() ? Role::kPlay : Role::kObserve;
+}
+
+void TokenCheck::admit(Session& session) const noexcept {
+  const auto role = role_without_token(session);
+  session.role = role.value_or(protocol::Role::kObserve);
+  session.locked = !role;
 }
 
 std::optional<protocol::RpcError> TokenCheck::log_in(Session& session, std::string_view secret,
                                                      model::Tick now) {
   using protocol::ErrorCode;
-  // Who may open the Unix socket is known by the system.
-  const std::string key = session.address ? FailedTokens::key_of(*session.address) : "";
+  const std::string key = counted_key(session);
   if (const model::Tick wait = key.empty() ? 0 : failed_.remaining(key, now); wait > 0) {
     auto error = protocol::error(ErrorCode::kUnauthorized,
-                                 "token: too many wrong ones came from this address; wait");
+                                 "token: too many wrong ones came from this address or user; wait");
     error.field = "token";
     error.retry_after_ms = wait;
     return error;
@@ -49,10 +68,13 @@ const access::Token* TokenCheck::find(const access::Digest& digest) const noexce
   return found;
 }
 
-protocol::RpcError token_needed() {
-  auto error = protocol::error(protocol::ErrorCode::kUnauthorized,
-                               "unauthorized: send a token in hello first, or as HTTP's "
-                               "Authorization: Bearer");
+protocol::RpcError token_needed(const Session& session) {
+  auto error = protocol::error(
+      protocol::ErrorCode::kUnauthorized,
+      session.transport == "unix"
+          ? "unauthorized: " + (session.peer ? user_text(*session.peer) : "this user") +
+                " has no role in access.unix of the configuration; send a token in hello first"
+          : "unauthorized: send a token in hello first, or as HTTP's Authorization: Bearer");
   error.role_needed = protocol::Role::kObserve;
   return error;
 }

@@ -56,7 +56,7 @@ HttpAnswer Website::answer(const HttpRequest& request) {
     session.address = request.address;
     session.locked = true;
     if (auto no = log_in(session, request)) return *std::move(no);
-    if (session.locked) return unauthorized(token_needed());
+    if (session.locked) return unauthorized(token_needed(session));
     HttpAnswer answer = live_answer(path);
     answer.authorized = true;
     return answer;

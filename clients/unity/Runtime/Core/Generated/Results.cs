@@ -241,6 +241,16 @@ namespace Hedgehog.Results
             get { return Json["address"].Text; }
         }
 
+        public long? Uid
+        {
+            get { return Json["uid"].IsNull ? (long?)null : Json["uid"].Integer; }
+        }
+
+        public long? Pid
+        {
+            get { return Json["pid"].IsNull ? (long?)null : Json["pid"].Integer; }
+        }
+
         public string Role
         {
             get { return Json["role"].Text; }

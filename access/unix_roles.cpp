@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "access/unix_roles.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace hedgehog::access {
+namespace {
+
+bool any_includes(const Principals& principals, const Peer* peer) noexcept {
+  return std::any_of(
+      principals.begin(), principals.end(),
+      [&](const Principal& principal) {
+        return peer != nullptr ? includes(principal, *peer)
+                               : principal.kind == Principal::Kind::kEverybody;
+      });
+}
+
+}  // namespace
+
+bool has_everybody(const Principals& principals) noexcept {
+  return any_includes(principals, nullptr);
+}
+
+std::optional<protocol::Role> role_of(const UnixRoles& roles, const Peer* peer,
+                                      std::uint32_t own_user) noexcept {
+  using protocol::Role;
+  if (peer != nullptr && (peer->user == 0 || peer->user == own_user)) return Role::kOperate;
+  for (const auto& [role, principals] : {std::pair{Role::kOperate, &roles.operate},
+                                         {Role::kPlay, &roles.play},
+                                         {Role::kObserve, &roles.observe}})
+    if (any_includes(*principals, peer)) return role;
+  return std::nullopt;
+}
+
+}  // namespace hedgehog::access

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// The keys "access.unix" of hedgehogd.json, documented there.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "daemon/config/config_error.h"
+#include "daemon/config/keys/config_keys.h"
+#include "daemon/config/keys/key_tree.h"
+
+namespace hedgehog::config {
+
+void add_unix_role_keys(std::vector<Key<Draft>>& keys);
+
+/// Adds to `errors` the lists that change nothing, because a higher role is everybody's: whoever
+/// wrote one meant to restrict that role.
+void check_unix_roles(const access::UnixRoles& roles, const Origins& origins,
+                      const std::string& file, ConfigErrors& errors);
+
+}  // namespace hedgehog::config

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Where a client comes from, for the log.
+#pragma once
+
+#include <string>
+
+#include "daemon/server/session/session.h"
+
+namespace hedgehog::server {
+
+/// "user 1000".
+std::string user_text(const access::Peer& peer);
+
+/// "192.0.2.7:5000", "unix (user 1000, process 4711)". Any thread.
+std::string origin_text(const Session& session);
+
+}  // namespace hedgehog::server
