@@ -72,6 +72,7 @@ test("a token that is revoked ends the page's connection, and is asked for again
   await opened();
   complaints.expected = true;
   daemon.token("revoke", "arcade");
+  daemon.process.kill("SIGHUP");
   await page.waitForSelector("body[data-link=locked]", kPatience);
   await page.getByText("The daemon does not know this token.").waitFor(kPatience);
 });
