@@ -93,7 +93,7 @@ class OnLoopback(unittest.TestCase):
 
     def test_all_balls_are_listed(self):
         self.announce(("ball-7", "0007", "127.0.0.1", 17586), ("ball-9", "0009", "127.0.0.1", 17587))
-        found = hedgehog.discover(0.5)
+        found = hedgehog.discover(2.0)
         self.assertEqual(found, [
             mdns.DiscoveredBall("ball-7", "lab.local", "127.0.0.1", 17586, "0007", "1.0", True),
             mdns.DiscoveredBall("ball-9", "lab.local", "127.0.0.1", 17587, "0009", "1.0", True)])
@@ -101,7 +101,7 @@ class OnLoopback(unittest.TestCase):
     def test_what_a_responder_leaves_out_is_asked_for(self):
         responder = self.announce(("ball-7", "0007", "127.0.0.1", 17586))
         responder.one_record_each = True
-        self.assertEqual([ball.name for ball in hedgehog.discover(0.6)], ["ball-7"])
+        self.assertEqual([ball.name for ball in hedgehog.discover(3.0)], ["ball-7"])
 
     def test_a_search_without_an_answer_is_an_error_that_both_clients_report(self):
         self.announce()

@@ -22,7 +22,7 @@ const MAX_LISTED = 8;
  * when this machine has no network.
  */
 export function discover(timeoutMs = 1000) {
-  return search(timeoutMs, () => false);
+  return search(timeoutMs, null);
 }
 
 /** The same addresses with what one that begins with mdns:// has found. Rejects with NotConnected, and when there is no network. */
@@ -83,14 +83,14 @@ function testPort() {
   return Number(/^\d+$/.exec(process.env.HEDGEHOG_MDNS_PORT ?? "")?.[0] ?? 0);
 }
 
+/** Ends after that time, or when what was found is `enough` (null: it never is). */
 async function search(timeoutMs, enough) {
   const answers = new Answers(crypto.randomInt(1 << 16));
   const socket = dgram.createSocket("udp4");
   let found;
   const answered = new Promise((resolve) => (found = resolve));
   socket.on("message", (packet) => {
-    answers.read(packet);
-    if (enough(answers.balls())) found(true);
+    if (answers.read(packet) && enough?.(answers.balls())) found(true);
   });
   try {
     await new Promise((resolve, reject) => socket.once("error", reject).bind(0, resolve));

@@ -17,6 +17,10 @@ const IN = 1;
 /** Of the class of a question: the response may be unicast. Of a record: it replaces others. */
 const TOP_BIT = 0x8000;
 const MAX_NAME = 255;
+/** That one name leads through: each record may walk the whole chain again. */
+const MAX_POINTERS = 32;
+/** RFC 6762, section 17; IP's and UDP's headers included. */
+const MAX_MESSAGE = 9000;
 /** Of instances, and of names with services, texts or addresses each; further ones are ignored. */
 const MAX_NAMES = 256;
 const MAX_ADDRESSES = 16;
@@ -48,12 +52,13 @@ class Message {
     let name = "";
     let end;
     let begin = this.at;
+    let pointers = 0;
     for (;;) {
       const size = this.number(1);
       if (size >= 0xc0) {
         const target = ((size & 0x3f) << 8) | this.number(1);
         // Always further back: no name goes round in circles.
-        if (target >= begin) throw new Malformed();
+        if (target >= begin || ++pointers > MAX_POINTERS) throw new Malformed();
         end ??= this.at;
         this.at = begin = target;
         continue;
@@ -122,15 +127,18 @@ export class Answers {
     return Buffer.concat([header, ...parts]);
   }
 
+  /** Whether something in that datagram was of interest. */
   read(packet) {
+    if (packet.length > MAX_MESSAGE) return false;
     let records;
     try {
       records = this.#records(new Message(packet));
     } catch (error) {
-      if (error instanceof Malformed) return;
+      if (error instanceof Malformed) return false;
       throw error;
     }
     for (const [name, kind, value] of records) this.#keep(keyOf(name), kind, value);
+    return records.length > 0;
   }
 
   /** Those of which a host, a port and an address are known, by name. */

@@ -30,6 +30,8 @@ constexpr std::uint16_t kMdnsPort = 5353;
 constexpr int kMdnsHops = 255;  // RFC 6762, section 11
 /// A lost query is replaced by the next, which also asks for what is missing.
 constexpr int kQueries = 3;
+/// Read in one call that does not wait, however many come.
+constexpr int kMaxDatagrams = 16;
 
 std::uint16_t test_port() {
   const std::string text = process_environment("HEDGEHOG_MDNS_PORT").value_or("");
@@ -63,7 +65,7 @@ class MdnsExchange {
  public:
   using Enough = std::function<bool(const std::vector<DiscoveredBall>&)>;
 
-  /// Ends after `time`, or when what was found is `enough`.
+  /// Ends after `time`, or when what was found is `enough` (empty: it never is).
   MdnsExchange(std::chrono::milliseconds time, Enough enough)
       : time_(time), enough_(std::move(enough)) {
     error_code& error = failure_;
@@ -84,7 +86,8 @@ class MdnsExchange {
   /// Whether it is over, by `deadline` at the latest.
   bool run(SteadyClock::time_point deadline) {
     io_.restart();
-    io_.poll();
+    for (int i = 0; i < kMaxDatagrams && !done_ && io_.poll_one() > 0; ++i) {
+    }
     while (!done_ && SteadyClock::now() < deadline) {
       io_.restart();
       io_.run_one_until(deadline);
@@ -125,12 +128,9 @@ class MdnsExchange {
     socket_.async_receive(
         asio::buffer(packet_),
         [this](const error_code& error, std::size_t size) {
-          if (error == asio::error::operation_aborted || done_) return;
-          if (!error) answers_.read({packet_.data(), size});
-          if (!error && enough_(answers_.balls()))
-            done_ = true;
-          else
-            receive();
+          if (error || done_) return;
+          done_ = answers_.read({packet_.data(), size}) && enough_ && enough_(answers_.balls());
+          if (!done_) receive();
         });
   }
 
@@ -165,7 +165,7 @@ bool all_named_are_there(const std::vector<Address>& addresses,
 }  // namespace
 
 Outcome<std::vector<DiscoveredBall>> discover(std::chrono::milliseconds time) {
-  MdnsExchange exchange(time, [](const auto&) { return false; });
+  MdnsExchange exchange(time, {});
   while (!exchange.run(SteadyClock::now() + time)) {
   }
   if (exchange.failure()) return no_network(exchange.failure());
@@ -197,6 +197,7 @@ struct BallSearch::Impl {
       for (const DiscoveredBall& ball : *balls) {
         all.push_back(address);
         all.back().mdns = false;
+        all.back().tls = true;
         all.back().host = ball.address.host;
         all.back().port = ball.address.port;
       }

@@ -47,8 +47,10 @@ std::string Answers::query() const {
   return make_query(id_, questions);
 }
 
-void Answers::read(std::string_view packet) {
-  for (Record& record : read_response(packet, id_)) keep(std::move(record));
+bool Answers::read(std::string_view packet) {
+  std::vector<Record> records = read_response(packet, id_);
+  for (Record& record : records) keep(std::move(record));
+  return !records.empty();
 }
 
 void Answers::keep(Record record) {

@@ -25,8 +25,8 @@ class Answers {
 
   /// Asks for the service, and for what is missing of those that have answered.
   std::string query() const;
-  /// A datagram, whatever it has.
-  void read(std::string_view packet);
+  /// A datagram, whatever it has. Whether something in it was of interest.
+  bool read(std::string_view packet);
   /// Those of which a host, a port and an address are known: by name, then by address, IPv4 first.
   std::vector<DiscoveredBall> balls() const;
 

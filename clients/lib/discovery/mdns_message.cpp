@@ -13,6 +13,10 @@ constexpr std::uint32_t kClassIn = 1;
 /// Of the class of a question: the response may be unicast. Of a record: it replaces others.
 constexpr std::uint32_t kTopBit = 0x8000;
 constexpr std::size_t kMaxName = 255;
+/// That one name leads through: each record may walk the whole chain again.
+constexpr int kMaxPointers = 32;
+/// RFC 6762, section 17; IP's and UDP's headers included.
+constexpr std::size_t kMaxMessageBytes = 9000;
 constexpr std::size_t kMaxLabel = 63;
 constexpr std::size_t kHeaderBytes = 12;
 constexpr std::size_t kMaxQueryBytes = 1200;
@@ -46,13 +50,14 @@ class Reader {
     std::string name;
     std::optional<std::size_t> end;
     std::size_t begin = at_;
+    int pointers = 0;
     while (valid_) {
       const std::uint32_t size = number(1);
       if (size >= 0xc0u) {
         const std::size_t target = (size & 0x3fu) << 8u | number(1);
         if (!end) end = at_;
         // Always further back: no name goes round in circles.
-        if (target >= begin) fail();
+        if (target >= begin || ++pointers > kMaxPointers) fail();
         at_ = begin = std::min(target, begin);
         continue;
       }
@@ -145,6 +150,7 @@ void append_number(std::string& out, std::size_t value) {
 }  // namespace
 
 std::vector<Record> read_response(std::string_view packet, std::uint16_t id) {
+  if (packet.size() > kMaxMessageBytes) return {};
   Reader reader(packet);
   const bool ours = reader.number(2) == id;
   // A response to a standard query, without an error.

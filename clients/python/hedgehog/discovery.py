@@ -30,7 +30,7 @@ class BallNotFound(Exception):
 def discover(timeout_s: float = 1.0) -> List[DiscoveredBall]:
     """The balls that answer within that time, by name; one that has several addresses is there with each. Takes the whole time.
     Raises OSError when this machine has no network."""
-    return _search(timeout_s, lambda balls: False)
+    return _search(timeout_s, None)
 
 
 def locate(addresses: List[Address]) -> List[Address]:
@@ -76,7 +76,8 @@ def _listed(balls: List[DiscoveredBall]) -> str:
     return ", ".join(texts[:MAX_LISTED] + more)
 
 
-def _search(timeout_s: float, enough: Callable[[List[DiscoveredBall]], bool]) -> List[DiscoveredBall]:
+def _search(timeout_s: float, enough: Optional[Callable[[List[DiscoveredBall]], bool]]) -> List[DiscoveredBall]:
+    """Ends after that time, or when what was found is enough (None: it never is)."""
     answers = Answers(secrets.randbelow(1 << 16))
     begin = time.monotonic()
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as asking:
@@ -91,10 +92,10 @@ def _search(timeout_s: float, enough: Callable[[List[DiscoveredBall]], bool]) ->
                     break
                 asking.settimeout(left_s)
                 try:
-                    answers.read(asking.recv(1 << 14))
+                    is_new = answers.read(asking.recv(1 << 14))
                 except socket.timeout:
                     break
-                if enough(answers.balls()):
+                if is_new and enough and enough(answers.balls()):
                     return answers.balls()
     return answers.balls()
 

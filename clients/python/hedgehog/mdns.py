@@ -13,6 +13,10 @@ _A, _PTR, _TXT, _AAAA, _SRV, _IN = 1, 12, 16, 28, 33, 1
 #: Of the class of a question: the response may be unicast. Of a record: it replaces others.
 _TOP_BIT = 0x8000
 _MAX_NAME = 255
+#: That one name leads through: each record may walk the whole chain again.
+_MAX_POINTERS = 32
+#: RFC 6762, section 17; IP's and UDP's headers included.
+_MAX_MESSAGE = 9000
 #: Of instances, and of names with services, texts or addresses each; further ones are ignored.
 _MAX_NAMES = 256
 _MAX_ADDRESSES = 16
@@ -60,12 +64,14 @@ class _Message:
         name = b""
         end: Optional[int] = None
         begin = self.at
+        pointers = 0
         while True:
             (size,) = self.take(1)
             if size >= 0xC0:
                 target = (size & 0x3F) << 8 | self.take(1)[0]
                 # Always further back: no name goes round in circles.
-                if target >= begin:
+                pointers += 1
+                if target >= begin or pointers > _MAX_POINTERS:
                     raise _Malformed
                 end = self.at if end is None else end
                 self.at = begin = target
@@ -122,13 +128,17 @@ class Answers:
                 count += 1
         return struct.pack(">6H", self._id, 0, count, 0, 0, 0) + body
 
-    def read(self, packet: bytes) -> None:
+    def read(self, packet: bytes) -> bool:
+        """Whether something in that datagram was of interest."""
+        if len(packet) > _MAX_MESSAGE:
+            return False
         try:
             records = self._records(_Message(packet))
         except _Malformed:
-            return
+            return False
         for name, kind, value in records:
             self._keep(name.lower(), kind, value)
+        return bool(records)
 
     def balls(self) -> List[DiscoveredBall]:
         """Those of which a host, a port and an address are known, by name."""

@@ -94,7 +94,7 @@ test("addresses", () => {
 test("all balls are listed", async () => {
   await announce(["ball-7", "0007", "127.0.0.1", 17586], ["ball-9", "0009", "127.0.0.1", 17587]);
   const common = { host: "lab.local", address: "127.0.0.1", protocol: "1.0", tls: true };
-  assert.deepEqual(await discover(500), [
+  assert.deepEqual(await discover(2000), [
     { name: "ball-7", port: 17586, serial: "0007", ...common },
     { name: "ball-9", port: 17587, serial: "0009", ...common },
   ]);
