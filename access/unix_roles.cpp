@@ -7,6 +7,9 @@
 namespace hedgehog::access {
 namespace {
 
+/// Linux shows each user so that this namespace of users does not know (and `nobody`, too).
+constexpr std::uint32_t kUnmappedUser = 65534;
+
 bool any_includes(const Principals& principals, const Peer* peer) noexcept {
   return std::any_of(
       principals.begin(), principals.end(),
@@ -25,7 +28,8 @@ bool has_everybody(const Principals& principals) noexcept {
 std::optional<protocol::Role> role_of(const UnixRoles& roles, const Peer* peer,
                                       std::uint32_t own_user) noexcept {
   using protocol::Role;
-  if (peer != nullptr && (peer->user == 0 || peer->user == own_user)) return Role::kOperate;
+  const bool is_own = peer != nullptr && peer->user == own_user && own_user != kUnmappedUser;
+  if (is_own || (peer != nullptr && peer->user == 0)) return Role::kOperate;
   for (const auto& [role, principals] : {std::pair{Role::kOperate, &roles.operate},
                                          {Role::kPlay, &roles.play},
                                          {Role::kObserve, &roles.observe}})

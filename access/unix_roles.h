@@ -29,8 +29,8 @@ inline constexpr std::size_t kMaxPrincipals = 256;
 bool has_everybody(const Principals& principals) noexcept;
 
 /// The highest role whose list includes `peer`; `operate` for root and for `own_user`, that of the
-/// daemon; nullopt: none. A peer whose credentials the system does not tell (nullptr) has the roles
-/// of everybody only.
+/// daemon, unless that is `nobody`, as users of another namespace are shown; nullopt: none. A peer
+/// whose credentials the system does not tell (nullptr) has the roles of everybody only.
 std::optional<protocol::Role> role_of(const UnixRoles& roles, const Peer* peer,
                                       std::uint32_t own_user) noexcept;
 

@@ -13,8 +13,9 @@ namespace hedgehog::server {
 namespace {
 
 constexpr int kNoRoleCode = -32003;
-constexpr std::uint32_t kAlice = 1001;
-constexpr std::uint32_t kBob = 1002;
+// Users whom nobody is who runs this.
+constexpr std::uint32_t kAlice = 4'000'001'001;
+constexpr std::uint32_t kBob = 4'000'001'002;
 const Json kLongPush{{"direction", "left"}, {"duration_ms", 5000}};
 
 access::Principal user_principal(std::uint32_t id) {
@@ -39,8 +40,11 @@ class UnixUsers : public testing::Test {
     rig_.server->tokens().admit(client.session);
     return client;
   }
-  /// Its request reaches the server although its connection ends.
+  /// Its requests reach the server although its connection ends.
   void push_late(FakeClient& client) {
+    rig_.server->line(
+        client.session,
+        R"({"jsonrpc":"2.0","id":2,"method":"hello","params":{"token":"owner-secret"}})");
     rig_.server->line(
         client.session,
         R"({"jsonrpc":"2.0","id":1,"method":"effect.pulse","params":{"direction":"left"}})");
@@ -76,9 +80,10 @@ TEST_F(UnixUsers, WithoutARoleNothingIsCarriedOutAndNoCurrentFlows) {
                                                       : Json::object();
     const Json error = rig_.call(bob, method, params);
     EXPECT_EQ(error["code"], kNoRoleCode) << method;
-    EXPECT_EQ(error["message"],
-              "unauthorized: user 1002 has no role in access.unix of the configuration; send a "
-              "token in hello first");
+    EXPECT_EQ(
+        error["message"],
+        "unauthorized: user 4000001002 has no role in access.unix of the configuration; send a "
+        "token in hello first");
     rig_.run(20);
     EXPECT_LT(rig_.plant_current_a(), 0.1) << method;
   }
@@ -97,7 +102,8 @@ TEST_F(UnixUsers, WhoShowsWrongTokensHasToWaitAndOthersHaveNot) {
     EXPECT_EQ(rig_.call(local(kBob), "hello", {{"token", "guess"}})["code"], kNoRoleCode);
   const Json waits = rig_.call(local(kBob), "hello", {{"token", "owner-secret"}});
   EXPECT_GT(waits["data"]["retry_after_ms"], 900);
-  EXPECT_EQ(rig_.call(local(1003), "hello", {{"token", "owner-secret"}})["role"], "operate");
+  EXPECT_EQ(rig_.call(local(4'000'001'003), "hello", {{"token", "owner-secret"}})["role"],
+            "operate");
 }
 
 TEST_F(UnixUsers, WhoLosesARoleAtAReloadLosesItsEffects) {
@@ -138,7 +144,7 @@ TEST_F(UnixUsers, AreShownToWhoOperates) {
   EXPECT_EQ(list[0]["pid"], 4711);
   EXPECT_EQ(list[0]["role"], "play");
   EXPECT_FALSE(list[1].contains("uid")) << "of TCP nothing is known";
-  EXPECT_EQ(origin_text(alice.session), "unix (user 1001, process 4711)");
+  EXPECT_EQ(origin_text(alice.session), "unix (user 4000001001, process 4711)");
 }
 
 }  // namespace

@@ -64,8 +64,7 @@ void Server::set_access(const config::Config& config) {
                  session->token ? "its token " + session->token->name + " is revoked"
                                 : "the role of " + origin_text(*session) + " has changed");
     Sink* sink = session->sink;
-    // What it has sent, and sends until its socket is closed, is refused.
-    session->locked = true;
+    session->locked = session->ended = true;
     close(*session);
     sink->finish();
   }

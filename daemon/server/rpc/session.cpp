@@ -47,6 +47,7 @@ std::optional<protocol::RpcError> HandlerContext::log_in(Session& session,
 }
 
 Outcome handle(Call& call, const protocol::Hello& request) {
+  if (call.session.ended) return Answer(token_needed(call.session));
   if (request.token) {
     if (auto refusal = call.context.log_in(call.session, *request.token))
       return Answer(*std::move(refusal));
