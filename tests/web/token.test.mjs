@@ -32,10 +32,12 @@ afterEach(async () => {
   assert.deepEqual(complaints.take(), []);
 });
 
-async function open(path = "/") {
+/** `prepare(page)`: before anything is loaded. */
+async function open(path = "/", prepare = () => {}) {
   page = await (await browser.newContext({ ...kDesktop, ignoreHTTPSErrors: true })).newPage();
   page.setDefaultTimeout(kPatience.timeout);
   complaints.watch(page);
+  await prepare(page);
   await page.goto(daemon.url + path);
   await page.waitForSelector("body[data-link=locked]", kPatience);
 }
@@ -64,6 +66,25 @@ test("a wrong token is told, and a right one taken after it; a reload asks no mo
   assert.match(await page.textContent("#version"), /role play/);
   await page.reload();
   await opened();
+});
+
+test("a right token that is refused unseen, for others' wrong ones, is shown again by itself", async () => {
+  const refusal = { code: -32003, message: "token: wait", data: { name: "unauthorized", retry_after_ms: 3000 } };
+  const shown = [];
+  await open("/", async (fresh) => {
+    await fresh.addInitScript((token) => sessionStorage.setItem("hedgehog-token", token), tokens.play);
+    await fresh.routeWebSocket("**/ws", (socket) => {
+      const server = socket.connectToServer();
+      socket.onMessage((text) => {
+        const { id, method, params } = JSON.parse(text);
+        if (method !== "hello" || shown.push(params.token) > 1) return server.send(text);
+        return socket.send(JSON.stringify({ jsonrpc: "2.0", id, error: refusal }));
+      });
+    });
+  });
+  assert.match(await page.textContent("#token-problem"), /Too many wrong tokens/);
+  await opened();
+  assert.deepEqual(shown.slice(0, 2), [tokens.play, tokens.play]);
 });
 
 test("a token that is revoked ends the page's connection, and is asked for again", async () => {

@@ -22,7 +22,7 @@ export class Refused extends Error {
 /**
  * Dispatches `open` (detail: {hello, device}: the answers to hello and device.describe), `gone` (detail:
  * {reason, retryInMs}), `locked` (detail: {wrong, retryAfterMs}: the daemon wants a token, and was shown a wrong one;
- * nothing is tried before `unlock`), `telemetry` and `event` (detail: the notification's params).
+ * nothing is tried before `unlock` or, with retryAfterMs above 0, that time), `telemetry` and `event` (detail: the notification's params).
  */
 export class Link extends EventTarget {
   /** `begin`: requests to make after each hello, [{method, params}]. */
@@ -48,6 +48,7 @@ export class Link extends EventTarget {
 
   connect() {
     clearTimeout(this.retry);
+    this.locked = false;
     const socket = new WebSocket(this.url);
     this.socket = socket;
     // A daemon that is stopped in the debugger accepts, and never answers.
@@ -90,15 +91,20 @@ export class Link extends EventTarget {
   lock({ data }) {
     this.locked = true;
     const wrong = this.token !== null;
+    const retryAfterMs = data.retry_after_ms ?? 0;
+    this.say("locked", { wrong, retryAfterMs });
+    if (retryAfterMs > 0) {
+      // It was refused unseen, and may be right: somebody else of this address has shown wrong ones.
+      this.retry = setTimeout(() => this.connect(), retryAfterMs);
+      return;
+    }
     this.token = null;
     sessionStorage.removeItem(kTokenKept);
-    this.say("locked", { wrong, retryAfterMs: data.retry_after_ms ?? 0 });
   }
 
   unlock(token) {
     this.token = token;
     sessionStorage.setItem(kTokenKept, token);
-    this.locked = false;
     this.connect();
   }
 
