@@ -61,7 +61,8 @@ struct Session {
   /// Nothing but `hello` with a token is carried out: it needs one, its own was revoked, or its
   /// user has no role.
   bool locked = false;
-  /// The daemon has ended it: no token unlocks it, what comes until its socket is closed is refused.
+  /// The daemon has ended it: no token unlocks it, what comes until its socket is closed is
+  /// refused.
   bool ended = false;
   std::string client;
   model::Tick since = 0;
