@@ -44,7 +44,7 @@ class Live(unittest.TestCase):
         lines = []
         for line in game.stdout:
             lines.append(line.rstrip("\n"))
-            if text in line:
+            if line.startswith(text):
                 return lines
         self.fail("%r was not printed: %s" % (text, "\n".join(lines)))
 

@@ -182,6 +182,7 @@ asio::awaitable<void> serve(Stream given, HttpEndpoint& endpoint, HalfOpen::Tick
     parser.body_limit(kMaxBodyBytes);
     lowest.expires_after(kPatience);
     error_code ec;
+    // NOLINTNEXTLINE(bugprone-use-after-move): clang 14 takes a template's co_await for a use
     co_await http::async_read(stream, buffer, parser,
                               asio::redirect_error(asio::use_awaitable, ec));
     const bool is_http =
@@ -201,8 +202,8 @@ asio::awaitable<void> serve(Stream given, HttpEndpoint& endpoint, HalfOpen::Tick
       auto session = refusal ? std::nullopt : endpoint.admit(lowest.socket(), kTls);
       if (session && buffer.size() == 0) refusal = endpoint.site.log_in(*session, value);
       if (session && !refusal && buffer.size() == 0) {
-        co_await become_web_socket(std::move(stream), request, *std::move(session), endpoint,
-                                   std::move(ticket));
+        co_await become_web_socket(std::move(stream), std::move(request), *std::move(session),
+                                   endpoint, std::move(ticket));
         co_return;
       }
       answer = refusal   ? *std::move(refusal)

@@ -151,9 +151,8 @@ void WebSocketConnection<Next>::close() noexcept {
 }  // namespace
 
 template <class Stream>
-asio::awaitable<void> become_web_socket(Stream&& stream, const UpgradeRequest& request,
-                                        Session&& session, HttpEndpoint& endpoint,
-                                        HalfOpen::Ticket&& given_ticket) {
+asio::awaitable<void> become_web_socket(Stream stream, UpgradeRequest request, Session session,
+                                        HttpEndpoint& endpoint, HalfOpen::Ticket given_ticket) {
   beast::get_lowest_layer(stream).expires_never();
   typename WebSocketConnection<Stream>::Stream upgraded(std::move(stream));
   HalfOpen::Ticket ticket(std::move(given_ticket));  // goes before its socket does
@@ -162,6 +161,7 @@ asio::awaitable<void> become_web_socket(Stream&& stream, const UpgradeRequest& r
   upgraded.read_message_max(0);
   upgraded.text(true);
   error_code ec;
+  // NOLINTNEXTLINE(bugprone-use-after-move): clang 14 takes a template's co_await for a use
   co_await upgraded.async_accept(request, asio::redirect_error(asio::use_awaitable, ec));
   if (ec) co_return;
   const auto connection = std::make_shared<WebSocketConnection<Stream>>(
@@ -171,10 +171,10 @@ asio::awaitable<void> become_web_socket(Stream&& stream, const UpgradeRequest& r
   connection->start();
 }
 
-template asio::awaitable<void> become_web_socket(beast::tcp_stream&&, const UpgradeRequest&,
-                                                 Session&&, HttpEndpoint&, HalfOpen::Ticket&&);
-template asio::awaitable<void> become_web_socket(beast::ssl_stream<beast::tcp_stream>&&,
-                                                 const UpgradeRequest&, Session&&, HttpEndpoint&,
-                                                 HalfOpen::Ticket&&);
+template asio::awaitable<void> become_web_socket(beast::tcp_stream, UpgradeRequest, Session,
+                                                 HttpEndpoint&, HalfOpen::Ticket);
+template asio::awaitable<void> become_web_socket(beast::ssl_stream<beast::tcp_stream>,
+                                                 UpgradeRequest, Session, HttpEndpoint&,
+                                                 HalfOpen::Ticket);
 
 }  // namespace hedgehog::server

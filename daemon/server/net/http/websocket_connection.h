@@ -15,11 +15,10 @@ namespace hedgehog::server {
 using UpgradeRequest = boost::beast::http::request<boost::beast::http::string_body>;
 
 /// Answers `request`, and `stream` is a connection of the server's from then on, which keeps
-/// `ticket` as long as it is locked. `Stream`: a tcp_stream, or an ssl_stream of one. To be awaited
-/// where it is called. io thread.
+/// `ticket` as long as it is locked. `Stream`: a tcp_stream, or an ssl_stream of one. io thread.
 template <class Stream>
-boost::asio::awaitable<void> become_web_socket(Stream&& stream, const UpgradeRequest& request,
-                                               Session&& session, HttpEndpoint& endpoint,
-                                               HalfOpen::Ticket&& ticket);
+boost::asio::awaitable<void> become_web_socket(Stream stream, UpgradeRequest request,
+                                               Session session, HttpEndpoint& endpoint,
+                                               HalfOpen::Ticket ticket);
 
 }  // namespace hedgehog::server
