@@ -7,13 +7,12 @@ find_package(Boost 1.81 REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(fmt REQUIRED)
-# OpenSSL's and ours: a subproject's directory has not looked for it.
-find_package(PkgConfig REQUIRED)
 find_package(OpenSSL 3.0 REQUIRED)
 
 if(HEDGEHOG_PROGRAMS)
   find_package(spdlog REQUIRED)
   find_package(CLI11 REQUIRED)
+  find_package(PkgConfig REQUIRED)
   pkg_check_modules(SYSTEMD REQUIRED IMPORTED_TARGET libsystemd)
   # The core library only: the package's own CMake file wants those of its web server and of curl, too.
   pkg_check_modules(PROMETHEUS REQUIRED IMPORTED_TARGET prometheus-cpp-core)

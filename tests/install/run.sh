@@ -136,8 +136,8 @@ felt "quick start" quick_start
 step "a newcomer's way"
 PKG_CONFIG_PATH=$config PYTHONDONTWRITEBYTECODE=1 python3 "$source/tests/sdk/newcomer.py" "$prefix/bin/hedgehogd" C++
 
-# What only programs and tests need is not looked for.
-without=$(printf ' -DCMAKE_DISABLE_FIND_PACKAGE_%s=ON' CLI11 spdlog PkgConfig GTest rapidcheck benchmark)
+# What only programs and tests need is not looked for. CMake itself uses its module PkgConfig for OpenSSL, without pkg-config too.
+without="$(printf ' -DCMAKE_DISABLE_FIND_PACKAGE_%s=ON' CLI11 spdlog GTest rapidcheck benchmark) -DPKG_CONFIG_EXECUTABLE=/bin/false"
 # shellcheck disable=SC2086
 cmake --no-warn-unused-cli -S "$source/tests/install/game" -B "$work/subproject" -G Ninja -DGAME_SOURCE="$work/game.cpp" \
   -DHEDGEHOG_SUBPROJECT="$source" -DHEDGEHOG_UNITY=ON $without >"$work/cmake.log" || { cat "$work/cmake.log"; exit 1; }
