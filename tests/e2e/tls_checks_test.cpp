@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What scanners of TLS servers ask, asked by openssl's own client at both ports with TLS: old
+// What scanners of TLS servers ask, tried by openssl's own client at both ports with TLS: old
 // protocols, renegotiation, weak ciphers, resumption, early data. Each test prints its commands
-// with what openssl said. Where the daemon refuses, a server of openssl's own that does not shows
-// that the question was put.
+// with their output. Where the daemon rejects, a server of openssl's own that accepts is the
+// control.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -25,7 +25,7 @@ const std::string kOpenssl = "/usr/bin/openssl";
 
 class TlsChecks : public TlsFixture {
  protected:
-  /// What openssl's client says to the server at `port`; `input`: typed by its user, for printf.
+  /// Output of openssl's client at `port`; `input`: what its user types, for printf.
   std::string s_client(int port, const std::string& options, const std::string& input = "") {
     const std::string command = "openssl s_client -connect 127.0.0.1:" + std::to_string(port) +
                                 (options.empty() ? "" : " " + options);
@@ -44,9 +44,9 @@ class TlsChecks : public TlsFixture {
 
 /// openssl's own server with the daemon's certificate, which also has TLS 1.2, renegotiation,
 /// tickets and early data.
-class WillingServer {
+class PermissiveServer {
  public:
-  explicit WillingServer(const Home& home) : server_(home, "/bin/sh", {"-c", command(home)}) {
+  explicit PermissiveServer(const Home& home) : server_(home, "/bin/sh", {"-c", command(home)}) {
     const std::string line = "ACCEPT 127.0.0.1:";
     const bool listens = eventually([&] {
       const std::string out = server_.out();
@@ -75,14 +75,14 @@ class WillingServer {
 };
 
 TEST_F(TlsChecks, OldProtocolsAreRefusedByTheDaemon) {
-  const WillingServer willing(home_);
-  EXPECT_THAT(s_client(willing.port(), "-tls1_2"), HasSubstr("New, TLSv1.2"));
+  const PermissiveServer permissive(home_);
+  EXPECT_THAT(s_client(permissive.port(), "-tls1_2"), HasSubstr("New, TLSv1.2"));
   for (const int port : ports()) {
     for (const std::string version :
          {"-tls1_2", "-tls1_1 -cipher DEFAULT@SECLEVEL=0", "-tls1 -cipher DEFAULT@SECLEVEL=0"}) {
-      const std::string said = s_client(port, version);
-      EXPECT_THAT(said, HasSubstr("alert protocol version"));
-      EXPECT_THAT(said, HasSubstr("Cipher is (NONE)"));
+      const std::string output = s_client(port, version);
+      EXPECT_THAT(output, HasSubstr("alert protocol version"));
+      EXPECT_THAT(output, HasSubstr("Cipher is (NONE)"));
     }
     EXPECT_THAT(s_client(port, ""), HasSubstr("New, TLSv1.3"));
   }
@@ -90,10 +90,10 @@ TEST_F(TlsChecks, OldProtocolsAreRefusedByTheDaemon) {
 
 TEST_F(TlsChecks, OnlyStrongCiphers) {
   for (const int port : ports()) {
-    const std::string said = s_client(port, "");
-    EXPECT_THAT(said, AnyOf(HasSubstr("Cipher is TLS_AES_256_GCM_SHA384"),
-                            HasSubstr("Cipher is TLS_CHACHA20_POLY1305_SHA256"),
-                            HasSubstr("Cipher is TLS_AES_128_GCM_SHA256")));
+    const std::string output = s_client(port, "");
+    EXPECT_THAT(output, AnyOf(HasSubstr("Cipher is TLS_AES_256_GCM_SHA384"),
+                              HasSubstr("Cipher is TLS_CHACHA20_POLY1305_SHA256"),
+                              HasSubstr("Cipher is TLS_AES_128_GCM_SHA256")));
     EXPECT_THAT(s_client(port, "-ciphersuites TLS_AES_128_CCM_8_SHA256"),
                 HasSubstr("alert handshake failure"))
         << "a tag of 8 bytes";
@@ -101,38 +101,38 @@ TEST_F(TlsChecks, OnlyStrongCiphers) {
 }
 
 TEST_F(TlsChecks, ThereIsNoRenegotiation) {
-  const WillingServer willing(home_);
-  const std::string control = s_client(willing.port(), "-tls1_2", "R\\n");
+  const PermissiveServer permissive(home_);
+  const std::string control = s_client(permissive.port(), "-tls1_2", "R\\n");
   EXPECT_THAT(control, HasSubstr("RENEGOTIATING"));
   EXPECT_THAT(control, Not(HasSubstr("no renegotiation")));
   for (const int port : ports()) {
-    const std::string said = s_client(port, "-legacy_renegotiation", "R\\n");
-    EXPECT_THAT(said, HasSubstr("Secure Renegotiation IS NOT supported"));
-    EXPECT_THAT(said, HasSubstr("wrong ssl version")) << "TLS 1.3 has none";
+    const std::string output = s_client(port, "-legacy_renegotiation", "R\\n");
+    EXPECT_THAT(output, HasSubstr("Secure Renegotiation IS NOT supported"));
+    EXPECT_THAT(output, HasSubstr("wrong ssl version")) << "TLS 1.3 has none";
     EXPECT_THAT(s_client(port, "-tls1_2", "R\\n"), Not(HasSubstr("RENEGOTIATING")))
         << "and there is no older protocol to do it in";
   }
 }
 
 TEST_F(TlsChecks, EarlyDataIsRejectedAndNothingOfItIsCarriedOut) {
-  const WillingServer willing(home_);
-  const std::string session = home_.path("willing.pem");
+  const PermissiveServer permissive(home_);
+  const std::string session = home_.path("permissive.pem");
   {
     Program first(home_, kOpenssl,
-                  {"s_client", "-connect", "127.0.0.1:" + std::to_string(willing.port()),
+                  {"s_client", "-connect", "127.0.0.1:" + std::to_string(permissive.port()),
                    "-ign_eof", "-sess_out", session});
-    ASSERT_TRUE(eventually([&] { return !home_.read("willing.pem").empty(); })) << first.err();
+    ASSERT_TRUE(eventually([&] { return !home_.read("permissive.pem").empty(); })) << first.err();
   }
   // The first bytes of a recorded connection, once more.
   home_.write("early", R"({"jsonrpc":"2.0","id":1,"method":"hello","params":{"token":")" +
                            operate_ + "\"}}\n" +
                            R"({"jsonrpc":"2.0","method":"device.emergency_stop"})" + "\n");
   const std::string replay = "-sess_in " + session + " -early_data " + home_.path("early");
-  ASSERT_THAT(s_client(willing.port(), replay), HasSubstr("Early data was accepted"));
+  ASSERT_THAT(s_client(permissive.port(), replay), HasSubstr("Early data was accepted"));
   for (const int port : ports()) {
-    const std::string said = s_client(port, replay);
-    EXPECT_THAT(said, HasSubstr("New, TLSv1.3")) << "not the session of another server";
-    EXPECT_THAT(said, HasSubstr("Early data was rejected"));
+    const std::string output = s_client(port, replay);
+    EXPECT_THAT(output, HasSubstr("New, TLSv1.3")) << "not the session of another server";
+    EXPECT_THAT(output, HasSubstr("Early data was rejected"));
   }
   EXPECT_EQ(RawClient(daemon_.socket()).call("device.status")["state"], "armed");
   EXPECT_THAT(daemon_.log(), Not(HasSubstr("the token owner")));
@@ -142,9 +142,9 @@ TEST_F(TlsChecks, NoSessionCanBeResumed) {
   for (const int port : ports()) {
     const std::string file = "resumable-" + std::to_string(port);
     // It closes at the x, which is neither a message nor a request of HTTP.
-    const std::string said = s_client(port, "-ign_eof -sess_out " + home_.path(file), "x\\n\\n");
-    EXPECT_THAT(said, HasSubstr("New, TLSv1.3"));
-    EXPECT_THAT(said, Not(HasSubstr("New Session Ticket")));
+    const std::string output = s_client(port, "-ign_eof -sess_out " + home_.path(file), "x\\n\\n");
+    EXPECT_THAT(output, HasSubstr("New, TLSv1.3"));
+    EXPECT_THAT(output, Not(HasSubstr("New Session Ticket")));
     EXPECT_EQ(home_.read(file), "");
   }
 }

@@ -3,6 +3,8 @@
 // for in a query that fits a datagram.
 #include <algorithm>
 #include <cstdlib>
+#include <string>
+#include <string_view>
 
 #include "clients/lib/discovery/choice.h"
 #include "clients/lib/discovery/mdns_answers.h"
@@ -10,9 +12,13 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace hedgehog::client;
   const auto is_plain = [](const std::string& text) {
-    return std::none_of(text.begin(), text.end(), [](char c) {
-      return static_cast<unsigned char>(c) < 0x20u || c == '\x7f';
-    });
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      const auto byte = static_cast<unsigned char>(text[i]);
+      // C1 control characters are C2 80 to C2 9F in UTF-8.
+      const bool c1 = byte == 0xc2u && static_cast<unsigned char>(text.at(i + 1)) < 0xa0u;
+      if (byte < 0x20u || byte == 0x7fu || c1) return false;
+    }
+    return true;
   };
   // The id of the seeds. A second response has only the end of the first, from where its first byte
   // points to.

@@ -119,3 +119,16 @@ test("the recording of a trip is kept by a click", async () => {
   assert.equal(download.suggestedFilename(), "trip-0001.hhr");
   assert.ok(readFileSync(await download.path()).equals(readFileSync(join(daemon.home, "state/hedgehog/trip-0001.hhr"))));
 });
+
+test("a recording that cannot be downloaded is reported", async () => {
+  await open();
+  await show(tokens.operate);
+  await opened();
+  await page.selectOption("[name=fault]", "sensor_open");
+  const link = page.locator("#happened a");
+  await link.first().waitFor(kPatience);
+  complaints.expected = true;
+  await page.route("**/recordings/*", (route) => route.fulfill({ status: 404 }));
+  await link.first().click();
+  await page.getByText("trip-0001.hhr was not downloaded: the daemon answers 404").waitFor(kPatience);
+});

@@ -43,7 +43,7 @@ function seriesOf(event, events) {
   return recurs(event) ? events.find(({ type, at, last }) => type === event.type && Date.parse(last ?? at) >= from) : undefined;
 }
 
-/** `save(file)`: keeps a recording; undefined: the browser may load it by itself. */
+/** `save(file)`: downloads a recording with the token; undefined: the browser can do it without. */
 function item(event, save) {
   const line = document.createElement("li");
   const at = Object.assign(document.createElement("time"), { dateTime: event.at, textContent: when(event.at) });
@@ -63,19 +63,23 @@ function item(event, save) {
   return line;
 }
 
-/** Fills `list` from `link`. */
-export function happened(list, link) {
+/** Fills `list` from `link`. `say(text, bad)`: one line for the person. */
+export function happened(list, link, say) {
   const kinds = kKinds.map((kind) => ({ ...kind, events: [] }));
   let drawn = true;
   let naming = null;
   let looks = 0;
-  // A link that is clicked would not show the token.
+  // The browser sends no Authorization for a link that is clicked.
   const save = async (file) => {
-    const answer = await fetch(`recordings/${file}`, { headers: { Authorization: `Bearer ${link.token}` } });
-    if (!answer.ok) return;
-    const url = URL.createObjectURL(await answer.blob());
-    Object.assign(document.createElement("a"), { href: url, download: file }).click();
-    URL.revokeObjectURL(url);
+    try {
+      const response = await fetch(`recordings/${file}`, { headers: { Authorization: `Bearer ${link.token}` } });
+      if (!response.ok) throw new Error(`the daemon answers ${response.status}`);
+      const url = URL.createObjectURL(await response.blob());
+      Object.assign(document.createElement("a"), { href: url, download: file }).click();
+      URL.revokeObjectURL(url);
+    } catch (error) {
+      say(`${file} was not downloaded: ${error.message}`, true);
+    }
   };
   const show = () => {
     if (!drawn) return;

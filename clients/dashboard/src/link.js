@@ -6,8 +6,8 @@ const kFirstPauseMs = 250;
 const kLongestPauseMs = 2000;
 const kPatienceMs = 3000;
 const kSecondMs = 300;
-/** Of this tab: another one asks again, and so does this one once it was closed. */
-const kTokenKept = "hedgehog-token";
+/** In sessionStorage: each tab has a token of its own, until it is closed. */
+const kTokenKey = "hedgehog-token";
 const kUnauthorized = -32003;
 
 /** An answer that is an error; `data` as the protocol gives it. */
@@ -21,8 +21,8 @@ export class Refused extends Error {
 
 /**
  * Dispatches `open` (detail: {hello, device}: the answers to hello and device.describe), `gone` (detail:
- * {reason, retryInMs}), `locked` (detail: {wrong, retryAfterMs}: the daemon wants a token, and was shown a wrong one;
- * nothing is tried before `unlock` or, with retryAfterMs above 0, that time), `telemetry` and `event` (detail: the notification's params).
+ * {reason, retryInMs}), `locked` (detail: {wrong, retryAfterMs}: the daemon needs a token; `wrong`: it has refused the one
+ * that was sent; the next attempt is that of `unlock`, or comes after retryAfterMs where that is above 0), `telemetry` and `event` (detail: the notification's params).
  */
 export class Link extends EventTarget {
   /** `begin`: requests to make after each hello, [{method, params}]. */
@@ -37,7 +37,7 @@ export class Link extends EventTarget {
     this.farewell = null;
     this.socket = null;
     this.ready = false;
-    this.token = sessionStorage.getItem(kTokenKept);
+    this.token = sessionStorage.getItem(kTokenKey);
     this.locked = false;
     this.connect();
   }
@@ -94,17 +94,17 @@ export class Link extends EventTarget {
     const retryAfterMs = data.retry_after_ms ?? 0;
     this.say("locked", { wrong, retryAfterMs });
     if (retryAfterMs > 0) {
-      // It was refused unseen, and may be right: somebody else of this address has shown wrong ones.
+      // The daemon did not look at it; wrong ones of the same address, perhaps of others, came before.
       this.retry = setTimeout(() => this.connect(), retryAfterMs);
       return;
     }
     this.token = null;
-    sessionStorage.removeItem(kTokenKept);
+    sessionStorage.removeItem(kTokenKey);
   }
 
   unlock(token) {
     this.token = token;
-    sessionStorage.setItem(kTokenKept, token);
+    sessionStorage.setItem(kTokenKey, token);
     this.connect();
   }
 

@@ -38,7 +38,7 @@ let charts = null;
 let limits = { current_a: 15 };
 watch(link);
 askForToken(link);
-happened($("happened"), link);
+happened($("happened"), link, say);
 stopButton(link, say);
 
 function begin({ detail: { hello, device } }) {

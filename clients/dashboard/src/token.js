@@ -2,15 +2,15 @@
 // Asks for the token of a daemon that carries out nothing without one.
 
 const kForm = `
-  <h2>This daemon wants a token</h2>
+  <h2>This daemon needs a token</h2>
   <p id="token-problem" role="alert"></p>
   <label>Token <input name="token" type="password" autocomplete="off" spellcheck="false" placeholder="hht_…" required></label>
   <button type="submit">Connect</button>
-  <p class="hint">Whoever runs the daemon makes one: <code>hedgehogctl token add</code>. This tab keeps it until it is closed.</p>`;
+  <p class="hint">The operator of the daemon makes one with <code>hedgehogctl token add</code>. It is kept until this tab is closed.</p>`;
 
-/** Why the daemon did not take what it was shown. */
+/** Why the daemon has refused the token; empty: none was sent. */
 function problem({ wrong, retryAfterMs }) {
-  if (retryAfterMs > 0) return `Too many wrong tokens: the daemon takes none for ${Math.ceil(retryAfterMs / 1000)} s.`;
+  if (retryAfterMs > 0) return `Too many wrong tokens: the daemon accepts none for ${Math.ceil(retryAfterMs / 1000)} s.`;
   return wrong ? "The daemon does not know this token." : "";
 }
 

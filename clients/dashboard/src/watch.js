@@ -26,7 +26,7 @@ export function watch(link) {
       : `The daemon is gone${why}; the board has switched the coils off by itself. What stands here is old. This page comes back by itself.`);
     if (was === "open") was = "gone";
   });
-  link.addEventListener("locked", () => show("locked", "This daemon wants a token."));
+  link.addEventListener("locked", () => show("locked", "This daemon needs a token."));
   setInterval(() => {
     if (!link.ready) return;
     const silent = link.silentMs() > kSilentMs;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Connections that need a token and have shown none yet: of other machines those whose TLS
 // handshake goes on and those that have not logged in, and those of local users without a role.
-// They are bounded, and a new one is never turned away for old ones: whoever is slow, or sends
-// garbage, or nothing, keeps nobody out.
+// Their number is bounded, and a new one replaces the oldest: a client that is slow, or sends
+// garbage or nothing, keeps no other out.
 #pragma once
 
 #include <boost/asio/any_io_executor.hpp>

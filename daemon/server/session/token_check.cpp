@@ -69,12 +69,15 @@ const access::Token* TokenCheck::find(const access::Digest& digest) const noexce
 }
 
 protocol::RpcError token_needed(const Session& session) {
-  auto error = protocol::error(
-      protocol::ErrorCode::kUnauthorized,
-      session.transport == "unix"
-          ? "unauthorized: " + (session.peer ? user_text(*session.peer) : "this user") +
-                " has no role in access.unix of the configuration; send a token in hello first"
-          : "unauthorized: send a token in hello first, or as HTTP's Authorization: Bearer");
+  std::string message;
+  if (session.ended)
+    message = "this connection has ended, because its token or role is no longer valid";
+  else if (session.transport == "unix")
+    message = (session.peer ? user_text(*session.peer) : "this user") +
+              " has no role in access.unix of the configuration; send a token in hello first";
+  else
+    message = "send a token in hello first, or as HTTP's Authorization: Bearer";
+  auto error = protocol::error(protocol::ErrorCode::kUnauthorized, "unauthorized: " + message);
   error.role_needed = protocol::Role::kObserve;
   return error;
 }

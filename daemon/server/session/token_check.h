@@ -54,7 +54,7 @@ class TokenCheck {
   FailedTokens failed_;
 };
 
-/// "unauthorized: send your token in hello", for a session that is `locked`.
+/// What a session that is `locked` is answered: `unauthorized`, and what it can do about it.
 protocol::RpcError token_needed(const Session& session);
 
 }  // namespace hedgehog::server
