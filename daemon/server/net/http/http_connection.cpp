@@ -5,20 +5,18 @@
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/use_awaitable.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
-#include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/http/empty_body.hpp>
 #include <boost/beast/http/read.hpp>
 #include <boost/beast/http/span_body.hpp>
 #include <boost/beast/http/write.hpp>
-#include <boost/beast/ssl/ssl_stream.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
 #include <chrono>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <utility>
 
 #include "base/spelling.h"
+#include "daemon/server/net/http/http_stream.h"
 #include "daemon/server/net/http/websocket_connection.h"
 
 namespace hedgehog::server {
@@ -98,8 +96,8 @@ void fill(http::fields& fields, const HttpAnswer& answer) {
 }
 
 /// `method` HEAD: the same without the body.
-template <class Stream>
-asio::awaitable<bool> send(Stream& stream, const HttpAnswer& answer, bool head, bool keep_alive) {
+asio::awaitable<bool> send(HttpStream& stream, const HttpAnswer& answer, bool head,
+                           bool keep_alive) {
   error_code ec;
   if (head || answer.status == 304) {
     http::response<http::empty_body> response;
@@ -121,8 +119,7 @@ asio::awaitable<bool> send(Stream& stream, const HttpAnswer& answer, bool head, 
 }
 
 /// Waits for the disk; what cannot be read, or takes too long, becomes an error.
-template <class Stream>
-asio::awaitable<void> complete(Stream& stream, HttpAnswer& answer) {
+asio::awaitable<void> complete(HttpStream& stream, HttpAnswer& answer) {
   const auto pending = std::exchange(answer.pending, nullptr);
   asio::steady_timer pause(stream.get_executor());
   const auto until = std::chrono::steady_clock::now() + kDiskPatience;
@@ -142,47 +139,24 @@ asio::awaitable<void> complete(Stream& stream, HttpAnswer& answer) {
     answer.body = std::move(body);
 }
 
-/// Lets the client read its answer: bytes of its that nobody reads would reset the connection.
-asio::awaitable<void> leave(beast::tcp_stream& stream) {
-  error_code ec;
-  stream.socket().shutdown(asio::ip::tcp::socket::shutdown_send, ec);
-  stream.expires_after(kLingerTimeout);
-  std::string sink(Connection::kReadBytes, '\0');
-  while (!ec) {
-    co_await stream.async_read_some(asio::buffer(sink),
-                                    asio::redirect_error(asio::use_awaitable, ec));
-  }
-}
-
-using HttpsStream = beast::ssl_stream<beast::tcp_stream>;
-
-asio::awaitable<void> leave(HttpsStream& stream) {
-  error_code ec;
-  beast::get_lowest_layer(stream).expires_after(kLingerTimeout);
-  co_await stream.async_shutdown(asio::redirect_error(asio::use_awaitable, ec));
-}
-
-std::string address_of(beast::tcp_stream& stream) {
+std::string address_of(HttpStream& stream) {
   error_code gone;
   const auto peer = stream.socket().remote_endpoint(gone);
   return config::to_string({peer.address().to_string(), peer.port()});
 }
 
 /// One request after the other. `ticket` is empty without TLS.
-template <class Stream>
-asio::awaitable<void> serve(Stream given, HttpEndpoint& endpoint, HalfOpen::Ticket given_ticket) {
-  constexpr bool kTls = std::is_same_v<Stream, HttpsStream>;
-  Stream stream(std::move(given));
+asio::awaitable<void> serve(HttpStream given, HttpEndpoint& endpoint,
+                            HalfOpen::Ticket given_ticket) {
+  HttpStream stream(std::move(given));
   HalfOpen::Ticket ticket(std::move(given_ticket));  // goes before its socket does
-  beast::tcp_stream& lowest = beast::get_lowest_layer(stream);
   beast::flat_buffer buffer(kMaxHeaderBytes + kMaxBodyBytes);
   for (bool open = true; open;) {
     http::request_parser<http::string_body> parser;
     parser.header_limit(kMaxHeaderBytes);
     parser.body_limit(kMaxBodyBytes);
-    lowest.expires_after(kPatience);
+    stream.expires_after(kPatience);
     error_code ec;
-    // NOLINTNEXTLINE(bugprone-use-after-move): clang 14 takes a template's co_await for a use
     co_await http::async_read(stream, buffer, parser,
                               asio::redirect_error(asio::use_awaitable, ec));
     const bool is_http =
@@ -194,12 +168,12 @@ asio::awaitable<void> serve(Stream given, HttpEndpoint& endpoint, HalfOpen::Tick
     }
     UpgradeRequest request = parser.release();
     HttpRequest value = value_of(request);
-    value.tls = kTls;
-    if constexpr (kTls) value.address = address_of(lowest);
+    value.tls = stream.is_tls();
+    if (value.tls) value.address = address_of(stream);
     HttpAnswer answer;
     if (websocket::is_upgrade(request) && value.path() == "/ws") {
       auto refusal = endpoint.site.refusal(value);
-      auto session = refusal ? std::nullopt : endpoint.admit(lowest.socket(), kTls);
+      auto session = refusal ? std::nullopt : endpoint.admit(stream.socket(), value.tls);
       if (session && buffer.size() == 0) refusal = endpoint.site.log_in(*session, value);
       if (session && !refusal && buffer.size() == 0) {
         co_await become_web_socket(std::move(stream), std::move(request), *std::move(session),
@@ -217,23 +191,21 @@ asio::awaitable<void> serve(Stream given, HttpEndpoint& endpoint, HalfOpen::Tick
     open =
         co_await send(stream, answer, request.method() == http::verb::head, request.keep_alive());
   }
-  co_await leave(stream);
+  stream.expires_after(kLingerTimeout);
+  co_await stream.end();
 }
 
 }  // namespace
 
 asio::awaitable<void> serve_http(asio::ip::tcp::socket socket, HttpEndpoint& endpoint) {
-  return serve(beast::tcp_stream(std::move(socket)), endpoint, HalfOpen::Ticket());
+  return serve(HttpStream(std::move(socket)), endpoint, HalfOpen::Ticket());
 }
 
 asio::awaitable<void> serve_https(asio::ip::tcp::socket socket, HttpEndpoint& endpoint,
                                   TlsContext context, HalfOpen::Ticket given_ticket) {
-  HttpsStream stream(beast::tcp_stream(std::move(socket)), *context);
+  HttpStream stream(std::move(socket), context);
   HalfOpen::Ticket ticket(std::move(given_ticket));
-  error_code ec;
-  co_await stream.async_handshake(asio::ssl::stream_base::server,
-                                  asio::redirect_error(asio::use_awaitable, ec));
-  if (ec) {
+  if (co_await stream.handshake()) {
     ++endpoint.server.counters().rejected["tls"];
     co_return;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One HTTP connection: requests and answers, until it closes or becomes a WebSocket. Boost.Beast
-// takes the compiler half a minute: only `http_connection.cpp` and `websocket_connection` have it.
+// takes the compiler half a minute: this header has none of it.
 #pragma once
 
 #include <boost/asio/awaitable.hpp>

@@ -4,7 +4,6 @@
 #include <boost/asio/redirect_error.hpp>
 #include <boost/asio/use_awaitable.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
-#include <boost/beast/ssl/ssl_stream.hpp>
 #include <boost/beast/websocket.hpp>
 #include <chrono>
 #include <memory>
@@ -27,11 +26,9 @@ constexpr std::chrono::seconds kHandshake{10};
 /// A peer that answers no ping for so long is gone.
 constexpr std::chrono::seconds kMaxPeerSilence{60};
 
-/// Over `Next`.
-template <class Next>
 class WebSocketConnection final : public Connection {
  public:
-  using Stream = websocket::stream<Next>;
+  using Stream = websocket::stream<HttpStream>;
 
   WebSocketConnection(Stream stream, Server& server, Session session,
                       const config::ConnectionSettings& settings)
@@ -62,8 +59,7 @@ class WebSocketConnection final : public Connection {
   bool closing_ = false;
 };
 
-template <class Next>
-asio::awaitable<bool> WebSocketConnection<Next>::read_message() {
+asio::awaitable<bool> WebSocketConnection::read_message() {
   buffer_.clear();
   skipping_ = false;
   do {
@@ -87,8 +83,7 @@ asio::awaitable<bool> WebSocketConnection<Next>::read_message() {
   co_return true;
 }
 
-template <class Next>
-asio::awaitable<void> WebSocketConnection<Next>::read() {
+asio::awaitable<void> WebSocketConnection::read() {
   while (co_await read_message()) {
     if (stream_.got_binary()) {
       co_await refuse_binary();
@@ -103,15 +98,13 @@ asio::awaitable<void> WebSocketConnection<Next>::read() {
   }
 }
 
-template <class Next>
-asio::awaitable<void> WebSocketConnection<Next>::refuse_binary() {
+asio::awaitable<void> WebSocketConnection::refuse_binary() {
   error_code ignored;
   const websocket::close_reason why(websocket::close_code::unknown_data, "send text frames");
   co_await stream_.async_close(why, asio::redirect_error(asio::use_awaitable, ignored));
 }
 
-template <class Next>
-asio::awaitable<error_code> WebSocketConnection<Next>::send_next(WriteQueue& queue) {
+asio::awaitable<error_code> WebSocketConnection::send_next(WriteQueue& queue) {
   std::string_view left = queue.take_one();
   left.remove_suffix(1);  // the LF
   error_code ec;
@@ -125,13 +118,11 @@ asio::awaitable<error_code> WebSocketConnection<Next>::send_next(WriteQueue& que
   co_return ec;
 }
 
-template <class Next>
-std::size_t WebSocketConnection<Next>::untaken_bytes() noexcept {
-  return socket_send_queue(beast::get_lowest_layer(stream_).socket().native_handle());
+std::size_t WebSocketConnection::untaken_bytes() noexcept {
+  return socket_send_queue(stream_.next_layer().socket().native_handle());
 }
 
-template <class Next>
-asio::awaitable<void> WebSocketConnection<Next>::finish_stream() {
+asio::awaitable<void> WebSocketConnection::finish_stream() {
   if (stream_.is_open()) {
     closing_ = true;
     error_code ignored;
@@ -140,41 +131,32 @@ asio::awaitable<void> WebSocketConnection<Next>::finish_stream() {
   }
 }
 
-template <class Next>
-void WebSocketConnection<Next>::close() noexcept {
+void WebSocketConnection::close() noexcept {
   error_code ignored;
-  auto& socket = beast::get_lowest_layer(stream_).socket();
+  auto& socket = stream_.next_layer().socket();
   socket.shutdown(asio::ip::tcp::socket::shutdown_both, ignored);
   socket.close(ignored);
 }
 
 }  // namespace
 
-template <class Stream>
-asio::awaitable<void> become_web_socket(Stream stream, UpgradeRequest request, Session session,
+asio::awaitable<void> become_web_socket(HttpStream stream, UpgradeRequest request, Session session,
                                         HttpEndpoint& endpoint, HalfOpen::Ticket given_ticket) {
-  beast::get_lowest_layer(stream).expires_never();
-  typename WebSocketConnection<Stream>::Stream upgraded(std::move(stream));
+  stream.expires_never();
+  WebSocketConnection::Stream upgraded(std::move(stream));
   HalfOpen::Ticket ticket(std::move(given_ticket));  // goes before its socket does
   upgraded.set_option(websocket::stream_base::timeout{kHandshake, kMaxPeerSilence, true});
   // Beast would close the connection over one that is too long; here it is told, as on TCP.
   upgraded.read_message_max(0);
   upgraded.text(true);
   error_code ec;
-  // NOLINTNEXTLINE(bugprone-use-after-move): clang 14 takes a template's co_await for a use
   co_await upgraded.async_accept(request, asio::redirect_error(asio::use_awaitable, ec));
   if (ec) co_return;
-  const auto connection = std::make_shared<WebSocketConnection<Stream>>(
+  const auto connection = std::make_shared<WebSocketConnection>(
       std::move(upgraded), endpoint.server, std::move(session), endpoint.connections);
   if (connection->session().locked) connection->set_half_open(std::move(ticket));
   endpoint.enter(connection);
   connection->start();
 }
-
-template asio::awaitable<void> become_web_socket(beast::tcp_stream, UpgradeRequest, Session,
-                                                 HttpEndpoint&, HalfOpen::Ticket);
-template asio::awaitable<void> become_web_socket(beast::ssl_stream<beast::tcp_stream>,
-                                                 UpgradeRequest, Session, HttpEndpoint&,
-                                                 HalfOpen::Ticket);
 
 }  // namespace hedgehog::server

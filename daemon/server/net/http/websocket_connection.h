@@ -4,20 +4,19 @@
 #pragma once
 
 #include <boost/asio/awaitable.hpp>
-#include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/http/message.hpp>
 #include <boost/beast/http/string_body.hpp>
 
 #include "daemon/server/net/http/http_connection.h"
+#include "daemon/server/net/http/http_stream.h"
 
 namespace hedgehog::server {
 
 using UpgradeRequest = boost::beast::http::request<boost::beast::http::string_body>;
 
 /// Answers `request`, and `stream` is a connection of the server's from then on, which keeps
-/// `ticket` as long as it is locked. `Stream`: a tcp_stream, or an ssl_stream of one. io thread.
-template <class Stream>
-boost::asio::awaitable<void> become_web_socket(Stream stream, UpgradeRequest request,
+/// `ticket` as long as it is locked. io thread.
+boost::asio::awaitable<void> become_web_socket(HttpStream stream, UpgradeRequest request,
                                                Session session, HttpEndpoint& endpoint,
                                                HalfOpen::Ticket ticket);
 
