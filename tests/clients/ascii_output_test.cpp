@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include "tests/folders.h"
 
 namespace hedgehog::client {
 namespace {
@@ -35,7 +36,7 @@ TEST(InAscii, KnowsEachCharacterThatTheSourcesPrint) {
   int seen = 0;
   for (const char* folder : {"/clients", "/daemon/server", "/protocol"}) {
     for (const auto& entry :
-         std::filesystem::recursive_directory_iterator(HEDGEHOG_SOURCE_DIR + std::string(folder))) {
+         std::filesystem::recursive_directory_iterator(source_folder() + std::string(folder))) {
       if (entry.path().extension() != ".cpp" || is_not_printed(entry.path())) continue;
       std::ifstream file(entry.path());
       for (std::string line; std::getline(file, line);) {

@@ -12,6 +12,7 @@
 #include "clients/lib/ball.h"
 #include "clients/lib/discovery/choice.h"
 #include "clients/lib/discovery/mdns_answers.h"
+#include "tests/folders.h"
 #include "tests/mdns_responder.h"
 
 namespace hedgehog::client {
@@ -21,8 +22,7 @@ using nlohmann::json;
 using testing::HasSubstr;
 
 const json& vectors() {
-  static const json kVectors =
-      json::parse(std::ifstream(HEDGEHOG_SOURCE_DIR "/tests/sdk/mdns.json"));
+  static const json kVectors = json::parse(std::ifstream(source_folder() + "/tests/sdk/mdns.json"));
   return kVectors;
 }
 

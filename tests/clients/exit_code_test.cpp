@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "clients/ctl/command_line.h"
+#include "tests/folders.h"
 
 namespace hedgehog::client {
 namespace {
@@ -64,7 +65,7 @@ TEST(ExitCode, AllAreInTheHelpAndInTheReadme) {
   run_command_line(static_cast<int>(argv.size()), argv.data());
   const std::string help = testing::internal::GetCapturedStdout();
   EXPECT_EQ(codes_of(help.substr(help.find("Exit: "))), all);
-  std::ifstream file(std::string(HEDGEHOG_SOURCE_DIR) + "/clients/ctl/README.md");
+  std::ifstream file(source_folder() + "/clients/ctl/README.md");
   const std::string readme{std::istreambuf_iterator<char>(file), {}};
   const auto begin = readme.find("Exit codes: ");
   ASSERT_NE(begin, std::string::npos);

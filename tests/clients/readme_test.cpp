@@ -6,12 +6,13 @@
 #include <string>
 
 #include "protocol/server_codec.h"
+#include "tests/folders.h"
 
 namespace hedgehog::client {
 namespace {
 
 TEST(Readme, ShowsOnlyLinesThatTheDaemonTakes) {
-  std::ifstream readme(std::string(HEDGEHOG_SOURCE_DIR) + "/clients/README.md");
+  std::ifstream readme(source_folder() + "/clients/README.md");
   ASSERT_TRUE(readme.is_open());
   int seen = 0;
   for (std::string line; std::getline(readme, line);) {

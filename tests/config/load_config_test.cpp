@@ -11,12 +11,13 @@
 #include "daemon/config/keys/config_keys.h"
 #include "daemon/config/keys/device_keys.h"
 #include "tests/config/fake_files.h"
+#include "tests/folders.h"
 
 namespace hedgehog::config {
 namespace {
 
 std::string shipped(const std::string& name) {
-  const auto text = read_file(std::string(HEDGEHOG_SOURCE_DIR) + "/config/" + name);
+  const auto text = read_file(source_folder() + "/config/" + name);
   EXPECT_EQ(text.problem, "") << name;
   return text.text;
 }

@@ -12,6 +12,7 @@
 #include "daemon/control/checks/over_temperature_check.h"
 #include "daemon/control/checks/supply_balance.h"
 #include "tests/control/check_outcomes.h"
+#include "tests/folders.h"
 
 namespace hedgehog::control {
 namespace {
@@ -58,8 +59,7 @@ TEST(ElectricalReference, Current) {
     }
     record.add(std::to_string(row), out.figures());
   }
-  EXPECT_EQ(record.differences(HEDGEHOG_SOURCE_DIR "/tests/control/reference/current_check.tsv"),
-            "");
+  EXPECT_EQ(record.differences(source_folder() + "/tests/control/reference/current_check.tsv"), "");
 }
 
 TEST(ElectricalReference, Heat) {
@@ -116,7 +116,7 @@ TEST(ElectricalReference, Heat) {
     record.add(std::to_string(row), out.figures());
   }
   EXPECT_EQ(
-      record.differences(HEDGEHOG_SOURCE_DIR "/tests/control/reference/over_temperature_check.tsv"),
+      record.differences(source_folder() + "/tests/control/reference/over_temperature_check.tsv"),
       "");
 }
 
@@ -164,7 +164,7 @@ TEST(ElectricalReference, SupplyBalance) {
     }
     record.add(std::to_string(row), out.figures());
   }
-  EXPECT_EQ(record.differences(HEDGEHOG_SOURCE_DIR "/tests/control/reference/supply_balance.tsv"),
+  EXPECT_EQ(record.differences(source_folder() + "/tests/control/reference/supply_balance.tsv"),
             "");
 }
 

@@ -11,6 +11,7 @@
 #include "daemon/control/checks/thermistor_check.h"
 #include "daemon/control/checks/thermometer_check.h"
 #include "tests/control/check_outcomes.h"
+#include "tests/folders.h"
 
 namespace hedgehog::control {
 namespace {
@@ -54,7 +55,7 @@ TEST(SensorReference, Sensor) {
     }
     record.add(std::to_string(row), out.figures());
   }
-  EXPECT_EQ(record.differences(HEDGEHOG_SOURCE_DIR "/tests/control/reference/thermistor_check.tsv"),
+  EXPECT_EQ(record.differences(source_folder() + "/tests/control/reference/thermistor_check.tsv"),
             "");
 }
 
@@ -92,8 +93,8 @@ TEST(SensorReference, Thermometer) {
     }
     record.add(std::to_string(row), out.figures());
   }
-  EXPECT_EQ(
-      record.differences(HEDGEHOG_SOURCE_DIR "/tests/control/reference/thermometer_check.tsv"), "");
+  EXPECT_EQ(record.differences(source_folder() + "/tests/control/reference/thermometer_check.tsv"),
+            "");
 }
 
 TEST(SensorReference, Fan) {
@@ -119,7 +120,7 @@ TEST(SensorReference, Fan) {
     }
     record.add(std::to_string(row), out.figures());
   }
-  EXPECT_EQ(record.differences(HEDGEHOG_SOURCE_DIR "/tests/control/reference/fan_check.tsv"), "");
+  EXPECT_EQ(record.differences(source_folder() + "/tests/control/reference/fan_check.tsv"), "");
 }
 
 }  // namespace

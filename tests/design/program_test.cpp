@@ -10,6 +10,7 @@
 
 #include "clients/common/problem.h"
 #include "tests/design/program.h"
+#include "tests/folders.h"
 
 namespace hedgehog::design {
 namespace {
@@ -17,7 +18,7 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-const std::string kProgram = HEDGEHOG_DESIGN_PATH;
+const std::string kProgram = build_folder() + "/clients/design/hedgehog-design";
 
 /// A line as a shell runs it, in the folder, with hedgehog-design on the PATH.
 Answer shell(const TemporaryFolder& folder, const std::string& line) {
@@ -218,7 +219,7 @@ TEST(Program, SearchesShowNoBarIntoFiles) {
 
 /// The lines of all ``` blocks that begin with the program's name.
 std::vector<std::string> readme_commands() {
-  std::ifstream readme(std::string(HEDGEHOG_SOURCE_DIR) + "/clients/design/README.md");
+  std::ifstream readme(source_folder() + "/clients/design/README.md");
   std::vector<std::string> commands;
   bool fenced = false;
   for (std::string line; std::getline(readme, line);) {

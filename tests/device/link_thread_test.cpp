@@ -19,6 +19,7 @@
 #include "daemon/device/socket_transport.h"
 #include "daemon/device/tick_clock.h"
 #include "tests/device/limited.h"
+#include "tests/folders.h"
 
 namespace hedgehog::device {
 namespace {
@@ -189,11 +190,10 @@ TEST(LinkThreads, TheBoardGoesSafeByItselfWhenTheHostCloses) {
   EXPECT_FALSE(trace.line("closed").empty());
 }
 
-#ifdef HEDGEHOG_SIMBOARD_PATH
 TEST(SimulatedBoardProcesses, MakeThemselvesSafeWhenTheirHostIsGone) {
   const Trace trace;
   SimulatedBoardProcessOptions options;
-  options.program = HEDGEHOG_SIMBOARD_PATH;
+  options.program = build_folder() + "/daemon/hedgehog-simboard";
   options.trace = trace.path;
   options.board.start_c = 30.0;
   options.board.plant.supply_v = 14.0;
@@ -214,7 +214,6 @@ TEST(SimulatedBoardProcesses, AProgramThatIsMissingIsAnError) {
   options.program = testing::TempDir() + "no_such_program";
   EXPECT_THROW(SimulatedBoardProcess{options}, std::system_error);
 }
-#endif
 
 TEST(TickClock, APhaseIsThatOfWholeMilliseconds) {
   constexpr std::int64_t kPhaseNs = 250'000;

@@ -14,6 +14,7 @@
 #include "tests/e2e/daemon_process.h"
 #include "tests/e2e/program.h"
 #include "tests/e2e/raw_client.h"
+#include "tests/folders.h"
 #include "tests/protocol/example_file.h"
 
 namespace hedgehog::e2e {
@@ -44,7 +45,7 @@ std::string replay(const protocol::Example& example, RawClient& client) {
 }
 
 TEST(Play, TheExamplesOfTheProtocolAreTrue) {
-  const auto examples = protocol::protocol_examples(HEDGEHOG_SOURCE_DIR);
+  const auto examples = protocol::protocol_examples(source_folder());
   ASSERT_GE(examples.size(), 20u);
   for (const protocol::Example& example : examples) {
     const Home home;

@@ -9,6 +9,7 @@
 #include <regex>
 #include <sstream>
 #include <stdexcept>
+#include "tests/folders.h"
 
 namespace hedgehog::e2e {
 namespace {
@@ -24,7 +25,7 @@ std::string program(const std::string& place) {
     if (!fs::exists(folder / kDaemon))
       throw std::runtime_error("HEDGEHOG_PROGRAMS: no " + (folder / kDaemon).string());
   }
-  return HEDGEHOG_BUILD_DIR "/" + place;
+  return build_folder() + "/" + place;
 }
 
 }  // namespace
@@ -40,7 +41,7 @@ std::string hedgehog_study() { return program("clients/study/hedgehog-study"); }
 std::string hedgehog_usbip() { return program("emulator/hedgehog-usbip"); }
 
 std::vector<std::string> installed_programs() {
-  std::ifstream file(HEDGEHOG_SOURCE_DIR "/cmake/install.cmake");
+  std::ifstream file(source_folder() + "/cmake/install.cmake");
   const std::string rules{std::istreambuf_iterator<char>(file), {}};
   const std::regex rule(R"(install\(TARGETS((?:\s+hedgehog[a-z-]*)+)\s+RUNTIME)");
   std::smatch match;

@@ -16,6 +16,7 @@
 #include "tests/e2e/programs.h"
 #include "tests/e2e/racing.h"
 #include "tests/e2e/raw_client.h"
+#include "tests/folders.h"
 #include "tests/racer/tracks.h"
 
 namespace hedgehog::e2e {
@@ -213,7 +214,7 @@ TEST(Racer, TheLinesOfItsReadmeRun) {
   const Home home;
   const std::string speed = std::to_string(attainable_speed(60));
   DaemonProcess daemon(home, {"--speed", speed});
-  std::ifstream text(std::string(HEDGEHOG_SOURCE_DIR) + "/clients/racer/README.md");
+  std::ifstream text(source_folder() + "/clients/racer/README.md");
   int ran = 0;
   for (std::string line; std::getline(text, line);) {
     if (line.rfind("    hedgehog-racer lap", 0) != 0) continue;

@@ -12,13 +12,14 @@
 #include "tests/e2e/program.h"
 #include "tests/e2e/programs.h"
 #include "tests/e2e/raw_client.h"
+#include "tests/folders.h"
 #include "tests/protocol/example_file.h"
 
 namespace hedgehog::e2e {
 namespace {
 
 std::vector<std::string> lines_of(const std::string& file) {
-  std::ifstream text(std::string(HEDGEHOG_SOURCE_DIR) + "/" + file);
+  std::ifstream text(source_folder() + "/" + file);
   std::vector<std::string> lines;
   for (std::string line; std::getline(text, line);) lines.push_back(line);
   return lines;

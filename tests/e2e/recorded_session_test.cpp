@@ -8,6 +8,7 @@
 
 #include "tests/e2e/daemon_process.h"
 #include "tests/e2e/raw_client.h"
+#include "tests/folders.h"
 
 namespace hedgehog::e2e {
 namespace {
@@ -42,7 +43,7 @@ TEST(RecordedSession, OfProtocol10IsUnderstoodToday) {
   const Home home;
   DaemonProcess daemon(home);
   RawClient client(daemon.port());
-  std::ifstream file(HEDGEHOG_SOURCE_DIR "/tests/e2e/session_1_0.txt");
+  std::ifstream file(source_folder() + "/tests/e2e/session_1_0.txt");
   const std::string sent = "→ ";
   std::string method;
   int lines = 0;

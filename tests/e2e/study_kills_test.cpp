@@ -14,6 +14,7 @@
 
 #include "tests/e2e/busy_machine.h"
 #include "tests/e2e/study_fixture.h"
+#include "tests/folders.h"
 
 namespace hedgehog::e2e {
 namespace {
@@ -92,7 +93,7 @@ class Kills : public Study {
  private:
   /// A preset with short circles.
   std::string hasty(const std::string& preset) const {
-    std::ifstream in(std::string(HEDGEHOG_SOURCE_DIR) + "/config/study/" + preset + ".json");
+    std::ifstream in(source_folder() + "/config/study/" + preset + ".json");
     Json experiment = Json::parse(in, nullptr, true, true);
     experiment["name"] = "hasty-" + preset;
     experiment["duration_ms"] = 300;

@@ -8,6 +8,7 @@
 
 #include "tests/e2e/programs.h"
 #include "tests/e2e/study_fixture.h"
+#include "tests/folders.h"
 
 namespace hedgehog::e2e {
 namespace {
@@ -195,7 +196,7 @@ TEST_F(Study, ExitCodesSayWhatToDo) {
 }
 
 TEST_F(Study, TraceSaysEverySharedTraceAsJson) {
-  std::ifstream file(std::string(HEDGEHOG_SOURCE_DIR) + "/tests/study/data/traces.json");
+  std::ifstream file(source_folder() + "/tests/study/data/traces.json");
   const Json shared = Json::parse(file)["traces"];
   ASSERT_EQ(shared.size(), 18U);
   static const char* const kNames[] = {"force-threshold", "force-jnd", "speed-jnd"};

@@ -11,6 +11,7 @@
 
 #include "tests/e2e/programs.h"
 #include "tests/e2e/study_fixture.h"
+#include "tests/folders.h"
 
 namespace hedgehog::e2e {
 namespace {
@@ -52,7 +53,7 @@ TEST_F(Study, AnalysesAndExportsWhatWasMeasured) {
 TEST_F(Study, TheLinesOfItsReadmeRun) {
   start_daemon();
   remember_address();
-  std::ifstream text(std::string(HEDGEHOG_SOURCE_DIR) + "/clients/study/README.md");
+  std::ifstream text(source_folder() + "/clients/study/README.md");
   std::string folder = home_.path("");
   int ran = 0;
   const std::string program = "hedgehog-study ";

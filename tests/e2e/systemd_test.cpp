@@ -17,6 +17,7 @@
 #include "tests/e2e/patience.h"
 #include "tests/e2e/programs.h"
 #include "tests/e2e/raw_client.h"
+#include "tests/folders.h"
 
 namespace hedgehog::e2e {
 namespace {
@@ -43,7 +44,7 @@ class Unit : public testing::TestWithParam<const char*> {
   /// A copy whose ExecStart is the program that was just built.
   std::string installed() {
     const std::string name = GetParam();
-    std::ifstream in(std::string(HEDGEHOG_SOURCE_DIR) + "/systemd/" + name);
+    std::ifstream in(source_folder() + "/systemd/" + name);
     std::string text{std::istreambuf_iterator<char>(in), {}};
     for (const auto& [program, built] :
          {std::pair("/usr/bin/hedgehogd"s, hedgehogd()),

@@ -11,6 +11,7 @@
 #include "tests/e2e/program.h"
 #include "tests/e2e/programs.h"
 #include "tests/e2e/raw_client.h"
+#include "tests/folders.h"
 #include "tests/mqtt/mosquitto.h"
 
 namespace hedgehog::e2e {
@@ -186,7 +187,7 @@ TEST_F(MqttBridge, SaysThatADaemonThatHangsIsAway) {
 
 /// Lines of the README that begin with `program`, indented as commands, without their remarks.
 std::vector<std::string> commands_of_the_readme(const std::string& program) {
-  std::ifstream readme(HEDGEHOG_SOURCE_DIR "/clients/mqtt/README.md");
+  std::ifstream readme(source_folder() + "/clients/mqtt/README.md");
   std::vector<std::string> found;
   for (std::string line; std::getline(readme, line);)
     if (line.starts_with("    " + program)) found.push_back(line.substr(4, line.find("   #") - 4));

@@ -13,6 +13,7 @@
 
 #include "protocol/server_codec.h"
 #include "protocol/values/event.h"
+#include "tests/folders.h"
 #include "tests/model/direction_named.h"
 #include "tests/protocol/example_file.h"
 #include "tests/protocol/random_request.h"
@@ -22,7 +23,7 @@ namespace hedgehog::protocol {
 namespace {
 
 std::string readme() {
-  std::ifstream in(std::string(HEDGEHOG_SOURCE_DIR) + "/protocol/README.md");
+  std::ifstream in(source_folder() + "/protocol/README.md");
   std::stringstream text;
   text << in.rdbuf();
   return text.str();
@@ -30,7 +31,7 @@ std::string readme() {
 
 class Readme : public testing::Test {
  protected:
-  std::vector<Example> examples_ = protocol_examples(HEDGEHOG_SOURCE_DIR);
+  std::vector<Example> examples_ = protocol_examples(source_folder());
   Json messages_ = messages_schema();
 };
 

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "protocol/methods.h"
+#include "tests/folders.h"
 
 namespace hedgehog::protocol {
 namespace {
@@ -36,7 +37,7 @@ std::string read(const std::string& path) {
 }
 
 TEST(Schema, TheDocumentHasTheRolesOfEachMethod) {
-  const std::string path = std::string(HEDGEHOG_SOURCE_DIR) + "/protocol/README.md";
+  const std::string path = source_folder() + "/protocol/README.md";
   std::string text = read(path);
   const std::size_t begin = text.find(kBegin);
   ASSERT_NE(begin, std::string::npos);

@@ -11,13 +11,14 @@
 #include <set>
 #include <sstream>
 
+#include "tests/folders.h"
 #include "tests/protocol/random_request.h"
 
 namespace hedgehog::protocol {
 namespace {
 
 std::string path_of(const std::string& file) {
-  return std::string(HEDGEHOG_SOURCE_DIR) + "/protocol/schema/" + file;
+  return source_folder() + "/protocol/schema/" + file;
 }
 
 std::string contents(const std::string& file) {

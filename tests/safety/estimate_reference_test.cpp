@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 
+#include "tests/folders.h"
 #include "tests/rig/reference_record.h"
 #include "tests/rig/thermal_ball.h"
 
@@ -239,7 +240,7 @@ TEST(EstimateReference, ItsFiguresAreThoseOfTheTable) {
     row("sum", sums.figures());
     row("end", figures_of(ball));
   }
-  EXPECT_EQ(record.differences(HEDGEHOG_SOURCE_DIR "/tests/safety/reference/estimates.tsv"), "");
+  EXPECT_EQ(record.differences(source_folder() + "/tests/safety/reference/estimates.tsv"), "");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "tests/folders.h"
 #include "tests/structure/source_tree.h"
 
 namespace hedgehog::structure {
@@ -54,13 +55,13 @@ int guards_in_place(const SourceTree& tree, const std::string& path) {
 }
 
 TEST(Guards, StandWhereTheListSays) {
-  const SourceTree tree = read_tree(HEDGEHOG_SOURCE_DIR);
+  const SourceTree tree = read_tree(source_folder());
   EXPECT_GE(guards_in_place(tree, "tests/guards/guards.txt"), 49);
   EXPECT_GE(guards_in_place(tree, "tests/firmware/emulated/guards.txt"), 23);
 }
 
 TEST(Guards, NameTestProgramsThatThereAre) {
-  const SourceTree tree = read_tree(HEDGEHOG_SOURCE_DIR);
+  const SourceTree tree = read_tree(source_folder());
   for (const std::string& line : find(tree, "tests/guards/guards.txt")->lines) {
     if (!line.starts_with("red ")) continue;
     const std::string program = line.substr(4, line.find(' ', 4) - 4);

@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 
+#include "tests/folders.h"
 #include "tests/structure/source_tree.h"
 
 namespace hedgehog::structure {
@@ -31,7 +32,7 @@ std::set<std::string> listed(const SourceFile& list, const std::set<std::string>
 }
 
 TEST(Mutations, ReachTheWholeSafetyCode) {
-  const SourceTree tree = read_tree(HEDGEHOG_SOURCE_DIR);
+  const SourceTree tree = read_tree(source_folder());
   const SourceFile* scope = file_named(tree, "tests/mutations/scope.txt");
   ASSERT_NE(scope, nullptr);
   const std::set<std::string> all = listed(*scope, {"file", "covered"});
@@ -50,7 +51,7 @@ TEST(Mutations, ReachTheWholeSafetyCode) {
 }
 
 TEST(Mutations, OfBoardCoreLimiterAndWatchdogEveryLineIsExecuted) {
-  const SourceTree tree = read_tree(HEDGEHOG_SOURCE_DIR);
+  const SourceTree tree = read_tree(source_folder());
   const SourceFile* scope = file_named(tree, "tests/mutations/scope.txt");
   ASSERT_NE(scope, nullptr);
   const std::set<std::string> covered = listed(*scope, {"covered"});
@@ -64,7 +65,7 @@ TEST(Mutations, OfBoardCoreLimiterAndWatchdogEveryLineIsExecuted) {
 }
 
 TEST(Mutations, ExplainedLinesStand) {
-  const SourceTree tree = read_tree(HEDGEHOG_SOURCE_DIR);
+  const SourceTree tree = read_tree(source_folder());
   const SourceFile* list = file_named(tree, "tests/mutations/explained.txt");
   ASSERT_NE(list, nullptr);
   const SourceFile* file = nullptr;

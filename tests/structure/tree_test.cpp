@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "tests/folders.h"
 #include "tests/structure/rules.h"
 
 namespace hedgehog::structure {
@@ -15,7 +16,7 @@ using testing::IsEmpty;
 class Tree : public testing::Test {
  protected:
   static const SourceTree& tree() {
-    static const SourceTree kTree = read_tree(HEDGEHOG_SOURCE_DIR);
+    static const SourceTree kTree = read_tree(source_folder());
     return kTree;
   }
 

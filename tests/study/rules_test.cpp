@@ -9,6 +9,7 @@
 
 #include "clients/study/experiment_file.h"
 #include "clients/study/rules/trace.h"
+#include "tests/folders.h"
 #include "tests/study/preset.h"
 
 namespace hedgehog::study {
@@ -23,7 +24,7 @@ Experiment experiment_of(const json& trace) {
 
 const json& traces() {
   static const json kAll = [] {
-    std::ifstream file(std::string(HEDGEHOG_SOURCE_DIR) + "/tests/study/data/traces.json");
+    std::ifstream file(source_folder() + "/tests/study/data/traces.json");
     return json::parse(file)["traces"];
   }();
   return kAll;

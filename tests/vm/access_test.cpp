@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "tests/folders.h"
 #include "tests/vm/bench.h"
 
 namespace hedgehog::vm {
@@ -19,12 +20,12 @@ class Access : public Bench {
   Access() : Bench(kEveryDevice) {}
 
   static void SetUpTestSuite() {
-    shell("systemd-sysusers " HEDGEHOG_SOURCE_DIR "/systemd/hedgehog.sysusers");
+    shell("systemd-sysusers " + source_folder() + "/systemd/hedgehog.sysusers");
     ASSERT_NE(::getgrnam("hedgehog"), nullptr);
     open_programs_to_everybody();
   }
   static void install_rules() {
-    shell("mkdir -p /run/udev/rules.d && cp " HEDGEHOG_SOURCE_DIR
+    shell("mkdir -p /run/udev/rules.d && cp " + source_folder() +
           "/systemd/60-hedgehog.rules "
           "/run/udev/rules.d/ && udevadm control --reload");
   }

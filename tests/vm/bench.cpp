@@ -22,6 +22,7 @@
 #include <utility>
 
 #include "tests/e2e/programs.h"
+#include "tests/folders.h"
 
 namespace hedgehog::vm {
 namespace {
@@ -107,7 +108,7 @@ std::string shell(const std::string& command) {
 void open_programs_to_everybody() {
   constexpr const char* kOpen = "/run/hedgehog-test";
   const char* programs = std::getenv("HEDGEHOG_PROGRAMS");
-  const std::string folder = programs != nullptr ? programs : HEDGEHOG_BUILD_DIR;
+  const std::string folder = programs != nullptr ? programs : build_folder();
   if (folder == kOpen) return;
   shell("mkdir -p " + std::string(kOpen) + " && mount --bind " + folder + " " + kOpen);
   ::setenv("HEDGEHOG_PROGRAMS", kOpen, 1);

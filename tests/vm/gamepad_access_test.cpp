@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 
 #include "tests/e2e/programs.h"
+#include "tests/folders.h"
 #include "tests/vm/gamepad_bench.h"
 
 namespace hedgehog::vm {
@@ -13,7 +14,7 @@ class GamepadAccess : public GamepadBench {
  protected:
   static void SetUpTestSuite() {
     for (const char* file : {"hedgehog.sysusers", "hedgehog-gamepad.sysusers"})
-      shell(std::string("systemd-sysusers " HEDGEHOG_SOURCE_DIR "/systemd/") + file);
+      shell(std::string("systemd-sysusers " + source_folder() + "/systemd/") + file);
     ASSERT_NE(::getgrnam("hedgehog-gamepad"), nullptr);
     open_programs_to_everybody();
   }
@@ -23,7 +24,7 @@ class GamepadAccess : public GamepadBench {
         "chmod 600 /dev/uinput; chgrp root /dev/uinput");
   }
   static void install_rule() {
-    shell("mkdir -p /run/udev/rules.d && cp " HEDGEHOG_SOURCE_DIR
+    shell("mkdir -p /run/udev/rules.d && cp " + source_folder() +
           "/systemd/61-hedgehog-gamepad.rules /run/udev/rules.d/ && udevadm control --reload && "
           "udevadm trigger --action=add --sysname-match=uinput && udevadm settle");
   }

@@ -2,6 +2,7 @@
 // Debian's Chromium, unmodified, on the gamepad: a page that uses the Gamepad API.
 #include <string>
 
+#include "tests/folders.h"
 #include "tests/vm/gamepad_bench.h"
 
 namespace hedgehog::vm {
@@ -36,7 +37,7 @@ TEST_F(GamepadBrowser, DISABLED_ChromiumReadsTheTiltAndPlaysDualRumble) {
       std::vector<std::string>{"/usr/bin/chromium-headless-shell", "--no-sandbox", "--no-zygote",
                                "--single-process", "--disable-gpu", "--enable-logging=stderr",
                                "--user-data-dir=" + home_.path("profile"),
-                               "file://" HEDGEHOG_SOURCE_DIR "/tests/vm/gamepad_page.html"},
+                               "file://" + source_folder() + "/tests/vm/gamepad_page.html"},
       debian_environment(), home_.path("browser"));
   ASSERT_TRUE(prints("page ready")) << printed();
   turn(model::axis_angle(kFront, 60));

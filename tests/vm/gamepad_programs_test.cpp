@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <string>
 
+#include "tests/folders.h"
 #include "tests/vm/gamepad_bench.h"
 
 namespace hedgehog::vm {
@@ -127,7 +128,7 @@ TEST_F(GamepadPrograms, SdlTestrumble) {
 }
 
 TEST_F(GamepadPrograms, Pygame) {
-  start({"/usr/bin/python3", HEDGEHOG_SOURCE_DIR "/tests/vm/pygame_pad.py"});
+  start({"/usr/bin/python3", source_folder() + "/tests/vm/pygame_pad.py"});
   EXPECT_TRUE(ball_->until_pushed(kDown, 8)) << said();
   EXPECT_TRUE(ball_->until_ended(1)) << said();
   turn(model::axis_angle(kFront, 60));

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
+#include "tests/folders.h"
 
 namespace hedgehog::vm {
 namespace {
@@ -73,7 +74,7 @@ Picture Screen::picture() const {
 }
 
 std::string Screen::close_windows() const {
-  const std::string script = HEDGEHOG_SOURCE_DIR "/tests/vm/close_windows.py";
+  const std::string script = source_folder() + "/tests/vm/close_windows.py";
   return shell(display() + " /usr/bin/python3 " + script);
 }
 

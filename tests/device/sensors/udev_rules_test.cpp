@@ -9,6 +9,7 @@
 #include <set>
 
 #include "daemon/device/sensors/drivers.h"
+#include "tests/folders.h"
 
 namespace hedgehog::device {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 using Ids = std::set<std::pair<int, int>>;
 
 std::string rules() {
-  std::ifstream in(HEDGEHOG_SOURCE_DIR "/systemd/60-hedgehog.rules");
+  std::ifstream in(source_folder() + "/systemd/60-hedgehog.rules");
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
