@@ -39,6 +39,14 @@ record() { # NAME
       sub(/\..*/, "", program)
       time[program] += attribute("time")
       count[program]++
+      in_shard = attribute("name") ~ /\.shard[0-9]+$/
+    }
+    # GoogleTest of a process that ran many: "[==========] 66 tests from 9 test suites ran. (12 ms total)".
+    in_shard && match($0, /\[==========\] [0-9]+ tests? from .* ran\./) {
+      split(substr($0, RSTART), part, " ")
+      count[program] += part[2] - 1
+      total["tests="] += part[2] - 1
+      in_shard = 0
     }
     END {
       for (program in time) {
