@@ -302,10 +302,10 @@ test-usb: shipped $(CONFIGURED_DEV) build/.packages-vm
 	@$(LOCK_DEV) $(STAGE) 'build test_usb' $(BUILD_DEV) --target test_usb
 	@HEDGEHOG_PROGRAMS=$(CURDIR)/build/bench $(STAGE) 'tests usb' tests/vm/test.sh -t $(VM_SECONDS) build/dev/tests/vm/test_usb
 
-# All programs as they ship, with campaigns and benchmarks.
+# All programs as they ship, with campaigns.
 .PHONY: shipped
 shipped: $(CONFIGURED_BENCH)
-	@$(LOCK_BENCH) $(STAGE) 'build shipped' $(BUILD_BENCH) --target programs campaigns benchmarks
+	@$(LOCK_BENCH) $(STAGE) 'build shipped' $(BUILD_BENCH) --target programs campaigns
 
 # Some of the end-to-end tests of dev on them.
 .PHONY: test-shipped
