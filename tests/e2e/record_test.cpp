@@ -51,7 +51,7 @@ TEST_F(Record, ABallAtRestIsAPatternOfItsFrontThatPlays) {
 }
 
 TEST_F(Record, EndsByItselfAfterAMinuteOfTheBallsTime) {
-  const DaemonProcess daemon(home_, {"--speed", "60"});
+  const DaemonProcess daemon(home_, {"--speed", "20"});
   const Ended ended = ctl(daemon, record({}));
   ASSERT_EQ(ended.exit_code, 0) << ended.err;
   EXPECT_EQ(pattern()["keyframes"].back()["t_ms"], 60'000);
