@@ -19,7 +19,7 @@ std::string without_comments(const std::string& text) {
 
 TEST(BoardCoreSources, AreFreestandingAndFixedPoint) {
   const std::filesystem::path folder =
-      std::filesystem::path(source_folder()) / "daemon/device/board_core";
+      std::filesystem::path(hedgehog::source_folder()) / "daemon/device/board_core";
   static const std::regex kInclude("#include\\s*([<\"][^>\"]*[>\"])");
   static const std::regex kForbidden(
       "\\b(float|double|new|delete|malloc|free|throw|try|catch|typeid|dynamic_cast|"

@@ -14,7 +14,8 @@ using testing::HasSubstr;
 using testing::Not;
 
 std::string commands_of(const std::string& target) {
-  const std::string command = "make -n -C " + source_folder() + " " + target + " 2>/dev/null";
+  const std::string command =
+      "make -n -C " + hedgehog::source_folder() + " " + target + " 2>/dev/null";
   std::FILE* pipe = ::popen(command.c_str(), "r");
   std::string out;
   std::array<char, 4096> bytes{};
