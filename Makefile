@@ -253,7 +253,7 @@ firmware: $(CONFIGURED_DEV) build/.packages-firmware build/.packages-dashboard
 	@$(STAGE) 'tests firmware' tests/firmware/emulated/run.sh build/firmware/hedgehog-board.elf \
 	  build/dev/tests/firmware/firmware_plant build/npm/firmware build/dev
 
-# Each guard of the image taken out once: a test must go red. ARGS: a word of its name or hazard.
+# Each guard of the image taken out once: a test must go red. ARGS: --third, or a word of its name or hazard.
 .PHONY: firmware-guards
 firmware-guards: $(CONFIGURED_DEV) build/.packages-firmware build/.packages-dashboard
 	@$(LOCK_DEV) $(BUILD_DEV) --target firmware_image firmware_plant hedgehogd
@@ -402,7 +402,7 @@ waiting:
 # Whose mutants have all been judged once; the other files of tests/mutations/scope.txt still have survivors.
 MUTATED := board_core.cpp heat_budget.h persistence.h thermal_limiter.cpp link.cpp
 computing:
-	$(call each_of,shipped instructions 'guards ARGS=--third' firmware-guards "mutations ARGS='--changed $(MUTATED:%=--file %)'" coverage \
+	$(call each_of,shipped instructions 'guards ARGS=--third' 'firmware-guards ARGS=--third' "mutations ARGS='--changed $(MUTATED:%=--file %)'" coverage \
 	  faults-ci tsan asan 'fuzz FUZZ_SECONDS=10')
 
 checked:

@@ -4,12 +4,12 @@
 # for npm's packages, and the build folder of hedgehogd. WHAT:
 #   (nothing)                       all tests, and their coverage
 #   test NAME [PATTERN]             NAME.test.mjs, or those of its tests whose name has PATTERN
-#   guards FIRMWARE_IMAGE [WORD]    guards.mjs
+#   guards FIRMWARE_IMAGE [--third] [WORD]  guards.mjs
 #   play MINUTES [SEED]             play.mjs
 # HEDGEHOG_FIRMWARE_TICKS: so many frames are compared with the host's core (3000). Exit: 0 all passed.
 set -eu
 
-[ $# -ge 4 ] || { echo "run.sh ELF PLANT PACKAGES PROGRAMS [test NAME [PATTERN] | guards FIRMWARE_IMAGE [WORD] | play MINUTES [SEED]]" >&2; exit 64; }
+[ $# -ge 4 ] || { echo "run.sh ELF PLANT PACKAGES PROGRAMS [test NAME [PATTERN] | guards FIRMWARE_IMAGE [--third] [WORD] | play MINUTES [SEED]]" >&2; exit 64; }
 here=$(cd -- "$(dirname -- "$0")" && pwd)
 HEDGEHOG_FIRMWARE_ELF=$(realpath "$1")
 HEDGEHOG_FIRMWARE_PLANT=$(realpath "$2")
