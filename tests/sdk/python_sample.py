@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """What a game in Python writes, and what a type checker has to refuse: an ignored line that is right is an error, too."""
 
-from typing import Optional
+from typing import List, Optional
 
-from hedgehog import AsyncBall, Ball, Direction, ErrorCode, ErrorName, Event, NotConnected, RequestError, Telemetry
+from hedgehog import AsyncBall, Ball, Direction, ErrorCode, ErrorName, Event, NotConnected, RequestError, Telemetry, discover
 
 
 def play() -> Optional[float]:
@@ -28,6 +28,10 @@ async def follow(ball: AsyncBall) -> None:
     print([one["slot"] for one in effects])
 
 
+def find() -> List[str]:
+    return ["%s at %s:%d" % (ball.name, ball.address, ball.port) for ball in discover(timeout_s=0.5) if ball.tls]
+
+
 def show(status: Telemetry) -> None:
     print(status["temperature_c"]["skin"])
 
@@ -48,6 +52,7 @@ def explain(error: Exception) -> str:
 
 
 def mistakes(ball: Ball) -> None:
+    discover(timeout_s="1 s")  # type: ignore[arg-type]
     ball.pulse("sideways")  # type: ignore[arg-type]
     ball.pulse("left", level="0.5")  # type: ignore[arg-type]
     ball.pulse("left", leval=0.5)  # type: ignore[call-arg]

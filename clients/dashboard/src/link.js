@@ -34,7 +34,7 @@ export class Link extends EventTarget {
     this.pauseMs = kFirstPauseMs;
     this.waiting = new Map();
     this.nextId = 0;
-    this.farewell = null;
+    this.closeReason = null;
     this.socket = null;
     this.ready = false;
     this.token = sessionStorage.getItem(kTokenKey);
@@ -60,13 +60,13 @@ export class Link extends EventTarget {
         for (const { method, params } of this.begin) await this.call(method, params);
         clearTimeout(patience);
         this.pauseMs = kFirstPauseMs;
-        this.farewell = null;
+        this.closeReason = null;
         this.ready = true;
         this.heardAt = performance.now();
         this.say("open", { hello, device });
       } catch (error) {
         if (error.code === kUnauthorized) this.lock(error);
-        else if (error instanceof Refused) this.farewell = complaint(error).replace(/\.$/, "");
+        else if (error instanceof Refused) this.closeReason = complaint(error).replace(/\.$/, "");
         socket.close();
       }
     };
@@ -82,7 +82,7 @@ export class Link extends EventTarget {
     for (const { reject } of this.waiting.values()) reject(new Error("the daemon is gone"));
     this.waiting.clear();
     if (this.locked) return;
-    this.say("gone", { reason: this.farewell, retryInMs: this.pauseMs });
+    this.say("gone", { reason: this.closeReason, retryInMs: this.pauseMs });
     this.retry = setTimeout(() => this.connect(), this.pauseMs);
     this.pauseMs = Math.min(2 * this.pauseMs, kLongestPauseMs);
   }
@@ -111,7 +111,7 @@ export class Link extends EventTarget {
   hear(message) {
     this.heardAt = performance.now();
     if (message.method === "event" && message.params.type === "shutting_down") {
-      this.farewell = message.params.reason;
+      this.closeReason = message.params.reason;
     }
     if (message.method) {
       this.say(message.method, message.params);

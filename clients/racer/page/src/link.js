@@ -14,7 +14,7 @@ export class Link extends EventTarget {
     this.url = `${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/ws`;
     this.pauseMs = kFirstPauseMs;
     this.was = "start";
-    this.farewell = "";
+    this.closeReason = "";
     this.connect();
     setInterval(() => this.listen(), 250);
   }
@@ -28,7 +28,7 @@ export class Link extends EventTarget {
       clearTimeout(patience);
       const message = JSON.parse(data);
       this.heardAt = performance.now();
-      if (message.type === "goodbye") this.farewell = message.reason;
+      if (message.type === "goodbye") this.closeReason = message.reason;
       if (message.type === "track") this.back();
       this.dispatchEvent(new CustomEvent(message.type, { detail: message }));
     };
@@ -40,14 +40,14 @@ export class Link extends EventTarget {
 
   back() {
     this.pauseMs = kFirstPauseMs;
-    this.farewell = "";
+    this.closeReason = "";
     this.show("open", this.was === "gone" ? "The game is back." : "");
     if (this.was === "gone") setTimeout(() => document.body.dataset.link === "open" && this.show("open", ""), kWelcomeMs);
     this.was = "open";
   }
 
   lost() {
-    const why = this.farewell || "it ended without a word";
+    const why = this.closeReason || "it ended without a word";
     this.show("gone", this.was === "start"
       ? "No game answers. This page tries again by itself."
       : `The game is gone (${why}). Start hedgehog-racer again; this page comes back by itself.`);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a game in TypeScript writes, and what its compiler has to refuse: a line after @ts-expect-error that compiles is an error.
-import { Ball, ErrorCode, NotConnected, RequestError } from "@hedgehog/client";
+import { Ball, discover, ErrorCode, NotConnected, RequestError } from "@hedgehog/client";
 import type { Admission, BallEvent, Direction, ErrorName, Hello } from "@hedgehog/client";
 
 export async function play(): Promise<number | null> {
@@ -34,6 +34,10 @@ function told(event: BallEvent): void {
   console.log(event.reason ?? "");
 }
 
+export async function find(): Promise<string[]> {
+  return (await discover(500)).filter((ball) => ball.tls).map((ball) => `${ball.name} at ${ball.address}:${ball.port}, ${ball.serial ?? "unknown"}`);
+}
+
 export function explain(error: unknown): string {
   if (error instanceof NotConnected) return `again in ${error.retryAfterMs} ms`;
   if (!(error instanceof RequestError)) throw error;
@@ -43,6 +47,8 @@ export function explain(error: unknown): string {
 }
 
 export async function mistakes(ball: Ball): Promise<void> {
+  // @ts-expect-error: the time is a number of milliseconds
+  await discover("1 s");
   // @ts-expect-error: no such direction
   await ball.pulse("sideways");
   // @ts-expect-error: level is a number
