@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+
 #include "tests/folders.h"
 
 namespace hedgehog::client {

@@ -8,6 +8,7 @@
 #include <regex>
 #include <sstream>
 #include <string>
+
 #include "tests/folders.h"
 
 namespace {

@@ -9,6 +9,7 @@
 #include <regex>
 #include <sstream>
 #include <stdexcept>
+
 #include "tests/folders.h"
 
 namespace hedgehog::e2e {

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
+
 #include "tests/folders.h"
 
 namespace hedgehog::vm {
