@@ -392,18 +392,18 @@ instructions-write: $(CONFIGURED_BENCH) build/.packages-bench
 	@tests/bench/instructions/check.sh $(BENCH)/instructions --write
 
 # What waits most of the time goes on beside what computes; its output comes when it has ended. A stage that fails keeps
-# none of the others from being tried.
-each_of = @code=0; for one in $(1); do eval "$(MAKE) $$one" || code=1; done; exit $$code
+# none of the others from being tried; in CI one that would begin too late is not begun (cmake/in_time.sh).
+each_of = @code=0; for one in $(1); do if cmake/in_time.sh "$$one"; then eval "$(MAKE) $$one" || code=1; fi; done; exit $$code
 .PHONY: waiting computing checked
 waiting:
-	$(call each_of,test-openrpc test-json-rpc rehearsal test-sdk test-web test-bids test-monitoring test-mqtt test-discovery test-release test-shipped test-install \
-	  'test-deb test-service PACKED=build/bench' test-usb)
+	$(call each_of,test-openrpc test-json-rpc rehearsal test-sdk test-web test-usb test-bids test-monitoring test-mqtt test-discovery test-shipped test-install \
+	  'test-deb test-service PACKED=build/bench' test-release)
 
 # Whose mutants have all been judged once; the other files of tests/mutations/scope.txt still have survivors.
 MUTATED := board_core.cpp heat_budget.h persistence.h thermal_limiter.cpp link.cpp
 computing:
-	$(call each_of,shipped instructions 'guards ARGS=--third' 'firmware-guards ARGS=--third' "mutations ARGS='--changed $(MUTATED:%=--file %)'" coverage \
-	  faults-ci tsan asan 'fuzz FUZZ_SECONDS=10')
+	$(call each_of,shipped instructions faults-ci asan tsan 'fuzz FUZZ_SECONDS=10' 'guards ARGS=--third' coverage \
+	  'firmware-guards ARGS=--third' "mutations ARGS='--changed $(MUTATED:%=--file %)'")
 
 checked:
 	$(call each_of,shipped 'check CHECKS="tidy-product alone-third"' computing)

@@ -16,11 +16,13 @@ awk -F '\t' '
   $1 == "program" { printf "  %-32s %8s          %d tests, their times added up\n", $2, clock($3), $4 }
   $1 == "whole" { whole = $2 }
   $1 == "repeated" { repeated = repeated "  " $2 "\n" }
+  $1 == "late" { late = late "  " $2 "\n" }
   $1 == "tests" { run += $2; failed += $3; skipped += $4 }
   END {
     printf "%-34s %8s          some side by side\n", "all stages", clock(wall)
     if (whole) printf "%-34s %8s %8.1f\n", "the whole run", clock(whole), cpu / whole
     printf "\nclock tests that were repeated:%s\n", (repeated == "" ? " none" : "\n" repeated)
+    if (late != "") printf "\nnot begun for want of time:\n%s", late
     printf "\n%d passed, %d failed, %d skipped\n", run - failed - skipped, failed, skipped
   }' "$1"
 
@@ -35,11 +37,12 @@ awk -F '\t' '
     comma[2] = ","
   }
   $1 == "whole" { whole = $2 }
+  $1 == "late" { late = late comma[4] "\n    " text($2); comma[4] = "," }
   $1 == "repeated" { repeated = repeated comma[3] "\n    " text($2); comma[3] = "," }
   $1 == "tests" { run += $2; failed += $3; skipped += $4 }
   END {
     printf "{\n"
     if (whole) printf "  \"whole_s\": %s,\n", whole
-    printf "  \"stages\": [%s\n  ],\n  \"programs\": [%s\n  ],\n  \"repeated\": [%s],\n", stages, programs, repeated
+    printf "  \"stages\": [%s\n  ],\n  \"programs\": [%s\n  ],\n  \"repeated\": [%s],\n  \"not_begun\": [%s],\n", stages, programs, repeated, late
     printf "  \"tests\": {\"passed\": %d, \"failed\": %d, \"skipped\": %d}\n}\n", run - failed - skipped, failed, skipped
   }' "$1" >"$2"
