@@ -31,7 +31,6 @@ using boost::system::error_code;
 constexpr std::uint32_t kMaxHeaderBytes = 8 * 1024;
 constexpr std::uint64_t kMaxBodyBytes = 1024;
 constexpr std::chrono::seconds kPatience{30};
-constexpr std::chrono::seconds kLingerTimeout{1};
 constexpr std::chrono::seconds kDiskPatience{5};
 constexpr std::chrono::milliseconds kDiskPause{5};
 constexpr const char* kContentPolicy =
@@ -191,7 +190,7 @@ asio::awaitable<void> serve(HttpStream given, HttpEndpoint& endpoint,
     open =
         co_await send(stream, answer, request.method() == http::verb::head, request.keep_alive());
   }
-  stream.expires_after(kLingerTimeout);
+  stream.expires_after(HttpStream::kEndTimeout);
   co_await stream.end();
 }
 

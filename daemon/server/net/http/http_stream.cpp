@@ -17,6 +17,21 @@ namespace beast = boost::beast;
 using asio::ip::tcp;
 using boost::system::error_code;
 
+namespace {
+
+asio::awaitable<error_code> end_tcp(beast::tcp_stream& stream) {
+  error_code ec;
+  stream.socket().shutdown(tcp::socket::shutdown_send, ec);
+  const auto sink = std::make_unique<std::array<char, Connection::kReadBytes>>();
+  while (!ec) {
+    co_await stream.async_read_some(asio::buffer(*sink),
+                                    asio::redirect_error(asio::use_awaitable, ec));
+  }
+  co_return ec == asio::error::eof ? error_code() : ec;
+}
+
+}  // namespace
+
 struct HttpStream::PlainTransport final : HttpStream::Transport {
   explicit PlainTransport(tcp::socket socket) : stream(std::move(socket)) {}
 
@@ -28,16 +43,7 @@ struct HttpStream::PlainTransport final : HttpStream::Transport {
     stream.async_write_some(buffers, std::move(handler));
   }
   asio::awaitable<error_code> handshake() override { co_return error_code(); }
-  asio::awaitable<error_code> end() override {
-    error_code ec;
-    stream.socket().shutdown(tcp::socket::shutdown_send, ec);
-    const auto sink = std::make_unique<std::array<char, Connection::kReadBytes>>();
-    while (!ec) {
-      co_await stream.async_read_some(asio::buffer(*sink),
-                                      asio::redirect_error(asio::use_awaitable, ec));
-    }
-    co_return ec == asio::error::eof ? error_code() : ec;
-  }
+  asio::awaitable<error_code> end() override { return end_tcp(stream); }
 
   beast::tcp_stream stream;
 };
@@ -62,6 +68,8 @@ struct HttpStream::TlsTransport final : HttpStream::Transport {
   asio::awaitable<error_code> end() override {
     error_code ec;
     co_await stream.async_shutdown(asio::redirect_error(asio::use_awaitable, ec));
+    // Of a client that still sends.
+    if (ec) co_await end_tcp(stream.next_layer());
     co_return ec;
   }
 

@@ -13,6 +13,7 @@
 #include <boost/beast/core/role.hpp>
 #include <boost/beast/core/tcp_stream.hpp>
 #include <boost/system/error_code.hpp>
+#include <chrono>
 #include <cstddef>
 #include <exception>
 #include <memory>
@@ -54,8 +55,9 @@ class TransferHandler {
 class HttpStream {
  public:
   using executor_type = boost::asio::any_io_executor;
-  /// Of one write: header and body of an answer leave together.
-  using Gathered = std::array<boost::asio::const_buffer, 16>;
+  /// Of one write: header and body of an answer leave together; Beast has a buffer for each field.
+  using Gathered = std::array<boost::asio::const_buffer, 32>;
+  static constexpr std::chrono::seconds kEndTimeout{1};
 
   explicit HttpStream(boost::asio::ip::tcp::socket socket);
   /// With TLS; `handshake` comes first.
@@ -122,12 +124,12 @@ class HttpStream {
 template <class Handler>
 void async_teardown(boost::beast::role_type /*always the server*/, HttpStream& stream,
                     Handler&& handler) {
-  boost::asio::co_spawn(
-      stream.get_executor(), stream.end(),
-      [handler = std::forward<Handler>(handler)](const std::exception_ptr&,
-                                                 boost::system::error_code ec) mutable {
-        std::move(handler)(ec);
-      });
+  stream.expires_after(HttpStream::kEndTimeout);
+  boost::asio::co_spawn(stream.get_executor(), stream.end(),
+                        [handler = std::forward<Handler>(handler)](
+                            const std::exception_ptr&, boost::system::error_code ec) mutable {
+                          std::move(handler)(ec);
+                        });
 }
 void beast_close_socket(HttpStream& stream);
 
