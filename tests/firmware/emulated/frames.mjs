@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The frames of daemon/device/README.md, from the host's side.
+// The frames of daemon/device/board-protocol.md, from the host's side.
 
 const kTable = Array.from({ length: 256 }, (_, n) => {
   for (let bit = 0; bit < 8; ++bit) n = n & 1 ? (n >>> 1) ^ 0xedb88320 : n >>> 1;

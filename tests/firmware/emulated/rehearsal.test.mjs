@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The steps of the guides (firmware/board/bring-up.md from step 6 on, daemon/device/README.md "Bringing up a ball") with the programs that
+// The steps of the guides (firmware/board/bring-up.md from step 6 on, daemon/device/bringing-up-a-ball.md) with the programs that
 // they name, on the image that is flashed and a ball whose windings and electronics are drawn from within their tolerances: what each
 // command prints, and what flows. HEDGEHOG_FIRMWARE_REHEARSAL=thermal: `calibrate --thermal` too, half an hour of the ball's time.
 import assert from 'node:assert/strict';

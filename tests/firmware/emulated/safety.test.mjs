@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rules of the board (daemon/device/README.md) on the image that is flashed: what is measured is the pins, and the true current
+// The rules of the board (daemon/device/board-rules.md) on the image that is flashed: what is measured is the pins, and the true current
 // of the simulator's ball behind them.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
