@@ -8,8 +8,8 @@ const here = new URL('.', import.meta.url);
 const kColumn = 6;
 
 test('each test that the safety table names is here', () => {
-  const readme = readFileSync(new URL('../../../daemon/README.md', here), 'utf8');
-  const table = readme.slice(readme.indexOf('| hazard | guard |')).split('\n\n')[0].split('\n').slice(2);
+  const page = readFileSync(new URL('../../../daemon/safety.md', here), 'utf8');
+  const table = page.slice(page.indexOf('| hazard | guard |')).split('\n\n')[0].split('\n').slice(2);
   // Of tests for each winding the names have their number.
   const sources = readdirSync(here).filter((name) => name.endsWith('.test.mjs') && !name.startsWith('safety_table'))
     .map((name) => readFileSync(new URL(name, here), 'utf8').replaceAll('${k}', '0')).join('\n');
