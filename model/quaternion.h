@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rotations as unit quaternions, Hamilton convention, device -> world (DESIGN: "quaternions
-// {w,x,y,z}").
+// Rotations as unit quaternions, Hamilton convention, device -> world,
+// as {w, x, y, z}.
 #pragma once
 
 #include <cmath>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The clock of the product: control ticks of one millisecond of device time. Durations and leases
-// count ticks; nothing in the control path reads another clock (DESIGN section 3, "pure steps,
-// device time").
+// count ticks; nothing in the control path reads another clock.
 #pragma once
 
 #include <cstdint>

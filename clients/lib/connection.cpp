@@ -12,7 +12,7 @@ namespace {
 
 using protocol::Id;
 
-/// The daemon refuses longer lines (DESIGN section 4, "The protocol").
+/// The daemon refuses longer lines (protocol/README.md).
 constexpr std::size_t kMaxOutgoingLine = 65'536;
 
 /// "no daemon answers at A, B or C"; says why where it is not the usual "nobody there".

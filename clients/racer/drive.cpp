@@ -22,7 +22,7 @@ namespace {
 
 /// What lasts is told ten times a second, and so is the ball.
 constexpr int kSeldom = 6;
-/// How long a cold ball can be at full strength (DESIGN, section 6), s.
+/// How long a cold ball can be at full strength, s.
 constexpr double kColdBurstS = 22.0;
 
 bool lasts(const Played& played) {

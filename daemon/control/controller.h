@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One tick of the ball: sense, check, arbitrate, mix, limit, gate, drive. A function of its inputs
-// and state, nothing else; no allocation, lock, log, system call or clock (DESIGN section 3, "Pure
-// steps, device time").
+// and state, nothing else; no allocation, lock, log, system call or clock.
 #pragma once
 
 #include <type_traits>

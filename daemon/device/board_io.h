@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What goes to the driver board and what comes back, as values. The byte layout is board_codec.h;
-// README.md beside it documents every byte.
+// board-protocol.md beside it documents every byte.
 #pragma once
 
 #include <array>

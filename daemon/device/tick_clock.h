@@ -42,7 +42,7 @@ constexpr std::int64_t at_phase_before(std::int64_t now_ns, std::int64_t phase_n
 inline constexpr std::int64_t kControlPhaseNs = 250'000;
 inline constexpr std::int64_t kLinkPhaseNs = kControlPhaseNs + 100'000;
 
-/// Priorities of SCHED_FIFO (DESIGN section 3, thread table).
+/// Priorities of SCHED_FIFO (daemon/threads.md).
 inline constexpr int kControlPriority = 50;
 inline constexpr int kLinkPriority = 49;
 inline constexpr int kSimulatedBoardPriority = 48;

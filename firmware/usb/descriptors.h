@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the board says of itself on USB: daemon/device/README.md, and the Microsoft OS 2.0
+// What the board says of itself on USB: daemon/device/board-protocol.md, and the Microsoft OS 2.0
 // descriptors with which Windows takes WinUSB without a driver file.
 #pragma once
 

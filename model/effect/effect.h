@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A haptic effect as a value: where the pins push (trajectory, frame), how strongly (strength,
 // gain, waveform, envelope) and for how long. All ranges are checked before a spec is made
-// (protocol, server); the functions below trust them. Source: DESIGN section 4; thesis sections 3.2
-// (circular pattern, 2 cm pitch) and 4.1 (pulse, vibration).
+// (protocol, server); the functions below trust them. Source: protocol/README.md; thesis
+// sections 3.2 (circular pattern, 2 cm pitch) and 4.1 (pulse, vibration).
 #pragma once
 
 #include <cstdint>

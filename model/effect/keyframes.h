@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Key frames: where the pins push and how strongly, at points in time, with the way from each to
-// the next. What `effect.play` plays and patterns are made of (DESIGN section 4).
+// the next. What `effect.play` plays and patterns are made of (protocol/README.md).
 #pragma once
 
 #include <cstdint>

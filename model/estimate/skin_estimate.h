@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The most that the shell can be where the hand holds it, from the estimated core: what limits the
 // current of a ball without a thermometer under its skin, and leads one that has it. Constants: a
-// shell that insulates badly, README.md, "The skin".
+// shell that insulates badly, model/skin.md.
 #pragma once
 
 #include <limits>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Temperatures of the windings and their upper bounds, by energy balance, V/I and thermistors: a
 // Kalman filter's estimate plus its uncertainty, and lower limits of that bound which do not depend
-// on the filter. DESIGN section 6, "Knowing the temperature"; daemon/README.md has the table of
-// faults and quantities.
+// on the filter. By which quantities faults are detected: daemon/failures.md.
 #pragma once
 
 #include <array>

@@ -12,7 +12,8 @@ namespace hedgehog::model {
 /// Heavy currents weigh by their square. Real-time safe, trivially copyable.
 class WindingMeter {
  public:
-  /// Below this current V/I says nothing (DESIGN section 6).
+  /// Below this current V/I is not used: offset and noise of the measurements are too large a
+  /// share.
   static constexpr double kMinCurrentA = 1.5;
   /// How long a tick is remembered.
   static constexpr double kMemoryS = 0.05;

@@ -9,7 +9,7 @@
 namespace hedgehog::model {
 
 /// Below max(limits.rearm_c, room + 10 K), degrees Celsius: in a hot room the ball never gets as
-/// cool as `rearm_c` (DESIGN section 4, "State"). The controller's rule, and what people are told
+/// cool as `rearm_c`. The controller's rule, and what people are told
 /// of it.
 inline double rearm_below_c(const Limits& limits, double ambient_c) noexcept {
   constexpr double kAboveAmbientK = 10.0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The law that keeps the ball cool: how much current may flow at a temperature. DESIGN section 6,
-// "Limiter".
+// The law that keeps the ball cool: how much current may flow at a temperature. Its figures:
+// daemon/safety.md.
 #pragma once
 
 #include <limits>

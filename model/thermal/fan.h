@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The fan's law (DESIGN section 6, "Fan"): full if any winding is above 40 C or the 30 s mean of
+// The fan's law: full if any winding is above 40 C or the 30 s mean of
 // |I| above 3 A, off below 35 C.
 #pragma once
 

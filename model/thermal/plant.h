@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The simulated world: three windings with their resistance and inductance, the heat of the ball,
 // the thermistor, the fan, the pins and the room. The simulated board drives it; tests and
-// campaigns draw plants that differ from what the device file says. Constants: DESIGN section 3.
+// campaigns draw plants that differ from what the device file says. Constants:
+// model/thermal-model.md.
 #pragma once
 
 #include <array>

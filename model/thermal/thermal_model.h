@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The heat of the ball as four lumped nodes: three windings around one core, the core cooled by the
-// fan. Constants: DESIGN section 3 (chosen so that 15 A along one coil warms it from 25 to 70 C
-// in 29.6 s, thesis section 3.1.1).
+// fan. Constants: model/thermal-model.md (chosen so that 15 A along one coil warms it from 25 to 70
+// C in 29.6 s, thesis section 3.1.1).
 #pragma once
 
 #include <array>

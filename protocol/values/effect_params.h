@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parameters of the methods that play (DESIGN section 4, "Parameters common to all effects"),
+// The parameters of the methods that play (protocol/README.md),
 // as they were said: what was left out is nullopt. Decoding checks every range that does not depend
 // on the ball; the server checks the rest: current_a and force_n against limits.current_a, role
 // `operate` for priority 8 and 9 and for frame "coil", the kind of end and the circle's parameters

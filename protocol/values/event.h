@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What happened, for those who subscribed (DESIGN section 4, "Events"). One flat object on the
+// What happened, for those who subscribed (protocol/README.md). One flat object on the
 // wire; which fields a type has stands beside them.
 #pragma once
 

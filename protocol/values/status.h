@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The status object: what `device.status` answers and telemetry repeats (DESIGN section 4,
-// "Status"). nullopt is written as null: not known, or for ever, as the field says.
+// The status object: what `device.status` answers and telemetry repeats (protocol/README.md).
+// nullopt is written as null: not known, or for ever, as the field says.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a refused request is told: JSON-RPC error objects as values (DESIGN section 4, "Errors").
+// What a refused request is told: JSON-RPC error objects as values (protocol/README.md).
 #pragma once
 
 #include <boost/assert/source_location.hpp>

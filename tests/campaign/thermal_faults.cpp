@@ -157,7 +157,8 @@ int main(int argc, char** argv) {
   std::printf("named: %.1f %% of all that stopped, %.1f %% of those that hide heat\n",
               100.0 * (made.named + random.named) / std::max(1, stopped),
               100.0 * (made.hiding_named + random.hiding_named) / std::max(1, hiding));
-  if (!most_named) std::puts("NOT met, which is known (tests/README.md): 90 % of all are named");
+  if (!most_named)
+    std::puts("NOT met, which is known (tests/thermal-campaigns.md): 90 % of all are named");
   // The short form guards what has been met; the long one says what has to be.
   if (!options.ci) held = held && most_named;
   std::puts(held ? "held" : "NOT held");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What effects make together, in which frame, and how their delivery is told (DESIGN section 4,
-// "mixing", "Frames", `effect_ended`).
+// What effects make together, in which frame, and how their delivery is told
+// (protocol/README.md: mixing, frames, `effect_ended`).
 #include <gtest/gtest.h>
 
 #include "daemon/control/effects/mixer.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What one effect asks for over time: DESIGN section 4, "shape" and `effect.circle`.
+// What one effect asks for over time: shapes, and `effect.circle`.
 #include "model/effect/effect.h"
 
 #include <gtest/gtest.h>

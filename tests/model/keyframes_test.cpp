@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Key frames as DESIGN section 4 and protocol/README.md say.
+// Key frames as protocol/README.md has them.
 #include "model/effect/keyframes.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The simulated world against the numbers it was chosen for (DESIGN section 3) and against closed
-// forms.
+// The simulated world against the numbers it was chosen for (model/thermal-model.md) and against
+// closed forms.
 #include "model/thermal/plant.h"
 #include "model/magnets/ball_geometry.h"
 

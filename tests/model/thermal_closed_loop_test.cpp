@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Observer, limiter and plant in a loop: the promises of DESIGN section 6 about heat.
+// Observer, limiter and plant in a loop: what daemon/safety.md promises about heat.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

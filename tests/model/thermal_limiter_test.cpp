@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The law of DESIGN section 6, and what the limiter does with a wish.
+// The limiter's law (daemon/safety.md), and what the limiter does with a wish.
 #include "model/limit/thermal_limiter.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the methods that play accept and refuse (DESIGN section 4, "Parameters common to all
-// effects").
+// What the methods that play accept and refuse (protocol/README.md).
 #include "tests/protocol/decoding.h"
 
 namespace hedgehog::protocol {

@@ -8,7 +8,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// The status object of DESIGN section 4.
+/// The status object of protocol/README.md.
 Status example_status() {
   Status s;
   s.device = "ball-7";

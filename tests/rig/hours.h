@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An hour of random requests on a random ball (DESIGN section 6, "Limiter"): on the thermal law
+// An hour of random requests on a random ball: on the thermal law
 // alone in steps of 20 ms, or on the whole rig in steps of 1 ms.
 #pragma once
 

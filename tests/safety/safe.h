@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What "safe" and "zero" mean, as assertions (DESIGN section 6).
+// What "safe" and "zero" mean, as assertions (daemon/safety.md).
 #pragma once
 
 #include <gtest/gtest.h>

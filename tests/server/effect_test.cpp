@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who may play what, and what they are told: DESIGN section 4.
+// Who may play what, and what they are told, as protocol/README.md has it.
 #include <gtest/gtest.h>
 
 #include "daemon/server/effects/effect_spec.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pattern.* in front of the real controller and board: DESIGN section 4.
+// pattern.* in front of the real controller and board, as protocol/README.md has it.
 #include <gtest/gtest.h>
 
 #include "tests/server/pattern_examples.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// effect.play in front of the real controller and board: DESIGN section 4.
+// effect.play in front of the real controller and board, as protocol/README.md has it.
 #include <gtest/gtest.h>
 
 #include <vector>

@@ -12,7 +12,7 @@ using testing::AllOf;
 using testing::Ge;
 using testing::Le;
 
-// DESIGN section 6: safe 100 ms after the last set-point, without current 5 L/R later.
+// daemon/safety.md: safe 100 ms after the last set-point, without current 5 L/R later.
 constexpr int kDeadManMs = 100;
 constexpr int kZeroMs = kDeadManMs + 17;
 

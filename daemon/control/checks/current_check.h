@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Plausibility of the winding currents: compares measured currents with what R and L let one
-// expect, once from the duty that the board reports, and once from our own commands (DESIGN section
-// 6: "coil driven when nothing was asked; measured current != what L/R lets one expect").
+// expect, once from the duty that the board reports, and once from our own commands:
+// coils that carry current without a set-point, currents that R and L do not explain.
 #pragma once
 
 #include <array>

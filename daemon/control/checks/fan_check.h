@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fan supervision. Fault: no tachometer pulse for 3 s while driven (DESIGN section 6). Cooling is
+// Fan supervision. Fault: no tachometer pulse for 3 s while driven (daemon/safety.md). Cooling is
 // credited only by fresh telemetry of a fan that is driven and turns within its range.
 #pragma once
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Plausibility of the thermistor: open, short, out of range, jumping, stale, frozen, or
-// inconsistent with the winding it sits on (DESIGN section 6). Judges the raw reading, and compares
+// inconsistent with the winding it sits on (daemon/safety.md). Judges the raw reading, and compares
 // it with the watchdog's own V/I of that winding, never with the limiter's estimate.
 #pragma once
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The second layer of safety: everything that must stop the ball whatever the limiter thinks
-// (DESIGN section 6). Uses the raw thermistor and its own filtered V/I only.
+// (daemon/safety.md). Uses the raw thermistor and its own filtered V/I only.
 #pragma once
 
 #include "daemon/control/checks/board_check.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// All effects that wait or play, and what they ask of the coils together (DESIGN section 4,
-// "mixing", "shape", "end").
+// All effects that wait or play, and what they ask of the coils together:
+// mixing, shapes and ends as protocol/README.md has them.
 //
 // Order within one tick: `stop` for every stop request, `start` and `update` for every command in
 // order, `mix` once, then the limiter, then `account` once, then `fill` when a snapshot is made.

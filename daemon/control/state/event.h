@@ -74,7 +74,7 @@ struct Event {
 
 static_assert(std::is_trivially_copyable_v<Event>);
 
-/// Wire names (DESIGN section 4, "Events").
+/// Names on the wire (protocol/README.md).
 std::string_view name(EventType type) noexcept;
 std::string_view name(EndReason reason) noexcept;
 

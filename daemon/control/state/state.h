@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The states of the ball and the named reasons for them (DESIGN sections 4 "State" and 6).
+// The states of the ball and the named reasons for them (protocol/README.md,
+// daemon/control/trip-reasons.md).
 #pragma once
 
 #include <cstddef>

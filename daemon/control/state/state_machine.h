@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// State of the ball: absent, disarmed, armed, tripped (DESIGN section 4, "State"). Arming is a
+// State of the ball: absent, disarmed, armed, tripped. Arming is a
 // handshake: a new arm count goes to the board, and the ball is armed when the board confirms it.
 #pragma once
 

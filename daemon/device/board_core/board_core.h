@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The rules that a driver board keeps by itself, whatever its host does. Freestanding and fixed
-// point, so that firmware and the simulated board run the same lines. DESIGN section 6.
+// point, so that firmware and the simulated board run the same lines. Rules: ../board-rules.md.
 #pragma once
 
 #include <stddef.h>

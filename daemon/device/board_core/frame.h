@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The frames between host and board: 64 bytes, little endian, the same code on both sides. Byte
-// tables: ../README.md.
+// tables: ../board-protocol.md.
 #pragma once
 
 #include <stddef.h>

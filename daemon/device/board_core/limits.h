@@ -8,8 +8,8 @@
 namespace hedgehog::board {
 
 // How the I^2 t budgets were chosen. Each is a leaky sum, dq/dt = I^2 - q / tau, tripping at Q.
-// With the nominal ball (DESIGN section 3) in a room of 18 C, full demand held for 90 minutes along
-// one winding, two or all three, and the ideal limiter law, the most that q reaches is
+// With the nominal ball (model/thermal-model.md) in a room of 18 C, full demand held for 90 minutes
+// along one winding, two or all three, and the ideal limiter law, the most that q reaches is
 //   one winding's I^2, tau = 131 s:  7418 A^2 s     (balls 20 % stronger: 8841)
 //   |I|^2 of all,      tau = 524 s: 23644 A^2 s     (balls 20 % stronger: 28219)
 // and 1.3 times that is Q. A single winding needs its own sum, because 15 A shared by three may

@@ -24,7 +24,7 @@ struct SimulatedBoardOptions {
   double ambient_c = 25.0;
   double start_c = 25.0;
 
-  /// The ball that matches its device file, its thermistor with 0.15 K of noise (DESIGN section 6).
+  /// The ball that matches its device file, its thermistor with 0.15 K of noise.
   static model::PlantParameters with_noise() noexcept {
     model::PlantParameters plant;
     plant.sensor_noise_k = 0.15;

@@ -155,7 +155,7 @@ TEST(ForceCurve, GridOfTheThesisHas31Offsets) {
 }
 
 // Thesis Table 2.1. cD's hexagons (3.5 mm) and wD's (0.6 mm) do not follow from exact physics:
-// model/README.md says why; they are 'none' and 0.91 mm here.
+// model/magnets/results.md says why; they are 'none' and 0.91 mm here.
 TEST(Thesis, ExtensionsOfTable21) {
   EXPECT_NEAR(extension(force_of("tkD", 12)).value(), 0.1, 0.05);
   EXPECT_NEAR(extension(force_of("tkD", 60)).value(), 0.6, 0.05);
