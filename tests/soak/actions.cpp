@@ -241,7 +241,7 @@ void Actions::reload() {
                                                  R"({"limits":{"current_a":99}})",
                                                  R"({"connections":{"max":0}})",
                                                  "\xff\xfe",
-                                                 R"({"listen":{"tcp":["0.0.0.0:1"]}})"};
+                                                 R"({"http":{"listen":"0.0.0.0:1"}})"};
     next.json = random_.pick(kWrong);
   }
   traffic_.reload(next.json, is_good, next.current_a);
