@@ -15,7 +15,7 @@ struct Principal {
   enum class Kind : std::uint8_t { kEverybody, kUser, kGroup };
 
   Kind kind = Kind::kEverybody;
-  /// Of the user or the group.
+  /// Id of the user or the group.
   std::uint32_t id = 0;
   /// As in the configuration: "*", "alice", "1000", "@users", "@100".
   std::string text{"*"};

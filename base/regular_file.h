@@ -24,7 +24,7 @@ struct FileText {
 /// Never waits for a writer and reads only from regular files.
 FileText read_regular_file(const std::string& path, std::size_t max_bytes);
 
-/// Why the open file `fd` is not a regular file, as `FileText::problem`; empty: it is one.
+/// Why the open file `fd` is not a regular file, worded as `FileText::problem`; empty: regular.
 std::string why_not_regular(int fd);
 
 }  // namespace hedgehog::base

@@ -34,7 +34,7 @@ class BoardGadget : public Gadget {
   std::optional<std::string> command(std::span<const std::string> words) override;
   /// {"board_ms", "mode", "faults", "set_point_age_ms", "awake", "current_a", "peak_a",
   ///  "frames_in", "frames_out", "frames_lost"}: the true currents; peak_a is the largest norm
-  ///  since the previous status; frames_lost were not read by the host in time.
+  /// since the previous status; frames_lost were not read by the host in time.
   std::string status() const override;
 
  protected:

@@ -30,7 +30,7 @@ struct DeviceModel {
   BallGeometry geometry;
   CoilModel coils;
   ThermalModel thermal;
-  /// By how much this ball may differ from `thermal` and `coils.r25_ohm`.
+  /// Uncertainty of `thermal` and `coils.r25_ohm` for this ball.
   ThermalUncertainty uncertainty;
   /// Of the typical pin at its rest position (`PinCurves::typical_rest_mm`).
   double force_slope_n_a = kMeasuredCalibration.force_slope_n_a;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Deterministic random numbers for the simulated world: the same seed gives the same stream on
-// every machine, and the state is one word that can be recorded.
+// Deterministic random numbers for simulations: the same seed gives the same stream on every
+// machine, and the state is one word that can be recorded.
 #pragma once
 
 #include <cstdint>

@@ -31,7 +31,7 @@ struct Overrides {
 /// Returns the text of a file, or the error.
 using FileReader = std::function<base::FileText(const std::string& path)>;
 
-/// Regular files of at most 1 MiB.
+/// Reads regular files of at most 1 MiB.
 base::FileText read_file(const std::string& path);
 
 /// Returns all errors at once. Does not check whether backend "usb" can be started. Blocks on the

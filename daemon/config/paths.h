@@ -29,7 +29,7 @@ struct Paths {
 /// nullopt if the variable is not set or empty.
 using Environment = std::function<std::optional<std::string>(const char*)>;
 
-/// Of this process; std::getenv is thread-safe while no variable is set.
+/// Environment of this process; std::getenv is thread-safe while no variable is set.
 Environment process_environment();
 
 /// Path of this process's executable; empty: not known.

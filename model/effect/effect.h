@@ -40,7 +40,7 @@ struct KeyframePlayback {
   }
 };
 
-/// Where the field points over time. Unit vectors, in the effect's frame.
+/// Direction of the field over time. Unit vectors, in the effect's frame.
 struct Trajectory {
   Path path = Path::kFixed;
   /// kFixed: the direction in which the pins push out.

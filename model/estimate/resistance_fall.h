@@ -15,7 +15,7 @@ struct RestResistance {
   double per_ampere = 0.0;
 };
 
-/// Of one winding. Real-time safe, trivially copyable.
+/// State for one winding. Real-time safe, trivially copyable.
 ///
 /// The sum survives a trip: arming does not clear it. At rest it is suspended until the resistance
 /// has been measured against a thermistor; it is cleared if the resistance is the same as before

@@ -63,7 +63,7 @@ class SkinEstimate {
   double celsius() const noexcept { return bound_c_; }
   /// Part of it that is still to come, K (>= 0).
   double coming_k() const noexcept { return coming_k_; }
-  /// The same without margin, C; and the margin, K.
+  /// `celsius` without margin, C; and the margin, K.
   double heated_c() const noexcept { return following_c_ + coming_k_; }
   double margin_k() const noexcept { return margin_k_; }
   /// Present skin temperature by the nodes alone, C.

@@ -30,7 +30,7 @@ constexpr double kSensorSlowS = 1.0;
 constexpr double kSensorLeadS = 2.0;
 // Maximum excess of the lead over the filter's estimate of its winding.
 constexpr double kMaxLeadK = 4.0;
-// Its last value is held for this long; then the ball counts as hot.
+// Hold time of the thermistor's last value; then the ball counts as hot.
 constexpr double kSensorHoldS = 0.1;
 
 // After a start from unknown temperatures the filter's bound is capped for kSettlingS at a value

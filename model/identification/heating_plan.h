@@ -16,7 +16,7 @@ struct HeatingStep {
   /// steps.
   std::string_view phase;
   double duration_s = 0.0;
-  /// Of the windings, A, signed.
+  /// Winding currents, A, signed.
   Vec3 current_a;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How long a current can flow, by the nominal model of the ball. Source of `thermal.forecast`,
-// `headroom_s`, `burst_s` and every admission.
+// Forecast of how long a current can flow, by the nominal model of the ball. Source of
+// `thermal.forecast`, `headroom_s`, `burst_s` and every admission.
 #pragma once
 
 #include <optional>

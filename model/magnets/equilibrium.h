@@ -11,7 +11,7 @@
 namespace hedgehog::model {
 
 struct Equilibrium {
-  /// In the order of the arrangement's pins, mm.
+  /// Offsets in the order of the arrangement's pins, mm.
   std::vector<double> offsets_mm;
   /// Eigenvalues of -dF_i/do_j, N/mm, ascending: all positive if the equilibrium is stable.
   std::vector<double> stiffness_n_mm;

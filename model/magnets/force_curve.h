@@ -45,7 +45,7 @@ struct OffsetGrid {
 /// The axes of thesis Fig. 2.10.
 inline constexpr OffsetGrid kThesisGrid{};
 
-/// All of the same length.
+/// All vectors have the same length.
 struct ForceCurve {
   std::vector<double> offsets_mm;
   std::vector<double> force_n;

@@ -61,7 +61,7 @@ struct PlantErrors {
   double heat_capacity_gain = 1.0;
 };
 
-/// What one winding is connected to during a step.
+/// Connection of one winding during a step.
 enum class BridgeState : std::uint8_t {
   kAsleep,  // SLP low: the winding freewheels through the diodes
   kDriven,  // the mean voltage is applied; 0 V is a brake

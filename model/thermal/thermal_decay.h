@@ -9,7 +9,7 @@ namespace hedgehog::model {
 
 /// Time constants of single nodes with their neighbours held constant, s.
 struct NodeTimeConstants {
-  /// Of the fastest winding.
+  /// Minimum of the three windings.
   double winding_s = 0.0;
   /// By the lower thermal resistance to ambient, with or without fan.
   double core_s = 0.0;

@@ -26,7 +26,7 @@ struct TemperatureStatus {
   std::optional<double> thermometer{};   // second thermometer; omitted if absent or stale
   std::optional<double> upper{};         // upper bound of the hottest, used by the limiter
   std::optional<double> core{};          // estimated core between the windings
-  /// Of the windings x, y, z; omitted unless the board has one on each and all are valid.
+  /// Thermistors of windings x, y, z; omitted unless the board has one on each and all are valid.
   std::optional<std::array<double, 3>> sensors{};
   std::optional<double> skin{};  // upper bound of the shell, now and later; also limits
   void describe(Fields& f);

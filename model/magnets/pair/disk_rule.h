@@ -16,7 +16,7 @@ struct DiskRule {
   /// As a fraction of the disk's radius; the weights sum to 1.
   std::array<double, kMaxOrder> radius{};
   std::array<double, kMaxOrder> weight{};
-  /// Of the 2n midpoints from 0 to pi; the other half is symmetric.
+  /// Cosine and sine of the 2n midpoints from 0 to pi; the other half is symmetric.
   std::array<double, 2 * kMaxOrder> cosine{};
   std::array<double, 2 * kMaxOrder> sine{};
 };

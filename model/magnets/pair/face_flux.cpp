@@ -32,7 +32,7 @@ FaceFlux::FaceFlux(const MagnetPair& pair, double angle_deg, double other_offset
       newton_per_tesla_(pair.subject.remanence_t / kVacuumPermeability * std::numbers::pi *
                         radius_mm_ * radius_mm_ * 1e-6) {}
 
-/// Along the subject's axis; `across` lies in the plane of both axes.
+/// Field along the subject's axis; `across` is in the plane of both axes.
 double FaceFlux::axial_field(double across_mm, double beside_mm,
                              double distance_mm) const noexcept {
   const double x = distance_mm * sine_ + across_mm * cosine_;

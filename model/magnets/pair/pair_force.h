@@ -39,7 +39,7 @@ constexpr double clamped(double accuracy) noexcept {
   return std::clamp(accuracy, kFinestAccuracy, kCoarsestAccuracy);
 }
 
-/// How a force is to be computed.
+/// Settings of the force computation.
 struct ForceSettings {
   ForceModel model = ForceModel::kExact;
   /// Relative error of each pair's result against the model's exact value (near a zero: relative to
@@ -65,7 +65,7 @@ struct PairPlace {
 };
 
 struct PairForce {
-  /// On the subject along its own axis, outwards positive, N.
+  /// Force on the subject along its own axis, outwards positive, N.
   double force_n = 0.0;
   /// Bound on the quadrature error, N, by comparison of two orders. Without the model error: 0 for
   /// dipoles.
