@@ -44,7 +44,7 @@ std::string text_of(BIO* bio) {
   return {bytes, static_cast<std::size_t>(size)};
 }
 
-/// No terminal asks for the password of an encrypted key.
+/// Prevents a password prompt on the terminal for an encrypted key.
 int no_password(char*, int, int, void*) { return 0; }
 
 X509Object certificate_of(std::string_view pem) {
@@ -65,7 +65,7 @@ void add_extension(X509* certificate, int id, const std::string& value) {
 void set_serial(X509* certificate) {
   unsigned char bytes[8];
   require(RAND_bytes(bytes, sizeof bytes) == 1);
-  bytes[0] = static_cast<unsigned char>((bytes[0] & 0x7f) | 0x40);  // positive, and never short
+  bytes[0] = static_cast<unsigned char>((bytes[0] & 0x7f) | 0x40);  // positive, fixed length
   const std::unique_ptr<BIGNUM, Free<BN_free>> number(BN_bin2bn(bytes, sizeof bytes, nullptr));
   require(number &&
           BN_to_ASN1_INTEGER(number.get(), X509_get_serialNumber(certificate)) != nullptr);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The certificate by which clients know a daemon on another machine. Any thread.
+// The certificate by which clients authenticate a daemon on another machine. Any thread.
 #pragma once
 
 #include <boost/system/result.hpp>
@@ -15,14 +15,14 @@ struct Certificate {
   std::string key_pem;
 };
 
-/// Self-signed, for `name` (a host's name or a numeric address), with a new P-256 key; valid from
-/// now on for so many days. Throws std::runtime_error when OpenSSL fails.
+/// Self-signed, for `name` (a host name or a numeric address), with a new P-256 key; valid for
+/// `days` from now. Throws std::runtime_error when OpenSSL fails.
 Certificate new_certificate(const std::string& name, int days);
 
-/// SHA-256 of the first certificate of a PEM text, as clients pin it. The error is what is wrong.
+/// SHA-256 of the first certificate of a PEM text, as pinned by clients, or the error as a clause.
 boost::system::result<Digest, std::string> fingerprint_of(std::string_view certificate_pem);
 
-/// Why TLS cannot use them: no certificate, no key, or a key of another certificate. Empty: it can.
+/// Why TLS cannot use them: no certificate, no key, or a key of another certificate. Empty: usable.
 std::string why_not_usable(std::string_view certificate_pem, std::string_view key_pem);
 
 }  // namespace hedgehog::access

@@ -14,7 +14,7 @@ struct Peer {
   std::uint32_t group = 0;
   /// Its supplementary groups; `group` need not be among them.
   std::vector<std::uint32_t> groups{};
-  /// 0: it has none in the daemon's PID namespace. Another process may have the number by now.
+  /// 0: none in the daemon's PID namespace. The PID may have been reused since.
   std::int64_t process = 0;
   friend bool operator==(const Peer&, const Peer&) = default;
 };

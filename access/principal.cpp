@@ -14,16 +14,16 @@
 namespace hedgehog::access {
 namespace {
 
-/// A group's entry has the names of all its members.
+/// Large, because a group's entry contains the names of all its members.
 constexpr std::size_t kFirstEntryBytes = 4096;
 constexpr std::size_t kMaxEntryBytes = std::size_t{1} << 20;
 constexpr std::size_t kMaxNameBytes = 256;
-/// (uid_t)-1 and (gid_t)-1 are nobody's.
+/// (uid_t)-1 and (gid_t)-1 are invalid.
 constexpr std::uint32_t kInvalidId = 0xffffffff;
 
 using Id = boost::system::result<std::uint32_t, std::string>;
 
-/// `look`: getpwnam_r or getgrnam_r. `id`: of the entry's user or group.
+/// `look`: getpwnam_r or getgrnam_r. `id`: returns the id of an entry.
 template <class Entry, class Look, class GetId>
 Id id_named(const std::string& name, const char* what, Look look, GetId id) {
   std::vector<char> bytes(kFirstEntryBytes);
@@ -37,7 +37,7 @@ Id id_named(const std::string& name, const char* what, Look look, GetId id) {
       bytes.resize(bytes.size() * 2);
       continue;
     }
-    // Also of names that do not exist: getpwnam_r(3).
+    // These errors also occur for names that do not exist: getpwnam_r(3).
     const bool missing =
         error == 0 || error == ENOENT || error == ESRCH || error == EBADF || error == EPERM;
     if (missing) return std::string("there is no such ") + what;

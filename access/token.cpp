@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kMaxName = 32;
 
 std::string base64url(const std::array<unsigned char, 32>& bytes) {
-  std::array<unsigned char, 45> text{};  // four for three, and a zero
+  std::array<unsigned char, 45> text{};  // four characters for three bytes, and a NUL
   const int size = EVP_EncodeBlock(text.data(), bytes.data(), static_cast<int>(bytes.size()));
   std::string out(text.begin(), text.begin() + size);
   std::replace(out.begin(), out.end(), '+', '-');

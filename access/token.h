@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tokens: random secrets that clients show, of which the daemon keeps only digests. Any thread.
+// Tokens: random secrets presented by clients; the daemon stores only digests. Any thread.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@
 
 namespace hedgehog::access {
 
-/// SHA-256. Neither salt nor a slow function: a token has 256 random bits, so there is no list of
-/// likely ones to try, and no two tokens have the same digest.
+/// SHA-256, without salt or a slow hash: a token has 256 random bits, so that dictionary attacks
+/// are infeasible and no two tokens have the same digest.
 using Digest = base::Sha256;
 
-/// What is kept of a token.
+/// Stored data of a token.
 struct Token {
   /// 1..32 letters, digits, "-", "_", "."; unique.
   std::string name{};
@@ -30,7 +30,7 @@ struct Token {
 std::string new_token();
 
 Digest digest_of(std::string_view text);
-/// The time it takes does not depend on where they differ.
+/// Constant-time comparison.
 bool is_same(const Digest& a, const Digest& b) noexcept;
 
 bool is_token_name(std::string_view text) noexcept;

@@ -23,7 +23,7 @@ constexpr std::string_view kAbout =
     "replaced.\n";
 constexpr mode_t kOwnerOnly = 0600;
 
-/// The next word of `line`, which loses it.
+/// Removes and returns the next word of `line`.
 std::string_view take_word(std::string_view& line) {
   const std::size_t begin = std::min(line.find_first_not_of(" \t\r"), line.size());
   line.remove_prefix(begin);
@@ -62,7 +62,7 @@ boost::system::result<Tokens, FileProblem> parse_tokens(std::string_view text) {
     const std::string_view first = take_word(rest);
     if (first.empty() || first.front() == '#') continue;
     auto token = parse_line(line);
-    // Not the line itself: who writes a token where its digest belongs shall not find it in a log.
+    // Without the line itself: a token written in place of its digest must not appear in a log.
     if (!token)
       return FileProblem{"must be NAME ROLE sha256:DIGEST DATE, as hedgehogctl token writes it",
                          number};

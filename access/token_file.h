@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The file of the daemon's tokens: a line each, "NAME ROLE sha256:DIGEST 2026-11-24", with lines of
-// comment. Any thread; reading and writing may wait for the disk.
+// The daemon's token file: one line per token, "NAME ROLE sha256:DIGEST 2026-11-24", and comment
+// lines. Any thread; reading and writing may block on the disk.
 #pragma once
 
 #include <boost/system/result.hpp>
@@ -17,12 +17,12 @@ using Tokens = std::vector<Token>;
 
 inline constexpr std::size_t kMaxTokens = 256;
 inline constexpr std::size_t kMaxTokenFileBytes = std::size_t{64} * 1024;
-/// Their names in the daemon's state directory.
+/// File names in the daemon's state directory.
 inline constexpr std::string_view kTokenFile = "tokens";
 inline constexpr std::string_view kCertificateFile = "certificate.pem";
 inline constexpr std::string_view kKeyFile = "key.pem";
 
-/// What is wrong with a file, as one sentence; in line `line`, 0: in all of it.
+/// Error in a file, one sentence. `line` 0: the whole file.
 struct FileProblem {
   std::string reason;
   int line = 0;
@@ -34,11 +34,11 @@ std::string to_text(const Tokens& tokens);
 
 /// A file that does not exist has no tokens.
 boost::system::result<Tokens, FileProblem> read_tokens(const std::string& path);
-/// Replaces the file as a whole, 0600. Its owner is that of its folder: what root writes into the
-/// state directory, the daemon can read. An empty string, or what went wrong.
+/// Replaces the file atomically, mode 0600. Its owner is that of its folder, so that the daemon can
+/// read a file written by root. Returns an empty string, or the error.
 std::string write_secret_file(const std::string& path, std::string_view content);
 
-/// The token of that name; nullptr: there is none.
+/// The token of that name; nullptr: none.
 const Token* find_token(const Tokens& tokens, std::string_view name) noexcept;
 
 }  // namespace hedgehog::access

@@ -7,7 +7,7 @@
 namespace hedgehog::access {
 namespace {
 
-/// Linux shows each user so that this namespace of users does not know (and `nobody`, too).
+/// Linux reports this id for each user without a mapping in this user namespace (and for `nobody`).
 constexpr std::uint32_t kUnmappedUser = 65534;
 
 bool any_includes(const Principals& principals, const Peer* peer) noexcept {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which role a client of the Unix socket has, by the user that runs it.
+// Role of a client of the Unix socket, by its user.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +15,8 @@ namespace hedgehog::access {
 
 using Principals = std::vector<Principal>;
 
-/// A plain value; any thread. While `operate` has everybody, which is the default, that is
-/// everybody whom the socket's group and mode let in; otherwise these lists alone decide.
+/// A plain value; any thread. While `operate` contains everybody (default), access is limited by
+/// the socket's group and mode; otherwise by these lists alone.
 struct UnixRoles {
   Principals observe{};
   Principals play{};
@@ -29,8 +29,8 @@ inline constexpr std::size_t kMaxPrincipals = 256;
 bool has_everybody(const Principals& principals) noexcept;
 
 /// The highest role whose list includes `peer`; `operate` for root and for `own_user`, that of the
-/// daemon, unless that is `nobody`, as users of another namespace are shown; nullopt: none. A peer
-/// whose credentials the system does not tell (nullptr) has the roles of everybody only.
+/// daemon, unless it is `nobody`, the id of users of another namespace; nullopt: none. A peer
+/// without known credentials (nullptr) has only the roles of everybody.
 std::optional<protocol::Role> role_of(const UnixRoles& roles, const Peer* peer,
                                       std::uint32_t own_user) noexcept;
 

@@ -13,7 +13,8 @@ namespace hedgehog::base {
 
 std::string write_file_atomically(const std::string& path, std::string_view content, mode_t mode) {
   const std::string fresh = path + ".new";
-  // A leftover goes first, whatever it is: a FIFO of that name would wait for a reader.
+  // Removes a leftover of any type first: opening a FIFO of that name would block until it has a
+  // reader.
   if (::unlink(fresh.c_str()) != 0 && errno != ENOENT) return fresh + ": " + std::strerror(errno);
   const int fd = ::open(fresh.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
   if (fd < 0) return fresh + ": " + std::strerror(errno);
@@ -41,7 +42,7 @@ std::string write_file_atomically(const std::string& path, std::string_view cont
 std::string sync_folder(const std::string& folder) {
   const int at = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (at < 0) return folder + ": " + std::strerror(errno);
-  // EINVAL: a file system that has nothing to sync there.
+  // EINVAL: the file system does not support syncing a directory.
   const int error = ::fsync(at) == 0 || errno == EINVAL ? 0 : errno;
   ::close(at);
   return error == 0 ? std::string() : folder + ": " + std::strerror(error);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files that are whole or not there, whenever the program is killed. May wait for the disk.
+// Atomic file replacement: complete or absent, even if the program is killed. May block on the
+// disk.
 #pragma once
 
 #include <sys/types.h>
@@ -9,12 +10,12 @@
 
 namespace hedgehog::base {
 
-/// Writes beside `path`, syncs, renames: afterwards there is the old content or the new one. An
-/// empty string, or what went wrong. `mode`: of a file that is new.
+/// Writes a file beside `path`, syncs and renames it, so that `path` has either the old or the new
+/// content. Returns an empty string, or the error. `mode`: of the file.
 std::string write_file_atomically(const std::string& path, std::string_view content,
                                   mode_t mode = 0640);
-/// Afterwards what was made, renamed or removed in `folder` is so on disk; empty: the one that the
-/// program is in. An empty string, or what went wrong.
+/// Makes entries created, renamed or removed in `folder` durable; empty: the working directory.
+/// Returns an empty string, or the error.
 std::string sync_folder(const std::string& folder);
 
 }  // namespace hedgehog::base

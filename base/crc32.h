@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The CRC-32 of IEEE 802.3, zlib and PNG. The board core has its own, which needs no library.
+// CRC-32 of IEEE 802.3, zlib and PNG. The board core has its own implementation without a library.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace hedgehog::base {
 
-/// 0xCBF43926 of "123456789"; 0 of nothing. Any thread.
+/// 0xCBF43926 for "123456789"; 0 for no bytes. Any thread.
 std::uint32_t crc32(std::span<const std::byte> bytes) noexcept;
 
 }  // namespace hedgehog::base

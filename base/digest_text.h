@@ -13,7 +13,7 @@ using Sha256 = std::array<unsigned char, 32>;
 
 /// 64 lower-case hexadecimal digits.
 std::string to_hex(const Sha256& digest);
-/// The inverse; also in upper case and with a colon after each pair. nullopt: something else.
+/// The inverse; also accepts upper case and a colon after each pair. nullopt: anything else.
 std::optional<Sha256> parse_sha256(std::string_view text);
 
 }  // namespace hedgehog::base

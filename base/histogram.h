@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How often something took how long, since the start. Never forgets, so that differences between
-// two looks can be taken; trivially copyable.
+// Cumulative histogram of durations since the start. Never reset, so that readers can take
+// differences; trivially copyable.
 #pragma once
 
 #include <array>

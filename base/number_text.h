@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Numbers as text, for people and files. The same in every locale; allocates.
+// Numbers as text, for display and files. Independent of the locale; allocates.
 #pragma once
 
 #include <string>
 
 namespace hedgehog::base {
 
-/// "41.2", "nan", "inf": `decimals` digits behind the point; zero, also a rounded one, has no sign.
+/// "41.2", "nan", "inf": `decimals` digits after the point; zero, also if rounded, has no sign.
 std::string fixed(double value, int decimals);
 /// "4 310", "-12,480": no decimals, `separator` between groups of three digits.
 std::string grouped(double value, char separator = ' ');

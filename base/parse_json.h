@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A JSON text into the tree of the reader's library, strictly: RFC 8259 has no NUL, not between
-// tokens (section 2), and in strings only escaped (section 7), but nlohmann's lexer takes one for
-// the end of the text and leaves unread what follows. Header only: a layer that reads no JSON needs
-// no library for it.
+// Strict JSON parser on nlohmann's library: RFC 8259 does not allow a NUL between tokens (section
+// 2), and in strings only escaped (section 7), but nlohmann's lexer treats one as the end of the
+// text and ignores the rest. Header only: a layer that reads no JSON needs no library for it.
 #pragma once
 
 #include <cstddef>
@@ -19,12 +18,12 @@ enum class JsonComments : std::uint8_t { kRefused, kAllowed };
 
 template <class Json>
 struct ParsedJson {
-  /// Discarded, as the library calls it, when there is a `problem`.
+  /// Of type discarded if there is a `problem`.
   Json value;
-  /// What is wrong with the text, for a message: "has a NUL byte, which JSON never has", or the
-  /// library's sentence. Empty: nothing.
+  /// Error for a message: "has a NUL byte, which JSON never has", or the library's message. Empty:
+  /// none.
   std::string problem{};
-  /// Where, bytes from the beginning.
+  /// Byte offset of the error.
   std::size_t at = 0;
 
   bool good() const noexcept { return problem.empty(); }
@@ -32,7 +31,7 @@ struct ParsedJson {
 
 namespace detail {
 
-/// Takes everything and keeps nothing but the error.
+/// Accepts all input and stores only the error.
 template <class Json>
 class JsonErrorFinder final : public Json::json_sax_t {
  public:
@@ -56,7 +55,7 @@ class JsonErrorFinder final : public Json::json_sax_t {
                    const typename Json::exception& error) override {
     at = position;
     what = error.what();
-    // Without the library's number of it, "[json.exception.parse_error.101] ".
+    // Removes the library's error number, "[json.exception.parse_error.101] ".
     if (const auto number = what.find("] "); number != std::string::npos) what.erase(0, number + 2);
     return false;
   }
@@ -67,7 +66,7 @@ class JsonErrorFinder final : public Json::json_sax_t {
 
 }  // namespace detail
 
-/// `Json`: nlohmann::json or nlohmann::ordered_json. Of two members of one name the last counts.
+/// `Json`: nlohmann::json or nlohmann::ordered_json. Of duplicate members the last one is kept.
 /// Throws nothing but std::bad_alloc.
 template <class Json>
 ParsedJson<Json> parse_json(std::string_view text, JsonComments comments = JsonComments::kRefused) {

@@ -31,7 +31,7 @@ FileText failed(std::string problem, int error = 0) {
   return {{}, std::move(problem), error == ENOENT || error == ENOTDIR};
 }
 
-/// The rest of `fd`, whose size may change while it is read.
+/// Reads `fd` to its end; its size may change meanwhile.
 FileText read_to_end(int fd, std::size_t reported_bytes, std::size_t max_bytes) {
   constexpr std::size_t kBlock = 65536;
   FileText file;
@@ -59,7 +59,7 @@ std::string why_not_regular(int fd) {
 }
 
 FileText read_regular_file(const std::string& path, std::size_t max_bytes) {
-  // O_NONBLOCK: a FIFO opens at once. O_NOCTTY: a terminal does not become this process's.
+  // O_NONBLOCK: opening a FIFO does not block. O_NOCTTY: no controlling terminal is acquired.
   const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
   if (fd < 0) return failed(std::strerror(errno), errno);
   FileText file;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whole files into memory, when they are regular and of a bounded size: a FIFO would wait for its
-// writer, and a device never end. May wait for the disk.
+// Reads whole regular files of bounded size: a FIFO would block until it has a writer, and a device
+// may have no end. May block on the disk.
 #pragma once
 
 #include <cstddef>
@@ -8,23 +8,23 @@
 
 namespace hedgehog::base {
 
-/// What a file has, or why it was not read.
+/// Content of a file, or why it was not read.
 struct FileText {
   std::string text;
-  /// Behind the path it makes a sentence: "is a FIFO, not a regular file", "is larger than 64 KiB",
+  /// Forms a sentence after the path: "is a FIFO, not a regular file", "is larger than 64 KiB",
   /// "Permission denied". Empty: `text` is the whole file.
   std::string problem;
-  /// There is no file of that name.
+  /// True if the file does not exist.
   bool missing = false;
 
   bool good() const noexcept { return problem.empty(); }
 };
 
-/// Reads `path`; symbolic links are followed, since people move what they keep, and what is behind
-/// them counts. Never waits for a writer and never reads from anything but a regular file.
+/// Reads `path`. Follows symbolic links, since users may relocate files, and checks the target.
+/// Never waits for a writer and reads only from regular files.
 FileText read_regular_file(const std::string& path, std::size_t max_bytes);
 
-/// Why the open file `fd` is no regular file, as `FileText::problem`; empty: it is one.
+/// Why the open file `fd` is not a regular file, worded as `FileText::problem`; empty: regular.
 std::string why_not_regular(int fd);
 
 }  // namespace hedgehog::base

@@ -12,12 +12,12 @@ namespace hedgehog::base {
 /// ASCII only.
 std::string lower_case(std::string_view text);
 
-/// Letters to insert, remove or replace to make one of the other (Levenshtein); bytes, case counts.
+/// Levenshtein distance in bytes, case-sensitive.
 std::size_t edits_between(std::string_view a, std::string_view b);
 
-/// The one of `names` that was probably meant by `text`: at most 2 edits away, or a third of its
-/// letters; or the one that only lacks its last part ("duration" for "duration_ms", "--lease" for
-/// "--lease-ms"). Empty when none is near, or `text` has more than 64 bytes.
+/// The best match of `names` for a misspelt `text`: within 2 edits or a third of its letters; or a
+/// name of which `text` lacks only the last part ("duration" for "duration_ms", "--lease" for
+/// "--lease-ms"). Empty if none is close, or if `text` has more than 64 bytes.
 std::string_view nearest(std::string_view text, std::span<const std::string_view> names);
 
 }  // namespace hedgehog::base

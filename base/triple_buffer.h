@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The latest value, from one writer thread to one reader thread, without a lock and without waiting
-// on either side.
+// Passes the latest value from one writer thread to one reader thread, lock-free and wait-free.
 #pragma once
 
 #include <array>
@@ -10,8 +9,8 @@
 
 namespace hedgehog::base {
 
-/// One writer, one reader; both real-time safe. A value that is overwritten before it was read is
-/// lost: use a queue where every one counts.
+/// One writer, one reader; both real-time safe. A value overwritten before it was read is lost: use
+/// a queue if every value matters.
 template <class T>
 class TripleBuffer {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -25,14 +24,14 @@ class TripleBuffer {
         kIndex;
   }
 
-  /// Reader thread only. The latest value; the one before when nothing new was written.
+  /// Reader thread only. The latest value; the previous one if nothing new was written.
   const T& read() noexcept {
     fresh_ = (shared_.load(std::memory_order_relaxed) & kFresh) != 0;
     if (fresh_) reading_ = shared_.exchange(reading_, std::memory_order_acq_rel) & kIndex;
     return slots_[reading_];
   }
 
-  /// Reader thread only: the last `read` found a value that was new.
+  /// Reader thread only: true if the last `read` returned a new value.
   bool was_fresh() const noexcept { return fresh_; }
 
  private:

@@ -16,7 +16,7 @@ constexpr std::int64_t kHourMs = 3'600'000;
 constexpr std::int64_t kMinuteMs = 60'000;
 constexpr std::int64_t kLastMs = 253'402'300'799'999;
 
-/// Takes the front of a text apart; remembers when it was not as expected.
+/// Parses a text from its front; records a mismatch.
 class Cursor {
  public:
   explicit Cursor(std::string_view text) noexcept : text_(text) {}
@@ -30,7 +30,7 @@ class Cursor {
     }
     return good_ ? value : 0;
   }
-  /// One of `any`, or 0.
+  /// Next character if it is one of `any`, else 0.
   char one_of(std::string_view any) noexcept {
     const char c = next();
     good_ = good_ && any.find(c) != std::string_view::npos;

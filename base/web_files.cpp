@@ -38,7 +38,7 @@ std::string_view type_of(const fs::path& file) {
 
 std::uint32_t check_sum(const std::string& bytes) { return crc32(std::as_bytes(std::span(bytes))); }
 
-/// The last eight bytes of a gzip file are the CRC-32 and the length of what is in it (RFC 1952).
+/// The last eight bytes of a gzip file are the CRC-32 and the length of its content (RFC 1952).
 bool holds(const std::string& gzip, const std::string& bytes) {
   constexpr std::size_t kMinBytes = 18;
   if (gzip.size() < kMinBytes) return false;
@@ -53,7 +53,7 @@ bool holds(const std::string& gzip, const std::string& bytes) {
   return word(8) == check_sum(bytes) && word(4) == bytes.size();
 }
 
-/// Of esbuild: "-" and eight capital letters and digits before the ending.
+/// Naming of esbuild: "-" and eight upper-case letters and digits before the extension.
 bool has_hash(const std::string& path) {
   constexpr std::size_t kHash = 8;
   const std::string stem = fs::path(path).stem().string();
@@ -76,7 +76,7 @@ bool accepts_gzip(std::string_view accept_encoding) {
     accept_encoding.remove_prefix(std::min(end + 1, accept_encoding.size()));
     const std::size_t mark = std::min(one.find(';'), one.size());
     const std::string_view weight = trimmed(one.substr(std::min(mark + 1, one.size())));
-    // "q=0", "q=0.000": refused.
+    // "q=0", "q=0.000": not acceptable.
     const bool refused =
         weight.starts_with("q=0") && weight.find_first_not_of("q=0.") == std::string_view::npos;
     if (trimmed(one.substr(0, mark)) == "gzip") return !refused;

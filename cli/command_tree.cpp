@@ -18,7 +18,7 @@ std::vector<std::string> split(std::string_view text, char separator) {
   }
 }
 
-/// Of "device|world|coil", and of "TEXT:{client,daemon}", which is CLI11's way.
+/// Choices in "device|world|coil", and in CLI11's format "TEXT:{client,daemon}".
 std::vector<std::string> choices_of(std::string_view type) {
   const std::size_t open = type.find('{');
   if (open != std::string_view::npos && type.ends_with('}'))
@@ -26,7 +26,7 @@ std::vector<std::string> choices_of(std::string_view type) {
   return type.find('|') != std::string_view::npos ? split(type, '|') : std::vector<std::string>{};
 }
 
-/// CLI11 puts what checks a value behind its type: "TEXT:DIR".
+/// Removes the validators that CLI11 appends to the type: "TEXT:DIR".
 std::string without_checks(const std::string& type) {
   for (const char* plain : {"TEXT", "INT", "UINT", "FLOAT"})
     if (type.starts_with(std::string(plain) + ":")) return plain;

@@ -12,16 +12,16 @@ class App;
 namespace hedgehog::cli {
 
 struct CommandOption {
-  /// "-f", "--follow"; of a positional argument its name.
+  /// "-f", "--follow"; for a positional argument its name.
   std::vector<std::string> names{};
-  /// What its value looks like, "FILE" or "1..10000"; empty: it takes none.
+  /// Placeholder of its value, "FILE" or "1..10000"; empty: no value.
   std::string value{};
-  /// All that may be given; empty: not a fixed set.
+  /// All allowed values; empty: not a fixed set.
   std::vector<std::string> choices{};
   std::string help{};
-  /// The environment variable that stands for it; empty: none.
+  /// The environment variable that sets it; empty: none.
   std::string environment{};
-  /// Used when it is not given; empty: nothing, or not known.
+  /// Default value; empty: none, or not known.
   std::string fallback{};
   bool required = false;
 };
@@ -34,11 +34,11 @@ struct Command {
   std::vector<CommandOption> options{};
   std::vector<Command> verbs{};
   bool needs_verb = false;
-  /// Its options may stand behind its verbs too.
+  /// True if its options are also accepted after its verbs.
   bool options_behind_verbs = false;
 };
 
-/// Without what --help hides.
+/// Without entries hidden from --help.
 Command command_tree(const CLI::App& app);
 
 }  // namespace hedgehog::cli

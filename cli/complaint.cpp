@@ -12,7 +12,7 @@ namespace hedgehog::cli {
 
 namespace {
 
-/// The app, the verb that was given, and that verb's own.
+/// The app, the given verb, and its nested verbs.
 std::vector<const CLI::App*> given_verbs(const CLI::App& app) {
   std::vector<const CLI::App*> given{&app};
   while (true) {
@@ -24,7 +24,7 @@ std::vector<const CLI::App*> given_verbs(const CLI::App& app) {
 
 bool is_option(std::string_view word) { return word.size() > 1 && word.starts_with('-'); }
 
-/// The first word that nothing takes; an unknown option rather than the value behind it.
+/// The first unparsed word; preferably an unknown option, not its value.
 std::string extra_word(const CLI::App& app) {
   const std::vector<std::string> words = app.remaining(true);
   const auto option = std::find_if(words.begin(), words.end(), is_option);
@@ -43,7 +43,7 @@ std::string no_option(const std::vector<const CLI::App*>& given, const std::stri
     for (const CLI::Option* option : app->get_options())
       for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
   }
-  // The value may be behind an equals sign.
+  // The value may follow an equals sign.
   return "'" + word + "' is not understood" + did_you_mean(word.substr(0, word.find('=')), names);
 }
 

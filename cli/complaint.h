@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is wrong with a command line, in one sentence.
+// Error messages for a command line, one sentence.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@ class ParseError;
 
 namespace hedgehog::cli {
 
-/// "there is no verb 'pulze'; did you mean 'pulse'?", "'--loud' is not understood", or CLI11's own
-/// words. `error` is what `app.parse` threw.
+/// "there is no verb 'pulze'; did you mean 'pulse'?", "'--loud' is not understood", or CLI11's
+/// message. `error`: thrown by `app.parse`.
 std::string complaint(const CLI::App& app, const CLI::ParseError& error);
 
 /// "hedgehogctl pulse: <what>; hedgehogctl pulse --help says more", with the verbs that were given.

@@ -9,7 +9,7 @@ namespace hedgehog::cli {
 
 namespace {
 
-/// A verb where it stands: "/preview/pulse", "" is the program. All options that are taken there.
+/// A verb by its path, "/preview/pulse" ("": the program), and all options accepted there.
 struct Place {
   std::string path;
   const Command* command = nullptr;
@@ -43,7 +43,7 @@ std::string replaced(std::string text, std::string_view what, std::string_view b
   return text;
 }
 
-/// In single quotes of bash and zsh.
+/// Single-quoted for bash and zsh.
 std::string quoted(const std::string& text) { return "'" + replaced(text, "'", "'\\''") + "'"; }
 
 std::string joined(const std::vector<std::string>& words, std::string_view between = " ") {
@@ -57,7 +57,7 @@ std::string joined(const std::vector<std::string>& words, std::string_view betwe
 
 std::string function_name(const Command& program) { return "_" + replaced(program.name, "-", "_"); }
 
-/// The patterns of a shell's `case`: where a word is a verb.
+/// Patterns of a shell's `case` that match the paths of verbs.
 std::string verb_patterns(const std::vector<Place>& places) {
   std::vector<std::string> paths;
   for (const Place& place : places)
@@ -73,7 +73,7 @@ std::vector<std::string> words_at(const Place& place) {
   return words;
 }
 
-/// "'/push --shape'" for each option that takes a value, by all its names.
+/// "'/push --shape'" for each name of an option with a value.
 std::vector<std::string> value_patterns(const Place& place, const CommandOption& option) {
   std::vector<std::string> patterns;
   for (const std::string& name : option.names)
@@ -81,7 +81,7 @@ std::vector<std::string> value_patterns(const Place& place, const CommandOption&
   return patterns;
 }
 
-/// Of all options that take a value; `between` as the shell wants it.
+/// The same for all options with a value, separated by `between`.
 std::string value_patterns(const std::vector<Place>& places, std::string_view between) {
   std::vector<std::string> all;
   for (const Place& place : places) {
@@ -94,7 +94,7 @@ std::string value_patterns(const std::vector<Place>& places, std::string_view be
   return joined(all, between);
 }
 
-/// A line of `case` for each option of which all values are known: `offer` offers them.
+/// A line of `case` for each option with a fixed set of values; `offer` makes its command.
 template <class Offer>
 std::string choice_cases(const std::vector<Place>& places, Offer offer) {
   std::string text;
@@ -106,8 +106,8 @@ std::string choice_cases(const std::vector<Place>& places, Offer offer) {
   return text;
 }
 
-/// The body of a loop of bash and zsh over the words before the current one: `at` becomes the verb,
-/// `option` what the current word is the value of.
+/// The body of a loop of bash and zsh over the words before the current one: `at` becomes the path
+/// of the verb, `option` the option whose value is the current word.
 std::string walk(const std::vector<Place>& places, const std::string& word) {
   std::string text = "    if [[ -n $option ]]; then option=''; continue; fi\n";
   if (const std::string options = value_patterns(places, "|"); !options.empty())
@@ -151,7 +151,7 @@ std::string bash_completion(const Command& program) {
   text += choice_cases(places, [](const std::string& choices) {
     return "mapfile -t COMPREPLY < <(compgen -W '" + choices + "' -- \"$current\")";
   });
-  // Without words bash completes the names of files.
+  // Without offered words bash completes file names.
   text +=
       "  esac\n"
       "  [[ -z $option ]] || return\n"
@@ -169,7 +169,7 @@ std::string bash_completion(const Command& program) {
 
 std::string zsh_completion(const Command& program) {
   const std::vector<Place> places = places_of(program);
-  // A colon ends the word that zsh's _describe explains.
+  // In zsh's _describe a colon separates a word from its description.
   const auto explained = [](const std::string& word, const std::string& help) {
     return quoted(replaced(word, ":", "\\:") + ":" + replaced(help, "\n", " "));
   };
@@ -214,7 +214,7 @@ std::string zsh_completion(const Command& program) {
 std::string fish_completion(const Command& program) {
   const std::vector<Place> places = places_of(program);
   const std::string at = "__" + replaced(program.name, "-", "_") + "_at";
-  // In single quotes of fish a backslash quotes itself and the quote.
+  // In fish's single quotes a backslash escapes itself and the quote.
   const auto fish_quoted = [](const std::string& words) {
     return "'" + replaced(replaced(replaced(words, "\\", "\\\\"), "'", "\\'"), "\n", " ") + "'";
   };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A command line as completions for shells. Pure.
+// Shell completions of a command line. Pure.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace hedgehog::cli {
 
-/// A script that bash-completion loads, or that is sourced.
+/// A script for bash-completion, or to be sourced.
 std::string bash_completion(const Command& program);
 /// A function for zsh's $fpath, named _PROGRAM.
 std::string zsh_completion(const Command& program);

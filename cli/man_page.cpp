@@ -12,7 +12,7 @@ namespace hedgehog::cli {
 
 namespace {
 
-/// One code point at the beginning of `text`, which is shortened by it; a broken one byte by byte.
+/// Removes and returns the first code point of `text`; invalid sequences byte by byte.
 char32_t take_character(std::string_view& text) {
   const auto first = static_cast<unsigned char>(text.front());
   const std::size_t bytes = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : first >= 0xC0 ? 2 : 1;
@@ -23,7 +23,7 @@ char32_t take_character(std::string_view& text) {
   return code;
 }
 
-/// For troff: no character of `text` is taken for a request or an escape.
+/// Escapes `text` for troff: no character is interpreted as a request or an escape.
 std::string escaped(std::string_view text) {
   std::string out;
   bool line_begins = true;
@@ -57,7 +57,7 @@ std::string upper(std::string text) {
   return text;
 }
 
-/// Lines of the source as lines of the page: man fills paragraphs.
+/// Joins lines with single spaces: man fills paragraphs.
 std::string paragraph(const std::string& text) {
   std::string words;
   std::istringstream in(text);
@@ -124,7 +124,7 @@ bool same_options(const Command& a, const Command& b) {
       [](const auto& x, const auto& y) { return x.names == y.names; });
 }
 
-/// A verb of a verb that is the same as one of the program's refers to that.
+/// A nested verb equal to a verb of the program refers to it.
 void append_verbs(std::string& page, const Command& program, const Command& parent,
                   const std::string& path) {
   for (const Command& verb : parent.verbs) {

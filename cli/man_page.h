@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A command line as a page for man (man(7)). Pure.
+// Man page (man(7)) of a command line. Pure.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace hedgehog::cli {
 
-/// `section`: 1, or 8 for what the administrator runs. `version` is that of the project.
+/// `section`: 1, or 8 for administrators' programs. `version`: of the project.
 std::string man_page(const Command& program, int section, const std::string& version);
 
 }  // namespace hedgehog::cli

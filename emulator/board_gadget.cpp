@@ -23,7 +23,7 @@ GadgetShape board_shape(const std::string& serial) {
   return shape;
 }
 
-/// The frame as a firmware of that protocol version would send it.
+/// Sets the protocol version of a frame and updates its CRC.
 void set_version(device::Frame& frame, std::uint8_t version) {
   frame[1] = version;
   const std::uint32_t crc = board::crc32(frame.data(), frame.size() - 4);
@@ -54,7 +54,7 @@ void BoardGadget::step() {
 
 void BoardGadget::own_out(std::uint8_t /*endpoint*/, std::span<const Byte> data) {
   ++frames_in_;
-  // Another version refuses every frame of this one.
+  // A firmware of another version rejects every frame of this one.
   if (version_ == board::kProtocolVersion) board_.receive(data);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The driver board: the board core and the simulated ball behind real frames, on two bulk
+// The driver board: the board core and the simulated ball, connected by real frames on two bulk
 // endpoints.
 #pragma once
 
@@ -21,7 +21,7 @@ inline constexpr std::uint8_t kBoardProtocol = 0x01;
 struct BoardSettings {
   std::string serial = "B1";
   device::SimulatedBoardOptions board;
-  /// Where its trace goes; empty: nowhere.
+  /// Trace file; empty: none.
   std::string trace;
 };
 
@@ -34,7 +34,7 @@ class BoardGadget : public Gadget {
   std::optional<std::string> command(std::span<const std::string> words) override;
   /// {"board_ms", "mode", "faults", "set_point_age_ms", "awake", "current_a", "peak_a",
   ///  "frames_in", "frames_out", "frames_lost"}: the true currents; peak_a is the largest norm
-  /// since it was asked for last; frames_lost were not read by the host in time.
+  /// since the previous status; frames_lost were not read by the host in time.
   std::string status() const override;
 
  protected:
@@ -53,7 +53,7 @@ class BoardGadget : public Gadget {
   mutable double peak_a_ = 0.0;
 };
 
-/// Something else with the ids of a board: they are test ids that anybody may use.
+/// A different device with the ids of a board, which are public test ids.
 class StrangerGadget : public Gadget {
  public:
   explicit StrangerGadget(const std::string& serial);

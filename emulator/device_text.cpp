@@ -17,7 +17,7 @@ struct Wish {
   bool started = false;
 };
 
-/// Empty, or what is wrong.
+/// Returns an empty string, or the error.
 std::string take(const std::string& part, Wish& wish, MadeDevice& made) {
   const std::size_t equals = part.find('=');
   const std::string key = part.substr(0, equals);

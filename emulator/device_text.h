@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A device as one word of a command line: "board,serial=B2,start=40".
+// Parses a device from one word of a command line: "board,serial=B2,start=40".
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 namespace hedgehog::emulator {
 
 struct MadeDevice {
-  /// Null: `failure` says why.
+  /// Null: see `failure`.
   std::unique_ptr<Gadget> gadget;
   std::string failure;
   std::string name;

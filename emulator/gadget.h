@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A USB device seen from its inside: what it says about itself, what it answers on endpoint 0, and
-// the packets that go through its other endpoints. Who carries them is a host_session's matter.
+// The device side of a USB device: descriptors, control requests on endpoint 0, and packets of its
+// other endpoints. Transport: HostSession.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ namespace hedgehog::emulator {
 struct EndpointShape {
   /// Bit 7: IN.
   std::uint8_t address = 0;
-  bool bulk = false;  // else interrupt, once a millisecond
+  bool bulk = false;  // else interrupt, polled every millisecond
   std::uint16_t bytes = 64;
 };
 
@@ -28,7 +28,7 @@ struct InterfaceShape {
   std::uint8_t subclass = 0;
   std::uint8_t protocol = 0;
   std::vector<EndpointShape> endpoints;
-  /// Of a HID interface.
+  /// HID interfaces only.
   Bytes report_descriptor;
 };
 
@@ -50,7 +50,7 @@ struct SetupPacket {
   static SetupPacket of(std::span<const Byte, 8> bytes) noexcept;
 };
 
-/// The emulator's thread. Lives whether it is plugged in or not: a board has a supply of its own.
+/// The emulator's thread. Runs also while unplugged: a board has its own supply.
 class Gadget {
  public:
   explicit Gadget(GadgetShape shape) : shape_(std::move(shape)) {}
@@ -61,35 +61,36 @@ class Gadget {
   const GadgetShape& shape() const noexcept { return shape_; }
   Exported exported() const;
 
-  /// A millisecond of its life.
+  /// Advances by one millisecond.
   virtual void step() = 0;
-  /// A command that only this kind knows, in words: an answer, or nothing if it does not know it.
+  /// A command specific to this kind, split into words. Returns the response; nullopt: unknown
+  /// command.
   virtual std::optional<std::string> command(std::span<const std::string> words);
   /// One JSON object on one line.
   virtual std::string status() const = 0;
 
-  /// It was plugged in: nothing waits, nothing is halted.
+  /// Resets queues and halts when it is plugged in.
   void plugged() noexcept;
-  /// Endpoint 0. Nothing stalls it. `data`: what came with an OUT request.
+  /// Request on endpoint 0; nullopt: stall. `data`: of an OUT request.
   std::optional<Bytes> control(const SetupPacket& setup, std::span<const Byte> data);
   void out(std::uint8_t endpoint, std::span<const Byte> data);
-  /// The oldest packet that waits for the host to read it.
+  /// Removes and returns the oldest packet queued for the host.
   std::optional<Bytes> take(std::uint8_t endpoint);
 
-  /// Faults. A halted endpoint stalls until the host clears it, `times` times over; a silent device
-  /// neither takes nor gives anything but on endpoint 0, while it lives on.
+  /// Faults. A halted endpoint stalls until the host has cleared it `times` times; a silent device
+  /// transfers nothing except on endpoint 0, but keeps running.
   void halt(std::uint8_t address, int times) { halts_[address] = times; }
   bool halted(std::uint8_t address) const;
   void set_silent(bool silent) noexcept { silent_ = silent; }
   bool silent() const noexcept { return silent_; }
 
  protected:
-  /// A packet for the host. A device has little memory: of more than `kWaiting` the oldest is lost.
+  /// Queues a packet for the host. If more than `kWaiting` are queued, the oldest is lost.
   void give(std::uint8_t endpoint, Bytes packet);
   static constexpr std::size_t kWaiting = 4;
   std::uint64_t lost() const noexcept { return lost_; }
 
-  /// Requests of class and vendor. Nothing stalls.
+  /// Class and vendor requests; nullopt: stall.
   virtual std::optional<Bytes> own_control(const SetupPacket& setup, std::span<const Byte> data);
   virtual void own_out(std::uint8_t endpoint, std::span<const Byte> data) = 0;
 

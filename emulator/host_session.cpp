@@ -11,7 +11,7 @@ namespace hedgehog::emulator {
 namespace {
 
 constexpr std::uint8_t kIn = 0x80;
-/// A host that does not read its answers is not worth more memory than this.
+/// Limit of the send buffer for a host that does not read its responses.
 constexpr std::size_t kMaxUnsent = std::size_t{1} << 20;
 
 bool would_block() { return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR; }
@@ -65,7 +65,7 @@ void HostSession::handle(const HostMessage& message, Bytes data) {
   } else {
     auto& waiting = (message.in ? reads_ : writes_)[message.endpoint];
     waiting.push_back({message.sequence, message.length, std::move(data)});
-    // Before the next message: a request on endpoint 0 comes after what was written before it.
+    // Before the next message, to keep the order of writes and requests on endpoint 0.
     if (!message.in) answer_writes(message.endpoint, waiting);
   }
 }

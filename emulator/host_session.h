@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The talk with one host about one plugged-in gadget, over a stream socket.
+// USB/IP session of one host with one plugged-in gadget, over a stream socket.
 #pragma once
 
 #include <deque>
@@ -11,22 +11,22 @@
 
 namespace hedgehog::emulator {
 
-/// The emulator's thread. Never waits.
+/// The emulator's thread. Never blocks.
 class HostSession {
  public:
-  /// `socket`: after the import, or one end of a pair whose other end vhci-hcd holds. The gadget
-  /// outlives this, and is plugged in by it.
+  /// `socket`: after the import, or one end of a pair whose other end belongs to vhci-hcd. `gadget`
+  /// must outlive this; the constructor plugs it in.
   HostSession(Gadget& gadget, device::FileDescriptor socket);
 
   int fd() const noexcept { return socket_.get(); }
-  /// The socket is full: ask poll for room as well.
+  /// True if the socket's buffer is full: poll must also wait for POLLOUT.
   bool blocked() const noexcept { return !unsent_.empty(); }
   bool open() const noexcept { return open_; }
   Gadget& gadget() noexcept { return gadget_; }
 
-  /// Something came, or there is room again.
+  /// To be called when the socket is readable or writable.
   void ready();
-  /// Answers the reads for which there is something now, stalls those of a halted endpoint.
+  /// Completes pending reads for which a packet is queued; stalls those of a halted endpoint.
   void pump();
 
  private:
@@ -49,7 +49,7 @@ class HostSession {
   bool open_ = true;
   Bytes received_;
   Bytes unsent_;
-  /// Waiting transfers by endpoint number.
+  /// Pending transfers by endpoint number.
   std::map<std::uint8_t, std::deque<Transfer>> reads_;
   std::map<std::uint8_t, std::deque<Transfer>> writes_;
 };

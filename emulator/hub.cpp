@@ -101,7 +101,7 @@ std::string Hub::plug(Device& device) {
 std::string Hub::unplug(Device& device, bool cut) {
   if (!device.plugged) return "error: " + device.name + " is not plugged in";
   device.plugged = false;
-  // A cut is a socket that ends without a word; the kernel frees the port by itself.
+  // A cut closes the socket without detaching; the kernel frees the port by itself.
   if (vhci_ && !cut) vhci_->detach(device.port);
   device.session.reset();
   return "ok";
@@ -134,7 +134,7 @@ void Hub::tidy() {
   for (Device& device : devices_) {
     if (!device.session || device.session->open()) continue;
     device.session.reset();
-    // The host let go of it. On a network another may come.
+    // The host closed the connection. Without vhci another host may import the device.
     if (vhci_) device.plugged = false;
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The emulated devices by name, which of them are plugged in, and the commands that change that.
+// The emulated devices by name, their plug state, and the commands that change it.
 #pragma once
 
 #include <functional>
@@ -17,26 +17,25 @@ namespace hedgehog::emulator {
 /// The emulator's thread.
 class Hub {
  public:
-  /// With `vhci` a plug attaches to this machine; without, hosts come and import.
+  /// With `vhci`, plugging attaches a device to this machine; without, hosts import it.
   explicit Hub(std::optional<Vhci> vhci) : vhci_(std::move(vhci)) {}
 
-  /// False: there is one of that name.
+  /// False: the name is in use.
   bool add(const std::string& name, std::unique_ptr<Gadget> gadget);
   bool empty() const noexcept { return devices_.empty(); }
 
-  /// A command line, without its end; the answer, without its end: "ok", an object, or "error:
-  /// ...".
+  /// Executes a command line; returns "ok", a JSON object, or "error: ...". Both without LF.
   std::string execute(const std::string& line);
   bool over() const noexcept { return over_; }
 
-  /// A millisecond for every device.
+  /// Advances every device by one millisecond.
   void step();
-  /// Every open talk, for poll. Those that are over are forgotten by `tidy`.
+  /// Visits every session, for poll. `tidy` removes closed ones.
   void each_session(const std::function<void(HostSession&)>& visit);
   void tidy();
 
-  /// For hosts that import: what is plugged in, and one of it, by its bus id. `import` refuses what
-  /// another host has.
+  /// For importing hosts: available devices, and one of them by bus id. `import` ignores a device
+  /// that another host has imported.
   std::vector<Exported> exported() const;
   std::optional<Exported> importable(const std::string& bus_id) const;
   void import(const std::string& bus_id, device::FileDescriptor socket);
@@ -46,7 +45,7 @@ class Hub {
     std::string name;
     std::unique_ptr<Gadget> gadget;
     bool plugged = false;
-    int port = -1;  // of vhci
+    int port = -1;  // vhci port
     std::unique_ptr<HostSession> session;
   };
   Device* find(const std::string& name);

@@ -55,7 +55,7 @@ Bytes orientation_descriptor() {
           0x81, 0x02, 0xC0};
 }
 
-// From x to the front, as in REP-103, to a hand-held device's x to its right edge.
+// From REP-103 (x to the front) to the convention of hand-held devices (x to the right edge).
 const model::Quaternion kToHandheld{std::sqrt(0.5), 0, 0, -std::sqrt(0.5)};
 
 GadgetShape hid_shape(std::uint16_t vendor, std::uint16_t product, const std::string& maker,
@@ -73,7 +73,7 @@ constexpr std::uint32_t kClockPerMs = 3000;
 constexpr double kPerG = 8192.0;
 constexpr std::array<int, 3> kFactoryBias{12, -7, 5};
 
-/// Games pad with one input report, one output report and the features that its driver asks for.
+/// Game pad with one input report, one output report and the feature reports used by its driver.
 Bytes pad_descriptor() {
   return {0x05, 0x01, 0x09, 0x05, 0xA1, 0x01,                          //
           0x06, 0x00, 0xFF, 0x15, 0x00, 0x26, 0xFF, 0x00, 0x75, 0x08,  //
@@ -140,7 +140,7 @@ MtiGadget::MtiGadget(const std::string& serial)
                  {{0xFF, 0, 0, {{0x02, true, 64}, {0x81, true, 64}}, {}}}}) {}
 
 void MtiGadget::print(XbusId id, std::span<const Byte> payload) {
-  // A message is a stream of bytes to its connector, cut into packets of 64.
+  // A message is sent as a byte stream in packets of 64 bytes.
   const Bytes bytes = device::encode_xbus(id, payload);
   for (std::size_t at = 0; at < bytes.size(); at += 64) {
     const auto from = bytes.begin() + static_cast<std::ptrdiff_t>(at);
@@ -245,7 +245,7 @@ void PadGadget::report() {
   clock_ += kClockPerMs * static_cast<std::uint32_t>(period_ms());
   const model::Vec3 felt = rotate(conjugate(turned()), {0, 0, 1});
   const std::array<double, 3> accel{-felt.y, felt.z, -felt.x};
-  // At rest its gyroscope reads 0: the factory's bias is only in the calibration.
+  // At rest the gyroscope reads 0; the factory bias is only in the calibration report.
   for (std::size_t i = 0; i < 3; ++i) put_little(bytes, 22 + 2 * i, rounded(kPerG * accel[i]), 2);
   put_little(bytes, 28, clock_, 4);
   give(kReports, std::move(bytes));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Orientation sensors as USB devices: an Xsens MTi, a HID sensor, a DualSense pad. All lie as the
-// command `turn W X Y Z` says, which is how the thing they are in lies in the world.
+// Orientation sensors as USB devices: an Xsens MTi, a HID sensor, a DualSense pad. The command
+// `turn W X Y Z` sets their orientation in the world.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace hedgehog::emulator {
 
-/// With `turn` and {"quaternion", "running", "reports", "lost"}.
+/// Command `turn`; status {"quaternion", "running", "reports", "lost"}.
 class ImuGadget : public Gadget {
  public:
   using Gadget::Gadget;
@@ -23,7 +23,7 @@ class ImuGadget : public Gadget {
  protected:
   /// Sensor -> world, REP-103.
   const model::Quaternion& turned() const noexcept { return turned_; }
-  /// It was told to measure.
+  /// True while measuring.
   virtual bool running() const = 0;
   /// Milliseconds between two reports.
   virtual int period_ms() const = 0;
@@ -35,8 +35,8 @@ class ImuGadget : public Gadget {
   std::uint64_t reports_ = 0;
 };
 
-/// MTi-30 on its own USB connector: quaternion, rate, time and status at the rate that it was
-/// configured for, silent until told to measure.
+/// MTi-30 on its own USB connector: quaternion, rate, time and status at the configured rate;
+/// silent until switched to measurement.
 class MtiGadget : public ImuGadget {
  public:
   explicit MtiGadget(const std::string& serial);
@@ -79,8 +79,8 @@ class HidSensorGadget : public ImuGadget {
   std::array<Byte, 7> feature_{1, 1, 1, 100, 0, 0, 0};
 };
 
-/// A DualSense at rest, turned as told: gravity in its accelerometer, nothing in its gyroscope but
-/// the bias that its calibration tells. 250 reports a second, always.
+/// A DualSense at rest in the set orientation: its accelerometer measures gravity, its gyroscope 0;
+/// the calibration report contains a factory bias. Always 250 reports a second.
 class PadGadget : public ImuGadget {
  public:
   explicit PadGadget(const std::string& serial);

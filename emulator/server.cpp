@@ -24,7 +24,7 @@ namespace {
 using device::FileDescriptor;
 
 constexpr std::size_t kLongestLine = 1024;
-/// As TickClock: what was missed by more is left out, never made up for in a burst.
+/// As in TickClock: maximum number of missed ticks to catch up; more are skipped.
 constexpr std::uint64_t kCatchUp = 3;
 
 [[noreturn]] void fail(const std::string& what) {
@@ -42,7 +42,7 @@ void write_all(int fd, const std::string& text) {
   for (std::size_t done = 0; done < text.size();) {
     const ssize_t n = ::write(fd, text.data() + done, text.size() - done);
     if (n < 0 && errno == EINTR) continue;
-    // A client that does not read its answers does without.
+    // The response is dropped if the client does not read it.
     if (n <= 0) return;
     done += static_cast<std::size_t>(n);
   }
@@ -119,7 +119,7 @@ void Server::accept(const FileDescriptor& listener, bool commands) {
 
 void Server::read(Peer& peer) {
   std::array<char, kLongestLine> chunk;
-  // Not more than an import is long: what comes after it belongs to the device.
+  // Reads at most the length of an import: the bytes after it belong to the session.
   const std::size_t capacity =
       peer.commands
           ? chunk.size()
@@ -187,7 +187,7 @@ void Server::run(const volatile std::sig_atomic_t& stop) {
     std::vector<Peer*> talking;
     for (Peer& peer : peers_)
       if (came()) talking.push_back(&peer);
-    // Before the beat: what a host sent in this millisecond counts in it.
+    // Before the tick: data sent by a host in this millisecond is processed in it.
     hub_.each_session([&](HostSession& session) {
       if (came()) session.ready();
     });

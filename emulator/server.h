@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The emulator's one thread: a millisecond's beat, the talks with hosts, whoever imports, and
-// whoever gives commands.
+// The emulator's single thread: 1 ms tick, host sessions, import requests and commands.
 #pragma once
 
 #include <csignal>
@@ -12,28 +11,28 @@
 
 namespace hedgehog::emulator {
 
-/// Listening sockets. Throw std::system_error or std::runtime_error.
-/// `address`: "127.0.0.1:3240" or "[::1]:3240"; port 0 takes a free one.
+/// Listening sockets. Throw std::system_error or std::runtime_error. `address`: "127.0.0.1:3240" or
+/// "[::1]:3240"; port 0: any free port.
 device::FileDescriptor listen_tcp(const std::string& address);
-/// Its port.
+/// Port of a listening socket.
 int port_of(int socket);
-/// 0600. What is left of an earlier one is replaced.
+/// Mode 0600. Replaces a stale socket.
 device::FileDescriptor listen_unix(const std::string& path);
 
 class Server {
  public:
-  /// `imports` and `commands`: listening, or empty. `console`: also commands from stdin, answered
-  /// on stdout.
+  /// `imports` and `commands`: listening, or empty. `console`: also commands from stdin, with
+  /// responses on stdout.
   Server(Hub& hub, device::FileDescriptor imports, device::FileDescriptor commands, bool console);
 
-  /// Until the command `quit`, or `stop`.
+  /// Runs until the command `quit`, or `stop`.
   void run(const volatile std::sig_atomic_t& stop);
 
  private:
   struct Peer {
     device::FileDescriptor socket;
     bool commands = false;
-    /// Where answers go, when that is not the socket.
+    /// File descriptor for responses: the socket, or stdout for the console.
     int answers = -1;
     std::string received;
     bool over = false;

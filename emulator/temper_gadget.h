@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A TEMPer stick without a probe: a keyboard that never types, and the thermometer beside it.
+// A TEMPer stick without a probe: an inactive keyboard interface, and the thermometer interface.
 #pragma once
 
 #include "emulator/gadget.h"

@@ -19,7 +19,7 @@ Bytes answer(std::uint32_t command, std::uint32_t sequence, std::int32_t status)
   bytes.reserve(kTransferHead);
   put_u32(bytes, command);
   put_u32(bytes, sequence);
-  // Device, direction and endpoint are the host's to know.
+  // Device, direction and endpoint are 0 in responses: the host identifies them by sequence number.
   bytes.resize(20);
   put_u32(bytes, static_cast<std::uint32_t>(status));
   return bytes;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// USB/IP as it travels: how a host that is somewhere else speaks with a device. Source: Linux,
+// USB/IP wire format between a remote host and a device. Source: Linux,
 // Documentation/usb/usbip_protocol.rst, version 1.1.1. Big endian. Pure; any thread.
 #pragma once
 
@@ -21,47 +21,47 @@ using Bytes = std::vector<Byte>;
 void put_u16(Bytes& to, std::uint32_t value);
 void put_u32(Bytes& to, std::uint32_t value);
 
-/// Status of a transfer, as a negative errno of Linux whatever machine this is.
+/// Status of a transfer, as a negative errno of Linux on any platform.
 inline constexpr std::int32_t kTransferDone = 0;
 inline constexpr std::int32_t kTransferStalled = -32;
 inline constexpr std::int32_t kTransferTooLong = -75;
 inline constexpr std::int32_t kTransferUnlinked = -104;
 
-/// The head of every message about a transfer, both ways.
+/// Length of the header of every transfer message, both directions.
 inline constexpr std::size_t kTransferHead = 48;
 
-/// What the host says once a device is imported.
+/// A message of the host after a device is imported.
 struct HostMessage {
   enum class Kind : std::uint8_t { kSubmit = 1, kUnlink = 2 };
   Kind kind = Kind::kSubmit;
   std::uint32_t sequence = 0;
   bool in = false;
   std::uint8_t endpoint = 0;
-  /// Of the transfer; for OUT so many bytes follow the head.
+  /// Of the transfer; for OUT so many bytes follow the header.
   std::uint32_t length = 0;
   std::array<Byte, 8> setup{};
-  /// Of the transfer that kUnlink takes back.
+  /// Sequence number of the transfer cancelled by kUnlink.
   std::uint32_t victim = 0;
 };
 
-/// REQUIRES: kTransferHead bytes. Nothing: not a message of a host, or one for another endpoint
-/// than there can be, or longer than anything that a full-speed device takes.
+/// REQUIRES: kTransferHead bytes. nullopt: not a host message, an invalid endpoint, or longer than
+/// kLongestTransfer.
 std::optional<HostMessage> decode_host_message(std::span<const Byte> head);
 inline constexpr std::uint32_t kLongestTransfer = 65536;
 
-/// What the device answers. `data` only of an IN transfer.
+/// Responses of the device. `data` only for an IN transfer.
 Bytes encode_submitted(std::uint32_t sequence, std::int32_t status, std::uint32_t actual,
                        std::span<const Byte> data = {});
 Bytes encode_unlinked(std::uint32_t sequence, std::int32_t status);
 
-/// Before a device is imported: eight bytes ask, and for an import the name of a device follows.
+/// Before a device is imported: a header of eight bytes; for an import followed by the bus id.
 inline constexpr std::size_t kOperationHead = 8;
 inline constexpr std::size_t kBusId = 32;
 enum class Operation : std::uint16_t { kImport = 0x8003, kList = 0x8005 };
 /// REQUIRES: kOperationHead bytes.
 std::optional<Operation> decode_operation(std::span<const Byte> head);
 
-/// A device as lists and imports tell of it.
+/// A device as described in lists and imports.
 struct Exported {
   std::string bus_id;  // "1-3"
   std::uint32_t bus = 1;
@@ -79,7 +79,7 @@ struct Exported {
 };
 
 Bytes encode_list(std::span<const Exported> devices);
-/// `device` null: there is none of that name.
+/// `device` null: no such device.
 Bytes encode_import(const Exported* device);
 
 }  // namespace hedgehog::emulator

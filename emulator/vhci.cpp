@@ -21,7 +21,7 @@ constexpr int kFree = 4;
 }  // namespace
 
 int Vhci::free_port() const {
-  // hub port state speed device socket bus-id, a line each below a headline.
+  // Columns: hub port state speed device socket bus-id; one line per port below a header line.
   std::ifstream in(folder_ + "/status");
   if (!in)
     throw std::runtime_error(folder_ + ": no such controller; load it with `modprobe vhci-hcd`");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ports of vhci-hcd, the kernel's USB controller whose devices hang on sockets. Needs root and
+// Ports of vhci-hcd, the kernel's virtual USB controller with devices on sockets. Needs root and
 // the module. Source: Linux, drivers/usb/usbip/vhci_sysfs.c.
 #pragma once
 
@@ -9,14 +9,14 @@ namespace hedgehog::emulator {
 
 class Vhci {
  public:
-  /// `folder`: of its attach, detach and status files.
+  /// `folder`: contains its attach, detach and status files.
   explicit Vhci(std::string folder = "/sys/devices/platform/vhci_hcd.0")
       : folder_(std::move(folder)) {}
 
-  /// Gives the kernel its end of a stream socket (it takes a reference of its own) with a
-  /// full-speed device behind it. The port. Throws std::runtime_error, std::system_error.
+  /// Passes one end of a stream socket of a full-speed device to the kernel, which takes its own
+  /// reference. Returns the port. Throws std::runtime_error, std::system_error.
   int attach(int socket, unsigned device_id) const;
-  /// Pulls the cable. Throws as `attach`.
+  /// Unplugs the device. Throws as `attach`.
   void detach(int port) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers and words of command lines. Pure.
+// Parsing of numbers and words of command lines. Pure.
 #pragma once
 
 #include <charconv>
@@ -11,7 +11,7 @@
 
 namespace hedgehog::emulator {
 
-/// The whole text as a number that fits.
+/// The whole text as a number; nullopt: invalid or out of range.
 template <class Number>
 std::optional<Number> number(std::string_view text) {
   Number value{};

@@ -13,8 +13,8 @@ namespace hedgehog::model {
 
 inline constexpr int kCoils = 3;
 
-/// Where the pins shall push out, as a vector in the device frame; its length is the current in
-/// ampere-equivalents that one ideal winding along it would carry. Not yet limited.
+/// Demanded field: direction in which the pins push out, in the device frame. Its length is the
+/// current, in ampere-equivalents, of one ideal winding along it. Not yet limited.
 struct FieldDemand {
   Vec3 a;
 };
@@ -52,19 +52,18 @@ constexpr Celsius temperature_at(Ohms r25, Ohms r) noexcept {
   return Celsius(25.0 + (r / r25 - 1.0) / kCopperPerKelvin);
 }
 
-/// Kelvins for which the resistance of a winding at `t` changes by its own amount: what a share of
-/// error in it is worth.
+/// Temperature error, K, per relative error of the resistance of a winding at `t`.
 constexpr double kelvins_per_share(Celsius t) noexcept {
   return 1.0 / kCopperPerKelvin + t.value - 25.0;
 }
 
-/// The winding currents that make the field `demand`.
+/// The winding currents that produce the field `demand`.
 constexpr CoilCurrents currents_for(const FieldDemand& demand, const CoilModel& coils) noexcept {
   return {coils.matrix * demand.a};
 }
 
-/// The field that the winding currents `currents` make: the inverse of `currents_for`.
-/// REQUIRES: determinant(coils.matrix) != 0 (checked when the device file is read).
+/// The field that the winding currents `currents` produce: the inverse of `currents_for`. REQUIRES:
+/// determinant(coils.matrix) != 0 (checked when the device file is read).
 constexpr FieldDemand field_of(const CoilCurrents& currents, const CoilModel& coils) noexcept {
   return {inverse(coils.matrix) * currents.a};
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One ball as data: what its device file (config/devices.d/*.json) says. Read and checked by
-// daemon/config; nobody changes it while a ball is armed.
+// One ball as data: the content of its device file (config/devices.d/*.json). Read and checked by
+// daemon/config; constant while a ball is armed.
 #pragma once
 
 #include <cstdint>
@@ -23,22 +23,22 @@ struct UsbId {
 };
 
 struct DeviceModel {
-  /// What people call this ball ("ball-7"); the metrics' label `device`.
+  /// Display name of this ball ("ball-7"); label `device` of the metrics.
   std::string name = "ball";
   /// The kind of ball; the name of its device file.
   std::string model = "hedgehog-86";
   BallGeometry geometry;
   CoilModel coils;
   ThermalModel thermal;
-  /// By how much this ball may differ from `thermal` and `coils.r25_ohm`.
+  /// Uncertainty of `thermal` and `coils.r25_ohm` for this ball.
   ThermalUncertainty uncertainty;
-  /// On the typical pin at its rest (`PinCurves::typical_rest_mm`).
+  /// Of the typical pin at its rest position (`PinCurves::typical_rest_mm`).
   double force_slope_n_a = kMeasuredCalibration.force_slope_n_a;
   /// Configuration may only tighten these.
   Limits limits;
   /// Boards that drive this kind of ball.
   std::vector<UsbId> usb{{0x1209, 0x0001}};
-  /// Serial number of this ball's own board; empty: any, as long as there is one only.
+  /// Serial number of this ball's own board; empty: any board, provided exactly one is connected.
   std::string usb_serial;
 
   friend bool operator==(const DeviceModel&, const DeviceModel&) = default;

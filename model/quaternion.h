@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rotations as unit quaternions, Hamilton convention, device -> world,
-// as {w, x, y, z}.
+// Rotations as unit quaternions {w, x, y, z}, Hamilton convention, device -> world.
 #pragma once
 
 #include <cmath>
@@ -35,8 +34,8 @@ constexpr Vec3 rotate(const Quaternion& q, const Vec3& v) noexcept {
   return v + q.w * t + cross(u, t);
 }
 
-/// A turn by `angle_deg` about `axis`, counter-clockwise seen against the axis. REQUIRES: |axis|
-/// == 1.
+/// Rotation by `angle_deg` about `axis`, counter-clockwise as seen against the axis. REQUIRES:
+/// |axis| == 1.
 inline Quaternion axis_angle(const Vec3& axis, double angle_deg) noexcept {
   const double half = angle_deg * (3.14159265358979323846 / 360.0);
   const double s = std::sin(half);

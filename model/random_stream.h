@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Deterministic random numbers for the simulated world: the same seed gives the same stream on
-// every machine, and the state is one word that can be recorded.
+// Deterministic random numbers for simulations: the same seed gives the same stream on every
+// machine, and the state is one word that can be recorded.
 #pragma once
 
 #include <cstdint>
 
 namespace hedgehog::model {
 
-/// SplitMix64 (Steele, Lea and Flood 2014). Not for secrets. Trivially copyable.
+/// SplitMix64 (Steele, Lea and Flood 2014). Not cryptographically secure. Trivially copyable.
 class RandomStream {
  public:
   constexpr RandomStream() noexcept = default;
@@ -26,7 +26,7 @@ class RandomStream {
     return low + (high - low) * static_cast<double>(bits() >> 11) * 0x1.0p-53;
   }
 
-  /// Mean 0, standard deviation 1: the sum of twelve 16-bit uniforms, so never beyond 6.
+  /// Mean 0, standard deviation 1: the sum of twelve 16-bit uniforms, so within +-6.
   constexpr double gaussian() noexcept {
     std::uint64_t sum = 0;
     for (int word = 0; word < 3; ++word) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The clock of the product: control ticks of one millisecond of device time. Durations and leases
-// count ticks; nothing in the control path reads another clock.
+// Time base: control ticks of one millisecond of device time. Durations and leases count ticks; the
+// control path uses no other clock.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Physical quantities as types, so that amperes never stand where degrees are meant. On the wire,
-// in configuration and in logs the unit is a suffix of the name instead (`current_a`,
-// `temperature_c`). Vectors and tables of constants carry the suffix in their field names too.
+// Physical quantities as types, so that units cannot be mixed up. On the wire, in configuration and
+// in logs the unit is a suffix of the name instead (`current_a`, `temperature_c`). Vectors and
+// tables of constants carry the suffix in their field names too.
 #pragma once
 
 #include <compare>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Plain vectors of three doubles. Trivially copyable, so that they may cross into the control
-// thread and be recorded byte for byte (Eigen's fixed vectors are not).
+// Plain vectors of three doubles. Trivially copyable, so that they can be passed to the control
+// thread and recorded byte for byte (Eigen's fixed vectors are not).
 #pragma once
 
 #include <cmath>

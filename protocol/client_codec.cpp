@@ -22,7 +22,7 @@ std::string opening(const std::optional<Id>& id, std::string_view method) {
   return out;
 }
 
-/// What is wrong with `json`, of which `take` reads what it knows.
+/// Reads the known fields of `json` with `take`; returns the error, if any.
 std::optional<RpcError> read(const Json& json, std::string_view what,
                              const std::function<void(Fields&)>& take) {
   Reader reader(json, Reader::Strictness::kLenient, what);

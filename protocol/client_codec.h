@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A client's side of the wire: requests become lines, lines become answers and notifications.
-// Fields, event types and reasons that are not known are ignored. Lines are without their LF.
-// Nothing here throws or keeps anything; any thread.
+// Client-side codec: requests to lines, lines to responses and notifications. Unknown fields, event
+// types and reasons are ignored. Lines are without LF. Stateless, does not throw; any thread.
 #pragma once
 
 #include <functional>
@@ -18,24 +17,24 @@
 
 namespace hedgehog::protocol {
 
-/// `id` nullopt: carried out and never answered.
+/// `id` nullopt: a notification, which has no response.
 std::string encode_request(const std::optional<Id>& id, const Request& request);
 
-/// A request whose `params` are given as a JSON object (empty: none), for programs that pass on
-/// what a person typed.
+/// A request with `params` as JSON text of an object (empty: none), for programs that forward user
+/// input.
 std::string encode_raw_request(const std::optional<Id>& id, std::string_view method,
                                std::string_view params_json);
 
 struct Reply {
   Id id{};
-  /// The result as JSON text, compact, as the server ordered it; `decode_result` makes a value.
+  /// The result as compact JSON text in the server's order; decoded by `decode_result`.
   Result<std::string> result;
 };
 
-/// A notification that is neither telemetry nor an event of ours is left out of its batch.
+/// Notification with method "event".
 struct EventMessage {
   Event event{};
-  std::string json{};  // the params as they came
+  std::string json{};  // the params as received
 };
 struct TelemetryMessage {
   Telemetry telemetry{};
@@ -47,16 +46,17 @@ struct UnknownMessage {
 
 using Message = std::variant<Reply, EventMessage, TelemetryMessage, UnknownMessage>;
 
-/// One line from the server: one message, or the answers to a batch. An error when it is not
-/// JSON-RPC at all.
+/// Decodes one line from the server: one message, or the responses to a batch. An error if it is
+/// not JSON-RPC.
 Result<std::vector<Message>> decode_messages(std::string_view line);
 
-/// The typed value of a result. Fields that the server left out keep their defaults; one of the
-/// wrong type is an error naming it. T is one of the types of ResultValue.
+/// The typed value of a result. Missing fields keep their defaults; a field of the wrong type is an
+/// error naming it. T is one of the types of ResultValue.
 template <class T>
 Result<T> decode_result(std::string_view json);
 
-/// Part of `decode_result`: lets `take` read what it knows of `json`; what is wrong with it.
+/// Part of `decode_result`: reads the known fields of `json` with `take`; returns the error, if
+/// any.
 std::optional<RpcError> read_result(std::string_view json,
                                     const std::function<void(Fields&)>& take);
 

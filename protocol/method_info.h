@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every method says of itself, as the constant `kMethod` of its struct in protocol/methods.
+// Description of a method: the constant `kMethod` of its struct in protocol/methods.
 #pragma once
 
 #include <optional>
@@ -14,17 +14,16 @@ namespace hedgehog::protocol {
 
 struct MethodInfo {
   std::string_view name;
-  /// The least role that may call it; none: anybody who can connect.
+  /// Minimum role; nullopt: any client that can connect.
   std::optional<Role> role;
-  /// One sentence, in the OpenRPC document.
+  /// One sentence for the OpenRPC document.
   std::string_view summary;
-  /// Beyond those that `possible_errors` adds.
+  /// In addition to those of `possible_errors`.
   ErrorSet errors{};
 };
 
-/// What a request of `method` may be refused with: parameters are checked for all, a daemon that is
-/// stopping or a batch that is too long is busy for all, and where a token is needed, it is for
-/// all.
+/// Possible errors of a request of `method`. Common to all: invalid parameters, busy (daemon
+/// stopping or batch too long), and unauthorized (token required).
 constexpr ErrorSet possible_errors(const MethodInfo& method) noexcept {
   const ErrorSet of_all{ErrorCode::kInvalidParams, ErrorCode::kBusy, ErrorCode::kUnauthorized};
   const ErrorSet of_role = method.role ? ErrorSet{ErrorCode::kForbidden} : ErrorSet{};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// All methods of the protocol, joined from those of its namespaces: requests, results and the table
-// by name follow from that. What is not in it is answered with -32601.
+// All methods of the protocol, joined from those of its namespaces; source of requests, results and
+// the table by name. Other methods are rejected with -32601.
 #pragma once
 
 #include <algorithm>
@@ -60,11 +60,11 @@ using Requests = detail::Joined<HelloMethods, PingMethods, ConnectionMethods, De
                                 PatternMethods, SimMethods, TelemetryMethods, ThermalMethods>::Type;
 using Request = Requests::Variant;
 
-/// What a successful request is answered with.
+/// The result of a successful request.
 using Results = decltype(detail::results_of(Requests{}))::Type;
 using ResultValue = Results::Variant;
 
-/// The methods that the request `R` carries: one, or those of EffectStart.
+/// The methods of the request type `R`: one, or those of EffectStart.
 template <class R>
 constexpr std::span<const MethodInfo> methods_of() noexcept {
   if constexpr (requires { R::kMethods; })
@@ -111,7 +111,7 @@ inline constexpr Method kMethodOf = *method_named(R::kMethod.name);
 
 /// The method that `request` calls.
 Method method_of(const Request& request) noexcept;
-/// The request of `method` with nothing said yet.
+/// The request of `method` with default parameters.
 Request empty_request(Method method);
 
 }  // namespace hedgehog::protocol

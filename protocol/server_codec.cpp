@@ -17,11 +17,11 @@ RpcError invalid_request(std::string what) {
   return error(ErrorCode::kInvalidRequest, "invalid_request: " + std::move(what));
 }
 
-/// Up to here a double holds every whole number, so that an id comes back as it was sent through
-/// whatever a client reads JSON with.
+/// 2^53: up to here a double represents every integer, so that an id survives any client's JSON
+/// parser.
 constexpr std::int64_t kMaxId = 9'007'199'254'740'992;
 
-/// The id, when it may be one: a string, a number of at most kMaxId, or null.
+/// The id if valid: a string, a number of at most kMaxId, or null.
 std::optional<Id> read_id(const Json& json) {
   const auto* whole = json.as<std::int64_t>();
   const auto* number = json.as<double>();
@@ -73,7 +73,7 @@ Item read_item(const Json& json) {
       return refused(Id{},
                      invalid_request("id must be a string, a number of at most 2^53, or null"));
   }
-  // Whoever cannot be recognised as a notification is answered, as JSON-RPC 2.0 section 5 asks.
+  // An item not recognised as a notification gets a response (JSON-RPC 2.0, section 5).
   const Id answer_to = id.value_or(Id{});
   const Json* version = json.find("jsonrpc");
   const auto* version_text = version == nullptr ? nullptr : version->as<std::string>();
@@ -143,7 +143,7 @@ std::string joined(const std::vector<std::string>& values) {
   return out;
 }
 
-/// The start of an answer, with the memory that most of them need.
+/// Beginning of a response; reserves the usual size.
 std::string answer(const Id& id) {
   constexpr std::size_t kUsualBytes = 240;
   std::string out;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The daemon's side of the wire: a line becomes requests, answers become lines. Lines are without
-// their LF. Nothing here throws or keeps anything; any thread.
+// Server-side codec: lines to requests, responses to lines. Lines are without LF. Stateless, does
+// not throw; any thread.
 #pragma once
 
 #include <cstddef>
@@ -21,36 +21,36 @@ inline constexpr std::size_t kMaxBatch = 64;
 inline constexpr std::size_t kMaxNesting = 32;
 
 struct Item {
-  /// nullopt: a notification, carried out and never answered, not even with an error.
+  /// nullopt: a notification, executed without a response, not even an error.
   std::optional<Id> id{};
-  /// Known also when its parameters are wrong; nullopt: no such method, or not a request.
+  /// Set even if the parameters are invalid; nullopt: unknown method, or not a request.
   std::optional<Method> method{};
   Result<Request> request;
 };
 
-/// What one line holds. Not a batch: exactly one item. A batch: 1..64 items, to be carried out in
-/// order within one tick.
+/// Content of one line. Not a batch: exactly one item. Batch: 1..64 items, to be executed in order
+/// within one tick.
 struct Incoming {
   bool batch = false;
   std::vector<Item> items{};
 };
 
-/// Never fails: what cannot be understood is an item with the error to answer (id null). The 64 KiB
-/// limit of a line is the caller's; `line_too_long` is its error.
+/// Never fails: invalid input becomes an item with an error (id null). The caller enforces the 64
+/// KiB limit of a line with the error `line_too_long`.
 Incoming decode_line(std::string_view line);
 RpcError line_too_long();
 
 std::string encode_result(const Id& id, const ResultValue& result);
-/// The two halves of it, for an answer that is given again and again.
+/// The two steps of `encode_result`, for a result that is sent repeatedly.
 std::string encode_value(const ResultValue& result);
 std::string encode_encoded(const Id& id, std::string_view value);
 std::string encode_error(const Id& id, const RpcError& error);
-/// The answers to a batch, as one line; empty when there is none to give (all were notifications).
+/// The responses to a batch as one line; empty if there are none (only notifications).
 std::string encode_batch(const std::vector<std::string>& answers);
 
 /// Notifications to the client.
 std::string encode_telemetry(const Telemetry& telemetry);
-/// One line of an event history, without LF, and back; the error says what is wrong with it.
+/// One line of an event history, without LF, and its inverse; the error describes the problem.
 std::string encode_past_event(const PastEvent& event);
 Result<PastEvent> decode_past_event(std::string_view json);
 /// The result of events.history from such lines, oldest first.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The files of tokens and of TLS.
+// Token and TLS files.
 #pragma once
 
 #include <functional>
@@ -12,10 +12,9 @@
 
 namespace hedgehog::config {
 
-/// Settles the places of the files, and reads them: the tokens always, certificate and key where
-/// an address has TLS. Such an address is an error as long as a file is missing: nobody could be
-/// kept out. A file of no tokens keeps everybody out, and is none. REQUIRES: `state_directory` is
-/// settled.
+/// Resolves the paths of the files and reads them: tokens always, certificate and key if an address
+/// has TLS. With TLS a missing file is an error: access could not be restricted. An empty token
+/// file rejects every client and is no error. REQUIRES: `state_directory` is resolved.
 void settle_access(Config& config, const Origins& origins, const std::string& config_file,
                    const std::function<base::FileText(const std::string&)>& reader,
                    ConfigErrors& errors);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Everything that configuration decides, read, checked and complete: no optional means "look
-// elsewhere" any more. Each key is documented in config/hedgehogd.json. A plain
-// value; any thread.
+// The complete, checked configuration: no optional value refers to another source. Each key is
+// documented in config/hedgehogd.json. A plain value; any thread.
 #pragma once
 
 #include <cstddef>
@@ -33,22 +32,23 @@ struct ListenSettings {
 
 struct HttpSettings {
   std::optional<ListenAddress> listen{{"127.0.0.1", 7587}};
-  /// Origins of web pages that may connect besides those of this machine, "https://host[:port]".
+  /// Origins of web pages that may connect in addition to those of this machine,
+  /// "https://host[:port]".
   std::vector<std::string> allow_origins;
   /// The dashboard's folder.
   std::string pages;
   friend bool operator==(const HttpSettings&, const HttpSettings&) = default;
 };
 
-/// Who may reach the daemon from elsewhere, and which users may do what on the Unix socket. What
-/// the files have is not part of what is printed.
+/// Access from other machines, and roles of users on the Unix socket. The content of the files is
+/// not printed.
 struct AccessSettings {
   /// Absolute paths.
   std::string tokens_file;
   std::string certificate_file;
   std::string key_file;
   access::Tokens tokens;
-  /// Of certificate and key, which fit each other; empty where nobody listens with TLS.
+  /// Matching certificate and key; empty without a TLS listener.
   std::string certificate_pem;
   std::string key_pem;
   access::UnixRoles unix_roles{};
@@ -57,17 +57,17 @@ struct AccessSettings {
 
 struct SimulatorSettings {
   double ambient_c = 25.0;
-  /// The whole ball at start; nullopt: as the state directory remembers it, else the room.
+  /// Temperature of the whole ball at start; nullopt: from the state directory, else ambient.
   std::optional<double> start_temperature_c;
-  /// The simulated board is the process `hedgehog-simboard` instead of a thread.
+  /// True: the simulated board is the process `hedgehog-simboard` instead of a thread.
   bool process = false;
-  /// The board's electronics, and its thermistors, 1 or 3; nullopt: three with in_line, one with
-  /// the others.
+  /// The board's electronics, and its number of thermistors, 1 or 3; nullopt: three with in_line,
+  /// one otherwise.
   device::FrontEndKind front_end = device::FrontEndKind::kInLine;
   std::optional<int> thermistors;
-  /// Of all noise, and of the electronics' parts within their tolerances; 0: typical parts.
+  /// Seed of all noise and of the electronics' tolerances; 0: typical parts.
   std::uint32_t seed = 0;
-  /// Of the ball that is simulated, as Config::device_file; empty: the daemon's own.
+  /// Device file of the simulated ball, as Config::device_file; empty: the daemon's own.
   std::string device_file;
   /// The content of that file; nullopt: the simulated ball matches the device file.
   std::optional<model::DeviceModel> ball;
@@ -76,10 +76,10 @@ struct SimulatorSettings {
 
 struct ConnectionSettings {
   std::size_t max = 64;
-  /// Unsent bytes of one connection: requests are not read while its responses are more than an
-  /// eighth of it, telemetry is dropped at half of it, and at all of it the connection.
+  /// Unsent bytes of one connection: reading of requests pauses while its responses exceed an
+  /// eighth of it, telemetry is dropped at half of it, the connection is closed at all of it.
   std::size_t queue_bytes = 1u << 20;
-  /// A client whose requests are held back so is disconnected when it takes nothing for so long, s.
+  /// A client whose requests are paused is disconnected if it reads nothing for so long, s.
   int write_timeout_s = 10;
   friend bool operator==(const ConnectionSettings&, const ConnectionSettings&) = default;
 };
@@ -88,7 +88,7 @@ struct Config {
   Backend backend = Backend::kSimulator;
   /// Name of the device file, or its path when it has a slash.
   std::string device_file = "hedgehog-86";
-  /// The content of that file.
+  /// Content of that file.
   model::DeviceModel device;
   /// The device's limits as tightened here; is_within(limits, device.limits).
   model::Limits limits;
@@ -96,17 +96,17 @@ struct Config {
   ImuSource imu = ImuType::kSimulator;
   ImuFitting imu_fitting;
   ThermometerSettings thermometer;
-  /// Comfort setting at the first start, 0..1; `output.set_gain` changes and stores it.
+  /// Output gain at the first start, 0..1; `output.set_gain` changes and stores it.
   double gain = 1.0;
   ListenSettings listen;
   HttpSettings http;
   AccessSettings access;
   ConnectionSettings connections;
-  /// The most that `telemetry.subscribe` grants, 1..200.
+  /// Maximum rate of `telemetry.subscribe`, 1..200.
   int telemetry_max_rate_hz = 200;
   LogLevel log_level = LogLevel::kInfo;
   SimulatorSettings simulator;
-  /// The simulated ball as it really is; `device` is what the daemon believes about it.
+  /// True parameters of the simulated ball; `device` contains the daemon's assumptions.
   const model::DeviceModel& simulated_ball() const noexcept {
     return simulator.ball ? *simulator.ball : device;
   }
@@ -114,8 +114,8 @@ struct Config {
   std::string state_directory;
   std::string runtime_directory;
 
-  /// The files that were read, in order; not part of what is printed. `configured` is false when
-  /// nobody configured anything (defaults only): the daemon then says that it simulates.
+  /// The files read, in order; not printed. `configured` is false without a configuration file
+  /// (defaults only): the daemon then reports that it simulates.
   std::vector<std::string> files;
   bool configured = false;
 };

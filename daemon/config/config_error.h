@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is wrong with a configuration. All of it is collected, so that one look mends everything.
+// Errors of a configuration. All are collected, so that they can be fixed at once.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 namespace hedgehog::config {
 
 struct ConfigError {
-  /// A path, or the option of the command line ("--listen").
+  /// Path of the file, or command line option ("--listen").
   std::string file;
-  /// From 1; 0 when the error belongs to no line.
+  /// From 1; 0: no specific line.
   int line = 0;
-  /// "limits.current_a"; empty when the error belongs to no key.
+  /// "limits.current_a"; empty: no specific key.
   std::string key;
   std::string reason;
   friend bool operator==(const ConfigError&, const ConfigError&) = default;
@@ -24,7 +24,7 @@ std::string to_string(const ConfigError& error);
 /// Never empty when returned as an error. The daemon prints them and exits with 78 (EX_CONFIG).
 using ConfigErrors = std::vector<ConfigError>;
 
-/// One a line.
+/// One error per line.
 std::string to_string(const ConfigErrors& errors);
 
 }  // namespace hedgehog::config

@@ -19,13 +19,13 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMaxLevels = 16;
 
-/// How far the lexer has read. It reads a number one character too far.
+/// Position of the lexer, which reads one character beyond a number.
 struct Place {
   int line = 1;
   bool after_line_feed = false;
 };
 
-/// Counts lines while nlohmann's lexer reads: its events carry no positions.
+/// Counts lines for nlohmann's lexer, whose events contain no positions.
 class CountingIterator {
  public:
   using iterator_category = std::forward_iterator_tag;
@@ -131,8 +131,8 @@ class Builder final : public Json::json_sax_t {
   std::vector<Open> open_;
 };
 
-/// nlohmann says "[json.exception…] parse error at line 3, column 5: syntax error while parsing x -
-/// why": the line is cut out, the rest from "parsing" on is for people.
+/// nlohmann's message is "[json.exception…] parse error at line 3, column 5: syntax error while
+/// parsing x - why": extracts the line, and the text after "parsing" for the user.
 ConfigError syntax_error(const std::string& what, const std::string& file, int line_read) {
   ConfigError error{file, line_read, "", what};
   constexpr std::string_view kLine = "at line ";

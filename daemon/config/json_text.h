@@ -13,15 +13,15 @@
 
 namespace hedgehog::config {
 
-/// The largest file that is read, 1 MiB.
+/// Maximum size of a file, 1 MiB.
 inline constexpr std::size_t kMaxFileBytes = std::size_t{1} << 20;
 
-/// Reads `text`, `//` and `/* */` comments allowed. `file` is only for the error, which has the
-/// line. Refused besides wrong syntax: invalid UTF-8, more than kMaxFileBytes, more than 16 levels.
+/// Reads `text`, `//` and `/* */` comments allowed. `file` is only for the error, which contains
+/// the line. Also rejected: invalid UTF-8, more than kMaxFileBytes, more than 16 levels.
 boost::system::result<Value, ConfigError> parse_json(std::string_view text,
                                                      const std::string& file);
 
-/// Indented by two, numbers so that they read back the same, a line feed at the end.
+/// Indented by two; numbers read back the same; ends with a line feed.
 std::string to_json(const Value& value);
 
 }  // namespace hedgehog::config

@@ -41,7 +41,7 @@ boost::system::result<ListenAddress, AddressError> parse_listen_address(std::str
       std::from_chars(digits.data(), digits.data() + digits.size(), address.port);
   if (error == std::errc::result_out_of_range) return AddressError{"the port must be 0 to 65535"};
   if (error != std::errc() || end != digits.data() + digits.size()) return shape;
-  // inet_pton would read up to an embedded NUL and ignore the rest.
+  // inet_pton ignores everything after an embedded NUL.
   if (std::find(host.begin(), host.end(), '\0') != host.end()) return shape;
   switch (reach_of(address.host, bracketed)) {
     case Reach::kNotAnAddress:

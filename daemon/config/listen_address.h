@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a listener waits.
+// Address of a listener.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,9 @@ namespace hedgehog::config {
 struct ListenAddress {
   /// A numeric IPv4 or IPv6 address, the latter without brackets.
   std::string host;
-  /// 0: any free one, printed when bound.
+  /// 0: any free port, printed when bound.
   std::uint16_t port = 0;
-  /// Clients speak TLS and have to show a token; always so where other machines could reach it.
+  /// TLS and a token are required; always true if other machines can reach the address.
   bool tls = false;
   friend bool operator==(const ListenAddress&, const ListenAddress&) = default;
 };
@@ -25,10 +25,10 @@ struct AddressError {
 };
 
 /// "127.0.0.1:7586", "[::1]:7586", "tls://127.0.0.1:7586" or, with TLS either way, "0.0.0.0:7586".
-/// The error is a reason for people.
+/// The error is a human-readable reason.
 boost::system::result<ListenAddress, AddressError> parse_listen_address(std::string_view text);
 
-/// Two listeners cannot both have it.
+/// True if two listeners would conflict.
 inline bool is_same_place(const ListenAddress& a, const ListenAddress& b) noexcept {
   return a.host == b.host && a.port == b.port;
 }

@@ -57,7 +57,7 @@ class Loader {
   }
 
  private:
-  /// False when there is no such file.
+  /// False if the file does not exist.
   bool read(const std::string& file, bool required) {
     if (file.empty()) return false;
     const base::FileText given = reader_(file);
@@ -99,13 +99,13 @@ class Loader {
     if (config.backend == Backend::kSimulator && !truth.empty())
       config.simulator.ball = find_device("simulator.device", truth);
     if (errors_.size() == before) check_same_pins();
-    // What a broken device file allows is not known, so nothing can be said about tightening.
+    // Overrides cannot be checked against the limits of an invalid device file.
     if (errors_.size() != before) return;
     config.limits = tightened(config.device.limits, draft_.limits, origins_, errors_);
     if (errors_.size() == before) check_order(config.limits, origins_, paths_.config_file, errors_);
   }
 
-  /// Pins are told by their numbers, so those of the simulated ball must be those of the device.
+  /// Pins are identified by number, so the simulated ball must have the same pins as the device.
   void check_same_pins() {
     const Config& config = draft_.config;
     const model::BallGeometry& device = config.device.geometry;
@@ -120,7 +120,7 @@ class Loader {
                                paths_.config_file));
   }
 
-  /// `key`: who wants the file of that `name`.
+  /// `key`: the key that refers to the file `name`.
   model::DeviceModel find_device(const std::string& key, const std::string& name) {
     Config& config = draft_.config;
     std::string tried;
@@ -140,7 +140,7 @@ class Loader {
       errors_.push_back(root.error());
       return {};
     }
-    // The ball of the thesis is built in, so that a bare executable runs.
+    // The ball of the thesis is built in, so that the executable runs without files.
     if (name != model::DeviceModel{}.model)
       errors_.push_back(error_at(origins_, key, "there is no " + tried, paths_.config_file));
     return {};
@@ -154,7 +154,7 @@ class Loader {
     std::string& socket = config.listen.unix_socket;
     if (!socket.empty() && socket.front() != '/')
       socket = std::filesystem::path(config.runtime_directory) / socket;
-    // sockaddr_un has 108 bytes with the closing zero.
+    // sockaddr_un has 108 bytes including the terminating NUL.
     if (socket.size() > 107) {
       errors_.push_back(error_at(origins_, "listen.unix",
                                  "the path is longer than the 107 bytes of a socket: " + socket,
@@ -184,7 +184,7 @@ class Loader {
   ConfigErrors errors_;
 };
 
-/// As it is written: the limits in effect as if each had been set.
+/// The draft for printing: all limits in effect are set explicitly.
 Draft as_draft(const Config& config) {
   Draft draft{config, {}, config.imu};
   for (std::size_t i = 0; i < kLimitFields.size(); ++i)

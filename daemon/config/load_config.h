@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From files and options to a Config. Layers, the later wins: built-in defaults, the defaults file,
-// the configuration file, the command line.
+// Loads a Config from files and options. Layers in ascending priority: built-in defaults, the
+// defaults file, the configuration file, the command line.
 #pragma once
 
 #include <functional>
@@ -19,7 +19,7 @@ namespace hedgehog::config {
 
 /// Options of the command line.
 struct Overrides {
-  /// --simulate: the simulator, whatever the files say.
+  /// --simulate: selects the simulator, overriding the files.
   bool simulate = false;
   /// --listen A:P, once or more: replaces listen.tcp; the HTTP listener then takes port 0 unless
   /// the configuration file has http.listen.
@@ -28,30 +28,30 @@ struct Overrides {
   std::optional<std::string> log_level;
 };
 
-/// The text of a file, or why there is none.
+/// Returns the text of a file, or the error.
 using FileReader = std::function<base::FileText(const std::string& path)>;
 
-/// Regular files of at most 1 MiB.
+/// Reads regular files of at most 1 MiB.
 base::FileText read_file(const std::string& path);
 
-/// All that is wrong comes back at once. Backend "usb" loads; whether it can be started is the
-/// daemon's affair. Blocks on the disk; start-up and reload only. `running`: a configuration whose
-/// geometries are not checked again, which takes up to seconds.
+/// Returns all errors at once. Does not check whether backend "usb" can be started. Blocks on the
+/// disk; start-up and reload only. `running`: its geometries are not checked again, which takes up
+/// to seconds.
 boost::system::result<Config, ConfigErrors> load_config(const Paths& paths,
                                                         const Overrides& overrides,
                                                         const FileReader& reader = read_file,
                                                         const Config* running = nullptr);
 
-/// What a reload takes of `fresh`. The lists of the Unix socket stay while everybody would operate
-/// by the new ones and not by the `running`: clients whom those let in need not be in the socket's
-/// group.
+/// Access settings after a reload. The lists of the Unix socket remain those of `running` if only
+/// the new ones give `operate` to everybody: clients accepted by the old lists need not be in the
+/// socket's group.
 AccessSettings reloaded_access(const AccessSettings& running, AccessSettings fresh);
 
-/// JSON with every key and its value in effect; loaded as a configuration file it gives the same
+/// JSON with every key and its effective value; loaded as a configuration file it yields the same
 /// Config.
 std::string print_config(const Config& config);
-/// The keys whose values in effect differ, and "device" or "simulator.device" where only the
-/// content of that file does; where they were read does not count. In the order of print_config.
+/// The keys whose effective values differ, and "device" or "simulator.device" if only the content
+/// of that file differs; the source of a value is ignored. In the order of print_config.
 std::vector<std::string> different_keys(const Config& a, const Config& b);
 
 }  // namespace hedgehog::config

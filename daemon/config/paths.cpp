@@ -10,16 +10,16 @@
 namespace hedgehog::config {
 namespace {
 
-/// systemd lists several directories with colons between them; the first is ours.
+/// systemd separates several directories by colons; the first one is used.
 std::string first_of(const std::string& list) { return list.substr(0, list.find(':')); }
 
 std::string xdg(const Environment& environment, const char* variable, const char* below_home) {
-  // The XDG specification has relative paths ignored.
+  // By the XDG specification, relative paths are ignored.
   if (const auto set = environment(variable); set && set->front() == '/') return *set;
   return environment("HOME").value_or("/tmp") + "/" + below_home;
 }
 
-/// PREFIX/share/hedgehog, for what is there.
+/// Uses PREFIX/share/hedgehog for the files that exist there.
 void use_own_prefix(Paths& paths, const std::filesystem::path& program) {
   if (program.empty()) return;
   const auto share = program.parent_path().parent_path() / "share/hedgehog";

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which sensors there are besides the board's, and how they sit in the ball. Plain values; any
-// thread.
+// Sensors in addition to the board's, and their mounting in the ball. Plain values; any thread.
 #pragma once
 
 #include <cstdint>
@@ -15,22 +14,22 @@ namespace hedgehog::config {
 
 enum class ImuType : std::uint8_t { kNone, kSimulator, kExternal, kSensor };
 
-/// Where the orientation comes from.
+/// Source of the orientation.
 struct ImuSource {
   ImuSource(ImuType source) noexcept : type(source) {}
   ImuSource(const device::SensorDriver* sensor) noexcept : type(ImuType::kSensor), driver(sensor) {}
   friend bool operator==(const ImuSource&, const ImuSource&) = default;
 
   ImuType type;
-  /// Of `kSensor`.
+  /// Only for `kSensor`.
   const device::SensorDriver* driver = nullptr;
 };
-/// As in the file: "hid_sensor".
+/// Name in the file: "hid_sensor".
 std::string_view name(const ImuSource& source) noexcept;
 
-/// Which one, and which of its sides look to the ball's front and up.
+/// Serial number of the sensor, and its sides towards the ball's front and up.
 struct ImuFitting {
-  /// Empty: whichever is connected.
+  /// Empty: any connected one.
   std::string serial;
   device::Side front = device::Side::kFront;
   device::Side up = device::Side::kUp;
@@ -38,7 +37,7 @@ struct ImuFitting {
 };
 
 struct ThermometerSettings {
-  /// nullptr: there is none.
+  /// nullptr: no thermometer.
   const device::SensorDriver* driver = nullptr;
   device::ThermometerRole role = device::ThermometerRole::kNone;
   std::string serial;

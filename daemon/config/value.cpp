@@ -69,7 +69,7 @@ std::string describe(const Value& value) {
       return base::shortest(value.number);
     case Value::Kind::kText: {
       if (value.text.size() <= kShown) return '"' + value.text + '"';
-      // A cut inside a UTF-8 sequence would spoil the line.
+      // Does not cut inside a UTF-8 sequence.
       std::size_t cut = kShown;
       while (cut > 0 && (static_cast<unsigned char>(value.text[cut]) & 0xC0u) == 0x80u) --cut;
       return '"' + value.text.substr(0, cut) + "…\"";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A JSON value that knows its line, so that a wrong number can be shown where it was written. The
-// JSON library itself stays in json_text.cpp. Start-up and reload only; any thread.
+// A JSON value with its line, so that an error can be reported at its position. The JSON library is
+// confined to json_text.cpp. Start-up and reload only; any thread.
 #pragma once
 
 #include <cstddef>
@@ -19,9 +19,9 @@ struct Value {
   std::string text;
   /// Elements of an array or values of an object.
   std::vector<Value> elements;
-  /// Of an object: names of `elements`, in the order of the file; a name may come twice.
+  /// Objects: names of `elements`, in the order of the file; may contain duplicates.
   std::vector<std::string> keys;
-  /// From 1; of the key, for a member of an object.
+  /// From 1; for a member of an object, the line of its key.
   int line = 0;
 
   static Value of(bool b);
@@ -30,11 +30,11 @@ struct Value {
   static Value array(std::vector<Value> elements);
   static Value object();
 
-  /// Puts `value` at "a.b.c", making the objects a and b. REQUIRES: this is an object.
+  /// Sets `value` at "a.b.c", creating the objects a and b. REQUIRES: this is an object.
   void put(const std::string& path, Value value);
 };
 
-/// "12", "\"abc\"", "an object": for "must be …, not …". Long texts are cut.
+/// "12", "\"abc\"", "an object": for "must be …, not …". Long texts are truncated.
 std::string describe(const Value& value);
 
 }  // namespace hedgehog::config

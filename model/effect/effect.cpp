@@ -8,12 +8,13 @@ namespace hedgehog::model {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-/// A phase so close below a boundary has reached it: a hundred times 0.01 is a whole step.
+/// A phase this close below a boundary counts as having reached it: 100 x 0.01 must be a whole
+/// step.
 constexpr double kPhaseRounding = 1e-9;
 
 double whole(double x) noexcept { return std::floor(x + kPhaseRounding); }
 
-/// `x` wrapped into 0..`period`; tells whether it went round.
+/// Wraps `x` into 0..`period`; true if it wrapped.
 bool wrap(double& x, double period) noexcept {
   if (x < period - kPhaseRounding) return false;
   x = std::max(0.0, x - whole(x / period) * period);
@@ -139,7 +140,7 @@ EffectPhase carried(const EffectSpec& from, const EffectSpec& to, EffectPhase ph
   const int before = circle_steps(from.trajectory.ring_deg, from.trajectory.pitch_deg);
   const int after = circle_steps(to.trajectory.ring_deg, to.trajectory.pitch_deg);
   if (from.trajectory.clockwise != to.trajectory.clockwise) {
-    // Walking back from the step it stands on, after the rest of its time there.
+    // Reverses from the current step once its remaining time has elapsed.
     const double stands = to.trajectory.smooth ? phase.steps : whole(phase.steps);
     phase.steps = before - stands + (phase.steps - stands);
   }
@@ -164,7 +165,7 @@ double rms_fraction(const EffectSpec& spec) noexcept {
     case Waveform::kTriangle:
     case Waveform::kSawtooth:
       return std::sqrt(1.0 / 3.0);
-    case Waveform::kNoise:  // glides between uniform levels: 2/3 of 1/3 and 1/3 of 1/4
+    case Waveform::kNoise:  // interpolates uniform levels: 2/3 of 1/3 and 1/3 of 1/4
       return std::sqrt(11.0 / 36.0);
   }
   return 1.0;

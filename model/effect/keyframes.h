@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Key frames: where the pins push and how strongly, at points in time, with the way from each to
-// the next. What `effect.play` plays and patterns are made of (protocol/README.md).
+// Key frames: direction and level of the push at points in time, with the interpolation between
+// them. Used by `effect.play` and patterns (protocol/README.md).
 #pragma once
 
 #include <cstdint>
@@ -12,19 +12,19 @@
 
 namespace hedgehog::model {
 
-/// How level and direction go from a key frame to the next one: evenly; not at all until the next
-/// one comes; slowly at both ends (3u^2 - 2u^3).
+/// Interpolation of level and direction to the next key frame: linear; constant until the next one;
+/// smoothstep (3u^2 - 2u^3).
 enum class Ease : std::uint8_t { kLinear, kStep, kSmooth };
 
-/// 20 bytes, trivially copyable: they are stored by the hundred in the control thread.
+/// 20 bytes, trivially copyable: the control thread stores hundreds of them.
 struct Keyframe {
-  /// Unit vector towards which the pins push, in the pattern's frame (it faces front, +x).
+  /// Direction of the push, a unit vector in the pattern's frame (front is +x).
   float x = 1.0F;
   float y = 0.0F;
   float z = 0.0F;
-  /// 0..1 of the effect's strength.
+  /// Fraction of the effect's strength, 0..1.
   float level = 0.0F;
-  /// Milliseconds from the beginning of the pattern at rate 1; never falls from one to the next.
+  /// Milliseconds from the beginning of the pattern at rate 1; non-decreasing from one to the next.
   std::uint16_t t_ms = 0;
   Ease ease = Ease::kLinear;
 
@@ -40,17 +40,17 @@ struct KeyframePoint {
   double level = 0.0;       // 0..1
 };
 
-/// The pattern `at_ms` milliseconds (>= 0) from its beginning. Directions go along the great
-/// circle; between opposite ones over the top (over the front when they are up and down). Before
-/// the first key frame and after the last it rests: level 0. Of several at one time the last
-/// counts. Real-time safe: O(log n).
+/// The pattern `at_ms` milliseconds (>= 0) from its beginning. Directions follow the great circle;
+/// between opposite ones via the top (via the front for up and down). Before the first key frame
+/// and after the last the level is 0. Of several at the same time the last applies. Real-time safe:
+/// O(log n).
 KeyframePoint point_at(std::span<const Keyframe> frames, double at_ms) noexcept;
 
-/// The time of the last one; 0 for none.
+/// Time of the last key frame; 0 without key frames.
 double length_ms(std::span<const Keyframe> frames) noexcept;
 
-/// The shortest turn that takes front (+x) to `towards`, a unit vector; straight back is half a
-/// turn about up.
+/// The shortest rotation from front (+x) to `towards`, a unit vector; for straight back, half a
+/// turn about +z.
 Quaternion turn_from_front(const Vec3& towards) noexcept;
 
 }  // namespace hedgehog::model

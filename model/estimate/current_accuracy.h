@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// How well a board's electronics know the currents of the windings.
+// Accuracy of a board's current measurement.
 #pragma once
 
 namespace hedgehog::model {
 
 /// Trivially copyable.
 struct CurrentAccuracy {
-  /// Standard deviation of one reading, and the most that all readings may be off by, A.
+  /// Standard deviation of one reading, and maximum offset common to all readings, A.
   double noise_a = 0.0;
   double offset_a = 0.0;
   /// The sign is measured too.
@@ -16,8 +16,8 @@ struct CurrentAccuracy {
                                    const CurrentAccuracy&) noexcept = default;
 };
 
-/// Amplifiers in the windings' leads, and the drivers' own CS pins, with their 12-bit converters
-/// (daemon/device/simulator/README.md has the figures).
+/// In-line amplifiers in the windings' leads, and the drivers' CS pins, each with 12-bit converters
+/// (figures: daemon/device/simulator/README.md).
 inline constexpr CurrentAccuracy kInLineAccuracy{0.05, 0.03, true};
 inline constexpr CurrentAccuracy kDriverCsAccuracy{0.12, 0.12, false};
 

@@ -12,11 +12,11 @@ namespace {
 constexpr double kMinLossShare = 0.96;
 constexpr double kAmbientToleranceK = 1.0;
 
-// How fast the thermistors move the model.
+// Rates at which the thermistors correct the model.
 constexpr double kCoreS = 60.0;
 constexpr double kMaxCoreRateK_s = 0.05;
-constexpr double kWindingOwnS = 6.0;    // a thermistor on each winding
-constexpr double kWindingOnlyS = 10.0;  // the only one
+constexpr double kWindingOwnS = 6.0;    // several thermistors
+constexpr double kWindingOnlyS = 10.0;  // a single thermistor
 constexpr double kAmbientPerS = 5e-4;
 constexpr double kMaxAmbientRateK_s = 1e-3;
 

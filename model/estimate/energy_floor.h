@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Lower bound of the windings' temperatures by energy balance: a ball whose heat capacities and
-// conductances are all at the upper end of their tolerance, corrected slowly by its thermistors. Of
-// resistances it uses only those by which the loss was measured.
+// conductances are all at the upper end of their tolerance, corrected slowly by its thermistors.
+// Resistances enter only through the measured loss.
 #pragma once
 
 #include <array>
@@ -16,11 +16,11 @@ namespace hedgehog::model {
 class EnergyFloor {
  public:
   EnergyFloor() noexcept : EnergyFloor(ThermalModel{}, 0.2, ThermalState{}, 25.0) {}
-  /// `tolerance`: of the thermal constants, a share.
+  /// `tolerance`: relative, of the thermal constants.
   EnergyFloor(const ThermalModel& thermal, double tolerance, const ThermalState& start,
               double ambient_c) noexcept;
 
-  /// `dt_s` later, in which the windings lost `loss_w` as heat.
+  /// Advances by `dt_s` with the losses `loss_w` of the windings.
   void step(const std::array<double, kCoils>& loss_w, bool fan_running,
             const ThermistorReadings& thermistors, double dt_s) noexcept;
 

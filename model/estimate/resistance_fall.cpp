@@ -8,7 +8,8 @@
 namespace hedgehog::model {
 namespace {
 
-// What a deviation has to exceed to count. Where each winding has a thermistor, that judges it too.
+// Allowance of the CUSUM, standard deviations; higher where each winding has its own thermistor as
+// a second check.
 constexpr double kSlack = 0.4;
 constexpr double kSlackBesideThermistor = 0.7;
 constexpr double kMarginDecayS = 300.0;
@@ -42,8 +43,8 @@ void ResistanceFall::compare(const RestResistance& now, double offset_a) noexcep
   const bool same = now.ohm >= (1.0 - tolerance_) * before_.ohm && by_offset <= kSameShare;
   if (set_aside_ > 0.0 && !same) return resume();
   set_aside_ = 0.0;
-  // Never lower than before: a fall that begins at rest, or goes on by less than the tolerance, is
-  // not its own measure.
+  // The reference never decreases: otherwise a fall that begins at rest, or continues by less than
+  // the tolerance, would lower its own reference.
   if (by_file_ || now.ohm > before_.ohm) before_ = now;
   tolerance_ = kSameShare;
   by_file_ = false;

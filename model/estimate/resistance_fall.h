@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A resistance that falls against the estimate, by less than any gate but always downwards, as
-// turns that short one after the other make it: a cumulated sum (CUSUM, Page 1954) of V/I's
-// innovations.
+// Detects a resistance that drifts down against the estimate by less than any gate, as when turns
+// short one after another: a cumulative sum (CUSUM, Page 1954) of the V/I innovations.
 #pragma once
 
 #include "model/estimate/winding_thermometer.h"
@@ -12,23 +11,23 @@ namespace hedgehog::model {
 /// copyable.
 struct RestResistance {
   double ohm = 0.0;
-  /// The share by which an offset of the current of 1 A lowered it.
+  /// Relative decrease of it per ampere of current offset.
   double per_ampere = 0.0;
 };
 
-/// Of one winding. Real-time safe, trivially copyable.
+/// State for one winding. Real-time safe, trivially copyable.
 ///
-/// The sum outlives a trip: arming alone clears nothing. At a rest it is set aside until the
-/// resistance has been measured against a thermistor; it is cleared if that is what it was before
-/// the fall, and counts again otherwise.
+/// The sum survives a trip: arming does not clear it. At rest it is suspended until the resistance
+/// has been measured against a thermistor; it is cleared if the resistance is the same as before
+/// the fall, and resumed otherwise.
 class ResistanceFall {
  public:
   /// The sum at which the fall is certain.
   static constexpr double kLimit = 60.0;
-  /// The most that an uncertain fall raises the winding's bound by, K.
+  /// Maximum increase of the winding's bound by an uncertain fall, K.
   static constexpr double kMaxMarginK = 5.0;
-  /// A resistance that is lower by more than this share is not the one before the fall. References
-  /// whose difference an offset of the current can change by more are not compared.
+  /// A resistance lower by more than this share differs from the one before the fall. References
+  /// are not compared if a current offset can change their difference by more.
   static constexpr double kSameShare = 0.01;
 
   ResistanceFall() noexcept = default;
@@ -36,31 +35,31 @@ class ResistanceFall {
   ResistanceFall(double file_ohm, double file_deviation) noexcept
       : before_{file_ohm, 0.0}, tolerance_(kSameShare + file_deviation) {}
 
-  /// V/I was `deviations` standard deviations above what the filter expected.
+  /// Adds a V/I innovation of `deviations` standard deviations (positive: above the prediction).
   void add(double deviations, bool each_winding_has_a_thermistor) noexcept;
-  /// `dt_s` later: what it raised the bound by goes back slowly.
+  /// Advances by `dt_s`: the margin decays slowly.
   void age(double dt_s) noexcept;
 
-  /// Once a step, after the winding's thermometer: its rests and references, by the three below.
-  /// The offset of the current is known within `offset_a`.
+  /// Once a step, after the winding's thermometer was updated: calls the three functions below at
+  /// its rests and references. `offset_a`: maximum current offset.
   void follow(const WindingThermometer& winding, double offset_a) noexcept;
-  /// The winding has come to a rest beside a thermistor: its next current shows its resistance at a
+  /// The winding is at the temperature of a thermistor: the next current gives its resistance at a
   /// known temperature.
   void rest() noexcept;
   /// A reference was taken after that rest.
   void compare(const RestResistance& now, double offset_a) noexcept;
-  /// None was taken: too little current, or too much heat.
+  /// No reference was taken: too little current, or too much heating.
   void resume() noexcept;
 
   bool certain() const noexcept { return sum_ > kLimit; }
-  /// What the winding's bound has to be raised by, K.
+  /// Required increase of the winding's bound, K.
   double margin_k() const noexcept { return margin_k_; }
 
  private:
   double sum_ = 0.0;
   double set_aside_ = 0.0;
   double margin_k_ = 0.0;
-  /// The highest reference so far; until the first, the file's, which no offset has lowered.
+  /// The highest reference so far; before the first, the device file's, which has no offset error.
   RestResistance before_;
   double tolerance_ = kSameShare;
   bool by_file_ = true;

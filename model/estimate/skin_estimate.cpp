@@ -6,11 +6,11 @@
 
 namespace hedgehog::model {
 
-// With x = core - room, s = the sum of the windings' temperatures above the core, and no loss:
+// With x = core - ambient, s = the sum of the windings' temperatures above the core, and no loss:
 //   x' = -a x + b s,   s' = 3 a x - (c + 3 b) s
-// a = 1 / (R_room C_core), b = 1 / (R_winding C_core), c = 1 / (R_winding C_winding). Windings that
-// differ count by their mean, and by the heat that is in each. Both
-// eigenvalues -p, -q are real and negative, so x rises to one maximum at most, in closed form.
+// a = 1 / (R_room C_core), b = 1 / (R_winding C_core), c = 1 / (R_winding C_winding). For unequal
+// windings the mean is used, and the heat stored in each. Both eigenvalues -p, -q are real and
+// negative, so x rises to one maximum at most, in closed form.
 double coming_core_c(const ThermalModel& thermal, const ThermalState& nodes, double ambient_c,
                      double to_room_k_w) noexcept {
   const double a = 1.0 / (to_room_k_w * thermal.core_j_k);
@@ -27,7 +27,7 @@ double coming_core_c(const ThermalModel& thermal, const ThermalState& nodes, dou
   const double x = nodes.core_c - ambient_c;
   const double s = above_j / winding_j_k;
   const double rising = b * s - a * x;
-  // Below the room it ends at the room, which bounds nothing.
+  // A core below ambient rises to ambient at most, which is no bound by heat.
   if (rising <= 0.0 || x < 0.0) return nodes.core_c;
   const double sum = a + c + static_cast<double>(kCoils) * b;
   const double apart = std::sqrt(sum * sum - 4.0 * a * c);

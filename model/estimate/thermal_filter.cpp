@@ -9,14 +9,14 @@ namespace {
 
 constexpr double square(double v) noexcept { return v * v; }
 
-// Of a value that lies evenly within +-1.
+// Standard deviation of a uniform distribution over +-1.
 constexpr double kEvenDeviation = 0.6;
-// A thermistor touches its winding well, but never on all sides.
+// Initial loss of contact: a thermistor never touches its winding on all sides.
 constexpr double kLostContactStart = 0.05;
 constexpr double kLostContactDeviation = 0.06;
 constexpr double kMaxLostContact = 0.6;
 
-// How the states wander, each per root of a second.
+// Random walk of the states, per square root of a second.
 constexpr double kWindingWalkK = 0.02;
 constexpr double kCoreWalkK = 0.02;
 constexpr double kBodyWalkK = 0.01;
@@ -27,7 +27,7 @@ constexpr double kCoolingWalk = 3e-3;
 constexpr double kCurrentOffsetWalkA = 1e-4;
 constexpr double kThermistorOffsetWalkK = 1e-3;
 constexpr double kLostContactWalk = 1e-4;
-// The lag of a thermistor is known by this share only.
+// Relative uncertainty of a thermistor's lag.
 constexpr double kLagShare = 0.5;
 
 constexpr double kMaxCooling = 0.7;
@@ -36,7 +36,7 @@ constexpr double kMaxCoolingDeviation = 0.5;
 constexpr double kMaxAmbientDeviationK = 3.0;
 constexpr double kMaxOffsets = 2.0;
 
-// What a thermistor shows beside its own temperature: noise and resolution, K.
+// Standard deviation of a thermistor reading: noise and resolution, K.
 constexpr double kThermistorReadingK = 0.3;
 constexpr double kIdleReadingA = 0.03;
 
@@ -71,7 +71,7 @@ void ThermalFilter::start_nodes(const FilterStart& start) noexcept {
   for (const std::size_t a : kTemperatures) {
     for (const std::size_t b : kTemperatures) p_[a][b] = square(start.common_k);
     p_[a][a] += square(start.single_k);
-    // All start where the thermistor showed them to be: a common error is its offset.
+    // All start at the thermistor's reading: a common error is its offset.
     const std::size_t own = at(kThermistorOffset, thermal_.sensor_winding);
     p_[a][own] = p_[own][a] = -square(start.common_k);
   }
@@ -122,7 +122,8 @@ void ThermalFilter::predict(const std::array<double, kCoils>& loss_w, bool fan_r
   std::array<Row, kMoving> jacobian{};
   const std::array<double, kMoving> step = move(loss_w, fan_running, dt_s, jacobian);
   propagate(jacobian);
-  // By their lag alone the bodies are off by a share of what they lag behind.
+  // The uncertainty of the lag makes the bodies uncertain by a share of their distance from the
+  // winding.
   for (int coil = 0; coil < kCoils; ++coil) {
     const double behind_k = winding_c(coil) - thermistor_c(coil);
     p_[at(kBody, coil)][at(kBody, coil)] +=

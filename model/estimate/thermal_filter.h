@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Temperatures of the ball with their standard deviations: an extended Kalman filter over its four
-// nodes, the room, the thermistors, and the parameters by which this ball and its electronics
-// differ from the device file. Energy balance, V/I and thermistors count by their uncertainties.
+// nodes, ambient, the thermistors, and the parameters by which this ball and its electronics differ
+// from the device file. Energy balance, V/I and thermistors are weighted by their uncertainties.
 #pragma once
 
 #include <array>
@@ -14,20 +14,21 @@
 
 namespace hedgehog::model {
 
-/// A measurement against what the filter expected of it.
+/// Difference between a measurement and the filter's prediction.
 struct Innovation {
-  /// Measured - expected, in the measurement's own unit and in standard deviations of both.
+  /// Measured - predicted, in the measurement's own unit, and in standard deviations of the two
+  /// combined.
   double difference = 0.0;
   double deviations = 0.0;
-  /// It was used. Not when it was further off than ThermalFilter::kGate.
+  /// False if it was rejected because it exceeded ThermalFilter::kGate.
   bool used = false;
 };
 
-/// How the filter begins. Trivially copyable.
+/// Initial state of the filter. Trivially copyable.
 struct FilterStart {
   ThermalState nodes;
   double ambient_c = 25.0;
-  /// Standard deviation of the nodes, together and each for itself, K.
+  /// Standard deviation of the nodes, common to all and individual, K.
   double common_k = 0.5;
   double single_k = 0.3;
 };
@@ -36,41 +37,41 @@ struct FilterStart {
 /// copyable. One thread.
 class ThermalFilter {
  public:
-  /// Further off than so many standard deviations a measurement is not used.
+  /// Gate: a measurement further off than so many standard deviations is rejected.
   static constexpr double kGate = 5.0;
 
   ThermalFilter() noexcept : ThermalFilter(CoilModel{}, ThermalModel{}, {}, {}) {}
   ThermalFilter(const CoilModel& coils, const ThermalModel& thermal,
                 const ThermalUncertainty& uncertainty, const FilterStart& start) noexcept;
 
-  /// How well the board knows its currents; forgets what was learned of their offsets.
+  /// Sets the accuracy of the currents and discards the estimated offsets.
   void set_current_accuracy(const CurrentAccuracy& accuracy) noexcept;
 
-  /// `dt_s` (0.02..0.3 s) later, in which the windings lost `loss_w` as heat.
+  /// Advances by `dt_s` (0.02..0.3 s) with the losses `loss_w` of the windings.
   void predict(const std::array<double, kCoils>& loss_w, bool fan_running, double dt_s) noexcept;
 
-  /// Winding `coil` (0..2) showed ln(R / R25) with this standard deviation; an offset of the
-  /// current of 1 A lowers it by `per_ampere`.
+  /// Update with ln(R / R25) of winding `coil` (0..2) and its standard deviation; a current offset
+  /// of 1 A lowers it by `per_ampere`.
   Innovation resistance(int coil, double log_ratio, double deviation, double per_ampere) noexcept;
-  /// The thermistor on winding `coil` showed this.
+  /// Update with the reading of the thermistor on winding `coil`.
   Innovation thermistor(int coil, double celsius) noexcept;
-  /// While nothing flows in winding `coil` its sensor shows this, A.
+  /// Update with the current reading of winding `coil` while no current flows, A.
   void idle_current(int coil, double current_a) noexcept;
 
   ThermalState nodes() const noexcept;
   double winding_c(int coil) const noexcept { return x_[at(kWinding, coil)]; }
-  /// Standard deviation of it, K.
+  /// Standard deviation of `winding_c`, K.
   double winding_deviation_k(int coil) const noexcept { return deviation(at(kWinding, coil)); }
   double core_c() const noexcept { return x_[kCore]; }
   double ambient_c() const noexcept { return x_[kAmbient]; }
-  /// Standard deviation of a temperature that is `share` (0..1) of the way from room to core, K.
+  /// Standard deviation of a temperature that is `share` (0..1) of the way from ambient to core, K.
   double between_deviation_k(double share) const noexcept;
-  /// Conductance from core to room against the device file's.
+  /// Conductance from core to ambient relative to the device file's.
   double cooling() const noexcept;
   /// The thermistor's own temperature, without its offset.
   double thermistor_c(int coil) const noexcept { return x_[at(kBody, coil)]; }
   double thermistor_offset_k(int coil) const noexcept { return x_[at(kThermistorOffset, coil)]; }
-  /// ln of R25 against the device file's, with the gains of voltage and current in it.
+  /// ln of R25 relative to the device file's, including the gain errors of voltage and current.
   double resistance_drift(int coil) const noexcept { return x_[at(kResistance, coil)]; }
   double resistance_drift_deviation(int coil) const noexcept {
     return deviation(at(kResistance, coil));
@@ -79,18 +80,18 @@ class ThermalFilter {
   double current_offset_deviation_a(int coil) const noexcept {
     return deviation(at(kCurrentOffset, coil));
   }
-  /// What the winding's resistance is now, as a voltage and a current of this board show it, ohm.
+  /// Present resistance of the winding as this board measures it (V/I), ohm.
   double resistance_ohm(int coil) const noexcept;
 
  private:
-  // Where each state begins; those with one of each winding have three.
+  // Index of the first element of each state; per-winding states have three.
   static constexpr std::size_t kWinding = 0;
   static constexpr std::size_t kCore = 3;
   static constexpr std::size_t kAmbient = 4;
   static constexpr std::size_t kResistance = 5;
-  static constexpr std::size_t kWarming = 8;      // ln of 1 / capacity against the file's
+  static constexpr std::size_t kWarming = 8;      // ln of 1 / heat capacity relative to the file's
   static constexpr std::size_t kConduction = 11;  // ln of winding-to-core conductance
-  static constexpr std::size_t kCooling = 14;     // ln of core-to-room conductance
+  static constexpr std::size_t kCooling = 14;     // ln of core-to-ambient conductance
   static constexpr std::size_t kBody = 15;
   static constexpr std::size_t kCurrentOffset = 18;
   static constexpr std::size_t kThermistorOffset = 21;

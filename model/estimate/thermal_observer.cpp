@@ -14,13 +14,13 @@ namespace {
 constexpr double kMaxPlausibleA = 100.0;
 constexpr double kWarmAmbientC = 35.0;
 
-// The bound is so many standard deviations up, and the floors are raised by what they may be off.
+// Standard deviations from the estimate to the bound, and margins of the floors.
 constexpr double kBoundDeviations = 2.5;
 constexpr double kLikelyDeviationsK = 1.5;
 constexpr double kFloorMarginK = 1.0;
 constexpr double kThermistorMarginK = 0.5;
-// By rule, for the faults that poorer electronics find late: one thermistor for three windings; and
-// currents without sign, known to 0.1 A.
+// Fixed margins for faults that poorer electronics detect late: one thermistor for three windings;
+// and unsigned currents, accurate to 0.1 A.
 constexpr double kSingleThermistorMarginK = 0.5;
 constexpr double kUnsignedCurrentMarginK = 3.0;
 
@@ -28,26 +28,26 @@ constexpr double kUnsignedCurrentMarginK = 3.0;
 constexpr double kSensorFastS = 0.25;
 constexpr double kSensorSlowS = 1.0;
 constexpr double kSensorLeadS = 2.0;
-// The lead may exceed the filter's estimate of its winding by no more.
+// Maximum excess of the lead over the filter's estimate of its winding.
 constexpr double kMaxLeadK = 4.0;
-// Its last value stands for this long, then the ball counts as hot.
+// Hold time of the thermistor's last value; then the ball counts as hot.
 constexpr double kSensorHoldS = 0.1;
 
-// After a start from unknown temperatures the filter's bound stays for so long where 5 A may still
-// flow, so that V/I can measure.
+// After a start from unknown temperatures the filter's bound is capped for kSettlingS at a value
+// that still allows 5 A, so that V/I can be measured.
 constexpr double kSettlingS = 20.0;
 constexpr double kProbingC = 66.9;
 constexpr double kUnknownK = 20.0;
 
-// What V/I may be off by beside noise and offset: the meter's own error, a share.
+// Error of V/I besides noise and offset: the relative error of the meter.
 constexpr double kMeterShare = 0.0015;
 constexpr double kMeterNoiseA = 0.02;
-// A current that has changed by less since the window before is the same one, a share.
+// A current that has changed by less than this share since the previous window counts as steady.
 constexpr double kSteadyShare = 0.1;
 
 constexpr double kSupplySmoothS = 0.3;
 
-// V/I in a loss or in a voltage to drive with: further from the filter's resistance it is an error.
+// Limit of V/I against the filter's resistance, where it enters a loss or a drive voltage.
 constexpr double kMaxResistanceRatio = 2.0;
 
 bool believable(const Vec3& v, double most) noexcept { return is_finite(v) && norm(v) <= most; }
@@ -208,8 +208,8 @@ void ThermalObserver::judge_winding(int coil) noexcept {
     filter_.idle_current(coil, window_.idle_a_sum[coil] / window_.ticks);
   Judgement& judgement = judgement_[i];
   const WindingMeter& meter = thermometer_[i].meter();
-  // The same noise in a measurement and in its derivative would move offset and temperature against
-  // each other, always the same way: the derivative is that of the window before.
+  // The derivative is that of the previous window: the same noise in a measurement and in its
+  // derivative would bias offset and temperature in opposite directions.
   const double before = std::exchange(per_ampere_[i], meter.per_ampere());
   const bool steady = std::abs(before - meter.per_ampere()) < kSteadyShare * meter.per_ampere();
   judgement.resistance_known = window_.measured_throughout[i] && meter.resistance_ohm() > 0.0;
@@ -230,7 +230,8 @@ double ThermalObserver::margin_k(int coil) const noexcept {
          fall_[static_cast<std::size_t>(coil)].margin_k();
 }
 
-// While nothing is known but a guess, its uncertainty alone must not keep V/I from measuring.
+// While the start temperatures are only a guess, their uncertainty alone must not prevent V/I
+// measurements.
 double ThermalObserver::bound_by_filter(int coil) const noexcept {
   const double bound_c = filter_.winding_c(coil) +
                          kBoundDeviations * filter_.winding_deviation_k(coil) + margin_k(coil);
@@ -258,8 +259,8 @@ void ThermalObserver::follow_supply(const ThermalMeasurement& m, double dt_s) no
     if (thermometer_[i].comparing()) reference_supply_v_[i] = supply_v_;
 }
 
-// A supply that seems to have fallen makes V/I seem cooler, when it is its reading that fell. A
-// winding with a thermistor of its own has that against it.
+// If the supply reading drifts down while the supply does not, V/I reads too cool. A winding with
+// its own thermistor is checked by that instead.
 double ThermalObserver::supply_error_k(int coil) const noexcept {
   const auto i = static_cast<std::size_t>(coil);
   if (thermistors_.valid[i] || !(reference_supply_v_[i] > 0.0)) return 0.0;

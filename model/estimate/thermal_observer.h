@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Temperatures of the windings and their upper bounds, by energy balance, V/I and thermistors: a
 // Kalman filter's estimate plus its uncertainty, and lower limits of that bound which do not depend
-// on the filter. By which quantities faults are detected: daemon/failures.md.
+// on the filter. Fault detection: daemon/failures.md.
 #pragma once
 
 #include <array>
@@ -21,42 +21,43 @@ namespace hedgehog::model {
 
 /// One millisecond of measurements. Trivially copyable.
 struct ThermalMeasurement {
-  /// Mean bridge voltages over it (duty x supply), and currents at its start and end. They
-  /// must belong together: a voltage that is one tick off reads as tens of kelvins while the
-  /// current changes. After a lost frame say `electrical_valid` false.
+  /// Mean bridge voltages over it (duty x supply), and currents at its start and end. They must be
+  /// of the same tick: a voltage one tick off causes an error of tens of kelvins while the current
+  /// changes. After a lost frame set `electrical_valid` to false.
   Vec3 voltage_v;
   Vec3 current_before_a;
   Vec3 current_a;
   /// At the bridges, V; 0: not measured.
   double supply_v = 0.0;
-  /// False when the bridges slept or the telemetry did not arrive: then V/I says nothing, and
+  /// False when the bridges were asleep or the telemetry was lost: V/I is then not measured, and
   /// currents are zero or assumed.
   bool electrical_valid = false;
-  /// Of each winding: false when its current was not measured but is the one that is expected.
+  /// By winding: false when its current is a prediction, not a measurement.
   std::array<bool, kCoils> current_measured{true, true, true};
-  /// What the sensors of the currents show while nothing can flow, when they show it.
+  /// True when no current can flow and the sensors are read; `idle_a`: their readings.
   bool idle = false;
   Vec3 idle_a;
   CurrentAccuracy accuracy;
-  /// By winding; not valid where there is none, or while it is open, short, stale or impossible.
+  /// By winding; not valid where there is none, or while it is open, shorted, stale or out of
+  /// range.
   ThermistorReadings thermistors;
   bool fan_running = false;
 };
 
-/// Where an observer starts. Trivially copyable.
+/// Initial state of an observer. Trivially copyable.
 struct ThermalStart {
   ThermalState nodes;
-  /// NaN: that of the coolest node when that is below 35 C, else 25 C.
+  /// NaN: use the coolest node if it is below 35 C, else 25 C.
   double ambient_c = std::numeric_limits<double>::quiet_NaN();
-  /// The nodes go back to an estimate of before, or to a ball that was as warm as its room;
-  /// otherwise they are a guess by the thermistor.
+  /// True if the nodes come from a previous estimate or from a ball at ambient temperature;
+  /// otherwise they are a guess from the thermistor.
   bool known = false;
-  /// Standard deviation of each node then, beside that of the thermistors, K; only when known.
+  /// Standard deviation of each node in addition to that of the thermistors, K; only if `known`.
   double deviation_k = 0.3;
-  /// Which windings have been measured by their V/I since that.
+  /// Windings measured by V/I since then.
   std::array<bool, kCoils> measured{};
 
-  /// The ball is known to be at one temperature, so that its thermistors show that of each winding.
+  /// True if the ball is at one temperature, so that its thermistors measure every winding.
   bool at_rest() const noexcept {
     return known && deviation_k <= kMaxRestDeviationK && at_one_temperature(nodes);
   }
@@ -65,25 +66,24 @@ struct ThermalStart {
 
 struct ThermalEstimate {
   ThermalState nodes;
-  /// Standard deviation of each winding's, K.
+  /// Standard deviation of each winding's temperature, K.
   std::array<double, kCoils> deviation_k{};
-  /// Upper bound of each winding, C; the limiter's.
+  /// Upper bound of each winding's temperature, C; used by the limiter.
   std::array<double, kCoils> upper_c{25.0, 25.0, 25.0};
-  /// The greatest of those and of the thermistors with their lead: what the limiter must use.
-  /// Infinity when nothing can be trusted: no thermistor has said anything valid for 100 ms
-  /// (before that, its last value stays).
+  /// Maximum of those and of the thermistors with their lead; the limiter must use it. Infinity
+  /// when no thermistor has been valid for 100 ms (until then its last value is held).
   double hottest_c = 25.0;
-  /// Estimate of the hottest winding plus one standard deviation, C: what must trip.
+  /// Estimate of the hottest winding plus one standard deviation, C; used for the trip.
   double likely_c = 25.0;
-  /// The thermistor with its lead, C.
+  /// Thermistor with lead compensation, C.
   double sensor_lead_c = 25.0;
-  /// Estimated room temperature. "As felt": a core that is cooled worse than nominal looks like a
-  /// warmer room.
+  /// Estimated ambient temperature. An effective value: a core cooled worse than nominal appears as
+  /// a warmer ambient.
   double ambient_c = 25.0;
-  /// Which windings have been measured by their own V/I since the start (after a restart without
-  /// saved temperatures a winding is held to continuous_a until then).
+  /// Windings measured by V/I since the start (after a restart without saved temperatures a winding
+  /// is limited to continuous_a until then).
   std::array<bool, kCoils> measured{};
-  /// Which windings are being measured by their own V/I at this tick.
+  /// Windings measured by V/I at this tick.
   std::array<bool, kCoils> measuring{};
   /// Estimated resistance of each winding now, ohm, within a factor of two of the filter's; for
   /// the bridge voltage.
@@ -93,20 +93,20 @@ struct ThermalEstimate {
 /// Real-time safe; trivially copyable, so that the flight recorder can keep it.
 class ThermalObserver {
  public:
-  /// How often the filter takes its measurements.
+  /// Update period of the filter.
   static constexpr double kWindowS = 0.1;
 
   ThermalObserver() noexcept : ThermalObserver(CoilModel{}, ThermalModel{}, ThermalStart{}) {}
   ThermalObserver(const CoilModel& coils, const ThermalModel& thermal, const ThermalStart& start,
                   const ThermalUncertainty& uncertainty = {}) noexcept;
 
-  /// `dt_s` later (a tick; up to 20 ms when ticks were skipped), with what was measured in its last
-  /// millisecond. Numbers that are not finite, or currents above 100 A, count as not measured.
+  /// Advances by `dt_s` (a tick; up to 20 ms when ticks were skipped) with the measurements of its
+  /// last millisecond. Non-finite numbers and currents above 100 A count as not measured.
   void step(const ThermalMeasurement& measurement, double dt_s = kTickSeconds) noexcept;
   const ThermalEstimate& estimate() const noexcept { return estimate_; }
 
-  /// The filter, and the innovations of the last window's measurements; `judged` in the tick in
-  /// which a window ended.
+  /// The filter, and the innovations of the last window's measurements; `judged`: true in the tick
+  /// in which a window ended.
   const ThermalFilter& filter() const noexcept { return filter_; }
   bool judged() const noexcept { return judged_; }
   struct Judgement {
@@ -124,11 +124,11 @@ class ThermalObserver {
   const WindingThermometer& winding(int coil) const noexcept {
     return thermometer_[static_cast<std::size_t>(coil)];
   }
-  /// Within 20 s of a start from unknown temperatures: nothing is judged yet.
+  /// True within 20 s of a start from unknown temperatures: no fault detection yet.
   bool settling() const noexcept { return settling_s_ > 0.0; }
 
  private:
-  /// What a window has summed up so far.
+  /// Sums over the current window.
   struct Window {
     double s = 0.0;
     std::array<double, kCoils> heat_j{};
@@ -163,14 +163,14 @@ class ThermalObserver {
   Window window_;
   std::array<Judgement, kCoils> judgement_{};
   std::array<ResistanceFall, kCoils> fall_{};
-  /// By what an offset of 1 A lowered ln R in the last window.
+  /// Decrease of ln R per ampere of current offset in the last window.
   std::array<double, kCoils> per_ampere_{};
   bool judged_ = false;
   double settling_s_ = 0.0;
   /// Mean squares of the winding currents over the last step, A^2; kept while unknown.
   Vec3 mean_square_a2_;
   ThermistorReadings thermistors_;
-  /// The supply without load, lately and when each winding was compared with its reference, V.
+  /// No-load supply voltage: low-pass filtered, and at each winding's last reference, V.
   double supply_v_ = 0.0;
   std::array<double, kCoils> reference_supply_v_{};
   double sensor_fast_c_ = 25.0;

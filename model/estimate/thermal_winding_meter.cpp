@@ -9,17 +9,17 @@
 namespace hedgehog::model {
 namespace {
 
-// How firmly the nominal inductance is believed, (A/s)^2 s. Far above what quantised currents
-// pretend (10 mA a tick: 5), far below what a real step shows (4 A a tick: 16 000).
+// Weight of the nominal inductance, (A/s)^2 s. Far above the effect of quantised currents (10 mA a
+// tick: 5), far below that of a real step (4 A a tick: 16 000).
 constexpr double kInductanceFirmness = 100.0;
 constexpr double kNoiseFirmness = 10.0;
-// Before this much was seen, a winding counts as not measured.
+// Minimum data for a winding to count as measured.
 constexpr double kMinDrivenS = 0.004;
 constexpr double kMinChargeA2S =
     0.6 * WindingMeter::kMemoryS * WindingMeter::kMinCurrentA * WindingMeter::kMinCurrentA;
 
-// Of a current that changes, a sensor without sign misses what flows against its bridge: measured
-// in random play, V/I is off by a tenth of this.
+// While a current changes, an unsigned sensor misses what flows against its bridge. Error of V/I
+// per agitation, measured with random effects.
 constexpr double kMissedPerAgitation = 0.1;
 
 }  // namespace
@@ -51,8 +51,8 @@ void WindingMeter::step(double voltage_v, double before_a, double after_a, bool 
   }
   valid_ = driven_s_ >= kMinDrivenS && ii_ >= kMinChargeA2S;
   if (!valid_) return;
-  // Noise of the currents looks like changes of them that no voltage belongs to: without it. How
-  // much it is, is known to a few tenths only; the nominal inductance has to outweigh the rest.
+  // Subtracts the noise of the currents, which appears as changes without a voltage. It is known to
+  // a few tenths only; the weight of the nominal inductance covers the rest.
   const double noise_a_s = accuracy_.noise_a / kTickSeconds;
   const double noise = 2.0 * noise_a_s * noise_a_s;
   const double firmness = kInductanceFirmness + kNoiseFirmness * noise * kMemoryS;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The thermistors on the windings: one, or one on each.
+// Readings of the thermistors on the windings: one, or one on each.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace hedgehog::model {
 
-/// The thermistors as they are now. Trivially copyable.
+/// Present readings. Trivially copyable.
 struct ThermistorReadings {
   std::array<double, kCoils> celsius{25.0, 25.0, 25.0};
   /// By winding; false where there is none, or where it cannot be used.
@@ -18,14 +18,15 @@ struct ThermistorReadings {
   int count() const noexcept { return valid[0] + valid[1] + valid[2]; }
 };
 
-/// The thermistor that shows the temperature of a winding at rest.
+/// The thermistor reading that equals the temperature of a winding at rest.
 struct ThermistorReference {
   double celsius = 25.0;
   bool valid = false;
 };
 
-/// That of winding `coil` (0..2): its own where there is more than one; otherwise the one on
-/// `sensor_winding`, which shows another winding's temperature only while all windings rest.
+/// Reference of winding `coil` (0..2): its own thermistor where there is more than one; otherwise
+/// the one on `sensor_winding`, which is valid for another winding only while all windings are at
+/// rest.
 inline ThermistorReference reference_of(const ThermistorReadings& thermistors, int coil,
                                         int sensor_winding, bool all_at_rest) noexcept {
   const bool own = thermistors.count() > 1;

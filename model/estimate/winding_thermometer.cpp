@@ -7,13 +7,14 @@
 namespace hedgehog::model {
 namespace {
 
-// The reference is taken while the winding has not been warmed by more; a capacity that is 20 % off
-// makes a fifth of that.
+// Maximum warming of the winding while the reference is taken; a 20 % error of the capacity causes
+// a fifth of it.
 constexpr double kMaxWarmedK = 3.0;
-// As much as this makes a reference: 0.16 s of 15 A, 1.4 s of 5 A; less when it gets too warm.
+// Data required for a reference: 0.16 s of 15 A, 1.4 s of 5 A; the minimum applies when it gets too
+// warm.
 constexpr double kEnoughA2S = 36.0;
 constexpr double kMinA2S = 20.0;
-// Winding and core come together with R12 C; half as much again for a ball that is slow.
+// Winding and core equalise with R12 C; 1.5 times as long for a slow ball.
 constexpr double kSlowest = 1.5;
 
 }  // namespace

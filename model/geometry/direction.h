@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Directions by name, by angles and by pin. They say where the pins push out ("towards"), never
-// where a force comes from. Frame: x front, y left, z up; right-handed (REP-103).
+// Directions by name, by angles and by pin. A direction is the one in which the pins push out
+// ("towards"), never the origin of a force. Frame: x front, y left, z up; right-handed (REP-103).
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ struct NamedDirection {
   Vec3 vector;
 };
 
-/// The six words of the protocol.
+/// The six direction names of the protocol.
 inline constexpr std::array<NamedDirection, 6> kNamedDirections{{
     {"up", {0, 0, 1}},
     {"down", {0, 0, -1}},
@@ -25,8 +25,7 @@ inline constexpr std::array<NamedDirection, 6> kNamedDirections{{
     {"back", {-1, 0, 0}},
 }};
 
-/// The word nearest to `v`; "up" for a vector of no length. What a person is told: "at pin 34, on
-/// the left".
+/// The name nearest to `v`; "up" for a zero vector. For display: "at pin 34, on the left".
 std::string_view side_name(const Vec3& v) noexcept;
 
 /// Degrees. Azimuth anticlockwise seen from above, 0 front, 90 left, -180..180; elevation from the
@@ -36,10 +35,10 @@ struct AzimuthElevation {
   double elevation_deg = 0.0;
 };
 
-/// A unit vector. Any azimuth; elevations beyond +-90 go on over the pole.
+/// Unit vector. Any azimuth; elevations beyond +-90 continue over the pole.
 Vec3 vector_of(const AzimuthElevation& angles) noexcept;
 
-/// The inverse; azimuth 0 at the poles and for a vector of no length.
+/// The inverse; azimuth 0 at the poles and for a zero vector.
 AzimuthElevation angles_of(const Vec3& v) noexcept;
 
 }  // namespace hedgehog::model

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What a field does to the pins. The electromagnet acts as a dipole in the centre, so the force on
+// Forces of a field on the pins. The electromagnet acts as a dipole in the centre, so the force on
 // a pin along its radius is slope * |field| * cos(angle between them), exactly (reference:
-// physics.md section 5): pins of the whole half towards the field are pushed out, the others are
-// pulled in.
+// physics.md section 5): pins in the hemisphere towards the field are pushed out, the others pulled
+// in.
 #pragma once
 
 #include <span>
@@ -14,9 +14,9 @@
 namespace hedgehog::model {
 
 /// Force on the pin at `pin_direction` (unit vector), N, outwards positive. `slope_n_a`: force per
-/// ampere on the typical pin at its rest that the field aims at, as
-/// kMeasuredCalibration.force_slope_n_a; what another gets at its own rest differs by up to 5 %
-/// (`PinCurves::force_at_rest_n`). RT-safe.
+/// ampere on the typical pin at its rest position with the field along it, as
+/// kMeasuredCalibration.force_slope_n_a; the force on other pins at their rest positions differs by
+/// up to 5 % (`PinCurves::force_at_rest_n`). RT-safe.
 constexpr double force_on_pin(const FieldDemand& field, const Vec3& pin_direction,
                               double slope_n_a) noexcept {
   return slope_n_a * dot(field.a, pin_direction);

@@ -12,7 +12,7 @@ namespace {
 
 using Triangle = std::array<std::size_t, 3>;
 
-/// The same for rounding: half of the shortest distance that there can be is larger.
+/// Points closer than this are equal but for rounding; distinct points are farther apart.
 constexpr double kSamePoint = 1e-6;
 
 Geodesic icosahedron() {
@@ -40,8 +40,8 @@ Geodesic icosahedron() {
   return ico;
 }
 
-/// The index of `p` in `points`, where it is put when it is new. The sides of two triangles meet in
-/// the same points but for rounding.
+/// Index of `p` in `points`; appends it if new. Adjacent triangles yield the same points on their
+/// common side except for rounding.
 std::size_t index_of(std::vector<Vec3>& points, const Vec3& p) {
   const auto same = [&](const Vec3& q) { return norm(q - p) < kSamePoint; };
   const auto found = std::find_if(points.begin(), points.end(), same);
@@ -52,7 +52,7 @@ std::size_t index_of(std::vector<Vec3>& points, const Vec3& p) {
   return static_cast<std::size_t>(found - points.begin());
 }
 
-/// i steps along one direction of the lattice and j along the one 60 degrees further.
+/// i steps along one direction of the lattice and j along the one at 60 degrees to it.
 struct Step {
   int i = 0;
   int j = 0;
@@ -60,11 +60,11 @@ struct Step {
 
 constexpr Step operator+(Step a, Step b) noexcept { return {a.i + b.i, a.j + b.j}; }
 
-/// Where a corner of the icosahedron's triangle is approached, as parts of the three corners.
+/// Barycentric coordinates in a triangle of the icosahedron.
 using Weights = std::array<double, 3>;
 
-/// One triangle of the icosahedron and the far corners of its three neighbours, opposite to the
-/// corner of the same place.
+/// One triangle of the icosahedron; `beyond[k]` is the far corner of the neighbour opposite
+/// `corner[k]`.
 struct Patch {
   std::array<Vec3, 3> corner;
   std::array<Vec3, 3> beyond;
@@ -87,8 +87,8 @@ Patch patch_of(const Geodesic& ico, const Triangle& t) {
   return patch;
 }
 
-/// A lattice triangle reaches over at most one side, so a negative weight leads onto the neighbour
-/// there: unfolded, its far corner is the mirror image of this one's.
+/// A lattice triangle crosses at most one side, so a negative weight refers to the neighbour there:
+/// unfolded, its far corner is the mirror image of this triangle's.
 Vec3 place(const Patch& patch, Weights weights) {
   std::array<Vec3, 3> corner = patch.corner;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -127,7 +127,7 @@ Geodesic geodesic(int m, int n) {
           Triangle indices{};
           const Step sum = kind[0] + kind[1] + kind[2];
           const Weights middle = weights(i + sum.i / 3.0, j + sum.j / 3.0);
-          // One whose middle lies on a side belongs to both: `known` takes it once.
+          // A triangle whose middle lies on a side occurs in both; `known` keeps it once.
           if (*std::min_element(middle.begin(), middle.end()) < -kSamePoint) continue;
           for (std::size_t k = 0; k < 3; ++k) {
             const Weights w = weights(i + kind[k].i, j + kind[k].j);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Geodesic triangulations of the sphere by Caspar and Klug: the icosahedron under the triangular
-// lattice in which one side of it is m steps along one direction and n along the next. The dual is
-// the Goldberg polyhedron GP(m,n). Start-up only: allocates.
+// Geodesic triangulations of the sphere by Caspar and Klug: an icosahedron subdivided by the
+// triangular lattice in which each side is m steps along one direction and n along the next. The
+// dual is the Goldberg polyhedron GP(m,n). Start-up only: allocates.
 #pragma once
 
 #include <array>
@@ -19,8 +19,8 @@ struct Geodesic {
   std::vector<std::array<std::size_t, 3>> triangles;
 };
 
-/// A corner of the icosahedron is at +z and its neighbour on the meridian of +x. Mirror images
-/// (m,n) and (n,m) are two. REQUIRES: m >= 1, n >= 0.
+/// A corner of the icosahedron is at +z and its neighbour on the meridian of +x. (m,n) and (n,m)
+/// are distinct mirror images. REQUIRES: m >= 1, n >= 0.
 Geodesic geodesic(int m, int n);
 
 }  // namespace hedgehog::model

@@ -32,7 +32,7 @@ Goldberg dual_of(const Geodesic& fine) {
     for (std::size_t k = 0; k < 3; ++k) {
       Goldberg::Face& face = gp.faces[t[k]];
       face.corners.push_back(i);
-      // Each neighbour is met twice, once in each turning sense: taking one sense counts it once.
+      // Each neighbour occurs twice, once in each sense of rotation; one sense lists it once.
       face.neighbours.push_back(t[(k + 1) % 3]);
     }
   }
@@ -84,9 +84,9 @@ void step_to_planes(const Goldberg& gp, double part, Steps& steps) {
 }
 
 /// Alternating projections: edges towards tangency, then faces towards planes. All steps of a half
-/// sweep are taken at once, since one after the other they would carry the polyhedron off centre
-/// (the canonical form is unique only up to Moebius maps; the symmetry picks the centred one).
-/// Each sweep carries on a part of the one before (momentum), which takes a seventh of the sweeps.
+/// sweep are applied at once; sequential steps would shift the polyhedron off centre (the canonical
+/// form is unique only up to Moebius maps; the symmetry selects the centred one). Momentum from the
+/// previous sweep reduces the number of sweeps to a seventh.
 void make_canonical(Goldberg& gp) {
   constexpr double kTangency = 0.6;
   constexpr double kPlanarity = 0.4;

@@ -10,7 +10,7 @@
 namespace hedgehog::model {
 
 double pin_pitch_deg(const PinArray& array) {
-  // Of the ball of 86 pins, from a pentagon to its neighbour: physics.md section 2.
+  // Ball of 86 pins, from a pentagon to its neighbour: physics.md section 2.
   constexpr double kThesisNearestDeg = 19.8178;
   constexpr double kMaxPitchDeg = 120.0;
   if (array.pins.size() < 2) return kThesisPitchDeg;
@@ -32,7 +32,7 @@ NearestPin nearest_pin(const PinArray& array, const Vec3& direction) noexcept {
   NearestPin best{-1, -2.0};
   for (const Pin& pin : array.pins) {
     const double cosine = dot(pin.position, wanted);
-    // Equals differ by rounding only; without the margin the answer would depend on it.
+    // Ties differ by rounding only; the margin keeps the lowest id.
     if (cosine > best.cosine + 1e-7) best = {pin.id, cosine};
   }
   return best;

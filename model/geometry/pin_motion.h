@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The live twin: what the electromagnet does to every pin of a ball, as a force and as a way.
+// Force and displacement of every pin of a ball by the electromagnet, for the live twin.
 #pragma once
 
 #include <vector>
@@ -10,18 +10,18 @@
 
 namespace hedgehog::model {
 
-/// Of each pin, by its number.
+/// Indexed by pin number.
 struct PinMotion {
-  /// What the coils push with, N, outwards positive, on the pin at its rest
-  /// (`PinCurves::force_at_rest_n`). What the shields hold against it is not in it.
+  /// Coil force, N, outwards positive, on the pin at its rest position
+  /// (`PinCurves::force_at_rest_n`). Without the counterforce of the shields.
   std::vector<double> force_n;
-  /// How far that holds the pin from where it rests without current, mm, outwards positive
-  /// (`PinCurves::extension_mm`). The pin has settled: neither its mass nor a hand on it counts.
+  /// Static displacement by that force from the rest position, mm, outwards positive
+  /// (`PinCurves::extension_mm`). Without the pin's mass and without a hand on it.
   std::vector<double> extension_mm;
   friend bool operator==(const PinMotion&, const PinMotion&) = default;
 };
 
-/// `slope_n_a`: see `force_on_pin`. Allocates: for any thread but the control loop. REQUIRES:
+/// `slope_n_a`: see `force_on_pin`. Allocates: any thread except the control thread. REQUIRES:
 /// array.pins.size() == curves.size(), both of the same ball.
 PinMotion pin_motion(const PinArray& array, const PinCurves& curves, const FieldDemand& field,
                      double slope_n_a);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What was measured while a ball was heated and cooled.
+// Measurements of a ball during heating and cooling.
 #pragma once
 
 #include <array>
@@ -8,26 +8,25 @@
 
 namespace hedgehog::model {
 
-/// Means over a stretch of time in which the same currents were asked for.
+/// Means over an interval with constant requested currents.
 struct HeatSample {
-  /// How long it lasted, s, and when it ended, s of device time.
+  /// Duration, s, and end, s of device time.
   double dt_s = 0.0;
   double end_s = 0.0;
-  /// Of voltage times current, of the voltage (signed, V) and of the current (signed, A), each
-  /// winding.
+  /// By winding: mean of voltage times current, of voltage (signed, V) and of current (signed, A).
   std::array<double, 3> power_w{};
   std::array<double, 3> voltage_v{};
   std::array<double, 3> current_a{};
-  /// How many measurements those are; 0: the currents had not settled, so that V/I says nothing.
+  /// Number of measurements averaged; 0: the currents had not settled, so that V/I is not valid.
   int count = 0;
   bool fan_running = false;
-  /// The thermometer, C; nullopt: it did not answer.
+  /// Thermistor reading, C; nullopt: no reading.
   std::optional<double> sensor_c;
 };
 
-/// Samples without a gap. What was before a run is not known but by its first samples.
+/// Contiguous samples. The state before a run is known from its first samples only.
 struct HeatRun {
-  /// It began with a ball at one temperature.
+  /// True if the ball was at one temperature at the start.
   bool began_at_rest = false;
   std::vector<HeatSample> samples;
 };

@@ -9,8 +9,8 @@
 namespace hedgehog::model {
 namespace {
 
-// Standard deviations before anything is measured. The network is left free: more than a family of
-// balls differs.
+// Standard deviations of the prior. Wide for the network: wider than the spread between balls of a
+// kind.
 constexpr double kNetworkShare = 0.4;
 constexpr double kStartLagShare = 0.7;
 constexpr double kResistanceShare = 0.05;
@@ -20,12 +20,12 @@ constexpr double kRoomK = 5.0;
 constexpr double kRestedK = 0.3;
 constexpr double kUnknownStartK = 15.0;
 
-// One measurement of a current, and what V/I of a sample is off by beside it.
+// Noise of one current measurement, and additional relative error of V/I of a sample.
 constexpr double kCurrentNoiseA = 0.05;
 constexpr double kReadingShare = 0.001;
-// A thermometer lags, rounds and touches other things too.
+// Thermistor error by lag, rounding and contact with other parts.
 constexpr double kSensorK = 0.15;
-/// A current that tells a resistance, A.
+/// Minimum current to determine a resistance, A.
 constexpr double kInformativeA = 1.0;
 constexpr double kLongestStepS = 0.5;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the four-node model expects of each sample of a heat record, against what was measured.
+// Residuals of a heat record: samples against the predictions of the four-node model.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,8 +13,8 @@
 
 namespace hedgehog::model {
 
-/// Where each parameter stands in the vector that is fitted. Those of the network are logarithms
-/// of the share by which they differ from the expected ones.
+/// Indices into the fitted parameter vector. Parameters of the network are logarithms of their
+/// ratio to the expected values.
 namespace parameter {
 inline constexpr Eigen::Index kCapacity = 0;    // of the windings
 inline constexpr Eigen::Index kConduction = 3;  // K/W, winding to core
@@ -22,12 +22,12 @@ inline constexpr Eigen::Index kCore = 6;
 inline constexpr Eigen::Index kFan = 7;
 inline constexpr Eigen::Index kStill = 8;
 inline constexpr Eigen::Index kLag = 9;
-inline constexpr Eigen::Index kResistance = 10;  // ln of R25 against the given, of the windings
+inline constexpr Eigen::Index kResistance = 10;  // ln of R25 relative to the given, by winding
 inline constexpr Eigen::Index kOffset = 13;      // of the current sensors, A
 inline constexpr Eigen::Index kLostContact = 16;
 inline constexpr Eigen::Index kShared = 17;
-// Of each run: its room, K above the first reading of all, and where its nodes start, K above the
-// run's first reading.
+// Of each run: ambient, K above the first reading of all runs, and initial nodes, K above the run's
+// first reading.
 inline constexpr Eigen::Index kAmbient = 0;
 inline constexpr Eigen::Index kStart = 1;
 inline constexpr Eigen::Index kOfRun = 5;
@@ -35,7 +35,7 @@ inline constexpr Eigen::Index kOfRun = 5;
 
 class HeatResiduals {
  public:
-  /// Keeps a reference to `runs`. `sensor_winding`: on which the thermometer is taken to sit.
+  /// Keeps a reference to `runs`. `sensor_winding`: assumed location of the thermistor.
   HeatResiduals(const std::vector<HeatRun>& runs, const std::array<double, kCoils>& r25_ohm,
                 const ThermalModel& expected, int sensor_winding);
 
@@ -43,13 +43,14 @@ class HeatResiduals {
     return parameter::kShared + parameter::kOfRun * static_cast<Eigen::Index>(runs_.size());
   }
   Eigen::Index measurements() const noexcept { return measurements_; }
-  /// The network with `p` in it.
+  /// The network with parameters `p`.
   ThermalModel network(const Eigen::VectorXd& p) const;
-  /// Weighted by what each may be off by; the first `parameters()` are those of the prior.
+  /// Residuals divided by their standard deviations; the first `parameters()` are those of the
+  /// prior.
   Eigen::VectorXd operator()(const Eigen::VectorXd& p) const;
   /// Standard deviations of the prior.
   Eigen::VectorXd prior() const;
-  /// The room of the first run, C.
+  /// Ambient temperature of the first run, C.
   double ambient_c(const Eigen::VectorXd& p) const;
 
  private:

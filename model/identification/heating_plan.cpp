@@ -9,8 +9,8 @@
 namespace hedgehog::model {
 namespace {
 
-/// Cooling windings are looked at with this current in each, one way and the other in turn, so that
-/// a constant error of a current sensor shows.
+/// Probe current in each winding while cooling, with alternating sign so that the offset of a
+/// current sensor is observable.
 constexpr double kLookA = 2.9;
 constexpr double kLookS = 1.5;
 constexpr double kBurstA = 15.0;
@@ -20,7 +20,7 @@ constexpr double kHeatS = 240.0;
 constexpr double kSteadyA = 5.0;
 constexpr double kSteadyS = 240.0;
 constexpr double kStepS = 2.0;
-/// Short strong pulses: the most heat for a mean current below that at which the fan starts (3 A).
+/// Short strong pulses: maximum heat at a mean current below the fan's threshold (3 A).
 constexpr double kPulseA = 12.0;
 constexpr double kPulseS = 1.0;
 constexpr double kPulseEveryS = 5.0;

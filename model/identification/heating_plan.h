@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What currents identify the thermal network of a ball: each winding heated in turn, then all of
-// them, then cooling with the fan and without it. The fan follows the daemon's own law.
+// Current sequence that identifies the thermal network of a ball: each winding heated in turn, then
+// all of them, then cooling with the fan and without it. The fan is controlled by the daemon.
 #pragma once
 
 #include <string_view>
@@ -12,11 +12,11 @@ namespace hedgehog::model {
 
 /// One constant current. Trivially copyable.
 struct HeatingStep {
-  /// What a person is told is being done. Heating and the cooling after it are one phase, whose
-  /// steps follow each other.
+  /// Name of the phase for display. Heating and the cooling after it are one phase of consecutive
+  /// steps.
   std::string_view phase;
   double duration_s = 0.0;
-  /// Of the windings, A, signed.
+  /// Winding currents, A, signed.
   Vec3 current_a;
 };
 

@@ -19,15 +19,15 @@ using Eigen::VectorXd;
 constexpr int kMaxIterations = 30;
 constexpr double kConverged = 1e-6;
 constexpr double kDerivativeStep = 1e-4;
-/// 2.5 deviations, and what four nodes leave out of a ball, a share.
+/// Standard deviations, and relative model error of four nodes, in the stated uncertainty.
 constexpr double kClaimDeviations = 2.5;
 constexpr double kModelShare = 0.02;
 constexpr double kMaxMisfit = 5.0;
-/// Worse is no better than a ball that nobody has measured.
+/// Uncertainty of an uncalibrated ball; a fit must not be worse.
 constexpr double kMaxFoundShare = 0.2;
-/// So much worse, in squares of deviations, any other winding must fit the thermometer.
+/// Minimum increase of the sum of squares for the thermistor on any other winding.
 constexpr double kCertain = 25.0;
-/// Fewer measurements, or a winding that was never heated by so much, determine nothing.
+/// Minimum number of measurements, and minimum heat in each winding, for a determined fit.
 constexpr Index kMinMeasurements = 300;
 constexpr double kMinHeatJ = 200.0;
 
@@ -47,7 +47,7 @@ MatrixXd jacobian(const HeatResiduals& residuals, const VectorXd& p, const Vecto
   return j;
 }
 
-/// Levenberg and Marquardt.
+/// Levenberg-Marquardt.
 Solution solve(const HeatResiduals& residuals, VectorXd p) {
   Solution best{std::move(p), 0.0, {}};
   VectorXd left = residuals(best.p);
@@ -99,7 +99,7 @@ ThermalFound found_by(const Solution& solution, const HeatResiduals& residuals) 
   found.misfit = std::sqrt(solution.squares / static_cast<double>(residuals.measurements()));
   const MatrixXd covariance = solution.normal.ldlt().solve(
       MatrixXd::Identity(solution.normal.rows(), solution.normal.cols()));
-  // What fits worse than its noise is known less well than its noise says.
+  // A misfit above 1 widens the uncertainties accordingly.
   const double wider = std::max(1.0, found.misfit);
   const auto deviation = [&](Index k) { return wider * std::sqrt(covariance(k, k)); };
   double worst = 0.0;

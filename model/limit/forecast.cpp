@@ -13,7 +13,7 @@
 namespace hedgehog::model {
 namespace {
 
-/// What limits the current, C.
+/// Temperatures that limit the current, C.
 struct Heat {
   double hottest_c = 0.0;
   double skin_c = 0.0;
@@ -22,7 +22,7 @@ struct Heat {
       : hottest_c(course.hottest_c()), skin_c(course.skin_c()) {}
 };
 
-/// Temperatures that are awaited on a course: rising, either of them; falling, both.
+/// Temperature thresholds to detect on a course: rising, either of them; falling, both.
 struct Crossing {
   double goal_c = 0.0;
   double skin_goal_c = std::numeric_limits<double>::infinity();
@@ -33,7 +33,7 @@ struct Crossing {
     return rising ? heat.hottest_c >= goal_c || heat.skin_c >= skin_goal_c
                   : heat.hottest_c <= goal_c && heat.skin_c <= skin_goal_c;
   }
-  /// At which share of the way from `before`, not reached, to `now`, reached.
+  /// Fraction of the step from `before`, not reached, to `now`, reached, at the crossing.
   double share(const Heat& before, const Heat& now) const noexcept {
     const double by_winding = share(before.hottest_c, now.hottest_c, goal_c);
     const double by_skin = share(before.skin_c, now.skin_c, skin_goal_c);
@@ -49,7 +49,7 @@ struct Crossing {
   }
 };
 
-/// When the ball first is at each of `crossings`; runs until the last of them.
+/// Time at which each of `crossings` is first reached; runs until the last of them.
 void await(HeatCourse course, std::span<Crossing> crossings) noexcept {
   Heat before(course);
   bool open = false;
@@ -77,7 +77,7 @@ void await(HeatCourse course, std::span<Crossing> crossings) noexcept {
   }
 }
 
-/// Above which less than `peak_a` is allowed.
+/// Threshold above which less than `peak_a` is allowed.
 Crossing derating_at(const Limits& limits, const ForecastStart& start, double peak_a) noexcept {
   const Amps peak(std::min(peak_a, limits.current_a));
   return {derating_temperature(limits, peak).value - start.above_k,
@@ -94,12 +94,12 @@ struct Settled {
   double core_c = std::numeric_limits<double>::infinity();
 };
 
-/// Where all settles with `rms_a`, by the fixed point in closed form; infinity when the copper runs
-/// away.
+/// Steady state with `rms_a`, by the fixed point in closed form; infinity in thermal runaway of the
+/// copper.
 Settled settled(const CoilModel& coils, const ThermalModel& thermal, double ambient_c,
                 double to_room_k_w, const Vec3& rms_a) noexcept {
-  // T_i = (core + h_i (1 - 25 a)) / (1 - h_i a) with h_i = R12 R25 I_i^2; the loss follows from
-  // T_i - core = R12 P_i, and core = room + R2 sum P is linear in the core.
+  // T_i = (core + h_i (1 - 25 a)) / (1 - h_i a) with h_i = R12 R25 I_i^2; the loss follows from T_i
+  // - core = R12 P_i, and core = ambient + R2 sum P is linear in the core.
   const double cold = 1.0 - 25.0 * kCopperPerKelvin;
   double constant_w = 0.0;
   double per_core_w_k = 0.0;
@@ -123,12 +123,12 @@ Settled settled(const CoilModel& coils, const ThermalModel& thermal, double ambi
   return {hottest, core_c};
 }
 
-/// True only if neither temperature of `rise` is ever reached. The nodes only warm each other, so
-/// they stay below each state that is above them now and from which, even without fan, nothing
-/// rises: a core that is not cooler than it settles, with the windings that settle at that core.
+/// True only if neither temperature of `rise` is ever reached. The system is monotone, so the nodes
+/// stay below any state that is above them now and does not rise, even without fan: a core not
+/// cooler than its steady state, with the windings in steady state at that core.
 bool stays_below(const CoilModel& coils, const ThermalModel& thermal, const ForecastStart& start,
                  const Vec3& rms_a, const Crossing& rise) noexcept {
-  // For what is rounded, and for windings that differ (coming_core_c).
+  // Covers rounding and unequal windings (coming_core_c).
   constexpr double kMarginK = 0.5;
   const ThermalState& nodes = start.nodes;
   const double to_room_k_w = std::max(thermal.core_to_room_fan_k_w, thermal.core_to_room_still_k_w);

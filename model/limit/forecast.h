@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How long a current can flow, by the nominal model of the ball. What `thermal.forecast`,
-// `headroom_s`, `burst_s` and every admission say.
+// Forecast of how long a current can flow, by the nominal model of the ball. Source of
+// `thermal.forecast`, `headroom_s`, `burst_s` and every admission.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace hedgehog::model {
 
-/// What is asked: the rms current of each winding, and the highest norm that occurs in the pattern.
+/// Requested currents: rms current of each winding, and peak norm in the pattern.
 struct AskedCurrents {
   Vec3 rms_a;
   double peak_a = 0.0;
@@ -20,46 +20,46 @@ struct AskedCurrents {
   static AskedCurrents constant(const Vec3& a) noexcept { return {a, norm(a)}; }
 };
 
-/// Seconds from now; none = never (within 4 h).
+/// Seconds from now; none: not within 4 h.
 struct Forecast {
-  /// Until the law, or the skin, first allows less than the asked peak.
+  /// Until the limiter, by winding or skin temperature, first allows less than the requested peak.
   std::optional<double> seconds_to_derating;
-  /// Until a winding would be at `Limits::trip_c` (70 C), if nothing were reduced.
+  /// Until a winding would reach `Limits::trip_c` (70 C) without derating.
   std::optional<double> seconds_to_limit;
-  /// Scaled to this peak (for a constant current: this norm) it can flow for ever unreduced, A;
-  /// at most `Limits::current_a`.
+  /// Peak (for a constant current: norm) to which the request can be scaled and flow without
+  /// derating indefinitely, A; at most `Limits::current_a`.
   double sustainable_a = 0.0;
   /// Coils off from now on: until the full `Limits::current_a` is allowed again.
   std::optional<double> recovery_s;
 };
 
 /// The temperature above which less than `peak_a` is allowed: the inverse of `allowed_current`. A
-/// peak above `limits.current_a` counts as that.
+/// peak above `limits.current_a` counts as `current_a`.
 Celsius derating_temperature(const Limits& limits, Amps peak) noexcept;
 
-/// One ball with its limits. Immutable; any thread, allocates nothing, at most 0.5 ms a question.
+/// One ball with its limits. Immutable; any thread, no allocation, at most 0.5 ms per call.
 class Forecaster {
  public:
   Forecaster(const CoilModel& coils, const ThermalModel& thermal, const Limits& limits) noexcept
       : coils_(coils), thermal_(thermal), limits_(limits) {}
 
-  /// All answers about `asked`. When nothing is asked (zero): about `asked.peak_a` = 0 nothing is
-  /// ever reduced, and `sustainable_a` is that of the worst coil.
+  /// Full forecast for `asked`. For `asked.peak_a` = 0 there is no derating, and `sustainable_a` is
+  /// that of the worst coil.
   Forecast forecast(const ForecastStart& start, const AskedCurrents& asked) const noexcept;
-  /// `current_a` without a direction: each answer for the coil where it is worst.
+  /// `current_a` without a direction: each value for its worst coil.
   Forecast forecast_worst_coil(const ForecastStart& start, double current_a) const noexcept;
 
-  /// `headroom_s`: until `asked` is first derated.
+  /// `headroom_s`: seconds until `asked` is first derated.
   std::optional<double> seconds_to_derating(const ForecastStart& start,
                                             const AskedCurrents& asked) const noexcept;
   /// `burst_s`: how long the full `Limits::current_a` could flow from now (worst coil). None only
-  /// for limits that low that it never ends.
+  /// for limits so low that it never ends.
   std::optional<double> burst_s(const ForecastStart& start) const noexcept;
   std::optional<double> recovery_s(const ForecastStart& start) const noexcept;
   double sustainable_a(const ForecastStart& start, const AskedCurrents& asked) const noexcept;
 
  private:
-  /// All but the recovery, which depends on `start` alone.
+  /// The forecast without the recovery, which depends on `start` alone.
   Forecast under_load(const ForecastStart& start, const AskedCurrents& asked) const noexcept;
 
   CoilModel coils_;

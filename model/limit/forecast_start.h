@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From what a forecast starts.
+// Initial state of a forecast.
 #pragma once
 
 #include <limits>
@@ -9,20 +9,19 @@
 
 namespace hedgehog::model {
 
-/// From what a forecast starts: the observer's estimate and the fan. Trivially copyable.
+/// The observer's estimate and the fan. Trivially copyable.
 struct ForecastStart {
   ThermalState nodes;
   double ambient_c = 25.0;
-  /// The fan as it is, and whether it can run at all (false: dead, foretold without it).
+  /// Present state of the fan, and whether it works (false: forecast without it).
   bool fan_running = false;
   bool fan_works = true;
-  /// By how much the limiter's bound is above the hottest node, K: what the instruments leave open.
+  /// Limiter's bound above the hottest node, K: the measurement uncertainty.
   double above_k = 0.0;
-  /// The skin as it is followed, and by how much what limits is above it, K; -infinity: no skin
-  /// limits.
+  /// Skin estimate, and the limiting skin temperature above it, K; -infinity: no skin limit.
   SkinEstimate skin;
   double skin_above_k = -std::numeric_limits<double>::infinity();
-  /// The 30 s mean of |I| now, A; above 3 A it keeps the fan running.
+  /// Present 30 s mean of |I|, A; above 3 A it keeps the fan running.
   double mean_current_a = 0.0;
 };
 

@@ -10,17 +10,17 @@ namespace hedgehog::model {
 namespace {
 
 constexpr double kHorizonS = 4.0 * 3600.0;
-// Slower than this nothing will be crossed any more: what is still to come is this times the time
-// constant of the whole ball, 0.05 K with its fan and 0.13 K without.
+// Below this rate no further crossing is expected: the remaining change is this times the time
+// constant of the ball, 0.05 K with fan and 0.13 K without.
 constexpr double kSettledK_s = 1e-4;
 
-// A step is as long as the nodes stay within this (crossings are interpolated linearly) and the
-// integration is stable and exact to a hundredth of a kelvin, but at least a tick.
+// Maximum change of the nodes in a step (crossings are interpolated linearly). The integration is
+// stable and exact to 0.01 K; a step is at least a tick.
 constexpr double kStepK = 0.5;
 constexpr double kShortestS = 1e-3;
 constexpr double kLongestWhileFanIsOpenS = 2.0;
-// A device file may describe a ball so light that this ends before the horizon; an ordinary one
-// needs a third of it.
+// A very light ball in a device file may reach this before the horizon; an ordinary one needs a
+// third of it.
 constexpr int kMaxForecastSteps = 4000;
 
 double steepest(const ThermalState& rate) noexcept {

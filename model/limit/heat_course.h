@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ball under a constant load, with its fan and its skin: what a forecast runs ahead.
+// Simulation of the ball under a constant load, with its fan and skin, for the forecast.
 #pragma once
 
 #include <array>
@@ -9,18 +9,18 @@
 
 namespace hedgehog::model {
 
-/// Allocates nothing; the references must outlive it.
+/// No allocation; the references must outlive it.
 class HeatCourse {
  public:
-  /// `rms_a` of each winding, from now on.
+  /// `rms_a`: rms current of each winding from now on.
   HeatCourse(const CoilModel& coils, const ThermalModel& thermal, const ForecastStart& start,
              const Vec3& rms_a) noexcept;
 
-  /// One step; false once nothing moves any more or the horizon (4 h) is reached.
+  /// One step; false once all nodes have settled or the horizon (4 h) is reached.
   bool step() noexcept;
 
   double hottest_c() const noexcept { return hottest_winding(nodes_); }
-  /// What limits by the skin, C; -infinity: no skin limits.
+  /// Limiting skin temperature, C; -infinity: no skin limit.
   double skin_c() const noexcept { return skin_.heated_c() + skin_above_k_; }
   double time_s() const noexcept { return time_s_; }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a ball may be asked to bear. The device file has the ceiling; configuration may only tighten
-// it.
+// Current and temperature limits of a ball. The device file contains the ceiling; configuration may
+// only tighten it.
 #pragma once
 
 namespace hedgehog::model {
@@ -8,11 +8,11 @@ namespace hedgehog::model {
 /// Currents are Euclidean norms over the three windings, ampere; temperatures degrees Celsius.
 /// Trivially copyable.
 struct Limits {
-  /// The most that ever flows (thesis section 3.1.1: 15 A for about 30 s). 0.5..15.
+  /// Maximum current (thesis section 3.1.1: 15 A for about 30 s). 0.5..15.
   double current_a = 15.0;
-  /// What can flow for ever (thesis section 3.1.1: 5 A). 0.5..current_a.
+  /// Continuous current (thesis section 3.1.1: 5 A). 0.5..current_a.
   double continuous_a = 5.0;
-  /// What a person just feels (thesis section 3.3, experiment 1).
+  /// Perception threshold (thesis section 3.3, experiment 1).
   double felt_a = 2.1;
   /// Full current up to here; above, I^2 falls linearly to continuous_a^2 at `sustain_c`.
   double derate_from_c = 60.0;
@@ -21,13 +21,13 @@ struct Limits {
   double zero_c = 69.0;
   /// The watchdog trips at this temperature held for 50 ms.
   double trip_c = 70.0;
-  /// `device.arm` after a thermal trip needs a temperature below max(rearm_c, room estimate + 10
+  /// `device.arm` after a thermal trip needs a temperature below max(rearm_c, ambient estimate + 10
   /// K).
   double rearm_c = 45.0;
   friend constexpr bool operator==(const Limits&, const Limits&) noexcept = default;
 };
 
-/// True when `tightened` allows nothing that `ceiling` does not.
+/// True if no limit of `tightened` exceeds that of `ceiling`.
 constexpr bool is_within(const Limits& tightened, const Limits& ceiling) noexcept {
   return tightened.current_a <= ceiling.current_a &&
          tightened.continuous_a <= ceiling.continuous_a &&

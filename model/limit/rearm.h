@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How cool the ball must be before it may be armed again after a trip by heat.
+// Rearm temperature after a thermal trip.
 #pragma once
 
 #include <algorithm>
@@ -8,9 +8,8 @@
 
 namespace hedgehog::model {
 
-/// Below max(limits.rearm_c, room + 10 K), degrees Celsius: in a hot room the ball never gets as
-/// cool as `rearm_c`. The controller's rule, and what people are told
-/// of it.
+/// max(limits.rearm_c, ambient + 10 K), degrees Celsius: in hot surroundings the ball never cools
+/// to `rearm_c`. Used by the controller and in its messages.
 inline double rearm_below_c(const Limits& limits, double ambient_c) noexcept {
   constexpr double kAboveAmbientK = 10.0;
   return std::max(limits.rearm_c, ambient_c + kAboveAmbientK);

@@ -7,7 +7,7 @@
 namespace hedgehog::model {
 namespace {
 
-// Short against the 0.5 s that 15 A need for one kelvin, long against a tick of sensor noise.
+// Short against the 0.5 s in which 15 A heat by one kelvin, long against a tick of sensor noise.
 constexpr double kFilterS = 0.05;
 constexpr double kMaxRequestA = 1000.0;
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The law that keeps the ball cool: how much current may flow at a temperature. Its figures:
-// daemon/safety.md.
+// Thermal limiter: maximum current as a function of temperature. Figures: daemon/safety.md.
 #pragma once
 
 #include <limits>
@@ -11,8 +10,8 @@
 
 namespace hedgehog::model {
 
-/// The law itself: the current that may flow at `hottest`. 15 A up to 60 C; I^2 falls linearly to
-/// 25 at 67 C, then to zero at 69 C (numbers from `limits`). Not a number or infinite: zero.
+/// Current allowed at `hottest`: 15 A up to 60 C; I^2 falls linearly to 25 at 67 C, then the
+/// current to zero at 69 C (values from `limits`). NaN or infinite: zero.
 Amps allowed_current(const Limits& limits, Celsius hottest) noexcept;
 
 /// Real-time safe; trivially copyable.
@@ -24,19 +23,18 @@ class ThermalLimiter {
   /// New limits; they take effect at the next `limit`.
   void set_limits(const Limits& limits) noexcept { limits_ = limits; }
   const Limits& limits() const noexcept { return limits_; }
-  /// Another witness of heat, the skin, allows no more than this; as `set_limits`.
+  /// Additional ceiling by the skin temperature; takes effect as `set_limits`.
   void set_ceiling(Amps ceiling) noexcept { ceiling_ = ceiling; }
-  /// The norm allowed at the last `limit`, ampere: the law at the low-pass filtered temperature,
-  /// under the ceiling.
+  /// Norm allowed at the last `limit`, ampere: `allowed_current` at the low-pass filtered
+  /// temperature, at most the ceiling.
   Amps allowed() const noexcept { return allowed_; }
-  /// True when the last `limit` had to replace a number that was not finite or above 1000 A by
-  /// zero.
+  /// True if the last `limit` replaced a non-finite request or one above 1000 A by zero.
   bool rejected() const noexcept { return rejected_; }
 
-  /// `wanted` scaled as a whole (its direction stays) to what is allowed at `estimate`; zero when
-  /// it is not finite. Windings not yet measured after a restart hold themselves to
-  /// `limits.continuous_a`; those that are not driven hold nobody back. Call it once every `dt_s`,
-  /// with zero too: the temperature is low-pass filtered here against noise.
+  /// `wanted` scaled as a whole (keeping its direction) to the current allowed at `estimate`; zero
+  /// if it is not finite. Windings not yet measured after a restart are limited to
+  /// `limits.continuous_a`; undriven ones do not limit the others. Call once every `dt_s`, also
+  /// with zero: the temperature is low-pass filtered here against noise.
   LimitedCurrents limit(const CoilCurrents& wanted, const ThermalEstimate& estimate,
                         double dt_s = kTickSeconds) noexcept;
 

@@ -43,7 +43,7 @@ double azimuth_from_front(const Vec3& v) {
   return azimuth < -kSameDirection ? azimuth + 2.0 * std::numbers::pi : std::max(azimuth, 0.0);
 }
 
-/// Sorts by `row` first, then anticlockwise from the front, and numbers.
+/// Sorts by `row`, then anticlockwise from the front, and assigns the ids.
 template <typename Row>
 void number(std::vector<MagnetSite>& sites, Row row) {
   std::sort(sites.begin(), sites.end(), [&](const MagnetSite& a, const MagnetSite& b) {
@@ -63,8 +63,8 @@ Arrangement arrangement_of(const Goldberg& gp, std::string name) {
   return arrangement;
 }
 
-/// The tkD array less its bottom pentagon, that one's five neighbours, and the shields that touch
-/// at least so many of these six.
+/// The tkD array without its bottom pentagon, the five neighbours of that, and the shields that
+/// touch at least `touching` of these six faces.
 MagnetResult<Arrangement> ball_86(std::string name, std::ptrdiff_t touching) {
   constexpr int kTopRings = 8;
   const Goldberg tkd = canonical_goldberg(3);

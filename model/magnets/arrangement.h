@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Where pins and shields stand, as directions from the centre: a pin in each face of a Goldberg
-// polyhedron and a shield at each vertex (thesis section 2.1), less those that were taken out.
-// Independent of all sizes. Start-up and design time only: allocates.
+// Positions of pins and shields, as directions from the centre: a pin in each face of a Goldberg
+// polyhedron and a shield at each vertex (thesis section 2.1), except those removed. Independent of
+// all sizes. Start-up and design time only: allocates.
 #pragma once
 
 #include <span>
@@ -14,12 +14,12 @@
 
 namespace hedgehog::model {
 
-/// A site keeps its id when others are removed, so that one can say which pin is meant.
+/// A site keeps its id when others are removed, so that ids stay unambiguous.
 struct MagnetSite {
   int id = 0;
   /// Length 1.
   Vec3 direction;
-  /// Of pins: faces from the top one, which has 0. Shields have none.
+  /// Pins: number of faces from the top one, which has 0. Shields: unused.
   int ring = 0;
 };
 
@@ -34,12 +34,12 @@ struct Arrangement {
 /// (72, GP(2,1)), "tkD" (92, GP(3,0)), any "GP(m,n)" with 1 <= m, 0 <= n, m + n <= 8, and the ball
 /// of the thesis: "tkD-86" with the 10 shields removed that touch two or three of its removed
 /// faces, "tkD-86-5" and "tkD-86-20" with those that touch three and one (reference: physics.md
-/// section 4). A pentagon is on top; the pins of the balls bear the numbers of `thesis_ball`,
-/// others are numbered from the top down, anticlockwise from the front in each height. Every call
-/// computes anew (tkD 10 ms, GP(8,0) about a second): keep the value.
+/// section 4). A pentagon is on top; pins of the thesis' balls are numbered as in `thesis_ball`,
+/// others from the top down, anticlockwise from the front at each height. Not cached (tkD 10 ms,
+/// GP(8,0) about a second): keep the value.
 MagnetResult<Arrangement> arrangement_named(std::string_view name);
 
-/// `arrangement` less the pins and shields with these ids; an id that there is not is an error.
+/// `arrangement` without the pins and shields with these ids; an unknown id is an error.
 MagnetResult<Arrangement> without(Arrangement arrangement, std::span<const int> pins,
                                   std::span<const int> shields);
 

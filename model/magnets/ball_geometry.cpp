@@ -10,10 +10,10 @@
 namespace hedgehog::model {
 namespace {
 
-/// Of a pin from the axis, and of the front from +x: less is rounding.
+/// Below this a pin's distance from the axis and the front's angle from +x are rounding errors.
 constexpr double kNoTurn = 1e-6;
 
-/// Rounding noise off the axes, so that the top pin is (0,0,1) and not almost so.
+/// Removes rounding errors, so that the top pin is exactly (0,0,1).
 Vec3 without_noise(Vec3 v) {
   for (int axis = 0; axis < 3; ++axis)
     if (std::abs(v[axis]) < 1e-9) v[axis] = 0.0;
@@ -78,7 +78,7 @@ MagnetResult<Arrangement> arrangement_of(const BallGeometry& geometry) {
 }
 
 MagnetResult<std::shared_ptr<const BallPins>> ball_pins(const BallGeometry& geometry) {
-  // Not owned: it is never destroyed.
+  // Non-owning: the object is static.
   if (geometry == BallGeometry{})
     return std::shared_ptr<const BallPins>(std::shared_ptr<void>(), &thesis_ball());
   const auto arrangement = arrangement_of(geometry);

@@ -12,7 +12,7 @@ struct Sample {
   double value = 0.0;
 };
 
-/// Between two samples of opposite sign: false position with Anderson and Bjorck's damping, which
+/// Root between two samples of opposite sign: regula falsi with Anderson-Bjorck damping, which
 /// keeps the bracket. REQUIRES: the signs differ.
 template <typename Function>
 double root_between(const Function& f, Sample a, Sample b) {
@@ -36,7 +36,7 @@ double root_between(const Function& f, Sample a, Sample b) {
   return last;
 }
 
-/// Where a parabola through three samples has its extremum; the middle one if it is none.
+/// Position of the minimum of a parabola through three samples; the middle sample if it has none.
 double vertex_of(const Sample& a, const Sample& b, const Sample& c) {
   const double left = (b.value - a.value) / (b.at - a.at);
   const double right = (c.value - b.value) / (c.at - b.at);
@@ -45,7 +45,7 @@ double vertex_of(const Sample& a, const Sample& b, const Sample& c) {
   return std::clamp(0.5 * (a.at + b.at) - 0.5 * left / bend, a.at, c.at);
 }
 
-/// The least value between three samples of which the middle one is the least.
+/// Minimum between three samples of which the middle one is the lowest.
 template <typename Function>
 Sample minimum_between(const Function& f, Sample a, Sample b, Sample c) {
   constexpr double kCloseMm = 1e-3;
@@ -76,7 +76,7 @@ double slope_at(const PinForce& force, double offset_mm) {
          (2.0 * kStepMm);
 }
 
-/// Where F + push first falls to zero beyond `from_mm`, counted from there.
+/// Distance from `from` to where F + push first falls to zero.
 std::optional<double> extension_under(const PinForce& force, const Characterisation& character,
                                       Sample from, const Push& push) {
   const auto total = [&](double offset_mm) {
@@ -85,7 +85,7 @@ std::optional<double> extension_under(const PinForce& force, const Characterisat
   std::vector<Sample> samples;
   for (std::size_t i = 0; i < character.curve.offsets_mm.size(); ++i)
     samples.push_back(sample_of(character.curve, i));
-  // The grid may step over the very bottom.
+  // The minimum may lie between grid points.
   samples.push_back({character.minimum_mm, character.minimum_n});
   std::sort(samples.begin(), samples.end(),
             [](const Sample& a, const Sample& b) { return a.at < b.at; });
@@ -100,7 +100,7 @@ std::optional<double> extension_under(const PinForce& force, const Characterisat
   return std::nullopt;
 }
 
-/// REQUIRES: the rest and the force at the shell are there.
+/// REQUIRES: `rest_mm` and `shell_n` are set.
 template <typename Function>
 std::optional<double> standing_of(const Characterisation& character, const Function& value) {
   if (character.shell_n <= 0.0) return 0.0;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The electromagnet as designers of arrays see it: a dipole in the centre that pushes a pin of any
-// size at any offset (reference: physics.md section 5). The law itself is model/calibration.h's.
-// Pure; any thread.
+// The electromagnet in array design: a dipole in the centre that pushes a pin of any size at any
+// offset (reference: physics.md section 5). Force law: model/calibration.h. Pure; any thread.
 #pragma once
 
 #include <string_view>
@@ -13,7 +12,7 @@
 
 namespace hedgehog::model {
 
-/// The current at which the thesis states its force (Fig. 2.9), and the one it calls indefinite.
+/// The current at which the thesis states its force (Fig. 2.9).
 inline constexpr double kBurstCurrentA = 15.0;
 
 struct Electromagnet {
@@ -22,13 +21,13 @@ struct Electromagnet {
   double moment_per_ampere = 0.0;
 };
 
-/// The thesis' simulation, 0.4 N at 15 A on the thesis' pin at offset 0: 0.202271 A m^2/A.
+/// By the thesis' simulation, 0.4 N at 15 A on the thesis' pin at offset 0: 0.202271 A m^2/A.
 Electromagnet fea_electromagnet() noexcept;
-/// Its measurement, 0.0126 N/A on the typical pin of the thesis' ball at its rest, where it was
-/// measured (section 3.1.1): 0.1004 A m^2/A. Computes `thesis_ball()` when that is not there yet.
+/// By the thesis' measurement, 0.0126 N/A on the typical pin of its ball at rest (section 3.1.1):
+/// 0.1004 A m^2/A. Computes `thesis_ball()` on first use.
 Electromagnet measured_electromagnet();
 
-/// Outward force per A m^2 on a pin that the dipole points at, N.
+/// Outward force per A m^2 on a pin to which the dipole points, N.
 double force_per_moment_n(const CylinderMagnet& pin, double sphere_radius_mm,
                           double offset_mm) noexcept;
 
@@ -36,15 +35,16 @@ double force_per_moment_n(const CylinderMagnet& pin, double sphere_radius_mm,
 double coil_force_n(const Electromagnet& coil, double current_a, const CylinderMagnet& pin,
                     double sphere_radius_mm, double angle_deg, double offset_mm) noexcept;
 
-/// What the other pins get while one is aimed at.
+/// Relative force on a pin while the field is aimed at another one.
 struct Activation {
   int id = 0;
   double angle_deg = 0.0;
-  /// Of the force on the aimed pin, all at offset 0; negative: pulled in.
+  /// Relative to the force on the aimed pin, all at offset 0; negative: pulled in.
   double fraction = 0.0;
 };
 
-/// Every pin, the aimed one first, then falling. REQUIRES: `aimed` is the id of a pin there.
+/// All pins by descending fraction, the aimed one first. REQUIRES: `aimed` is the id of a pin of
+/// `arrangement`.
 std::vector<Activation> activation_spread(const Arrangement& arrangement, int aimed);
 
 }  // namespace hedgehog::model

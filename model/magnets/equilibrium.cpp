@@ -15,14 +15,15 @@
 namespace hedgehog::model {
 namespace {
 
-/// Force on a magnet and how it changes with its own offset and the other's.
+/// Force on a magnet and its derivatives by its own offset and the other's.
 struct Springs {
   double force_n = 0.0;
   double own_n_mm = 0.0;
   double other_n_mm = 0.0;
 };
 
-/// In a symmetric array most pairs are the same pair. Keys are in units far below what matters.
+/// Cache of pairs: in a symmetric array most are equal. Key resolution is far below the required
+/// accuracy.
 class PairTable {
  public:
   PairTable(const MagnetPair& pair, const ForceSettings& settings)
@@ -93,9 +94,9 @@ Balance balance_at(const Arrangement& arrangement, const ArraySizes& sizes,
   return balance;
 }
 
-/// Where each pin would rest were the others fixed at 0; 0 where it would not.
+/// Rest position of each pin with the others fixed at 0; 0 if it has none.
 Eigen::VectorXd rests_alone(const Arrangement& arrangement, const ArraySizes& sizes) {
-  // Only a start.
+  // Initial guess only.
   const ForceSettings rough{ForceModel::kExact, 1e-3};
   Eigen::VectorXd offsets =
       Eigen::VectorXd::Zero(static_cast<Eigen::Index>(arrangement.pins.size()));
@@ -134,7 +135,7 @@ MagnetResult<Equilibrium> find_equilibrium(const Arrangement& arrangement, const
     const double longest = step.cwiseAbs().maxCoeff();
     if (!std::isfinite(longest)) break;
     if (longest < kSettledMm) {
-      // -dF/do comes from an energy: what is not symmetric in it is rounding.
+      // -dF/do is the Hessian of an energy: its asymmetry is rounding error.
       const Eigen::MatrixXd symmetric =
           0.5 * (balance.stiffness_n_mm + balance.stiffness_n_mm.transpose());
       const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(symmetric,

@@ -11,11 +11,11 @@
 namespace hedgehog::model {
 namespace {
 
-/// The end faces that a pin brings to the points of a grid. Where the height is a multiple of the
-/// step, many a lower face comes to where an upper one was.
+/// Positions of a pin's end faces at the points of a grid. If the height is a multiple of the step,
+/// lower and upper faces share positions.
 struct Faces {
   std::vector<double> distance_mm;
-  /// For each offset the places in `distance_mm`.
+  /// For each offset the index in `distance_mm`.
   std::vector<std::size_t> bottom;
   std::vector<std::size_t> top;
 };
@@ -37,7 +37,7 @@ Faces faces_of(const std::vector<double>& offsets_mm, const ArraySizes& sizes) {
   return faces;
 }
 
-/// What one magnet under that angle does.
+/// Force curve of one magnet at that angle.
 ForceCurve exact_pair_curve(const MagnetPair& pair, double angle_deg, double accuracy,
                             const Faces& faces) {
   const FaceFlux flux(pair, angle_deg, 0.0);
@@ -70,7 +70,7 @@ ForceCurve pair_curve(const MagnetPair& pair, double angle_deg, const ForceSetti
   return curve;
 }
 
-/// Adds `factor` times what one magnet does; `factor` below 0: of opposite polarity.
+/// Adds `factor` times the force of one magnet; `factor` below 0: of opposite polarity.
 void add(const ForceCurve& pair, double factor, ForceCurve& sum) {
   for (std::size_t i = 0; i < sum.offsets_mm.size(); ++i) {
     sum.force_n[i] += factor * pair.force_n[i];
@@ -86,7 +86,7 @@ ForceCurve empty_curve(const OffsetGrid& grid) {
   return curve;
 }
 
-/// The curves of one kind of pair, each computed when its angle first comes.
+/// Curves of one kind of pair, each computed at the first use of its angle.
 class PairCurves {
  public:
   PairCurves(const MagnetPair& pair, const ForceSettings& settings, const Faces& faces,
@@ -129,7 +129,7 @@ PairForce PinForce::at(double offset_mm) const noexcept {
 
 std::vector<double> OffsetGrid::offsets_mm() const {
   std::vector<double> offsets;
-  // Half a step's ten-thousandth, so that rounding does not lose the last point.
+  // Tolerance, so that rounding does not drop the last point.
   const double last = last_mm + 5e-5 * step_mm;
   for (int i = 0; first_mm + i * step_mm <= last; ++i) offsets.push_back(first_mm + i * step_mm);
   return offsets;

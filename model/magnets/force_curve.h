@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// F(o) of a pin (thesis (2.4)): the vertical force of all other magnets of the array on it when it
-// alone is moved to offset o. Design time: curves allocate; the force itself does not.
+// F(o) of a pin (thesis (2.4)): the axial force of all other magnets of the array on it when only
+// this pin is moved to offset o. Design time: curves allocate; the force itself does not.
 #pragma once
 
 #include <span>
@@ -12,10 +12,10 @@
 
 namespace hedgehog::model {
 
-/// The force on any pin of one class. Refers to the class: keep that alive.
+/// The force on any pin of one class. Keeps a reference: the class must outlive it.
 class PinForce {
  public:
-  /// REQUIRES: check_fit() had nothing to say.
+  /// REQUIRES: check_fit() returned no error.
   PinForce(const PinClass& pin_class, const ArraySizes& sizes, const ForceSettings& settings)
       : class_(&pin_class), sizes_(sizes), settings_(settings) {}
 
@@ -45,19 +45,19 @@ struct OffsetGrid {
 /// The axes of thesis Fig. 2.10.
 inline constexpr OffsetGrid kThesisGrid{};
 
-/// All of the same length.
+/// All vectors have the same length.
 struct ForceCurve {
   std::vector<double> offsets_mm;
   std::vector<double> force_n;
   std::vector<double> error_n;
 };
 
-/// Faster than point by point: a face that has been visited is not visited again.
+/// Faster than point by point: each face position is computed once.
 ForceCurve force_curve(const PinForce& force, const OffsetGrid& grid = kThesisGrid);
 
-/// One for each class, to `kSameAngleDeg` of each pair's angle. An array from which magnets were
-/// taken has a class for each pin, yet the angles of the whole one: every angle is computed once
-/// (GP(8,0) less two pins: 640 classes, 0.2 s instead of 9).
+/// One for each class, to `kSameAngleDeg` of each pair's angle. With magnets removed, each pin may
+/// be a class of its own, but the angles are those of the full array: each is computed once
+/// (GP(8,0) without two pins: 640 classes, 0.2 s instead of 9).
 std::vector<ForceCurve> force_curves(const std::vector<PinClass>& classes, const ArraySizes& sizes,
                                      const ForceSettings& settings, const OffsetGrid& grid);
 

@@ -17,7 +17,7 @@ std::optional<MagnetGap> nearest(const std::vector<MagnetSite>& a, MagnetKind ki
   for (std::size_t i = 0; i < a.size(); ++i) {
     for (std::size_t k = kind_a == kind_b ? i + 1 : 0; k < b.size(); ++k) {
       const double cosine = dot(a[i].direction, b[k].direction);
-      // Without the margin rounding would choose between equals.
+      // The margin keeps rounding from deciding between equal angles.
       if (cosine <= best_cosine + 1e-9) continue;
       best_cosine = cosine;
       best = MagnetGap{kind_a, a[i].id, kind_b, b[k].id, angle_deg(a[i].direction, b[k].direction),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An arrangement with sizes: whether the magnets fit, how far apart they are, what they weigh.
-// Design time and start-up: allocates.
+// An arrangement with sizes: fit, gaps and mass of the magnets. Design time and start-up:
+// allocates.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +15,8 @@
 
 namespace hedgehog::model {
 
-/// All pins are equal, and so are all shields. Shields have the opposite polarity; inner faces
-/// stand on the sphere.
+/// All pins are equal, and so are all shields. Shields have the opposite polarity; inner faces are
+/// on the sphere.
 struct ArraySizes {
   CylinderMagnet pin = kThesisPinMagnet;
   CylinderMagnet shield = kThesisShieldMagnet;
@@ -28,13 +28,13 @@ struct ArraySizes {
   MagnetPair shield_and_shield() const noexcept { return {shield, shield, sphere_radius_mm}; }
 };
 
-/// What is wrong with the sizes by themselves, one sentence.
+/// Error in the sizes alone, one sentence; nullopt if valid.
 std::optional<std::string> problem_with(const ArraySizes& sizes);
 
 enum class MagnetKind : std::uint8_t { kPin, kShield };
 std::string_view name_of(MagnetKind kind) noexcept;
 
-/// The nearest two magnets of two kinds. Negative: they overlap by so much.
+/// The nearest two magnets of two kinds. A negative gap is the overlap.
 struct MagnetGap {
   MagnetKind kind_a = MagnetKind::kPin;
   int id_a = 0;
@@ -44,11 +44,11 @@ struct MagnetGap {
   double gap_mm = 0.0;
 };
 
-/// The smallest gap of each pair of kinds that there is, pins at offset 0: pin-pin, pin-shield,
+/// The smallest gap of each existing pair of kinds, pins at offset 0: pin-pin, pin-shield,
 /// shield-shield. Equal sizes make the smallest angle the smallest gap.
 std::vector<MagnetGap> smallest_gaps(const Arrangement& arrangement, const ArraySizes& sizes);
 
-/// Nothing when the array can be built; else what is wrong: sizes, or the overlap that is worst.
+/// nullopt if the array can be built; else the error: invalid sizes, or the worst overlap.
 std::optional<MagnetError> check_fit(const Arrangement& arrangement, const ArraySizes& sizes);
 
 /// Pins and shields together, without plastic, g.

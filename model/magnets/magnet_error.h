@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Why an array of magnets cannot be made as asked.
+// Error of an array of magnets that cannot be built.
 #pragma once
 
 #include <boost/assert/source_location.hpp>
@@ -9,18 +9,18 @@
 
 namespace hedgehog::model {
 
-/// What of a ball's geometry an error is about.
+/// The part of a ball's geometry to which an error refers.
 enum class GeometryPart : std::uint8_t {
   kArrangement,
   kRemovedPins,
   kRemovedShields,
   kFrontPin,
-  /// The magnets of pins, or those of pins and shields, on their sphere.
+  /// Sizes of the pins' magnets, or of pins, shields and sphere.
   kPinSizes,
   kAllSizes,
 };
 
-/// `message` is one sentence for a person, without full stop.
+/// `message` is one human-readable sentence without full stop.
 struct MagnetError {
   std::string message;
   GeometryPart part = GeometryPart::kArrangement;

@@ -12,7 +12,7 @@ namespace hedgehog::model {
 PinCurves::PinCurves(const Arrangement& arrangement, const ArraySizes& sizes,
                      const PinTravel& travel)
     : travel_(travel), class_of_(arrangement.pins.size()) {
-  // 1e-4 of the forces is 1e-4 mm here.
+  // A relative force error of 1e-4 corresponds to 1e-4 mm here.
   constexpr ForceSettings kSettings{ForceModel::kExact, 1e-4};
   const double step_mm = (travel.highest_mm - travel.lowest_mm) / (kPoints - 1);
   const OffsetGrid grid{travel.lowest_mm, travel.highest_mm, step_mm};
@@ -27,7 +27,7 @@ PinCurves::PinCurves(const Arrangement& arrangement, const ArraySizes& sizes,
     Class one;
     for (std::size_t i = 0; i < kPoints; ++i) {
       one.holding[i] = -curve.force_n[i] / push(curve.offsets_mm[i]);
-      // Beyond the strongest pull nothing holds the pin on its way out.
+      // Beyond the strongest inward force the pin is expelled.
       if (i > 0) one.holding[i] = std::max(one.holding[i], one.holding[i - 1]);
     }
     for (std::size_t i = 0; i < arrangement.pins.size(); ++i)
@@ -35,7 +35,7 @@ PinCurves::PinCurves(const Arrangement& arrangement, const ArraySizes& sizes,
         class_of_[i] = static_cast<std::uint16_t>(classes_.size());
     classes_.push_back(one);
   }
-  // Where a pin rests does not depend on the scale of the push.
+  // The rest position does not depend on the scale of the push.
   typical_rest_mm_ = median_rest_mm();
   for (std::size_t pin = 0; pin < size(); ++pin)
     classes_[class_of_[pin]].share_at_rest = push(rest_mm(pin)) / push(typical_rest_mm_);

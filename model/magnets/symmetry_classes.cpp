@@ -7,7 +7,7 @@
 namespace hedgehog::model {
 namespace {
 
-/// Every angle that a pin sees, ascending.
+/// Angles from a pin to all other magnets, ascending.
 struct View {
   std::vector<double> pins_deg;
   std::vector<double> shields_deg;
@@ -32,7 +32,7 @@ bool same(const std::vector<double>& a, const std::vector<double>& b) {
       [](double x, double y) { return std::abs(x - y) <= kSameAngleDeg; });
 }
 
-/// Neighbours that are one angle become their mean.
+/// Merges equal adjacent angles into their mean.
 std::vector<AngleCount> counted(const std::vector<double>& angles_deg) {
   std::vector<AngleCount> counts;
   double first_deg = 0.0;
@@ -70,7 +70,7 @@ std::vector<PinClass> symmetry_classes(const Arrangement& arrangement) {
     classes.push_back({{pin.id}, counted(view.pins_deg), counted(view.shields_deg)});
     views.push_back(std::move(view));
   }
-  // Whoever made the arrangement may have had another order.
+  // The arrangement's pins may be in any order.
   for (PinClass& pin_class : classes) std::sort(pin_class.pins.begin(), pin_class.pins.end());
   std::stable_sort(classes.begin(), classes.end(), [](const PinClass& a, const PinClass& b) {
     return nearest_deg(a) + kSameAngleDeg < nearest_deg(b);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pins that see the same angles have the same force curve (thesis Fig. 2.10). Found from the angles
-// alone, so that arrays with pins and shields removed need nobody to know their symmetry.
+// Pins with equal angles to all other magnets have the same force curve (thesis Fig. 2.10). Derived
+// from the angles alone, so that the symmetry of arrays with magnets removed need not be known.
 // Design time and start-up: allocates.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace hedgehog::model {
 
-/// Angles that are equal within this are one; their mean is kept.
+/// Angles equal within this are merged into their mean.
 inline constexpr double kSameAngleDeg = 2e-4;
 
 struct AngleCount {

@@ -7,7 +7,7 @@ namespace hedgehog::model {
 
 bool Fan::runs(bool running, double hottest_c, double mean_a) noexcept {
   const bool busy = mean_a > kOnAboveA;
-  // Written so that a temperature that is not a number turns it on.
+  // The negated comparison turns the fan on for NaN.
   if (busy || !(hottest_c <= kOnAboveC)) return true;
   return running && hottest_c >= kOffBelowC;
 }

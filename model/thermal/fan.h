@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The fan's law: full if any winding is above 40 C or the 30 s mean of
-// |I| above 3 A, off below 35 C.
+// Fan control: full duty if any winding is above 40 C or the 30 s mean of |I| above 3 A, off below
+// 35 C.
 #pragma once
 
 #include <cstdint>
 
 namespace hedgehog::model {
 
-/// Real-time safe, trivially copyable; control thread, or whoever previews.
+/// Real-time safe, trivially copyable; control thread, or the thread of a preview.
 class Fan {
  public:
   static constexpr double kOnAboveC = 40.0;
@@ -16,12 +16,11 @@ class Fan {
   static constexpr double kMeanS = 30.0;
   static constexpr std::uint8_t kFullDuty = 255;
 
-  /// The law itself: whether one that was `running` runs at this hottest temperature, C, and mean
-  /// of |I|, A.
+  /// New state of a fan in state `running` at this hottest temperature, C, and mean of |I|, A.
   static bool runs(bool running, double hottest_c, double mean_a) noexcept;
 
-  /// `dt_s` later, with the hottest temperature known (infinite: nothing is known) and |I|. The
-  /// duty to command, 0..255.
+  /// Advances by `dt_s` with the hottest temperature (infinite: unknown) and |I|. Returns the duty
+  /// to command, 0..255.
   std::uint8_t step(double hottest_c, double current_a, double dt_s) noexcept;
   double mean_a() const noexcept { return mean_a_; }
 

@@ -7,9 +7,9 @@
 namespace hedgehog::model {
 namespace {
 
-// An explicit step moves a node by no more of its distance to its neighbours.
+// Maximum share of a node's distance to its neighbours in one explicit step.
 constexpr double kMaxStepShare = 0.5;
-// As many as the lightest ball needs that a device file and sim.set can describe.
+// Sufficient for the lightest ball that a device file and sim.set can describe.
 constexpr double kMaxParts = 1000.0;
 
 }  // namespace

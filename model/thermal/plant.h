@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The simulated world: three windings with their resistance and inductance, the heat of the ball,
-// the thermistor, the fan, the pins and the room. The simulated board drives it; tests and
-// campaigns draw plants that differ from what the device file says. Constants:
-// model/thermal-model.md.
+// Simulated plant: three windings with resistance and inductance, thermal network, thermistor, fan,
+// pins and ambient. Driven by the simulated board; tests and campaigns draw plants that differ from
+// the device file. Constants: model/thermal-model.md.
 #pragma once
 
 #include <array>
@@ -16,17 +15,18 @@
 
 namespace hedgehog::model {
 
-/// One ball and its room. Every constant may differ from the nominal one. Trivially copyable.
+/// One ball and its surroundings. Every constant may differ from the nominal one. Trivially
+/// copyable.
 struct PlantParameters {
   std::array<double, kCoils> winding_j_k{58.81, 58.81, 58.81};
   double core_j_k = 84.4;
   std::array<double, kCoils> winding_to_core_k_w{1.0, 1.0, 1.0};
   double core_to_room_fan_k_w = 1.8;  // fan at full speed
   double core_to_room_still_k_w =
-      5.0;  // fan standing; in between the conductance is linear in speed
+      5.0;  // fan stopped; in between the conductance is linear in speed
   std::array<double, kCoils> r25_ohm{0.45, 0.45, 0.45};
   double inductance_h = 1.5e-3;
-  /// Drop that opposes the current while a bridge sleeps and the winding freewheels, volt.
+  /// Voltage that opposes the current while a bridge sleeps and the winding freewheels, volt.
   double freewheel_v = 0.8;
   double supply_v = 12.0;
   int sensor_winding = 0;
@@ -35,10 +35,10 @@ struct PlantParameters {
   double sensor_noise_k = 0.0;
   double fan_full_rpm = 7200.0;
   double fan_spin_up_s = 1.0;
-  /// The skin follows the core so far from the room, with this lag.
+  /// Steady-state skin temperature as a share of the way from ambient to core, and its lag.
   double skin_share = 0.7;
   double skin_lag_s = 60.0;
-  /// How the windings really sit (CoilModel::matrix), and N / A on a pin that the field aims at.
+  /// True CoilModel::matrix of the windings, and force slope on a pin aimed at, N / A.
   Mat3 coil_matrix;
   double force_slope_n_a = kMeasuredCalibration.force_slope_n_a;
   /// Seed of the noise.
@@ -48,20 +48,20 @@ struct PlantParameters {
   static PlantParameters of(const CoilModel& coils, const ThermalModel& thermal) noexcept;
 };
 
-/// How a ball has changed since it was built. Trivially copyable.
+/// Changes of a ball since it was built. Trivially copyable.
 struct PlantErrors {
-  /// True R25 against the parameters'.
+  /// True R25 relative to the parameters'.
   std::array<double, kCoils> resistance_gain{1.0, 1.0, 1.0};
-  /// Share of the turns that is bridged: R falls with it, L with its square.
+  /// Share of shorted turns: R decreases with it, L with its square.
   std::array<double, kCoils> shorted_turns{};
-  /// Share of its contact that the winding's thermistor has lost: so far it follows the core.
+  /// Lost share of the thermistor's contact to its winding: by this share it follows the core.
   std::array<double, kCoils> lost_contact{};
-  /// Of the conductance from core to room, and of all heat capacities.
+  /// Gain of the conductance from core to ambient, and of all heat capacities.
   double cooling_gain = 1.0;
   double heat_capacity_gain = 1.0;
 };
 
-/// What one winding is connected to during a step.
+/// Connection of one winding during a step.
 enum class BridgeState : std::uint8_t {
   kAsleep,  // SLP low: the winding freewheels through the diodes
   kDriven,  // the mean voltage is applied; 0 V is a brake
@@ -72,11 +72,11 @@ enum class BridgeState : std::uint8_t {
 struct PlantInputs {
   std::array<BridgeState, kCoils> bridge{BridgeState::kAsleep, BridgeState::kAsleep,
                                          BridgeState::kAsleep};
-  /// Mean bridge voltage (duty x supply), volt; only of the windings that are driven.
+  /// Mean bridge voltage (duty x supply), volt; only for driven windings.
   Vec3 voltage_v;
   /// 0..1.
   double fan_duty = 0.0;
-  /// A seized fan: it runs out whatever its duty.
+  /// Seized fan: it spins down at any duty.
   bool fan_stopped = false;
 };
 
@@ -85,15 +85,15 @@ struct PlantInputs {
 class Plant {
  public:
   Plant() noexcept : Plant(PlantParameters{}, 25.0) {}
-  /// Everything at `ambient_c`, no current, fan standing.
+  /// Everything at `ambient_c`, no current, fan stopped.
   Plant(const PlantParameters& parameters, double ambient_c) noexcept;
 
-  /// `dt_s` later (the control tick of 1 ms; at most 20 ms). Currents are exact for a constant
-  /// voltage within the step.
+  /// Advances by `dt_s` (the control tick of 1 ms; at most 20 ms). Currents are exact for a
+  /// constant voltage within the step.
   void step(const PlantInputs& inputs, double dt_s) noexcept;
 
-  /// Only heat, for campaigns: `dt_s` (at most 100 ms) with these mean squares of the winding
-  /// currents, A^2. The currents are left alone.
+  /// Advances heat only, for campaigns: `dt_s` (at most 100 ms) with these mean squares of the
+  /// winding currents, A^2. The currents are unchanged.
   void step_thermal(const Vec3& mean_square_a2, double fan_duty, double dt_s) noexcept;
 
   /// Winding currents at the end of the last step, and the mean of their squares over it.
@@ -101,12 +101,12 @@ class Plant {
   const Vec3& mean_square_a2() const noexcept { return mean_square_a2_; }
   /// The thermistor's last reading, with lag and noise.
   double sensor_c() const noexcept { return reading_c_; }
-  /// The same before the noise; and that of a thermistor on winding `coil`, 0..2.
+  /// The same without noise; and that of a thermistor on winding `coil`, 0..2.
   double sensor_body_c() const noexcept { return thermistor_c(parameters_.sensor_winding); }
   double thermistor_c(int coil) const noexcept {
     return thermistor_c_[static_cast<std::size_t>(coil)];
   }
-  /// Where the hand holds it.
+  /// Skin temperature at the hand, C.
   double skin_c() const noexcept { return skin_c_; }
   double fan_rpm() const noexcept { return fan_speed_ * parameters_.fan_full_rpm; }
   const ThermalState& heat() const noexcept { return heat_; }
@@ -114,24 +114,24 @@ class Plant {
   /// Resistance of winding `coil` (0..2) at its temperature now, ohm.
   double resistance_ohm(int coil) const noexcept;
   double ambient_c() const noexcept { return ambient_c_; }
-  /// What the true currents do to the pins. Allocates: for whoever looks, never in a step.
+  /// Pin forces and displacements by the true currents. Allocates: not in a step.
   PinMotion pins(const PinArray& array, const PinCurves& curves) const;
   const PlantParameters& parameters() const noexcept { return parameters_; }
 
   void set_ambient(double ambient_c) noexcept { ambient_c_ = ambient_c; }
   void set_supply(double supply_v) noexcept { parameters_.supply_v = supply_v; }
   void set_errors(const PlantErrors& errors) noexcept { errors_ = errors; }
-  /// Start warm: the four nodes, the thermistors with their windings, the skin as after hours.
+  /// Warm start: sets the four nodes, thermistors at their windings' temperatures, skin settled.
   void set_heat(const ThermalState& heat) noexcept;
 
  private:
   void step_winding(int coil, BridgeState bridge, double voltage_v, double dt_s) noexcept;
   void step_fan(double duty, double dt_s) noexcept;
-  /// In as many parts as its fastest node needs.
+  /// Substeps as required by the fastest node.
   void step_heat(double dt_s) noexcept;
   void step_nodes(double dt_s) noexcept;
   double to_room_w_k() const noexcept;
-  /// Of its fastest node, by itself, 1/s.
+  /// Rate of the fastest node alone, 1/s.
   double fastest_per_s() const noexcept;
   void step_thermistors(double dt_s) noexcept;
   double inductance_h(std::size_t coil) const noexcept;

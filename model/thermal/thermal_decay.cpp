@@ -18,8 +18,8 @@ NodeTimeConstants node_time_constants(const ThermalModel& model) noexcept {
   return time;
 }
 
-// C dx/dt = -G x, x above the room. In y = sqrt(C) x the matrix is symmetric, so its eigenvalues
-// are real and its modes decay each by itself.
+// C dx/dt = -G x, x relative to ambient. In y = sqrt(C) x the matrix is symmetric, so its
+// eigenvalues are real and its modes decay independently.
 ThermalState decayed(const ThermalModel& model, const ThermalState& nodes, double ambient_c,
                      double seconds) noexcept {
   constexpr int kNodes = kCoils + 1;

@@ -1,30 +1,29 @@
 // SPDX-License-Identifier: MIT
-// How the four nodes cool without current, exactly; and which thermal constants the integration of
-// filter, floor and plant in steps of up to 0.1 s can follow.
+// Exact cooling of the four nodes without current; and the thermal constants for which filter,
+// floor and plant can integrate in steps of up to 0.1 s.
 #pragma once
 
 #include "model/thermal/thermal_model.h"
 
 namespace hedgehog::model {
 
-/// How fast each node would follow its neighbours if those stood still, s.
+/// Time constants of single nodes with their neighbours held constant, s.
 struct NodeTimeConstants {
-  /// Of the fastest winding.
+  /// Minimum of the three windings.
   double winding_s = 0.0;
-  /// By the better of the two ways to the room, with fan and without.
+  /// By the lower thermal resistance to ambient, with or without fan.
   double core_s = 0.0;
 };
 NodeTimeConstants node_time_constants(const ThermalModel& model) noexcept;
 
-/// An explicit step of a tenth of this is exact to a twentieth, does not oscillate, and has a
-/// factor of ten for constants that are not what the device file says.
+/// An explicit step of a tenth of this is accurate to 5 %, does not oscillate, and leaves a factor
+/// of ten for constants that differ from the device file.
 inline constexpr double kMinTimeConstantS = 1.0;
 /// The filter divides by the thermistor's lag.
 inline constexpr double kMinSensorLagS = 0.1;
 
-/// `nodes` after `seconds` in a room of `ambient_c`, coils off and fan standing. Negative seconds
-/// count as none. Never below both the room and the coolest node, never above the hottest of them.
-/// Not for the control thread.
+/// `nodes` after `seconds` at ambient `ambient_c`, coils off and fan stopped. Negative seconds
+/// count as zero. The result is within the range of ambient and nodes. Not for the control thread.
 ThermalState decayed(const ThermalModel& model, const ThermalState& nodes, double ambient_c,
                      double seconds) noexcept;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How fast the four nodes warm, by the nominal model: what observer and forecast share.
+// Heating rates of the four nodes by the nominal model, shared by observer and forecast.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace hedgehog::model {
 
-/// What acts on the nodes. Trivially copyable.
+/// Inputs of the thermal network. Trivially copyable.
 struct HeatLoad {
   /// Copper loss of each winding, W.
   std::array<double, kCoils> loss_w{};
@@ -48,7 +48,7 @@ constexpr double hottest_winding(const ThermalState& nodes) noexcept {
   return xy > w[2] ? xy : w[2];
 }
 
-/// The nodes' temperatures are as one, but for the error of measuring them.
+/// True if the nodes' temperatures are equal within the measurement error.
 constexpr bool at_one_temperature(const ThermalState& nodes) noexcept {
   constexpr double kOneTemperatureK = 1.0;
   const auto& w = nodes.winding_c;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The heat of the ball as four lumped nodes: three windings around one core, the core cooled by the
-// fan. Constants: model/thermal-model.md (chosen so that 15 A along one coil warms it from 25 to 70
-// C in 29.6 s, thesis section 3.1.1).
+// Thermal model of the ball with four lumped nodes: three windings around one core, the core cooled
+// by the fan. Constants: model/thermal-model.md (chosen so that 15 A along one coil warms it from
+// 25 to 70 C in 29.6 s, thesis section 3.1.1).
 #pragma once
 
 #include <array>
@@ -17,10 +17,10 @@ struct ThermalModel {
   std::array<double, kCoils> winding_to_core_k_w{1.0, 1.0, 1.0};
   double core_to_room_fan_k_w = 1.8;
   double core_to_room_still_k_w = 5.0;
-  /// On which winding (0..2) the thermistor sits, and how it lags, seconds (first order).
+  /// Winding (0..2) of the thermistor, and its first-order lag, seconds.
   int sensor_winding = 0;
   double sensor_lag_s = 2.0;
-  /// What the fan's tachometer shows at full duty, 1/min.
+  /// Fan speed at full duty, 1/min.
   double fan_full_rpm = 7200.0;
 
   friend constexpr bool operator==(const ThermalModel&, const ThermalModel&) noexcept = default;

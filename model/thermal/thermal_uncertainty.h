@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: MIT
-// By how much a ball and its electronics may differ from their device file.
+// Uncertainty of a ball and its electronics relative to their device file.
 #pragma once
 
 namespace hedgehog::model {
 
-/// Of the device file (`uncertainty`), else those of a ball that nobody has calibrated. Trivially
-/// copyable. A tolerance t, within which all values are equally likely, has a standard
-/// deviation of 0.58 t.
+/// From the device file (`uncertainty`); the defaults are those of an uncalibrated ball. Trivially
+/// copyable. A tolerance t, within which all values are equally likely, has a standard deviation of
+/// 0.58 t.
 struct ThermalUncertainty {
-  /// Tolerance of heat capacities and thermal resistances, a share.
+  /// Relative tolerance of heat capacities and thermal resistances.
   double thermal = 0.2;
-  /// Standard deviation of R25 with the gains of voltage and current, a share.
+  /// Relative standard deviation of R25 including the gains of voltage and current.
   double resistance = 0.03;
-  /// The same of the thermistors' offsets, K.
+  /// Standard deviation of the thermistors' offsets, K.
   double thermistor_k = 0.5;
 
   friend constexpr bool operator==(const ThermalUncertainty&,
                                    const ThermalUncertainty&) noexcept = default;
 };
 
-/// Less is not believed of any device file: gains of the electronics drift by as much, and the
-/// fault campaigns were run with no less.
+/// Minimum for any device file: the electronics' gains drift by as much, and the fault campaigns
+/// used no less.
 inline constexpr ThermalUncertainty kMinUncertainty{0.05, 0.01, 0.3};
 inline constexpr ThermalUncertainty kMaxUncertainty{0.5, 0.2, 3.0};
 

@@ -18,11 +18,11 @@ struct ConnectionInfo {
   std::optional<std::string> client{};
   std::string transport{};               // "tcp", "unix", "websocket"
   std::optional<std::string> address{};  // the peer's; null on a Unix socket
-  // Of the program on a Unix socket, as the kernel knew it when it connected; left out elsewhere.
+  // Peer credentials of a Unix socket at connect; omitted for other transports.
   std::optional<std::int64_t> uid{};
   std::optional<std::int64_t> pid{};
   Role role = Role::kObserve;
-  double since_s = 0.0;  // seconds it has been connected
+  double since_s = 0.0;  // seconds since it connected
   bool claimed = false;
   std::vector<EffectStatus> effects{};
 

@@ -16,14 +16,14 @@
 
 namespace hedgehog::protocol {
 
-/// The state that follows.
+/// The resulting state.
 struct StateResult {
   static constexpr std::string_view kSchema = "State";
   std::string state{};
   std::optional<std::string> reason{};
   std::optional<std::string> remedy{};
   std::uint64_t seq = 0;
-  std::optional<bool> on_disk{};  // of an emergency stop: a restart keeps it
+  std::optional<bool> on_disk{};  // emergency stop only: persisted over a restart
 
   void describe(Fields& f) {
     f.required("state", state);
@@ -107,14 +107,14 @@ struct DeviceStatus {
   friend bool operator==(const DeviceStatus&, const DeviceStatus&) = default;
 };
 
-/// One USB or HID device that this daemon has to do with, or could have.
+/// One USB or HID device that the daemon uses or could use.
 struct SeenDevice {
   std::string path{};  // "USB 1-3", as the kernel names the port, or "Bluetooth"
   std::string ids{};   // "1209:0001"
   std::string name{};
   std::optional<std::string> serial{};
   std::optional<std::string> firmware{};
-  std::optional<std::string> protocol{};  // of a board: "1", and of the one in use "1.2"
+  std::optional<std::string> protocol{};  // boards only: "1"; "1.2" for the one in use
   std::optional<std::string> use{};       // "board", "imu", "thermometer"; null: not used
   std::optional<std::string> why_not{};   // a clause; null when it is used
 
@@ -131,7 +131,7 @@ struct SeenDevice {
   friend bool operator==(const SeenDevice&, const SeenDevice&) = default;
 };
 
-/// What configuration asks for and is not there.
+/// A configured device that is not connected.
 struct MissingDevice {
   std::string use{};
   std::string why{};
@@ -147,7 +147,7 @@ struct DevicesResult {
   static constexpr std::string_view kSchema = "Devices";
   std::vector<SeenDevice> devices{};
   std::vector<MissingDevice> missing{};
-  std::int64_t others = 0;  // connected, and nothing to this daemon
+  std::int64_t others = 0;  // connected, but irrelevant to the daemon
 
   void describe(Fields& f) {
     f.required("devices", devices);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The result of methods that have nothing to say but that they are done.
+// The empty result, for methods that only confirm completion.
 #pragma once
 
 #include <string_view>

@@ -15,7 +15,7 @@
 
 namespace hedgehog::protocol {
 
-/// Numbers an effect for as long as the daemon runs; at least 1.
+/// Number of an effect, unique while the daemon runs; at least 1.
 using EffectNumber = std::uint32_t;
 inline constexpr Spec kEffectNumber{.min = 1};
 
@@ -25,21 +25,21 @@ Names names_of(Scope) noexcept;
 struct Admission {
   static constexpr std::string_view kSchema = "Admission";
   std::uint32_t effect = 0;
-  std::optional<std::string> slot{};  // left out when the effect has none
+  std::optional<std::string> slot{};  // omitted when the effect has none
   bool accepted = true;
   std::optional<std::string> limited_by{};  // thermal, mix, priority, configuration
   double current_a = 0.0;
   double force_n = 0.0;  // at `pin`, the nearest
   std::int64_t pin = 0;
-  std::optional<double> headroom_s{};  // null: for ever
+  std::optional<double> headroom_s{};  // null: unlimited
   std::uint64_t seq = 0;
-  std::optional<double> period_ms{};  // circles: one turn; left out elsewhere
+  std::optional<double> period_ms{};  // circles: one turn; omitted for others
 
   void describe(Fields& f);
   friend bool operator==(const Admission&, const Admission&) = default;
 };
 
-/// A method for each kind of effect, in the order of the enumerators.
+/// One method per kind of effect, in the order of the enumerators.
 struct EffectStart {
   static constexpr ErrorSet kErrors{ErrorCode::kNotArmed, ErrorCode::kDeviceAbsent,
                                     ErrorCode::kClaimed, ErrorCode::kRefusedThermal};
@@ -68,7 +68,7 @@ constexpr std::string_view name(model::EffectMethod method) noexcept {
   return EffectStart::kMethods[static_cast<std::size_t>(method)].name;
 }
 
-/// Exactly one of `effect` and `params.slot` says which.
+/// Selected by exactly one of `effect` and `params.slot`.
 struct EffectUpdate {
   static constexpr MethodInfo kMethod{
       "effect.update",
@@ -97,7 +97,7 @@ struct StopResult {
   friend bool operator==(const StopResult&, const StopResult&) = default;
 };
 
-/// Exactly one of the two.
+/// Exactly one of the two members is set.
 struct EffectStop {
   static constexpr MethodInfo kMethod{"effect.stop",
                                       Role::kPlay,
@@ -123,7 +123,7 @@ struct EffectStopAll {
   friend bool operator==(const EffectStopAll&, const EffectStopAll&) = default;
 };
 
-/// The lists have an item for every `step_ms`, the mean over it; x, y, z.
+/// The lists have one item (x, y, z) per `step_ms`, the mean over it.
 struct PreviewResult {
   static constexpr std::string_view kSchema = "Preview";
   static constexpr std::int64_t kMaxSteps = 200;
@@ -132,7 +132,7 @@ struct PreviewResult {
   std::vector<std::array<double, 3>> duty{};       // of each bridge, -1..1
   std::vector<std::array<double, 3>> current_a{};  // through each winding
   double peak_current_a = 0.0;                     // the largest norm in any millisecond
-  double temperature_c = 25.0;                     // hottest winding: now, and at most
+  double temperature_c = 25.0;                     // hottest winding: now, and peak
   double peak_temperature_c = 25.0;
   std::optional<std::string> limited_by{};        // "thermal", "configuration"
   std::optional<std::int64_t> limited_from_ms{};  // of thermal
@@ -151,13 +151,13 @@ struct EffectPreview {
       {ErrorCode::kNotArmed, ErrorCode::kDeviceAbsent, ErrorCode::kNoSuchPattern}};
   using Result = PreviewResult;
 
-  std::optional<EffectStart> start{};  // always there once decoded
+  std::optional<EffectStart> start{};  // always set once decoded
 
   void describe(Fields& f);
   friend bool operator==(const EffectPreview&, const EffectPreview&) = default;
 };
 
-/// A start that is only talked about: `method` names it, `params` are its parameters.
+/// A start request as a parameter of another request: `method` and `params`.
 void describe_planned(Fields& f, std::optional<EffectStart>& start);
 
 struct LatencyQuantiles {
@@ -169,15 +169,15 @@ struct LatencyQuantiles {
   friend bool operator==(const LatencyQuantiles&, const LatencyQuantiles&) = default;
 };
 
-/// Of the newest effects, microseconds; null when there were none.
+/// Latencies of the newest effects, microseconds; null without effects.
 struct LatencyResult {
   static constexpr std::string_view kSchema = "Latency";
-  std::int64_t effects = 0;  // so many
-  /// The request was read, and its command was queued to the control loop.
+  std::int64_t effects = 0;  // number of effects measured
+  /// From reading the request to queueing its command to the control loop.
   std::optional<LatencyQuantiles> received_to_queued_us{};
-  /// A tick applied it.
+  /// To the tick that applied it.
   std::optional<LatencyQuantiles> queued_to_applied_us{};
-  /// The first frame with its set-point was written to the board.
+  /// To writing the first frame with its set-point to the board.
   std::optional<LatencyQuantiles> applied_to_written_us{};
   std::optional<LatencyQuantiles> received_to_written_us{};
 

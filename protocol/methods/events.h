@@ -15,7 +15,7 @@
 
 namespace hedgehog::protocol {
 
-/// Where things stand before the first event.
+/// State before the first event.
 struct EventsResult {
   static constexpr std::string_view kSchema = "EventsSubscription";
   std::string state{};
@@ -38,7 +38,7 @@ struct EventsSubscribe {
   using Result = EventsResult;
 
   std::vector<std::string> types{};  // names of kEventTypes (values/event.h); empty: all
-  Scope scope = Scope::kMine;        // whose effects; the ball's own events always come
+  Scope scope = Scope::kMine;        // selects effect events; device events are always sent
 
   void describe(Fields& f);
   friend bool operator==(const EventsSubscribe&, const EventsSubscribe&) = default;
@@ -51,15 +51,15 @@ struct EventsUnsubscribe {
   friend bool operator==(const EventsUnsubscribe&, const EventsUnsubscribe&) = default;
 };
 
-/// An event of events.history, with what was added for keeping it.
+/// An event of events.history, with the fields added for storage.
 struct PastEvent {
   std::string at{};  // RFC 3339
   Event event{};
-  // Of effects, and of trips: what played, and whose; left out when nobody's
+  // Effect events and trips: method and client of the effect; omitted if it has no client
   std::optional<std::string> method{};
   std::optional<std::string> client{};
-  std::optional<std::string> recording{};  // of a trip: "trip-0017", as long as there is one
-  // Of a series of events of one type, of which `event` is the first, with the sum of `skipped`
+  std::optional<std::string> recording{};  // trips: "trip-0017", while the recording exists
+  // Series of events of one type: `event` is the first, with the sum of `skipped`
   std::optional<std::int64_t> count{};  // 2 and more
   std::optional<std::string> last{};    // RFC 3339
 
@@ -87,7 +87,7 @@ struct EventsHistory {
 
   std::optional<std::string> since{};  // RFC 3339
   std::vector<std::string> types{};    // empty: all
-  bool trips = false;                  // nothing but trips
+  bool trips = false;                  // trips only
   std::int64_t limit = 100;            // 1..HistoryResult::kMaxEvents
 
   void describe(Fields& f);

@@ -31,8 +31,8 @@ struct HelloLimits {
   double frequency_hz = 250.0;
   double telemetry_hz = 200.0;
   std::int64_t line_bytes = 65'536;
-  // How long current_a can flow from a ball as warm as its room, by its instruments; left out: for
-  // ever.
+  // Duration of current_a from ambient temperature, with this ball's measurement uncertainty;
+  // omitted: unlimited.
   std::optional<double> burst_s{};
 
   void describe(Fields& f);
@@ -45,12 +45,12 @@ struct HelloResult {
   std::string version{};
   std::string protocol{"1.0"};
   std::int64_t connection = 0;
-  std::string start_id{};  // another after each start of the daemon; empty: it tells none
+  std::string start_id{};  // changes with each start of the daemon; empty: unknown
   Role role = Role::kObserve;
   std::string state{};
   std::optional<std::string> reason{};
   std::optional<std::string> remedy{};
-  std::vector<std::string> methods{};  // encoding fills in the table when empty
+  std::vector<std::string> methods{};  // empty: the encoder inserts all methods
   HelloDevice device{};
   HelloLimits limits{};
 
@@ -66,8 +66,8 @@ struct Hello {
       {ErrorCode::kUnsupported}};
   using Result = HelloResult;
 
-  std::string client{};    // at most 128 characters, shown to the operator; empty: not said
-  std::string protocol{};  // "1.0"; empty: not said
+  std::string client{};    // at most 128 characters, shown to the operator; empty: not given
+  std::string protocol{};  // "1.0"; empty: not given
   std::optional<std::string> token{};
 
   void describe(Fields& f);

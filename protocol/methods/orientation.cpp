@@ -12,7 +12,7 @@ void OrientationSet::describe(Fields& f) {
 }
 
 void normalise(Fields& f, std::string_view field, model::Quaternion& q) {
-  // Clients round quaternions; what is off by more than that is a mistake.
+  // Tolerance for quaternions rounded by clients.
   constexpr double kTolerance = 0.01;
   const double length = model::norm(q);
   if (!(std::fabs(length - 1.0) <= kTolerance)) {

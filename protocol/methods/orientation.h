@@ -15,7 +15,8 @@ struct OrientationSet {
                                       {ErrorCode::kUnsupported, ErrorCode::kClaimed}};
   using Result = Done;
 
-  model::Quaternion quaternion{};  // device -> world; said within 1 % of unit length, normalised
+  model::Quaternion
+      quaternion{};  // device -> world; received within 1 % of unit length, normalised
 
   void describe(Fields& f);
   friend bool operator==(const OrientationSet&, const OrientationSet&) = default;
@@ -29,7 +30,7 @@ struct RecenterResult {
   friend bool operator==(const RecenterResult&, const RecenterResult&) = default;
 };
 
-/// The front points there now.
+/// Sets the azimuth of the front.
 struct OrientationRecenter {
   static constexpr MethodInfo kMethod{"orientation.recenter",
                                       Role::kPlay,
@@ -43,7 +44,7 @@ struct OrientationRecenter {
   friend bool operator==(const OrientationRecenter&, const OrientationRecenter&) = default;
 };
 
-/// Makes `q`, the member `field`, of length 1; refuses it when it is off by more than 1 %.
+/// Normalises `q`, the member `field`; rejects it if its length is off by more than 1 %.
 void normalise(Fields& f, std::string_view field, model::Quaternion& q);
 
 using OrientationMethods = TypeList<OrientationSet, OrientationRecenter>;

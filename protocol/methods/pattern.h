@@ -18,7 +18,7 @@ struct PatternSummary {
   std::string name{};
   std::string description{};
   std::int64_t duration_ms = 0;  // at rate 1
-  std::int64_t keyframes = 0;    // how many
+  std::int64_t keyframes = 0;    // number of key frames
   bool shipped = false;          // read-only
 
   void describe(Fields& f) {
@@ -33,7 +33,7 @@ struct PatternSummary {
 
 struct PatternsResult {
   static constexpr std::string_view kSchema = "Patterns";
-  std::vector<PatternSummary> patterns{};  // by name
+  std::vector<PatternSummary> patterns{};  // sorted by name
 
   void describe(Fields& f) { f.required("patterns", patterns); }
   friend bool operator==(const PatternsResult&, const PatternsResult&) = default;
@@ -46,7 +46,7 @@ struct PatternList {
   friend bool operator==(const PatternList&, const PatternList&) = default;
 };
 
-/// The fields of the pattern, and what pattern.list says besides.
+/// The fields of the pattern, and those of pattern.list.
 struct PatternResult {
   static constexpr std::string_view kSchema = "Pattern";
   Pattern pattern{};
@@ -74,7 +74,7 @@ struct PatternGet {
   friend bool operator==(const PatternGet&, const PatternGet&) = default;
 };
 
-/// Replaces the one of that name.
+/// Replaces a pattern of the same name.
 struct PatternPut {
   static constexpr MethodInfo kMethod{"pattern.put",
                                       Role::kPlay,

@@ -14,7 +14,7 @@
 
 namespace hedgehog::protocol {
 
-/// How the simulated world is now.
+/// Present state of the simulated plant.
 struct SimResult {
   static constexpr std::string_view kSchema = "SimulatedWorld";
   double ambient_c = 25.0;
@@ -31,10 +31,10 @@ struct SimResult {
   friend bool operator==(const SimResult&, const SimResult&) = default;
 };
 
-/// Replaces all faults of the simulated board: `faults` empty mends it.
+/// Replaces all faults of the simulated board; empty `faults` clears them.
 struct SimFault {
-  std::vector<std::string> faults{};  // wire names of device::SimFault; the server knows them
-  std::int64_t coil = 0;              // which winding the faults of one winding touch
+  std::vector<std::string> faults{};  // wire names of device::SimFault; checked by the server
+  std::int64_t coil = 0;              // the winding affected by single-winding faults
 
   void describe(Fields& f) {
     f.defaulted("faults", faults);
@@ -43,7 +43,7 @@ struct SimFault {
   friend bool operator==(const SimFault&, const SimFault&) = default;
 };
 
-/// What is left out stays as it is.
+/// Omitted fields are unchanged.
 struct SimSet {
   static constexpr MethodInfo kMethod{
       "sim.set", Role::kOperate, "Changes the simulated world.", {ErrorCode::kUnsupported}};
@@ -64,7 +64,7 @@ struct SimSet {
   friend bool operator==(const SimSet&, const SimSet&) = default;
 };
 
-/// The simulated ball as it really is, whatever is measured of it.
+/// True state of the simulated ball, independent of measurements.
 struct SimTruthResult {
   static constexpr std::string_view kSchema = "SimulatedTruth";
   std::vector<double> coils_c{};  // each winding

@@ -29,7 +29,7 @@ struct TelemetrySubscribe {
   using Result = TelemetryResult;
 
   double rate_hz = 10.0;                  // 0.1..200
-  StatusKeys fields = kTelemetryDefault;  // time_ns always goes along
+  StatusKeys fields = kTelemetryDefault;  // time_ns is always included
 
   void describe(Fields& f);
   friend bool operator==(const TelemetrySubscribe&, const TelemetrySubscribe&) = default;
@@ -44,16 +44,16 @@ struct TelemetryUnsubscribe {
 
 /// One step of telemetry.history.
 struct TelemetrySample {
-  double age_s = 0.0;  // how long before `time_ns` it ended
-  // At its end; left out where it was not known
-  std::optional<std::array<double, 3>> coils_c{};  // the windings, as estimated
-  std::optional<double> upper_c{};                 // the most that the hottest could be
+  double age_s = 0.0;  // age of its end relative to `time_ns`
+  // Values at its end; omitted where not known
+  std::optional<std::array<double, 3>> coils_c{};  // estimated windings
+  std::optional<double> upper_c{};                 // upper bound of the hottest winding
   std::optional<double> sensor_c{};                // the thermistor
-  double current_a = 0.0;                          // rms over the step, of all windings together
-  double peak_a = 0.0;                             // the most that was seen in it
-  double limit_a = 0.0;                            // the least that was allowed in it
-  std::array<double, 3> duty{};                    // means of the magnitudes, 0..1
-  std::optional<double> headroom_s{};              // the least in it; null: for ever, or not known
+  double current_a = 0.0;                          // rms of the norm over the step
+  double peak_a = 0.0;                             // maximum norm
+  double limit_a = 0.0;                            // minimum allowed
+  std::array<double, 3> duty{};                    // mean magnitudes, 0..1
+  std::optional<double> headroom_s{};              // minimum; null: unlimited, or not known
 
   void describe(Fields& f);
   friend bool operator==(const TelemetrySample&, const TelemetrySample&) = default;
@@ -62,9 +62,9 @@ struct TelemetrySample {
 struct TelemetryHistoryResult {
   static constexpr std::string_view kSchema = "TelemetryHistory";
   static constexpr std::int64_t kMaxSamples = 200;
-  std::int64_t time_ns = 0;                // now, device time
-  double step_s = 0.0;                     // what one sample covers
-  std::vector<TelemetrySample> samples{};  // oldest first; what is missing was not measured
+  std::int64_t time_ns = 0;                // present device time
+  double step_s = 0.0;                     // duration of one sample
+  std::vector<TelemetrySample> samples{};  // oldest first; missing ones were not measured
 
   void describe(Fields& f);
   friend bool operator==(const TelemetryHistoryResult&, const TelemetryHistoryResult&) = default;

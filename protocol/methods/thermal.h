@@ -10,15 +10,15 @@
 
 namespace hedgehog::protocol {
 
-/// null = never, or: need not. While the temperature is not known nothing may flow: derated at
-/// once, nothing sustainable, and the nulls are not known.
+/// null: never, or no recovery needed. While the temperature is not known no current is allowed:
+/// derating at once, nothing sustainable; null then means unknown.
 struct ForecastResult {
   static constexpr std::string_view kSchema = "Forecast";
   std::optional<double> seconds_to_derating{};
   std::optional<double> seconds_to_limit{};
   double sustainable_a = 0.0;
   std::optional<double> recovery_s{};
-  bool temperature_known = true;  // true when left out, by an older daemon
+  bool temperature_known = true;  // true if omitted (older daemon)
 
   void describe(Fields& f) {
     f.nullable("seconds_to_derating", seconds_to_derating, decimals(1));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the ball is: the answer to `device.describe`.
+// Description of the ball: the result of `device.describe`.
 #pragma once
 
 #include <array>
@@ -19,15 +19,15 @@ struct PinDescription {
   std::int64_t pin = 0;
   model::Vec3 position{};  // unit vector, device frame
   std::int64_t ring = 0;   // 0 is the top
-  double rest_mm = 0.0;    // out of the shell without current; 0: lies on it
+  double rest_mm = 0.0;    // offset from the shell without current; 0: on it
   void describe(Fields& f);
   friend bool operator==(const PinDescription&, const PinDescription&) = default;
 };
 
-/// What a winding was measured to be at the start, beside the device file; null: not yet.
+/// Resistance of a winding measured since the start; null: not yet.
 struct WindingDescription {
   std::optional<double> r25_ohm{};
-  /// From the device file's, and from an earlier start's, shares: 0.05 is 5 % more.
+  /// Relative deviation from the device file's and from an earlier start's: 0.05 is 5 % more.
   std::optional<double> from_file{};
   std::optional<double> from_kept{};
   void describe(Fields& f);
@@ -39,7 +39,7 @@ struct CoilsDescription {
   std::array<double, 3> r25_ohm{};
   double inductance_h = 0.0;
   double supply_v = 0.0;
-  std::optional<std::vector<WindingDescription>> measured{};  // absent: from an older daemon
+  std::optional<std::vector<WindingDescription>> measured{};  // absent: older daemon
   void describe(Fields& f);
   friend bool operator==(const CoilsDescription&, const CoilsDescription&) = default;
 };
@@ -57,10 +57,10 @@ struct ThermalDescription {
   friend bool operator==(const ThermalDescription&, const ThermalDescription&) = default;
 };
 
-/// By how much the ball may differ from its device file.
+/// Uncertainty of the ball relative to its device file.
 struct UncertaintyDescription {
-  double thermal = 0.0;       // a share, within which all values lie
-  double resistance = 0.0;    // standard deviation, a share
+  double thermal = 0.0;       // relative tolerance
+  double resistance = 0.0;    // relative standard deviation
   double thermistor_k = 0.0;  // standard deviation
   void describe(Fields& f);
   friend bool operator==(const UncertaintyDescription&, const UncertaintyDescription&) = default;
@@ -80,7 +80,7 @@ struct LimitsDescription {
 };
 
 struct CalibrationDescription {
-  double force_n_per_a = 0.0126;  // at the pin that the field points to
+  double force_n_per_a = 0.0126;  // at the pin along the field
   void describe(Fields& f);
   friend bool operator==(const CalibrationDescription&, const CalibrationDescription&) = default;
 };
@@ -90,7 +90,7 @@ struct BoardDescription {
   bool present = false;
   std::optional<std::string> serial{};
   std::optional<std::string> firmware{};
-  std::optional<std::string> protocol{};  // of the board's frames, "1.2"; of one that is there
+  std::optional<std::string> protocol{};  // of the board's frames, "1.2"; only if present
   void describe(Fields& f);
   friend bool operator==(const BoardDescription&, const BoardDescription&) = default;
 };

@@ -27,7 +27,7 @@ constexpr Spec kOnFraction{.min = 0.05, .max = 0.95};
 constexpr Spec kKeyframes{.items = model::kMaxKeyframes};
 constexpr Spec kLease{.min = kMinLeaseMs, .max = kMaxLeaseMs, .rounded = true};
 
-/// Refuses when more than one of them was said; `names` reads "level, current_a and force_n".
+/// Rejects more than one given; `names` is like "level, current_a and force_n".
 void at_most_one(Fields& f, std::string_view names,
                  std::initializer_list<std::pair<std::string_view, bool>> given) {
   std::string_view first;

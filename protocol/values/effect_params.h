@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The parameters of the methods that play (protocol/README.md),
-// as they were said: what was left out is nullopt. Decoding checks every range that does not depend
-// on the ball; the server checks the rest: current_a and force_n against limits.current_a, role
-// `operate` for priority 8 and 9 and for frame "coil", the kind of end and the circle's parameters
-// in `effect.update`, pins that do not exist.
+// Parameters of the effect methods (protocol/README.md) as received: omitted ones are nullopt.
+// Decoding checks every range that does not depend on the ball; the server checks the rest:
+// current_a and force_n against limits.current_a, role `operate` for priority 8 and 9 and for frame
+// "coil", the kind of end and the circle's parameters in `effect.update`, pins that do not exist.
 #pragma once
 
 #include <cstdint>
@@ -31,22 +30,22 @@ Names names_of(IfLimited) noexcept;
 Names names_of(Sense) noexcept;
 Names names_of(Stepping) noexcept;
 
-/// One of a pattern; see model::Keyframe.
+/// A key frame of a pattern; see model::Keyframe.
 struct Keyframe {
-  std::int64_t t_ms = 0;                 // 0..60 000, not before the one before it
-  std::optional<Direction> direction{};  // as the one before it; of the first: front
+  std::int64_t t_ms = 0;                 // 0..60 000, non-decreasing
+  std::optional<Direction> direction{};  // default: as the previous one; for the first: front
   double level = 0.0;                    // 0..1
-  std::optional<model::Ease> ease{};     // linear
+  std::optional<model::Ease> ease{};     // default: linear
   void describe(Fields& f);
   friend bool operator==(const Keyframe&, const Keyframe&) = default;
 };
 
-/// Times are milliseconds; fractions were rounded to whole control ticks.
+/// Times are milliseconds; fractions are rounded to whole control ticks.
 struct EffectParams {
   std::optional<Direction> direction{};
   std::optional<model::Frame> frame{};
 
-  /// At most one of the three. level 0..1 of limits.current_a; the others are not negative.
+  /// At most one of the three. level 0..1 of limits.current_a; the others are >= 0.
   std::optional<double> level{};
   std::optional<double> current_a{};
   std::optional<double> force_n{};
@@ -86,7 +85,7 @@ struct EffectParams {
   std::optional<double> rate{};  // 0.1..10
   std::optional<bool> loop{};
 
-  /// The parameters of a start; nullopt: of an update.
+  /// `method`: of a start; nullopt: an update.
   void describe(Fields& f, std::optional<model::EffectMethod> method);
   friend bool operator==(const EffectParams&, const EffectParams&) = default;
 };
@@ -98,18 +97,17 @@ inline constexpr std::int64_t kMaxFinishMs = 2'000;
 inline constexpr std::int64_t kMaxSlotCharacters = 32;
 inline constexpr std::int64_t kMaxPatternName = 65;
 
-/// `params` with everything filled in that `method` has a default for. Still open afterwards: the
-/// strength (none = limits.continuous_a), the start, the slot, and `direction` of pulse and hold
-/// (decoding refuses them without one). Vibrate and circle end after 1000 ms when neither
-/// duration_ms nor lease_ms is said, a loop by its lease of 1000 ms; a pattern that does not loop
-/// then ends with its last key frame, which is left open.
+/// `params` with the defaults of `method`. Not filled in: strength (none = limits.continuous_a),
+/// start, slot, and `direction` of pulse and hold (decoding rejects them without one). Without
+/// duration_ms and lease_ms, vibrate and circle end after 1000 ms and a loop by its lease of 1000
+/// ms; a pattern that does not loop ends with its last key frame (both stay nullopt).
 EffectParams with_defaults(model::EffectMethod method, EffectParams params);
 
-/// What is wrong with how `params`, defaults filled in, begin and end: a fade without a known end,
-/// attack and fade longer than the whole, a "finish" that is too long. nullopt: nothing.
+/// Checks begin and end of `params` with defaults filled in: a fade without a known end, attack and
+/// fade longer than the duration, a "finish" that is too long. nullopt: valid.
 std::optional<RpcError> check_end(const EffectParams& params);
 
-/// What is wrong with the times of key frames; nullopt: nothing.
+/// Checks the times of key frames; nullopt: valid.
 std::optional<RpcError> check_keyframes(const std::vector<Keyframe>& keyframes);
 
 }  // namespace hedgehog::protocol

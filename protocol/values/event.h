@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What happened, for those who subscribed (protocol/README.md). One flat object on the
-// wire; which fields a type has stands beside them.
+// Events for subscribed clients (protocol/README.md). One flat object on the wire; the comments
+// list the types that have each field.
 #pragma once
 
 #include <algorithm>
@@ -15,27 +15,27 @@ namespace hedgehog::protocol {
 
 class Fields;
 
-/// Sorted. Clients ignore types that they do not know.
+/// Sorted. Clients ignore unknown types.
 inline constexpr std::array<std::string_view, 11> kEventTypes{
     "derating_ended", "derating_started", "device_attached",  "device_detached",
     "effect_ended",   "effect_started",   "orientation_lost", "orientation_restored",
     "overrun",        "shutting_down",    "state_changed"};
 
-/// Types of events that recur while something goes on, such as a machine that is too busy. Those of
-/// one type with at most `kSeriesMaxGapMs` between them are one series, of at most `kSeriesMaxMs`:
-/// its first event, how many there were, and when the last was.
+/// Event types that recur while a condition persists, such as an overloaded host. Events of one
+/// type at most `kSeriesMaxGapMs` apart form one series of at most `kSeriesMaxMs`, stored as its
+/// first event, their number, and the time of the last.
 inline constexpr std::array<std::string_view, 3> kRecurringEventTypes{
     "orientation_lost", "orientation_restored", "overrun"};
 inline constexpr std::int64_t kSeriesMaxGapMs = 60'000;
 inline constexpr std::int64_t kSeriesMaxMs = 3'600'000;
 
-/// Of events of this type there are series.
+/// True if events of this type form series.
 constexpr bool is_recurring(std::string_view type) noexcept {
   return std::find(kRecurringEventTypes.begin(), kRecurringEventTypes.end(), type) !=
          kRecurringEventTypes.end();
 }
 
-/// effect_ended: how it was delivered.
+/// effect_ended: delivered fraction of the requested strength.
 struct EventDelivery {
   double min = 1.0;
   double mean = 1.0;
@@ -47,14 +47,14 @@ struct EventDelivery {
 struct Disagreement {
   /// The winding, 0..2.
   std::int64_t coil = 0;
-  /// Of `resistance current heat_balance thermistor supply_current supply_voltage` two or, where
-  /// they cannot be told apart, more.
+  /// Two, or more if not distinguishable, of `resistance current heat_balance thermistor
+  /// supply_current supply_voltage`.
   std::vector<std::string> between{};
   void describe(Fields& f);
   friend bool operator==(const Disagreement&, const Disagreement&) = default;
 };
 
-/// Fields that a type does not have are nullopt and not written.
+/// Fields that a type does not have are nullopt and omitted.
 struct Event {
   std::string type{};
   std::int64_t time_ns = 0;
@@ -80,10 +80,10 @@ struct Event {
 
   // derating_started, derating_ended
   std::optional<double> limit_a{};
-  // also state_changed, of a trip: the hottest, unless nothing was known, and what flowed (always)
+  // also state_changed by a trip: hottest temperature, if known, and current (always)
   std::optional<double> temperature_c{};
   std::optional<double> current_a{};
-  // state_changed, of a trip by measurements_disagree
+  // state_changed by a trip with reason measurements_disagree
   std::optional<Disagreement> disagreement{};
 
   // device_attached, device_detached: "board" or "imu"
@@ -99,7 +99,8 @@ constexpr bool is_derating(std::string_view type) noexcept {
   return type == "derating_started" || type == "derating_ended";
 }
 
-/// The ball has tripped, or was armed and is gone; not that it still is tripped after a restart.
+/// True if the ball has tripped or was disconnected while armed; not for a trip persisted over a
+/// restart.
 inline bool is_trip(const Event& event) noexcept {
   return event.state.has_value() && event.current_a.has_value();
 }

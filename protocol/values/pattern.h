@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A named pattern: key frames with the waveform they are felt through. What `pattern.put` takes,
-// `pattern.get` answers and a file in config/patterns holds.
+// A named pattern: key frames with their waveform. Format of `pattern.put`, `pattern.get` and the
+// files in config/patterns.
 #pragma once
 
 #include <cstdint>
@@ -19,11 +19,11 @@ inline constexpr std::int64_t kMaxDescription = 256;
 inline constexpr Spec kPatternName{.min = 1, .max = kMaxPatternName};
 
 struct Pattern {
-  /// "heartbeat" of the shipped ones, else "vendor/name": lower case letters, digits, `_`, `-` and
-  /// `.`, at most 32 of them on each side of the slash, a letter or digit first.
+  /// "heartbeat" for shipped patterns, else "vendor/name": lower-case letters, digits, `_`, `-` and
+  /// `.`, at most 32 on each side of the slash, a letter or digit first.
   std::string name{};
   std::string description{};  // one sentence, at most 256 characters
-  /// What `effect.play` takes unless it is said there.
+  /// Defaults for `effect.play`.
   std::optional<model::Waveform> waveform{};
   std::optional<double> frequency_hz{};  // 0.5..250
   std::optional<double> on_fraction{};   // 0.05..0.95
@@ -33,14 +33,14 @@ struct Pattern {
 };
 
 enum class PatternOwner : std::uint8_t { kShipped, kVendor };
-/// Whose name that is; nullopt: it is no name for a pattern.
+/// Owner by the form of the name; nullopt: not a valid pattern name.
 std::optional<PatternOwner> owner_of(std::string_view name) noexcept;
 
 /// -32008 "pattern: there is no 'hartbeat'; did you mean 'heartbeat'?"
 RpcError no_such_pattern(std::string_view field, std::string_view name,
                          const std::vector<std::string_view>& known);
 
-/// A pattern from its JSON; refuses what `pattern.put` would refuse, but takes any owner's name.
+/// A pattern from its JSON; same checks as `pattern.put`, but accepts any owner's name.
 Result<Pattern> decode_pattern(std::string_view json);
 /// One line of JSON, without LF.
 std::string encode_pattern(const Pattern& pattern);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An error that sim.set gives the simulated board, and that it answers with.
+// An error injected by sim.set, also part of its result.
 #pragma once
 
 #include <cstddef>
@@ -15,10 +15,10 @@ inline constexpr std::size_t kMaxSimErrors = 32;
 
 /// An error of the simulated board's measurements, or of the simulated ball.
 struct SimError {
-  std::string kind{};  // wire name of device::SimulatorErrorKind; the server knows them
-  std::optional<std::int64_t> coil{};  // of the kinds that touch one winding
+  std::string kind{};  // wire name of device::SimulatorErrorKind; checked by the server
+  std::optional<std::int64_t> coil{};  // for kinds that affect one winding
   double value = 0.0;
-  double ramp_s = 0.0;  // it grows over so long
+  double ramp_s = 0.0;  // duration of the linear increase
 
   void describe(Fields& f) {
     f.required("kind", kind, {.min = 1, .max = 40});

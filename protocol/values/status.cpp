@@ -15,7 +15,7 @@ constexpr Spec kRatio = decimals(3);
 constexpr Spec kUnit = decimals(5);
 
 void describe_only(Fields& f, Status& v, StatusKeys keys) {
-  // Each key is described where it stands, so that the order of the object is that of the enum.
+  // Described in the order of the enum, which is that of the object.
   const auto shows = [&](StatusKey key) { return keys.contains(key); };
   const auto required = [&](StatusKey key, auto& value, const Spec& spec = {}) {
     if (shows(key)) f.required(name(key), value, spec);
@@ -38,7 +38,7 @@ void describe_only(Fields& f, Status& v, StatusKeys keys) {
   nullable(kHeadroomS, v.headroom_s, kSeconds);
   nullable(kBurstS, v.burst_s, kSeconds);
   required(kDerating, v.derating);
-  // As finely as the board measures: what calibrates a ball is worked out from these.
+  // Full resolution of the board's measurements: calibration uses them.
   required(kCurrentA, v.current_a, decimals(3));
   required(kDuty, v.duty, decimals(5));
   nullable(kSupplyV, v.supply_v, decimals(3));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The status object: what `device.status` answers and telemetry repeats (protocol/README.md).
-// nullopt is written as null: not known, or for ever, as the field says.
+// The status object: result of `device.status`, content of telemetry (protocol/README.md). nullopt
+// is written as null: not known, or unlimited, depending on the field.
 #pragma once
 
 #include <array>
@@ -19,17 +19,16 @@ namespace hedgehog::protocol {
 class Fields;
 
 struct TemperatureStatus {
-  std::optional<double> sensor{};  // null: stale or impossible; `age_ms` says how old
-  std::optional<double> model{};   // hottest winding as estimated
+  std::optional<double> sensor{};  // null: stale or out of range; see `age_ms`
+  std::optional<double> model{};   // estimated hottest winding
   std::array<double, 3> coils{};
-  std::optional<std::int64_t> age_ms{};  // null: there never was a reading
-  std::optional<double>
-      thermometer{};              // the second one; left out when there is none or it is silent
-  std::optional<double> upper{};  // the most that the hottest can be, which is what is limited by
-  std::optional<double> core{};   // between the windings, as estimated
-  /// Of the windings x, y, z; left out unless the board has one on each, and all answer.
+  std::optional<std::int64_t> age_ms{};  // null: no reading so far
+  std::optional<double> thermometer{};   // second thermometer; omitted if absent or stale
+  std::optional<double> upper{};         // upper bound of the hottest, used by the limiter
+  std::optional<double> core{};          // estimated core between the windings
+  /// Thermistors of windings x, y, z; omitted unless the board has one on each and all are valid.
   std::optional<std::array<double, 3>> sensors{};
-  std::optional<double> skin{};  // the most that the shell is, or will be; limits too
+  std::optional<double> skin{};  // upper bound of the shell, now and later; also limits
   void describe(Fields& f);
   friend bool operator==(const TemperatureStatus&, const TemperatureStatus&) = default;
 };
@@ -37,7 +36,7 @@ struct TemperatureStatus {
 struct FanStatus {
   std::optional<double> speed_rpm{};
   double duty = 0.0;  // 0..1
-  /// By its speed it cools, and the estimate counts on that; absent: from an older daemon.
+  /// True if its speed shows that it cools; used by the estimate. Absent: older daemon.
   std::optional<bool> cooling{};
   void describe(Fields& f);
   friend bool operator==(const FanStatus&, const FanStatus&) = default;
@@ -45,7 +44,7 @@ struct FanStatus {
 
 struct OrientationStatus {
   model::Quaternion quaternion{};  // device -> world, recentred
-  model::Vec3 up{0, 0, 1};         // against gravity, in the device frame
+  model::Vec3 up{0, 0, 1};         // opposite to gravity, device frame
   model::Vec3 rate_deg_s{};
   std::int64_t age_ms = 0;
   void describe(Fields& f);
@@ -59,7 +58,7 @@ struct EffectStatus {
   std::int64_t connection = 0;
   std::optional<std::string> client{};
   std::int64_t priority = 5;
-  bool playing = false;  // false: delayed, or under a higher priority
+  bool playing = false;  // false: delayed, or masked by a higher priority
   std::int64_t remaining_ms = 0;
   double current_a = 0.0;
   void describe(Fields& f);
@@ -101,10 +100,10 @@ struct TripStatus {
   friend bool operator==(const TripStatus&, const TripStatus&) = default;
 };
 
-/// Of each pin, by its number (model/geometry/pin_motion.h).
+/// Indexed by pin number (model/geometry/pin_motion.h).
 struct PinsStatus {
-  std::vector<double> force_n{};       // what the coils push with, outwards positive
-  std::vector<double> extension_mm{};  // from where the pin rests, outwards positive
+  std::vector<double> force_n{};       // coil force, outwards positive
+  std::vector<double> extension_mm{};  // from the rest position, outwards positive
   bool empty() const noexcept { return force_n.empty() && extension_mm.empty(); }
   void describe(Fields& f);
   friend bool operator==(const PinsStatus&, const PinsStatus&) = default;
@@ -122,16 +121,16 @@ struct Status {
 
   TemperatureStatus temperature_c{};
   double limit_a = 0.0;                // allowed now
-  std::optional<double> headroom_s{};  // of what flows now; null: for ever
+  std::optional<double> headroom_s{};  // of the present current; null: unlimited
   std::optional<double> burst_s{};     // of the full limits.current_a
   bool derating = false;
 
   model::Vec3 current_a{};            // measured, per coil
   model::Vec3 duty{};                 // per coil, -1..1
   std::optional<double> supply_v{};   // of the bridges, measured; null: no board
-  model::Vec3 field{};                // unit vector in the device frame; zero when nothing flows
+  model::Vec3 field{};                // unit vector in the device frame; zero without current
   double force_n = 0.0;               // at the nearest pin
-  std::optional<std::int64_t> pin{};  // the nearest; null when nothing flows
+  std::optional<std::int64_t> pin{};  // the nearest; null without current
 
   FanStatus fan{};
   std::optional<OrientationStatus> orientation{};  // null: no sensor
@@ -141,12 +140,12 @@ struct Status {
   std::uint64_t applied_seq = 0;
   std::optional<TripStatus> last_trip{};
 
-  PinsStatus pins{};  // of the measured currents; only when asked for
+  PinsStatus pins{};  // from the measured currents; only on request
   void describe(Fields& f);
   friend bool operator==(const Status&, const Status&) = default;
 };
 
-/// One `telemetry` notification: the keys that were asked for, each whole.
+/// One `telemetry` notification: the subscribed keys, each complete.
 struct Telemetry {
   StatusKeys keys = kTelemetryDefault;
   Status status{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The keys of the status object, as a set: what a telemetry subscription asks for.
+// The set of keys of the status object that a telemetry subscription requests.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace hedgehog::protocol {
 
-/// In the order in which the status object shows them.
+/// In the order of the status object.
 enum class StatusKey : std::uint8_t {
   kDevice,
   kSimulated,
@@ -70,7 +70,7 @@ class StatusKeys {
 };
 
 inline constexpr StatusKeys kEveryStatusKey{(std::uint32_t{1} << kStatusKeyNames.size()) - 1};
-/// What `device.status` answers, and what telemetry sends when no fields are named: all but `pins`.
+/// Keys of `device.status`, and of telemetry without `fields`: all except `pins`.
 inline constexpr StatusKeys kTelemetryDefault{(std::uint32_t{1} << (kStatusKeyNames.size() - 1)) -
                                               1};
 

@@ -18,7 +18,7 @@ struct Resolver {
     const double longest = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
     if (!model::is_finite(v) || longest == 0.0)
       return invalid_params(field, "a vector without length points nowhere");
-    // Scaled first, so that neither tiny nor huge lengths vanish in their squares.
+    // Scaled first, so that squares of tiny or huge components neither underflow nor overflow.
     return model::unit_or({v.x / longest, v.y / longest, v.z / longest}, {1, 0, 0});
   }
   Result<model::Vec3> operator()(const Angles& angles) const {

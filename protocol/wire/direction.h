@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A direction as a client says it: where the pins push out, never where a force comes from. Kept as
-// it was said; `resolve` turns it into a unit vector of the effect's frame (x forward, y left, z
-// up).
+// A direction as given by the client: the one in which the pins push out, never the origin of a
+// force. `resolve` converts it into a unit vector of the effect's frame (x forward, y left, z up).
 #pragma once
 
 #include <cstdint>
@@ -25,7 +24,7 @@ struct Angles {
   friend constexpr bool operator==(const Angles&, const Angles&) noexcept = default;
 };
 
-/// The pin with this number; numbers run ring by ring from the top, anticlockwise from the front.
+/// A pin number; pins are numbered ring by ring from the top, anticlockwise from the front.
 struct PinNumber {
   std::int64_t pin = 0;
   void describe(Fields& f);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a refused request is told: JSON-RPC error objects as values (protocol/README.md).
+// JSON-RPC error objects as values (protocol/README.md).
 #pragma once
 
 #include <boost/assert/source_location.hpp>
@@ -33,39 +33,37 @@ enum class ErrorCode : int {
   kArmed = -32010,
 };
 
-/// `data.name` of the code: "invalid_params", "not_armed", ...; "server_error" when it is none of
-/// ours.
+/// `data.name` of the code: "invalid_params", "not_armed", ...; "server_error" for any other code.
 std::string_view name(ErrorCode code) noexcept;
 
-/// A value that stands in `data`: what was asked, or what would have been allowed.
+/// A value in `data`: the requested one, or the limit.
 using ErrorValue = std::variant<bool, std::int64_t, double, std::string>;
 
-/// `message` is one sentence for a person; the optional fields go to `data` where they apply.
+/// `message` is one human-readable sentence; the optional fields go to `data` where they apply.
 struct RpcError {
   ErrorCode code = ErrorCode::kInternalError;
   std::string message;
-  /// The parameter that is to blame, and what it may be and was.
+  /// The invalid parameter, its limit and its value.
   std::optional<std::string> field{};
   std::optional<ErrorValue> limit{};
   std::optional<ErrorValue> value{};
-  /// Who may: `forbidden`, `unauthorized`, `not_armed`.
+  /// Required role: `forbidden`, `unauthorized`, `not_armed`.
   std::optional<Role> role_needed{};
-  /// The ball's state and why, and the sentence that mends it: `not_armed`, `armed`,
-  /// `device_absent`.
+  /// The ball's state, its reason and the remedy: `not_armed`, `armed`, `device_absent`.
   std::optional<std::string> state{};
   std::optional<std::string> reason{};
   std::optional<std::string> remedy{};
-  /// When asking again may help: `busy`, `refused_thermal`, `claimed`.
+  /// Time after which a retry may succeed: `busy`, `refused_thermal`, `claimed`.
   std::optional<std::int64_t> retry_after_ms{};
   /// `device_absent`: "board" or "imu".
   std::optional<std::string> device{};
-  /// `refused_thermal`: the current that is allowed now.
+  /// `refused_thermal`: the current allowed now.
   std::optional<double> limit_a{};
 
   friend bool operator==(const RpcError&, const RpcError&) = default;
 };
 
-/// REQUIRES nothing; makes `result<T>::value()` throw std::runtime_error with the message.
+/// Makes `result<T>::value()` throw std::runtime_error with the message.
 [[noreturn]] void throw_exception_from_error(const RpcError& error,
                                              const boost::source_location& where);
 
@@ -74,9 +72,9 @@ using Result = boost::system::result<T, RpcError>;
 
 /// "level: 1.4 is above 1" or "... is below ...", with field, limit and value.
 RpcError out_of_range(std::string_view field, double limit, double value);
-/// -32602 "<field>: <what>", for a parameter that is wrong in another way.
+/// -32602 "<field>: <what>", for any other invalid parameter.
 RpcError invalid_params(std::string_view field, std::string_view what);
-/// "scope: all needs the role operate, you have play". `what` is the parameter or method at issue.
+/// "scope: all needs the role operate, you have play". `what` is the parameter or method concerned.
 RpcError forbidden(std::string_view field, std::string_view what, Role needed, Role has);
 /// "effect: you play no effect 41".
 RpcError no_such_effect(std::int64_t effect);
@@ -90,7 +88,7 @@ RpcError not_armed(std::string_view state, std::string_view reason, std::string_
 RpcError armed(std::string_view what, std::string_view remedy);
 /// "<field>: <what>"; `device` is "board" or "imu".
 RpcError device_absent(std::string_view field, std::string_view what, std::string_view device);
-/// Any other of the codes above with its sentence.
+/// Any of the codes above with its message.
 RpcError error(ErrorCode code, std::string message);
 
 }  // namespace hedgehog::protocol

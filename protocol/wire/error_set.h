@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A set of error codes as a constant: which errors a method may answer with.
+// A constant set of error codes: the possible errors of a method.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace hedgehog::protocol {
 
-/// Every code, as the protocol lists them.
+/// All codes in the order of the protocol.
 inline constexpr std::array kErrorCodes{
     ErrorCode::kParseError,     ErrorCode::kInvalidRequest, ErrorCode::kMethodNotFound,
     ErrorCode::kInvalidParams,  ErrorCode::kInternalError,  ErrorCode::kNotArmed,

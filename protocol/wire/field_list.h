@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The fields of a value as a list, for what offers each of them to a person or a program.
+// The fields of a value as a list, for generated documents and user interfaces.
 #pragma once
 
 #include <cstdint>
@@ -26,12 +26,12 @@ struct FieldInfo {
   FieldType type = FieldType::kObject;
   /// Bounds of a number, characters of a text.
   Spec spec{};
-  /// What an enumerator may be.
+  /// Names of an enumerator.
   Names names{};
 };
 
-/// What `describe` names, in its order; what is inside of objects and lists is left out. `describe`
-/// is called with fields that are neither read nor written.
+/// The fields of `describe` in its order, without the content of objects and lists. `describe` is
+/// called with fields that are neither read nor written.
 std::vector<FieldInfo> list_fields(const std::function<void(Fields&)>& describe);
 
 }  // namespace hedgehog::protocol

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How a value and its JSON object belong together, said once: the value's `describe(fields)` names
-// each field, and the kind of `Fields` decides whether it is read, written or only listed.
+// Mapping between a value and its JSON object, defined once: the value's `describe(fields)` names
+// each field, and the subclass of `Fields` reads, writes or lists it.
 #pragma once
 
 #include <algorithm>
@@ -22,14 +22,14 @@
 
 namespace hedgehog::protocol {
 
-/// Bounds of a number, both allowed; of a string: its characters. `decimals` is what is written of
-/// a number, -1: all. `rounded`: whole numbers are rounded from fractions instead of refused.
+/// Inclusive bounds of a number, or of the characters of a string. `decimals` written for a number,
+/// -1: all. `rounded`: fractions are rounded to integers instead of rejected.
 struct Spec {
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
   int decimals = -1;
   bool rounded = false;
-  /// The most items of a list.
+  /// Maximum number of items of a list.
   std::size_t items = 64;
 };
 
@@ -42,22 +42,22 @@ class Fields {
  public:
   virtual ~Fields() = default;
 
-  /// Must be there in a request; in a result, a client lets it keep its default.
+  /// Required in a request; if missing in a result, a client keeps its default.
   template <class T>
   void required(std::string_view name, T& value, const Spec& spec = {}) {
     member(name, Presence::kRequired, true, value, spec);
   }
-  /// May be left out and then keeps its value; always written, unless `write` is false.
+  /// If missing, it keeps its value; always written, unless `write` is false.
   template <class T>
   void defaulted(std::string_view name, T& value, const Spec& spec = {}, bool write = true) {
     member(name, Presence::kOptional, write, value, spec);
   }
-  /// nullopt is left out.
+  /// nullopt is omitted.
   template <class T>
   void optional(std::string_view name, std::optional<T>& value, const Spec& spec = {}) {
     maybe(name, Presence::kOptional, value, spec);
   }
-  /// nullopt is null.
+  /// nullopt is written as null.
   template <class T>
   void nullable(std::string_view name, std::optional<T>& value, const Spec& spec = {}) {
     maybe(name, Presence::kNullable, value, spec);
@@ -66,25 +66,25 @@ class Fields {
   template <class T>
   void value(T& v, const Spec& spec = {});
 
-  /// True when values come from outside and are to be checked.
+  /// True if values are external input and must be checked.
   virtual bool checks() const noexcept { return false; }
   virtual bool reads() const noexcept { return false; }
-  /// What stands here, and whether the object here has that member (readers only).
+  /// Kind of the current JSON value, and whether the current object has that member (readers only).
   virtual Kind kind() const noexcept { return Kind::kNull; }
   virtual bool has(std::string_view) const noexcept { return false; }
-  /// Refuses what was read; only the first refusal counts.
+  /// Rejects the input; only the first error counts.
   virtual void fail(RpcError&&) {}
-  /// The dotted name of what is being read.
+  /// Dotted path of the current value.
   virtual std::string path() const { return {}; }
 
  protected:
-  /// Steps to the member; false: it is not there, or has been dealt with. `present` is what a
-  /// writer has.
+  /// Enters the member; false: missing, or already handled. `present`: for writers, true if there
+  /// is a value.
   virtual bool open(std::string_view name, Presence presence, bool present) = 0;
   virtual void close() = 0;
   virtual bool begin_object() = 0;
   virtual void end_object() = 0;
-  /// How many items there are; `size` is what a writer has.
+  /// Number of items; `size`: for writers.
   virtual std::size_t begin_list(std::size_t size, const Spec& spec) = 0;
   virtual bool begin_item(std::size_t index) = 0;
   virtual void end_list() = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The id that pairs an answer with its request.
+// The id that associates a response with its request.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace hedgehog::protocol {
 
-/// A string, a number or null, kept as its JSON text, so that it comes back as it was sent.
+/// A string, a number or null, stored as JSON text, so that it is returned unchanged.
 struct Id {
   std::string json{"null"};
 

@@ -13,8 +13,7 @@
 namespace hedgehog::protocol {
 namespace {
 
-/// Builds the tree while it is read, so that nesting and doubled names are refused before they
-/// cost anything.
+/// Builds the tree while parsing, so that excessive nesting and duplicate names are rejected early.
 class Builder final : public nlohmann::json_sax<nlohmann::json> {
  public:
   explicit Builder(std::size_t max_nesting) : max_nesting_(max_nesting) {}
@@ -53,7 +52,7 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
     return false;
   }
 
-  /// Records why the text is refused. False.
+  /// Records why the text is rejected. Returns false.
   bool refuse(std::string problem) {
     problem_ = std::move(problem);
     return false;
@@ -83,7 +82,7 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
     levels_.pop_back();
     return put(std::move(json));
   }
-  // Not inlined: at -O2 g++ 12 takes the variant's other alternatives for uninitialised values.
+  // Not inlined: at -O2 g++ 12 warns that the variant's other alternatives are uninitialised.
   [[gnu::noinline]] bool put(Json&& json) {
     if (levels_.empty())
       root_ = std::move(json);

@@ -11,8 +11,8 @@
 namespace hedgehog::protocol {
 namespace {
 
-/// Bytes of the well-formed UTF-8 sequence at the start of `text`, 0 when there is none (Unicode
-/// 15, table 3-7).
+/// Length of the well-formed UTF-8 sequence at the start of `text`; 0: invalid (Unicode 15, table
+/// 3-7).
 std::size_t utf8_length(std::string_view text) noexcept {
   const auto byte = [&](std::size_t i) {
     return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u;
@@ -52,7 +52,7 @@ void append_control(std::string& out, unsigned char c) {
   }
 }
 
-/// Bytes at the start of `text` that stand for themselves in a JSON string.
+/// Number of bytes at the start of `text` that need no escape in a JSON string.
 std::size_t plain_length(std::string_view text) noexcept {
   const auto* const end = std::find_if(text.begin(), text.end(), [](char c) {
     const auto byte = static_cast<unsigned char>(c);

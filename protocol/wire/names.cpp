@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, 6> kWaveforms{"constant", "sine",     "sq
                                                      "triangle", "sawtooth", "noise"};
 constexpr std::array<std::string_view, 3> kEases{"linear", "step", "smooth"};
 
-/// What the rest of the field calls it (SDL, evdev, OpenXR, CoreHaptics, W3C).
+/// Names used by other haptics APIs (SDL, evdev, OpenXR, CoreHaptics, W3C).
 constexpr std::array<std::pair<std::string_view, std::string_view>, 11> kElsewhere{{
     {"amplitude", "level"},
     {"intensity", "level"},

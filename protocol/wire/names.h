@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The wire names of enumerations, in the order of the enumerators. Those of the values' own stand
-// with them.
+// The wire names of enumerations, in the order of the enumerators. Those of the value types are
+// declared with them.
 #pragma once
 
 #include <algorithm>
@@ -23,14 +23,14 @@ Names names_of(Word) noexcept;
 Names names_of(model::Frame) noexcept;
 Names names_of(model::Waveform) noexcept;
 Names names_of(model::Ease) noexcept;
-/// By their wire names: effect.pulse, effect.circle, ...
+/// Wire names: effect.pulse, effect.circle, ...
 Names names_of(model::EffectMethod) noexcept;
 
 std::string_view name(model::Frame frame) noexcept;
 std::string_view name(model::Waveform waveform) noexcept;
 std::string_view name(model::Ease ease) noexcept;
 
-/// nullopt: none has that name.
+/// nullopt: unknown name.
 template <class Enum>
 std::optional<Enum> enumerator_named(std::string_view text) noexcept {
   const Names names = names_of(Enum{});
@@ -39,11 +39,11 @@ std::optional<Enum> enumerator_named(std::string_view text) noexcept {
   return static_cast<Enum>(found - names.begin());
 }
 
-/// The one of `names` that was probably meant by `text`; empty when none is near.
+/// The best match of `names` for a misspelt `text`; empty if none is close.
 std::string_view nearest(std::string_view text, Names names);
-/// What a message repeats of something long that was sent: its first 64 bytes at most, and "…".
+/// `text` for a message: if long, at most its first 64 bytes and "…".
 std::string shortened(std::string_view text);
-/// "; did you mean 'x'?", or the names there are when they are few, or nothing.
+/// "; did you mean 'x'?", or the list of names if there are few, or empty.
 std::string hint(std::string_view text, Names names);
 
 }  // namespace hedgehog::protocol

@@ -15,7 +15,7 @@ constexpr std::ptrdiff_t kMaxWholeCharacters = 18;
 
 constexpr bool is_digit(char c) noexcept { return c >= '0' && c <= '9'; }
 
-/// Each function reads what stands at `at_`; false: it is not plain.
+/// Each function parses at `at_`; false: not plain JSON.
 class PlainParser {
  public:
   explicit PlainParser(std::string_view text) noexcept

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// JSON as programs write it as a rule, in one pass. Inside protocol only; any thread.
+// Fast single-pass parser for the common subset of JSON. Internal to protocol; any thread.
 #pragma once
 
 #include <cstddef>
@@ -11,9 +11,9 @@
 namespace hedgehog::protocol {
 
 /// The tree of a text whose strings are ASCII without escapes, whose objects have at most 32
-/// members, all of different names, and whose whole numbers have at most 18 digits. nullopt: the
-/// text is another, or not JSON, or nested more than `max_nesting` deep; `parse_json` tells these
-/// apart, and gives the same tree for a text that is read here.
+/// members without duplicate names, and whose integers have at most 18 digits. nullopt: any other
+/// text, not JSON, or nested more than `max_nesting` deep; `parse_json` distinguishes these, and
+/// yields the same tree for a text accepted here.
 std::optional<Json> parse_plain_json(std::string_view text, std::size_t max_nesting);
 
 }  // namespace hedgehog::protocol

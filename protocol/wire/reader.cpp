@@ -16,7 +16,7 @@ std::size_t characters(std::string_view text) noexcept {
       }));
 }
 
-/// C0, DEL or C1 (U+0080..U+009F), which would write into a log or move a terminal's cursor.
+/// C0, DEL or C1 (U+0080..U+009F), which could forge log lines or move a terminal's cursor.
 bool has_control_character(std::string_view text) noexcept {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto byte = static_cast<unsigned char>(text[i]);
@@ -27,7 +27,7 @@ bool has_control_character(std::string_view text) noexcept {
   return false;
 }
 
-/// What was said, as far as it may stand in `data.value`.
+/// The received value if it fits into `data.value`.
 std::optional<ErrorValue> as_value(const Json& json) {
   if (const auto* flag = json.as<bool>()) return *flag;
   if (const auto* integer = json.as<std::int64_t>()) return *integer;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Takes the fields of a value out of a JSON tree. Inside protocol only.
+// Reads the fields of a value from a JSON tree. Internal to protocol.
 #pragma once
 
 #include <string>
@@ -10,17 +10,16 @@
 
 namespace hedgehog::protocol {
 
-/// Strict (the daemon): everything must be right, and nothing may be unknown. Lenient (clients):
-/// what is not known is ignored, what is missing or null keeps its default; a wrong type is an
-/// error all the same.
+/// Strict (the daemon): all fields must be valid and known. Lenient (clients): unknown fields are
+/// ignored, missing or null ones keep their defaults; a wrong type is still an error.
 class Reader final : public Fields {
  public:
   enum class Strictness : std::uint8_t { kStrict, kLenient };
 
-  /// `what` is how messages call the whole: "effect.pulse", "the result". `root` must outlive this.
+  /// `what`: name of the root in messages: "effect.pulse", "the result". `root` must outlive this.
   Reader(const Json& root, Strictness strictness, std::string_view what);
 
-  /// The first thing that was wrong.
+  /// The first error.
   const std::optional<RpcError>& error() const noexcept { return error_; }
 
   bool checks() const noexcept override { return strict_; }
@@ -49,7 +48,7 @@ class Reader final : public Fields {
   struct Place {
     const Json* json;
     std::string name;
-    /// The members that were asked for.
+    /// The members described so far.
     std::vector<std::string_view> known{};
   };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a connection may do. Each role may do all that the ones before it may.
+// Permissions of a connection. Each role includes the previous ones.
 #pragma once
 
 #include <cstdint>

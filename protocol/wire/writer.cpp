@@ -19,7 +19,7 @@ double to_decimals(double value, int decimals) {
   if (decimals < 0) return value;
   const double scale = power_of_ten(decimals);
   const double scaled = std::round(value * scale) / scale;
-  // Beyond 2^53 there are no decimals left to round, and scaling would overflow.
+  // Huge values have no decimals to round; scaling them may overflow.
   return std::isfinite(scaled) ? scaled : value;
 }
 

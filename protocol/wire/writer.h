@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Puts the fields of a value into JSON text. Inside protocol only.
+// Writes the fields of a value as JSON text. Internal to protocol.
 #pragma once
 
 #include <string>
@@ -32,11 +32,11 @@ class Writer final : public Fields {
   std::string& out_;
 };
 
-/// The JSON of one described value, appended.
+/// Appends the JSON of one described value.
 template <class T>
 void append(std::string& out, const T& value) {
   Writer writer(out);
-  // Only readers change what they are shown.
+  // Only readers modify the value.
   writer.value(const_cast<T&>(value));
 }
 

@@ -81,7 +81,8 @@ Value write_origins(const Draft& draft) {
   return Value::array(std::move(texts));
 }
 
-/// A file or folder; `null` is "" . Control characters would break logs and sockets.
+/// A file or folder; `null` is "". Control characters are rejected: they would break logs and
+/// sockets.
 template <class Get>
 Key<D> path_key(std::string path, bool absolute, bool nullable, Get get) {
   return {std::move(path),

@@ -11,7 +11,7 @@
 
 namespace hedgehog::config {
 
-/// A Config being read: what can be settled only when all files are read stands apart.
+/// A Config being read, with the values that can be resolved only after all files are read.
 struct Draft {
   Config config;
   LimitOverrides limits;
@@ -19,7 +19,7 @@ struct Draft {
   std::optional<ImuSource> imu;
 };
 
-/// All of them, in the order of the documented file.
+/// All keys, in the order of the documented file.
 const std::vector<Key<Draft>>& config_keys();
 
 }  // namespace hedgehog::config

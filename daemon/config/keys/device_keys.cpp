@@ -43,7 +43,7 @@ Reason read_matrix(DeviceModel& device, const Value& value) {
     if (!reason.empty()) return "row " + std::to_string(r + 1) + ": " + reason;
     matrix.row[r] = {row[0], row[1], row[2]};
   }
-  // A calibrated matrix is near a permutation with signs, so that its determinant is near 1 or -1.
+  // A calibrated matrix is close to a signed permutation, with a determinant close to 1 or -1.
   if (const double det = model::determinant(matrix); !(std::abs(det) >= 0.001))
     return "must have a determinant other than 0: these rows leave directions without a field";
   device.coils.matrix = matrix;
@@ -173,7 +173,7 @@ std::vector<Key<DeviceModel>> make_device_keys() {
   return keys;
 }
 
-// Lighter nodes than the integration can follow would make the estimate oscillate or diverge.
+// The estimate would oscillate or diverge with nodes too light for the integration step.
 void check_thermal(const model::ThermalModel& thermal, const Origins& origins,
                    const std::string& file, ConfigErrors& errors) {
   const model::NodeTimeConstants time = model::node_time_constants(thermal);
@@ -202,7 +202,7 @@ DeviceModel read_device(const Value& root, const std::string& file, const KnownG
   Origins origins;
   const std::size_t before = errors.size();
   read_keys(root, file, device_keys(), device, origins, errors);
-  // Numbers that are wrong by themselves need no second complaint.
+  // Invalid single values are already reported; combinations are checked only without them.
   if (errors.size() == before) {
     check_order(device.limits, origins, file, errors);
     check_thermal(device.thermal, origins, file, errors);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Device files: one ball (or one kind of ball) as data. The keys are documented in
+// Device files: parameters of one ball or one kind of ball. The keys are documented in
 // config/devices.d/hedgehog-86.json.
 #pragma once
 
@@ -14,11 +14,11 @@
 
 namespace hedgehog::config {
 
-/// All of them, in the order of the documented file.
+/// All keys, in the order of the documented file.
 const std::vector<Key<model::DeviceModel>>& device_keys();
 
-/// The model in `root`; what it does not mention is as on a hedgehog-86. Errors are added to
-/// `errors`, with their lines in `file`; the result is then not to be used. `possible`: see
+/// The model in `root`; missing keys have the values of a hedgehog-86. Errors are added to
+/// `errors`, with their lines in `file`; the result must then not be used. `possible`: see
 /// `check_geometry`.
 model::DeviceModel read_device(const Value& root, const std::string& file,
                                const KnownGeometries& possible, ConfigErrors& errors);

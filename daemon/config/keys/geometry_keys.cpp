@@ -29,7 +29,7 @@ Key<DeviceModel> magnet_key(std::string path, Get get) {
           }};
 }
 
-/// Numbers of pins or shields.
+/// A list of pin or shield ids.
 template <class Get>
 Key<DeviceModel> sites_key(std::string path, Get get) {
   return {std::move(path),
@@ -54,7 +54,7 @@ Key<DeviceModel> sites_key(std::string path, Get get) {
           }};
 }
 
-/// The key that says what is wrong: of several together the first that somebody wrote.
+/// The key to report for an error; of several candidates the first one that is set.
 std::string key_of(model::GeometryPart part, const Origins& origins) {
   using model::GeometryPart;
   std::vector<std::string> keys;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The keys of a device file that say which magnets the ball has and where.
+// The keys of a device file for the magnets of the ball and their positions.
 #pragma once
 
 #include <string>
@@ -14,11 +14,11 @@ namespace hedgehog::config {
 
 std::vector<Key<model::DeviceModel>> geometry_keys();
 
-/// Geometries that have been found possible.
+/// Geometries already validated.
 using KnownGeometries = std::vector<model::BallGeometry>;
 
-/// Adds to `errors` why there can be no such ball, about the key that is wrong. Computes its
-/// arrangement (GP(8,0): a second), unless it is that of the thesis or among `possible`.
+/// Adds an error for an impossible geometry, at the key concerned. Computes its arrangement
+/// (GP(8,0): a second), unless it is that of the thesis or in `possible`.
 void check_geometry(const model::BallGeometry& geometry, const KnownGeometries& possible,
                     const Origins& origins, const std::string& file, ConfigErrors& errors);
 

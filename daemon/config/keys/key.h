@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One key of a configuration file: its name, how its value is checked and stored, how it is
-// printed. A file format is a list of keys; reading, printing, typo hints and the completeness
-// tests all run over that list.
+// One key of a configuration file: name, reader with checks, and writer. A file format is a list of
+// keys; reading, printing, typo hints and the completeness tests use that list.
 #pragma once
 
 #include <array>
@@ -18,7 +17,7 @@
 
 namespace hedgehog::config {
 
-/// Why a value is refused ("must be …"); empty: it was taken.
+/// Why a value is rejected ("must be …"); empty: accepted.
 using Reason = std::string;
 
 template <class Target>
@@ -37,7 +36,7 @@ Reason read_boolean(const Value& value, bool& out);
 Reason read_name(const Value& value, std::string& out);
 Reason read_serial(const Value& value, std::string& out);
 
-/// In the functions below `get` maps a (const) Target to the place of the value.
+/// In the functions below `get` returns a reference to the value in a (const) Target.
 template <class Target, class Get>
 Key<Target> number_key(std::string path, double min, double max, Get get) {
   return {std::move(path),
@@ -87,7 +86,7 @@ Key<Target> name_key(std::string path, Get get) {
           [=](const Target& t) { return Value::of(std::string(get(t))); }};
 }
 
-/// A serial number; `null`, any, is "".
+/// A serial number; `null` (any) is "".
 template <class Target, class Get>
 Key<Target> serial_key(std::string path, Get get) {
   return {
@@ -95,7 +94,7 @@ Key<Target> serial_key(std::string path, Get get) {
       [=](const Target& t) { return get(t).empty() ? Value{} : Value::of(std::string(get(t))); }};
 }
 
-/// Names in the file and what they mean.
+/// Names in the file and their values.
 template <class Meaning, std::size_t n>
 using Choices = std::array<std::pair<std::string_view, Meaning>, n>;
 

@@ -25,7 +25,7 @@ std::set<std::string> known_names(const std::vector<std::string>& paths) {
   return names;
 }
 
-/// A slip of the pen, or the right key in the wrong section.
+/// Suggests a key for a typo or for a key in the wrong section.
 Reason unknown_key(const std::string& path, const std::vector<std::string>& paths) {
   std::string nearest;
   std::size_t fewest = 1 + std::max<std::size_t>(2, path.size() / 4);
@@ -49,7 +49,7 @@ class Matcher {
           ConfigErrors& errors)
       : file_(file), paths_(paths), found_(found), origins_(origins), errors_(errors) {}
 
-  // Levels are bounded by parse_json.
+  // parse_json limits the depth of the recursion.
   void match(const Value& section, const std::string& prefix) {
     std::set<std::string> seen;
     for (std::size_t i = 0; i < section.keys.size(); ++i) {

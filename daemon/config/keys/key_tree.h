@@ -18,17 +18,17 @@ struct Origin {
   int line = 0;
 };
 
-/// Where each key was set last, for what can be judged only when all files are read.
+/// Position where each key was set last, for errors found after all files are read.
 using Origins = std::map<std::string, Origin>;
 
-/// Calls `found(i, value)` for each `paths[i]` that `root` has; `found` says why the value is
-/// refused. Everything else in `root` becomes an error: unknown keys (with the nearest known one),
-/// keys given twice, sections that are none.
+/// Calls `found(i, value)` for each `paths[i]` in `root`; `found` returns why the value is
+/// rejected. Everything else in `root` is an error: unknown keys (with the nearest known one),
+/// duplicate keys, sections that are not objects.
 void match_keys(const Value& root, const std::string& file, const std::vector<std::string>& paths,
                 const std::function<Reason(std::size_t, const Value&)>& found, Origins& origins,
                 ConfigErrors& errors);
 
-/// Reads what `root` has into `target`; the rest of `target` stays.
+/// Reads the keys in `root` into `target`; the rest of `target` is unchanged.
 template <class Target>
 void read_keys(const Value& root, const std::string& file, const std::vector<Key<Target>>& keys,
                Target& target, Origins& origins, ConfigErrors& errors) {
@@ -48,7 +48,7 @@ Value write_keys(const std::vector<Key<Target>>& keys, const Target& target) {
   return root;
 }
 
-/// An error about `key` where it was set, or about `fallback_file` as a whole when nobody set it.
+/// An error about `key` where it was set, or about `fallback_file` if it was not set.
 ConfigError error_at(const Origins& origins, const std::string& key, std::string reason,
                      const std::string& fallback_file);
 

@@ -34,7 +34,7 @@ model::Limits tightened(const model::Limits& ceiling, const LimitOverrides& over
     }
     limits.*field.member = *overrides[i];
   }
-  // Less current also means less for ever, and less to be felt, without having to say so.
+  // A lower current_a also lowers the default of continuous_a and felt_a.
   if (!overrides[1]) limits.continuous_a = std::min(limits.continuous_a, limits.current_a);
   if (!overrides[2]) limits.felt_a = std::min(limits.felt_a, limits.current_a);
   return limits;
@@ -62,7 +62,7 @@ void check_order(const model::Limits& limits, const Origins& origins, const std:
     if (a < b || (may_be_equal && a == b)) continue;
     const LimitField& low = field_of(lower);
     const LimitField& high = field_of(upper);
-    // Blame the one that was written down; of both, the lower.
+    // Reports the key that is set; if both are, the lower limit.
     const bool blame_high = !origins.contains(key_of(low)) && origins.contains(key_of(high));
     const LimitField& blamed = blame_high ? high : low;
     const LimitField& other = blame_high ? low : high;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The limits, which stand in two files: the device file has the ceiling, the configuration may
+// The limits, present in two files: the device file contains the ceiling, the configuration may
 // tighten it.
 #pragma once
 
@@ -19,7 +19,7 @@ struct LimitField {
   double model::Limits::*member;
   double min;
   double max;
-  /// Says what a person feels, protects nothing: may be anything up to current_a.
+  /// A perception threshold, not a protection: any value up to current_a is allowed.
   bool perception = false;
 };
 
@@ -34,10 +34,10 @@ inline constexpr std::array<LimitField, 8> kLimitFields{{
     {"rearm_c", &model::Limits::rearm_c, 25.0, 60.0},
 }};
 
-/// What a configuration says, in the order of kLimitFields; nullopt: the device file's.
+/// Limits of the configuration, in the order of kLimitFields; nullopt: the device file's.
 using LimitOverrides = std::array<std::optional<double>, kLimitFields.size()>;
 
-/// `ceiling` with `overrides`. An override above its ceiling is an error where it was set.
+/// `ceiling` with `overrides`. An override above its ceiling is an error at its position.
 model::Limits tightened(const model::Limits& ceiling, const LimitOverrides& overrides,
                         const Origins& origins, ConfigErrors& errors);
 

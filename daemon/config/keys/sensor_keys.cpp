@@ -26,7 +26,7 @@ constexpr Choices<ThermometerRole, 3> kRoles{{{"none", ThermometerRole::kNone},
                                               {"coil", ThermometerRole::kCoil},
                                               {"shell", ThermometerRole::kShell}}};
 
-/// `known` and the types of all drivers for `job`, each made by `meaning`.
+/// Adds the types of all usable drivers for `job` to `known`.
 template <class Meaning>
 std::vector<std::pair<std::string_view, Meaning>> with_drivers(
     std::vector<std::pair<std::string_view, Meaning>> known, SensorJob job) {
@@ -95,7 +95,7 @@ void settle_sensors(Draft& draft, const Origins& origins, const std::string& fil
     wrong("thermometer.role", "must be \"coil\" or \"shell\" when there is a thermometer");
   if (!fitted && thermometer.role != ThermometerRole::kNone)
     wrong("thermometer.role", "needs a thermometer: thermometer.type is \"none\"");
-  // A real thermometer says nothing about a simulated coil.
+  // A real thermometer does not measure a simulated coil.
   if (simulator && thermometer.role == ThermometerRole::kCoil) thermometer = {};
 }
 

@@ -12,7 +12,7 @@ namespace hedgehog::config {
 
 void add_sensor_keys(std::vector<Key<Draft>>& keys);
 
-/// What only the whole configuration can tell: decides "auto" and finds contradictions.
+/// Checks that need the whole configuration: resolves "auto" and detects contradictions.
 void settle_sensors(Draft& draft, const Origins& origins, const std::string& file,
                     ConfigErrors& errors);
 

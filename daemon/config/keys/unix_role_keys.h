@@ -13,8 +13,8 @@ namespace hedgehog::config {
 
 void add_unix_role_keys(std::vector<Key<Draft>>& keys);
 
-/// Adds to `errors` the lists that change nothing, because everybody has a higher role: such a
-/// configuration looks restricted and is not.
+/// Adds to `errors` the lists without effect because everybody has a higher role: such a
+/// configuration appears restricted, but is not.
 void check_unix_roles(const access::UnixRoles& roles, const Origins& origins,
                       const std::string& file, ConfigErrors& errors);
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The exact field of a cylinder: arithmetic on local pairs of doubles and nothing else, see
-// model/CMakeLists.txt.
+// Exact field of a cylinder: only arithmetic on local pairs of doubles, see model/CMakeLists.txt.
 #include <Eigen/Core>
 #include <cmath>
 
@@ -12,15 +11,15 @@ namespace {
 /// One lane for each end of the magnet.
 using Ends = Eigen::Array2d;
 
-/// Bulirsch's complete integrals cel(k,1,1,-1) and cel(k,gamma^2,1,gamma), without their pi/2.
+/// Bulirsch's complete integrals cel(k,1,1,-1) and cel(k,gamma^2,1,gamma), without the factor pi/2.
 struct EndIntegrals {
   Ends radial;
   Ends axial;
 };
 
-/// Both follow the same descent of (em, kk); the first one's own p stays equal to em.
+/// Both use the same iteration of (em, kk); p of the first stays equal to em.
 EndIntegrals end_integrals(Ends k, double gamma) noexcept {
-  // The remaining error is of the order of the square.
+  // The remaining error is of the order of its square.
   constexpr double kClose = 1e-8;
   const double sign = gamma < 0.0 ? -1.0 : 1.0;
   const double p = std::abs(gamma);
@@ -58,7 +57,7 @@ AxialField field_of(const CylinderMagnet& magnet, double rho_mm, double z_mm) no
   const double half = 0.5 * magnet.height_mm;
   const double wide = a + rho_mm;
   const double narrow = a - rho_mm;
-  // On the mantle's radius itself the two ends' jumps cancel; beside it they do so in the limit.
+  // At the lateral surface the jumps of both ends cancel; close to it they cancel in the limit.
   const double ratio = narrow / wide;
   const double gamma = std::abs(ratio) < 1e-12 ? 1e-12 : ratio;
   const Ends z(z_mm + half, z_mm - half);
@@ -69,7 +68,7 @@ AxialField field_of(const CylinderMagnet& magnet, double rho_mm, double z_mm) no
   const EndIntegrals c = end_integrals(k, gamma);
   const Ends radial = scale * c.radial;
   const Ends axial = z * scale * c.axial;
-  // pi/2 of the integrals over pi of the field.
+  // Factor 0.5: pi/2 of the integrals over pi of the field.
   return {0.5 * magnet.remanence_t * a * (radial[0] - radial[1]),
           0.5 * magnet.remanence_t * a / wide * (axial[0] - axial[1])};
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // An axially magnetised cylinder and its exact field: uniformly magnetised with the permeability of
 // vacuum (a real N45 has 1.05, which is neglected), so that it acts as two charged end faces.
-// Lengths here and in all of model/magnets are millimetres, as on a drawing. Pure; any thread.
+// Lengths here and in all of model/magnets are millimetres, as in drawings. Pure; any thread.
 #pragma once
 
 #include <numbers>
@@ -17,7 +17,7 @@ inline constexpr double kN45RemanenceT = 1.37;
 /// Sintered neodymium magnets, g/mm^3.
 inline constexpr double kMagnetDensityGMm3 = 7.5e-3;
 
-/// North outwards when it is a pin's or a shield's own polarity: see `MagnetPair`.
+/// Polarity: see `MagnetPair`.
 struct CylinderMagnet {
   double diameter_mm = 0.0;
   double height_mm = 0.0;
@@ -31,8 +31,8 @@ struct CylinderMagnet {
 inline constexpr CylinderMagnet kThesisPinMagnet{8.0, 10.0};
 inline constexpr CylinderMagnet kThesisShieldMagnet{4.0, 10.0};
 
-/// What is wrong with the sizes, one sentence; nothing when diameter and height are in (0, 1000] mm
-/// and the remanence in (0, 2] T. `what`: how the sentence calls the magnet, e.g. "the shield".
+/// Error in the sizes, one sentence; nullopt if diameter and height are in (0, 1000] mm and the
+/// remanence in (0, 2] T. `what`: name of the magnet in the sentence, e.g. "the shield".
 std::optional<std::string> problem_with(const CylinderMagnet& magnet, const std::string& what);
 
 /// Dipole moment, A m^2: remanence * volume / mu0.
@@ -47,8 +47,8 @@ struct AxialField {
 
 /// The field at `rho_mm` >= 0 from the axis and `z_mm` above the middle of the magnet, which points
 /// up: Derby and Olbert, "Cylindrical magnets and ideal solenoids" (2010), with both complete
-/// elliptic integrals of each end from one arithmetic-geometric mean. About 1e-13 of the largest
-/// term; on the rims themselves it diverges.
+/// elliptic integrals of each end from one arithmetic-geometric mean. Accuracy about 1e-13 of the
+/// largest term; diverges on the rims.
 AxialField field_of(const CylinderMagnet& magnet, double rho_mm, double z_mm) noexcept;
 
 }  // namespace hedgehog::model

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Nodes for integrals over a disk: Gauss-Legendre in the square of the radius, midpoints around.
-// Tables made by the first call (some 50 us, no allocation); any thread.
+// Nodes for integrals over a disk: Gauss-Legendre in the square of the radius, midpoint rule in the
+// angle. Tables are computed in the first call (about 50 us, no allocation); any thread.
 #pragma once
 
 #include <array>
@@ -8,15 +8,15 @@
 
 namespace hedgehog::model {
 
-/// With n radii and 4n points round the whole disk every polynomial of degree below 4n is exact.
+/// With n radii and 4n angles, polynomials of degree below 4n are integrated exactly.
 struct DiskRule {
   static constexpr int kMaxOrder = 40;
 
   int order = 0;
-  /// As a part of the disk's radius; the weights add up to 1.
+  /// As a fraction of the disk's radius; the weights sum to 1.
   std::array<double, kMaxOrder> radius{};
   std::array<double, kMaxOrder> weight{};
-  /// Of the 2n midpoints from 0 to pi, which mirror the other half.
+  /// Cosine and sine of the 2n midpoints from 0 to pi; the other half is symmetric.
   std::array<double, 2 * kMaxOrder> cosine{};
   std::array<double, 2 * kMaxOrder> sine{};
 };

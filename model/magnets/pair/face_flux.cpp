@@ -11,14 +11,14 @@
 namespace hedgehog::model {
 namespace {
 
-/// Relative to what the face would feel were nothing to cancel.
+/// Rounding error relative to the force on the face without cancellation.
 constexpr double kRounding = 1e-14;
-/// Of the radius of a face to its distance from a rim; the theory ends at 1.
+/// Maximum ratio of the radius of a face to its distance from a rim; the theory is valid below 1.
 constexpr double kNearestRatio = 0.99;
 
-/// Decades of error that one order more takes away. The other's field, continued, is analytic up to
-/// its rims, at 1/q of the face's radius from the middle of the face, and a rule of order n is
-/// exact below degree 4n: at least q^4. The second term is what 4000 random pairs showed beyond.
+/// Decades of error removed by one more order. The other's field, continued, is analytic up to its
+/// rims, at 1/q of the face's radius from the middle of the face, and a rule of order n is exact
+/// below degree 4n: at least q^4. The second term is empirical, from 4000 random pairs.
 double decades_per_order(double q) noexcept { return -4.0 * std::log10(q) + 0.4; }
 
 }  // namespace
@@ -32,7 +32,7 @@ FaceFlux::FaceFlux(const MagnetPair& pair, double angle_deg, double other_offset
       newton_per_tesla_(pair.subject.remanence_t / kVacuumPermeability * std::numbers::pi *
                         radius_mm_ * radius_mm_ * 1e-6) {}
 
-/// Along the subject's axis; `across` lies in the plane of both axes.
+/// Field along the subject's axis; `across` is in the plane of both axes.
 double FaceFlux::axial_field(double across_mm, double beside_mm,
                              double distance_mm) const noexcept {
   const double x = distance_mm * sine_ + across_mm * cosine_;
@@ -68,7 +68,7 @@ FaceFlux::Integral FaceFlux::integral(double distance_mm, int order) const noexc
   return {scale * sum, scale * gross};
 }
 
-/// The face's radius over the distance from its middle to the nearest rim of the other.
+/// Ratio of the face's radius to the distance from its middle to the nearest rim of the other.
 double FaceFlux::rim_ratio(double distance_mm) const noexcept {
   const double x = std::abs(distance_mm * sine_);
   const double z = std::abs(distance_mm * cosine_ - other_middle_mm_);
@@ -80,13 +80,13 @@ FaceForce FaceFlux::compared(double distance_mm, int order, double coarse_n,
                              int coarse_order) const noexcept {
   const Integral fine = integral(distance_mm, order);
   const double q = rim_ratio(distance_mm);
-  // Ten times what the theory says; bounded the error in 400 000 random pairs. With the face above
-  // the other magnet, its rim not beside but below, the theory says nothing.
+  // Ten times the theoretical error; bounded the error in 400 000 random pairs. The theory does not
+  // apply with the face above the other magnet, i.e. the rim below and not beside it.
   const double caution = q < kNearestRatio ? 10.0 : 100.0;
-  // The middle alone is exact below degree 2 only, half an order.
+  // The midpoint alone is exact below degree 2 only, i.e. half an order.
   const double steps = order - std::max(0.5, static_cast<double>(coarse_order));
   const double gain = caution * std::min(1.0, std::pow(q, 4.0 * steps));
-  // Two orders may agree by chance: no better than what is usual.
+  // Two orders may agree by chance: the typical error is a lower bound.
   const double usual = 0.4 * caution * std::pow(10.0, -order * decades_per_order(q));
   return {fine.force_n,
           gain * std::abs(fine.force_n - coarse_n) + (usual + kRounding) * fine.gross_n, order};
@@ -110,7 +110,7 @@ FaceForce FaceFlux::refined(double distance_mm, const FaceForce& known,
 
 PairForce settle(const FaceFlux& flux, double bottom_mm, FaceForce& bottom, double top_mm,
                  FaceForce& top, double accuracy) noexcept {
-  // Where the force passes through zero nothing is accurate relative to it.
+  // Near a zero of the force the accuracy is relative to one face.
   constexpr double kOfOneFace = 1e-4;
   while (true) {
     const double force_n = top.force_n - bottom.force_n;

@@ -7,29 +7,30 @@
 
 namespace hedgehog::model {
 
-/// What one face contributes, its sign left out.
+/// Contribution of one face, without sign.
 struct FaceForce {
   double force_n = 0.0;
   double error_n = 0.0;
-  /// Of the disk rule that it came from; 0: not computed yet.
+  /// Order of the disk rule used; 0: not computed yet.
   int order = 0;
 };
 
-/// Every end face that the subject's axis can carry, at one angle.
+/// Flux through any end face on the subject's axis, at one angle.
 class FaceFlux {
  public:
   FaceFlux(const MagnetPair& pair, double angle_deg, double other_offset_mm) noexcept;
 
-  /// The face so far from the sphere's centre, with the order that will probably do for `accuracy`.
+  /// The face at `distance_mm` from the sphere's centre, with the order expected to suffice for
+  /// `accuracy`.
   FaceForce first(double distance_mm, double accuracy) const noexcept;
-  /// The same face with the order that will probably bring the error down to `wanted_n`; at least
-  /// one more than `known`. REQUIRES: 0 < known.order < DiskRule::kMaxOrder.
+  /// The same face with the order expected to reduce the error to `wanted_n`; at least one more
+  /// than `known`. REQUIRES: 0 < known.order < DiskRule::kMaxOrder.
   FaceForce refined(double distance_mm, const FaceForce& known, double wanted_n) const noexcept;
 
  private:
   struct Integral {
     double force_n = 0.0;
-    /// Were all parts of the face to pull the same way.
+    /// Sum of absolute values over the face.
     double gross_n = 0.0;
   };
   Integral integral(double distance_mm, int order) const noexcept;
@@ -46,8 +47,8 @@ class FaceFlux {
   double newton_per_tesla_;
 };
 
-/// Refines the two faces in turn until top - bottom is as accurate as wanted, as `ForceSettings`
-/// says it.
+/// Refines the two faces in turn until top - bottom reaches `accuracy` as defined in
+/// `ForceSettings`.
 PairForce settle(const FaceFlux& flux, double bottom_mm, FaceForce& bottom, double top_mm,
                  FaceForce& top, double accuracy) noexcept;
 

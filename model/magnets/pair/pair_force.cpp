@@ -13,7 +13,7 @@
 namespace hedgehog::model {
 namespace {
 
-/// In the plane of both axes, the other's axis up.
+/// Point in the plane of both axes, z along the other's axis.
 struct Point {
   double x = 0.0;
   double z = 0.0;
@@ -33,7 +33,7 @@ double dipole_force_n(const MagnetPair& pair, const PairPlace& place) noexcept {
   const Point between{subject_m * sine, subject_m * cosine - other_m};
   const double r2 = dot(between, between);
   const double r = std::sqrt(r2);
-  // Cosines: of the line between them with either axis.
+  // Cosines of the angles between the connecting line and each axis.
   const double along_subject = dot(between, {sine, cosine}) / r;
   const double along_other = between.z / r;
   const double shape = along_subject * cosine + along_other + cosine * along_subject -
@@ -51,7 +51,7 @@ PairForce exact_force(const MagnetPair& pair, const PairPlace& place, double acc
   return settle(flux, bottom_mm, bottom, top_mm, top, accuracy);
 }
 
-/// The rectangle that the plane cuts out of a magnet, anticlockwise.
+/// Cross-section of a magnet in the plane, anticlockwise.
 std::array<Point, 4> outline(const CylinderMagnet& magnet, double inner_mm, double angle) noexcept {
   const Point axis{std::sin(angle), std::cos(angle)};
   const Point side{std::cos(angle), -std::sin(angle)};
@@ -70,7 +70,7 @@ double distance(Point p, Point a, Point b) noexcept {
   return std::sqrt(dot(off, off));
 }
 
-/// By how much a line along a side of `a` keeps `b` away, at best; negative when none does.
+/// Maximum separation of `b` from a side of `a`; negative if no side separates them.
 double separation(const std::array<Point, 4>& a, const std::array<Point, 4>& b) noexcept {
   double best = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < 4; ++i) {
