@@ -62,7 +62,7 @@ class EventHistory {
   /// Passes pending events to the disk: trips at once, the others, and repeated after a failed
   /// write, once a second.
   void pump(std::int64_t unix_ms);
-  /// The same without waiting. True: all is on disk.
+  /// The same at once. True: all is on disk.
   bool flush();
 
   /// The result of events.history as JSON, limited to the size of a response.

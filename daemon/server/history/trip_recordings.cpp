@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kPrefix = "trip-";
 constexpr const char* kSuffix = ".hhr";
-/// The number can still be incremented.
+/// Maximum number, so that it can still be incremented.
 constexpr unsigned kHighest = 999'999'999;
 
 struct Recording {

@@ -138,10 +138,9 @@ class Connection : public Sink, public std::enable_shared_from_this<Connection> 
   std::size_t held_bytes_ = 0;
   std::chrono::seconds write_timeout_;
   boost::asio::steady_timer wake_;
-  boost::asio::steady_timer progress_;  // cancelled when something was sent or answered
-  boost::asio::steady_timer work_;      // waits for work of `serve_held`
-  boost::asio::steady_timer
-      capacity_;  // waits until it is not `full`, or all held requests are served
+  boost::asio::steady_timer progress_;       // cancelled when something was sent or answered
+  boost::asio::steady_timer work_;           // waits for work of `serve_held`
+  boost::asio::steady_timer capacity_;       // waits until it is not `full`, or all is served
   boost::asio::steady_timer pending_timer_;  // waits until no response is pending
   boost::asio::steady_timer close_timer_;
   std::chrono::steady_clock::time_point turn_ends_{};

@@ -148,7 +148,7 @@ std::string address_of(HttpStream& stream) {
 asio::awaitable<void> serve(HttpStream given, HttpEndpoint& endpoint,
                             HalfOpen::Ticket given_ticket) {
   HttpStream stream(std::move(given));
-  HalfOpen::Ticket ticket(std::move(given_ticket));  // released before the socket is closed
+  HalfOpen::Ticket ticket(std::move(given_ticket));  // released before its socket
   beast::flat_buffer buffer(kMaxHeaderBytes + kMaxBodyBytes);
   for (bool open = true; open;) {
     http::request_parser<http::string_body> parser;

@@ -144,7 +144,7 @@ asio::awaitable<void> become_web_socket(HttpStream stream, UpgradeRequest reques
                                         HttpEndpoint& endpoint, HalfOpen::Ticket given_ticket) {
   stream.expires_never();
   WebSocketConnection::Stream upgraded(std::move(stream));
-  HalfOpen::Ticket ticket(std::move(given_ticket));  // released before the socket is closed
+  HalfOpen::Ticket ticket(std::move(given_ticket));  // released before its socket
   upgraded.set_option(websocket::stream_base::timeout{kHandshake, kMaxPeerSilence, true});
   // Beast would close the connection after a message that is too long; here it gets an error, as on
   // TCP.
