@@ -42,8 +42,7 @@ class FanCheck {
   /// telemetry.
   Reason step(double commanded_duty, double rpm, double dt_s) noexcept {
     const bool standing = commanded_duty > 0.0 && !(rpm >= kMinRpm);
-    if (!standing)
-      standing_.reset();  // one reading above kMinRpm proves that the fan is not seized
+    if (!standing) standing_.reset();  // one turn proves that it is not seized
     due_ = standing_.step(standing, dt_s, kHoldS);
     return due_ ? Reason::kFanStopped : Reason::kNone;
   }

@@ -145,7 +145,7 @@ Reason Watchdog::step(const WatchdogInputs& in) noexcept {
   const Reason thermometer = thermometer_.step(
       {in.thermometer, in.now, sensor_.usable(), thermistor.sensor_c, in.trip_c}, dt_s);
 
-  // The cause before its consequences: a broken bridge also shows as a wrong current.
+  // The cause before its consequences: a broken bridge also causes a wrong current.
   const std::array<Reason, 7> found{board_.fault(),
                                     sensor,
                                     heat,

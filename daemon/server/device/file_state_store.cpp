@@ -175,7 +175,7 @@ void FileStateStore::recognise_ball() {
 
 void FileStateStore::pump(std::chrono::steady_clock::time_point time) {
   const control::StatusSnapshot& now = device_view_.now();
-  if (now.tick <= 0) return;  // the control thread has said nothing yet
+  if (now.tick <= 0) return;  // no snapshot of the control thread yet
   recognise_ball();
   thermistor_seen_ = thermistor_seen_ || (now.board_present && now.sensor_valid);
   due_ = due_ || r25_changed();

@@ -29,7 +29,7 @@ class Outbox {
 
   explicit Outbox(control::Mailbox& mailbox) : mailbox_(mailbox) {}
 
-  /// True if the open group takes `count` more commands of `owner`.
+  /// True if the open group has capacity for `count` more commands of `owner`.
   bool has_capacity(ConnectionId owner, std::size_t count) const;
   /// True if the open group with `count` more commands exceeds the maximum of a group.
   bool exceeds_group(std::size_t count) const noexcept {
