@@ -118,7 +118,7 @@ void Controller::apply_requests(const StepInputs& inputs, EventList& events) noe
     mixer_.stop(inputs.stops[static_cast<std::size_t>(i)], now_, events);
   for (int i = 0; i < inputs.command_count; ++i)
     apply_command(inputs.commands[static_cast<std::size_t>(i)], events);
-  // After the commands, so that it overrides an arming in the same tick.
+  // After the commands, so that no arming of the same tick survives it.
   if (emergency) states_.emergency_stop(now_);
 }
 
