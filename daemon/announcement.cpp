@@ -20,9 +20,9 @@ namespace {
 constexpr const char* kAvahi = "org.freedesktop.Avahi";
 constexpr const char* kEntryGroup = "org.freedesktop.Avahi.EntryGroup";
 constexpr std::chrono::milliseconds kRetry{10'000};
-/// Of one call; the end of the daemon waits for it.
+/// Timeout of one call, which may delay the shutdown.
 constexpr std::chrono::microseconds kCallTimeout{1'000'000};
-/// Names "name #2" and so on that are tried.
+/// Maximum number of attempted names, "name #2" and so on.
 constexpr int kMaxNames = 32;
 /// AvahiEntryGroupState.
 constexpr std::int32_t kCollision = 3;
@@ -56,12 +56,12 @@ class BusError {
   sd_bus_error error_{};
 };
 
-/// One connection to the bus with one entry group of Avahi's.
+/// One connection to the bus with one Avahi entry group.
 class EntryGroup {
  public:
   explicit EntryGroup(const AnnouncedService& service) : service_(service) {}
 
-  /// Empty: announced as `name()`. Otherwise why not.
+  /// Empty: announced as `name()`. Otherwise the reason of the failure.
   std::string open() {
     sd_bus* bus = nullptr;
     if (const int code = sd_bus_open_system(&bus); code < 0)
@@ -80,7 +80,7 @@ class EntryGroup {
     int code = sd_bus_message_new_method_call(bus, &request, kAvahi, "/",
                                               "org.freedesktop.Avahi.Server", "EntryGroupNew");
     const Message sent(request);
-    // An Avahi that its administrator has stopped stays so.
+    // Does not start an Avahi that was stopped by an administrator.
     if (code >= 0) code = sd_bus_message_set_auto_start(request, 0);
     if (code >= 0) code = sd_bus_call(bus, request, 0, error.out(), &reply);
     if (code < 0) return "Avahi does not respond: " + error.text(code);
@@ -93,8 +93,8 @@ class EntryGroup {
 
   const std::string& name() const noexcept { return name_; }
 
-  /// Until Avahi or the bus has gone (true) or `stop` is readable (false). A collision that the
-  /// network reports later takes the next name.
+  /// Returns when Avahi or the bus has disconnected (true) or `stop` is readable (false). After a
+  /// later collision on the network the next name is used.
   bool serve(int stop) {
     while (!lost_) {
       int handled = 0;

@@ -11,25 +11,25 @@
 namespace hedgehog::daemon {
 
 struct AnnouncedService {
-  /// The ball's name; Avahi gets another, "name #2", when somebody on the network has it already.
+  /// The ball's name; Avahi changes it to "name #2" if it already exists on the network.
   std::string name;
   std::uint16_t port = 0;
-  /// Of the board; empty: none is configured.
+  /// Serial number of the board; empty: none is configured.
   std::string serial;
   std::string protocol;
 };
 
 /// The port of the first of `addresses` ("192.0.2.7:7586", "[2001:db8::7]:7586", "/a/socket",
-/// "http://…", as the listener reports them) that other machines can reach; nullopt: there is none.
+/// "http://…", as reported by the listener) that other machines can reach; nullopt: none.
 std::optional<std::uint16_t> announced_port(const std::vector<std::string>& addresses);
 
 /// The TXT records: protocol, serial if there is one, and tls=1, because a daemon that other
 /// machines can reach has no listener without TLS.
 std::vector<std::string> txt_records(const AnnouncedService& service);
 
-/// Announces from a thread of its own until it is destroyed; Avahi withdraws the announcement when
-/// the connection to the bus ends, a killed daemon's too. Without a bus or without Avahi it tries
-/// again every ten seconds. Reports its state to the log once per change.
+/// Announces on its own thread until it is destroyed; Avahi withdraws the announcement when the
+/// connection to the bus ends, also that of a killed daemon. Without a bus or Avahi it retries
+/// every ten seconds. Reports its state to the log once per change.
 class Announcement {
  public:
   explicit Announcement(AnnouncedService service);
@@ -41,7 +41,7 @@ class Announcement {
   void run();
 
   AnnouncedService service_;
-  /// An eventfd that becomes readable when the thread is to end.
+  /// An eventfd that becomes readable when the thread has to end.
   int stop_;
   std::thread thread_;
 };

@@ -37,7 +37,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kBusyPause{1};
 constexpr std::chrono::milliseconds kIdlePause{10};
 constexpr std::chrono::milliseconds kShutdownPatience{1500};
-/// For those that wait for the disk; control gives no more. Previews have a pump for each slice.
+/// Time for responses that wait for the disk; control has ended. Previews have a pump per slice.
 constexpr std::chrono::milliseconds kLastAnswers{1000};
 
 }  // namespace
@@ -50,7 +50,7 @@ Daemon::Daemon(const Options& options, const config::Paths& paths, const config:
       listener_(io_, config),
       saved_(server::load_saved_state(config.state_directory, server::ball_of(config))),
       threads_([&]() -> DeviceThreads {
-        // The doors first: a second daemon must not touch the board of the first.
+        // Opened first: a second daemon must not access the board of the first.
         listener_.open(config);
         const StartState start = start_state(config, saved_, server::boot_time_now());
         return {config, start.settings, start.simulated_c, options.speed};
@@ -136,7 +136,7 @@ asio::awaitable<void> Daemon::pump() {
              startup_grace.over(Clock::now(), threads_.loop().heartbeat()))
       start_listening();
     if (server_.has_unsent_telemetry()) {
-      // After what has come from clients meanwhile.
+      // After the requests received meanwhile.
       co_await asio::post(io_, asio::use_awaitable);
       continue;
     }
@@ -156,7 +156,7 @@ asio::awaitable<void> Daemon::handle_signals() {
     } else if (!stopping_) {
       asio::co_spawn(io_, leave(signal == SIGINT ? "interrupted" : "stop"), asio::detached);
     } else if (signal == SIGINT) {
-      // The coils have been safe since the first signal.
+      // The safe command was sent on the first signal.
       std::_Exit(EXIT_FAILURE);
     }
   }
@@ -253,7 +253,7 @@ void Daemon::on_event(const control::Event& event, const server::Effect*) {
   using control::EventType;
   switch (event.type) {
     case EventType::kStateChanged: {
-      // Not worth a warning when it arms itself before the first client can see it.
+      // Not a warning if it arms itself before clients are accepted.
       start_blocker_.reset();
       if (!ready_ && event.state == control::State::kDisarmed &&
           event.reason == control::Reason::kNeverArmed)
@@ -262,7 +262,7 @@ void Daemon::on_event(const control::Event& event, const server::Effect*) {
         log_state(event);
       state_store_.state_changed(event.state);
       if (event.state == control::State::kTripped) {
-        // The latch goes to disk before anything that takes longer.
+        // The latch is persisted before any longer operation.
         state_store_.persist_latch(event.reason);
       }
       return;

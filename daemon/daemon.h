@@ -32,11 +32,11 @@ namespace hedgehog::daemon {
 /// main's thread is the io thread.
 class Daemon {
  public:
-  /// Opens the doors and starts board and link. Throws std::exception with a sentence for a person
-  /// when it cannot.
+  /// Opens the listening sockets and starts board and link. Throws std::exception with a sentence
+  /// for display on failure.
   Daemon(const Options& options, const config::Paths& paths, const config::Config& config);
 
-  /// Until SIGTERM or SIGINT. Returns the exit code.
+  /// Runs until SIGTERM or SIGINT. Returns the exit code.
   int run();
 
  private:
@@ -71,10 +71,10 @@ class Daemon {
   server::TripRecordings recordings_;
   server::TelemetryFile telemetry_file_;
   server::Server server_;
-  /// While other machines can reach a listener.
+  /// Exists while other machines can reach a listener.
   std::optional<Announcement> announcement_;
   bool ready_ = false;
-  /// Why the ball was not armed at its first sight, until it is or the doors open.
+  /// Event of a ball not armed at its first detection, until it is armed or clients are accepted.
   std::optional<control::Event> start_blocker_;
   bool stopping_ = false;
 };

@@ -20,7 +20,7 @@ std::optional<std::string> given(const std::string& text) {
   return text.empty() ? std::nullopt : std::optional(text);
 }
 
-/// "Pad (054c:0ce6): no permission" of that device: only "no permission".
+/// Removes the name of that device: "Pad (054c:0ce6): no permission" gives "no permission".
 std::string without_name(const std::string& what, const std::string& name) {
   return what.starts_with(name + ": ") ? what.substr(name.size() + 2) : what;
 }
@@ -104,7 +104,7 @@ class BusScan {
       seen.why_not = without_name(facts_.board->what, device::describe_board(usb));
   }
 
-  /// The sensor line that has this very device open.
+  /// The sensor line of this open device.
   const SensorLine* open_line(const SeenDevice& seen) const {
     for (const SensorLine& line : facts_.lines) {
       const std::string& serial = line.job == "imu" ? facts_.imu_serial : facts_.thermometer_serial;
@@ -145,7 +145,7 @@ class BusScan {
 
   const DeviceFacts& facts_;
   protocol::DevicesResult result_;
-  /// Types of which a device is listed.
+  /// Types with a listed device.
   std::vector<std::string> judged_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// device.list: devices on the buses, the use of each, and why the others are unused.
+// device.list: devices on the buses, the use of each, or the reason for being unused.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@
 
 namespace hedgehog::daemon {
 
-/// What the daemon knows of its devices itself.
+/// The daemon's own information on its devices.
 struct DeviceFacts {
   device::BoardIds board_ids;
   /// nullopt: the board is simulated.
@@ -24,7 +24,7 @@ struct DeviceFacts {
   std::string imu_type = "none";
   std::string imu_serial;
   std::string thermometer_serial;
-  /// As `Sensors::list` says.
+  /// Result of `Sensors::list`.
   std::vector<SensorLine> lines;
 };
 
@@ -33,7 +33,7 @@ protocol::DevicesResult seen_devices(const std::vector<device::UsbDevice>& usb,
                                      const std::vector<device::HidDevice>& hid,
                                      const DeviceFacts& facts);
 
-/// io thread; looks on `looker`, a thread that may hang. The references outlive it.
+/// io thread; scans on `scan_thread`, which may hang. The references outlive it.
 class DeviceList final : public server::DeviceScanner {
  public:
   DeviceList(const config::Config& config, const Sensors& sensors, server::DiskThread& scan_thread)

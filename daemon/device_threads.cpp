@@ -13,7 +13,7 @@
 namespace hedgehog::daemon {
 namespace {
 
-/// For tests: where hedgehog-simboard writes what it did.
+/// For tests: file for the trace of hedgehog-simboard.
 constexpr const char* kTraceVariable = "HEDGEHOG_SIMBOARD_TRACE";
 
 device::SimulatedBoardOptions board_options(const config::Config& config, double start_c) {
@@ -35,7 +35,7 @@ device::SimulatedBoardOptions board_options(const config::Config& config, double
 
 DeviceThreads::DeviceThreads(const config::Config& config, const control::ControlSettings& settings,
                              double start_c, std::optional<int> speed)
-    // The queues' memory is used as they fill; it need not be zero before.
+    // The queues' memory is used as they fill; it need not be initialised.
     : mailbox_(std::make_unique_for_overwrite<control::Mailbox>()),
       port_(std::make_unique<device::LinkPort>()) {
   if (speed) {

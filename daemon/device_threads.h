@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The threads below io: control, link, a reader a sensor, and the one that looks for the board on
-// USB. Which of them there are depends on the configuration and on --speed.
+// The threads below io: control, link, one per sensor, and the one that searches for the board on
+// USB. The set of threads depends on the configuration and on --speed.
 #pragma once
 
 #include <memory>
@@ -24,8 +24,8 @@ namespace hedgehog::daemon {
 /// loop from `loop().start()`.
 class DeviceThreads {
  public:
-  /// `start_c`: of the simulated ball. `speed`: in lock-step with it, so many times as fast. Throws
-  /// std::system_error.
+  /// `start_c`: temperature of the simulated ball. `speed`: lock-step at this multiple of real
+  /// time. Throws std::system_error.
   DeviceThreads(const config::Config& config, const control::ControlSettings& settings,
                 double start_c, std::optional<int> speed);
 
@@ -45,7 +45,7 @@ class DeviceThreads {
   std::unique_ptr<control::Mailbox> mailbox_;
   std::unique_ptr<device::LinkPort> port_;
   control::FlightRecorder recorder_;
-  // Destroyed from the last to the first: the link sends its last frame to a board that still runs.
+  // Destroyed in reverse order: the link sends its last frame to a board that still runs.
   std::unique_ptr<device::SimulatedBoardProcess> board_process_;
   std::unique_ptr<device::UsbBoard> usb_board_;
   std::unique_ptr<device::LinkThread> link_;

@@ -23,10 +23,10 @@ namespace {
 
 namespace config = hedgehog::config;
 
-/// Enough for every stack and heap of ours.
+/// Exceeds the size of all stacks and the heap.
 constexpr rlim_t kLockedBytes = 256u << 20;
 
-/// A page that is fetched from disk, or moved into a huge one, is a late tick.
+/// A page that is fetched from disk, or moved into a huge one, delays a tick.
 void keep_memory_still() {
   prctl(PR_SET_THP_DISABLE, 1, 0, 0, 0);
   rlimit limit{};
@@ -56,8 +56,8 @@ int serve(const hedgehog::daemon::Options& options, const config::Paths& paths,
   }
 }
 
-/// "trip-0017", as the history names it, lies in the state directory. A file of that name is
-/// itself.
+/// The file of a recording "trip-0017", as in the history, in the state directory. An existing file
+/// of that name has precedence.
 std::string recording_file(const std::string& given, const hedgehog::daemon::Options& options,
                            const config::Paths& paths) {
   std::error_code unseen;

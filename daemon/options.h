@@ -15,12 +15,12 @@ struct Options {
   bool check_config = false;
   bool print_config = false;
   std::optional<std::string> replay;
-  /// Ticks of device time a millisecond, in lock-step; only with --simulate.
+  /// Ticks of device time per millisecond, in lock-step; only with --simulate.
   std::optional<int> speed;
   config::Overrides overrides;
 };
 
-/// The options, or the exit code of what has been done already (--help, --version, a mistake).
+/// The options, or the exit code if nothing is left to do (--help, --version, a usage error).
 std::variant<Options, int> parse_options(int argc, const char* const* argv);
 
 }  // namespace hedgehog::daemon

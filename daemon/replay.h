@@ -8,9 +8,9 @@
 
 namespace hedgehog::daemon {
 
-/// Writes one JSON object a tick to `out`,
+/// Writes one JSON object per tick to `out`,
 ///   {"tick","state","reason","sensor_c","model_c","asked_a","current_a","measured_a","events","same"}
-/// and at the end {"ticks","different","written_by"}. Returns 0; 1: some tick came out differently;
+/// and at the end {"ticks","different","written_by"}. Returns 0; 1: the result of a tick differs;
 /// 65: not a recording; 66: no such file; 69: written by another build.
 int replay(const std::string& path, std::ostream& out, std::ostream& errors);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reader threads of the configured sensors, and the state of these and of the board on USB.
+// Threads of the configured sensors, and the state of these and of the board on USB.
 #pragma once
 
 #include <chrono>
@@ -17,27 +17,27 @@
 
 namespace hedgehog::daemon {
 
-/// One sensor, or the board, as people see it.
+/// Displayed state of one sensor, or of the board.
 struct SensorLine {
   std::string job;   // "board", "imu", "thermometer"
   std::string type;  // as configured: "dualsense"
   device::SensorState state;
 };
 
-/// io thread. The readers run from the constructor on; mailbox, loop and board outlive it.
+/// io thread. The sensor threads run from the constructor on; mailbox, loop and board outlive it.
 class Sensors {
  public:
-  /// `board`: nullptr when it is simulated. Throws std::system_error.
+  /// `board`: nullptr if it is simulated. Throws std::system_error.
   Sensors(const config::Config& config, control::Mailbox& mailbox, const control::Loop& loop,
           const device::UsbBoard* board);
 
   std::vector<SensorLine> list() const;
-  /// A sentence for each sensor that came, went, or is missing for another reason than before;
-  /// looks twice a second at most.
+  /// A sentence for each sensor that was connected or disconnected, or is missing for another
+  /// reason than before; checks twice a second at most.
   std::vector<std::string> messages();
-  /// nullopt: it is simulated.
+  /// nullopt: simulated.
   std::optional<device::BoardUsbInfo> board() const;
-  /// The part of it that clients get.
+  /// The part of it for clients.
   server::BoardInfo board_seen() const;
 
  private:
@@ -46,7 +46,7 @@ class Sensors {
     std::unique_ptr<device::SensorThread> thread;  // nullptr: the board
   };
   device::SensorState state(const Reader& reader) const;
-  /// Nothing when `driver` is nullptr.
+  /// Does nothing if `driver` is nullptr.
   void add(const std::string& job, const device::SensorDriver* driver, const std::string& serial,
            const device::SensorSinks& sinks);
 

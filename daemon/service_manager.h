@@ -14,12 +14,12 @@ class ServiceManager {
   ServiceManager();
 
   void ready(const std::string& status);
-  /// Sent when it has changed.
+  /// Sent on a change only.
   void status(const std::string& status);
   void reloading();
   void stopping();
-  /// Feeds the watchdog, as often as it wants, while `heartbeat` rises: a control thread that
-  /// stands still lets systemd restart us.
+  /// Feeds the watchdog at its interval while `heartbeat` increases: if the control thread stops,
+  /// systemd restarts the daemon.
   void alive(std::uint64_t heartbeat);
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// hedgehog-simboard: the simulated driver board as a process of its own, behind a socket that it
-// inherits. It outlives its host until it has made itself safe.
+// hedgehog-simboard: the simulated driver board as a separate process with an inherited socket. It
+// continues after the end of its host until it is in a safe state.
 
 #include <sysexits.h>
 
@@ -40,7 +40,7 @@ struct Arguments {
   std::string trace;
 };
 
-/// What to do, or the exit code of a command line that ends at once.
+/// The arguments, or the exit code of a command line that ends at once.
 std::variant<Arguments, int> parse_arguments(int argc, const char* const* argv) {
   Arguments arguments;
   std::string front_end = "in_line";

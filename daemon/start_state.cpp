@@ -32,7 +32,7 @@ StartState start_state(const config::Config& config, const std::optional<server:
 
   start.simulated_c = config.simulator.ambient_c;
   if (simulated && (config.simulator.start_temperature_c || !saved)) {
-    // Nobody has to measure a ball that was made at this temperature.
+    // The temperature of a ball started at this value is known without a measurement.
     start.simulated_c = config.simulator.start_temperature_c.value_or(config.simulator.ambient_c);
     s.start_known = true;
     s.start_measured.fill(true);
@@ -44,7 +44,7 @@ StartState start_state(const config::Config& config, const std::optional<server:
     s.start_measured = saved->measured;
     s.start = model::decayed(config.device.thermal, saved->heat, saved->ambient_c,
                              server::seconds_between(saved->saved_at, now));
-    // Of a uniform distribution within the bound: 1/sqrt(3), rounded up.
+    // Standard deviation of a uniform distribution within the bound: 1/sqrt(3), rounded up.
     constexpr double kDeviationOfBound = 0.6;
     const double cooled_k = model::hottest_winding(saved->heat) - model::hottest_winding(s.start);
     s.start_deviation_k += kDeviationOfBound * s.uncertainty.thermal * std::max(0.0, cooled_k);

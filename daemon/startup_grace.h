@@ -7,14 +7,14 @@
 
 namespace hedgehog::daemon {
 
-/// The first client should not find a ball that is armed a moment later.
+/// Prevents that the first client connects before the ball is armed at start-up.
 class StartupGrace {
  public:
   using Clock = std::chrono::steady_clock;
 
   explicit StartupGrace(Clock::time_point begun) noexcept : begun_(begun) {}
-  /// `ticks` that control has run. Over after half a second of both the clock and control, and
-  /// after five seconds of a machine on which control hardly runs.
+  /// `ticks`: executed by control. Over after half a second of both the clock and control, or after
+  /// five seconds on a machine on which control hardly runs.
   bool over(Clock::time_point now, std::uint64_t ticks) const noexcept {
     const auto since = now - begun_;
     return since > kLongest || (since > kUsual && ticks > kTicks);

@@ -89,7 +89,7 @@ void Controller::arbitrate(Reason found, const StepInputs& inputs, EventList& ev
   states_.step(board_, inputs.board_fresh, arming_blocker(), now_);
   if (states_.state() == before) return;
   if (states_.armed()) watchdog_.begin_armed();
-  // A board that does not give up its latch.
+  // Reason of a board that did not clear its latch.
   if (states_.state() == State::kTripped) record_trip(states_.reason());
 }
 
@@ -152,11 +152,11 @@ Reason Controller::arming_blocker() const noexcept {
   if (states_.boot_loader_pending()) return Reason::kBootLoader;
   const Reason arming_blocker = watchdog_.arming_blocker();
   if (arming_blocker != Reason::kNone) return arming_blocker;
-  // A board's latch for heat may be older than this daemon.
+  // A board's heat latch may be older than this daemon.
   constexpr std::uint16_t kByHeat = device::kFaultOverHeat | device::kFaultHeatBudget;
   const auto board_heat = static_cast<std::uint16_t>(board_.faults & kByHeat);
   const Reason why = board_heat != 0 ? reason_of_faults(board_heat) : states_.reason();
-  // What is forgotten may have been a trip by heat.
+  // The lost state may have contained an over-temperature trip.
   const bool by_heat = why == Reason::kOverheated || why == Reason::kBoardOverHeat ||
                        why == Reason::kBoardHeatBudget || why == Reason::kStateLost;
   const model::ThermalEstimate& thermal = observer_.estimate();

@@ -34,21 +34,22 @@ class Controller {
  public:
   explicit Controller(const ControlSettings& settings) noexcept;
 
-  /// The next tick: what to send to the board. `events` is emptied and then has what happened.
+  /// Advances by one tick and returns the command for the board. `events` is cleared, then filled
+  /// with the events of this tick.
   device::BoardCommand step(const StepInputs& inputs, EventList& events) noexcept;
 
-  /// Ends every effect; for a clean stop. The daemon sends the safe command after it.
+  /// Ends every effect for a clean stop; the daemon sends the safe command afterwards.
   void end_all(EndReason reason, EventList& events) noexcept;
 
-  /// Everything as of the last step; `loop` and `link` are left alone.
+  /// Fills in everything as of the last step except `loop` and `link`.
   void fill(StatusSnapshot& snapshot) const noexcept;
 
   State state() const noexcept { return states_.state(); }
   Reason reason() const noexcept { return states_.reason(); }
   bool effects_empty() const noexcept { return mixer_.empty(); }
-  /// An effect is being reduced because the ball is warm.
+  /// An effect is being derated because the ball is warm.
   bool derating() const noexcept { return derating_.active(); }
-  /// What is known: until the first usable reading nothing, so `hottest_c` is infinite.
+  /// The thermal estimate; `hottest_c` is infinite until the first usable reading.
   model::ThermalEstimate thermal() const noexcept;
   const model::LimitedCurrents& passed() const noexcept { return passed_; }
   const Trip& last_trip() const noexcept { return last_trip_; }
@@ -57,12 +58,12 @@ class Controller {
  private:
   // The parts of a step, in its order.
 
-  /// The time since the last one, s.
+  /// Time since the previous step, s.
   double begin_tick(const StepInputs& inputs, EventList& events) noexcept;
   void sense(const StepInputs& inputs, double dt_s) noexcept;
   /// The reason to trip, or kNone.
   Reason check(const StepInputs& inputs, double dt_s) noexcept;
-  /// What the ball may do: by `found`, by what clients ask, by the board.
+  /// Updates the state from `found`, the clients' requests and the board.
   void arbitrate(Reason found, const StepInputs& inputs, EventList& events) noexcept;
   void account(const MixResult& mix, const model::CoilCurrents& wanted) noexcept;
   void reject_non_finite(double dt_s, EventList& events) noexcept;
@@ -75,12 +76,12 @@ class Controller {
   model::ThermalMeasurement measurement() const noexcept;
   double sensor_c() const noexcept;
   double hottest_c() const noexcept;
-  /// `thermal()`, in which windings that cannot be measured now count as not measured.
+  /// `thermal()`, in which windings that cannot be measured now count as unmeasured.
   model::ThermalEstimate thermal_as_measured() const noexcept;
   WindingCircuit circuit() const noexcept;
-  /// Its current was measured at both ends of the last millisecond.
+  /// The current of `coil` was measured at both ends of the last millisecond.
   bool is_measured(int coil) const noexcept;
-  /// The windings' currents, A: where they were not measured, those that our commands make flow.
+  /// The winding currents, A: those not measured are predicted from the commands.
   model::Vec3 present_a() const noexcept;
   SkinStatus skin() const noexcept;
   void update_state(Reason found, bool present, bool fresh) noexcept;
@@ -92,7 +93,7 @@ class Controller {
   ReportInputs report_inputs() const noexcept;
 
   ControlSettings settings_;
-  model::Limits limits_;  // of the settings, as far as the board allows them
+  model::Limits limits_;  // of the settings, tightened to the board's
   model::ThermalObserver observer_;
   EstimateCheck estimate_;
   model::SkinEstimate skin_;
@@ -110,7 +111,7 @@ class Controller {
   EventReporter reporter_;
 
   model::Tick now_ = 0;
-  bool observing_ = false;  // the observer has its start values
+  bool observing_ = false;  // the observer has its initial values
   std::uint32_t emergency_generation_ = 0;
   std::uint64_t applied_seq_ = 0;
   device::BoardTelemetry board_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the controller follows the ball's heat, and what it may be measured by.
+// Thermal estimation of the controller, and selection of its measurements.
 #include <algorithm>
 #include <limits>
 
@@ -24,7 +24,7 @@ void Controller::start_observer(double sensor_c) noexcept {
   start.nodes.core_c = sensor_c;
   start.known = settings_.start_known;
   if (settings_.start_known) {
-    // What the thermistor adds was known of no node.
+    // The excess of the thermistor over the saved state is known for no node.
     constexpr double kPerKelvin = 0.5;
     double raised_k = std::max(0.0, sensor_c - settings_.start.core_c);
     for (std::size_t i = 0; i < model::kCoils; ++i) {
@@ -69,7 +69,7 @@ model::Vec3 Controller::present_a() const noexcept {
 }
 
 model::ThermalMeasurement Controller::measurement() const noexcept {
-  // Until then the diodes may still carry something.
+  // Before this the diodes may still conduct.
   constexpr double kAsleepS = 0.1;
   model::ThermalMeasurement m;
   m.electrical_valid = pair_.electrical();
@@ -104,7 +104,7 @@ Reason Controller::update_estimate(double dt_s) noexcept {
   return states_.armed() || found == Reason::kOverheated ? found : Reason::kNone;
 }
 
-// A probe knows the skin, the estimate what is on its way there.
+// A probe measures the present skin temperature; the estimate adds the heat still on its way there.
 SkinStatus Controller::skin() const noexcept {
   const ThermometerCheck& probe = watchdog_.thermometer();
   SkinStatus status;
@@ -114,7 +114,7 @@ SkinStatus Controller::skin() const noexcept {
     status.above_k = std::numeric_limits<double>::infinity();
   } else if (probe.on_shell()) {
     const double by_probe_k = probe.celsius() - skin_.following_c();
-    // What one said that has fallen silent may be old.
+    // The last reading of a thermometer that no longer delivers any may be outdated.
     status.above_k = probe.fresh() ? by_probe_k : std::max(by_probe_k, status.above_k);
   }
   status.bound_c = skin_.heated_c() + status.above_k;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the controller shows of itself: to events, and as the snapshot.
+// State of the controller for events and for the snapshot.
 #include "daemon/control/controller.h"
 
 namespace hedgehog::control {

@@ -23,7 +23,8 @@ void CurrentPrediction::advance_skipped_ticks(Tick skipped, const device::BoardC
   if (skipped == 0) return;
   const Tick held = std::min(skipped, kLongestGap - 1);
   advance(circuit.supply_v * command.duty(), held, circuit);
-  // Asleep since then. The diodes end the current sooner than this, so no boost gets too large.
+  // The bridges sleep from here on. The diodes end the current sooner than this model, so no boost
+  // becomes too large.
   advance({}, skipped - held, circuit);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What our set-points make flow in the windings until telemetry shows it, which is two ticks later
-// and more on a real wire: the voltage of the next set-point cannot wait for it.
+// Winding currents predicted from the set-points until telemetry contains them, two ticks later or
+// more on a real bus: the voltage of the next set-point cannot wait for it.
 #pragma once
 
 #include <array>
@@ -12,31 +12,32 @@
 
 namespace hedgehog::control {
 
-/// The link makes the board safe after so many ticks without a set-point, so no more than that was
-/// heated in a gap.
+/// The link sends the safe command after this many ticks without a set-point, so a gap heats for no
+/// longer.
 inline constexpr model::Tick kLongestGap = 20;
 
-/// The windings as a set-point finds them: each a resistance and an inductance on one supply.
+/// Electrical model of the windings: each a resistance and an inductance on one supply.
 struct WindingCircuit {
-  /// As estimated, ohm.
+  /// Estimated, ohm.
   std::array<double, model::kCoils> resistance_ohm{};
-  /// Of each, henry.
+  /// Of each winding, henry.
   double inductance_h = 0.0;
-  /// As measured, volt.
+  /// Measured, V.
   double supply_v = 0.0;
 };
 
 /// Control thread; real-time safe, trivially copyable.
 class CurrentPrediction {
  public:
-  /// One tick with the new set-point `command`, boost included.
+  /// Advances by one tick with the new set-point `command`, boost included.
   void predict_currents(const device::BoardCommand& command,
                         const WindingCircuit& circuit) noexcept;
-  /// `skipped` ticks without a new one: the board holds `command`, until the link makes it safe.
+  /// Advances by `skipped` ticks without a new set-point: the board holds `command` until the link
+  /// sends the safe one.
   void advance_skipped_ticks(model::Tick skipped, const device::BoardCommand& command,
                              const WindingCircuit& circuit) noexcept;
 
-  /// What flows at the end of it, A.
+  /// Currents at the end of the tick, A.
   const model::Vec3& a() const noexcept { return a_; }
 
  private:

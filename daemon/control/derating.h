@@ -10,12 +10,12 @@ namespace hedgehog::control {
 /// Control thread; real-time safe, trivially copyable.
 class Derating {
  public:
-  /// It ends when nothing was reduced for this long.
+  /// Ticks without a reduction until the derating ends.
   static constexpr model::Tick kPatience = 500;
-  /// Less than this is not worth saying.
+  /// Smaller reductions are not reported.
   static constexpr double kNoticeable = 0.995;
 
-  /// The tick's norms: what was asked (already within the configured limit) and what heat allows.
+  /// The tick's norms: requested (already within the configured limit) and allowed by the limiter.
   void step(double asked_a, double allowed_a, model::Tick now) noexcept {
     if (asked_a > 0.0 && allowed_a < kNoticeable * asked_a) {
       reduced_ = now;

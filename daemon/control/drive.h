@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The way from the mixed effects to a set-point: limit, gate, drive. The control thread and the
-// preview take the same.
+// From the mixed effects to a set-point: limit, gate, drive. Used by the control thread and by the
+// preview.
 #pragma once
 
 #include "daemon/control/current_prediction.h"
@@ -11,12 +11,12 @@
 
 namespace hedgehog::control {
 
-/// What `mix` asks of the windings, A, and the field that it asks for with them; not limited.
+/// Winding currents requested by `mix`, A, and the field they correspond to; not limited.
 model::CoilCurrents wanted_currents(const MixResult& mix, const model::CoilModel& coils) noexcept;
 model::FieldDemand wanted_field(const MixResult& mix, const model::CoilModel& coils) noexcept;
 
-/// `wanted` as far as the windings' heat, `thermal`, and the skin, at most `skin_c`, allow. Call it
-/// once every `dt_s`, as `ThermalLimiter::limit`.
+/// `wanted`, limited by the windings' thermal state `thermal` and by the skin's upper bound
+/// `skin_c`. Call it once every `dt_s`, like `ThermalLimiter::limit`.
 model::LimitedCurrents limit(model::ThermalLimiter& limiter, const model::CoilCurrents& wanted,
                              const model::ThermalEstimate& thermal, double skin_c,
                              double dt_s) noexcept;
@@ -26,12 +26,12 @@ constexpr model::LimitedCurrents gate(const model::LimitedCurrents& limited, boo
   return armed ? limited : model::LimitedCurrents();
 }
 
-/// The share of `wanted` that has passed, 0..1; 1 when nothing was asked.
+/// The share of `wanted` that was passed, 0..1; 1 when nothing was requested.
 double passed_share(const model::CoilCurrents& wanted,
                     const model::LimitedCurrents& passed) noexcept;
 
-/// The set-point that brings `passed` about from `now_a`, what flows now. Without a `playing`
-/// effect the bridges sleep: duty 0 alone would be a brake that keeps them awake.
+/// The set-point that drives the currents from `now_a` to `passed`. Without a `playing` effect the
+/// bridges sleep: duty 0 alone would brake and keep them awake.
 device::BoardCommand drive(const model::LimitedCurrents& passed, bool playing,
                            const model::Vec3& now_a, const WindingCircuit& circuit) noexcept;
 

@@ -60,7 +60,7 @@ void EventReporter::report_orientation(const ReportInputs& inputs, EventList& ev
     differing_ticks_ = 0;
     return;
   }
-  // Ticks that ran, so that one long gap of a busy machine is no loss.
+  // Counts executed ticks, so that one long gap under system load is not a loss.
   ++differing_ticks_;
   const model::Tick hold = !fresh ? kLostAfter : was_oriented_ ? kRestoredAfter : 0;
   if (differing_ticks_ <= hold) return;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The events of a tick that are no effect's: what changed since the last one, and complaints.
+// Events of a tick other than those of effects: changes since the previous tick, overruns and
+// rejected numbers.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +11,7 @@
 
 namespace hedgehog::control {
 
-/// What events show of the moment.
+/// Controller state that events contain.
 struct ReportInputs {
   model::Tick tick = 0;
   State state = State::kAbsent;
@@ -19,8 +20,7 @@ struct ReportInputs {
   bool orientation_present = false;
   bool orientation_fresh = false;
   bool derating = false;
-  /// The current allowed and the one measured, A, and the hottest temperature, C (infinite: nothing
-  /// is known).
+  /// The allowed and the measured current, A, and the hottest temperature, C (infinite: unknown).
   double limit_a = 0.0;
   double current_a = 0.0;
   double temperature_c = 0.0;
@@ -30,19 +30,20 @@ struct ReportInputs {
 /// Control thread; real-time safe, trivially copyable.
 class EventReporter {
  public:
-  /// How often the same complaint is worth an event.
+  /// Minimum interval between two overrun or rejection events.
   static constexpr model::Tick kReportEvery = model::kTicksPerSecond;
-  /// An orientation is reported as lost once none was fresh for so many ticks on end, and as
-  /// restored once it was fresh for so many. The first one is reported at once.
+  /// The orientation is reported as lost after this many consecutive ticks without a fresh one, and
+  /// as restored after this many with one. The first one is reported at once.
   static constexpr model::Tick kLostAfter = 50;
   static constexpr model::Tick kRestoredAfter = 2 * model::kTicksPerSecond;
 
-  /// Once a tick: so many were `skipped` before it. Those before the first were nobody's.
+  /// Called once a tick with the number of ticks `skipped` before it; those before the first tick
+  /// are not counted.
   void report_overrun(std::uint32_t skipped, const ReportInputs& inputs,
                       EventList& events) noexcept;
-  /// A number that was not finite was replaced.
+  /// A non-finite number was replaced.
   void report_rejection(const ReportInputs& inputs, EventList& events) noexcept;
-  /// Once a tick, at its end.
+  /// Called once a tick, at its end.
   void report_changes(const ReportInputs& inputs, EventList& events) noexcept;
 
  private:

@@ -9,8 +9,8 @@
 namespace hedgehog::control {
 namespace {
 
-/// Where the front (device x) points, seen from above. A front that points straight up or down has
-/// no azimuth; then the device's z axis, which lies level, stands for it.
+/// Azimuth of the front (device x), seen from above. A vertical front has no azimuth; the device's
+/// z axis, which is then horizontal, replaces it.
 double azimuth_deg(const model::Quaternion& q) noexcept {
   const model::Vec3 front = rotate(q, {1, 0, 0});
   if (std::hypot(front.x, front.y) > 1e-3)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Orientation of the ball: the sensor's, rotated so that the front points where the last
-// `orientation.recenter` set it, and its freshness.
+// Orientation of the ball: the sensor's, rotated so that the front points to the azimuth set by the
+// last `orientation.recenter`, and its freshness.
 #pragma once
 
 #include "daemon/device/orientation.h"
@@ -10,24 +10,23 @@
 namespace hedgehog::control {
 
 /// Control thread; real-time safe, trivially copyable. Until the first recentre the world's x is
-/// the sensor's own: where the front pointed when its fusion started, or what an external feeder
-/// says.
+/// the sensor's own: the front direction when its fusion started, or that of an external feeder.
 class Heading {
  public:
   /// Older orientations are not used.
   static constexpr model::Tick kFresh = 100;
 
-  /// The tick's latest sample. Numbers that are no rotation count as none.
+  /// Applies the tick's latest sample. An invalid rotation counts as no sample.
   void step(const device::OrientationSample& sample, model::Tick now) noexcept;
-  /// The front points at `azimuth_deg` (anticlockwise from above) now. Ignored when no orientation
-  /// is known.
+  /// Sets the present front direction to `azimuth_deg` (anticlockwise from above). Ignored without
+  /// a known orientation.
   void recenter(double azimuth_deg) noexcept;
 
-  /// An orientation has ever been known.
+  /// At least one valid orientation has been received.
   bool present() const noexcept { return present_; }
   bool fresh() const noexcept { return fresh_; }
   model::Tick age() const noexcept { return age_; }
-  /// Device -> world, recentred; the last one known.
+  /// Device -> world, recentred; the last known one.
   const model::Quaternion& device_to_world() const noexcept { return device_to_world_; }
   const model::Vec3& rate_deg_s() const noexcept { return rate_deg_s_; }
   double yaw_offset_deg() const noexcept { return yaw_deg_; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The only way between io and the control thread: a queue for new work, a stop board that never
-// queues, the latest status, and a queue of events.
+// The only connection between io and the control thread: a queue for commands, a stop board that
+// bypasses it, the latest status, and a queue of events.
 #pragma once
 
 #include <array>
@@ -19,8 +19,8 @@
 
 namespace hedgehog::control {
 
-/// When io read the request of a command, and when it was queued, by its seq: for the metrics only,
-/// so that commands (and recordings of them) need not carry it.
+/// Times at which io read the request of a command and queued it, by its seq: for the metrics only,
+/// so that commands (and recordings of them) need not contain them.
 class RequestTimes {
  public:
   /// io thread.
@@ -30,8 +30,7 @@ class RequestTimes {
   void queued(std::uint64_t seq, std::int64_t ns) noexcept {
     times_[seq % kRemembered].queued_ns.store(ns, std::memory_order_relaxed);
   }
-  /// Control thread, real-time safe. 0 is not known. REQUIRES: the command has come through the
-  /// queue.
+  /// Control thread, real-time safe. 0: unknown. REQUIRES: the command has come through the queue.
   EffectTimes of(std::uint64_t seq) const noexcept {
     const Times& times = times_[seq % kRemembered];
     return {seq, times.received_ns.load(std::memory_order_relaxed),
@@ -43,22 +42,22 @@ class RequestTimes {
     std::atomic<std::int64_t> received_ns{0};
     std::atomic<std::int64_t> queued_ns{0};
   };
-  /// More than can be under way.
+  /// Exceeds the number of commands in transit.
   static constexpr std::size_t kRemembered = 2048;
   std::array<Times, kRemembered> times_{};
 };
 
-/// Stop requests, one word an effect place: overwriting, never full, seen at the next tick.
+/// Stop requests, one word per effect place: overwritten, never full, read at the next tick.
 class StopBoard {
  public:
-  /// io thread. Ends `effect` in `place`; also when its start is still queued.
+  /// io thread. Ends `effect` in `place`, even if its start is still queued.
   void request(EffectId effect, std::uint8_t place, EndReason reason) noexcept {
     words_[place].store(effect | (static_cast<std::uint64_t>(reason) << 32),
                         std::memory_order_release);
     changed_[place / 64].fetch_or(std::uint64_t{1} << (place % 64), std::memory_order_acq_rel);
   }
 
-  /// Control thread, real-time safe: puts what changed since the last call into `inputs`.
+  /// Control thread, real-time safe: copies the requests since the last call to `inputs`.
   void collect(StepInputs& inputs) noexcept {
     inputs.stop_count = 0;
     for (int half = 0; half < 2; ++half) {
@@ -82,18 +81,18 @@ static_assert(kEffectPlaces == 128, "StopBoard keeps its change flags in two wor
 struct Mailbox {
   static constexpr std::size_t kCommands = 512;
   static constexpr std::size_t kEvents = 8192;
-  /// Of more than io can leave unread for long; further ones are not measured.
+  /// Exceeds what io leaves unread for long; further ones are not measured.
   static constexpr std::size_t kEffectTimes = 1024;
 
-  /// io -> control. `push` fails when full: answer `busy`, never wait.
+  /// io -> control. `push` fails when full: respond with `busy`, never wait.
   boost::lockfree::spsc_queue<Command, boost::lockfree::capacity<kCommands>> commands;
   RequestTimes request_times;
   StopBoard stops;
-  /// io -> control: add one for device.emergency_stop.
+  /// io -> control: incremented by device.emergency_stop.
   std::atomic<std::uint32_t> emergency_generation{0};
-  /// The orientation sensor's reader (or io, for `external` and the simulator) -> control.
+  /// Orientation sensor thread (or io, for `external` and the simulator) -> control.
   base::TripleBuffer<device::OrientationSample> orientation;
-  /// The second thermometer's reader -> control.
+  /// Second thermometer's thread -> control.
   base::TripleBuffer<device::ThermometerSample> thermometer;
 
   /// control -> io.

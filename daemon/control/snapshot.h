@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The state of everything after a tick, for io: `device.status`, telemetry, admission. Trivially
-// copyable; control -> io by triple buffer.
+// Complete state after a tick, for io: `device.status`, telemetry, admission. Trivially copyable;
+// control -> io by triple buffer.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@ struct EffectStatus {
   bool playing = false;
   /// Ticks until it ends by itself.
   model::Tick remaining = 0;
-  /// Its own share of what is driven now, A (0 while masked).
+  /// Its own share of the present current, A (0 while masked).
   double current_a = 0.0;
 };
 
@@ -38,19 +38,19 @@ struct LoopStatistics {
   double lateness_p99_us = 0.0;
   double lateness_max_us = 0.0;
   base::Histogram lateness;
-  /// What a tick took.
+  /// Execution time of a tick.
   base::Histogram work;
 };
 
-/// Sums since the start, of every tick: bursts of 150 ms would fall between two looks.
+/// Sums over every tick since the start: sampling would miss bursts of 150 ms.
 struct Totals {
-  /// Integral of |duty| as measured, each bridge.
+  /// Integral of the measured |duty| of each bridge, s.
   model::Vec3 on_s;
-  /// Integral of |I|^2 as measured, all windings together.
+  /// Integral of the measured |I|^2, all windings together.
   double heat_a2s = 0.0;
-  /// An effect was being reduced.
+  /// Time with a derated effect, s.
   double derated_s = 0.0;
-  /// From a request's being read to its set-point's going to the link.
+  /// From reading a request to passing its set-point to the link.
   base::Histogram request_to_coil;
 };
 
@@ -66,8 +66,8 @@ struct Trip {
 /// Trivially copyable.
 struct SkinStatus {
   model::SkinEstimate estimate;
-  /// What limits the current is so far above `estimate.heated_c()`, K: the margin, or what a probe
-  /// under the skin shows.
+  /// Excess over `estimate.heated_c()` used for the current limit, K: the margin, or that measured
+  /// by a probe under the skin.
   double above_k = 0.0;
   double bound_c = 25.0;
 };
@@ -77,36 +77,36 @@ struct StatusSnapshot {
   State state = State::kAbsent;
   Reason reason = Reason::kNoBoard;
   model::Tick since = 0;
-  /// Reason of a trip that would come back at once if armed now (kNone: arming is possible).
+  /// Reason of a trip that would recur at once if armed now (kNone: arming is possible).
   Reason arming_blocker = Reason::kNone;
-  /// The latch that must survive a restart (kNone: none).
+  /// The latch that must persist over a restart (kNone: none).
   Reason latch = Reason::kNone;
-  /// Ticks until that latch may be cleared, and how often it was, by reason.
+  /// Ticks until that latch may be cleared, and how often each reason was.
   model::Tick rearm_wait = 0;
   RearmCounts rearms{};
 
   bool board_present = false;
   device::BoardTelemetry board;
-  /// Of the thermistor reading, since the conversion that gave it.
+  /// Age of the thermistor reading, since its conversion.
   double sensor_age_s = 0.0;
-  /// The thermistor reading as judged by the watchdog: usable or not.
+  /// The watchdog considers the thermistor reading usable.
   bool sensor_valid = false;
 
-  /// The fan counts as cooling the core, by its tachometer; it does so when it is driven.
+  /// The fan counts as cooling the core, by its tachometer; false while not driven.
   bool fan_cooling = false;
   bool fan_works = true;
 
-  /// The second thermometer; known: one is configured, and answers.
+  /// The second thermometer; known: one is configured and delivers readings.
   bool thermometer_known = false;
   double thermometer_c = 0.0;
 
   model::ThermalEstimate thermal;
-  /// R25 of each winding as compared with a thermistor since the start, ohm, with this board's
-  /// gains in it; 0: not yet.
+  /// R25 of each winding by comparison with a thermistor since the start, ohm, including this
+  /// board's gain errors; 0: not yet known.
   std::array<double, model::kCoils> r25_ohm{};
   SkinStatus skin;
   double limit_a = 0.0;   // allowed now
-  bool derating = false;  // an effect is being reduced now
+  bool derating = false;  // an effect is being derated now
 
   model::Vec3 demand_a;   // after mixing, device frame
   model::Vec3 limited_a;  // winding currents passed by the limiter

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Everything that one tick of the controller sees. One trivially copyable value: the flight
-// recorder stores it, and the same values from the same state give the same outputs bit for bit.
+// All inputs of one tick of the controller. One trivially copyable value: the flight recorder
+// stores it, and the same values from the same state give the same outputs bit for bit.
 #pragma once
 
 #include <array>
@@ -16,19 +16,20 @@
 
 namespace hedgehog::control {
 
-/// "End this effect": by its owner (kStopped) or because its connection ended (kDisconnected).
+/// Request to end an effect: by its owner (kStopped) or because its connection closed
+/// (kDisconnected).
 struct StopRequest {
   EffectId effect = 0;
   std::uint8_t place = 0;
   EndReason reason = EndReason::kStopped;
 };
 
-/// The fixed part; a recording keeps it whole.
+/// The part of fixed size; a recording contains all of it.
 struct TickInputs {
   model::Tick tick = 0;
-  /// Ticks between the last step and this one that were never run (the thread was late).
+  /// Ticks skipped between the last step and this one (the thread was late).
   std::uint32_t skipped = 0;
-  /// A change means: device.emergency_stop.
+  /// A change signals device.emergency_stop.
   std::uint32_t emergency_generation = 0;
 
   bool board_present = false;

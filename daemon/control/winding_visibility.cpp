@@ -20,7 +20,7 @@ void WindingVisibility::step(const TelemetryPair& pair, bool bridges_awake, bool
     if (unpaired_.step(!pair.consecutive(), dt_s, kBlindAfterS)) blind_ = true;
     if (!unpaired_.pending()) blind_ = false;
   }
-  // What has flowed lately, also between the halves of a vibration.
+  // Decaying peak of the current, held over the zero crossings of a vibration.
   const double keep = std::exp(-dt_s / kRecentS);
   for (int coil = 0; coil < model::kCoils; ++coil) {
     const auto i = static_cast<std::size_t>(coil);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which windings are not measured by their own V/I although they are driven, so that nobody knows
-// how warm they get.
+// Windings that are driven without being measured by their own V/I, so that their temperature is
+// unknown.
 #pragma once
 
 #include <array>
@@ -15,26 +15,26 @@ namespace hedgehog::control {
 /// Control thread; real-time safe, trivially copyable.
 class WindingVisibility {
  public:
-  /// Driven for so long without two frames in a row, or with readings that do not show it, a
-  /// winding counts as not measured.
+  /// A winding that has been driven for this long without two consecutive frames, or with readings
+  /// from which V/I cannot be computed, counts as not measured.
   static constexpr double kBlindAfterS = 0.5;
 
-  /// `dt_s` later: the tick's telemetry, the bridges as it shows them, whether the last set-point
-  /// drove, and the currents that our set-points make flow, A.
+  /// Advances by `dt_s`: the tick's telemetry, the bridge state it contains, whether the last
+  /// set-point drove, and the currents predicted from the set-points, A.
   void step(const TelemetryPair& pair, bool bridges_awake, bool driving,
             const model::Vec3& predicted_a, double dt_s) noexcept;
 
-  /// To be held to `Limits::continuous_a`.
+  /// The winding must be limited to `Limits::continuous_a`.
   bool lost(int coil) const noexcept {
     return blind_ || unmeasured_s_[static_cast<std::size_t>(coil)] > kBlindAfterS;
   }
-  /// For how long the bridges have been asleep.
+  /// Time for which the bridges have slept.
   double asleep_s() const noexcept { return asleep_s_; }
 
  private:
   FaultDebounce unpaired_;
-  bool blind_ = false;  // each winding is lost
-  /// Of each winding: for how long it has been driven without its V/I.
+  bool blind_ = false;  // every winding counts as not measured
+  /// Per winding: driven time without its V/I, s.
   std::array<double, model::kCoils> unmeasured_s_{};
   model::Vec3 recent_peak_a_;
   double asleep_s_ = 0.0;

@@ -32,7 +32,7 @@ template <class Integer>
 Integer rounded(double value) noexcept {
   constexpr double kLow = std::numeric_limits<Integer>::min();
   constexpr double kHigh = std::numeric_limits<Integer>::max();
-  // Not a number becomes the lowest value: for a limit that is the tightest.
+  // NaN is converted to the minimum, which is the tightest value of a limit.
   if (!(value > kLow)) return std::numeric_limits<Integer>::min();
   return static_cast<Integer>(std::lround(std::min(value, kHigh)));
 }
@@ -107,7 +107,8 @@ void decode_validity(const board::TelemetryFrame& values, BoardTelemetry& out) n
   const bool has_validity = values.thermistors != 0;
   out.protocol_minor = values.minor != 0 ? values.minor : has_validity ? 1 : 0;
   for (std::size_t k = 0; k < board::kWindings; ++k) {
-    // A board of 1.0 measures a current while it drives the winding; more than this is one too.
+    // A board of protocol 1.0 measures a current only while driving the winding, or when it is
+    // larger than this.
     constexpr int kShownMa = 500;
     const bool shows = values.duty_q15[k] != 0 || std::abs(values.current_ma[k]) > kShownMa;
     out.measured[k] = has_validity ? (values.currents_measured >> k & 1u) != 0 : shows;
@@ -148,7 +149,7 @@ DecodedTelemetry decode_telemetry(std::span<const std::uint8_t> packet) noexcept
   out.sensor_c = values.sensor_cc / 100.0;
   out.fan_rpm = values.fan_rpm;
   out.fan_duty = values.fan / 255.0;
-  // A mode that we do not know is not one that drives.
+  // An unknown mode is treated as not driving.
   out.mode = values.mode <= static_cast<std::uint8_t>(BoardMode::kLatched)
                  ? static_cast<BoardMode>(values.mode)
                  : BoardMode::kLatched;

@@ -18,18 +18,18 @@ namespace hedgehog::device {
 
 using Frame = std::array<std::uint8_t, board::kFrameSize>;
 
-/// Tighter limits for the board itself (board_core/limits.h has its own). Values above the board's
-/// own change nothing.
+/// Tighter limits for the board (its built-in ones are in board_core/limits.h). Values above the
+/// board's own have no effect.
 struct BoardLimits {
   double sensor_c = 75.0;
   double current_a = 16.5;
   /// Share of the board's own I^2 t budgets, 0..1.
   double heat = 1.0;
 
-  /// What a board has to guard when the host keeps to `limits`: 5 K above its trip and a tenth
-  /// above its current, never more than 75 C and 16.5 A.
+  /// Board limits for a host that keeps to `limits`: 5 K above its trip and a tenth above its
+  /// current, never more than 75 C and 16.5 A.
   static BoardLimits of(const model::Limits& limits) noexcept;
-  /// True when a board that has `other` in force would have to allow more for these.
+  /// True if these limits are wider than `other`, those in force on the board.
   bool wider_than(const BoardLimits& other) const noexcept {
     return sensor_c > other.sensor_c || current_a > other.current_a || heat > other.heat;
   }
@@ -40,32 +40,33 @@ Frame encode_set_point(const BoardCommand& command, std::uint32_t sequence) noex
 Frame encode_arm(std::uint8_t count, std::uint32_t sequence) noexcept;
 Frame encode_boot_loader(std::uint32_t sequence) noexcept;
 Frame encode_limits(const BoardLimits& limits, std::uint32_t sequence) noexcept;
-/// Without its errors: each is a frame of its own.
+/// Without the errors, each of which is a separate frame.
 Frame encode_simulator(const SimulatorSettings& settings, std::uint32_t sequence) noexcept;
 /// Error `index` of `list`. REQUIRES: `index` < `list.count`.
 Frame encode_simulator_error(const SimulatorErrorList& list, std::uint8_t index,
                              std::uint32_t sequence) noexcept;
 
-/// What one packet from the board holds. `telemetry` is valid when `error` is kNone.
+/// Contents of one packet from the board. `telemetry` is valid when `error` is kNone.
 struct DecodedTelemetry {
   board::FrameError error = board::FrameError::kNone;
   BoardTelemetry telemetry;
 };
 
-/// Any bytes. A well-formed frame of another type counts as kType.
+/// Accepts any bytes. A well-formed frame of another type counts as kType.
 DecodedTelemetry decode_telemetry(std::span<const std::uint8_t> packet) noexcept;
 
-/// What the simulated board's plant really is; nullopt: some other packet.
+/// True state of the simulated board's plant; nullopt: another packet.
 std::optional<PlantTruth> decode_truth(std::span<const std::uint8_t> packet) noexcept;
 
 /// For the simulated board.
 SimulatorSettings decode_simulator(std::span<const std::uint8_t, board::kFrameSize> frame) noexcept;
 Frame encode_truth(const PlantTruth& truth, std::uint32_t sequence) noexcept;
 
-/// Puts a list of errors together from frames that may be lost or come again. The simulated board.
+/// Assembles a list of errors from frames that may be lost or repeated. Used by the simulated
+/// board.
 class SimulatorErrorReader {
  public:
-  /// A whole list that is new, or nullopt. Any bytes of that type.
+  /// Returns a newly completed list, or nullopt. Accepts any bytes of that type.
   std::optional<SimulatorErrorList> take(
       std::span<const std::uint8_t, board::kFrameSize> frame) noexcept;
 

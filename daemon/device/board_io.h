@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What goes to the driver board and what comes back, as values. The byte layout is board_codec.h;
+// Commands to the driver board and its telemetry, as values. The byte layout is in board_codec.h;
 // board-protocol.md beside it documents every byte.
 #pragma once
 
@@ -12,11 +12,11 @@
 
 namespace hedgehog::device {
 
-/// A duty of 1 on the wire.
+/// Full duty on the wire.
 inline constexpr double kFullDuty = 32767.0;
 
-/// Faults that the board itself has found: bits of BoardTelemetry::faults. Latched on the board
-/// until armed.
+/// Faults detected by the board itself: bits of BoardTelemetry::faults. Latched on the board until
+/// armed.
 enum BoardFault : std::uint16_t {
   kFaultDeadMan = 1u << 0,      // no valid set-point for 100 ms
   kFaultOverCurrent = 1u << 1,  // |I| > 16.5 A for 50 ms
@@ -34,28 +34,28 @@ enum BoardFault : std::uint16_t {
 /// Mode of the board core.
 enum class BoardMode : std::uint8_t { kSafe = 0, kReady = 1, kDriving = 2, kLatched = 3 };
 
-/// One set-point. Duties other than zero exist only for `LimitedCurrents`. Trivially copyable.
+/// One set-point. Only `LimitedCurrents` produce duties other than zero. Trivially copyable.
 ///
-/// Each winding has two duties. The holding duty keeps the wanted current, so it may be applied for
-/// as long as the set-point is not renewed: a late host cannot make more flow than was asked for.
-/// The boost brings the current there; it is right for one millisecond only, and the board adds it
-/// in no other than the one in which a new set-point arrived.
+/// Each winding has two duties. The holding duty maintains the requested current, so it may be
+/// applied for as long as the set-point is not renewed: a late host cannot cause a larger current
+/// than requested. The boost drives the current there; it is valid for one millisecond only, so the
+/// board adds it only in the one in which a new set-point arrived.
 class BoardCommand {
  public:
   /// Bridges asleep, duty 0. Always allowed.
   constexpr BoardCommand() noexcept = default;
 
-  /// Drives `currents`. Holding: R I. With the boost: what takes I_now to I in one tick T, exact
-  /// for a winding of R and L, V = R (I - I_now e) / (1 - e) with e = exp(-R T / L). Both within
-  /// the supply. `resistance_ohm` and `now_a` are the estimates of the moment; `supply_v` the
-  /// measured supply (> 0). The safe command when anything in it is not a number.
+  /// Drives `currents`. Holding duty: R I. With the boost: the voltage that drives I_now to I in
+  /// one tick T, exact for a winding of R and L, V = R (I - I_now e) / (1 - e) with e = exp(-R T /
+  /// L). Both are limited to the supply. `resistance_ohm` and `now_a` are the present estimates;
+  /// `supply_v` the measured supply (> 0). Returns the safe command for non-finite numbers.
   static BoardCommand drive(const model::LimitedCurrents& currents,
                             const std::array<double, model::kCoils>& resistance_ohm,
                             double inductance_h, const model::Vec3& now_a,
                             double supply_v) noexcept;
 
   constexpr bool enable() const noexcept { return enable_; }
-  /// The same without the boost, for sending it again.
+  /// The same without the boost, for repeated sending.
   constexpr BoardCommand held() const noexcept {
     BoardCommand command = *this;
     command.boost_q15_ = {};
@@ -65,7 +65,7 @@ class BoardCommand {
   constexpr const std::array<std::int16_t, model::kCoils>& duty_q15() const noexcept {
     return duty_q15_;
   }
-  /// Added to it in the first millisecond.
+  /// Added to it in the first millisecond, 1/32767.
   constexpr const std::array<std::int16_t, model::kCoils>& boost_q15() const noexcept {
     return boost_q15_;
   }
@@ -73,14 +73,14 @@ class BoardCommand {
   model::Vec3 duty() const noexcept {
     return {duty_q15_[0] / kFullDuty, duty_q15_[1] / kFullDuty, duty_q15_[2] / kFullDuty};
   }
-  /// What the board applies in the first millisecond: holding and boost, -1..1.
+  /// Duty applied in the first millisecond: holding and boost, -1..1.
   model::Vec3 first_duty() const noexcept;
 
   /// Fan duty 0..255.
   std::uint8_t fan = 0;
-  /// A change of this number asks the board to clear its latch and arm; set-points never do.
+  /// A change of this number requests the board to clear its latch and arm; set-points never do.
   std::uint8_t arm_count = 0;
-  /// A change of this number asks the board to go into its boot loader.
+  /// A change of this number requests the board to enter its boot loader.
   std::uint8_t boot_loader_count = 0;
 
  private:
@@ -89,11 +89,11 @@ class BoardCommand {
   std::array<std::int16_t, model::kCoils> boost_q15_{};
 };
 
-/// Of each winding: was its current measured? A driver's own sensor sees none while its bridge
+/// Per winding: its current was measured. A driver's own sensor does not measure while its bridge
 /// brakes.
 using Measured = std::array<bool, model::kCoils>;
 
-/// What the frame right before another one said. Trivially copyable.
+/// Contents of the preceding frame. Trivially copyable.
 struct FrameBefore {
   /// False when that frame was lost.
   bool known = false;
@@ -109,9 +109,9 @@ struct Thermistor {
   double celsius = 0.0;  // only while kRead
 };
 
-/// What the board measured, as of its last frame. Trivially copyable.
+/// Measurements of the board in its last frame. Trivially copyable.
 struct BoardTelemetry {
-  /// Number of the frame, and of the set-point it answers.
+  /// Number of the frame, and of the last set-point it received.
   std::uint32_t sequence = 0;
   std::uint32_t set_point_sequence = 0;
   /// Number of the last frame of any kind that the board accepted.
@@ -119,19 +119,20 @@ struct BoardTelemetry {
   /// The board's own clock, ms.
   std::uint32_t board_ms = 0;
   model::Vec3 current_a;
-  /// Where false, `current_a` is 0 and says nothing.
+  /// False: `current_a` is 0 and not valid.
   Measured measured{true, true, true};
   model::CurrentAccuracy accuracy = model::kDriverCsAccuracy;
-  /// Duty as applied at the bridges over the last millisecond, -1..1; zero when they sleep.
+  /// Duty applied at the bridges over the last millisecond, -1..1; zero while they sleep.
   model::Vec3 duty;
   double supply_v = 0.0;
-  /// What the bridges draw from the supply; of boards that measure it.
+  /// Current drawn by the bridges, on boards that measure it.
   bool supply_current_known = false;
   double supply_current_a = 0.0;
-  /// 1: on the winding that the device file names; otherwise one on each winding in their order.
+  /// 1: on the winding that the device file specifies; otherwise one on each winding in their
+  /// order.
   int thermistors = 1;
   std::array<Thermistor, model::kCoils> thermistor{};
-  /// The first thermistor; meaningless when kFaultSensorOpen or kFaultSensorShort is set.
+  /// The first thermistor; invalid when kFaultSensorOpen or kFaultSensorShort is set.
   double sensor_c = 0.0;
   double fan_rpm = 0.0;
   double fan_duty = 0.0;
@@ -141,29 +142,29 @@ struct BoardTelemetry {
   std::uint8_t arm_count = 0;
   /// Bits of BoardFault, live and latched.
   std::uint16_t faults = 0;
-  /// Thermistor conversions so far, mod 256: stands still when the sensor is not read any more.
+  /// Thermistor conversions so far, mod 256: constant when the sensor is no longer read.
   std::uint8_t sensor_conversions = 0;
-  /// 1.0 boards say nothing about what they measure, 1.1 boards nothing of their minor version;
-  /// from 1.2 on they know the boot loader frame.
+  /// 1.0 boards do not report what they measure, 1.1 boards do not report their minor version; from
+  /// 1.2 on they support the boot loader frame.
   std::uint16_t protocol_version = 1;
   std::uint16_t protocol_minor = 1;
-  /// The board's own limits in force, and how full the fuller of its I^2 t budgets is (1 = trip).
+  /// The board's own limits in force, and the use of the fuller of its I^2 t budgets (1 = trip).
   double limit_sensor_c = 75.0;
   double limit_current_a = 16.5;
   double heat_used = 0.0;
-  /// Filled in by the link, which sees every frame: control may see only every second one.
+  /// Filled in by the link, which receives every frame: control may receive only every second one.
   FrameBefore before;
 };
 
-/// The thermistor on winding `coil`, 0..2: that winding's own, or the only one there is.
-/// kNone until the board has sent it.
+/// The thermistor on winding `coil`, 0..2: that winding's own, or the only one. kNone until the
+/// board has sent it.
 inline Thermistor thermistor_on(const BoardTelemetry& board, int coil) noexcept {
   return board.thermistors > 1 ? board.thermistor[static_cast<std::size_t>(coil)]
                                : Thermistor{ThermistorState::kRead, board.sensor_c};
 }
 
-/// What flows in the windings, A: as measured while the bridges are awake; while they sleep less
-/// than half an ampere is the noise of the sensors.
+/// Winding currents, A: as measured while the bridges are awake; while they sleep, less than half
+/// an ampere is sensor noise.
 inline model::Vec3 flowing_a(const BoardTelemetry& board) noexcept {
   constexpr double kStuckA = 0.5;
   const bool flows = board.bridges_awake || norm(board.current_a) > kStuckA;
@@ -176,7 +177,7 @@ struct LinkCounters {
   std::uint64_t frames_in = 0;
   std::uint64_t lost = 0;     // gaps in the board's sequence
   std::uint64_t errors = 0;   // frames with a wrong length, CRC or version
-  std::uint64_t overdue = 0;  // times the link went safe because no fresh set-point came for 20 ms
+  std::uint64_t overdue = 0;  // times the link sent the safe command: no fresh set-point for 20 ms
 };
 
 }  // namespace hedgehog::device

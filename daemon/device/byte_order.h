@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers in the bytes of devices. Pure functions; the caller has checked the length.
+// Numbers from the bytes of devices. Pure functions; the caller has checked the length.
 #pragma once
 
 #include <bit>

@@ -7,11 +7,11 @@ namespace hedgehog::device {
 namespace {
 
 constexpr int kArmTicks = 50;
-// A frame may be lost, and the board may want its bridges to have slept for longer.
+// A frame may be lost, and the board may require its bridges to have slept for longer.
 constexpr int kBootLoaderTicks = 50;
-// The board's clock comes round every 49.7 days; more than this at once is another clock.
+// The board's clock wraps every 49.7 days; a larger step back is a restart.
 constexpr std::uint32_t kLongestGapMs = 10'000;
-// Frames that say what holds for long are repeated, in case one was lost.
+// Frames with lasting settings are repeated, in case one was lost.
 constexpr int kLimitsEveryTicks = 1000;
 constexpr int kSimulatorEveryTicks = 100;
 constexpr std::uint32_t kThermistorFrames = 100;
@@ -35,11 +35,11 @@ void Link::receive(std::span<const std::uint8_t> packet) noexcept {
 void Link::note_telemetry(BoardTelemetry telemetry) noexcept {
   const BoardTelemetry& last = report_.telemetry;
   if (telemetry_seen_) {
-    // After 2^31 frames the number alone would call a board newer that has just started.
+    // After 2^31 frames a restarted board would count as newer by the number alone.
     const bool gone_back =
         telemetry.board_ms < last.board_ms && telemetry.board_ms - last.board_ms > kLongestGapMs;
     const bool newer = !gone_back && board::is_newer(telemetry.sequence, last.sequence);
-    // Neither needs one that was absent meanwhile: it may be another board, or the same anew.
+    // A board that was absent meanwhile needs neither: it may be another board, or have restarted.
     const bool absent = ticks_without_telemetry_ >= kAbsentTicks;
     const bool restarted = gone_back || (absent && !newer);
     if (!newer && !restarted) {
@@ -49,7 +49,7 @@ void Link::note_telemetry(BoardTelemetry telemetry) noexcept {
     if (newer && !absent) report_.counters.lost += telemetry.sequence - last.sequence - 1;
     if (newer && telemetry.sequence == last.sequence + 1)
       telemetry.before = {true, last.bridges_awake, last.current_a, last.measured};
-    // A board that started anew must not be armed by what was asked of it before.
+    // A restarted board must not be armed by an earlier request.
     if (restarted) {
       arm_ticks_left_ = 0;
       limits_due_ticks_ = 0;
@@ -63,8 +63,8 @@ void Link::note_telemetry(BoardTelemetry telemetry) noexcept {
   ++report_.counters.frames_in;
   ++report_.telemetry_count;
 
-  // The board has heard a host before us: go on from its number, or it refuses ours as stale.
-  // One that has heard nobody says 0.
+  // The board has received frames of another host: continue from its number, or it rejects new
+  // frames as stale. A board that has received none reports 0.
   if (telemetry.received_sequence != 0 && board::is_newer(telemetry.received_sequence, sequence_))
     sequence_ = telemetry.received_sequence;
 
@@ -72,7 +72,7 @@ void Link::note_telemetry(BoardTelemetry telemetry) noexcept {
   report_.telemetry = telemetry;
 }
 
-// The thermistors after the first take turns; one that has had none for long is not known.
+// The thermistors after the first take turns; one without a reading for long is unknown.
 void Link::keep_thermistors(BoardTelemetry& telemetry) noexcept {
   const bool absent = ticks_without_telemetry_ >= kAbsentTicks;
   for (std::size_t k = 1; k < telemetry.thermistor.size(); ++k) {
@@ -97,7 +97,7 @@ void Link::set_simulator(const SimulatorSettings& simulator) noexcept {
 }
 
 void Link::skip(std::uint64_t ticks) noexcept {
-  // No count here goes further.
+  // No count here is larger.
   const auto passed = static_cast<int>(std::min<std::uint64_t>(ticks, kLimitsEveryTicks));
   ticks_without_telemetry_ = std::min(ticks_without_telemetry_ + passed, kAbsentTicks);
   ticks_without_command_ = std::min(ticks_without_command_ + passed, kOverdueTicks);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The host's end of the wire as a pure step: what to send in this millisecond, and what the packets
-// that arrived say.
+// The host's end of the link as a pure step: the frames to send in this millisecond, and the
+// contents of the received packets.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@
 
 namespace hedgehog::device {
 
-/// What goes to the board in one millisecond: always a set-point, and rarely one frame of another
-/// kind, to be sent after it.
+/// Frames to the board in one millisecond: always a set-point, and rarely one frame of another
+/// type, to be sent after it.
 struct LinkFrames {
   Frame set_point{};
   std::optional<Frame> other;
@@ -23,49 +23,49 @@ struct LinkFrames {
 /// Real-time safe: no allocation, lock, clock or syscall. One thread (the link thread, or the test
 /// rig).
 ///
-/// A tick is a millisecond, whether there is a step in it or not: a late thread says so by `skip`.
+/// A tick is a millisecond, with or without a step: a late thread reports missed ones by `skip`.
 ///
 /// A set-point that is not renewed is repeated without its boost for 19 ticks; from the 20th on the
-/// safe command goes out instead. While no board is present nothing but the safe command goes out.
+/// safe command is sent instead. While no board is present only the safe command is sent.
 ///
-/// A change of BoardCommand::arm_count to something else than the board's own count becomes an arm
-/// request, repeated until the board confirms it or 50 ticks are over; a board that appears or
-/// restarts later is never armed by an old request. Start from the board's count, since another
-/// host may have armed it before. A change of BoardCommand::boot_loader_count becomes a request for
-/// the boot loader, repeated for 50 ticks at most, of the board that is present.
+/// A change of BoardCommand::arm_count to a value other than the board's own count becomes an arm
+/// request, repeated until the board confirms it or for 50 ticks; a board that appears or restarts
+/// later is never armed by an old request. Start from the board's count, since another host may
+/// have armed it before. A change of BoardCommand::boot_loader_count becomes a request for the boot
+/// loader, repeated for at most 50 ticks, to the present board.
 class Link {
  public:
   static constexpr int kOverdueTicks = 20;
   static constexpr int kAbsentTicks = 100;
 
   Link() noexcept = default;
-  /// `limits` are sent whenever a board appears, until it has them in force.
+  /// `limits` are sent whenever a board appears, and repeated.
   explicit Link(const BoardLimits& limits) noexcept : limits_(limits) {}
 
-  /// Sent at once and whenever a board appears, instead of those before.
+  /// Replaces the limits; sent at once and whenever a board appears.
   void set_limits(const BoardLimits& limits) noexcept {
     limits_ = limits;
     limits_due_ticks_ = 0;
   }
-  /// What the simulated board's world shall be like: sent when it changes, and now and then.
+  /// Settings of the simulated board: sent on a change, and periodically.
   void set_simulator(const SimulatorSettings& simulator) noexcept;
 
-  /// Milliseconds without a step. Tell it before what arrived meanwhile.
+  /// Milliseconds without a step. Call it before passing the packets received meanwhile.
   void skip(std::uint64_t ticks) noexcept;
 
-  /// One packet as it arrived, any bytes; any number of them before each `step`.
+  /// One received packet, any bytes; any number of them before each `step`.
   void receive(std::span<const std::uint8_t> packet) noexcept;
 
-  /// The next millisecond. `command` is the latest of the control thread: new when its count
-  /// differs from the last one's.
+  /// Advances by one millisecond. `command` is the latest one of the control thread: new if its
+  /// count differs from the previous one.
   LinkFrames step(const LinkCommand& command) noexcept;
-  /// The same with all that is in the port for the link.
+  /// The same, with all inputs from the port.
   LinkFrames step(LinkPort& port) noexcept;
 
-  /// The set-point of the last `step` was written to the board at `now_ns`: for the report.
+  /// The set-point of the last `step` was written to the board at `now_ns`; for the report.
   void set_written(std::int64_t now_ns) noexcept;
 
-  /// What has arrived so far; presence and the counters of what was sent as of the last `step`.
+  /// Received telemetry so far; presence and counters of sent frames as of the last `step`.
   const LinkReport& report() const noexcept { return report_; }
   /// The simulated board's last report of its plant.
   const PlantTruth& truth() const noexcept { return truth_; }
@@ -91,8 +91,8 @@ class Link {
 
   std::uint8_t requested_arm_ = 0;
   int arm_ticks_left_ = 0;
-  /// Added to the count of a board that has restarted, so that for control it goes on where it was:
-  /// the next request then differs from the board's own count whatever that is.
+  /// Added to the count of a restarted board, so that it is continuous for control: the next
+  /// request then differs from the board's own count, whatever its value.
   std::uint8_t arm_offset_ = 0;
 
   std::uint8_t requested_boot_loader_ = 0;
@@ -104,7 +104,7 @@ class Link {
   /// 0: the settings themselves; from 1 on their errors.
   int simulator_part_ = 0;
   PlantTruth truth_;
-  /// Frames since each thermistor's last turn; long ago at first.
+  /// Frames since the last reading of each thermistor; initially unknown.
   std::array<std::uint32_t, model::kCoils> thermistor_age_{1000, 1000, 1000};
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Exchange between the control thread and the link: the latest set-point down, the latest telemetry
-// up, and, with the simulated board only, the settings of the simulated world.
+// Exchange between the control thread and the link: the latest set-point, the latest telemetry,
+// and, with the simulated board only, its settings.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@
 
 namespace hedgehog::device {
 
-/// control -> link, one a tick. `count` rises with each, so that the link can tell a fresh
-/// set-point from an old one.
+/// control -> link, one per tick. `count` is incremented with each, so that the link can
+/// distinguish a fresh set-point from an old one.
 struct LinkCommand {
   std::uint64_t count = 0;
   BoardCommand board;
@@ -21,14 +21,14 @@ struct LinkCommand {
 
 /// link -> control.
 struct LinkReport {
-  /// A board is connected and speaks our protocol version.
+  /// A board of this protocol version is connected.
   bool present = false;
-  /// The last telemetry; `telemetry_count` rises with each valid frame.
+  /// The last telemetry; `telemetry_count` is incremented with each valid frame.
   BoardTelemetry telemetry;
   std::uint64_t telemetry_count = 0;
   LinkCounters counters;
-  /// The newest set-point that was written to the board, by LinkCommand::count, and when it first
-  /// was, CLOCK_MONOTONIC; 0: none yet.
+  /// LinkCommand::count of the newest set-point written to the board, and the time of its first
+  /// write, CLOCK_MONOTONIC; 0: none yet.
   std::uint64_t written_count = 0;
   std::int64_t written_ns = 0;
 };
@@ -36,11 +36,11 @@ struct LinkReport {
 struct LinkPort {
   base::TripleBuffer<LinkCommand> commands;
   base::TripleBuffer<LinkReport> reports;
-  /// io -> link; used by the simulated board only.
+  /// io -> link; simulated board only.
   base::TripleBuffer<SimulatorSettings> simulator;
-  /// link -> io; of the simulated board only.
+  /// link -> io; simulated board only.
   base::TripleBuffer<PlantTruth> truth;
-  /// io -> link: at the start, and when they became tighter.
+  /// io -> link: at the start, and when the limits were tightened.
   base::TripleBuffer<BoardLimits> limits;
 };
 

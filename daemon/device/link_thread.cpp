@@ -10,7 +10,7 @@
 namespace hedgehog::device {
 namespace {
 
-// Milliseconds between two looks when there is no board and nobody to talk to.
+// Milliseconds between two polls without a board.
 constexpr int kIdleTicks = 10;
 
 }  // namespace

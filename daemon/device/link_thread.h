@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The thread that owns the transport: once a millisecond it sends control's set-point and receives
-// the board's telemetry. Without a board it retries every 10 ms.
+// Thread that owns the transport: once a millisecond it sends control's set-point and receives the
+// board's telemetry. Without a board it retries every 10 ms.
 #pragma once
 
 #include <atomic>
@@ -15,7 +15,7 @@
 namespace hedgehog::device {
 
 /// The thread "link" (SCHED_FIFO just below control when allowed). Construct and destroy it from
-/// one thread; the port is its only other contact.
+/// one thread; it communicates only by the port.
 class LinkThread {
  public:
   /// Starts at once. `port` must outlive it. Throws std::system_error.
@@ -23,7 +23,7 @@ class LinkThread {
              const std::optional<BoardLimits>& limits = std::nullopt);
   LinkThread(const LinkThread&) = delete;
   LinkThread& operator=(const LinkThread&) = delete;
-  /// Sends the safe command a last time, then ends.
+  /// Sends the safe command once more, then ends.
   ~LinkThread();
 
  private:

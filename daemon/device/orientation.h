@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Orientation of the ball as of its sensor's last sample.
+// Last sample of the ball's orientation sensor.
 #pragma once
 
 #include "model/quaternion.h"
@@ -8,15 +8,15 @@
 
 namespace hedgehog::device {
 
-/// Trivially copyable; written by the sensor's reader (or io, when `imu.type` is `external`), read
-/// by control.
+/// Trivially copyable; written by the sensor thread (or io, when `imu.type` is `external`), read by
+/// control.
 struct OrientationSample {
-  /// False: no orientation has ever been known.
+  /// False: no sample yet.
   bool present = false;
   /// Device -> world of the sensor, before `orientation.recenter`.
   model::Quaternion quaternion;
   model::Vec3 rate_deg_s;
-  /// When it was measured.
+  /// Tick of the measurement.
   model::Tick stamp = 0;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One end of a SOCK_SEQPACKET socket pair, whose other end a simulated board holds: packets keep
-// their length and order, and the end of the other process is noticed.
+// One end of a SOCK_SEQPACKET socket pair with a simulated board at the other end: packets keep
+// their length and order, and the end of the other process is detected.
 #pragma once
 
 #include <system_error>
@@ -37,9 +37,8 @@ class SocketTransport final : public Transport {
   std::size_t receive(std::span<std::uint8_t> packet) noexcept override;
   bool open() const noexcept override { return open_; }
 
-  /// Waits until there is a packet or the other end is gone, `timeout_ms` at most; a signal
-  /// begins that time anew. For boards and hosts that keep step with each other; those with a clock
-  /// never wait.
+  /// Waits for a packet or the end of the peer, at most `timeout_ms`; a signal restarts the
+  /// timeout. For boards and hosts in lock-step; those with a clock never wait.
   void wait(int timeout_ms) const noexcept;
 
  private:
@@ -47,8 +46,8 @@ class SocketTransport final : public Transport {
   bool open_ = true;
 };
 
-/// A connected pair, closed in child processes unless passed on, with buffers for a few frames
-/// only: set-points that wait for long are worth nothing. Throws std::system_error.
+/// A connected pair, closed in child processes unless passed on, with buffers for only a few
+/// frames, because old set-points are useless. Throws std::system_error.
 std::pair<FileDescriptor, FileDescriptor> make_socket_pair();
 
 }  // namespace hedgehog::device

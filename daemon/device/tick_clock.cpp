@@ -28,7 +28,7 @@ TickClock::TickClock(std::int64_t period_ns) noexcept
 
 TickClock TickClock::at_phase(std::int64_t phase_ns) noexcept {
   TickClock clock;
-  // From the next one on, so that the first tick does not come early.
+  // From the next one on, so that the first tick is not early.
   clock.due_ns_ = at_phase_before(clock.due_ns_, phase_ns) + clock.period_ns_;
   return clock;
 }

@@ -6,20 +6,20 @@
 
 namespace hedgehog::device {
 
-/// One thread. A late thread is never made to catch up in a burst: what it missed by more than
-/// `kCatchUp` ticks is left out and counted.
+/// One thread. A late thread never catches up in a burst: when more than `kCatchUp` ticks late, the
+/// missed ticks are skipped and counted.
 class TickClock {
  public:
   static constexpr std::int64_t kCatchUp = 3;
 
   explicit TickClock(std::int64_t period_ns = 1'000'000) noexcept;
-  /// Its ticks are `phase_ns` after each whole millisecond of CLOCK_MONOTONIC.
+  /// Ticks are `phase_ns` after each whole millisecond of CLOCK_MONOTONIC.
   static TickClock at_phase(std::int64_t phase_ns) noexcept;
 
-  /// Sleeps until the next tick is due, or that many ticks on purpose. Returns how many more were
-  /// left out because the thread was late.
+  /// Sleeps until the next tick is due, or `ticks` ticks. Returns the number of further ticks that
+  /// were skipped because the thread was late.
   std::uint64_t wait(int ticks = 1) noexcept;
-  /// How late the last `wait` woke, nanoseconds.
+  /// Lateness of the last `wait`, ns.
   std::int64_t lateness_ns() const noexcept { return lateness_ns_; }
 
  private:
@@ -31,14 +31,14 @@ class TickClock {
 /// CLOCK_MONOTONIC, nanoseconds.
 std::int64_t monotonic_ns() noexcept;
 
-/// The newest point up to `now_ns` that is `phase_ns` after a whole millisecond.
+/// The latest time not after `now_ns` that is `phase_ns` after a whole millisecond.
 constexpr std::int64_t at_phase_before(std::int64_t now_ns, std::int64_t phase_ns) noexcept {
   constexpr std::int64_t kMillisecond = 1'000'000;
   return now_ns - (now_ns - phase_ns) % kMillisecond;
 }
 
-/// A set-point goes out soon after the tick that made it, without a thread that wakes another. What
-/// a late tick makes goes out a millisecond later.
+/// A set-point is sent soon after the tick that computed it, without one thread waking another.
+/// That of a late tick is sent a millisecond later.
 inline constexpr std::int64_t kControlPhaseNs = 250'000;
 inline constexpr std::int64_t kLinkPhaseNs = kControlPhaseNs + 100'000;
 
@@ -47,11 +47,11 @@ inline constexpr int kControlPriority = 50;
 inline constexpr int kLinkPriority = 49;
 inline constexpr int kSimulatedBoardPriority = 48;
 
-/// The calling thread becomes SCHED_FIFO; false (and unchanged) when the system does not allow it.
+/// Sets SCHED_FIFO for the calling thread; false (and unchanged) if the system does not allow it.
 bool use_fifo(int priority) noexcept;
 
-/// Signals are for the io thread: blocks all of them in the calling thread, so that threads it
-/// starts inherit that, and restores the mask when it goes.
+/// Signals are handled by the io thread: blocks all of them in the calling thread, so that threads
+/// it starts inherit the mask, and restores it in the destructor.
 class SignalsBlocked {
  public:
   SignalsBlocked() noexcept;
@@ -60,7 +60,7 @@ class SignalsBlocked {
   ~SignalsBlocked();
 
  private:
-  unsigned char saved_[128];  // a sigset_t; its header stays out of ours
+  unsigned char saved_[128];  // a sigset_t, without including its header here
 };
 
 }  // namespace hedgehog::device

@@ -10,11 +10,11 @@
 
 namespace hedgehog::device {
 
-/// Packets read in one tick at most: more than a socket holds after a pause, so that no old
-/// telemetry is left behind, and a bound on the time that a flood takes.
+/// Maximum number of packets read per tick: more than a socket buffers during a pause, so that no
+/// old telemetry remains, and a bound on the run time under a flood.
 inline constexpr int kMaxPacketsPerTick = 512;
 
-/// Owned and used by the link thread alone. Never waits.
+/// Owned and used by the link thread only. Never waits.
 class Transport {
  public:
   Transport() = default;
@@ -22,18 +22,18 @@ class Transport {
   Transport& operator=(const Transport&) = delete;
   virtual ~Transport() = default;
 
-  /// Hands one frame over. False: it could not be taken now (full, or the board is gone); the frame
-  /// is dropped, the next millisecond brings another.
+  /// Sends one frame. False: it could not be sent (full, or no board); the frame is dropped, the
+  /// next millisecond sends another.
   virtual bool send(std::span<const std::uint8_t, board::kFrameSize> frame) noexcept = 0;
 
-  /// The next packet that arrived, as it came: its length, or 0 when there is none. Longer ones are
-  /// cut to the buffer, so give it more room than a frame to see that they were.
+  /// The next received packet: its length, or 0 if there is none. Longer ones are truncated to the
+  /// buffer, so pass one larger than a frame to detect them.
   virtual std::size_t receive(std::span<std::uint8_t> packet) noexcept = 0;
 
-  /// False once the other end is gone for good.
+  /// False once the other end has closed permanently.
   virtual bool open() const noexcept = 0;
 
-  /// True while there is nobody at the other end, but somebody may come.
+  /// True while no peer is connected, but one may connect.
   virtual bool idle() const noexcept { return false; }
 };
 

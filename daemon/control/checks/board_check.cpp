@@ -24,7 +24,7 @@ Reason reason_of_faults(std::uint16_t faults) noexcept {
 }
 
 model::Limits limits_within(model::Limits limits, const device::BoardTelemetry& board) noexcept {
-  // What the wire's whole milliampere and hundredths of a degree round off.
+  // Rounding of the wire format: whole milliamperes and hundredths of a degree.
   constexpr double kRounding = 0.01;
   const auto wanted = device::BoardLimits::of(limits);
   if (board.limit_current_a < wanted.current_a - kRounding) {

@@ -11,12 +11,12 @@ namespace {
 
 using model::kTickSeconds;
 
-// The middle of what a winding may be while it is in use; +-10 % to 0 and 75 C.
+// Mid-range winding temperature in use; R differs by +-10 % between 0 and 75 C.
 constexpr model::Celsius kTypical{40.0};
-// How long an edge excuses a difference: L/R is 3.3 ms, set-points are up to 5 ms on their way.
+// Time after an edge in which a difference is tolerated: L/R is 3.3 ms, set-points take up to 5 ms.
 constexpr double kEdgeS = 0.01;
 constexpr double kIdleEdgeS = 0.005;
-// The link makes the board safe after 20 ticks without a set-point; after 100 nothing flows.
+// The link sends the safe command after 20 ticks without a set-point; after 100 no current flows.
 constexpr model::Tick kLinkHolds = 19;
 constexpr model::Tick kForgotten = 100;
 const double kEdgeKeep = std::exp(-kTickSeconds / kEdgeS);
@@ -40,7 +40,8 @@ bool CurrentCheck::pending() const noexcept {
       });
 }
 
-// Nobody knows when in a gap the board went to sleep, so all of it is excused as an edge.
+// The tick of a gap in which the board put its bridges to sleep is unknown, so all of it is treated
+// as an edge.
 void CurrentCheck::sleep_through(const CurrentReading& reading) noexcept {
   const model::Tick ticks = std::min(reading.skipped, kForgotten);
   for (int coil = 0; coil < model::kCoils; ++coil) {
@@ -66,7 +67,8 @@ Reason CurrentCheck::judge(int coil, const CurrentReading& reading) noexcept {
     w.by_duty_a = known ? reading.current_a[coil] : commanded_a_[coil];
   w.peak_a = std::max(std::abs(w.by_duty_a), kEdgeKeep * w.peak_a);
   if (!known) {
-    // Neither for nor against; while the bridges sleep nothing is known for long.
+    // Evidence neither for nor against a fault; sleeping bridges leave the current unknown for
+    // long.
     for (FaultDebounce* debounce : {&w.unexpected, &w.mismatch, &w.odd})
       debounce->step(false, reading.since_s, kHoldS);
     return Reason::kNone;

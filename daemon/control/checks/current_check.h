@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Plausibility of the winding currents: compares measured currents with what R and L let one
-// expect, once from the duty that the board reports, and once from our own commands:
-// coils that carry current without a set-point, currents that R and L do not explain.
+// Plausibility of the winding currents: compares the measured currents with those that R and L
+// predict, once from the duty that the board reports and once from the commands sent. Detects
+// current without a set-point and current that R and L do not explain.
 #pragma once
 
 #include <array>
@@ -14,23 +14,23 @@
 
 namespace hedgehog::control {
 
-/// One tick of what the check sees. Trivially copyable.
+/// Inputs of the check for one tick. Trivially copyable.
 struct CurrentReading {
-  /// New telemetry arrived in this tick; `follows`: from the frame right after the last one.
+  /// New telemetry arrived in this tick; `follows`: its frame directly follows the previous one.
   bool fresh = false;
   bool follows = false;
-  /// Since the telemetry before it, s.
+  /// Time since the previous telemetry, s.
   double since_s = model::kTickSeconds;
-  /// Ticks that were never run before this one; the board held `held_v` or went to sleep.
+  /// Ticks skipped before this one; meanwhile the board held `held_v` or put its bridges to sleep.
   model::Tick skipped = 0;
   model::Vec3 current_a;
-  /// Of each winding: where false, nothing is known of its current.
+  /// Per winding; false: its current is unknown.
   std::array<bool, model::kCoils> measured{true, true, true};
   /// Voltage applied over the last millisecond as the board reports it, V.
   model::Vec3 applied_v;
-  /// Voltage of our own last command, V; zero when it was the safe one.
+  /// Voltage of the last command sent, V; zero when that was the safe command.
   model::Vec3 commanded_v;
-  /// The same without its boost.
+  /// The same without the boost.
   model::Vec3 held_v;
 };
 
@@ -40,7 +40,7 @@ class CurrentCheck {
   /// Faults must last this long; transport delays and edges do not. Shorter than the board's own
   /// 20 ms, so that the reason is named here first.
   static constexpr double kHoldS = 0.015;
-  /// What may flow in a winding of which nothing was asked, A.
+  /// Permitted current in a winding without a set-point, A.
   static constexpr double kIdleA = 0.5;
   /// Tolerance of the comparisons: noise, and R between 0 and 75 C; L +-20 % moves only edges.
   static constexpr double kOffsetA = 1.0;
@@ -49,11 +49,11 @@ class CurrentCheck {
   CurrentCheck() noexcept = default;
   explicit CurrentCheck(const model::CoilModel& coils) noexcept;
 
-  /// One tick later. kUnexpectedCurrent, kCurrentMismatch or kNone.
+  /// Advances by one tick. kUnexpectedCurrent, kCurrentMismatch or kNone.
   Reason step(const CurrentReading& reading) noexcept;
-  /// Something was wrong in the last ticks.
+  /// A fault condition held within the last ticks.
   bool pending() const noexcept;
-  /// What our own commands should have made flow by now, A.
+  /// Currents expected by now from the commands sent, A.
   const model::Vec3& commanded_a() const noexcept { return commanded_a_; }
 
  private:
@@ -66,9 +66,9 @@ class CurrentCheck {
     double conductance_s = 1.0 / 0.45;
     double keep = 0.74;  // exp(-R dt / L)
     double by_duty_a = 0.0;
-    double peak_a = 0.0;       // decaying peak of what is expected by duty
-    double low_a = 0.0;        // between them the current should be, allowing for some
-    double high_a = 0.0;       // milliseconds on the way to the board and back
+    double peak_a = 0.0;       // decaying peak of the current expected by duty
+    double low_a = 0.0;        // minimum and maximum of the expected current, allowing for some
+    double high_a = 0.0;       // milliseconds of delay to the board and back
     double idle_peak_a = 0.0;  // decaying peak of |command|, for the rule of the idle winding
   };
 

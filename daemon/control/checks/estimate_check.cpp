@@ -7,17 +7,17 @@
 namespace hedgehog::control {
 namespace {
 
-// The resistance of the cold start is known once it is known this well, a share.
+// The cold-start resistance counts as known below this standard deviation, a share.
 constexpr double kKnown = 0.008;
-// A current within this share is the same one.
+// Currents within this share of each other count as equal.
 constexpr double kSameCurrent = 0.1;
 constexpr double kSteadyAfterS = 0.5;
 constexpr double kSmoothS = 0.1;
 constexpr double kMeanS = 2.0;
-// At a low current V/I is noisier, kelvins times amperes.
+// V/I is noisier at a low current; kelvins times amperes.
 constexpr double kFallPerAmpereK = 12.0;
 constexpr double kBiases = 4.0;
-// A thermistor that is further off than its tolerance may be what V/I contradicts.
+// With a thermistor offset beyond this, the thermistor may be the faulty one of the two.
 constexpr double kOddThermistorK = 1.2;
 
 }  // namespace

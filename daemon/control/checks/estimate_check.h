@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Consistency of energy balance, V/I and thermistors, by the innovations of the observer's filter.
-// A measurement outside its gate is not used; when it stays outside, the ball trips, because one
-// quantity fewer guards the estimate.
+// A measurement outside its gate is not used; when it stays outside, the ball trips, because the
+// estimate then depends on one quantity fewer.
 #pragma once
 
 #include <array>
@@ -20,31 +20,31 @@ class EstimateCheck {
   static constexpr double kResistanceHoldS = 0.3;
   static constexpr double kThermistorHoldS = 1.0;
   static constexpr double kThermistorK = 2.0;
-  /// A thermistor that is further off than its tolerance.
+  /// Offset of a thermistor beyond its tolerance.
   static constexpr double kThermistorOffsetK = 3.5;
   /// R25 against its value at the cold start, and against the device file, shares.
   static constexpr double kDrift = 0.02;
   static constexpr double kFileDrift = 0.08;
   static constexpr double kDriftHoldS = 0.5;
-  /// Copper cools by 0.8 K/s at most: V/I that falls by more than this below its mean of two
-  /// seconds, at the same current, is no temperature.
+  /// Copper cools by 0.8 K/s at most: a V/I temperature that falls by more than this below its mean
+  /// of two seconds, at the same current, is not a temperature change.
   static constexpr double kFallK = 3.0;
   static constexpr double kFallHoldS = 0.1;
 
   static constexpr double kHotHoldS = 0.05;
 
-  /// `dt_s` later. kOverheated when a winding has been likely to be at `trip_c` for 50 ms;
-  /// kMeasurementsDisagree when `disagreement()` has held for long enough. `supply` says which of
-  /// the quantities in V/I it was.
+  /// Advances by `dt_s`. kOverheated when the likely temperature of a winding has been at `trip_c`
+  /// for 50 ms; kMeasurementsDisagree when `disagreement()` has lasted for its hold time. `supply`
+  /// identifies which of the quantities in V/I changed.
   Reason step(const model::ThermalObserver& observer, const SupplyBalance& supply, double trip_c,
               double dt_s) noexcept;
-  /// What contradicts what, as of the last kMeasurementsDisagree.
+  /// The contradicting quantities of the last kMeasurementsDisagree.
   const Disagreement& disagreement() const noexcept { return disagreement_; }
 
  private:
   struct Winding {
     FaultDebounce gate, drift, thermistor, fall;
-    bool known = false;  // the cold start's resistance
+    bool known = false;  // the cold-start resistance is known
     double resistance = 0.0;
     bool steady = false;
     double steady_s = 0.0;
@@ -53,7 +53,7 @@ class EstimateCheck {
     double mean_c = 25.0;
   };
 
-  /// By which share V/I has moved, when that is no temperature; 0: it has not.
+  /// Share by which V/I has changed without a change of temperature; 0 if it has not.
   struct Move {
     double share = 0.0;
     SupplyBalance::Since since = SupplyBalance::Since::kStart;

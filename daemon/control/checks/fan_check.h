@@ -8,13 +8,13 @@
 
 namespace hedgehog::control {
 
-/// One tick of what is known of the fan. Made and used on the control thread.
+/// Fan measurements of one tick. Made and used on the control thread.
 struct FanReading {
   /// New in this tick; otherwise duty and speed are ignored.
   bool fresh = false;
-  /// As the board applies it, 0..1.
+  /// Duty applied by the board, 0..1.
   double duty = 0.0;
-  /// Its tachometer, 1/min.
+  /// Tachometer reading, 1/min.
   double rpm = 0.0;
 };
 
@@ -22,42 +22,43 @@ struct FanReading {
 class FanCheck {
  public:
   static constexpr double kHoldS = 3.0;
-  /// Slower than this is standing: a 7200 rpm fan idles far above.
+  /// Below this the fan counts as stopped: a 7200 rpm fan idles far above.
   static constexpr double kMinRpm = 300.0;
   /// Shares of the full speed between which the tachometer is credited with cooling. A fan at 0.7
   /// cools a fifth less, as much as the thermal constants may be off; one at 1.5 does not exist.
   static constexpr double kMinCoolingShare = 0.7;
   static constexpr double kMaxCoolingShare = 1.5;
   static constexpr double kMinCoolingDuty = 0.9;
-  /// The tachometer must have shown it for so long, and telemetry may be this old.
+  /// Time for which the tachometer must have been in range, and maximum age of the telemetry.
   static constexpr double kCoolingHoldS = 0.5;
   static constexpr double kMaxAgeS = 0.1;
-  /// A driven fan that has not been credited for so long does not work.
+  /// A driven fan that has not been credited with cooling for this long counts as failed.
   static constexpr double kMaxStartS = 10.0;
 
   FanCheck() noexcept = default;
   explicit FanCheck(double full_rpm) noexcept : full_rpm_(full_rpm) {}
 
-  /// `dt_s` later, with the duty that was commanded (0..1) and the tachometer of fresh telemetry.
+  /// Advances by `dt_s`, with the commanded duty (0..1) and the tachometer reading of fresh
+  /// telemetry.
   Reason step(double commanded_duty, double rpm, double dt_s) noexcept {
     const bool standing = commanded_duty > 0.0 && !(rpm >= kMinRpm);
-    if (!standing) standing_.reset();  // one turn shows that it is not seized
+    if (!standing) standing_.reset();  // one turn proves that it is not seized
     due_ = standing_.step(standing, dt_s, kHoldS);
     return due_ ? Reason::kFanStopped : Reason::kNone;
   }
-  /// `dt_s` later, in every tick.
+  /// Advances by `dt_s`; called in every tick.
   void follow(const FanReading& reading, double dt_s) noexcept;
   void reset() noexcept {
     standing_.reset();
     due_ = false;
   }
-  /// It is driven, and did not turn in the last tick.
+  /// The fan is driven and did not turn in the last tick.
   bool standing() const noexcept { return standing_.pending(); }
-  /// It has not turned for 3 s.
+  /// The fan has not turned for 3 s while driven.
   bool stopped() const noexcept { return due_; }
-  /// It counts as cooling the core.
+  /// The fan is credited with cooling the core.
   bool cooling() const noexcept { return cooling_s_ >= kCoolingHoldS; }
-  /// False once it is driven and does not count as cooling; true again when it does.
+  /// False after the fan was driven without being credited with cooling; true again when it is.
   bool works() const noexcept { return works_; }
 
  private:

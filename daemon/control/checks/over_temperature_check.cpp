@@ -33,7 +33,7 @@ void OverTemperatureCheck::follow(const HeatReading& reading, double dt_s) noexc
     w.measured = reading.electrical && reading.measured[i];
     const double mean_a = 0.5 * (w.before_a + w.after_a);
     const double ohm = winding.resistance_ohm();
-    // What is not measured is at most what the voltage alone would drive.
+    // An unmeasured current is bounded by what the voltage alone would drive.
     w.loss_w = reading.measured[i] ? ohm * mean_a * mean_a : w.voltage_v * w.voltage_v / ohm;
     w.reference = reference_of(reading.thermistors, coil, sensor_winding_, rested);
     winding.step(w, dt_s);
@@ -49,7 +49,7 @@ double OverTemperatureCheck::coldest_c(const HeatReading& reading) const noexcep
 
 Reason OverTemperatureCheck::step(const HeatReading& reading, double trip_c, double dt_s) noexcept {
   follow(reading, dt_s);
-  // A tick without telemetry says nothing about the thermistors.
+  // A tick without telemetry is no evidence about the thermistors.
   if (reading.fresh) {
     bool high = false;
     for (std::size_t i = 0; i < kCoils; ++i)
@@ -61,7 +61,7 @@ Reason OverTemperatureCheck::step(const HeatReading& reading, double trip_c, dou
   bool too_cold = false;
   for (int coil = 0; coil < kCoils; ++coil) {
     const auto i = static_cast<std::size_t>(coil);
-    // What is only remembered of a winding is no further evidence, for or against.
+    // A held value is no further evidence, neither for nor against.
     const double mean_a = 0.5 * std::abs(reading.before_a[coil] + reading.after_a[coil]);
     const bool shown =
         reading.electrical && reading.measured[i] && mean_a >= model::WindingMeter::kMinCurrentA;

@@ -13,39 +13,40 @@ namespace {
 using model::kCoils;
 
 constexpr double kWindowS = 0.02;
-// Standard deviation of the gains at the start, and how they wander per root of a second.
+// Standard deviation of the gains at the start, and their random walk per root of a second.
 constexpr double kGainDeviation = 0.02;
 constexpr double kGainWalk = 1e-5;
-// Offset, noise of a window, and what is not in the sum, of the supply's current.
+// Offset, noise per window and unmodelled share of the supply current.
 constexpr double kSupplyOffsetA = 0.02;
 constexpr double kSupplyNoiseA = 0.02;
 constexpr double kSumShare = 0.005;
-// Errors stay the same from window to window: each counts as so many.
+// Errors are correlated from window to window: factor on their variance.
 constexpr double kCorrelated = 25.0;
-// An offset above this is one of a sensor that nobody zeroes.
+// An offset above this is one of a sensor without zeroing.
 constexpr double kCoarseOffsetA = 0.05;
 constexpr double kGate = 4.0;
 constexpr double kCoarseGate = 5.0;
 constexpr double kCoarseGain = 0.02;
 
-// After so much of driving the gains are what they are on this ball.
+// After this driving time the gains of this ball count as learned.
 constexpr double kFirstS = 5.0;
 constexpr double kRememberedS = 0.3;
 // A change of V/I is explained by another quantity when that makes up at least the main share of
 // it, and not explained when it makes up less than the minor share.
 constexpr double kMainShare = 0.6;
 constexpr double kMinorShare = 0.3;
-// The current is excluded below this share, in either direction: a tenth of a second after a step
-// the means of kRememberedS show 0.28 of it, and what moved the other way proves no resistance.
+// The current is excluded as the cause below this share, in either direction: 0.1 s after a step
+// the means over kRememberedS contain 0.28 of it, and a change in the other direction does not
+// prove a change of resistance.
 constexpr double kExcludedShare = 0.2;
-// Changes of the supply's voltage below this share are not considered; and how far a sound one may
-// be from its nominal voltage, a share.
+// Changes of the supply voltage below this share are not considered; and tolerance of a sound one
+// about its nominal voltage, a share.
 constexpr double kNoticed = 0.004;
 constexpr double kSupplyTolerance = 0.045;
-// A winding whose share in the sum is smaller cannot be judged by it, A.
+// A winding with a smaller part in the sum is not checked by it, A.
 constexpr double kMinPartA = 0.4;
 
-// Parts of the sum that have changed by less since the window before are the same ones, A.
+// Parts of the sum that have changed by less since the previous window count as unchanged, A.
 constexpr double kSamePartA = 0.1;
 
 constexpr double square(double v) noexcept { return v * v; }
@@ -115,8 +116,8 @@ Disagreement SupplyBalance::judge(double dt_s) noexcept {
   const bool coarse = offset_a > kCoarseOffsetA;
   const bool odd = std::abs(difference_a) > (coarse ? kCoarseGate : kGate) * std::sqrt(variance);
   const bool stays_odd = odd_.step(odd, dt_s, kHoldS);
-  // The same noise in a measurement and in its derivative would move gain and offset against each
-  // other, always the same way: the derivative is that of the window before.
+  // A measurement and a derivative with the same noise would move gain and offset against each
+  // other with a bias, so the derivative of the previous window is used.
   const Row before = std::exchange(derivative_, derivative);
   if (!odd)
     learn(alike(before, derivative) ? before : derivative, kCorrelated * systematic, difference_a);
@@ -170,7 +171,7 @@ void SupplyBalance::remember(const Row& derivative) noexcept {
 
 Disagreement SupplyBalance::moved(int coil, double share, Since since) const noexcept {
   const bool by_file = since == Since::kFile;
-  // V/I moves with the voltage that is read, and against the current.
+  // V/I changes with the measured voltage, and inversely with the current.
   const double voltage =
       std::log(lately_supply_v_ / (by_file ? nominal_supply_v_ : first_supply_v_));
   const double of_voltage = std::abs(voltage) > kNoticed ? voltage / share : 0.0;

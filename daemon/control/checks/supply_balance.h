@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The supply's current against the sum of duty times winding current, which the bridges draw. The
-// two are measured by different sensors, so a winding current whose gain has moved shows here,
-// where V/I cannot tell it from a resistance.
+// Supply current against the sum of duty times winding current, which the bridges draw. Different
+// sensors measure the two, so that a changed gain of a winding current is detected, which V/I
+// cannot distinguish from a changed resistance.
 #pragma once
 
 #include <array>
@@ -15,9 +15,9 @@
 
 namespace hedgehog::control {
 
-/// One tick of what it sees. Trivially copyable.
+/// Inputs of one tick. Trivially copyable.
 struct SupplyReading {
-  /// New telemetry in which all of it was measured.
+  /// New telemetry in which all of these were measured.
   bool known = false;
   model::Vec3 duty;
   model::Vec3 current_a;
@@ -29,9 +29,9 @@ struct SupplyReading {
 /// Control thread; real-time safe, trivially copyable.
 class SupplyBalance {
  public:
-  /// The smallest sum that is judged, A.
+  /// The smallest sum that is checked, A.
   static constexpr double kMinSumA = 1.0;
-  /// Gains of the currents against the supply's that are further apart are no tolerance any more.
+  /// Gain differences between winding and supply current beyond this exceed the tolerances.
   static constexpr double kGain = 0.045;
   static constexpr double kHoldS = 0.3;
   static constexpr double kGainHoldS = 0.5;
@@ -39,21 +39,23 @@ class SupplyBalance {
   SupplyBalance() noexcept : SupplyBalance(model::CoilModel{}.supply_v) {}
   explicit SupplyBalance(double nominal_supply_v) noexcept;
 
-  /// `dt_s` later. The winding whose current contradicts the supply's, or none.
+  /// Advances by `dt_s`. The winding whose current contradicts the supply current, or none.
   Disagreement step(const SupplyReading& reading, double dt_s) noexcept;
 
-  /// V/I of winding `coil` has moved by `share` since the start, or is off by it from the device
-  /// file: against which other quantity, or which of two it may have been.
+  /// V/I of winding `coil` has changed by `share` since the start, or deviates by it from the
+  /// device file. Returns the quantity that changed, or the two between which it cannot
+  /// distinguish.
   enum class Since : std::uint8_t { kStart, kFile };
   Disagreement moved(int coil, double share, Since since) const noexcept;
 
-  /// By how much winding `coil` reads high against the supply's current, a share, and the standard
-  /// deviation of that.
+  /// Share by which winding `coil` reads high against the supply current, and its standard
+  /// deviation.
   double gain(int coil) const noexcept;
   double gain_deviation(int coil) const noexcept;
 
  private:
-  // By winding, how much its current reads high against the supply's; then the offset of that, A.
+  // By winding, the share by which its current reads high against the supply's; then the offset of
+  // the supply current, A.
   static constexpr std::size_t kOffset = model::kCoils;
   static constexpr std::size_t kStates = kOffset + 1;
   using Row = std::array<double, kStates>;
@@ -81,8 +83,8 @@ class SupplyBalance {
   Row derivative_{};
   FaultDebounce odd_, apart_;
 
-  // Lately: what the supply delivers beyond the first gains, by winding what it carries, its
-  // voltage; and the gains and the voltage at first.
+  // Recent means: supply current beyond the first gains, current by winding, supply voltage; and
+  // the first gains and voltage.
   double learned_s_ = 0.0;
   Row first_{};
   std::array<double, model::kCoils> first_deviation_{};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Two board frames in a row, as one measurement of a millisecond: the mean voltage over it and the
-// currents at its start and end. The link pairs them, since two may arrive in one tick.
+// Two consecutive board frames as one measurement of a millisecond: the mean voltage over it and
+// the currents at its start and end. The link pairs them, since two may arrive in one tick.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace hedgehog::control {
 /// Control thread; real-time safe, trivially copyable.
 class TelemetryPair {
  public:
-  /// The tick's telemetry; `fresh` when it is new.
+  /// Adds the tick's telemetry; `fresh` when it is new.
   void step(bool fresh, const device::BoardTelemetry& board) noexcept {
     fresh_ = fresh && is_finite(board.current_a) && is_finite(board.duty) &&
              std::isfinite(board.supply_v);
@@ -39,19 +39,19 @@ class TelemetryPair {
     seen_ = true;
   }
 
-  /// New in this tick, and every number in it is one.
+  /// New in this tick, all numbers finite.
   bool fresh() const noexcept { return fresh_; }
-  /// The frame before it came too, so that voltage and both currents belong together.
+  /// The preceding frame was received too, so that voltage and both currents belong together.
   bool consecutive() const noexcept { return consecutive_; }
-  /// That frame before was the tick's before, so that a chain of frames goes on.
+  /// The preceding frame was that of the previous tick: the sequence is unbroken.
   bool follows() const noexcept { return follows_; }
-  /// V/I may be taken: the bridges drove through this millisecond.
+  /// V/I is valid: the bridges were driven throughout this millisecond.
   bool electrical() const noexcept { return consecutive_ && driven_; }
-  /// Of each winding: were its currents at both ends measured, and the one at the end?
+  /// Per winding: both currents were measured; the current at the end was measured.
   const device::Measured& measured() const noexcept { return measured_; }
   const device::Measured& after_measured() const noexcept { return after_measured_; }
-  /// Of each winding: do they show its resistance? A sensor without sign sees only half of each
-  /// turn of the current, so it has to have flowed one way for 5 L/R.
+  /// Per winding: the currents determine its resistance. A sensor without sign measures only half
+  /// of each current reversal, so the current must have kept its direction for 5 L/R.
   const device::Measured& informative() const noexcept { return informative_; }
   const model::Vec3& before_a() const noexcept { return before_a_; }
   const model::Vec3& after_a() const noexcept { return after_a_; }

@@ -9,8 +9,8 @@ namespace {
 
 constexpr double kQuickLagS = 1.0;
 constexpr double kSlowLagS = 3.0;
-// Between pulses the winding's last V/I stands for this long; then the thermistor itself is the
-// only witness, and the lags go to it.
+// Between pulses the winding's last V/I is held for this long; then only the thermistor's own
+// reading remains, and the lags converge to it.
 constexpr double kPauseS = 2.0;
 constexpr double kRelaxS = 3.0;
 
@@ -29,7 +29,7 @@ Reason ThermistorCheck::step(const SensorReading& reading, double dt_s) noexcept
   believed_age_s_ += dt_s;
   if (!reading.fresh) {
     if (still_s_ > kUnusedAfterS) usable_ = false;
-    return Reason::kNone;  // no telemetry is the link's fault, not the thermistor's
+    return Reason::kNone;  // lost telemetry is a fault of the link, not of the thermistor
   }
   const bool wire = reading.open || reading.shorted;
   const bool impossible = !wire && !(reading.sensor_c >= kLowestC && reading.sensor_c < kHighestC);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Plausibility of the thermistor: open, short, out of range, jumping, stale, frozen, or
-// inconsistent with the winding it sits on (daemon/safety.md). Judges the raw reading, and compares
-// it with the watchdog's own V/I of that winding, never with the limiter's estimate.
+// inconsistent with the winding it is mounted on (daemon/safety.md). Checks the raw reading, and
+// compares it with the watchdog's own V/I of that winding, never with the limiter's estimate.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace hedgehog::control {
 
-/// One tick of what the check sees. Trivially copyable.
+/// Inputs of the check for one tick. Trivially copyable.
 struct SensorReading {
   /// New telemetry arrived in this tick; otherwise the rest is ignored.
   bool fresh = false;
@@ -24,30 +24,30 @@ struct SensorReading {
   /// The thermistor's own winding by its V/I; only while `measuring`.
   bool measuring = false;
   double winding_c = 25.0;
-  /// What that may be off by, K; beyond kUselessK it says nothing.
+  /// Error bound of winding_c, K; not compared beyond kUselessK.
   double winding_error_k = 0.0;
-  /// How much of it is the same for as long as the current is.
+  /// The part of it that is constant while the current is, K.
   double winding_bias_k = 0.0;
-  /// Since the telemetry before it, s.
+  /// Time since the previous telemetry, s.
   double since_s = model::kTickSeconds;
 };
 
 /// Control thread; real-time safe, trivially copyable.
 class ThermistorCheck {
  public:
-  /// Open, short: reported by the board in each frame.
+  /// Open or short, reported by the board in each frame.
   static constexpr double kWireHoldS = 0.005;
-  /// Outside of this nothing near a hand can be.
+  /// Range of plausible temperatures near a hand.
   static constexpr double kLowestC = -20.0;
   static constexpr double kHighestC = 125.0;
-  /// Longer than the board needs to say that the wire is broken, which also reads impossibly.
+  /// Longer than the board takes to report a broken wire, whose reading is also out of range.
   static constexpr double kImplausibleHoldS = 0.04;
-  /// No winding can push its thermistor by this much between two conversions, plus per second: 15 A
-  /// warm a winding by 2.4 K/s at most, noise is 0.15 K.
+  /// Maximum change between two conversions, plus per second: 15 A warm a winding by 2.4 K/s at
+  /// most, noise is 0.15 K.
   static constexpr double kJumpK = 4.0;
   static constexpr double kSlewK_s = 5.0;
   static constexpr double kJumpHoldS = 0.02;
-  /// The counter of conversions stands still: not used after 0.25 s, a fault after 1 s.
+  /// The conversion counter does not change: not used after 0.25 s, a fault after 1 s.
   static constexpr double kUnusedAfterS = 0.25;
   static constexpr double kStaleAfterS = 1.0;
   /// The reading stayed within half a kelvin while its winding moved it by 4.9 K (a real thermistor
@@ -55,20 +55,21 @@ class ThermistorCheck {
   static constexpr double kStillK = 0.5;
   static constexpr double kFrozenK = 4.9;
   static constexpr double kFrozenHoldS = 0.05;
-  /// Further than this from where a thermistor with a lag of 1..3 s could be.
+  /// Deviation from the range of a thermistor with a lag of 1..3 s.
   static constexpr double kDisagreeK = 12.0;
   static constexpr double kDisagreeHoldS = 0.5;
-  /// Errors of the winding's V/I are added to both; one larger than this leaves nothing to compare.
+  /// The error of the winding's V/I is added to both thresholds; no comparison if it is larger than
+  /// this.
   static constexpr double kUselessK = 4.0;
 
-  /// `dt_s` later. The reason to trip, or kNone.
+  /// Advances by `dt_s`. The reason to trip, or kNone.
   Reason step(const SensorReading& reading, double dt_s) noexcept;
 
-  /// The last reading may be used as a temperature. False at the first arming_blocker.
+  /// The last reading may be used as a temperature. False as soon as arming_blocker() is set.
   bool usable() const noexcept { return usable_; }
   /// Since the board's last conversion, s: the age of the reading, also while telemetry is lost.
   double age_s() const noexcept { return still_s_; }
-  /// Why the thermistor would trip the ball now or soon; kNone: it is sane.
+  /// The reason for which the thermistor would trip the ball now or soon; kNone if plausible.
   Reason arming_blocker() const noexcept { return arming_blocker_; }
 
  private:
@@ -83,18 +84,18 @@ class ThermistorCheck {
   Reason arming_blocker_ = Reason::kSensorStale;
   std::uint8_t conversions_ = 0;
   double still_s_ = 0.0;      // since the last conversion
-  double believed_c_ = 25.0;  // last reading that had not jumped
+  double believed_c_ = 25.0;  // last reading without a jump
   double believed_age_s_ = 0.0;
-  // Where thermistors with the shortest and the longest lag would be.
+  // Expected readings of thermistors with the shortest and the longest lag.
   double winding_c_ = 25.0;
   double quick_c_ = 25.0;
   double slow_c_ = 25.0;
   double unmeasured_s_ = 1e9;
-  // The same three when the reading last moved.
+  // The same three at the last change of the reading.
   double moved_sensor_c_ = 25.0;
   double moved_quick_c_ = 25.0;
   double moved_slow_c_ = 25.0;
-  // The least and the most bias of its V/I since then.
+  // Minimum and maximum bias of its V/I since then.
   double min_bias_k_ = 0.0;
   double max_bias_k_ = 0.0;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Supervision of the second thermometer, when one is configured: beside the coil sensor it must
-// agree with it; under the skin it reduces and trips. Once configured, its silence is a fault.
+// Supervision of the configured second thermometer: beside the coil sensor it must agree with it;
+// under the skin it derates and trips. Missing readings of a configured thermometer are a fault.
 #pragma once
 
 #include "daemon/control/checks/fault_debounce.h"
@@ -10,11 +10,11 @@
 
 namespace hedgehog::control {
 
-/// One tick of what the check sees. Trivially copyable.
+/// Inputs of the check for one tick. Trivially copyable.
 struct ThermometerReading {
   device::ThermometerSample sample;
   model::Tick now = 0;
-  /// The board's own thermistor; `sensor`: it may be believed.
+  /// The board's own thermistor; `sensor`: it is usable.
   bool sensor = false;
   double sensor_c = 25.0;
   double trip_c = 70.0;
@@ -23,14 +23,14 @@ struct ThermometerReading {
 /// Control thread; real-time safe, trivially copyable.
 class ThermometerCheck {
  public:
-  /// Sticks answer once or twice a second.
+  /// USB thermometers deliver one or two readings a second.
   static constexpr model::Tick kFresh = 2500;
   static constexpr model::Tick kLost = 5000;
   static constexpr double kLowestC = -40.0;
   static constexpr double kHighestC = 125.0;
-  /// Longer than one or two readings with a wrong byte.
+  /// Longer than one or two corrupt readings.
   static constexpr double kHotHoldS = 1.5;
-  /// Further than this from where a probe with a lag of 1..40 s beside the thermistor could be.
+  /// Deviation from the range of a probe with a lag of 1..40 s beside the thermistor.
   static constexpr double kDisagreeK = 10.0;
   static constexpr double kDisagreeHoldS = 5.0;
   static constexpr double kQuickS = 1.0;
@@ -39,19 +39,19 @@ class ThermometerCheck {
   ThermometerCheck() noexcept = default;
   explicit ThermometerCheck(device::ThermometerRole role) noexcept : role_(role) {}
 
-  /// `dt_s` later. The reason to trip, or kNone.
+  /// Advances by `dt_s`. The reason to trip, or kNone.
   Reason step(const ThermometerReading& reading, double dt_s) noexcept;
 
-  /// It answers, with `celsius`.
+  /// A valid reading exists, in `celsius`.
   bool known() const noexcept { return known_; }
   double celsius() const noexcept { return celsius_; }
-  /// Why an armed ball would trip now or soon; kNone: nothing speaks against arming.
+  /// The reason for which an armed ball would trip now or soon; kNone: arming is not blocked.
   Reason arming_blocker() const noexcept { return arming_blocker_; }
-  /// It is under the skin.
+  /// The thermometer is under the skin.
   bool on_shell() const noexcept { return role_ == device::ThermometerRole::kShell; }
-  /// It has answered lately.
+  /// The last reading is recent.
   bool fresh() const noexcept { return known_ && age_ <= kFresh; }
-  /// After a trip of the skin: it is silent, or no cooler than 43 C.
+  /// Blocks arming after a trip of the skin: no reading, or above 43 C.
   bool too_warm_to_arm() const noexcept;
 
  private:
@@ -64,7 +64,7 @@ class ThermometerCheck {
   model::Tick age_ = 0;
   double celsius_ = 0.0;
   FaultDebounce hot_, disagrees_;
-  // Where probes with the shortest and the longest lag beside the thermistor would be.
+  // Expected readings of probes with the shortest and the longest lag beside the thermistor.
   bool following_ = false;
   double quick_c_ = 25.0;
   double slow_c_ = 25.0;

@@ -9,7 +9,7 @@ namespace {
 
 using model::kTickSeconds;
 
-// As long as a set-point lasts, and so an answer to it.
+// Validity time of a set-point, and therefore of a response to it.
 constexpr double kLongestStepS = 0.02;
 
 bool obeys(const device::BoardTelemetry& board) noexcept {
@@ -33,7 +33,7 @@ model::ThermistorReadings readable(const device::BoardTelemetry& board,
   return readings;
 }
 
-// These stop the ball in every state; the others only one that is armed.
+// These reasons stop the ball in every state; the others only an armed one.
 bool stops_unarmed(Reason reason) noexcept {
   return reason == Reason::kUnexpectedCurrent || reason == Reason::kOverheated ||
          reason == Reason::kBoardStuckBridge;
@@ -58,7 +58,7 @@ SensorReading Watchdog::sensor_reading(const WatchdogInputs& in, double since_s)
   reading.fresh = in.fresh && thermistor.state != device::ThermistorState::kNone;
   reading.since_s = since_s;
   reading.sensor_c = thermistor.celsius;
-  // A latched board also tells of a wire that was broken; whether it still is, the reading shows.
+  // A latched board still reports a wire that was broken; the reading shows whether it still is.
   const bool live =
       board.mode != device::BoardMode::kLatched || !read || !is_possible(reading.sensor_c);
   reading.open = (live && (board.faults & device::kFaultSensorOpen) != 0) ||
@@ -66,7 +66,7 @@ SensorReading Watchdog::sensor_reading(const WatchdogInputs& in, double since_s)
   reading.shorted = (live && (board.faults & device::kFaultSensorShort) != 0) ||
                     thermistor.state == device::ThermistorState::kShorted;
   reading.conversions = board.sensor_conversions;
-  // A winding that is known by the device file only would jump when it is known better.
+  // The temperature of a winding known by the device file only would jump when it is referenced.
   reading.measuring = heat_.measuring(sensor_winding_) && heat_.referenced(sensor_winding_);
   reading.winding_c = heat_.winding_c(sensor_winding_);
   if (reading.measuring) {
@@ -112,7 +112,7 @@ Disagreement Watchdog::judge_supply(const WatchdogInputs& in, double dt_s) noexc
   reading.known = in.pair.electrical() && in.board.supply_current_known && measured[0] &&
                   measured[1] && measured[2];
   reading.duty = in.board.duty;
-  // What braking bridges give back, the supply does not take.
+  // The supply does not absorb the current that braking bridges return.
   reading.current_a = 0.5 * (in.pair.before_a() + in.pair.after_a());
   reading.known = reading.known && dot(reading.duty, reading.current_a) > 0.0;
   reading.supply_current_a = in.board.supply_current_a;
@@ -124,7 +124,7 @@ Disagreement Watchdog::judge_supply(const WatchdogInputs& in, double dt_s) noexc
 Reason Watchdog::step(const WatchdogInputs& in) noexcept {
   const device::BoardTelemetry& board = in.board;
   board_.step(in.board_present, in.fresh, board, in.ticks);
-  // What was told before a gap says nothing about the gap.
+  // Telemetry from before a gap is no evidence about the gap.
   const double dt_s = std::min(kTickSeconds * static_cast<double>(in.ticks), kLongestStepS);
   unread_s_ = std::min(unread_s_ + dt_s, kLongestStepS);
   const double since_s = unread_s_;
@@ -145,7 +145,7 @@ Reason Watchdog::step(const WatchdogInputs& in) noexcept {
   const Reason thermometer = thermometer_.step(
       {in.thermometer, in.now, sensor_.usable(), thermistor.sensor_c, in.trip_c}, dt_s);
 
-  // The cause before its consequences: a broken bridge also shows as a wrong current.
+  // The cause before its consequences: a broken bridge also causes a wrong current.
   const std::array<Reason, 7> found{board_.fault(),
                                     sensor,
                                     heat,
@@ -155,7 +155,7 @@ Reason Watchdog::step(const WatchdogInputs& in) noexcept {
                                     thermometer};
   for (std::size_t i = 0; i < found.size(); ++i) {
     const Reason reason = found[i];
-    // A board keeps its latch until it has been armed.
+    // A board keeps its latch until it is armed.
     const bool latch = i == 0 && in.arming;
     if (reason != Reason::kNone && !latch && (in.armed || stops_unarmed(reason))) return reason;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The second layer of safety: everything that must stop the ball whatever the limiter thinks
-// (daemon/safety.md). Uses the raw thermistor and its own filtered V/I only.
+// The second layer of safety: all conditions that must stop the ball regardless of the limiter
+// (daemon/safety.md). Uses only the raw thermistor and its own filtered V/I.
 #pragma once
 
 #include "daemon/control/checks/board_check.h"
@@ -18,7 +18,7 @@
 
 namespace hedgehog::control {
 
-/// One tick of what the watchdog sees. Made and used on the control thread.
+/// Inputs of the watchdog for one tick. Made and used on the control thread.
 struct WatchdogInputs {
   bool board_present = false;
   bool fresh = false;
@@ -29,9 +29,9 @@ struct WatchdogInputs {
   double trip_c = 70.0;
   /// Ticks since the last step, 1 or more.
   model::Tick ticks = 1;
-  /// Otherwise only what stops a ball in every state counts.
+  /// If false, only the reasons that stop the ball in every state count.
   bool armed = true;
-  /// The board has been asked to give up its latch.
+  /// The board has been requested to clear its latch.
   bool arming = false;
   model::Tick now = 0;
   device::ThermometerSample thermometer;
@@ -44,20 +44,20 @@ class Watchdog {
   Watchdog(const model::CoilModel& coils, const model::ThermalModel& thermal,
            device::ThermometerRole thermometer = device::ThermometerRole::kNone) noexcept;
 
-  /// The ball starts at one temperature, that of its thermistors.
+  /// The ball starts at a uniform temperature, that of its thermistors.
   void start_rested() noexcept { heat_.start_rested(); }
 
-  /// The windings are other ones, of the same device file.
+  /// The windings have been replaced by others of the same device file.
   void forget_windings(const model::CoilModel& coils, const model::ThermalModel& thermal) noexcept {
     heat_ = OverTemperatureCheck(coils, thermal);
     supply_ = SupplyBalance(coils.supply_v);
   }
 
-  /// One tick later. The gravest reason to stop now in this state, or kNone.
+  /// Advances by one tick. The gravest reason to stop in this state, or kNone.
   Reason step(const WatchdogInputs& inputs) noexcept;
 
-  /// Why an armed ball would stop at once, or kNone: the thermistor, currents and the fan as they
-  /// are now. Faults that the board latches are for the board to clear.
+  /// The reason for which an armed ball would stop at once, or kNone: the thermistor, currents and
+  /// the second thermometer as they are now. Only the board clears the faults that it latches.
   Reason arming_blocker() const noexcept;
 
   const ThermistorCheck& sensor() const noexcept { return sensor_; }
@@ -66,11 +66,11 @@ class Watchdog {
   const FanCheck& fan() const noexcept { return fan_; }
   const ThermometerCheck& thermometer() const noexcept { return thermometer_; }
   const SupplyBalance& supply() const noexcept { return supply_; }
-  /// What contradicts what, of the last kMeasurementsDisagree.
+  /// The contradicting quantities of the last kMeasurementsDisagree.
   const Disagreement& disagreement() const noexcept { return disagreement_; }
-  /// The thermistors that can be read, by winding.
+  /// The valid thermistor readings, by winding.
   const model::ThermistorReadings& thermistors() const noexcept { return thermistors_; }
-  /// The board has just been armed: fan and mode get their patience again.
+  /// The board has just been armed: restarts the hold times of fan and mode.
   void begin_armed() noexcept {
     fan_.reset();
     board_.expect_armed();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Commands of the io thread, with ranges and ownership already checked. Trivially copyable; travels
-// by spsc queue. Stopping never queues: see StopBoard in mailbox.h.
+// Commands of the io thread, with ranges and ownership already checked. Trivially copyable; sent by
+// spsc queue. Stop requests bypass the queue: see StopBoard in mailbox.h.
 #pragma once
 
 #include <algorithm>
@@ -18,31 +18,31 @@
 
 namespace hedgehog::control {
 
-/// Number of an effect: never used twice while the daemon runs, 0 is none.
+/// Number of an effect: unique while the daemon runs, 0 is none.
 using EffectId = std::uint32_t;
 
-/// Places for effects in the mixer. io hands out at most 64 to playing effects; the rest serves
-/// those that were replaced or have ended and wait for io to take their last state.
+/// Places for effects in the mixer. io assigns at most 64 to playing effects; the others hold
+/// effects that were replaced or have ended until io has read their last state.
 inline constexpr int kEffectPlaces = 128;
 inline constexpr int kMaxEffects = 64;
 inline constexpr int kMaxCommandsPerTick = 64;
 
-/// Capacity for the key frames of all effects together, in the mixer. io allocates it: a
-/// part is free again when `effect_ended` of all who play from it was taken.
+/// Capacity for the key frames of all effects together, in the mixer. io allocates it: a range is
+/// free again after `effect_ended` of every effect that uses it.
 inline constexpr int kKeyframeCapacity = 2048;
 
-/// Some key frames; those of an effect come before its start, in the same tick.
+/// A slice of key frames; those of an effect precede its start, in the same tick.
 struct LoadKeyframes {
   static constexpr int kMaxFrames = 11;
   std::uint16_t first = 0;
   std::uint8_t count = 0;
   std::array<model::Keyframe, kMaxFrames> frames{};
 
-  /// How many of these load `count` key frames.
+  /// Number of these commands that load `count` key frames.
   static constexpr std::size_t commands_for(std::size_t count) noexcept {
     return (count + kMaxFrames - 1) / kMaxFrames;
   }
-  /// The one of them with index `command`, when the first key frame goes to place `first`.
+  /// The command with index `command`, when the first key frame goes to slot `first`.
   /// REQUIRES: command < commands_for(all.size()).
   static LoadKeyframes slice(std::span<const model::Keyframe> all, std::size_t first,
                              std::size_t command) noexcept {
@@ -58,16 +58,16 @@ struct LoadKeyframes {
 
 struct StartEffect {
   EffectId effect = 0;
-  /// The place that io chose: free until `effect_ended` of its last holder was taken.
+  /// Assigned by io: free after `effect_ended` of its previous effect was read.
   std::uint8_t place = 0;
-  /// This effect ends as `replaced` in the same tick (0: none), its phase is kept when method and
-  /// waveform are the same.
+  /// This effect ends as `replaced` in the same tick (0: none); its phase is kept if method and
+  /// waveform are equal.
   EffectId replaces = 0;
   std::uint8_t replaces_place = 0;
   model::EffectSpec spec;
 };
 
-/// New parameters for a playing effect: phase kept, lease renewed. Ignored when it has ended
+/// New parameters for a playing effect: phase kept, lease renewed. Ignored if it has ended
 /// meanwhile.
 struct UpdateEffect {
   EffectId effect = 0;
@@ -75,14 +75,13 @@ struct UpdateEffect {
   model::EffectSpec spec;
 };
 
-/// Ignored once an emergency stop was asked for that it does not know of: it waited in a queue, the
-/// stop did not.
+/// Ignored if an emergency stop was requested after it: the stop bypasses the queue, this does not.
 struct Arm {
-  /// `Mailbox::emergency_generation` when the arming was asked for.
+  /// `Mailbox::emergency_generation` at the request.
   std::uint32_t generation = 0;
 };
 
-/// The front points at `azimuth_deg` now.
+/// Sets the present front direction to `azimuth_deg`.
 struct Recenter {
   double azimuth_deg = 0.0;
 };
@@ -95,16 +94,16 @@ struct SetLimits {
   model::Limits limits;
 };
 
-/// The ball is another one than before, or may be: nothing is known of its heat, and it does not
-/// push before somebody arms it.
+/// The ball has, or may have, been replaced: its thermal state is unknown, and it stays without
+/// current until a client arms it.
 struct ForgetBall {};
 
-/// The board goes into its boot loader, unless it is armed or being armed.
+/// Sends the board to its boot loader, unless it is armed or being armed.
 struct EnterBootLoader {};
 
 struct Command {
-  /// Rises by one with each command; a status whose `applied_seq` has reached it shows its
-  /// consequence.
+  /// Incremented with each command; a status with an `applied_seq` at or above it includes its
+  /// effect.
   std::uint64_t seq = 0;
   std::variant<StartEffect, UpdateEffect, LoadKeyframes, Arm, Recenter, SetGain, SetLimits,
                ForgetBall, EnterBootLoader>

@@ -38,7 +38,7 @@ void EffectPlace::continue_from(const EffectPlace& previous) noexcept {
     return;
   phase_ = model::carried(previous.spec_, spec_, previous.phase_);
   continues_ = true;
-  // A pattern that is started twice is heard twice.
+  // A pattern that is started twice plays twice.
   const bool may_go_on =
       spec_.trajectory.path != Path::kKeyframes || spec_.trajectory.playback.loop;
   continues_attack_ = may_go_on && spec_.lease > 0 && previous.spec_.lease > 0;

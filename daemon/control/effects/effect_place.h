@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One effect in the mixer: its clocks, its phase and its delivered share.
+// One effect in the mixer: its timing, its phase and its delivered share.
 #pragma once
 
 #include <span>
@@ -16,40 +16,41 @@ namespace hedgehog::control {
 /// Control thread. Trivially copyable. Every function is real-time safe.
 class EffectPlace {
  public:
-  /// A new effect, applied at tick `now`. It waits until its `start_at` or `delay` has come (a
-  /// `start_at` in the past means now).
+  /// A new effect, applied at tick `now`. It waits for its `start_at` or `delay` (a `start_at` in
+  /// the past means now).
   void begin(EffectId effect, const model::EffectSpec& spec, model::Tick now) noexcept;
 
-  /// This effect goes on where `previous` was: same waveform phase and same position on the ring.
-  /// When both are leased the attack and the same loop of key frames go on too, so that a client
-  /// may send its whole effect every frame. Does nothing unless method and waveform are the same
-  /// and `previous` has played.
+  /// Continues `previous`: same waveform phase and same position on the ring. If both are leased,
+  /// the attack and the same loop of key frames continue too, so that a client may send its whole
+  /// effect every frame. Does nothing unless method and waveform are equal and `previous` has
+  /// played.
   void continue_from(const EffectPlace& previous) noexcept;
 
   /// New parameters; phase and onset are kept, the lease is renewed at `now`.
   void update(const model::EffectSpec& spec, model::Tick now) noexcept;
 
-  /// `ticks` have passed and it is `now`: moves the phase, or starts to play. False when the effect
-  /// ends now by itself; `natural_end` then says how. `frames`: all key frames there are.
+  /// Advances by `ticks` to `now`: moves the phase, or starts to play. False if the effect ends now
+  /// by itself, for the reason `natural_end`. `frames`: all loaded key frames.
   bool advance(model::Tick now, model::Tick ticks,
                std::span<const model::Keyframe> frames) noexcept;
 
-  /// kCompleted or kExpired, or kPreempted when it was only ever under others.
+  /// kCompleted or kExpired, or kPreempted when it was masked in every tick.
   EndReason natural_end() const noexcept;
 
-  /// True when it plays out although its connection has ended.
+  /// True if it plays to its end after its connection has closed.
   bool finishes_on_close() const noexcept;
 
-  /// What its own shape asks in this tick, A, 0..15; unit vector of where, in its own frame.
+  /// Current requested by its own shape in this tick, A, 0..15; its direction as a unit vector, in
+  /// its own frame.
   double asked_a() const noexcept;
   model::Vec3 direction() const noexcept;
 
-  /// How this tick went for a playing effect: under a higher priority; or output, of which
-  /// `fraction` (0..1) of what was asked was delivered, alone or together with others.
+  /// Result of this tick for a playing effect: masked by a higher priority; or output, with
+  /// `fraction` (0..1) of the request delivered, alone or mixed with others.
   void note_masked() noexcept { ++delivery_.masked; }
   void note_delivered(double fraction, bool mixed) noexcept;
 
-  /// The final account, for an effect that ends at `now`.
+  /// The delivery statistics of an effect that ends at `now`.
   Delivery delivery(model::Tick now) const noexcept;
   /// Ticks until it ends by itself.
   model::Tick remaining(model::Tick now) const noexcept;
@@ -63,7 +64,7 @@ class EffectPlace {
  private:
   EffectId effect_ = 0;
   bool playing_ = false;
-  /// Takes over the phase of the effect that it replaced; and its attack.
+  /// Continues the phase of the effect that it replaced; and its attack.
   bool continues_ = false;
   bool continues_attack_ = false;
   model::Tick applied_ = 0;

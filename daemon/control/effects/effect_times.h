@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The way of an effect from its request to the wire, as time stamps. Trivially copyable.
+// Time stamps of an effect from its request to the bus. Trivially copyable.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,11 @@ namespace hedgehog::control {
 struct EffectTimes {
   /// Of the command that starts or updates the effect.
   std::uint64_t seq = 0;
-  /// io has read the request from its socket.
+  /// io has read the request from the socket.
   std::int64_t received_ns = 0;
-  /// The command went into the queue to the control thread.
+  /// The command was queued for the control thread.
   std::int64_t queued_ns = 0;
-  /// The tick that applied it has handed its set-point to the link.
+  /// The tick that applied the command has passed its set-point to the link.
   std::int64_t applied_ns = 0;
   /// The first frame with that set-point, or with a later one, was written to the board.
   std::int64_t written_ns = 0;

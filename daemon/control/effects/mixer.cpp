@@ -116,7 +116,7 @@ void Mixer::follow_orientation(const MixInputs& inputs, Tick ticks) noexcept {
     lost_for_ = std::min(kOrientationPatience, lost_for_ + ticks);
     world_fade_ = std::max(0.0, world_fade_ - step);
   }
-  // Two hundred steps of 1/200 do not add up to exactly nothing.
+  // Rounding: two hundred steps of 1/200 do not sum to exactly 0 or 1.
   if (world_fade_ < 1e-9) world_fade_ = 0.0;
   if (world_fade_ > 1.0 - 1e-9) world_fade_ = 1.0;
 }

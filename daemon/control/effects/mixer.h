@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// All effects that wait or play, and what they ask of the coils together:
-// mixing, shapes and ends as protocol/README.md has them.
+// All effects that wait or play, and the currents that they request together; mixing, shapes and
+// ends are specified in protocol/README.md.
 //
 // Order within one tick: `stop` for every stop request, `start` and `update` for every command in
 // order, `mix` once, then the limiter, then `account` once, then `fill` when a snapshot is made.
@@ -8,12 +8,12 @@
 // - An effect applied at tick t with delay d plays from tick t + d on. With duration n its first
 //   silent tick, `Delivery::offset`, is onset + n (`completed`). A lease runs from the onset or the
 //   last update, whichever is later (`expired`).
-// - Only the effects of the highest active priority are summed. The others keep their clocks and
-//   count masked ticks. One that ends by itself without a single tick felt and was masked ends as
+// - Only the effects of the highest active priority are summed. The others keep their timing and
+//   count masked ticks. One that ends by itself and was masked in every tick ends as
 //   `preempted`; one that is stopped, replaced or tripped keeps that reason.
 // - A world-frame effect without orientation is not active, so it masks no other. Orientation not
-//   usable: world effects fade out in 200 ms and wait; they fade in again in 200 ms when it comes
-//   back, and end as `orientation_lost` when it has been away for 2 s.
+//   usable: world effects fade out in 200 ms and wait; they fade in again in 200 ms when it is
+//   restored, and end as `orientation_lost` after 2 s without it.
 // - `Delivery::min` and `mean` count the ticks in which the effect was not masked: the limiter's
 //   fraction times the world fade. The owner's gain is not counted as a loss. Both are 0 for an
 //   effect that never had such a tick.
@@ -38,15 +38,15 @@ struct MixInputs {
   model::Tick tick = 0;
   /// Armed. When false every effect ends as `tripped`.
   bool playable = false;
-  /// An orientation not older than 100 ms is known.
+  /// The orientation is known and not older than 100 ms.
   bool orientation_usable = false;
-  /// The last one known, recentred; also used while the world effects fade out.
+  /// The last known orientation, recentred; also used while the world effects fade out.
   model::Quaternion device_to_world{};
   /// The owner's comfort setting, 0..1; scales everything.
   double gain = 1.0;
 };
 
-/// The winding currents asked for are `currents_for(field) + coil_a`.
+/// The requested winding currents are `currents_for(field) + coil_a`.
 struct MixResult {
   /// Sum of the device-frame and world-frame effects, A, not limited.
   model::FieldDemand field;
@@ -54,39 +54,39 @@ struct MixResult {
   model::Vec3 coil_a;
   /// Some effect was summed with a strength above zero.
   bool any = false;
-  /// Some effect plays, maybe in a silent part of its waveform; waiting for its onset is not
-  /// playing.
+  /// At least one effect plays, possibly in a silent part of its waveform; waiting for the onset is
+  /// not playing.
   bool playing = false;
 };
 
-/// Lives on the control thread. Trivially copyable: the flight recorder copies it. Every function
-/// is real-time safe: no allocation, lock, clock or exception.
+/// Control thread. Trivially copyable: the flight recorder copies it. Every function is real-time
+/// safe: no allocation, lock, clock or exception.
 class Mixer {
  public:
   static constexpr model::Tick kWorldFade = 200;
   static constexpr model::Tick kOrientationPatience = 2000;
-  /// Longest timed effect that may outlive its connection.
+  /// Longest timed effect that may play on after its connection has closed.
   static constexpr model::Tick kLongestFinish = 2000;
 
-  /// Stores key frames; those that do not fit are dropped.
+  /// Stores key frames; dropped beyond the capacity.
   void load(const LoadKeyframes& command) noexcept;
-  /// Applies a start: `effect_started` with `seq`. An effect whose stop came first ends at once.
+  /// Starts an effect and reports `effect_started` with `seq`. Ends at once if its stop came first.
   void start(const StartEffect& command, std::uint64_t seq, model::Tick now,
              EventList& events) noexcept;
-  /// Ignored when the effect has ended meanwhile.
+  /// Ignored if the effect has ended meanwhile.
   void update(const UpdateEffect& command, model::Tick now) noexcept;
-  /// Ends an effect, or remembers to end it at its start. `kDisconnected` lets those play out that
-  /// may.
+  /// Ends an effect, or stores the stop until its start. `kDisconnected` does not end effects that
+  /// finish on close.
   void stop(const StopRequest& request, model::Tick now, EventList& events) noexcept;
-  /// Trip, emergency stop, disarmed, device gone.
+  /// For a trip, emergency stop, disarming or a disconnected device.
   void end_all(EndReason reason, model::Tick now, EventList& events) noexcept;
 
-  /// Moves every effect to `inputs.tick`, ends those whose time has come, and sums the rest. Ticks
-  /// that were skipped since the last call pass for the effects too.
+  /// Advances every effect to `inputs.tick`, ends those that are due, and sums the rest. Ticks
+  /// skipped since the last call count for the effects too.
   MixResult mix(const MixInputs& inputs, EventList& events) noexcept;
 
-  /// After the limiter and the gate: `passed` is what they let through of `mix`'s result, 0..1 (1
-  /// when nothing was asked). Call it once after every `mix`.
+  /// After the limiter and the gate: `passed` is the share of `mix`'s result that they passed, 0..1
+  /// (1 when nothing was requested). Call it once after every `mix`.
   void account(double passed) noexcept;
 
   /// The state of every place after this tick.
@@ -94,7 +94,7 @@ class Mixer {
 
   /// No effect waits or plays.
   bool empty() const noexcept { return (held_[0] | held_[1]) == 0; }
-  /// 0: world-frame effects are silent, 1: in full.
+  /// Amplitude of the world-frame effects, 0..1.
   double world_fade() const noexcept { return world_fade_; }
 
  private:
@@ -103,7 +103,7 @@ class Mixer {
     EffectId effect = 0;
     EndReason reason = EndReason::kStopped;
   };
-  /// What an effect contributed in this tick.
+  /// Contribution of an effect in this tick.
   struct Part {
     double asked_a = 0.0;
     double faded = 1.0;  // 0..1, the world fade or 1
@@ -121,9 +121,9 @@ class Mixer {
   std::array<Part, kEffectPlaces> parts_{};
   std::array<PendingStop, kEffectPlaces> pending_{};
   Mask held_{};       // waiting or playing
-  Mask active_{};     // playing, and not without orientation, in this tick
+  Mask active_{};     // playing, and not faded out without orientation, in this tick
   Mask received_{};   // active and of the highest active priority
-  int sounding_ = 0;  // how many of `received_` asked for more than zero
+  int sounding_ = 0;  // number of `received_` that requested more than zero
   double passed_ = 1.0;
   double gain_ = 1.0;
   double world_fade_ = 0.0;

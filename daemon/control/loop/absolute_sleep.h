@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sleeping until a point of CLOCK_MONOTONIC, for the threads that run the controller. Linux.
+// Sleep until a point of CLOCK_MONOTONIC, for the threads that run the controller. Linux.
 #pragma once
 
 #include <cerrno>
@@ -8,7 +8,7 @@
 
 namespace hedgehog::control {
 
-/// Any thread. Returns at once when `ns` is past.
+/// Any thread. Returns at once if `ns` is past.
 inline void sleep_until_ns(std::int64_t ns) noexcept {
   constexpr std::int64_t kSecond = 1'000'000'000;
   const timespec until{ns / kSecond, ns % kSecond};

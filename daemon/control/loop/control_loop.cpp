@@ -22,7 +22,7 @@ void ControlLoop::run() noexcept {
     const Tick due = now + 1;
     sleep_until_ns(origin_ns() + due * kNanosecondsPerTick);
     const std::int64_t woke_ns = monotonic_ns();
-    // The grid decides which tick this is: those that were slept through are gone.
+    // The time grid determines the number of this tick: those missed are skipped.
     now = std::max(due, (woke_ns - origin_ns()) / kNanosecondsPerTick);
     const auto skipped = static_cast<std::uint32_t>(now - due);
     meter.ticked(skipped);
@@ -34,7 +34,7 @@ void ControlLoop::run() noexcept {
   next_ns_ = monotonic_ns();
 }
 
-// Never a burst: the board has to answer in between.
+// Never in a burst: the board has to respond in between.
 void ControlLoop::after_safe_tick() noexcept {
   next_ns_ = std::max(next_ns_, monotonic_ns()) + kNanosecondsPerTick;
   sleep_until_ns(next_ns_);

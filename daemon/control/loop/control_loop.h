@@ -8,8 +8,8 @@
 
 namespace hedgehog::control {
 
-/// SCHED_FIFO when the system allows it. A tick that was missed is never made up for: the next one
-/// gets the number of those that were skipped.
+/// SCHED_FIFO if the system allows it. A missed tick is never repeated: the next one gets the
+/// number of skipped ticks.
 class ControlLoop final : public Loop {
  public:
   ControlLoop(const ControlSettings& settings, Mailbox& mailbox, device::LinkPort& port,
@@ -22,7 +22,7 @@ class ControlLoop final : public Loop {
   void run() noexcept override;
   void after_safe_tick() noexcept override;
 
-  /// Of the next safe command.
+  /// Due time of the next safe command.
   std::int64_t next_ns_ = 0;
 };
 

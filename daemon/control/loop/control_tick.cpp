@@ -68,7 +68,7 @@ void ControlTick::add_up(std::uint32_t skipped) noexcept {
   const std::int64_t now_ns = device::monotonic_ns();
   for (std::uint16_t i = 0; i < inputs_.command_count; ++i) {
     const std::int64_t asked_ns = mailbox_.request_times.of(inputs_.commands[i].seq).received_ns;
-    // 0: it did not come through the outbox.
+    // 0: the command did not come through the outbox.
     if (asked_ns != 0) totals.request_to_coil.add(now_ns - asked_ns);
   }
   latency_.applied(inputs_, mailbox_.request_times, sent_, now_ns);
@@ -111,8 +111,8 @@ bool ControlTick::run_safe() noexcept {
   safe.boot_loader_count = last_.boot_loader_count;
   if (safe_since_ == 0) safe_since_ = port_.reports.read().telemetry_count;
   send(safe);
-  // The second frame from now was measured after the command could have arrived; with bridges that
-  // slept all along there is nothing to wait for.
+  // The second frame from now was measured after the command could have arrived; bridges that slept
+  // throughout need no wait.
   const device::LinkReport& report = port_.reports.read();
   return report.present && report.telemetry_count >= safe_since_ + 4 &&
          !report.telemetry.bridges_awake;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One tick with its surroundings: gathers the inputs, steps the controller, publishes the outputs.
+// One tick with its inputs and outputs: gathers the inputs, steps the controller, publishes the
+// outputs.
 #pragma once
 
 #include <array>
@@ -20,19 +21,19 @@ namespace hedgehog::control {
 /// Everything but the constructor is real-time safe.
 class ControlTick {
  public:
-  /// `recorder` may be null. `speed`: ticks a real millisecond; samples of sensors come in real
-  /// time and age that much slower.
+  /// `recorder` may be null. `speed`: ticks per real millisecond; sensor samples arrive in real
+  /// time, so their age is divided by it.
   ControlTick(const ControlSettings& settings, Mailbox& mailbox, device::LinkPort& port,
               FlightRecorder* recorder, int speed = 1) noexcept;
 
-  /// The tick `tick`, after `skipped` that were never run.
+  /// Runs the tick `tick`, after `skipped` ones that were not executed.
   void run(model::Tick tick, std::uint32_t skipped, const LoopStatistics& statistics) noexcept;
 
   /// Ends all effects; from now on `run_safe` is called instead of `run`.
   void shut_down() noexcept;
   /// Sends the safe command; true once the board reports that its bridges sleep.
   bool run_safe() noexcept;
-  /// Ticks of `run_safe` before a loop ends without that report.
+  /// Maximum number of `run_safe` ticks without that report.
   static constexpr int kMaxSafeTicks = 100;
 
  private:
@@ -42,9 +43,9 @@ class ControlTick {
   void publish() noexcept;
   bool publish(const Event& event) noexcept;
 
-  /// Events that found the queue full. Effects cannot fill it: io gives a place away again only
-  /// after it has taken its last `effect_ended`, so at most two events a place are ever under way,
-  /// and room for them is kept; other events stay out when it gets that full (the snapshot has
+  /// Events for which the queue was full. Effects cannot fill it: io reuses a place only after it
+  /// has read its last `effect_ended`, so at most two events per place are pending, and capacity
+  /// for them is reserved; other events are dropped when only that is left (the snapshot contains
   /// their state).
   static constexpr std::size_t kBacklog = 1024;
   static constexpr std::size_t kKeptForEffects = 4 * std::size_t{kEffectPlaces};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Follows effects from the tick that applied them to the frame that carries their set-point.
+// Latency of effects from the tick that applied them to the frame that carries their set-point.
 #pragma once
 
 #include <array>
@@ -14,10 +14,10 @@
 
 namespace hedgehog::control {
 
-/// Control thread. Real-time safe. Measures only: nothing depends on it.
+/// Control thread. Real-time safe. Measures only: control does not depend on it.
 class LatencyMeter {
  public:
-  /// The commands of `inputs` were applied, and their set-point is the one with that count.
+  /// The commands of `inputs` were applied, in the set-point with the count `set_point`.
   void applied(const StepInputs& inputs, const RequestTimes& requests, std::uint64_t set_point,
                std::int64_t now_ns) noexcept {
     for (std::uint16_t i = 0; i < inputs.command_count; ++i) {
@@ -32,7 +32,7 @@ class LatencyMeter {
     }
   }
 
-  /// What the link has written meanwhile goes to io; without a board nothing is written.
+  /// Sends the times of the set-points written by the link to io; discards all without a board.
   void written(const device::LinkReport& report, Mailbox& mailbox) noexcept {
     if (!report.present) size_ = 0;
     while (size_ > 0 && pending_[first_].set_point <= report.written_count) {
@@ -49,7 +49,7 @@ class LatencyMeter {
     std::uint64_t set_point = 0;
     EffectTimes times;
   };
-  /// More than the commands of the few ticks that the link may be late; further ones are not
+  /// Exceeds the number of commands in the few ticks of link latency; further ones are not
   /// measured.
   static constexpr std::size_t kPending = 256;
 

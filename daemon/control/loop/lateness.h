@@ -9,7 +9,7 @@
 
 namespace hedgehog::control {
 
-/// Control thread. Old ticks are forgotten by half every 10 000; the maximum is of the whole run.
+/// Control thread. All counts are halved every 10 000 ticks; the maximum is that of the whole run.
 class Lateness {
  public:
   struct Summary {
@@ -29,7 +29,7 @@ class Lateness {
     for (std::uint32_t& count : counts_) total_ += (count /= 2);
   }
 
-  /// Real-time safe, but a walk over 1024 numbers: not for every tick. What is later than a
+  /// Real-time safe, but iterates over 1024 numbers: not for every tick. Lateness beyond a
   /// millisecond counts as the maximum.
   Summary summary() const noexcept {
     return {quantile(total_ / 2), quantile(total_ - total_ / 100),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Controller, link and simulated board on one thread, several ticks a real millisecond
+// Controller, link and simulated board on one thread, several ticks per real millisecond
 // (`hedgehogd --simulate --speed N`; the board may be a process): device time runs N times as fast
-// as the clock on the wall.
+// as real time.
 #pragma once
 
 #include <memory>
@@ -12,14 +12,14 @@
 
 namespace hedgehog::control {
 
-/// Nothing is ever skipped here: when the machine is too slow, the whole ball slows down. The
-/// thread is an ordinary one. Simulator settings are read from the port as by the link thread.
+/// No tick is ever skipped: on a slow machine the device time slows down. The thread is not a
+/// real-time thread. Simulator settings are read from the port as by the link thread.
 class LockstepLoop final : public Loop {
  public:
-  /// `speed`: 1..100 ticks a millisecond.
+  /// `speed`: 1..100 ticks per millisecond.
   LockstepLoop(const ControlSettings& settings, Mailbox& mailbox, device::LinkPort& port,
                FlightRecorder* recorder, const device::SimulatedBoardOptions& board, int speed);
-  /// The same with another board in step, such as one in a process.
+  /// The same with another lock-step board, such as one in a process.
   LockstepLoop(const ControlSettings& settings, Mailbox& mailbox, device::LinkPort& port,
                FlightRecorder* recorder, int speed, std::unique_ptr<device::SteppedBoard> board);
   ~LockstepLoop() override { stop(); }

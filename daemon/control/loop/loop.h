@@ -12,7 +12,7 @@
 
 namespace hedgehog::control {
 
-/// `start` and `stop` are called by one thread (main); the rest by any. A derived class calls
+/// `start` and `stop` are called by one thread (main); the others by any. A derived class calls
 /// `stop` in its destructor.
 class Loop {
  public:
@@ -20,42 +20,41 @@ class Loop {
   Loop& operator=(const Loop&) = delete;
   virtual ~Loop() = default;
 
-  /// Starts the thread. Throws std::system_error when it cannot.
+  /// Starts the thread. Throws std::system_error on failure.
   void start();
 
-  /// Makes the coils safe, then ends the thread. Returns when the safe command has gone out: true
-  /// when the board has confirmed that its bridges sleep, false when it did not answer within
-  /// 100 ms (its dead-man then does it). Effects that played end as `stopped`. A second call does
-  /// nothing.
+  /// Sends the safe command, then ends the thread. Returns true if the board has confirmed that its
+  /// bridges sleep, false if it has not within 100 ms (its dead-man then switches them off).
+  /// Playing effects end as `stopped`. A second call does nothing.
   bool stop() noexcept;
 
-  /// Steps made so far. Rises only while ticks advance, so it can feed the systemd watchdog.
+  /// Number of steps. Increases only while ticks advance, so it can feed the systemd watchdog.
   std::uint64_t heartbeat() const noexcept { return heartbeat_.load(std::memory_order_relaxed); }
 
-  /// The tick of the last step: stamps for orientation samples.
+  /// The tick of the last step: time stamp for orientation samples.
   model::Tick now() const noexcept { return now_.load(std::memory_order_relaxed); }
 
   /// Device time of tick 0, ns: `time_ns` = origin + tick x 1 000 000. CLOCK_MONOTONIC in real
   /// time.
   std::int64_t origin_ns() const noexcept { return origin_ns_; }
 
-  /// The thread has real-time scheduling. Known once started.
+  /// The thread has real-time scheduling. Valid after `start`.
   bool realtime() const noexcept { return realtime_; }
 
  protected:
-  /// `speed`: ticks a millisecond.
+  /// `speed`: ticks per millisecond.
   Loop(const ControlSettings& settings, Mailbox& mailbox, device::LinkPort& port,
        FlightRecorder* recorder, int speed = 1);
 
-  /// On the thread, before its first tick. True: it has real-time scheduling.
+  /// Requests real-time scheduling; true on success. On the thread, before its first tick.
   virtual bool schedule() noexcept { return false; }
-  /// Ticks until `stopping`. On the thread.
+  /// Runs ticks until `stopping`. On the thread.
   virtual void run() noexcept = 0;
-  /// After each safe command of the shutdown: lets the board answer. On the thread.
+  /// Called after each safe command of the shutdown, so that the board can respond. On the thread.
   virtual void after_safe_tick() noexcept = 0;
 
   bool stopping() const noexcept { return stopping_.load(std::memory_order_acquire); }
-  /// After `steps` ticks, the last of which was `now`.
+  /// Called after `steps` ticks, the last of which was `now`.
   void advance(model::Tick now, std::uint64_t steps) noexcept {
     now_.store(now, std::memory_order_relaxed);
     heartbeat_.fetch_add(steps, std::memory_order_relaxed);

@@ -14,10 +14,10 @@ class LoopMeter {
  public:
   explicit LoopMeter(std::int64_t now_ns) noexcept : summed_ns_(now_ns) {}
 
-  /// A tick took this long.
+  /// Adds the execution time of a tick, ns.
   void worked(std::int64_t ns) noexcept { statistics_.work.add(ns); }
 
-  /// The loop woke at `woke_ns`, `late_ns` after it should have.
+  /// The loop woke at `woke_ns`, `late_ns` after its due time.
   void woke(std::int64_t woke_ns, std::int64_t late_ns) noexcept {
     lateness_.add(late_ns);
     statistics_.lateness.add(late_ns);
@@ -31,7 +31,7 @@ class LoopMeter {
   const LoopStatistics& statistics() const noexcept { return statistics_; }
 
  private:
-  // The first sum comes early, so that whoever looks right after the start sees a rate.
+  // The first period is short, so that a status right after the start contains a rate.
   static constexpr std::int64_t kFirstNs = 100'000'000;
   static constexpr std::int64_t kPeriodNs = 1'000'000'000;
 

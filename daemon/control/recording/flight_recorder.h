@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ring buffer of the controller's last seconds, so that a trip can be replayed bit for bit.
+// Ring buffer of the controller's last seconds, for the bit-exact replay of a trip.
 #pragma once
 
 #include <array>
@@ -16,12 +16,12 @@
 
 namespace hedgehog::control {
 
-/// All memory is taken in the constructor. The control thread calls `before` and `after` around
-/// each step, both real-time safe; one other thread (disk) calls the rest. When a ball trips the
-/// recorder freezes after that tick, until the other thread has taken the recording.
+/// All memory is allocated in the constructor. The control thread calls `before` and `after` around
+/// each step, both real-time safe; one other thread (disk) calls the rest. On a trip the recorder
+/// freezes after that tick, until the other thread has taken the recording.
 class FlightRecorder {
  public:
-  /// Room for at least 6 s of 1 kHz with few commands; a flood of commands shortens it.
+  /// Capacity for at least 6 s of 1 kHz with few commands; many commands shorten it.
   static constexpr std::size_t kDefaultBytes = std::size_t{5} << 18;
   static constexpr model::Tick kKeyFrameEvery = 1000;
 
@@ -32,21 +32,21 @@ class FlightRecorder {
   void after(const Controller& controller, const device::BoardCommand& board,
              const EventList& events) noexcept;
 
-  /// Any thread: freeze after the next tick that is recorded, as if it had tripped.
+  /// Any thread: freezes after the next recorded tick, as on a trip.
   void request() noexcept { requested_.store(true, std::memory_order_relaxed); }
-  /// Disk thread: the recording waits to be taken.
+  /// Disk thread: a recording is ready to be taken.
   bool frozen() const noexcept { return phase_.load(std::memory_order_acquire) == Phase::kFrozen; }
-  /// Disk thread: the recording as bytes, from the oldest state whose ticks are all still there.
+  /// Disk thread: the recording as bytes, from the oldest state whose ticks are all still stored.
   /// REQUIRES: frozen().
   std::vector<std::byte> take() const;
-  /// Disk thread: records again, from the next tick on. REQUIRES: frozen().
+  /// Disk thread: resumes recording at the next tick. REQUIRES: frozen().
   void resume() noexcept { phase_.store(Phase::kStarting, std::memory_order_release); }
 
  private:
   enum class Phase : std::uint8_t { kStarting, kRecording, kFrozen };
   static constexpr std::size_t kKeyFrames = 8;
-  /// At least so many states within the ring, so that even a flood leaves most of it to be
-  /// replayed.
+  /// Minimum number of states within the ring, so that most of it can be replayed even with many
+  /// commands.
   static constexpr std::size_t kKeyFramesARing = 4;
   struct KeyFrame {
     bool used = false;
@@ -63,10 +63,10 @@ class FlightRecorder {
   std::vector<Controller> states_;
   std::array<KeyFrame, kKeyFrames> frames_{};
   std::size_t next_frame_ = 0;
-  /// Each key frame begins them anew.
+  /// Restarted at each key frame.
   WordDelta<TickInputs> inputs_;
   WordDelta<TickOutputs> outputs_;
-  /// Bytes written since the start; the ring has the last of them.
+  /// Bytes written since the start; the ring contains the last of them.
   std::uint64_t written_ = 0;
   model::Tick since_key_ = 0;
   bool recording_ = false;

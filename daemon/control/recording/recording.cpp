@@ -31,7 +31,7 @@ void append(std::vector<std::byte>& bytes, const T& value) {
   bytes.insert(bytes.end(), from, from + sizeof(T));
 }
 
-/// Takes values from the front of a span; remembers when there were too few bytes.
+/// Reads values from the front of a span; not good() after too few bytes.
 class Reader {
  public:
   explicit Reader(std::span<const std::byte> bytes) noexcept : bytes_(bytes) {}
@@ -89,7 +89,7 @@ int find_build_id(dl_phdr_info* info, std::size_t, void* out) {
       at = description + ((note.n_descsz + 3u) & ~3u);
     }
   }
-  return 1;  // only the program itself, the first object, counts
+  return 1;  // stops after the first object, the program itself
 }
 
 bool read_inputs(Reader& reader, WordDelta<TickInputs>& delta, StepInputs& inputs) noexcept {
@@ -163,7 +163,7 @@ ReplayResult replay(std::span<const std::byte> recording, const ReplaySink& sink
 }
 
 ReplayResult replay_recording(const std::string& path, const ReplaySink& sink) {
-  // Far more than the recorder holds.
+  // Exceeds the recorder's capacity by far.
   constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
   const base::FileText file = base::read_regular_file(path, kMaxBytes);
   if (!file.good()) {

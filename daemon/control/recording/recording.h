@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The last seconds of the controller as bytes: its state at one tick, then the inputs (what changed
-// of TickInputs, the stops, the commands) and what changed of the outputs of each tick from there.
-// Only the program that wrote them can replay them, so they carry its build id.
+// The last seconds of the controller as bytes: its state at one tick, then for each following tick
+// the inputs (changed words of TickInputs, the stops, the commands) and the changed words of the
+// outputs. Only the program that wrote them can replay them, so they contain its build id.
 #pragma once
 
 #include <cstddef>
@@ -17,18 +17,18 @@
 
 namespace hedgehog::control {
 
-/// Identifies this very program: its linker's build id in hex, else its version.
+/// Identifies the build of this program: the linker's build id in hex, else its version.
 std::string build_id();
 
-/// Header and state of a recording; records are appended to it.
+/// Header and state of a recording, to which records are appended.
 std::vector<std::byte> begin_recording(const Controller& start);
-/// Ends it with a CRC-32 of everything before, so that no damaged byte is ever replayed.
+/// Appends a CRC-32 of everything before, so that a damaged recording is never replayed.
 void end_recording(std::vector<std::byte>& recording);
 
 enum class ReplayError : std::uint8_t {
   kNone,
-  kUnreadable,     // no such file, or it cannot be read
-  kNotARecording,  // not ours, or damaged
+  kUnreadable,     // the file does not exist or cannot be read
+  kNotARecording,  // another format, or damaged
   kOtherBuild,     // written by another build; install that version to replay it
 };
 
@@ -47,14 +47,13 @@ struct ReplayResult {
   ReplayError error = ReplayError::kNone;
   std::uint64_t ticks = 0;
   std::uint64_t different = 0;
-  /// The build that wrote the recording; known unless it is not one.
+  /// Build id of the program that wrote the recording; empty without a valid header.
   std::string written_by;
 };
 
 using ReplaySink = std::function<void(const ReplayedTick&)>;
 
-/// Runs the recorded ticks through a controller once more. Any thread; may take as long as it
-/// takes.
+/// Runs the recorded ticks through a controller once more. Any thread; run time not bounded.
 ReplayResult replay(std::span<const std::byte> recording, const ReplaySink& sink);
 /// The same from a file (`hedgehogd --replay F`).
 ReplayResult replay_recording(const std::string& path, const ReplaySink& sink);

@@ -36,7 +36,7 @@ inline TickOutputs outputs_of(const Controller& controller, const device::BoardC
           controller.thermal().hottest_c};
 }
 
-/// Equal bit for bit: -0 is not 0, and a NaN equals itself.
+/// Bitwise equality: -0 is not 0, and a NaN equals itself.
 inline bool same_bits(const TickOutputs& a, const TickOutputs& b) noexcept {
   const auto same = [](double x, double y) noexcept {
     return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);

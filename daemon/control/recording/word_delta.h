@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A value that changes little from tick to tick, as the words of it that changed.
+// Delta encoding of a value that changes little from tick to tick, by 64-bit words.
 #pragma once
 
 #include <array>
@@ -12,14 +12,14 @@
 
 namespace hedgehog::control {
 
-/// A mask of 64 bits, then the 64-bit words of T whose bits are set in it. Encoder and decoder each
-/// hold the last value, zero at first and after `restart`. Real-time safe.
+/// Format: a mask of 64 bits, then the 64-bit words of T whose bits are set in it. Encoder and
+/// decoder each keep the last value, zero initially and after `restart`. Real-time safe.
 template <class T>
 class WordDelta {
  public:
   static constexpr std::size_t kMaxBytes = sizeof(std::uint64_t) + sizeof(T);
 
-  /// The bytes used at the front of `out`.
+  /// Returns the number of bytes written to `out`.
   std::size_t encode(const T& value, std::span<std::byte, kMaxBytes> out) noexcept {
     Words words;
     std::memcpy(words.data(), &value, sizeof value);
@@ -36,7 +36,7 @@ class WordDelta {
     return static_cast<std::size_t>(to - out.data());
   }
 
-  /// The bytes used at the front of `bytes`; 0 when there are too few or they are no T.
+  /// Returns the number of bytes read; 0 if there are too few or they do not encode a T.
   std::size_t decode(std::span<const std::byte> bytes, T& value) noexcept {
     std::uint64_t changed = 0;
     if (bytes.size() < sizeof changed) return 0;

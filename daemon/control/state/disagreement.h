@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which measurements contradict each other: what a trip says besides its reason.
+// Measurements that contradict each other: detail of a trip besides its reason.
 #pragma once
 
 #include <cstdint>
@@ -7,12 +7,12 @@
 
 namespace hedgehog::control {
 
-/// What is measured, or worked out from measurements. The wire names are the enumerators in
-/// snake_case without the k (`heat_balance`).
+/// Measured or derived quantities. The wire names are the enumerators in snake_case without the k
+/// (`heat_balance`).
 enum class Quantity : std::uint8_t {
   kResistance,     // V/I of a winding
-  kCurrent,        // as the winding's sensor shows it
-  kHeatBalance,    // the heat that went in, through the thermal network
+  kCurrent,        // by the winding's current sensor
+  kHeatBalance,    // heat input, through the thermal network
   kThermistor,     // on a winding
   kSupplyCurrent,  // drawn by all bridges
   kSupplyVoltage,  // at the board
@@ -26,13 +26,13 @@ std::string_view name(Quantity quantity) noexcept;
 class Disagreement {
  public:
   constexpr Disagreement() noexcept = default;
-  /// `coil` 0..2. Two quantities or, where they cannot be told apart, more.
+  /// `coil` 0..2. Two quantities, or more where they cannot be distinguished.
   template <class... Quantities>
   constexpr Disagreement(int coil, Quantities... between) noexcept
       : coil_(static_cast<std::int8_t>(coil)),
         between_(static_cast<std::uint8_t>((... | bit(between)))) {}
 
-  /// With one more that it may have been.
+  /// Adds one more possible quantity.
   constexpr Disagreement with(Quantity quantity) const noexcept {
     Disagreement more = *this;
     more.between_ = static_cast<std::uint8_t>(between_ | bit(quantity));

@@ -24,29 +24,29 @@ enum class EventType : std::uint8_t {
   kDeviceAttached,
   kDeviceDetached,
   kOverrun,
-  kRejectedNumber,  // a number that was not finite was replaced by zero current
+  kRejectedNumber,  // a non-finite number was replaced by zero current
 };
 
 enum class EndReason : std::uint8_t {
   kCompleted,
   kStopped,
   kReplaced,
-  kPreempted,  // ended without ever having been felt, under effects of higher priority
-  kExpired,    // the lease ran out
+  kPreempted,  // ended after being masked by effects of higher priority in every tick
+  kExpired,    // the lease expired
   kDisconnected,
-  kTripped,  // also: emergency stop, disarmed
+  kTripped,  // also by emergency stop or disarming
   kOrientationLost,
 };
 
-/// How an effect was delivered: the limiter's output over what its own shape asked, per tick (asked
-/// 0 counts as 1).
+/// Delivery of an effect: the limiter's output over the request of its own shape, per tick (a
+/// request of 0 counts as 1).
 struct Delivery {
-  model::Tick onset = -1;  // first tick it played; -1: never
+  model::Tick onset = -1;  // first tick in which it played; -1: never
   model::Tick offset = -1;
   double min = 1.0;
   double mean = 1.0;
-  model::Tick masked = 0;  // ticks under a higher priority
-  model::Tick mixed = 0;   // ticks in which others added to it
+  model::Tick masked = 0;  // ticks masked by a higher priority
+  model::Tick mixed = 0;   // ticks in which others were added to it
 };
 
 struct Event {
@@ -59,16 +59,16 @@ struct Event {
   std::uint64_t seq = 0;  // kEffectStarted: the command that started it
   model::Tick tick = 0;
   Delivery delivery;
-  /// kStateChanged: it has tripped in this tick, or was armed and its board is gone; false too for
-  /// a latch that was there already.
+  /// kStateChanged: tripped in this tick, or the board was lost while armed; false for an already
+  /// existing latch.
   bool trip = false;
-  /// The current allowed and the one measured, A, and the hottest temperature, C (infinite: nothing
-  /// is known). kOverrun: skipped ticks in `count`.
+  /// The allowed and the measured current, A, and the hottest temperature, C (infinite: unknown).
+  /// kOverrun: skipped ticks in `count`.
   double limit_a = 0.0;
   double current_a = 0.0;
   double temperature_c = 0.0;
   std::uint64_t count = 0;
-  /// kStateChanged, of kMeasurementsDisagree.
+  /// For kStateChanged with kMeasurementsDisagree.
   Disagreement disagreement;
 };
 

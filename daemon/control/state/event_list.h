@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The events of one tick, in the order in which they happened. Fixed capacity, so that the control
-// thread may fill it.
+// The events of one tick in chronological order. Fixed capacity, so that the control thread may
+// fill it.
 #pragma once
 
 #include <array>
@@ -10,16 +10,16 @@
 
 namespace hedgehog::control {
 
-/// Not thread-safe; lives on the control thread. Real-time safe.
+/// Not thread-safe; control thread only. Real-time safe.
 class EventList {
  public:
-  /// Enough for every place to end, for every command of the tick to start and end one more, and
-  /// for what else can happen in a tick.
+  /// Capacity for the end of every place, for start and end of one more per command of the tick,
+  /// and for the other events of a tick.
   static constexpr std::size_t kCapacity =
       std::size_t{kEffectPlaces} + 2 * std::size_t{kMaxCommandsPerTick} + 32;
 
   void clear() noexcept { count_ = 0; }
-  /// Events beyond the capacity are lost; `kCapacity` is never reached by the rules above.
+  /// Drops events beyond the capacity, which a tick never exceeds.
   void push(const Event& event) noexcept {
     if (count_ < kCapacity) {
       events_[count_] = event;

@@ -7,7 +7,7 @@
 namespace hedgehog::control {
 namespace {
 
-// An emergency stop latches too, and is no fault.
+// An emergency stop latches too, but is not a fault.
 bool is_trip(Reason latch) noexcept {
   return latch != Reason::kNone && latch != Reason::kEmergencyStop;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Exponential back-off of re-arming through the same trip, so that nobody heats a winding by arming
-// through its trip.
+// Exponential back-off of re-arming after the same trip, so that repeated arming cannot overheat a
+// winding.
 #pragma once
 
 #include <array>
@@ -11,30 +11,31 @@
 
 namespace hedgehog::control {
 
-/// By reason: how often the ball was armed again after that trip.
+/// Number of re-armings by trip reason.
 using RearmCounts = std::array<std::uint8_t, kReasonCount>;
 
 /// Control thread; real-time safe, trivially copyable.
 class RearmBackoff {
  public:
-  /// So many are free; the next one waits from the trip on, each further one twice as long.
+  /// Number of re-armings without a wait; the next one waits from the trip on, each further one
+  /// twice as long.
   static constexpr int kFreeRearms = 3;
   static constexpr model::Tick kFirstWait = 10 * model::kTicksPerSecond;
   static constexpr model::Tick kMaxWait = 600 * model::kTicksPerSecond;
-  /// So long armed without a trip takes one off each count.
+  /// Armed time without a trip that decrements each count.
   static constexpr model::Tick kForgiveAfter = 300 * model::kTicksPerSecond;
 
   RearmBackoff() noexcept = default;
-  /// With the counts of the last run; a latch of that time waits from tick 0 on.
+  /// With the counts of the last run; its latch waits from tick 0 on.
   explicit RearmBackoff(const RearmCounts& counts) noexcept : counts_(counts) {}
 
   void trip(model::Tick now) noexcept;
-  /// The ball has been armed, and `latch` was cleared by that; kNone: none.
+  /// The ball has been armed, which cleared `latch`; kNone: there was none.
   void arm(Reason latch, model::Tick now) noexcept;
-  /// Once a tick; `armed`: no trip since `arm`.
+  /// Called once a tick; `armed`: no trip since `arm`.
   void step(bool armed, model::Tick now) noexcept;
 
-  /// Ticks until a ball that is latched by `latch` may be armed; 0: now.
+  /// Ticks until a ball latched by `latch` may be armed; 0: now.
   model::Tick wait(Reason latch, model::Tick now) const noexcept;
   const RearmCounts& counts() const noexcept { return counts_; }
 

@@ -21,7 +21,7 @@ void StateMachine::enter(State state, Reason reason, model::Tick now) noexcept {
 
 void StateMachine::board_alive(const device::BoardTelemetry& board, model::Tick now) noexcept {
   if (state_ != State::kAbsent) return;
-  // Its own count, so that the first set-point arms nothing.
+  // The board's own count, so that the first set-point does not arm it.
   arm_count_ = board.arm_count;
   arming_ = false;
   if (latch_ == Reason::kEmergencyStop) {
@@ -39,7 +39,8 @@ void StateMachine::board_alive(const device::BoardTelemetry& board, model::Tick 
 void StateMachine::board_gone(Reason gone, model::Tick now) noexcept {
   if (seen_) arm_when_sane_ = false;
   arming_ = false;
-  // While it is gone the first reason stays, so that silence and unplugging are one episode.
+  // While the board is absent the first reason is kept, so that silence and unplugging are one
+  // episode.
   if (state_ != State::kAbsent)
     enter(State::kAbsent, boot_loader_pending_ ? Reason::kBootLoader : gone, now);
   boot_loader_pending_ = false;
@@ -57,7 +58,7 @@ void StateMachine::trip(Reason reason, model::Tick now) noexcept {
 void StateMachine::emergency_stop(model::Tick now) noexcept {
   arming_ = false;
   arm_when_sane_ = false;
-  // The latch of a trip is the stricter one, also while its board is gone.
+  // The latch of a trip is stricter and is kept, also while the board is absent.
   if (latch_ == Reason::kNone) latch_ = Reason::kEmergencyStop;
   if (state_ != State::kAbsent && state_ != State::kTripped) enter(State::kDisarmed, latch_, now);
 }
@@ -107,7 +108,7 @@ void StateMachine::step(const device::BoardTelemetry& board, bool fresh, Reason 
     latch_ = Reason::kNone;
     enter(State::kArmed, Reason::kNone, now);
   } else if (now - arming_since_ > kArmPatience) {
-    // The board holds on to its latch, so the cause is still there.
+    // The board keeps its latch, so the cause persists.
     const Reason why = reason_of_faults(board.faults);
     arming_ = false;
     if (why != Reason::kNone) trip(why, now);

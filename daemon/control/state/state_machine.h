@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// State of the ball: absent, disarmed, armed, tripped. Arming is a
-// handshake: a new arm count goes to the board, and the ball is armed when the board confirms it.
+// State of the ball: absent, disarmed, armed, tripped. Arming is a handshake: a new arm count is
+// sent to the board, and the ball is armed when the board confirms it.
 #pragma once
 
 #include <cstdint>
@@ -16,33 +16,33 @@ namespace hedgehog::control {
 /// Control thread; real-time safe, trivially copyable.
 class StateMachine {
  public:
-  /// The board has this long to answer.
+  /// Timeout of the board's confirmation.
   static constexpr model::Tick kArmPatience = 300;
-  /// A board that is asked into its boot loader is gone by then, or will not go.
+  /// Timeout of a request for the boot loader: by then the board has detached, or will not.
   static constexpr model::Tick kBootLoaderPatience = 500;
 
   explicit StateMachine(const ControlSettings& settings) noexcept;
 
-  /// The board is there, or gone (`gone`: kNoBoard, kTelemetryLost). Both may be said every tick.
+  /// The board is present, or absent (`gone`: kNoBoard, kTelemetryLost). May be called every tick.
   void board_alive(const device::BoardTelemetry& board, model::Tick now) noexcept;
   void board_gone(Reason gone, model::Tick now) noexcept;
 
-  /// Stops and latches. In `tripped` the first reason stays: one episode.
+  /// Stops and latches. In `tripped` the first reason is kept: one episode.
   void trip(Reason reason, model::Tick now) noexcept;
   void emergency_stop(model::Tick now) noexcept;
-  /// What had latched is not known any more: trips by kStateLost, also while the board is absent.
+  /// The latched reason is no longer known: trips by kStateLost, also while the board is absent.
   void lose_ball(model::Tick now) noexcept;
-  /// The board has restarted by itself: as after a hot-plug.
+  /// The board has restarted by itself: handled like a hot-plug.
   void board_restarted(model::Tick now) noexcept;
 
-  /// Begins to arm unless `refusal` says why not.
+  /// Begins to arm unless `refusal` is a reason against it.
   void arm(Reason refusal, model::Tick now) noexcept;
-  /// Asks a board that is neither armed nor being armed into its boot loader: until it is gone, or
-  /// the patience over, it is not armed, and its loss is no trip.
+  /// Requests a board that is neither armed nor being armed to enter its boot loader: until it
+  /// detaches, or the timeout, it is not armed, and its loss is not a trip.
   void enter_boot_loader(model::Tick now) noexcept;
   bool boot_loader_pending() const noexcept { return boot_loader_pending_; }
-  /// Arms at the start once nothing speaks against it any more, and ends an arming: by the board's
-  /// answer or when it gives none.
+  /// Arms at the start once arming is not blocked, and ends an arming: by the board's confirmation
+  /// or by the timeout.
   bool arming() const noexcept { return arming_; }
   void step(const device::BoardTelemetry& board, bool fresh, Reason refusal,
             model::Tick now) noexcept;
@@ -50,7 +50,7 @@ class StateMachine {
   State state() const noexcept { return state_; }
   Reason reason() const noexcept { return reason_; }
   model::Tick since() const noexcept { return since_; }
-  /// What must survive a restart: a trip or an emergency stop, kNone otherwise.
+  /// The latch to persist over a restart: a trip or an emergency stop, kNone otherwise.
   Reason latch() const noexcept { return latch_; }
   /// Ticks until the latch may be cleared by arming.
   model::Tick rearm_wait(model::Tick now) const noexcept { return backoff_.wait(latch_, now); }

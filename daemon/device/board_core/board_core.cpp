@@ -169,7 +169,7 @@ bool BoardCore::unexpected_current() noexcept {
     beyond |= absolute(flowing_ma_[k]) > drivable_ma_[k] + kUnexpectedMa;
     drawn_ma += static_cast<int32_t>(before_.duty_q15[k]) * flowing_ma_[k] / kFullDutyQ15;
   }
-  // What braking windings give back lowers the sum; the shunt shows none of it.
+  // The current returned by braking windings lowers the sum; the shunt does not measure it.
   const uint32_t expected_ma = drawn_ma > 0 ? static_cast<uint32_t>(drawn_ma) : 0u;
   const bool excess = inputs_.supply_current_measured &&
                       inputs_.supply_ma > expected_ma + expected_ma / 8u + kExcessSupplyMa;
@@ -205,7 +205,7 @@ void BoardCore::answer_arm() noexcept {
   if (armed() || live_ != 0 || !fed()) return;
   latched_ = 0;
   mode_ = Mode::kReady;
-  // A set-point from before the arming must not be what drives after it.
+  // A set-point from before the arming must not drive after it.
   set_point_.enable = false;
 }
 
@@ -246,7 +246,8 @@ void BoardCore::write_thermistors(TelemetryFrame& out) const noexcept {
   out.thermistors = inputs_.thermistors;
   out.sensor_cc = inputs_.thermistor[0].cc;
   if (inputs_.thermistors < 2) return;
-  // The others take turns, two frames each: a host that gets every second frame sees both.
+  // The other thermistors take turns of two frames each, so that a host that receives every second
+  // frame gets all of them.
   out.other_thermistor = static_cast<uint8_t>(1u + now_ms_ / 2u % (inputs_.thermistors - 1u));
   const ThermistorInput& other = inputs_.thermistor[out.other_thermistor];
   out.other_cc = other.open ? kOpenCc : other.shorted ? kShortCc : other.cc;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The rules that a driver board keeps by itself, whatever its host does. Freestanding and fixed
-// point, so that firmware and the simulated board run the same lines. Rules: ../board-rules.md.
+// Rules that a driver board enforces independently of its host. Freestanding and fixed point, so
+// that firmware and the simulated board run the same code. Rules: ../board-rules.md.
 #pragma once
 
 #include <stddef.h>
@@ -30,10 +30,10 @@ enum Fault : uint16_t {
 
 /// Values as in device::BoardMode.
 enum class Mode : uint8_t {
-  kSafe = 0,     // since power-up: never armed
+  kSafe = 0,     // never armed since power-up
   kReady = 1,    // armed, bridges asleep
   kDriving = 2,  // armed, bridges awake
-  kLatched = 3,  // a fault: bridges asleep until armed
+  kLatched = 3,  // after a fault: bridges asleep until armed
 };
 
 struct ThermistorInput {
@@ -42,28 +42,28 @@ struct ThermistorInput {
   bool shorted = false;
 };
 
-/// What the board measured in this millisecond.
+/// Measurements of one millisecond.
 struct BoardInputs {
   int16_t current_ma[kWindings] = {};
-  /// Bit k: `current_ma[k]` was measured; otherwise it is 0 and says nothing.
+  /// Bit k: `current_ma[k]` was measured; otherwise it is 0 and not valid.
   uint8_t currents_measured = 7;
-  /// By amplifiers in the windings' leads.
+  /// Measured by amplifiers in the windings' leads.
   bool currents_in_line = false;
   uint16_t supply_mv = 0;  // before the supply switch
-  /// What the bridges draw, when `supply_current_measured`.
+  /// Current drawn by the bridges, valid if `supply_current_measured`.
   uint16_t supply_ma = 0;
   bool supply_current_measured = false;
-  /// So many are wired, 1..3.
+  /// Number of wired thermistors, 1..3.
   uint8_t thermistors = 1;
   ThermistorInput thermistor[kWindings];
-  /// They have been converted anew.
+  /// True in the millisecond of a new conversion.
   bool thermistors_converted = false;
   /// Bit k: bridge k signals FLT.
   uint8_t bridge_faults = 0;
   uint16_t fan_rpm = 0;
 };
 
-/// What the board does until the next millisecond.
+/// Outputs of the board until the next millisecond.
 struct BoardOutputs {
   int16_t duty_q15[kWindings] = {};
   /// SLP of all bridges. When false every duty is 0.
@@ -72,37 +72,37 @@ struct BoardOutputs {
   uint8_t fan = 0;
 };
 
-/// No thread of its own: firmware calls it from one place. Nothing in it waits or allocates.
+/// No thread of its own: firmware calls it from one place. Does not wait or allocate.
 ///
-/// Armed is only what an Arm frame with a new count makes so, while set-points arrive and no fault
-/// is there; the next set-point after it is the first that is obeyed. Each fault latches.
+/// Only an Arm frame with a new count arms, while set-points arrive and no fault is present; the
+/// next set-point after it is the first that is applied. Each fault latches.
 class BoardCore {
  public:
   BoardCore() noexcept = default;
   explicit BoardCore(const BoardLimits& limits) noexcept : full_(limits), limits_(limits) {}
 
-  /// One packet from the host, any bytes. What it asks for is done by the next `step`.
+  /// One packet from the host, any bytes. Its request is executed by the next `step`.
   void receive(const uint8_t* bytes, size_t length) noexcept;
 
-  /// One millisecond.
+  /// Advances by one millisecond.
   BoardOutputs step(const BoardInputs& inputs) noexcept;
 
   /// The telemetry of the last `step`, 64 bytes.
   void write_telemetry(uint8_t* frame) noexcept;
 
-  /// The last `step` was asked for the boot loader, and the bridges have slept for long enough:
-  /// firmware goes there instead of into another millisecond.
+  /// The boot loader was requested before the last `step`, and the bridges have slept long enough:
+  /// firmware enters it instead of running another millisecond.
   bool boot_loader_due() const noexcept { return boot_loader_due_; }
 
   Mode mode() const noexcept { return mode_; }
-  /// Latched and live.
+  /// Latched and live faults.
   uint16_t faults() const noexcept { return static_cast<uint16_t>(latched_ | live_); }
   uint32_t now_ms() const noexcept { return now_ms_; }
-  /// Since the last valid set-point; UINT32_MAX before the first.
+  /// Time since the last valid set-point; UINT32_MAX before the first.
   uint32_t set_point_age_ms() const noexcept { return set_point_age_ms_; }
   const BoardOutputs& outputs() const noexcept { return outputs_; }
   const BoardLimits& limits() const noexcept { return limits_; }
-  /// What the last `step` was given; null before the first.
+  /// Inputs of the last `step`; null before the first.
   const BoardInputs* measured_last() const noexcept { return now_ms_ == 0 ? nullptr : &inputs_; }
 
  private:
@@ -123,7 +123,7 @@ class BoardCore {
   bool armed() const noexcept { return mode_ == Mode::kReady || mode_ == Mode::kDriving; }
   bool fed() const noexcept { return set_point_age_ms_ < kDeadManMs; }
 
-  BoardLimits full_;    // as built: the budgets tighten by a share of these
+  BoardLimits full_;    // as built: the budgets are tightened by a share of these
   BoardLimits limits_;  // in force
   Mode mode_ = Mode::kSafe;
   uint16_t latched_ = 0;
@@ -136,7 +136,7 @@ class BoardCore {
 
   SetPointFrame set_point_;
   bool set_point_new_ = false;
-  /// A new set-point arrived in this millisecond: its boost counts.
+  /// A new set-point arrived in this millisecond: its boost applies.
   bool boosting_ = false;
   uint32_t set_point_age_ms_ = UINT32_MAX;
 
@@ -157,12 +157,12 @@ class BoardCore {
   Persistence stuck_{kStuckMs};
   Persistence unexpected_{kUnexpectedMs};
   Persistence excess_supply_{kExcessSupplyMs};
-  /// What flows, mA: as measured, or as it dies away in the brake since then.
+  /// Winding currents, mA: measured, or decaying in the brake since the last measurement.
   int16_t flowing_ma_[kWindings] = {};
-  /// Milliseconds for which a winding has been driven one way without its current measured.
+  /// Time for which a winding has been driven in one direction without a measured current, ms.
   uint32_t unmeasured_ms_[kWindings] = {};
   int8_t driven_way_[kWindings] = {1, 1, 1};
-  /// The most that the duties of the last milliseconds can have made flow, mA.
+  /// Upper bound of the currents that the duties of the last milliseconds can drive, mA.
   uint32_t drivable_ma_[kWindings] = {};
   HeatBudget winding_heat_[kWindings] = {HeatBudget(kWindingTauShift), HeatBudget(kWindingTauShift),
                                          HeatBudget(kWindingTauShift)};
@@ -170,7 +170,7 @@ class BoardCore {
 
   BoardInputs inputs_;
   BoardOutputs outputs_;
-  /// The outputs before: what the bridges did during the millisecond that was measured.
+  /// The previous outputs: those of the bridges during the measured millisecond.
   BoardOutputs before_;
   uint8_t conversions_ = 0;
   bool thermistors_known_ = false;

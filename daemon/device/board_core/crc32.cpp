@@ -4,8 +4,8 @@
 namespace hedgehog::board {
 namespace {
 
-// Four bytes at a time ("slicing by 4"): 4 KiB of table, which any board with USB has room for, and
-// simulated hours run three times as fast as with one nibble at a time.
+// Four bytes at a time ("slicing by 4"): a table of 4 KiB, available on any board with USB.
+// Simulations run three times as fast as with one nibble at a time.
 struct SliceTables {
   uint32_t entry[4][256] = {};
   constexpr SliceTables() noexcept {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A leaky sum of squared current: what a winding may take when nobody can say how hot it is.
+// Leaky sum of squared current: thermal limit of a winding whose temperature is unknown.
 #pragma once
 
 #include <stdint.h>
@@ -11,11 +11,11 @@ class HeatBudget {
  public:
   explicit constexpr HeatBudget(int tau_shift) noexcept : tau_shift_(tau_shift) {}
 
-  /// One millisecond with this squared current.
+  /// Adds one millisecond with this squared current.
   void step(uint32_t squared_ma2) noexcept { sum_ = sum_ - (sum_ >> tau_shift_) + squared_ma2; }
 
-  /// True when the sum has reached `budget_a2s` A^2 s; once it had, until it is below 7/8 of it, so
-  /// that arming does not start a chatter.
+  /// True when the sum has reached `budget_a2s` A^2 s, then until it is below 7/8 of it, so that
+  /// arming does not cause repeated trips.
   bool exceeded(uint32_t budget_a2s) noexcept {
     const uint64_t budget = scaled(budget_a2s);
     exceeded_ = sum_ >= budget || (exceeded_ && sum_ >= budget - budget / 8);

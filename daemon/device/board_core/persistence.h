@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A condition that counts only once it has held without a gap for some milliseconds.
+// A condition that counts once it has held without interruption for some milliseconds.
 #pragma once
 
 #include <stdint.h>
@@ -10,7 +10,7 @@ class Persistence {
  public:
   explicit constexpr Persistence(uint32_t needed_ms) noexcept : needed_ms_(needed_ms) {}
 
-  /// One millisecond; true from the needed one on, for as long as the condition holds.
+  /// Advances by one millisecond; true after `needed_ms`, for as long as the condition holds.
   bool step(bool condition) noexcept {
     if (!condition)
       held_ms_ = 0;

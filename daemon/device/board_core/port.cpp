@@ -18,7 +18,7 @@ constexpr int32_t kNtcStepCc = 500;
 uint32_t log2_q12(uint32_t value) noexcept {
   uint32_t exponent = 0;
   for (uint32_t rest = value; rest > 1; rest >>= 1) ++exponent;
-  // 1..2 in 15 bits behind the point
+  // 1..2 with 15 fractional bits
   uint32_t mantissa = exponent > 15 ? value >> (exponent - 15) : value << (15 - exponent);
   uint32_t fraction = 0;
   for (int bit = 0; bit < 12; ++bit) {
@@ -32,13 +32,14 @@ uint32_t log2_q12(uint32_t value) noexcept {
   return (exponent << 12) | fraction;
 }
 
-/// A Cortex-M0 divides 64 bits many times as long as 32, which nearly every reading fits into.
+/// On a Cortex-M0 a 64-bit division takes many times as long as a 32-bit one, which suffices for
+/// nearly every reading.
 uint32_t quotient(uint64_t dividend, uint32_t divisor) noexcept {
   if (dividend <= UINT32_MAX) return static_cast<uint32_t>(dividend) / divisor;
   return static_cast<uint32_t>(dividend / divisor);
 }
 
-/// Sixteenths of a millivolt: a whole one would be 50 mA at CS.
+/// Sixteenths of a millivolt: a whole millivolt would be 50 mA at CS.
 uint32_t sixteenths_mv(const Wiring& wiring, uint16_t adc) noexcept {
   const uint16_t read = adc < wiring.adc_full ? adc : wiring.adc_full;
   return quotient(uint64_t{read} * wiring.adc_reference_mv * 16u, wiring.adc_full);
@@ -53,7 +54,7 @@ int16_t saturated(int32_t value) noexcept {
   return static_cast<int16_t>(value < -INT16_MAX ? -INT16_MAX : value);
 }
 
-/// What `uv` above or below `zero_uv` stands for, mA.
+/// The current that corresponds to `uv` above or below `zero_uv`, mA.
 int16_t milliamperes(int32_t uv, int32_t zero_uv, uint32_t uv_per_a) noexcept {
   if (uv_per_a < 10) return 0;
   return saturated((uv - zero_uv) * 100 / static_cast<int32_t>(uv_per_a / 10));
@@ -88,7 +89,7 @@ WindingCurrent by_driver_cs(int16_t shown_ma, int16_t duty_q15, bool awake) noex
 int16_t ntc_cc(uint16_t adc, uint16_t adc_full, uint16_t pull_up_ohm) noexcept {
   if (adc == 0) adc = 1;
   if (adc >= adc_full) return static_cast<int16_t>(kNtcFirstCc);
-  // In eighths of an ohm, for a hot NTC has few.
+  // In eighths of an ohm, because a hot NTC has only few ohms.
   const uint32_t eighths = quotient(uint64_t{8} * pull_up_ohm * adc, uint32_t{adc_full} - adc);
   const uint32_t level = log2_q12(eighths < 8 ? 8 : eighths) - (3u << 12);
   if (level >= kNtc[0]) return static_cast<int16_t>(kNtcFirstCc);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Between the rules and the pins: what a microcontroller's converters, timers and pins say and want
-// on a board with three Pololu G2 18v17 drivers, a 10 k NTC and a four-wire fan. Whole numbers,
-// freestanding, tested on the host and on a Cortex-M0: a firmware adds only the registers.
+// Conversion between the rules and the pins of a board with three Pololu G2 18v17 drivers, a 10 k
+// NTC and a four-wire fan: converter, timer and pin values. Integer arithmetic, freestanding,
+// tested on the host and on a Cortex-M0: a firmware adds only the register access.
 //
 // Pins, for each of the three drivers (wiring and safety notes: README.md beside this file):
 //   PWM  out  one timer channel, 20 kHz or more; low = brake
@@ -22,38 +22,38 @@
 
 namespace hedgehog::board {
 
-/// What tells the current of a winding.
+/// Measurement of a winding's current.
 enum class CurrentSense : uint8_t {
-  /// The driver's CS pin: the size without the sign, and only while the bridge drives.
+  /// The driver's CS pin: the magnitude without the sign, only while the bridge drives.
   kDriverCs,
   /// An amplifier that rejects PWM edges, across a shunt in the winding's lead: with sign, always.
   kInLine,
 };
 
-/// What differs between boards. The converter's numbers are 0..adc_full. The
-/// defaults are three drivers with their own CS and one thermistor.
+/// Differences between boards. The converter's numbers are 0..adc_full. The defaults are three
+/// drivers with their own CS and one thermistor.
 struct Wiring {
   uint16_t adc_full = 4095;
-  /// At adc_full; the NTC's pull-up goes to the same voltage, so it drops out of the temperature.
+  /// At adc_full; the NTC's pull-up uses the same voltage, which therefore cancels in the
+  /// temperature.
   uint16_t adc_reference_mv = 3300;
   CurrentSense current_sense = CurrentSense::kDriverCs;
-  /// Of each winding: microvolts an ampere, at least 1000, and at no current. CS of the 18v17:
-  /// about 20 mV/A and 50 mV; to be calibrated, for the zero alone is 2.5 A.
+  /// Of each winding: microvolts per ampere, at least 1000, and at zero current. CS of the 18v17:
+  /// about 20 mV/A and 50 mV; to be calibrated, because the zero alone is 2.5 A.
   uint32_t current_uv_per_a[kWindings] = {20'000, 20'000, 20'000};
   int32_t current_zero_uv[kWindings] = {50'000, 50'000, 50'000};
-  /// The conversion of each comes so long before the end of the millisecond; up to there the
-  /// current is taken to go on as it has since the start. 0: that late that it does not matter.
-  /// Below 1000.
+  /// Time from each conversion to the end of the millisecond; the current is extrapolated linearly
+  /// to there from its start. 0: negligible. Below 1000.
   uint16_t converted_before_us[kWindings] = {};
-  /// A shunt in the supply line of the bridges, without fan and electronics: microvolts an ampere;
-  /// 0: there is none. CS is dead while the bridges sleep, so without this shunt or an amplifier in
-  /// the winding's lead a bridge that is stuck is not seen, and the supply switch is of no use.
+  /// A shunt in the supply line of the bridges, without fan and electronics: microvolts per ampere;
+  /// 0: not fitted. CS is inactive while the bridges sleep, so without this shunt or an amplifier
+  /// in the winding's lead a stuck bridge is not detected, and the supply switch has no use.
   uint32_t shunt_uv_per_a = 0;
   /// supply = pin x (upper + lower) / lower.
   uint16_t supply_upper_ohm = 47000;
   uint16_t supply_lower_ohm = 4700;
-  /// NTCs, 1 or 3: one on the winding that the device file names, or one on each winding in their
-  /// order. Each is 10 k at 25 C with B = 3950 K, from the pin to ground.
+  /// NTCs, 1 or 3: one on the winding that the device file specifies, or one on each winding in
+  /// their order. Each is 10 k at 25 C with B = 3950 K, from the pin to ground.
   uint8_t thermistors = 1;
   uint16_t ntc_pull_up_ohm = 10000;
   /// The PWM timer counts 0..pwm_top.
@@ -62,8 +62,8 @@ struct Wiring {
 };
 
 /// The reference board: an INA240A2 (gain 50) across 1 mOhm in each winding's lead with its zero at
-/// half the reference, a shunt in the supply line, a thermistor on each winding, and a 12-bit
-/// converter of its own (MCP3208).
+/// half the reference, a shunt in the supply line, a thermistor on each winding, and a separate
+/// 12-bit converter (MCP3208).
 constexpr Wiring reference_wiring() noexcept {
   Wiring wiring;
   wiring.current_sense = CurrentSense::kInLine;
@@ -78,24 +78,25 @@ constexpr Wiring reference_wiring() noexcept {
   return wiring;
 }
 
-/// CS is sampled in the middle of the on-time; a duty below this leaves it less than the 2 us of
-/// 50 us that the amplifier needs. 1/32767.
+/// CS is sampled in the middle of the on-time; below this duty the on-time is shorter than the 2 us
+/// of 50 us that the amplifier needs. 1/32767.
 inline constexpr int16_t kMinSampledDutyQ15 = 1311;
-/// More than these at CS, although the bridge is not driven, or too shortly to be sampled, is a
-/// current that was not asked for (a PWM line that is stuck).
+/// A CS reading above these, although the bridge is not driven, or too shortly to be sampled, is a
+/// current without a set-point (a stuck PWM line).
 inline constexpr int16_t kUndrivenMa = 500;
 inline constexpr int16_t kShortlyDrivenMa = 2500;
-/// So far below its zero CS shows a current that flows against the bridge, whose size it cannot.
+/// A CS reading this far below its zero is a current against the bridge's direction, whose
+/// magnitude CS cannot measure.
 inline constexpr int16_t kOpposedMa = -250;
 
-/// One millisecond of measurements, as the peripherals give them.
+/// One millisecond of measurements, as read from the peripherals.
 struct RawInputs {
-  /// CS: of the on-time that ended last. In the winding's lead: the last conversion.
+  /// CS: of the most recent complete on-time. In the winding's lead: the last conversion.
   uint16_t current_adc[kWindings] = {};
   uint16_t supply_adc = 0;
   uint16_t shunt_adc = 0;
   uint16_t ntc_adc[kWindings] = {};
-  /// All of `ntc_adc` that is wired has been converted anew.
+  /// All wired thermistors in `ntc_adc` have been converted since the last millisecond.
   bool ntc_converted = false;
   /// Bit k: FLT of driver k is low.
   uint8_t faults_low = 0;
@@ -103,7 +104,7 @@ struct RawInputs {
   uint32_t tach_period_us = 0;
 };
 
-/// What the pins shall be until the next millisecond.
+/// Pin states until the next millisecond.
 struct PinOutputs {
   /// Compare values, 0..pwm_top.
   uint16_t pwm[kWindings] = {};
@@ -114,17 +115,17 @@ struct PinOutputs {
   uint16_t fan_pwm = 0;
 };
 
-/// The safe pins: what reset must leave, what a fault handler sets by itself.
+/// The safe pin states: required after reset, and set by a fault handler.
 constexpr PinOutputs safe_pins(const Wiring& wiring) noexcept {
   PinOutputs pins;
   pins.fan_pwm = wiring.fan_top;
   return pins;
 }
 
-/// What the rules want to know. `applied` is what `BoardCore::step` returned the last time. CS has
-/// no sign, so the direction of the bridge is taken; it says nothing while the bridge brakes or
-/// sleeps, so the current then counts as not measured, unless CS shows one. `last` is what was
-/// measured a millisecond ago; null: nothing.
+/// Inputs of the rules. `applied` is the last result of `BoardCore::step`. CS has no sign, so that
+/// of the bridge's direction is used; it is not valid while the bridge brakes or sleeps, so that
+/// the current then counts as not measured unless CS reads one. `last` are the measurements of the
+/// previous millisecond; null: none.
 BoardInputs measured(const Wiring& wiring, const RawInputs& raw, const BoardOutputs& applied,
                      const BoardInputs* last = nullptr) noexcept;
 

@@ -15,7 +15,7 @@ using model::Vec3;
 constexpr double kMaxDegS = 1e4;
 constexpr double kMaxG = 100.0;
 constexpr double kMaxDtS = 0.5;
-/// Time constant of the means by which rest is seen.
+/// Time constant of the means used to detect rest.
 constexpr double kMeanS = 0.5;
 
 Quaternion normalised(const Quaternion& q) noexcept {
@@ -26,7 +26,7 @@ Quaternion normalised(const Quaternion& q) noexcept {
 /// Exact for a constant rate over the step.
 Quaternion turned(const Quaternion& q, const Vec3& rate_rad_s, double dt_s) noexcept {
   const double angle = norm(rate_rad_s) * dt_s;
-  // sin(a/2)/a without the division by nothing
+  // sin(a/2)/a without a division by zero
   const double share = angle > 1e-9 ? std::sin(angle / 2) / angle : 0.5;
   const Vec3 v = (share * dt_s) * rate_rad_s;
   return normalised(q * Quaternion{std::cos(angle / 2), v.x, v.y, v.z});
@@ -55,7 +55,7 @@ void Fusion::level(const Vec3& accel_g) noexcept {
 
 void Fusion::start(const Vec3& accel_g) noexcept {
   level(accel_g);
-  // and the front back to azimuth 0
+  // and rotates the front to azimuth 0
   const Vec3 front = rotate(q_, {1, 0, 0});
   const bool flat = std::hypot(front.x, front.y) > 1e-3;
   const double yaw = flat ? std::atan2(front.y, front.x) : 0.0;
@@ -105,7 +105,7 @@ void Fusion::step(const MotionSample& s) noexcept {
     const double share = std::min(1.0, s.dt_s / std::min(kGravityS, age_s_));
     gravity_g_ = gravity_g_ + share * (rotate(q_, s.accel_g) - gravity_g_);
   }
-  // What was averaged is turned along, so that a correction is not asked for again.
+  // The mean is rotated too, so that a correction is not applied twice.
   const double pull = age_s_ < kSettleS ? kPullAtFirst : kPull;
   const Quaternion mend = turned({}, pull * tilt_error(), s.dt_s);
   q_ = normalised(mend * q_);

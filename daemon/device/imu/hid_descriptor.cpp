@@ -10,7 +10,7 @@ namespace {
 
 using Kind = HidField::Kind;
 
-// Tags of short items with the two bits of the size left out (HID 1.11 section 6.2.2).
+// Tags of short items without the two size bits (HID 1.11 section 6.2.2).
 enum Item : std::uint8_t {
   kInputItem = 0x80,
   kOutputItem = 0x90,
@@ -54,7 +54,7 @@ std::int32_t with_sign(std::uint32_t value, std::size_t size) noexcept {
   return static_cast<std::int32_t>(value);
 }
 
-/// A nibble in two's complement; some descriptors spell it as a signed byte instead.
+/// A nibble in two's complement; some descriptors contain a signed byte instead.
 int exponent_of(std::uint32_t value, std::size_t size) noexcept {
   if (value <= 7) return static_cast<int>(value);
   if (value <= 15) return static_cast<int>(value) - 16;
@@ -149,7 +149,7 @@ class Parser {
         made_.has_ids = true;
         return value >= 1 && value <= 255;
       default:
-        break;  // physical ranges, designators, strings: of no use here
+        break;  // physical ranges, designators, strings: not used
     }
     return true;
   }
@@ -164,7 +164,7 @@ class Parser {
   }
 
   bool usages(HidUsage last) {
-    if (last < usage_min_ || last - usage_min_ > kMaxUsages) return true;  // a keyboard's, say
+    if (last < usage_min_ || last - usage_min_ > kMaxUsages) return true;  // as in keyboards
     for (HidUsage u = usage_min_; u <= last && u >= usage_min_; ++u)
       if (!usage(u)) return false;
     return true;
@@ -196,7 +196,7 @@ class Parser {
       made.bits = now_.bits;
       made.count = now_.count;
       made.logical_min = now_.logical_min;
-      // "Maximum 255" in one byte is meant without a sign when the minimum has none.
+      // A one-byte maximum of 255 is unsigned if the minimum is not negative.
       made.logical_max = now_.logical_min >= 0 && now_.logical_max < now_.logical_min
                              ? std::int64_t{now_.logical_max_unsigned}
                              : std::int64_t{now_.logical_max};

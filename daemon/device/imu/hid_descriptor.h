@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a HID device says about its reports: which bits of which report mean what, in which unit.
-// Source: "Device Class Definition for Human Interface Devices" 1.11, sections 6.2.2 and 8. Pure.
+// HID report descriptors: position, meaning and unit of the fields of each report. Source: "Device
+// Class Definition for Human Interface Devices" 1.11, sections 6.2.2 and 8. Pure.
 #pragma once
 
 #include <cstddef>
@@ -16,12 +16,12 @@ namespace hedgehog::device {
 /// Usage page in the upper half, usage in the lower.
 using HidUsage = std::uint32_t;
 
-/// One main item: `count` numbers of `bits` bits each, one after the other.
+/// One main item: `count` consecutive numbers of `bits` bits each.
 struct HidField {
   enum class Kind : std::uint8_t { kInput, kOutput, kFeature };
   Kind kind = Kind::kInput;
   std::uint8_t report_id = 0;
-  /// From the first byte behind the report id.
+  /// From the first byte after the report id.
   std::uint32_t bit_offset = 0;
   std::uint32_t bits = 0;   // 1..32
   std::uint32_t count = 0;  // 1..kHidMaxCount
@@ -30,11 +30,11 @@ struct HidField {
   /// value = number * 10^exponent in `unit`.
   int exponent = 0;
   std::uint32_t unit = 0;
-  /// Variable: a usage for each number (the last one for all that follow). Array: the numbers
-  /// select among the usages, `logical_min` being the first.
+  /// Variable: a usage for each number (the last one for all that follow). Array: the numbers are
+  /// indices of the usages, `logical_min` being the first.
   bool variable = true;
   std::vector<HidUsage> usages;
-  /// Of the collections around it, from the outermost.
+  /// Usages of the enclosing collections, from the outermost.
   std::vector<HidUsage> collections;
 };
 
@@ -42,7 +42,7 @@ inline constexpr std::uint32_t kHidMaxCount = 4096;
 
 struct HidDescriptor {
   std::vector<HidField> fields;
-  /// Every report with its length, padding included.
+  /// Length of every report, padding included.
   struct Report {
     HidField::Kind kind = HidField::Kind::kInput;
     std::uint8_t id = 0;
@@ -52,19 +52,19 @@ struct HidDescriptor {
   /// False: reports have no id byte (hidapi then puts a 0 before feature reports).
   bool has_ids = false;
 
-  /// Bytes of a report without its id; 0: there is none.
+  /// Bytes of a report without its id; 0: no such report.
   std::size_t report_bytes(HidField::Kind kind, std::uint8_t report_id) const noexcept;
 };
 
-/// Nothing when it is not a descriptor: items cut off, collections or stacks out of balance, report
-/// id 0, sizes beyond 64 KiB. Constant fields (padding) only move what follows.
+/// nullopt for an invalid descriptor: truncated items, unbalanced collections or stacks, report id
+/// 0, sizes beyond 64 KiB. Constant fields (padding) only offset the following ones.
 std::optional<HidDescriptor> parse_hid_descriptor(std::span<const Byte> bytes);
 
-/// Number `index` of the field in `report` (without its id byte), with its sign when `logical_min`
-/// is negative. Nothing when the report is too short.
+/// Number `index` of the field in `report` (without its id byte), signed if `logical_min` is
+/// negative. nullopt if the report is too short.
 std::optional<std::int64_t> read_hid(const HidField& field, std::uint32_t index,
                                      std::span<const Byte> report) noexcept;
-/// The reverse; false when the report is too short.
+/// The reverse; false if the report is too short.
 bool write_hid(const HidField& field, std::uint32_t index, std::int64_t value,
                std::span<Byte> report) noexcept;
 
@@ -73,7 +73,7 @@ struct HidElement {
   std::size_t field = 0;  // index into HidDescriptor::fields
   std::uint32_t index = 0;
 };
-/// Every number of that kind and usage, in the order of the descriptor.
+/// All numbers of that kind and usage, in the order of the descriptor.
 std::vector<HidElement> hid_elements(const HidDescriptor& descriptor, HidField::Kind kind,
                                      HidUsage usage);
 

@@ -36,8 +36,8 @@ bool contains(const std::vector<HidUsage>& usages, HidUsage usage) {
 constexpr model::Vec3 to_rep103(const model::Vec3& v) noexcept { return {v.y, -v.x, v.z}; }
 const model::Quaternion kFromRep103{std::sqrt(0.5), 0, 0, std::sqrt(0.5)};
 
-/// Puts the selector `wanted` into an array field, or the state that comes second (the first is
-/// "none") into a plain number.
+/// Writes the selector `wanted` into an array field, or the second state (the first is "none") into
+/// a plain number.
 void choose(const HidField& field, HidUsage plain, HidUsage wanted, std::span<Byte> report) {
   if (field.variable) {
     if (field.usages.front() == plain) write_hid(field, 0, field.logical_min + 1, report);
@@ -64,7 +64,7 @@ bool HidOrientation::take_quaternion(HidUsage collection) {
   for (const HidElement& element : hid_elements(descriptor_, Kind::kInput, kQuaternion)) {
     const HidField& field = descriptor_.fields[element.field];
     if (!contains(field.collections, collection)) continue;
-    // Its four numbers come in one report.
+    // The four numbers of a quaternion are in one report.
     if (taken > 0 && field.report_id != report_id_) taken = 0;
     report_id_ = field.report_id;
     quaternion_[taken++] = element;
@@ -111,7 +111,7 @@ void HidOrientation::switch_on(std::span<Byte> report, double interval_s) const 
     choose(field, kReportingState, kReportAllEvents, numbers);
     choose(field, kPowerState, kFullPower, numbers);
     if (field.variable && field.usages.front() == kReportInterval) {
-      // Milliseconds, unless an exponent says otherwise.
+      // Milliseconds, unless an exponent specifies otherwise.
       const double unit_s = 1e-3 * std::pow(10.0, field.exponent);
       const double wanted = std::clamp(interval_s / unit_s, 1.0, 60'000.0);
       write_hid(field, 0, std::llround(wanted), numbers);
@@ -137,7 +137,7 @@ std::optional<HidOrientationSample> HidOrientation::decode(std::span<const Byte>
     const auto number = value(quaternion_[i], report);
     if (!number) return std::nullopt;
     q[i] = *number;
-    // Devices that forget the exponent mean their full range: the numbers of a quaternion reach 1.
+    // For devices that omit the exponent, the full range is 1.
     const HidField& field = descriptor_.fields[quaternion_[i].field];
     if (field.exponent == 0 && field.logical_max > 1)
       q[i] /= static_cast<double>(field.logical_max);

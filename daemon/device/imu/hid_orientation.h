@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Orientation out of the reports of a HID sensor (usage page 0x20: Device Orientation, Relative
-// Orientation), wherever its descriptor says that the quaternion lies. Source: HUTRR39 "HID Sensor
-// Usages"; the names of Linux' hid-sensor-ids.h. Pure.
+// Orientation from the reports of a HID sensor (usage page 0x20: Device Orientation, Relative
+// Orientation), with the quaternion at the position given by the descriptor. Source: HUTRR39 "HID
+// Sensor Usages"; the names of Linux' hid-sensor-ids.h. Pure.
 #pragma once
 
 #include <array>
@@ -17,25 +17,25 @@
 namespace hedgehog::device {
 
 struct HidOrientationSample {
-  /// REP-103 -> world with z up: x where the top edge of the sensor's device points.
+  /// REP-103 -> world with z up: x is the direction of the top edge of the sensor's device.
   model::Quaternion quaternion;
-  /// Missing when the report has none.
+  /// Missing if the report contains none.
   std::optional<model::Vec3> rate_deg_s;
 };
 
 /// One orientation sensor of a device. Immutable; any thread.
 class HidOrientation {
  public:
-  /// Nothing when no input report has a whole quaternion in an orientation collection. Of several,
-  /// the one whose zero is the world (Device Orientation) is taken first.
+  /// nullopt if no input report contains a whole quaternion in an orientation collection. Of
+  /// several, the one referenced to the world (Device Orientation) has precedence.
   static std::optional<HidOrientation> find(HidDescriptor descriptor);
 
-  /// `report` as it came: with its id byte in front if the device uses ids. Nothing for other
-  /// reports, short ones, and numbers that are no rotation (5 % off unit length).
+  /// `report` as received: with its id byte in front if the device uses ids. nullopt for other
+  /// reports, short ones, and invalid rotations (5 % off unit length).
   std::optional<HidOrientationSample> decode(std::span<const Byte> report) const;
 
-  /// Feature reports that switch it on, by id; the caller reads each, lets `switch_on` change it
-  /// (first byte: the id, 0 without ids), and sends it back.
+  /// Ids of the feature reports that switch the sensor on; the caller reads each, passes it to
+  /// `switch_on` (first byte: the id, 0 without ids), and sends it back.
   const std::vector<std::uint8_t>& feature_ids() const noexcept { return feature_ids_; }
   std::size_t feature_bytes(std::uint8_t report_id) const noexcept {
     return 1 + descriptor_.report_bytes(HidField::Kind::kFeature, report_id);

@@ -10,8 +10,8 @@ std::optional<Mounting> Mounting::of(Side front, Side up) noexcept {
   const model::Vec3 z = normal(up);
   if (dot(x, z) != 0.0) return std::nullopt;
   const model::Vec3 y = cross(z, x);
-  // The ball's axes in the sensor's, as a matrix of columns x, y, z, to a quaternion: the largest
-  // of its four numbers first (Shepperd 1978), for half turns have w = 0.
+  // Matrix with the columns x, y, z (the ball's axes in the sensor's) to a quaternion: the largest
+  // of its four numbers first (Shepperd 1978), because half turns have w = 0.
   const double trace = x.x + y.y + z.z;
   model::Quaternion q;
   if (trace > 0.0)

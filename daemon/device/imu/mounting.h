@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Mounting of the sensor in the ball: which of its sides is the ball's front, and which its top.
+// Mounting of the sensor in the ball: the sensor sides that are the ball's front and top.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace hedgehog::device {
 
-/// A side of a thing with REP-103 axes: x front, y left, z up.
+/// A side of a body with REP-103 axes: x front, y left, z up.
 enum class Side : std::uint8_t { kFront, kBack, kLeft, kRight, kUp, kDown };
 
 constexpr model::Vec3 normal(Side side) noexcept {
@@ -34,13 +34,13 @@ constexpr model::Vec3 normal(Side side) noexcept {
 /// Trivially copyable; any thread.
 class Mounting {
  public:
-  /// Straight: the sensor's sides are the ball's.
+  /// Identity: the sensor's sides are the ball's.
   Mounting() noexcept = default;
-  /// `front`, `up`: sides of the sensor that look to the ball's front and up. Nothing when they are
-  /// the same or opposite.
+  /// `front`, `up`: sides of the sensor that face the ball's front and up. nullopt if they are the
+  /// same or opposite.
   static std::optional<Mounting> of(Side front, Side up) noexcept;
 
-  /// Sensor -> world becomes ball -> world.
+  /// Converts sensor -> world to ball -> world.
   model::Quaternion ball_to_world(const model::Quaternion& sensor_to_world) const noexcept {
     return sensor_to_world * ball_to_sensor_;
   }

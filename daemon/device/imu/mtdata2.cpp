@@ -12,7 +12,7 @@ constexpr std::uint16_t kFormatMask = 0x3;
 constexpr std::uint16_t kFrameMask = 0xC;
 constexpr std::uint16_t kNed = 0x4;
 constexpr std::uint16_t kWithEveryPacket = 0xFFFF;
-// No tracker turns or accelerates like this: a number beyond is a broken one.
+// Larger rates or accelerations are implausible for a tracker: the number is corrupt.
 constexpr double kMaxPlausible = 1e4;
 
 constexpr std::array<std::size_t, 4> kNumberSize{4, 4, 6, 8};
@@ -23,7 +23,7 @@ double number(const Byte* at, unsigned format) noexcept {
       return big_f32(at);
     case 1:  // fixed point 12.20
       return static_cast<std::int32_t>(big_u32(at)) * 0x1.0p-20;
-    case 2:  // fixed point 16.32: fraction first, then the whole
+    case 2:  // fixed point 16.32: fraction first, then the integer part
       return big_i16(at + 4) + big_u32(at) * 0x1.0p-32;
     default:
       return big_f64(at);

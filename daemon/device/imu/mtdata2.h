@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The payloads of an Xsens MTi that matter here: MTData2, a list of (id u16, length u8, data), and
-// the output configuration, a list of (id u16, rate u16). Big endian. Source: as xbus.h. Pure.
+// The payloads of an Xsens MTi that are used here: MTData2, a list of (id u16, length u8, data),
+// and the output configuration, a list of (id u16, rate u16). Big endian. Source: as xbus.h. Pure.
 #pragma once
 
 #include <cstdint>
@@ -26,13 +26,12 @@ enum class MtDataId : std::uint16_t {
   kStatusWord = 0xE020,
 };
 
-/// One MTData2 message. What it did not carry, or carried with a length or number that cannot be,
-/// is missing.
+/// One MTData2 message. Fields that are absent, or have an invalid length or number, are missing.
 struct MtSample {
   std::optional<std::uint16_t> packet_counter;
   /// Ticks of 0.1 ms; wraps.
   std::optional<std::uint32_t> sample_time;
-  /// Sensor -> world with z up (ENU or NWU; NED is turned over). Unit length.
+  /// Sensor -> world with z up (ENU or NWU; NED is converted). Unit length.
   std::optional<model::Quaternion> quaternion;
   std::optional<model::Vec3> euler_deg;  // roll, pitch, yaw
   std::optional<model::Vec3> acceleration_m_s2;
@@ -40,7 +39,7 @@ struct MtSample {
   std::optional<std::uint32_t> status;
 };
 
-/// Nothing when the list does not fill the payload exactly. Unknown ids are skipped.
+/// nullopt if the list does not fill the payload exactly. Unknown ids are skipped.
 std::optional<MtSample> decode_mtdata2(std::span<const Byte> payload);
 
 struct MtOutput {
@@ -50,12 +49,12 @@ struct MtOutput {
   friend bool operator==(const MtOutput&, const MtOutput&) = default;
 };
 
-/// What this daemon asks an MTi for: counter and time, quaternion and rate of turn at `rate_hz`,
-/// status. No magnetometer: the ball is one.
+/// Output configuration for an MTi: counter and time, quaternion and rate of turn at `rate_hz`,
+/// status. No magnetometer: the ball contains a magnet.
 std::vector<MtOutput> orientation_outputs(std::uint16_t rate_hz);
 
 std::vector<Byte> encode_outputs(std::span<const MtOutput> outputs);
-/// Nothing when the length is no multiple of 4.
+/// nullopt if the length is not a multiple of 4.
 std::optional<std::vector<MtOutput>> decode_outputs(std::span<const Byte> payload);
 
 }  // namespace hedgehog::device

@@ -7,9 +7,9 @@
 namespace hedgehog::device {
 namespace {
 
-// Not every model knows every rate; the last is "with every packet".
+// Not every model supports every rate; the last is "with every packet".
 constexpr std::array<std::uint16_t, 3> kRates{200, 100, 0xFFFF};
-// Whoever does not collect them needs only the latest.
+// A caller that does not collect the samples needs only the latest.
 constexpr std::size_t kMaxSamples = 64;
 
 }  // namespace
@@ -36,7 +36,7 @@ std::vector<Byte> MtiSession::request() const {
 
 std::vector<Byte> MtiSession::due(double now_s) {
   if (woken_) {
-    // It has just been switched on and asks whether to stay in configuration.
+    // After power-up it waits for a request to stay in configuration.
     woken_ = false;
     return encode_xbus(XbusId::kWakeUpAck);
   }
@@ -73,7 +73,7 @@ void MtiSession::take(const XbusMessage& message, double now_s) {
       if (step_ == Step::kOutputs) refused_ = std::min(refused_ + 1, kRates.size() - 1);
       break;
     case XbusId::kMtData2:
-      // Before it is configured it may send other things than we want, or at another rate.
+      // Before it is configured it may send other data, or at another rate.
       if (step_ != Step::kMeasuring) break;
       received_s_ = now_s;
       if (auto sample = decode_mtdata2(message.payload)) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The talk with an Xsens MTi: into its configuration, tell it what to send, into measurement, and
-// again from the start when it falls silent or restarts. Pure: bytes and time go in, bytes and
-// samples come out.
+// Session with an Xsens MTi: enter configuration, configure the outputs, enter measurement, and
+// start again when it stops sending or restarts. Pure: bytes and time in, bytes and samples out.
 #pragma once
 
 #include <cstdint>
@@ -18,18 +17,18 @@ namespace hedgehog::device {
 /// The reader's thread.
 class MtiSession {
  public:
-  /// Unanswered requests are repeated, and silence in measurement starts anew.
+  /// Unanswered requests are repeated; silence in measurement restarts the session.
   static constexpr double kRepeatS = 0.2;
   static constexpr double kSilenceS = 1.0;
 
-  /// What to send now; empty: nothing is due. Call it at least every 100 ms.
+  /// The bytes to send now; empty: none. Call it at least every 100 ms.
   std::vector<Byte> due(double now_s);
-  /// What arrived.
+  /// Processes received bytes.
   void receive(std::span<const Byte> bytes, double now_s);
-  /// The samples of what arrived, oldest first.
+  /// Received samples, oldest first.
   std::optional<MtSample> next();
 
-  /// It measures, as we asked it to.
+  /// In measurement, with the requested outputs.
   bool measuring() const noexcept { return step_ == Step::kMeasuring; }
 
  private:
@@ -42,11 +41,11 @@ class MtiSession {
   Step step_ = Step::kConfigure;
   XbusParser parser_;
   std::deque<MtSample> samples_;
-  /// When the request of this step was sent; none: not yet.
+  /// Time of the request of this step; nullopt: not yet sent.
   std::optional<double> asked_s_;
   double received_s_ = 0.0;
   bool woken_ = false;
-  /// Refused output rates so far.
+  /// Number of rejected output rates.
   std::size_t refused_ = 0;
 };
 

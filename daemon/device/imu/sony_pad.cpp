@@ -9,7 +9,7 @@
 namespace hedgehog::device {
 namespace {
 
-// Over Bluetooth the check sum also covers the byte that announces the transaction.
+// Over Bluetooth the check sum includes the byte that announces the transaction.
 constexpr Byte kInputSeed = 0xA1;
 constexpr Byte kFeatureSeed = 0xA3;
 constexpr std::size_t kLongest = 78;
@@ -54,7 +54,7 @@ constexpr double kRawRange = 32767.0;
 constexpr SonyCalibration::Axis kNominalGyro{0.0, kGyroRangeDegS / kRawRange};
 constexpr SonyCalibration::Axis kNominalAccel{0.0, kAccelRangeG / kRawRange};
 
-/// Genuine pads are within a few per cent of nominal; anything else was no calibration.
+/// Genuine pads are within a few per cent of nominal; other values are not a calibration.
 SonyCalibration::Axis believable(const SonyCalibration::Axis& axis,
                                  const SonyCalibration::Axis& nominal) noexcept {
   const double ratio = axis.scale / nominal.scale;
@@ -94,7 +94,7 @@ std::optional<SonyCalibration> decode_calibration(SonyPad pad, SonyBus bus,
   if (bus == SonyBus::kBluetooth && !crc_fits(kFeatureSeed, report)) return std::nullopt;
   const auto at = [&](std::size_t byte) { return double{1.0} * little_i16(&report[byte]); };
 
-  // The DualShock 4 lists its three maxima first over Bluetooth; elsewhere pairs, axis by axis.
+  // The DualShock 4 lists its three maxima first over Bluetooth; otherwise pairs, axis by axis.
   const bool pairs = pad == SonyPad::kDualSense || bus == SonyBus::kUsb;
   const double speeds = at(19) + at(21);
   SonyCalibration made;
@@ -102,7 +102,7 @@ std::optional<SonyCalibration> decode_calibration(SonyPad pad, SonyBus bus,
     const double factory_bias = at(1 + 2 * i);
     const double gyro_plus = at(pairs ? 7 + 4 * i : 7 + 2 * i) - factory_bias;
     const double gyro_minus = at(pairs ? 9 + 4 * i : 13 + 2 * i) - factory_bias;
-    // Reports come without that bias: it is only of the two maxima.
+    // Reports do not contain that bias: it applies only to the two maxima.
     made.gyro[i] =
         believable({0.0, speeds / (std::abs(gyro_plus) + std::abs(gyro_minus))}, kNominalGyro);
     const double accel_plus = at(23 + 4 * i);

@@ -13,7 +13,7 @@ constexpr Byte kExtended = 0xFF;
 constexpr std::size_t kShortHead = 4;
 constexpr std::size_t kExtendedHead = 6;
 
-/// Modulo 256 by itself.
+/// Modulo 256 by the type.
 Byte sum(std::span<const Byte> bytes) noexcept {
   return std::accumulate(
       bytes.begin(), bytes.end(), Byte{0}, [](Byte a, Byte b) { return static_cast<Byte>(a + b); });
@@ -26,7 +26,7 @@ struct Candidate {
   std::size_t payload = 0;
 };
 
-/// What begins at `bytes[0]`, a preamble.
+/// Classifies the bytes from `bytes[0]`, a preamble.
 Candidate examine(std::span<const Byte> bytes) noexcept {
   using Is = Candidate::Is;
   if (bytes.size() >= 2 && bytes[1] != kMaster) return {Is::kNoise};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Messages of Xsens motion trackers: FA FF MID LEN payload CS, where all bytes after FA add up to 0
-// mod 256; LEN = FF announces a 16-bit length. Source: "MT Low-Level Communication Protocol
+// mod 256; LEN = FF is followed by a 16-bit length. Source: "MT Low-Level Communication Protocol
 // Documentation", and Xsens' published BSD sources (xspublic). Pure; any thread.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace hedgehog::device {
 
-/// Message ids. The answer to a request has the next id.
+/// Message ids. The response to a request has the next id.
 enum class XbusId : std::uint8_t {
   kRequestDeviceId = 0x00,
   kDeviceId = 0x01,
@@ -32,26 +32,26 @@ enum class XbusId : std::uint8_t {
 };
 
 struct XbusMessage {
-  /// May be any number, not only the enumerators.
+  /// Any number, not only the enumerators.
   XbusId id = XbusId::kError;
   std::vector<Byte> payload;
   friend bool operator==(const XbusMessage&, const XbusMessage&) = default;
 };
 
-/// Longer ones are taken for noise; MTData2 with everything in it stays below 400 bytes.
+/// Longer ones are treated as noise; MTData2 with all outputs is below 400 bytes.
 inline constexpr std::size_t kXbusMaxPayload = 2048;
 
 /// REQUIRES: payload.size() <= kXbusMaxPayload.
 std::vector<Byte> encode_xbus(XbusId id, std::span<const Byte> payload = {});
 
-/// Finds messages in a stream of bytes, and finds back into it after noise: after a broken message
-/// the search goes on at the byte behind its FA, because FA may also occur inside a payload.
+/// Finds messages in a stream of bytes and resynchronises after noise: after a corrupt message the
+/// search continues at the byte after its FA, because FA may also occur inside a payload.
 class XbusParser {
  public:
   void feed(std::span<const Byte> bytes);
-  /// The next whole message, or nothing until more bytes are fed.
+  /// The next complete message, or nullopt until more bytes are fed.
   std::optional<XbusMessage> next();
-  /// Bytes that belonged to no message so far.
+  /// Bytes so far that were not part of a message.
   std::size_t skipped() const noexcept { return skipped_; }
 
  private:

@@ -17,13 +17,13 @@ namespace fs = std::filesystem;
 
 std::string read_text(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
-  // An iterator over the stream would throw when a read fails, as of a device pulled out just now.
+  // A stream iterator would throw on a read error, as with a device that was just unplugged.
   std::ostringstream text;
   text << in.rdbuf();
   return text.str();
 }
 
-/// Without the newline at its end.
+/// Without the trailing newline.
 std::string read_line(const fs::path& file) {
   std::string text = read_text(file);
   text.resize(std::min(text.size(), text.find('\n')));
@@ -73,7 +73,7 @@ constexpr int kUsbBus = 0x03;
 constexpr int kBluetoothBus = 0x05;
 
 std::optional<HidDevice> read_hid_device(const fs::path& entry) {
-  // "0003:054C:0CE6.0007": bus, vendor, product, a running number.
+  // "0003:054C:0CE6.0007": bus, vendor, product, sequence number.
   const std::string id = entry.filename().string();
   if (id.size() < 14) return std::nullopt;
   const auto bus = number(std::string_view(id).substr(0, 4), 16);

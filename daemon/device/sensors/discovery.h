@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which USB and HID devices this machine has, as the kernel tells in /sys: no device is opened and
-// no permission is needed. Reads files; any thread.
+// USB and HID devices of this machine as listed by the kernel in /sys: opens no device and needs no
+// permission. Reads files; any thread.
 #pragma once
 
 #include <algorithm>
@@ -14,11 +14,11 @@
 
 namespace hedgehog::device {
 
-/// Where a device hangs, as libusb finds it again.
+/// Address of a device, by which libusb finds it.
 struct UsbPlace {
   int bus = 0;
   int address = 0;
-  /// Of a HID device; -1: the whole device.
+  /// Interface of a HID device; -1: the whole device.
   int interface = -1;
   friend bool operator==(const UsbPlace&, const UsbPlace&) = default;
 };
@@ -38,7 +38,7 @@ struct UsbDevice {
   std::string manufacturer;
   std::string name;
   std::string serial;
-  /// "1-3": the port it hangs on, as the kernel names it.
+  /// "1-3": the port it is connected to, as named by the kernel.
   std::string port;
   /// bcdDevice, four digits: "0102" is 1.02.
   std::string release;
@@ -52,22 +52,22 @@ struct HidDevice {
   std::string name;
   std::string serial;
   std::vector<Byte> descriptor;
-  /// "/dev/hidraw3"; empty: the kernel keeps it to itself (hid-sensor-hub before Linux 6.3).
+  /// "/dev/hidraw3"; empty: the kernel creates no node (hid-sensor-hub before Linux 6.3).
   std::string hidraw;
   std::optional<UsbPlace> usb;
 };
 
-/// `sys`: "/sys", or a test's own tree. Sorted by where they hang. What cannot be read is left out.
+/// `sys`: "/sys", or a test's own tree. Sorted by port. Unreadable entries are omitted.
 std::vector<UsbDevice> list_usb(const std::string& sys = "/sys");
 std::vector<HidDevice> list_hid(const std::string& sys = "/sys");
 
-/// A maker's number and a product's.
+/// Vendor and product id.
 struct UsbIds {
   std::uint16_t vendor;
   std::uint16_t product;
 };
 
-/// Has one of these. `Device` is a UsbDevice or a HidDevice.
+/// True if the device has one of these ids. `Device` is a UsbDevice or a HidDevice.
 template <class Device>
 bool has_ids(const Device& device, std::span<const UsbIds> ids) {
   return std::any_of(

@@ -7,7 +7,7 @@
 namespace hedgehog::device {
 namespace {
 
-// From the general to the special; the configuration lists them in this order.
+// From the general to the specific; the configuration lists them in this order.
 constexpr std::array<const SensorDriver*, 6> kDrivers{&kHidSensorDriver,  &kDualSenseDriver,
                                                       &kDualShock4Driver, &kClosedXsensDriver,
                                                       &kMtiDriver,        &kTemperDriver};

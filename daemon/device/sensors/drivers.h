@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The kinds of sensor that the daemon reads: what each is called, how it is recognised on the buses
-// and what reads it. A driver stands at the end of its sensor's file; any thread.
+// The kinds of sensors that the daemon reads: name, detection on the buses, and reader. A driver is
+// defined at the end of its sensor's file; any thread.
 #pragma once
 
 #include <cstdint>
@@ -19,15 +19,15 @@ namespace hedgehog::device {
 
 enum class SensorJob : std::uint8_t { kOrientation, kThermometer };
 
-/// Where measurements go. A sensor uses the one of its job.
+/// Destinations of measurements. A sensor uses the one of its job.
 struct SensorSinks {
   OrientationSink orientation;
   ThermometerSink thermometer;
 };
 
-/// A device is on USB or HID: one of the `matches_` is there, with the `make_` of the same name.
+/// A device is on USB or HID: one of the `matches_` is set, with the `make_` of the same name.
 struct SensorDriver {
-  /// In the configuration and in `device.list`: "dualsense".
+  /// Name in the configuration and in `device.list`: "dualsense".
   std::string_view type;
   /// "DualSense pad".
   std::string_view words;
@@ -36,7 +36,7 @@ struct SensorDriver {
   bool (*matches_usb)(const UsbDevice& device) = nullptr;
   std::unique_ptr<Sensor> (*make_hid)(OpenHid open, const SensorSinks& sinks) = nullptr;
   std::unique_ptr<Sensor> (*make_usb)(OpenBytes open, const SensorSinks& sinks) = nullptr;
-  /// Why such a device cannot be read, and has no `make_`; empty: it can.
+  /// Reason for which such a device cannot be read, and has no `make_`; empty: it can.
   std::string_view unusable = {};
 };
 
@@ -48,15 +48,15 @@ extern const SensorDriver kTemperDriver;
 /// Xsens radio stations and converters.
 extern const SensorDriver kClosedXsensDriver;
 
-/// All of them. Of two that match a device, the later one has it.
+/// All drivers. If two match a device, the later one is used.
 std::span<const SensorDriver* const> sensor_drivers() noexcept;
 
-/// nullptr: no sensor.
+/// nullptr: not a sensor.
 const SensorDriver* driver_of(const HidDevice& device);
 const SensorDriver* driver_of(const UsbDevice& device);
 
 /// The device of that kind, or of that kind and serial number: an index into `devices`, or a
-/// sentence why there is none, or more than one.
+/// sentence with the reason for which there is none, or more than one.
 struct Found {
   std::optional<std::size_t> index;
   std::string failure;

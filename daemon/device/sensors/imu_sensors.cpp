@@ -13,9 +13,9 @@ namespace hedgehog::device {
 namespace {
 
 constexpr std::size_t kLongestReport = 1024;
-// A pad that paused may have been turned meanwhile. The clock of a DualShock 4 comes round in 350
-// ms, so a pause of that length has to be seen by the clock here; by then the kernel's queue of 64
-// reports has run over.
+// A pad may have been turned during a pause. The clock of a DualShock 4 wraps in 350 ms, so a pause
+// of that length has to be detected by the host's clock; by then the kernel's queue of 64 reports
+// has overflowed.
 constexpr double kLongestStepS = 0.1;
 constexpr model::Tick kLongestPause = 300;
 
@@ -34,7 +34,7 @@ constexpr std::array<UsbIds, 7> kMtiIds{{{kXsens, 0x0001},
 /// Bit of an MTi's status word: its filter is valid.
 constexpr std::uint32_t kOrientationValid = 2;
 
-/// Mean rate from `a` to `b`, in the axes of the thing that turned.
+/// Mean rate from `a` to `b`, in the axes of the rotated body.
 model::Vec3 rate_between(const model::Quaternion& a, const model::Quaternion& b, double dt_s) {
   model::Quaternion d = conjugate(a) * b;
   if (d.w < 0.0) d = {-d.w, -d.x, -d.y, -d.z};
@@ -74,7 +74,7 @@ std::string HidSensorImu::open() {
     report[0] = id;
     if (opened.port->get_feature(report) == 0) std::fill(report.begin() + 1, report.end(), Byte{0});
     codec_->switch_on(report, kIntervalS);
-    // Some run without it; those that do not stay silent, which shows as a stale orientation.
+    // Some sensors run without it; others stay silent, which results in a stale orientation.
     (void)opened.port->send_feature(report);
   }
   name_ = opened.name;
@@ -113,13 +113,13 @@ std::string SonyImu::open() {
   const SonyCalibrationReport expected = calibration_report(pad_, bus);
   std::vector<Byte> report(expected.bytes);
   report[0] = expected.id;
-  // Reading it is also what makes a pad on Bluetooth send its full reports.
+  // Reading it also makes a pad on Bluetooth send its full reports.
   const std::size_t length = opened.port->get_feature(report);
   report.resize(std::min(length, report.size()));
   calibration_ = decode_calibration(pad_, bus, report).value_or(SonyCalibration::nominal());
   name_ = opened.name;
   port_ = std::move(opened.port);
-  // It has been turned while nobody looked, but its gyroscope is the same.
+  // The pad may have been turned while closed, but the gyroscope's bias is still valid.
   clock_us_.reset();
   fusion_.restart();
   return {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The orientation sensors: a codec of imu/ behind a port.
+// Orientation sensors: a codec of imu/ with a port.
 #pragma once
 
 #include <memory>
@@ -15,7 +15,8 @@
 
 namespace hedgehog::device {
 
-/// A HID sensor with its own quaternion. Where it tells no rate, the rate is how far it has turned.
+/// A HID sensor with its own quaternion. Without a reported rate, the rate is derived from the
+/// rotation.
 class HidSensorImu : public Sensor {
  public:
   HidSensorImu(OpenHid open, OrientationSink sink)
@@ -39,7 +40,7 @@ class HidSensorImu : public Sensor {
   model::Tick last_tick_ = 0;
 };
 
-/// A pad of Sony's, fused here.
+/// A Sony pad, with sensor fusion in this class.
 class SonyImu : public Sensor {
  public:
   SonyImu(SonyPad pad, OpenHid open, OrientationSink sink)

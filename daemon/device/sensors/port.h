@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The seam between sensors and the operating system. Above it are the sensors, tested against fake
-// ports; below it hidapi and libusb, thin. Used by one thread, the sensor's reader.
+// Interface between sensors and the operating system. The sensors above it are tested with fake
+// ports; the implementations below are thin wrappers of hidapi and libusb. Used by one thread, the
+// sensor's.
 #pragma once
 
 #include <chrono>
@@ -16,8 +17,8 @@
 
 namespace hedgehog::device {
 
-/// Reports of a HID device. The first byte of what is written and of features is the report's id, 0
-/// when the device uses none.
+/// Reports of a HID device. The first byte of written reports and of features is the report's id, 0
+/// if the device uses none.
 class HidPort {
  public:
   HidPort() = default;
@@ -25,17 +26,17 @@ class HidPort {
   HidPort& operator=(const HidPort&) = delete;
   virtual ~HidPort() = default;
 
-  /// The next input report, with its id in front only if the device uses ids: its length, 0 when
-  /// none came within `wait`, nothing when the device is gone.
+  /// Reads the next input report, with its id in front only if the device uses ids. Returns its
+  /// length, 0 if none arrived within `wait`, nullopt if the device is disconnected.
   virtual std::optional<std::size_t> read(std::span<Byte> report,
                                           std::chrono::milliseconds wait) = 0;
   virtual bool write(std::span<const Byte> report) = 0;
-  /// `report[0]` says which. The length that came, 0 for none.
+  /// `report[0]` selects the report. Returns the received length, 0 for none.
   virtual std::size_t get_feature(std::span<Byte> report) = 0;
   virtual bool send_feature(std::span<const Byte> report) = 0;
 };
 
-/// A stream of bytes both ways.
+/// A bidirectional stream of bytes.
 class BytePort {
  public:
   BytePort() = default;
@@ -43,17 +44,17 @@ class BytePort {
   BytePort& operator=(const BytePort&) = delete;
   virtual ~BytePort() = default;
 
-  /// As HidPort::read.
+  /// Like HidPort::read.
   virtual std::optional<std::size_t> read(std::span<Byte> bytes,
                                           std::chrono::milliseconds wait) = 0;
   virtual bool write(std::span<const Byte> bytes) = 0;
 };
 
-/// What became of opening: a port, or a sentence why not.
+/// Result of opening: a port, or a sentence with the reason of the failure.
 struct OpenedHid {
   std::unique_ptr<HidPort> port;
   std::string failure;
-  /// What it is, for people: "DualSense Wireless Controller (054c:0ce6)".
+  /// Name for display: "DualSense Wireless Controller (054c:0ce6)".
   std::string name;
   std::vector<Byte> descriptor;
   bool bluetooth = false;
@@ -64,7 +65,7 @@ struct OpenedBytes {
   std::string name;
 };
 
-/// Looks for the device and opens it; called again and again while it is not there.
+/// Finds the device and opens it; called repeatedly while it is not connected.
 using OpenHid = std::function<OpenedHid()>;
 using OpenBytes = std::function<OpenedBytes()>;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A sensor as its reader thread sees it.
+// Interface of a sensor for its thread.
 #pragma once
 
 #include <chrono>
@@ -21,19 +21,19 @@ class Sensor {
   Sensor& operator=(const Sensor&) = delete;
   virtual ~Sensor() = default;
 
-  /// Finds, opens and switches it on. Empty: it runs; else a sentence why not.
+  /// Finds, opens and switches it on. Empty on success; else a sentence with the reason.
   virtual std::string open() = 0;
-  /// Handles what came within `wait`. False: it is gone; `close` and `open` again.
+  /// Processes the data received within `wait`. False: disconnected; `close` and `open` again.
   virtual bool poll(std::chrono::milliseconds wait) = 0;
   virtual void close() = 0;
-  /// What is open, for people.
+  /// Name of the opened device for display.
   virtual const std::string& name() const = 0;
 };
 
-/// Device time, for stamps: the tick of now.
+/// Device time for time stamps: the present tick.
 using TickSource = std::function<model::Tick()>;
 
-/// Where an orientation sensor puts what it knows.
+/// Destination of an orientation sensor's samples.
 struct OrientationSink {
   TickSource tick;
   Mounting mounting;

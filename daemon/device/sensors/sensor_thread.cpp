@@ -53,7 +53,7 @@ void SensorThread::run() {
     }
     note(false, sensor_->name() + ": it went away");
     sensor_->close();
-    // One that opens and dies at once is not hammered.
+    // Back-off for a device that fails right after opening.
     const bool lived = std::chrono::steady_clock::now() - since > kLongestPause;
     patience = lived ? kFirstPause : std::min(2 * patience, kLongestPause);
   } while (pause(patience));

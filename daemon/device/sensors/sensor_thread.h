@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a sensor: opens it when it is there, reads it, and searches for it with exponential
-// back-off when it is gone.
+// One thread per sensor: opens it when it is connected, reads it, and searches for it with
+// exponential back-off when it is not.
 #pragma once
 
 #include <atomic>
@@ -18,9 +18,9 @@ namespace hedgehog::device {
 /// For `device.list`.
 struct SensorState {
   bool open = false;
-  /// What is open, or why nothing is.
+  /// Name of the opened device, or the reason for which none is open.
   std::string what;
-  /// Times that it was opened so far.
+  /// Number of times it was opened.
   unsigned opened = 0;
 };
 
@@ -29,10 +29,10 @@ class SensorThread {
  public:
   static constexpr std::chrono::milliseconds kFirstPause{250};
   static constexpr std::chrono::milliseconds kLongestPause{1000};
-  /// How long one wait for data lasts, so how soon it notices that it should end.
+  /// Duration of one wait for data, and therefore the latency of the shutdown.
   static constexpr std::chrono::milliseconds kWait{50};
 
-  /// Starts at once. What the sensor writes to must outlive this. Throws std::system_error.
+  /// Starts at once. The sensor's sinks must outlive this. Throws std::system_error.
   explicit SensorThread(std::unique_ptr<Sensor> sensor);
   SensorThread(const SensorThread&) = delete;
   SensorThread& operator=(const SensorThread&) = delete;
@@ -43,7 +43,7 @@ class SensorThread {
  private:
   void run();
   void note(bool open, const std::string& what);
-  /// False: it is time to end.
+  /// False: the thread has to end.
   bool pause(std::chrono::milliseconds time);
 
   std::unique_ptr<Sensor> sensor_;

@@ -26,7 +26,7 @@ std::optional<std::vector<Byte>> TemperSensor::ask(HidPort& port,
   std::vector<Byte> answer;
   for (std::size_t i = 0; i < kMaxReports; ++i) {
     TemperReport report{};
-    // The first one takes its time.
+    // The first report takes longer.
     const auto length = port.read(report, i == 0 ? 3 * kBetween : kBetween);
     if (!length) return std::nullopt;
     if (*length == 0) break;
@@ -57,7 +57,7 @@ std::string TemperSensor::open() {
 
 bool TemperSensor::poll(std::chrono::milliseconds wait) {
   if (asked_ && sink_.tick() - *asked_ < kEvery) {
-    // Nothing comes unasked; reading is how the wait is spent, and how unplugging is noticed.
+    // The stick sends nothing unrequested; reading waits, and detects unplugging.
     TemperReport report{};
     return port_->read(report, wait).has_value();
   }

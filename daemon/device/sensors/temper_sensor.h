@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A TEMPer stick behind a port. A stick that has a probe on a lead is read by that probe alone: the
-// stick itself hangs outside of the ball, so its own temperature must never stand in for it.
+// A TEMPer stick with a port. Of a stick with a probe on a lead only that probe is read: the stick
+// itself is outside of the ball, so its own temperature must never replace the probe's.
 #pragma once
 
 #include <memory>
@@ -23,14 +23,14 @@ class TemperSensor : public Sensor {
   void close() override { port_.reset(); }
   const std::string& name() const override { return name_; }
 
-  /// Asked this often; an answer takes about 0.3 s.
+  /// Interval of requests; a response takes about 0.3 s.
   static constexpr model::Tick kEvery = 500;
-  /// The reports of one answer come within this of each other.
+  /// Maximum time between the reports of one response.
   static constexpr std::chrono::milliseconds kBetween{150};
   static constexpr int kFirmwareTries = 10;
 
  private:
-  /// All reports of the answer; nothing when the stick is gone.
+  /// All reports of the response; nullopt if the stick is disconnected.
   std::optional<std::vector<Byte>> ask(HidPort& port, const TemperReport& question) const;
 
   OpenHid open_;

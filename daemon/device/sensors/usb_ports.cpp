@@ -19,7 +19,7 @@ constexpr std::uint16_t kFeature = 3;
 constexpr unsigned kControlMs = 500;
 constexpr unsigned kWriteMs = 100;
 
-/// A length, 0 when nothing came in time, nothing when the device is gone.
+/// The length, 0 after a timeout, nullopt if the device is disconnected.
 std::optional<std::size_t> outcome(libusb_device_handle* handle, unsigned char endpoint, int error,
                                    int length) {
   if (error == 0 || error == LIBUSB_ERROR_TIMEOUT || error == LIBUSB_ERROR_INTERRUPTED ||
@@ -62,7 +62,7 @@ class UsbHidPort : public HidPort {
 
   bool set(std::uint16_t type, std::span<const Byte> report) {
     const auto body = report.subspan(report[0] == 0 ? 1 : 0);
-    // libusb does not write to what it sends.
+    // libusb does not modify data to send.
     auto* bytes = const_cast<Byte*>(body.data());
     return libusb_control_transfer(usb_->get(), kToInterface, kSetReport,
                                    static_cast<std::uint16_t>(type << 8 | report[0]), interface(),

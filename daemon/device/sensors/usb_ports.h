@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Ports over libusb and hidapi: the thin part below the seam of port.h.
+// Ports over libusb and hidapi: thin implementations of port.h.
 //
-// A HID device is opened through its hidraw node when it has one. Where the kernel keeps the device
-// to itself (hid-sensor-hub before Linux 6.3 leaves orientation sensors without a node), libusb
-// takes the interface away from it instead.
+// A HID device is opened through its hidraw node if it has one. If the kernel creates none
+// (hid-sensor-hub before Linux 6.3 leaves orientation sensors without a node), libusb detaches the
+// kernel driver from the interface instead.
 #pragma once
 
 #include <string>
@@ -12,13 +12,13 @@
 
 namespace hedgehog::device {
 
-/// What reads the sensor of that driver: it looks for it in /sys, `serial` empty: any, as long as
-/// there is one only, and opens it. A missing permission is told apart from a missing device.
-/// REQUIRES: the driver can read it. The driver outlives the sensor.
+/// Makes the sensor of that driver, which searches for it in /sys (`serial` empty: any, if there is
+/// only one) and opens it. A missing permission is distinguished from a missing device. REQUIRES:
+/// the driver can read it. The driver outlives the sensor.
 std::unique_ptr<Sensor> make_sensor(const SensorDriver& driver, const std::string& serial,
                                     const SensorSinks& sinks);
 
-/// One device found before; REQUIRES: `device.hidraw` is not empty.
+/// A device found before; REQUIRES: `device.hidraw` is not empty.
 OpenedHid open_hidraw(const HidDevice& device);
 /// REQUIRES: `device.usb`.
 OpenedHid open_usb_hid(const HidDevice& device);

@@ -17,7 +17,7 @@ constexpr double kKelvin = 273.15;
 // In the order of FrontEndKind.
 constexpr std::array<std::string_view, 3> kFrontEndKinds{"in_line", "driver_cs", "ideal"};
 
-// Tolerances of parts, as far as a calibration leaves them.
+// Tolerances of parts that remain after a calibration.
 constexpr double kGain = 0.02;
 constexpr double kInLineOffsetA = 0.02;
 constexpr double kDriverCsOffsetA = 0.10;
@@ -29,7 +29,7 @@ double around_one(model::RandomStream& random) noexcept {
 }
 
 void draw_parts(FrontEndParameters& p, std::uint64_t seed) noexcept {
-  // Another stream than the noise of the same seed.
+  // A stream other than that of the noise with the same seed.
   model::RandomStream random(~seed);
   const double offset_a = p.kind == FrontEndKind::kInLine ? kInLineOffsetA : kDriverCsOffsetA;
   for (std::size_t i = 0; i < kCoils; ++i) {
@@ -91,7 +91,7 @@ std::uint16_t FrontEnd::adc(double microvolts) const noexcept {
 
 std::uint16_t FrontEnd::ntc_adc(double celsius) const noexcept {
   const board::Wiring& wiring = parameters_.wiring;
-  // Colder than this no thermistor's curve is known, and at 0 K it has no end.
+  // Below this the thermistor's curve is unknown, and at 0 K it diverges.
   constexpr double kColdestC = -60.0;
   celsius = std::max(celsius, kColdestC);
   const double ohm =
@@ -110,8 +110,8 @@ double FrontEnd::current_uv(const Analogue& analogue, int coil) noexcept {
   const double true_a = analogue.after_a[coil] - parameters_.converted_before_s[i] * slope_a_s;
   double shown_a = true_a;
   if (wiring.current_sense == board::CurrentSense::kDriverCs) {
-    // The shunt is in the bridge's ground: it sees the winding while the bridge drives, in the
-    // bridge's own direction. An on-time too short to settle shows a part of it.
+    // The shunt is in the bridge's ground: it measures the winding current while the bridge drives,
+    // in the bridge's direction. An on-time too short to settle gives a part of it.
     const double duty = analogue.awake ? analogue.duty[coil] : 0.0;
     const double lowest = board::kMinSampledDutyQ15 / 32767.0;
     const double settled = std::min(1.0, std::abs(duty) / lowest);
@@ -131,7 +131,7 @@ void FrontEnd::convert(const Analogue& analogue, board::RawInputs& raw) noexcept
   const double drawn = parameters_.shunt_gain * drawn_a(analogue) + parameters_.shunt_offset_a +
                        parameters_.shunt_noise_a * noise_.gaussian();
   raw.shunt_adc = adc(wiring.shunt_uv_per_a * drawn);
-  // Below this the fan's edges are further apart than the timer waits.
+  // Below this the interval of the fan's edges exceeds the timer's timeout.
   constexpr double kSlowestRpm = 120.0;
   raw.tach_period_us =
       analogue.fan_rpm < kSlowestRpm ? 0u : static_cast<std::uint32_t>(30e6 / analogue.fan_rpm);

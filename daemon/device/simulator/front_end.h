@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The analogue electronics between the simulated ball and its microcontroller: what is true, as the
-// converters of a real board give it to board_core/port.h. Figures and their sources:
+// Analogue electronics between the simulated ball and its microcontroller: converts the true values
+// to the converter readings that board_core/port.h gets on a real board. Figures and their sources:
 // README.md beside this file.
 #pragma once
 
@@ -16,25 +16,25 @@
 
 namespace hedgehog::device {
 
-/// Which electronics (`simulator.front_end`).
+/// Kind of electronics (`simulator.front_end`).
 enum class FrontEndKind : std::uint8_t {
-  kInLine,    // the reference board: shunts in the windings' leads, a converter of its own
+  kInLine,    // the reference board: shunts in the windings' leads, a separate converter
   kDriverCs,  // the thesis' drivers with their own CS pins
-  kIdeal,     // no electronics: the rules of the board get what is true, to 1 mA
+  kIdeal,     // no electronics: the rules of the board get the true values, to 1 mA
 };
 
-/// "in_line". nullopt: there is no such kind.
+/// "in_line". nullopt: no such kind.
 std::string_view name(FrontEndKind kind) noexcept;
 std::optional<FrontEndKind> front_end_kind(std::string_view name) noexcept;
 
 struct FrontEndParameters;
 
-/// Which board is simulated. Trivially copyable.
+/// Choice of the simulated board. Trivially copyable.
 struct FrontEndChoice {
   FrontEndKind kind = FrontEndKind::kInLine;
   /// 1 or 3; 0: three with kInLine, one with the others.
   int thermistors = 0;
-  /// Its parts are drawn evenly from within their tolerances by this seed; 0: typical parts.
+  /// Seed for parts drawn uniformly from their tolerances; 0: typical parts.
   std::uint64_t seed = 0;
 
   FrontEndParameters parameters() const noexcept;
@@ -43,10 +43,10 @@ struct FrontEndChoice {
 /// One board's electronics. Trivially copyable.
 struct FrontEndParameters {
   FrontEndKind kind = FrontEndKind::kInLine;
-  /// What the firmware takes the electronics for.
+  /// The electronics as assumed by the firmware.
   board::Wiring wiring = board::reference_wiring();
 
-  /// What differs from that: of each reading, true x gain + offset, A and K.
+  /// Deviations from that: each reading is true x gain + offset, A and K.
   std::array<double, model::kCoils> current_gain{1.0, 1.0, 1.0};
   std::array<double, model::kCoils> current_offset_a{};
   double supply_gain = 1.0;
@@ -58,24 +58,24 @@ struct FrontEndParameters {
   double current_noise_a = 0.0;
   double shunt_noise_a = 0.0;
   double supply_noise_v = 0.0;
-  /// The currents are converted one after the other, this long before the end of the millisecond.
+  /// The currents are converted sequentially, this long before the end of the millisecond.
   std::array<double, model::kCoils> converted_before_s{};
 
-  /// The supply itself: its resistance with its leads, and its ripple's amplitude at 100 Hz.
+  /// The supply: its resistance including the leads, and the amplitude of its ripple at 100 Hz.
   double source_ohm = 0.0;
   double ripple_v = 0.0;
 };
 
-/// What the electronics have in front of them at the end of a millisecond. Trivially copyable.
+/// Analogue inputs of the electronics at the end of a millisecond. Trivially copyable.
 struct Analogue {
-  /// Winding currents at its start and end, A.
+  /// Winding currents at the start and end of the millisecond, A.
   model::Vec3 before_a;
   model::Vec3 after_a;
-  /// As the bridges really drove it, -1..1; 0 is a brake.
+  /// True duty of the bridges, -1..1; 0 is a brake.
   model::Vec3 duty;
   bool awake = false;
   double supply_v = 12.0;
-  /// Thermistor bodies, C, on each winding whether there is one or not.
+  /// Temperatures of the thermistors, C, on each winding whether fitted or not.
   std::array<double, model::kCoils> thermistor_c{25.0, 25.0, 25.0};
   /// Standard deviation of one reading, K.
   double thermistor_noise_k = 0.0;
@@ -89,14 +89,14 @@ class FrontEnd {
   explicit FrontEnd(const FrontEndParameters& parameters, std::uint64_t seed = 1) noexcept
       : parameters_(parameters), noise_(seed) {}
 
-  /// Currents, supply and tach, as the converters and timers give them.
+  /// Converts currents, supply and tach to converter and timer values.
   void convert(const Analogue& analogue, board::RawInputs& raw) noexcept;
-  /// What the thermistor on `winding` shows, with its offset and noise, C; and the converter's
-  /// number for it.
+  /// Reading of the thermistor on `winding`, with its offset and noise, C; and the converter's
+  /// value for it.
   double thermistor_c(const Analogue& analogue, int winding) noexcept;
   std::uint16_t ntc_adc(double celsius) const noexcept;
 
-  /// What the bridges draw from the supply, A: what braking ones give back less.
+  /// Current drawn by the bridges from the supply, A, less that returned by braking ones.
   static double drawn_a(const Analogue& analogue) noexcept;
 
   const FrontEndParameters& parameters() const noexcept { return parameters_; }

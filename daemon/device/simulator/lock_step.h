@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Link and simulated board as one pure step, without threads or a clock but for time
-// stamps: for the test rig, and for `hedgehogd --simulate --speed N`, where the control thread
-// drives it.
+// Link and simulated board as one pure step, without threads, and with a clock for time stamps
+// only: for the test rig, and for `hedgehogd --simulate --speed N`, where the control thread drives
+// it.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace hedgehog::device {
 
-/// Link and board, a millisecond at a time. One thread.
+/// Link and board in steps of a millisecond. One thread.
 class SteppedBoard {
  public:
   SteppedBoard() = default;
@@ -20,12 +20,12 @@ class SteppedBoard {
   SteppedBoard& operator=(const SteppedBoard&) = delete;
   virtual ~SteppedBoard() = default;
 
-  /// One millisecond of both. What was written to the port before is applied in it.
+  /// Advances both by one millisecond. Applies what was written to the port before.
   virtual void step() noexcept = 0;
 };
 
-/// One thread. Telemetry takes one step from the board to the port, a command none: what is written
-/// to the port before `step` is applied in it.
+/// One thread. Telemetry takes one step from the board to the port, a command none: one that is
+/// written to the port before `step` is applied in it.
 class LockStep final : public SteppedBoard {
  public:
   explicit LockStep(LinkPort& port, const SimulatedBoardOptions& options = {},

@@ -32,7 +32,6 @@ void visit(Plant& plant, Each each, Any any) {
     for (auto* value : {&row.x, &row.y, &row.z}) any(*value);
 }
 
-// std::to_string would follow the locale and cut digits.
 std::optional<std::vector<double>> numbers_in(std::string_view text) {
   std::vector<double> numbers;
   const char* at = text.data();
@@ -52,6 +51,7 @@ std::optional<std::vector<double>> numbers_in(std::string_view text) {
 
 std::string plant_text(const model::PlantParameters& plant) {
   std::string text = std::to_string(plant.sensor_winding);
+  // std::to_string would depend on the locale and truncate digits.
   const auto add = [&text](double value) { text += ',' + base::shortest(value); };
   visit(plant, add, add);
   return text;

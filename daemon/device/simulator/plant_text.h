@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parameters of the simulated ball as one argument of a command line, for hedgehog-simboard.
+// Parameters of the simulated ball as one command-line argument of hedgehog-simboard.
 #pragma once
 
 #include <optional>
@@ -10,9 +10,9 @@
 
 namespace hedgehog::device {
 
-/// All numbers of `plant` but its seed, by comma, exact to the bit.
+/// All numbers of `plant` but its seed, separated by commas, bit-exact.
 std::string plant_text(const model::PlantParameters& plant);
-/// nullopt: not that many numbers, one that is not finite, or one that cannot be.
+/// nullopt: wrong number of values, or one that is not finite or out of range.
 std::optional<model::PlantParameters> plant_from(std::string_view text);
 
 }  // namespace hedgehog::device

@@ -19,9 +19,9 @@ void ProcessLockStep::step() noexcept {
 void ProcessLockStep::exchange(const LinkFrames& frames) noexcept {
   const bool sent = socket_->send(frames.set_point);
   if (sent) link_.set_written(monotonic_ns());
-  // The set-point begins the board's millisecond; this is for the next one.
+  // The set-point starts the board's millisecond; this frame applies to the next one.
   if (frames.other) socket_->send(*frames.other);
-  // Waiting again in each of the following steps would stop the daemon's time for hours.
+  // Repeating the wait in each following step would block the daemon for hours.
   if (sent && !receive_until_truth()) socket_.reset();
 }
 

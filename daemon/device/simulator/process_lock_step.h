@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Link and a simulated board in another process, in lock-step: `hedgehogd --simulate --speed N`
-// with simulator.process. The board's time is the link's, whatever either of them takes for it.
+// with simulator.process. The link's steps define the board's time, independent of the execution
+// times.
 #pragma once
 
 #include <memory>
@@ -13,13 +14,13 @@
 
 namespace hedgehog::device {
 
-/// One thread. A step sends the frames of the link, then waits for the board's frame of truth,
-/// which ends each millisecond of a board in step, and takes what came before it. A board that once
-/// did not answer in time is hung: its socket is closed, and the steps that follow wait for
-/// nothing.
+/// One thread. A step sends the frames of the link, then waits for the board's truth frame, which
+/// ends each millisecond of a lock-step board, and processes the frames before it. A board that
+/// once did not respond in time has hung: its socket is closed, and the following steps do not
+/// wait.
 class ProcessLockStep final : public SteppedBoard {
  public:
-  /// Longest wait for an answer; the first one includes the start of the board's process.
+  /// Timeout of a response; the first one includes the start of the board's process.
   static constexpr int kMaxWaitMs = 20'000;
 
   /// `port` must outlive it.
@@ -31,7 +32,7 @@ class ProcessLockStep final : public SteppedBoard {
 
  private:
   void exchange(const LinkFrames& frames) noexcept;
-  /// False: the board did not answer in time.
+  /// False: the board did not respond in time.
   bool receive_until_truth() noexcept;
 
   LinkPort& port_;

@@ -25,7 +25,7 @@ Integer reading(double value) noexcept {
   return static_cast<Integer>(std::lround(std::clamp(value, kLow, kHigh)));
 }
 
-/// A firmware is built for one kind of ball: this one.
+/// A firmware is built for one kind of ball: the simulated one.
 board::BoardLimits limits_for(const model::PlantParameters& plant) noexcept {
   board::BoardLimits limits;
   const double weakest_ohm = *std::min_element(plant.r25_ohm.begin(), plant.r25_ohm.end());
@@ -66,7 +66,7 @@ void SimulatedBoard::receive(std::span<const std::uint8_t> packet) noexcept {
       return;
     }
   }
-  // A pulled cable is pulled in both directions; only the tester's wishes still get through.
+  // An unplugged cable blocks both directions; only the simulator's settings are still applied.
   if (!has(kSimSilent) && boot_loader_ms_ == 0) core_.receive(packet.data(), packet.size());
 }
 
@@ -94,7 +94,7 @@ void SimulatedBoard::act_errors() noexcept {
 board::BoardOutputs SimulatedBoard::step_core() noexcept {
   const board::BoardInputs inputs = measure();
   if (boot_loader_ms_ > 0) {
-    // As reset leaves the pins.
+    // State of the pins after a reset.
     board::BoardOutputs undriven;
     undriven.supply_switch_closed = false;
     undriven.fan = 255;
@@ -224,7 +224,7 @@ board::BoardInputs SimulatedBoard::measure_exactly(const Analogue& analogue) noe
     const bool broken = k == broken_thermistor();
     thermistor.open = broken && has(kSimSensorOpen);
     thermistor.shorted = broken && has(kSimSensorShort);
-    // What a thermistor's curve makes of a line at either rail.
+    // Values of the thermistor curve for a line at either rail.
     const double shown = thermistor.open      ? -300.0
                          : thermistor.shorted ? 300.0
                                               : shown_c_[static_cast<std::size_t>(k)];
@@ -253,7 +253,7 @@ void SimulatedBoard::run_world(const board::BoardOutputs& outputs) noexcept {
     double duty = 0.0;
     if (outputs.awake) {
       bridge = model::BridgeState::kDriven;
-      // A PWM line that is stuck: SLP still puts the bridge to sleep.
+      // With a stuck PWM line SLP still disables the bridge.
       duty = errors_.stuck_duty(k).value_or(outputs.duty_q15[k] / kFullDuty);
     }
     // A bridge that signals a fault has switched itself off.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Simulated driver board: the firmware's rules and its reading of converters, behind real frames,
-// in front of simulated electronics and a simulated ball.
+// Simulated driver board: the firmware's rules and converter readings, with real frames, connected
+// to simulated electronics and a simulated ball.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ namespace hedgehog::device {
 struct SimulatedBoardOptions {
   model::PlantParameters plant = with_noise();
   FrontEndChoice front_end;
-  /// The room, and the ball's temperature at the start (windings, core and thermistor).
+  /// Ambient temperature, and the ball's temperature at the start (windings, core and thermistor).
   double ambient_c = 25.0;
   double start_c = 25.0;
 
@@ -35,10 +35,9 @@ struct SimulatedBoardOptions {
 /// Real-time safe, no clock, no thread of its own: `step` is one millisecond.
 class SimulatedBoard {
  public:
-  /// The thermistors are converted once in so many milliseconds, the truth told as seldom.
+  /// Interval of the thermistor conversions and of the truth frames, ms.
   static constexpr int kConversionMs = 10;
-  /// In its boot loader it answers nothing for so long; then it starts like one that has been
-  /// flashed.
+  /// Time in the boot loader without any response; then it starts like a newly flashed board.
   static constexpr int kBootLoaderMs = 3000;
 
   SimulatedBoard() noexcept : SimulatedBoard(SimulatedBoardOptions{}) {}
@@ -47,25 +46,26 @@ class SimulatedBoard {
   /// One packet from the host, any bytes; any number of them before each `step`.
   void receive(std::span<const std::uint8_t> packet) noexcept;
 
-  /// Measures, decides, and lets the world run for a millisecond on what was decided. The telemetry
-  /// holds what was measured at its beginning; none while kSimSilent or in the boot loader.
+  /// Measures, applies the rules, and advances the plant by a millisecond with their outputs. The
+  /// telemetry contains the measurements from the start of it; none while kSimSilent or in the boot
+  /// loader.
   std::optional<Frame> step() noexcept;
-  /// After some steps also how the plant really is.
+  /// True state of the plant, after every kConversionMs steps.
   std::optional<Frame> truth_frame() const noexcept;
-  /// How the plant is now, numbered by whoever counts the milliseconds.
+  /// True state of the plant, with the caller's count of milliseconds.
   Frame truth(std::uint32_t now_ms) const noexcept;
 
-  /// Instead of `step`, for a board core that runs elsewhere: the world runs for a millisecond on
-  /// `outputs`, and what the converters then show is returned. Not for a front end without
+  /// Instead of `step`, for a board core that runs elsewhere: advances the plant by a millisecond
+  /// with `outputs`, and returns the converter readings after it. Not for a front end without
   /// electronics.
   const board::RawInputs& step_electronics(const board::BoardOutputs& outputs) noexcept;
 
-  /// The truth, for tests.
+  /// The true state, for tests.
   const model::Plant& plant() const noexcept { return plant_; }
   model::Plant& plant() noexcept { return plant_; }
   const board::BoardCore& core() const noexcept { return core_; }
   const SimulatorSettings& settings() const noexcept { return settings_; }
-  /// The same as the frames of these settings and their errors.
+  /// Same effect as the frames of these settings and their errors.
   void apply(const SimulatorSettings& settings) noexcept;
   void set_errors(const SimulatorErrorList& errors) noexcept;
 
@@ -77,7 +77,7 @@ class SimulatedBoard {
   board::BoardInputs measure_exactly(const Analogue& analogue) noexcept;
   void convert_thermistors(const Analogue& analogue) noexcept;
   void wire_thermistors() noexcept;
-  /// Which of the thermistors the faults of the thermistor touch, and the winding under one.
+  /// The thermistor affected by the thermistor faults, and the winding of a thermistor.
   int broken_thermistor() const noexcept;
   int winding_under(int thermistor) const noexcept;
   void act_errors() noexcept;
@@ -97,14 +97,14 @@ class SimulatedBoard {
   FrontEnd front_end_;
   board::RawInputs raw_;
   double nominal_supply_v_ = 12.0;
-  /// What the bridges did in the last millisecond, and the currents at its start.
+  /// Bridge outputs of the last millisecond, and the currents at its start.
   model::Vec3 driven_duty_;
   bool driven_awake_ = false;
   model::Vec3 before_a_;
   double offset_k_ = 0.0;
   int until_conversion_ = 0;
   int boot_loader_ms_ = 0;
-  /// What each thermistor showed at its last conversion, C.
+  /// Reading of each thermistor at its last conversion, C.
   std::array<double, model::kCoils> shown_c_{25.0, 25.0, 25.0};
   std::uint32_t supply_ms_ = 0;
 };

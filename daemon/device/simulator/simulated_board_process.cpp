@@ -21,7 +21,6 @@ namespace {
 
 constexpr int kChildFd = 3;
 
-// std::to_string would follow the locale and cut digits.
 std::string beside_own_program() {
   std::error_code error;
   const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe", error);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The program hedgehog-simboard as a child of this process, in a process group of its own: what
-// stops or kills the daemon does not touch it.
+// The program hedgehog-simboard as a child of this process, in a separate process group: signals to
+// the daemon's group do not reach it.
 #pragma once
 
 #include <memory>
@@ -15,9 +15,9 @@ struct SimulatedBoardProcessOptions {
   SimulatedBoardOptions board;
   /// A millisecond for each set-point (process_lock_step.h), instead of a clock of its own.
   bool in_step = false;
-  /// The program; empty: hedgehog-simboard beside this process's own.
+  /// The program; empty: hedgehog-simboard in the directory of this program.
   std::string program;
-  /// Where it writes its trace (simulated_board_runner.h); empty: nowhere.
+  /// File for its trace (simulated_board_runner.h); empty: none.
   std::string trace;
 };
 
@@ -28,11 +28,11 @@ class SimulatedBoardProcess {
   explicit SimulatedBoardProcess(const SimulatedBoardProcessOptions& options);
   SimulatedBoardProcess(const SimulatedBoardProcess&) = delete;
   SimulatedBoardProcess& operator=(const SimulatedBoardProcess&) = delete;
-  /// REQUIRES: the transport is destroyed. Waits until the board has made itself safe and ended;
-  /// kills it when that takes longer than it ever can.
+  /// REQUIRES: the transport is destroyed. Waits until the board has reached a safe state and
+  /// ended; kills it after its maximum shutdown time.
   ~SimulatedBoardProcess();
 
-  /// The host's end, once.
+  /// The host's end; can be taken once.
   std::unique_ptr<SocketTransport> take_transport() noexcept { return std::move(transport_); }
   int pid() const noexcept { return pid_; }
 

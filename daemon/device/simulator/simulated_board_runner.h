@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Runs a simulated board on a clock of its own behind a transport, as the process
-// hedgehog-simboard, so that its dead-man depends on nothing that the daemon does.
+// Runs a simulated board on its own clock with a transport, as the process hedgehog-simboard, so
+// that its dead-man is independent of the daemon.
 #pragma once
 
 #include <atomic>
@@ -18,17 +18,17 @@ namespace hedgehog::device {
 /// One thread: the one that calls `run`.
 class SimulatedBoardRunner {
  public:
-  /// `trace`, when given, gets the lines of simulated_board_trace.h, and "closed" when the host
-  /// goes.
+  /// `trace`, if not null, gets the lines of simulated_board_trace.h, and "closed" when the host
+  /// disconnects.
   SimulatedBoardRunner(const SimulatedBoardOptions& options, std::unique_ptr<Transport> transport,
                        std::FILE* trace = nullptr) noexcept;
 
-  /// Runs until the host is gone and the board is safe and without current (at most kShutdownMs
-  /// later), or `stop` becomes true.
+  /// Runs until the host has disconnected and the board is safe and without current (at most
+  /// kShutdownMs later), or `stop` becomes true.
   void run(const std::atomic<bool>& stop) noexcept;
 
-  /// Runs a millisecond for each set-point of a host in step (process_lock_step.h) until the host
-  /// is gone; `run` is for what follows. `socket` is the runner's transport.
+  /// Runs a millisecond for each set-point of a lock-step host (process_lock_step.h) until it
+  /// disconnects; call `run` afterwards. `socket` is the runner's transport.
   void run_in_step(const SocketTransport& socket) noexcept;
 
   static constexpr int kShutdownMs = 5000;

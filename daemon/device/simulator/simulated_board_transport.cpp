@@ -7,8 +7,8 @@ namespace hedgehog::device {
 namespace {
 
 constexpr std::int64_t kMillisecondNs = 1'000'000;
-/// Half a period from the link's ticks, so that a tick that is a little late or early still finds
-/// one millisecond due.
+/// Half a period from the link's ticks, so that with jitter exactly one millisecond is due at each
+/// tick.
 constexpr std::int64_t kPhaseNs = kLinkPhaseNs + kMillisecondNs / 2;
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The simulated board within the host's own thread: a transport whose other end is computed when it
-// is used, which saves a thread that wakes once a millisecond.
+// The simulated board within the host's own thread: a transport whose board is computed on access,
+// which saves a thread that wakes once a millisecond.
 #pragma once
 
 #include <array>
@@ -12,9 +12,9 @@
 
 namespace hedgehog::device {
 
-/// Never waits. A host that is late finds the milliseconds that it missed computed at once, as many
-/// as TickClock catches up; the board did not live through the others. A board that must go on
-/// without its host is a process (simulated_board_process.h).
+/// Never waits. For a late host the missed milliseconds are computed at once, up to the number that
+/// TickClock catches up; the others are skipped. A board that must run without its host is a
+/// process (simulated_board_process.h).
 class SimulatedBoardTransport final : public Transport {
  public:
   /// CLOCK_MONOTONIC or a test's clock, ns.

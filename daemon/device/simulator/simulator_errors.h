@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a list of errors makes of the simulated ball and its electronics, millisecond by
-// millisecond.
+// Effect of a list of errors on the simulated ball and its electronics, millisecond by millisecond.
 #pragma once
 
 #include <array>
@@ -13,20 +12,20 @@
 
 namespace hedgehog::device {
 
-/// The errors as they act now. Real-time safe, trivially copyable; the board's thread.
+/// The errors in effect. Real-time safe, trivially copyable; the board's thread.
 class SimulatorErrors {
  public:
-  /// Replaces all; they begin to grow.
+  /// Replaces all errors and starts their ramps.
   void set(const SimulatorErrorList& list) noexcept;
-  /// A millisecond later. True when something has changed.
+  /// Advances by one millisecond. True on a change.
   bool step() noexcept;
   const SimulatorErrorList& list() const noexcept { return list_; }
 
   const model::PlantErrors& plant() const noexcept { return plant_; }
-  /// `parameters` with the errors of measurement on top.
+  /// `parameters` with the measurement errors applied.
   FrontEndParameters on(const FrontEndParameters& parameters) const noexcept;
   double tach_gain() const noexcept { return tach_gain_; }
-  /// The duty at which the PWM line of winding `coil` is stuck.
+  /// The duty of winding `coil` with a stuck PWM line.
   std::optional<double> stuck_duty(int coil) const noexcept;
 
  private:

@@ -9,17 +9,17 @@
 namespace hedgehog::device {
 
 enum class ThermometerRole : std::uint8_t {
-  kNone,   // there is none
+  kNone,   // not present
   kCoil,   // beside the coil sensor, to check it
-  kShell,  // under the skin, to keep the hand from harm
+  kShell,  // under the skin, to protect the hand
 };
 
-/// Trivially copyable; written by the thermometer's reader, read by control.
+/// Trivially copyable; written by the thermometer's thread, read by control.
 struct ThermometerSample {
   /// False: no sample yet.
   bool present = false;
   double celsius = 0.0;
-  /// When it was measured.
+  /// Tick of the measurement.
   model::Tick stamp = 0;
 };
 

@@ -11,7 +11,7 @@ struct Known {
   double divisor;
   std::size_t external_at;
 };
-// The first that fits.
+// The first match is used.
 constexpr std::array<Known, 8> kKnown{{{"TEMPerF1.", 256.0, 0},
                                        {"TEMPer1F1.", 256.0, 0},
                                        {"TEMPer2_M12_V1.", 256.0, 4},
@@ -53,7 +53,7 @@ std::optional<TemperModel> temper_model(std::string_view firmware) {
 }
 
 std::optional<TemperReading> decode_temper(const TemperModel& model, std::span<const Byte> answer) {
-  // The answer repeats the group of the question.
+  // The response repeats the group of the request.
   if (answer.size() < kTemperReport || answer[0] != kTemperAskTemperature[1]) return std::nullopt;
   TemperReading reading;
   reading.internal_c = celsius(answer, kInternalAt, model.divisor);

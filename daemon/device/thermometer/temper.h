@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Thermometers of the TEMPer kind: USB sticks that speak in 8-byte HID reports. Source: the queries
-// and layouts published with the open tool "temper" (urwen, MIT); reference: hardware.md section 6.
-// Pure; any thread.
+// TEMPer thermometers: USB sticks with 8-byte HID reports. Source: the queries and layouts
+// published with the open tool "temper" (urwen, MIT); reference: hardware.md section 6. Pure; any
+// thread.
 #pragma once
 
 #include <array>
@@ -18,31 +18,31 @@ namespace hedgehog::device {
 inline constexpr std::size_t kTemperReport = 8;
 using TemperReport = std::array<Byte, kTemperReport>;
 
-/// The firmware's name, as ASCII in several reports.
+/// Requests the firmware's name, as ASCII in several reports.
 inline constexpr TemperReport kTemperAskFirmware{0x01, 0x86, 0xFF, 0x01, 0, 0, 0, 0};
-/// The temperatures, in one or two reports.
+/// Requests the temperatures, in one or two reports.
 inline constexpr TemperReport kTemperAskTemperature{0x01, 0x80, 0x33, 0x01, 0, 0, 0, 0};
 
-/// How a firmware lays its numbers out.
+/// Layout of the numbers of a firmware.
 struct TemperModel {
   std::string firmware;
   double divisor = 100.0;
-  /// Byte of the probe on a lead, counted over all reports of an answer; 0: it has none.
+  /// Byte of the probe on a lead, counted over all reports of a response; 0: no probe.
   std::size_t external_at = 0;
 };
 
-/// The printable characters at the front of the answer.
+/// The printable characters at the front of the response.
 std::string temper_firmware(std::span<const Byte> answer);
-/// Nothing for a firmware whose layout is not known: its numbers would be guesses.
+/// nullopt for a firmware with an unknown layout, whose numbers would be guesses.
 std::optional<TemperModel> temper_model(std::string_view firmware);
 
 struct TemperReading {
-  /// Missing: no sensor there, or a number outside -40..125 C.
+  /// Missing: no sensor, or a number outside -40..125 C.
   std::optional<double> internal_c;
   std::optional<double> external_c;
 };
 
-/// `answer`: all reports, one behind the other. Nothing when it is no answer to the question.
+/// `answer`: all reports, concatenated. nullopt if it is not a response to the request.
 std::optional<TemperReading> decode_temper(const TemperModel& model, std::span<const Byte> answer);
 
 }  // namespace hedgehog::device

@@ -12,27 +12,27 @@
 
 namespace hedgehog::device {
 
-/// A driver board's interface: the vendor's own class, and the protocol version of its frames.
+/// A driver board's interface: vendor-specific class, and the protocol version of its frames.
 inline constexpr std::uint8_t kBoardClass = 0xFF;
 inline constexpr std::uint8_t kBoardSubclass = 0x48;
 
-/// The device file's part about the board.
+/// The board section of the device file.
 struct BoardIds {
   std::vector<model::UsbId> ids;
-  /// Empty: any, as long as there is one only.
+  /// Empty: any, if there is only one.
   std::string serial;
 };
 
 /// "1.02" of bcdDevice 0102; empty: unknown.
 std::string firmware_of(const UsbDevice& device);
-/// Of its frames, as its interface says; nullopt: it has none of a driver board.
+/// Version of its frames, from its interface descriptor; nullopt: no driver board interface.
 std::optional<int> frame_version(const UsbDevice& device);
 /// "Hedgehog driver board (1209:0001), serial number 7, firmware 1.02".
 std::string describe_board(const UsbDevice& device);
 bool is_board(const UsbDevice& device, const BoardIds& wanted);
 
-/// An index into `devices` with the number of the interface, or a sentence why there is none.
-/// `seen`: something with the ids is connected.
+/// An index into `devices` with the number of the interface, or a sentence with the reason for
+/// which there is none. `seen`: a device with the ids is connected.
 struct BoardChoice {
   std::optional<std::size_t> index;
   int interface = 0;

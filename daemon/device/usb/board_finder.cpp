@@ -27,7 +27,7 @@ Milliseconds BoardFinder::step(Milliseconds now) {
 void BoardFinder::look(Milliseconds now) {
   const std::vector<UsbDevice> devices = bus_.list();
   const BoardChoice choice = choose_board(devices, wanted_);
-  // Another one than before has a new chance.
+  // The back-off restarts for a newly connected board.
   if (choice.seen && !usb_info_.seen) patience_ = kFirstPause;
   usb_info_.seen = choice.seen;
   if (!choice.index) {
@@ -106,7 +106,7 @@ void BoardFinder::lose(const std::string& why, Milliseconds longest, Millisecond
   (void)exchange_->cancel_all(kCancelPatience);
   exchange_.reset();
   ++usb_info_.closed;
-  // One that opens and dies at once is not hammered.
+  // Back-off for a board that fails right after opening.
   if (now - opened_at_ > kLongestPauseAfterFailure) patience_ = kFirstPause;
   fail(name_ + ": " + why, longest, now);
 }
@@ -154,7 +154,7 @@ std::size_t BoardFinder::receive(std::span<std::uint8_t> packet) noexcept {
 }
 
 void BoardFinder::note_version(std::span<const std::uint8_t> packet) noexcept {
-  // A frame that is whole but for its version says which.
+  // Only the version of an otherwise valid frame is reported.
   if (packet.size() != board::kFrameSize || packet[1] == board::kProtocolVersion) return;
   board::FrameHeader header;
   if (board::read_header(packet.data(), packet.size(), header) == board::FrameError::kVersion)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Finds, opens, recovers and closes the board, and lends its transfers to the link thread in
-// between: everything that may block, so that the link never does.
+// between: contains every blocking operation, so that the link never blocks.
 #pragma once
 
 #include <atomic>
@@ -19,51 +19,51 @@ namespace hedgehog::device {
 
 /// The board as a USB device.
 struct BoardUsbInfo {
-  /// It is open, and speaks our version of the protocol.
+  /// It is open, with this protocol version.
   bool open = false;
-  /// Something with its ids is connected, used or not.
+  /// A device with its ids is connected, used or not.
   bool seen = false;
-  /// What is open, or why nothing is.
+  /// Name of the open board, or the reason for which none is open.
   std::string what;
-  /// Where the one that is open hangs.
+  /// Address of the open board.
   std::optional<UsbPlace> place;
-  /// Of the one that is open, as it says of itself; nullopt: it does not.
+  /// From the descriptors of the open board; nullopt: not present.
   std::optional<std::string> serial;
   std::optional<std::string> firmware;
-  /// Times that it was opened, closed, and mended after a stall, so far.
+  /// Number of times it was opened, closed, and recovered after a stall.
   std::uint64_t opened = 0;
   std::uint64_t closed = 0;
   std::uint64_t mended = 0;
 };
 
-/// One object, two threads. The exchange is the finder's or the link's by turns; whoever's turn it
-/// is not keeps away from it. The link gives it back when there is trouble with it.
+/// One object, two threads. The exchange belongs to the finder or the link in turns, and only its
+/// present owner uses it. The link returns it on an error.
 class BoardFinder {
  public:
   using Milliseconds = std::chrono::milliseconds;
-  /// How often it looks after a board that is open.
+  /// Interval of checks of an open board.
   static constexpr Milliseconds kLook{20};
-  /// Between two tries to find one: the first pause doubles up to the longest. A board that cannot
-  /// be opened, or dies at once, is tried less and less often.
+  /// Interval of attempts to find a board: the first pause doubles up to the longest. The interval
+  /// is longer for a board that cannot be opened, or fails right after.
   static constexpr Milliseconds kFirstPause{250};
   static constexpr Milliseconds kLongestPause{1000};
-  static constexpr Milliseconds kLongestPauseAfterFailure{8000};  // not after a pulled cable
-  /// An open board that says nothing for so long is closed and opened again.
+  static constexpr Milliseconds kLongestPauseAfterFailure{8000};  // not after unplugging
+  /// An open board that is silent for this long is closed and opened again.
   static constexpr Milliseconds kSilence{2000};
-  /// So many stalls in a row, each within 10 s of the one before, and it is opened anew.
+  /// Reopened after more stalls than this in a row, each within 10 s of the previous one.
   static constexpr int kMaxStalls = 5;
 
   BoardFinder(UsbBus& bus, BoardIds wanted) : bus_(bus), wanted_(std::move(wanted)) {}
 
-  /// The finder's thread: does what is due at `now`, on a clock that only goes forward. Returns
-  /// when it wants to be called again, at the latest. May wait for the device for a moment.
+  /// The finder's thread: does the work due at `now`, by a monotonic clock. Returns the time within
+  /// which it has to be called again. May wait briefly for the device.
   Milliseconds step(Milliseconds now);
-  /// Closes the board. REQUIRES: the link is done with it.
+  /// Closes the board. REQUIRES: the link no longer uses it.
   void close();
   /// The finder's thread.
   const BoardUsbInfo& usb_info() const noexcept { return usb_info_; }
 
-  /// The link's thread, never waiting:
+  /// The link's thread; never waits:
   bool send(std::span<const std::uint8_t, board::kFrameSize> frame) noexcept;
   std::size_t receive(std::span<std::uint8_t> packet) noexcept;
   bool idle() const noexcept { return turn_.load(std::memory_order_relaxed) == Turn::kFinder; }
@@ -76,7 +76,7 @@ class BoardFinder {
   void take_back(Milliseconds now);
   void lend(Milliseconds now) noexcept;
   void lose(const std::string& why, Milliseconds longest, Milliseconds now);
-  /// None is open.
+  /// Clears the information on an open board.
   void forget();
   void fail(const std::string& why, Milliseconds longest, Milliseconds now);
   void note_version(std::span<const std::uint8_t> packet) noexcept;
@@ -97,7 +97,7 @@ class BoardFinder {
   std::atomic<Turn> turn_{Turn::kFinder};
   std::atomic<bool> wanted_back_{false};
   std::atomic<std::uint32_t> packets_{0};
-  /// Of frames in another version of the protocol; 0: none.
+  /// Of frames in another protocol version; 0: none.
   std::atomic<std::uint8_t> foreign_version_{0};
 };
 

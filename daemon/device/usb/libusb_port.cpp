@@ -41,7 +41,7 @@ struct Slot {
   std::array<std::uint8_t, kSlotBytes> bytes{};
 };
 
-/// What libusb writes to; survives its port only if a transfer never ends.
+/// Memory that libusb writes to; outlives its port only if a transfer never ends.
 struct Slots : std::array<Slot, kSlots> {
   Slots() : std::array<Slot, kSlots>{} {}
   Slots(const Slots&) = delete;
@@ -56,7 +56,7 @@ class LibusbPort : public UsbPort {
   explicit LibusbPort(std::unique_ptr<UsbHandle> usb)
       : usb_(std::move(usb)), slots_(std::make_unique<Slots>()) {}
 
-  /// False: no memory.
+  /// False: out of memory.
   bool prepare() noexcept {
     for (int i = 0; i < kSlots; ++i) {
       Slot& slot = at(i);
@@ -77,7 +77,7 @@ class LibusbPort : public UsbPort {
     for (auto left = kClosing; busy() && left.count() > 0; left -= kClosePoll)
       (void)poll(ignored, kClosePoll);
     if (!busy()) return;
-    // The kernel still owns them: lost memory is better than memory written to after its end.
+    // The kernel still uses them: a memory leak is better than a write after free.
     (void)slots_.release();
     (void)usb_.release();
   }
@@ -125,7 +125,7 @@ class LibusbPort : public UsbPort {
   static void LIBUSB_CALL ended(libusb_transfer* transfer) {
     Slot& slot = *static_cast<Slot*>(transfer->user_data);
     slot.under_way = false;
-    // A slot ends once before it is submitted again, so there is room for each.
+    // A slot ends once before it is submitted again, so there is capacity for each.
     LibusbPort& port = *slot.port;
     if (port.count_ == port.ended_.size()) return;
     port.ended_[port.count_++] = {slot.number, end_of(transfer->status),

@@ -18,7 +18,7 @@ class UsbTransport : public Transport {
   std::size_t receive(std::span<std::uint8_t> packet) noexcept override {
     return finder_.receive(packet);
   }
-  /// Another board may come at any time.
+  /// Another board may be connected at any time.
   bool open() const noexcept override { return true; }
   bool idle() const noexcept override { return finder_.idle(); }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The board on USB: the thread that looks for it, and the transport that the link thread gets.
+// The board on USB: the thread that searches for it, and the transport for the link thread.
 #pragma once
 
 #include <condition_variable>
@@ -15,14 +15,14 @@ namespace hedgehog::device {
 /// Made and destroyed by one thread; `usb_info` from any.
 class UsbBoard {
  public:
-  /// Looks for it from now on, on a thread of its own. Throws std::system_error.
+  /// Starts the search on its own thread. Throws std::system_error.
   UsbBoard(std::unique_ptr<UsbBus> bus, const BoardIds& wanted);
   UsbBoard(const UsbBoard&) = delete;
   UsbBoard& operator=(const UsbBoard&) = delete;
-  /// Lets the last frames go out, then closes. REQUIRES: the transport is gone.
+  /// Sends the last frames, then closes. REQUIRES: the transport is destroyed.
   ~UsbBoard();
 
-  /// For the link thread, which hears nothing while there is no board. One at a time; the board
+  /// For the link thread; receives nothing while no board is open. One at a time; the board
   /// outlives it.
   std::unique_ptr<Transport> transport();
   BoardUsbInfo usb_info() const;

@@ -98,7 +98,7 @@ bool UsbExchange::wait_for(int first, int last, milliseconds patience) noexcept 
 }
 
 void UsbExchange::flush(milliseconds patience) noexcept {
-  // What is read meanwhile is of no interest, and must not fill the queue.
+  // Packets read meanwhile are not needed, and must not fill the queue.
   for (int slot = 0; slot < kReadSlots; ++slot)
     if (under_way_[static_cast<std::size_t>(slot)]) port_->cancel(slot);
   if (trouble_ == UsbTrouble::kNone) (void)wait_for(kReadSlots, kSlots, patience);

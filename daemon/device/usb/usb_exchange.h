@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The transfers of one opened board: some that read are always under way, frames to send go into
-// those that are idle.
+// The transfers of one opened board: reading ones are always pending, frames to send use idle ones.
 #pragma once
 
 #include <array>
@@ -16,7 +15,7 @@
 
 namespace hedgehog::device {
 
-/// What keeps an exchange from going on.
+/// Error that stops an exchange.
 enum class UsbTrouble : std::uint8_t { kNone, kStalled, kGone, kFailed };
 
 /// Used by one thread at a time. `send` and `receive` never wait and allocate nothing (libusb
@@ -26,25 +25,25 @@ class UsbExchange {
  public:
   explicit UsbExchange(std::unique_ptr<UsbPort> port) : port_(std::move(port)) {}
 
-  /// Begins to read.
+  /// Starts reading.
   void start() noexcept;
 
-  /// False: every transfer is still under way, or there is trouble.
+  /// False: every transfer is pending, or after an error.
   bool send(std::span<const std::uint8_t, board::kFrameSize> frame) noexcept;
-  /// The next packet, in the order in which they came: its length, 0 when there is none. An empty
-  /// packet is left out, a longer one is cut to `packet`.
+  /// The next packet, in the order of arrival: its length, 0 if there is none. An empty packet is
+  /// skipped, a longer one is truncated to `packet`.
   std::size_t receive(std::span<std::uint8_t> packet) noexcept;
-  /// The first that has happened since `start`.
+  /// The first error since `start`.
   UsbTrouble trouble() const noexcept { return trouble_; }
 
-  /// Lets frames that were sent go out, as long as they do within `patience`.
+  /// Waits for the transfer of sent frames, at most `patience`.
   void flush(std::chrono::milliseconds patience) noexcept;
-  /// Cancels everything. False: something did not end within `patience`.
+  /// Cancels all transfers. False: some did not end within `patience`.
   bool cancel_all(std::chrono::milliseconds patience) noexcept;
-  /// Ends a stall and starts again. False: close it.
+  /// Clears a stall and starts again. False: close it.
   bool recover(std::chrono::milliseconds patience) noexcept;
 
-  /// Transfers begun and ended so far; equal when nothing is under way.
+  /// Transfers started and ended so far; equal when none is pending.
   std::uint64_t begun() const noexcept { return begun_; }
   std::uint64_t ended() const noexcept { return ended_; }
 
@@ -62,7 +61,7 @@ class UsbExchange {
 
   std::unique_ptr<UsbPort> port_;
   std::array<bool, kSlots> under_way_{};
-  /// Read and not yet asked for: at most one a reading slot.
+  /// Read packets not yet returned: at most one per reading slot.
   std::array<Packet, kReadSlots> packets_{};
   std::size_t first_ = 0;
   std::size_t count_ = 0;

@@ -11,19 +11,19 @@
 
 namespace hedgehog::device {
 
-/// Why a device could not be used, from an error of libusb's: a clause for a sentence. A missing
-/// permission and another program that has the device are told apart from all else.
+/// Reason of a libusb error: a clause for a sentence. A missing permission and a device in use by
+/// another program are distinguished from all other errors.
 std::string usb_failure(int error);
 
-/// Owns a context, a handle and a claim. A context of its own, because one that is older than the
-/// device does not see it where no udevd runs.
+/// Owns a context, a handle and a claim. A separate context, because one that is older than the
+/// device does not detect it without udevd.
 class UsbHandle {
  public:
   UsbHandle(const UsbHandle&) = delete;
   UsbHandle& operator=(const UsbHandle&) = delete;
   ~UsbHandle();
 
-  /// Endpoints of one direction each; 0: there is none.
+  /// Endpoints of one direction each; 0: none.
   struct Endpoints {
     int interface = -1;
     int alternate = 0;
@@ -31,9 +31,9 @@ class UsbHandle {
     unsigned char out = 0;
   };
 
-  /// Opens the device at `place` and claims the first interface (or `place.interface`, when it is
-  /// not negative) with an IN endpoint of `type`, and an OUT one too if `both`. Kernel drivers are
-  /// detached meanwhile. Null: `failure` says why.
+  /// Opens the device at `place` and claims the first interface (or `place.interface`, if it is not
+  /// negative) with an IN endpoint of `type`, and an OUT one too if `both`. Kernel drivers are
+  /// detached meanwhile. Null on failure, with the reason in `failure`.
   static std::unique_ptr<UsbHandle> open(const UsbPlace& place, libusb_transfer_type type,
                                          bool both, std::string& failure);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The seam between the board's transport and libusb: a claimed interface with a fixed number of
-// transfers, and where such interfaces come from. libusb_port implements it; tests have their own.
+// Interface between the board's transport and libusb: a claimed interface with a fixed number of
+// transfers, and the bus that opens it. Implemented by libusb_port and by tests.
 #pragma once
 
 #include <chrono>
@@ -15,11 +15,11 @@
 
 namespace hedgehog::device {
 
-/// Transfers of one port, by number: first those that read, then those that write.
+/// Transfers of one port, by number: reading ones first, then writing ones.
 inline constexpr int kReadSlots = 16;
 inline constexpr int kWriteSlots = 8;
 inline constexpr int kSlots = kReadSlots + kWriteSlots;
-/// The largest packet of a bulk endpoint, so that no packet is too long for its buffer.
+/// The largest packet of a bulk endpoint, so that every packet fits its buffer.
 inline constexpr std::size_t kSlotBytes = 512;
 
 enum class TransferEnd : std::uint8_t { kDone, kCancelled, kStalled, kGone, kFailed };
@@ -30,8 +30,8 @@ struct Completion {
   std::size_t length = 0;
 };
 
-/// Used by one thread at a time. Destroying it closes the device; whatever has not ended then is
-/// cancelled first.
+/// Used by one thread at a time. Destroying it closes the device; pending transfers are cancelled
+/// first.
 class UsbPort {
  public:
   UsbPort() = default;
@@ -40,25 +40,25 @@ class UsbPort {
   virtual ~UsbPort() = default;
 
   virtual std::span<std::uint8_t, kSlotBytes> buffer(int slot) noexcept = 0;
-  /// Begins a transfer; a reading slot takes its whole buffer, whatever `length` is. Never waits.
-  /// False: it did not begin, and no completion follows. REQUIRES: the slot is idle.
+  /// Starts a transfer; a reading slot uses its whole buffer, whatever `length` is. Never waits.
+  /// False: it did not start, and no completion follows. REQUIRES: the slot is idle.
   virtual bool submit(int slot, std::size_t length) noexcept = 0;
-  /// Its completion still follows.
+  /// The completion still follows.
   virtual void cancel(int slot) noexcept = 0;
-  /// What has ended, oldest first; each once. Waits up to `wait` for the first.
+  /// Ended transfers, oldest first; each once. Waits up to `wait` for the first.
   virtual std::size_t poll(std::span<Completion> ended,
                            std::chrono::milliseconds wait) noexcept = 0;
-  /// Ends the stall of both endpoints. May wait for the device; not for the link thread.
-  /// REQUIRES: no transfer under way.
+  /// Clears the stall of both endpoints. May wait for the device; not for the link thread.
+  /// REQUIRES: no transfer is pending.
   virtual bool clear_halt() noexcept = 0;
 };
 
-/// The USB of this machine.
+/// USB of this machine.
 class UsbBus {
  public:
   virtual ~UsbBus() = default;
   virtual std::vector<UsbDevice> list() = 0;
-  /// Opens and claims the interface at `place`. Null: `failure` says why.
+  /// Opens and claims the interface at `place`. Null on failure, with the reason in `failure`.
   virtual std::unique_ptr<UsbPort> open(const UsbPlace& place, std::string& failure) = 0;
 };
 

@@ -16,7 +16,7 @@ class BallWarnings {
   /// A drift of R25 beyond this is reported, a share.
   static constexpr double kMaxDrift = 0.05;
 
-  /// What has changed since the last call.
+  /// The changes since the last call, as sentences.
   std::vector<std::string> step(const DeviceView& device_view);
 
  private:
@@ -24,7 +24,7 @@ class BallWarnings {
   void step_winding(int coil, const DeviceView& device_view, std::vector<std::string>& sentences);
 
   bool fan_works_ = true;
-  /// Whose R25 of this run has been looked at.
+  /// Per winding: R25 of this run has been checked.
   std::array<bool, model::kCoils> seen_{};
 };
 

@@ -13,9 +13,9 @@ namespace hedgehog::server {
 class DeviceScanner {
  public:
   virtual ~DeviceScanner() = default;
-  /// Asked again and again until it has the answer.
+  /// Polled until it returns the result.
   using Ready = std::function<std::optional<protocol::DevicesResult>()>;
-  /// Begins to look. Empty: too much is under way.
+  /// Starts a scan. Empty: too many are pending.
   virtual Ready look() = 0;
 };
 

@@ -22,25 +22,25 @@
 
 namespace hedgehog::server {
 
-/// A current that is less by no more than this is not reduced, only rounded.
+/// Current reductions up to this are rounding, not a limitation, A.
 constexpr double kRoundingA = 1e-6;
 
-/// The driver board as the bus shows it.
+/// The driver board as detected on the bus.
 struct BoardInfo {
-  /// Why one that is connected is not used; empty: nothing speaks against it.
+  /// Reason for which a connected board is not used; empty: none.
   std::string trouble;
-  /// Of the one that is in use; nullopt: it does not say, or there is none.
+  /// Of the board in use; nullopt: not reported, or no board.
   std::optional<std::string> serial;
   std::optional<std::string> firmware;
 };
 
-/// A winding's resistance at 25 C and by how much it has moved, shares (0.05: 5 % more).
+/// Resistance of a winding at 25 C and its changes, shares (0.05: 5 % more).
 struct MeasuredR25 {
   double ohm = 0.0;
-  /// In the device file.
+  /// From the device file.
   double file_ohm = 0.0;
   double from_file = 0.0;
-  /// In an earlier run; nullopt: none has measured it.
+  /// From an earlier run; nullopt: not measured.
   std::optional<double> kept_ohm;
   std::optional<double> from_kept;
 };
@@ -49,11 +49,11 @@ struct MeasuredR25 {
 class DeviceView {
  public:
   /// `epoch_ns`: device time of tick 0. The references must outlive it.
-  /// REQUIRES: the geometry of the device is possible, as reading its file has checked.
+  /// REQUIRES: the geometry of the device is valid, as checked when its file was read.
   DeviceView(const config::Config& config, control::Mailbox& mailbox, device::LinkPort& link,
              std::int64_t epoch_ns);
 
-  /// Takes the latest snapshot.
+  /// Reads the latest snapshot.
   void refresh();
   const control::StatusSnapshot& now() const noexcept { return snapshot_; }
   std::int64_t time_ns(model::Tick tick) const noexcept {
@@ -62,72 +62,73 @@ class DeviceView {
   std::int64_t epoch_ns() const noexcept { return epoch_ns_; }
 
   const config::Config& config() const noexcept { return config_; }
-  /// After a reload: limits (a board never widens its own) and what a client may see of the
-  /// configuration.
+  /// After a reload: limits (a board never widens its own) and the parts of the configuration that
+  /// clients may read.
   void set_config(const config::Config& config);
   const model::Limits& limits() const noexcept { return config_.limits; }
-  /// The board still keeps to tighter limits than these, of an earlier configuration.
+  /// The board still keeps tighter limits than these, from an earlier configuration.
   bool board_holds_back() const noexcept;
   bool simulated() const noexcept { return config_.backend == config::Backend::kSimulator; }
   const model::PinArray& array() const noexcept { return pins_->array; }
   /// From pin to pin, degrees (model::pin_pitch_deg).
   double pin_pitch_deg() const noexcept { return pin_pitch_deg_; }
   const model::PinCurves& pin_curves() const noexcept { return pins_->curves; }
-  /// Of the simulated ball, or of the device as its file says it: the same pins, maybe among other
-  /// magnets.
+  /// Of the simulated ball, or of the device according to its file: the same pins, possibly with
+  /// other magnets.
   const model::PinCurves& true_pin_curves() const noexcept { return true_pins_->curves; }
   const model::Forecaster& forecaster() const noexcept { return forecaster_; }
   model::ForecastStart forecast_start() const noexcept;
-  /// How long the full current can flow from a ball as warm as its room, by what is known of it
-  /// now; nullopt: for ever.
+  /// Time for which the full current can flow from ambient temperature, by the present estimates,
+  /// s; nullopt: unlimited.
   std::optional<double> cold_burst_s() const noexcept;
   RemedyFacts remedy_facts() const;
-  /// `look`: how to see the board on its bus.
+  /// `look`: returns the state of the board on its bus.
   void set_board_info_source(std::function<BoardInfo()> look) {
     board_info_source_ = std::move(look);
   }
-  /// The version of the board's frames, "1.2"; nullopt: no board answers.
+  /// The version of the board's frames, "1.2"; nullopt: no board is present.
   std::optional<std::string> board_protocol() const;
   BoardInfo board() const { return board_info_source_ ? board_info_source_() : BoardInfo{}; }
-  /// `allowed_a`, a current that the limiter allows, as clients see it: in hundredths of an ampere,
-  /// and never above `limits().current_a`, also before the control thread has taken new limits.
+  /// `allowed_a`, a current allowed by the limiter, as reported to clients: in hundredths of an
+  /// ampere, and never above `limits().current_a`, even before the control thread has applied new
+  /// limits.
   double shown_limit_a(double allowed_a) const noexcept;
-  /// It is armed, but what its heat as estimated allows cannot be felt: a sensor's fault may have
-  /// taken the estimate far up, from where it falls slowly.
+  /// Armed, but the current allowed by the thermal estimate cannot be felt: a sensor fault may have
+  /// raised the estimate, which decreases slowly.
   bool too_hot() const noexcept;
-  /// Why the state is what it is, and, of an armed ball, why nothing plays; nullopt: all is well.
+  /// Reason of the present state, or of an armed ball that cannot play; nullopt: no problem.
   std::optional<std::string> reason_now() const;
-  /// Something trustworthy measures the ball; without it nothing may flow.
+  /// The temperature is known by a valid measurement; without it no current is allowed.
   bool temperature_known() const noexcept;
-  /// The hottest winding as estimated, C.
+  /// Estimated temperature of the hottest winding, C.
   double hottest_c() const noexcept;
-  /// Why the ball is not armed, as a sentence; nullopt when it is.
+  /// A sentence on how to arm the ball; nullopt when it is armed.
   std::optional<std::string> remedy_now() const;
 
   /// Requests another comfort gain; its seq, nullopt when the queue is full.
   std::optional<std::uint64_t> ask_gain(ConnectionId owner, double gain);
-  /// In force, or asked for and about to be.
+  /// The gain in force, or the requested one until it is applied.
   double gain() const noexcept {
     return snapshot_.applied_seq < gain_seq_ ? asked_gain_ : snapshot_.gain;
   }
 
-  /// R25 of winding `coil`, 0..2, as measured in this run; nullopt: not yet.
+  /// R25 of winding `coil`, 0..2, measured in this run; nullopt: not yet.
   std::optional<MeasuredR25> r25(int coil) const noexcept;
-  /// As measured before this run, ohm; 0: never.
+  /// Measured before this run, ohm; 0: never.
   void set_kept_r25(const std::array<double, model::kCoils>& ohm) noexcept { kept_r25_ohm_ = ohm; }
 
   Outbox& outbox() noexcept { return outbox_; }
   control::Mailbox& mailbox() noexcept { return mailbox_; }
 
-  /// Orientation from outside: an external feeder, or `sim.set`. Kept fresh for the simulator.
+  /// Orientation from an external feeder or `sim.set`. Kept fresh for the simulator.
   void set_orientation(const model::Quaternion& quaternion);
-  /// Some orientation has been given or measured; also when control has not looked yet.
+  /// An orientation has been set or measured, possibly not yet read by control.
   bool orientation_known() const noexcept {
     return snapshot_.orientation_present || orientation_.present;
   }
   const device::SimulatorSettings& simulator() const noexcept { return simulator_; }
   void set_simulator(const device::SimulatorSettings& settings);
-  /// How the simulated plant was a few milliseconds ago.
+  /// State of the simulated plant a few milliseconds ago.
   const device::PlantTruth& truth() const noexcept { return link_.truth.read(); }
 
  private:

@@ -20,9 +20,9 @@ namespace hedgehog::server {
 namespace {
 
 constexpr std::chrono::seconds kPeriod{1};
-/// A ball this much above its room has heat worth remembering.
+/// A ball this much above ambient is warm enough for its temperatures to be saved.
 constexpr double kWarmK = 2.0;
-/// By then the snapshot has every latch that an event or a request has told of.
+/// After this time the snapshot contains every latch reported by an event or a request.
 constexpr model::Tick kLatchSeen = 200;
 
 constexpr const char* kAsAfterACrash = "; the next start counts as one after a crash";
@@ -33,15 +33,15 @@ bool finite(const model::ThermalState& heat) {
 
 }  // namespace
 
-/// Only the disk thread writes, and who makes it before that.
+/// Written by the disk thread only, before that by the creating thread.
 class FileStateStore::File {
  public:
-  /// `orderly`: what is there tells of an orderly stop.
+  /// `orderly`: the present file records an orderly stop.
   File(std::string path, bool orderly) : path_(std::move(path)), orderly_(orderly) {}
 
-  /// In place of what was there. A file that tells of an orderly stop does not outlive a state that
-  /// is none and cannot be written: the ball would be armed after a stop that was forgotten. A full
-  /// disk still removes.
+  /// Replaces the file. If a state without an orderly stop cannot be written, a file that records
+  /// an orderly stop is removed, because the next start would arm the ball in spite of a latched
+  /// stop. Removing works on a full disk.
   void write(const SavedState& state, bool last) {
     const std::string problem = base::write_file_atomically(path_, encode(state));
     if (problem.empty()) {
@@ -59,15 +59,14 @@ class FileStateStore::File {
                     orderly_ ? ", but for the old file, which must be removed by hand" : "");
     }
   }
-  /// The last write did. Any thread.
+  /// The last write failed. Any thread.
   bool failed() const noexcept { return failed_; }
 
-  /// Number of the newest state that the disk was asked to write, and of the newest that is on it.
-  /// Any thread.
+  /// Number of the newest state whose write was attempted, and of the newest on disk. Any thread.
   std::uint64_t attempted() const noexcept { return attempted_; }
   std::uint64_t on_disk() const noexcept { return on_disk_; }
 
-  /// What is written next, by its number; false: something waits for that already.
+  /// Sets the state to write next, and its number; false: one is already pending.
   bool put(const SavedState& state, std::uint64_t number, bool last) {
     const std::lock_guard lock(mutex_);
     last_ = last_ || last;
@@ -112,7 +111,7 @@ FileStateStore::FileStateStore(const std::string& directory, DiskThread& disk,
       file_(std::make_shared<File>(state_file(directory), last && last->clean_stop)),
       device_view_(device_view),
       saved_(last.value_or(SavedState{})) {
-  // Until the next orderly stop this run counts as one that was cut off.
+  // Until the next orderly stop this run counts as aborted.
   saved_.clean_stop = false;
   r25_before_ = saved_.r25;
   std::array<double, model::kCoils> kept{};
@@ -120,7 +119,7 @@ FileStateStore::FileStateStore(const std::string& directory, DiskThread& disk,
   device_view_.set_kept_r25(kept);
   if (!saved_.ball) saved_.ball = ball_of(device_view.config());
   if (last) file_->write(saved_, false);
-  // An incomplete file is of no use beside a whole one.
+  // An incomplete file is useless beside a complete one.
   const std::string path = state_file(directory);
   std::error_code unseen;
   if (std::filesystem::is_regular_file(path, unseen)) ::unlink((path + ".new").c_str());
@@ -176,7 +175,7 @@ void FileStateStore::recognise_ball() {
 
 void FileStateStore::pump(std::chrono::steady_clock::time_point time) {
   const control::StatusSnapshot& now = device_view_.now();
-  if (now.tick <= 0) return;  // the control thread has said nothing yet
+  if (now.tick <= 0) return;  // no snapshot of the control thread yet
   recognise_ball();
   thermistor_seen_ = thermistor_seen_ || (now.board_present && now.sensor_valid);
   due_ = due_ || r25_changed();
@@ -213,7 +212,7 @@ void FileStateStore::write() {
 void FileStateStore::stopped_cleanly() {
   stopped_ = true;
   saved_ = current();
-  // Behind what still waits, so that nothing older is written after it.
+  // Queued after pending writes, so that no older state is written after it.
   if (!hand_over()) spdlog::error("the disk is too slow: the state is not kept{}", kAsAfterACrash);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Persists `state.json`: every second while the ball is warm, and at once when something latches or
-// the owner changes the gain. Detects that another ball was plugged in. A failed write is repeated
-// each second; meanwhile no file on disk claims an orderly stop.
+// Persists `state.json`: every second while the ball is warm, and at once on a latch or a change of
+// the owner's gain. Detects a replaced ball. A failed write is repeated each second; meanwhile no
+// file on disk records an orderly stop.
 #pragma once
 
 #include <chrono>
@@ -17,18 +17,18 @@
 
 namespace hedgehog::server {
 
-/// io thread only; the writing is done by the disk thread.
+/// io thread only; the disk thread writes.
 class FileStateStore final : public StateStore {
  public:
-  /// `last`: as loaded at the start.
+  /// `last`: the state loaded at the start.
   FileStateStore(const std::string& directory, DiskThread& disk, DeviceView& device_view,
                  const std::optional<SavedState>& last);
 
   /// After every pump.
   void pump(std::chrono::steady_clock::time_point now = std::chrono::steady_clock::now());
   void state_changed(control::State state) noexcept;
-  /// The last word; on disk, or the log says why not, at the latest when the disk thread has ended.
-  /// REQUIRES: the control loop has stopped.
+  /// Writes the final state; it is on disk, or the failure is logged, at the latest when the disk
+  /// thread has ended. REQUIRES: the control loop has stopped.
   void stopped_cleanly();
 
   void persist_gain(double gain) override;
@@ -37,34 +37,33 @@ class FileStateStore final : public StateStore {
 
  private:
   SavedState current() const;
-  /// R25 of a winding is another one than was kept.
+  /// R25 of a winding differs from the saved one.
   bool r25_changed() const noexcept;
   class File;
-  /// `saved_`, to the disk thread, in place of what it has not begun to write; false: it has no
-  /// room.
+  /// Passes `saved_` to the disk thread, replacing a pending state; false: its queue is full.
   bool hand_over();
   void write();
-  /// Compares the board with the saved one each time that it appears.
+  /// Compares the board with the saved one each time that it is detected.
   void recognise_ball();
 
   DiskThread& disk_;
-  /// With the disk thread.
+  /// Shared with the disk thread.
   std::shared_ptr<File> file_;
   DeviceView& device_view_;
   SavedState saved_;
-  /// As before this run.
+  /// Values from before this run.
   std::array<R25History, model::kCoils> r25_before_{};
   std::chrono::steady_clock::time_point written_{};
-  /// Counts what was handed over, and which of that had the last latch first.
+  /// Number of the last state passed to the disk thread.
   std::uint64_t handed_over_ = 0;
   bool due_ = false;
   bool was_warm_ = false;
   bool stopped_ = false;
-  /// The board that is there now has been compared.
+  /// The present board has been compared.
   bool recognised_ = false;
-  /// Since the start; before it the heat of the last run is the best there is.
+  /// Seen since the start; before it the temperatures of the last run are the best estimate.
   bool thermistor_seen_ = false;
-  /// Asked for, not yet seen in a snapshot.
+  /// Requested, not yet contained in a snapshot.
   control::Reason asked_latch_ = control::Reason::kNone;
   model::Tick asked_at_ = 0;
 };

@@ -31,14 +31,14 @@ bool Outbox::amend(control::EffectId effect, const model::EffectSpec& spec) noex
   const auto amend_in = [&](std::vector<Owned>& group) {
     for (Owned& owned : group) {
       auto* start = std::get_if<control::StartEffect>(&owned.command.what);
-      // Other key frames may come behind the start.
+      // Different key frames may be queued after the start.
       if (start != nullptr && start->effect == effect &&
           start->spec.trajectory.playback.same_frames(spec.trajectory.playback)) {
         start->spec = spec;
         waits = true;
       }
       auto* update = std::get_if<control::UpdateEffect>(&owned.command.what);
-      // An update comes behind the start.
+      // An update follows the start.
       if (waits && update != nullptr && update->effect == effect) update->spec = spec;
     }
   };
@@ -48,7 +48,7 @@ bool Outbox::amend(control::EffectId effect, const model::EffectSpec& spec) noex
 }
 
 bool Outbox::is_due(const std::vector<Owned>& group) const noexcept {
-  // What comes before in the same group is applied with it.
+  // Earlier commands of the same group are applied with it.
   return std::all_of(group.begin(), group.end(), [&](const Owned& owned) {
     return owned.after <= applied_seq_ || owned.after >= group.front().command.seq;
   });
@@ -76,7 +76,7 @@ void Outbox::flush() {
     groups_.pop_front();
   }
   waiting_ -= ready_.size();
-  // One push: the control thread sees all of it or nothing.
+  // One push: the control thread receives all of it or nothing.
   mailbox_.commands.push(ready_.data(), ready_.size());
 }
 

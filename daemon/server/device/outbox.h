@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The io side of the command queue. The commands of one line are one group, and a group is handed
-// over as a whole in time for a single tick (a batch is "applied in one tick"). Bounded in total
-// and for each client, so that a flooding client is answered `busy` while the others are served.
-// The start of an effect that replaces another waits here until that one's start was applied, and
-// can be amended as long as it waits: however often a slot is filled, once a tick is enough.
+// The io side of the command queue. The commands of one line are one group, and a group is passed
+// on as a whole in time for a single tick (a batch is "applied in one tick"). Bounded in total and
+// for each client, so that a flooding client gets `busy` while the others are served. The start of
+// an effect that replaces another waits here until the start of the other was applied, and can be
+// amended until then: however often a slot is filled, it starts once per tick at most.
 #pragma once
 
 #include <cstdint>
@@ -24,31 +24,31 @@ class Outbox {
   using What = decltype(control::Command::what);
   static constexpr std::size_t kMaxWaiting = 512;
   static constexpr std::size_t kMaxWaitingEach = 128;
-  /// Reserved for each client, however many others flood.
+  /// Reserved for each client, independent of the number of other commands.
   static constexpr std::size_t kAlwaysEach = 8;
 
   explicit Outbox(control::Mailbox& mailbox) : mailbox_(mailbox) {}
 
-  /// True if the open group takes `count` more commands of `owner`.
+  /// True if the open group has capacity for `count` more commands of `owner`.
   bool has_capacity(ConnectionId owner, std::size_t count) const;
-  /// True if `count` more are too many for one group, whenever they are sent.
+  /// True if the open group with `count` more commands exceeds the maximum of a group.
   bool exceeds_group(std::size_t count) const noexcept {
     return open_.size() + count > control::kMaxCommandsPerTick;
   }
   /// Adds a command of `owner` to the open group and returns its seq; nullopt: full, `busy`. It is
-  /// handed over once `after` has been applied; what was added later waits with it.
+  /// passed on once `after` has been applied; later commands wait with it.
   std::optional<std::uint64_t> add(ConnectionId owner, const What& what, std::uint64_t after = 0);
-  /// The command with that seq was not handed over yet.
+  /// The command with that seq has not been passed on yet.
   bool holds(std::uint64_t seq) const noexcept { return seq > handed_over_seq_; }
-  /// Gives the start of `effect`, and all updates of it, the spec `spec`. False, and nothing is
-  /// changed: that start has been handed over.
+  /// Sets the spec of the start of `effect` and of all its updates to `spec`. False, without a
+  /// change, if that start has been passed on.
   bool amend(control::EffectId effect, const model::EffectSpec& spec) noexcept;
-  /// When the request was read that commands are added for, CLOCK_MONOTONIC; 0: it is none, or as
-  /// they are added.
+  /// Time at which the request of the following commands was read, CLOCK_MONOTONIC; 0: none, so
+  /// that the time of adding them is used.
   void set_received(std::int64_t ns) noexcept { received_ns_ = ns; }
-  /// Closes the group and hands over what fits.
+  /// Closes the group and passes on what fits.
   void commit();
-  /// Hands over what fits; call it at least every millisecond while `waiting()`.
+  /// Passes on what fits; call it at least every millisecond while `waiting()`.
   void flush();
   /// The control thread has applied everything up to `seq`.
   void set_applied(std::uint64_t seq) noexcept { applied_seq_ = seq; }
@@ -63,12 +63,12 @@ class Outbox {
     control::Command command;
     std::uint64_t after;
   };
-  /// Nothing in `group` has to wait for what was not applied yet.
+  /// `group` does not depend on a command that has not been applied yet.
   bool is_due(const std::vector<Owned>& group) const noexcept;
   control::Mailbox& mailbox_;
   std::deque<std::vector<Owned>> groups_;
   std::vector<Owned> open_;
-  /// Being handed over; kept for its memory.
+  /// Commands being passed on; a member to reuse its memory.
   std::vector<control::Command> ready_;
   std::size_t waiting_ = 0;
   std::map<ConnectionId, std::size_t> waiting_each_;

@@ -8,7 +8,7 @@ namespace {
 
 using control::Reason;
 
-/// What to do before arming; empty: just arm.
+/// What to do before arming; empty: arming is enough.
 std::string first_step(Reason reason, const RemedyFacts& facts) {
   switch (reason) {
     case Reason::kOverheated:

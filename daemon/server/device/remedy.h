@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Remedy of a state: one sentence with the command to type. The only place of these sentences.
+// Remedy of a state: one sentence with the command to type. The only place with these sentences.
 #pragma once
 
 #include <optional>
@@ -14,20 +14,19 @@ struct RemedyFacts {
   /// Below this temperature a ball that overheated can be armed again.
   double rearm_c = 45.0;
   bool simulated = false;
-  /// Why a board that is connected is not used; empty: none is, or it is used.
+  /// Reason for which a connected board is not used; empty: none connected, or in use.
   std::string board_trouble{};
-  /// Seconds until a ball that has tripped may be armed again, and how often it was after the same
-  /// trip.
+  /// Seconds until a tripped ball may be armed again, and how often it was after the same trip.
   double rearm_wait_s = 0.0;
   int rearms = 0;
 };
 
-/// nullopt: nothing is wrong.
+/// nullopt: no problem.
 std::optional<std::string> remedy(control::State state, control::Reason reason,
                                   const RemedyFacts& facts);
 
-/// Of an armed ball whose heat allows nothing that can be felt: its hottest winding may be at
-/// `hottest_c`, its shell at `skin_c`.
+/// For an armed ball whose thermal limit is too low to be felt: the upper bounds of its hottest
+/// winding, `hottest_c`, and of its shell, `skin_c`.
 std::string too_hot_remedy(double hottest_c, double skin_c, const model::Limits& limits);
 
 /// The wire name of `reason`; nullopt for kNone (null on the wire).

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The wire names of the faults that the simulated board can show (`sim.set`).
+// Wire names of the faults of the simulated board (`sim.set`).
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace hedgehog::server {
 
-/// A bit of device::SimFault; nullopt: there is no such fault.
+/// A bit of device::SimFault; nullopt: no such fault.
 std::optional<std::uint16_t> sim_fault_named(std::string_view name) noexcept;
 /// Every name of `bits`, in the order of device::SimFault.
 std::vector<std::string> sim_fault_names(std::uint16_t bits);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Persistent state, as handlers use it.
+// Interface of the persistent state for handlers.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ namespace hedgehog::server {
 enum class Persisted : std::uint8_t {
   kPending,
   kYes,
-  kNo,  // the disk has refused; it is asked again
+  kNo,  // the write failed; it is repeated
 };
 
 /// Called on the io thread; written on the disk thread.
@@ -20,10 +20,10 @@ class StateStore {
   virtual ~StateStore() = default;
   /// The owner's gain.
   virtual void persist_gain(double gain) = 0;
-  /// A latch that the control thread has not confirmed yet. Returns the number of the write that
-  /// has it.
+  /// Persists a latch that the control thread has not confirmed yet. Returns the number of the
+  /// write that contains it.
   virtual std::uint64_t persist_latch(control::Reason latch) = 0;
-  /// Whether that write, or a later one, is on disk.
+  /// State of that write, or of a later one.
   virtual Persisted latch_persisted(std::uint64_t write) const = 0;
 };
 

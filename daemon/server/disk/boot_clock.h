@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Time since the machine booted, suspend included: the only clock by which a ball is credited with
-// cooling while the daemon was not running, since nobody can set it. The time of day can be set.
+// Time since the boot of the machine, suspend included: the only clock by which a ball is credited
+// with cooling while the daemon was not running, because unlike the time of day it cannot be set.
 #pragma once
 
 #include <string>
@@ -17,11 +17,11 @@ struct BootTime {
   friend bool operator==(const BootTime&, const BootTime&) = default;
 };
 
-/// Reads /proc/sys/kernel/random/boot_id, once a process. Any thread.
+/// Reads /proc/sys/kernel/random/boot_id once per process. Any thread.
 BootTime boot_time_now();
 
-/// The least that has passed from `earlier` to `now`, s: their difference within one boot; all of
-/// this boot when `earlier` is of another one; 0 when that is unknown or they contradict.
+/// Minimum time from `earlier` to `now`, s: their difference within one boot; the time since this
+/// boot when `earlier` is of another one; 0 when that is unknown or they contradict.
 double seconds_between(const BootTime& earlier, const BootTime& now) noexcept;
 
 }  // namespace hedgehog::server

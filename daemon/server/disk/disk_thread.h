@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A thread for blocking disk work, so that io never blocks. A job is not interrupted: a safety job
-// waits for one other job of the same thread at most, so no job may take longer than the disk takes
-// to write and sync a file (at most 1 MiB). Scans of devices, which may hang, have a thread of
-// their own.
+// waits for one other job of the same thread at most, so no job may take longer than writing and
+// syncing a file (at most 1 MiB). Scans of devices, which may hang, have a separate thread.
 #pragma once
 
 #include <array>
@@ -16,20 +15,20 @@
 
 namespace hedgehog::server {
 
-/// What a job is for. Each use has places of its own, so that none can fill those of another.
+/// Use of a job. Each has its own queue capacity, so that none can fill that of another.
 enum class DiskUse : std::uint8_t {
-  kSafety,    // state, latch, heat, recordings of trips: done before all others
-  kHistory,   // what happened: the parts of the event history and the telemetry, one job each
-  kLook,      // for devices; never on the thread of kSafety
-  kPattern,   // that clients put and remove
+  kSafety,    // state, latch, heat, recordings of trips: before all others
+  kHistory,   // the parts of the event history and the telemetry, one job each
+  kLook,      // scans of devices; never on the thread of kSafety
+  kPattern,   // put and remove by clients
   kDownload,  // recordings for web pages
 };
 
-/// `post` from the io thread. The destructor does what is still queued.
+/// `post` from the io thread. The destructor completes the queued jobs.
 class DiskThread {
  public:
-  /// Jobs of each use that may be queued or under way. Whoever asks for kSafety has one queued at
-  /// most, so that it never runs out.
+  /// Maximum number of jobs of each use, queued or running. Each client of kSafety has at most one
+  /// queued, so that its capacity suffices.
   static constexpr std::array<std::size_t, 5> kMaxJobs{16, 5, 8, 8, 1};
 
   /// `name`: of the thread, at most 15 characters.
@@ -38,8 +37,8 @@ class DiskThread {
   DiskThread& operator=(const DiskThread&) = delete;
   ~DiskThread();
 
-  /// False: the disk is so slow that all places of its use are taken; the job is refused. Jobs of
-  /// one use are done in order. They must not throw.
+  /// False: the queue of this use is full because of a slow disk; the job is rejected. Jobs of one
+  /// use are executed in order. They must not throw.
   [[nodiscard]] bool post(DiskUse use, std::function<void()> job);
 
  private:

@@ -8,8 +8,7 @@
 
 namespace hedgehog::server {
 
-/// Something that the disk thread does; `problem` is empty when it went well, and may be read once
-/// `done` is true.
+/// A job of the disk thread; `problem` is empty on success, and may be read once `done` is true.
 struct DiskWork {
   std::atomic<bool> done{false};
   std::string problem;

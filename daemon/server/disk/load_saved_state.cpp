@@ -11,7 +11,7 @@
 namespace hedgehog::server {
 namespace {
 
-/// Far more than any state is.
+/// Exceeds the size of any state by far.
 constexpr std::size_t kMaxBytes = std::size_t{64} << 10;
 
 }  // namespace

@@ -18,13 +18,13 @@ inline constexpr const char* kCountsAsTripped =
 /// The path of the state file.
 std::string state_file(const std::string& directory);
 
-/// The ball as far as the configuration knows it.
+/// The identity of the ball according to the configuration.
 BallIdentity ball_of(const config::Config& config);
 
-/// The state file in `directory`; nullopt: there is none, so this is a first start. One that cannot
-/// be read, is damaged, impossible, or of another ball than `ball` (nullopt: any) is lost_state(),
-/// and the log says why; so is one whose first write was cut off. The simulated ball takes none of
-/// a real one and starts as the first time. Start-up only.
+/// The state file in `directory`; nullopt: not present, so this is a first start. One that is
+/// unreadable, damaged, invalid, or of another ball than `ball` (nullopt: any), or whose first
+/// write was aborted, gives lost_state(), with the reason in the log. The simulated ball ignores
+/// the state of a real one, as in a first start. Start-up only.
 std::optional<SavedState> load_saved_state(const std::string& directory,
                                            const std::optional<BallIdentity>& ball = std::nullopt);
 

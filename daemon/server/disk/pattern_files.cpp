@@ -16,8 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What is in `folder`, as far as it can be read; what cannot be is logged. Nothing when it does
-/// not exist.
+/// The readable entries of `folder`; errors are logged. Empty if it does not exist.
 std::vector<fs::path> entries_of(const fs::path& folder) {
   std::vector<fs::path> entries;
   std::error_code ec;
@@ -30,7 +29,7 @@ std::vector<fs::path> entries_of(const fs::path& folder) {
   return entries;
 }
 
-/// What a write left behind that was cut off.
+/// Temporary file of an aborted write.
 bool is_leftover(const fs::path& file) {
   return file.extension() == ".new" && file.stem().extension() == ".json";
 }

@@ -14,8 +14,8 @@ class PatternFiles final : public PatternShelf {
  public:
   PatternFiles(const std::string& state_directory, DiskThread& disk);
 
-  /// All that are there; what is damaged, cannot be read or is not ours is left out and logged.
-  /// What a write left behind that was cut off is removed. Start-up only.
+  /// All stored patterns; damaged, unreadable and foreign files are skipped and logged. Temporary
+  /// files of aborted writes are removed. Start-up only.
   std::vector<protocol::Pattern> load() const;
 
   DiskWorkPtr keep(const std::string& name, std::string json) override;
@@ -23,7 +23,7 @@ class PatternFiles final : public PatternShelf {
 
  private:
   std::string path_of(const std::string& name) const;
-  /// The pattern of one file goes to `kept`.
+  /// Adds the pattern of one file to `kept`.
   void load(const std::string& path, std::vector<protocol::Pattern>& kept) const;
   DiskWorkPtr post(std::function<std::string()> job);
 

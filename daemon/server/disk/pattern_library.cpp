@@ -12,7 +12,7 @@ namespace {
 
 using protocol::RpcError;
 
-/// Why `name` may not be put or removed by a client.
+/// Error for a `name` that clients may not put or remove.
 RpcError read_only(const std::string& name) {
   RpcError e = protocol::invalid_params(
       "name",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The named patterns: those that are shipped, built in from config/patterns and read-only, and
-// those that clients have put, named vendor/name and kept on disk.
+// The named patterns: the shipped ones, built in from config/patterns and read-only, and those put
+// by clients, named vendor/name and stored on disk.
 #pragma once
 
 #include <map>
@@ -16,8 +16,8 @@
 
 namespace hedgehog::server {
 
-/// Where put patterns are kept. Called on the io thread; writes on the disk thread. nullptr: too
-/// much waits there already, and nothing will be done.
+/// Storage of put patterns. Called on the io thread; writes on the disk thread. nullptr: its queue
+/// is full, nothing will be done.
 class PatternShelf {
  public:
   virtual ~PatternShelf() = default;
@@ -29,7 +29,7 @@ class PatternShelf {
 class PatternLibrary {
  public:
   static constexpr std::size_t kMaxPut = 256;
-  /// It fits into a line of the protocol.
+  /// Fits into a line of the protocol.
   static constexpr std::size_t kMaxListBytes = 65'000;
 
   struct Entry {
@@ -37,19 +37,19 @@ class PatternLibrary {
     bool shipped = false;
   };
 
-  /// With the shipped ones and those `kept` from earlier runs. `shelf` must outlive this.
+  /// Contains the shipped ones and those `kept` from earlier runs. `shelf` must outlive this.
   PatternLibrary(PatternShelf& shelf, std::vector<protocol::Pattern> kept);
 
-  /// nullptr: there is none. Good until the next put or remove.
+  /// nullptr: no such pattern. Valid until the next put or remove.
   const Entry* find(std::string_view name) const noexcept;
   std::vector<std::string_view> names() const;
-  /// The result of `pattern.list` as JSON, at most kMaxListBytes long: if they would not fit, the
-  /// descriptions of those that clients have put are empty.
+  /// The result of `pattern.list` as JSON, at most kMaxListBytes long: if it would be longer, the
+  /// descriptions of the patterns put by clients are empty.
   std::shared_ptr<const std::string> list();
   static protocol::PatternSummary summary(const Entry& entry);
 
-  /// From now on it can be played; the work ends when it is on disk. An error, and nothing has
-  /// changed, when the name is a shipped one's, there are 256 already, or the library is full.
+  /// Available for playing at once; the work ends when it is on disk. An error, without a change,
+  /// if the name is a shipped one's, there are 256 already, or the disk queue is full.
   protocol::Result<DiskWorkPtr> put(protocol::Pattern pattern);
   protocol::Result<DiskWorkPtr> remove(const std::string& name);
 
@@ -57,11 +57,11 @@ class PatternLibrary {
   PatternShelf& shelf_;
   std::map<std::string, Entry, std::less<>> entries_;
   std::size_t put_ = 0;
-  /// nullptr: not since the last change.
+  /// nullptr: not encoded since the last change.
   std::shared_ptr<const std::string> list_;
 };
 
-/// What config/patterns had when this was built. Throws std::logic_error when one is wrong.
+/// The patterns of config/patterns at build time. Throws std::logic_error if one is invalid.
 std::vector<protocol::Pattern> shipped_patterns();
 
 }  // namespace hedgehog::server

@@ -69,7 +69,7 @@ std::optional<SavedState> decode_saved_state(std::string_view text) {
   SavedState s;
   try {
     if (json.at("version") != kVersion) return std::nullopt;
-    // Files of before 1.0 have the time of day, by which nothing is known.
+    // Files from before 1.0 contain the time of day, from which no duration can be derived.
     if (json.contains("boot_id")) {
       json.at("boot_id").get_to(s.saved_at.boot_id);
       json.at("boot_time_s").get_to(s.saved_at.seconds);
@@ -86,7 +86,7 @@ std::optional<SavedState> decode_saved_state(std::string_view text) {
     }
     if (const Json& latch = json.at("latch"); !latch.is_null()) {
       s.latch = control::reason_named(latch.get<std::string>());
-      // A latch of another version still is a latch.
+      // An unknown latch of another version is still a latch.
       s.latch = s.latch == control::Reason::kNone ? control::Reason::kInternal : s.latch;
     }
     if (json.contains("r25")) {

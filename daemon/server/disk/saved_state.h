@@ -15,35 +15,35 @@
 
 namespace hedgehog::server {
 
-/// Which ball a state is of.
+/// Identity of the ball of a state.
 struct BallIdentity {
   bool simulated = false;
-  /// Of its board; empty: unknown.
+  /// Serial number of its board; empty: unknown.
   std::string serial;
 
   friend bool operator==(const BallIdentity&, const BallIdentity&) = default;
 };
 
-/// R25 of a winding over the restarts.
+/// R25 of a winding over restarts.
 struct R25History {
-  /// As of the last run that measured it, ohm; 0: none has.
+  /// From the last run that measured it, ohm; 0: never.
   double ohm = 0.0;
-  /// So many runs have.
+  /// Number of runs that measured it.
   int runs = 0;
 
   friend bool operator==(const R25History&, const R25History&) = default;
 };
 
 struct SavedState {
-  /// nullopt: in files of before 1.0.
+  /// nullopt: in files from before 1.0.
   std::optional<BallIdentity> ball;
-  /// When `heat` and `ambient_c` were so.
+  /// Time of `heat` and `ambient_c`.
   BootTime saved_at;
   model::ThermalState heat;
   double ambient_c = 25.0;
-  /// `heat` and `ambient_c` are of a ball, not the values above.
+  /// `heat` and `ambient_c` were estimated for a ball, not the defaults above.
   bool heat_known = false;
-  /// Which windings had measured themselves, or came from such a measurement.
+  /// Windings whose temperature is based on their own measurement, directly or by restoring one.
   std::array<bool, model::kCoils> measured{};
   std::array<R25History, model::kCoils> r25{};
   control::Reason latch = control::Reason::kNone;
@@ -54,14 +54,14 @@ struct SavedState {
 };
 
 std::string encode(const SavedState& state);
-/// nullopt: not ours, or a value that cannot be.
+/// nullopt: not a state, or a value out of range.
 std::optional<SavedState> decode_saved_state(std::string_view json);
 
-/// What is left when a state is damaged or of another ball: whether that ball had tripped is not
-/// known, so this one has, and nothing is known of its heat.
+/// State after a damaged one or one of another ball: a trip of that ball is unknown, so this one
+/// counts as tripped, and its temperatures are unknown.
 SavedState lost_state();
 
-/// The two cannot be the same ball.
+/// True if the two cannot be the same ball.
 bool are_different(const BallIdentity& a, const BallIdentity& b) noexcept;
 
 }  // namespace hedgehog::server

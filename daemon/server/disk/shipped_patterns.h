@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The files of config/patterns as of the build, which generates the .cpp.
+// The files of config/patterns at build time, which generates the .cpp.
 #pragma once
 
 #include <span>

@@ -14,12 +14,12 @@ bool sounds(const DeviceView& device_view, const Effect& e) {
   const control::EffectStatus& live = device_view.now().effects[e.place];
   if (live.effect == e.id) return live.playing;
   if (device_view.now().applied_seq >= e.seq)
-    return false;  // it has ended by itself; the event of it is still on its way
-  // Not there yet; one whose connection has ended is gone already.
+    return false;  // ended by itself; its event has not been read yet
+  // Not applied yet; one whose connection has closed is ended at once.
   return e.owner != 0 && e.spec.delay == 0 && e.spec.start_at <= device_view.now().tick;
 }
 
-/// `direction` as of onset_direction.
+/// `direction` as in onset_direction.
 model::Vec3 winding_direction(const model::EffectSpec& spec, const KeyframeTrack* track,
                               const model::Vec3& direction, const model::CoilModel& coils) {
   if (spec.frame != model::Frame::kCoil) return coils.matrix * direction;
@@ -27,8 +27,8 @@ model::Vec3 winding_direction(const model::EffectSpec& spec, const KeyframeTrack
                           : spec.trajectory.direction;
 }
 
-/// After a restart without saved heat a winding is held to continuous_a until it has been measured:
-/// what that leaves of `current_a`, 0..1.
+/// After a restart without saved heat a winding is limited to continuous_a until it has been
+/// measured: returns the remaining share of `current_a`, 0..1.
 double unmeasured_share(const DeviceView& device_view, const model::Vec3& current_a) {
   double share = 1.0;
   for (int coil = 0; coil < model::kCoils; ++coil) {

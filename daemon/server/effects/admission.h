@@ -12,23 +12,23 @@
 
 namespace hedgehog::server {
 
-/// What is felt now: the highest priority, and the load of the effects that have it.
+/// The effects felt now: the highest priority, and the load of its effects.
 struct Felt {
   int priority = -1;
   Load load;
 };
 
-/// Effects that wait for their onset are left out, and so is `except` (nullptr: nobody).
+/// Without effects that wait for their onset, and without `except` (nullptr: none).
 Felt felt_now(const DeviceView& device_view, EffectRegistry& effects, const Effect* except);
 
-/// All fields but effect, slot and seq. `track`: the key frames of `spec`, nullptr when it has
-/// none. `replaced` will be gone when `spec` begins.
+/// All fields but effect, slot and seq. `track`: the key frames of `spec`, nullptr if it has none.
+/// `replaced` ends when `spec` starts.
 protocol::Admission admission(const DeviceView& device_view, EffectRegistry& effects,
                               const model::EffectSpec& spec, const KeyframeTrack* track,
                               const Effect* replaced);
 
-/// For `if_limited` "refuse": why `spec` cannot be delivered in full over its duration, or as long
-/// as its lease; nullopt: it can. `admitted` is the result of `admission`.
+/// For `if_limited` "refuse": the reason for which `spec` cannot be delivered in full over its
+/// duration or lease; nullopt: it can. `admitted` is the result of `admission`.
 std::optional<protocol::RpcError> thermal_refusal(const DeviceView& device_view,
                                                   const model::EffectSpec& spec,
                                                   const KeyframeTrack* track,

@@ -34,8 +34,8 @@ Wave first_set(const Wave& wave, const Wave& otherwise) {
           wave.on_fraction ? wave.on_fraction : otherwise.on_fraction};
 }
 
-/// The key frames that `params` ask for; nullptr: none. What the pattern is felt through goes into
-/// `params` where nothing else was said.
+/// The key frames requested by `params`; nullptr: none. Waveform fields of the pattern are copied
+/// to `params` where the client has set none.
 protocol::Result<KeyframeTrackPtr> take_keyframes(const PlanContext& context,
                                                   EffectParams& params) {
   const model::PinArray& pins = context.device_view.array();
@@ -95,7 +95,7 @@ protocol::Result<EffectPlan> plan_update(const PlanContext& context, const Effec
   plan.track = *track != nullptr ? *track : effect.track;
   plan.params = std::move(*params);
   if (*track != nullptr) {
-    // Nothing of the pattern before it stays.
+    // No waveform field of the previous pattern is kept.
     set_wave(plan.params, wave_of(fresh));
     plan.params = protocol::with_defaults(method, std::move(plan.params));
   }

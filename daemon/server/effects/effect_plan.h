@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A request to play, resolved: its parameters complete, its spec, and its key frames.
+// A resolved request to play: its complete parameters, its spec, and its key frames.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ namespace hedgehog::server {
 
 class PatternLibrary;
 
-/// What a request is resolved against, and by whom it was made.
+/// Context in which a request is resolved, and the role of its client.
 struct PlanContext {
   const DeviceView& device_view;
   const PatternLibrary& patterns;
@@ -21,18 +21,18 @@ struct PlanContext {
 };
 
 struct EffectPlan {
-  /// Defaults filled in; without key frames, which `track` has.
+  /// Defaults filled in; without key frames, which are in `track`.
   protocol::EffectParams params;
   Wave requested_wave;
-  /// The place of its key frames is still open.
+  /// Without the range of its key frames, which is allocated later.
   model::EffectSpec spec;
   KeyframeTrackPtr track;
 };
 
-/// Of a start, for playing it or only for reckoning with it.
+/// Plan of a start, for playing or for computing only.
 protocol::Result<EffectPlan> plan_start(const PlanContext& context,
                                         const protocol::EffectStart& request);
-/// Of `effect` after `update`; unchanged key frames keep their place.
+/// Plan of `effect` after `update`; unchanged key frames keep their range.
 protocol::Result<EffectPlan> plan_update(const PlanContext& context, const Effect& effect,
                                          const protocol::EffectParams& update);
 

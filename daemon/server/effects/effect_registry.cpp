@@ -27,8 +27,8 @@ EffectRegistry::Capacity EffectRegistry::capacity(ConnectionId owner,
   }
   if (own >= kMaxEach) return Capacity::kConnectionFull;
   if (playing >= control::kMaxEffects) return Capacity::kDeviceFull;
-  // Who replaces its effects faster than they can end leaves at least as many places to others as
-  // its ending ones hold.
+  // A client that replaces its effects faster than they can end leaves at least as many places to
+  // others as its ending effects hold.
   const int free = control::kEffectPlaces - used;
   const int others = newcomer ? 0 : own_ending + kReservedForNew;
   return own_ending < kMaxEach && free > others ? Capacity::kYes : Capacity::kPlacesFull;

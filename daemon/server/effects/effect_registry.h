@@ -28,7 +28,7 @@ struct Wave {
 struct Effect {
   control::EffectId id = 0;  // 0: the place is free
   std::uint8_t place = 0;
-  /// 0 when its connection has ended.
+  /// 0 after its connection has closed.
   ConnectionId owner = 0;
   std::string client;
   std::optional<std::string> slot;
@@ -38,13 +38,13 @@ struct Effect {
   /// Waveform fields set explicitly by the client; a pattern's own do not count.
   Wave requested_wave;
   model::EffectSpec spec;
-  /// Of effect.play.
+  /// For effect.play.
   KeyframeTrackPtr track;
-  /// Of the command that started it.
+  /// Seq of the command that started it.
   std::uint64_t seq = 0;
-  /// It took the place of one in its slot.
+  /// It replaced an effect in its slot.
   bool replacing = false;
-  /// Its onset has come.
+  /// Its onset has passed.
   bool begun = false;
   /// Its end was requested (stopped, replaced); it can no longer be addressed.
   bool ending = false;
@@ -54,23 +54,23 @@ struct Effect {
 class EffectRegistry {
  public:
   static constexpr int kMaxEach = 32;
-  /// The last places are for connections that hold none.
+  /// Places reserved for connections without effects.
   static constexpr int kReservedForNew = 8;
 
-  /// `last`: the number before the first.
+  /// `last`: the last number already used.
   explicit EffectRegistry(control::EffectId last = 0) noexcept : last_id_(last) {}
 
   enum class Capacity : std::uint8_t { kYes, kConnectionFull, kDeviceFull, kPlacesFull };
-  /// Whether `owner` may start one more; `replacing`: it takes the place of one of its own.
+  /// Capacity of `owner` for one more effect; `replacing`: it replaces one of its own.
   Capacity capacity(ConnectionId owner, bool replacing) const noexcept;
 
-  /// A free place and a new number. The reference is good until the effect ends. REQUIRES:
-  /// capacity() is kYes.
+  /// Allocates a free place and a new number. The reference is valid until the effect ends.
+  /// REQUIRES: capacity() is kYes.
   Effect& add(ConnectionId owner);
-  /// Takes back an `add` whose command was rejected.
+  /// Reverts an `add` whose command was rejected.
   void drop(const Effect& effect) noexcept { places_[effect.place] = {}; }
 
-  /// nullptr: there is none of this owner that still can be addressed.
+  /// nullptr: this owner has no such effect that can still be addressed.
   Effect* find(ConnectionId owner, control::EffectId id) noexcept;
   Effect* find(ConnectionId owner, std::string_view slot) noexcept;
   /// nullptr: unknown, or ended and reported.
@@ -78,12 +78,12 @@ class EffectRegistry {
   void begun(std::uint8_t place, control::EffectId id) noexcept;
   const Effect* any(control::EffectId id) const noexcept;
 
-  /// All that can still be addressed; owner 0: of everybody.
+  /// All that can still be addressed; owner 0: of all owners.
   std::vector<Effect*> playing(ConnectionId owner = 0);
-  /// The connection has ended: its effects have no owner any more, and are returned.
+  /// The connection has closed: its effects lose their owner, and are returned.
   std::vector<Effect*> release_all(ConnectionId owner);
 
-  /// `effect_ended` was taken: frees the place and returns what was there.
+  /// `effect_ended` was read: frees the place and returns its effect.
   std::optional<Effect> ended(std::uint8_t place, control::EffectId id);
 
  private:

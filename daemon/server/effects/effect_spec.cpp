@@ -24,7 +24,7 @@ protocol::Result<double> strength_of(const EffectParams& p, const SpecFacts& f) 
   }
   if (p.force_n) {
     const double asked_a = *p.force_n / f.force_slope_n_a;
-    // The limit itself, said as the force that `hello` and this error show, must be allowed.
+    // Allows the limit itself, converted to the force reported by `hello` and this error.
     if (asked_a > max_a * (1.0 + 1e-9))
       return protocol::out_of_range("force_n", max_a * f.force_slope_n_a, *p.force_n);
     return asked_a < max_a ? asked_a : max_a;
@@ -95,7 +95,7 @@ std::optional<RpcError> unfit(model::EffectMethod method, const EffectParams& ba
   return std::nullopt;
 }
 
-/// The trajectory and the end of an effect that plays key frames.
+/// Sets the trajectory and the end of an effect that plays key frames.
 std::optional<RpcError> set_keyframes(model::EffectSpec& s, const EffectParams& p,
                                       const SpecFacts& f, const KeyframeTrack& track) {
   s.trajectory.path = model::Path::kKeyframes;

@@ -16,7 +16,7 @@
 
 namespace hedgehog::server {
 
-/// What the ranges depend on.
+/// Inputs of the ranges.
 struct SpecFacts {
   model::Limits limits;
   double force_slope_n_a = 0.0126;
@@ -24,20 +24,20 @@ struct SpecFacts {
   /// A circle's step from pin to pin, degrees (model::pin_pitch_deg).
   double pin_pitch_deg = model::kThesisPitchDeg;
   protocol::Role role = protocol::Role::kObserve;
-  /// Device time of tick 0, and now.
+  /// Device time of tick 0, ns, and the present tick.
   std::int64_t epoch_ns = 0;
   model::Tick now = 0;
 };
 
-/// `track`: of effect.play, else nullptr; where its key frames will stand stays open.
-/// REQUIRES: `params` went through protocol::with_defaults.
+/// `track`: for effect.play, else nullptr; the range of its key frames is not set. REQUIRES:
+/// `params` was returned by protocol::with_defaults.
 protocol::Result<model::EffectSpec> make_spec(model::EffectMethod method,
                                               const protocol::EffectParams& params,
                                               const SpecFacts& facts,
                                               const KeyframeTrack* track = nullptr);
 
-/// `update` laid over `base`. An error when it would change the kind of end, or says what the
-/// effect's method does not have.
+/// `base` overwritten by the fields set in `update`. An error if that would change the kind of end,
+/// or contains a field that the effect's method does not have.
 protocol::Result<protocol::EffectParams> merged(model::EffectMethod method,
                                                 protocol::EffectParams base,
                                                 const protocol::EffectParams& update);

@@ -12,24 +12,24 @@
 
 namespace hedgehog::server {
 
-/// io thread only. Equal key frames that are there already are used again, so that a pattern which
-/// is sent every frame travels once. A part is free when its last user has let go.
+/// io thread only. Equal key frames that are already loaded are reused, so that a pattern which is
+/// sent every frame is transferred once. A range is free when its last user has released it.
 class KeyframeAllocator {
  public:
-  /// The part that begins at `first` is that of `track`.
+  /// The range that starts at `first` contains `track`.
   bool holds(std::uint16_t first, const KeyframeTrack& track) const noexcept;
-  /// Commands that `place` would add for `track`, besides that which starts the effect.
+  /// Number of commands that `place` would add for `track`, besides that which starts the effect.
   std::size_t commands_for(const KeyframeTrack& track) const noexcept;
-  /// One connection may fill half of it at most.
+  /// Maximum share of one connection.
   static constexpr int kShare = control::kKeyframeCapacity / 2;
   bool within_share(const KeyframeTrack& track, ConnectionId owner) const noexcept;
-  /// The first of its key frames in the room; what is not there yet is added to `outbox`, which
-  /// must have room for it. nullopt: the room is full. One user more.
+  /// Returns the first slot of its key frames; those not loaded yet are added to `outbox`, which
+  /// must have capacity for them. nullopt: no free range. Adds one user.
   std::optional<std::uint16_t> place(const KeyframeTrack& track, ConnectionId owner,
                                      Outbox& outbox);
-  /// One user less of what begins there: its `effect_ended` was taken.
+  /// Removes one user of the range at `first`: its `effect_ended` was read.
   void release(std::uint16_t first) noexcept;
-  /// The same, once the control thread has applied `seq`: an update put other key frames there.
+  /// The same, once the control thread has applied `seq`, an update to other key frames.
   void release_after(std::uint16_t first, std::uint64_t seq) { closing_.push_back({first, seq}); }
   void applied(std::uint64_t seq) noexcept;
 
@@ -37,7 +37,7 @@ class KeyframeAllocator {
   struct Part {
     std::uint16_t first = 0;
     std::vector<model::Keyframe> frames;
-    ConnectionId owner = 0;  // who brought it
+    ConnectionId owner = 0;  // the connection that loaded it
     int users = 0;
   };
   struct Releasing {

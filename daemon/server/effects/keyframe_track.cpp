@@ -11,7 +11,7 @@
 namespace hedgehog::server {
 namespace {
 
-/// Gauss-Legendre on -1..1: nodes and weights, exact for the smooth ease of a steady direction.
+/// Gauss-Legendre on -1..1: nodes and weights, exact for the smooth ease with a constant direction.
 constexpr std::array<std::pair<double, double>, 4> kGauss{
     {{-0.8611363115940526, 0.3478548451374538},
      {-0.3399810435848563, 0.6521451548625461},
@@ -26,7 +26,7 @@ Moments sum(const Moments& a, const Moments& b, double factor) noexcept {
   return result;
 }
 
-/// Within one way from a key frame to the next.
+/// Within one segment between consecutive key frames.
 Moments integral(std::span<const model::Keyframe> frames, double from_ms, double to_ms) noexcept {
   Moments result;
   const double half_ms = 0.5 * (to_ms - from_ms);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The key frames of one effect, with the integrals that admission and forecast need.
+// The key frames of one effect, with the integrals used by admission and forecast.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@
 
 namespace hedgehog::server {
 
-/// Of `level * direction`, and of its outer product.
+/// Moments of `level * direction`: first, and second as the outer product.
 struct Moments {
   model::Vec3 first;
   model::Mat3 second{{{}, {}, {}}};
@@ -20,9 +20,9 @@ struct Moments {
 
 struct KeyframeTrack {
   std::vector<model::Keyframe> frames;
-  /// Their integrals from the beginning to each key frame, over milliseconds.
+  /// Integrals from the beginning to each key frame, over milliseconds.
   std::vector<Moments> until;
-  /// The strongest key frame, 0..1, and where it points (unit vector, the pattern faces front).
+  /// The strongest key frame, 0..1, and its direction (unit vector, with the pattern facing front).
   double peak = 0.0;
   model::Vec3 peak_direction{1, 0, 0};
 
@@ -34,7 +34,7 @@ struct KeyframeTrack {
 /// nullptr: an effect without key frames.
 using KeyframeTrackPtr = std::shared_ptr<const KeyframeTrack>;
 
-/// An error names the key frame that points at a pin that the ball does not have.
+/// An error contains the key frame whose pin the ball does not have.
 protocol::Result<KeyframeTrackPtr> make_keyframe_track(
     const std::vector<protocol::Keyframe>& keyframes, const model::PinArray& pins);
 

@@ -24,7 +24,7 @@ LatencyLog::Quantiles LatencyLog::quantiles(LatencyStage stage) const {
     return durations[static_cast<std::size_t>(stage)];
   });
   std::sort(sorted.begin(), sorted.end());
-  // The smallest that as many as `share` do not exceed.
+  // Nearest-rank percentile.
   const auto at = [&](std::size_t percent) {
     return static_cast<double>(sorted[(percent * sorted.size() + 99) / 100 - 1]) * 1e-3;
   };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How long effects took from their request to the first frame with their set-point.
+// Latency of effects from their request to the first frame with their set-point.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace hedgehog::server {
 
-/// Sections of an effect's way, by the stages of control::EffectTimes.
+/// Sections between the stages of control::EffectTimes.
 enum class LatencyStage : std::uint8_t {
   kReceivedToQueued,
   kQueuedToApplied,
@@ -26,7 +26,7 @@ inline constexpr std::array<std::string_view, 4> kLatencyStageNames{
 /// io thread only.
 class LatencyLog {
  public:
-  /// Quantiles are of so many effects, the newest.
+  /// Number of newest effects in the quantiles.
   static constexpr std::size_t kNewest = 1024;
 
   struct Quantiles {
@@ -37,7 +37,7 @@ class LatencyLog {
 
   void add(const control::EffectTimes& times);
 
-  /// Effects that the quantiles are of.
+  /// Number of effects in the quantiles.
   std::size_t effects() const noexcept { return newest_.size(); }
   /// REQUIRES: effects() > 0.
   Quantiles quantiles(LatencyStage stage) const;
@@ -50,7 +50,7 @@ class LatencyLog {
   using Durations = std::array<std::int64_t, kLatencyStageNames.size()>;  // ns
 
   std::vector<Durations> newest_;
-  std::size_t oldest_ = 0;  // once there are kNewest
+  std::size_t oldest_ = 0;  // valid once there are kNewest
   std::array<base::Histogram, kLatencyStageNames.size()> histograms_{};
 };
 

@@ -37,7 +37,7 @@ Vec3 in_windings(const model::EffectSpec& spec, const Vec3& device_direction,
 
 Vec3 squares(const Vec3& v) noexcept { return {v.x * v.x, v.y * v.y, v.z * v.z}; }
 
-/// How much of its pattern is played, ms at rate 1.
+/// Played length of its pattern, ms at rate 1.
 double played_ms(const model::EffectSpec& spec, double length_ms) noexcept {
   const model::KeyframePlayback& playback = spec.trajectory.playback;
   return playback.loop || spec.duration <= 0
@@ -45,7 +45,7 @@ double played_ms(const model::EffectSpec& spec, double length_ms) noexcept {
              : std::min(length_ms, static_cast<double>(spec.duration) * kMsPerTick * playback.rate);
 }
 
-/// The wave runs independently of the key frames.
+/// The waveform is independent of the key frames.
 Load load_of_keyframes(const model::EffectSpec& spec, const KeyframeTrack& track,
                        const model::CoilModel& coils,
                        const model::Quaternion& device_to_world) noexcept {

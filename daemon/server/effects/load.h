@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Average load of effects on the three windings: enough to forecast heat, and cheap enough for
-// every admission.
+// Average load of effects on the three windings: sufficient for a thermal forecast, and cheap
+// enough for every admission.
 #pragma once
 
 #include "daemon/server/effects/keyframe_track.h"
@@ -12,7 +12,7 @@
 namespace hedgehog::server {
 
 /// Winding currents, A. Steady effects (one direction, constant waveform) add as vectors; the
-/// others are taken as independent of each other.
+/// others are treated as independent of each other.
 struct Load {
   model::Vec3 mean_a;
   model::Vec3 variance_a2;
@@ -25,19 +25,18 @@ struct Load {
   friend Load operator+(const Load& a, const Load& b) noexcept;
 };
 
-/// As if it played on for ever with neither attack nor fade. World-frame effects as the ball lies
-/// now. `track`: its key frames, nullptr when it has none.
+/// Load without attack, fade and end. World-frame effects at the present orientation. `track`: its
+/// key frames, nullptr if it has none.
 Load load_of(const model::EffectSpec& spec, const KeyframeTrack* track,
              const model::CoilModel& coils, const model::Quaternion& device_to_world) noexcept;
 
-/// The most that the effect asks for, A.
+/// Maximum current requested by the effect, A.
 double peak_a(const model::EffectSpec& spec, const KeyframeTrack* track) noexcept;
 
-/// `load` through the owner's gain and the sum's limit.
+/// `load` scaled by the owner's gain and the limit of the sum.
 Load scaled(const Load& load, double factor) noexcept;
 
-/// Where the effect begins, or where its strongest key frame points: a unit vector in the device
-/// frame.
+/// Direction at the onset, or of the strongest key frame: a unit vector in the device frame.
 model::Vec3 onset_direction(const model::EffectSpec& spec, const KeyframeTrack* track,
                             const model::CoilModel& coils,
                             const model::Quaternion& device_to_world) noexcept;

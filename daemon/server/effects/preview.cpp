@@ -24,7 +24,7 @@ using model::Tick;
 using model::Vec3;
 using model::WindingMeter;
 
-/// Rounding is no reduction.
+/// Smaller reductions are rounding.
 constexpr double kWhole = 1.0 - 1e-6;
 constexpr double kFullDuty = model::Fan::kFullDuty;
 constexpr control::EffectId kOnly = 1;
@@ -35,7 +35,7 @@ model::Plant plant_now(const DeviceView& device_view, model::Fan& fan) {
   model::Plant plant(model::PlantParameters::of(config.device.coils, config.device.thermal),
                      now.thermal.ambient_c);
   if (now.board.supply_v > 0.0) plant.set_supply(now.board.supply_v);
-  // The fan as it turns now.
+  // Sets the fan to its present state.
   const model::ForecastStart start = device_view.forecast_start();
   fan.step(now.thermal.nodes.core_c, start.mean_current_a, model::Fan::kMeanS);
   if (start.fan_running) plant.step_thermal({}, 1.0, plant.parameters().fan_spin_up_s);
@@ -82,10 +82,10 @@ struct Preview::World {
     result.peak_temperature_c = result.temperature_c;
   }
 
-  /// What the limiter takes for the hottest winding.
+  /// The limiter's temperature of the hottest winding.
   double bound_c() const noexcept { return plant.hottest_winding_c() + above_windings_k; }
 
-  /// What the limiter takes for the skin, a tick later.
+  /// The limiter's temperature of the skin, one tick later.
   double next_skin_c() noexcept {
     const bool fan_running = plant.fan_rpm() > control::FanCheck::kMinRpm;
     skin.step(model::SkinInputs::of(thermal, plant.heat(), plant.ambient_c(), fan_running),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Simulation of an effect on the model of the ball as it is now: mixer, limiter and fan of the
-// control thread in front of the simulator's plant.
+// Simulation of an effect on the model of the ball in its present state: mixer, limiter and fan of
+// the control thread with the simulator's plant.
 #pragma once
 
 #include <algorithm>
@@ -15,25 +15,25 @@
 
 namespace hedgehog::server {
 
-/// io thread only. About 2 us a tick, so it is made in slices.
+/// io thread only. About 2 us per tick, so it is computed in slices.
 class Preview {
  public:
-  /// Of all connections together; each has one at most.
+  /// Maximum for all connections together; each has one at most.
   static constexpr std::size_t kMaxAtOnce = 4;
-  /// Ticks that io can spare at a time.
+  /// Number of ticks per slice on the io thread.
   static constexpr model::Tick kSlice = 250;
-  /// Of one preview: no effect is longer, and a lease runs out once.
+  /// Maximum for one preview: that of the longest effect or a single lease.
   static constexpr model::Tick kMaxSlices =
       std::max(protocol::kMaxDurationMs, protocol::kMaxLeaseMs) / kSlice;
 
-  /// As if `plan` began now on an armed ball whose sensors are sane, nobody else played, the ball
-  /// lay still, and a lease ran out once. `plan` and `device_view` are not needed afterwards.
+  /// Assumes that `plan` starts now on an armed ball with valid sensors, without other effects, at
+  /// rest, and that a lease expires once. `plan` and `device_view` are not used afterwards.
   Preview(const DeviceView& device_view, const EffectPlan& plan);
   ~Preview();
   Preview(const Preview&) = delete;
   Preview& operator=(const Preview&) = delete;
 
-  /// `ticks` more, at most to the end. True: done.
+  /// Simulates at most `ticks` more. True: done.
   bool advance(model::Tick ticks);
   /// REQUIRES: done.
   protocol::PreviewResult result() const;

@@ -14,12 +14,12 @@ namespace hedgehog::server {
 namespace {
 
 constexpr std::int64_t kWriteEveryMs = 1000;
-/// Lines of one job; joining more would hold io up after the disk was away for long.
+/// Maximum number of lines per job; joining more would delay io after a long disk failure.
 constexpr std::size_t kMaxLines = 1000;
-/// Lines of series that wait for the disk; more of a series would say the same.
+/// Maximum number of lines of series that wait for the disk; more would contain nothing new.
 constexpr std::size_t kMaxAgain = 100;
 
-/// Place among kEventTypes; behind the last for one that this daemon does not know.
+/// Index in kEventTypes; its size for an unknown type.
 std::size_t type_index(std::string_view type) {
   const auto& types = protocol::kEventTypes;
   return static_cast<std::size_t>(std::find(types.begin(), types.end(), type) - types.begin());
@@ -55,7 +55,7 @@ HistoryPart part_of(const protocol::Event& event) {
                                               : HistoryPart::kBall;
 }
 
-/// `json` of an event, and the name of its recording behind its last field.
+/// `json` of an event, with the name of its recording appended as the last field.
 std::string with_recording(std::string_view json, unsigned recording) {
   if (recording == 0) return std::string(json);
   json.remove_suffix(1);
@@ -92,7 +92,7 @@ void EventHistory::load(std::string_view text) {
 }
 
 void EventHistory::number_by_time() {
-  // Each part keeps its own order: a clock that was set back may have made new events look old.
+  // Each part keeps its own order: after a clock was set back, new events may have older times.
   std::array<std::size_t, kHistoryParts> next{};
   for (;;) {
     Part* first = nullptr;
@@ -153,7 +153,7 @@ void EventHistory::show_series(const EventSeries& series) {
 void EventHistory::write_series_again(std::int64_t unix_ms, bool at_once) {
   Part& part = part_at(HistoryPart::kRecurring);
   for (auto& [type, series] : series_) {
-    // Until the first line is on disk, that one will tell all.
+    // Until the first line is on disk, that line will contain the whole series.
     const bool written = series.number() <= part.on_disk;
     if (written && part.again.size() < kMaxAgain && series.take_due(unix_ms, at_once))
       part.again.push_back(protocol::encode_past_event(series.event()));
@@ -176,7 +176,7 @@ void EventHistory::record(const protocol::Event& event, std::int64_t unix_ms, co
 }
 
 void EventHistory::name_player(protocol::PastEvent& trip) const {
-  // Effects end in the tick of the trip, and are told first.
+  // Effects end in the tick of the trip, and are reported first.
   if (tripped_ && tripped_->time_ns == trip.event.time_ns) {
     trip.method = tripped_->method;
     trip.client = tripped_->client;
@@ -194,7 +194,7 @@ void EventHistory::pump(std::int64_t unix_ms) {
 
 bool EventHistory::flush() {
   const Part& trips = parts_[static_cast<std::size_t>(HistoryPart::kTrips)];
-  // What came while earlier ones are being written goes as soon as they are.
+  // Events received during a write are written right after it.
   urgent_ = urgent_ && trips.work && !trips.work->done.load(std::memory_order_acquire);
   bool all = write(HistoryPart::kTrips);
   for (const HistoryPart part :
@@ -243,7 +243,7 @@ std::string EventHistory::newest(const protocol::EventsHistory& request,
   const auto wanted = [&](const Entry& entry) {
     return entry.last_ms >= since_ms && types[entry.type] && (entry.trip || !request.trips);
   };
-  // One more than is asked for of each part, to know whether there are more.
+  // One more than requested of each part, to detect whether there are more.
   std::vector<const Entry*> found;
   for (const Part& part : parts_) {
     std::size_t count = 0;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Event history, kept over restarts: the newest trips, the newest other events of the ball, the
-// newest deratings, the newest of effects, and what recurs, as lines of JSON in memory and on disk.
-// Bounded separately, so that neither a game that plays sixty effects a second or a warm ball that
-// is derated in each of them nor a loop that is late all day can displace the trips of last month,
-// or yesterday's emergency stop.
+// Event history, kept over restarts: the newest trips, other events of the ball, deratings, effects
+// and recurring events, as lines of JSON in memory and on disk. Each part has its own bound, so
+// that old trips or emergency stops cannot be displaced by a game that plays sixty effects a
+// second, by a warm ball that is derated in each of them, or by a loop that is constantly late.
 #pragma once
 
 #include <array>
@@ -29,7 +28,7 @@ namespace hedgehog::server {
 enum class HistoryPart : std::uint8_t { kEffects, kTrips, kBall, kDerating, kRecurring };
 inline constexpr std::size_t kHistoryParts = 5;
 
-/// The two files of a part: a full one, and the one that is being filled.
+/// The two files of a part: the full one, and the one being filled.
 struct HistoryText {
   std::string full;
   std::string filling;
@@ -39,43 +38,44 @@ using HistoryTexts = std::array<HistoryText, kHistoryParts>;
 /// io thread only.
 class EventHistory {
  public:
-  /// Of each part, in memory and, at most, on the way to the disk.
+  /// Maximum of each part in memory and pending for the disk.
   static constexpr std::size_t kMaxEach = 5000;
-  /// No event is so long; foreign lines that are would hide what is older in every answer.
+  /// Exceeds the length of any event; longer foreign lines would exclude older ones from every
+  /// response.
   static constexpr std::size_t kMaxLineBytes = 4096;
-  /// An answer stays within what clients read as one line, with room for its frame.
+  /// A response fits into one line of the protocol, including its frame.
   static constexpr std::size_t kMaxAnswerBytes = 60'000;
 
-  /// Appends `lines` to the file that is being filled; `begin_file`: what is in it becomes the full
-  /// one first. With a problem nothing was appended. nullptr: the disk has no room now, ask again.
+  /// Appends `lines` to the file being filled; `begin_file`: it first becomes the full one. Appends
+  /// nothing on a problem. nullptr: the disk queue is full, to be retried.
   using Writer = std::function<DiskWorkPtr(HistoryPart, std::string lines, bool begin_file)>;
   /// True if the recording of that number still exists.
   using HasRecording = std::function<bool(unsigned number)>;
 
-  /// `kept`: as the files are; torn and foreign lines are left out.
+  /// `kept`: contents of the files; truncated and foreign lines are skipped.
   EventHistory(Writer writer, const HistoryTexts& kept);
 
-  /// `effect`: of an event about one. `recording`: number of a trip's, 0: there is none. What only
-  /// replaces an effect in its slot, every frame of a game, is not kept.
+  /// `effect`: for an event about one. `recording`: number of a trip's recording, 0: none.
+  /// Replacing an effect in its slot, as a game does in every frame, is not recorded.
   void record(const protocol::Event& event, std::int64_t unix_ms, const Effect* effect,
               unsigned recording = 0);
-  /// Hands over to the disk what waits: trips at once, the rest, and again what the disk has
-  /// refused, once a second.
+  /// Passes pending events to the disk: trips at once, the others, and repeated after a failed
+  /// write, once a second.
   void pump(std::int64_t unix_ms);
-  /// The same now. True: all is on disk.
+  /// The same at once. True: all is on disk.
   bool flush();
 
-  /// The result of events.history as JSON: what fits an answer.
+  /// The result of events.history as JSON, limited to the size of a response.
   std::string newest(const protocol::EventsHistory& request,
                      const HasRecording& has_recording = {}) const;
-  /// The highest number of a recording that an event names; 0: none does.
+  /// The highest number of a recording in an event; 0: none.
   unsigned last_recording() const noexcept { return last_recording_; }
 
  private:
   struct Entry {
     std::int64_t unix_ms = 0;
-    std::int64_t last_ms = 0;  // of a series; else the same
-    std::uint64_t number = 0;  // in the order in which they came
+    std::int64_t last_ms = 0;  // of a series; else equal to unix_ms
+    std::uint64_t number = 0;  // order of arrival
     std::size_t type = 0;
     bool trip = false;
     unsigned recording = 0;
@@ -83,7 +83,7 @@ class EventHistory {
   };
   struct Part {
     std::deque<Entry> entries;
-    std::uint64_t on_disk = 0;  // number of the last one that is
+    std::uint64_t on_disk = 0;  // number of the last one on disk
     std::size_t lines_in_file = 0;
     std::vector<std::string> again;  // lines of series that have grown since they were written
     DiskWorkPtr work;
@@ -94,22 +94,22 @@ class EventHistory {
 
   void load(std::string_view text);
   void add(protocol::PastEvent&& event, std::int64_t unix_ms, unsigned recording);
-  /// The entry of a series has grown by `event`; false: it is none, or a new one.
+  /// Adds `event` to the entry of its series; false: not recurring, or a new series.
   bool add_to_series(const protocol::PastEvent& event, std::int64_t unix_ms);
-  /// `line`, as it was loaded, tells the whole of a series that an earlier line has begun.
+  /// A loaded `line` contains the whole of a series that an earlier line has started.
   bool completes_series(const protocol::PastEvent& line, std::int64_t unix_ms);
   void show_series(const EventSeries& series);
-  /// Lines of series that have grown and are due at `unix_ms`, or at once.
+  /// Queues the lines of series that have grown and are due at `unix_ms`, or all of them.
   void write_series_again(std::int64_t unix_ms, bool at_once);
   Part& part_at(HistoryPart which) { return parts_[static_cast<std::size_t>(which)]; }
   void number_by_time();
   bool write(HistoryPart which);
-  /// Who played what a trip at `time_ns` has ended.
+  /// Adds the method and the client of the effect that `trip` has ended.
   void name_player(protocol::PastEvent& trip) const;
 
   Writer writer_;
   std::array<Part, kHistoryParts> parts_;
-  /// The newest of each type.
+  /// The newest series of each type.
   std::map<std::size_t, EventSeries> series_;
   std::uint64_t number_ = 0;
   std::int64_t written_ms_ = 0;
@@ -120,7 +120,7 @@ class EventHistory {
     std::optional<std::string> method;
     std::optional<std::string> client;
   };
-  /// The last effect that a trip has ended.
+  /// The last effect ended by a trip.
   std::optional<Ended> tripped_;
 };
 

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 /// By HistoryPart.
 constexpr std::array<const char*, kHistoryParts> kFiles{
     "effects.jsonl", "trips.jsonl", "events.jsonl", "derating.jsonl", "recurring.jsonl"};
-/// Far more than the most lines have.
+/// Exceeds the size of the maximum number of lines by far.
 constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
 
 std::string full_path(const std::string& path) { return path + ".1"; }
@@ -46,16 +46,16 @@ bool write_all(int fd, std::string_view text) {
   return true;
 }
 
-/// What is appended must not grow onto a line that was cut off.
+/// Appended text must not continue a truncated line.
 bool ends_a_line(int fd, off_t size) {
   char last = 0;
   return size == 0 || (::pread(fd, &last, 1, size - 1) == 1 && last == '\n');
 }
 
-/// All of `lines`, or nothing. Empty, or what went wrong.
+/// Appends all of `lines`, or nothing. Empty on success, or the problem.
 std::string append(const std::string& path, std::string_view lines, bool begin_file) {
   std::error_code missing;
-  // An empty one is left by a beginning that has failed.
+  // An empty file is the result of a failed creation.
   if (begin_file && fs::file_size(path, missing) > 0 && !missing) {
     std::error_code failed;
     fs::rename(path, full_path(path), failed);
@@ -75,7 +75,7 @@ std::string append(const std::string& path, std::string_view lines, bool begin_f
   std::string problem = good ? std::string() : path + ": " + std::strerror(errno);
   if (!good && before >= 0 && ::ftruncate(fd, before) != 0) problem += ", and half a line stays";
   ::close(fd);
-  // The lines are there; should the folder forget the file at a loss of power, repeating does not
+  // The lines are written; if the folder entry may be lost at a power failure, repeating does not
   // help.
   if (const std::string unsure =
           good && fresh ? base::sync_folder(fs::path(path).parent_path()) : "";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The event history on disk, in the state directory: `trips.jsonl`, `derating.jsonl`,
-// `recurring.jsonl`, `events.jsonl` of what else concerns the ball and `effects.jsonl`, and beside
-// each the full one before it, `.1`.
+// `recurring.jsonl`, `events.jsonl` with other events of the ball and `effects.jsonl`, and for each
+// the previous full file, `.1`.
 #pragma once
 
 #include <string>
@@ -11,11 +11,10 @@
 
 namespace hedgehog::server {
 
-/// What is there; empty where nothing is, and, which is logged, where it cannot be read. Start-up
-/// only.
+/// The stored history; empty if missing, or, with a log line, if unreadable. Start-up only.
 HistoryTexts load_history(const std::string& directory);
-/// Appends there on the disk thread, which must outlive the writer; whole or not at all. A disk
-/// that fails is logged once until it works again.
+/// Appends to it on the disk thread, which must outlive the writer; completely or not at all. A
+/// failing disk is logged once until it works again.
 EventHistory::Writer history_writer(const std::string& directory, DiskThread& disk);
 
 }  // namespace hedgehog::server

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `telemetry.bin` in the state directory: the last minutes of telemetry, written each minute in
-// which something has flowed and at an orderly stop. At most 64 KiB.
+// `telemetry.bin` in the state directory: the last minutes of telemetry, written each minute with a
+// current and at an orderly stop. At most 64 KiB.
 #pragma once
 
 #include <cstdint>
@@ -11,19 +11,19 @@
 
 namespace hedgehog::server {
 
-/// What is there; empty: nothing, or nothing of that kind. Start-up only.
+/// The contents; empty: no file, or an invalid one. Start-up only.
 std::string load_telemetry(const std::string& directory);
 
-/// io thread only; the writing is done by the disk thread.
+/// io thread only; the disk thread writes.
 class TelemetryFile {
  public:
   static constexpr std::int64_t kPeriodMs = 60'000;
 
   TelemetryFile(const std::string& directory, DiskThread& disk);
 
-  /// After every pump.
+  /// Called after every pump.
   void pump(TelemetrySamples& samples, model::Tick now, std::int64_t unix_ms);
-  /// At once. It only informs: a disk that is too slow for it is no fault.
+  /// Writes at once. For information only: a disk that is too slow is not a fault.
   void write(TelemetrySamples& samples, model::Tick now, std::int64_t unix_ms);
 
  private:

@@ -18,7 +18,7 @@ namespace {
 
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 constexpr std::array<char, 8> kMagic{'H', 'H', 'T', 'E', 'L', 'E', '0', '1'};
-/// Less than this is noise of the measurement.
+/// Smaller currents are measurement noise.
 constexpr double kFlowsA = 0.2;
 
 float known(const std::optional<double>& value) {
@@ -29,8 +29,8 @@ std::optional<double> shown(float value) {
   return std::isfinite(value) ? std::optional<double>(value) : std::nullopt;
 }
 
-/// To the two decimals that are told, never up: a limit that is shown is not above the configured
-/// one. A float of a number of two decimals may be a little below it.
+/// Rounded down to the two reported decimals, so that a reported limit is not above the configured
+/// one. The float of a number with two decimals may be slightly below it.
 double rounded_down(double ampere) {
   constexpr double kFloatError = 1e-3;
   return std::floor(100.0 * ampere + kFloatError) / 100.0;
@@ -138,13 +138,13 @@ protocol::TelemetryHistoryResult TelemetrySamples::recent(double seconds, model:
   };
   for (std::size_t age = count; age-- > 0;) {
     const Sample& sample = at(age);
-    // A gap ends a step, too.
+    // A gap also ends a step.
     if (!step.empty() && sample.tick - step.back().tick > 2 * kPeriod) end_step();
     step.push_back(sample);
     if (step.size() == each) end_step();
   }
   end_step();
-  // Gaps make more steps; the oldest are left out.
+  // Gaps increase the number of steps; the oldest are dropped.
   if (out.samples.size() > max_samples) {
     const auto excess = static_cast<std::ptrdiff_t>(out.samples.size() - max_samples);
     out.samples.erase(out.samples.begin(), out.samples.begin() + excess);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The last ten minutes of telemetry, a sample a second, for pages that have just been opened.
-// Bounded and allocated once; filled by the io thread from the control thread's status.
+// The last ten minutes of telemetry, one sample per second, for newly opened pages. Bounded and
+// allocated once; filled by the io thread from the control thread's status.
 #pragma once
 
 #include <array>
@@ -21,32 +21,32 @@ namespace hedgehog::server {
 class TelemetrySamples {
  public:
   static constexpr std::size_t kMaxSamples = 600;
-  /// What one covers.
+  /// Ticks covered by one sample.
   static constexpr model::Tick kPeriod = 1000;
 
   TelemetrySamples() { samples_.reserve(kMaxSamples); }
 
-  /// With every snapshot: the largest current that is seen.
+  /// Called with every snapshot: keeps the largest current.
   void watch(const control::StatusSnapshot& now) noexcept;
   /// A sample is complete with this snapshot.
   bool due(model::Tick now) const noexcept { return now - last_tick_ >= kPeriod; }
-  /// That sample. `status`: of the snapshot `now`.
+  /// Adds that sample. `status`: of the snapshot `now`.
   void add(const control::StatusSnapshot& now, const protocol::Status& status);
 
-  /// The last `seconds`, several samples in one when they would be more than an answer has.
+  /// The last `seconds`, with several samples combined if they exceed the size of a response.
   protocol::TelemetryHistoryResult recent(double seconds, model::Tick now,
                                           std::int64_t time_ns) const;
 
-  /// For the disk, and back: a stop is a gap as long as the clock on the wall says. What is
-  /// damaged, of another version or from the future is left out.
+  /// Conversion to and from the file: a stop is a gap of the duration given by the time of day.
+  /// Damaged data, and that of another version or from the future, is ignored.
   std::string encoded(model::Tick now, std::int64_t unix_ms) const;
   void restore(std::string_view bytes, model::Tick now, std::int64_t unix_ms);
-  /// Something has flowed since `encoded` was last asked for.
+  /// A current was measured since the last `saved`.
   bool changed() const noexcept { return changed_; }
   void saved() noexcept { changed_ = false; }
 
  private:
-  /// NaN: not known. Written to disk as it is.
+  /// NaN: unknown. Written to disk as is.
   struct Sample {
     model::Tick tick = 0;
     std::array<float, 3> coils_c{};
@@ -64,7 +64,7 @@ class TelemetrySamples {
   void push(const Sample& sample);
   static protocol::TelemetrySample merged(const std::vector<Sample>& samples, model::Tick now);
 
-  /// A ring: `next_` is the oldest once it is full.
+  /// A ring buffer: `next_` is the oldest once it is full.
   std::vector<Sample> samples_;
   std::size_t next_ = 0;
   control::Totals totals_{};

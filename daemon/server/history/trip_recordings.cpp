@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kPrefix = "trip-";
 constexpr const char* kSuffix = ".hhr";
-/// Room to count on.
+/// Maximum number, so that it can still be incremented.
 constexpr unsigned kHighest = 999'999'999;
 
 struct Recording {
@@ -49,7 +49,8 @@ std::set<unsigned> numbers_in(const std::string& directory) {
 }
 
 void record(const std::string& directory, unsigned number, control::FlightRecorder& recorder) {
-  // The recorder freezes in the tick of the trip, so it has done so, or the trip was over before.
+  // The recorder freezes in the tick of the trip, so it has frozen, or the recording was already
+  // taken.
   if (!recorder.frozen()) return;
   const std::vector<std::byte> bytes = recorder.take();
   const std::string path = recording_path(directory, number);
@@ -128,7 +129,7 @@ TripRecordings::TripRecordings(std::string directory, DiskThread& disk,
 
 unsigned TripRecordings::tripped() {
   ++last_;
-  // The one that waits takes what is frozen, the first of the two.
+  // The pending job takes the frozen recording, that of the first trip.
   if (!queued_->exchange(true)) {
     const bool taken =
         disk_.post(DiskUse::kSafety, [directory = directory_, number = last_, &recorder = recorder_,

@@ -18,7 +18,7 @@
 
 namespace hedgehog::server {
 
-/// Which recordings there are. Any thread.
+/// Numbers of the stored recordings. Any thread.
 class RecordingNumbers {
  public:
   void set(std::set<unsigned> numbers);
@@ -29,10 +29,10 @@ class RecordingNumbers {
   std::set<unsigned> numbers_;
 };
 
-/// A recording that is being read.
+/// A recording being read.
 struct RecordingRead {
   std::atomic<bool> done{false};
-  /// Once `done`; empty: it is gone, or cannot be read.
+  /// Valid once `done`; empty: removed, or unreadable.
   std::string bytes;
 };
 
@@ -40,19 +40,20 @@ class TripRecordings {
  public:
   static constexpr std::size_t kMaxFiles = 50;
   static constexpr std::uintmax_t kMaxBytes = 20u << 20;
-  /// More than a recorder holds.
+  /// Exceeds the size of a recording.
   static constexpr std::size_t kMaxFileBytes = 6u << 20;
 
-  /// Looks what is there already. `last_named`: the highest number that the history names, perhaps
-  /// of a recording that was never written or is gone; it is never given again.
+  /// Reads the stored recordings. `last_named`: the highest number in the history, possibly of a
+  /// recording that was never written or was removed; it is never reused.
   TripRecordings(std::string directory, DiskThread& disk, control::FlightRecorder& recorder,
                  unsigned last_named);
 
   // io thread.
 
-  /// The ball has tripped: the number of its recording, which is written on the disk thread.
+  /// The ball has tripped: returns the number of its recording, which is written on the disk
+  /// thread.
   unsigned tripped();
-  /// Written, and not yet removed by newer ones.
+  /// Written, and not yet removed for newer ones.
   bool has(unsigned number) const;
   /// The whole recording, read on the disk thread; nullptr: the disk is too slow.
   std::shared_ptr<const RecordingRead> read(unsigned number) const;
@@ -62,13 +63,13 @@ class TripRecordings {
   DiskThread& disk_;
   control::FlightRecorder& recorder_;
   unsigned last_;
-  /// The disk thread may work on when this is gone.
+  /// Shared, because the disk thread may outlive this.
   std::shared_ptr<RecordingNumbers> written_;
-  /// One for a trip waits already.
+  /// A job for a trip is already queued.
   std::shared_ptr<std::atomic<bool>> queued_ = std::make_shared<std::atomic<bool>>(false);
 };
 
-/// "trip-0017"; and the number of such a name, 0: it is none.
+/// "trip-0017"; and the number of such a name, 0 for other names.
 std::string recording_name(unsigned number);
 unsigned recording_number(std::string_view name);
 /// Of "trip-0017.hhr".

@@ -23,7 +23,7 @@ namespace asio = boost::asio;
 using boost::system::error_code;
 
 constexpr std::chrono::seconds kCloseTimeout{1};
-/// So long one client is served before the others get their turn.
+/// Maximum time for one client before the others are served.
 constexpr std::chrono::milliseconds kTurn{1};
 
 }  // namespace
@@ -57,7 +57,7 @@ void Connection::start() {
 
 asio::awaitable<void> Connection::run() {
   server_.open(session_);
-  // Strangers could fill the log.
+  // Unauthenticated clients could fill the log.
   spdlog::log(session_.locked ? spdlog::level::debug : spdlog::level::info, "connection {} from {}",
               session_.id, origin_text(session_));
   asio::co_spawn(
@@ -84,7 +84,7 @@ asio::awaitable<void> Connection::run() {
   while (!served_) co_await wait(capacity_);
   server_.close(session_);
   while (!finishing_) co_await wait(pending_timer_);
-  // At a shutdown the listener finishes who is still owed an answer.
+  // At a shutdown the listener finishes connections with pending responses.
   server_.forget(session_);
   spdlog::log(session_.locked ? spdlog::level::debug : spdlog::level::info,
               "connection {} closed{}", session_.id,
@@ -128,7 +128,7 @@ void Connection::on_queued(bool fits, LineKind kind) {
     if (!in_turn_) flush();
     if (kind != LineKind::kAnswer) return;
     progress_.cancel();
-    // Not by those to come: an answer makes them fewer.
+    // By bytes only: an answer reduces the number of pending responses.
     if (held_back_by_bytes()) work_.cancel();
     capacity_.cancel();
   } else if (!aborted_) {

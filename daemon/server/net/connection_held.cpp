@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The requests of a connection that are held while its client does not take its responses.
+// Requests of a connection that are held while its client does not read its responses.
 #include <spdlog/spdlog.h>
 
 #include <boost/asio/redirect_error.hpp>
@@ -25,7 +25,7 @@ bool Connection::full() const noexcept {
 }
 
 void Connection::hold(Held line) {
-  // A line of no bytes takes memory too.
+  // An empty line uses memory too.
   held_bytes_ += line.text.size() + sizeof line;
   held_.push_back(std::move(line));
   session_.held = held_.size();
@@ -101,7 +101,7 @@ asio::awaitable<void> Connection::wait_for_reader() {
     error_code woken;
     co_await progress_.async_wait(asio::redirect_error(asio::use_awaitable, woken));
     if (woken && !sent_part_) continue;
-    // The system sends from a buffer of its own, and tells when there is much space in it again.
+    // The system has its own send buffer, and signals writability only when much of it is free.
     const bool waits = queue_.answer_bytes() > allowed_answer_bytes();
     if (!waits || sent_part_ || untaken_bytes() < untaken) {
       restart();

@@ -52,7 +52,7 @@ void HalfOpen::make_space(const std::string& host) {
 }
 
 void HalfOpen::expire(std::uint64_t id) noexcept {
-  // It may have gone while this waited to be called.
+  // The entry may have been removed while this call was queued.
   const auto entry = std::find_if(entries_.begin(), entries_.end(),
                                   [&](const Entry& one) { return one.id == id; });
   if (entry != entries_.end()) disconnect(*entry);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Connections that need a token and have shown none yet: of other machines those whose TLS
-// handshake goes on and those that have not logged in, and those of local users without a role.
-// Their number is bounded, and a new one replaces the oldest: a client that is slow, or sends
-// garbage or nothing, keeps no other out.
+// Connections that need a token and have not sent one yet: from other machines those with a TLS
+// handshake in progress and those not logged in, and those of local users without a role. Their
+// number is bounded, and a new one replaces the oldest: a client that is slow, or sends garbage or
+// nothing, does not exclude others.
 #pragma once
 
 #include <boost/asio/any_io_executor.hpp>
@@ -17,14 +17,14 @@
 
 namespace hedgehog::server {
 
-/// io thread only. Made as a shared_ptr, which its tickets share: some of them go away only with
-/// the io_context.
+/// io thread only. Made as a shared_ptr, which its tickets share, because some tickets are
+/// destroyed only with the io_context.
 class HalfOpen : public std::enable_shared_from_this<HalfOpen> {
  public:
-  /// At once, and of one address; with more, the oldest (of that address) is disconnected.
+  /// Maximum in total, and per address; beyond it, the oldest (of that address) is disconnected.
   static constexpr std::size_t kMax = 32;
   static constexpr std::size_t kMaxOfAddress = 8;
-  /// Afterwards it is disconnected.
+  /// Time until it is disconnected.
   static constexpr std::chrono::seconds kPatience{10};
 
   explicit HalfOpen(boost::asio::any_io_executor executor,
@@ -43,7 +43,7 @@ class HalfOpen : public std::enable_shared_from_this<HalfOpen> {
   };
 
  public:
-  /// A connection's place, until it goes away. To be given up before its socket is closed.
+  /// A connection's entry, until it is released. Must be released before its socket is closed.
   class Ticket {
    public:
     Ticket() = default;
@@ -61,12 +61,12 @@ class HalfOpen : public std::enable_shared_from_this<HalfOpen> {
     std::list<Entry>::iterator entry_{};
   };
 
-  /// For the socket `descriptor`, whose peer is at `address` ("192.0.2.7:5000", "user 1000").
-  /// Disconnecting is a shutdown(2) in both directions: what waits on the socket then ends by
-  /// itself.
+  /// Adds the socket `descriptor`, whose peer is at `address` ("192.0.2.7:5000", "user 1000").
+  /// Disconnecting is a shutdown(2) in both directions, which ends pending operations on the
+  /// socket.
   Ticket enter(int descriptor, const std::string& address);
   std::size_t size() const noexcept { return entries_.size(); }
-  /// Disconnected so far, for taking too long or too much.
+  /// Number of connections disconnected for a timeout or too many connections.
   std::size_t disconnected() const noexcept { return disconnected_; }
 
  private:
@@ -76,7 +76,7 @@ class HalfOpen : public std::enable_shared_from_this<HalfOpen> {
 
   boost::asio::any_io_executor executor_;
   std::chrono::milliseconds patience_;
-  std::list<Entry> entries_;  // the oldest first
+  std::list<Entry> entries_;  // oldest first
   std::uint64_t last_id_ = 0;
   std::size_t disconnected_ = 0;
 };

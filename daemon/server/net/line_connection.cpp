@@ -18,7 +18,7 @@ namespace {
 namespace asio = boost::asio;
 using boost::system::error_code;
 
-/// Each connection that waits has a buffer of this size: of what arrives at once, it takes most.
+/// Each waiting connection has a buffer of this size; it holds most of what arrives at a time.
 constexpr std::size_t kWaitBytes = 2048;
 
 }  // namespace
@@ -39,7 +39,7 @@ asio::awaitable<void> BasicLineConnection<Stream>::read() {
       if (count == buffer.size()) read_more(reader);
     if (!known && reader.first_byte()) {
       known = true;
-      // Web pages can reach loopback, and what a browser sends begins with a letter.
+      // Web pages can reach loopback, and HTTP requests begin with a letter.
       if (*reader.first_byte() != '{' && *reader.first_byte() != '[') {
         spdlog::warn("connection {} does not speak JSON-RPC; closed", id());
         ++counters().rejected["not_json"];
@@ -57,10 +57,10 @@ asio::awaitable<void> BasicLineConnection<Stream>::read() {
 template <class Stream>
 void BasicLineConnection<Stream>::read_more(LineReader& reader) {
   if constexpr (kPlain) {
-    // Used by one connection at a time, never across a wait.
+    // Used by one connection at a time, never across a suspension.
     static std::array<char, kReadBytes> buffer;
     error_code ec;
-    // An end or an error is met by the next read.
+    // The next read returns an end or an error.
     const std::size_t count = stream_.read_some(asio::buffer(buffer), ec);
     if (!ec) reader.append({buffer.data(), count});
   }
@@ -103,7 +103,7 @@ void BasicLineConnection<Stream>::send_now(WriteQueue& queue) {
 template <class Stream>
 asio::awaitable<void> BasicLineConnection<Stream>::finish_stream() {
   if constexpr (!kPlain) {
-    // So that the client knows that nothing is missing.
+    // So that the client can detect that nothing is missing.
     error_code ignored;
     co_await stream_.async_shutdown(asio::redirect_error(asio::use_awaitable, ignored));
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A client on TCP, with TLS or without, or on the Unix socket: one message a line.
+// A client on TCP, with TLS or without, or on the Unix socket: one message per line.
 #pragma once
 
 #include <boost/asio/generic/stream_protocol.hpp>
@@ -12,7 +12,7 @@
 
 namespace hedgehog::server {
 
-/// `Stream`: a socket, or a TLS stream whose handshake is done.
+/// `Stream`: a socket, or a TLS stream after its handshake.
 template <class Stream>
 class BasicLineConnection final : public Connection {
  public:
@@ -20,7 +20,7 @@ class BasicLineConnection final : public Connection {
                       const config::ConnectionSettings& settings)
       : Connection(stream.get_executor(), server, std::move(session), settings),
         stream_(std::move(stream)) {
-    // For `send_now`; what waits is not concerned.
+    // For `send_now`; asynchronous operations are not affected.
     boost::system::error_code ignored;
     if constexpr (kPlain) stream_.non_blocking(true, ignored);
   }
@@ -35,7 +35,7 @@ class BasicLineConnection final : public Connection {
   boost::asio::awaitable<void> finish_stream() override;
   void close() noexcept override;
   std::size_t untaken_bytes() noexcept override;
-  /// What else has arrived, up to `kReadBytes`.
+  /// Reads further available data, up to `kReadBytes`.
   void read_more(LineReader& reader);
   void take_line(const LineReader::Line& line);
 

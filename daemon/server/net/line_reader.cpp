@@ -25,7 +25,7 @@ std::optional<LineReader::Line> LineReader::next() {
     scanned_ = whole ? end : buffer_.size();
     std::string_view text(buffer_.data() + begin_, scanned_ - begin_);
     if (whole && text.ends_with('\r')) text.remove_suffix(1);
-    // One byte of grace while the line is open: it may be the CR of a CRLF.
+    // One byte more while the line is incomplete: it may be the CR of a CRLF.
     const bool too_long = text.size() > limit_ + (whole ? 0 : 1);
     const bool was_skipping = skipping_;
     if (whole) {

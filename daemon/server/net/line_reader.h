@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Splits a byte stream into lines of at most 64 KiB. A longer line is reported once, as soon as it
-// is too long, and the rest of it is skipped, so that memory stays bounded.
+// is too long, and its rest is skipped, so that memory stays bounded.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace hedgehog::server {
 
-/// io thread; one a connection.
+/// io thread; one per connection.
 class LineReader {
  public:
   explicit LineReader(std::size_t limit) : limit_(limit) {}
@@ -21,22 +21,22 @@ class LineReader {
     bool too_long = false;
   };
 
-  /// Takes over `bytes`. REQUIRES: `next` has returned nullopt since the last `feed`.
+  /// Appends `bytes`. REQUIRES: `next` has returned nullopt since the last `feed`.
   void feed(std::string_view bytes);
-  /// More bytes that follow those of the last `feed`. REQUIRES: no `next` since.
+  /// Appends bytes that follow those of the last `feed`. REQUIRES: no `next` since.
   void append(std::string_view bytes);
-  /// The next whole line; nullopt: more bytes are needed.
+  /// The next complete line; nullopt: more bytes are needed.
   std::optional<Line> next();
 
-  /// The first byte that is not a line end; nullopt before it has come. Decides whether this is a
-  /// client of ours at all.
+  /// The first byte that is not a line end; nullopt before it is received. Decides whether the
+  /// client speaks this protocol.
   std::optional<char> first_byte() const noexcept { return first_byte_; }
 
  private:
   std::size_t limit_;
   std::string buffer_;
-  std::size_t begin_ = 0;    // of the line that is not complete yet
-  std::size_t scanned_ = 0;  // no LF before here
+  std::size_t begin_ = 0;    // of the incomplete line
+  std::size_t scanned_ = 0;  // no LF before this position
   bool skipping_ = false;
   std::optional<char> first_byte_;
 };

@@ -28,16 +28,16 @@ using boost::system::error_code;
 using Tcp = asio::ip::tcp;
 using Local = asio::local::stream_protocol;
 
-/// What the kernel may hold for a slow reader, so that telemetry does not age there.
+/// Kernel send buffer for a slow reader, limited so that telemetry does not age in it.
 constexpr int kSendBufferBytes = 256 * 1024;
-/// At once, besides WebSockets; a browser opens up to six.
+/// Maximum at a time, besides WebSockets; a browser opens up to six.
 constexpr int kMaxHttpClients = 64;
-/// More than `connections.max`, so that no crowd on TCP keeps anybody from the emergency stop:
-/// places for pages, and further ones for the Unix socket.
+/// Beyond `connections.max`, so that many TCP clients cannot block an emergency stop: places for
+/// pages, and further ones for the Unix socket.
 constexpr std::size_t kMorePages = 8;
 constexpr std::size_t kMoreOnUnix = 8;
-/// While it goes on, a failing accept is reported once; another one after so long is another
-/// episode.
+/// A failing accept is reported once while it continues; after this time without one a further
+/// failure is reported again.
 constexpr std::chrono::seconds kAcceptEpisode{60};
 constexpr std::chrono::milliseconds kAcceptPause{100};
 
@@ -51,8 +51,8 @@ std::string text(const Tcp::endpoint& endpoint) {
   return config::to_string({endpoint.address().to_string(), endpoint.port()});
 }
 
-/// Reset before it was accepted: there is nobody to serve. Who has only closed may have asked
-/// first.
+/// Reset before it was accepted: there is no client. One that has only closed may have sent a
+/// request before.
 bool is_reset(const Tcp::socket& socket) {
   error_code gone;
   socket.remote_endpoint(gone);
@@ -244,7 +244,7 @@ asio::awaitable<void> Listener::let_in_tls(Tcp::socket socket) {
   Session session = session_with(socket);
   session.locked = true;
   TlsStream stream(std::move(socket), *tls_);
-  HalfOpen::Ticket ticket = half_open(stream.next_layer());  // goes before its socket does
+  HalfOpen::Ticket ticket = half_open(stream.next_layer());  // released before its socket
   error_code ec;
   co_await stream.async_handshake(asio::ssl::stream_base::server,
                                   asio::redirect_error(asio::use_awaitable, ec));
@@ -268,7 +268,7 @@ void Listener::set_config(const config::Config& config) {
   if (!set_unix_mode(unix_path_, unix_inode_, config.access.unix_roles))
     spdlog::error("{}: its mode cannot be changed", unix_path_);
   try {
-    // Where no certificate is needed any more, those that listen keep theirs.
+    // If no certificate is needed any more, listeners keep the previous one.
     if (TlsContext fresh = make_tls_context(config.access)) tls_ = std::move(fresh);
   } catch (const std::exception& e) {
     spdlog::error("the new certificate cannot be used; the old one stays: {}", e.what());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Listening sockets: TCP, a Unix socket, and HTTP; TCP and HTTP with TLS where other machines can
-// reach them. An accepted socket becomes a Connection; on HTTP, a WebSocket does.
+// Listening sockets: TCP, a Unix socket, and HTTP; TCP and HTTP with TLS if reachable by other
+// machines. An accepted socket becomes a Connection; on HTTP, a WebSocket does.
 #pragma once
 
 #include <boost/asio/awaitable.hpp>
@@ -29,20 +29,19 @@ class Listener {
   Listener(boost::asio::io_context& io, const config::Config& config);
   ~Listener();
 
-  /// Opens every address of `listen` and `http`. Throws std::runtime_error with a sentence for a
-  /// person.
+  /// Opens every address of `listen` and `http`. Throws std::runtime_error with a sentence for
+  /// display.
   void open(const config::Config& config);
-  /// Where it waits: "127.0.0.1:7586", "tls://192.0.2.7:7586", "http://127.0.0.1:7587",
+  /// Endpoints: "127.0.0.1:7586", "tls://192.0.2.7:7586", "http://127.0.0.1:7587",
   /// "https://192.0.2.7:7587", "/run/hedgehog/hedgehogd.sock".
   const std::vector<std::string>& addresses() const noexcept { return addresses_; }
-  /// Lets clients in. `server` must outlive the io_context's work.
+  /// Accepts clients. `server` must outlive the io_context's work.
   void start(Server& server);
-  /// No new clients; those that are connected get what is queued for them and are closed.
+  /// Accepts no more clients; connected ones get their queued lines and are closed.
   void close();
   bool empty() const noexcept;
 
-  /// Limits, who may open the Unix socket, and certificate and key for those that connect from now
-  /// on.
+  /// Applies limits, the mode of the Unix socket, and certificate and key for new connections.
   void set_config(const config::Config& config);
 
  private:
@@ -63,11 +62,10 @@ class Listener {
   boost::asio::awaitable<void> let_in_tls(boost::asio::ip::tcp::socket socket);
   void let_in_https(boost::asio::ip::tcp::socket socket);
   HalfOpen::Ticket half_open(boost::asio::ip::tcp::socket& socket);
-  /// One more; false, and counted, when all places are taken; false when this daemon is about to
-  /// end.
+  /// Capacity for one more; false, and counted, when all places are used; false during a shutdown.
   bool has_capacity(const Session& session);
   void enter(const std::shared_ptr<Connection>& connection);
-  /// Out of file descriptors, as a rule. Once an episode.
+  /// Usually out of file descriptors. Reported once per episode.
   void report_accept_failure(const boost::system::error_code& error);
 
   boost::asio::io_context& io_;

@@ -21,7 +21,7 @@ std::vector<std::uint32_t> groups_of(int descriptor) {
     const int error =
         ::getsockopt(descriptor, SOL_SOCKET, SO_PEERGROUPS, groups.data(), &bytes) == 0 ? 0 : errno;
     const std::size_t count = bytes / sizeof(gid_t);
-    // They are those of the connect(2), so the second attempt fits.
+    // The groups are those at the connect(2), so the second attempt fits.
     const bool too_few = error == ERANGE && count > groups.size();
     if (error != 0 && !too_few) return {};
     groups.resize(count);

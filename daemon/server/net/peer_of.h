@@ -8,9 +8,9 @@
 
 namespace hedgehog::server {
 
-/// Of the process that connected to the Unix socket `descriptor`; nullopt: the system does not
-/// tell. Without supplementary groups before Linux 4.13. Does not block and asks no database of
-/// users. Any thread.
+/// Credentials of the process that connected to the Unix socket `descriptor`; nullopt: not provided
+/// by the system. Without supplementary groups before Linux 4.13. Does not block or query a user
+/// database. Any thread.
 std::optional<access::Peer> peer_of(int descriptor);
 
 }  // namespace hedgehog::server

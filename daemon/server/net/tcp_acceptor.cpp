@@ -16,7 +16,7 @@ std::optional<boost::asio::ip::tcp::acceptor> open_acceptor(boost::asio::io_cont
   const std::string name = config::to_string(wanted);
   boost::system::error_code ec;
   const auto address = asio::ip::make_address(wanted.host, ec);
-  // The configuration makes sure of it; here is where it would matter.
+  // The configuration ensures this; checked again where a violation would take effect.
   if (ec || (!address.is_loopback() && !wanted.tls))
     throw std::runtime_error(name + ": refused: other machines could reach it without TLS");
   asio::ip::tcp::acceptor acceptor(io);

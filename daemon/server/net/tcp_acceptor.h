@@ -11,8 +11,8 @@
 namespace hedgehog::server {
 
 /// Listens at `wanted`. nullopt: this machine has no IPv6. Throws std::runtime_error with a
-/// sentence for a person, in which `remedy` is where another port is chosen; also for an address
-/// without TLS that other machines could reach.
+/// sentence for display, in which `remedy` is the setting of the port; also for an address without
+/// TLS that other machines could reach.
 std::optional<boost::asio::ip::tcp::acceptor> open_acceptor(boost::asio::io_context& io,
                                                             const config::ListenAddress& wanted,
                                                             const char* remedy);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What TLS connections of the daemon have in common.
+// Shared TLS context of the daemon's connections.
 #pragma once
 
 #include <boost/asio/ssl/context.hpp>
@@ -11,7 +11,7 @@ namespace hedgehog::server {
 
 using TlsContext = std::shared_ptr<boost::asio::ssl::context>;
 
-/// With certificate and key of `access`; nullptr: it has none. Only TLS 1.3, which knows no
+/// With certificate and key of `access`; nullptr: no certificate. Only TLS 1.3, which has no
 /// renegotiation. Sessions are not resumed, so there is no early data, which could be replayed, and
 /// no key that decrypts the tickets of earlier connections. Throws std::exception.
 TlsContext make_tls_context(const config::AccessSettings& access);

@@ -26,11 +26,11 @@ bool somebody_answers(const std::string& path) {
   const int result = ::connect(fd, reinterpret_cast<const sockaddr*>(&address), sizeof address);
   const int error = errno;
   ::close(fd);
-  // EAGAIN: its backlog is full, so somebody is there.
+  // EAGAIN: the backlog is full, so a server is listening.
   return result == 0 || (error != ECONNREFUSED && error != ENOENT);
 }
 
-/// Whoever may write to the folder can put another socket in our place.
+/// A user with write access to the folder could replace the socket.
 void require_private(const std::filesystem::path& folder) {
   struct stat s {};
   if (::lstat(folder.c_str(), &s) != 0 || !S_ISDIR(s.st_mode) ||
@@ -65,7 +65,7 @@ boost::asio::local::stream_protocol::acceptor open_unix_acceptor(boost::asio::io
                                                                  const access::UnixRoles& roles) {
   using Socket = boost::asio::local::stream_protocol;
   make_room_for_socket(path);
-  const mode_t before = ::umask(0777 & ~unix_mode(roles));  // so from its first moment
+  const mode_t before = ::umask(0777 & ~unix_mode(roles));  // from its creation on
   Socket::acceptor acceptor(io);
   boost::system::error_code ec;
   acceptor.open(Socket(), ec);

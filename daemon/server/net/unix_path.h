@@ -11,25 +11,25 @@
 
 namespace hedgehog::server {
 
-/// Makes room for a socket at `path`: its folder exists and belongs to us, and a socket that nobody
-/// answers any more is removed. Throws std::runtime_error when somebody does answer, or when
-/// something that is no socket is in the way.
+/// Prepares `path` for a socket: creates its folder, requires that it belongs to this user or root,
+/// and removes a socket without a listening server. Throws std::runtime_error if a server is
+/// listening, or if the file is not a socket.
 void make_room_for_socket(const std::string& path);
 
-/// Listens at `path`, as `make_room_for_socket` allows. The file has the mode 0660, or 0666 where
-/// `roles` decide who may do what. Throws std::runtime_error with a sentence for a person.
+/// Listens at `path`, after `make_room_for_socket`. The file has the mode 0660, or 0666 if `roles`
+/// decide on access. Throws std::runtime_error with a sentence for display.
 boost::asio::local::stream_protocol::acceptor open_unix_acceptor(boost::asio::io_context& io,
                                                                  const std::string& path,
                                                                  const access::UnixRoles& roles);
 
-/// Gives `path` that mode if it still is the file `inode`; false when the system refuses.
+/// Sets that mode of `path` if it still is the file `inode`; false on failure.
 bool set_unix_mode(const std::string& path, std::uint64_t inode,
                    const access::UnixRoles& roles) noexcept;
 
-/// 0 when there is nothing.
+/// 0: no file.
 std::uint64_t inode_of(const std::string& path) noexcept;
 
-/// Removes `path` if it still is the file `inode`: a later daemon may have taken the place.
+/// Removes `path` if it still is the file `inode`: a later daemon may have replaced it.
 void remove_if_ours(const std::string& path, std::uint64_t inode) noexcept;
 
 }  // namespace hedgehog::server

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Waiting for something that others signal by cancelling a timer.
+// Waits for an event that is signalled by cancelling a timer.
 #pragma once
 
 #include <boost/asio/awaitable.hpp>
@@ -10,7 +10,7 @@
 
 namespace hedgehog::server {
 
-/// Until `timer` is cancelled. io thread.
+/// Returns when `timer` is cancelled. io thread.
 inline boost::asio::awaitable<void> wait(boost::asio::steady_timer& timer) {
   boost::system::error_code cancelled;
   co_await timer.async_wait(boost::asio::redirect_error(boost::asio::use_awaitable, cancelled));

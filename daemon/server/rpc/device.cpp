@@ -9,10 +9,10 @@
 namespace hedgehog::server {
 namespace {
 
-/// Clients wait for 1 s and more for the answer to a stop; the disk has half of it.
+/// Clients wait at least 1 s for the response to a stop; half of it is left for the disk.
 constexpr std::chrono::milliseconds kLatchPatience{500};
 
-/// The board has 300 ticks to answer an arm request (control::StateMachine::kArmPatience).
+/// The board has 300 ticks to confirm an arm request (control::StateMachine::kArmPatience).
 constexpr model::Tick kArmPatience = 400;
 
 protocol::StateResult state_result(const DeviceView& device_view, std::uint64_t seq) {
@@ -21,8 +21,8 @@ protocol::StateResult state_result(const DeviceView& device_view, std::uint64_t 
           seq};
 }
 
-/// The coils are off and no tick comes any more: the latch is for the next start, as
-/// control::StateMachine::emergency_stop would have it.
+/// The coils are off and control has stopped: the latch applies to the next start, as set by
+/// control::StateMachine::emergency_stop.
 protocol::StateResult stopped_while_stopping(DeviceView& device_view) {
   const control::StatusSnapshot& now = device_view.now();
   protocol::StateResult result = state_result(device_view, device_view.outbox().last_seq());
@@ -36,8 +36,8 @@ protocol::StateResult stopped_while_stopping(DeviceView& device_view) {
   return result;
 }
 
-/// The coils are off. That the disk has the latch matters once the daemon is killed or the machine
-/// loses its power.
+/// The coils are off. The latch on disk matters only if the daemon is killed or the machine loses
+/// power.
 protocol::StateResult stopped(HandlerContext& context, std::uint64_t latch_write) {
   DeviceView& device_view = context.device_view;
   protocol::StateResult result = context.stopping
@@ -164,7 +164,7 @@ Outcome handle(Call& call, const protocol::DeviceEmergencyStop&) {
   if (call.context.stopping &&
       call.context.state_store.latch_persisted(write) != Persisted::kPending)
     return Answer(stopped(call.context, write));
-  // The snapshot may already be a tick older than the request.
+  // The snapshot may be a tick older than the request.
   const model::Tick seen = device_view.now().tick + 2;
   const auto until = std::chrono::steady_clock::now() + kLatchPatience;
   return Deferred{[seen, write, until](HandlerContext& context,

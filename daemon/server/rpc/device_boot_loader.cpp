@@ -8,9 +8,9 @@
 namespace hedgehog::server {
 namespace {
 
-/// Since this version of the board protocol a board knows the frame.
+/// First minor version of the board protocol with the boot loader frame.
 constexpr int kBoardMinor = 2;
-/// By then a board that goes is gone for control too.
+/// Ticks until control reports a board in its boot loader as absent.
 constexpr model::Tick kGoneBy = control::StateMachine::kBootLoaderPatience;
 
 protocol::RpcError still_armed() {
@@ -47,7 +47,7 @@ Outcome handle(Call& call, const protocol::DeviceEnterBootLoader&) {
                                           context.device_view.remedy_now(), seq});
     if (give_up) return Answer(control_stuck());
     if (!applied) return std::nullopt;
-    // An arming was under way.
+    // An arming was in progress.
     if (now.state == control::State::kArmed) return Answer(still_armed());
     since = since < 0 ? now.tick : since;
     if (now.tick - since <= kGoneBy) return std::nullopt;

@@ -15,7 +15,7 @@ std::string encoded(const protocol::Id& id, const Answer& answer) {
                             : protocol::encode_result(id, *answer);
 }
 
-/// What io works long for; nullptr: not so.
+/// Name of the results that take io long to compute; nullptr: short.
 const char* costly(protocol::Method method) {
   if (method == protocol::kMethodOf<protocol::ThermalForecast>) return "forecasts";
   if (method == protocol::kMethodOf<protocol::PatternList>) return "lists of patterns";
@@ -25,7 +25,7 @@ const char* costly(protocol::Method method) {
   return nullptr;
 }
 
-/// It may let a current flow, or keep the ball from others.
+/// The request may start a current, or exclude other clients from the ball.
 bool starts_something(const protocol::Request& request) {
   return std::holds_alternative<protocol::EffectStart>(request) ||
          std::holds_alternative<protocol::EffectUpdate>(request) ||
@@ -33,7 +33,7 @@ bool starts_something(const protocol::Request& request) {
          std::holds_alternative<protocol::DeviceClaim>(request);
 }
 
-/// After which it is worth asking again.
+/// Time after which a retry is useful.
 constexpr std::int64_t kRestartMs = 1000;
 
 protocol::RpcError too_many(const std::string& what) {
@@ -108,7 +108,7 @@ void Dispatcher::item(Session& session, protocol::Item& item, const std::shared_
   const std::string_view method = protocol::name(which);
   const char* what = costly(which);
   if (what != nullptr && !item.id) return;
-  // A stop is kept as a latch, for the next start; and never waits for a further line.
+  // A stop is persisted as a latch for the next start, and never rejected because of a later line.
   if (which != protocol::kMethodOf<protocol::DeviceEmergencyStop>) {
     std::optional<protocol::RpcError> why_not;
     if (context_.stopping)

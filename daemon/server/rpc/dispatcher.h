@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Requests to responses: decodes a line, carries out its requests in order, hands the commands of
-// the whole line over together, and responds at once or when the ticks have come that the response
-// needs.
+// Requests to responses: decodes a line, executes its requests in order, passes the commands of the
+// whole line on together, and responds at once or after the ticks that the response depends on.
 #pragma once
 
 #include <chrono>
@@ -21,7 +20,7 @@ namespace hedgehog::server {
 /// io thread only.
 class Dispatcher {
  public:
-  /// The control thread has this long to make an answer possible, as `PolledTime` counts it.
+  /// Maximum time for the control thread to complete a response, measured by `PolledTime`.
   static constexpr std::chrono::seconds kPatience{2};
 
   explicit Dispatcher(HandlerContext& context) : context_(context) {}
@@ -29,36 +28,36 @@ class Dispatcher {
   /// One line of `session`, without its LF.
   void line(Session& session, std::string_view text);
   void line_too_long(Session& session);
-  /// Whether one of the requests of `line` is an emergency stop.
+  /// True if one of the requests of `line` is an emergency stop.
   static bool has_emergency_stop(std::string_view line);
 
-  /// Forecasts of one batch, lists of patterns, histories; the others are answered `busy`. A batch
-  /// cannot be interrupted, and whoever wants to stop the ball waits behind it.
+  /// Maximum number of forecasts, pattern lists and histories in one batch; further ones get
+  /// `busy`. A batch cannot be interrupted, and delays an emergency stop.
   static constexpr int kMaxCostly = 8;
-  /// What an answer that is still to come counts as; most are shorter.
+  /// Size assumed for a pending response; most are shorter.
   static constexpr std::size_t kReservedBytes = 1024;
 
-  /// After every new snapshot.
+  /// Called after every new snapshot.
   void poll();
   bool waiting() const noexcept { return !waiting_.empty(); }
-  /// Answers to `session` are still to come.
+  /// Responses to `session` are pending.
   bool has_pending(ConnectionId session) const noexcept { return pending(session) > 0; }
-  /// So many.
+  /// Number of pending responses.
   std::size_t pending(ConnectionId session) const noexcept;
 
  private:
-  /// The answers to one line, until all are there.
+  /// The responses to one line, until all are complete.
   struct Reply {
     ConnectionId session = 0;
     bool batch = false;
     std::vector<std::string> answers;
-    /// Of the answers, and `kReservedBytes` for each that is open.
+    /// Size of the responses, with `kReservedBytes` for each pending one.
     std::size_t bytes = 0;
     int open = 0;
     std::map<protocol::Method, int> costly;
 
     void add(std::string answer);
-    /// An answer to come; its index.
+    /// Adds a pending response; returns its index.
     std::size_t reserve();
     void fill(std::size_t index, std::string answer);
     std::size_t open_bytes() const noexcept { return open > 0 ? bytes : 0; }

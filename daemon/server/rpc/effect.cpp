@@ -35,8 +35,8 @@ std::optional<RpcError> no_capacity(const Call& call, bool replacing) {
   return protocol::busy("effects that have just ended still hold their places", 1);
 }
 
-/// Everything that can speak against playing `plan`, which replaces or updates `before` (nullptr:
-/// neither). The admission is only worked out when somebody asks for it.
+/// Checks all reasons against playing `plan`, which replaces or updates `before` (nullptr:
+/// neither). The admission is only computed if it is needed.
 protocol::Result<protocol::Admission> admit(const Call& call, const EffectPlan& plan,
                                             const Effect* before) {
   const DeviceView& device_view = call.device_view();
@@ -53,8 +53,8 @@ protocol::Result<protocol::Admission> admit(const Call& call, const EffectPlan& 
   return admitted;
 }
 
-/// Hands the key frames of `plan` over. Afterwards there is room for one more command, so that what
-/// plays them cannot be refused and leave them behind.
+/// Queues the key frames of `plan`. Afterwards there is capacity for one more command, so that the
+/// start cannot be rejected after its key frames.
 std::optional<RpcError> place_keyframes(const Call& call, EffectPlan& plan) {
   if (!plan.track) return std::nullopt;
   Outbox& outbox = call.device_view().outbox();
@@ -84,9 +84,8 @@ bool same_keyframes(const Call& call, const Effect& before, const EffectPlan& pl
   return call.context.keyframes.holds(before.spec.trajectory.playback.first, *plan.track);
 }
 
-/// The start of `before` still waits for its tick: it becomes that of `plan`, under the same
-/// number. False when it has been handed over, or when `plan` has other key frames, which would
-/// come behind it.
+/// Replaces the still queued start of `before` by that of `plan`, under the same number. False if
+/// it has been passed on, or if `plan` has other key frames, which would be queued after it.
 bool coalesce(const Call& call, const Effect& before, EffectPlan& plan) {
   if (!same_keyframes(call, before, plan)) return false;
   plan.spec.trajectory.playback.first = before.spec.trajectory.playback.first;
@@ -140,7 +139,7 @@ Outcome handle(Call& call, const protocol::EffectStart& request) {
     return answer_of(*std::move(admitted), *before, before->seq);
   }
   if (full) return Answer(std::move(*full));
-  // One start a tick is enough for a slot; later ones with the same key frames amend it.
+  // One start per tick is enough for a slot; later ones with the same key frames amend it.
   const bool in_turn = before != nullptr && same_keyframes(call, *before, *plan);
   if (auto refused = place_keyframes(call, *plan)) return Answer(std::move(*refused));
 

@@ -38,7 +38,7 @@ Outcome handle(Call& call, const protocol::EffectPreview& request) {
   if (own || running.size() >= Preview::kMaxAtOnce) return Answer(too_many_previews(own));
   auto preview = std::make_shared<Preview>(device_view, *plan);
   running.emplace(call.session.id, preview);
-  // Each slice brings it nearer, so there is nothing to give up, however slow this machine is.
+  // Each slice makes progress, so there is no timeout, however slow the machine is.
   return Deferred{[preview = std::move(preview)](HandlerContext&, bool) -> std::optional<Answer> {
     if (!preview->advance(Preview::kSlice)) return std::nullopt;
     return Answer(preview->result());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Dependencies of the handlers. One object, made by the server.
+// Dependencies of the handlers. One object, owned by the server.
 #pragma once
 
 #include <functional>
@@ -43,21 +43,21 @@ struct HandlerContext {
   StatusView& status;
   StateStore& state_store;
   std::map<ConnectionId, Session*> sessions{};
-  /// The connection that feeds the orientation when `imu.type` is `external`; 0: none yet.
+  /// The connection that sets the orientation when `imu.type` is `external`; 0: none yet.
   ConnectionId orientation_feeder = 0;
   TokenCheck tokens{};
   Counters counters{};
   TelemetrySamples telemetry{};
   LatencyLog latency{};
-  /// Of this start of the daemon.
+  /// Identifies this start of the daemon.
   std::string start_id = random_start_id();
   /// nullptr: devices are not scanned.
   DeviceScanner* devices = nullptr;
   /// nullptr: trips are not recorded.
   TripRecordings* recordings = nullptr;
-  /// Being worked out now, by who asked; those that are done have expired.
+  /// Previews in progress, by connection; completed ones have expired.
   std::map<ConnectionId, std::weak_ptr<Preview>> previews{};
-  /// The coils are off and the daemon stops: only pending responses are still sent.
+  /// The coils are off and the daemon is stopping: only pending responses are still sent.
   bool stopping = false;
 
   /// `connections.max`.
@@ -65,15 +65,15 @@ struct HandlerContext {
 
   /// Sessions that are not `locked`.
   std::size_t connections() const noexcept;
-  /// As `Server::log_in`; logged and counted.
+  /// See `Server::log_in`; logged and counted.
   std::optional<protocol::RpcError> log_in(Session& session, std::string_view secret);
 };
 
-/// One request being carried out.
+/// One request in execution.
 struct Call {
   HandlerContext& context;
   Session& session;
-  /// Nobody reads the answer: what only it needs may be left out.
+  /// False for a notification: work only needed for the response may be omitted.
   bool answered = true;
 
   DeviceView& device_view() const noexcept { return context.device_view; }
@@ -84,13 +84,13 @@ struct Call {
 
 using Answer = protocol::Result<protocol::ResultValue>;
 
-/// The answer depends on ticks to come; asked again after each until it has one. `give_up`: the
+/// A response that depends on future ticks; polled after each until it is complete. `give_up`: the
 /// control thread does not run.
 struct Deferred {
   std::function<std::optional<Answer>(HandlerContext&, bool give_up)> poll;
 };
 
-/// A result that is JSON already.
+/// A result that is already JSON.
 struct Encoded {
   std::shared_ptr<const std::string> result;
 };

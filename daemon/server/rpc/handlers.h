@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the daemon does for each method. A handler stands in the file that has the name of its
-// namespace: effect.cpp has effect.*; session.cpp has hello, ping, connection.list.
+// Handlers of the methods. A handler is in the file with the name of its namespace: effect.cpp
+// contains effect.*; session.cpp contains hello, ping, connection.list.
 #pragma once
 
 #include "daemon/server/rpc/handler_context.h"
@@ -50,16 +50,16 @@ Outcome handle(Call& call, const protocol::PatternGet& request);
 Outcome handle(Call& call, const protocol::PatternPut& request);
 Outcome handle(Call& call, const protocol::PatternRemove& request);
 
-/// Why the outbox has no room for `count` more: the batch asks for too much, or "busy: the queue to
-/// the control loop is full; nothing was changed".
+/// Error of an outbox without capacity for `count` more: the batch is too large, or "busy: the
+/// queue to the control loop is full; nothing was changed".
 protocol::RpcError queue_full(const Outbox& outbox, std::size_t count = 1);
-/// Why nothing can be played now: no ball, or not armed; nullopt: it can.
+/// Error if nothing can be played now: no ball, or not armed; nullopt: it can.
 std::optional<protocol::RpcError> not_playable(const DeviceView& device_view);
-/// Another client has the ball for itself; nullopt: none has.
+/// Error if another client holds the claim; nullopt: none does.
 std::optional<protocol::RpcError> claimed(const Call& call);
-/// The error of a request that waited too long for a tick.
+/// Error of a request that waited too long for a tick.
 protocol::RpcError control_stuck();
-/// `effect` ends at the next tick.
+/// Ends `effect` at the next tick.
 void request_stop(HandlerContext& context, Effect& effect, control::EndReason reason);
 
 }  // namespace hedgehog::server

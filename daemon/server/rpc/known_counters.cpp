@@ -22,7 +22,7 @@ void add_effects(Counters& counters) {
 }
 
 void add_trips(Counters& counters) {
-  // Gone while it was armed.
+  // The board was lost while armed.
   counters.trips[control::name(control::Reason::kNoBoard)] = 0;
   constexpr auto kLast = static_cast<std::size_t>(control::Reason::kInternal);
   for (auto i = static_cast<std::size_t>(control::Reason::kOverheated); i <= kLast; ++i)
@@ -44,7 +44,7 @@ Counters known_counters() {
       if (protocol::possible_errors(method).contains(code))
         counters.requests[{method.name, static_cast<int>(code)}] = 0;
   }
-  // All that decoding may refuse, before it is known which method is meant.
+  // All errors of decoding, before the method is known.
   for (const ErrorCode code : {ErrorCode::kParseError, ErrorCode::kInvalidRequest,
                                ErrorCode::kMethodNotFound, ErrorCode::kInvalidParams})
     counters.requests[{"none", static_cast<int>(code)}] = 0;

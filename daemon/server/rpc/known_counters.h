@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The counters whose labels are known from the start, at 0: the rate of a counter that appears with
-// its first event does not show that event.
+// Initialises the counters with known labels to 0: the rate of a counter that appears with its
+// first event would not include that event.
 #pragma once
 
 #include "daemon/server/session/counters.h"

@@ -12,7 +12,7 @@ protocol::RpcError not_kept(const std::string& what) {
   return protocol::error(protocol::ErrorCode::kInternalError, "internal_error: " + what);
 }
 
-/// `answer` once the disk has it. `otherwise`: what a restart would do as long as it has not.
+/// `answer` once it is on disk. `otherwise`: consequence of a restart before that.
 Deferred when_written(DiskWorkPtr work, std::string otherwise, Answer answer) {
   return {[work = std::move(work), otherwise = std::move(otherwise), answer = std::move(answer)](
               HandlerContext&, bool give_up) -> std::optional<Answer> {

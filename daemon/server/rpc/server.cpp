@@ -111,7 +111,7 @@ void Server::release() {
 }
 
 void Server::line(Session& session, std::string_view text) {
-  // What a client hears is of now, not of the last pump.
+  // Responses are based on the present snapshot, not on that of the last pump.
   device_view_.refresh();
   device_view_.outbox().set_received(session.received_ns);
   dispatcher_.line(session, text);
@@ -184,7 +184,7 @@ void Server::notify(const control::Event& event, const Effect* effect) {
     }
   }
   if (listener_) listener_(event, effect);
-  // After the listener, who makes a latch safe first.
+  // After the listener, which persists a latch first.
   if (view) remember(*view, event, effect);
 }
 

@@ -25,11 +25,11 @@ namespace hedgehog::server {
 
 class Server {
  public:
-  /// Called for everything that the control thread reports, clients' events or not, after the
+  /// Called for every event of the control thread, also those not sent to clients, after the
   /// clients were notified. `effect`: nullptr for other events.
   using EventListener = std::function<void(const control::Event&, const Effect* effect)>;
 
-  /// Milliseconds since 1970, for what is remembered.
+  /// Milliseconds since 1970, for recorded events.
   using WallClock = std::function<std::int64_t()>;
 
   Server(DeviceView& device_view, StateStore& memory, PatternLibrary& patterns,
@@ -41,42 +41,43 @@ class Server {
   /// The recorder of trips; outlives the server.
   void set_recordings(TripRecordings& recordings) noexcept { context_.recordings = &recordings; }
 
-  /// From the start on and at each reload. A connection whose token is no longer valid ends, and
-  /// one of the Unix socket whose user has another role now; others without a token get the role
-  /// that their transport has now.
+  /// Called at the start and at each reload. Closes connections whose token is no longer valid, and
+  /// those of the Unix socket whose user has a different role now; others without a token get the
+  /// present role of their transport.
   void set_access(const config::Config& config);
-  /// As `TokenCheck::log_in`; a `locked` session also needs a place among `connections.max`: busy.
+  /// See `TokenCheck::log_in`; a `locked` session also needs capacity in `connections.max`, else
+  /// busy.
   std::optional<protocol::RpcError> log_in(Session& session, std::string_view secret) {
     return context_.log_in(session, secret);
   }
   const TokenCheck& tokens() const noexcept { return context_.tokens; }
 
-  /// A client has connected. `session` and its sink stay until `close`.
+  /// A client has connected. `session` and its sink must stay valid until `close`.
   void open(Session& session);
-  /// It says no more: its effects end at the next tick, but for those that may play out. Its sink
-  /// hears `finish` once the answers that are owed have gone out, perhaps at once; with requests
-  /// that are held it lives on: call again after the last of them.
+  /// The client has closed: its effects end at the next tick, except those that finish on close.
+  /// Its sink gets `finish` once the pending responses have been sent, possibly at once; with held
+  /// requests it stays open: call again after the last of them.
   void close(Session& session);
   /// Its sink is about to be destroyed; pending responses are lost.
   void forget(const Session& session);
   void line(Session& session, std::string_view text);
   void line_too_long(Session& session) { dispatcher_.line_too_long(session); }
-  /// Whether it must not wait behind others: one of its requests is an emergency stop.
+  /// True if it must not wait behind others: one of its requests is an emergency stop.
   static bool has_emergency_stop(std::string_view text) {
     return Dispatcher::has_emergency_stop(text);
   }
 
   /// Publishes the control thread's events and snapshot.
   void pump();
-  /// So many answers to `session` are still to come.
+  /// Number of pending responses to `session`.
   std::size_t pending(const Session& session) const noexcept {
     return dispatcher_.pending(session.id);
   }
-  /// Answers are still to come.
+  /// Responses are pending.
   bool has_pending() const noexcept { return dispatcher_.waiting(); }
-  /// Somebody waits for the next tick: pump again in a millisecond.
+  /// A client waits for the next tick: pump again in a millisecond.
   bool busy() const noexcept;
-  /// Some telemetry was left out, so that requests are served in between: pump again at once.
+  /// Telemetry is unsent, so that requests are served in between: pump again at once.
   bool has_unsent_telemetry() const noexcept { return telemetry_.has_unsent(); }
 
   /// Without those that are `locked`.
@@ -84,17 +85,17 @@ class Server {
   const HandlerContext& context() const noexcept { return context_; }
   Counters& counters() noexcept { return context_.counters; }
   TelemetrySamples& telemetry() noexcept { return context_.telemetry; }
-  /// Whether a trip's recording, "trip-0017.hhr", is on disk.
+  /// True if the recording of a trip, "trip-0017.hhr", is on disk.
   bool has_recording(std::string_view file) const;
-  /// What is asked until it gives the recording, nullptr so far; empty: it is gone. None: the disk
-  /// is too slow. REQUIRES: `has_recording`.
+  /// A function to be polled until it returns the recording instead of nullptr; empty: it was
+  /// removed. Returns none if the disk is too slow. REQUIRES: `has_recording`.
   std::function<std::shared_ptr<const std::string>()> read_recording(std::string_view file) const;
   protocol::Status status() { return status_.status(false); }
-  /// Since the control thread was last seen to tick, as of the last pump.
+  /// Time since the last observed tick of the control thread, as of the last pump.
   std::chrono::steady_clock::duration control_silent() const noexcept {
     return control_silent_.elapsed();
   }
-  /// Tells everybody who listens to events.
+  /// Notifies all clients that have subscribed to events.
   void announce_shutdown(std::string reason);
   DeviceView& device_view() noexcept { return device_view_; }
 

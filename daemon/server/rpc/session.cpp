@@ -13,7 +13,7 @@ namespace hedgehog::server {
 
 namespace {
 
-/// When asking again may help.
+/// Time after which a retry may succeed.
 constexpr std::int64_t kFullMs = 1000;
 
 }  // namespace
@@ -26,7 +26,7 @@ std::size_t HandlerContext::connections() const noexcept {
 std::optional<protocol::RpcError> HandlerContext::log_in(Session& session,
                                                          std::string_view secret) {
   const bool was_locked = session.locked;
-  // Before it is one of them.
+  // Counted before this session is one of them.
   const std::size_t others = connections();
   auto refusal = tokens.log_in(session, secret, device_view.now().tick);
   if (!refusal && was_locked && others >= max_connections) {
@@ -41,7 +41,7 @@ std::optional<protocol::RpcError> HandlerContext::log_in(Session& session,
     return refusal;
   }
   ++counters.rejected["token"];
-  // While it has to wait, a line for each attempt would fill the log.
+  // During a back-off, a line for each attempt would fill the log.
   if (!refusal->retry_after_ms) spdlog::warn("a wrong token came from {}", from);
   return refusal;
 }

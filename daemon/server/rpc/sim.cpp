@@ -60,7 +60,7 @@ std::optional<RpcError> set_error(const protocol::SimError& asked, std::size_t i
     return protocol::out_of_range(field + "value", range.min, asked.value);
   if (!(asked.value <= range.max))
     return protocol::out_of_range(field + "value", range.max, asked.value);
-  // Of the whole ball: there is no winding to name.
+  // An error of the whole ball has no winding.
   const std::int64_t coil = range.of_winding ? asked.coil.value_or(0) : 0;
   list.error[list.count++] = {*kind, static_cast<std::uint8_t>(coil), asked.value, asked.ramp_s};
   return std::nullopt;

@@ -22,7 +22,7 @@ void TelemetryPublisher::pump() {
     due_.pop_front();
     if (session == context_.sessions.end()) continue;
     std::optional<TelemetrySubscription>& wanted = session->second->telemetry;
-    // It has unsubscribed, or subscribed anew.
+    // It has unsubscribed, or subscribed again.
     if (!wanted || !wanted->due) continue;
     wanted->due = false;
     wanted->next += wanted->period;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Telemetry notifications to the sessions that subscribed. A tick is encoded once for each list of
-// fields, and its bytes are shared by all who asked for that list.
+// Telemetry notifications to the sessions that subscribed. A tick is encoded once per list of
+// fields, and the bytes are shared by all clients with that list.
 #pragma once
 
 #include <array>
@@ -20,15 +20,15 @@ namespace hedgehog::server {
 /// io thread only.
 class TelemetryPublisher {
  public:
-  /// Lines of one `pump`, so that requests wait no longer than it takes to send these.
+  /// Maximum number of lines per `pump`, which bounds the delay of requests.
   static constexpr std::size_t kSlice = 64;
 
   explicit TelemetryPublisher(HandlerContext& context) : context_(context) {}
 
-  /// Finds who is due at the latest tick, and sends to the first `kSlice` of those that wait. What
-  /// is sent is of the latest tick, also to those that have waited.
+  /// Finds the sessions due at the latest tick, and sends to the first `kSlice` waiting ones. The
+  /// data is always that of the latest tick.
   void pump();
-  /// Some wait that the last `pump` has left out.
+  /// Some sessions have not been served by the last `pump`.
   bool has_unsent() const noexcept { return !due_.empty(); }
 
  private:

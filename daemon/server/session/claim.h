@@ -10,7 +10,7 @@ namespace hedgehog::server {
 /// io thread only. The lease counts device time.
 class Claim {
  public:
-  /// Somebody else holds it at `now`.
+  /// Another client holds it at `now`.
   bool excludes(ConnectionId who, model::Tick now) const noexcept {
     return holder(now) != 0 && holder(now) != who;
   }
@@ -18,7 +18,7 @@ class Claim {
   ConnectionId holder(model::Tick now) const noexcept { return now < until_ ? holder_ : 0; }
   model::Tick remaining(model::Tick now) const noexcept { return now < until_ ? until_ - now : 0; }
 
-  /// Also renews. REQUIRES: !excludes(who, now).
+  /// Takes or renews the lease. REQUIRES: !excludes(who, now).
   void take(ConnectionId who, model::Tick now, model::Tick lease) noexcept {
     holder_ = who;
     until_ = now + lease;

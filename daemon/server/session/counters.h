@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Counters of the server since its start, for the metrics. Keys are names with static lifetime
-// (methods, reasons), never a client's text, so there are few of them.
+// (methods, reasons), never a client's text, so that their number is bounded.
 #pragma once
 
 #include <cstdint>
@@ -13,13 +13,13 @@ namespace hedgehog::server {
 /// io thread only.
 struct Counters {
   using Name = std::string_view;
-  /// By method ("none" when it was not even a request) and error code, 0 = ok.
+  /// By method ("none" for an invalid request) and error code, 0 = ok.
   std::map<std::pair<Name, int>, std::uint64_t> requests;
-  /// By method and how it ended; "refused": never started.
+  /// By method and end reason; "refused": never started.
   std::map<std::pair<Name, Name>, std::uint64_t> effects;
-  /// Effects that were admitted with less than asked, by why; of those whose answer was read.
+  /// Effects admitted with less than requested, by cause; only requests with a response.
   std::map<Name, std::uint64_t> limited;
-  /// Clients turned away or cut off, by why.
+  /// Clients rejected or disconnected, by reason.
   std::map<Name, std::uint64_t> rejected;
   /// By reason.
   std::map<Name, std::uint64_t> trips;

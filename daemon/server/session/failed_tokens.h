@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Back-off of addresses that show wrong tokens. A token cannot be guessed; this bounds what the
-// attempts cost, in processor time and in lines of the log.
+// Back-off of addresses that send wrong tokens. A token cannot be guessed; this bounds the
+// processor time and the log lines of the attempts.
 #pragma once
 
 #include <cstddef>
@@ -15,25 +15,25 @@ namespace hedgehog::server {
 /// io thread only. Times are those of the caller, in ticks.
 class FailedTokens {
  public:
-  /// So many failures cost nothing: a person mistypes.
+  /// Number of failures without a wait, for mistyped tokens.
   static constexpr int kFree = 3;
-  /// After each further one the address waits, first so long, then twice as long each time.
+  /// Wait after each further failure; doubled each time.
   static constexpr model::Tick kFirstWait = 1'000;
   static constexpr model::Tick kMaxWait = 60'000;
-  /// Without a failure for so long it is forgotten.
+  /// An entry expires after this time without a failure.
   static constexpr model::Tick kMemory = 600'000;
-  /// Beyond it, the address whose last failure is oldest is forgotten.
+  /// Beyond this the entry with the oldest failure is removed.
   static constexpr std::size_t kMaxAddresses = 256;
 
-  /// What is counted of "192.0.2.7:5000" or "[2001:db8::1]:5000": the host; of IPv6 the first 64
-  /// bits, since a network has as many addresses as it likes.
+  /// Key for "192.0.2.7:5000" or "[2001:db8::1]:5000": the host; of IPv6 the first 64 bits, since a
+  /// network has any number of addresses.
   static std::string key_of(std::string_view address);
 
-  /// How long `key` still has to wait; 0: it may try.
+  /// Remaining wait of `key`; 0: may try.
   model::Tick remaining(const std::string& key, model::Tick now) const;
-  /// It has shown a wrong token.
+  /// `key` has sent a wrong token.
   void failed(const std::string& key, model::Tick now);
-  /// It has shown a good one.
+  /// `key` has sent a valid token.
   void succeeded(const std::string& key) { entries_.erase(key); }
   std::size_t size() const noexcept { return entries_.size(); }
 

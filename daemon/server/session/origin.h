@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a client comes from, for the log.
+// Origin of a client, for the log.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Elapsed time without the time in which this process itself was held up.
+// Elapsed time without the time in which this process was suspended or delayed.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace hedgehog::server {
 
-/// Time as a loop sees it that polls every few milliseconds: each poll counts at most `kMaxStep`.
+/// Time measured by a loop that polls every few milliseconds: each poll adds at most `kMaxStep`.
 /// One thread.
 class PolledTime {
  public:
@@ -20,7 +20,7 @@ class PolledTime {
     elapsed_ += std::min<Clock::duration>(now - last_, kMaxStep);
     last_ = now;
   }
-  /// Elapsed time is zero again.
+  /// Resets the elapsed time to zero.
   void restart(Clock::time_point now) noexcept { *this = PolledTime(now); }
   /// As of the last poll.
   Clock::duration elapsed() const noexcept { return elapsed_; }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The name of one start of the daemon.
+// Identifier of one start of the daemon.
 #pragma once
 
 #include <string>
 
 namespace hedgehog::server {
 
-/// Sixteen hexadecimal digits from the system's random numbers: a client that finds others after a
-/// connection was lost talks to another daemon, or to another start of the same.
+/// Sixteen hexadecimal digits from the system's random numbers: a client that gets others after a
+/// lost connection is connected to another daemon, or to another start of the same.
 std::string random_start_id();
 
 }  // namespace hedgehog::server

@@ -6,7 +6,8 @@
 namespace hedgehog::server {
 namespace {
 
-/// Of whom wrong tokens are counted: host or network, on the Unix socket the user; empty: nobody.
+/// Key by which wrong tokens are counted: host or network, on the Unix socket the user; empty: not
+/// counted.
 std::string counted_key(const Session& session) {
   if (session.address) return FailedTokens::key_of(*session.address);
   return session.peer ? user_text(*session.peer) : "";

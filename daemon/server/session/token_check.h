@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which role a client has: that of its token, or without one that of its transport, on the Unix
-// socket that of its user.
+// Role of a client: that of its token, or without one that of its transport, on the Unix socket
+// that of its user.
 #pragma once
 
 #include <cstdint>
@@ -28,23 +28,23 @@ class TokenCheck {
   }
   void set_simulated(bool simulated) noexcept { simulated_ = simulated; }
 
-  /// Of a client without a token. On the Unix socket that of its user, on the simulator too;
-  /// nullopt: none. Elsewhere all may do everything on the simulator, where nobody can be hurt;
-  /// else they may play, and only observe once there is a token.
+  /// Role of a client without a token. On the Unix socket that of its user, also on the simulator;
+  /// nullopt: none. Elsewhere every client may do everything on the simulator, which cannot hurt a
+  /// person; otherwise it may play, or only observe if a token is configured.
   std::optional<protocol::Role> role_without_token(const Session& session) const noexcept;
 
-  /// Gives a new `session` that role; without one it is locked. REQUIRES: its transport and peer
+  /// Sets that role of a new `session`; without one it is locked. REQUIRES: its transport and peer
   /// are known.
   void admit(Session& session) const noexcept;
-  /// Gives `session` the role of the token that it shows. Why not: `unauthorized`, at once while
-  /// its address has to wait. The error has nothing of `secret`.
+  /// Gives `session` the role of the sent token. Returns an error: `unauthorized`, at once during
+  /// the back-off of its address. The error does not contain `secret`.
   std::optional<protocol::RpcError> log_in(Session& session, std::string_view secret,
                                            model::Tick now);
-  /// Whether the token that `session` has shown is still good for the same role.
+  /// True if the token of `session` is still valid for the same role.
   bool is_valid(const Session& session) const noexcept;
 
  private:
-  /// The token of that digest; looks at all of them, whichever it is.
+  /// The token with that digest; always compares all of them.
   const access::Token* find(const access::Digest& digest) const noexcept;
 
   access::Tokens tokens_;
@@ -54,7 +54,7 @@ class TokenCheck {
   FailedTokens failed_;
 };
 
-/// What a session that is `locked` is answered: `unauthorized`, and what it can do about it.
+/// Response to a `locked` session: `unauthorized`, with the remedy.
 protocol::RpcError token_needed(const Session& session);
 
 }  // namespace hedgehog::server

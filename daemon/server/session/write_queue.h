@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Unsent lines of one client. A client that reads too slowly loses telemetry first; when responses
+// Unsent lines of one client. A client that reads too slowly loses telemetry first; if responses
 // and events alone fill the queue, it has to be disconnected: those are never dropped.
 #pragma once
 
@@ -15,14 +15,14 @@ namespace hedgehog::server {
 
 enum class LineKind : std::uint8_t { kAnswer, kEvent, kTelemetry };
 
-/// A line of telemetry, with its LF, that several clients get.
+/// A line of telemetry, including its LF, shared by several clients.
 using SharedLine = std::shared_ptr<const std::string>;
 
-/// io thread; one a connection.
+/// io thread; one per connection.
 class WriteQueue {
  public:
-  /// `max_bytes`: when answers and events alone are more, the client has given up reading.
-  /// Telemetry is left out while more than half of it waits.
+  /// `max_bytes`: if responses and events alone exceed it, the client has stopped reading.
+  /// Telemetry is dropped while more than half of it is queued.
   explicit WriteQueue(std::size_t max_bytes) : max_bytes_(max_bytes) {}
 
   /// Small lines are sent together up to this size.
@@ -32,29 +32,29 @@ class WriteQueue {
   [[nodiscard]] bool push(std::string line, LineKind kind);
   [[nodiscard]] bool push(SharedLine line);
 
-  /// Nothing waits but what is being sent.
+  /// No lines are queued except those being sent.
   bool empty() const noexcept { return lines_.empty(); }
-  /// The next lines as one buffer, which stays where it is until `sent`. REQUIRES: !empty(), and
-  /// `sent` was called since the last `take`.
+  /// The next lines as one buffer, which is valid until `sent`. REQUIRES: !empty(), and `sent` was
+  /// called since the last `take`.
   const std::string& take();
   /// The same with the next line only.
   const std::string& take_one();
   bool is_sending() const noexcept { return sending_shared_ != nullptr || !sending_.empty(); }
-  /// What was taken, without the parts of it that were sent.
+  /// The taken lines, without the parts that were sent.
   std::string_view unsent() const noexcept {
     return std::string_view(sending()).substr(sent_bytes_);
   }
-  /// So many more bytes of it. REQUIRES: no more than `unsent`.
+  /// `bytes` more of them were sent. REQUIRES: not more than `unsent`.
   void sent_part(std::size_t bytes) noexcept { sent_bytes_ += bytes; }
-  /// All of it.
+  /// All of them were sent.
   void sent() noexcept;
 
-  /// What waits, the buffer that is being sent included.
+  /// Size of all lines, including the buffer being sent.
   std::size_t bytes() const noexcept { return bytes_; }
-  /// The answers among it.
+  /// Size of the responses among them.
   std::size_t answer_bytes() const noexcept { return answer_bytes_; }
   std::uint64_t telemetry_dropped() const noexcept { return dropped_; }
-  /// Those since the last call.
+  /// Number of lines dropped since the last call.
   std::uint64_t take_dropped() noexcept {
     return dropped_ - std::exchange(taken_dropped_, dropped_);
   }
@@ -68,8 +68,8 @@ class WriteQueue {
   };
   bool push(Line line);
   void drop_telemetry();
-  /// Moves the next line to the end of `sending_`; a shared one, when it is the only one, stays
-  /// where it is.
+  /// Moves the next line to the end of `sending_`; a shared one is not copied if it is the only
+  /// one.
   void move_next();
   const std::string& sending() const noexcept {
     return sending_shared_ ? *sending_shared_ : sending_;

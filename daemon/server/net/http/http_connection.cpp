@@ -58,7 +58,7 @@ HttpRequest value_of(const UpgradeRequest& request) {
   HttpRequest value{std::string(request.method_string()), std::string(request.target()), {}};
   if (request.count(http::field::host) == 1) value.host = std::string(request[http::field::host]);
   value.origin = optional(http::field::origin);
-  if (request.count(http::field::origin) > 1) value.origin = "";  // nobody's
+  if (request.count(http::field::origin) > 1) value.origin = "";  // matches no page
   value.if_none_match = optional(http::field::if_none_match).value_or("");
   value.accept_encoding = optional(http::field::accept_encoding).value_or("");
   value.fetch_site = std::string(request["Sec-Fetch-Site"]);
@@ -94,7 +94,7 @@ void fill(http::fields& fields, const HttpAnswer& answer) {
   fields.set("X-Content-Type-Options", "nosniff");
 }
 
-/// `method` HEAD: the same without the body.
+/// `head`: without the body.
 asio::awaitable<bool> send(HttpStream& stream, const HttpAnswer& answer, bool head,
                            bool keep_alive) {
   error_code ec;
@@ -117,7 +117,7 @@ asio::awaitable<bool> send(HttpStream& stream, const HttpAnswer& answer, bool he
   co_return keep_alive && !ec;
 }
 
-/// Waits for the disk; what cannot be read, or takes too long, becomes an error.
+/// Waits for the disk; an unreadable file or a timeout becomes an error.
 asio::awaitable<void> complete(HttpStream& stream, HttpAnswer& answer) {
   const auto pending = std::exchange(answer.pending, nullptr);
   asio::steady_timer pause(stream.get_executor());
@@ -144,11 +144,11 @@ std::string address_of(HttpStream& stream) {
   return config::to_string({peer.address().to_string(), peer.port()});
 }
 
-/// One request after the other. `ticket` is empty without TLS.
+/// Serves requests sequentially. `ticket` is empty without TLS.
 asio::awaitable<void> serve(HttpStream given, HttpEndpoint& endpoint,
                             HalfOpen::Ticket given_ticket) {
   HttpStream stream(std::move(given));
-  HalfOpen::Ticket ticket(std::move(given_ticket));  // goes before its socket does
+  HalfOpen::Ticket ticket(std::move(given_ticket));  // released before its socket
   beast::flat_buffer buffer(kMaxHeaderBytes + kMaxBodyBytes);
   for (bool open = true; open;) {
     http::request_parser<http::string_body> parser;

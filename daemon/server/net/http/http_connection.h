@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One HTTP connection: requests and answers, until it closes or becomes a WebSocket. Boost.Beast
-// takes the compiler half a minute: this header has none of it.
+// One HTTP connection: requests and responses, until it closes or becomes a WebSocket. Does not
+// include Boost.Beast, which takes half a minute to compile.
 #pragma once
 
 #include <boost/asio/awaitable.hpp>
@@ -15,21 +15,21 @@
 
 namespace hedgehog::server {
 
-/// What the listener lends to its HTTP connections; outlives them. io thread only.
+/// Dependencies of the HTTP connections, which it outlives. io thread only.
 struct HttpEndpoint {
   Website site;
   Server& server;
   const config::ConnectionSettings& connections;
   /// The session of a new WebSocket, or nullopt at the limit of connections. With TLS it is locked.
   std::function<std::optional<Session>(boost::asio::ip::tcp::socket&, bool tls)> admit;
-  /// It has.
+  /// Registers an upgraded connection.
   std::function<void(std::shared_ptr<Connection>)> enter;
 };
 
-/// Bounds: 8 KiB of headers, 1 KiB of body (none is ever needed), 30 s for a request to come.
+/// Bounds: 8 KiB of headers, 1 KiB of body (none is ever needed), 30 s until a request is received.
 boost::asio::awaitable<void> serve_http(boost::asio::ip::tcp::socket socket,
                                         HttpEndpoint& endpoint);
-/// The same with TLS. `ticket` is given up when a good token has come.
+/// The same with TLS. `ticket` is released after a valid token.
 boost::asio::awaitable<void> serve_https(boost::asio::ip::tcp::socket socket,
                                          HttpEndpoint& endpoint, TlsContext context,
                                          HalfOpen::Ticket ticket);

@@ -13,18 +13,18 @@ struct HttpRequest {
   std::string method;
   /// As sent, "/metrics?x=1".
   std::string target;
-  /// Empty when there is none, or more than one.
+  /// Empty if absent, or sent more than once.
   std::string host;
   std::optional<std::string> origin{};
-  // Empty where there is none.
+  // Empty if absent.
   std::string if_none_match{};
   std::string accept_encoding{};
-  /// Fetch Metadata (W3C): who asks, "cross-site", and what for, "navigate".
+  /// Fetch Metadata (W3C): site of the requester, "cross-site", and purpose, "navigate".
   std::string fetch_site{};
   std::string fetch_mode{};
-  /// Of `Authorization: Bearer`; nullopt: there is none.
+  /// Of `Authorization: Bearer`; nullopt: absent.
   std::optional<std::string> token{};
-  /// It came over TLS, from "192.0.2.7:5000".
+  /// Received over TLS, from "192.0.2.7:5000".
   bool tls = false;
   std::string address{};
 
@@ -36,25 +36,25 @@ struct HttpAnswer {
   int status = 200;
   std::string type = "text/plain; charset=utf-8";
   std::shared_ptr<const std::string> body = std::make_shared<std::string>();
-  /// With its quotes; empty: none.
+  /// Including the quotes; empty: none.
   std::string etag{};
   std::string cache_control = "no-store";
-  /// Of the body, "gzip"; and what it depends on, "Accept-Encoding". Empty: not so.
+  /// Encoding of the body, "gzip", and the header it depends on, "Accept-Encoding". Empty: none.
   std::string encoding{};
   std::string vary{};
-  /// A name to keep the body under; empty: it is to be shown.
+  /// File name for saving the body; empty: to be displayed.
   std::string filename{};
-  /// Polled until it returns the body, which the disk thread reads; none: the body is there.
+  /// Polled until it returns the body, which the disk thread reads; none: the body is complete.
   std::function<std::shared_ptr<const std::string>()> pending{};
-  /// Methods that would have been right, "GET, HEAD".
+  /// Permitted methods, "GET, HEAD".
   std::optional<std::string> allow{};
-  /// Of `WWW-Authenticate`; empty: none.
+  /// Value of `WWW-Authenticate`; empty: none.
   std::string challenge{};
-  /// Its token was good.
+  /// The request contained a valid token.
   bool authorized = false;
 };
 
-/// An error as one sentence for a person.
+/// An error as one sentence for display.
 inline HttpAnswer http_error(int status, const std::string& sentence) {
   return {status, "text/plain; charset=utf-8", std::make_shared<std::string>(sentence + "\n")};
 }

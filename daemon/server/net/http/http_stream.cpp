@@ -68,7 +68,7 @@ struct HttpStream::TlsTransport final : HttpStream::Transport {
   asio::awaitable<error_code> end() override {
     error_code ec;
     co_await stream.async_shutdown(asio::redirect_error(asio::use_awaitable, ec));
-    // Of a client that still sends.
+    // For a client that still sends.
     if (ec) co_await end_tcp(stream.next_layer());
     co_return ec;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A TCP connection, with TLS or without, as one type: Boost.Beast's HTTP and WebSocket, which take
-// the compiler long, are compiled for it alone. For source files with Beast only.
+// A TCP connection, with TLS or without, as one type, so that Boost.Beast's HTTP and WebSocket,
+// which take long to compile, are compiled only once. For source files with Beast only.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@
 
 namespace hedgehog::server {
 
-/// The handler of a read or write, whatever its type. Called once, on the stream's executor.
+/// Type-erased handler of a read or write. Called once, on the stream's executor.
 class TransferHandler {
  public:
   template <class Handler>
@@ -55,25 +55,26 @@ class TransferHandler {
 class HttpStream {
  public:
   using executor_type = boost::asio::any_io_executor;
-  /// Of one write: header and body of an answer leave together; Beast has a buffer for each field.
+  /// Buffers of one write: header and body of a response are sent together; Beast has a buffer for
+  /// each field.
   using Gathered = std::array<boost::asio::const_buffer, 32>;
   static constexpr std::chrono::seconds kEndTimeout{1};
 
   explicit HttpStream(boost::asio::ip::tcp::socket socket);
-  /// With TLS; `handshake` comes first.
+  /// With TLS; call `handshake` first.
   HttpStream(boost::asio::ip::tcp::socket socket, const TlsContext& context);
 
   executor_type get_executor() noexcept { return transport_->tcp().get_executor(); }
   bool is_tls() const noexcept { return tls_; }
   boost::asio::ip::tcp::socket& socket() noexcept { return transport_->tcp().socket(); }
-  /// Bounds reads, writes, `handshake` and `end`.
+  /// Timeout of reads, writes, `handshake` and `end`.
   void expires_after(std::chrono::seconds patience) { transport_->tcp().expires_after(patience); }
   void expires_never() { transport_->tcp().expires_never(); }
 
-  /// Of the server; nothing without TLS.
+  /// The server's handshake; does nothing without TLS.
   boost::asio::awaitable<boost::system::error_code> handshake() { return transport_->handshake(); }
-  /// Tells the client that nothing more comes. Without TLS it reads what the client still sends:
-  /// bytes that nobody reads would reset the connection before the client has read its answer.
+  /// Closes the sending direction. Without TLS it reads the data still sent by the client: unread
+  /// bytes would reset the connection before the client has read its response.
   boost::asio::awaitable<boost::system::error_code> end() { return transport_->end(); }
 
   template <class Buffers, class Token>
@@ -120,7 +121,7 @@ class HttpStream {
   bool tls_;
 };
 
-// What Beast's WebSocket asks of its stream: to end it, and to close it when its time is up.
+// Required of a stream by Beast's WebSocket: to end it, and to close it after a timeout.
 template <class Handler>
 void async_teardown(boost::beast::role_type /*always the server*/, HttpStream& stream,
                     Handler&& handler) {

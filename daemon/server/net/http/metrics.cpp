@@ -23,7 +23,7 @@ using Labels = std::vector<ClientMetric::Label>;
 
 constexpr const char* kCoils[] = {"x", "y", "z"};
 
-/// Families in the order in which they were named.
+/// Families in the order in which they were added.
 class Page {
  public:
   explicit Page(std::string device) : device_{"device", std::move(device)} {}
@@ -50,11 +50,11 @@ class Page {
   void add(std::uint64_t value, Labels labels = {}) {
     add(static_cast<double>(value), std::move(labels));
   }
-  /// What is not known is left out.
+  /// Unknown values are omitted.
   void add(const std::optional<double>& value, Labels labels = {}) {
     if (value && std::isfinite(*value)) add(*value, std::move(labels));
   }
-  /// A metric of the process: its name has no other prefix, and it no label.
+  /// A metric of the process: without the common name prefix and labels.
   void process_gauge(const std::string& name, const std::string& help,
                      const std::optional<double>& value) {
     families_.push_back({"process_" + name, help, MetricType::Gauge, {}});
@@ -256,7 +256,7 @@ void loop(Page& page, const control::StatusSnapshot& now) {
   page.add(now.link.overdue, {{"kind", "timeout"}});
 }
 
-/// Under the names that every client library of Prometheus uses, without the ball as a label.
+/// Uses the names of all Prometheus client libraries, without the ball as a label.
 void process(Page& page) {
   const ProcessUsage usage = process_usage();
   page.process_counter("cpu_seconds_total", "Total user and system CPU time spent in seconds",

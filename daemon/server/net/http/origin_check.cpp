@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kMaxShown = 100;
 
-/// A stranger's words, fit for a log.
+/// Client text, sanitised for a log.
 std::string shown(std::string_view text) {
   std::string out(text.substr(0, kMaxShown));
   std::replace_if(
@@ -19,8 +19,8 @@ std::string shown(std::string_view text) {
   return out;
 }
 
-/// A page of another site asks for it, and not only by a link to our pages. Programs other than
-/// browsers do not tell.
+/// True for a request by a page of another site, except for a link to one of these pages. Programs
+/// other than browsers send no such header.
 bool is_foreign_fetch(const HttpRequest& request) {
   if (request.fetch_site.empty() || request.fetch_site == "same-origin" ||
       request.fetch_site == "none")
@@ -34,7 +34,8 @@ bool is_own_host(std::string_view host) { return base::parse_web_host(host).is_l
 
 std::optional<Refusal> refused(const HttpRequest& request,
                                const std::vector<std::string>& allow_origins) {
-  // A name that leads here by DNS rebinding is not the certificate's, and a page has no token.
+  // With TLS a name that leads here by DNS rebinding does not match the certificate, and a page has
+  // no token.
   if (!request.tls && !is_own_host(request.host)) {
     return Refusal{http_error(421, "\"" + shown(request.host) +
                                        "\" is not a name of this machine: use http://127.0.0.1 or "

@@ -30,7 +30,7 @@ std::optional<double> open_fds() {
   std::error_code ec;
   std::filesystem::directory_iterator at("/proc/self/fd", ec);
   if (ec) return std::nullopt;
-  double count = -1.0;  // the one that reads the folder
+  double count = -1.0;  // the descriptor that reads the folder
   for (const std::filesystem::directory_iterator end; !ec && at != end; at.increment(ec)) ++count;
   return count;
 }
@@ -42,7 +42,7 @@ std::optional<double> max_fds() {
   return static_cast<double>(limit.rlim_cur);
 }
 
-/// When the machine was started, seconds since 1970.
+/// Boot time of the machine, seconds since 1970.
 double boot_time_s() {
   const auto seconds = [](clockid_t clock) {
     timespec time{};
@@ -60,7 +60,7 @@ void read_stat(ProcessUsage& usage) {
   constexpr std::size_t kResidentPages = 24;
   std::ifstream file("/proc/self/stat");
   const std::string text{std::istreambuf_iterator<char>(file), {}};
-  // The name of the program, in brackets, may hold anything.
+  // The program name, in brackets, may contain any character.
   const std::size_t name_end = text.rfind(')');
   if (name_end == std::string::npos) return;
   std::istringstream parts(text.substr(name_end + 1));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What this process uses of the machine, as every Prometheus client library tells it
+// Resource usage of this process, as reported by every Prometheus client library
 // (https://prometheus.io/docs/instrumenting/writing_clientlibs/#process-metrics).
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace hedgehog::server {
 
-/// nullopt: /proc does not say.
+/// nullopt: not available in /proc.
 struct ProcessUsage {
   /// User and system time of all threads, s.
   double cpu_s = 0.0;
@@ -20,7 +20,7 @@ struct ProcessUsage {
   std::optional<double> start_time_s{};
 };
 
-/// Some small files of /proc; any thread, never throws.
+/// Reads a few small files of /proc; any thread, never throws.
 ProcessUsage process_usage();
 
 }  // namespace hedgehog::server

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The files of the dashboard, as they are served.
+// The served files of the dashboard.
 #pragma once
 
 #include <cstddef>
@@ -14,11 +14,11 @@ class WebPages {
  public:
   static constexpr std::size_t kMaxBytes = 32u << 20;
 
-  /// Reads `folder` with what is below it. A folder that is missing, or too large, has no pages:
-  /// `problem` says why.
+  /// Reads `folder` and its subfolders. A missing or too large folder gives no pages, with the
+  /// reason in `problem`.
   explicit WebPages(const std::string& folder);
 
-  /// "/" is "/index.html". nullptr: there is no such page.
+  /// "/" is "/index.html". nullptr: no such page.
   const base::WebFile* find(const std::string& path) const { return files_.find(path); }
   /// One sentence; empty: none.
   const std::string& problem() const noexcept { return problem_; }

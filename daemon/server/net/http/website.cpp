@@ -13,10 +13,10 @@
 namespace hedgehog::server {
 namespace {
 
-/// The control thread is allowed to miss this much before a monitor is told.
+/// Time without a tick of the control thread after which health checks fail.
 constexpr std::chrono::seconds kMaxControlSilence{1};
 
-/// `error` as HTTP says it.
+/// `error` as an HTTP response.
 HttpAnswer unauthorized(const protocol::RpcError& error) {
   if (error.code == protocol::ErrorCode::kBusy) return http_error(503, error.message);
   HttpAnswer answer = http_error(401, error.message);

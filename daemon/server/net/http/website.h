@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Resources by path: the dashboard's pages, /metrics, /healthz. /ws is upgraded by the HTTP
-// connection; here is only its access control.
+// connection; only its access control is here.
 #pragma once
 
 #include <optional>
@@ -20,18 +20,18 @@ class Website {
   Website(Server& server, const std::string& pages, std::vector<std::string> allow_origins);
 
   HttpAnswer answer(const HttpRequest& request);
-  /// Why `request` gets nothing here, whatever it asks; counted and logged. nullopt: welcome.
+  /// Response to a `request` that is rejected for any path; counted and logged. nullopt: accepted.
   std::optional<HttpAnswer> refusal(const HttpRequest& request);
-  /// Gives `session` the role of the request's token. Why not, as 401 or 503. Without a token the
-  /// session stays as it is.
+  /// Gives `session` the role of the request's token. Returns the error, 401 or 503. Without a
+  /// token the session is not changed.
   std::optional<HttpAnswer> log_in(Session& session, const HttpRequest& request);
 
  private:
-  /// What is not the same for everybody.
+  /// Resources that are not static.
   HttpAnswer live_answer(const std::string& path);
   HttpAnswer health() const;
   HttpAnswer page(const HttpRequest& request) const;
-  /// Of a trip, as the page that lists it links it: "/recordings/trip-0017.hhr".
+  /// Recording of a trip, linked by the page that lists it: "/recordings/trip-0017.hhr".
   HttpAnswer recording(const std::string& name) const;
 
   Server& server_;

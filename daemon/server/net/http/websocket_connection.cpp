@@ -23,7 +23,7 @@ namespace websocket = beast::websocket;
 using boost::system::error_code;
 
 constexpr std::chrono::seconds kHandshake{10};
-/// A peer that answers no ping for so long is gone.
+/// A peer without a pong for this long is disconnected.
 constexpr std::chrono::seconds kMaxPeerSilence{60};
 
 class WebSocketConnection final : public Connection {
@@ -34,7 +34,7 @@ class WebSocketConnection final : public Connection {
                       const config::ConnectionSettings& settings)
       : Connection(stream.get_executor(), server, std::move(session), settings),
         stream_(std::move(stream)) {
-    // Beast would tell it only when the client has closed its socket too.
+    // Beast would report the end only after the client has closed its socket too.
     stream_.control_callback([this](websocket::frame_type kind, beast::string_view) {
       if (kind == websocket::frame_type::close) on_client_close();
     });
@@ -46,16 +46,16 @@ class WebSocketConnection final : public Connection {
   asio::awaitable<void> finish_stream() override;
   void close() noexcept override;
   std::size_t untaken_bytes() noexcept override;
-  /// One whole message into `buffer_`; of one that is too long nothing is kept. False: the client
-  /// has gone, or has to.
+  /// Reads one whole message into `buffer_`; one that is too long is discarded. False: the client
+  /// has closed, or must be disconnected.
   asio::awaitable<bool> read_message();
   asio::awaitable<void> refuse_binary();
 
   Stream stream_;
   beast::flat_buffer buffer_;
   bool skipping_ = false;
-  // Beast reads on by itself then; a read that begins in the middle of a message that it has
-  // skipped meanwhile would fail its assertions.
+  // Beast then continues to read by itself; a read that starts in the middle of a message which it
+  // has skipped meanwhile would fail its assertions.
   bool closing_ = false;
 };
 
@@ -144,9 +144,10 @@ asio::awaitable<void> become_web_socket(HttpStream stream, UpgradeRequest reques
                                         HttpEndpoint& endpoint, HalfOpen::Ticket given_ticket) {
   stream.expires_never();
   WebSocketConnection::Stream upgraded(std::move(stream));
-  HalfOpen::Ticket ticket(std::move(given_ticket));  // goes before its socket does
+  HalfOpen::Ticket ticket(std::move(given_ticket));  // released before its socket
   upgraded.set_option(websocket::stream_base::timeout{kHandshake, kMaxPeerSilence, true});
-  // Beast would close the connection over one that is too long; here it is told, as on TCP.
+  // Beast would close the connection after a message that is too long; here it gets an error, as on
+  // TCP.
   upgraded.read_message_max(0);
   upgraded.text(true);
   error_code ec;

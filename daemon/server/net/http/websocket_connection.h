@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A client on a WebSocket: one message a frame, the rest as on TCP. For source files with Beast
+// A client on a WebSocket: one message per frame, otherwise as on TCP. For source files with Beast
 // only.
 #pragma once
 
@@ -14,8 +14,8 @@ namespace hedgehog::server {
 
 using UpgradeRequest = boost::beast::http::request<boost::beast::http::string_body>;
 
-/// Answers `request`, and `stream` is a connection of the server's from then on, which keeps
-/// `ticket` as long as it is locked. io thread.
+/// Responds to `request`, after which `stream` is a connection of the server, which keeps `ticket`
+/// while it is locked. io thread.
 boost::asio::awaitable<void> become_web_socket(HttpStream stream, UpgradeRequest request,
                                                Session session, HttpEndpoint& endpoint,
                                                HalfOpen::Ticket ticket);

@@ -12,11 +12,11 @@
 
 namespace hedgehog::server {
 
-/// Nothing when there is none.
+/// nullopt if there is none.
 std::optional<protocol::Disagreement> disagreement_view(const control::Disagreement& found);
 
-/// `effect`: whose event it is, for the two effect events (nullptr: no longer known). nullopt: not
-/// for clients.
+/// `effect`: the effect of the two effect events (nullptr: no longer known). nullopt: not sent to
+/// clients.
 std::optional<protocol::Event> event_view(const control::Event& event, const Effect* effect,
                                           std::int64_t epoch_ns, const RemedyFacts& facts);
 

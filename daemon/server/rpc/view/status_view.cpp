@@ -17,14 +17,14 @@ namespace {
 using control::StatusSnapshot;
 
 constexpr model::Tick kForecastPeriod = 50;
-/// Below this the direction of what flows is only noise.
+/// Below this the direction of the current is noise.
 constexpr double kFlowsA = 0.05;
 
 std::optional<double> finite(double value) {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-/// Of all windings; nullopt unless each has one that reads.
+/// Readings of all windings; nullopt unless each has a valid one.
 std::optional<std::array<double, 3>> thermistors(const device::BoardTelemetry& board) {
   std::array<double, 3> shown_c{};
   if (board.thermistors < static_cast<int>(shown_c.size())) return std::nullopt;
@@ -105,11 +105,11 @@ void StatusView::refresh_forecast() {
 
 protocol::PinsStatus StatusView::pins() const {
   const StatusSnapshot& s = device_view_.now();
-  // A real ball is what its file says until somebody measures it.
+  // The device file describes a real ball until it is calibrated.
   const config::Config& config = device_view_.config();
   const model::DeviceModel& ball =
       device_view_.simulated() ? config.simulated_ball() : config.device;
-  // A board that is silent has switched the coils off. Of the simulated ball the truth is known.
+  // A silent board has switched the coils off. For the simulated ball the true state is known.
   model::CoilCurrents flowing;
   const device::PlantTruth& truth = device_view_.truth();
   if (s.board_present && device_view_.simulated() && truth.known)

@@ -11,14 +11,14 @@
 
 namespace hedgehog::server {
 
-/// io thread only. Forecasts cost up to milliseconds, so they are kept for a twentieth of a second
-/// of device time.
+/// io thread only. Forecasts take up to milliseconds, so they are cached for a twentieth of a
+/// second of device time.
 class StatusView {
  public:
   StatusView(const DeviceView& device_view, EffectRegistry& effects)
       : device_view_(device_view), effects_(effects) {}
 
-  /// `with_pins`: fill in what the measured currents do to every pin.
+  /// `with_pins`: includes the effect of the measured currents on every pin.
   protocol::Status status(bool with_pins);
   protocol::EffectStatus effect(const Effect& effect) const;
 
@@ -33,7 +33,7 @@ class StatusView {
   std::optional<double> burst_s_;
 };
 
-/// The field that flows, A, device frame.
+/// The present field, A, device frame.
 model::Vec3 field_now(const DeviceView& device_view);
 
 }  // namespace hedgehog::server
