@@ -19,7 +19,7 @@ struct Unit {
 };
 constexpr std::array kUnits{Unit{"s", kSecondMs}, Unit{"min", 60 * kSecondMs},
                             Unit{"h", 3600 * kSecondMs}, Unit{"d", 86'400 * kSecondMs}};
-/// Nothing is older than a century.
+/// Longest time span: a century.
 constexpr std::int64_t kMaxDays = 36'500;
 
 /// "2h" in ms.
@@ -46,7 +46,8 @@ int day_of(std::int64_t ms) {
   return local.tm_mday;
 }
 
-/// The whole of `text` as `format` says, laid over `local`.
+/// True if `format` matches the whole of `text`; then overwrites the fields of `local` that it
+/// contains.
 bool reads(const std::string& text, const char* format, std::tm& local) {
   std::tm read = local;
   const char* const rest = ::strptime(text.c_str(), format, &read);
@@ -72,7 +73,8 @@ std::optional<std::int64_t> local_ms(const std::string& text, std::int64_t now_m
   for (const char* format : {"%Y-%m-%d", "%Y-%m-%d %H:%M", "%Y-%m-%d %H:%M:%S"}) {
     if (reads(text, format, day)) {
       const std::int64_t ms = ms_of(day);
-      return day_of(ms) == day.tm_mday ? std::optional(ms) : std::nullopt;  // no 31st of February
+      return day_of(ms) == day.tm_mday ? std::optional(ms) : std::nullopt;  // rejects dates such as
+                                                                            // the 31st of February
     }
   }
   return std::nullopt;
