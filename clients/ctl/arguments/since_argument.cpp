@@ -73,8 +73,7 @@ std::optional<std::int64_t> local_ms(const std::string& text, std::int64_t now_m
   for (const char* format : {"%Y-%m-%d", "%Y-%m-%d %H:%M", "%Y-%m-%d %H:%M:%S"}) {
     if (reads(text, format, day)) {
       const std::int64_t ms = ms_of(day);
-      return day_of(ms) == day.tm_mday ? std::optional(ms) : std::nullopt;  // rejects dates such as
-                                                                            // the 31st of February
+      return day_of(ms) == day.tm_mday ? std::optional(ms) : std::nullopt;  // no 31st of February
     }
   }
   return std::nullopt;

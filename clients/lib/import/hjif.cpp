@@ -109,8 +109,7 @@ class Hjif {
   std::vector<double> times_of(const ForeignJson::List& keys, double position_ms) {
     constexpr double kWrap = 65'536.0;
     constexpr double kMinNegative = 32'768.0;
-    constexpr double kSurelyNegative = kWrap - 256.0;  // without a value from kMinNegative before
-                                                       // it
+    constexpr double kSurelyNegative = kWrap - 256.0;  // unless preceded by one >= kMinNegative
     std::vector<double> written;
     for (const ForeignJson& key : keys)
       written.push_back(number(key, "relative_position", 0.0, -kFar, kFar));

@@ -61,9 +61,7 @@ Result<std::vector<Line>> read_journal(const fs::path& path) {
   std::string_view rest = *text;
   for (int number = 1; !rest.empty(); ++number) {
     const auto end = rest.find('\n');
-    if (end == std::string_view::npos)
-      break;  // truncated by a kill: the event had not taken
-              // effect
+    if (end == std::string_view::npos) break;  // truncated by a kill, without effect
     const std::string_view whole = rest.substr(0, end + 1);
     if (auto line = decode(whole)) {
       lines.push_back(*std::move(line));

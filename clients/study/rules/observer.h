@@ -18,8 +18,7 @@ enum class Curve : std::uint8_t { kWeibull, kLogistic };
 struct Observer {
   Curve curve = Curve::kWeibull;
   double threshold = 1.0;  // in the experiment's unit, above 0
-  double slope = 3.0;      // Weibull's beta; a logistic curve has 0.8 times its steepness at the
-                           // threshold
+  double slope = 3.0;      // Weibull's beta; a logistic has 0.8 of its steepness at the threshold
   /// Probability of a positive response without stimulus: 0.5 for two intervals, false alarms for
   /// yes/no.
   double guess = 0.5;
