@@ -10,9 +10,9 @@ class App;
 
 namespace hedgehog::client {
 
-/// Reads the command line into `app`; from here on ASCII is printed where the locale is not UTF-8.
-/// The exit code when the program ends with that: after --help,
-/// --version, --reference, and (64) what is wrong with it.
+/// Parses the command line into `app`; from here on ASCII is printed where the locale is not UTF-8.
+/// The exit code if the program ends with that: after --help, --version, --reference, and (64)
+/// after a usage error.
 std::optional<int> parse_arguments(CLI::App& app, int argc, const char* const* argv);
 
 }  // namespace hedgehog::client

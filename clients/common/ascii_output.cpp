@@ -18,7 +18,7 @@ namespace hedgehog::client {
 
 namespace {
 
-/// The longer ones first.
+/// Longer sequences first: the first match is used.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 25> kInAscii{{
     {"°C", "C"}, {"°", " deg"}, {"µ", "u"},  {"·", "-"},  {"…", "..."}, {"–", "-"}, {"−", "-"},
     {"×", "x"},  {"±", "+/-"},  {"→", "->"}, {"▲", "^"},  {"∘", "o"},   {"○", "O"}, {"●", "@"},
@@ -26,7 +26,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 25> kInAscii
     {"█", "#"},  {"░", "."},    {"≤", "<="}, {"≥", ">="},
 }};
 
-/// How many bytes at the end of `text` are a character, or "°", that may go on in the next write.
+/// Number of bytes at the end of `text` that may be part of a sequence continued by the next write:
+/// an incomplete character, or "°".
 std::size_t open_end(std::string_view text) {
   std::size_t last = text.size();
   while (last > 0 && !begins_character(text[last - 1])) --last;
@@ -98,7 +99,7 @@ std::string in_ascii(std::string_view text) {
 }
 
 void print_in_ascii() {
-  // Never destroyed: they are written to when the program ends.
+  // Never destroyed: written to at the exit of the program.
   static auto& out = *new AsciiStream{STDOUT_FILENO};
   static auto& error = *new AsciiStream{STDERR_FILENO};
   stdout = open_ascii(out, stdout, isatty(STDOUT_FILENO) != 0 ? _IOLBF : _IOFBF);

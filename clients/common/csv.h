@@ -7,7 +7,7 @@
 
 namespace hedgehog::client {
 
-/// Without its end; a cell with a comma, a quote or the end of a line in it is quoted.
+/// Without a line end; cells with a comma, a quote or a line end are quoted.
 std::string csv_line(const std::vector<std::string>& cells);
 
 }  // namespace hedgehog::client

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Text on a page of HTML. Pure.
+// Escaping of text in HTML. Pure.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace hedgehog::client {
 
-/// `text` with &, <, > and quotes written out: as content, and within a quoted attribute.
+/// `text` with &, <, > and quotes escaped: for content and quoted attributes.
 inline std::string escape_html(std::string_view text) {
   std::string safe;
   for (const char c : text) {

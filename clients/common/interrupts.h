@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Signals that ask a program to end: Ctrl-C, SIGTERM, and a terminal that went away.
+// Signals that request the end of a program: Ctrl-C, SIGTERM, and the loss of its terminal.
 #pragma once
 
 namespace hedgehog::client {
 
-/// Once, at the start: from there on SIGINT, SIGTERM and SIGHUP interrupt what waits and end
-/// nothing.
+/// Call once, at the start: from then on SIGINT, SIGTERM and SIGHUP interrupt blocking calls and do
+/// not end the program.
 void watch_interrupts();
-/// True from the first of them on.
+/// True once one of them was received.
 bool interrupted() noexcept;
 
 }  // namespace hedgehog::client

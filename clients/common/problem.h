@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a program cannot do, as a sentence for a person and a number for the shell.
+// An error of a program: a sentence for the user and an exit code.
 #pragma once
 
 #include <sysexits.h>
@@ -14,8 +14,8 @@
 
 namespace hedgehog {
 
-/// `exit_code` is one of sysexits.h; `message` one sentence, or a line for each mistake in a file.
-/// Not an aggregate: a number alone must not be taken for one.
+/// `exit_code` is one of sysexits.h; `message` one sentence, or a line for each error in a file.
+/// Not an aggregate: an integer alone must not convert to it.
 struct Problem {
   Problem() = default;
   Problem(int code, std::string what) : exit_code(code), message(std::move(what)) {}
@@ -26,7 +26,7 @@ struct Problem {
 template <class T>
 using Result = boost::system::result<T, Problem>;
 
-/// What `Result::value()` throws.
+/// Exception of `Result::value()`.
 [[noreturn]] inline void throw_exception_from_error(const Problem& problem,
                                                     const boost::source_location&) {
   throw std::runtime_error(problem.message);

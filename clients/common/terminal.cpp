@@ -66,7 +66,7 @@ Terminal::Terminal() {
     tcsetattr(STDIN_FILENO, TCSANOW, &raw);
   }
   size_ = terminal_size();
-  // Lines that are too long for a terminal that was made narrower end at its edge.
+  // Without line wrap: long lines are cut at the edge of a terminal that was made narrower.
   put("\033[?1049h\033[?25l\033[?7l\033[2J");
   std::fflush(stdout);
 }
@@ -78,7 +78,7 @@ Terminal::~Terminal() {
 }
 
 void Terminal::draw(const std::vector<std::string>& lines) {
-  // Asked each time, which takes less than a microsecond: no signal can be missed.
+  // Queried each time, which takes less than 1 µs: no signal can be missed.
   if (const TerminalSize size = terminal_size(); size != size_) {
     size_ = size;
     shown_.clear();
@@ -88,7 +88,7 @@ void Terminal::draw(const std::vector<std::string>& lines) {
   for (std::size_t row = 0; row < std::min(rows, std::max(lines.size(), shown_.size())); ++row) {
     const std::string_view line = row < lines.size() ? std::string_view{lines[row]} : "";
     if (row < shown_.size() && shown_[row] == line) continue;
-    // Erased first: behind a line of the whole width the cursor is still in the last column.
+    // Erased first: after a line of the full width the cursor is still in the last column.
     std::printf("\033[%zu;1H\033[K", row + 1);
     put(line);
   }
@@ -125,7 +125,7 @@ std::string Terminal::typed() {
 
 std::optional<Key> Terminal::key(std::chrono::milliseconds patience) {
   if (typed_.empty() && !read_more(patience)) return std::nullopt;
-  // Several keys may come in one breath.
+  // One read may return several keys.
   const char first = typed_.front();
   const bool sequence =
       first == '\033' && typed_.size() >= 3 && (typed_[1] == '[' || typed_[1] == 'O');

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The person's terminal: what it can show, keys one by one, and a picture redrawn in place.
+// The user's terminal: its capabilities, single keys, and a picture redrawn in place.
 #pragma once
 
 #include <termios.h>
@@ -15,17 +15,18 @@ namespace hedgehog::client {
 struct TerminalTraits {
   /// A picture can be redrawn in place: stdout is a terminal of at least 80x22 that is not dumb.
   bool picture = false;
-  /// Colours are wanted (a terminal, and NO_COLOR is not set).
+  /// Colours are enabled (a terminal, and NO_COLOR is not set).
   bool colour = false;
-  /// Only ASCII can be shown (the locale is not UTF-8), in a pipe or a file too.
+  /// Only ASCII can be printed (the locale is not UTF-8), to a pipe or a file too.
   bool ascii = false;
-  /// Lines have a right edge; a pipe and a file have none.
+  /// Lines have a limited width; false: a pipe or a file.
   bool has_edge = false;
 };
 
 TerminalTraits terminal_traits();
 
-/// Of stdout, now: a person may change it at any time. Zeros when it is no terminal or has no size.
+/// Current size of stdout, which may change at any time. Zeros if it is not a terminal or has no
+/// size.
 struct TerminalSize {
   std::size_t columns = 0;
   std::size_t rows = 0;
@@ -33,17 +34,17 @@ struct TerminalSize {
 };
 TerminalSize terminal_size();
 
-/// Both ends of this program are a terminal.
+/// True if stdin and stdout are a terminal.
 bool is_terminal();
 
 struct Key {
   char what = '\0';
-  bool arrow = false;                          // '<' or '>' then
-  std::chrono::steady_clock::time_point at{};  // when it came
+  bool arrow = false;                          // `what` is then '<' or '>'
+  std::chrono::steady_clock::time_point at{};  // when it was read
 };
 
-/// Takes the terminal over for a picture: alternate screen, no cursor, keys without echo and line.
-/// The destructor gives it back as it was, also when an exception passes. One at a time.
+/// Takes over the terminal for a picture: alternate screen, no cursor, keys without echo and line
+/// editing. The destructor restores its state, also after an exception. One instance at a time.
 class Terminal {
  public:
   Terminal();
@@ -51,18 +52,18 @@ class Terminal {
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
 
-  /// Shows `lines` from the top; only the lines that changed are written, and all of them when the
-  /// terminal has another size than before. What is beyond its size is not shown.
+  /// Draws `lines` from the top; only the lines that changed are written, or all of them after a
+  /// change of the terminal's size. What is beyond its size is not drawn.
   void draw(const std::vector<std::string>& lines);
 
-  /// Every byte typed since the last look, escape sequences too; does not wait. Nothing when stdin
-  /// is no terminal.
+  /// All bytes typed since the last call, escape sequences included; does not block. Nothing if
+  /// stdin is not a terminal.
   std::string typed();
-  /// A key within `patience`; of escape sequences only the arrows to left and right.
+  /// A key within `patience`; of escape sequences only the left and right arrows.
   std::optional<Key> key(std::chrono::milliseconds patience);
-  /// Reads what was typed so far; the time of those keys is the clock's epoch.
+  /// Reads the keys typed so far; their time is the clock's epoch.
   void take_in();
-  /// Throws away what was typed so far.
+  /// Discards the keys typed so far.
   void forget();
 
  private:
@@ -72,7 +73,7 @@ class Terminal {
   TerminalSize size_{};
   termios before_{};
   bool has_keys_ = false;
-  std::string typed_;  // and not yet taken
+  std::string typed_;  // read and not returned yet
   std::chrono::steady_clock::time_point typed_at_{};
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers and texts in columns, as people read them.
+// Numbers and texts in columns, formatted for users.
 #pragma once
 
 #include <cstddef>
@@ -15,21 +15,22 @@ using base::fixed;
 using base::grouped;
 /// "+5.0", "-0.3", "0.0".
 std::string fixed_signed(double value, int digits);
-/// "61.2 °C"; "temperature unknown" when there is none.
+/// "61.2 °C"; "temperature unknown" if nullopt.
 std::string temperature_words(std::optional<double> celsius);
 
-/// Whether a character of UTF-8 begins with `byte`, or one that began before goes on.
+/// True if `byte` begins a character of UTF-8, false if it continues one.
 constexpr bool begins_character(char byte) noexcept {
   return (static_cast<unsigned char>(byte) & 0xC0u) != 0x80u;
 }
-/// Columns that `text` takes on a terminal (every character of ours takes one).
+/// Columns that `text` takes on a terminal (each character used here takes one).
 std::size_t columns(std::string_view text);
-/// `text` with spaces before or behind it, to at least `width` columns.
+/// `text` padded with spaces on the left or on the right, to at least `width` columns.
 std::string right(std::string_view text, std::size_t width);
 std::string left(std::string_view text, std::size_t width);
-/// `text` cut to `width` columns, the last one then an ellipsis.
+/// `text` cut to `width` columns, with an ellipsis in the last one if it was longer.
 std::string cut(std::string_view text, std::size_t width);
-/// `text` in lines of at most `width` columns, each after `indent` blanks and ended by "\n".
+/// `text` wrapped to `width` columns, each line indented by `indent` spaces and ended by a line
+/// feed.
 std::string wrapped(const std::string& text, std::size_t width, std::size_t indent);
 
 }  // namespace hedgehog::client

@@ -70,7 +70,7 @@ class CommandLine {
   int run(int argc, char** argv) {
     const std::vector<std::string> arguments(argv + 1, argv + argc);
     if (const auto code = cli::write_reference(app_, arguments)) return *code;
-    // Also when parsing stops before it.
+    // Also valid if parsing fails before the flag.
     const bool json = std::count(arguments.begin(), arguments.end(), "--json") > 0;
     if (json) report_errors_as_json();
     print_as_the_locale_allows(arguments);
@@ -87,7 +87,7 @@ class CommandLine {
  private:
   using Verb = std::function<int(Session&)>;
 
-  /// A plug-in of a monitoring system answers 3 to what it does not understand.
+  /// A monitoring plug-in exits with 3 on a usage error.
   int refuse(const std::string& what, bool json) const {
     const std::string sentence = cli::usage_error(app_, what);
     return app_.got_subcommand("check") ? print_unknown(sentence, json)
@@ -114,7 +114,7 @@ class CommandLine {
     };
   }
 
-  /// A verb that needs a connection.
+  /// A verb that requires a connection.
   CLI::App* verb(const std::string& name, const std::string& help, Verb run) {
     return verb_of(&app_, name, help, std::move(run));
   }

@@ -11,8 +11,8 @@ class App;
 
 namespace hedgehog::client {
 
-/// Gives `command` every parameter of `method` as an option, what is given most often as an
-/// argument too, and --for. What is given goes to `options`, which must outlive `command`.
+/// Adds every parameter of `method` to `command` as an option, the most common one as a positional
+/// argument too, and --for. Values are stored in `options`, which must outlive `command`.
 void add_effect_arguments(CLI::App& command, model::EffectMethod method, PlayOptions& options);
 
 }  // namespace hedgehog::client

@@ -17,7 +17,7 @@ namespace {
 using protocol::FieldInfo;
 using protocol::FieldType;
 
-/// The bounds are the protocol's and stand before the text.
+/// The protocol's bounds are printed before the text.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 31> kHelp{{
     {"direction", "where the pins push out: left, 34 (a pin), 90,20 (azimuth, elevation), 0,1,0.5"},
     {"pattern", "heartbeat, acme/knock, or a file: .json, .ahap, .hjif, .wav ..."},
@@ -60,7 +60,7 @@ std::string help_of(std::string_view parameter) {
 }
 
 std::string bounds_of(const protocol::Spec& spec) {
-  // The ends of the C++ types are no bounds.
+  // The limits of the C++ types are not bounds.
   constexpr double kUnbounded = 1e15;
   if (spec.max > kUnbounded) return "NUMBER";
   return fmt::format("{:g}..{:g}", spec.min, spec.max);

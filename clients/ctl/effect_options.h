@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parameters of the effects as options of the verbs that play, from the protocol's own list.
+// The parameters of the effects as options of the playing verbs, from the protocol's schema.
 #pragma once
 
 #include <string>
@@ -12,12 +12,12 @@
 namespace hedgehog::client {
 
 struct EffectOption {
-  /// On the wire: duration_ms.
+  /// Name on the wire: duration_ms.
   std::string parameter;
   /// --duration-ms
   std::string flag;
-  /// What may be given, for --help: "1..10000", "device|world|coil", "DIRECTION"; empty: nothing,
-  /// it is a switch.
+  /// Accepted values, for --help: "1..10000", "device|world|coil", "DIRECTION"; empty: a flag
+  /// without a value.
   std::string values;
   std::string help;
   protocol::FieldType type = protocol::FieldType::kNumber;

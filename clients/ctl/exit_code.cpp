@@ -69,7 +69,7 @@ std::string_view name_of(Failure failure) noexcept {
 void print_json(const ordered_json& error) {
   ordered_json line;
   line["error"] = error;
-  // A file that the person named may have any bytes in its name.
+  // File names may contain any bytes.
   std::fprintf(stderr, "%s\n",
                line.dump(-1, ' ', false, ordered_json::error_handler_t::replace).c_str());
 }

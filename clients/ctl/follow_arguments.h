@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The arguments of the verbs that follow the ball: `events`, `pins`, `telemetry`.
+// The arguments of the verbs that follow the ball continuously: `events`, `pins`, `telemetry`.
 #pragma once
 
 #include "clients/ctl/verbs/follow_verbs.h"

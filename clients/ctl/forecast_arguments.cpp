@@ -6,7 +6,7 @@
 namespace hedgehog::client {
 namespace {
 
-/// CLI11 would only report that it cannot convert it.
+/// CLI11 alone would only report a failed conversion.
 CLI::Validator current() {
   return {[](const std::string& text) {
             double current_a = 0.0;

@@ -25,7 +25,7 @@ using nlohmann::json;
 
 constexpr int kHoldLeaseMs = 1000;
 
-/// A parameter as typed: a number where it reads as one, else a word, which the daemon refuses with
+/// A parameter as typed: a number if it parses as one, else a string, which the daemon rejects with
 /// the parameter's name.
 json typed(const std::string& text) {
   const json number = json::parse(text, nullptr, false);
@@ -38,7 +38,7 @@ bool is_given(const PlayOptions& options, std::string_view parameter) {
       [&](const auto& given) { return given.first == parameter; });
 }
 
-/// A number among the parameters, or what it is when it is not given.
+/// A number among the parameters, or `otherwise` if it is not given.
 std::optional<double> number_of(const PlayOptions& options, std::string_view parameter,
                                 double otherwise) {
   double number = otherwise;
@@ -72,16 +72,16 @@ Outcome<std::string> wire_value(protocol::FieldType type, const std::string& nam
   return number.is_string() ? text_json(name, text) : number.dump();
 }
 
-/// A file that cannot be a pattern's name.
+/// An existing file whose name cannot be a pattern's name.
 bool is_other_file(const std::string& text) {
   std::error_code ec;
   return !text.empty() && !protocol::owner_of(text) && std::filesystem::is_regular_file(text, ec);
 }
 
-/// When nothing else says when it ends, a pattern of `takes_ms` is to be renewed so long, seconds.
+/// Duration of the renewals, seconds, of a pattern of `takes_ms` without another end.
 std::optional<double> renewal_of(const PlayOptions& options, std::int64_t takes_ms) {
   if (options.held() || is_given(options, "duration_ms")) return options.hold_s;
-  // The daemon refuses a rate that cannot be, with its name.
+  // The daemon rejects an invalid rate with its name.
   const auto rate = number_of(options, "rate", 1.0);
   if (!rate || !(*rate > 0.0)) return std::nullopt;
   const double takes = static_cast<double>(takes_ms) / *rate;
@@ -150,7 +150,7 @@ PlayOptions with_end(PlayOptions options, double pitch_deg) {
   const protocol::EffectParams defaults = protocol::with_defaults(model::EffectMethod::kCircle, {});
   const auto ring_deg = number_of(options, "ring_deg", *defaults.ring_deg);
   const auto speed_pins_s = number_of(options, "speed_pins_s", *defaults.speed_pins_s);
-  // The daemon refuses those that cannot be, with their names.
+  // The daemon rejects invalid values with their names.
   if (!ring_deg || !speed_pins_s || !(*speed_pins_s > 0.0)) return options;
   const double round_s = model::circle_steps(*ring_deg, pitch_deg) / *speed_pins_s;
   if (1000.0 * round_s <= static_cast<double>(protocol::kMaxDurationMs))

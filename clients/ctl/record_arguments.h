@@ -10,7 +10,7 @@ class App;
 
 namespace hedgehog::client {
 
-/// What is given goes to `options`, which must outlive `command`.
+/// Values are stored in `options`, which must outlive `command`.
 void add_record_arguments(CLI::App& command, RecordOptions& options);
 
 }  // namespace hedgehog::client

@@ -7,8 +7,8 @@
 
 namespace hedgehog::design {
 
-/// hedgehog-design with these arguments (without the program's own name); returns its exit code.
-/// Answers go to `out`, complaints and progress to `err`.
+/// Runs hedgehog-design with these arguments (without the program's own name); returns its exit
+/// code. Results are written to `out`, errors and progress to `err`.
 int run_command_line(std::vector<std::string> arguments, std::ostream& out, std::ostream& err);
 
 }  // namespace hedgehog::design

@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The array of which `design` is a part, by the name under which the daemon knows it.
+/// The whole array that contains `design`, by its name in the daemon.
 Result<model::Arrangement> known_array(const Design& design) {
   auto known = model::arrangement_named(design.array);
   if (!known) known = model::arrangement_named(design.array.substr(0, design.array.find('-')));
@@ -27,7 +27,7 @@ Result<model::Arrangement> known_array(const Design& design) {
   return *std::move(known);
 }
 
-/// The numbers of those of `whole` that are not among `left`.
+/// The ids of the sites in `whole` that are missing in `left`.
 std::vector<int> missing(const std::vector<model::MagnetSite>& whole,
                          const std::vector<model::MagnetSite>& left) {
   constexpr double kSameDirection = 1e-6;
@@ -71,13 +71,13 @@ Result<std::string> device_text(const Design& design, const std::string& name) {
   if (!left) return left.error();
   if (const auto problem = model::check_fit(*left, design.sizes()))
     return Problem{kBadData, left->name + ": " + problem->message};
-  // On the typical pin at its rest, as the daemon takes it.
+  // For the typical pin at its rest, as in the daemon.
   const double rest_mm = model::PinCurves(*left, design.sizes()).typical_rest_mm();
   const double slope_n_a = model::coil_force_n(model::measured_electromagnet(), 1.0,
                                                design.sizes().pin, design.sphere_mm, 0.0, rest_mm);
   const auto front = front_pin(*whole);
   if (!front) return Problem{kInternal, whole->name + " has no pin at the front"};
-  // As the daemon's keys bound them.
+  // Bounds of the daemon's keys.
   if (slope_n_a < 0.001 || slope_n_a > 0.1 || design.sphere_mm < 5.0 || design.sphere_mm > 500.0 ||
       design.remanence_t < 0.1 || design.remanence_t > 2.0) {
     return Problem{kBadData, "no device file for " + to_text(design) +

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A design as the device file that hedgehogd reads (config/devices.d/), so that a ball that was
-// designed and printed can be driven.
+// A design as a device file of hedgehogd (config/devices.d/), so that a ball that was designed and
+// printed can be driven.
 #pragma once
 
 #include <string>
@@ -10,9 +10,9 @@
 
 namespace hedgehog::design {
 
-/// The file for a ball of that name. What has to be measured on the ball itself (coil matrix,
-/// resistances) is left to the kind of ball. Complains (65) about a design that is a list of
-/// positions: hedgehogd knows the arrays by name.
+/// The device file of a ball of that name. Values that must be measured on the ball (coil matrix,
+/// resistances) keep the defaults of its model. An error (65) for a design by positions: hedgehogd
+/// accepts arrays by name only.
 Result<std::string> device_text(const Design& design, const std::string& name);
 
 }  // namespace hedgehog::design

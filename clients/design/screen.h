@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a verb's answer goes, and in which form.
+// Output streams of a verb, and the format.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ enum class Format : std::uint8_t { kText, kJson, kCsv };
 
 struct Screen {
   std::ostream& out;
-  /// Complaints and progress.
+  /// Errors and progress.
   std::ostream& err;
   Format format = Format::kText;
 };

@@ -18,13 +18,14 @@ struct Printed {
   double extension_mm;
 };
 
-// Thesis Table 2.1. It names no classes; ordered by how far they move they are these.
+// Thesis Table 2.1. It does not name the classes; they are assigned in the order of their
+// extension.
 constexpr std::array kTable21{Printed{"cD", 12, 0.8},  Printed{"cD", 30, 3.5},
                               Printed{"wD", 12, 0.2},  Printed{"wD", 60, 0.6},
                               Printed{"tkD", 12, 0.1}, Printed{"tkD", 60, 0.6},
                               Printed{"tkD", 20, 0.7}};
 
-/// So many pairs of a pin's class and an angle are half a minute of computing.
+/// This number of pairs of a pin's class and an angle takes half a minute to compute.
 constexpr std::size_t kMaxPairs = 400'000;
 constexpr double kGravityMS2 = 9.81;
 
@@ -37,7 +38,7 @@ std::optional<Problem> too_many(const Design& design, const std::vector<model::P
                                "compute; remove magnets in a pattern that keeps the symmetry"};
 }
 
-/// Magnets that do not carry a pin decide nothing.
+/// An error for magnets that cannot carry a pin: the results would be meaningless.
 std::optional<Problem> too_weak(const Design& design, const std::vector<ClassStudy>& classes) {
   double strongest_n = 0.0;
   for (const ClassStudy& one : classes)
@@ -72,7 +73,7 @@ std::optional<double> ClassStudy::extension_mm() const noexcept {
 
 std::optional<double> ClassStudy::held_n() const noexcept {
   if (standing() == Standing::kPushedOut) return {};
-  // It never is further in than the shell.
+  // A pin is never further in than the shell.
   return character.minimum_mm < 0.0 ? -character.shell_n : -character.minimum_n;
 }
 

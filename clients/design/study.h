@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A design, characterised: the pins by classes of equal surroundings, each with its force curve,
-// its rest and how far the coil moves it (thesis sections 2.2 and 2.3).
+// Characterisation of a design: classes of pins with equal surroundings, each with its force curve,
+// its rest and its extension by the coil (thesis sections 2.2 and 2.3).
 #pragma once
 
 #include <memory>
@@ -21,53 +21,54 @@ const char* name_of(Standing standing) noexcept;
 struct ClassStudy {
   model::PinForce force;
   model::Characterisation character;
-  /// With the design's coil force, which stays the same while the pin moves; nothing: pushed out
+  /// With the design's coil force, which is constant while the pin moves; nullopt: pushed out
   /// without it.
   std::optional<model::Stroke> stroke;
-  /// From zero crossing to crossing, as thesis Table 2.1 counts, mm; nothing: no rest, or expelled.
+  /// From zero crossing to crossing, as in thesis Table 2.1, mm; nullopt: no rest, or expelled.
   std::optional<double> crossings_mm;
 
   const model::PinClass& pins() const noexcept { return force.pin_class(); }
   Standing standing() const noexcept { return character.standing(); }
-  /// Where a pin is without current: 0 on the shell. Nothing: pushed out.
+  /// Rest of a pin without current: 0 on the shell. nullopt: pushed out.
   std::optional<double> rest_mm() const noexcept { return character.standing_mm; }
-  /// How far the coil force moves it from there, mm; nothing when it is pushed out or expelled.
+  /// Extension by the coil force from there, mm; nullopt if it is pushed out or expelled.
   std::optional<double> extension_mm() const noexcept;
   std::size_t size() const noexcept { return pins().pins.size(); }
-  /// The largest push against which a pin is held, N; nothing when nothing draws it back.
+  /// The largest push against which a pin is held, N; nullopt if no force draws it back.
   std::optional<double> held_n() const noexcept;
   /// "60 pins".
   std::string name() const;
 };
 
-/// Each class of pins among the magnets of `design`; forces point into `classes`: keep those alive.
+/// Characterises each class of pins among the magnets of `design`; forces refer to `classes`, which
+/// must outlive them.
 std::vector<ClassStudy> study_classes(const std::vector<model::PinClass>& classes,
                                       const Design& design,
                                       const model::OffsetGrid& grid = model::kThesisGrid);
 
-/// The class of the typical pin: the one with the median rest, as `model::PinCurves` has it.
-/// REQUIRES: there is a class.
+/// The class of the typical pin: the one with the median rest, as in `model::PinCurves`. REQUIRES:
+/// there is a class.
 const ClassStudy& typical_of(const std::vector<ClassStudy>& classes);
 
-/// What the thesis prints for a class of `size` pins of this array (Table 2.1), mm.
+/// The thesis' value for a class of `size` pins of this array (Table 2.1), mm.
 std::optional<double> thesis_extension_mm(const std::string& array, std::size_t size) noexcept;
 
 class Study {
  public:
-  /// Complains when the magnets are in each other's way.
+  /// An error if magnets overlap.
   static Result<Study> of(const Design& design, const model::OffsetGrid& grid = model::kThesisGrid);
 
   const Design& design() const noexcept { return design_; }
   const model::Arrangement& arrangement() const noexcept { return arrangement_; }
   const std::vector<ClassStudy>& classes() const noexcept { return classes_; }
-  /// The class of a pin; nullptr when there is no such pin.
+  /// The class of a pin; nullptr if there is no such pin.
   const ClassStudy* class_of(int pin) const noexcept;
   const ClassStudy& typical() const { return typical_of(classes_); }
   /// Pins of that standing, ascending.
   std::vector<int> pins_that(Standing standing) const;
   std::vector<int> unstable_pins() const { return pins_that(Standing::kPushedOut); }
   /// Pins that are pressed onto the shell, ascending: those whose force has a zero below it, or
-  /// those that have none, among shields that are too strong.
+  /// those without one, whose shields are too strong.
   std::vector<int> pressed_pins(bool with_zero) const;
   /// Every pin's force curve falls through zero (thesis section 2.2).
   bool stable() const noexcept;
@@ -78,12 +79,12 @@ class Study {
 
   Design design_;
   model::Arrangement arrangement_;
-  // Forces point into it.
+  // Referred to by forces.
   std::shared_ptr<const std::vector<model::PinClass>> pin_classes_;
   std::vector<ClassStudy> classes_;
 };
 
-/// 0, 3-5, 8: ids ascending, runs drawn together.
+/// "0, 3-5, 8": ids ascending, consecutive ones as ranges.
 std::string ids_text(const std::vector<int>& ids);
 
 }  // namespace hedgehog::design

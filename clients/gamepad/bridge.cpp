@@ -15,12 +15,12 @@ namespace {
 using client::Outcome;
 
 constexpr double kTelemetryHz = 100.0;
-// A game waits for the answer to its upload meanwhile; the daemon is on this machine.
+// A game's upload is blocked meanwhile; the daemon is on this machine.
 constexpr Milliseconds kConnectPatience{200};
 constexpr Milliseconds kHelloPatience{500};
 constexpr Milliseconds kSendPatience{200};
 constexpr Milliseconds kMaxWait{500};
-// As old as the daemon lets a world-frame effect play on.
+// Same age limit as of the daemon's world-frame effects.
 constexpr std::int64_t kStaleMs = 100;
 
 }  // namespace
@@ -82,7 +82,7 @@ Result<void> Bridge::handle_daemon(TimePoint now) {
   if (connection_) {
     done = exchange();
   } else {
-    (void)player_.take_requests();  // nobody is there to play them
+    (void)player_.take_requests();  // discarded while not connected
     if (now >= next_attempt_) done = connect();
   }
   if (done) return {};
@@ -121,7 +121,7 @@ Outcome<void> Bridge::exchange() {
     auto notification = connection_->next(Milliseconds(0));
     if (!notification) return notification.error();
     while (const auto answer = connection_->answer()) {
-      // An effect may have ended just before its renewal or its stop arrived.
+      // An effect may have ended just before its renewal or stop arrived.
       if (!answer->result && answer->result.error().code != protocol::ErrorCode::kNoSuchEffect)
         report_once("the daemon refuses an effect: " + answer->result.error().message);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Between a gamepad's device and the daemon: tilt goes one way, effects the other.
+// Bridge between a gamepad device and the daemon: tilt in one direction, effects in the other.
 #pragma once
 
 #include <functional>
@@ -21,27 +21,27 @@ struct BridgeOptions {
   bool once = false;  // ends with the connection instead of reconnecting
 };
 
-/// One thread, which answers a game at once whether there is a daemon or not. A game's effects end
-/// with the connection and are not started again by themselves.
+/// One thread, which answers a game at once whether or not the daemon is connected. A game's
+/// effects end with the connection and are not restarted automatically.
 class Bridge {
  public:
   using Report = std::function<void(const std::string&)>;
 
-  /// `report` gets a sentence for a person now and then.
+  /// `report` receives occasional sentences for the user.
   Bridge(GamepadDevice& device, const BridgeOptions& options, Report report);
 
-  /// Until `stop`. An error when the device is gone, and with `once` when the daemon is.
+  /// Runs until `stop`. An error if the device is lost, and with `once` if the connection is.
   Result<void> run(const std::function<bool()>& stop);
-  /// The ball as it is held next is the centre of the stick.
+  /// The next orientation of the ball becomes the centre of the stick.
   void recentre() noexcept { axes_.recentre(); }
 
  private:
-  /// Once around: waits for the first thing that happens, at most half a second.
+  /// One iteration: waits for the first event, at most half a second.
   Result<void> step();
   void wait() const;
   Result<void> handle_device(TimePoint now);
   void handle(const DeviceCommand& command, TimePoint now);
-  /// A daemon that is gone is no error unless `once`.
+  /// A lost connection is no error unless `once`.
   Result<void> handle_daemon(TimePoint now);
   client::Outcome<void> connect();
   client::Outcome<void> exchange();

@@ -34,7 +34,7 @@ int EffectPlayer::upload(const ff_effect& effect, TimePoint now) {
   place.translated = translate(effect, options_);
   if (place.repetitions == 0) return 0;
   place.stop_at = now + kMaxPlay;
-  // A new effect in the slot replaces the old one without a gap; silence and a delay end it.
+  // A new effect in the slot replaces the old one without a gap; a silent or delayed one does not.
   if (place.started && (!place.translated.start || place.translated.delay.count() > 0))
     requests_.emplace_back(protocol::EffectStop{std::nullopt, slot(place, effects_)});
   schedule(place, now);
@@ -93,7 +93,7 @@ void EffectPlayer::advance(Effect& effect, TimePoint now) {
       return;
     }
     if (!effect.started) {
-      // A repetition that is over before it could begin is left out.
+      // A repetition whose end has passed before its start is left out.
       if (effect.ends <= now) {
         end_repetition(effect, now);
         continue;
@@ -128,7 +128,7 @@ void EffectPlayer::start(Effect& effect) {
 
 void EffectPlayer::end_repetition(Effect& effect, TimePoint now) {
   if (effect.repetitions == 1) {
-    // A duration has ended by itself, by the device's clock.
+    // An effect with a duration has ended automatically, by the device's clock.
     if (effect.leased) {
       stop(effect);
       return;
@@ -139,7 +139,7 @@ void EffectPlayer::end_repetition(Effect& effect, TimePoint now) {
   }
   if (effect.started && effect.leased && effect.translated.delay.count() > 0)
     requests_.emplace_back(protocol::EffectStop{std::nullopt, slot(effect, effects_)});
-  // After a time in which nobody called, what was missed is not played after.
+  // Repetitions that were missed without a call are not caught up.
   const auto period = effect.translated.delay + effect.translated.length;
   const auto missed = std::max<std::int64_t>(0, (now - effect.ends) / period);
   effect.repetitions -=

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What games have uploaded, and what of it plays: commands of the device in, requests to the daemon
-// out. No clock, no input or output of its own; one thread.
+// Uploaded effects of games, and their playback: commands of the device in, requests to the daemon
+// out. Has no clock, input or output of its own; one thread.
 #pragma once
 
 #include <linux/input.h>
@@ -19,9 +19,9 @@ namespace hedgehog::gamepad {
 
 using TimePoint = std::chrono::steady_clock::time_point;
 
-/// Every effect plays in a slot of its own, "ff0" to "ff15". One of at most 10 s ends in the daemon
-/// by its duration; a longer one has a lease of 500 ms that is renewed here. A play ends after
-/// kMaxPlay, repetitions included, unless it is uploaded or started again.
+/// Every effect plays in a slot of its own, "ff0" to "ff15". An effect of at most 10 s ends in the
+/// daemon by its duration; a longer one has a lease of 500 ms that is renewed here. Playback ends
+/// after kMaxPlay, repetitions included, unless it is uploaded or started again.
 class EffectPlayer {
  public:
   static constexpr int kMaxEffects = 16;
@@ -30,24 +30,24 @@ class EffectPlayer {
 
   explicit EffectPlayer(const TranslationOptions& options) : options_(options) {}
 
-  /// 0, or the errno of the game's ioctl: EINVAL for what cannot be translated or has no place.
-  /// What plays under the same number becomes the new effect and begins again.
+  /// 0, or the errno of the game's ioctl: EINVAL for an effect that cannot be translated or an
+  /// invalid id. An effect playing under the same id is replaced and restarted.
   int upload(const ff_effect& effect, TimePoint now);
-  /// Ends it too. 0 or EINVAL.
+  /// Also ends it. 0 or EINVAL.
   int erase(std::int64_t id, TimePoint now);
-  /// Plays it `count` times; 0 or less stops it. Numbers that nobody uploaded are ignored.
+  /// Plays it `count` times; 0 or less stops it. Ids without an upload are ignored.
   void play(std::int64_t id, std::int32_t count, TimePoint now);
-  /// Of all effects, 0..0xffff, until it is set again.
+  /// Gain of all effects, 0..0xffff, until the next call.
   void set_gain(std::int32_t gain);
 
-  /// Begins, renews and ends what is due at `now`.
+  /// Starts, renews and ends the effects that are due at `now`.
   void advance(TimePoint now);
-  /// When `advance` has something to do next; nullopt: nothing plays.
+  /// When `advance` must be called next; nullopt: nothing plays.
   std::optional<TimePoint> deadline() const;
-  /// In the order in which they are to be sent; they are returned once.
+  /// Requests in the order in which they must be sent; each is returned once.
   std::vector<protocol::Request> take_requests();
 
-  /// A new connection: nothing plays there. `felt_level` as in TranslationOptions.
+  /// After a new connection, on which no effect plays. `felt_level` as in TranslationOptions.
   void on_connect(double felt_level);
   bool is_playing(std::int64_t id) const;
 
@@ -55,8 +55,8 @@ class EffectPlayer {
   struct Effect {
     std::optional<ff_effect> uploaded;
     TranslatedEffect translated;
-    std::int32_t repetitions = 0;  // that are left; 0: it does not play
-    bool started = false;          // the daemon has it; false: its delay runs
+    std::int32_t repetitions = 0;  // remaining; 0: it does not play
+    bool started = false;          // sent to the daemon; false: in its delay
     bool leased = false;
     TimePoint begins{};
     TimePoint ends{};

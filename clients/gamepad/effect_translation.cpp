@@ -20,7 +20,7 @@ constexpr std::uint16_t kSdlRumbleDirection = 0x4000;
 // The two motors of a gamepad: a large slow one and a small fast one.
 constexpr double kStrongHz = 60.0;
 constexpr double kWeakHz = 160.0;
-// SDL's rumble comes with a period of 1000 ms, which no motor has.
+// SDL's rumble has a period of 1000 ms, which is not that of a motor.
 constexpr double kMinRumbleHz = 10.0;
 constexpr double kMinHz = 0.5;
 constexpr double kMaxHz = 250.0;
@@ -41,7 +41,7 @@ struct Wave {
   double frequency_hz = kStrongHz;
 };
 
-/// A steady push or wave.
+/// A constant push or wave.
 EffectStart steady(const protocol::Direction& side, double level, const std::optional<Wave>& wave) {
   EffectParams params;
   params.direction = side;
@@ -75,7 +75,7 @@ std::optional<EffectStart> play(const std::vector<ForcePoint>& profile, const Si
   std::vector<protocol::Keyframe> keyframes;
   for (std::size_t i = 0; i < profile.size(); ++i) {
     const ForcePoint& point = profile[i];
-    // At a change of sign the side changes while nothing is pushed.
+    // At a change of sign the side changes while the force is 0.
     const double next = i + 1 < profile.size() ? profile[i + 1].force : point.force;
     const bool negative = point.force < 0.0 || (point.force == 0.0 && next < 0.0);
     if (point.force == 0.0 && i > 0)
@@ -175,7 +175,7 @@ TranslatedEffect translate(const ff_effect& effect, const TranslationOptions& op
     translated.start = slope(effect, given.level, given.level, given.envelope, translated, options);
   } else {
     const auto& given = effect.u.ramp;
-    // Without an end there is no slope to it.
+    // Without an end a ramp has no slope.
     const std::int16_t end = effect.replay.length != 0 ? given.end_level : given.start_level;
     translated.start = slope(effect, given.start_level, end, given.envelope, translated, options);
   }

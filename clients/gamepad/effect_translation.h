@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A force-feedback effect of Linux (ff_effect, <linux/input.h>) as an effect of the ball. Pure; any
-// thread.
+// Translation of a force-feedback effect of Linux (ff_effect, <linux/input.h>) to an effect of the
+// ball. Pure; any thread.
 #pragma once
 
 #include <linux/input.h>
@@ -15,22 +15,23 @@ namespace hedgehog::gamepad {
 
 using Milliseconds = std::chrono::milliseconds;
 
-/// An effect that is neither uploaded nor started again ends after this, whatever its length.
+/// Maximum playback of an effect that is neither uploaded nor started again, whatever its length.
 inline constexpr Milliseconds kMaxPlay{60'000};
 
 struct TranslationOptions {
-  /// Where an effect without a direction pushes: FF_RUMBLE, and see `sdl_rumble`.
+  /// Direction of effects without a direction: FF_RUMBLE, and see `sdl_rumble`.
   protocol::Word rumble_direction = protocol::Word::kDown;
-  /// FF_PERIODIC with direction 0x4000 has no direction: SDL's rumble is uploaded so.
+  /// FF_PERIODIC with direction 0x4000 is treated as without direction: SDL uploads rumble this
+  /// way.
   bool sdl_rumble = true;
-  /// The level of the weakest force that can be felt (hello.limits.felt_a / current_a), and that of
-  /// the strongest force of a game: 0 <= felt_level <= full_level <= 1, full_level > 0.
+  /// Level at the perception threshold (hello.limits.felt_a / current_a), and level of a game's
+  /// strongest force: 0 <= felt_level <= full_level <= 1, full_level > 0.
   double felt_level = 0.14;
   double full_level = 1.0;
 };
 
 struct TranslatedEffect {
-  /// Without slot, gain and end; nullopt: it is silent.
+  /// Without slot, gain and end; nullopt: silent.
   std::optional<protocol::EffectStart> start{};
   Milliseconds delay{0};
   /// 1 ms..kMaxPlay; kMaxPlay also for "until it is stopped".
@@ -38,7 +39,7 @@ struct TranslatedEffect {
 };
 
 /// True for FF_RUMBLE, FF_CONSTANT, FF_RAMP, and FF_PERIODIC of any waveform but FF_CUSTOM. The
-/// others need a force on an axis of the hand against a base, which a ball in the hand has not.
+/// others require a force between the hand and a base, which a ball in the hand does not have.
 bool can_translate(const ff_effect& effect) noexcept;
 
 /// REQUIRES: can_translate(effect).

@@ -8,7 +8,7 @@ namespace hedgehog::gamepad {
 
 namespace {
 
-/// An envelope's level has the sign of the force that it belongs to.
+/// The level of an envelope has the sign of its force.
 double envelope_force(std::uint16_t level, double sign_of) {
   return std::copysign(std::min(1.0, level / kFullForce), sign_of);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A force over time as straight lines: what base force, ramp and envelope come to. Pure.
+// Force over time as line segments, from base force, ramp and envelope. Pure.
 #pragma once
 
 #include <linux/input.h>
@@ -9,7 +9,7 @@
 
 namespace hedgehog::gamepad {
 
-/// The number that Linux writes a whole force with.
+/// Linux' value of full force.
 inline constexpr double kFullForce = 0x7fff;
 
 struct ForcePoint {
@@ -18,9 +18,9 @@ struct ForcePoint {
   friend bool operator==(const ForcePoint&, const ForcePoint&) = default;
 };
 
-/// The force from 0 to `length_ms` (>= 1): evenly from `begin` to `end` (-1..1), with `envelope`
-/// over it if `has_end`, and else only its attack. Times never fall; a point of force 0 stands
-/// wherever the sign changes.
+/// The force from 0 to `length_ms` (>= 1): linear from `begin` to `end` (-1..1), with the whole
+/// `envelope` if `has_end`, otherwise only its attack. Times are non-decreasing; at each change of
+/// sign there is a point of force 0.
 std::vector<ForcePoint> force_profile(double begin, double end, std::int64_t length_ms,
                                       const ff_envelope& envelope, bool has_end);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A gamepad as games see it, from the side of its driver.
+// The driver's side of a gamepad device.
 #pragma once
 
 #include <linux/input.h>
@@ -13,7 +13,7 @@
 
 namespace hedgehog::gamepad {
 
-/// A game uploads `effect`, whose `id` is its place, and waits for `answer_upload`.
+/// A game uploads `effect`, whose `id` is its index, and waits for `answer_upload`.
 struct UploadRequest {
   std::uint32_t request = 0;
   ff_effect effect{};
@@ -32,7 +32,7 @@ struct GainCommand {
 };
 using DeviceCommand = std::variant<UploadRequest, EraseRequest, PlayCommand, GainCommand>;
 
-/// Nothing waits. One thread.
+/// Calls do not block. One thread.
 class GamepadDevice {
  public:
   GamepadDevice() = default;
@@ -40,14 +40,14 @@ class GamepadDevice {
   GamepadDevice& operator=(const GamepadDevice&) = delete;
   virtual ~GamepadDevice() = default;
 
-  /// Readable when `next` has something.
+  /// Readable while `next` has a command.
   virtual int descriptor() const noexcept = 0;
-  /// The oldest command not yet taken; nullopt: there is none.
+  /// The oldest unread command; nullopt: there is none.
   virtual Result<std::optional<DeviceCommand>> next() = 0;
-  /// `error`: an errno, 0 when it was done.
+  /// `error`: an errno, 0 for success.
   virtual void answer_upload(const UploadRequest& request, int error) = 0;
   virtual void answer_erase(const EraseRequest& request, int error) = 0;
-  /// Where the stick is now.
+  /// Sets the position of the stick.
   virtual void move_stick(const StickPosition& position) = 0;
 };
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kDegrees = 180.0 / 3.14159265358979323846;
 
-/// The shortest turn that takes `up` to (0, 0, 1).
+/// The shortest rotation from `up` to (0, 0, 1).
 model::Quaternion upright(const model::Vec3& up) {
   const double angle_deg = std::acos(std::clamp(up.z, -1.0, 1.0)) * kDegrees;
   const model::Vec3 axis{up.y, -up.x, 0.0};  // up x z

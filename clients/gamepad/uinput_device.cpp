@@ -16,7 +16,7 @@ namespace hedgehog::gamepad {
 
 namespace {
 
-// Of pid.codes, for tests and private use: no product of anybody.
+// From pid.codes, reserved for tests and private use.
 constexpr std::uint16_t kVendor = 0x1209;
 constexpr std::uint16_t kProduct = 0x0002;
 
@@ -58,7 +58,7 @@ bool UinputDevice::set_up() const {
   setup.id = {BUS_VIRTUAL, kVendor, kProduct, 1};
   std::strncpy(setup.name, kGamepadName, sizeof setup.name - 1);
   setup.ff_effects_max = EffectPlayer::kMaxEffects;
-  // Programs take for a gamepad what has the buttons of one. The ball never presses them.
+  // Programs detect a gamepad by its buttons. The ball never presses them.
   return set_bits(fd_, UI_SET_EVBIT, {EV_KEY, EV_ABS, EV_FF}) &&
          set_bits(fd_, UI_SET_KEYBIT,
                   {BTN_SOUTH, BTN_EAST, BTN_NORTH, BTN_WEST, BTN_TL, BTN_TR, BTN_SELECT, BTN_START,
@@ -101,7 +101,7 @@ std::optional<DeviceCommand> UinputDevice::request(const input_event& event) {
   if (event.code == UI_FF_UPLOAD) {
     upload_ = {};
     upload_.request_id = number;
-    // The game may have given up waiting.
+    // The game may have timed out.
     if (::ioctl(fd_, UI_BEGIN_FF_UPLOAD, &upload_) != 0) return std::nullopt;
     return UploadRequest{number, upload_.effect};
   }
@@ -132,7 +132,7 @@ void UinputDevice::move_stick(const StickPosition& position) {
   events[1].value = position.y;
   events[2].type = EV_SYN;
   events[2].code = SYN_REPORT;
-  // What does not fit is made good by the next position.
+  // A failed write is corrected by the next position.
   [[maybe_unused]] const ssize_t written = ::write(fd_, events.data(), sizeof events);
 }
 

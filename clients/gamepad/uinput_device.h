@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The gamepad made by Linux' uinput (include/uapi/linux/uinput.h).
+// A gamepad created by Linux' uinput (include/uapi/linux/uinput.h).
 #pragma once
 
 #include <linux/uinput.h>
@@ -12,13 +12,13 @@
 namespace hedgehog::gamepad {
 
 inline constexpr const char* kUinputPath = "/dev/uinput";
-/// As games show it.
+/// Name shown by games.
 inline constexpr const char* kGamepadName = "Hedgehog haptic ball";
 
-/// The device is there as long as this lives.
+/// The device exists as long as this object.
 class UinputDevice : public GamepadDevice {
  public:
-  /// kUnavailable when `path` cannot be opened or is no uinput; says what would help.
+  /// kUnavailable if `path` cannot be opened or is not uinput; the message contains a remedy.
   static Result<std::unique_ptr<UinputDevice>> create(const std::string& path = kUinputPath);
   ~UinputDevice() override;
 
@@ -30,13 +30,13 @@ class UinputDevice : public GamepadDevice {
 
  private:
   explicit UinputDevice(int fd) : fd_(fd) {}
-  /// False with errno.
+  /// False, with errno set, if it fails.
   bool set_up() const;
   std::optional<DeviceCommand> command(const input_event& event);
   std::optional<DeviceCommand> request(const input_event& event);
 
   int fd_ = -1;
-  uinput_ff_upload upload_{};  // begun and not answered
+  uinput_ff_upload upload_{};  // begun and not answered yet
   uinput_ff_erase erase_{};
 };
 

@@ -132,7 +132,7 @@ Outcome<std::vector<Address>> daemon_addresses(const std::optional<std::string>&
   if (const auto runtime = variable("XDG_RUNTIME_DIR")) {
     add(unix_socket(in_folder(*runtime + "/hedgehog")));
   } else if (!variable("RUNTIME_DIRECTORY")) {
-    // Where a daemon that was started by hand without XDG_RUNTIME_DIR puts it.
+    // The default of a daemon that was started by hand without XDG_RUNTIME_DIR.
     add(unix_socket(in_folder("/tmp/hedgehog-" + std::to_string(getuid()))));
   }
   add({.host = "127.0.0.1"});

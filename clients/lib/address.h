@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a daemon may listen, and where to look for it.
+// Addresses at which a daemon may listen, and the order in which a client tries them.
 #pragma once
 
 #include <cstdint>
@@ -24,12 +24,12 @@ struct Address {
   std::string host{};
   std::uint16_t port = kDefaultPort;
   bool tls = false;
-  /// A ball that is searched for on the network when a connection is made: `host` is its name or
-  /// serial number, empty: the only one there. Has TLS and a fingerprint.
+  /// A ball found by mDNS when a connection is made: `host` is its name or serial number; empty:
+  /// the only ball on the network. Implies TLS and a fingerprint.
   bool mdns = false;
-  /// With TLS, of the daemon's certificate; nullopt: the system's authorities vouch for it.
+  /// With TLS: SHA-256 of the daemon's certificate; nullopt: verified by the system's authorities.
   std::optional<base::Sha256> fingerprint{};
-  /// What `Connection::open` and `Ball` introduce themselves with.
+  /// The token that `Connection::open` and `Ball` send in their hello.
   std::optional<std::string> token{};
   friend bool operator==(const Address&, const Address&) = default;
 };
@@ -37,23 +37,23 @@ struct Address {
 /// "/path", "unix:/path", "host", "host:port", "[::1]:port", "tcp:host:port", "tls://host:port",
 /// "mdns://", "mdns://NAME".
 Outcome<Address> parse_address(std::string_view text);
-/// As `parse_address` reads it: "/run/hedgehog/hedgehogd.sock", "127.0.0.1:7586", "[::1]:7586",
-/// "tls://192.0.2.7:7586", "mdns://NAME".
+/// In the format of `parse_address`: "/run/hedgehog/hedgehogd.sock", "127.0.0.1:7586",
+/// "[::1]:7586", "tls://192.0.2.7:7586", "mdns://NAME".
 std::string to_string(const Address& address);
 
-/// kBadAddress: `address` is one of mdns:// without a fingerprint, and any machine can announce a
-/// ball; nullopt: it may be searched for.
+/// kBadAddress: `address` is an mdns:// address without a fingerprint, and any machine can announce
+/// a ball; nullopt: it may be searched for.
 std::optional<ClientError> missing_fingerprint(const Address& address);
 
 /// The value of an environment variable; nullopt when it is not set.
 using Environment = std::function<std::optional<std::string>(const std::string&)>;
 std::optional<std::string> process_environment(const std::string& name);
 
-/// The places to try, in order. `given` (a command-line flag) or else HEDGEHOG_ADDRESS is the only
-/// one when there is one. Otherwise: the socket in RUNTIME_DIRECTORY, in /run/hedgehog, in
+/// The addresses to try, in order. If `given` (a command-line flag) or else HEDGEHOG_ADDRESS is
+/// set, it is the only one. Otherwise: the socket in RUNTIME_DIRECTORY, in /run/hedgehog, in
 /// XDG_RUNTIME_DIR/hedgehog (without that variable: /tmp/hedgehog-UID), and 127.0.0.1:7586. Each
-/// has the token of HEDGEHOG_TOKEN, and with TLS the fingerprint of HEDGEHOG_FINGERPRINT. Only
-/// "mdns://" searches the network, later.
+/// has the token of HEDGEHOG_TOKEN, and with TLS the fingerprint of HEDGEHOG_FINGERPRINT. "mdns://"
+/// is resolved later, when a connection is made.
 Outcome<std::vector<Address>> daemon_addresses(
     const std::optional<std::string>& given = std::nullopt,
     const Environment& environment = process_environment);

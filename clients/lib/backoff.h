@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How long to wait before the next attempt to reconnect: 0.1 s, doubled each time, at most 5 s.
+// Pause before the next attempt to reconnect: 0.1 s, doubled each time, at most 5 s.
 #pragma once
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 namespace hedgehog {
 namespace {
 
-// Of one frame; on a machine that decodes more slowly than telemetry comes, reading would not end.
+// Per frame: where decoding is slower than telemetry arrives, reading would not end.
 constexpr int kLinesPerFrame = 100;
 
 std::string seconds(client::Milliseconds time) {
@@ -185,7 +185,7 @@ client::Outcome<void> Ball::open() {
                                "the daemon does not run; next attempt in " + seconds(wait),
                                {}};
   }
-  // An attempt of `update` may be under way.
+  // `update` may already have started an attempt.
   update();
   while (stage_ == Stage::kSearching) poll_search(client::Clock::now() + client::kSearchTime);
   while (stage_ == Stage::kConnecting) poll_connection(due_);
@@ -242,7 +242,7 @@ client::Outcome<std::optional<client::Notification>> Ball::next(client::Millisec
 
 bool Ball::keep(const client::Outcome<void>& sent) {
   if (sent) return true;
-  // A request that is too long is the caller's; the connection lives on.
+  // A request that is too long is the caller's error; the connection stays open.
   if (sent.error().failure != client::Failure::kProtocol) lose(sent.error());
   return false;
 }
@@ -251,7 +251,7 @@ client::ClientError Ball::lose(const client::ClientError& why) {
   const bool introduced = stage_ == Stage::kConnected;
   connection_.reset();
   asked_.clear();
-  // The next connection counts its requests anew.
+  // The ids of requests start anew with the next connection.
   answers_.clear();
   renewals_.clear();
   subscriptions_.connection_lost();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a Ball plays.
+// Effects of a Ball.
 #include <algorithm>
 #include <utility>
 

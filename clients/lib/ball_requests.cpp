@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a Ball's requests are sent, and which of them the next connection makes again.
+// Sending of a Ball's requests, and renewal of its subscriptions.
 #include <utility>
 
 #include "clients/lib/ball.h"

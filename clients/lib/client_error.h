@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Why a client did not get its answer.
+// Errors of a client's calls.
 #pragma once
 
 #include <boost/assert/source_location.hpp>
@@ -13,21 +13,21 @@
 namespace hedgehog::client {
 
 enum class Failure : std::uint8_t {
-  kNoDaemon,    // nobody listens, or not for us
-  kBadAddress,  // what was given as the daemon's address is none
-  kClosed,      // the daemon ended the connection; it is of no further use
-  kTimeout,     // no answer in time; the connection lives, a late answer is ignored
-  kProtocol,    // what came was not understood, or what shall be sent is too long
-  kRefused,     // the daemon said no: see `refusal`
+  kNoDaemon,    // no listener, or access denied
+  kBadAddress,  // the given address of the daemon is invalid
+  kClosed,      // the daemon ended the connection, which cannot be used any more
+  kTimeout,     // no response in time; the connection stays open, a late response is ignored
+  kProtocol,    // an invalid message was received, or the request is too long
+  kRefused,     // the daemon returned an error, see `refusal`
   kNoInput,     // a file of the caller cannot be read
-  kBadData,     // what is in that file is not what it should be
+  kBadData,     // the content of that file is invalid
 };
 
 /// `message` is one sentence for a person, without the program's name.
 struct ClientError {
   Failure failure = Failure::kProtocol;
   std::string message{};
-  /// kRefused: what the daemon said.
+  /// kRefused: the daemon's error.
   std::optional<protocol::RpcError> refusal{};
 };
 

@@ -15,7 +15,7 @@ using protocol::Id;
 /// The daemon refuses longer lines (protocol/README.md).
 constexpr std::size_t kMaxOutgoingLine = 65'536;
 
-/// "no daemon answers at A, B or C"; says why where it is not the usual "nobody there".
+/// "no daemon answers at A, B or C"; the reason is added unless there is no listener.
 std::string no_daemon_at(const std::vector<std::string>& places) {
   std::string text = "no daemon answers at ";
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -167,7 +167,7 @@ Outcome<std::optional<protocol::Reply>> Connection::take(const std::string& line
   std::optional<protocol::Reply> ours;
   for (auto& message : *messages) {
     if (auto* reply = std::get_if<protocol::Reply>(&message)) {
-      // An error without an id is about the connection: too many of them, a line not understood.
+      // An error without an id concerns the connection: too many connections, an invalid line.
       const bool about_all = reply->id == Id{} && !reply->result;
       const auto asked = std::find(asked_.begin(), asked_.end(), reply->id);
       if (asked != asked_.end()) {

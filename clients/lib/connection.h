@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A conversation with the daemon: blocking calls with deadlines, and a queue of what it tells
-// unasked.
+// A connection to the daemon: blocking calls with deadlines, and a queue of notifications.
 //
 //   auto ball = Connection::open(daemon_addresses().value()).value();
 //   EffectParams push{.direction = Word::kLeft, .level = 0.6, .duration_ms = 180};
@@ -26,31 +25,31 @@ namespace hedgehog::client {
 
 using Notification = std::variant<protocol::EventMessage, protocol::TelemetryMessage>;
 
-/// One thread at a time. Movable. When it goes away the connection ends, and with it its effects.
+/// One thread at a time. Movable. The destructor ends the connection, and with it its effects.
 class Connection {
  public:
   static constexpr Milliseconds kConnectTimeout{2000};
-  /// Telemetry beyond this many unread notifications loses the oldest; events are never lost.
+  /// Limit of unread telemetry, beyond which the oldest is dropped; events are never dropped.
   static constexpr std::size_t kMaxTelemetry = 256;
 
-  /// Connects to the first of `addresses` that answers, and shows it the token of that address.
-  /// One of mdns:// is searched for first, for `kSearchTime` more. kNoDaemon: "no daemon answers at
-  /// A or B". kRefused: it does not know the token.
+  /// Connects to the first of `addresses` that accepts, and sends the token of that address in a
+  /// hello. mdns:// addresses are searched for first, for `kSearchTime` more. kNoDaemon: "no daemon
+  /// answers at A or B". kRefused: the token is unknown.
   static Outcome<Connection> open(const std::vector<Address>& addresses,
                                   Milliseconds patience = kConnectTimeout);
-  /// The same again and again, with the pauses of `Backoff`, until `patience` is over.
+  /// The same repeatedly, with the pauses of `Backoff`, until `patience` has elapsed.
   static Outcome<Connection> reopen(const std::vector<Address>& addresses, Milliseconds patience);
 
-  /// REQUIRES: `address` is none of mdns:// (see `locate`).
-  /// Begins to connect and does not wait (`LineSocket::start_connect`); nothing else may be asked
-  /// of it before `connected` says true.
+  /// REQUIRES: `address` is not an mdns:// address (see `locate`).
+  /// Begins to connect and does not block (`LineSocket::start_connect`); no other call is allowed
+  /// before `connected` returns true.
   static Outcome<Connection> start(const Address& address);
-  /// After `start`: whether it is connected, by `deadline` at the latest. kNoDaemon: nobody is
-  /// there; the message is the reason alone.
+  /// After `start`: whether it is connected, by `deadline` at the latest. kNoDaemon: no listener;
+  /// the message is the reason alone.
   Outcome<bool> connected(Clock::time_point deadline) { return socket_.connected(deadline); }
 
-  /// Sends one of the requests of protocol/methods.h and waits for its answer: `response_timeout`
-  /// unless a call says otherwise.
+  /// Sends one of the requests of protocol/methods.h and blocks until its response, for `patience`
+  /// at most.
   template <class Request>
   Outcome<typename Request::Result> call(const Request& request,
                                          Milliseconds patience = response_timeout()) {
@@ -63,44 +62,44 @@ class Connection {
   Outcome<std::string> call_raw(std::string_view method, std::string_view params_json,
                                 Milliseconds patience = response_timeout());
 
-  /// Sends a request that is carried out and never answered.
+  /// Sends a notification: a request without a response.
   Outcome<void> notify(const protocol::Request& request,
                        Milliseconds patience = response_timeout());
   /// The same for any method; `params_json` is an object or empty.
   Outcome<void> notify_raw(std::string_view method, std::string_view params_json,
                            Milliseconds patience = response_timeout());
 
-  /// Sends a request and does not wait for its answer: `answer` has it when `next` or a call has
-  /// read it.
+  /// Sends a request and does not wait for its response: `answer` returns it once `next` or a call
+  /// has read it.
   Outcome<protocol::Id> ask(const protocol::Request& request,
                             Milliseconds patience = response_timeout());
   /// The same for any method; `params_json` is an object or empty.
   Outcome<protocol::Id> ask_raw(std::string_view method, std::string_view params_json,
                                 Milliseconds patience = response_timeout());
-  /// The oldest answer to an `ask` that was read and not yet taken; reads nothing itself.
+  /// The oldest unread response to an `ask`; does not read the socket.
   std::optional<protocol::Reply> answer();
 
-  /// Introduces `client` ("Racer/1.2"). Optional.
+  /// Sends the name of the client program ("Racer/1.2"). Optional.
   Outcome<protocol::HelloResult> hello(std::string client, std::optional<std::string> token = {},
                                        Milliseconds patience = response_timeout());
 
-  /// The oldest event or telemetry not yet taken; nullopt when none came within `patience` (0: only
-  /// what is already there).
+  /// The oldest unread event or telemetry; nullopt when none was received within `patience` (0:
+  /// only what is already in the buffers).
   Outcome<std::optional<Notification>> next(Milliseconds patience);
-  /// Reads one line, whatever it has, for `notification` and `answer`; false when none came within
-  /// `patience`. kRefused: what the daemon said of the connection, which lives on.
+  /// Reads one line of any kind for `notification` and `answer`; false when none was received
+  /// within `patience`. kRefused: an error about the connection, which stays open.
   Outcome<bool> receive(Milliseconds patience);
-  /// The oldest event or telemetry that was read and not yet taken; reads nothing itself.
+  /// The oldest unread event or telemetry; does not read the socket.
   std::optional<Notification> notification();
 
-  /// For poll(2) in a loop that waits for other things too: when it is readable, call `next` with
-  /// patience 0 until it returns nothing. -1 once the connection is lost.
+  /// For poll(2) in a loop that also waits for other sources: when it is readable, call `next` with
+  /// patience 0 until it returns nothing. -1 once the connection is closed.
   int descriptor() const noexcept { return socket_.descriptor(); }
   const Address& address() const noexcept { return address_; }
 
  private:
   Connection(LineSocket socket, Address address);
-  /// `connection`, once the daemon knows the token of its address.
+  /// `connection`, once the daemon has accepted the token of its address.
   static Outcome<Connection> introduced(Connection connection, Clock::time_point deadline);
 
   template <class T>
@@ -112,7 +111,7 @@ class Connection {
   }
   Outcome<std::string> exchange(const protocol::Id& id, const std::string& line,
                                 Milliseconds patience);
-  /// Queues what a line tells; the answer to `id` when it is among it.
+  /// Queues the messages of a line; returns the response to `id` if it is among them.
   Outcome<std::optional<protocol::Reply>> take(const std::string& line, const protocol::Id& id);
   void queue(Notification notification);
   Outcome<protocol::Id> send_asked(const protocol::Id& id, const std::string& line,
@@ -121,7 +120,7 @@ class Connection {
   LineSocket socket_;
   Address address_;
   std::int64_t last_id_ = 0;
-  std::deque<protocol::Id> asked_;  // not answered yet
+  std::deque<protocol::Id> asked_;  // without a response so far
   std::deque<protocol::Reply> answers_;
   std::deque<Notification> waiting_;
   std::size_t telemetry_waiting_ = 0;

@@ -31,10 +31,10 @@ struct LineSocket::Impl {
   std::optional<TlsStream> tls;  // over `socket`, once that is connected
   std::array<char, 16 * 1024> chunk{};
   std::string buffer;
-  std::size_t begin = 0;    // of the line that is not whole yet
+  std::size_t begin = 0;    // of the incomplete line
   std::size_t scanned = 0;  // no LF before here
   Address address;
-  // Of `start_connect`: where to go, which of them is tried, and how that ended.
+  // Of `start_connect`: all endpoints, the index of the current one, and the result of its attempt.
   std::vector<Stream::endpoint> endpoints;
   std::size_t tried = 0;
   std::optional<error_code> attempt;
@@ -44,7 +44,7 @@ struct LineSocket::Impl {
     std::size_t bytes = 0;
   };
 
-  /// Runs one operation until it is done or `deadline` has passed; then it is cancelled.
+  /// Runs one operation until it has ended; at `deadline` it is cancelled.
   template <class Start>
   Finished await(Clock::time_point deadline, Start start) {
     Finished finished;
@@ -74,16 +74,16 @@ struct LineSocket::Impl {
     socket.close(ignored);
   }
 
-  /// Of a connected socket: TLS begins. Its outcome goes to `done`.
+  /// Starts TLS on a connected socket. `done` receives the result.
   template <class Done>
   void start_handshake(Done done) {
     tls.emplace(socket, address);
     tls->async_handshake(std::move(done));
   }
 
-  /// After TCP, and TLS where it is wanted; empty: ready.
+  /// After TCP: sets the options and does the TLS handshake. Empty: ready; else the error.
   std::string prepare(Clock::time_point deadline) {
-    // A game's small lines must not wait for each other's acknowledgement.
+    // Small lines must not wait for the acknowledgement of earlier ones.
     error_code error;
     if (address.path.empty()) socket.set_option(asio::ip::tcp::no_delay(true), error);
     if (!address.tls) return {};
@@ -132,7 +132,7 @@ struct LineSocket::Impl {
 
 namespace {
 
-/// Where to go for `address`; empty with an error when its name is not known or too long.
+/// The endpoints of `address`; empty with an error if its name is unknown or too long.
 std::vector<Stream::endpoint> endpoints_of(const Address& address, asio::io_context& io,
                                            error_code& error) {
   std::vector<Stream::endpoint> all;

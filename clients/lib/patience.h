@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How long a client waits for a response.
+// Response timeout of a client.
 #pragma once
 
 #include <chrono>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fields of the status by their names, as a person gives them.
+// Fields of the status by name, as given by a user.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace hedgehog::client {
 
-/// The keys of `names`; none: what telemetry has by default. kBadAddress: "fields: the status has
-/// no 'warmth'".
+/// The keys of `names`; without names the default of telemetry. kBadAddress: "fields: the status
+/// has no 'warmth'".
 Outcome<protocol::StatusKeys> status_fields(const std::vector<std::string>& names);
 
 }  // namespace hedgehog::client

@@ -24,7 +24,7 @@ bool concerns(const AnyRequest& request) {
   return begins(method_of(request)) || ends(method_of(request));
 }
 
-/// As the daemon reads it. A method that only later versions have is theirs to check.
+/// With the daemon's decoder. Methods that only later versions have cannot be checked here.
 bool is_carried_out(const AnyRequest& request) {
   const auto* raw = std::get_if<RawRequest>(&request);
   const auto line = protocol::decode_line(

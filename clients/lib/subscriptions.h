@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a program subscribed to, for the next connection.
+// Active subscriptions of a program, renewed on the next connection.
 #pragma once
 
 #include <cstdint>
@@ -22,30 +22,29 @@ struct RawRequest {
 };
 using AnyRequest = std::variant<protocol::Request, RawRequest>;
 
-/// Of one `Ball`, on its thread. The daemon keeps one subscription of each kind for a connection:
-/// of several requests of a kind the one that was sent last holds, in whichever order responses
-/// come.
+/// Of one `Ball`, on its thread. The daemon keeps one subscription of each kind per connection: of
+/// several requests of a kind the one sent last is in force, in whichever order responses arrive.
 class Subscriptions {
  public:
-  /// What holds, to be made again.
+  /// An active subscription, to be renewed.
   struct Held {
-    std::uint64_t order = 0;  // of its request among all
+    std::uint64_t order = 0;  // number of its request
     AnyRequest request;
   };
 
-  /// A request that gets no response: it holds if this version of the protocol has it so, since a
-  /// refusal is not answered. Other methods are ignored, here and below.
+  /// A request without a response: in force if this version of the protocol accepts it, since a
+  /// refusal is not reported. Other methods are ignored, here and below.
   void notified(const AnyRequest& request);
-  /// A request that holds once `answered` has its acceptance.
+  /// A request that is in force once `answered` reports its acceptance.
   void asked(const protocol::Id& id, const AnyRequest& request);
-  /// `one` of `current` was asked for again, on a new connection.
+  /// `one` of `current` was requested again, on a new connection.
   void renewed(const protocol::Id& id, const Held& one);
-  /// The method of a subscription that has ended by this response: the daemon refused to renew it.
+  /// The method of a subscription that this response has ended: the daemon refused to renew it.
   std::optional<std::string> answered(const protocol::Id& id, bool accepted);
-  /// What was not answered before does not hold; a renewal stays due.
+  /// Requests without a response are discarded; renewals stay due.
   void connection_lost() { pending_.clear(); }
 
-  /// What holds, in the order in which it was subscribed to.
+  /// The active subscriptions, in the order of their requests.
   const std::vector<Held>& current() const noexcept { return current_; }
 
  private:
@@ -57,7 +56,7 @@ class Subscriptions {
   void apply(const Held& change);
 
   std::uint64_t last_order_ = 0;
-  std::map<std::string, std::uint64_t, std::less<>> applied_;  // by topic, the newest that holds
+  std::map<std::string, std::uint64_t, std::less<>> applied_;  // by topic, the newest in force
   std::vector<Held> current_;
   std::vector<Pending> pending_;
 };

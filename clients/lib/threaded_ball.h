@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A Ball on a thread of its own: for games whose frames come irregularly, or that play from several
-// threads.
+// A Ball on its own thread: for games with irregular frames, or that play from several threads.
 #pragma once
 
 #include <condition_variable>
@@ -20,34 +19,34 @@
 
 namespace hedgehog {
 
-/// Any thread; nothing waits but the destructor. What is sent goes at once, what comes is read
-/// every `kReadInterval`. A `call` keeps what follows it waiting for its response.
+/// Any thread; only the destructor blocks. Requests are sent at once, messages are read every
+/// `kReadInterval`. A `call` delays the requests after it until its response.
 class ThreadedBall {
  public:
   static constexpr client::Milliseconds kReadInterval{4};
-  /// Requests that are not sent yet; more are refused.
+  /// Limit of queued requests; more are refused.
   static constexpr std::size_t kMaxQueued = 1'000;
 
-  /// As those of `Ball`; begins to connect.
+  /// Parameters as of `Ball`; begins to connect.
   explicit ThreadedBall(std::vector<client::Address> addresses, BallOptions options = {});
-  /// What was given before is still sent. Waits for a call that is under way.
+  /// Requests queued before are still sent. Waits for a call in progress.
   ~ThreadedBall();
   ThreadedBall(const ThreadedBall&) = delete;
   ThreadedBall& operator=(const ThreadedBall&) = delete;
 
   bool connected() const;
-  /// As those of `Ball`, a moment ago. `failure`: nullopt: it is connected, or the first attempt is
-  /// under way.
+  /// As of `Ball`, at the last read. `failure`: nullopt: connected, or the first attempt is in
+  /// progress.
   int connections() const;
   std::string problem() const;
   std::optional<client::ClientError> failure() const;
-  /// As of `Ball`; false also when too much is waiting to be sent.
+  /// As of `Ball`; false also when the queue is full.
   bool rumble(std::string_view slot, double strength,
               std::optional<protocol::Direction> direction = std::nullopt,
               protocol::EffectParams others = {});
   bool notify(protocol::Request request);
   bool notify_raw(std::string method, std::string params_json);
-  /// The response, or why there is none, later.
+  /// The response or an error, later.
   template <class Request>
   std::future<client::Outcome<typename Request::Result>> call(Request request) {
     return later<typename Request::Result>(
@@ -61,7 +60,7 @@ class ThreadedBall {
  private:
   using Task = std::function<void(Ball&)>;
   bool post(Task task);
-  /// What `call` returns, on the thread.
+  /// Runs `call` on the thread and returns its result.
   template <class Result, class Call>
   std::future<client::Outcome<Result>> later(Call call) {
     auto promise = std::make_shared<std::promise<client::Outcome<Result>>>();
@@ -74,7 +73,7 @@ class ThreadedBall {
   }
   void run();
 
-  mutable std::mutex mutex_;  // of all but ball_
+  mutable std::mutex mutex_;  // for all but ball_
   std::condition_variable changed_;
   std::deque<Task> tasks_;
   std::deque<client::Notification> notifications_;
@@ -83,7 +82,7 @@ class ThreadedBall {
   int connections_ = 0;
   std::optional<client::ClientError> failure_;
   bool ending_ = false;
-  Ball ball_;  // of the thread
+  Ball ball_;  // used by the thread only
   std::thread thread_;
 };
 

@@ -23,7 +23,7 @@ TlsStream::TlsStream(Socket& socket, const Address& address)
   boost::system::error_code no_address;
   boost::asio::ip::make_address(address.host, no_address);
   if (no_address) SSL_set_tlsext_host_name(stream_.native_handle(), address.host.c_str());
-  // A fingerprint is compared after the handshake; it says more than any authority.
+  // A fingerprint is compared after the handshake and replaces the authorities.
   stream_.set_verify_mode(fingerprint_ ? ssl::verify_none : ssl::verify_peer);
   if (!fingerprint_) stream_.set_verify_callback(ssl::host_name_verification(address.host));
 }

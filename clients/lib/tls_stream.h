@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// TLS 1.3 to a daemon whose certificate is known by its fingerprint, or by the authorities that the
-// system trusts. For line_socket.cpp only.
+// TLS 1.3 to a daemon whose certificate is verified by its fingerprint, or by the authorities that
+// the system trusts. For line_socket.cpp only.
 #pragma once
 
 #include <boost/asio/generic/stream_protocol.hpp>
@@ -14,7 +14,7 @@
 
 namespace hedgehog::client {
 
-/// Over a socket that outlives it and is connected.
+/// Over a connected socket, which must outlive it.
 class TlsStream {
  public:
   using Socket = boost::asio::generic::stream_protocol::socket;
@@ -22,13 +22,13 @@ class TlsStream {
   /// Throws boost::system::system_error when OpenSSL fails.
   TlsStream(Socket& socket, const Address& address);
 
-  /// `done`: an error_code.
+  /// `done` receives an error_code.
   template <class Done>
   void async_handshake(Done done) {
     stream_.async_handshake(boost::asio::ssl::stream_base::client, std::move(done));
   }
-  /// After the handshake, before anything is sent: why this is not the daemon that `address` means;
-  /// empty: it is.
+  /// After the handshake, before anything is sent: why the peer is not the daemon that `address`
+  /// means; empty: it is trusted.
   std::string why_not_trusted();
   boost::asio::ssl::stream<Socket&>& stream() noexcept { return stream_; }
 

@@ -26,7 +26,7 @@ std::string id_of(const protocol::Description& ball) {
   return ball.name + "-" + host.data();
 }
 
-/// The exit code of an error that does not go away by itself.
+/// The exit code of a permanent error.
 std::optional<int> final_code(const client::ClientError& error) {
   if (!error.refusal) return std::nullopt;
   switch (error.refusal->code) {
@@ -155,7 +155,7 @@ void Bridge::take(const client::Notification& notification) {
   }
   const auto& message = std::get<protocol::EventMessage>(notification);
   publish(topics_.event(message.event.type), message.json, Delivery::kQos1);
-  // Effects come and go by the hundred; the rest of the status is what is worth keeping.
+  // Effect events are too frequent; other events change the retained part of the status.
   if (!message.event.effect) status_due_ = client::Clock::now();
 }
 
@@ -251,7 +251,7 @@ void Bridge::publish(std::string topic, std::string payload, Delivery delivery) 
 }
 
 void Bridge::retain(std::string topic, std::string payload) {
-  // `announce` publishes it when the broker is back.
+  // `announce` publishes it once the broker is connected again.
   if (broker_connected_)
     broker_->publish({.topic = std::move(topic),
                       .payload = std::move(payload),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Between a daemon and a broker: status, events and telemetry go one way, requests the other.
+// Bridge between a daemon and a broker: status, events and telemetry in one direction, requests in
+// the other.
 #pragma once
 
 #include <chrono>
@@ -22,25 +23,26 @@ struct BridgeOptions {
   std::optional<std::string> token{};
   BrokerOptions broker{};
   std::string prefix = "hedgehog";
-  /// nullopt: the serial number of the board, or the ball's name and that of this machine.
+  /// nullopt: the serial number of the board, or the name of the ball and of this machine.
   std::optional<std::string> id{};
   double telemetry_hz = 1.0;                                  // 0: none
   protocol::StatusKeys fields = protocol::kTelemetryDefault;  // of telemetry
-  double status_s = 10.0;  // how often the status is published that did not change
-  /// nullopt: no discovery by Home Assistant.
+  double status_s = 10.0;  // publishing interval of an unchanged status
+  /// nullopt: no discovery for Home Assistant.
   std::optional<std::string> home_assistant{"homeassistant"};
 };
 
-/// One thread. Both sides may come and go; what plays ends with the connection to the daemon.
+/// One thread. Both connections are re-established automatically; effects end with the connection
+/// to the daemon.
 class Bridge {
  public:
   using Report = std::function<void(const std::string&)>;
 
-  /// `report` gets a sentence for a person now and then.
+  /// `report` receives occasional sentences for the user.
   Bridge(const BridgeOptions& options, Report report);
 
-  /// Until `stop`. An error when it can never work: `Broker::open`, or the daemon
-  /// refuses the token.
+  /// Runs until `stop`. An error that is permanent: `Broker::open` fails, or the daemon refuses the
+  /// token.
   Result<void> run(const std::function<bool()>& stop);
 
  private:
@@ -49,7 +51,7 @@ class Bridge {
   void wait() const;
   Result<void> handle_daemon();
   client::Outcome<void> connect();
-  /// Learns which ball it is; a broker's client has that ball's name.
+  /// Identifies the ball; its name is the client's name at the broker.
   client::Outcome<void> introduce(client::Connection& daemon);
   client::Outcome<void> exchange();
   client::Outcome<void> ask_status();
@@ -58,7 +60,7 @@ class Bridge {
   void lose(const std::string& why);
   Result<void> open_broker();
   void handle_broker();
-  /// All that is retained, after the broker or the daemon was away.
+  /// Publishes all retained messages, after a connection was re-established.
   void announce();
   void request(const Message& message);
   void publish(std::string topic, std::string payload, Delivery delivery);
@@ -76,10 +78,10 @@ class Bridge {
   TimePoint next_attempt_{};
   TimePoint status_due_{};
   std::optional<protocol::Id> status_asked_;
-  TimePoint answer_due_{};  // to `status_asked_`
+  TimePoint answer_due_{};  // of the response to `status_asked_`
   PendingRequests pending_;
   BallIdentity ball_;
-  std::string description_;  // JSON, of the last connection
+  std::string description_;  // JSON, from the last connection
   std::string status_;       // JSON, the newest
   std::string reported_;
 };

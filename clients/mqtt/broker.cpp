@@ -24,11 +24,11 @@ namespace hedgehog::mqtt {
 namespace {
 
 constexpr std::chrono::milliseconds kLoopWait{500};
-/// For the last message to reach the broker.
+/// Time for the last message to reach the broker.
 constexpr std::chrono::seconds kPartingTime{2};
 constexpr const char* kSystemCertificates = "/etc/ssl/certs";
 
-/// As libmosquitto wants them; freed at the end.
+/// Properties in libmosquitto's format; freed by the destructor.
 class Properties {
  public:
   Properties() = default;
@@ -48,7 +48,7 @@ class Properties {
                                              value.c_str());
   }
   const mosquitto_property* list() const noexcept { return list_; }
-  /// The caller owns the list.
+  /// Transfers the ownership of the list to the caller.
   mosquitto_property* release() noexcept { return std::exchange(list_, nullptr); }
 
  private:
@@ -97,7 +97,7 @@ struct Broker::Impl {
     ::close(readable);
   }
 
-  // The thread of the connection, which `mosquitto_loop_start` would end at a wrong certificate.
+  // The connection's thread; `mosquitto_loop_start` would end it at an invalid certificate.
   void run() {
     int done =
         mosquitto_connect_async(client, options.host.c_str(), options.port, options.keepalive_s);
@@ -117,7 +117,7 @@ struct Broker::Impl {
     }
   }
 
-  // It calls these.
+  // Called by that thread.
   static void on_connect(mosquitto*, void* self, int reason, int, const mosquitto_property*) {
     auto& impl = *static_cast<Impl*>(self);
     if (reason == 0) impl.backoff.reset();
@@ -132,7 +132,7 @@ struct Broker::Impl {
       impl.on_the_way[0].clear();
     }
     if (std::exchange(impl.reported, true)) return;
-    // Reasons of the protocol begin at 128, below are libmosquitto's own.
+    // Reason codes of the protocol start at 128, lower ones are libmosquitto's own.
     impl.notify(
         BrokerLost{reason >= 128 ? mosquitto_reason_string(reason) : mosquitto_strerror(reason)});
   }
@@ -171,14 +171,14 @@ struct Broker::Impl {
   mosquitto* client = nullptr;
   int readable = ::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
   std::thread thread;
-  client::Backoff backoff;  // of the thread, as `reported`: why there is no connection
+  client::Backoff backoff;  // used by the thread only, like `reported`: a loss has been reported
   bool reported = false;
   std::atomic<std::uint64_t> dropped = 0;
-  std::mutex mutex;  // of what follows
+  std::mutex mutex;  // for the following members
   std::condition_variable changed;
   bool ending = false;
   std::deque<BrokerNotice> notices;
-  std::array<std::set<int>, 2> on_the_way;  // of each QoS: not with the broker yet
+  std::array<std::set<int>, 2> on_the_way;  // by QoS: not received by the broker yet
 };
 
 Result<std::unique_ptr<Broker>> Broker::open(const BrokerOptions& options) {
@@ -227,7 +227,7 @@ Broker::~Broker() {
     impl_->ending = true;
   }
   impl_->changed.notify_all();
-  // Wakes the thread, too.
+  // Also wakes the thread.
   (void)mosquitto_disconnect_v5(impl_->client, MQTT_RC_DISCONNECT_WITH_WILL_MSG, nullptr);
   impl_->thread.join();
 }
@@ -236,7 +236,7 @@ bool Broker::publish(const Message& message) {
   const int qos = qos_of(message.delivery);
   Properties properties;
   describe(properties, impl_->options, message);
-  // Held until the number is known: its acknowledgement may be quicker.
+  // Held until the number is known: the acknowledgement may arrive earlier.
   const std::lock_guard lock(impl_->mutex);
   auto& numbers = impl_->on_the_way[static_cast<std::size_t>(qos)];
   if (numbers.size() < (qos == 0 ? kMaxUnsent : kMaxKept)) {

@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// One entity. `value`: a template of Home Assistant over the status; empty: a button.
+/// One entity. `value`: a Home Assistant template for the status; empty: a button.
 struct Entity {
   const char* component;
   const char* object;

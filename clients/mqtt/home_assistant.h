@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The ball as a device of Home Assistant, by its MQTT discovery: retained messages of
-// configuration, read when Home Assistant starts.
+// The ball as a device of Home Assistant, by its MQTT discovery: retained configuration messages,
+// read by Home Assistant at its start.
 #pragma once
 
 #include <string>
@@ -12,15 +12,16 @@
 
 namespace hedgehog::mqtt {
 
-/// What Home Assistant shows of the device.
+/// Data of the device in Home Assistant.
 struct BallIdentity {
   std::string name{};
   std::string model{};
   std::string version{};  // of the daemon
 };
 
-/// Messages for `prefix` ("homeassistant"): temperature, state, current limit, fan, a problem when
-/// the ball has tripped, and a button for the emergency stop. With the status topic of `topics`.
+/// Messages for `prefix` ("homeassistant"): temperature, state, current limit, fan, a problem if
+/// the ball has tripped, and a button for the emergency stop. They refer to the status topic of
+/// `topics`.
 std::vector<Message> discovery(std::string_view prefix, const Topics& topics,
                                const BallIdentity& ball);
 

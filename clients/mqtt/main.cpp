@@ -20,7 +20,7 @@ void print(const std::string& message) {
   std::fprintf(stderr, "hedgehog-mqtt: %s\n", message.c_str());
 }
 
-/// Wildcards and empty levels would make other topics of it.
+/// Rejects wildcards and empty levels, which would result in other topics.
 std::string check_prefix(const std::string& prefix) {
   const bool fits = !prefix.empty() && prefix.find_first_of("+#") == std::string::npos &&
                     prefix.front() != '/' && prefix.back() != '/' && prefix.front() != '$';

@@ -9,7 +9,7 @@ namespace hedgehog::mqtt {
 
 enum class Delivery : std::uint8_t {
   kQos0,  // at most once: lost with the connection
-  kQos1,  // at least once: kept until the broker has it
+  kQos1,  // at least once: kept until acknowledged by the broker
 };
 
 struct Message {
@@ -17,7 +17,7 @@ struct Message {
   std::string payload{};  // JSON, or a word
   Delivery delivery = Delivery::kQos0;
   bool retained = false;
-  /// Of a request: where the response goes; empty: nowhere. Of a response: that of its request.
+  /// Of a request: the topic for the response; empty: none. Of a response: that of its request.
   std::string response_topic{};
   std::string correlation{};
 };

@@ -27,7 +27,7 @@ protocol::Result<RemoteRequest> remote_request(const Topics& topics, const Messa
     return protocol::error(protocol::ErrorCode::kMethodNotFound,
                            message.topic + " asks for no method of: " + allowed);
   }
-  // A button of Home Assistant sends a word of its own.
+  // The payload of a Home Assistant button is a word.
   if (message.payload.empty() || message.topic == topics.emergency_stop())
     return RemoteRequest{*std::move(method), "{}"};
   const Json params = Json::parse(message.payload, nullptr, false);

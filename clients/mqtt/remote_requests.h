@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Requests that come through the broker: from a message to a request of the daemon, and from its
-// response to a message.
+// Requests from the broker: conversion of messages to requests of the daemon, and of responses to
+// messages.
 #pragma once
 
 #include <map>
@@ -19,27 +19,27 @@ struct RemoteRequest {
   std::string params_json{};  // an object, on one line
 };
 
-/// What `message` asks for, as far as it can be judged without the daemon. Errors: an unknown
-/// method, a payload that is no JSON object; they are as the daemon's.
+/// The request in `message`, checked as far as possible without the daemon. Errors: an unknown
+/// method, a payload that is not a JSON object; same errors as the daemon's.
 protocol::Result<RemoteRequest> remote_request(const Topics& topics, const Message& message);
 
-/// A response for who asked: on the response topic of `request` the JSON-RPC object without its id,
-/// {"result": ...} or {"error": ...}. Without that topic: an error goes to `refused` with the
-/// request's topic, a result nowhere (no message).
+/// The response to the requesting client: on the response topic of `request` the JSON-RPC object
+/// without its id, {"result": ...} or {"error": ...}. Without that topic: an error is published on
+/// `refused` with the request's topic, a result is not published.
 std::vector<Message> response_to(const Topics& topics, const Message& request,
                                  const protocol::Result<std::string>& result);
 
-/// Those that the daemon has not answered yet. One thread.
+/// Requests without a response so far. One thread.
 class PendingRequests {
  public:
-  /// As many as a connection may have at the daemon.
+  /// Limit of pending requests of one connection at the daemon.
   static constexpr std::size_t kMax = 64;
 
   bool full() const noexcept { return requests_.size() >= kMax; }
   void add(const protocol::Id& id, Message request) { requests_[id.json] = std::move(request); }
-  /// What is to be published for the daemon's reply.
+  /// Messages to be published for the daemon's reply.
   std::vector<Message> take(const Topics& topics, const protocol::Reply& reply);
-  /// The same for all: the daemon is gone.
+  /// The same for all, with an error: the connection is lost.
   std::vector<Message> take_all(const Topics& topics);
 
  private:

@@ -10,12 +10,12 @@
 namespace hedgehog::mqtt {
 
 /// `text` as one level of a topic, and as a part of a client's name: letters, digits, '.', '_' and
-/// '-' stay, anything else becomes '-'. Never empty.
+/// '-' are kept, other characters are replaced by '-'. Never empty.
 std::string topic_level(std::string_view text);
 
 class Topics {
  public:
-  /// `prefix` may have levels of its own ("lab/hedgehog"); `id` is made one level.
+  /// `prefix` may have several levels ("lab/hedgehog"); `id` is converted to one level.
   Topics(std::string_view prefix, std::string_view id);
 
   const std::string& id() const noexcept { return id_; }
@@ -27,14 +27,14 @@ class Topics {
   std::string description() const { return base_ + "description"; }
   std::string telemetry() const { return base_ + "telemetry"; }
   std::string event(std::string_view type) const { return base_ + "event/" + std::string(type); }
-  /// Why a request without a response topic was refused.
+  /// Errors of requests without a response topic.
   std::string refused() const { return base_ + "refused"; }
   std::string emergency_stop() const { return base_ + "emergency_stop"; }
   /// ".../effect/+".
   std::string effects() const { return base_ + "effect/+"; }
 
-  /// The method that a message on `topic` asks for: "effect.pulse", "device.emergency_stop";
-  /// nullopt: there is none, or it is none for a broker's clients.
+  /// The method requested by a message on `topic`: "effect.pulse", "device.emergency_stop";
+  /// nullopt: unknown, or not allowed for a broker's clients.
   std::optional<std::string> method(std::string_view topic) const;
 
  private:
@@ -42,7 +42,7 @@ class Topics {
   std::string id_;
 };
 
-/// What may be asked for: "effect.pulse" ..., and "device.emergency_stop". Sorted.
+/// Methods allowed for a broker's clients: "effect.pulse" ..., and "device.emergency_stop". Sorted.
 const std::vector<std::string>& remote_methods();
 
 }  // namespace hedgehog::mqtt

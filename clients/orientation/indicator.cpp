@@ -15,9 +15,9 @@ constexpr std::int64_t kLeaseMs = 500;
 constexpr milliseconds kReportEvery{1000};
 constexpr double kFollowHz = 100.0;
 constexpr double kReportHz = 10.0;
-// A daemon that shuts down ends the effects first and reports the shutdown then.
+// A daemon that shuts down first ends the effects and then reports the shutdown.
 constexpr milliseconds kShutdownPatience{1000};
-// As old as the daemon lets a world-frame effect play on.
+// Same age limit as of the daemon's world-frame effects.
 constexpr std::int64_t kStaleMs = 100;
 
 protocol::EffectStart effect_of(Style style) {
@@ -113,7 +113,7 @@ Outcome<void> Indicator::take(const Notification& notification,
 void Indicator::take(const protocol::Event& event) {
   shutting_down_ = shutting_down_ || event.type == "shutting_down";
   if (event.type != "effect_ended" || event.effect != effect_) return;
-  // The lease ran out: up was not known, or this program was held up. It goes on when it can.
+  // The lease expired: the orientation was unknown, or this program was delayed. It resumes later.
   if (event.reason == "expired" || event.reason == "orientation_lost") {
     lapsed_ = true;
   } else {
@@ -129,7 +129,7 @@ Outcome<void> Indicator::check_ended() const {
 
 Outcome<void> Indicator::follow(const protocol::Status& status) {
   if (!status.orientation || status.orientation->age_ms > kStaleMs) {
-    // Not renewed either: what points at an up that nobody knows ends by its lease.
+    // Not renewed either: without a known orientation the effect ends by its lease.
     return {};
   }
   if (lapsed_) return play(status.orientation->up);

@@ -33,7 +33,7 @@ void print(const IndicatorReport& report) {
   std::fflush(stdout);
 }
 
-/// Refused is final; a daemon that went away may come back.
+/// A refusal is permanent; a lost connection may be re-established.
 bool is_final(const ClientError& error) { return error.failure == Failure::kRefused; }
 
 int run(const std::vector<Address>& addresses, const IndicatorOptions& options, bool wait) {

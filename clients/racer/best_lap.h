@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The best lap of whoever plays: laps that the built-in driver drove, even in part, are none of
-// theirs.
+// The player's best lap: laps driven by the built-in driver, even in part, are ignored.
 #pragma once
 
 #include <optional>
@@ -9,11 +8,11 @@ namespace hedgehog::racer {
 
 class BestLap {
  public:
-  /// Each step: who has the wheel.
+  /// Each step: whether the built-in driver drives.
   void drive(bool by_driver) noexcept { by_driver_ = by_driver_ || by_driver; }
-  /// True while this lap is none of the player's own.
+  /// True if the built-in driver drove in this lap.
   bool by_driver() const noexcept { return by_driver_; }
-  /// The lap ends after `time_s`; true: it is the best of the player's own.
+  /// The lap ends after `time_s`; true: it is the player's best.
   bool finish(double time_s) noexcept {
     const bool own = !by_driver_;
     by_driver_ = false;

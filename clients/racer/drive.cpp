@@ -20,9 +20,9 @@
 namespace hedgehog::racer {
 namespace {
 
-/// What lasts is told ten times a second, and so is the ball.
+/// Interval of lasting effects and of the ball's status, frames: ten per second.
 constexpr int kSeldom = 6;
-/// How long a cold ball can be at full strength, s.
+/// Burst time of a cold ball at full strength, s.
 constexpr double kColdBurstS = 22.0;
 
 bool lasts(const Played& played) {
@@ -50,7 +50,7 @@ BallView view_of(const BallReport& ball) {
   return view;
 }
 
-/// Says on the terminal what the ball does, when it changes.
+/// Prints changes of the ball's status to the terminal.
 class Talk {
  public:
   void publish(const BallReport& ball) {
@@ -94,7 +94,7 @@ class Drive {
   Controls controls(const Asked& asked);
   void publish(bool moved);
   void publish_laps();
-  /// How the ball is; nothing: not known.
+  /// Orientation of the ball; nullopt: unknown.
   const std::optional<model::Quaternion>& held() const { return feel_.ball().orientation; }
 
   Race race_;
@@ -104,9 +104,9 @@ class Drive {
   Talk talk_;
   BestLap best_lap_;
   Mode mode_;
-  bool chosen_;           // by somebody
-  bool centred_ = false;  // as the ball is held when it takes the wheel, it drives straight on
-  bool wanted_;           // a ball; without one it is only shown what would be felt
+  bool chosen_;           // by the player
+  bool centred_ = false;  // the orientation at the takeover by the ball is neutral
+  bool wanted_;           // a ball is used; otherwise the page only shows what would be felt
   Feel feel_;
   bool paused_ = false;
   int frames_ = 0;
@@ -119,7 +119,7 @@ void Drive::take_the_wheel(Mode mode) {
 }
 
 void Drive::obey(const Asked& asked) {
-  // Whoever drives by hand keeps the wheel when a ball comes.
+  // A player who drives by keyboard keeps control when a ball connects.
   if (asked.keys != Controls{}) chosen_ = true;
   if (asked.mode) {
     chosen_ = true;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `hedgehog-racer`: a person, or the built-in driver, on the home track, seen on the page and felt
-// on the ball.
+// `hedgehog-racer`: the player or the built-in driver on the home track, displayed on the page and
+// felt on the ball.
 #pragma once
 
 #include <functional>
@@ -17,14 +17,14 @@ namespace hedgehog::racer {
 struct DriveOptions {
   std::vector<client::Address> addresses;  // of the daemon; empty: no ball
   HubSettings page;
-  /// Who begins; nothing: the ball as soon as it says how it is held, the keys until then.
+  /// Initial mode; nullopt: the ball once its orientation is known, the keyboard until then.
   std::optional<Mode> mode{};
 };
 
-/// "127.0.0.1:7585", "[::1]:0". nullopt: not an address with a port.
+/// Parses "127.0.0.1:7585", "[::1]:0". nullopt: not an address with a port.
 std::optional<HubSettings> listen_at(const std::string& text);
 
-/// Until `interrupted`. The exit code: 0, 73 when it cannot listen.
+/// Runs until `interrupted`. Returns the exit code: 0, 73 if it cannot listen.
 int drive(const DriveOptions& options, const std::function<bool()>& interrupted);
 
 }  // namespace hedgehog::racer

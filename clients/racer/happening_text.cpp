@@ -74,7 +74,7 @@ std::vector<std::string> HappeningLog::lines(const std::vector<Happening>& happe
     } else if (const auto* tumble = std::get_if<Tumble>(&happening)) {
       tumbles = true;
       if (tumble_.since_s < 0.0) tumble_.since_s = time_s;
-      // Of the way from its wheels to its roof.
+      // Fraction of the angle from its wheels to its roof.
       const double over = std::acos(std::clamp(-tumble->down.z, -1.0, 1.0)) / std::acos(-1.0);
       tumble_.most = std::max(tumble_.most, over);
     }

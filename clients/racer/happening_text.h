@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What happens in the race, told to a person or to a program.
+// Text and JSON of the events of the race.
 #pragma once
 
 #include <string>
@@ -13,10 +13,10 @@ namespace hedgehog::racer {
 /// Types: hit, landing, skid {amount}, tumble {down}, lap {lap, lap_time_s}, reset.
 std::string to_json(const Happening& happening, double time_s);
 
-/// Lines for a person; what lasts is told once, when it is over.
+/// Lines for users; lasting events are printed once, at their end.
 class HappeningLog {
  public:
-  /// The lines of one step; each step counts, with or without happenings.
+  /// The lines of one step; call it for each step, with or without happenings.
   std::vector<std::string> lines(const std::vector<Happening>& happenings, double time_s);
 
  private:
@@ -30,7 +30,7 @@ class HappeningLog {
   Lasting tumble_;
 };
 
-/// "front left", "back", "roof": one of eight sides, or up or down when it is mostly that.
+/// "front left", "back", "roof": one of eight sides, or up or down if that dominates.
 std::string side_of(const model::Vec3& direction);
 
 }  // namespace hedgehog::racer

@@ -46,13 +46,13 @@ bool is_ready(const BallReport& ball) {
   return ball.connected && ball.state == "armed" && ball.trouble.empty();
 }
 
-/// How long a ball that is not ready may take. A daemon that is there has the response timeout.
+/// Maximum waiting time for a ball that is not ready. If a daemon exists: the response timeout.
 std::chrono::milliseconds max_wait(const BallReport& ball) {
   const bool may_answer = ball.late || ball.trouble.empty();
   return may_answer ? std::max(kArrives, client::response_timeout()) : kArrives;
 }
 
-/// Why there is nothing to feel; nothing: the ball is ready. Waits only while it may become so.
+/// Why the ball is not usable; nullopt: it is ready. Waits only while it may still become ready.
 std::optional<std::string> wait_for(Feel& feel) {
   const auto begun = std::chrono::steady_clock::now();
   for (;;) {
@@ -67,8 +67,8 @@ std::optional<std::string> wait_for(Feel& feel) {
   }
 }
 
-/// Why the ball was lost on the way; nothing: it is still there. One that is not heard may be about
-/// to speak again.
+/// Why the ball was lost during the race; nullopt: it is connected. Waits for a silent daemon to
+/// resume.
 std::optional<std::string> lost(Feel& feel, double time_s) {
   const auto begun = std::chrono::steady_clock::now();
   for (;;) {
@@ -81,12 +81,12 @@ std::optional<std::string> lost(Feel& feel, double time_s) {
   }
 }
 
-/// Whether the ball is somebody else's: nothing was felt and nothing will be.
+/// True if the ball is claimed by another client: nothing was felt and nothing will be.
 bool in_vain(const Feel& feel) {
   return feel.ball().connected && !feel.ball().trouble.empty() && feel.summary().pulses == 0;
 }
 
-/// Waits for the responses to the last blows; a daemon that falls silent has none.
+/// Waits for the responses to the last blows; a daemon that becomes silent sends none.
 void hear_the_end(Feel& feel, double time_s) {
   const auto until = std::chrono::steady_clock::now() + client::response_timeout();
   while (!feel.answered() && std::chrono::steady_clock::now() < until) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Steps of the race in real time.
+// Real-time pacing of the race.
 #pragma once
 
 #include <chrono>
@@ -9,8 +9,8 @@
 
 namespace hedgehog::racer {
 
-/// One thread. A step that came late is not followed by a burst: time lost beyond a tenth of a
-/// second stays lost.
+/// One thread. Late steps do not cause a burst: a delay beyond a tenth of a second is not caught
+/// up.
 class Pace {
  public:
   /// `speed` times real time.
@@ -20,14 +20,14 @@ class Pace {
 
   using Clock = std::chrono::steady_clock;
 
-  /// When the next step is due. To be called once a step.
+  /// Due time of the next step. Call it once per step.
   Clock::time_point next() {
     due_ += step_;
     const Clock::time_point now = Clock::now();
     if (now - due_ > kLate) due_ = now;
     return due_;
   }
-  /// Until then.
+  /// Waits until then.
   void wait() { std::this_thread::sleep_until(next()); }
 
  private:

@@ -65,7 +65,7 @@ void SoundAnalyser::find_onset(double power) {
   std::rotate(before_.begin(), before_.begin() + 1, before_.end());
   before_.back() = power;
   if (begins) {
-    // Within the hop it begins where half of the peak is reached.
+    // Within the hop the onset is where half of the peak is reached.
     const double half = 0.5 * std::max(hop_.back()[0], hop_.back()[1]);
     const auto first = std::find_if(hop_.begin(), hop_.end(), [half](const auto& peaks) {
       return std::max(peaks[0], peaks[1]) >= half;

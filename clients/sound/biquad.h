@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Second-order filters: Butterworth low and high passes are products of them.
+// Second-order filters; Butterworth low and high passes are cascades of them.
 #pragma once
 
 #include <cmath>
@@ -13,7 +13,7 @@ class Biquad {
  public:
   enum class Kind { kLowPass, kHighPass };
 
-  /// `corner_hz` is below half of `rate_hz`.
+  /// REQUIRES: `corner_hz` below half of `rate_hz`.
   Biquad(Kind kind, double corner_hz, double rate_hz, double q) {
     const double w = 2.0 * std::numbers::pi * corner_hz / rate_hz;
     const double alpha = std::sin(w) / (2.0 * q);
@@ -41,7 +41,7 @@ class Biquad {
   double z2_ = 0.0;
 };
 
-/// A Butterworth filter of the fourth order (24 dB an octave).
+/// A fourth-order Butterworth filter (24 dB per octave).
 class FourthOrder {
  public:
   FourthOrder(Biquad::Kind kind, double corner_hz, double rate_hz)

@@ -10,7 +10,7 @@ namespace hedgehog::sound {
 namespace {
 
 constexpr std::size_t kWindowsPerSlice = kSliceMs / kWindowMs;
-/// Below -40 dB of full scale it is silence.
+/// Amplitudes below -40 dB of full scale are silence.
 constexpr double kSilence = 0.01;
 constexpr double kMinVibrationHz = 20.0;
 constexpr double kMaxVibrationHz = 250.0;
@@ -19,7 +19,7 @@ constexpr double kReadSeconds = 0.1;
 double louder(double left, double right) { return std::max(left, right); }
 
 protocol::Keyframe keyframe(std::int64_t t_ms, double azimuth, double level, model::Ease ease) {
-  // Numbers on the wire stay short.
+  // Rounded, to keep messages short.
   return {t_ms, protocol::Angles{std::round(azimuth), 0.0}, std::round(level * 1000.0) / 1000.0,
           ease};
 }
@@ -89,7 +89,7 @@ void SliceReader::add_vibration(Slice& slice) {
     const double left = 0.5 * (before.left + window.left);
     const double right = 0.5 * (before.right + window.right);
     const double strength = level(louder(left, right), options_.vibration);
-    // In silence it stays where it was.
+    // In silence the direction is kept.
     if (strength > 0.0) last_azimuth_deg_ = azimuth_deg(left, right);
     felt = felt || strength > 0.0;
     slice.vibration.push_back(keyframe(static_cast<std::int64_t>(i) * kWindowMs, last_azimuth_deg_,

@@ -28,7 +28,7 @@ StereoSample both_sides(const float* values, int channels) {
           std::clamp(sane(values[1]) + shared, -1.0, 1.0)};
 }
 
-/// What is wrong with a file that libsndfile reads; empty: nothing.
+/// Why a file that libsndfile can read is not supported; empty: it is.
 std::string problem_of(const SF_INFO& info) {
   if (info.samplerate < kMinRateHz || info.samplerate > kMaxRateHz)
     return "has " + std::to_string(info.samplerate) + " samples a second; " +
@@ -64,7 +64,7 @@ SoundFile::~SoundFile() = default;
 client::Outcome<SoundFile> SoundFile::open(const std::string& path) {
   using client::ClientError;
   using client::Failure;
-  // Not to wait for the writer of a FIFO.
+  // Opening must not block on a FIFO without writer.
   const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (fd < 0) return ClientError{Failure::kNoInput, path + ": " + std::strerror(errno), {}};
   if (const std::string why = base::why_not_regular(fd); !why.empty()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sound files, read piece by piece: what libsndfile reads (WAV, FLAC, Ogg, AIFF, MP3).
+// Incremental reading of sound files, in the formats of libsndfile (WAV, FLAC, Ogg, AIFF, MP3).
 #pragma once
 
 #include <memory>
@@ -15,16 +15,17 @@ inline constexpr int kMaxRateHz = 192'000;
 inline constexpr int kMaxChannels = 8;
 inline constexpr double kMaxFileSeconds = 24.0 * 3600.0;
 
-/// One sample of both sides, -1..1.
+/// One sample of both channels, -1..1.
 struct StereoSample {
   double left = 0.0;
   double right = 0.0;
 };
 
-/// Movable; one thread at a time. Memory does not depend on the file's length.
+/// Movable; one thread at a time. Memory use is independent of the file's length.
 class SoundFile {
  public:
-  /// kNoInput: not there, no regular file; kBadData: no sound file, or one beyond the bounds above.
+  /// kNoInput: missing, or not a regular file; kBadData: not a sound file, or beyond the limits
+  /// above.
   static client::Outcome<SoundFile> open(const std::string& path);
   SoundFile(SoundFile&&) noexcept;
   SoundFile& operator=(SoundFile&&) noexcept;
@@ -32,9 +33,9 @@ class SoundFile {
 
   double rate_hz() const noexcept;
   double seconds() const noexcept;
-  /// The next `count` samples, fewer at the end, none behind it. One channel is on both sides; of
-  /// more than two the first is left, the second right, and the others are on both, halved. Values
-  /// that are no number are 0, those beyond full scale are cut.
+  /// The next `count` samples, fewer at the end, none after it. A mono channel is used for both
+  /// sides; of more than two channels the first is left, the second right, and the others are added
+  /// to both, halved. Non-finite values are 0, those beyond full scale are clamped.
   std::vector<StereoSample> read(std::size_t count);
 
  private:

@@ -24,7 +24,7 @@ namespace hedgehog::study {
 
 namespace {
 
-/// Files are called after it.
+/// Used in file names.
 CLI::Validator plain_name() {
   return {[](const std::string& id) {
             const bool plain =
@@ -37,7 +37,7 @@ CLI::Validator plain_name() {
           "ID"};
 }
 
-/// CLI::Range lets "nan" through, which is neither below nor above anything.
+/// CLI::Range accepts "nan", for which no comparison is true.
 CLI::Validator finite(double lowest, double highest) {
   return {[lowest, highest](const std::string& text) {
             double value = 0.0;
@@ -50,7 +50,7 @@ CLI::Validator finite(double lowest, double highest) {
           fmt::format("FLOAT in [{:g} - {:g}]", lowest, highest)};
 }
 
-/// What the check list takes at its prompt, too.
+/// Same validation as at the check list's prompt.
 template <class T>
 CLI::Validator accepted(Result<T> (*parse)(std::string_view), const char* kind) {
   return {[parse](const std::string& text) {
@@ -60,7 +60,7 @@ CLI::Validator accepted(Result<T> (*parse)(std::string_view), const char* kind) 
           kind};
 }
 
-/// Something to read, on one line.
+/// A readable text on one line.
 CLI::Validator reason() {
   return {[](const std::string& text) {
             constexpr std::size_t kLongest = 500;

@@ -73,7 +73,7 @@ Result<void> Exclusions::write() const {
                    {"time", one.time}});
   }
   constexpr mode_t kForEverybody = 0644;
-  // What a person typed may not be UTF-8.
+  // Text typed by the user may not be UTF-8.
   const std::string text =
       ordered_json{{"excluded", all}}.dump(2, ' ', false, ordered_json::error_handler_t::replace);
   const std::string problem =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Runs that somebody left out of the means, and why: journal/exclusions.json beside the journals,
-// which it never changes.
+// Runs that the experimenter excluded from the means, and why: journal/exclusions.json beside the
+// journals, which it never changes.
 #pragma once
 
 #include <filesystem>
@@ -17,23 +17,23 @@ struct Exclusion {
   std::string experiment{};
   int run = 1;
   std::string reason{};  // 1 to 500 characters
-  std::string time{};    // when it was said, RFC 3339, UTC
+  std::string time{};    // of the exclusion, RFC 3339, UTC
   friend bool operator==(const Exclusion&, const Exclusion&) = default;
 };
 
 class Exclusions {
  public:
-  /// Of that study; none where there is no file. EX_DATAERR with what is wrong with it, as when it
-  /// is no regular file or larger than a megabyte: means without it would be other means.
+  /// The exclusions of a study; none if there is no file. EX_DATAERR with the error if it is
+  /// invalid, not a regular file, or larger than a megabyte: without it the means would be wrong.
   static Result<Exclusions> read(const StudyFolder& study);
 
-  /// nullptr: the run counts.
+  /// nullptr: the run is included.
   const Exclusion* of(const JournalName& name) const;
-  /// Takes the place of one of the same run.
+  /// Replaces an exclusion of the same run.
   void add(const Exclusion& exclusion);
-  /// False when there was none.
+  /// False if there was none.
   bool remove(const JournalName& name);
-  /// The file is the old or the new one, whenever the program is killed. EX_IOERR.
+  /// Atomic: the file is the old or the new one, even if the program is killed. EX_IOERR.
   Result<void> write() const;
 
  private:

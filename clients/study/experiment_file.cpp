@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-// What the daemon can play (protocol/README.md).
+// Limits of the daemon (protocol/README.md).
 constexpr double kMaxCurrentA = 15.0;
 constexpr double kMaxSpeed = 100.0;
 constexpr double kMinSpeed = 0.1;
@@ -26,7 +26,7 @@ struct Word {
   int value;
 };
 
-/// Takes keys out of an object, remembers every mistake, and which keys nobody asked for.
+/// Reads keys of an object, collects all errors, and records the keys that were read.
 class Reader {
  public:
   Reader(const json& object, std::string_view text, const std::string& file)
@@ -153,7 +153,7 @@ void read_stages(Reader& reader, const json& stages, double ratio, int decimals,
   }
 }
 
-/// What only shows when everything is read.
+/// Checks that require all keys.
 void check_together(Reader& reader, const Experiment& e) {
   const StaircaseRule& rule = e.rule;
   if (rule.floor > rule.start || rule.start > rule.ceiling)

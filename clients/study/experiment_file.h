@@ -18,17 +18,17 @@ struct Preset {
 };
 const std::vector<Preset>& presets();
 
-/// EX_CONFIG with "file:line: key: reason" for each mistake. `name` (of the file) must be in it.
+/// EX_CONFIG with "file:line: key: reason" for each error. The text must contain the key `name`.
 Result<Experiment> parse_experiment(std::string_view text, const std::string& file);
 
-/// A preset by its name, or a file (with a slash or ending in .json; EX_NOINPUT when it cannot be
-/// read).
+/// A preset by its name, or a file (a path with a slash or ending in .json; EX_NOINPUT if it cannot
+/// be read).
 Result<Experiment> find_experiment(const std::string& name_or_file);
 
-/// EX_CONFIG when a preset has this name and is another experiment.
+/// EX_CONFIG if a preset has the same name and differs.
 Result<void> is_no_other_preset(const Experiment& experiment);
 
-/// As `parse_experiment` reads it, in one line, every key said.
+/// In the format of `parse_experiment`, on one line, with every key.
 std::string experiment_text(const Experiment& experiment);
 
 }  // namespace hedgehog::study

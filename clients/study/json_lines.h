@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// On which line of a JSON text with comments something stands, for complaints about it.
+// Line numbers in a JSON text with comments, for error messages.
 #pragma once
 
 #include <cstddef>
@@ -8,11 +8,11 @@
 
 namespace hedgehog::study {
 
-/// From 1; beyond the end: the last.
+/// From 1; beyond the end: the last line.
 int line_of_byte(std::string_view text, std::size_t offset);
 
-/// Of a key of the outermost object, not of one in a comment or in an object within; 1 when it is
-/// not there.
+/// The line of a key of the outermost object, not of one in a comment or a nested object; 1 if it
+/// is missing.
 int line_of_key(std::string_view text, const std::string& key);
 
 }  // namespace hedgehog::study

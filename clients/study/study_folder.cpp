@@ -45,7 +45,7 @@ Result<void> adopt(const fs::path& study, const fs::path& file) {
   if (!experiment) return experiment.error();
   const fs::path own = study / "experiments" / (experiment->name + ".json");
   std::error_code failed;
-  if (fs::exists(own, failed)) {  // of a plan that was killed
+  if (fs::exists(own, failed)) {  // left by a plan that was killed
     const auto there = find_experiment(own.string());
     return there && *there == *experiment
                ? Result<void>()
@@ -109,7 +109,7 @@ Result<void> StudyFolder::is_unmistakable(const Experiment& experiment) const {
   if (auto checked = is_no_other_preset(experiment); !checked) return checked;
   for (const JournalName& name : journals()) {
     if (name.experiment != experiment.name) continue;
-    // What cannot be read says so where it is read.
+    // Unreadable journals are reported when they are read.
     const auto lines = read_journal(name.path);
     const auto* header =
         lines && !lines->empty() ? std::get_if<RunStarted>(&lines->front().event) : nullptr;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where a study lives: a folder with study.json (who, in which order, with which seeds) and
-// journal/. It is found from below, like a repository.
+// The files of a study: a folder with study.json (participants, orders, seeds) and journal/. It is
+// found from subfolders, like a repository.
 #pragma once
 
 #include <filesystem>
@@ -23,25 +23,25 @@ struct JournalName {
 
 class StudyFolder {
  public:
-  /// Makes folder, journal/, experiments/NAME.json as copies of `experiments`' files, and at last
-  /// study.json. EX_CANTCREAT when there is one already, or another experiment of that name.
+  /// Creates folder, journal/, experiments/NAME.json as copies of `experiments`' files, and finally
+  /// study.json. EX_CANTCREAT if that exists, or another experiment of that name.
   static Result<StudyFolder> create(const std::filesystem::path& path, const StudyPlan& plan,
                                     const std::vector<std::filesystem::path>& experiments = {});
-  /// In `from` or the nearest folder above it. EX_NOINPUT when there is none.
+  /// In `from` or the nearest folder above it. EX_NOINPUT if there is none.
   static Result<StudyFolder> find(const std::filesystem::path& from);
 
   const std::filesystem::path& path() const noexcept { return path_; }
   const StudyPlan& plan() const noexcept { return plan_; }
   std::filesystem::path journal_path(const std::string& participant, const std::string& experiment,
                                      int run) const;
-  /// The study's own experiments/NAME.json if there is one, else as `find_experiment`.
+  /// The study's own experiments/NAME.json if it exists, otherwise by `find_experiment`.
   Result<Experiment> experiment(const std::string& name_or_file) const;
-  /// EX_CONFIG when a preset, or an experiment that this study has a journal of, has the same name
-  /// and is another one: their results would be taken for each other's.
+  /// EX_CONFIG if a preset, or an experiment with a journal in this study, has the same name and
+  /// differs: their results would be mixed up.
   Result<void> is_unmistakable(const Experiment& experiment) const;
-  /// EX_USAGE when somebody else of this study would have the same name in BIDS.
+  /// EX_USAGE if another participant of this study has the same BIDS label.
   Result<void> is_unmistakable(const std::string& participant) const;
-  /// Every journal, by participant, experiment and run.
+  /// All journals, by participant, experiment and run.
   std::vector<JournalName> journals() const;
 
  private:

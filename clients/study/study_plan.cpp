@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// A seed that every JSON reader keeps.
+/// A seed that every JSON parser represents exactly.
 std::uint64_t drawn_seed(std::uint64_t seed, std::initializer_list<std::uint64_t> words) {
   return draw_bits(seed, Purpose::kSeed, words) >> 11;
 }
@@ -46,7 +46,7 @@ std::vector<std::vector<int>> latin_square(int count) {
     for (const int place : first) shifted.push_back((place + row) % count);
     rows.push_back(shifted);
   }
-  // Of an odd number one square cannot balance who follows whom; its mirror image behind it does.
+  // For an odd number one square cannot balance the successors; with its mirror image it does.
   if (count % 2 == 1 && count > 1) {
     for (int row = 0; row < count; ++row) {
       const std::vector<int> straight = rows[static_cast<std::size_t>(row)];

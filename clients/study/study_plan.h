@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who takes part in a study, in which order, with which random seeds.
+// Participants of a study, their orders of experiments, and random seeds.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace hedgehog::study {
 
-/// The largest seed that any JSON reader keeps.
+/// The largest integer that every JSON parser represents exactly.
 constexpr std::uint64_t kMaxSeed = (std::uint64_t{1} << 53) - 1;
 
 struct Participant {
@@ -31,20 +31,20 @@ struct StudyPlan {
   const Participant* participant(const std::string& id) const noexcept;
 };
 
-/// The orders of `count` conditions in which each stands in each place, and behind each other one,
-/// equally often (Williams 1949): count rows for an even count, twice as many for an odd one.
+/// The orders of `count` conditions in which each is at each position, and after each other one,
+/// equally often (Williams 1949): `count` rows for an even count, twice as many for an odd one.
 std::vector<std::vector<int>> latin_square(int count);
 
-/// P01, P02, ...; the order by the participant's place in the square, the seeds from `seed`.
+/// P01, P02, ...; the order by the participant's row in the square, the seeds derived from `seed`.
 StudyPlan make_plan(int participants, std::vector<std::string> experiments, std::uint64_t seed);
 
-/// The streams of one run, from the participant's seed.
+/// The random streams of one run, from the participant's seed.
 RunSeeds run_seeds(const Participant& participant, const std::string& experiment, int run);
 
-/// What BIDS leaves of a name: its letters and digits.
+/// The letters and digits of a name, which BIDS allows.
 std::string bids_label(const std::string& name);
 
-/// study.json, and back. EX_DATAERR naming what is wrong.
+/// Writes and parses study.json. EX_DATAERR with the error.
 std::string plan_text(const StudyPlan& plan);
 Result<StudyPlan> parse_plan(std::string_view text);
 

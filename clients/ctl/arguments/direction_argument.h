@@ -8,9 +8,9 @@
 
 namespace hedgehog::client {
 
-/// The JSON of the protocol for a word ("left"), a pin ("34"), azimuth and elevation in degrees
-/// ("90,20") or a vector
-/// ("0,1,0.5"). Words pass as they are: the daemon knows them and names the ones it knows.
+/// The protocol's JSON for a word ("left"), a pin ("34"), azimuth and elevation in degrees
+/// ("90,20") or a vector ("0,1,0.5"). Words are passed unchanged: the daemon validates them, and
+/// its error lists the valid ones.
 Outcome<std::string> direction_json(const std::string& text);
 
 }  // namespace hedgehog::client

@@ -19,7 +19,7 @@ struct Unit {
 };
 constexpr std::array kUnits{Unit{"s", kSecondMs}, Unit{"min", 60 * kSecondMs},
                             Unit{"h", 3600 * kSecondMs}, Unit{"d", 86'400 * kSecondMs}};
-/// Nothing is older than a century.
+/// Longest time span: a century.
 constexpr std::int64_t kMaxDays = 36'500;
 
 /// "2h" in ms.
@@ -46,7 +46,8 @@ int day_of(std::int64_t ms) {
   return local.tm_mday;
 }
 
-/// The whole of `text` as `format` says, laid over `local`.
+/// True if `format` matches the whole of `text`; then overwrites the fields of `local` that it
+/// contains.
 bool reads(const std::string& text, const char* format, std::tm& local) {
   std::tm read = local;
   const char* const rest = ::strptime(text.c_str(), format, &read);

@@ -8,8 +8,8 @@
 
 namespace hedgehog::client {
 
-/// `text` as a string of JSON; kBadAddress where it is not UTF-8, which the protocol cannot carry.
-/// `name`: of the parameter, for the message.
+/// `text` as a JSON string; kBadAddress if it is not UTF-8, which the protocol requires. `name`: of
+/// the parameter, for the message.
 Outcome<std::string> text_json(const std::string& name, const std::string& text);
 
 }  // namespace hedgehog::client

@@ -21,7 +21,7 @@ constexpr const char* kFileName = "/hedgehog.uf2";
 
 bool is_octal(char c) { return c >= '0' && c <= '7'; }
 
-/// "/media/my\040disk" as the kernel writes it -> "/media/my disk".
+/// "/media/my\040disk" in the kernel's encoding -> "/media/my disk".
 std::string unescaped(std::string_view text) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {

@@ -21,7 +21,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// A larger one is none for a flash of 2 MiB, and is not read to find out.
+/// Larger files are rejected unread: the flash has 2 MiB.
 constexpr std::size_t kMaxFileBytes = 64 * 1024 * 1024;
 constexpr int kLookAgainMs = 200;
 
@@ -72,7 +72,7 @@ class Flash {
     } else {
       print("board", "does not answer; looking for one in its boot loader");
     }
-    // Nobody brings a board that nobody has sent there.
+    // A board that this program has not sent to its boot loader will not appear there later.
     const bool sent = present || ball->status.reason == "boot_loader";
     if (const int code = load(sent ? patience_ : Milliseconds(0)); code != kDone) return code;
     return wait_for_board(connection, ball->description.board);
@@ -87,7 +87,7 @@ class Flash {
   void print(const char* name, const std::string& what) const {
     if (json_) return;
     std::printf("  %s%s\n", left(name, 10).c_str(), what.c_str());
-    // It takes a while from here to the next line.
+    // The next line may take seconds.
     std::fflush(stdout);
   }
 

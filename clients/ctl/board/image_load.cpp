@@ -20,7 +20,7 @@ class Loader {
  public:
   explicit Loader(const ImageLoad& load) : load_(load) {}
 
-  /// nullopt: nothing is there that takes it.
+  /// nullopt: no boot loader is available.
   std::optional<Result<LoadedBy>> try_once() {
     const std::vector<std::string> volumes = this->volumes();
     if (volumes.size() > 1) {
@@ -57,7 +57,7 @@ class Loader {
     return is_boot_volume(load_.volume) ? std::vector{load_.volume} : std::vector<std::string>();
   }
 
-  /// It fails until the device is there, and when it may not open it.
+  /// Fails until the device is connected, and without permission to open it.
   std::optional<Result<LoadedBy>> ask_picotool() {
     picotool_ = load_by_picotool(load_.file);
     next_picotool_ = std::chrono::steady_clock::now() + kPicotoolPause;

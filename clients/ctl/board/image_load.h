@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The way of an image into a board that is in its boot loader: a mounted volume, or picotool,
-// whichever is there first.
+// Loading of an image into a board in its boot loader: by a mounted volume or by picotool,
+// whichever is available first.
 #pragma once
 
 #include <chrono>
@@ -14,25 +14,25 @@
 namespace hedgehog::client {
 
 struct ImageLoad {
-  /// A checked UF2 file, and what it has.
+  /// A checked UF2 file, and its content.
   std::string file{};
   std::string content{};
-  /// Where the volume is or will be mounted; empty: wherever one is, or picotool.
+  /// Mount point of the volume, now or later; empty: any boot volume, or picotool.
   std::string volume{};
-  /// 0: what is there now.
+  /// Timeout; 0: only what is available now.
   std::chrono::milliseconds patience{0};
-  /// The volumes of now; tests have their own.
+  /// The boot volumes mounted now; replaced in tests.
   std::function<std::vector<std::string>()> volumes = mounted_boot_volumes;
 };
 
-/// By which way it got there.
+/// How the image was loaded.
 struct LoadedBy {
-  /// Empty: by picotool.
+  /// The volume; empty: by picotool.
   std::string volume{};
 };
 
-/// Returns when the boot loader has all of it. Problems: 69 nothing took it in time, 73 the volume
-/// did not, 130 interrupted.
+/// Returns when the boot loader has received all of it. Problems: 69 no boot loader in time, 73
+/// writing to the volume failed, 130 interrupted.
 Result<LoadedBy> load_image(const ImageLoad& load);
 
 }  // namespace hedgehog::client

@@ -26,7 +26,7 @@ std::uint32_t word(Block block, std::size_t at) noexcept {
          std::uint32_t{block[at + 2]} << 16 | std::uint32_t{block[at + 3]} << 24;
 }
 
-/// Why it is not the block `number` of `count`; empty: it is.
+/// Why it is not the block `number` of `count`; empty: valid.
 std::string check_head(Block block, std::uint32_t number, std::uint32_t count) {
   if (word(block, 0) != kMagicFirst || word(block, 4) != kMagicSecond ||
       word(block, kUf2BlockBytes - 4) != kMagicLast)
@@ -47,7 +47,7 @@ std::string check_head(Block block, std::uint32_t number, std::uint32_t count) {
   return {};
 }
 
-/// Why nothing can be written to `address`; empty: it can.
+/// Why `address` cannot be written; empty: valid.
 std::string check_address(std::uint32_t address) {
   if (address < kFlashBegin || address - kFlashBegin >= kFlashBytes) {
     return fmt::format("is for 0x{:08X}, outside the flash (0x{:08X} to 0x{:08X})", address,
@@ -88,7 +88,7 @@ Outcome<Uf2Image> read_uf2(std::span<const std::uint8_t> file) {
     written.set(page);
     image.end = std::max(image.end, address + kUf2PayloadBytes);
   }
-  // The chip starts with the second stage, which is there.
+  // The chip starts with the second stage, in the first page.
   if (!written[0])
     return bad(fmt::format("has nothing for 0x{:08X}, where the chip starts", kFlashBegin));
   return image;

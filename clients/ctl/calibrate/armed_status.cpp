@@ -9,7 +9,7 @@ namespace hedgehog::client {
 namespace {
 
 constexpr Milliseconds kTelemetryPoll{50};
-/// Between two looks at whether somebody pressed Ctrl-C this many may pass without any telemetry.
+/// Polls without telemetry before an error; Ctrl-C is checked at each poll.
 constexpr int kMaxPolls = 60;
 
 }  // namespace

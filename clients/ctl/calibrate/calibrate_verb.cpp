@@ -27,12 +27,12 @@ int cannot_write(const std::string& path) {
 
 int write(const Session& session, const CalibrateOptions& options, const Calibration& found,
           const protocol::Description& before) {
-  // Whole or not at all: a device file that ends in its middle is worse than the one before.
+  // Written atomically: a truncated device file is worse than the old one.
   constexpr mode_t kForEverybody = 0666;
   if (!base::write_file_atomically(options.out, device_file(found, before), kForEverybody).empty())
     return cannot_write(options.out);
   if (session.json) {
-    // A file's name may have any bytes.
+    // A file's name may contain any bytes.
     constexpr auto kReplace = nlohmann::json::error_handler_t::replace;
     std::puts(nlohmann::json{{"written", options.out}}.dump(-1, ' ', false, kReplace).c_str());
     return kDone;
@@ -51,7 +51,7 @@ std::string contents_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Windings, then heat; or heat from where an interrupted run has stopped.
+/// Windings, then heating; or heating from where an interrupted run has stopped.
 int calibrate_heat(Session& session, const CalibrateOptions& options, const PushedSides& pushed,
                    const protocol::Description& before) {
   const std::string path = options.out + ".progress";

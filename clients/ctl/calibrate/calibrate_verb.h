@@ -11,16 +11,16 @@ namespace hedgehog::client {
 
 struct CalibrateOptions {
   std::string out;
-  /// Empty: the name that the ball has.
+  /// Empty: the present name of the ball.
   std::string name;
-  /// The most that a winding is measured with, A; no more than 1.2 where the file in force does not
-  /// know its resistance.
+  /// Maximum current through a winding, A; limited to 1.2 if its resistance in the device file in
+  /// force is wrong.
   double current_a = 1.2;
-  /// "x=front" and so on; empty: a person is asked, when there is a terminal.
+  /// "x=front" and so on; empty: the user is asked if there is a terminal.
   std::vector<std::string> pushed;
-  /// Replaces a file that is there, and measures a ball that is not at one temperature.
+  /// Replaces an existing file, and measures a ball that is not at one temperature.
   bool force = false;
-  /// Heats and cools the ball too, and finds its thermal constants.
+  /// Also heats and cools the ball to identify its thermal constants.
   bool thermal = false;
 };
 

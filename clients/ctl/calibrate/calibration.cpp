@@ -26,9 +26,9 @@ constexpr std::array<Side, 6> kSides{{{"front", 0, 1.0},
                                       {"up", 2, 1.0},
                                       {"down", 2, -1.0}}};
 
-/// More than the noise of a current sensor.
+/// Above the noise of a current sensor.
 constexpr double kFlowsA = 0.03;
-/// What a device file takes.
+/// Ranges of a device file.
 constexpr double kMinOhm = 0.05;
 constexpr double kMaxOhm = 10.0;
 constexpr double kMaxLagS = 10.0;
@@ -85,7 +85,7 @@ std::string side_meant(std::string_view answer) {
   std::string word(answer.substr(from, answer.find_last_not_of(kSpace) + 1 - from));
   for (char& c : word)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  // The first letters differ, so any beginning says which.
+  // The first letters differ, so any prefix is unambiguous.
   const auto* found = std::find_if(kSides.begin(), kSides.end(),
                                    [&](const Side& side) { return side.name.starts_with(word); });
   return found == kSides.end() ? std::string() : std::string(found->name);

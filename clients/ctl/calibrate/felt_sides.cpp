@@ -24,7 +24,7 @@ Outcome<std::string> answer_to(const std::string& question) {
   return answer;
 }
 
-/// Pushes until the answer is a side.
+/// Repeats the push until the answer is a side.
 Outcome<std::string> side_of(WindingBench& bench, std::size_t winding, double push_a) {
   for (;;) {
     if (auto pushed = bench.push(static_cast<int>(winding), push_a); !pushed) return pushed.error();

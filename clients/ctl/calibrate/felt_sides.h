@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The part of a calibration that only a hand can measure: which side each winding pushes.
+// The manual part of a calibration: which side each winding pushes.
 #pragma once
 
 #include "clients/ctl/calibrate/calibration.h"
@@ -7,8 +7,8 @@
 
 namespace hedgehog::client {
 
-/// Asks on stdout and stdin, push by push, until each winding has an axis of its own. Blocking. An
-/// error: the ball does not push any more, the input has ended, or Ctrl-C.
+/// Asks on stdout and stdin, push by push, until each winding has an axis of its own. Blocking.
+/// Errors: a push fails, end of input, or Ctrl-C.
 Outcome<PushedSides> ask_sides(WindingBench& bench, double push_a);
 
 }  // namespace hedgehog::client

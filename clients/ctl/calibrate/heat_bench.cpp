@@ -13,11 +13,11 @@ namespace {
 constexpr double kHeatTelemetryHz = 100.0;
 constexpr std::int64_t kHeatLeaseMs = 8000;
 constexpr std::int64_t kHeatClaimMs = 10'000;
-/// A fan that turns more slowly cools no better than a standing one; as the daemon has it.
+/// Below this speed a fan cools no better than a stopped one; same value as in the daemon.
 constexpr double kMinFanRpm = 300.0;
-/// Six deviations of the noise of one current, A.
+/// Six standard deviations of the noise of one current, A.
 constexpr double kSettledA = 0.3;
-/// Telemetry that is further apart has a gap, s.
+/// A longer interval between telemetry messages is a gap, s.
 constexpr double kMaxGapS = 1.0;
 
 bool alike(const model::Vec3& a, const model::Vec3& b) { return model::norm(a - b) < kSettledA; }
@@ -31,7 +31,7 @@ model::HeatSample mean_of(const std::vector<HeatReading>& readings, double from_
   std::size_t settled = readings.size();
   while (settled > 0 && alike(readings[settled - 1].current_a, readings.back().current_a))
     --settled;
-  // The first of them may still have been on its way.
+  // The first of them may still have been changing.
   ++settled;
   sample.count = static_cast<int>(readings.size()) - static_cast<int>(settled);
   for (std::size_t k = 0; k < readings.size(); ++k) {
@@ -84,7 +84,7 @@ Outcome<void> HeatBench::end() {
 Outcome<void> HeatBench::drive(const model::HeatingStep& step) {
   if (auto claimed = session_.connection.call(protocol::DeviceClaim{kHeatClaimMs}); !claimed)
     return claimed.error();
-  // The frame of the coils takes the continuous current at most.
+  // The coil frame limits the demand to the continuous current.
   const model::Vec3 demand = to_demand_ * step.current_a;
   const double demand_a = model::norm(demand);
   if (demand_a == 0.0) {

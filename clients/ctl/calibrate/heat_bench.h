@@ -20,20 +20,21 @@ struct HeatReading {
   model::Vec3 current_a;
 };
 
-/// The mean of `readings` since `from_s`: power over all of them, voltage and current over those at
-/// the end whose currents no longer change. Sensor and fan are the caller's. REQUIRES: some.
+/// The mean of `readings` since `from_s`: power over all of them, voltage and current over the last
+/// ones, whose currents are settled. The caller sets sensor and fan. REQUIRES: not empty.
 model::HeatSample mean_of(const std::vector<HeatReading>& readings, double from_s);
 
-/// Blocking. The connection's telemetry is its own; ending the connection switches the coils off.
-/// All limits of the daemon stay in force: what flows is measured, whatever was asked for.
+/// Blocking. Uses the telemetry of the connection exclusively; closing the connection switches the
+/// coils off. All limits of the daemon stay in force: currents are measured, not assumed from the
+/// request.
 class HeatBench {
  public:
-  /// `coils`: in force; the matrix can be inverted.
+  /// `coils`: in force; the matrix is invertible.
   HeatBench(Session& session, const protocol::CoilsDescription& coils);
 
   /// Claims the ball and starts the telemetry.
   Outcome<void> begin();
-  /// One step; an error when the ball is not armed any more, telemetry ends, or on Ctrl-C.
+  /// Runs one step; an error if the ball is no longer armed, telemetry ends, or on Ctrl-C.
   Outcome<model::HeatSample> run(const model::HeatingStep& step);
   Outcome<void> end();
 

@@ -137,11 +137,11 @@ std::size_t resumed_step(const std::vector<model::HeatingStep>& plan, std::size_
 
 HeatProgressFile::HeatProgressFile(std::string path, const HeatProgress& progress)
     : path_(std::move(path)) {
-  // What was measured before stays until the new file is whole.
+  // The old file stays until the new one is complete.
   const std::string unfinished = path_ + ".new";
   file_.open(unfinished, std::ios::trunc);
   file_ << header(progress) << '\n';
-  // Their steps only say where to go on.
+  // Their steps are only used to resume, so that the last one suffices.
   const std::size_t last_step = progress.next_step == 0 ? 0 : progress.next_step - 1;
   for (std::size_t run = 0; run < progress.runs.size(); ++run)
     for (const model::HeatSample& sample : progress.runs[run].samples)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The file beside the output that keeps what a heating run has measured, so that it can go on after
-// an interruption: a JSON line that says which ball, then one for each sample.
+// The file beside the output with the samples of a heating run, so that it can resume after an
+// interruption: a JSON line that identifies the ball, then one for each sample.
 #pragma once
 
 #include <cstddef>
@@ -18,38 +18,38 @@
 namespace hedgehog::client {
 
 struct HeatProgress {
-  /// What was measured of the windings before the heating.
+  /// Windings as measured before the heating.
   Calibration windings;
-  /// Name, board and resistances in force: the ball and the file that all of it belongs to.
+  /// Name, board and resistances in force: identifies the ball and the device file measured.
   std::string ball;
   std::vector<model::HeatRun> runs;
   /// The first step of the plan that has not been measured.
   std::size_t next_step = 0;
 };
 
-/// What identifies the ball and the device file that the daemon believes.
+/// Identifies the ball and the device file that the daemon uses.
 std::string identity_of(const protocol::Description& ball);
 
-/// The text of a progress file; its last line may have been cut off. nullopt: it is none.
+/// Parses a progress file, whose last line may be truncated. nullopt: it is not a progress file.
 std::optional<HeatProgress> read_progress(const std::string& text);
 
-/// Why `progress` cannot go on with this ball, in the state `now`; "": it can. A room that is
-/// cooler by more than 3 K than the ball was at the start is another room.
+/// Why `progress` cannot resume with this ball, in the state `now`; "": it can. A ball more than 3
+/// K cooler than at the start indicates another ambient temperature.
 std::string incompatible(const HeatProgress& progress, const protocol::Description& ball,
                          const protocol::TemperatureStatus& now);
 
-/// The step with which the interrupted phase begins.
+/// The first step of the interrupted phase.
 std::size_t resumed_step(const std::vector<model::HeatingStep>& plan, std::size_t next_step);
 
-/// Appends to the file, a line at a time; each is on disk when it is written.
+/// Appends to the file, a line at a time; each is flushed to the operating system.
 class HeatProgressFile {
  public:
-  /// Begins anew with `progress`, its samples included; `ok()` says whether that worked.
+  /// Starts a new file with `progress`, including its samples; `ok()` reports success.
   HeatProgressFile(std::string path, const HeatProgress& progress);
 
   bool ok() const { return file_.good(); }
   const std::string& path() const { return path_; }
-  /// `step`: of the plan.
+  /// `step`: index in the plan.
   void add(const model::HeatSample& sample, bool began_at_rest, std::size_t run, std::size_t step);
   void remove();
 

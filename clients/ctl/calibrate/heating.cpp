@@ -22,7 +22,7 @@ namespace {
 
 constexpr double kShowEveryS = 10.0;
 
-/// Shows how far a run is.
+/// Progress display of a run.
 class HeatingScreen {
  public:
   HeatingScreen(bool json, double total_s) : json_(json), total_s_(total_s) {

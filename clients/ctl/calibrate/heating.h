@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The heating run of `calibrate --thermal`, and what follows from it.
+// The heating run of `calibrate --thermal`, and the fit of its results.
 #pragma once
 
 #include "clients/ctl/calibrate/calibration.h"
@@ -9,13 +9,14 @@
 
 namespace hedgehog::client {
 
-/// Drives what is left of the heating plan, half an hour of the ball's time; every sample goes into
-/// `file` and `progress` at once. Shows how far it is: a bar on a terminal, a line a phase
-/// otherwise, with --json a JSON line every ten seconds of the ball's. Returns the exit code.
+/// Runs the remaining steps of the heating plan, half an hour of device time; every sample is added
+/// to `file` and `progress` at once. Shows the progress: a bar on a terminal, otherwise a line per
+/// phase, with --json a JSON line every ten seconds of device time. Returns the exit code.
 int heat_and_cool(Session& session, const protocol::Description& ball, HeatProgressFile& file,
                   HeatProgress& progress);
 
-/// The thermal constants by `progress` into `found`, shown to a person. Returns the exit code.
+/// Fits the thermal constants to `progress`, stores them in `found` and prints them. Returns the
+/// exit code.
 int fit_heat(const Session& session, const HeatProgress& progress,
              const protocol::Description& ball, Calibration& found);
 

@@ -12,18 +12,20 @@
 namespace hedgehog::client {
 namespace {
 
-/// Two sound thermistors at one temperature may differ by their tolerance of 1 K each.
+/// Two intact thermistors at one temperature may differ by their tolerance of 1 K each, with
+/// margin.
 constexpr double kMaxThermistorsApartK = 4.0;
-/// The daemon's estimate has found itself so long after a start that knew nothing, s.
+/// Convergence time of the daemon's estimate after a start without prior state, s.
 constexpr double kUnsureS = 180.0;
-/// Winding and core of a slow ball come together with this time constant, s: R12 C, both 20 % up.
+/// Time constant of the equalization of winding and core in a slow ball, s: R12 C, both 20 % above
+/// typical.
 constexpr double kSlowRestS = 85.0;
-/// Two thirds of what 2 K in a slow ball become less in `kLooksApartS`; the noise of two looks
-/// comes on top, by so many standard deviations.
+/// Two thirds of the decay of 2 K in a slow ball within `kLooksApartS`; plus the noise of two
+/// measurements, as a number of standard deviations.
 constexpr double kMaxDriftK = 0.5;
 constexpr double kNoiseDeviations = 2.5;
 constexpr double kCoolRoomC = 20.0;
-/// Beyond its own constants the ball may be slower by as much.
+/// Safety factor for a ball slower than by its own constants.
 constexpr double kSlower = 1.3;
 constexpr double kLongestWaitS = 7200.0;
 

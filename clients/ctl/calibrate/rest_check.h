@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether a ball is at one temperature, so that its thermometer tells that of every winding. Pure
-// functions.
+// Checks whether a ball is at one temperature, so that its thermometer is valid for every winding.
+// Pure functions.
 #pragma once
 
 #include <array>
@@ -12,21 +12,21 @@
 
 namespace hedgehog::client {
 
-/// Windings, core and thermometer of a ball at rest differ by no more, K.
+/// Maximum difference between windings, core and thermometer of a ball at rest, K.
 inline constexpr double kMaxApartK = 2.0;
-/// The estimate of the hottest winding may be this much too low, K; beyond it says nothing of rest.
-/// Half as much again as with one thermistor and nothing else to know by.
+/// Maximum uncertainty of the hottest winding's estimate, K; above it the estimate does not prove
+/// rest. 1.5 times the uncertainty with one thermistor and no other source.
 inline constexpr double kMaxUnsureK = 3.0;
-/// The second look at the windings comes at least this long after the first, s.
+/// Minimum time between the two measurements of the windings, s.
 inline constexpr double kLooksApartS = 40.0;
 
-/// Why the ball does not count as at rest.
+/// Why the ball is not considered at rest.
 struct Unrest {
-  /// What is off, as a sentence without full stop; empty: it is at rest.
+  /// The deviation, as a sentence without full stop; empty: at rest.
   std::string what;
-  /// By how much the thermometer may differ from a winding, K.
+  /// Possible difference between thermometer and a winding, K.
   double apart_k = 0.0;
-  /// How long to wait, s.
+  /// Waiting time until rest, s.
   double wait_s = 0.0;
 
   bool any() const noexcept { return !what.empty(); }
@@ -36,24 +36,24 @@ struct Unrest {
 /// winding has one, else the only one. REQUIRES: t.sensor.
 double reference_c(const protocol::TemperatureStatus& t);
 
-/// The constants of the thermal network that a daemon describes; the others stay typical.
+/// The thermal constants described by a daemon; the others keep their typical values.
 model::ThermalModel thermal_model_of(const protocol::ThermalDescription& described);
 
-/// By the daemon's estimate and the thermistors; how long to wait by the constants `thermal`, in a
-/// room of 20 C or as cool as the ball. REQUIRES: t.sensor.
+/// From the daemon's estimate and the thermistors; the waiting time from the constants `thermal`,
+/// at an ambient temperature of 20 C or that of a cooler ball. REQUIRES: t.sensor.
 Unrest unrest_of(const protocol::TemperatureStatus& t, const protocol::ThermalDescription& thermal);
 
-/// The windings at one moment.
+/// One measurement of the windings.
 struct WindingLook {
   double t_s = 0.0;
   double reference_c = 25.0;
   std::array<double, 3> resistance_ohm{};
-  /// Standard deviations of those, shares.
+  /// Relative standard deviations of those.
   std::array<double, 3> error{};
 };
-/// By the windings themselves: one that was warmer than the thermometer at the first look comes
-/// nearer to it until the second, and its resistance with it. Needs neither the daemon's estimate
-/// nor R25, and gains cancel. Blind to a ball whose windings all differ alike from the thermometer.
+/// From the windings themselves: one that was warmer than the thermometer at the first measurement
+/// approaches it until the second, and so does its resistance. Independent of the daemon's estimate
+/// and R25; gain errors cancel. Cannot detect that all windings differ alike from the thermometer.
 Unrest drift_of(const WindingLook& first, const WindingLook& second);
 
 /// "5 minutes", at least one.

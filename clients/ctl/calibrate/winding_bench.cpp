@@ -15,7 +15,7 @@ constexpr double kTelemetryHz = 200.0;
 constexpr double kWaitingHz = 5.0;
 constexpr double kSettleS = 0.2;
 constexpr double kSineS = 1.2;
-/// So long a current flows that is measured; it is stopped before.
+/// Maximum duration of a measured current; it is stopped earlier.
 constexpr std::int64_t kFlowsMs = 5000;
 constexpr std::int64_t kPushMs = 700;
 
@@ -44,7 +44,7 @@ Outcome<double> WindingBench::start(EffectMethod method, const EffectParams& par
   if (!before) return before.error();
   if (auto begun = play(method, params); !begun) return begun.error();
   using protocol::StatusKey;
-  // Only now, so that none is of the time before.
+  // Only now, so that no sample precedes the effect.
   if (auto subscribed = subscribe(session_, kTelemetryHz,
                                   {StatusKey::kCurrentA, StatusKey::kDuty, StatusKey::kSupplyV});
       !subscribed)
@@ -53,7 +53,7 @@ Outcome<double> WindingBench::start(EffectMethod method, const EffectParams& par
 }
 
 Outcome<void> WindingBench::play(EffectMethod method, const EffectParams& params) {
-  // Nobody else plays meanwhile; it ends with the connection.
+  // No other client can play meanwhile; the claim ends with the connection.
   if (auto claimed = session_.connection.call(protocol::DeviceClaim{}); !claimed)
     return claimed.error();
   if (auto begun = session_.connection.call(protocol::EffectStart{method, params}); !begun)
@@ -65,7 +65,7 @@ Outcome<void> WindingBench::stop() {
   if (auto done = session_.connection.call(protocol::EffectStopAll{}); !done) return done.error();
   if (auto done = session_.connection.call(protocol::TelemetryUnsubscribe{}); !done)
     return done.error();
-  // What came before that.
+  // Discards what was received before.
   for (;;) {
     auto notification = session_.connection.next(Milliseconds(0));
     if (!notification) return notification.error();

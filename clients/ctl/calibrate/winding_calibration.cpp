@@ -23,27 +23,27 @@ namespace hedgehog::client {
 namespace {
 
 constexpr double kFrequencyHz = 47.0;
-/// The first look at a winding of which nothing is known, A: too little for the watchdog to take a
-/// winding of a third of its resistance, turned or swapped for a fault.
+/// Current of the first check of an unknown winding, A: too small for the watchdog to detect a
+/// fault in a winding with a third of its resistance, reversed or swapped.
 constexpr double kCheckA = 0.3;
 constexpr double kCheckS = 0.2;
 constexpr double kTakeS = 0.6;
-/// Below 1.5 A a wrong resistance cannot look like heat.
+/// Below 1.5 A a wrong resistance cannot be mistaken for heat.
 constexpr double kUnknownA = 1.2;
-/// What a person feels well, A; only where the daemon knows the resistance to `kKnown`.
+/// A clearly perceptible push, A; only if the daemon's resistance is accurate to `kKnown`.
 constexpr double kPushA = 3.0;
 constexpr double kKnown = 0.03;
-/// More than windings of one kind differ.
+/// Above the spread of windings of one kind.
 constexpr double kOdd = 0.25;
-/// How long a look takes at each winding, each way, s.
+/// Duration of a measurement of each winding in each direction, s.
 constexpr double kLookS = 1.5;
-/// R25 of one ball that was measured at rest; of one whose file was too far off for two looks; and
-/// how wide a device file takes it. Standard deviations.
+/// Relative standard deviations of R25: of a ball measured at rest; of one whose device file was
+/// too inaccurate for two measurements.
 constexpr double kMeasuredShare = 0.01;
 constexpr double kGuessedShare = 0.03;
 
-/// A trip that a resistance far from the device file's brings about; any other trip, a refusal or a
-/// lost daemon says nothing of the winding.
+/// A trip caused by a resistance far from the device file's; any other trip, a refusal or a lost
+/// connection is unrelated to the winding.
 bool blames_resistance(std::string_view reason) {
   return reason == "current_mismatch" || reason == "sensor_frozen" || reason == "sensor_disagrees";
 }
@@ -83,7 +83,7 @@ class Windings {
   const Calibration& found() const { return found_; }
 
  private:
-  /// Stops at a ball that is not at one temperature, or remembers by how much it may be off.
+  /// Rejects a ball that is not at one temperature, or stores its possible deviation.
   int accept(const Unrest& unrest) {
     if (!unrest.any()) return kDone;
     const double wrong = 100.0 * model::kCopperPerKelvin * unrest.apart_k;
@@ -108,7 +108,7 @@ class Windings {
     return resistance_known(0) && resistance_known(1) && resistance_known(2);
   }
 
-  /// All windings once, with a current that only a known resistance may be given.
+  /// Measures all windings once, with a current that is only allowed for known resistances.
   int take_look(WindingLook& look) {
     if (!all_known()) return kDone;
     for (int coil = 0; coil < 3; ++coil) {
@@ -139,7 +139,7 @@ class Windings {
     if (const int code = take_look(second); code != kDone) return code;
     if (const int code = accept(drift_of(first_, second)); code != kDone) return code;
     if (found_.unrest.empty()) found_.resistance_share = kMeasuredShare;
-    // More current and more time than the first measurement.
+    // Measured with more current and time than the first measurement.
     for (std::size_t i = 0; i < 3; ++i)
       found_.r25_ohm[i] = 0.5 * (r25_at(first_, i) + r25_at(second, i));
     return kDone;
@@ -171,7 +171,7 @@ class Windings {
     const double believed_ohm = at_rest(before_.coils.r25_ohm[i]);
     const double ratio = *measured_now->resistance_ohm / believed_ohm;
     const bool known = std::abs(ratio - 1.0) < kKnown;
-    // The daemon thinks in its own resistance, so less of it brings more current.
+    // The daemon computes with its own resistance, so a lower one results in more current.
     const double current_a =
         (known ? options_.current_a : std::min(options_.current_a, kUnknownA)) *
         std::min(1.0, ratio);
@@ -203,7 +203,7 @@ class Windings {
     return kDone;
   }
 
-  /// A resistance at 25 Celsius, as it is now.
+  /// A resistance at 25 C converted to the present temperature.
   double at_rest(double r25_ohm) const {
     return r25_ohm * (1.0 + model::kCopperPerKelvin * (found_.sensor_c - 25.0));
   }
@@ -251,9 +251,9 @@ class Windings {
   const protocol::Description& before_;
   Calibration found_;
   WindingLook first_;
-  /// For people; a program that reads stdout gets it on stderr.
+  /// For users; stderr if stdout is JSON.
   std::FILE* text_;
-  /// A person is there who can feel, and nobody has said it yet.
+  /// The user can be asked for the sides, and they are not given yet.
   bool asks_ = false;
 };
 

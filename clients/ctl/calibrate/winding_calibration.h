@@ -9,14 +9,14 @@
 
 namespace hedgehog::client {
 
-/// Blocking; asks and tells on the terminal (for people on stderr when stdout is a program's).
-/// Returns the exit code, and `found` as far as it came.
+/// Blocking; uses the terminal for questions and output (text for users goes to stderr when stdout
+/// is JSON). Returns the exit code, and `found` as far as measured.
 int calibrate_windings(Session& session, const CalibrateOptions& options, PushedSides pushed,
                        const protocol::Description& before, Calibration& found);
 
-/// Complains about a calibration that cannot go on: `kEndedOtherwise`.
+/// Reports a calibration that cannot continue: `kEndedOtherwise`.
 int print_error(const std::string& what);
-/// The same of an error of the connection or the ball, and of Ctrl-C.
+/// The same for an error of the connection or the ball, and for Ctrl-C.
 int give_up(const ClientError& error);
 
 }  // namespace hedgehog::client

@@ -29,7 +29,7 @@ Mean mean_of(const std::vector<WindingSample>& samples) {
   return {mean.current_a / count, mean.voltage_v / count};
 }
 
-/// The least squares of x(t) = c + Re(P exp(i w t)).
+/// Least-squares fit of x(t) = c + Re(P exp(i w t)).
 std::optional<Phasor> phasor(const std::vector<WindingSample>& samples, double omega,
                              double WindingSample::*what) {
   model::Mat3 normal{};
@@ -42,7 +42,7 @@ std::optional<Phasor> phasor(const std::vector<WindingSample>& samples, double o
     right = right + one.*what * basis;
   }
   const auto count = static_cast<double>(samples.size());
-  // Times that do not tell sine from cosine.
+  // The sample times cannot separate sine and cosine.
   if (!(model::determinant(normal) > 1e-3 * count * count * count / 4.0)) return std::nullopt;
   const model::Vec3 fitted = model::inverse(normal) * right;
   return Phasor(fitted.y, -fitted.z);

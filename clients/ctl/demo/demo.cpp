@@ -14,8 +14,8 @@ namespace hedgehog::client {
 
 namespace {
 
-/// "A ball in mid-game": from here a 15 A push reaches the derating within the tour. In a room so
-/// cold that the shell of a ball that warm may still be held.
+/// "A ball in mid-game": from here a 15 A push reaches the derating within the tour. The ambient is
+/// so cold that the shell of a ball that warm may still be held.
 constexpr double kWarmStartC = 52.0;
 constexpr double kColdAmbientC = 0.0;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `hedgehogctl demo`: plays the tour and shows it; its own smoke test.
+// `hedgehogctl demo`: plays the tour and shows it; also a smoke test.
 #pragma once
 
 #include "clients/ctl/verbs/session.h"
@@ -7,13 +7,13 @@
 namespace hedgehog::client {
 
 struct DemoOptions {
-  /// A daemon of its own on a simulated ball that starts warm, on a socket in a temporary folder.
+  /// Uses its own daemon with a simulated ball that starts warm, on a socket in a temporary folder.
   bool private_daemon = false;
-  /// A real ball is about to be driven and its holder knows.
+  /// The user has confirmed that a real ball may be driven.
   bool confirmed = false;
 };
 
-/// 0 only when all chapters played, nothing tripped and the coils ended at zero; 130 when
+/// 0 only if all chapters played, nothing tripped and the coil currents ended at zero; 130 if
 /// interrupted (coils off).
 int run_demo(const CommonOptions& common, const DemoOptions& options);
 

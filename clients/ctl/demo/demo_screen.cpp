@@ -33,7 +33,7 @@ std::string request_line(const protocol::Status& status, const TourStep* playing
          (status.derating ? R"(   limited_by: "thermal")" : "");
 }
 
-/// The long side words light up: the caption of a pulse names its side.
+/// The caption of a pulse includes its side.
 std::string caption_line(const TourChapter& chapter, const TourStep* playing) {
   const bool pulse = playing != nullptr && playing->method == "effect.pulse";
   return "   " + chapter.caption + (pulse ? "  " + playing->words.substr(6) : "");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One frame of the tour, 80x22: the ball unrolled, what is being played, and what it costs.
+// One frame of the tour, 80x22: the unrolled ball, the current step, temperatures and current.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace hedgehog::client {
 
-/// `playing` is the last step that was shown, or nothing.
+/// `playing`: the last step that was shown, or nullptr.
 std::vector<std::string> demo_screen(const Ball& ball, const TourChapter& chapter,
                                      const TourStep* playing, const ScreenStyle& style);
 

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kOneTry{300};
-/// A loaded machine takes seconds until a program has begun, and as long until it answers.
+/// On a loaded machine it takes seconds until a program has started, and as long until it responds.
 constexpr milliseconds kMaxStart{60'000};
 constexpr int kCannotRun = 127;
 
@@ -32,7 +32,7 @@ ClientError cannot_start(const std::string& why) {
   return {Failure::kNoDaemon, "the demo's own daemon did not start: " + why, {}};
 }
 
-/// Beside this program (installed), or where the build puts it.
+/// In the folder of this program (installed), or in the build folder.
 std::string daemon_program() {
   std::error_code failed;
   const fs::path here = fs::read_symlink("/proc/self/exe", failed).parent_path();
@@ -51,17 +51,17 @@ bool write_config(const fs::path& folder, double start_temperature_c, double amb
   return file.good();
 }
 
-/// In the child: never returns. Its output goes to a file, for the terminal belongs to the picture.
+/// In the child: never returns. Its output goes to a file, since the terminal shows the picture.
 [[noreturn]] void become(const std::string& program, const fs::path& folder, pid_t parent) {
-  // A group of its own: Ctrl-C in the terminal is ours to handle, coils first. But it never
-  // outlives us.
+  // A process group of its own: Ctrl-C in the terminal is handled by this program, coils first. The
+  // death signal ends it with the parent.
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (getppid() != parent) _exit(kCannotRun);
   const int log = open((folder / "log").c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
   if (log < 0 || dup2(log, STDOUT_FILENO) < 0 || dup2(log, STDERR_FILENO) < 0) _exit(kCannotRun);
   const std::string config = (folder / "hedgehogd.json").string();
-  // In lock-step: a machine that is busy slows the ball down, it does not make it stutter.
+  // In lock-step: a busy machine slows the simulation down instead of making it skip ticks.
   execlp(program.c_str(), program.c_str(), "--config", config.c_str(), "--simulate", "--speed", "1",
          nullptr);
   _exit(kCannotRun);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A hedgehogd of one's own: a simulated ball, a Unix socket in a temporary folder, no port. It
-// never touches a daemon that runs already.
+// A separate hedgehogd: a simulated ball, a Unix socket in a temporary folder, no port. Independent
+// of other running daemons.
 #pragma once
 
 #include <sys/types.h>
@@ -11,20 +11,21 @@
 
 namespace hedgehog::client {
 
-/// One thread. The destructor ends the daemon (SIGTERM, and it waits) and removes the folder.
+/// One thread. The destructor ends the daemon (SIGTERM, and waits for it) and removes the folder.
 class PrivateDaemon {
  public:
-  /// Starts hedgehogd, which is looked for beside this program, in the build folder, then in PATH,
-  /// and waits until it listens. The ball starts at `start_temperature_c` in a room of `ambient_c`.
+  /// Starts hedgehogd, searched for in the folder of this program, in the build folder, then in
+  /// PATH, and waits until it listens. The ball starts at `start_temperature_c`, the ambient is
+  /// `ambient_c`.
   static Outcome<PrivateDaemon> start(double start_temperature_c, double ambient_c);
 
   PrivateDaemon(PrivateDaemon&& other) noexcept;
   PrivateDaemon& operator=(PrivateDaemon&&) = delete;
   ~PrivateDaemon();
 
-  /// Its socket, for `--address`.
+  /// Path of its socket, for `--address`.
   const std::string& socket() const noexcept { return socket_; }
-  /// Ends it; its exit code, -1 when it was killed by a signal.
+  /// Ends it; returns its exit code, -1 if it was killed by a signal.
   int stop();
 
  private:

@@ -63,7 +63,7 @@ TourChapter skid() {
             "vibrate down"}}};
 }
 
-/// Holds `params` from `from` to `to` in `slot`: a lease that is renewed, then a stop.
+/// Holds `params` from `from` to `to` in `slot`: renews its lease, then stops it.
 void hold(TourChapter& chapter, const std::string& slot, const std::string& params,
           const std::string& words) {
   chapter.steps.push_back({chapter.from, "effect.hold",
@@ -74,7 +74,7 @@ void hold(TourChapter& chapter, const std::string& slot, const std::string& para
   chapter.steps.push_back({chapter.to - milliseconds{50}, "effect.stop", slot_only, "", false});
 }
 
-/// The ball rolls to its right by 120 degrees and back.
+/// Rotates the ball to its right by 120 degrees and back.
 void roll(TourChapter& chapter) {
   constexpr milliseconds kPeriod{40};
   const milliseconds first = chapter.from + milliseconds{500};

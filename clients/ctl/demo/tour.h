@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tour of the demo as data: five chapters, and the requests that play them at their times.
+// The tour of the demo as data: five chapters and their timed requests.
 #pragma once
 
 #include <chrono>
@@ -11,15 +11,15 @@ namespace hedgehog::client {
 
 using Milliseconds = std::chrono::milliseconds;
 
-/// One request of the tour, sent as it is shown.
+/// One request of the tour, shown when it is sent.
 struct TourStep {
   Milliseconds at{};
   std::string method;
   /// The parameters as JSON text.
   std::string params;
-  /// What is told of it: "pulse left".
+  /// Its description: "pulse left".
   std::string words;
-  /// False: it only keeps something going (a renewed lease, a turn of the simulated ball).
+  /// False: a request in the background (renewal of a lease, a rotation of the simulated ball).
   bool shown = true;
 };
 
@@ -35,8 +35,7 @@ struct TourChapter {
 
 inline constexpr int kTourChapters = 5;
 
-/// At most 40 seconds. On a simulated ball the tour turns it; a real one is turned by the person
-/// who holds it.
+/// At most 40 seconds. A simulated ball is rotated by the tour, a real one by the user.
 std::vector<TourChapter> tour(bool simulated);
 
 }  // namespace hedgehog::client

@@ -19,9 +19,9 @@ namespace {
 constexpr double kPictureHz = 25.0;
 constexpr Milliseconds kPicturePeriod{40};
 constexpr std::size_t kPinsShown = 4;
-/// Shorter than the rest between two effects of the tour, 100 ms, so that they never add up.
+/// Shorter than the pause between two effects of the tour, 100 ms, so that they never overlap.
 constexpr Milliseconds kMaxLate{50};
-/// A machine may be this busy; a ball that says nothing for longer is not coming back.
+/// A machine may be busy for this long; after a longer silence the ball is considered lost.
 constexpr Milliseconds kMinPatience{10'000};
 
 Milliseconds patience() { return std::max(kMinPatience, response_timeout()); }
@@ -176,7 +176,8 @@ void TourPlayer::print_rest(const TourChapter& chapter) {
 }
 
 Milliseconds TourPlayer::now() const {
-  // A ball that is slow, or waits, has no more time than it tells.
+  // Limited extrapolation: the device time of a slow or paused ball advances no further than
+  // reported.
   const auto since = std::chrono::floor<Milliseconds>(Clock::now() - received_at_);
   const std::chrono::nanoseconds reported(ball_.status.time_ns - start_ns_);
   return std::chrono::floor<Milliseconds>(reported) + std::min(since, kPicturePeriod) - lost_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Plays the tour on a daemon, by the ball's clock, and shows it: as a picture on a terminal, else a
-// line a happening.
+// Plays the tour on a daemon, by device time, and shows it: as a picture on a terminal, otherwise a
+// line per step or event.
 #pragma once
 
 #include <chrono>
@@ -17,7 +17,7 @@
 
 namespace hedgehog::client {
 
-/// One thread. Ends early when the person interrupts; the effects then end with `stop_all`.
+/// One thread. Ends early when interrupted; the effects are then ended by `stop_all`.
 class TourPlayer {
  public:
   TourPlayer(Connection& connection, Ball ball, const ScreenStyle& style);
@@ -26,9 +26,9 @@ class TourPlayer {
 
   const protocol::LimitsDescription& limits() const noexcept { return ball_.description.limits; }
   const TourRecord& record() const noexcept { return record_; }
-  /// When it began, by the ball's clock.
+  /// Start, device time.
   std::int64_t began_ns() const noexcept { return start_ns_; }
-  /// How long it took, of the ball's time.
+  /// Duration, device time.
   double seconds() const noexcept { return seconds_; }
 
  private:
@@ -36,22 +36,23 @@ class TourPlayer {
 
   Outcome<void> subscribe();
   Outcome<void> play_chapter(const TourChapter& chapter);
-  /// Until `at` after the start: takes what the daemon says, and draws.
+  /// Until `at` after the start: processes notifications and draws.
   Outcome<void> wait_until(Milliseconds at, const TourChapter& chapter);
-  /// Takes what has come already.
+  /// Processes the notifications received so far.
   Outcome<void> take_waiting(const TourChapter& chapter);
-  /// Delays the rest of the tour when `at` was missed by much: time lost stays lost.
+  /// Delays the rest of the tour if `at` was missed by more than `kMaxLate`: lost time is not
+  /// caught up.
   Outcome<void> keep_distance(Milliseconds at, const TourChapter& chapter);
   void take(const Notification& notification, const TourChapter& chapter);
   Outcome<void> send(const TourStep& step);
   void draw(const TourChapter& chapter);
-  /// Lines for a pipe: the step that has just been played, or a derating.
-  /// The line of the step that has not got one yet, with what it reached so far.
+  /// Output for a pipe. `print_played`: the line of the step that has none yet, with the values
+  /// reached so far.
   void print_played();
   void print_derating(const protocol::Event& event);
   void print_rest(const TourChapter& chapter);
-  /// Time of the tour by the ball's clock: what it told last, and what has passed since, without
-  /// what was lost.
+  /// Time of the tour by device time: the last one reported plus the time since, without the time
+  /// lost.
   Milliseconds now() const;
   double now_s() const;
 

@@ -13,9 +13,9 @@ namespace hedgehog::client {
 namespace {
 
 constexpr double kZeroA = 0.1;
-/// What the last chapter asks for; from its warm start it is derated before the end.
+/// The request of the last chapter; after the warm start it is derated before the end.
 constexpr double kLongPushA = 15.0;
-/// Of the largest current: what flows while it rises or ends is less.
+/// Relative to the maximum: rising and falling currents are excluded.
 constexpr double kStrongPart = 0.9;
 
 long felt_pins(const protocol::Status& status) {

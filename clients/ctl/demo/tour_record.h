@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the daemon said while the tour played: the figures of the summary, and whether the tour may
-// be called a success.
+// Status and events during the tour: the figures of the summary, and whether the tour succeeded.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +12,7 @@
 
 namespace hedgehog::client {
 
-/// One thread. Every number in it came from the daemon.
+/// One thread. All values are the daemon's.
 class TourRecord {
  public:
   void take(const protocol::Status& status);
@@ -21,20 +20,21 @@ class TourRecord {
   /// A request of the tour was refused.
   void refused(const std::string& message) { failures_.push_back(message); }
 
-  /// The pins that the field pointed at since the last call, each once in a row.
+  /// The pins that the field pointed at since the last call, without consecutive duplicates.
   std::vector<std::int64_t> take_pins();
-  /// The current of the strongest push since the last call, A; nothing when no status came. It is
-  /// the mean of the statuses within a tenth of the largest, which alone would add its own noise.
+  /// The current of the strongest push since the last call, A; nullopt without a status. It is the
+  /// mean of the statuses within a tenth of the maximum; the maximum alone would be biased by its
+  /// noise.
   std::optional<double> take_current_a();
-  /// The most pins that were felt at once since the last call. Not those of the strongest status:
-  /// in a vibration the current still flows when the push of this tick is over.
+  /// The maximum number of pins felt at once since the last call. Not those of the strongest
+  /// status: in a vibration the current still flows when the push of this tick is over.
   long take_max_felt();
 
   double hottest_c() const noexcept { return hottest_c_; }
   double min_limit_a() const noexcept { return min_limit_a_; }
-  /// What went wrong, a line each; empty: all is well. `last` is the status after the end,
-  /// `began_ns` when the tour began, by the ball's clock: what tripped earlier is none of it.
-  /// `starts_warm`: the long push must have been derated; a cold ball need not.
+  /// Failures, a line each; empty: success. `last` is the status after the end, `began_ns` the
+  /// start in device time: earlier trips are ignored. `starts_warm`: the long push must have been
+  /// derated, which a cold ball does not need.
   std::vector<std::string> failures(const protocol::Status& last, std::int64_t began_ns,
                                     bool starts_warm) const;
 

@@ -4,7 +4,7 @@
 
 namespace hedgehog::client {
 
-/// Needs no connection. Returns kUnavailable when there is none.
+/// Needs no connection. Returns kUnavailable if no ball is found.
 int run_discover(bool as_json);
 
 }  // namespace hedgehog::client

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Everything that a search for balls has found.
+// Results of a search for balls.
 #pragma once
 
 #include <optional>
@@ -12,14 +12,14 @@
 
 namespace hedgehog::client {
 
-/// A daemon of this machine that a process serves.
+/// A running daemon of this machine.
 struct RespondingDaemon {
   LocalDaemon daemon;
-  /// nullopt: it did not respond, or not to this user.
+  /// nullopt: no response, or access denied for this user.
   std::optional<protocol::HelloResult> hello;
   /// The board's serial number; nullopt: a simulated ball, or a board that has none.
   std::optional<std::string> serial;
-  /// Without `hello`: why.
+  /// Without `hello`: the reason.
   std::string failure;
 };
 
@@ -28,11 +28,11 @@ struct Discovery {
   NetworkSearch network;
 };
 
-/// The daemons of this machine whose socket a process serves, even one that does not respond or
-/// does not let this user in. Waits for none of them.
+/// The daemons of this machine whose socket a process listens on, including those that do not
+/// respond or deny access. Does not wait for any of them.
 std::vector<LocalDaemon> running_daemons(const Environment& environment = process_environment);
 
-/// Introduces this client to each of `running_daemons`.
+/// Sends a hello to each of `running_daemons`.
 std::vector<RespondingDaemon> search_machine(const Environment& environment = process_environment);
 
 }  // namespace hedgehog::client

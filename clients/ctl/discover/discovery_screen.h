@@ -10,8 +10,8 @@
 
 namespace hedgehog::client {
 
-/// One line per ball and address: those of this machine first. The address comes last and whole,
-/// so that it can be copied.
+/// One line per ball and address: those of this machine first. The address comes last and is never
+/// cut, so that it can be copied.
 std::vector<std::string> discovery_screen(const Discovery& discovery,
                                           const ScreenStyle& style = {});
 

@@ -16,9 +16,9 @@ struct LocalDaemon {
 };
 
 /// hedgehogd's socket and those of its instances, RUNTIME/INSTANCE/hedgehogd.sock, by name. RUNTIME
-/// is RUNTIME_DIRECTORY where that is set; else /run/hedgehog and then the runtime directory of
-/// this user (XDG_RUNTIME_DIR/hedgehog, without that variable /tmp/hedgehog-UID). A socket that a
-/// killed daemon left behind is among them.
+/// is RUNTIME_DIRECTORY if set; otherwise /run/hedgehog and then the runtime directory of this user
+/// (XDG_RUNTIME_DIR/hedgehog, without that variable /tmp/hedgehog-UID). Includes sockets left
+/// behind by killed daemons.
 std::vector<LocalDaemon> local_daemons(const Environment& environment = process_environment);
 
 }  // namespace hedgehog::client

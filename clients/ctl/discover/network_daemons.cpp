@@ -20,7 +20,7 @@ constexpr std::size_t kFields = 10;  // =;interface;IPv4;name;type;domain;host;a
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// "Ball\032seven\.local" as Avahi writes it: three decimal digits for a byte, else the next
+/// "Ball\032seven\.local" in Avahi's encoding: three decimal digits for a byte, else the next
 /// character itself.
 std::string unescaped_dns(std::string_view text) {
   std::string plain;
@@ -42,7 +42,7 @@ std::string unescaped_dns(std::string_view text) {
   return plain;
 }
 
-/// `"tls=1" "serial=7"`: the value of `key`.
+/// The value of `key` in `"tls=1" "serial=7"`.
 std::optional<std::string> txt_value(std::string_view txt, std::string_view key) {
   while (!txt.empty()) {
     const std::size_t begin = txt.find('"');

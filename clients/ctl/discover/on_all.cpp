@@ -22,7 +22,7 @@ namespace {
 using nlohmann::ordered_json;
 using Pipe = std::array<int, 2>;
 
-/// One output of one child: complete lines are printed, the rest is kept.
+/// One output of one child: complete lines are printed, the rest is buffered.
 struct Stream {
   int descriptor = -1;
   std::size_t daemon = 0;
@@ -47,7 +47,7 @@ class Children {
     if (pid == 0) {
       ::dup2(out[1], STDOUT_FILENO);
       ::dup2(err[1], STDERR_FILENO);
-      // The ends of the others too: a verb that goes on must not keep their pipes open.
+      // Also those of the other children: a child that continues must not keep their pipes open.
       for (const Stream& stream : streams_) ::close(stream.descriptor);
       for (const int end : {out[0], out[1], err[0], err[1]}) ::close(end);
       std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
@@ -66,8 +66,8 @@ class Children {
     while (!streams_.empty()) {
       std::vector<pollfd> waiting;
       for (const Stream& stream : streams_) waiting.push_back({stream.descriptor, POLLIN, 0});
-      // A signal that comes before poll does not interrupt it; children of the terminal have
-      // theirs.
+      // A signal just before poll does not interrupt it, hence the timeout; children of the
+      // terminal receive signals themselves.
       constexpr int kSignalCheckMs = 200;
       ::poll(waiting.data(), waiting.size(), kSignalCheckMs);
       if (interrupted() && !passed_on) {
@@ -109,7 +109,7 @@ class Children {
     code_ = kInternal;
   }
 
-  /// False at its end.
+  /// False at the end of the stream.
   bool read(Stream& stream) {
     std::array<char, 4096> bytes{};
     const ssize_t count = ::read(stream.descriptor, bytes.data(), bytes.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `hedgehogctl events`: one line an event, and recurring events as a line a minute.
+// `hedgehogctl events`: one line per event; recurring events are summarized once a minute.
 #pragma once
 
 #include <chrono>
@@ -10,19 +10,19 @@
 
 namespace hedgehog::client {
 
-/// The lines that are to be printed. Of a series its first event at once, and then, while it goes
-/// on, how many there were, `kRepeatEvery` after the last line of it. One thread.
+/// Lines to be printed. Of a series its first event at once, and then, while it continues, their
+/// number `kRepeatEvery` after its last line. One thread.
 class EventLog {
  public:
   using Clock = std::chrono::steady_clock;
   static constexpr std::chrono::seconds kRepeatEvery{60};
 
-  /// The line of `event`; none: it is counted in a series. `clock` is the person's time of day.
+  /// The line of `event`; none: it was counted in a series. `clock` is the local time of day.
   std::vector<std::string> take(const protocol::Event& event, const std::string& clock,
                                 Clock::time_point now);
-  /// Of the series with events that were not printed, those that are due.
+  /// Lines of the series with unprinted events that are due.
   std::vector<std::string> due(Clock::time_point now);
-  /// All of them, at the end.
+  /// Lines of all series with unprinted events, at the end.
   std::vector<std::string> rest();
 
  private:
@@ -32,7 +32,7 @@ class EventLog {
     bool is_printed = true;
   };
 
-  /// One a type.
+  /// One per type.
   std::vector<Entry> entries_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Events of one type that recur while something goes on, as one line.
+// Recurring events of one type, as one line.
 #pragma once
 
 #include <cstdint>
@@ -9,19 +9,19 @@
 
 namespace hedgehog::client {
 
-/// An event, and those of its type that followed it closely; of a type that does not recur always
-/// one (protocol/values/event.h). One thread.
+/// An event, and those of its type that followed within the maximum gap; always one for types that
+/// do not recur (protocol/values/event.h). One thread.
 class EventSeries {
  public:
-  /// `clock` is the person's time of day, "14:03:21".
+  /// `clock` is the local time of day, "14:03:21".
   EventSeries(protocol::Event event, std::string clock);
 
-  /// Adds the event that came after the last one; false: it does not belong to this series.
+  /// Adds the next event; false: it does not belong to this series.
   bool add(const protocol::Event& next, const std::string& clock);
 
   const std::string& type() const noexcept { return event_.type; }
-  /// "  14:05:33  overrun  180 ticks skipped, 37 times since 14:03:21": when the last one was, the
-  /// sum of what was skipped, how many there were, and when the first was.
+  /// "  14:05:33  overrun  180 ticks skipped, 37 times since 14:03:21": the time of the last event,
+  /// the sum of skipped ticks, the number of events, and the time of the first.
   std::string line() const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An event in words.
+// Textual form of an event.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace hedgehog::client {
 
-/// One event in words: "effect_ended  #431 tap  stopped, 120 ms"; for `watch` and `events`.
+/// "effect_ended  #431 tap  stopped, 120 ms"; for `watch` and `events`.
 std::string event_words(const protocol::Event& event);
 
 }  // namespace hedgehog::client

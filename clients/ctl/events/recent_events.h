@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The newest events in a few lines, without a frequent one displacing an important one.
+// The newest events in a few lines; frequent events do not displace important ones.
 #pragma once
 
 #include <array>
@@ -13,15 +13,15 @@
 
 namespace hedgehog::client {
 
-/// Recurring events are one line a series. The newest event that switched the coils off (a trip, an
-/// emergency stop, another disarming, the loss of the ball) and the newest of derating have a line
-/// each, whatever followed. Bounded memory. One thread.
+/// One line per series of recurring events. A line each is reserved for the newest event that
+/// switched the coils off (a trip, an emergency stop, another disarming, the loss of the ball) and
+/// for the newest of derating. Bounded memory. One thread.
 class RecentEvents {
  public:
   static constexpr std::size_t kMinLines = 3;
   static constexpr std::size_t kMaxLines = 32;
 
-  /// `clock` is the person's time of day, "14:03:21".
+  /// `clock` is the local time of day, "14:03:21".
   void take(const protocol::Event& event, const std::string& clock);
 
   /// At most `count` lines (`kMinLines`..`kMaxLines`), newest first.

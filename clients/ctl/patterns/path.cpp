@@ -15,7 +15,7 @@ namespace {
 
 using model::Vec3;
 
-/// Points from `first` to `last`, which are key frames; the worst is what lies farthest from them.
+/// Points between the key frames `first` and `last`; `worst` is the one with the largest error.
 struct Part {
   std::size_t first = 0;
   std::size_t last = 0;
@@ -28,7 +28,7 @@ double angle_deg(const Vec3& a, const Vec3& b) {
   return std::atan2(norm(cross(a, b)), dot(a, b)) * 180.0 / std::numbers::pi;
 }
 
-/// As it is written: four decimals are 0.01 degrees.
+/// Rounded as in the file: four decimals are 0.01 degrees.
 Vec3 rounded(const Vec3& direction) {
   const auto round = [](double value) { return std::round(value * 1e4) / 1e4; };
   return {round(direction.x), round(direction.y), round(direction.z)};

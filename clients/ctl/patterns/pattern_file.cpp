@@ -15,14 +15,14 @@ namespace {
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
-/// Of other formats.
+/// True if it has the extension of another format.
 bool is_foreign(const std::string& path) {
   std::string ending = std::filesystem::path(path).extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(), lower);
   return ending == ".ahap" || ending == ".hjif";
 }
 
-/// The name of a file as the second part of a pattern's.
+/// The second part of a pattern's name, from the name of a file.
 std::string part_of(const std::string& path) {
   std::string part = std::filesystem::path(path).stem().string();
   std::transform(part.begin(), part.end(), part.begin(), [](char c) {

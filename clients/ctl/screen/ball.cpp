@@ -10,7 +10,7 @@ namespace hedgehog::client {
 
 namespace {
 
-// From a cool room to a little above the trip.
+// Scale from a cool ambient to a little above the trip.
 constexpr double kScaleLowC = 22.0;
 constexpr double kScaleAboveTripC = 8.0;
 constexpr std::string_view kWindings = "xyz";
@@ -27,7 +27,7 @@ std::string degrees(double celsius, bool ascii) {
 }  // namespace
 
 model::PinArray pin_array(const protocol::Description& description) {
-  // More than the finest array has; a daemon may send anything.
+  // Above the finest array; guards against invalid descriptions.
   constexpr std::int64_t kMaxRing = 31;
   model::PinArray array{description.arrangement, {}, {}};
   for (const protocol::PinDescription& pin : description.pins) {

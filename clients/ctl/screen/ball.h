@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a screen knows of the ball that it shows.
+// Data of the ball for a screen.
 #pragma once
 
 #include <string>
@@ -19,18 +19,18 @@ struct Ball {
   protocol::Status status;
 };
 
-/// Where its pins are, as it describes them.
+/// The pin positions in its description.
 model::PinArray pin_array(const protocol::Description& description);
 
-/// "pulse" of "effect.pulse"; a slot's name where there is one.
+/// "pulse" of "effect.pulse"; the slot's name if there is one.
 std::string effect_words(const protocol::EffectStatus& effect);
 
-/// Of the hottest winding, which the thresholds belong to: "  temperature    41.2 °C  ━━━━──┊──
+/// The hottest winding, to which the thresholds apply: "  temperature    41.2 °C  ━━━━──┊──
 /// <behind>". `gauge_columns`: the width of the gauge.
 std::string temperature_line(const Ball& ball, std::string_view behind, bool ascii,
                              int gauge_columns = kBarColumns);
-/// Which winding that is, and the others: "               winding y  the hottest; x 40.8 °C, z
-/// 38.4 °C"; empty while none is known.
+/// The hottest winding, and the others: "               winding y  the hottest; x 40.8 °C, z 38.4
+/// °C"; empty if no temperature is known.
 std::string windings_line(const protocol::Status& status, bool ascii);
 /// "  thermistor     38.3 °C  on winding z, 3 ms old".
 std::string thermistor_line(const Ball& ball, bool ascii);
@@ -40,14 +40,14 @@ std::string hottest_winding(const protocol::Status& status);
 std::string current_line(const Ball& ball, std::string_view behind, bool ascii,
                          int gauge_columns = kBarColumns);
 
-/// What may flow now: the limit by heat, and nothing while the ball is not armed.
+/// The present current limit: the thermal limit, 0 while the ball is not armed.
 double allowed_a(const protocol::Status& status);
 
-/// "derates at 60, trips at 70" and "of 15.0 A allowed": what stands behind the two gauges.
+/// "derates at 60, trips at 70" and "of 15.0 A allowed": the texts to the right of the two gauges.
 std::string thresholds_words(const Ball& ball);
 std::string allowed_words(const Ball& ball);
 
-/// Length of the measured currents.
+/// Norm of the measured currents, A.
 double current_norm_a(const protocol::Status& status);
 
 }  // namespace hedgehog::client

@@ -16,18 +16,18 @@ namespace {
 constexpr int kFront = 39;  // column of the front's meridian
 constexpr int kMapColumns = 79;
 constexpr std::size_t kMapRows = 8;
-/// Beyond its casing no pin gets; a daemon may send anything.
+/// Pins cannot extend beyond their casing; guards against invalid values.
 constexpr double kMaxShownMm = 9.99;
-/// A ring gets narrower towards the poles, though less than on the ball: marks must not touch.
+/// Rings get narrower towards the poles, though less than on the ball: marks must not touch.
 struct Shape {
-  double half_turn;  // columns from front to back where the ball is widest
-  double narrowing;  // a ring's radius to this power
+  double half_turn;  // columns from front to back at the equator
+  double narrowing;  // exponent of a ring's radius
 };
 constexpr Shape kMarks{30, 0.85};
-/// On the ball of the thesis no two pins are nearer than four columns, which the tests hold it to.
+/// On the ball of the thesis no two pins are closer than four columns, as the tests verify.
 constexpr Shape kNumbers{37, 0.5};
 
-/// A column holds a character, and what goes before and behind it to colour it.
+/// Each column: a character with its colour sequences.
 using Row = std::array<std::string, kMapColumns>;
 
 std::string_view mark_of(double force_n, bool ascii) {
@@ -57,7 +57,7 @@ std::string text_of(const Row& row) {
   return line;
 }
 
-/// "up" and the rings; `put` writes a pin at its column.
+/// "up" and the rings; `put` draws a pin at its column.
 template <class Put>
 std::vector<std::string> unrolled(const model::PinArray& pins, const Shape& shape, Put put) {
   std::vector<std::string> lines{std::string(kFront - 1, ' ') + "up"};
@@ -103,12 +103,12 @@ std::vector<std::string> ball_numbers(const model::PinArray& pins,
                                       std::span<const double> force_n, const BallMapStyle& style) {
   const int up_pin = pin_towards(pins, style.room_up);
   std::vector<std::string> lines = unrolled(pins, kNumbers, [&](Row& row, int column, int pin) {
-    // Four columns a pin: the triangle, and three digits that end right of the meridian.
+    // Four columns per pin: the triangle, and three digits that end right of the meridian.
     const double extension = std::clamp(at(extension_mm, pin), -kMaxShownMm, kMaxShownMm);
     const std::string number = fixed(100.0 * extension, 0);
     const bool rests = number == "0";
     const auto last = static_cast<std::size_t>(rests ? column : column + 1);
-    // Behind the edge, or where another pin stands: on a ball with more pins than fit.
+    // Beyond the edge, or on another pin: if the ball has more pins than fit.
     if (last + 1 < number.size() || last >= row.size()) return;
     const std::size_t first = last + 1 - number.size();
     const auto taken = [](const std::string& shown) { return !shown.empty(); };

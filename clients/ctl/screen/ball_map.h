@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The ball unrolled like a world map, for a terminal: front in the middle, left on the left, back
-// at both edges, up on top. One line a ring of pins.
+// at both edges, up at the top. One line per ring of pins.
 #pragma once
 
 #include <optional>
@@ -13,8 +13,8 @@
 
 namespace hedgehog::client {
 
-/// Forces from which a pin is drawn as felt, clear, strong; newton. 0.026 N is what people just
-/// feel (thesis section 3.3: 2.1 A).
+/// Forces from which a pin is drawn as felt, clear, strong; newton. 0.026 N is the perception
+/// threshold (thesis section 3.3: 2.1 A).
 inline constexpr double kFeltN = 0.026;
 inline constexpr double kClearN = 0.05;
 inline constexpr double kStrongN = 0.1;
@@ -22,21 +22,21 @@ inline constexpr double kStrongN = 0.1;
 struct BallMapStyle {
   /// `. o O @` instead of `· ∘ ○ ●`.
   bool ascii = false;
-  /// Marks the pin nearest to this direction (device frame) with a triangle: where up is in the
-  /// room.
+  /// Marks the pin nearest to this direction (device frame), the world's up, with a triangle.
   std::optional<model::Vec3> room_up{};
-  /// Numbers only: strong pins bold; dim those that push too little to be felt or are pulled in.
+  /// Numbers only: strong pins bold; dim those below the perception threshold or pulled in.
   bool colour = false;
 };
 
-/// Ten lines of at most 78 columns: "up", eight rings (of a ball with more, several in one line),
-/// "left front right". `force_n` has the
-/// outward force on each pin by its number (negative: pulled in).
+/// Ten lines of at most 78 columns: "up", eight rings (several per line for a ball with more),
+/// "left front right". `force_n`: the outward force on each pin by its number (negative: pulled
+/// in).
 std::vector<std::string> ball_map(const model::PinArray& pins, std::span<const double> force_n,
                                   const BallMapStyle& style);
 
-/// The same ten lines, wider (79 columns), with how far each pin is out of its rest in hundredths
-/// of a millimetre: `24` is 0.24 mm, `-9` is 0.09 mm further in, a dot is less than 0.005 mm.
+/// The same ten lines, wider (79 columns), with the extension of each pin from its rest in
+/// hundredths of a millimetre: `24` is 0.24 mm, `-9` is 0.09 mm further in, a dot is less than
+/// 0.005 mm.
 std::vector<std::string> ball_numbers(const model::PinArray& pins,
                                       std::span<const double> extension_mm,
                                       std::span<const double> force_n, const BallMapStyle& style);

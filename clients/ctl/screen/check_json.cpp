@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// The number at the beginning of `text`, which is shortened by it; null when there is none.
+/// Removes the number at the beginning of `text` and returns it; null if there is none.
 ordered_json take_number(std::string_view& text) {
   double number = 0.0;
   const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -24,7 +24,7 @@ ordered_json take_number(std::string_view& text) {
   return number;
 }
 
-/// Of "61.2;60;70" and "412us;500".
+/// Parses "61.2;60;70" and "412us;500".
 ordered_json measure_of(std::string_view text) {
   ordered_json measure;
   measure["value"] = take_number(text);

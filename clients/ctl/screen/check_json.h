@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `hedgehogctl check --json`: the monitoring plug-ins' line as an object. Pure.
+// `hedgehogctl check --json`: the line of the monitoring plug-in as an object. Pure.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace hedgehog::client {
 
-/// {"code":1,"state":"WARNING","message":"ball armed,
-/// derated","measures":{"temperature":{"value":61.2, "unit":"","warning":60,"critical":70},...}} of
-/// "HEDGEHOG WARNING - ball armed, derated | temperature=61.2;60;70 ...", as the Monitoring
-/// Plugins' guidelines define performance data.
+/// {"code":1,"state":"WARNING","message":"ball armed, derated","measures":{"temperature":
+/// {"value":61.2,"unit":"","warning":60,"critical":70},...}} of "HEDGEHOG WARNING - ball armed,
+/// derated | temperature=61.2;60;70 ...", with performance data as defined by the Monitoring
+/// Plugins' guidelines.
 std::string check_json(const Check& check);
 
 }  // namespace hedgehog::client

@@ -35,7 +35,7 @@ std::string measures_of(const Ball& ball, std::optional<std::size_t> clients) {
   const Status& status = ball.status;
   const protocol::LimitsDescription& limits = ball.description.limits;
   std::string text;
-  // The thresholds are those of the hottest winding; the thermistor, on one of them, has none.
+  // The thresholds apply to the hottest winding; the thermistor, on one of them, has none.
   if (const auto& hottest = status.temperature_c.model) {
     text += "temperature=" + fixed(*hottest, 1) + ";" + fixed(limits.derate_from_c, 0) + ";" +
             fixed(limits.trip_c, 0) + " ";

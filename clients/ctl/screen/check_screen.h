@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `hedgehogctl check`: the monitoring plug-ins' one line and exit code.
+// `hedgehogctl check`: output line and exit code of a monitoring plug-in.
 #pragma once
 
 #include <cstddef>
@@ -10,19 +10,19 @@
 
 namespace hedgehog::client {
 
-/// A loop of 1 kHz whose ticks come later than this is late: one in a hundred of the last ten
-/// seconds or so. The same bound as the alarm on the metrics.
+/// Limit of the p99 lateness of the 1 kHz loop, µs, over about the last ten seconds. Same limit as
+/// in the metrics' alarm.
 inline constexpr double kLateUs = 500.0;
 
 struct Check {
-  /// 0 ok, 1 warning: derated, disarmed, no temperature, loop late, 2 critical: tripped or gone.
+  /// 0 ok, 1 warning: derated, disarmed, no temperature, loop late, 2 critical: tripped or absent.
   int code = 0;
   /// "HEDGEHOG OK - ball-7 armed, hottest winding 41.2 C, 15.0 A allowed | temperature=41.2;60;70
   /// thermistor=38.3 ...".
   std::string line;
 };
 
-/// `clients`: how many others are connected; nothing: this one may not know.
+/// `clients`: number of other connections; nullopt: not permitted to list them.
 Check check_screen(const Ball& ball, std::optional<std::size_t> clients);
 
 }  // namespace hedgehog::client

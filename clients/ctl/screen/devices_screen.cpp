@@ -27,8 +27,8 @@ std::string full_name(const protocol::SeenDevice& device) {
   return name;
 }
 
-/// Appends `text` to the last of `lines`, and what is beyond `width` below it from column `indent`
-/// on.
+/// Appends `text` to the last of `lines`, wrapped at `width`; continuation lines are indented by
+/// `indent`.
 void append_wrapped(std::vector<std::string>& lines, const std::string& text, std::size_t indent,
                     std::size_t width) {
   std::istringstream words(text);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `hedgehogctl devices`: what is connected, what each is used for, and why not; on a
-// terminal in 80 columns, into a pipe a line each.
+// `hedgehogctl devices`: connected devices, the use of each, and why others are not used; 80
+// columns on a terminal, one line each in a pipe.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace hedgehog::client {
 
-/// `ball`: its name. Never empty.
+/// `ball`: its name. The result is never empty.
 std::vector<std::string> devices_screen(const protocol::DevicesResult& seen,
                                         const std::string& ball, const ScreenStyle& style = {});
 

@@ -9,7 +9,7 @@
 
 namespace hedgehog::client {
 
-/// `direction` as it was given; empty: the worst coil.
+/// `direction` as typed; empty: the worst coil.
 std::vector<std::string> forecast_screen(const protocol::ForecastResult& forecast, double current_a,
                                          const std::string& direction);
 

@@ -15,7 +15,7 @@ std::string clock_of(const std::string& at) {
   return local_time(at, "%H:%M:%S") + "." + ms;
 }
 
-/// "  37 times, the last at 14:05:33.120" of events that are kept as one.
+/// "  37 times, the last at 14:05:33.120" for recurring events stored as one.
 std::string series_words(const protocol::PastEvent& past) {
   if (!past.count || !past.last) return {};
   const std::string day = local_time(*past.last, "%Y-%m-%d");

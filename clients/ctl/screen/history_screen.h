@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `hedgehogctl events --since`: what has happened, oldest first.
+// `hedgehogctl events --since`: past events, oldest first.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace hedgehog::client {
 
-/// A line an event, at the time of day of this place; each day begins with a line of its own.
+/// A line per event, in local time; each day begins with a line of its own.
 std::vector<std::string> history_screen(const protocol::HistoryResult& history);
 
 }  // namespace hedgehog::client

@@ -13,9 +13,10 @@ namespace hedgehog::client {
 
 namespace {
 
-/// What the map draws as a dot.
+/// Drawn as a dot below this.
 constexpr double kStillMm = 0.005;
-/// The gauges end here: what 15 A move the commonest pin by the simulation of the thesis.
+/// Full scale of the gauges: the extension of the most common pin at 15 A, by the simulation of the
+/// thesis.
 constexpr double kGaugeMm = 0.5;
 constexpr std::size_t kFarthest = 5;
 
@@ -23,7 +24,7 @@ std::size_t common_size(const protocol::PinsStatus& pins) {
   return std::min(pins.force_n.size(), pins.extension_mm.size());
 }
 
-/// The numbers of the pins that are out, the farthest first.
+/// The numbers of the extended pins, the most extended first.
 std::vector<std::size_t> pins_out(const protocol::PinsStatus& pins) {
   std::vector<std::size_t> out(common_size(pins));
   std::iota(out.begin(), out.end(), std::size_t{0});

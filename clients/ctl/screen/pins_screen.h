@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `hedgehogctl pins --live`: how far each pin is out, in 80x22.
+// `hedgehogctl pins --live`: the extension of each pin, in 80x22.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace hedgehog::client {
 
-/// The ball unrolled with a number at each pin, then the pins that are farthest out.
-/// `ball.status.pins` as the daemon told them; a daemon that does not gives a ball at rest.
+/// The unrolled ball with a number at each pin, then the most extended pins. Without
+/// `ball.status.pins` from the daemon all pins are at rest.
 std::vector<std::string> pins_screen(const Ball& ball, const ScreenStyle& style);
 
 /// One line for a pipe: "  12.30 s    5.0 A   0.062 N   +0.077 mm at pin 34   25 out, 40 in".

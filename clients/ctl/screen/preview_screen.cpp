@@ -12,10 +12,10 @@ namespace hedgehog::client {
 namespace {
 
 constexpr std::size_t kCurveColumns = 50;
-/// Less is drawn as nothing.
+/// Drawn as no current below this.
 constexpr double kNothingA = 0.05;
 
-/// Means over as many parts of `steps` as there are columns.
+/// Means of `steps` in one section per column.
 std::vector<double> curve(const std::vector<std::array<double, 3>>& steps, std::size_t axis) {
   const std::size_t columns = std::min(kCurveColumns, steps.size());
   std::vector<double> means;
@@ -30,7 +30,7 @@ std::vector<double> curve(const std::vector<std::array<double, 3>>& steps, std::
   return means;
 }
 
-/// A current that changes by less than a fiftieth is drawn as a line.
+/// A variation of less than 2 % is drawn as a line.
 bool is_constant(double lowest_a, double highest_a) {
   constexpr double kSmallPart = 0.02;
   const double largest_a = std::max(std::abs(lowest_a), std::abs(highest_a));

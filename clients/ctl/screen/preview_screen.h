@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What an effect would do, as lines of 80 columns.
+// Preview of an effect, as lines of 80 columns.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace hedgehog::client {
 
-/// `what`: "pulse left". The current of each winding over time, all three to one scale.
+/// `what`: "pulse left". The current of each winding over time, all three on one scale.
 std::vector<std::string> preview_screen(const std::string& what,
                                         const protocol::PreviewResult& preview, bool ascii);
 

@@ -102,7 +102,7 @@ std::string last_trip_line(const Status& status) {
   return row("last trip", time_words(ago_s), "ago: " + status.last_trip->reason);
 }
 
-/// `words` and the keys at the right edge; `plain` is how wide the words are.
+/// `words`, and the keys at the right edge; `plain`: the words without colour sequences.
 std::string with_keys(const std::string& plain, const std::string& words, std::size_t width) {
   const std::string keys = "SPACE stops   q quits";
   const std::size_t edge = width - 3;

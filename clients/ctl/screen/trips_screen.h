@@ -10,7 +10,7 @@
 
 namespace hedgehog::client {
 
-/// What else is in `history` is left out. Times are those of the reader's clock.
+/// Other events in `history` are left out. Times are local.
 std::vector<std::string> trips_screen(const protocol::HistoryResult& history,
                                       const ScreenStyle& style = {});
 

@@ -14,13 +14,13 @@ namespace {
 
 constexpr std::size_t kUsualColumns = 80;
 constexpr std::size_t kBallColumns = 79;
-/// Half a kelvin a column; with more a gauge tells nothing more.
+/// Half a kelvin per column; a wider gauge adds no information.
 constexpr std::size_t kMaxGaugeColumns = 100;
 constexpr std::int64_t kMinuteNs = 60'000'000'000;
 constexpr std::size_t kMaxSamples = 240;
 constexpr std::int64_t kSampleNs = kMinuteNs / static_cast<std::int64_t>(kMaxSamples);
 
-/// Between the numbers on the left and the words on the right of a gauge.
+/// Columns between the numbers on the left and the words on the right of a gauge.
 std::size_t free_columns(const ScreenStyle& style) {
   return style.columns - kUsualColumns + kBarColumns;
 }
@@ -76,7 +76,7 @@ std::vector<double> WatchScreen::last_minute(std::size_t width) const {
   const std::size_t points = std::min(width, kMaxSamples);
   std::vector<double> values;
   for (std::size_t i = 0; i < points; ++i) {
-    // The newest sample that the column stands for; those that are not there yet are left out.
+    // The newest sample of the column's interval; missing samples are left out.
     const std::size_t ago = kMaxSamples - (i + 1) * kMaxSamples / points;
     if (ago < minute_c_.size()) values.push_back(minute_c_[minute_c_.size() - 1 - ago]);
   }

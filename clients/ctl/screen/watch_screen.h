@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `hedgehogctl watch`: the ball as it lives, in 80x22 or larger.
+// `hedgehogctl watch`: the ball live, in 80x22 or larger.
 #pragma once
 
 #include <cstddef>
@@ -16,16 +16,17 @@
 
 namespace hedgehog::client {
 
-/// Remembers the last minute of temperature and the newest events. One thread.
+/// Keeps the temperatures of the last minute and the newest events. One thread.
 class WatchScreen {
  public:
   explicit WatchScreen(ScreenStyle style) : style_(style) {}
 
-  /// The terminal's, at least 80x22: gauges take the columns, events the rows that are left.
+  /// The terminal's size, at least 80x22: gauges use the additional columns, events the remaining
+  /// rows.
   void set_size(TerminalSize size);
 
   void take(const protocol::Status& status);
-  /// `clock` is the person's time of day, "14:03:21".
+  /// `clock` is the local time of day, "14:03:21".
   void take(const protocol::Event& event, const std::string& clock);
 
   std::vector<std::string> lines(const Ball& ball) const;

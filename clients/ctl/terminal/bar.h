@@ -7,16 +7,15 @@
 
 namespace hedgehog::client {
 
-/// Of a gauge on a screen of 80 columns.
+/// Width of a gauge on a screen of 80 columns.
 inline constexpr int kBarColumns = 26;
 
 /// `value` on the scale `low`..`high` as a thick line, the rest thin; `marks` are drawn across it.
-/// With `ascii`: = - |. `width`: its columns.
+/// With `ascii`: = - |. `width`: in columns.
 std::string bar(double value, double low, double high, std::span<const double> marks, bool ascii,
                 int width = kBarColumns);
 
-/// The last `values` as eight-step blocks, scaled between their own extremes (at least `min_span`
-/// apart).
+/// The last `values` as blocks of eight heights, scaled to their range (at least `min_span`).
 std::string sparkline(std::span<const double> values, double min_span, bool ascii);
 
 }  // namespace hedgehog::client

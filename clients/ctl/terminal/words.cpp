@@ -51,7 +51,7 @@ std::string local_time(const std::string& time, const char* format) {
 }
 
 std::string tilt_words(double up_x, double up_y, double up_z, double heading_deg) {
-  // Room-up leaning towards the ball's right means that the ball leans to its left.
+  // World-up leaning towards the ball's right means that the ball leans to its left.
   const double to_left = std::atan2(-up_y, up_z) * model::kDegreesPerRadian;
   const double forward = std::atan2(-up_x, std::hypot(up_y, up_z)) * model::kDegreesPerRadian;
   const auto lean = [](double degrees, const char* plus, const char* minus) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The daemon's state directory, as seen by the person who administers it.
+// The daemon's state directory, for administration.
 #pragma once
 
 #include <optional>
@@ -9,14 +9,14 @@
 
 namespace hedgehog::client {
 
-/// `given`, else that of the service, `service_folder`, for root, and for others who have none of
-/// their own; else $XDG_STATE_HOME/hedgehog (~/.local/state/hedgehog), that of a daemon started by
-/// hand.
+/// `given` if set; else that of the service, `service_folder`, for root, and for other users
+/// without one of their own; else $XDG_STATE_HOME/hedgehog (~/.local/state/hedgehog), that of a
+/// daemon started by hand.
 std::string state_folder(const std::optional<std::string>& given, const Environment& environment,
                          bool root, const std::string& service_folder = "/var/lib/hedgehog");
 
-/// Holds the folder for itself until it goes away: of several programs that change a file in it,
-/// none undoes what another did. Makes the folder, 0750, when there is none.
+/// Exclusive lock on the folder until destruction: of several programs that change a file in it,
+/// none overwrites the changes of another. Creates the folder, 0750, if it does not exist.
 class FolderLock {
  public:
   explicit FolderLock(const std::string& folder);
@@ -24,7 +24,7 @@ class FolderLock {
   FolderLock& operator=(const FolderLock&) = delete;
   ~FolderLock();
 
-  /// Why it is not held, a sentence; empty: it is.
+  /// Why it is not locked, a sentence; empty: it is.
   const std::string& problem() const noexcept { return problem_; }
 
  private:

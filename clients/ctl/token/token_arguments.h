@@ -14,8 +14,7 @@ namespace hedgehog::client {
 
 using TokenVerb = int (*)(const CommonOptions&, const TokenOptions&);
 
-/// Adds add, list, revoke and certificate to `token`; `chosen` is called with the one that was
-/// given.
+/// Adds add, list, revoke and certificate to `token`; `chosen` is called with the selected one.
 void add_token_arguments(CLI::App& token, TokenOptions& options,
                          const std::function<void(TokenVerb)>& chosen);
 

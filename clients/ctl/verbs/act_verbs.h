@@ -11,7 +11,7 @@ namespace hedgehog::client {
 
 int run_stop(Session& session);
 int run_arm(Session& session);
-/// Without a gain: says the one that is set.
+/// Sets the gain if given; prints the gain in force.
 int run_gain(Session& session, std::optional<double> gain);
 
 }  // namespace hedgehog::client

@@ -21,14 +21,14 @@ namespace {
 
 constexpr double kRedrawHz = 10.0;
 
-/// From where the events go on, so that a quiet ball is not taken for a deaf program.
+/// The state at the start, so that no output is not mistaken for a program that does not work.
 void print_now(const protocol::EventsResult& now) {
   std::printf("  %s  %s%s, %s A allowed\n", time_of_day().c_str(), now.state.c_str(),
               now.reason ? (": " + *now.reason).c_str() : "", fixed(now.limit_a, 1).c_str());
   std::fflush(stdout);
 }
 
-/// Prints what has happened since `options.since`.
+/// Prints the events since `options.since`.
 Outcome<protocol::HistoryResult> print_past(Session& session, const EventsOptions& options) {
   const auto since = since_rfc3339(*options.since, base::unix_ms_now());
   if (!since) return since.error();
@@ -60,7 +60,7 @@ void print_lines(const std::vector<std::string>& lines) {
   if (!lines.empty()) std::fflush(stdout);
 }
 
-/// What happened between the subscription and the look back is told by both.
+/// Events between the subscription and the history request are in both.
 bool is_among(const protocol::HistoryResult& past, const protocol::Event& event) {
   return std::any_of(
       past.events.begin(), past.events.end(),
@@ -102,7 +102,7 @@ int run_events(Session& session, const EventsOptions& options) {
   const bool only_past = options.since && !options.follow;
   std::optional<protocol::EventsResult> now;
   if (!only_past) {
-    // This program plays nothing, so effects of its own there are none.
+    // This program has no effects of its own, so all clients' effects are requested.
     const protocol::EventsSubscribe request{options.types, protocol::Scope::kAll};
     auto subscribed = session.connection.call(request);
     if (!subscribed) return complain(subscribed.error());

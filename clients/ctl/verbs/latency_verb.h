@@ -12,7 +12,7 @@ namespace hedgehog::client {
 
 /// Returns the exit code.
 int run_latency(Session& session);
-/// What it prints.
+/// The lines of its output.
 std::vector<std::string> latency_lines(const protocol::LatencyResult& latency);
 
 }  // namespace hedgehog::client

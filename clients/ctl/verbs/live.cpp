@@ -22,13 +22,12 @@ constexpr std::size_t kMinColumns = 80;
 constexpr std::size_t kMinRows = 22;
 constexpr milliseconds kEventPoll{50};
 constexpr milliseconds kKeyPoll{20};
-/// A daemon that has told nothing for so long is taken for silent; it tells ten
-/// times a second.
+/// Without messages for this long the daemon is reported as silent; it sends ten per second.
 constexpr milliseconds kSilent{2000};
-/// For the answer to a stop.
+/// Timeout of the response to a stop.
 constexpr milliseconds kAnswers{1000};
 
-/// Whether what is drawn is still so, and whether the stop was heard.
+/// Whether the picture is current, and whether the stop has been acknowledged.
 class Trust {
  public:
   using Clock = std::chrono::steady_clock;
@@ -36,14 +35,13 @@ class Trust {
   explicit Trust(Connection& connection) : connection_(connection) {}
 
   void received() { received_at_ = Clock::now(); }
-  /// Does not wait for the answer: it may stand behind whatever the socket
-  /// still holds.
+  /// Does not wait for the response, which may be queued behind other messages in the socket.
   void stop() {
     (void)connection_.ask(protocol::DeviceEmergencyStop{});
     if (!unanswered_) stopped_at_ = Clock::now();
     unanswered_ = true;
   }
-  /// What the person has to know before anything else; empty: all is well.
+  /// The warning to be shown; empty: none.
   std::string warning() {
     while (connection_.answer()) unanswered_ = false;
     const auto now = Clock::now();
@@ -55,13 +53,13 @@ class Trust {
   Connection& connection_;
   Clock::time_point received_at_ = Clock::now();
   Clock::time_point stopped_at_{};
-  bool unanswered_ = false;  // since then
+  bool unanswered_ = false;  // valid since that time
 };
 
-/// False: the person wants to leave.
+/// False: quit.
 bool press(const std::string& keys, Trust& trust) {
-  // A stop is a stop whatever is typed around it; leaving is not worth guessing
-  // about, and the 'q' of an escape sequence is a key of the number pad.
+  // A space is a stop whatever else is typed; `q` quits only outside of an escape sequence, where
+  // it is a key of the number pad.
   if (keys.find(' ') != std::string::npos) trust.stop();
   return keys.find('q') == std::string::npos || keys.find('\033') != std::string::npos;
 }

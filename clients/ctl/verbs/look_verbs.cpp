@@ -23,7 +23,7 @@ void print(const std::vector<std::string>& lines) {
   for (const std::string& line : lines) std::puts(line.c_str());
 }
 
-/// How many others are connected; nothing: this one's role may not ask.
+/// Number of other connections; nullopt: the role does not permit the request.
 std::optional<std::size_t> others_of(Connection& connection, const Ball& ball) {
   const auto list = connection.call(protocol::ConnectionList{});
   if (!list) return std::nullopt;
@@ -32,7 +32,7 @@ std::optional<std::size_t> others_of(Connection& connection, const Ball& ball) {
                     [&](const auto& info) { return info.connection != ball.hello.connection; }));
 }
 
-/// Of a user or process; "-": not of the Unix socket, or not known.
+/// A user or process id; "-": not a Unix socket, or unknown.
 std::string id_words(const std::optional<std::int64_t>& id) {
   return id ? std::to_string(*id) : "-";
 }

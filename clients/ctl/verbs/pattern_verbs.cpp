@@ -23,7 +23,7 @@ std::string seconds(std::int64_t ms) {
   return fmt::format("{:g}", static_cast<double>(ms) / 1000.0);
 }
 
-/// What `play` needs besides its name to play it whole; empty: nothing.
+/// Options besides its name with which `play` plays all of it; empty: none.
 std::string more_to_play(const protocol::Pattern& pattern) {
   const std::int64_t takes_ms = pattern.keyframes.back().t_ms;
   return takes_ms > protocol::kMaxDurationMs ? "--loop --for " + seconds(takes_ms) : "";

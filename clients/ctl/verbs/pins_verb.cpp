@@ -16,9 +16,9 @@ namespace {
 using protocol::Status;
 
 constexpr double kPinsHz = 10.0;
-/// Lines that a person reads.
+/// Rate of lines for users.
 constexpr double kLinesHz = 2.0;
-/// For one look the first notification should come at once.
+/// For a single output the first notification should arrive quickly.
 constexpr double kSoonHz = 50.0;
 
 void print_once(const model::PinArray& pins, const Status& status, const ScreenStyle& style) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The verb that shows every pin: force and extension. Returns the exit code.
+// The verb that prints force and extension of every pin. Returns the exit code.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +9,9 @@
 namespace hedgehog::client {
 
 struct PinsOptions {
-  /// Again and again: a picture on a terminal of 80x22, else a line each.
+  /// Repeatedly: a picture on a terminal of 80x22, otherwise lines.
   bool live = false;
-  /// With `live`: ends after so many; 0: never.
+  /// With `live`: ends after this many lines; 0: never.
   std::int64_t count = 0;
 };
 int run_pins(Session& session, const PinsOptions& options);

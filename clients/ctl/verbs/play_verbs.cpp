@@ -24,13 +24,12 @@ using nlohmann::json;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kEndPoll{50};
-// Telemetry tells when to renew: its rate, like the lease, counts the device's time (--speed).
+// Telemetry times the renewals: its rate, like the lease, is in device time (--speed).
 constexpr double kRenewalHz = 20.0;
 
 std::string verb_of(const std::string& method) { return method.substr(method.find('.') + 1); }
 
-/// Waits for the end of `effect`, renewing its lease when it is held; nothing when the person
-/// interrupts.
+/// Waits for the end of `effect`, renewing its lease if it has one; nullopt if interrupted.
 class Stay {
  public:
   Stay(Session& session, std::uint32_t effect, const PlayOptions& options)
@@ -53,7 +52,7 @@ class Stay {
     return std::optional<protocol::EventMessage>{};
   }
 
-  /// A hold that was stopped because its time was over has done what was asked.
+  /// A hold that was stopped after its requested duration is complete.
   bool stopped_in_time() const noexcept { return stopped_; }
 
  private:
@@ -114,7 +113,7 @@ void print_end(const protocol::Event& event, const std::string& reason) {
   std::puts("");
 }
 
-/// The circle's step on the connected ball; others need none.
+/// The step of a circle on the connected ball; a default for other methods.
 double pitch_deg(Session& session, const PlayOptions& options) {
   if (options.method == "effect.circle")
     if (const auto description = session.connection.call(protocol::DeviceDescribe{}))
@@ -122,7 +121,7 @@ double pitch_deg(Session& session, const PlayOptions& options) {
   return model::kThesisPitchDeg;
 }
 
-/// `given` with its file and an end; what was left out of the file goes to stderr.
+/// `given` with its file and an end; what was left out of the file is reported on stderr.
 Outcome<PlayOptions> with_file_and_end(Session& session, const PlayOptions& given) {
   auto read = with_file(given);
   if (!read) return read.error();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The verbs that play: pulse, circle, vibrate, hold, play. Each stays until its effect has ended,
-// because the effect ends with the connection, and returns the exit code. And preview, which says
-// what any of them would do.
+// The playing verbs: pulse, circle, vibrate, hold, play. Each runs until its effect has ended,
+// because the effect ends with the connection, and returns the exit code. And preview, which
+// computes any of them without playing it.
 #pragma once
 
 #include "clients/ctl/play_options.h"

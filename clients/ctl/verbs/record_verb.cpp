@@ -26,14 +26,14 @@ using model::Vec3;
 
 constexpr double kRecordHz = 100.0;
 constexpr Milliseconds kInterruptPoll{50};
-/// Older ones are no measurement of now: the daemon calls it lost after 50 ms.
+/// Older measurements are outdated: the daemon reports the orientation as lost after 50 ms.
 constexpr std::int64_t kStaleMs = 50;
 
-/// The pointer as a unit vector of the ball.
+/// The pointer as a unit vector in the device frame.
 Outcome<Vec3> pointer_of(Session& session, const std::string& text) {
   const auto direction_text = direction_json(text);
   if (!direction_text) return direction_text.error();
-  // A key frame's direction is read as every direction of the protocol.
+  // The decoder of key frames accepts all directions of the protocol.
   const auto pattern = protocol::decode_pattern(
       R"({"name":"a/a","keyframes":[{"t_ms":1,"level":1,"direction":)" + *direction_text + "}]}");
   if (!pattern || !pattern->keyframes.front().direction)
@@ -53,7 +53,7 @@ class Recorder {
             1000.0 * std::min(options.seconds.value_or(kMaxRecordSeconds), kMaxRecordSeconds))),
         pointer_(pointer) {}
 
-  /// False: the time is over.
+  /// False: the duration has elapsed.
   bool take(const protocol::Status& status) {
     const auto& orientation = status.orientation;
     if (begin_ns_ == 0) begin_ns_ = status.time_ns;
@@ -80,7 +80,7 @@ class Recorder {
   std::int64_t until_ms_;
   Vec3 pointer_;
   Quaternion home_{};
-  std::int64_t begin_ns_ = 0;  // of the recording, or of waiting for an orientation
+  std::int64_t begin_ns_ = 0;  // start of the recording, or of waiting for an orientation
   int lost_ = 0;
   std::vector<PathPoint> points_;
 };
@@ -124,7 +124,7 @@ void print_recorded(const Session& session, const RecordOptions& options,
   if (lost > 0) fmt::print(stderr, "hedgehogctl: the orientation was not known {} times\n", lost);
 }
 
-/// What would be noticed only when the recording is over; kDone: nothing.
+/// Checks what would otherwise fail only after the recording; kDone: valid.
 int check_before(const RecordOptions& options) {
   std::error_code ec;
   if (!options.replace && std::filesystem::exists(options.file, ec))
@@ -168,7 +168,7 @@ int run_record(Session& session, const RecordOptions& options) {
   if (const std::string problem = base::write_file_atomically(options.file, text); !problem.empty())
     return print_failed("failed", options.file + ": " + problem, kCannotCreate);
   print_recorded(session, options, path, recorder.lost());
-  // What was recorded until the daemon went is kept.
+  // What was recorded before a lost connection is kept.
   return recorded ? static_cast<int>(kDone) : static_cast<int>(complain(recorded.error()));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Recording by demonstration: the way that a direction of the ball takes while it is turned.
+// Recording by demonstration: the path of a direction of the ball while it is turned.
 #pragma once
 
 #include <optional>
@@ -15,9 +15,9 @@ struct RecordOptions {
   bool replace = false;
   /// Of the pattern.
   std::string name = "recorded/path";
-  /// What points: as typed, see direction_json.
+  /// The pointing direction: as typed, see direction_json.
   std::string pointer = "front";
-  /// Device time; nothing: until Ctrl-C, 60 s at most.
+  /// Device time; nullopt: until Ctrl-C, 60 s at most.
   std::optional<double> seconds{};
   double tolerance_deg = 2.0;
   /// Of every key frame, 0..1.
@@ -26,9 +26,9 @@ struct RecordOptions {
 
 inline constexpr double kMaxRecordSeconds = 60.0;
 
-/// Writes where the pointer pointed, seen from how the ball lay at the beginning. Ctrl-C ends the
-/// recording, not the verb; a daemon that goes ends both, and what was recorded until then is kept.
-/// File and name are checked before it begins.
+/// Writes the path of the pointer relative to the ball's initial orientation. Ctrl-C ends the
+/// recording, not the verb; a lost connection ends both, and what was recorded until then is kept.
+/// File and name are checked before the recording begins.
 int run_record(Session& session, const RecordOptions& options);
 
 }  // namespace hedgehog::client

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every verb of hedgehogctl starts from: a connection, and how its user wants to be spoken to.
+// The context of every verb of hedgehogctl: a connection and the output style.
 #pragma once
 
 #include <optional>
@@ -12,11 +12,11 @@
 
 namespace hedgehog::client {
 
-/// Options that stand before or behind any verb.
+/// Options before or after any verb.
 struct CommonOptions {
-  /// --address; empty: where the daemon usually is.
+  /// --address; empty: the default addresses.
   std::optional<std::string> address;
-  /// --json: for programs.
+  /// --json: output for programs.
   bool json = false;
 };
 
@@ -26,7 +26,7 @@ struct Session {
   ScreenStyle style;
 };
 
-/// Connects and introduces itself.
+/// Opens a connection.
 Outcome<Session> open_session(const CommonOptions& options);
 
 /// hello, device.describe and device.status in one.

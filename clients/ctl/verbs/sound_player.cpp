@@ -30,7 +30,6 @@ std::string clock_words(double seconds) {
 
 }  // namespace
 
-/// The parameters of the effects of a slice: its pushes, its vibration.
 std::vector<std::string> effects_of(const Slice& slice, const PlayableSound& sound) {
   std::vector<std::string> effects;
   const auto add = [&](const std::vector<protocol::Keyframe>& frames, const json& more) {
@@ -61,7 +60,7 @@ Outcome<bool> SoundPlayer::play() {
   while (slice || now_ns_ < end_ns_ || !playing_.empty()) {
     if (interrupted()) return false;
     while (slice && start_ns_ + slice->start_ms * kNsPerMs < now_ns_ + kAheadNs) {
-      // Telemetry is as old as the pause when this program was stopped meanwhile (Ctrl-Z).
+      // The last telemetry is outdated if this program was stopped meanwhile (Ctrl-Z).
       if (auto read = read_clock(); !read) return read.error();
       if (auto sent = send(*slice); !sent) return sent.error();
       slice = sound_.reader.next();
@@ -129,7 +128,7 @@ Outcome<void> SoundPlayer::read_clock() {
 Outcome<void> SoundPlayer::send(const Slice& slice) {
   ++slices_;
   const std::int64_t at_ns = start_ns_ + slice.start_ms * kNsPerMs;
-  // A time that has passed would be "at once", over the slices behind it.
+  // The daemon starts a time in the past at once, overlapping the following slices.
   if (at_ns < now_ns_) {
     ++late_slices_;
     return {};
@@ -143,7 +142,7 @@ Outcome<void> SoundPlayer::send(const Slice& slice) {
     const auto admission = protocol::decode_result<protocol::Admission>(*answer);
     if (!admission) return ClientError{Failure::kProtocol, admission.error().message, {}};
     playing_.insert(admission->effect);
-    // Two effects at once limit each other where they add up, as is meant.
+    // Two simultaneous effects limit each other where they add up, which is intended.
     if (admission->limited_by && *admission->limited_by != "mix")
       limited_by_ = *admission->limited_by;
     if (!session_.json) continue;

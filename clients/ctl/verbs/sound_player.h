@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Slices of a sound as effects of the daemon, sent ahead by device time.
+// Slices of a sound as effects, sent ahead by device time.
 #pragma once
 
 #include <cstdint>
@@ -12,15 +12,15 @@
 
 namespace hedgehog::client {
 
-/// A sound file, and what was asked of how it is played, as JSON objects.
+/// A sound file, and the requested effect parameters, as JSON objects.
 struct PlayableSound {
   sound::SliceReader reader;
   std::string params;        // of every effect
-  std::string of_vibration;  // of those that vibrate, besides
+  std::string of_vibration;  // additionally, of vibrations
 };
 
-/// The parameters of effect.play for a slice, as JSON: of its pushes and of its vibration, as far
-/// as it has them.
+/// The parameters of effect.play for a slice, as JSON: of its pushes and of its vibration, if it
+/// has them.
 std::vector<std::string> effects_of(const sound::Slice& slice, const PlayableSound& sound);
 /// The pushes of a slice.
 std::size_t pushes_in(const sound::Slice& slice);
@@ -30,18 +30,18 @@ class SoundPlayer {
  public:
   SoundPlayer(Session& session, PlayableSound& sound, std::string name);
 
-  /// Until the last effect has ended. False: interrupted.
+  /// Returns when the last effect has ended. False: interrupted.
   Outcome<bool> play();
-  /// Every slice was in time, and none ended otherwise than completed.
+  /// Every slice was sent in time, and all effects ended as completed.
   bool all_completed() const noexcept { return other_reason_.empty() && late_slices_ == 0; }
-  /// What was played, a line of text or of JSON.
+  /// Prints a summary, as text or as JSON.
   void print_end(bool complete) const;
 
  private:
   Outcome<void> begin();
   Outcome<void> read_clock();
   Outcome<void> send(const sound::Slice& slice);
-  /// Waits for a notification, and takes all that have come.
+  /// Waits for a notification, and processes all that were received.
   Outcome<void> follow();
   void take(const Notification& notification);
   void print_progress() const;
@@ -52,7 +52,7 @@ class SoundPlayer {
   Session& session_;
   PlayableSound& sound_;
   std::string name_;
-  std::int64_t now_ns_ = 0;  // device time, the latest that was read
+  std::int64_t now_ns_ = 0;  // device time, the latest received
   std::int64_t start_ns_ = 0;
   std::int64_t end_ns_ = 0;
   std::set<std::uint32_t> playing_{};

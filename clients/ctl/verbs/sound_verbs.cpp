@@ -22,7 +22,7 @@ namespace {
 using nlohmann::json;
 using sound::Slice;
 
-/// Parameters that go with every slice.
+/// Parameters that apply to every slice.
 constexpr std::array<std::string_view, 6> kForAll{"level", "current_a", "force_n",
                                                   "gain",  "frame",     "priority"};
 constexpr std::array<std::string_view, 3> kForVibration{"waveform", "frequency_hz", "on_fraction"};
@@ -31,7 +31,7 @@ bool among(std::string_view name, const auto& names) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// What cannot be said of a sound; empty: everything can.
+/// An option that does not apply to sounds; empty: none.
 std::string misplaced_option(const PlayOptions& options) {
   if (options.loop) return "--loop";
   if (options.hold_s) return "--for";
@@ -44,7 +44,7 @@ std::string misplaced_option(const PlayOptions& options) {
   return {};
 }
 
-/// The part of the asked strength below which nothing is felt.
+/// The fraction of the requested strength below which nothing is felt.
 double felt_part(const json& params, const protocol::HelloResult& hello) {
   const auto& limits = hello.limits;
   double strength_a = limits.continuous_a;
@@ -53,7 +53,7 @@ double felt_part(const json& params, const protocol::HelloResult& hello) {
   else if (params.contains("level") && params["level"].is_number())
     strength_a = params["level"].get<double>() * limits.current_a;
   else if (params.contains("force_n"))
-    return 0.0;  // how much current that is, is the daemon's to know
+    return 0.0;  // only the daemon can convert it to a current
   return strength_a > limits.felt_a ? limits.felt_a / strength_a : 0.0;
 }
 
@@ -85,7 +85,7 @@ int refuse_option(const std::string& option) {
   return complain_of_usage("hedgehogctl: " + option + " does not go with a sound file");
 }
 
-/// Where most of the slice is, for a person.
+/// The direction of the strongest key frame, for users.
 std::string side_of(const Slice& slice) {
   double azimuth = 0.0;
   double most = 0.0;

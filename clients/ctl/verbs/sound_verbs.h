@@ -6,14 +6,14 @@
 
 namespace hedgehog::client {
 
-/// It ends as sound files do (.wav, .flac, .ogg, .aiff, .mp3); and "acme/x.wav", which may be a
-/// vendor's pattern too, only where there is that file.
+/// True for the extension of a sound file (.wav, .flac, .ogg, .aiff, .mp3); for "acme/x.wav", which
+/// may also be a vendor's pattern, only if that file exists.
 bool is_sound_file(const std::string& text);
 
-/// Plays `options.pattern`, a sound file, to its end or until Ctrl-C. Nothing plays on for more
-/// than two seconds when this program is stopped, and nothing at all when it ends.
+/// Plays `options.pattern`, a sound file, to its end or until Ctrl-C. Playback ends within two
+/// seconds when this program is stopped, and at once when it ends.
 int run_sound(Session& session, const PlayOptions& options);
-/// What run_sound would send; as JSON the parameters of each effect.play, a line each, with
+/// Prints what run_sound would send; as JSON the parameters of each effect.play, a line each, with
 /// `at_ms`.
 int run_sound_preview(Session& session, const PlayOptions& options);
 

@@ -20,7 +20,7 @@ constexpr double kTabHeightMm = 3.0;
 constexpr double kWidestFanMm = 40.0;
 constexpr double kWallMm = 1.5;
 
-/// How far a point is from the line out of the centre along `direction`.
+/// Distance of a point from the line out of the centre along `direction`.
 double distance_to_axis(const Vec3& point, const Vec3& direction) {
   return model::norm(point - model::dot(point, direction) * direction);
 }
@@ -62,7 +62,7 @@ double volume_mm3(const Casing& casing) noexcept {
   const auto polygon_mm2 = [&](double reach_mm) {
     return 0.5 * corners * reach_mm * reach_mm * std::sin(2.0 * std::numbers::pi / corners);
   };
-  // Above the sphere, and between the sphere and the level of its top.
+  // The part above the sphere, and the part between the sphere and the plane at its top.
   const auto cavity_mm3 = [&](const Size& magnet, double depth_mm) {
     const double reach_mm = cavity_reach_mm(casing, magnet);
     return polygon_mm2(reach_mm) * (depth_mm + reach_mm * reach_mm / (4.0 * inner));
@@ -88,7 +88,7 @@ Wall thinnest_wall(const Casing& casing, const model::Arrangement& array) {
   const auto cavity = [&](model::MagnetKind kind) {
     const Size& magnet = kind == model::MagnetKind::kPin ? casing.pin : casing.shield;
     const double reach = cavity_reach_mm(casing, magnet);
-    // At its rim the casing's inside is lower than in the middle.
+    // At its rim the inner surface of the casing is lower than in the middle.
     const double mouth =
         std::sqrt(std::max(0.0, casing.sphere_mm * casing.sphere_mm - reach * reach));
     return Cavity{{2.0 * reach, magnet.height_mm}, mouth - casing.sphere_mm};

@@ -28,7 +28,7 @@ std::string list_of(const std::vector<double>& numbers) {
   return "[" + text + "];\n";
 }
 
-// Everything below the numbers. Cavities are drawn around their circles, so that magnets fit.
+// The model after the parameters. Cavities are circumscribed polygons, so that magnets fit.
 constexpr const char* kModules = R"(
 inside = 1;  // cavities begin so far inside the sphere, so that nothing is left over their mouths
 reach = max(sphere + pin_height + travel, sphere + shield_height) + roof;  // radius of the ball

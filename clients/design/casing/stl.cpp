@@ -14,7 +14,7 @@ namespace {
 
 using model::Vec3;
 
-/// Numbers for points: equal text is the same corner.
+/// Indices of points: equal text is the same corner.
 class Corners {
  public:
   std::size_t number_of(const std::string& x, const std::string& y, const std::string& z) {
@@ -35,7 +35,7 @@ Result<Surface> check_stl(const std::string& text) {
   if (!text.starts_with("solid")) return Problem{kBadData, "is not an STL in text form"};
   Surface surface;
   Corners corners;
-  // For each edge from the lower to the higher corner: how often each way.
+  // For each edge, from the lower to the higher corner: the counts of both directions.
   std::map<std::pair<std::size_t, std::size_t>, std::array<int, 2>> edges;
   std::array<std::size_t, 3> triangle{};
   std::size_t seen = 0;
@@ -49,7 +49,7 @@ Result<Surface> check_stl(const std::string& text) {
     triangle[seen++ % 3] = corners.number_of(x, y, z);
     if (seen % 3 != 0) continue;
     const auto [a, b, c] = triangle;
-    // Rounded to nothing: it has no area, its edges lie on each other.
+    // Degenerate after rounding: without area, its edges coincide.
     if (a == b || b == c || c == a) continue;
     ++surface.triangles;
     surface.volume_mm3 +=

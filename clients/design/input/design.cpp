@@ -26,7 +26,7 @@ Problem unknown(const std::string& name) {
       std::min_element(kNames.begin(), kNames.end(),
                        [&](const char* a, const char* b) { return distance(a) < distance(b); });
   std::string sentence = "unknown array '" + name + "'";
-  // What differs by more than half is another word.
+  // A name that differs by more than half is not similar.
   if (2 * distance(*nearest) <= std::max<std::size_t>(name.size(), 2)) {
     sentence += "; did you mean '" + std::string(*nearest) + "'?";
   } else {
@@ -48,8 +48,8 @@ std::vector<int> pins_at_the_bottom(const Arrangement& array) {
   return ids;
 }
 
-/// The shields that stand at a corner of `min_faces` or more of the faces of these pins: a shield
-/// belongs to the three pins that are nearest to it.
+/// The shields at a corner of `min_faces` or more of the faces of these pins: a shield belongs to
+/// the three pins that are nearest to it.
 std::vector<int> shields_touching(const Arrangement& array, const std::vector<int>& removed,
                                   int min_faces) {
   std::vector<int> ids;
@@ -73,7 +73,7 @@ Result<Arrangement> named(const std::string& name, const std::string& as_typed) 
   auto found = model::arrangement_named(name);
   if (found) return *found;
   static const std::regex kGoldberg(R"(GP\(\d+,\d+\))");
-  // A Goldberg polyhedron that is too fine has a reason of its own.
+  // A Goldberg polyhedron that is too fine has its own error message.
   if (std::regex_match(name, kGoldberg)) return Problem{kUsage, found.error().message};
   return unknown(as_typed);
 }
@@ -90,7 +90,7 @@ Result<Arrangement> find_arrangement(const std::string& name) {
     return Problem{kUsage, "unknown array '" + name + "'; did you mean '" + parts[1].str() + "-" +
                                std::to_string(whole->pins.size() - kFanPins) + "'?"};
   }
-  // The ball of the thesis has pin numbers of its own.
+  // The ball of the thesis has its own pin numbers.
   if (auto known = model::arrangement_named(name)) return *known;
   const int min_faces = parts[3] == "5" ? 3 : parts[3] == "20" ? 1 : 2;
   const std::vector<int> pins = pins_at_the_bottom(*whole);
@@ -98,7 +98,7 @@ Result<Arrangement> find_arrangement(const std::string& name) {
   auto opened = model::without(std::move(*whole), pins, shields);
   if (!opened) return Problem{kInternal, opened.error().message};
   opened->name = name;
-  // An array of its own, not one with gaps in its numbers.
+  // Renumbered, so that the ids have no gaps.
   for (auto* sites : {&opened->pins, &opened->shields})
     for (std::size_t i = 0; i < sites->size(); ++i) (*sites)[i].id = static_cast<int>(i);
   return *opened;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One ball on the drawing board: which array, which magnets, on which sphere, pushed how hard.
+// Parameters of a ball: array, magnets, sphere, force of the coil.
 #pragma once
 
 #include <string>
@@ -13,14 +13,14 @@
 
 namespace hedgehog::design {
 
-/// As the daemon takes them. Force curves begin 2.5 mm inside the sphere.
+/// Bounds as in the daemon. Force curves begin 2.5 mm inside the sphere.
 inline constexpr double kMinSphereMm = 5.0;
 inline constexpr double kMaxSphereMm = 500.0;
 
 struct Design {
-  /// As `find_arrangement` knows them. Ignored when `positions` is there.
+  /// A name accepted by `find_arrangement`. Ignored if `positions` is set.
   std::string array = "tkD-86";
-  /// A CSV file with the places of all magnets; empty: none.
+  /// A CSV file with the positions of all magnets; empty: none.
   std::string positions;
   Size magnet{8.0, 10.0};
   Size shield{4.0, 10.0};
@@ -28,7 +28,7 @@ struct Design {
   double remanence_t = model::kN45RemanenceT;
   std::vector<int> removed_pins;
   std::vector<int> removed_shields;
-  /// What the electromagnet can push with, N (thesis section 2.3: 0.4).
+  /// Force of the electromagnet, N (thesis section 2.3: 0.4).
   double coil_force_n = 0.4;
   model::ForceSettings settings;
 
@@ -37,7 +37,7 @@ struct Design {
             {shield.diameter_mm, shield.height_mm, remanence_t},
             sphere_mm};
   }
-  /// Nothing taken out, nothing put elsewhere.
+  /// No magnet removed, no positions file.
   bool whole() const noexcept {
     return positions.empty() && removed_pins.empty() && removed_shields.empty();
   }
@@ -49,23 +49,23 @@ struct Design {
   }
 };
 
-/// "D", "tI", "cD", "wD", "tkD", "GP(m,n)"; followed by "-36", "-66", "-86", ... (six pins fewer)
-/// the same with the fan's opening at the bottom: without the lowest pin, its five neighbours and
-/// the shields that touch two of these. "-86-5" and "-86-20": only those that touch three, all that
-/// touch one. The complaint about another name says which was meant.
+/// "D", "tI", "cD", "wD", "tkD", "GP(m,n)"; with the suffix "-36", "-66", "-86", ... (six pins
+/// fewer) the same with the fan's opening at the bottom: without the lowest pin, its five
+/// neighbours and the shields that touch two of these. "-86-5" and "-86-20": without only those
+/// that touch three, all that touch one. The error for an unknown name suggests the nearest one.
 Result<model::Arrangement> find_arrangement(const std::string& name);
 
-/// The design's own magnets, without those that are removed. Not checked for overlaps.
+/// The design's magnets, without those that are removed. Not checked for overlaps.
 Result<model::Arrangement> arrangement_of(const Design& design);
 
-/// `arrangement_of`, and a complaint (65) when magnets are in each other's way.
+/// `arrangement_of`, with an error (65) if magnets overlap.
 Result<model::Arrangement> buildable_arrangement(const Design& design);
 
-/// The thesis' magnets on its sphere, whatever the array, nothing removed.
+/// True for the thesis' magnets on its sphere, with any array, nothing removed.
 bool has_thesis_magnets(const Design& design) noexcept;
 
-/// These, pushed and computed as in the thesis (sections 2.2, 2.3: 0.4 N, near forces exact): what
-/// the thesis prints can stand beside it.
+/// True if it also has the thesis' coil force and force model (sections 2.2, 2.3: 0.4 N, near
+/// forces exact): results are comparable with those printed in the thesis.
 bool is_of_the_thesis(const Design& design) noexcept;
 
 /// "tkD-86, pins 8x10, shields 4x10, sphere 35 mm".

@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What is wrong with a value; empty: nothing, and it is in the design.
+/// Stores a value in the design; returns the error, or empty.
 using Reader = std::function<std::string(const Json&, Design&)>;
 
 Reader text_key(std::string Design::*member) {
@@ -102,7 +102,7 @@ Result<Design> load_design(const std::string& path) {
   if (!text) return text.error();
   auto design = parse_design(*text, path);
   if (!design) return design.error();
-  // An array or ids that there are not: the file's mistake, not the command line's.
+  // A nonexistent array or id is an error in the file, not on the command line.
   const auto array = arrangement_of(*design);
   if (!array && array.error().exit_code == kUsage)
     return Problem{kBadData, path + ": " + array.error().message};

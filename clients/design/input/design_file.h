@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A design as a file, so that no verb needs its flags again:
+// A design as a file, as an alternative to the flags of the verbs:
 //
 //     { "array": "tkD-86", "magnet": "8x10", "shield": "4x10", "sphere_mm": 35 }
 //
-// What is left out is as in the ball of the thesis.
+// Missing keys are as in the ball of the thesis.
 #pragma once
 
 #include <string>
@@ -13,15 +13,15 @@
 
 namespace hedgehog::design {
 
-/// The complaint (65, or 66 when there is no such file) names the file and the key.
+/// The error (65, or 66 if there is no such file) contains the file and the key.
 Result<Design> load_design(const std::string& path);
 Result<Design> parse_design(const std::string& text, const std::string& name);
 
-/// Every key, those of a search too: nothing is left to defaults that may change.
+/// Writes every key, including the coil force of a search, independent of defaults that may change.
 std::string design_text(const Design& design);
 
-/// Complains when a design file stands at `path`: other things are not written over it
-/// (`--output best.json` is easily typed for `best.json --output`).
+/// An error if `path` is a design file, which must not be overwritten by other output (`--output
+/// best.json` is easily typed for `best.json --output`).
 Result<void> spare_design(const std::string& path);
 
 }  // namespace hedgehog::design

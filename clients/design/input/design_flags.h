@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The flags that every verb shares, as typed: a design file, or what differs from it, or from the
-// ball of the thesis.
+// The flags shared by the verbs, as typed: a design file, or differences from it or from the ball
+// of the thesis.
 #pragma once
 
 #include <optional>
@@ -25,11 +25,11 @@ struct DesignFlags {
   std::optional<std::string> model;
   std::optional<double> accuracy;
 
-  /// Neither a file nor an array nor positions were given.
+  /// Neither a file, an array nor positions were given.
   bool names_no_array() const noexcept { return file.empty() && !array && !positions; }
 };
 
-/// The flags win over the file.
+/// Flags override the file.
 Result<Design> design_from(const DesignFlags& flags);
 
 /// "3,7-9" or "none".

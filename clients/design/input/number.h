@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A number as it is typed or stands in a file.
+// Parsing of numbers from the command line or a file.
 #pragma once
 
 #include <charconv>
@@ -9,7 +9,7 @@
 
 namespace hedgehog::design {
 
-/// The whole of `text`, without blanks; nothing when it is no number or out of range.
+/// The whole of `text`, without blanks; nullopt if it is not a number or out of range.
 template <class Number>
 std::optional<Number> parse_number(std::string_view text) {
   Number value{};

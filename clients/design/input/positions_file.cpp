@@ -19,7 +19,7 @@ namespace {
 
 using model::Vec3;
 
-// Spreadsheets put it in front.
+// Written by spreadsheets at the beginning of a file.
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 std::string trimmed(std::string text) {
@@ -60,7 +60,7 @@ std::optional<Columns> columns_of(const std::vector<std::string>& head) {
   return Columns{*kind, *x, *y, *z, find("id")};
 }
 
-/// 0 on the poles, where there is none.
+/// 0 at the poles, where it is undefined.
 double azimuth_deg(const Vec3& direction) {
   const bool on_axis = std::hypot(direction.x, direction.y) < 1e-9;
   return on_axis ? 0.0 : std::atan2(direction.y, direction.x) / model::kRadiansPerDegree;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The places of magnets as CSV, one magnet a line:
+// Positions of magnets as CSV, one magnet per line:
 //
 //     kind,id,x_mm,y_mm,z_mm
 //     pin,0,0,0,35
 //     shield,0,12.3,4.1,32.5
 //
-// Read: the columns kind (pin or shield), x, y, z (or x_mm, ...) in any order, of any length since
-// only the direction counts; id, when there, is kept. Others are passed over.
+// Columns read: kind (pin or shield), x, y, z (or x_mm, ...) in any order, of any length since only
+// the direction is used; id, if present, is kept. Other columns are ignored.
 #pragma once
 
 #include <string>
@@ -17,11 +17,11 @@
 
 namespace hedgehog::design {
 
-/// The complaint names file and line.
+/// The error contains file and line.
 Result<model::Arrangement> read_positions(const std::string& path);
 Result<model::Arrangement> parse_positions(const std::string& text, const std::string& name);
 
-/// As `read_positions` reads it, with angles and sizes beside the places.
+/// In the format of `read_positions`, with additional columns for angles and sizes.
 std::string positions_csv(const model::Arrangement& arrangement, const model::ArraySizes& sizes);
 
 }  // namespace hedgehog::design

@@ -12,15 +12,15 @@
 namespace hedgehog::design {
 namespace {
 
-// Okabe and Ito's colours, told apart by colour-blind people too.
+// Okabe and Ito's colours, distinguishable by colour-blind people too.
 constexpr std::array kColours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                               "#E69F00", "#56B4E9", "#000000", "#888888"};
-constexpr int kPanelWidth = 620;   // 300 more when the key has two columns
-constexpr int kPanelHeight = 400;  // without the key under it
+constexpr int kPanelWidth = 620;   // 300 more if the key has two columns
+constexpr int kPanelHeight = 400;  // without the key below it
 constexpr int kKeyLineHeight = 18;
 constexpr int kTitleHeight = 44;
 
-/// A single-quoted gnuplot string: nothing in it is interpreted but the quote, which is doubled.
+/// A single-quoted gnuplot string: only the quote is special, and is doubled.
 std::string quoted(const std::string& text) {
   std::string safe = "'";
   for (const char c : text)
@@ -35,7 +35,7 @@ std::string style_of(const Series& series) {
   const std::string colour = std::string(" lc rgb '") +
                              kColours[static_cast<std::size_t>(series.colour) % kColours.size()] +
                              "'";
-  // Ninth and further series: the colours again, broken.
+  // Ninth and further series: the same colours, dashed.
   const bool again = series.colour >= static_cast<int>(kColours.size());
   switch (series.style) {
     case Series::Style::kLine:
@@ -115,7 +115,7 @@ std::string gnuplot_script(const Picture& picture, const std::string& terminal,
   const int rows = (panels + picture.columns - 1) / picture.columns;
   std::size_t key_lines = 0;
   for (const Panel& panel : picture.panels) key_lines = std::max(key_lines, panel.series.size());
-  // Longer keys stand in two columns.
+  // Longer keys have two columns.
   const int key_columns = key_lines > kColours.size() ? 2 : 1;
   if (key_columns == 2) key_lines = (key_lines + 1) / 2;
   const int panel_width = kPanelWidth + (key_columns == 2 ? 300 : 0);
@@ -142,7 +142,7 @@ std::string gnuplot_script(const Picture& picture, const std::string& terminal,
 Result<void> draw(const Picture& picture, const std::string& path) {
   const auto drawable = check_drawable(path);
   if (!drawable) return drawable.error();
-  // What is there stays until there is something better.
+  // An existing file is only replaced after success.
   const auto picture_file = TemporaryFile::make(path.substr(path.size() - 4));
   if (!picture_file) return picture_file.error();
   const auto script = TemporaryFile::make(".gp");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Curves with axes, drawn by gnuplot as SVG or PNG.
+// Plots with axes, drawn by gnuplot as SVG or PNG.
 #pragma once
 
 #include <string>
@@ -16,15 +16,15 @@ struct Point {
 
 struct Series {
   enum class Style { kLine, kDashed, kMarks, kCrosses };
-  /// In the key; empty: not there.
+  /// In the key; empty: not shown.
   std::string name;
   std::vector<Point> points;
   Style style = Style::kLine;
-  /// Which of the eight colours: series that belong together share one. From 8 on lines are broken.
+  /// Index of one of eight colours, shared by related series. From 8 on lines are dashed.
   int colour = 0;
 };
 
-/// Words at a place, in the units of the axes.
+/// A label at a position, in the units of the axes.
 struct Note {
   std::string text;
   Point at;
@@ -37,10 +37,10 @@ struct Panel {
   std::string y_label;
   std::vector<Series> series;
   std::vector<Note> notes;
-  /// From where to where the axes go; equal ends: as the data are.
+  /// Ranges of the axes; equal ends: from the data.
   Point x_range{0, 0};
   Point y_range{0, 0};
-  /// Between the numbers at the y axis; 0: as gnuplot chooses.
+  /// Distance of the numbers at the y axis; 0: chosen by gnuplot.
   double y_tick = 0.0;
 };
 
@@ -50,26 +50,26 @@ struct Picture {
   int columns = 1;
 };
 
-/// Where a picture goes; empty: not there.
+/// Output files of a picture; empty: none.
 struct PictureFiles {
   std::string svg;
   std::string png;
 
-  /// Complains as `draw` would of the names and places, before long work.
+  /// Checks the file names as `draw` does, before a long computation.
   Result<void> check() const;
 };
 
-/// As SVG when `path` ends in ".svg", as PNG when it ends in ".png"; a complaint otherwise, and
-/// when gnuplot is missing or refuses.
+/// As SVG if `path` ends in ".svg", as PNG if it ends in ".png"; otherwise an error, also if
+/// gnuplot is missing or fails.
 Result<void> draw(const Picture& picture, const std::string& path);
 
-/// Into the files that are named.
+/// Draws into the files that are set.
 Result<void> draw(const Picture& picture, const PictureFiles& files);
 
-/// The SVG as text, to be put into HTML.
+/// The SVG as text, for embedding in HTML.
 Result<std::string> draw_svg(const Picture& picture);
 
-/// What gnuplot is told (for tests).
+/// The script for gnuplot (for tests).
 std::string gnuplot_script(const Picture& picture, const std::string& terminal,
                            const std::string& path);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rows and columns, for people (aligned), for programs (CSV) and for the report (HTML).
+// Tables for users (aligned), for programs (CSV) and for the report (HTML).
 #pragma once
 
 #include <limits>
@@ -13,9 +13,9 @@ namespace hedgehog::design {
 class Table {
  public:
   struct Column {
-    /// Over the column on the screen: "rest mm".
+    /// Header on the screen: "rest mm".
     std::string title;
-    /// In CSV, unit at the end: "rest_mm".
+    /// Header in CSV, with the unit at the end: "rest_mm".
     std::string name;
     bool left = false;
   };
@@ -26,12 +26,12 @@ class Table {
   void add(std::vector<std::string> cells);
   const std::vector<std::vector<std::string>>& rows() const noexcept { return rows_; }
 
-  /// Two blanks in front and between; each line ends in "\n". A last column on the left goes on in
-  /// further lines where it would not fit into 80 columns.
+  /// Two blanks before and between columns; each line ends in a line feed. A left-aligned last
+  /// column is wrapped where it exceeds 80 columns.
   std::string text() const;
-  /// RFC 4180, "\n" at the ends.
+  /// RFC 4180, with a line feed as line end.
   std::string csv() const;
-  /// In a box of the class `wide`, which scrolls where the page is narrower.
+  /// In a box of the class `wide`, which scrolls if the page is narrower.
   std::string html() const;
 
  private:
@@ -39,12 +39,12 @@ class Table {
   std::vector<std::vector<std::string>> rows_;
 };
 
-/// NaN where there is no number: `fixed` writes "none" then, JSON null.
+/// NaN for nullopt: `fixed` then writes "none", JSON null.
 inline double or_none(const std::optional<double>& number) {
   return number.value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
-/// "%.3f", and "none" for a number that there is not (NaN).
+/// "%.3f", and "none" for NaN.
 std::string fixed(double number, int digits);
 
 }  // namespace hedgehog::design

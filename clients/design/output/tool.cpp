@@ -15,7 +15,7 @@
 namespace hedgehog::design {
 namespace {
 
-/// What a program complained about: its last line that is not empty.
+/// The error message of a program: its last line that is not empty.
 std::string last_line(const std::string& text) {
   std::istringstream lines(text);
   std::string last;

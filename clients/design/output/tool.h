@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Other programs that are asked for help: gnuplot, openscad.
+// Calls of other programs: gnuplot, openscad.
 #pragma once
 
 #include <string>
@@ -10,14 +10,14 @@
 
 namespace hedgehog::design {
 
-/// Runs argv[0] from the PATH and waits for its end. `package`: the Debian package that has it, for
-/// the complaint when it is missing; when it fails, the complaint holds the last line it said.
+/// Runs argv[0] from the PATH and waits for its end. `package`: its Debian package, for the error
+/// if it is missing; if it fails, the error contains the last line of its output.
 Result<void> run_tool(const std::vector<std::string>& argv, const std::string& package);
 
-/// A file of its own in the folder for temporary files, gone with this object.
+/// A file in the folder for temporary files, deleted with this object.
 class TemporaryFile {
  public:
-  /// Complains (73) when the folder ($TMPDIR, /tmp) takes none.
+  /// An error (73) if it cannot be created in the folder ($TMPDIR, /tmp).
   static Result<TemporaryFile> make(const std::string& suffix);
   TemporaryFile(TemporaryFile&& other) noexcept : path_(std::exchange(other.path_, {})) {}
   TemporaryFile& operator=(TemporaryFile&&) = delete;
@@ -32,12 +32,12 @@ class TemporaryFile {
   std::string path_;
 };
 
-/// Complains (73) when no file can be written there: for what is asked before long work. Touches
-/// nothing.
+/// An error (73) if the file cannot be written: checked before a long computation. Has no side
+/// effects.
 Result<void> check_writable(const std::string& path);
-/// Writes the whole file, or complains (73) and names it.
+/// Writes the whole file; an error (73) with its name if that fails.
 Result<void> write_file(const std::string& path, const std::string& content);
-/// The whole file, or a complaint (66).
+/// The whole file, or an error (66).
 Result<std::string> read_file(const std::string& path);
 
 }  // namespace hedgehog::design

@@ -10,10 +10,11 @@ namespace hedgehog::design {
 namespace {
 
 constexpr std::size_t kNodes = 6;
-// Of each pair. A test compares the thesis' ball with the full computation: within 0.002 mm.
+// Accuracy of each pair. A test compares the thesis' ball with the full computation: within 0.002
+// mm.
 constexpr model::ForceSettings kSettings{model::ForceModel::kExact, 1e-4};
 
-/// Chebyshev's points, unless there are no more diameters than that.
+/// Chebyshev points, or all diameters if there are no more than that.
 std::vector<double> nodes_for(const std::vector<double>& diameters_mm) {
   if (diameters_mm.size() <= kNodes) return diameters_mm;
   const double middle = 0.5 * (diameters_mm.front() + diameters_mm.back());
@@ -81,7 +82,7 @@ double falls_through(const std::vector<double>& force_n, double level_n,
   const std::size_t last = force_n.size() - 1;
   for (std::size_t i = from; i < last; ++i) {
     if (!(force_n[i] > level_n && force_n[i + 1] <= level_n)) continue;
-    // Four neighbours and the cubic through them, at u in 0..1 between the middle two.
+    // The cubic through four neighbours, at u in 0..1 between the middle two.
     const std::size_t first = std::min(i == 0 ? 0 : i - 1, last - 3);
     const double shift = static_cast<double>(i - first);
     const auto cubic = [&](double u) {

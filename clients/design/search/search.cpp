@@ -15,7 +15,7 @@
 namespace hedgehog::design {
 namespace {
 
-/// Where a pin is without current, and how far it moves from there.
+/// Rest of a pin without current, and its extension from there.
 struct Reach {
   std::size_t pins = 0;
   double rest_mm = 0.0;
@@ -34,7 +34,7 @@ Reach median_of(std::vector<Reach> classes) {
   return {};
 }
 
-/// Rest and extension of the typical pin; nothing when a demand is not met.
+/// Rest and extension of the typical pin; nullopt if a demand is not met.
 std::optional<Reach> reach_of(const std::vector<model::PinClass>& classes,
                               const std::vector<Pull>& pulls, double diameter_mm,
                               double coil_force_n, const Demands& demands) {
@@ -45,13 +45,13 @@ std::optional<Reach> reach_of(const std::vector<model::PinClass>& classes,
                                                                                    : moved_mm;
   };
   for (std::size_t c = 0; c < classes.size(); ++c) {
-    // With weaker shields a pin rests farther out and moves farther: that decides.
+    // With weaker shields a pin rests farther out and moves farther: the critical case.
     if (std::isnan(moved_of(pulls[c].force_n(diameter_mm, 1.0 - demands.margin)))) return {};
     const std::vector<double> force_n = pulls[c].force_n(diameter_mm, 1.0);
     const double zero_mm = falls_through(force_n, 0.0);
     const double moved_mm = moved_of(force_n);
     if (std::isnan(zero_mm) || std::isnan(moved_mm)) return {};
-    // The shell stops it at 0.
+    // The shell limits it to 0.
     const double rest_mm = std::max(zero_mm, 0.0);
     reached.push_back({classes[c].pins.size(), rest_mm, std::max(moved_mm - rest_mm, 0.0)});
   }
@@ -189,7 +189,7 @@ std::optional<Found> Search::opened(const Found& found) const {
     pulls.emplace_back(one, found.design.sizes(), std::vector{diameter_mm});
   if (!reach_of(array->opened_classes, pulls, diameter_mm, found.design.coil_force_n, demands_))
     return {};
-  // The figures that all verbs have of this ball.
+  // The figures of this ball as in all verbs.
   const auto classes = study_classes(array->opened_classes, found.design);
   const ClassStudy& typical = typical_of(classes);
   if (!typical.rest_mm() || !typical.extension_mm()) return {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Looks at every design of a space, on all cores, and keeps those that meet the demands.
+// Evaluates every design of a space, on all cores, and keeps those that meet the demands.
 #pragma once
 
 #include <cstddef>
@@ -14,26 +14,27 @@ namespace hedgehog::design {
 
 struct SearchOutcome {
   std::size_t looked_at = 0;
-  /// Magnets far enough apart.
+  /// Magnets are far enough apart.
   std::size_t fit = 0;
-  /// Everything demanded.
+  /// All demands are met.
   std::size_t feasible = 0;
-  /// Of those of the feasible ones whose every pin also meets the demands with the fan's opening.
+  /// Pareto front of the feasible ones whose every pin also meets the demands with the fan's
+  /// opening.
   std::vector<Found> front;
-  /// That would have been on a front, but do not.
+  /// Candidates of the front that do not.
   std::size_t refused_when_opened = 0;
 };
 
-/// How many designs have been looked at so far. Called by the thread that called `run`.
+/// Number of designs evaluated so far. Called by the thread that called `run`.
 using Progress = std::function<void(std::size_t looked_at)>;
 
 class Search {
  public:
-  /// Complains about unknown arrays, and about a sphere within the electromagnet when its force is
-  /// not given.
+  /// An error for unknown arrays, and for a sphere within the electromagnet if no coil force is
+  /// given.
   static Result<Search> in(const SearchSpace& space, const Demands& demands);
 
-  /// `threads` >= 1; all of them have ended when it returns.
+  /// `threads` >= 1; all of them have ended on return.
   SearchOutcome run(int threads, const Progress& progress) const;
 
   const SearchSpace& space() const noexcept { return space_; }
@@ -43,12 +44,12 @@ class Search {
     model::Arrangement opened;
     std::vector<model::PinClass> classes;
     std::vector<model::PinClass> opened_classes;
-    /// Between the nearest two, degrees: pin and pin, pin and shield, shield and shield.
+    /// Smallest angles, degrees: pin and pin, pin and shield, shield and shield.
     double pin_pin_deg = 0.0;
     double pin_shield_deg = 0.0;
     double shield_shield_deg = 0.0;
   };
-  /// What shares the force of pins on pins and one interpolation.
+  /// Designs that share the force of pins on pins and one interpolation.
   struct Job {
     const Array* array = nullptr;
     Size pin;
@@ -64,8 +65,7 @@ class Search {
   Search(SearchSpace space, const Demands& demands) : space_(std::move(space)), demands_(demands) {}
   std::vector<Job> jobs() const;
   Batch look(const Job& job) const;
-  /// The ball as it would be built, with its own figures; nothing when one of its pins does not do
-  /// what is demanded.
+  /// The ball as built, with its own figures; nullopt if one of its pins does not meet the demands.
   std::optional<Found> opened(const Found& found) const;
   bool fits(const Job& job, double diameter_mm) const;
   std::vector<double> coil_forces_n(const Job& job) const;

@@ -7,7 +7,7 @@
 namespace hedgehog::design {
 namespace {
 
-// Nanometres and micrograms are rounding, not merit.
+// Nanometres and micrograms are rounding errors, not differences.
 constexpr double kSame = 1e-9;
 
 auto rank(const Found& found) {
@@ -16,7 +16,7 @@ auto rank(const Found& found) {
                     found.design.array);
 }
 
-/// Indices into `sorted` of those that no other dominates, but for those left out.
+/// Indices into `sorted` of those that no other dominates, except those left out.
 std::vector<std::size_t> front_of(const std::vector<Found>& sorted,
                                   const std::function<bool(std::size_t)>& left_out) {
   std::vector<std::size_t> front;
@@ -45,7 +45,7 @@ bool dominates(const Found& a, const Found& b) noexcept {
 }
 
 CheckedFront checked_front(std::vector<Found> found, const Check& check) {
-  // In this order nothing is dominated by what comes after it, but for ties in the first number.
+  // In this order no design is dominated by a later one, except for ties in the first number.
   std::sort(found.begin(), found.end(),
             [](const Found& a, const Found& b) { return rank(a) < rank(b); });
   enum class Answer : char { kNotAsked, kStays, kRefused };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which designs a search looks at, and what it asks of them.
+// Designs evaluated in a search, and the demands on them.
 #pragma once
 
 #include <functional>
@@ -12,12 +12,12 @@
 namespace hedgehog::design {
 
 struct SearchSpace {
-  /// Names of whole arrays; each is looked at with the fan's opening.
+  /// Names of whole arrays; each is evaluated with the fan's opening.
   std::vector<std::string> arrays;
   std::vector<Size> pins;
   std::vector<Size> shields;
   std::vector<double> spheres_mm;
-  /// N on an aimed pin; empty: what the thesis' electromagnet can do at 15 A on that pin and
+  /// N on an aimed pin; empty: the force of the thesis' electromagnet at 15 A for that pin and
   /// sphere.
   std::vector<double> coil_forces_n;
 
@@ -28,13 +28,14 @@ struct SearchSpace {
 };
 
 struct Demands {
-  /// Plastic between any two magnets.
+  /// Plastic between any two magnets, mm.
   double wall_mm = 0.3;
-  /// Every pin must rest, be held and have room even when all shields are weaker by this part.
+  /// Every pin must rest, be held and stay within its travel even if all shields are weaker by this
+  /// fraction.
   double margin = 0.02;
-  /// Of the typical pin, with the coil's full force.
+  /// Of the typical pin, with the full coil force.
   double min_extension_mm = 0.5;
-  /// No pin may be pushed farther out than this: there is the casing.
+  /// Maximum extension of any pin, limited by the casing.
   double travel_mm = 1.5;
 };
 
@@ -43,37 +44,36 @@ struct Found {
   Design design;
   std::size_t pins = 0;
   std::size_t shields = 0;
-  /// Of the typical pin (`typical_of`): where it is without current and how far it moves from
-  /// there. On a front those of the ball as it is built, with the fan's opening; before, those of
-  /// the whole array, some hundredths of a millimetre off.
+  /// Of the typical pin (`typical_of`): rest without current and extension from there. On a front
+  /// those of the ball as built, with the fan's opening; before, those of the whole array, which
+  /// differ by some hundredths of a millimetre.
   double rest_mm = 0.0;
   double extension_mm = 0.0;
   /// With the casing printed solid.
   double mass_g = 0.0;
   double outer_diameter_mm = 0.0;
-  /// The casing's thinnest wall at the usual clearance; below 0 cavities run into each other. On a
-  /// front only.
+  /// The casing's thinnest wall at the default clearance; below 0 cavities overlap. On a front
+  /// only.
   double wall_mm = 0.0;
 };
 
-/// No worse in any of pin count, extension, mass and outer diameter, and better in one.
+/// No worse in any of pin count, extension, mass and outer diameter, and better in at least one.
 bool dominates(const Found& a, const Found& b) noexcept;
 
-/// Each as it would be built, or nothing where that does not meet the demands; as long as what it
-/// was given.
+/// Each design as built, or nullopt if that does not meet the demands; as many as given.
 using Check = std::function<std::vector<std::optional<Found>>(const std::vector<Found>&)>;
 
 struct CheckedFront {
   std::vector<Found> front;
-  /// Asked about and refused.
+  /// Checked and refused.
   std::size_t refused = 0;
 };
 
-/// Of those that `check` lets stay, as it gives them back, the ones that no other dominates, in a
-/// fixed order: the smallest ball first, of equals the most pins, the largest extension, the least
-/// mass. So the first is the smallest ball that does what is asked, with as many pins, that move as
-/// far, as it can have. A check is dear, so only those are asked about that are on a front of what
-/// has not been refused yet.
+/// Of the designs that `check` accepts, as returned by it, those that no other dominates, in a
+/// fixed order: the smallest ball first, then the most pins, the largest extension, the least mass.
+/// So the first is the smallest feasible ball, with the most pins and the largest extension
+/// possible. A check is expensive, so only designs on the front of those not refused yet are
+/// checked.
 CheckedFront checked_front(std::vector<Found> found, const Check& check);
 
 }  // namespace hedgehog::design

@@ -7,7 +7,7 @@
 
 namespace hedgehog::design {
 
-/// Counts, gaps, classes and the places of all magnets as JSON, for `array` and `export`.
+/// Counts, gaps, classes and positions of all magnets as JSON, for `array` and `export`.
 std::string array_json(const Design& design, const model::Arrangement& array);
 
 }  // namespace hedgehog::design

@@ -38,7 +38,7 @@ Result<Demands> demands_of(const ChooseOptions& options) {
   return Demands{options.wall_mm, options.margin_percent / 100.0, options.min_extension_mm};
 }
 
-/// Each once, where it first stands.
+/// Without duplicates, in the order of first occurrence.
 std::vector<std::string> distinct(const std::vector<std::string>& names) {
   std::vector<std::string> once;
   for (const std::string& name : names)
@@ -159,7 +159,7 @@ Picture picture_of(const std::vector<Found>& front) {
   return picture;
 }
 
-/// A bar that grows in its line, on a terminal only.
+/// A progress bar that is redrawn in its line, on a terminal only.
 class Bar {
  public:
   Bar(std::ostream& out, std::size_t total)
@@ -208,8 +208,8 @@ void print_text(const SearchOutcome& outcome, double seconds, const ChooseOption
       << summary(outcome.front.front()) << "\n";
   const Found& best = outcome.front.front();
   if (best.wall_mm >= kNozzleMm) return;
-  // The clearance around both magnets comes off what is between them, and some hundredths at the
-  // cavities' mouths.
+  // The clearances around both magnets reduce the wall between them, and so do some hundredths at
+  // the cavities' mouths.
   constexpr double kMouthsMm = 0.1;
   const double wanted_mm = kNozzleMm + 2.0 * kUsualClearanceMm + kMouthsMm;
   out << client::wrapped("its casing has walls of " + fixed(best.wall_mm, 2) + " mm at the usual " +

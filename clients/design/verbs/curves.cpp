@@ -91,7 +91,7 @@ std::string text_of(const std::vector<Study>& studies) {
   return table.text();
 }
 
-/// What the key says of a class.
+/// Text of a class in the key.
 std::string legend(const ClassStudy& one, const std::string& array, bool few) {
   std::string text = one.name();
   if (!few)
@@ -103,7 +103,7 @@ std::string legend(const ClassStudy& one, const std::string& array, bool few) {
   return printed ? text + " (thesis " + fixed(*printed, 1) + ")" : text;
 }
 
-/// The tkD class whose rest the thesis tells (section 3.1.4), mm.
+/// The rest of a tkD class according to the thesis (section 3.1.4), mm.
 constexpr double kThesisRestMm = 0.45;
 
 Panel panel_of(const Study& study, const model::OffsetGrid& grid) {
@@ -149,7 +149,7 @@ Panel panel_of(const Study& study, const model::OffsetGrid& grid) {
   return panel;
 }
 
-/// Nothing when nothing is asked; equal ends for "own".
+/// nullopt if nothing is given; equal ends for "own".
 Result<std::optional<Point>> forces_of(const std::string& typed) {
   if (typed.empty()) return std::optional<Point>();
   if (typed == "own") return std::optional(Point{});

@@ -21,13 +21,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// But not over a design file.
+/// An error if `path` is a design file.
 Result<void> write_new(const std::string& path, const std::string& content) {
   const auto spared = spare_design(path);
   return spared ? write_file(path, content) : spared.error();
 }
 
-/// Into the file, or onto the screen when that is "-" or nothing was named.
+/// Writes to the file, or to the screen if that is "-" or empty.
 Result<void> deliver(const std::string& file, const std::string& content, const Screen& screen) {
   if (file.empty() || file == "-") {
     screen.out << content;
@@ -93,7 +93,7 @@ Result<void> write_casing(const ExportOptions& options, const Design& design,
                 "made by hedgehog-design " HEDGEHOG_VERSION, "SPDX-License-Identifier: MIT"});
   const auto temporary = TemporaryFile::make(".scad");
   if (!temporary) return temporary.error();
-  // The copy for openscad: the other one may go onto the screen.
+  // The copy for openscad: the other one may be printed to the screen.
   const std::string& scad = temporary->path();
   const auto copied = write_file(scad, text);
   if (!copied) return copied.error();

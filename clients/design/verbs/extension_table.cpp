@@ -13,9 +13,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The thesis took near forces from finite elements at a few angles and drew straight lines between
-/// (section 2.2); the true force is convex in the angle, so lines overstate it. Which angles it
-/// took is not known, so this is what would do it, not what did.
+/// The thesis computed near forces by finite elements at a few angles and interpolated linearly
+/// (section 2.2); the true force is convex in the angle, so this overestimates it. The angles are
+/// not published, so this is a possible reason, not a proven one.
 std::string reason_for(const ClassStudy& one, const Design& design, double printed) {
   const std::string angle = fixed(one.pins().to_shields.front().angle_deg, 1);
   const std::string lines =
@@ -47,7 +47,7 @@ std::string verdict(const ExtensionRow& row) {
 
 std::vector<ExtensionRow> extension_rows(const Study& study) {
   const Design& design = study.design();
-  // Anything else has no printed values.
+  // Other designs have no printed values.
   const bool printed_here = is_of_the_thesis(design);
   std::vector<ExtensionRow> rows;
   for (const ClassStudy& one : study.classes()) {

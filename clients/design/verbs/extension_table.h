@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Thesis Table 2.1 (how far pins can move), computed, beside what is printed there.
+// Thesis Table 2.1 (extension of the pins), computed, with the printed values.
 #pragma once
 
 #include <optional>
@@ -14,19 +14,19 @@ struct ExtensionRow {
   std::string array;
   std::size_t faces = 0;
   std::size_t size = 0;
-  /// As all verbs have them: where the pin is without current, and how far it moves from there.
+  /// As in all verbs: rest of the pin without current, and extension from there.
   std::optional<double> rest_mm;
   std::optional<double> extension_mm;
-  /// As the thesis counts: from zero crossing to crossing, through the shell too.
+  /// As in the thesis: from zero crossing to crossing, ignoring the shell.
   std::optional<double> crossings_mm;
   std::optional<double> thesis_mm;
-  /// The printed value comes out, within `kPrintedToleranceMm`.
+  /// The printed value is reproduced within `kPrintedToleranceMm`.
   bool reproduced = false;
-  /// Why it does not; empty when it does, or nothing is printed.
+  /// Why it is not; empty if it is, or if none is printed.
   std::string reason;
 };
 
-/// Within which a printed value, of one digit, counts as reproduced.
+/// Tolerance for a printed value, of one digit, to count as reproduced.
 inline constexpr double kPrintedToleranceMm = 0.1;
 
 std::vector<ExtensionRow> extension_rows(const Study& study);

@@ -114,7 +114,7 @@ Result<std::string> coil_html(const Study& study) {
                    std::to_string(coil->pins_pulled_in()) + " are pulled in.");
 }
 
-/// The thesis' three arrays, with the reasons for what does not come out.
+/// The thesis' three arrays, with the reasons for values that are not reproduced.
 Result<std::string> thesis_html(const Design& design) {
   Design thesis;
   thesis.settings = design.settings;

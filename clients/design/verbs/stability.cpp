@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The class that the smallest push expels, one that needs none before all.
+/// The class that the smallest push expels; one that needs no push comes first.
 const ClassStudy& weakest_of(const Study& study) {
   return *std::min_element(
       study.classes().begin(), study.classes().end(),
@@ -34,7 +34,7 @@ std::string state_of(const ClassStudy& one) {
   return "UNSTABLE";
 }
 
-/// "0.19" or "0.19 to 0.21": how hard the pins on the shell are pressed onto it, N.
+/// "0.19" or "0.19 to 0.21": preload of the pins on the shell, N.
 std::string preloads_text(const Study& study, bool stable) {
   double lowest = std::numeric_limits<double>::infinity();
   double most = 0.0;

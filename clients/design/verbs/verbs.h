@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What hedgehog-design can be asked for. Each verb answers on the screen's `out`, in its format, or
-// complains.
+// The verbs of hedgehog-design. Each writes its result to the screen's `out`, in its format, or
+// returns an error.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ namespace hedgehog::design {
 
 struct ArrayOptions {
   DesignFlags design;
-  /// A file for the design.
+  /// Output file for the design.
   std::string save;
 };
 Result<void> run_array(const ArrayOptions& options, const Screen& screen);
@@ -32,8 +32,8 @@ Result<void> run_pair(const PairOptions& options, const Screen& screen);
 struct CurvesOptions {
   DesignFlags design;
   std::string offsets = "-2.5..12.5/0.5";
-  /// The force axis of a picture, FIRST..LAST in N, or "own": each panel as its data are. Empty:
-  /// the thesis' for its six panels, else "own".
+  /// The force axis of a picture, FIRST..LAST in N, or "own": from the data of each panel. Empty:
+  /// the thesis' for its six panels, otherwise "own".
   std::string forces;
   PictureFiles pictures;
 };
@@ -46,7 +46,7 @@ Result<void> run_table(const TableOptions& options, const Screen& screen);
 
 struct StabilityOptions {
   DesignFlags design;
-  /// All pins free at once too, not one after the other.
+  /// Also with all pins free at once instead of one at a time.
   bool together = false;
 };
 Result<void> run_stability(const StabilityOptions& options, const Screen& screen);
@@ -54,7 +54,7 @@ Result<void> run_stability(const StabilityOptions& options, const Screen& screen
 struct ElectromagnetOptions {
   DesignFlags design;
   std::string currents = "0..15/2.5";
-  /// The pin that is aimed at; none: the first of the typical pin's class.
+  /// The aimed pin; nullopt: the first of the typical pin's class.
   std::optional<int> pin;
   PictureFiles pictures;
 };
@@ -77,7 +77,7 @@ Result<void> run_choose(const ChooseOptions& options, const Screen& screen);
 
 struct ExportOptions {
   DesignFlags design;
-  /// Files; "-": the screen; nothing: not wanted.
+  /// Files; "-": the screen; nullopt: no output.
   std::optional<std::string> csv;
   std::optional<std::string> json;
   std::string scad;
@@ -85,7 +85,7 @@ struct ExportOptions {
   std::string stl;
   std::string device;
   int facets = 16;
-  /// Nothing: as wide as the walls allow, at most 0.15 mm.
+  /// nullopt: as wide as the walls allow, at most 0.15 mm.
   std::optional<double> clearance_mm;
   std::optional<double> fan_mm;
 };

@@ -28,9 +28,9 @@ namespace {
 
 constexpr std::uint16_t kMdnsPort = 5353;
 constexpr int kMdnsHops = 255;  // RFC 6762, section 11
-/// A lost query is replaced by the next, which also asks for what is missing.
+/// A lost query is replaced by the next, which also requests the missing records.
 constexpr int kQueries = 3;
-/// Read in one call that does not wait, however many come.
+/// Limit of datagrams read in one call that does not block.
 constexpr int kMaxDatagrams = 16;
 
 std::uint16_t test_port() {
@@ -65,7 +65,7 @@ class MdnsExchange {
  public:
   using Enough = std::function<bool(const std::vector<DiscoveredBall>&)>;
 
-  /// Ends after `time`, or when what was found is `enough` (empty: it never is).
+  /// Ends after `time`, or when `enough` is true of the balls found (empty: never).
   MdnsExchange(std::chrono::milliseconds time, Enough enough)
       : time_(time), enough_(std::move(enough)) {
     error_code& error = failure_;
@@ -83,7 +83,7 @@ class MdnsExchange {
   MdnsExchange(const MdnsExchange&) = delete;
   MdnsExchange& operator=(const MdnsExchange&) = delete;
 
-  /// Whether it is over, by `deadline` at the latest.
+  /// Whether it has ended, by `deadline` at the latest.
   bool run(SteadyClock::time_point deadline) {
     io_.restart();
     for (int i = 0; i < kMaxDatagrams && !done_ && io_.poll_one() > 0; ++i) {
@@ -95,7 +95,7 @@ class MdnsExchange {
     return done_;
   }
 
-  /// Why there is no network; no error: it was searched.
+  /// Why the network could not be searched; no error: it was searched.
   const error_code& failure() const noexcept { return failure_; }
   std::vector<DiscoveredBall> balls() const { return answers_.balls(); }
 
@@ -108,7 +108,7 @@ class MdnsExchange {
     const auto interfaces =
         port != 0 ? std::vector{asio::ip::address_v4::loopback()} : ipv4_interfaces();
     for (const auto& interface : interfaces) {
-      // One that has gone meanwhile is not asked.
+      // An interface that has been removed meanwhile is skipped.
       error_code error;
       socket_.set_option(asio::ip::multicast::outbound_interface(interface), error);
       if (!error) socket_.send_to(asio::buffer(query), to, 0, error);
@@ -151,7 +151,7 @@ ClientError no_network(const error_code& failure) {
   return {Failure::kNoDaemon, "the network cannot be searched: " + failure.message(), {}};
 }
 
-/// Whether each ball that is asked for by name is there; the only one may have a second.
+/// Whether each ball requested by name was found; without a name a second ball may still answer.
 bool all_named_are_there(const std::vector<Address>& addresses,
                          const std::vector<DiscoveredBall>& balls) {
   return std::all_of(

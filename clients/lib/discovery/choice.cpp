@@ -9,7 +9,7 @@
 namespace hedgehog::client {
 namespace {
 
-/// Balls that an error names.
+/// Balls listed in an error.
 constexpr std::size_t kMaxListedBalls = 8;
 
 std::vector<DiscoveredBall> those(const std::vector<DiscoveredBall>& balls,
@@ -21,7 +21,7 @@ std::vector<DiscoveredBall> those(const std::vector<DiscoveredBall>& balls,
 
 bool has_tls(const DiscoveredBall& ball) { return ball.address.tls; }
 
-/// `"ball-7" (serial 0007, tls://192.0.2.7:7586), ...`; `balls` are in the order of their names.
+/// `"ball-7" (serial 0007, tls://192.0.2.7:7586), ...`; `balls` are sorted by name.
 std::string listed_balls(const std::vector<DiscoveredBall>& balls) {
   std::string text;
   std::size_t count = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ball that an address that begins with mdns:// means.
+// Selection of the ball that an mdns:// address refers to.
 #pragma once
 
 #include <string_view>
@@ -10,13 +10,13 @@
 
 namespace hedgehog::client {
 
-/// Those of that name, else those of that serial number; only with TLS, without it nothing is
-/// connected to.
+/// Those of that name, else those of that serial number; only with TLS, which a connection
+/// requires.
 std::vector<DiscoveredBall> named_balls(std::string_view name,
                                         const std::vector<DiscoveredBall>& balls);
 
-/// The one of `balls` that is meant, at each of its addresses. `name`: its name or serial number;
-/// empty: there is only one. kNoDaemon: there is none, or more than one; the message lists them.
+/// The matching ball, at each of its addresses. `name`: its name or serial number; empty: the only
+/// ball. kNoDaemon: none or more than one matches; the message lists them.
 Outcome<std::vector<DiscoveredBall>> chosen_ball(std::string_view name,
                                                  const std::vector<DiscoveredBall>& balls);
 

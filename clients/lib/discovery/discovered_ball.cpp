@@ -9,7 +9,7 @@ std::string printable(std::string_view text) {
   std::string plain(text);
   for (char& c : plain)
     if (static_cast<unsigned char>(c) < 0x20u || c == '\x7f') c = '?';
-  // Through JSON, which replaces what is not UTF-8.
+  // The JSON encoder replaces invalid UTF-8.
   std::string json;
   protocol::append_string(json, plain);
   const auto read = protocol::parse_json(json, 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What has been answered to one search for balls.
+// Records received in one search for balls.
 #pragma once
 
 #include <cstdint>
@@ -13,21 +13,21 @@
 
 namespace hedgehog::client::mdns {
 
-/// One thread at a time. Bounded: a flood of records makes it forget the later ones.
+/// One thread at a time. Bounded: records beyond the limits are dropped.
 class Answers {
  public:
-  /// Of instances, and of names with services, texts or addresses each.
+  /// Limit of instances, and of names with services, texts or addresses each.
   static constexpr std::size_t kMaxNames = 256;
   static constexpr std::size_t kMaxAddresses = 16;
 
-  /// `id` of its queries and of the responses that count.
+  /// `id`: of the queries; responses with another id are ignored.
   explicit Answers(std::uint16_t id) : id_(id) {}
 
-  /// Asks for the service, and for what is missing of those that have answered.
+  /// A query for the service, and for missing records of instances that have answered.
   std::string query() const;
-  /// A datagram, whatever it has. Whether something in it was of interest.
+  /// Reads a datagram of any content; true if it contained records of interest.
   bool read(std::string_view packet);
-  /// Those of which a host, a port and an address are known: by name, then by address, IPv4 first.
+  /// The balls whose host, port and address are known: by name, then by address, IPv4 first.
   std::vector<DiscoveredBall> balls() const;
 
  private:

@@ -10,19 +10,18 @@ namespace hedgehog::client::mdns {
 namespace {
 
 constexpr std::uint32_t kClassIn = 1;
-/// Of the class of a question: the response may be unicast. Of a record: it replaces others.
+/// In a question's class: the response may be unicast. In a record's class: replaces other records.
 constexpr std::uint32_t kTopBit = 0x8000;
 constexpr std::size_t kMaxName = 255;
-/// That one name leads through: each record may walk the whole chain again.
+/// Limit of pointers in one name: each record may follow the whole chain again.
 constexpr int kMaxPointers = 32;
-/// RFC 6762, section 17; IP's and UDP's headers included.
+/// RFC 6762, section 17; with the IP and UDP headers.
 constexpr std::size_t kMaxMessageBytes = 9000;
 constexpr std::size_t kMaxLabel = 63;
 constexpr std::size_t kHeaderBytes = 12;
 constexpr std::size_t kMaxQueryBytes = 1200;
 
-/// Reads from the first byte to the last. Once something is missing it is not valid, and what is
-/// read is empty.
+/// Sequential reader. Once data is missing it is invalid, and all further reads are empty.
 class Reader {
  public:
   explicit Reader(std::string_view data) : data_(data) {}
@@ -56,7 +55,7 @@ class Reader {
       if (size >= 0xc0u) {
         const std::size_t target = (size & 0x3fu) << 8u | number(1);
         if (!end) end = at_;
-        // Always further back: no name goes round in circles.
+        // Pointers must go backwards, so that no name loops.
         if (target >= begin || ++pointers > kMaxPointers) fail();
         at_ = begin = std::min(target, begin);
         continue;
@@ -81,7 +80,7 @@ std::string ipv4_text(std::string_view bytes) {
   return ::inet_ntop(AF_INET, bytes.data(), text.data(), text.size()) == nullptr ? "" : text.data();
 }
 
-/// Empty: of a link, which lacks its interface.
+/// Empty: link-local, which requires an interface.
 std::string ipv6_text(std::string_view bytes) {
   if (bytes[0] == '\xfe' && (static_cast<unsigned char>(bytes[1]) & 0xc0u) == 0x80u) return {};
   std::array<char, INET6_ADDRSTRLEN> text{};
@@ -100,7 +99,7 @@ std::map<std::string, std::string> read_entries(Reader& reader, std::size_t end)
   return entries;
 }
 
-/// nullopt: not of interest, or the reader is not valid.
+/// nullopt: not of interest, or the reader is invalid.
 std::optional<Record> read_record(Reader& reader) {
   Record record{reader.name()};
   const std::uint32_t kind = reader.number(2);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Messages of multicast DNS as far as a search for services needs them (RFC 1035, RFC 6762). What
-// is read came from the network.
+// Messages of multicast DNS as far as a search for services needs them (RFC 1035, RFC 6762). The
+// input comes from the network.
 #pragma once
 
 #include <cstdint>
@@ -21,24 +21,24 @@ struct Question {
   Kind kind = Kind::kPtr;
 };
 
-/// One of the kinds above, of the class IN, that is not withdrawn.
+/// A record of one of the kinds above and class IN, with a time to live above 0.
 struct Record {
   std::string name;
   Kind kind = Kind::kPtr;
   std::string target{};                          // kPtr, kSrv: a name
   std::uint16_t port = 0;                        // kSrv
   std::map<std::string, std::string> entries{};  // kTxt: "key=value" by key in lower case
-  std::string address{};                         // kA, kAaaa: in digits; not of a link (fe80::/10)
+  std::string address{};                         // kA, kAaaa: numeric; not link-local (fe80::/10)
 };
 
-/// The records of the response to the search `id`; none when it is malformed anywhere or is
-/// something else.
+/// The records of the response to the search `id`; none if it is malformed anywhere or another
+/// message.
 std::vector<Record> read_response(std::string_view packet, std::uint16_t id);
 
-/// A query that asks for unicast responses, at most 1200 bytes: the first questions that fit.
+/// A query for unicast responses, at most 1200 bytes: the first questions that fit.
 std::string make_query(std::uint16_t id, const std::vector<Question>& questions);
 
-/// Without regard to the case of ASCII letters, as DNS compares names.
+/// In lower case: DNS compares ASCII letters without regard to case.
 std::string key_of(std::string name);
 /// The labels of a name.
 std::vector<std::string_view> labels_of(std::string_view name);

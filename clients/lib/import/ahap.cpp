@@ -24,7 +24,7 @@ struct Control {
   std::vector<Layer::Point> points;
 };
 
-/// What multiplies all intensities: each curve from its beginning on, until the next begins.
+/// Multiplies all intensities: each curve from its beginning until the next begins.
 class IntensityControl {
  public:
   void add(Control control) { controls_.push_back(std::move(control)); }
@@ -181,8 +181,8 @@ class Ahap {
     control_.add({start_ms, {{start_ms, number(parameter, "ParameterValue", 1.0, 0.0, 1.0)}}});
   }
 
-  /// Every event times the control. Between two points both go along straight lines, so their
-  /// product is a parabola, drawn with as many lines as it takes.
+  /// Each event multiplied by the control. Between two points both are linear, so their product is
+  /// a parabola, approximated by line segments.
   std::vector<Layer> controlled() const {
     const std::set<double> times = control_.times();
     std::vector<Layer> layers;
@@ -208,13 +208,13 @@ class Ahap {
     return layers;
   }
 
-  /// The inner points of the parabola from the layer's last one to `end` at `to_ms`.
+  /// The inner points of the parabola from the last point of `layer` to `end` at `to_ms`.
   void bend(const Layer& event, double from_ms, double to_ms, double end, Layer& layer) const {
     constexpr double kBent = 0.002;
     const auto at = [&](double t_ms) { return event.after(t_ms) * control_.after(t_ms); };
     double off = std::abs(at(0.5 * (from_ms + to_ms)) - 0.5 * (layer.points.back().level + end));
     int pieces = 1;
-    for (; off > kBent; off /= 4.0) pieces *= 2;  // half as long, a quarter as bent
+    for (; off > kBent; off /= 4.0) pieces *= 2;  // half the length, a quarter of the deviation
     for (int piece = 1; piece < pieces; ++piece) {
       const double t_ms = from_ms + (to_ms - from_ms) * piece / pieces;
       layer.points.push_back({t_ms, at(t_ms)});

@@ -17,8 +17,8 @@ namespace {
 
 /// Ticks: far beyond the end of any pattern.
 constexpr double kFar = 1e15;
-/// What those modalities say is a push or a vibration, with a level of its own. `Other` is what the
-/// reference encoder writes for all of them.
+/// Modalities of pushes or vibrations with a level of their own. The reference encoder writes
+/// `Other` for all of them.
 constexpr std::array<std::string_view, 4> kFelt{"Vibrotactile", "Force", "Pressure", "Other"};
 
 class Hjif {
@@ -86,7 +86,7 @@ class Hjif {
     }
   }
 
-  /// The effect that says key frames; nullptr: none does.
+  /// The effect that contains the key frames; nullptr: there is none.
   const ForeignJson* basis_of(const ForeignJson& effect) {
     const std::string kind = text(effect, "effect_type");
     const ForeignJson* basis = &effect;
@@ -104,17 +104,16 @@ class Hjif {
     return nullptr;
   }
 
-  /// When each of `keys` is, ms from the beginning of the file. They are written in order of time;
-  /// the reference encoder writes those a little before their effect as unsigned numbers of 16
-  /// bits.
+  /// Times of `keys`, ms from the beginning of the file. They are written in order of time; the
+  /// reference encoder writes those a little before their effect as unsigned 16-bit numbers.
   std::vector<double> times_of(const ForeignJson::List& keys, double position_ms) {
     constexpr double kWrap = 65'536.0;
     constexpr double kMinNegative = 32'768.0;
-    constexpr double kSurelyNegative = kWrap - 256.0;  // with nothing near it before it
+    constexpr double kSurelyNegative = kWrap - 256.0;  // unless preceded by one >= kMinNegative
     std::vector<double> written;
     for (const ForeignJson& key : keys)
       written.push_back(number(key, "relative_position", 0.0, -kFar, kFar));
-    std::vector<bool> falls(written.size());  // to a lower one behind it
+    std::vector<bool> falls(written.size());  // a lower value follows
     double lowest = kFar;
     for (std::size_t i = written.size(); i-- > 0; lowest = std::min(lowest, written[i]))
       falls[i] = lowest < written[i];
@@ -163,8 +162,9 @@ class Hjif {
     }
   }
 
-  /// A curve or a wave. Either modulation goes over the key frames that say it. A wave lasts until
-  /// the last key frame of all, a curve until the last with an amplitude; both begin at `position`.
+  /// A curve or a wave. Each modulation is interpolated over the key frames that contain it. A wave
+  /// lasts until its last key frame, a curve until the last with an amplitude; both begin at
+  /// `position`.
   void take_effect(bool wave, bool cubic, const ForeignJson& effect, double position_ms) {
     Layer layer;
     std::vector<Layer::Point> pitches;
@@ -217,7 +217,7 @@ class Hjif {
     }
   }
 
-  /// One wave for the whole pattern, when all of it is waves.
+  /// One wave for the whole pattern, if it contains only waves.
   void take_wave(Reading& reading) {
     if (!waves_) return;
     if (pushes_) {

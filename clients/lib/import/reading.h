@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the reader of a format finds in a file, before it becomes key frames. Included by the
+// What an importer reads from a file, before its conversion to key frames. Included by the
 // importers only.
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace hedgehog::client {
 
-/// What is left out or changed; each sentence once.
+/// What was left out or changed; each sentence once.
 class Notes {
  public:
   void add(std::string sentence) {
@@ -36,7 +36,7 @@ struct Reading {
   Notes notes;
 };
 
-/// kBadData, with that sentence.
+/// kBadData with the message `what`.
 inline ClientError bad_data(std::string what) { return {Failure::kBadData, std::move(what), {}}; }
 
 Outcome<Reading> read_ahap(const ForeignJson& file);

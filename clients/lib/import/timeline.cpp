@@ -22,8 +22,8 @@ double between(const Point& a, const Point& b, double t_ms) noexcept {
   return a.level + (b.level - a.level) * way;
 }
 
-/// Which inner points of `line[first..last]` cannot be left out when nothing may be off by more
-/// than `tolerance` (Douglas and Peucker 1973, with the distance taken in the level).
+/// Marks the inner points of `line[first..last]` that are needed to keep the error below
+/// `tolerance` (Douglas and Peucker 1973, with the distance taken in the level).
 void keep_needed(const std::vector<Point>& line, std::size_t from, std::size_t to, double tolerance,
                  std::vector<bool>& kept) {
   std::vector<std::pair<std::size_t, std::size_t>> open{{from, to}};
@@ -67,7 +67,7 @@ std::vector<Point> simplified(const std::vector<Point>& line, double tolerance) 
   return left;
 }
 
-/// Whether nothing but `layer` is felt between `a` and `b`.
+/// Whether no other layer overlaps `layer` between `a` and `b`.
 bool alone(const std::vector<Layer>& layers, const Layer& layer, const Point& a, const Point& b) {
   return std::none_of(
       layers.begin(), layers.end(),
@@ -77,14 +77,14 @@ bool alone(const std::vector<Layer>& layers, const Layer& layer, const Point& a,
       });
 }
 
-/// When the sum bends, and which of those times begin a smooth way.
+/// Times at which the slope of the sum changes, and at which smooth transitions begin.
 struct Times {
   std::set<double> bends{0.0};
   std::set<double> smooth;
 };
 
 void add_smooth(const std::vector<Layer>& layers, const Layer& layer, bool may_ease, Times& times) {
-  constexpr int kPieces = 20;  // a piece of a smooth way of height 1 is off by 0.75 / 20^2
+  constexpr int kPieces = 20;  // error of a segment of a smooth transition of height 1: 0.75 / 20^2
   for (std::size_t i = 0; i + 1 < layer.points.size(); ++i) {
     const Point& a = layer.points[i];
     const Point& b = layer.points[i + 1];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pushes that overlap in time, added up and written as the key frames of one pattern.
+// Overlapping pushes, added up and converted to the key frames of one pattern.
 #pragma once
 
 #include <string>
@@ -9,40 +9,42 @@
 
 namespace hedgehog::client {
 
-/// A level that is nothing before the first point and after the last; two points at one time are a
-/// jump. Times in milliseconds never fall.
+/// A level over time, 0 before the first point and after the last; two points at one time are a
+/// jump. Times in ms, non-decreasing.
 struct Layer {
   struct Point {
     double t_ms = 0.0;
     double level = 0.0;
-    /// To the next one as `model::Ease::kSmooth` goes, else along a straight line.
+    /// To the next point by `model::Ease::kSmooth`, else linear.
     bool smooth = false;
   };
   std::vector<Point> points;
 
-  /// Just before `t_ms`, and from it on.
+  /// The level just before `t_ms`, and at it.
   double before(double t_ms) const noexcept;
   double after(double t_ms) const noexcept;
 };
 
-/// Along `points`, at least one, but the first one's level before them and the last one's after.
+/// The level along `points`, at least one; before the first and after the last point theirs is
+/// held.
 double held(const std::vector<Layer::Point>& points, double t_ms) noexcept;
 
 struct Keyframes {
-  /// All zero when nothing begins before the longest time that a pattern has.
+  /// All zero if nothing begins before the maximum duration of a pattern.
   std::vector<protocol::Keyframe> frames;
-  /// The sum was above 1 somewhere and was cut there.
+  /// The sum exceeded 1 and was clamped.
   bool clipped = false;
-  /// Layers that begin after the longest time of a pattern are not in it.
+  /// Layers that begin after the maximum duration of a pattern were left out.
   bool late = false;
-  /// One went on beyond that time.
+  /// A layer was cut at that duration.
   bool cut = false;
-  /// It took more than 256 key frames; what matters least is not in it.
+  /// More than 256 key frames were needed; the least significant were left out.
   bool simplified = false;
 };
 
-/// The sum of `layers`, cut to 0..1, with times rounded to whole milliseconds. A smooth way that is
-/// there alone stays exact; any other is drawn with straight lines, off by less than 0.002.
+/// The sum of `layers`, clamped to 0..1, with times rounded to whole milliseconds. A smooth
+/// transition without overlap stays exact; any other is approximated by line segments, with an
+/// error below 0.002.
 Keyframes keyframes_of(const std::vector<Layer>& layers);
 
 }  // namespace hedgehog::client

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// JSON with a comma behind the last item of a list or object, as Apple's own AHAP samples have.
+// JSON with a comma after the last item of a list or object, as in Apple's own AHAP samples.
 // Included by the importers only.
 #pragma once
 
@@ -8,8 +8,8 @@
 
 namespace hedgehog::client {
 
-/// `text` with a space for each such comma, so that all else keeps its place. Strings and commas
-/// without an item before them stay as they are.
+/// `text` with a space for each such comma, so that all positions stay the same. Strings and commas
+/// without an item before them are unchanged.
 std::string without_trailing_commas(std::string_view text);
 
 }  // namespace hedgehog::client

@@ -13,18 +13,18 @@ using client::Milliseconds;
 using client::Outcome;
 using protocol::StatusKey;
 
-// A frame never waits.
+// Frames must not block.
 constexpr Milliseconds kNow{0};
 constexpr Milliseconds kConnectTimeout{1000};
 constexpr double kTelemetryHz = 60.0;
-// On a machine that decodes more slowly than telemetry comes, reading would never end. The rest is
-// read in the next frame.
+// Where decoding is slower than telemetry arrives, reading would not end. The rest is read in the
+// next frame.
 constexpr int kMessagesPerFrame = 100;
 
 }  // namespace
 
-/// Says hello and asks to be told what a game wants to know: the telemetry has the state and the
-/// heat, so there is no need of events. Waits, so not for the game's thread.
+/// Sends a hello and subscribes to telemetry, which contains state and temperatures, so that no
+/// events are needed. Blocking, so not for the game's thread.
 Outcome<BallLink::Arrival> BallLink::arrive(const std::vector<client::Address>& addresses) {
   auto daemon = Connection::reopen(addresses, kConnectTimeout);
   if (!daemon) return daemon.error();
@@ -46,7 +46,7 @@ BallLink::BallLink(std::vector<client::Address> addresses) : addresses_(std::mov
 
 BallLink::~BallLink() = default;
 
-/// In the background, because it may take seconds; the race goes on. True when it was found.
+/// In the background, because it may take seconds; the race continues. True once connected.
 bool BallLink::look_for_the_daemon() {
   if (arriving_.valid()) {
     if (arriving_.wait_for(kNow) != std::future_status::ready) return false;
@@ -90,7 +90,7 @@ BallLink::Received BallLink::listen() {
 }
 
 std::optional<protocol::Id> BallLink::ask(const protocol::Request& request) {
-  // What a silent daemon has waiting for it would all be felt at once when it goes on.
+  // Requests queued at a silent daemon would all be felt at once when it resumes.
   if (!hears()) return std::nullopt;
   auto asked = daemon_->ask(request, kNow);
   if (asked) return *std::move(asked);

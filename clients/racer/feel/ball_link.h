@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The game's line to the daemon: found on the side, heard without waiting, found again when lost.
-// Knows nothing of what is felt.
+// The game's connection to the daemon: established in the background, read without blocking,
+// re-established when lost. Independent of the effects.
 #pragma once
 
 #include <chrono>
@@ -13,15 +13,15 @@
 
 namespace hedgehog::racer {
 
-/// One thread; no call waits for the daemon.
+/// One thread; no call blocks on the daemon.
 class BallLink {
  public:
   using Clock = std::chrono::steady_clock;
-  /// A daemon that has told nothing for so long is taken for gone until it speaks.
+  /// A daemon that has sent nothing for this long is considered silent until its next message.
   static constexpr std::chrono::milliseconds kSilent{500};
 
   struct Received {
-    bool arrived = false;  // a new conversation began: what was asked before is never answered
+    bool arrived = false;  // a new connection: earlier requests are never answered
     std::vector<protocol::Status> statuses{};
     std::vector<protocol::Reply> answers{};  // to `ask`
   };
@@ -29,22 +29,22 @@ class BallLink {
   explicit BallLink(std::vector<client::Address> addresses);
   BallLink(const BallLink&) = delete;
   BallLink& operator=(const BallLink&) = delete;
-  /// Waits for an attempt that is under way: a second, and `response_timeout` twice at most.
+  /// Waits for an attempt in progress: a second, and `response_timeout` twice at most.
   ~BallLink();
 
-  /// Once a frame: what has come since, and looks for the daemon where there is none.
+  /// Once a frame: what was received since; connects if there is no connection.
   Received listen();
-  /// Nothing: there is nobody to hear it.
+  /// nullopt: not connected, or the daemon is silent.
   std::optional<protocol::Id> ask(const protocol::Request& request);
   void notify(const protocol::Request& request);
 
-  /// It is there and not silent.
+  /// Connected and not silent.
   bool hears() const;
-  /// It is there, and silent or late with a response.
+  /// Connected and silent, or the last attempt timed out.
   bool is_late() const;
-  /// Why it does not hear, one sentence; empty while the first attempt is under way.
+  /// Reason of a missing or silent connection, one sentence; empty during the first attempt.
   std::string trouble() const;
-  /// Of this conversation: limits and role.
+  /// Of this connection: limits and role.
   const protocol::HelloResult& hello() const noexcept { return hello_; }
 
  private:
@@ -64,7 +64,7 @@ class BallLink {
   protocol::HelloResult hello_{};
   Clock::time_point received_at_{};
   std::string trouble_;
-  bool timed_out_ = false;  // the last attempt
+  bool timed_out_ = false;  // of the last attempt
 };
 
 }  // namespace hedgehog::racer

@@ -14,20 +14,20 @@ using protocol::EffectParams;
 using protocol::EffectStart;
 using protocol::ErrorCode;
 
-// Who tilts a ball that is not heard of any more must not drive on as it was last held.
+// When the orientation of the ball is outdated, the car must not continue with the last one.
 constexpr std::int64_t kStaleMs = 100;
-// What is sent every frame ends this long after the last.
+// Lease of effects that are updated every frame.
 constexpr std::int64_t kLeaseMs = 150;
 constexpr std::int64_t kHitMs = 180;
 constexpr std::int64_t kLandingMs = 140;
-// A blow is felt alone; the ground going round wins over the skid.
+// Priorities: a blow masks the others; the tumble masks the skid.
 constexpr std::int64_t kBlow = 7;
 constexpr std::int64_t kTumble = 6;
 constexpr std::int64_t kSkid = 5;
-// It lasts, so it is weaker than a blow can be: a share of full strength.
+// Relative to full strength: a lasting effect is weaker than the strongest blow.
 constexpr double kTumbleStrength = 0.4;
 
-/// Why a refusal is of this game, not of the moment; empty: it is of the moment.
+/// Why a refusal is permanent for this game; empty: it is temporary.
 std::string refusal_of_us(const protocol::RpcError& error) {
   switch (error.code) {
     case ErrorCode::kClaimed:
@@ -76,7 +76,7 @@ void Feel::blow(const char* kind, const model::Vec3& direction, double impulse_n
     ++summary_.refused;
 }
 
-/// The magnet goes on and off quickly, downwards (thesis, section 4.1), harder with less grip.
+/// A square wave downwards (thesis, section 4.1), stronger with less grip.
 void Feel::play(const Skid& skid) {
   EffectParams buzz;
   buzz.slot = "skid";
@@ -89,7 +89,7 @@ void Feel::play(const Skid& skid) {
   play("skid", {0, 0, -1}, {EffectMethod::kVibrate, buzz});
 }
 
-/// Where the ground is goes round the ball as the car turns over.
+/// The direction of the ground moves round the ball as the car turns over.
 void Feel::play(const Tumble& tumble) {
   EffectParams ground;
   ground.slot = "tumble";
@@ -102,11 +102,11 @@ void Feel::play(const Tumble& tumble) {
 
 std::optional<protocol::Id> Feel::play(const char* kind, const model::Vec3& direction,
                                        EffectStart effect) {
-  // A ball may be set to less than what is felt.
+  // A ball may be limited to less than the perception threshold.
   const double max_a = limits().current_a;
   const double current_a = std::min(effect.params.current_a.value_or(0.0), max_a);
   effect.params.current_a = current_a;
-  // Asked even when the last was refused: that is how the game learns that it may play again.
+  // Requested even if the last one was refused, to detect when the game may play again.
   auto asked = ask(effect);
   played_.push_back({kind, direction, current_a, max_a, asked && refused_.empty()});
   return asked;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What happens in the race, felt on the ball: the example for game developers. Everything goes
-// through the public protocol, as any game's haptics would; feel.cpp says what is felt, ball_link
-// who is told.
+// Events of the race, played on the ball: the example for game developers. Uses only the public
+// protocol, as any game's haptics would; feel.cpp maps events to effects, ball_link is the
+// connection.
 #pragma once
 
 #include <cstdint>
@@ -16,31 +16,32 @@
 
 namespace hedgehog::racer {
 
-/// What was just played, or would have been without a ball.
+/// An effect that was just played, or would have been with a ball.
 struct Played {
   const char* kind = "";     // hit, landing, skid, tumble
-  model::Vec3 direction{};   // where the pins push, in the ball's frame
-  double current_a = 0.0;    // of `full_a`
-  double full_a = 15.0;      // the most that the ball's limits allow
-  bool on_the_ball = false;  // it was asked, and the last answer was no refusal of this game
+  model::Vec3 direction{};   // where the pins push, in the device frame
+  double current_a = 0.0;    // relative to `full_a`
+  double full_a = 15.0;      // the ball's current limit
+  bool on_the_ball = false;  // it was requested, and the last response was no refusal of this game
 };
 
-/// One thread; no call waits for the daemon. Without one it does nothing and keeps looking for it.
+/// One thread; no call blocks on the daemon. Without a connection it plays nothing and keeps trying
+/// to connect.
 class Feel {
  public:
   explicit Feel(std::vector<client::Address> addresses) : link_(std::move(addresses)) {}
 
-  /// Once a frame: plays `happenings`, those of the frame that shows `time_s`, and takes what the
-  /// ball says.
+  /// Once a frame: plays `happenings`, those of the frame at `time_s`, and processes the ball's
+  /// messages.
   void frame(const std::vector<Happening>& happenings, double time_s);
-  /// Everything that plays ends: the pause menu. The next frame may play again.
+  /// Ends all effects: for the pause menu. The next frame may play again.
   void pause();
 
-  /// By the last frame, in the order of the happenings.
+  /// Effects of the last frame, in the order of the happenings.
   const std::vector<Played>& played() const noexcept { return played_; }
   const BallReport& ball() const noexcept { return ball_; }
   const BallSummary& summary() const noexcept { return summary_; }
-  /// Every blow has had its answer.
+  /// Every blow has a response.
   bool answered() const noexcept { return blows_.empty(); }
 
  private:
@@ -55,20 +56,20 @@ class Feel {
   void play(const Reset&) { pause(); }
   void blow(const char* kind, const model::Vec3& direction, double impulse_n_s,
             std::int64_t duration_ms);
-  /// The id of what was asked, if it was.
+  /// The id of the request if it was sent.
   std::optional<protocol::Id> play(const char* kind, const model::Vec3& direction,
                                    protocol::EffectStart effect);
   double full_a() const { return limits().current_a * gain_.now(); }
-  /// Of this ball.
+  /// Limits of this ball.
   const protocol::HelloLimits& limits() const { return link_.hello().limits; }
-  /// The id of what was asked; nothing: there is nobody to play it.
+  /// The id of the request; nullopt: not connected or not armed.
   std::optional<protocol::Id> ask(const protocol::Request& request);
 
   BallLink link_;
   Gain gain_;
   PulseGate gate_;
-  std::vector<protocol::Id> blows_;  // not answered yet
-  std::string refused_;              // why this game may not play, by the last answer
+  std::vector<protocol::Id> blows_;  // without a response so far
+  std::string refused_;              // why this game may not play, from the last response
   std::vector<Played> played_;
   BallReport ball_;
   BallSummary summary_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How strong the game plays, by what the ball can still take: a little softer while full strength
-// could not last, then less and less for as long as the daemon reduces what is played; back slowly.
+// The game's own gain, from the thermal headroom of the ball: slightly reduced while the burst time
+// is short, then further for as long as the daemon derates; slow recovery.
 #pragma once
 
 #include <algorithm>
@@ -10,10 +10,9 @@ namespace hedgehog::racer {
 
 class Gain {
  public:
-  /// Below 40 % the steps of a blow would be too close to be told apart, see steps.h.
+  /// Below 40 % the steps of a blow could not be distinguished, see steps.h.
   static constexpr double kMin = 0.4;
-  /// Full strength should be possible for so long, 16 blows; with nothing in hand the game plays
-  /// at 70 %.
+  /// Sufficient burst time at full strength, s: 16 blows; without any the game plays at 70 %.
   static constexpr double kEnoughS = 3.0;
   static constexpr double kNothingInHand = 0.7;
   static constexpr double kDownPerS = 0.6;
@@ -21,8 +20,8 @@ class Gain {
 
   double now() const noexcept { return now_; }
 
-  /// `derating`: the daemon reduces what is played. `burst_s`: how long full strength could last;
-  /// nothing: for ever. `passed_s`: since the last call, device time.
+  /// `derating`: the daemon derates the effects. `burst_s`: remaining burst time at full strength;
+  /// nullopt: unlimited. `passed_s`: since the last call, device time.
   void take(bool derating, const std::optional<double>& burst_s, double passed_s) noexcept {
     const double in_hand = burst_s ? std::clamp(*burst_s / kEnoughS, 0.0, 1.0) : 1.0;
     const double goal = derating ? kMin : kNothingInHand + (1.0 - kNothingInHand) * in_hand;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// How hard a blow is felt: few steps that people can tell apart, and not too many pulses.
+// Strength of a blow: few steps that people can distinguish, and a limited rate of pulses.
 //
 // People notice a change of force of 13 % (just noticeable difference: thesis, experiment 2). Eight
-// steps from what is just felt, 2.1 A, to full strength, 15 A, in equal ratios, are 32 % apart:
-// step k is 2.1 A * (full / 2.1 A)^(k/7). Turned down to 40 %, full = 6 A, they are still 16 %
+// steps from the perception threshold, 2.1 A, to full strength, 15 A, in equal ratios, are 32 %
+// apart: step k is 2.1 A * (full / 2.1 A)^(k/7). Reduced to 40 %, full = 6 A, they are still 16 %
 // apart.
 #pragma once
 
@@ -13,11 +13,11 @@
 namespace hedgehog::racer {
 
 inline constexpr int kSteps = 8;
-/// Blows of these impulses are the first and the last step; Newton seconds.
+/// Impulses of the first and the last step; Newton seconds.
 inline constexpr double kSoftestBlow = 150.0;
 inline constexpr double kHardestBlow = 8000.0;
 
-/// 0..kSteps - 1; in equal ratios of the impulse, because a wall is many times harder than a crate.
+/// 0..kSteps - 1; logarithmic, because a wall is many times harder than a crate.
 inline int step_of(double impulse_n_s) noexcept {
   const double share = std::log(std::max(impulse_n_s, kSoftestBlow) / kSoftestBlow) /
                        std::log(kHardestBlow / kSoftestBlow);
@@ -25,19 +25,20 @@ inline int step_of(double impulse_n_s) noexcept {
 }
 
 /// The strength of a step in ampere. `felt_a`: `hello.limits.felt_a`; `full_a`: the last step. A
-/// ball that may be no stronger than what is felt has one strength.
+/// ball limited to the perception threshold has one strength only.
 inline double strength_of(int step, double felt_a, double full_a) noexcept {
   const double last_a = std::max(felt_a, full_a);
   return felt_a * std::pow(last_a / felt_a, static_cast<double>(step) / (kSteps - 1));
 }
 
-/// A skid lasts, so it is weaker than a blow can be: a share of full strength. `amount`: 0 to 1.
+/// Relative to full strength: a skid lasts, so it is weaker than the strongest blow. `amount`: 0 to
+/// 1.
 inline constexpr double kMaxSkid = 0.5;
 inline double skid_strength(double amount, double felt_a, double full_a) noexcept {
   return felt_a + amount * (std::max(felt_a, kMaxSkid * full_a) - felt_a);
 }
 
-/// Keeps pulses apart: one in 0.25 s, unless a harder one comes, which goes at once.
+/// Rate limit of pulses: one in 0.25 s, except for a harder one, which passes at once.
 class PulseGate {
  public:
   static constexpr double kApartS = 0.25;

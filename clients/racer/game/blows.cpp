@@ -9,13 +9,13 @@ namespace hedgehog::racer {
 
 namespace {
 
-// As long apart, and it is another blow.
+// Minimum time without contact before another blow.
 constexpr double kApartS = 0.25;
-// So much harder, and it is another blow although the car never came free.
+// Ratio of impulses for another blow during continuous contact.
 constexpr double kHarder = 2.0;
-// Or on another side: cos 60 degrees.
+// Or from another side: cos 60 degrees.
 constexpr double kOtherSide = 0.5;
-// Never more often from one body.
+// Minimum time between blows from one body.
 constexpr double kRestS = 0.1;
 
 }  // namespace

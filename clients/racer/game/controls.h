@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the person at the wheel does.
+// The driver's inputs.
 #pragma once
 
 namespace hedgehog::racer {

@@ -12,8 +12,8 @@ namespace hedgehog::racer {
 
 namespace {
 
-constexpr double kSideways = 11.0;  // m/s^2 that the driver dares in a bend
-constexpr double kBraking = 7.0;    // m/s^2 that it counts on
+constexpr double kSideways = 11.0;  // m/s^2, maximum lateral acceleration in a bend
+constexpr double kBraking = 7.0;    // m/s^2, assumed deceleration
 constexpr double kMaxSpeed = 18.0;
 constexpr double kPatienceS = 1.0;
 constexpr double kReverseS = 1.2;
@@ -30,7 +30,7 @@ double bend(const std::vector<Vec3>& centre, std::size_t at) {
   return std::abs(turn) / std::max(norm(before), 0.1);
 }
 
-/// As fast as every bend of the next 60 m allows.
+/// The speed that every bend of the next 60 m allows.
 double allowed_speed(const std::vector<Vec3>& centre, std::size_t at) {
   double allowed = kMaxSpeed;
   for (std::size_t k = 0; k < 30; ++k) {

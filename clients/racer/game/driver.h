@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The built-in driver: follows the middle of the road as fast as the bends allow, for demos and
-// tests.
+// The built-in driver: follows the middle of the road at the speed that the bends allow, for demos
+// and tests.
 #pragma once
 
 #include "clients/racer/game/controls.h"
@@ -9,10 +9,10 @@
 
 namespace hedgehog::racer {
 
-/// Knows what it saw so far; begin each race with a new one.
+/// Stateful; begin each race with a new one.
 class Driver {
  public:
-  /// REQUIRES: to be called once for each step of the race.
+  /// REQUIRES: called once for each step of the race.
   Controls drive(const Scene& scene, const Track& track);
 
  private:

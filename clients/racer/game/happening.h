@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the car goes through in one step of the race: all that a person could feel of it. Directions
-// are unit vectors in the car's frame: x front, y left, z up.
+// Events of the car in one step of the race that can be felt. Directions are unit vectors in the
+// car's frame: x front, y left, z up.
 #pragma once
 
 #include <variant>
@@ -9,29 +9,29 @@
 
 namespace hedgehog::racer {
 
-/// The car ran into something or was run into; told once for each blow, not while it scrapes along.
+/// A collision of the car; reported once for each blow, not while it scrapes along.
 struct Hit {
   model::Vec3
       direction{};  // from the middle of the car to where it was hit; a corner is 45 degrees
-  double impulse_n_s = 0.0;  // Newton seconds; 800 = the car's speed changed by 1 m/s
+  double impulse_n_s = 0.0;  // Newton seconds; 800 = a change of the car's speed by 1 m/s
   friend bool operator==(const Hit&, const Hit&) = default;
 };
 
-/// The wheels are back on the ground after a flight.
+/// The wheels touch the ground again after a flight.
 struct Landing {
-  double impulse_n_s = 0.0;  // what the ground took up
+  double impulse_n_s = 0.0;  // absorbed by the ground
   friend bool operator==(const Landing&, const Landing&) = default;
 };
 
-/// The wheels slide. Told in every step while it lasts.
+/// The wheels slide. Reported in every step while it lasts.
 struct Skid {
-  double amount = 0.0;  // 0 grips .. 1 no grip at all
+  double amount = 0.0;  // 0: full grip .. 1: no grip
   friend bool operator==(const Skid&, const Skid&) = default;
 };
 
-/// The car turns over or lies on its side or roof. Told in every step while it lasts.
+/// The car turns over or lies on its side or roof. Reported in every step while it lasts.
 struct Tumble {
-  model::Vec3 down{0, 0, -1};  // where the ground is, seen from the car
+  model::Vec3 down{0, 0, -1};  // direction of the ground, in the car's frame
   friend bool operator==(const Tumble&, const Tumble&) = default;
 };
 

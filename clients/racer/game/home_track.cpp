@@ -8,8 +8,8 @@ namespace hedgehog::racer {
 
 namespace {
 
-/// A pose on the road: `along` metres after the start and `left` metres beside its middle, turned
-/// as the road runs there.
+/// A pose on the road: `along` metres after the start and `left` metres beside its middle, oriented
+/// along the road.
 Pose beside(const Track& track, double along, double left, double z) {
   const std::size_t count = track.centre.size();
   const double spacing = norm(track.centre[1] - track.centre[0]);
@@ -50,7 +50,7 @@ Track home_track() {
                               {-38, 1}},
                              11.0);
   track.ramps.push_back({beside(track, 30, 0, 0), 6.0, 4.5, 0.9});
-  // For the daring, at the edges: one side of the car goes up, and the car over.
+  // At the edges: lifts one side of the car, which may turn it over.
   track.ramps.push_back({beside(track, 64, -4.2, 0), 5.0, 1.4, 1.6});
   track.ramps.push_back({beside(track, 372, 4.2, 0), 5.0, 1.4, 1.6});
   track.patches.push_back({beside(track, 108, 0, 0), 7.5, 4.6, 0.1});

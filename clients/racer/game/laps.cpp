@@ -26,7 +26,7 @@ bool Laps::take(const std::vector<model::Vec3>& centre, const model::Vec3& posit
   if (moved < -count / 2) moved += count;
   const bool over_the_line = static_cast<long>(point_) + moved >= count;
   point_ = now;
-  // Across the infield is no way.
+  // A jump across the infield does not count.
   constexpr long kMaxMoved = 8;
   if (moved <= kMaxMoved && moved >= -kMaxMoved) way_ += moved;
   if (!over_the_line) return false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far round the car is.
+// Progress of the car along the track.
 #pragma once
 
 #include <cstddef>
@@ -12,11 +12,11 @@ namespace hedgehog::racer {
 /// The point of the closed line `centre` that is nearest to `position`. REQUIRES: not empty.
 std::size_t nearest_point(const std::vector<model::Vec3>& centre, const model::Vec3& position);
 
-/// Counts the way along the line, so that cutting across or driving backwards makes no lap. A lap
-/// ends at the first point, where the next one begins, whether or not this one counted.
+/// Counts the distance along the line, so that cutting across or driving backwards makes no lap. A
+/// lap ends at the first point, where the next one begins, whether or not it counted.
 class Laps {
  public:
-  /// True when `position` has just completed a lap.
+  /// True if `position` has just completed a lap.
   bool take(const std::vector<model::Vec3>& centre, const model::Vec3& position);
   int done() const noexcept { return done_; }
 

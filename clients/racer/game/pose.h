@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a thing is and how it is turned. Metres; x forward, y left, z up, as in the ball's
+// Position and orientation of an object. Metres; x forward, y left, z up, as in the ball's
 // protocol.
 #pragma once
 

@@ -15,21 +15,20 @@ namespace hedgehog::racer {
 
 namespace {
 
-// A hop over a kerb is no flight.
+// A hop over a kerb is not a flight.
 constexpr double kFlightS = 0.2;
-constexpr double kMinLanding = 400.0;  // Newton seconds: half a metre a second
-// Slower than this, wheels that slide are not felt.
+constexpr double kMinLanding = 400.0;  // Newton seconds: 0.5 m/s
+// Below this speed, sliding wheels are not felt.
 constexpr double kSlowSkid = 1.5;  // m/s
 constexpr double kSkidBegins = 0.25;
 constexpr double kSkidEnds = 0.1;
-constexpr double kSkidSmoothing = 0.35;  // share of the newest step: about 40 ms
-// How far up may lean before the car turns over, and how far it must be back: cosines of 60 and 35
-// degrees.
+constexpr double kSkidSmoothing = 0.35;  // weight of the newest step: time constant about 40 ms
+// Hysteresis of turning over, by the tilt of the car's up axis: cosines of 60 and 35 degrees.
 constexpr double kTurnsOver = 0.5;
 constexpr double kUpright = 0.82;
 constexpr double kLiesS = 3.0;
 constexpr double kLiesSlow = 1.5;  // m/s
-// What was knocked over stands again in the next lap, unless the car is that near.
+// Obstacles are restored in the next lap, unless the car is nearer than this.
 constexpr double kTidyAway = 20.0;  // metres
 constexpr double kLost = 15.0;      // metres beyond the edge of the road
 
@@ -62,7 +61,7 @@ struct Race::State {
     look();
   }
 
-  /// Nothing that the car would stand in or on.
+  /// True if no obstacle or ramp is at this place.
   bool is_free(const Vec3& place) const {
     constexpr double kApart = 2.0 * kCarHalfSize.x;
     const auto on = [&](const Ramp& ramp) {
@@ -77,7 +76,7 @@ struct Race::State {
            std::none_of(scene.obstacles.begin(), scene.obstacles.end(), beside);
   }
 
-  /// What the world looks like now.
+  /// Updates the scene from the world.
   void look() {
     scene.car = world->car();
     scene.wheels = world->wheels();
@@ -117,7 +116,7 @@ struct Race::State {
         !contacts.empty() || std::any_of(scene.wheels.begin(), scene.wheels.end(),
                                          [](const Wheel& wheel) { return wheel.contact; });
     const bool upright = up() > kTurnsOver;
-    // Of the step before, because the springs have begun to take it up in this one.
+    // The velocity of the previous step, because the springs have begun to absorb it in this one.
     if (grounded && flight_s > kFlightS && upright && kCarMassKg * fall_mps > kMinLanding)
       happenings.emplace_back(Landing{kCarMassKg * fall_mps});
     flight_s = grounded ? 0.0 : flight_s + kStepS;
@@ -166,7 +165,7 @@ struct Race::State {
     world->tidy(kTidyAway);
   }
 
-  /// Cosine of how far the car leans.
+  /// Cosine of the car's tilt.
   double up() const { return rotate(scene.car.orientation, {0, 0, 1}).z; }
 
   Track track;
@@ -181,7 +180,7 @@ struct Race::State {
   bool skids = false;
   bool tumbles = false;
   double lies_s = 0.0;
-  /// Somebody has begun to drive: until then the clock of the lap stands.
+  /// The player has begun to drive: until then the lap time stands still.
   bool driven = false;
   double lap_started_s = 0.0;
   bool reset_asked = false;

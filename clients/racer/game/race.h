@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The race: a car on a track, step by step. The same controls give the same scenes and happenings
-// bit for bit, on every run of one build.
+// The race: a car on a track, step by step. The same controls result in the same scenes and
+// happenings bit for bit, in every run of one build.
 #pragma once
 
 #include <memory>
@@ -12,10 +12,10 @@
 
 namespace hedgehog::racer {
 
-/// One thread at a time; reads no clock.
+/// One thread at a time; independent of the system clock.
 class Race {
  public:
-  /// What one step advances: a frame of a 60 Hz screen.
+  /// Duration of one step: a frame of a 60 Hz screen.
   static constexpr double kStepS = 1.0 / 60.0;
 
   explicit Race(Track track);
@@ -23,15 +23,15 @@ class Race {
   Race& operator=(Race&&) noexcept;
   ~Race();
 
-  /// Advances by kStepS. Controls beyond their ranges are taken as the nearest allowed.
+  /// Advances by kStepS. Controls out of range are clamped.
   const Scene& step(const Controls& controls);
   const Scene& scene() const noexcept;
   /// Of the last step.
   const std::vector<Happening>& happenings() const noexcept;
   const Track& track() const noexcept;
 
-  /// Puts the car on its wheels in the middle of the road, at rest, before what stands in the way.
-  /// Tells `Reset` with the next step. A car that lies on its roof for 3 s is put back by itself.
+  /// Puts the car on its wheels in the middle of the road, at rest, before any obstacle. Reports
+  /// `Reset` with the next step. A car that lies on its roof for 3 s is recovered automatically.
   void recover();
 
  private:

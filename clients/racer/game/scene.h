@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What one frame shows.
+// State of the race in one frame, for display.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace hedgehog::racer {
 struct Wheel {
   Pose pose{};  // its middle; y is the axle
   bool contact = false;
-  double skid = 0.0;  // 0 rolls .. 1 has no grip at all
+  double skid = 0.0;  // 0: rolls .. 1: no grip
   friend bool operator==(const Wheel&, const Wheel&) = default;
 };
 
@@ -24,8 +24,8 @@ struct Scene {
   std::array<Wheel, 4> wheels{};
   double speed_mps = 0.0;   // along the car, negative backwards
   Controls controls{};      // in force
-  int lap = 1;              // the one that is driven
-  double lap_time_s = 0.0;  // since somebody began to drive
+  int lap = 1;              // number of the present lap
+  double lap_time_s = 0.0;  // since the player began to drive
   std::optional<double> last_lap_s{};
   std::optional<double> best_lap_s{};
   std::vector<Pose> obstacles{};  // in the order of Track::obstacles

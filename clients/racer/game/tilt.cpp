@@ -12,7 +12,7 @@ namespace {
 
 using model::Vec3;
 
-/// 0 within the dead zone, then in a straight line to 1.
+/// 0 within the dead zone, then linear to 1.
 double share_of(double angle_deg) {
   const double beyond = std::abs(angle_deg) - kTiltDeadZoneDeg;
   const double share = std::clamp(beyond / (kTiltFullDeg - kTiltDeadZoneDeg), 0.0, 1.0);
@@ -22,7 +22,7 @@ double share_of(double angle_deg) {
 }  // namespace
 
 Controls Tilt::controls(const model::Quaternion& ball) const noexcept {
-  // Up in the ball's own frame says how it is tilted, whichever way its front points.
+  // Up in the device frame determines the tilt, independent of the heading.
   const Vec3 neutral = rotate(conjugate(neutral_), {0, 0, 1});
   const Vec3 up = rotate(conjugate(ball), {0, 0, 1});
   const Vec3 front = unit_or(Vec3{1, 0, 0} - neutral.x * neutral, {0, 0, 1});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Driving by tilting the ball: to the left and right it steers, forward is throttle, back is brake.
+// Driving by tilting the ball: left and right steer, forward is throttle, back is brake.
 #pragma once
 
 #include "clients/racer/game/controls.h"
@@ -7,16 +7,15 @@
 
 namespace hedgehog::racer {
 
-/// Below this nothing happens: hands are never quite still.
+/// Dead zone for unsteady hands.
 inline constexpr double kTiltDeadZoneDeg = 4.0;
-/// From here on it is all there is. People turn their wrists comfortably by 30 degrees.
+/// Tilt of full deflection. People comfortably turn their wrists by 30 degrees.
 inline constexpr double kTiltFullDeg = 30.0;
 
-/// How the ball is held when the car shall roll straight on: turning it in the hands about the
-/// vertical changes nothing.
+/// Stores the neutral orientation of the ball. A rotation about the vertical has no effect.
 class Tilt {
  public:
-  /// As the ball is held now is neutral.
+  /// Makes the present orientation of the ball neutral.
   void recentre(const model::Quaternion& ball) noexcept { neutral_ = ball; }
   /// `ball`: device -> world, as in `orientation.quaternion` of the status.
   Controls controls(const model::Quaternion& ball) const noexcept;

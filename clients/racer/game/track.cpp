@@ -19,7 +19,7 @@ Vec3 between(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double 
                 t * t * t * (3.0 * b - a - 3.0 * c + d));
 }
 
-/// Points kSpacing apart, as nearly as they fit into the closed line through `fine`.
+/// Points about kSpacing apart, evenly spaced on the closed line through `fine`.
 std::vector<Vec3> evenly(const std::vector<Vec3>& fine) {
   double length = 0.0;
   for (std::size_t i = 0; i < fine.size(); ++i)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A track as data: what the race is driven on and what the page draws. Metres; the ground is z = 0.
+// A track as data: for the race and for drawing on the page. Metres; the ground is z = 0.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace hedgehog::racer {
 
-/// A box that does not move: walls are made of these.
+/// A static box: walls consist of these.
 struct Wall {
   Pose pose{};  // of its middle
   Vec3 half_size{};
@@ -17,16 +17,16 @@ struct Wall {
 
 enum class Shape : std::uint8_t { kBox, kDrum, kBall };
 
-/// Something loose that can be run into.
+/// A movable object on the road.
 struct Obstacle {
   Shape shape = Shape::kBox;
   Pose pose{};       // of its middle, at the start
   Vec3 half_size{};  // kDrum: standing upright, radius x; kBall: radius x
   double mass_kg = 50.0;
-  Vec3 velocity_mps{};  // at the start: a thing can be thrown
+  Vec3 velocity_mps{};  // at the start, for thrown objects
 };
 
-/// A wedge: rises along its x from the ground to `height`, and ends there with a drop.
+/// A wedge: rises along its x from the ground to `height`, and ends there with a vertical drop.
 struct Ramp {
   Pose pose{};  // of the middle of its lower edge
   double length = 6.0;
@@ -34,12 +34,12 @@ struct Ramp {
   double height = 1.0;
 };
 
-/// Where the road is slippery.
+/// A slippery area of the road.
 struct Patch {
   Pose pose{};  // of its middle; turned about z only
   double half_length = 5.0;
   double half_width = 3.0;
-  double grip = 0.2;  // of what the dry road gives
+  double grip = 0.2;  // relative to the dry road
 };
 
 struct Track {
@@ -54,15 +54,15 @@ struct Track {
   Pose start{};  // of the car, see car.h
 };
 
-/// Turned by `yaw_deg` about z: 0 along x, 90 along y.
+/// Rotated by `yaw_deg` about z: 0 along x, 90 along y.
 Pose flat_pose(double x, double y, double z, double yaw_deg);
 
 /// A closed smooth road through `corners`, with walls along both sides and the start on its first
 /// point.
 Track road_through(const std::vector<Vec3>& corners, double width);
 
-/// The track that the program drives: about 390 m with a jump, three slippery patches and things
-/// that stand close to the line.
+/// The track of the program: about 390 m with a jump, three slippery patches and obstacles close to
+/// the line.
 Track home_track();
 
 }  // namespace hedgehog::racer

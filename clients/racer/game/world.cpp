@@ -16,9 +16,9 @@ namespace {
 
 constexpr double kEngineN = 5200.0;  // both rear wheels together
 constexpr double kReverseN = 2600.0;
-constexpr double kTopSpeed = 19.0;     // m/s, where the engine has no more to give
+constexpr double kTopSpeed = 19.0;     // m/s, where the engine force falls to zero
 constexpr double kBrakeN = 7000.0;     // all wheels together
-constexpr double kSteerRadPerS = 1.5;  // as fast as the front wheels turn
+constexpr double kSteerRadPerS = 1.5;  // maximum rate of the front wheels
 constexpr double kStandstill = 0.8;    // m/s
 
 btScalar real(double value) { return static_cast<btScalar>(value); }
@@ -143,7 +143,7 @@ struct World::Bodies {
     const double engine =
         reverses ? (speed > -4.0 ? -kReverseN * controls.brake : 0.0)
                  : controls.throttle * kEngineN * std::clamp(1.0 - speed / kTopSpeed, 0.0, 1.0);
-    // Bullet takes the most that a wheel brakes in one step, as an impulse.
+    // Bullet expects the maximum braking impulse of a wheel in one step.
     const double brake = reverses ? 0.0 : controls.brake * kBrakeN / 4.0 * kStepS;
     const double goal = -controls.steer * steering_lock(speed);
     steer += std::clamp(goal - steer, -kSteerRadPerS * kStepS, kSteerRadPerS * kStepS);
@@ -224,7 +224,7 @@ std::array<Wheel, 4> World::wheels() const {
     wheel.contact = info.m_raycastInfo.m_isInContact;
     wheel.skid =
         wheel.contact ? std::clamp(1.0 - static_cast<double>(info.m_skidInfo), 0.0, 1.0) : 0.0;
-    // Last, because it forgets the contact.
+    // Last, because it resets the contact.
     bodies_->vehicle->updateWheelTransform(i, false);
     wheel.pose = from_bullet(info.m_worldTransform);
   }

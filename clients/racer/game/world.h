@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bodies and forces of the race: Bullet's world with a btRaycastVehicle in it. Bullet stays
-// behind this header.
+// Physics of the race: a Bullet world with a btRaycastVehicle. Bullet is hidden behind this header.
 #pragma once
 
 #include <array>
@@ -36,16 +35,16 @@ class World {
   ~World();
 
   void step(const Controls& controls);
-  /// The car at rest, there.
+  /// Puts the car there, at rest.
   void place(const Pose& pose);
-  /// Every loose thing more than `away` metres from the car stands where it stood at the start.
+  /// Moves every movable object more than `away` metres from the car back to its start.
   void tidy(double away);
 
   Pose car() const;
   Vec3 velocity() const;  // of the car, m/s, world
   std::array<Wheel, 4> wheels() const;
   std::vector<Pose> obstacles() const;
-  /// The body of the car against everything, in the last step; the wheels touch nothing here.
+  /// Contacts of the car's body in the last step; those of the wheels are not included.
   std::vector<Contact> contacts() const;
 
  private:

@@ -6,7 +6,7 @@
 namespace hedgehog::racer {
 namespace {
 
-constexpr std::uint16_t kHttpPort = 80;  // browsers leave it out
+constexpr std::uint16_t kHttpPort = 80;  // omitted by browsers
 
 }  // namespace
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Who may have the game's page and its WebSocket. Any web page can reach loopback: one of a foreign
-// site is known by its `Origin`, one whose name was bent to us (DNS rebinding) by its `Host`. Pure.
+// Access control of the game's page and its WebSocket. Any web page can reach loopback: one of a
+// foreign site is detected by its `Origin`, DNS rebinding by its `Host`. Pure.
 #pragma once
 
 #include <cstdint>
@@ -11,16 +11,16 @@
 namespace hedgehog::racer {
 
 struct HostCheck {
-  /// What `--listen` named: "127.0.0.1", "192.168.1.5", "0.0.0.0", "::".
+  /// The address of `--listen`: "127.0.0.1", "192.168.1.5", "0.0.0.0", "::".
   std::string address;
-  /// The bound one.
+  /// The bound port.
   std::uint16_t port = 0;
 
-  /// `Host` is localhost, 127.x.x.x or [::1] with any port, as ssh -L gives one, or the address
-  /// listened on with the bound port. When every address is listened on, any address will do, since
-  /// a name of DNS rebinding is none.
+  /// True if `Host` is localhost, 127.x.x.x or [::1] with any port, as with ssh -L, or the address
+  /// listened on with the bound port. When listening on every address, any IP address is accepted,
+  /// since DNS rebinding requires a name.
   bool is_ours(std::string_view host) const;
-  /// `Origin`, where the browser sends one, is the page that came from `host`.
+  /// True if `Origin`, if the browser sends one, is the page served from `host`.
   bool may_connect(std::string_view host, std::optional<std::string_view> origin) const;
 };
 

@@ -38,12 +38,12 @@ using Request = http::request<http::empty_body>;
 constexpr std::uint32_t kMaxHeaderBytes = 8 * 1024;
 constexpr std::chrono::seconds kPatience{15};
 constexpr std::chrono::seconds kHandshake{5};
-/// A page that answers no ping for so long is gone.
+/// A page that does not respond to pings for this long is closed.
 constexpr std::chrono::seconds kSilence{10};
 constexpr std::chrono::milliseconds kCloseFrame{500};
-/// For the pages, although the game is late.
+/// Minimum time for the pages, even if the game is late.
 constexpr std::chrono::milliseconds kMinWait{1};
-/// What the kernel may hold for a page: what lies there is old.
+/// The kernel's buffer per page is kept small: its content becomes outdated.
 constexpr int kSendBufferBytes = 32 * 1024;
 constexpr const char* kContentPolicy =
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; "
@@ -112,7 +112,7 @@ struct Hub::Rooms {
   base::WebFiles files;
   HostCheck host_check;
   std::string greeting;
-  // Before the context, whose end destroys the coroutines that own the pages.
+  // Before the context, whose destructor destroys the coroutines that own the pages.
   std::set<OpenPage*> pages;
   int connections = 0;
   PageId last_id = 0;
@@ -149,7 +149,7 @@ asio::awaitable<void> Hub::Rooms::accept() {
       socket.set_option(asio::socket_base::send_buffer_size(kSendBufferBytes), ignored);
       asio::co_spawn(context, serve(std::move(socket)), asio::detached);
     } else if (ec) {
-      pause.expires_after(std::chrono::milliseconds{100});  // no descriptors, perhaps
+      pause.expires_after(std::chrono::milliseconds{100});  // possibly out of descriptors
       co_await pause.async_wait(asio::use_awaitable);
     }
   }

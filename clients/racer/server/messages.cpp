@@ -17,7 +17,7 @@ using Json = nlohmann::json;
 constexpr std::array<std::pair<Mode, std::string_view>, 3> kModes{
     {{Mode::kBall, "ball"}, {Mode::kKeyboard, "keyboard"}, {Mode::kDriver, "driver"}}};
 
-/// Tenths of a millimetre are enough for a picture.
+/// A tenth of a millimetre is sufficient for display.
 double rounded(double value) { return std::round(value * 1e4) / 1e4; }
 
 Json of(const Vec3& v) { return Json::array({rounded(v.x), rounded(v.y), rounded(v.z)}); }
@@ -54,7 +54,7 @@ Json with(const Pose& pose, Json more) {
   return more;
 }
 
-/// A number of `message` in [least, most]; `why` says what is wrong with it.
+/// A number of `message` in [lowest, 1]; `why` is set if it is invalid.
 double number_in(const Json& message, const char* key, double lowest, std::string& why) {
   const auto found = message.find(key);
   if (found == message.end()) return 0.0;

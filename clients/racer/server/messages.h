@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What the game and its page say to each other, as values and as JSON texts, one object each with
-// its `type`. Lengths in metres, turns as [w, x, y, z], the car's frame as everywhere: x front, y
-// left, z up. Pure.
+// Messages between the game and its page, as values and as JSON texts, one object each with its
+// `type`. Lengths in metres, orientations as [w, x, y, z], the car's frame: x front, y left, z up.
+// Pure.
 #pragma once
 
 #include <cstdint>
@@ -16,12 +16,12 @@
 
 namespace hedgehog::racer {
 
-/// Who has the wheel.
+/// Source of the controls.
 enum class Mode : std::uint8_t { kBall, kKeyboard, kDriver };
 std::string_view name(Mode mode) noexcept;
 std::optional<Mode> mode_of(std::string_view name) noexcept;
 
-/// What is on the page besides the scene.
+/// State of the game besides the scene.
 struct Stand {
   Mode mode = Mode::kKeyboard;
   bool paused = false;
@@ -36,25 +36,25 @@ struct FinishedLap {
   bool driver = false;  // driven by the built-in driver, at least in part
 };
 
-/// The ball and what it still can do.
+/// Status of the ball and its thermal headroom.
 struct BallView {
   bool connected = false;
   bool simulated = false;
-  std::string state{};  // of the protocol: "armed"
+  std::string state{};  // in the protocol's words: "armed"
   std::optional<double> temperature_c{};
   std::optional<double> limit_a{};
-  std::optional<double> budget{};  // 1: cool; 0: only what can flow for ever is left
-  double gain = 1.0;               // what the game lowers its own strength to
+  std::optional<double> budget{};  // 1: cool; 0: only the continuous current is left
+  double gain = 1.0;               // of the game's own strength
   bool derated = false;
-  std::string reason{};  // a sentence, what is wrong and what helps; empty: nothing
+  std::string reason{};  // a sentence with problem and remedy; empty: none
   friend bool operator==(const BallView&, const BallView&) = default;
 };
 
-/// What was just played on the ball, or would have been.
+/// An effect that was just played, or would have been with a ball.
 struct Felt {
   std::string_view kind;  // "hit", "landing", "skid", "tumble"
-  Vec3 direction{};       // where the pins push, in the ball's frame
-  double strength = 0.0;  // 0..1 of the most that the game plays
+  Vec3 direction{};       // where the pins push, in the device frame
+  double strength = 0.0;  // 0..1, relative to the game's maximum
   double level_a = 0.0;   // ampere; 0: no ball
 };
 
@@ -63,7 +63,7 @@ std::string scene_text(const Scene& scene, const Stand& stand);
 std::string ball_text(const BallView& ball);
 std::string felt_text(const Felt& felt);
 std::string lap_text(const FinishedLap& lap);
-/// The game ends, by itself.
+/// The game ends.
 std::string shutdown_text(std::string_view reason);
 std::string refusal_text(std::string_view why);
 
@@ -77,7 +77,7 @@ struct PauseWanted {
 struct ModeWanted {
   Mode mode = Mode::kKeyboard;
 };
-/// Why a text is none of ours, as a sentence.
+/// Why a message is invalid, as a sentence.
 struct NotUnderstood {
   std::string why;
 };

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One page that is open: its WebSocket and what waits for it, never more than a little. For hub.cpp
-// only, because of Beast.
+// One open page: its WebSocket and a bounded queue of messages. For hub.cpp only, because of Beast.
 #pragma once
 
 #include <array>
@@ -25,7 +24,7 @@ struct OpenPage {
     wake.expires_at(boost::asio::steady_timer::time_point::max());
   }
 
-  /// Empty: nothing waits.
+  /// The next message; empty: none is queued.
   std::string next() {
     std::string text;
     if (!waiting.empty()) {
@@ -33,7 +32,7 @@ struct OpenPage {
       waiting.pop_front();
       return text;
     }
-    // In turn, so that a page that never catches up sees something of each.
+    // Round robin, so that a slow page receives messages of each kind.
     for (std::size_t i = 0; i < latest.size() && text.empty(); ++i) {
       turn = (turn + 1) % latest.size();
       std::swap(text, latest[turn]);

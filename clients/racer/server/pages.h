@@ -8,12 +8,12 @@
 
 namespace hedgehog::racer {
 
-/// Those in `folder`, 16 MB at most. A folder without index.html has none: "/" then says so in
-/// words, and how the page is built.
+/// The files in `folder`, 16 MB at most. Without index.html "/" is a page that explains how to
+/// build it.
 base::WebFiles read_pages(const std::string& folder);
 
-/// `share/hedgehog/racer` of the prefix that this program stands in: one folder below it (bin), or
-/// two (clients/racer of a build).
+/// `share/hedgehog/racer` of the prefix of this program, whose folder is one level below it (bin),
+/// or two (clients/racer of a build).
 std::string default_pages_folder();
 
 }  // namespace hedgehog::racer

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The game's side of its page: tells every open page what is to be seen, and knows what the pages
-// asked. Serves HTTP and WebSocket in the game's own thread, in the pauses between frames.
+// The game's server of its page: sends the state to every open page, and collects the requests of
+// the pages. Serves HTTP and WebSocket in the game's own thread, in the pauses between frames.
 //
 //   Server server({.port = 7585, .pages = default_pages_folder()}, race.track());
 //   for (auto next = steady_clock::now();; next += 16ms) {
 //     const Asked asked = server.take();
-//     server.tell(race.step(asked.keys), {});
+//     server.publish(race.step(asked.keys), {});
 //     server.serve_until(next);
 //   }
 #pragma once
@@ -21,31 +21,31 @@
 
 namespace hedgehog::racer {
 
-/// What the pages asked since it was taken the last time.
+/// Requests of the pages since the last `take`.
 struct Asked {
-  /// Of the page that pressed last; neutral when it has gone or been silent for kKeysLease.
+  /// Of the page with the latest key press; neutral if it was closed or silent for kKeysLease.
   Controls keys{};
   bool reset = false;
   std::optional<bool> pause{};
   std::optional<Mode> mode{};
 };
 
-/// One thread. Nothing here waits for a page.
+/// One thread. No call blocks on a page.
 class Server {
  public:
-  /// A page says again what it holds, ten times a second: a hand that cannot be heard has let go.
+  /// A page repeats its pressed keys ten times a second; without messages they count as released.
   static constexpr std::chrono::milliseconds kKeysLease{600};
 
-  /// Listens. std::runtime_error: it cannot, as a sentence.
+  /// Listens. std::runtime_error with a sentence if that fails.
   Server(const HubSettings& settings, const Track& track);
 
-  /// To be called with the time of the next frame; returns then.
+  /// Call it with the time of the next frame; returns then.
   void serve_until(std::chrono::steady_clock::time_point deadline) { hub_.serve_until(deadline); }
 
-  /// The newest counts: a page that is too slow misses the others.
+  /// Only the newest is sent: a slow page misses the others.
   void publish(const Scene& scene, const Stand& stand);
   void publish(const BallView& ball);
-  /// One after the other.
+  /// Queued in order.
   void publish(const Felt& felt);
   void publish(const FinishedLap& lap);
   void announce_shutdown(std::string_view reason) { hub_.announce_shutdown(shutdown_text(reason)); }

@@ -30,7 +30,7 @@ ordered_json daemon_json(const DaemonFacts& daemon) {
   return {{"address", daemon.address}, {"start_id", daemon.start_id}};
 }
 
-/// Of the member `daemon`, which older journals have not.
+/// Reads the member `daemon`, which is missing in older journals.
 DaemonFacts read_daemon(const ordered_json& in) {
   const auto daemon = in.find("daemon");
   if (daemon == in.end()) return {};
@@ -168,7 +168,7 @@ void write(ordered_json& out, const Voided& e) {
 
 void write(ordered_json& out, const DaemonChanged& e) {
   out["event"] = "daemon_changed";
-  out["text"] = e.daemon.address;  // an older program reads it as a remark
+  out["text"] = e.daemon.address;  // older versions of the program read it as a remark
   out["daemon"] = daemon_json(e.daemon);
 }
 
@@ -196,7 +196,7 @@ std::string encode(const Line& line) {
   out["n"] = line.number;
   out["time"] = line.time;
   std::visit([&](const auto& event) { write(out, event); }, line.event);
-  // What a person typed may not be UTF-8; that must not lose the line.
+  // Text typed by the user may not be UTF-8; the line must not be lost.
   return out.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A journal line as one line of JSON, and back.
+// JSON encoding of journal lines.
 #pragma once
 
 #include <string>
@@ -10,9 +10,9 @@
 
 namespace hedgehog::study {
 
-/// Without the line feed.
+/// Without line feed.
 std::string encode(const Line& line);
-/// EX_DATAERR with what is wrong. Keys that are not known are ignored.
+/// EX_DATAERR with the error. Unknown keys are ignored.
 Result<Line> decode(std::string_view text);
 
 }  // namespace hedgehog::study

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is written down about a run, in the order in which it happened.
+// Events of a run, in the order in which they are recorded.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace hedgehog::study {
 
-/// The ball that was used.
+/// Identification of the ball that was used.
 struct BallFacts {
   std::string name{};
   std::string model{};
@@ -22,32 +22,32 @@ struct BallFacts {
   friend bool operator==(const BallFacts&, const BallFacts&) = default;
 };
 
-/// The daemon that drives it.
+/// Identification of its daemon.
 struct DaemonFacts {
-  std::string address{};   // as `Address` is written; empty: in journals before it was recorded
-  std::string start_id{};  // empty: it told none
+  std::string address{};   // in the format of `Address`; empty: in journals before it was recorded
+  std::string start_id{};  // empty: the daemon reports none
   friend bool operator==(const DaemonFacts&, const DaemonFacts&) = default;
 };
 
-/// The first line: everything that the run follows from.
+/// The first line: all inputs from which the run can be reproduced.
 struct RunStarted {
   std::string participant{};
   Experiment experiment{};
-  int run = 1;  // of this participant and experiment, from 1
+  int run = 1;  // number for this participant and experiment, from 1
   RunSeeds seeds{};
   BallFacts ball{};
-  /// The answers come from a program: a rehearsal.
+  /// The responses are simulated: a rehearsal.
   bool simulated_person = false;
   std::string software_version{};
-  /// The experimenter's screen is the participant's too.
+  /// The experimenter's screen is also visible to the participant.
   bool blind = false;
-  /// Of a simulated person's answers.
+  /// Seed of a simulated participant's responses.
   std::uint64_t person_seed = 0;
   DaemonFacts daemon{};
   friend bool operator==(const RunStarted&, const RunStarted&) = default;
 };
 
-/// What the experimenter ticked off and asked. The consent's reference, never the document.
+/// The experimenter's check list. Contains the consent's reference, never the document.
 struct Checklist {
   bool headphones = false;
   bool hand_on_top = false;
@@ -64,7 +64,7 @@ struct TrialStarted {
   friend bool operator==(const TrialStarted&, const TrialStarted&) = default;
 };
 
-/// One interval, on the daemon's clock. Times are device time, ns.
+/// One interval. Times are device time, ns.
 struct IntervalPlayed {
   int interval = 1;
   Stimulus stimulus{};
@@ -72,15 +72,15 @@ struct IntervalPlayed {
   std::int64_t ack_ns = 0;
   std::optional<std::int64_t> onset_ns{};
   std::optional<std::int64_t> offset_ns{};
-  std::string reason{};  // why it ended; "completed" if all is well
-  // Nothing where the daemon did not say.
+  std::string reason{};  // why it ended; "completed" if successful
+  // nullopt: not reported by the daemon.
   std::optional<double> delivered_min{};
   std::optional<double> delivered_mean{};
   std::optional<std::int64_t> masked_ms{};
   std::optional<std::int64_t> mixed_ms{};
-  std::optional<double> measured_a{};  // the highest seen while it played
+  std::optional<double> measured_a{};  // the maximum while it played
   std::optional<double> temperature_c{};
-  /// Of the ball when it ended, device -> world.
+  /// Orientation of the ball at the end, device -> world.
   std::optional<model::Quaternion> orientation{};
   friend bool operator==(const IntervalPlayed&, const IntervalPlayed&) = default;
 };
@@ -96,16 +96,16 @@ struct Voided {
   friend bool operator==(const Voided&, const Voided&) = default;
 };
 
-/// From here on it is this daemon, or this start of it: the experimenter said so, or nobody is
-/// there whom it would concern.
+/// From here on the run uses this daemon, or this start of it: confirmed by the experimenter, or
+/// accepted because the run is simulated.
 struct DaemonChanged {
   DaemonFacts daemon{};
   friend bool operator==(const DaemonChanged&, const DaemonChanged&) = default;
 };
 
-/// Everything that moves nothing: "note", "paused", "continued", "resumed", "rest", "stopped",
-/// "finished", "blind" (from here on).
-inline constexpr const char* kBallIsBack = "the ball is back";  // of "continued"
+/// Events that do not change the state of the staircase: "note", "paused", "continued", "resumed",
+/// "rest", "stopped", "finished", "blind" (from here on).
+inline constexpr const char* kBallIsBack = "the ball is back";  // text of "continued"
 struct Remark {
   std::string kind{};
   std::string text{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether what answers now is what a run was on.
+// Comparison of the connected ball and daemon with those of a run.
 #pragma once
 
 #include "clients/study/journal/event.h"
@@ -7,23 +7,23 @@
 namespace hedgehog::study {
 
 enum class Identity : std::uint8_t {
-  kSame,      // the same start of the same daemon, or of a daemon that tells no start the same ball
-  kUnproven,  // perhaps: nothing contradicts it, and nothing shows it
+  kSame,      // the same start of the same daemon, or the same ball of a daemon without start id
+  kUnproven,  // possibly the same: neither contradicted nor proven
   kOther,     // another ball
 };
 
-/// What a run is pinned to.
+/// The ball and daemon to which a run is bound.
 struct Pin {
   BallFacts ball{};
   DaemonFacts daemon{};
 };
 
-/// A start of the daemon is told by its id. Where one side has none, the ball's serial number at
-/// the same address counts (at any, where the journal has none); balls without a serial number,
-/// as all simulated ones, are never the same by that. A calibration that was measured again makes
-/// no other ball.
+/// A start of the daemon is identified by its id. If one side has none, the ball's serial number at
+/// the same address is compared (at any address if the journal has none); balls without a serial
+/// number, such as all simulated ones, are then never the same. A new calibration does not change
+/// the identity of a ball.
 Identity compare(const Pin& then, const Pin& now);
-/// The same ball by its serial number, whatever daemon drives it.
+/// True for the same ball by its serial number, independent of the daemon.
 bool same_serial(const BallFacts& a, const BallFacts& b);
 
 }  // namespace hedgehog::study

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Put behind a line that a kill tore, so that it can never be taken for a whole one.
+// Appended to a line truncated by a kill, so that it can never be mistaken for a complete one.
 constexpr const char* kTorn = " torn\n";
 
 std::string reason_of(int error) {
@@ -61,11 +61,11 @@ Result<std::vector<Line>> read_journal(const fs::path& path) {
   std::string_view rest = *text;
   for (int number = 1; !rest.empty(); ++number) {
     const auto end = rest.find('\n');
-    if (end == std::string_view::npos) break;  // torn by a kill: nobody acted on it
+    if (end == std::string_view::npos) break;  // truncated by a kill, without effect
     const std::string_view whole = rest.substr(0, end + 1);
     if (auto line = decode(whole)) {
       lines.push_back(*std::move(line));
-    } else if (!whole.ends_with(kTorn)) {  // which a resumed run ended
+    } else if (!whole.ends_with(kTorn)) {  // marked when the run was resumed
       return cannot(EX_DATAERR, path,
                     "line " + std::to_string(number) + " is damaged: " + line.error().message);
     }
@@ -141,7 +141,7 @@ Journal::~Journal() {
 
 Result<void> Journal::append(const Event& event) {
   const Line line{run_.lines() + 1, utc_now(), event};
-  // What does not follow is never written: the copy is small, a damaged journal is not.
+  // An invalid event is never written: a copy is cheap compared with a damaged journal.
   RecordedRun after = run_;
   if (auto taken = after.take(line); !taken)
     return cannot(EX_SOFTWARE, path_, taken.error().message);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The append-only file of one run: a line of JSON an event, on disk before anything follows from
-// it. It is never overwritten; a line that a kill tore is left where it is and skipped.
+// The append-only file of one run: a line of JSON per event, on disk before it takes effect. It is
+// never overwritten; a line truncated by a kill is kept and skipped.
 #pragma once
 
 #include <filesystem>
@@ -10,27 +10,28 @@
 
 namespace hedgehog::study {
 
-/// All whole lines of a journal. EX_NOINPUT; EX_DATAERR naming file and line when one is damaged.
+/// All complete lines of a journal. EX_NOINPUT; EX_DATAERR with file and line number if one is
+/// damaged.
 Result<std::vector<Line>> read_journal(const std::filesystem::path& path);
-/// A kill while a run was being created leaves a journal without any event behind.
+/// False for a journal without events, left by a kill during its creation.
 bool has_begun(const std::filesystem::path& path);
-/// The same, replayed.
+/// The lines, replayed.
 Result<RecordedRun> read_run(const std::filesystem::path& path);
 
-/// One writer a file (it is locked). Movable.
+/// One writer per file (it is locked). Movable.
 class Journal {
  public:
-  /// A new file. EX_CANTCREAT when there is one already.
+  /// Creates a file. EX_CANTCREAT if it exists.
   static Result<Journal> create(const std::filesystem::path& path, const RunStarted& header);
-  /// Goes on with one. EX_TEMPFAIL when somebody else writes it.
+  /// Opens an existing one for appending. EX_TEMPFAIL if another process writes it.
   static Result<Journal> open(const std::filesystem::path& path);
 
   Journal(Journal&& other) noexcept;
   Journal& operator=(Journal&&) = delete;
   ~Journal();
 
-  /// Writes the event, waits until the disk has it, and only then lets the run follow.
-  /// EX_IOERR when the disk does not take it.
+  /// Writes the event, waits until it is on disk, and only then updates the run. EX_IOERR if
+  /// writing fails.
   Result<void> append(const Event& event);
 
   const RecordedRun& run() const noexcept { return run_; }
@@ -44,7 +45,7 @@ class Journal {
   RecordedRun run_;
 };
 
-/// Now, as "2026-11-21T15:04:05.123Z".
+/// The present time, as "2026-11-21T15:04:05.123Z".
 std::string utc_now();
 
 }  // namespace hedgehog::study

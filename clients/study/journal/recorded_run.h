@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A run as its journal tells it. Pure: the state is what the lines say and nothing else, so a run
-// that was killed goes on from them.
+// A run as recorded in its journal. Pure: the state is determined by the lines alone, so a killed
+// run can resume from them.
 #pragma once
 
 #include <optional>
@@ -12,16 +12,16 @@
 
 namespace hedgehog::study {
 
-/// One presentation block: a trial with what was played and said.
+/// One presentation block: a trial with its stimuli and response.
 struct TrialRecord {
   Trial trial{};
-  std::string time{};    // when it began, RFC 3339, UTC
-  std::string played{};  // when its last interval was written down
-  /// The program or the daemon was away before it: the device's clock may have begun anew.
+  std::string time{};    // start of the trial, RFC 3339, UTC
+  std::string played{};  // when its last interval was recorded
+  /// The program or the daemon was not running before it: the device's clock may have restarted.
   bool after_absence = false;
   std::vector<IntervalPlayed> intervals{};
   std::optional<Answered> answered{};
-  /// Why it does not count; empty: it does.
+  /// Why it is excluded; empty: it is included.
   std::string void_reason{};
   bool positive = false;
   std::optional<Step> step{};
@@ -35,22 +35,22 @@ class RecordedRun {
   /// The first line must be RunStarted.
   static Result<RecordedRun> replay(const std::vector<Line>& lines);
 
-  /// The next line. EX_DATAERR when it does not follow from those before.
+  /// Applies the next line. EX_DATAERR if it is inconsistent with those before.
   Result<void> take(const Line& line);
 
   const RunStarted& header() const noexcept { return header_; }
-  /// The ball, and the daemon that drove it last.
+  /// The ball, and its most recent daemon.
   const Pin& pin() const noexcept { return pin_; }
   const std::optional<Checklist>& checklist() const noexcept { return checklist_; }
   const RunState& state() const noexcept { return state_; }
   /// Closed trials, in order.
   const std::vector<TrialRecord>& trials() const noexcept { return trials_; }
-  /// The trial that was begun and neither answered nor voided.
+  /// The trial that was started and neither answered nor voided.
   const std::optional<TrialRecord>& open() const noexcept { return open_; }
   const std::vector<Line>& remarks() const noexcept { return remarks_; }
   std::int64_t lines() const noexcept { return lines_; }
   const std::string& started() const noexcept { return started_; }
-  /// Nothing of the run may be shown on the experimenter's screen.
+  /// No result of the run may be shown on the experimenter's screen.
   bool blind() const noexcept;
   bool over() const noexcept { return state_.staircase().over(); }
 

@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-/// The first two texts, or none, that are different and have one label, or a text that has none.
+/// An error if two different texts have the same label, or a text has an empty label.
 std::optional<Problem> mistakable(const std::set<std::string>& texts, const char* prefix) {
   std::map<std::string, std::string> labelled;
   for (const std::string& text : texts) {
@@ -44,7 +44,7 @@ Result<void> write(const fs::path& file, const std::string& text) {
   return {};
 }
 
-/// Made under another name first, so that a failure leaves no half of it.
+/// Written under a temporary name first, so that a failure leaves no partial output.
 Result<void> in_one_go(const fs::path& path,
                        const std::function<Result<void>(const fs::path&)>& make) {
   const fs::path unfinished = path.string() + "." + std::to_string(::getpid()) + ".part";
@@ -72,7 +72,7 @@ std::string table(const AnalysedRun& run, std::string (*line)(const std::vector<
   return text;
 }
 
-/// What the columns of participants.tsv are.
+/// Descriptions of the columns of participants.tsv.
 ordered_json participants_columns() {
   return {{"participant_id", {{"Description", "code of the participant"}}},
           {"hand_size_cm",
@@ -84,7 +84,7 @@ ordered_json participants_columns() {
 }
 
 std::string participants_table(const std::vector<AnalysedRun>& runs) {
-  // The latest check list of each.
+  // The latest check list of each participant.
   std::map<std::string, Checklist> people;
   for (const AnalysedRun& run : runs)
     people[run.name.participant] = run.run.checklist().value_or(people[run.name.participant]);
@@ -109,7 +109,7 @@ std::string bids_name(const AnalysedRun& run) {
 
 namespace {
 
-/// What BIDS wants to be told in words.
+/// The text of the README that BIDS requires.
 std::string readme(const StudyFolder& study) {
   return study.path().filename().string() +
          ": perception experiments with a Hedgehog ball, recorded by hedgehog-study.\n\n"
@@ -122,7 +122,7 @@ std::string readme(const StudyFolder& study) {
          "was left out of the means.\n";
 }
 
-/// The codes of who ran the sessions, and the program: BIDS takes one author alone for a mistake.
+/// The experimenters' codes, and the program: the BIDS validator warns about a single author.
 std::vector<std::string> experimenters(const std::vector<AnalysedRun>& runs) {
   std::set<std::string> codes;
   for (const AnalysedRun& run : runs)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The data in the layout of the Brain Imaging Data Structure, behavioural part: one _beh.tsv a run
-// with its JSON side-car.
+// The data in the layout of the Brain Imaging Data Structure, behavioural part: one _beh.tsv per
+// run with its JSON side-car.
 #pragma once
 
 #include <filesystem>
@@ -12,12 +12,12 @@
 
 namespace hedgehog::study {
 
-/// "sub-P01/beh/sub-P01_task-forcejnd_run-1_beh", without ending.
+/// "sub-P01/beh/sub-P01_task-forcejnd_run-1_beh", without extension.
 std::string bids_name(const AnalysedRun& run);
 
-/// EX_CANTCREAT when `folder` is there already: nothing is overwritten, and what fails leaves
-/// nothing behind. EX_DATAERR when two people or experiments are one to BIDS. `authors`: of the
-/// data; none: the experimenters by their codes, and the program.
+/// EX_CANTCREAT if `folder` exists: nothing is overwritten, and a failure leaves no files behind.
+/// EX_DATAERR if two participants or experiments have the same BIDS label. `authors`: of the data;
+/// empty: the experimenters' codes, and the program.
 Result<void> write_bids(const std::filesystem::path& folder, const StudyFolder& study,
                         const std::vector<AnalysedRun>& runs,
                         const std::vector<std::string>& authors = {});

@@ -59,7 +59,8 @@ void choose(std::vector<AnalysedRun>& all) {
     return a.run.header().experiment == b.run.header().experiment;
   };
   for (AnalysedRun& run : all) {
-    // Programs are no company for people, nor are people who felt nothing for those who did.
+    // Simulated participants are not grouped with real ones, nor runs on a simulated ball with
+    // those on a real one.
     const auto rank = [](const AnalysedRun& of) {
       return of.run.header().simulated_person ? 0 : of.is_rehearsal() ? 1 : 2;
     };
@@ -68,7 +69,7 @@ void choose(std::vector<AnalysedRun>& all) {
                      return !other.excluded && rank(other) > rank(run) && same(other, run);
                    });
   }
-  // Sorted by run: the last finished one of each takes the place of those before.
+  // Sorted by run: the last finished one of each replaces those before.
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (std::size_t j = 0; j < i && all[i].in_group; ++j)
       if (all[j].name.participant == all[i].name.participant && same(all[j], all[i]))

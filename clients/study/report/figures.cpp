@@ -47,12 +47,12 @@ std::string title_of(Quantity quantity) {
   return "Force threshold [N]";
 }
 
-/// The value that the group figure shows: N for thresholds, as the thesis does.
+/// The value in the group figure: N for thresholds, as in the thesis.
 double shown(const AnalysedRun& run) {
   return run.analysis.weber_fraction ? *run.analysis.threshold : *run.analysis.force_n;
 }
 
-/// Once as SVG, once as PNG.
+/// Plots to an SVG and a PNG file.
 std::string twice(const std::string& path, int width, int height, const std::string& plot) {
   const std::string size = std::to_string(width) + "," + std::to_string(height);
   return "set terminal svg size " + size + " font 'DejaVu Sans,13' background '#ffffff'\n" +
@@ -132,14 +132,14 @@ std::string group_plot(const std::vector<AnalysedGroup>& groups) {
   for (const AnalysedGroup& group : groups) {
     const bool in_newton = group.experiment.quantity == Quantity::kCurrentA;
     const bool compared = is_as_in_thesis(group.experiment);
-    // The thesis' with the thesis' own ball, each person's with the ball they had.
+    // The thesis' value with the thesis' ball, each participant's value with the ball of the run.
     const double thesis =
         thesis_result(group.experiment.quantity) * (in_newton ? BallFacts{}.force_n_per_a : 1.0);
     std::string people;
     std::vector<double> values;
     double top = compared ? thesis : 0.0;
     for (std::size_t i = 0; i < group.runs.size(); ++i) {
-      // Side by side, so that nobody hides anybody.
+      // Horizontal offsets, so that points do not overlap.
       const double offset = 0.09 * (static_cast<double>(i % 5) - 2.0);
       people += decimal(offset) + " " + decimal(shown(*group.runs[i])) + " " +
                 (group.runs[i]->analysis.flags.empty() ? "0" : "1") + "\n";
@@ -178,7 +178,7 @@ Result<void> draw(const fs::path& folder, const std::vector<AnalysedRun>& runs,
   if (!groups.empty())
     script += twice("groups", kPanel * static_cast<int>(groups.size()), 420, group_plot(groups));
   std::ofstream(folder / kScript) << script;
-  // In the folder: a path may have characters that mean something to gnuplot.
+  // Run in the folder: a path may contain characters that are special in gnuplot.
   const auto end = client::run_program({"gnuplot", kScript}, kLog, folder.string());
   if (end.start_error != 0) return Problem{EX_UNAVAILABLE, "no figures: gnuplot is not installed"};
   if (!end.succeeded)

@@ -11,16 +11,17 @@
 
 namespace hedgehog::study {
 
-/// The gnuplot commands for one staircase: levels, answers, reversals, threshold.
+/// The gnuplot commands for one staircase: levels, responses, reversals, threshold.
 std::string staircase_plot(const AnalysedRun& run);
-/// For the group figure: a panel an experiment, with people, mean, SD and the thesis' mean.
+/// For the group figure: a panel per experiment, with individual values, mean, SD and the thesis'
+/// mean.
 std::string group_plot(const std::vector<AnalysedGroup>& groups);
 
-/// File name without folder and ending: "P01.force-jnd.1".
+/// File name without folder and extension: "P01.force-jnd.1".
 std::string figure_name(const AnalysedRun& run);
 
-/// Draws into `folder`: NAME.svg and NAME.png a run, groups.svg, groups.png. EX_UNAVAILABLE when
-/// there is no gnuplot or it fails.
+/// Draws into `folder`: NAME.svg and NAME.png per run, groups.svg, groups.png. EX_UNAVAILABLE if
+/// gnuplot is not installed or fails.
 Result<void> draw(const std::filesystem::path& folder, const std::vector<AnalysedRun>& runs,
                   const std::vector<AnalysedGroup>& groups);
 

@@ -31,7 +31,7 @@ td.n, th.n { text-align: right; font-variant-numeric: tabular-nums }
 </style></head><body>
 )";
 
-/// The SVG without its XML heading, so that it can stand in the page.
+/// The SVG without its XML declaration, for embedding in the page.
 std::string figure(const fs::path& file) {
   std::ifstream in(file);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
@@ -146,7 +146,7 @@ std::string level_table(const std::vector<AnalysedGroup>& groups) {
   return page + "</table></div>\n";
 }
 
-/// Which runs do not count, and why.
+/// Excluded runs, with the reasons.
 std::string exclusion_table(const std::vector<AnalysedRun>& runs) {
   std::string rows;
   for (const AnalysedRun& run : runs) {
@@ -163,7 +163,7 @@ std::string exclusion_table(const std::vector<AnalysedRun>& runs) {
          rows + "</table></div>\n";
 }
 
-/// What the experimenter wrote down during the runs.
+/// Notes that the experimenter took during the runs.
 std::string note_table(const std::vector<AnalysedRun>& runs) {
   std::string rows;
   for (const AnalysedRun& run : runs) {

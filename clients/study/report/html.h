@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The whole analysis as one page that needs no other file.
+// The whole analysis as one self-contained page.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@
 
 namespace hedgehog::study {
 
-/// `figures`: the folder where `draw` put them; what is missing there is left out.
+/// `figures`: the output folder of `draw`; missing figures are left out.
 std::string report_page(const StudyFolder& study, const std::vector<AnalysedRun>& runs,
                         const std::vector<AnalysedGroup>& groups,
                         const std::filesystem::path& figures);

@@ -23,7 +23,7 @@ std::string or_none(const std::optional<T>& value, Text text) {
   return value ? text(*value) : kNone;
 }
 
-/// The level as it was delivered: the nominal one, times what the limiter let through.
+/// The level as delivered: the nominal one, times the fraction that the limiter delivered.
 std::string presented(const Experiment& e, const IntervalPlayed& test) {
   if (!test.delivered_mean && e.quantity != Quantity::kSpeedPercent) return kNone;
   const double current = test.stimulus.current_a * test.delivered_mean.value_or(0.0);
@@ -38,7 +38,7 @@ std::string presented(const Experiment& e, const IntervalPlayed& test) {
   return number(current);
 }
 
-/// The interval that held the test; the only one of a yes/no trial.
+/// The interval of the test stimulus; the only one of a yes/no trial.
 const IntervalPlayed* test_of(const TrialRecord& trial) {
   const int wanted = std::max(1, trial.trial.interval_of_test);
   const auto found = std::find_if(trial.intervals.begin(), trial.intervals.end(),
@@ -46,11 +46,11 @@ const IntervalPlayed* test_of(const TrialRecord& trial) {
   return found == trial.intervals.end() ? nullptr : &*found;
 }
 
-/// Device time as time since the first onset of the run. The device's clock begins anew with the
-/// daemon; from there on the journal's wall clock says how much later it was.
+/// Device time relative to the first onset of the run. The device's clock restarts with the daemon;
+/// the interruption is then measured by the journal's wall clock.
 class RunClock {
  public:
-  /// Of each block, in order. Nothing when there was none or it cannot be known.
+  /// Called for each block, in order. nullopt if there was no onset or it cannot be determined.
   std::optional<std::int64_t> onset_of(const TrialRecord& record) {
     absent_ = absent_ || record.after_absence;
     if (record.intervals.empty()) return std::nullopt;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The data as one flat table: a row for each presentation block, void and practice ones included.
+// The data as one flat table: a row per presentation block, including void and practice ones.
 #pragma once
 
 #include <optional>
@@ -17,12 +17,12 @@ struct Column {
 /// In the order of the cells.
 const std::vector<Column>& columns();
 
-/// "n/a" for what there is not. Device times are seconds with nine decimals. `excluded`: why the
-/// run was left out, if it was.
+/// "n/a" for missing values. Device times are seconds with nine decimals. `excluded`: why the run
+/// was excluded; nullopt: included.
 std::vector<std::vector<std::string>> rows_of(const RecordedRun& run,
                                               const std::optional<std::string>& excluded = {});
 
-/// Tabs and line feeds in cells become blanks.
+/// Tabs and line feeds in cells are replaced by spaces.
 std::string tsv_line(const std::vector<std::string>& cells);
 
 }  // namespace hedgehog::study

@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// What the thesis leaves open, and how it was done here.
+/// Details that the thesis does not specify, and their implementation here.
 ordered_json choices(const Experiment& e) {
   const StaircaseRule& rule = e.rule;
   const bool yes_no = e.task == Task::kYesNo;

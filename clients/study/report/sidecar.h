@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What stands beside a run's rows: everything about it that is not a row.
+// Metadata of a run that accompanies its rows.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace hedgehog::study {
 
-/// JSON: protocol with every choice, ball, calibration, check list, remarks, columns.
+/// JSON: protocol with every design choice, ball, calibration, check list, remarks, columns.
 std::string bids_sidecar(const AnalysedRun& run);
 
 }  // namespace hedgehog::study

@@ -37,8 +37,8 @@ std::vector<Flag> flags_of(const Experiment& experiment, const RunState& run) {
   return flags;
 }
 
-/// The share of false alarms, with half an alarm and half a rejection added so that a few catch
-/// trials never say 0 or 1.
+/// The false-alarm rate, with half an alarm and half a rejection added so that a few catch trials
+/// never result in 0 or 1.
 double false_alarm_rate(const RunState& run, const AnalysisOptions& options) {
   return run.catches() == 0 ? options.false_alarm
                             : (run.false_alarms() + 0.5) / (run.catches() + 1.0);

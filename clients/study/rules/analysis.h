@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a run says about a person, and how much to believe it.
+// Result of a run, and its reliability.
 #pragma once
 
 #include <optional>
@@ -10,15 +10,15 @@
 
 namespace hedgehog::study {
 
-/// Reasons to look twice. A run that finished is not a run that is valid: a guesser's finishes too.
+/// Warnings about a run. A finished run is not necessarily valid: random responses finish too.
 enum class Flag : std::uint8_t {
   kNotFinished,
-  kCeiling,       // the level was held at its highest
-  kEarlyFloor,    // the level reached its lowest before any reversal
+  kCeiling,       // the level was clamped to its maximum
+  kEarlyFloor,    // the level reached its minimum before any reversal
   kFalseAlarms,   // yes in more than one of five catch trials
-  kGuessing,      // right no more often than a coin (5 %), two intervals only
+  kGuessing,      // correct no more often than by chance (5 %), two intervals only
   kZeroLevel,     // a scored yes/no trial was at 0 A
-  kDisagreement,  // the threshold lies outside of the fitted curve's 95 %
+  kDisagreement,  // the threshold lies outside of the fitted curve's 95 % interval
 };
 
 /// "early floor", for tables; and one sentence for a report.
@@ -26,25 +26,25 @@ const char* name(Flag flag) noexcept;
 const char* meaning(Flag flag) noexcept;
 
 struct AnalysisOptions {
-  /// Assumed by the fit, never fitted.
+  /// Assumed in the fit, not fitted.
   double lapse = 0.02;
   double false_alarm = 0.02;  // yes/no without catch trials
-  /// Of the ball that was used: N/A at the nearest pin (thesis: 0.0126).
+  /// Force constant of the ball used, N/A at the nearest pin (thesis: 0.0126).
   double force_n_per_a = 0.0126;
 };
 
 struct RunAnalysis {
   Status status = Status::kIncomplete;
   int scored = 0;
-  /// The thesis' rule: mean of all reversals but the first two, in the experiment's unit; and as
-  /// exact decimal text. Nothing unless finished.
+  /// By the thesis' rule: mean of all reversals but the first two, in the experiment's unit; and as
+  /// exact decimal text. nullopt unless finished.
   std::optional<double> threshold{};
   std::optional<std::string> threshold_text{};
-  /// The standard deviation of the reversals that count.
+  /// Standard deviation of the counted reversals.
   double reversal_sd = 0.0;
-  /// Through all scored trials.
+  /// Fitted to all scored trials.
   std::optional<WeibullFit> fit{};
-  /// 95 % of the fitted curve's threshold, by profile likelihood.
+  /// 95 % interval of the fitted curve's threshold, by profile likelihood.
   std::optional<Interval> interval{};
   /// (test - reference) / reference; two intervals only.
   std::optional<double> weber_fraction{};

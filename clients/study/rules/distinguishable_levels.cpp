@@ -15,16 +15,16 @@ namespace {
 // sqrt(2) * the 80 % point of the normal distribution.
 constexpr double kPrimeOfJnd = 1.1902;
 constexpr double kTwoPrime = 2.0;
-// A ratio that is a whole number of steps shall not lose one to rounding.
+// A ratio that is an integer number of steps must not lose one to rounding.
 constexpr double kStepSlack = 1e-9;
 constexpr double kMaxSteps = 1e9;
 
-// Of the thesis, section 3.2.4.
+// Thesis, section 3.2.4.
 constexpr double kAboutForce = 10.0;
 constexpr double kAboutSpeed = 20.0;
 constexpr double kAbout = 0.5;
 
-/// How a count comes to what the thesis states; empty if it does not.
+/// How a count matches the thesis' statement; empty if it does not.
 std::string as_stated(double steps, double stated) {
   if (std::abs(steps - stated) < kAbout)
     return fmt::format("the steps: the thesis' \"about {:.0f}\"", stated);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Random draws that are looked up rather than taken in turn: each is a hash of what it is for, so
-// that a void trial, a kill or a new kind of draw shifts no other.
+// Random draws by hash instead of a sequence: each depends only on its purpose and index, so that a
+// void trial, a kill or a new kind of draw does not shift any other.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,14 @@
 
 namespace hedgehog::study {
 
-/// What a draw is for. Values are part of recorded data: never renumber.
+/// Purpose of a draw. Values are part of recorded data: never renumber.
 enum class Purpose : std::uint64_t {
-  kSeed = 1,           // a seed out of a seed
-  kIntervalOrder = 2,  // which interval holds the test
+  kSeed = 1,           // a seed derived from a seed
+  kIntervalOrder = 2,  // which interval contains the test
   kCatchSchedule = 3,  // whether a catch trial comes before this scored trial
-  kAnswer = 4,         // of a simulated person
+  kAnswer = 4,         // response of a simulated person
   kPerson = 5,         // parameters of a simulated person
-  kReactionTime = 6,   // 7 drew the replications of earlier intervals
+  kReactionTime = 6,   // 7 was used for replications of earlier intervals
 };
 
 constexpr std::uint64_t mixed(std::uint64_t z) noexcept {
@@ -27,7 +27,7 @@ constexpr std::uint64_t mixed(std::uint64_t z) noexcept {
   return z ^ (z >> 31);
 }
 
-/// FNV-1a, to put names into draws.
+/// FNV-1a, to use names in draws.
 constexpr std::uint64_t word_of(std::string_view text) noexcept {
   std::uint64_t hash = 0xCBF29CE484222325u;
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3u;

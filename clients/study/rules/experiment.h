@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An experiment as values: what is presented, and how its level follows the answers (thesis,
+// Parameters of an experiment: the stimuli, and how the level follows the responses (thesis,
 // section 3.2). The thesis' three are the files in config/study.
 #pragma once
 
@@ -14,15 +14,15 @@ namespace hedgehog::study {
 /// Yes/no: one presentation, "did you feel it?". Two intervals: "which was stronger, quicker?".
 enum class Task : std::uint8_t { kYesNo, kTwoIntervals };
 
-/// What the level is. A current in A, or how far the test interval lies above the reference, in
-/// percentage points of the reference current or of the reference speed.
+/// Quantity of the level: a current in A, or the difference of the test interval from the
+/// reference, in percentage points of the reference current or of the reference speed.
 enum class Quantity : std::uint8_t { kCurrentA, kCurrentPercent, kSpeedPercent };
 
 /// Independent fair coins, or the second of each pair of trials the opposite of the first. A
-/// repeated trial is drawn anew in either, so that a void unbalances its pair.
+/// repeated trial is drawn again in either, so that a void unbalances its pair.
 enum class IntervalOrder : std::uint8_t { kRandom, kBalanced };
 
-/// The steps in force until so many reversals were counted since the stage before.
+/// Step sizes until `reversals` have been counted since the previous stage.
 struct Stage {
   Level step_up = 0;
   Level step_down = 0;
@@ -36,14 +36,14 @@ struct StaircaseRule {
   Level floor = 0;
   Level ceiling = 0;
   std::vector<Stage> stages{};
-  /// Positives in a row for a step down, negatives in a row for a step up.
+  /// Consecutive positives for a step down, consecutive negatives for a step up.
   int positives_down = 2;
   int negatives_up = 1;
-  /// One of each is enough until the first reversal.
+  /// One response is enough for a step until the first reversal.
   bool quick_start = true;
-  /// The first so many reversals stay out of the mean.
+  /// Number of first reversals excluded from the mean.
   int discard = 2;
-  /// Scored trials after which a run that has not finished is given up.
+  /// Scored trials after which an unfinished run is aborted.
   int max_trials = 200;
 
   /// Reversals that end the run.
@@ -51,7 +51,7 @@ struct StaircaseRule {
   friend bool operator==(const StaircaseRule&, const StaircaseRule&) = default;
 };
 
-/// The moving push, and what is the same in every trial of it.
+/// The moving push, and the parameters common to all trials.
 struct Pattern {
   std::int64_t duration_ms = 5000;
   /// Pause between two intervals.
@@ -67,18 +67,18 @@ struct Experiment {
   std::string name{};  // "force-threshold"
   Task task = Task::kYesNo;
   Quantity quantity = Quantity::kCurrentA;
-  /// What the participant is asked.
+  /// The question for the participant.
   std::string question{};
   StaircaseRule rule{};
   Pattern pattern{};
   IntervalOrder order = IntervalOrder::kRandom;
-  /// One in so many presentations is a catch trial, device off; 0: none. Yes/no only.
+  /// One in this many presentations is a catch trial, device off; 0: none. Yes/no only.
   int catch_one_in = 0;
   /// Trials at the start level before the run, never scored.
   int practice = 3;
-  /// Answers later than this are void, counted on the person's clock; 0: no limit.
+  /// Later responses are void, by the wall clock; 0: no limit.
   std::int64_t response_limit_ms = 0;
-  /// A pause is offered after so many scored trials; 0: none.
+  /// Number of scored trials between pauses; 0: no pauses.
   int rest_every = 0;
 
   int decimals() const noexcept;
@@ -87,7 +87,7 @@ struct Experiment {
   friend bool operator==(const Experiment&, const Experiment&) = default;
 };
 
-/// What one interval plays. 0 A: the device stays off.
+/// Stimulus of one interval. 0 A: the device stays off.
 struct Stimulus {
   double current_a = 0.0;
   double speed_pins_s = 0.0;

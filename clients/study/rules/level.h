@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stimulus levels as whole numbers, so that nothing drifts and a resumed run compares exactly.
+// Stimulus levels as integers, without rounding drift, so that a resumed run compares exactly.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace hedgehog::study {
 
-/// A whole number of 10^-decimals of the experiment's unit: of 0.0001 A, or of 0.001 percentage
-/// points of the reference.
+/// An integer multiple of 10^-decimals of the experiment's unit: of 0.0001 A, or of 0.001
+/// percentage points of the reference.
 using Level = std::int64_t;
 
 /// 44512 with 4 decimals: "4.4512". Exact, without trailing zeros.
@@ -25,7 +25,7 @@ double mean_value(std::span<const Level> levels, int decimals);
 
 double to_value(Level level, int decimals) noexcept;
 
-/// `value` in units of 10^-decimals; nothing when it has more decimals than that.
+/// `value` in units of 10^-decimals; nullopt if it has more decimals than that.
 std::optional<Level> from_value(double value, int decimals) noexcept;
 
 }  // namespace hedgehog::study

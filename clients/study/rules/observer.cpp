@@ -12,9 +12,9 @@ namespace {
 
 double weibull_rate(double share) noexcept { return -std::log1p(-share); }
 
-// How steep the logistic half is beside the Weibull half, in dF/dx at the threshold. The reference
-// does not say; with this all three experiments lie within the standard error's reach of it
-// (README).
+// Steepness of the logistic half relative to the Weibull half, in dF/dx at the threshold. The
+// reference does not specify it; with this value all three experiments agree with it within the
+// standard error (README).
 constexpr double kLogisticSteepness = 0.8;
 
 /// The logistic's slope on the linear axis.
@@ -30,7 +30,7 @@ double odds_of(double share) noexcept { return share / (1.0 - share); }
 }  // namespace
 
 double Observer::positive_at(double level) const noexcept {
-  // Nothing is felt of nothing, and identical intervals cannot be told apart.
+  // At level 0 nothing is felt, and identical intervals are indistinguishable.
   double share = 0.0;
   if (level > 0.0 && curve == Curve::kWeibull) {
     share = -std::expm1(-weibull_rate(at_threshold) * std::pow(level / threshold, slope));
@@ -91,7 +91,7 @@ bool simulated_answer(const Observer& observer, double level, std::uint64_t seed
 
 double convergence_point(const StaircaseRule& rule) {
   // Where the drifts balance: P(down) * step down = P(up) * step up, with the probabilities that a
-  // fresh pair of run counters ends by n positives or by m negatives in a row.
+  // new pair of run counters ends by n consecutive positives or by m consecutive negatives.
   const Stage& last = rule.stages.back();
   double low = 0.0;
   double high = 1.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Simulated people: how likely an answer is positive at a level, and populations to draw them from.
+// Simulated people: psychometric curves, and populations to draw them from.
 #pragma once
 
 #include <cstdint>
@@ -13,13 +13,14 @@ namespace hedgehog::study {
 /// A Weibull of the level, or a logistic on its linear axis.
 enum class Curve : std::uint8_t { kWeibull, kLogistic };
 
-/// psi(x) = guess + (1 - guess - lapse) * F(x); F(threshold) is where an observer without lapses
-/// and false alarms is positive in 80 % (F = 0.8 for yes/no, 0.6 for two intervals).
+/// psi(x) = guess + (1 - guess - lapse) * F(x); F(threshold) is the share at which an observer
+/// without lapses and false alarms is positive in 80 % (F = 0.8 for yes/no, 0.6 for two intervals).
 struct Observer {
   Curve curve = Curve::kWeibull;
   double threshold = 1.0;  // in the experiment's unit, above 0
-  double slope = 3.0;      // Weibull's beta; a logistic is 0.8 as steep at the threshold
-  /// Positive without any stimulus: 0.5 for two intervals, false alarms for yes/no.
+  double slope = 3.0;      // Weibull's beta; a logistic has 0.8 of its steepness at the threshold
+  /// Probability of a positive response without stimulus: 0.5 for two intervals, false alarms for
+  /// yes/no.
   double guess = 0.5;
   double lapse = 0.02;
   /// F(threshold).
@@ -27,15 +28,15 @@ struct Observer {
 
   /// Probability of a positive answer at a level >= 0.
   double positive_at(double level) const noexcept;
-  /// The level of that probability; infinity or 0 when it is never or always reached.
+  /// The level at that probability; infinity or 0 if it is never or always reached.
   double level_at(double probability) const noexcept;
 };
 
 /// F(threshold) of a task.
 double share_at_threshold(Task task) noexcept;
 
-/// Where a population's observers lie: thresholds lognormal, slopes uniform, half of them Weibull
-/// and half logistic.
+/// Distribution of observers: thresholds lognormal, slopes uniform, half of them Weibull and half
+/// logistic.
 struct Population {
   double median = 1.0;
   double log_sd = 0.3;
@@ -51,12 +52,12 @@ Population thesis_population(Quantity quantity) noexcept;
 Observer drawn_observer(const Experiment& experiment, const Population& population,
                         std::uint64_t seed, std::uint64_t number) noexcept;
 
-/// Whether the observer is right (or says yes) at the level in that scored trial. The same however
-/// often the trial had to be repeated.
+/// Whether the observer is correct (or answers yes) at the level in that scored trial. Independent
+/// of repetitions of the trial.
 bool simulated_answer(const Observer& observer, double level, std::uint64_t seed,
                       std::uint64_t experiment, int scored_trial) noexcept;
 
-/// The probability on which a staircase of this rule with small steps converges: of the last
+/// The probability to which a staircase of this rule with small steps converges: from the last
 /// stage's steps and its run lengths (80.35 % for two-down/one-up with 0.5488).
 double convergence_point(const StaircaseRule& rule);
 

@@ -56,8 +56,8 @@ RunState::RunState(const Experiment& experiment, const RunSeeds& seeds, bool pra
 bool RunState::catch_is_due() const noexcept {
   const int number = staircase_.state().scored + 1;
   if (experiment_.catch_one_in == 0 || catch_done_ || number == 1) return false;
-  // At most one before each scored trial, so that two never meet; one in N of all presentations
-  // are N - 1 scored ones to each.
+  // At most one before each scored trial, so that two never follow each other; one in N of all
+  // presentations means one for N - 1 scored ones.
   const double rate = 1.0 / (experiment_.catch_one_in - 1);
   return draw(seeds_.catches, Purpose::kCatchSchedule,
               {word_of(experiment_.name), static_cast<std::uint64_t>(number)}) < rate;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One participant's run through one experiment: which trial comes next, and what an answer or a
-// void does to it. Pure: the same events give the same state, so a journal can be replayed.
+// One participant's run through one experiment: the next trial, and the effect of a response or a
+// void. Pure: the same events result in the same state, so a journal can be replayed.
 #pragma once
 
 #include <array>
@@ -22,18 +22,18 @@ std::optional<TrialKind> trial_kind_named(std::string_view text) noexcept;
 
 struct Trial {
   TrialKind kind = TrialKind::kScored;
-  /// From 1: of practice, or the scored trial that is due (a catch trial comes before it).
+  /// From 1; within the practice, or of the next scored trial (a catch trial comes before it).
   int number = 1;
-  /// From 1; one more for each void.
+  /// From 1; incremented by each void.
   int attempt = 1;
   /// 0 for a catch trial.
   Level level = 0;
-  /// 1 or 2; 0: there is one presentation only.
+  /// 1 or 2; 0: only one presentation.
   int interval_of_test = 0;
   friend bool operator==(const Trial&, const Trial&) = default;
 };
 
-/// What the person said: yes/no, or the number of the interval.
+/// The participant's response: yes/no, or the number of the interval.
 enum class Answer : std::uint8_t { kNo = 0, kYes = 1, kFirst = 11, kSecond = 12 };
 
 /// "no", "yes", "1", "2".
@@ -48,7 +48,7 @@ struct Judged {
   std::optional<Step> step{};
 };
 
-/// One stream a purpose; exported with the data.
+/// One stream per purpose; exported with the data.
 struct RunSeeds {
   std::uint64_t order = 0;
   std::uint64_t catches = 0;
@@ -57,25 +57,26 @@ struct RunSeeds {
 
 class RunState {
  public:
-  /// `practice` false leaves the practice block out.
+  /// `practice` false omits the practice block.
   RunState(const Experiment& experiment, const RunSeeds& seeds, bool practice = true);
 
-  /// Nothing once the run is over.
+  /// nullopt once the run is over.
   std::optional<Trial> next() const;
-  /// Of the trial that `next` names. REQUIRES: there is one, and `fits(answer, task)`.
+  /// The response to the trial returned by `next`. REQUIRES: there is one, and `fits(answer,
+  /// task)`.
   Judged answer(Answer answer);
-  /// That trial is repeated, at the same level with a new interval order.
+  /// Repeats that trial, at the same level with a new interval order.
   void make_void();
 
   const Staircase& staircase() const noexcept { return staircase_; }
-  /// Every scored answer with its level.
+  /// Every scored response with its level.
   const std::vector<Judgement>& judgements() const noexcept { return judgements_; }
   int catches() const noexcept { return catches_; }
   int false_alarms() const noexcept { return false_alarms_; }
   int voids() const noexcept { return voids_; }
-  /// The floor was hit, and no reversal came before it.
+  /// The floor was hit before any reversal.
   bool early_floor() const noexcept { return early_floor_; }
-  /// Scored trials with the test in interval 1 and 2, and how many of them were right.
+  /// Number of scored trials with the test in interval 1 and 2, and of correct ones among them.
   const std::array<int, 2>& shown() const noexcept { return shown_; }
   const std::array<int, 2>& right() const noexcept { return right_; }
 

@@ -142,7 +142,7 @@ SimulationSummary summarise(const Experiment& experiment, const std::vector<Simu
 
 double long_run_convergence(const StaircaseRule& rule, Task task, double step, int reversals,
                             std::uint64_t seed) {
-  // From the 1 % to the 99 % point a logistic curve takes 2 ln 99 of its units.
+  // The 1 % and 99 % points of a logistic curve are 2 ln 99 of its units apart.
   constexpr Level kSpread = 1'000'000'000;
   const double unit = static_cast<double>(kSpread) / (2.0 * std::log(99.0));
   const Stage& last = rule.stages.back();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Many simulated people through one staircase: what the method itself adds to a result.
+// Simulated people with one staircase: the error of the method itself.
 #pragma once
 
 #include <cstdint>
@@ -12,12 +12,12 @@
 
 namespace hedgehog::study {
 
-/// One simulated run. NaN where there is none.
+/// One simulated run. NaN for missing values.
 struct SimulatedRun {
   Observer observer{};
-  double true_point = 0.0;             // the level of the rule's convergence point
-  double estimate = 0.0;               // mean of the counted reversals
-  double fitted = 0.0;                 // the Weibull fit's, told the true guess and lapse rates
+  double true_point = 0.0;  // the level at the rule's convergence point
+  double estimate = 0.0;    // mean of the counted reversals
+  double fitted = 0.0;      // threshold of the Weibull fit with the true guess and lapse rates
   std::optional<Interval> interval{};  // the fit's, 95 %
   int scored = 0;
   bool floor_hit = false;
@@ -28,7 +28,7 @@ struct SimulatedRun {
   std::vector<Judgement> judgements{};
 };
 
-/// Pure: the same numbers for the same arguments, on any thread.
+/// Pure: the same result for the same arguments, on any thread.
 SimulatedRun simulate_run(const Experiment& experiment, const Observer& observer,
                           std::uint64_t seed, std::uint64_t number, bool with_fit);
 
@@ -39,7 +39,7 @@ struct SimulationOptions {
   bool with_fit = true;
 };
 
-/// The figures of a campaign; errors are estimate minus true point.
+/// Statistics of a campaign; errors are estimate minus true point.
 struct SimulationSummary {
   int observers = 0;
   int finished = 0;
@@ -65,21 +65,21 @@ struct SimulationSummary {
   double ceiling_share = 0.0;
   double rmse = 0.0;
   double fit_rmse = 0.0;
-  /// The share of the fits' 95 % intervals that hold the true point.
+  /// The share of the fits' 95 % intervals that contain the true point.
   double interval_coverage = 0.0;
 };
 
-/// Seconds that a trial takes with presentation, answer and the way to the next: 8 for one
-/// presentation, 14 for two (assumed, for 5 s patterns; other durations scale along).
+/// Duration of a trial with presentation, response and the pause to the next, s: 8 for one
+/// presentation, 14 for two (assumed, for 5 s patterns; adjusted for other durations).
 double trial_seconds(const Experiment& experiment) noexcept;
 
 std::vector<SimulatedRun> simulate(const Experiment& experiment, const Population& population,
                                    const SimulationOptions& options);
 SimulationSummary summarise(const Experiment& experiment, const std::vector<SimulatedRun>& runs);
 
-/// The psychometric value at the mean of `reversals` reversals of an endless run with one step, of
-/// `step` x the spread from the 1 % to the 99 % point of a logistic curve on an unbounded linear
-/// axis: what the rule converges on.
+/// The psychometric value at the mean of `reversals` reversals of an endless run with a constant
+/// step of `step` x the spread from the 1 % to the 99 % point of a logistic curve on an unbounded
+/// linear axis: the convergence point of the rule.
 double long_run_convergence(const StaircaseRule& rule, Task task, double step, int reversals,
                             std::uint64_t seed);
 

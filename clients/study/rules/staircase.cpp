@@ -65,14 +65,14 @@ Step Staircase::answer(bool positive) {
   step.move = move_after(positive);
   if (step.move != 0) {
     if (state_.direction != 0 && step.move != state_.direction) {
-      // The level at which the turning answer was given, not the one that it leads to.
+      // The level of the response that reversed the direction, not the level after it.
       state_.reversals.push_back(state_.level);
       step.reversal = reversal_count();
     }
     state_.direction = step.move;
     state_.run = 0;
     if (status() != Status::kFinished) {
-      // With the step that this reversal brought about.
+      // With the step size after this reversal.
       state_.level = moved(step.move);
     }
   }

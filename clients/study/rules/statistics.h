@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Means, spreads and quantiles of plain numbers.
+// Means, spreads and quantiles.
 #pragma once
 
 #include <vector>
@@ -14,7 +14,7 @@ double standard_deviation(const std::vector<double>& values);
 double quantile(std::vector<double> values, double share);
 /// Pearson's. REQUIRES: the same number of each.
 double correlation(const std::vector<double>& a, const std::vector<double>& b);
-/// The chance of `count` or more heads among `tosses` fair coins.
+/// The probability of `count` or more heads among `tosses` fair coins.
 double coin_tail(int count, int tosses);
 
 }  // namespace hedgehog::study

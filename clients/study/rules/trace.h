@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A string of answers put through a staircase, to see what it does.
+// Trace of a staircase for a given string of responses.
 #pragma once
 
 #include <string>
@@ -12,12 +12,12 @@
 namespace hedgehog::study {
 
 struct Trace {
-  /// What each token was presented at: 0 for a catch trial, the repeated level for a void one.
+  /// The level of each token: 0 for a catch trial, the repeated level for a void one.
   std::vector<Level> levels{};
-  /// What each scored token did.
+  /// The effect of each scored token.
   std::vector<Step> steps{};
   std::vector<Level> reversals{};
-  /// Decimal text rounded to 12 places; nothing unless finished.
+  /// Decimal text rounded to 12 places; nullopt unless finished.
   std::optional<std::string> threshold{};
   Status status = Status::kIncomplete;
   int scored = 0;
@@ -30,12 +30,12 @@ struct Trace {
   int unused = 0;
 };
 
-/// One after another, so that it can be stopped and copied anywhere. Tokens: `1` `0` scored
-/// positive, negative; `Y` `N` catch trial answered yes, no; `T` void.
+/// Processes one token at a time, so that it can be stopped and copied at any point. Tokens: `1`
+/// `0` scored positive, negative; `Y` `N` catch trial answered yes, no; `T` void.
 class Tracer {
  public:
   explicit Tracer(const Experiment& experiment);
-  /// False: not a token, or none of this experiment (catch trials belong to yes/no tasks).
+  /// False: not a token, or not valid for this experiment (catch trials belong to yes/no tasks).
   bool take(char token);
   Trace result() const;
 
@@ -45,7 +45,7 @@ class Tracer {
   Trace so_far_;
 };
 
-/// Or one sentence naming the token that is none.
+/// The trace, or one sentence about the first invalid token.
 std::variant<Trace, std::string> trace(const Experiment& experiment, std::string_view tokens);
 
 }  // namespace hedgehog::study

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The two people of a session, or the programs that stand in for them: what they see, what they do.
+// Interface to the experimenter and the participant, or to their simulation: display and input.
 #pragma once
 
 #include <chrono>
@@ -12,21 +12,21 @@ namespace hedgehog::study {
 
 enum class Phase : std::uint8_t {
   kReady,     // between trials
-  kInterval,  // a circle is being played
-  kQuestion,  // the participant is asked
+  kInterval,  // a circle is playing
+  kQuestion,  // waiting for the participant's response
   kPaused,    // by the experimenter, the ball, or the daemon
   kRest,      // the participant may rest; the experimenter continues
   kOver,
 };
 
-/// The whole picture; the participant is shown its phase and interval and nothing else.
+/// The complete display state; the participant's screen shows only its phase and interval.
 struct View {
   const RecordedRun* run = nullptr;
   Phase phase = Phase::kReady;
   int interval = 0;
   std::string message{};  // for the experimenter
   std::optional<double> temperature_c{};
-  /// Nothing goes on before the experimenter says so.
+  /// Waits for the experimenter to continue.
   bool waits = false;
 };
 
@@ -34,9 +34,9 @@ struct Input {
   enum class Kind : std::uint8_t { kNone, kAnswer, kPause, kContinue, kVoid, kNote, kStop };
   Kind kind = Kind::kNone;
   Answer answer = Answer::kNo;
-  /// Of an answer, when it is not to be measured: a simulated person's.
+  /// Response time of a simulated participant; nullopt: measured.
   std::optional<std::int64_t> response_ms{};
-  /// When it was done.
+  /// Time of the input.
   std::chrono::steady_clock::time_point at = std::chrono::steady_clock::now();
   std::string text{};  // of a note
 };
@@ -49,13 +49,13 @@ class Desk {
   virtual ~Desk() = default;
 
   virtual void show(const View& view) = 0;
-  /// What somebody did within `patience`.
+  /// An input within `patience`.
   virtual Input wait(std::chrono::milliseconds patience) = 0;
-  /// What was typed until now was typed before now: no answer to what is asked from now on.
+  /// Reads the keys typed so far, so that they are not taken as the response to the next question.
   virtual void take_in() {}
-  /// Nobody is there to continue what needs a person.
+  /// No person is present who could continue a paused run.
   virtual bool unattended() const = 0;
-  /// What somebody has typed of a note when there is no more time to end it.
+  /// The unfinished text of a note at the end of the run.
   virtual std::optional<std::string> unfinished_note() { return std::nullopt; }
 };
 

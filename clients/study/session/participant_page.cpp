@@ -36,7 +36,7 @@ Problem cannot(int exit_code, const std::filesystem::path& path) {
           path.string() + ": " + std::error_code(errno, std::generic_category()).message()};
 }
 
-/// A page that cannot take it is gone, and noticed as such.
+/// A page that cannot receive it is closed; `key` detects that.
 void send_cue(int page, const Cue& cue) {
   std::string line = encode(cue);
   line.push_back('\n');
@@ -47,7 +47,7 @@ const sockaddr* plain(const sockaddr_un& address) {
   return reinterpret_cast<const sockaddr*>(&address);
 }
 
-/// -1 while no run listens there.
+/// -1 if no run is listening.
 int connected(const sockaddr_un& address) {
   const int server = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
   if (server >= 0 && ::connect(server, plain(address), sizeof address) != 0) {
@@ -125,7 +125,7 @@ Result<void> run_participant_page(const std::filesystem::path& path,
   client::Terminal terminal;
   int server = -1;
   std::string pending;
-  Phase phase = Phase::kReady;  // thanks stay until the next run
+  Phase phase = Phase::kReady;  // the final screen stays until the next run
   while (!stop()) {
     if (server < 0 && (server = connected(*address)) < 0) {
       if (phase != Phase::kOver)
@@ -146,7 +146,7 @@ Result<void> run_participant_page(const std::filesystem::path& path,
       for (auto end = pending.find('\n'); end != std::string::npos; end = pending.find('\n')) {
         const Cue cue = decode_cue(pending.substr(0, end));
         if (std::exchange(phase, cue.phase) != Phase::kQuestion && phase == Phase::kQuestion)
-          terminal.forget();  // what was pressed before the question answers nothing
+          terminal.forget();  // keys pressed before the question are discarded
         terminal.draw(participant_lines(cue));
         pending.erase(0, end + 1);
       }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The participant's own screen: a second terminal that follows the run over a Unix socket in the
+// The participant's own screen: a second terminal that displays the run over a Unix socket in the
 // study's folder.
 #pragma once
 
@@ -14,19 +14,19 @@
 
 namespace hedgehog::study {
 
-/// The run's end of it. Nobody needs to be at the other one.
+/// The run's side of the socket. Works without any connected page.
 class ParticipantServer {
  public:
-  /// Listens at `path`; a socket that a killed run left there is replaced.
+  /// Listens at `path`; a socket left by a killed run is replaced.
   static Result<ParticipantServer> listen(const std::filesystem::path& path);
   ParticipantServer(ParticipantServer&& other) noexcept;
   ParticipantServer& operator=(ParticipantServer&&) = delete;
   ~ParticipantServer();
 
   void show(const Cue& cue);
-  /// '<' or '>' when somebody pressed it there.
+  /// '<' or '>' if it was pressed on a page.
   std::optional<char> key();
-  /// Throws away what was pressed so far.
+  /// Discards the keys pressed so far.
   void forget_keys();
 
  private:
@@ -38,8 +38,8 @@ class ParticipantServer {
   std::optional<Cue> shown_{};
 };
 
-/// The page, until `stop`: it waits for a run to listen at `path`, and for the next one after that.
-/// EX_NOINPUT when `path` is none for a socket.
+/// Runs the page until `stop` returns true: waits for a run to listen at `path`, and for the next
+/// one after that. EX_NOINPUT if `path` is not valid for a socket.
 Result<void> run_participant_page(const std::filesystem::path& path,
                                   const std::function<bool()>& stop);
 

@@ -18,15 +18,15 @@ using client::Outcome;
 constexpr std::int64_t kNsPerMs = 1'000'000;
 // The claim lasts ten seconds of device time and is renewed after two.
 constexpr std::int64_t kRenewNs = 2'000 * kNsPerMs;
-// Of device time; also the rhythm in which claims can be renewed.
+// In device time; also the period at which claims can be renewed.
 constexpr double kTelemetryHz = 5.0;
-// Before the first interval, so that a hand may settle.
+// Before the first interval, so that the hand can settle.
 constexpr std::int64_t kLeadMs = 500;
 constexpr Milliseconds kMessagePoll{5};
 constexpr double kFullStrength = 0.98;
-// An effect is over by now, whatever the daemon says or does not say.
+// After this time an effect must have ended, whether or not the daemon reported it.
 constexpr std::int64_t kOverdueNs = 5'000 * kNsPerMs;
-// A tick or two at either end.
+// One or two ticks at either end.
 constexpr std::int64_t kShortMs = 3;
 constexpr double kRounding = 1e-9;
 
@@ -217,7 +217,7 @@ Outcome<Readiness> Player::readiness(const Experiment& experiment, const Trial& 
   const std::string warm = status->temperature_c.model ? degrees(*status->temperature_c.model)
                                                        : std::string("no temperature");
   if (status->derating) return Readiness{false, "the ball is derating at " + warm};
-  // As if the stronger of the two intervals took the whole trial.
+  // As if the stronger of the two intervals lasted for the whole trial.
   const Pattern& pattern = experiment.pattern;
   Stimulus strongest = trial.kind == TrialKind::kCatch ? Stimulus{0.0, pattern.speed_pins_s}
                                                        : test_stimulus(experiment, trial.level);

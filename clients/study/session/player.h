@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ball during a run: one circle after another, on the daemon's clock, and nobody else's.
+// The ball during a run: plays one circle after another, timed by the device's clock, with a claim.
 #pragma once
 
 #include <algorithm>
@@ -14,50 +14,50 @@
 
 namespace hedgehog::study {
 
-/// Whether the next trial would be played in full strength.
+/// Whether the next trial can be played at full strength.
 struct Readiness {
   bool ready = true;
   std::string why_not{};  // one sentence
 };
 
-/// One thread. Holds a claim on the ball, as long as it is kept, until it goes away.
+/// One thread. Holds a claim on the ball, renewed by `keep`, until destruction.
 class Player {
  public:
-  /// The daemon tells something five times a second of its own time.
+  /// Maximum time without messages; the daemon sends telemetry five times a second of device time.
   static constexpr client::Milliseconds kSilence{5'000};
-  /// A daemon that tells nothing for so long, or does not end what was stopped, counts as gone:
-  /// `kSilence`, or the response timeout where that is longer.
+  /// Maximum silence of a daemon, and maximum time to end a stopped effect, before it is considered
+  /// lost: `kSilence`, or the response timeout if that is longer.
   static client::Milliseconds max_silence() {
     return std::max(kSilence, client::response_timeout());
   }
 
-  /// Connects, introduces itself, claims the ball. A daemon that tells nothing for `silence` counts
-  /// as gone.
+  /// Connects, sends a hello, claims the ball. A daemon that sends nothing for `silence` is
+  /// considered lost.
   static client::Outcome<Player> open(const std::vector<client::Address>& addresses,
                                       client::Milliseconds patience,
                                       client::Milliseconds silence = max_silence());
 
   const BallFacts& ball() const noexcept { return pin_.ball; }
-  /// The ball, the daemon's address and its start.
+  /// The ball, the daemon's address and its start id.
   const Pin& pin() const noexcept { return pin_; }
   const client::Address& address() const noexcept { return connection_.address(); }
-  /// How the experiment asks for more than this ball plays, as a sentence. Nothing: it does not.
+  /// A sentence if the experiment exceeds the current limit of this ball; nullopt: it does not.
   std::optional<std::string> too_much(const Experiment& experiment) const;
   std::optional<double> temperature_c() const noexcept { return temperature_c_; }
 
-  /// Plays one interval to its end; not before the device time `not_before_ns`, if there is one.
-  /// `abort` is asked all the while: true stops it (reason "stopped"). An error: the daemon is
-  /// gone or silent, it never ends the circle, or it refused.
+  /// Plays one interval to its end; not before the device time `not_before_ns`, if given. `abort`
+  /// is polled meanwhile: true stops it (reason "stopped"). Errors: the connection is lost or
+  /// silent, the end of the circle is never reported, or the request was refused.
   client::Outcome<IntervalPlayed> play(int interval, const Stimulus& stimulus,
                                        const Pattern& pattern,
                                        std::optional<std::int64_t> not_before_ns,
                                        const std::function<bool()>& abort);
 
-  /// Armed, cool enough, nothing reduced: from the daemon's forecast for the whole trial.
+  /// Armed, cool enough, not derated: from the daemon's forecast for the whole trial.
   client::Outcome<Readiness> readiness(const Experiment& experiment, const Trial& trial);
 
-  /// Renews the claim when it is time, and takes in what the daemon told; waits up to `wait` for
-  /// it. An error: the daemon is gone or silent.
+  /// Renews the claim when due, and processes notifications; waits up to `wait` for them. An error:
+  /// the connection is lost or silent.
   client::Outcome<void> keep(client::Milliseconds wait);
 
  private:
@@ -82,11 +82,11 @@ class Player {
   std::optional<protocol::Event> ended_{};
 };
 
-/// How the experiment asks for more than `max_a`, as a sentence. Nothing: it does not.
+/// A sentence if the experiment exceeds `max_a`; nullopt: it does not.
 std::optional<std::string> beyond(const Experiment& experiment, double max_a);
 
-/// Why an interval makes its trial void: cut short, weaker than 98 % of what was asked, under or
-/// mixed with another effect. Nothing: it is good.
+/// Why an interval makes its trial void: cut short, weaker than 98 % of the request, masked by or
+/// mixed with another effect. nullopt: it is valid.
 std::optional<std::string> fault_of(const IntervalPlayed& played, const Pattern& pattern);
 
 }  // namespace hedgehog::study

@@ -130,13 +130,13 @@ Result<Runner::Early> Runner::play(const Trial& trial, std::string& fault) {
 
 Result<Runner::Early> Runner::ask(std::string& fault) {
   const Experiment experiment = journal_.run().header().experiment;
-  // In this order: whoever answers at first sight is not taken for somebody who answered before.
+  // In this order: an immediate response must not be taken for one given before the question.
   desk_.take_in();
   const auto asked_at = steady_clock::now();
   show(Phase::kQuestion);
   while (true) {
     const Input input = desk_.wait(kDeskPoll);
-    // A key from before the question answers nothing.
+    // A key pressed before the question is not a response.
     const bool answers = input.kind == Input::Kind::kAnswer &&
                          fits(input.answer, experiment.task) && input.at >= asked_at;
     const std::int64_t took_ms =
@@ -159,7 +159,7 @@ Result<Runner::Early> Runner::ask(std::string& fault) {
       fault = "by the experimenter";
       return Early{};
     }
-    // The trial was good; a daemon that goes away now spoils none of it.
+    // The trial was valid; a connection lost now does not affect it.
     if (lost_.empty()) {
       if (auto kept = player_->keep(Milliseconds{0}); !kept) lost_ = kept.error().message;
     }

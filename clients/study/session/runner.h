@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One run with a person: trials on the ball, answers, pauses, voids; every event in the journal
-// before anything follows from it.
+// One run with a participant: trials on the ball, responses, pauses, voids; every event is in the
+// journal before it takes effect.
 #pragma once
 
 #include <functional>
@@ -15,30 +15,30 @@
 namespace hedgehog::study {
 
 enum class RunEnd : std::uint8_t {
-  kOver,     // finished, or given up after the most trials
-  kStopped,  // by the experimenter, or by `stop`: `resume` goes on
-  kStuck,    // unattended, and it does not go on: `why_stuck` says why
+  kOver,     // finished, or aborted after the maximum number of trials
+  kStopped,  // by the experimenter, or by `stop`: `resume` continues
+  kStuck,    // unattended, and it cannot continue: see `why_stuck`
 };
 
-/// One thread. A ball that derates, is lost or claimed, and a daemon that goes away, pause the run
-/// until they are back; the trial that they spoilt is void and repeated. A run stays with the
-/// daemon's address; with another start of the daemon it goes on when the experimenter says so, or
-/// when a program answers.
+/// One thread. A ball that derates, is lost or claimed, and a lost connection pause the run until
+/// they recover; the affected trial is void and repeated. A run stays with the daemon's address;
+/// with another start of the daemon it continues when the experimenter confirms it, or
+/// automatically if it is simulated.
 class Runner {
  public:
   Runner(Journal& journal, Player player, Desk& desk, std::function<bool()> stop);
 
   /// EX_IOERR when the journal cannot be written.
   Result<RunEnd> run();
-  /// A sentence without its end. Empty unless the end was kStuck.
+  /// A sentence without full stop. Empty unless the end was kStuck.
   const std::string& why_stuck() const noexcept { return why_stuck_; }
 
  private:
-  /// nothing: go on.
+  /// nullopt: continue.
   using Early = std::optional<RunEnd>;
 
   Result<Early> one_trial();
-  /// After a void: too many in a row are not gone on with.
+  /// After a void: too many in a row pause or end the run.
   Result<Early> look_at(const std::string& fault);
   Early stuck(const std::string& why);
   Result<Early> play(const Trial& trial, std::string& fault);
@@ -48,13 +48,13 @@ class Runner {
   Result<Early> rest();
   /// Waits for the ball at the run's address.
   Result<Early> reconnect(const std::string& why);
-  /// Whether the run may go on with `player_`, another start of the daemon: the experimenter's
-  /// word.
+  /// Whether the run may continue with `player_`, another start of the daemon: the experimenter
+  /// decides.
   Result<Early> accept_start();
-  /// Takes in what people do outside of a question.
+  /// Processes input outside of a question.
   Result<void> measured_now(std::chrono::milliseconds patience);
   Result<void> heed(const Input& input);
-  /// A note that is being typed at the end is written down as far as it is.
+  /// Records a note that is unfinished at the end.
   Result<void> keep_note();
   Result<Early> leave();
   void show(Phase phase, int interval = 0, const std::string& message = {}, bool waits = false);
@@ -69,10 +69,10 @@ class Runner {
   bool pause_asked_ = false;
   bool void_asked_ = false;
   bool continue_asked_ = false;
-  /// The daemon's last failure, if the connection is of no further use.
+  /// The last failure of the connection, if it cannot be used any more.
   std::string lost_{};
   int voids_in_a_row_ = 0;
-  /// Of somebody unattended, who answers in time sooner or later.
+  /// Of an unattended run, in which a response in time is expected eventually.
   int timeouts_in_a_row_ = 0;
   std::string why_stuck_{};
   std::string message_{};

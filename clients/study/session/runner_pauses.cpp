@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The runner between two trials: waiting for the ball, for people, for the daemon.
+// The runner between two trials: waiting for the ball, the participants and the daemon.
 #include <utility>
 
 #include "clients/study/session/runner.h"
@@ -13,7 +13,7 @@ using std::chrono::steady_clock;
 
 constexpr Milliseconds kStatusPoll{100};
 constexpr Milliseconds kReconnect{2000};
-// An unattended run does not wait for ever for a daemon or a ball.
+// An unattended run limits its waiting time for a daemon or a ball.
 constexpr std::chrono::seconds kUnattendedPatience{120};
 
 }  // namespace
@@ -59,7 +59,7 @@ Result<Runner::Early> Runner::until_ready(const Trial& trial) {
         return written.error();
     }
     show(Phase::kPaused, 0, now.why_not);
-    // What this trial asks for is not going to be less by waiting.
+    // The request of this trial stays invalid, however long it waits.
     const bool for_ever = refused && ready.error().refusal &&
                           ready.error().refusal->code == protocol::ErrorCode::kInvalidParams;
     if (desk_.unattended() && (for_ever || steady_clock::now() - since > kUnattendedPatience))
@@ -166,7 +166,7 @@ Result<void> Runner::heed(const Input& input) {
       break;
     case Input::Kind::kNote:
       return journal_.append(Remark{"note", input.text});
-    case Input::Kind::kAnswer:  // nobody asked
+    case Input::Kind::kAnswer:  // outside of a question
     case Input::Kind::kNone:
       break;
   }

@@ -16,7 +16,7 @@ constexpr int kPhases = static_cast<int>(Phase::kOver) + 1;
 
 std::string column(double value) { return fmt::format("{:>6.4g}", value); }
 
-/// The last levels, one column a scored trial: filled where the answer was positive.
+/// The last levels, one column per scored trial: filled if the response was positive.
 std::vector<std::string> chart(const RunState& state) {
   const auto& all = state.judgements();
   const std::size_t first = all.size() > kChartColumns ? all.size() - kChartColumns : 0;

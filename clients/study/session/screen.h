@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the two people see, as lines of at most 80 columns.
+// Screens of the experimenter and the participant, as lines of at most 80 columns.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace hedgehog::study {
 
-/// Level, staircase, reversals, the ball: for the experimenter alone.
+/// Level, staircase, reversals, the ball: for the experimenter only.
 std::vector<std::string> experimenter_lines(const View& view);
 
-/// All that the participant ever learns: never a level, whether an answer was right, or how far
-/// the run has come.
+/// All information for the participant: never a level, whether a response was correct, or the
+/// progress of the run.
 struct Cue {
   Phase phase = Phase::kReady;
   int interval = 0;
@@ -24,11 +24,11 @@ struct Cue {
 Cue cue_of(const View& view);
 std::vector<std::string> participant_lines(const Cue& cue);
 
-/// For a table with one screen: the same, and which key goes on when the experimenter is waited
-/// for.
+/// For a setup with one screen: the same, and the key to continue while waiting for the
+/// experimenter.
 std::vector<std::string> blind_lines(const View& view);
 
-/// A cue as one line for the participant's page, and back.
+/// Encodes a cue as one line for the participant's page, and decodes it.
 std::string encode(const Cue& cue);
 Cue decode_cue(const std::string& line);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A person who is a program: answers by a psychometric curve, at once.
+// A simulated participant: responds by a psychometric curve, at once.
 #pragma once
 
 #include <functional>
@@ -9,11 +9,11 @@
 
 namespace hedgehog::study {
 
-/// An answer depends on the person, the experiment and the trial, never on how often it had to be
-/// repeated: kills and voids change no threshold.
+/// A response depends on the person, the experiment and the trial, not on its repetitions: kills
+/// and voids do not change the threshold.
 class SimulatedDesk : public Desk {
  public:
-  /// `report` sees every view (for a progress bar).
+  /// `report` is called with every view (for a progress bar).
   SimulatedDesk(const Observer& observer, std::uint64_t seed,
                 std::function<void(const View&)> report);
 
@@ -28,7 +28,7 @@ class SimulatedDesk : public Desk {
   View view_{};
 };
 
-/// Whom the simulated participant `seed` is in this experiment.
+/// The observer of the simulated participant `seed` in this experiment.
 Observer simulated_person(const Experiment& experiment, std::uint64_t seed);
 
 }  // namespace hedgehog::study

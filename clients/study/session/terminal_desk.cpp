@@ -27,7 +27,7 @@ void TerminalDesk::show(const View& view) {
 void TerminalDesk::draw() {
   std::vector<std::string> lines = lines_;
   if (note_) {
-    // The end of a long one is what is being typed.
+    // Of a long note its end is shown.
     std::size_t from = note_->size() > kNoteColumns ? note_->size() - kNoteColumns : 0;
     while (from < note_->size() && !client::begins_character((*note_)[from])) ++from;
     lines.push_back("  note: " + note_->substr(from) + "_");

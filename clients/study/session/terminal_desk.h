@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The experimenter at the terminal, the participant at the arrow keys or at a page of their own.
+// The experimenter at the terminal; the participant at its arrow keys or at a separate page.
 #pragma once
 
 #include <functional>
@@ -15,7 +15,7 @@ namespace hedgehog::study {
 
 class TerminalDesk : public Desk {
  public:
-  /// `blind`: this screen shows what the participant may see, for a table with one screen.
+  /// `blind`: this screen shows only what the participant may see, for a setup with one screen.
   TerminalDesk(std::optional<ParticipantServer> page, bool blind);
 
   void show(const View& view) override;
@@ -26,7 +26,7 @@ class TerminalDesk : public Desk {
 
  private:
   void draw();
-  /// A key of the note that is being typed. The note, when that ended it.
+  /// A key while a note is being typed. Returns the note if that ended it.
   std::optional<std::string> note_key(char key);
 
   client::Terminal terminal_;
@@ -34,7 +34,7 @@ class TerminalDesk : public Desk {
   bool blind_;
   bool two_intervals_ = false;
   std::vector<std::string> lines_{};
-  /// While one is typed, key by key, so that the run and its claim on the ball go on.
+  /// A note being typed, key by key, so that the run and its claim on the ball continue meanwhile.
   std::optional<std::string> note_{};
 };
 

@@ -10,7 +10,7 @@ namespace hedgehog::study {
 
 namespace {
 
-/// Until it is ready; q gives up.
+/// Repeats the question until confirmed; q gives up.
 bool ticked(bool& given, const std::string& question, const Ask& ask) {
   std::string prompt = question + " [y/n]";
   while (!given) {
@@ -23,7 +23,7 @@ bool ticked(bool& given, const std::string& question, const Ask& ask) {
   return true;
 }
 
-/// Until there is an answer, where one is `needed`.
+/// Repeats the question until there is a response, if one is `needed`.
 bool filled(std::string& given, const std::string& question, bool needed, const Ask& ask) {
   while (given.empty()) {
     const auto answer = ask(question);
@@ -34,7 +34,7 @@ bool filled(std::string& given, const std::string& question, bool needed, const 
   return true;
 }
 
-/// Until `parse` takes the answer.
+/// Repeats the question until `parse` accepts the response.
 template <class T>
 std::optional<T> parsed(Result<T> (*parse)(std::string_view), const std::string& question,
                         const Ask& ask) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the experimenter ticks off and asks before a run.
+// The experimenter's check list before a run.
 #pragma once
 
 #include <functional>
@@ -10,17 +10,17 @@
 
 namespace hedgehog::study {
 
-/// Puts a question and returns the line that was answered; nothing at the end of the input.
+/// Asks a question and returns the line of the response; nullopt at the end of the input.
 using Ask = std::function<std::optional<std::string>(const std::string& question)>;
-/// On stdout and from stdin.
+/// Uses stdout and stdin.
 std::optional<std::string> ask_at_terminal(const std::string& question);
 
-/// Asks for whatever `given` leaves open. An answer that cannot be is asked for again, what was
-/// answered stays. Nothing: the experimenter gave up, or there is no more input.
+/// Asks for whatever is missing in `given`. Invalid responses are asked for again, valid ones are
+/// kept. nullopt: the experimenter gave up, or end of input.
 std::optional<Checklist> complete(Checklist given, const Ask& ask = ask_at_terminal);
-/// Asks what may have changed since, headphones and hand; the rest stays. Nothing as above.
+/// Asks for what may have changed since, headphones and hand; the rest is kept. nullopt as above.
 std::optional<Checklist> ticked_again(Checklist known, const Ask& ask = ask_at_terminal);
-/// A question to be answered with yes or no, again until it is. Nothing at the end of the input.
+/// A yes/no question, repeated until the response is valid. nullopt at the end of the input.
 std::optional<bool> confirm(const std::string& question, const Ask& ask = ask_at_terminal);
 
 }  // namespace hedgehog::study

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What may be answered to the questions of the check list, on the command line and at the prompt.
+// Validation of the check list's responses, on the command line and at the prompt.
 #pragma once
 
 #include <optional>
@@ -10,12 +10,13 @@
 
 namespace hedgehog::study {
 
-/// "18.3": 10 to 30 cm, with a decimal point and nothing behind it. EX_USAGE with a sentence.
+/// "18.3": 10 to 30 cm, with a decimal point and nothing after the number. EX_USAGE with a
+/// sentence.
 Result<double> parse_hand_size(std::string_view text);
-/// "22-29", or "70+": whole years, at most 120, the first below the second. EX_USAGE with a
-/// sentence. Empty stays empty: not said.
+/// "22-29", or "70+": integer years, at most 120, the first below the second. EX_USAGE with a
+/// sentence. Empty stays empty: not given.
 Result<std::string> parse_age_band(std::string_view text);
-/// "y", "yes", "n", "no", in either case; nothing for anything else.
+/// "y", "yes", "n", "no", in either case; nullopt for anything else.
 std::optional<bool> parse_yes_no(std::string_view text);
 
 }  // namespace hedgehog::study

@@ -18,7 +18,7 @@ std::string text_of(const JournalName& name) {
 
 int complain_of(const Problem& problem) { return complain(problem.exit_code, problem.message); }
 
-/// The run that is meant, and what is excluded now, given to `change`; its exit code.
+/// Calls `change` with the selected run and the present exclusions; returns its exit code.
 template <class Change>
 int changed(const ExcludeOptions& options, Change change) {
   const auto study = StudyFolder::find(".");

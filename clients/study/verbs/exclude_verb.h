@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `exclude` and `include`: which runs count for the means.
+// `exclude` and `include`: which runs are included in the means.
 #pragma once
 
 #include <string>
@@ -12,9 +12,9 @@ struct ExcludeOptions {
   int run = 0;           // 0: the last
   std::string reason{};  // of `exclude`
 };
-/// EX_NOINPUT when there is no such run.
+/// EX_NOINPUT if the run does not exist.
 int run_exclude(const ExcludeOptions& options);
-/// EX_NOINPUT when there is no such run, or it counts.
+/// EX_NOINPUT if the run does not exist or is not excluded.
 int run_include(const ExcludeOptions& options);
 
 }  // namespace hedgehog::study

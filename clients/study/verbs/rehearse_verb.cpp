@@ -12,18 +12,18 @@ namespace hedgehog::study {
 
 namespace {
 
-// A rehearsal outlives a daemon that is being restarted.
+// Long enough for a restart of the daemon.
 constexpr client::Milliseconds kRehearsalPatience{60'000};
 constexpr int kBarWidth = 30;
 
-/// Where a rehearsal takes place.
+/// Study and daemon of a rehearsal.
 struct Start {
   const StudyFolder& study;
   const std::vector<client::Address>& addresses;
   bool address_given = false;
 };
 
-/// One run of a rehearsal: begun, or gone on with. 0: it is over.
+/// Starts or resumes one run of a rehearsal. 0: it is over.
 int rehearse_one(const Start& start, const Participant& participant, const Experiment& experiment,
                  const std::function<void(const View&)>& report) {
   const RunsSoFar runs = runs_so_far(start.study, participant.id, experiment.name);

@@ -55,7 +55,7 @@ void print_exclusions(const std::vector<AnalysedRun>& runs) {
   }
 }
 
-/// Numbers that no person stands behind shall not pass for a study's.
+/// Simulated results must not be mistaken for a study's.
 void warn_of_programs(const std::vector<AnalysedRun>& runs) {
   const auto simulated = std::count_if(
       runs.begin(), runs.end(),
@@ -77,7 +77,7 @@ void warn_of_programs(const std::vector<AnalysedRun>& runs) {
   }
 }
 
-/// 0, or EX_DATAERR when something is missing from what comes out.
+/// 0, or EX_DATAERR if data is missing from the output.
 int print(const std::vector<Problem>& problems) {
   int code = 0;
   for (const Problem& problem : problems) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `analyse`, `export` and `levels`: what a study says.
+// `analyse`, `export` and `levels`: results of a study.
 #pragma once
 
 #include <string>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `plan`, `run`, `resume`, `rehearse`, `status`, `participant`: what happens in a study's folder.
+// `plan`, `run`, `resume`, `rehearse`, `status`, `participant`: verbs that work on a study's
+// folder.
 #pragma once
 
 #include <cstdint>
@@ -23,16 +24,16 @@ struct RunOptions {
   std::optional<std::string> address{};
   std::string experiment{};
   std::string participant{};
-  /// What was said on the command line; the rest is asked.
+  /// Entries given on the command line; the experimenter is asked for the rest.
   Checklist checklist{};
   bool simulated = false;
   bool again = false;
   bool blind = false;
 };
 int run_run(const RunOptions& options);
-/// The unfinished run of `participant` and `experiment` (empty: whichever was touched last).
+/// The unfinished run of `participant` and `experiment` (empty: the most recently modified).
 int run_resume(const RunOptions& options);
-/// Every participant through every experiment, answered by programs; goes on where it was.
+/// Every participant through every experiment, with simulated responses; resumes unfinished runs.
 int run_rehearse(const RunOptions& options);
 int run_status(bool json);
 int run_participant();

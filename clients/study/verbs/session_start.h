@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `run`, `resume` and `rehearse` have in common.
+// Shared parts of `run`, `resume` and `rehearse`.
 #pragma once
 
 #include <optional>
@@ -13,47 +13,47 @@
 
 namespace hedgehog::study {
 
-/// Says it on stderr; the exit code.
+/// Prints the error to stderr; returns the exit code.
 int complain(const Problem& problem);
 int complain(const client::ClientError& error);
 
-/// Tells the person how the run ended, and the shell.
-/// Nothing of what the participant may not know when the run is blind.
+/// Prints how the run ended and returns the exit code. Prints no results if the run is blind.
 int print_end(const Journal& journal, RunEnd end, const std::string& why_stuck);
 
 /// The runs of a participant and experiment.
 struct RunsSoFar {
-  /// The last that has begun; a kill may leave a file without any event behind.
+  /// The last that has begun; a kill may leave a journal without events.
   std::optional<JournalName> last{};
-  bool over = false;  // that one is
+  bool over = false;  // of that run
   int next = 1;       // the first free number
 };
 RunsSoFar runs_so_far(const StudyFolder& study, const std::string& participant,
                       const std::string& experiment);
 bool is_over(const JournalName& name);
 
-/// As planned. Who is not in the plan may take part too; the seed then comes from the name.
+/// As planned. Participants that are not in the plan are allowed; their seed is derived from the
+/// id.
 Participant participant_of(const StudyFolder& study, const std::string& id);
 
-/// EX_CONFIG when the ball cannot play all of the experiment.
+/// EX_CONFIG if the ball cannot play all of the experiment.
 Result<void> is_played_by(const Player& player, const Experiment& experiment);
-/// The same, and EX_CONFIG when it is not the ball on which the run was begun.
+/// The same, and EX_CONFIG if it is not the ball on which the run was begun.
 Result<void> goes_on_with(const Player& player, const RecordedRun& run);
-/// Whether an unfinished run may go on with a daemon, or a start of it, that it was not on: a
-/// serial number that is the same is enough, else the experimenter is asked. Where a program
-/// answers, the daemon must be at the run's address, or its address have been `given`. EX_CONFIG:
-/// it may not.
+/// Whether an unfinished run may continue with another daemon, or another start of it: the same
+/// serial number is sufficient, otherwise the experimenter is asked. For a simulated run the daemon
+/// must be at the run's address, or its address must be `given`. EX_CONFIG: not allowed.
 Result<void> confirm_daemon(const RecordedRun& run, const Pin& now, bool given, const Ask& ask);
-/// EX_TEMPFAIL when between two connections another daemon, or another start of it, took over.
+/// EX_TEMPFAIL if another daemon, or another start of it, replaced the first between two
+/// connections.
 Result<void> is_still(const Pin& before, const Pin& now);
-/// Writes down that the run goes on, and with which daemon if that is not the one it was on.
+/// Records that the run continues, and with which daemon if it has changed.
 Result<void> append_resumed(Journal& journal, const Pin& now);
 
 struct RunKind {
   bool simulated = false;
   bool blind = false;
 };
-/// A new run's journal.
+/// Creates the journal of a new run.
 Result<Journal> begin(const StudyFolder& study, const std::string& participant,
                       const Experiment& experiment, int run, const Pin& pin, RunKind kind);
 

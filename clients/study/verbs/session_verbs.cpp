@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr client::Milliseconds kConnectPatience{2000};
-// The screen is taken over after it.
+// Time to read a message before the screen is cleared.
 constexpr std::chrono::seconds kReading{3};
 constexpr const char* kPage = "participant.sock";
 
@@ -101,7 +101,7 @@ int run_run(const RunOptions& options) {
   std::optional<Pin> seen;
   std::optional<Checklist> checklist;
   if (!options.simulated) {
-    // Before anybody is asked anything; its claim would run out while people talk.
+    // Checked before any question; the claim would expire during the questions.
     const auto there = Player::open(*addresses, kConnectPatience);
     if (!there) return complain(there.error());
     if (const auto plays = is_played_by(*there, *experiment); !plays)
@@ -161,7 +161,8 @@ int run_resume(const RunOptions& options) {
     }
     if (const auto meant = confirm_daemon(journal->run(), *seen, false, ask_at_terminal); !meant)
       return complain(meant.error());
-    // People may have got up since; a run killed early may never have written its list.
+    // The participant may have moved since; a run killed early may not have recorded its check
+    // list.
     const auto& known = journal->run().checklist();
     checklist = known ? ticked_again(*known) : complete({});
     if (!checklist)

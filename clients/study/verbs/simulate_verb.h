@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `simulate`: many simulated people through an experiment.
+// `simulate`: simulated people in an experiment.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ struct SimulateOptions {
   std::vector<std::string> experiments{};  // empty: the thesis' three
   int observers = 2000;
   std::uint64_t seed = 2026;
-  int threads = 0;  // 0: as many as there are cores
+  int threads = 0;  // 0: the number of cores
   bool convergence = false;
   bool json = false;
 };

@@ -97,7 +97,7 @@ int run_status(bool json) {
   std::vector<std::pair<JournalName, std::string>> cells;
   int code = 0;
   for (const JournalName& name : study->journals()) {
-    if (!has_begun(name.path)) continue;  // killed before it began
+    if (!has_begun(name.path)) continue;  // killed before its first event
     const auto run = read_run(name.path);
     if (!run) {
       code = complain(run.error().exit_code, run.error().message);
@@ -114,7 +114,7 @@ int run_status(bool json) {
     std::puts(all.dump().c_str());
     return code;
   }
-  // The plan's first, then whoever and whatever came on top.
+  // Those of the plan first, then additional participants and experiments.
   std::vector<std::string> experiments = study->plan().experiments;
   std::vector<std::string> people;
   for (const Participant& participant : study->plan().participants)

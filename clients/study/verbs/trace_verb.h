@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `trace`: a string of answers through a staircase.
+// `trace`: a given string of responses to a staircase.
 #pragma once
 
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is felt in a racing game: engine, gears, skids, hits and landings, to copy into a game.
-// Directions are Unreal's, in the car's frame: x forward, y right, z up.
+// Effects of a racing game: engine, gears, skids, hits and landings, to copy into a game.
+// Directions are in Unreal's axes, in the car's frame: x forward, y right, z up.
 #pragma once
 
 #include <algorithm>
@@ -8,19 +8,19 @@
 
 #include "hedgehog_subsystem.h"
 
-/// Game thread; nothing waits.
+/// Game thread; no call blocks.
 class FHedgehogCarFeel {
  public:
   explicit FHedgehogCarFeel(UHedgehogSubsystem& InBall) : Ball(InBall) {}
 
-  /// Every frame, 0 to 1 each. False: there is no daemon.
+  /// Every frame, 0 to 1 each. False: not connected.
   bool Engine(float Revolutions, float Throttle) {
     return Ball.Rumble(TEXT("engine"), 0.05f + 0.25f * Throttle, FVector(-1, 0, 0),
                        30.0f + 60.0f * Revolutions);
   }
 
-  /// Every frame while the wheels slide; 0 they grip, 1 not at all. It lasts, so it is weaker than
-  /// a blow can be.
+  /// Every frame while the wheels slide; 0: full grip, 1: no grip. A skid lasts, so it is weaker
+  /// than the strongest blow.
   void Skid(float Amount) {
     FHedgehogEffect Effect = Of(0.14f + 0.36f * Amount, kSkid);
     Effect.Slot = TEXT("skid");
@@ -30,10 +30,11 @@ class FHedgehogCarFeel {
     Ball.Vibrate(FVector(0, 0, -1), Effect);
   }
 
-  /// The clutch has closed: a knock from behind.
+  /// The clutch has closed: a push from behind.
   void Gear() { Pulse(FVector(-1, 0, 0), 1, 40, kGear); }
 
-  /// The car was hit on that side, or landed; its step, or -1 when it is too soon to be felt.
+  /// A hit of the car on that side, or a landing; returns its step, or -1 if it was too soon after
+  /// another.
   int Blow(FVector Side, double ImpulseNs, double TimeS) {
     const int Step = StepOf(ImpulseNs);
     if (TimeS - LastS < kApartS && Step <= LastStep) return -1;
@@ -50,18 +51,18 @@ class FHedgehogCarFeel {
   }
 
  private:
-  /// Eight steps from what is just felt to full strength are 32 % apart; people notice 13 %
+  /// Eight steps from the perception threshold to full strength are 32 % apart; people notice 13 %
   /// (thesis, experiment 2).
   static constexpr int kSteps = 8;
-  /// Of full strength, of the ball of the thesis: 2.1 of 15 A are just felt.
+  /// Perception threshold relative to full strength, for the ball of the thesis: 2.1 of 15 A.
   static constexpr double kFelt = 0.14;
-  /// Blows of these impulses are the first and the last step; Newton seconds.
+  /// Impulses of the first and the last step; Newton seconds.
   static constexpr double kSoftestBlow = 150.0;
   static constexpr double kHardestBlow = 8000.0;
-  /// One blow in 0.25 s, unless a harder one comes.
+  /// One blow in 0.25 s, except for a harder one.
   static constexpr double kApartS = 0.25;
   /// Of two effects only the one of higher priority is felt; of the same, both. The engine's rumble
-  /// has the default, 5: a knock of a gear adds to it.
+  /// has the default, 5: the push of a gear is added to it.
   static constexpr int kGear = 5;
   static constexpr int kSkid = 6;
   static constexpr int kBlow = 7;

@@ -27,8 +27,8 @@ struct Point {
   double value = -INFINITY;
 };
 
-// The likelihood changes with the threshold the faster the steeper the curve is: the rows of the
-// grid are finer there.
+// The likelihood changes with the threshold in proportion to the slope: the rows of the grid are
+// finer for steep curves.
 constexpr int kGridSlopes = 12;
 constexpr double kGridStep = 0.4;  // of the logarithm of the threshold, times the slope
 constexpr std::size_t kStarts = 8;
@@ -42,12 +42,11 @@ Box box_of(const Experiment& experiment) {
           {std::log(ceiling), std::log(kMaxSlope)}};
 }
 
-/// The highest of the points of a grid that have none that is higher beside them in their row,
-/// which is a slope's.
+/// The highest local maxima of a grid within its rows, one row per slope.
 std::vector<Point> starts_in(const WeibullLikelihood& likelihood, const Box& box) {
   std::vector<Point> peaks;
   for (int row = 0; row <= kGridSlopes; ++row) {
-    // Exactly within the box, as the optimiser wants it.
+    // Exactly within the box, as the optimiser requires.
     const double log_slope =
         std::lerp(box.low[1], box.high[1], static_cast<double>(row) / kGridSlopes);
     const int cells =
@@ -77,7 +76,7 @@ double height(unsigned, const double* at, double*, void* goal) {
   return static_cast<const Goal*>(goal)->likelihood(at[0], at[1]);
 }
 
-/// Uphill from `start` by one of NLopt's algorithms.
+/// Maximizes from `start` with one of NLopt's algorithms.
 Point climbed(nlopt_algorithm algorithm, const WeibullLikelihood& likelihood, const Box& box,
               const Point& start) {
   struct Destroy {
@@ -94,13 +93,13 @@ Point climbed(nlopt_algorithm algorithm, const WeibullLikelihood& likelihood, co
   nlopt_set_xtol_abs1(optimiser.get(), kTolerance);
   nlopt_set_maxeval(optimiser.get(), kMaxEvaluations);
   Point point = start;
-  // An end by rounding leaves the best point there as well.
+  // Also valid if the optimiser stops because of rounding.
   nlopt_optimize(optimiser.get(), point.at.data(), &point.value);
   return point.value >= start.value ? point : start;
 }
 
-/// The highest of all. From each start by Powell's BOBYQA (2009), which is quick and now and then
-/// stops on a ridge; from the best of them by Rowan's Subplex (1990), which does not.
+/// The global maximum. From each start by Powell's BOBYQA (2009), which is fast but sometimes stops
+/// on a ridge; from the best of them by Rowan's Subplex (1990), which does not.
 Point highest(const WeibullLikelihood& likelihood, const Box& box) {
   Point best;
   for (const Point& start : starts_in(likelihood, box)) {
@@ -115,7 +114,7 @@ bool at_bound(const Box& box, const Point& point, std::size_t which) {
          box.high[which] - point.at[which] < kAtBound;
 }
 
-/// The highest likelihood of curves through this location, over the slope.
+/// The maximum likelihood of curves with this location, over the slope.
 double profile(const WeibullLikelihood& likelihood, double log_location) {
   constexpr int kCells = 8;
   constexpr int kBits = 20;
@@ -136,7 +135,8 @@ double profile(const WeibullLikelihood& likelihood, double log_location) {
   return -std::min(value, lowest);
 }
 
-/// Where the profile falls below `wanted` on the way from `from` to `to`; `to` where it does not.
+/// The location between `from` and `to` where the profile falls below `wanted`; `to` if it does
+/// not.
 double crossing(const WeibullLikelihood& likelihood, double from, double to, double wanted) {
   constexpr double kStep = 0.05;
   constexpr int kBits = 20;
@@ -163,10 +163,10 @@ double crossing(const WeibullLikelihood& likelihood, double from, double to, dou
 }
 
 /// The likelihood ratio (twice the drop of the log likelihood) at the ends of an interval. Chi
-/// square's 3.84 supposes many independent trials; of the few that a staircase places, and with a
-/// curve of another family for half of the people, an interval by that holds the true threshold in
+/// square's 3.84 assumes many independent trials; for the few trials of a staircase, and with a
+/// curve of another family for half of the people, such an interval contains the true threshold in
 /// 85 to 90 %. These are the 95 % quantiles of the ratio at the true threshold of 2,000 simulated
-/// people an experiment (seed 401: 5.1; 5.5 and 6.0), checked with other seeds (README).
+/// people per experiment (seed 401: 5.1; 5.5 and 6.0), verified with other seeds (README).
 double critical_ratio(Task task) { return task == Task::kYesNo ? 5.1 : 5.7; }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A psychometric curve through all scored trials of a run, beside the mean of its reversals.
+// A psychometric curve fitted to all scored trials of a run, in addition to the mean of its
+// reversals.
 #pragma once
 
 #include <optional>
@@ -9,19 +10,19 @@
 
 namespace hedgehog::study {
 
-/// Slopes are looked for between these, thresholds between the experiment's ceiling / 1000 and its
+/// Bounds of the slope; the threshold is bounded by the experiment's ceiling / 1000 and its
 /// ceiling.
 inline constexpr double kMinSlope = 0.5;
 inline constexpr double kMaxSlope = 10.0;
 
 struct WeibullFit {
-  /// The curve; its guess and lapse rates are those that were assumed.
+  /// The curve, with the assumed guess and lapse rates.
   Observer observer{};
-  /// Where it reaches the rule's convergence point (80.35 %).
+  /// Level at the rule's convergence point (80.35 %).
   double threshold = 0.0;
   double log_likelihood = 0.0;
-  /// The maximum lies on a bound of the search: the answers do not tell how far beyond it the
-  /// slope, or the observer's threshold, would be.
+  /// The maximum lies on a bound of the search: the responses do not determine how far beyond it
+  /// the slope, or the observer's threshold, lies.
   bool slope_at_bound = false;
   bool threshold_at_bound = false;
 };
@@ -31,20 +32,20 @@ struct WeibullFit {
 WeibullFit fit_weibull(const Experiment& experiment, std::span<const Judgement> judgements,
                        double guess, double lapse);
 
-/// A range of thresholds (where the curve reaches the rule's convergence point).
+/// A range of thresholds (levels at the rule's convergence point).
 struct Interval {
   double low = 0.0;
   double high = 0.0;
-  /// That end is where the search ends (ceiling / 1000, ceiling): the answers set no limit there.
+  /// That end is a bound of the search (ceiling / 1000, ceiling): the responses do not limit it.
   bool low_is_bound = false;
   bool high_is_bound = false;
   bool contains(double threshold) const noexcept { return low <= threshold && threshold <= high; }
   friend bool operator==(const Interval&, const Interval&) = default;
 };
 
-/// The thresholds that the answers do not contradict at 95 %: the profile of the likelihood over
-/// the slope. Its coverage is in the README. Nothing where the guess rate lies beyond the
-/// convergence point, so that no curve comes to it.
+/// The thresholds that are consistent with the responses at 95 %: by profile likelihood over the
+/// slope. Its coverage is in the README. nullopt if the guess rate is above the convergence point,
+/// which no curve then reaches.
 std::optional<Interval> profile_interval(const Experiment& experiment,
                                          std::span<const Judgement> judgements,
                                          const WeibullFit& fit);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How likely a run's answers are by a Weibull curve.
+// Likelihood of a run's responses for a Weibull curve.
 #pragma once
 
 #include <span>
@@ -25,7 +25,7 @@ class WeibullLikelihood {
   double operator()(double log_location, double log_slope) const;
 
  private:
-  /// One level as often as it was judged: a run has few levels, so the sum is short.
+  /// Responses at one level: a run has few levels, so the sum is short.
   struct Count {
     double log_level = 0.0;  // only where level > 0
     bool zero = false;

@@ -97,7 +97,7 @@ void UHedgehogSubsystem::Deinitialize() {
 }
 
 void UHedgehogSubsystem::Tick(float) {
-  // A listener may end the game, and this with it.
+  // A listener may end the game, and with it this object.
   const std::shared_ptr<hedgehog::unreal::Client> Polled = Client;
   if (Polled != nullptr) Polled->poll(FPlatformTime::Seconds());
 }

@@ -16,7 +16,7 @@ namespace {
 
 using hedgehog::unreal::Transport;
 
-/// The addresses of a name, looked up by a task of the engine's: a name server may take seconds.
+/// The addresses of a name, resolved by a task of the engine: a name server may take seconds.
 struct FHedgehogLookup {
   std::string Host;
   std::mutex Lock;
@@ -62,7 +62,7 @@ class FHedgehogTransport final : public Transport {
     if (Socket != nullptr &&
         Socket->Recv(reinterpret_cast<uint8*>(Bytes), static_cast<int32>(Size), Read))
       return static_cast<std::size_t>(Read);
-    // Nothing there is a success with nothing read (FSocketBSD::Recv); a failure is the end.
+    // Without data Recv succeeds with zero bytes (FSocketBSD::Recv); a failure is the end.
     bEnded = true;
     return 0;
   }
@@ -75,7 +75,7 @@ class FHedgehogTransport final : public Transport {
     Socket = Subsystem->CreateSocket(NAME_Stream, TEXT("Hedgehog"), Remote->GetProtocolType());
     if (Socket == nullptr) return;
     Socket->SetNonBlocking(true);
-    // Small lines would wait up to 40 ms for others.
+    // Small lines would be delayed by up to 40 ms.
     Socket->SetNoDelay(true);
     if (!Socket->Connect(*Remote) && !WouldBlock()) Destroy();
   }
@@ -93,15 +93,15 @@ class FHedgehogTransport final : public Transport {
   }
 
   ISocketSubsystem* Subsystem;
-  /// Null once the addresses are there.
+  /// Null once the addresses are resolved.
   std::shared_ptr<FHedgehogLookup> Lookup;
   std::uint16_t Port;
   FSocket* Socket = nullptr;
   bool bOpen = false;
 };
 
-/// Attempts to connect to one name share the lookup that is under way, so that a silent name server
-/// holds one of the engine's threads and no more.
+/// Attempts to connect to one name share the look-up in progress, so that a silent name server
+/// occupies only one of the engine's threads.
 class FHedgehogConnector {
  public:
   std::unique_ptr<Transport> operator()(const hedgehog::unreal::Address& Place) {

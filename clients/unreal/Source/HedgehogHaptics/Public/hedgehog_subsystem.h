@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ball in a game: one for each game instance, there without being created.
+// The ball in a game: one for each game instance, created automatically.
 //
 //   UHedgehogSubsystem* Ball = GetGameInstance()->GetSubsystem<UHedgehogSubsystem>();
 //   Ball->Rumble(TEXT("engine"), 0.3f, FVector(-1, 0, 0), 70.0f);      // every frame
@@ -31,9 +31,9 @@ DECLARE_DYNAMIC_MULTICAST_DELEGATE_OneParam(FHedgehogStatusReceived, const FHedg
 DECLARE_DYNAMIC_MULTICAST_DELEGATE(FHedgehogConnected);
 DECLARE_DYNAMIC_MULTICAST_DELEGATE_OneParam(FHedgehogDisconnected, const FString&, Reason);
 
-/// Game thread; nothing waits, and everything works on while the game is paused. The daemon is
-/// found again 0.1 to 5 s after it was lost. Directions are where the pins push out, in Unreal's
-/// axes: x forward, y right, z up.
+/// Game thread; no call blocks, and everything continues while the game is paused. Lost connections
+/// are re-established after 0.1 to 5 s. Directions are those in which the pins push out, in
+/// Unreal's axes: x forward, y right, z up.
 UCLASS(Config = Game)
 class HEDGEHOGHAPTICS_API UHedgehogSubsystem : public UGameInstanceSubsystem,
                                                public FTickableGameObject {
@@ -47,12 +47,13 @@ class HEDGEHOGHAPTICS_API UHedgehogSubsystem : public UGameInstanceSubsystem,
   bool IsTickableWhenPaused() const override { return true; }
   TStatId GetStatId() const override;
 
-  /// Whether effects are played now.
+  /// True if effects can be played now.
   UFUNCTION(BlueprintPure, Category = "Hedgehog")
   bool IsBallConnected() const;
 
-  /// A vibration that goes on while this is called every frame, and ends by itself 250 ms after the
-  /// last. Strength 0 to 1 begins where it can be felt; 0 ends it. False: no daemon runs.
+  /// A vibration that lasts while this is called every frame, and ends automatically 250 ms after
+  /// the last call. Strength 0 to 1 starts at the perception threshold; 0 ends it. False: not
+  /// connected.
   UFUNCTION(BlueprintCallable, Category = "Hedgehog")
   bool Rumble(const FString& Slot, float Strength, FVector Direction, float FrequencyHz = 60.0f);
 
@@ -62,28 +63,28 @@ class HEDGEHOGHAPTICS_API UHedgehogSubsystem : public UGameInstanceSubsystem,
   /// A push with a waveform.
   UFUNCTION(BlueprintCallable, Category = "Hedgehog", meta = (AutoCreateRefTerm = "Effect"))
   void Vibrate(FVector Direction, const FHedgehogEffect& Effect);
-  /// A push that lasts as long as it is renewed.
+  /// A push that lasts as long as its lease is renewed.
   UFUNCTION(BlueprintCallable, Category = "Hedgehog", meta = (AutoCreateRefTerm = "Effect"))
   void Hold(FVector Direction, const FHedgehogEffect& Effect);
-  /// The field walks round an axis, from pin to pin.
+  /// The field moves round an axis, from pin to pin.
   UFUNCTION(BlueprintCallable, Category = "Hedgehog", meta = (AutoCreateRefTerm = "Effect"))
   void Circle(FVector Axis, const FHedgehogCircle& Effect);
   /// A named pattern: "heartbeat".
   UFUNCTION(BlueprintCallable, Category = "Hedgehog", meta = (AutoCreateRefTerm = "Effect"))
   void Play(const FString& Pattern, const FHedgehogPlay& Effect);
-  /// Ends what plays in a slot.
+  /// Ends the effect in a slot.
   UFUNCTION(BlueprintCallable, Category = "Hedgehog")
   void Stop(const FString& Slot);
-  /// Ends all effects of this game: the pause menu.
+  /// Ends all effects of this game: for the pause menu.
   UFUNCTION(BlueprintCallable, Category = "Hedgehog")
   void StopAll();
 
-  /// From now on OnEvent comes, after a lost connection too; `bOfAll`: for effects of others too.
+  /// Enables OnEvent, also after a lost connection; `bOfAll`: also for effects of other clients.
   UFUNCTION(BlueprintCallable, Category = "Hedgehog")
   void SubscribeEvents(bool bOfAll = false);
   UFUNCTION(BlueprintCallable, Category = "Hedgehog")
   void UnsubscribeEvents();
-  /// From now on OnStatus comes so many times a second, 0.1 to 200; after a lost connection too.
+  /// Enables OnStatus at this rate, 0.1 to 200; also after a lost connection.
   UFUNCTION(BlueprintCallable, Category = "Hedgehog")
   void SubscribeStatus(float RateHz = 10.0f);
   UFUNCTION(BlueprintCallable, Category = "Hedgehog")
@@ -104,15 +105,15 @@ class HEDGEHOGHAPTICS_API UHedgehogSubsystem : public UGameInstanceSubsystem,
   FHedgehogEventReceived OnEvent;
   UPROPERTY(BlueprintAssignable, Category = "Hedgehog")
   FHedgehogStatusReceived OnStatus;
-  /// An effect was not played, or a subscription has ended as the daemon of a new connection
-  /// refused it ("events.subscribe"); the log has a line too.
+  /// An effect was refused, or a subscription has ended because the daemon of a new connection
+  /// refused it ("events.subscribe"); also written to the log.
   UPROPERTY(BlueprintAssignable, Category = "Hedgehog")
   FHedgehogRefused OnRefused;
 
-  /// "127.0.0.1:7586"; empty: HEDGEHOG_ADDRESS, or that. Of DefaultGame.ini, as the next.
+  /// "127.0.0.1:7586"; empty: HEDGEHOG_ADDRESS, or that. Set in DefaultGame.ini, like the next.
   UPROPERTY(Config)
   FString Address;
-  /// Connecting, and waiting for a response, take no longer; seconds.
+  /// Timeout of connecting and of a response; seconds.
   UPROPERTY(Config)
   float PatienceS = 2.0f;
 
@@ -120,6 +121,6 @@ class HEDGEHOGHAPTICS_API UHedgehogSubsystem : public UGameInstanceSubsystem,
   void Start(const char* Method, const hedgehog::unreal::Json& Params);
   void Refuse(const char* Method, const hedgehog::unreal::Answer& Answer);
 
-  /// Shared, so that only the .cpp has to know it.
+  /// Shared, so that only the .cpp requires its definition.
   std::shared_ptr<hedgehog::unreal::Client> Client;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the ball tells a game.
+// Data of the ball for a game.
 #pragma once
 
 #include "CoreMinimal.h"
@@ -7,7 +7,7 @@
 
 #include "hedgehog_types.generated.h"
 
-/// What came of a request.
+/// Outcome of a request.
 USTRUCT(BlueprintType)
 struct HEDGEHOGHAPTICS_API FHedgehogAnswer {
   GENERATED_BODY()
@@ -17,16 +17,16 @@ struct HEDGEHOGHAPTICS_API FHedgehogAnswer {
   /// "effect.pulse".
   UPROPERTY(BlueprintReadOnly, Category = "Hedgehog")
   FString Method;
-  /// JSON, as protocol/README.md describes it.
+  /// JSON, as in protocol/README.md.
   UPROPERTY(BlueprintReadOnly, Category = "Hedgehog")
   FString Result;
-  /// Why not, one sentence: "the daemon does not run: ...", "level: 1.4 is above 1".
+  /// The error, one sentence: "the daemon does not run: ...", "level: 1.4 is above 1".
   UPROPERTY(BlueprintReadOnly, Category = "Hedgehog")
   FString Message;
-  /// Why, of a refusal; for a switch.
+  /// Kind of a refusal, for a switch.
   UPROPERTY(BlueprintReadOnly, Category = "Hedgehog")
   EHedgehogError Error = EHedgehogError::None;
-  /// Of a refusal: the protocol's number and name, and the parameter that is wrong.
+  /// Of a refusal: the protocol's error code and name, and the invalid parameter.
   UPROPERTY(BlueprintReadOnly, Category = "Hedgehog")
   int32 Code = 0;
   UPROPERTY(BlueprintReadOnly, Category = "Hedgehog")
@@ -35,7 +35,7 @@ struct HEDGEHOGHAPTICS_API FHedgehogAnswer {
   FString Field;
 };
 
-/// Something happened: an effect began or ended, the state changed.
+/// An event: an effect started or ended, the state changed.
 USTRUCT(BlueprintType)
 struct HEDGEHOGHAPTICS_API FHedgehogEvent {
   GENERATED_BODY()
@@ -49,12 +49,12 @@ struct HEDGEHOGHAPTICS_API FHedgehogEvent {
   FString Slot;
   UPROPERTY(BlueprintReadOnly, Category = "Hedgehog")
   FString Reason;
-  /// All of it, JSON.
+  /// The whole event, JSON.
   UPROPERTY(BlueprintReadOnly, Category = "Hedgehog")
   FString Json;
 };
 
-/// How the ball is.
+/// Status of the ball.
 USTRUCT(BlueprintType)
 struct HEDGEHOGHAPTICS_API FHedgehogStatus {
   GENERATED_BODY()
@@ -62,13 +62,13 @@ struct HEDGEHOGHAPTICS_API FHedgehogStatus {
   /// "armed", "disarmed", "tripped", "absent".
   UPROPERTY(BlueprintReadOnly, Category = "Hedgehog")
   FString State;
-  /// Of the hottest winding, as estimated; degrees Celsius.
+  /// Of the hottest winding, estimated; degrees Celsius.
   UPROPERTY(BlueprintReadOnly, Category = "Hedgehog")
   float TemperatureC = 0.0f;
-  /// The most that may flow now; ampere.
+  /// Present current limit; ampere.
   UPROPERTY(BlueprintReadOnly, Category = "Hedgehog")
   float LimitA = 0.0f;
-  /// All of it, JSON.
+  /// The whole status, JSON.
   UPROPERTY(BlueprintReadOnly, Category = "Hedgehog")
   FString Json;
 };

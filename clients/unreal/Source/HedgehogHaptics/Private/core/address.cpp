@@ -14,7 +14,7 @@ Address bad(std::string_view text, const char* why) {
   return none;
 }
 
-/// Of ":7586"; 0: this is none.
+/// The port of ":7586"; 0: invalid.
 unsigned port_of(std::string_view text) {
   if (text.size() < 2 || text.size() > 6 || text.front() != ':') return 0;
   unsigned port = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What came of a request.
+// Outcome of a request.
 #pragma once
 
 #include <functional>
@@ -11,23 +11,23 @@ namespace hedgehog::unreal {
 
 enum class Failure {
   kNone,
-  kRefused,       // the daemon refuses: see code, name and data
-  kNotConnected,  // nobody answers, or the connection has ended
-  kBadAddress,    // what was given as the daemon's address is none
-  kBadValue,      // a number that JSON has not
+  kRefused,       // error response of the daemon: see code, name and data
+  kNotConnected,  // no listener, or the connection has ended
+  kBadAddress,    // the given address of the daemon is invalid
+  kBadValue,      // a number that JSON cannot represent
 };
 
 struct Answer {
   Failure failure = Failure::kNone;
-  /// Of a success.
+  /// Result of a success.
   Json result{};
-  /// Why not, one sentence for people.
+  /// The error, one sentence for users.
   std::string message{};
-  /// Of a refusal: the protocol's number and name, and data.field, data.limit, data.value.
+  /// Of a refusal: the protocol's error code and name, and data.field, data.limit, data.value.
   int code = 0;
   std::string name{};
   Json data{};
-  /// kNotConnected: the next attempt is so far away.
+  /// kNotConnected: time until the next attempt.
   double retry_after_s = 0.0;
 
   bool ok() const { return failure == Failure::kNone; }
@@ -35,7 +35,7 @@ struct Answer {
 
 using OnAnswer = std::function<void(const Answer&)>;
 
-/// Of JSON-RPC's error object.
+/// From JSON-RPC's error object.
 Answer refusal_of(const Json& error);
 Answer failed(Failure failure, std::string message, double retry_after_s = 0.0);
 

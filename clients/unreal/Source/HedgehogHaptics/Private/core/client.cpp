@@ -135,7 +135,7 @@ void Client::begin() {
   if (listeners_.connected) listeners_.connected(hello());
 }
 
-/// The daemon is gone, was never there, or refused the introduction.
+/// The connection was lost, could not be established, or the hello was refused.
 void Client::lose() {
   back_off();
   std::string reason = "the connection to the daemon has ended: " + session_->ended();
@@ -143,7 +143,7 @@ void Client::lose() {
     reason = "the daemon does not run: " + to_string(place_) + ": " + session_->ended();
   else if (!session_->refusal().is(Json::Kind::kNull))
     reason = session_->ended();
-  // A copy: the session goes away.
+  // A copy: the session is destroyed.
   end(reason, Json(session_->refusal()));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ball for a game's frame loop: nothing waits, and a daemon that was lost is found again.
+// The client for a game's frame loop: no call blocks, and lost connections are re-established.
 #pragma once
 
 #include <functional>
@@ -19,53 +19,54 @@ namespace hedgehog::unreal {
 struct Settings {
   /// "127.0.0.1:7586"; empty: see `find_daemon`.
   std::string address{};
-  /// Of this program, as the daemon's log and `hedgehogctl clients` show it.
+  /// Name of this program in the daemon's log and in `hedgehogctl clients`.
   std::string name = "unreal";
-  /// Connecting, and waiting for a response, take no longer.
+  /// Timeout of connecting and of a response.
   double patience_s = 2.0;
-  /// Of roles beyond those of this machine.
+  /// For roles beyond the default of this machine.
   std::string token{};
 };
 
 struct Listeners {
-  /// What the daemon tells of itself: server, role, limits.
+  /// The daemon's hello: server, role, limits.
   std::function<void(const Json& hello)> connected{};
-  /// Why there is no daemon any more; also once an outage that was there from the beginning.
+  /// Why the connection was lost; also once if the first attempt fails.
   std::function<void(const std::string& reason)> disconnected{};
   std::function<void(const std::string& method, const Json& params)> notification{};
-  /// The daemon of a new connection refuses a subscription ("events.subscribe"), which has ended.
+  /// The daemon of a new connection refused to renew a subscription ("events.subscribe"), which has
+  /// ended.
   std::function<void(const std::string& method, const Answer& refusal)> subscription_ended{};
 };
 
-/// One thread. Listeners are called from `poll` and `close` alone. When it goes away the connection
-/// ends, and with it its effects.
+/// One thread. Listeners are called only from `poll` and `close`. The destructor ends the
+/// connection, and with it its effects.
 class Client {
  public:
   static constexpr double kFirstWaitS = 0.1;
   static constexpr double kMaxWaitS = 5.0;
-  /// A rumble ends so long after its last frame: a game that hangs lets go of the ball.
+  /// Lease of a rumble since its last frame: a game that hangs releases the ball.
   static constexpr int kLeaseMs = 250;
 
   Client(Settings settings, Connect connect, Listeners listeners);
 
-  /// Once a frame. `now_s`: seconds of any clock that does not go back.
+  /// Once a frame. `now_s`: seconds of any monotonic clock.
   void poll(double now_s);
-  /// Ends the connection; nothing connects again.
+  /// Ends the connection permanently.
   void close();
 
-  /// Waits for the connection where there is none yet. Parameters that are null are left out. What
-  /// a method ending in ".subscribe" asks for is asked for again on every new connection, until its
-  /// ".unsubscribe" or until the daemon refuses it.
+  /// Queued until the connection is established. Null parameters are omitted. A request of a method
+  /// ending in ".subscribe" is repeated on every new connection, until its ".unsubscribe" or until
+  /// the daemon refuses it.
   void request(const std::string& method, const Json& params, OnAnswer on_answer);
-  /// For every frame: expects no response. false: nothing was sent, there is no daemon.
+  /// For every frame: without a response. False: nothing was sent because there is no connection.
   bool notify(const std::string& method, const Json& params);
-  /// A vibration that goes on while this is called every frame; strength 0..1, 0 ends it. `params`:
-  /// the rest of the effect, and another lease.
+  /// A vibration that lasts while this is called every frame; strength 0..1, 0 ends it. `params`:
+  /// further parameters of the effect, or another lease.
   bool rumble(const std::string& slot, double strength, const Json& direction,
               const Json& params = Json::object());
 
   bool is_open() const { return session_ != nullptr && session_->is_open() && greeted_; }
-  /// Null: not connected.
+  /// Null if not connected.
   const Json& hello() const;
 
  private:
@@ -73,7 +74,7 @@ class Client {
     std::string method;
     Json params;
     OnAnswer on_answer;
-    std::int64_t change;  // of the subscriptions; 0: none
+    std::int64_t change;  // order in the subscriptions; 0: none
   };
   void ask(Waiting one);
   void renew(const Subscriptions::Change& one);
@@ -90,7 +91,7 @@ class Client {
   Settings settings_;
   Connect connect_;
   Listeners listeners_;
-  /// Shared with a `poll` under way, in which a listener may close it.
+  /// Shared with a `poll` in progress, in which a listener may close it.
   std::shared_ptr<Session> session_;
   Address place_;
   bool greeted_ = false;
@@ -104,8 +105,8 @@ class Client {
   Subscriptions subscriptions_;
 };
 
-/// `strength` 0..1 as a level: 0 stays 0; anything above begins where a push can be felt. `limits`:
-/// of hello.
+/// `strength` 0..1 as a level: 0 stays 0; values above 0 start at the perception threshold.
+/// `limits`: of hello.
 double felt_level(double strength, const Json& limits);
 
 }  // namespace hedgehog::unreal

@@ -38,7 +38,7 @@ void append_number(double number, std::string& out) {
     std::snprintf(digits, sizeof digits, "%.0f", number);
   else
     std::snprintf(digits, sizeof digits, "%.15g", number);
-  // The user's language may write another decimal point, of several bytes.
+  // The user's locale may use another decimal point, of several bytes.
   bool in_point = false;
   for (const char* c = digits; *c != '\0'; ++c) {
     const bool digit = std::strchr("0123456789+-eE", *c) != nullptr;
@@ -143,7 +143,7 @@ void Json::append_to(std::string& out) const {
   }
 }
 
-// The order of fields does not matter.
+// The order of fields is ignored.
 bool operator==(const Json& a, const Json& b) {
   if (a.kind_ != b.kind_) return false;
   if (a.fields_.size() != b.fields_.size()) return false;

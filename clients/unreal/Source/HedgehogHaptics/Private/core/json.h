@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// JSON without exceptions, RTTI or the user's locale.
+// JSON without exceptions, RTTI or dependence on the user's locale.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ class Json {
  public:
   using Field = std::pair<std::string, Json>;
   enum class Kind : std::uint8_t { kNull, kBool, kNumber, kString, kArray, kObject };
-  /// Deeper nesting is no message of a daemon.
+  /// Limit of nesting, above that of the daemon's messages.
   static constexpr int kMaxDepth = 64;
 
   Json() = default;
@@ -30,9 +30,9 @@ class Json {
   static Json array(std::vector<Json> items = {});
   static Json object(std::vector<Field> fields = {});
 
-  /// nullopt: this is no JSON, or it is nested too deeply.
+  /// nullopt: invalid JSON, or nested too deeply.
   static std::optional<Json> parse(std::string_view text);
-  /// One line. Numbers that JSON has not (infinite, NaN) become null.
+  /// One line. Numbers that JSON cannot represent (infinite, NaN) become null.
   std::string to_text() const;
 
   Kind kind() const { return kind_; }
@@ -42,13 +42,13 @@ class Json {
   const std::string& text() const { return text_; }
   const std::vector<Json>& items() const { return items_; }
   const std::vector<Field>& fields() const { return fields_; }
-  /// The value of a field; null where there is none.
+  /// The value of a field; null if there is none.
   const Json& operator[](std::string_view name) const;
-  /// Adds the field, or replaces it.
+  /// Adds or replaces the field.
   void set(std::string_view name, Json value);
-  /// The same without the fields of an object that are null.
+  /// A copy without the null fields of the object.
   Json without_nulls() const;
-  /// Where a number is that JSON has not: "keyframes[0].level"; empty: nowhere.
+  /// Path of a number that JSON cannot represent: "keyframes[0].level"; empty: none.
   std::string non_finite(const std::string& where = {}) const;
 
   friend bool operator==(const Json& a, const Json& b);

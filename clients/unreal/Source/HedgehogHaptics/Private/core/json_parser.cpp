@@ -7,7 +7,7 @@ namespace hedgehog::unreal {
 
 namespace {
 
-/// One text; every function moves on past what it has read, or gives nothing.
+/// Parser of one text; every function advances past what it has read, or returns nullopt.
 class Parser {
  public:
   explicit Parser(std::string_view text) : text_(text) {}
@@ -88,7 +88,7 @@ class Parser {
     return std::nullopt;
   }
 
-  /// At a backslash; ends at the escape's last character.
+  /// Starts at a backslash; ends at the escape's last character.
   bool escape(std::string& out) {
     static constexpr std::string_view kEscapes = "\"\\/bfnrt";
     static constexpr std::string_view kMeant = "\"\\/\b\f\n\r\t";
@@ -113,7 +113,7 @@ class Parser {
     return true;
   }
 
-  /// Four digits after the character at `at_`.
+  /// Reads four digits after the character at `at_`.
   std::optional<unsigned> hexadecimal() {
     unsigned code = 0;
     for (int i = 0; i < 4; ++i) {
@@ -170,16 +170,16 @@ class Parser {
       if (at_ == first) return std::nullopt;
       exponent += down ? -power : power;
     }
-    // Dividing by a power that is exact rounds once, as a reader of decimals must.
+    // Dividing by an exact power rounds only once, as required for decimal numbers.
     value = exponent < 0 ? value / std::pow(10.0, -exponent) : value * std::pow(10.0, exponent);
     return Json(negative ? -value : value);
   }
 
-  /// `per_digit`: what a digit does to the exponent.
+  /// `per_digit`: change of the exponent per digit.
   void digits(double& value, int& exponent, int per_digit) {
     constexpr double kExact = 900719925474099.0;
     for (; is_digit(); ++at_) {
-      // More digits than a double has are left out.
+      // Digits beyond the precision of a double are ignored.
       if (value < kExact) {
         value = value * 10.0 + (text_[at_] - '0');
         exponent += per_digit;

@@ -95,7 +95,7 @@ void Session::flush() {
   bool ended = false;
   unsent_.erase(0, transport_->send(unsent_, ended));
   if (ended) {
-    // What came before that is read first.
+    // Data received before that is read first.
     writable_ = false;
     unsent_.clear();
   } else if (unsent_.size() > kMaxUnsent) {
@@ -125,7 +125,7 @@ void Session::take(std::string_view bytes) {
     received_.append(bytes.substr(0, end));
     bytes.remove_prefix(end + 1);
     const std::string line = std::exchange(received_, {});
-    // Whoever is called may close this session.
+    // A callback may close this session.
     if (line.find_first_not_of(" \t\r") != std::string::npos) take_line(line);
   }
   received_.append(bytes);

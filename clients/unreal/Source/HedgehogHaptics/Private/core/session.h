@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One connection's conversation: the introduction, requests with their responses, notifications.
+// Messages of one connection: the hello, requests with their responses, notifications.
 #pragma once
 
 #include <cstdint>
@@ -14,33 +14,33 @@
 
 namespace hedgehog::unreal {
 
-/// One thread; no call waits. Times are seconds of any clock that does not go back.
+/// One thread; no call blocks. Times are seconds of any monotonic clock.
 class Session {
  public:
-  /// The longest line that is taken from the daemon.
+  /// Longest line accepted from the daemon.
   static constexpr std::size_t kMaxLine = std::size_t{4} << 20;
-  /// What a daemon that does not read may leave unsent.
+  /// Limit of unsent bytes while the daemon does not read.
   static constexpr std::size_t kMaxUnsent = std::size_t{1} << 20;
   using OnNotification = std::function<void(const std::string& method, const Json& params)>;
 
   Session(std::unique_ptr<Transport> transport, Json introduction, double patience_s, double now_s,
           OnNotification on_notification);
 
-  /// What came and what is late.
+  /// Processes received data and timeouts.
   void poll(double now_s);
   void ask(const std::string& method, const Json& params, OnAnswer on_answer, double now_s);
-  /// Expects no response.
+  /// Without a response.
   void notify(const std::string& method, const Json& params);
-  /// Ends it. Gives the listeners of requests that will have no answer.
+  /// Ends the connection. Returns the callbacks of requests without a response.
   std::vector<OnAnswer> close(std::string reason);
 
   bool is_open() const { return hello_.is(Json::Kind::kObject) && ended_.empty(); }
-  /// A daemon, or something else, has answered.
+  /// The peer, a daemon or another program, has sent data.
   bool was_reached() const { return reached_; }
-  /// Empty: it goes on.
+  /// Why the connection has ended; empty: it is open.
   const std::string& ended() const { return ended_; }
   const Json& hello() const { return hello_; }
-  /// Of the introduction, JSON-RPC's error; null: none.
+  /// JSON-RPC's error in response to the hello; null: none.
   const Json& refusal() const { return refusal_; }
 
  private:

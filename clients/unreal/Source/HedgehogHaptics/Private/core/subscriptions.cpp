@@ -14,7 +14,7 @@ bool ends_with(std::string_view method, std::string_view verb) {
   return method.size() > verb.size() && method.substr(method.size() - verb.size()) == verb;
 }
 
-/// "events"; empty: it is about no subscription.
+/// "events"; empty: the method does not concern a subscription.
 std::string_view kind_of(std::string_view method) {
   for (const std::string_view verb : {kBegins, kEnds})
     if (ends_with(method, verb)) return method.substr(0, method.size() - verb.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a program subscribed to, for the next connection.
+// Active subscriptions of a program, renewed on the next connection.
 #pragma once
 
 #include <cstdint>
@@ -10,33 +10,34 @@
 
 namespace hedgehog::unreal {
 
-/// One thread. The daemon keeps one subscription of each kind for a connection: of several requests
-/// of a kind the one that was sent last holds, in whichever order they are answered.
+/// One thread. The daemon keeps one subscription of each kind per connection: of several requests
+/// of a kind the one sent last is in force, in whichever order responses arrive.
 class Subscriptions {
  public:
   struct Change {
-    /// Of its request among all, from 1.
+    /// Number of its request, from 1.
     std::int64_t order = 0;
     std::string method{};
     Json params{};
-    /// Asked for again on a new connection.
+    /// Requested again on a new connection.
     bool renewal = false;
   };
 
-  /// A request that `answered` will be told of. 0: it is about no subscription.
+  /// A request whose response `answered` will report. 0: it does not concern a subscription.
   std::int64_t asked(const std::string& method, const Json& params);
-  /// A request that is not answered: it holds.
+  /// A request without a response: it is in force.
   void notified(const std::string& method, const Json& params);
-  /// What a new connection has to ask for; from now on these are renewals, except `queued`, which
-  /// the program waits for.
+  /// The requests to be repeated on a new connection; from now on these are renewals, except
+  /// `queued`, whose responses the program waits for.
   std::vector<Change> renew(const std::vector<std::int64_t>& queued);
-  /// The daemon's answer to that change. True: it has refused to renew a subscription, which has
-  /// ended. Without an answer of the daemon nothing changes.
+  /// The response to that change. True: the daemon has refused to renew a subscription, which has
+  /// ended. Without a response of the daemon nothing changes.
   bool answered(std::int64_t order, const Answer& answer);
 
  private:
   std::int64_t last_order_ = 0;
-  /// The changes that were not refused, of each kind the oldest first; the newest holds, or will.
+  /// Changes that were not refused, of each kind the oldest first; the newest is or will be in
+  /// force.
   std::vector<Change> changes_;
 };
 

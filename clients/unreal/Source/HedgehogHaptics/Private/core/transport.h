@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A stream of bytes to the daemon. No call waits.
+// A stream of bytes to the daemon. No call blocks.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace hedgehog::unreal {
 
-/// One thread. Closes when it goes away.
+/// One thread. The destructor closes it.
 class Transport {
  public:
   enum class State { kConnecting, kOpen, kEnded };
@@ -22,13 +22,13 @@ class Transport {
   virtual ~Transport() = default;
 
   virtual State state() = 0;
-  /// As many bytes as can be sent now; `ended` when there will be no more.
+  /// Sends as many bytes as possible; `ended` if no more can be sent.
   virtual std::size_t send(std::string_view bytes, bool& ended) = 0;
-  /// As many as came and fit; `ended` when there will be no more.
+  /// Reads as many bytes as were received and fit; `ended` if no more will be received.
   virtual std::size_t receive(char* bytes, std::size_t size, bool& ended) = 0;
 };
 
-/// Never null; what cannot be reached ends.
+/// Never null; an unreachable address results in kEnded.
 using Connect = std::function<std::unique_ptr<Transport>(const Address&)>;
 
 }  // namespace hedgehog::unreal
