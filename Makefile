@@ -215,11 +215,17 @@ dev: $(CONFIGURED_DEV)
 test: dev
 	tests/run.sh dev
 
-# The end-to-end tests of dev drive the programs of these builds.
-asan tsan: dev
-	cmake --preset $@
-	@$(STAGE) 'build $@' cmake --build --preset $@
-	tests/run.sh $@
+# Their tests, and the end-to-end tests of dev on their programs.
+.PHONY: asan-tests tsan-tests asan-programs tsan-programs
+asan tsan: %: %-tests %-programs
+asan-tests tsan-tests: %-tests: dev
+	cmake --preset $*
+	@$(STAGE) 'build $*' cmake --build --preset $*
+	tests/run.sh $* tests
+asan-programs tsan-programs: %-programs: dev
+	cmake --preset $*
+	@$(STAGE) 'build $*' cmake --build --preset $*
+	tests/run.sh $* programs
 
 fuzz: $(TEST_DEPS)
 	cmake --preset asan -DHEDGEHOG_FUZZ_SECONDS=$(FUZZ_SECONDS)
@@ -394,26 +400,35 @@ instructions-write: $(CONFIGURED_BENCH) build/.packages-bench
 # What waits most of the time goes on beside what computes; its output comes when it has ended. A stage that fails keeps
 # none of the others from being tried; in CI one that would begin too late is not begun (cmake/in_time.sh).
 each_of = @code=0; for one in $(1); do if cmake/in_time.sh "$$one"; then eval "$(MAKE) $$one" || code=1; fi; done; exit $$code
-.PHONY: waiting computing checked
+.PHONY: waiting computing check-in-ci fuzz-in-ci guards-in-ci firmware-guards-in-ci mutations-in-ci
 waiting:
-	$(call each_of,test-openrpc test-json-rpc rehearsal test-sdk test-web test-usb test-bids test-monitoring test-mqtt test-discovery test-shipped test-install \
-	  'test-deb test-service PACKED=build/bench' test-release)
+	$(call each_of,test-openrpc test-json-rpc test-sdk test-web test-usb 'test-deb test-service PACKED=build/bench' test-install \
+	  test-shipped rehearsal test-bids test-monitoring test-mqtt test-discovery test-release)
 
 # Whose mutants have all been judged once; the other files of tests/mutations/scope.txt still have survivors.
 MUTATED := board_core.cpp heat_budget.h persistence.h thermal_limiter.cpp link.cpp
-computing:
-	$(call each_of,shipped instructions faults-ci asan tsan 'fuzz FUZZ_SECONDS=10' 'guards ARGS=--third' coverage \
-	  'firmware-guards ARGS=--third' "mutations ARGS='--changed $(MUTATED:%=--file %)'")
+check-in-ci:
+	@$(MAKE) --no-print-directory check CHECKS='tidy-product alone-third'
+fuzz-in-ci:
+	@$(MAKE) --no-print-directory fuzz FUZZ_SECONDS=10
+guards-in-ci firmware-guards-in-ci: %-in-ci:
+	@$(MAKE) --no-print-directory $* ARGS=--third
+mutations-in-ci:
+	@$(MAKE) --no-print-directory mutations ARGS='--changed $(MUTATED:%=--file %)'
 
-checked:
-	$(call each_of,shipped 'check CHECKS="tidy-product alone-third"' computing)
+# On a slow machine the last of these have no time: which those are changes from day to day.
+BY_TURNS := check-in-ci fuzz-in-ci asan-programs tsan-programs guards-in-ci firmware-guards-in-ci mutations-in-ci coverage
+TURN := $(shell expr $$(date +%s) / 86400 % $(words $(BY_TURNS)))
+TODAY := $(wordlist $(shell expr $(TURN) + 1),$(words $(BY_TURNS)),$(BY_TURNS)) $(wordlist 1,$(TURN),$(BY_TURNS))
+computing:
+	$(call each_of,shipped instructions faults-ci asan-tests tsan-tests $(TODAY))
 
 # What is quick and fails often comes first.
 test-all: $(TEST_DEPS)
 	$(MAKE) check CHECKS='format shell'
 	$(MAKE) firmware
 	$(MAKE) $(CONFIGURED_BENCH)
-	tests/side_by_side.sh waiting checked
+	tests/side_by_side.sh waiting computing
 
 # All tests again and again on a machine that has no time for them.
 ROUNDS ?= 5

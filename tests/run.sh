@@ -1,13 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# run.sh PRESET: the tests of a build, in passes: those on virtual time, then those with the label `clock`, which run real
-# programs and threads on the real clock. Of these, and of no others, one that fails is run once more. The programs of a
-# sanitizer, and of `bench`, are driven by the end-to-end tests of `dev`, which are all `clock`.
+# run.sh PRESET [tests | programs]: the tests of a build, in passes: those on virtual time, then those with the label
+# `clock`, which run real programs and threads on the real clock. Of these, and of no others, one that fails is run once
+# more. The programs of a sanitizer, and of `bench`, are driven by the end-to-end tests of `dev`, which are all `clock`.
 # JOBS: cores to use. Exit: 0 all passed, else ctest's.
 set -u
 
-[ $# -eq 1 ] || { echo "run.sh PRESET" >&2; exit 64; }
-preset=$1
+case $#,${2-} in
+  1, | 2,tests | 2,programs) ;;
+  *) echo "run.sh PRESET [tests | programs]" >&2; exit 64 ;;
+esac
+preset=$1 what=${2-}
 cd "$(dirname -- "$0")/.." || exit 70
 results=$PWD/build/$preset/results
 mkdir -p "$results"
@@ -66,9 +69,9 @@ tests() {
 }
 programs() { pass programs "$preset-programs" "${clock[@]}"; }
 
-case $preset in
-  bench) programs ;;
-  asan | tsan) tests; programs ;;
+case $what,$preset in
+  programs,* | ,bench) programs ;;
+  ,asan | ,tsan) tests; programs ;;
   *) tests ;;
 esac
 exit "$failed"
