@@ -164,10 +164,16 @@ TEST_F(Study, ABallThatIsUnpluggedVoidsTheTrialAndPausesUntilItIsBack) {
 TEST_F(Study, AWarmBallIsLeftToCoolBeforeATrialWouldBeReduced) {
   home_.configure(R"({"simulator": {"start_temperature_c": 46}})");
   plan("th", "1", quick_path());
-  // 10 A at the start level; the skin of a ball of 46 °C allows less. It cools from here on.
+  // 10 A at the start level; the skin of a ball of 46 °C allows less. In a warm room it does not
+  // cool before the first trial, however late that is.
   start_daemon(10);
   remember_address();
-  ASSERT_EQ(study({"run", "quick", "--participant", "P01", "--simulated"}).exit_code, 0);
+  RawClient hand(daemon_->port());
+  EXPECT_FALSE(hand.call("sim.set", {{"ambient_c", 45}}).contains("code"));
+  const auto running = begin({"run", "quick", "--participant", "P01", "--simulated"});
+  ASSERT_TRUE(eventually([&] { return count(journal("P01.quick.1.jsonl"), "paused") == 1; }));
+  hand.call("sim.set", {{"ambient_c", 20}});
+  ASSERT_EQ(running->wait().exit_code, 0);
   const auto lines = journal("P01.quick.1.jsonl");
   EXPECT_GE(count(lines, "paused"), 1);
   EXPECT_EQ(count(lines, "paused"), count(lines, "continued"));
