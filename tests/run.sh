@@ -20,8 +20,9 @@ failed=0
 # pass NAME TEST-PRESET CTEST-OPTION...
 pass() {
   local name=$1 code
-  cmake/stage.sh "tests $preset $name" ctest --preset "$2" --output-junit "$results/$name.xml" "${@:3}" |
-    tee "$results/$name.log"
+  # The end of what a process prints has the number of its tests.
+  cmake/stage.sh "tests $preset $name" ctest --preset "$2" --test-output-truncation head \
+    --output-junit "$results/$name.xml" "${@:3}" | tee "$results/$name.log"
   code=${PIPESTATUS[0]}
   [ -z "${HEDGEHOG_STAGES-}" ] || record "$name" >>"$HEDGEHOG_STAGES"
   [ "$code" -eq 0 ] || failed=$code
