@@ -51,12 +51,16 @@ TEST_F(Record, ABallAtRestIsAPatternOfItsFrontThatPlays) {
 }
 
 TEST_F(Record, EndsByItselfAfterAMinuteOfTheBallsTime) {
-  const DaemonProcess daemon(home_, {"--speed", "20"});
-  const Ended ended = ctl(daemon, record({}));
-  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  {
+    const DaemonProcess daemon(home_, {"--speed", "20"});
+    const Ended ended = ctl(daemon, record({}));
+    ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  }
   EXPECT_EQ(pattern()["keyframes"].back()["t_ms"], 60'000);
+  // The lease is a second of the ball's time: faster, a busy machine does not renew it in time.
+  const DaemonProcess daemon(home_, {"--speed", "3"});
   const Ended played = ctl(daemon, {"play", file_, "--current-a", "3"});
-  EXPECT_EQ(played.exit_code, 0) << "whole, though one effect lasts 10 s at most: " << played.err;
+  EXPECT_EQ(played.exit_code, 0) << "whole, though one effect lasts 10 s at most: " << played.out;
 }
 
 TEST_F(Record, MoreThanAMinuteIsRefusedWithWhatIsAllowed) {
