@@ -218,14 +218,10 @@ test: dev
 # Their tests, and the end-to-end tests of dev on their programs.
 .PHONY: asan-tests tsan-tests asan-programs tsan-programs
 asan tsan: %: %-tests %-programs
-asan-tests tsan-tests: %-tests: dev
-	cmake --preset $*
-	@$(STAGE) 'build $*' cmake --build --preset $*
-	tests/run.sh $* tests
-asan-programs tsan-programs: %-programs: dev
-	cmake --preset $*
-	@$(STAGE) 'build $*' cmake --build --preset $*
-	tests/run.sh $* programs
+asan-tests tsan-tests asan-programs tsan-programs: dev
+	cmake --preset $(firstword $(subst -, ,$@))
+	@$(STAGE) 'build $(firstword $(subst -, ,$@))' cmake --build --preset $(firstword $(subst -, ,$@))
+	tests/run.sh $(subst -, ,$@)
 
 fuzz: $(TEST_DEPS)
 	cmake --preset asan -DHEDGEHOG_FUZZ_SECONDS=$(FUZZ_SECONDS)

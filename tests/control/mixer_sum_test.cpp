@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What effects make together, in which frame, and how their delivery is told
-// (protocol/README.md: mixing, frames, `effect_ended`).
+// The sum of the effects, its frame, and the report of their delivery (protocol/README.md: mixing,
+// frames, `effect_ended`).
 #include <gtest/gtest.h>
 
 #include "daemon/control/effects/mixer.h"

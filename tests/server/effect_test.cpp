@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who may play what, and what they are told, as protocol/README.md has it.
+// Which roles may play what, and the errors of refused requests (protocol/README.md).
 #include <gtest/gtest.h>
 
 #include "daemon/server/effects/effect_spec.h"

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What `make run`, `make demo` and `make race` would do: somebody who tries the ball waits for it.
+// The commands of `make run`, `make demo` and `make race`, for which a new user waits, and the
+// deadline of CI's stages.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 
 #include "tests/folders.h"
@@ -60,6 +63,20 @@ TEST(Pages, AreMadeAgainWhenWhatMakesThemChanges) {
                                "clients/dashboard/package-lock.json", "icon.svg"})
       EXPECT_THAT(prerequisites, HasSubstr(script)) << page;
   }
+}
+
+int in_time(const std::string& deadline) {
+  const std::string command = "HEDGEHOG_STAGES= HEDGEHOG_DEADLINE=" + deadline + " " +
+                              hedgehog::source_folder() + "/cmake/in_time.sh test-web 2>/dev/null";
+  return WEXITSTATUS(std::system(command.c_str()));
+}
+
+TEST(Stages, BeginUntilTheDeadlineAndNotAfterIt) {
+  constexpr const char* kLongAgo = "1";
+  constexpr const char* kFarAway = "99999999999";
+  EXPECT_EQ(in_time(""), 0) << "outside of CI there is none";
+  EXPECT_EQ(in_time(kFarAway), 0);
+  EXPECT_EQ(in_time(kLongAgo), 1);
 }
 
 }  // namespace
