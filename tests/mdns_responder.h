@@ -3,7 +3,11 @@
 #pragma once
 
 #include <array>
-#include <boost/asio.hpp>
+#include <atomic>
+#include <boost/asio/buffer.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/multicast.hpp>
+#include <boost/asio/ip/udp.hpp>
 #include <cstdint>
 #include <string>
 #include <thread>
@@ -33,8 +37,10 @@ inline std::string mdns_announcement(const std::string& address, std::uint16_t p
 /// Answers each query, at a port of its own, with one response, from a thread of its own.
 class MdnsResponder {
  public:
-  /// `response`: with any id; empty: there is no answer.
-  explicit MdnsResponder(std::string response) : response_(std::move(response)) {
+  /// `response`: with any id; empty: there is no answer. Of a held responder the answers come after
+  /// `release()`.
+  explicit MdnsResponder(std::string response, bool held = false)
+      : response_(std::move(response)), is_released_(!held) {
     namespace ip = boost::asio::ip;
     socket_.set_option(
         ip::multicast::join_group(ip::make_address_v4("224.0.0.251"), ip::address_v4::loopback()));
@@ -43,11 +49,17 @@ class MdnsResponder {
   MdnsResponder(const MdnsResponder&) = delete;
   MdnsResponder& operator=(const MdnsResponder&) = delete;
   ~MdnsResponder() {
+    release();
     Udp::socket own(io_, Udp::v4());
     own.send_to(boost::asio::const_buffer(), {boost::asio::ip::address_v4::loopback(), port()});
     thread_.join();
   }
 
+  /// From any thread.
+  void release() {
+    is_released_ = true;
+    is_released_.notify_all();
+  }
   std::uint16_t port() const { return socket_.local_endpoint().port(); }
 
  private:
@@ -60,12 +72,14 @@ class MdnsResponder {
       Udp::endpoint asked_by;
       if (socket_.receive_from(boost::asio::buffer(query), asked_by) == 0) return;
       if (response_.empty()) continue;
+      is_released_.wait(false);
       response_.replace(0, 2, query.data(), 2);
       socket_.send_to(boost::asio::buffer(response_), asked_by);
     }
   }
 
   std::string response_;
+  std::atomic<bool> is_released_;
   boost::asio::io_context io_;
   Udp::socket socket_{io_, {Udp::v4(), 0}};
   std::thread thread_;

@@ -170,11 +170,12 @@ TEST_F(BallSearchOnLoopback, FindsNoBallThatDoesNotAnswer) {
 
 TEST_F(BallSearchOnLoopback, GivesABallItsAddress) {
   // Nobody listens there, which shows where it went.
-  const MdnsResponder responder(mdns_announcement("127.0.0.1", 9));
+  MdnsResponder responder(mdns_announcement("127.0.0.1", 9), true);
   ask(responder);
   hedgehog::Ball ball({mdns_address("ball-7")});
   ball.update();
   EXPECT_EQ(ball.problem(), "") << "a frame does not wait for the search";
+  responder.release();
   const auto opened = ball.open();
   ASSERT_FALSE(opened.has_value());
   EXPECT_EQ(opened.error().message,
