@@ -144,6 +144,39 @@ TEST_F(Tokens, OnceThereIsOneTcpWithoutAnyMayOnlyObserve) {
   EXPECT_EQ(rig_.call(client, "hello")["role"], "operate") << "on the simulator nobody is hurt";
 }
 
+// A WebSocket's handshake takes a round trip between its token and its session.
+TEST_F(Tokens, AReloadDuringAHandshakeIsAppliedWhenTheConnectionOpens) {
+  const auto admitted = [&](FakeClient& client, const char* secret) {
+    client.session.transport = "websocket";
+    client.session.sink = &client;
+    rig_.server->tokens().admit(client.session);
+    if (secret) EXPECT_FALSE(rig_.server->log_in(client.session, secret));
+  };
+  set({});
+  FakeClient without;
+  admitted(without, nullptr);
+  ASSERT_EQ(without.session.role, protocol::Role::kPlay);
+  const access::Token owner{"owner", protocol::Role::kOperate, access::digest_of("owner-secret"),
+                            ""};
+  set({{"arcade", protocol::Role::kPlay, access::digest_of("play-secret"), ""}, owner});
+  FakeClient revoked;
+  FakeClient kept;
+  admitted(revoked, "play-secret");
+  admitted(kept, "owner-secret");
+  set({owner});
+  for (FakeClient* client : {&without, &revoked, &kept}) rig_.server->open(client->session);
+  EXPECT_EQ(without.session.role, protocol::Role::kObserve);
+  EXPECT_FALSE(without.finished);
+  EXPECT_TRUE(revoked.finished);
+  rig_.server->line(
+      revoked.session,
+      R"({"jsonrpc":"2.0","id":1,"method":"effect.pulse","params":{"direction":"left"}})");
+  rig_.run(100);
+  EXPECT_LT(rig_.plant_current_a(), 0.1);
+  EXPECT_FALSE(kept.finished);
+  EXPECT_EQ(kept.session.role, protocol::Role::kOperate);
+}
+
 TEST_F(Tokens, LockedConnectionsTakeNoPlaceAndGetOneByTheirToken) {
   settings_.connections.max = 2;
   rig_.server->set_access(settings_);

@@ -25,11 +25,6 @@ bool wants(const EventSubscription& subscription, std::string_view type) {
              subscription.types.end();
 }
 
-/// nullopt: none.
-std::optional<protocol::Role> role_now(const Session& session) {
-  return session.locked ? std::nullopt : std::optional(session.role);
-}
-
 }  // namespace
 
 Server::Server(DeviceView& device_view, StateStore& memory, PatternLibrary& patterns,
@@ -50,30 +45,27 @@ void Server::set_access(const config::Config& config) {
   context_.tokens.set_simulated(config.backend == config::Backend::kSimulator);
   context_.max_connections = config.connections.max;
   std::vector<Session*> revoked;
-  for (const auto& [id, session] : context_.sessions) {
-    if (!context_.tokens.is_valid(*session)) revoked.push_back(session);
-    if (session->token || (session->locked && session->transport != "unix")) continue;
-    const auto role = context_.tokens.role_without_token(*session);
-    if (session->transport != "unix")
-      session->role = *role;
-    else if (role != role_now(*session))
-      revoked.push_back(session);
-  }
-  for (Session* session : revoked) {
-    spdlog::warn("connection {} ends: {}", session->id,
-                 session->token ? "its token " + session->token->name + " is revoked"
-                                : "the role of " + origin_text(*session) + " has changed");
-    Sink* sink = session->sink;
-    session->locked = session->ended = true;
-    close(*session);
-    sink->finish();
-  }
+  for (const auto& [id, session] : context_.sessions)
+    if (!context_.tokens.renew(*session)) revoked.push_back(session);
+  for (Session* session : revoked) revoke(*session);
+}
+
+void Server::revoke(Session& session) {
+  spdlog::warn("connection {} ends: {}", session.id,
+               session.token ? "its token " + session.token->name + " is revoked"
+                             : "the role of " + origin_text(session) + " has changed");
+  Sink* sink = session.sink;
+  session.locked = session.ended = true;
+  close(session);
+  sink->finish();
 }
 
 void Server::open(Session& session) {
   session.id = ++last_id_;
   session.since = device_view_.now().tick;
   context_.sessions.emplace(session.id, &session);
+  // A reload during its handshake has not found it among the sessions.
+  if (!context_.tokens.is_current(session) && !context_.tokens.renew(session)) revoke(session);
 }
 
 void Server::close(Session& session) {

@@ -52,7 +52,8 @@ class Server {
   }
   const TokenCheck& tokens() const noexcept { return context_.tokens; }
 
-  /// A client has connected. `session` and its sink must stay valid until `close`.
+  /// A client has connected. `session` and its sink must stay valid until `close`. Closes it at
+  /// once if its access was revoked since it was admitted.
   void open(Session& session);
   /// The client has closed: its effects end at the next tick, except those that finish on close.
   /// Its sink gets `finish` once the pending responses have been sent, possibly at once; with held
@@ -100,6 +101,7 @@ class Server {
   DeviceView& device_view() noexcept { return device_view_; }
 
  private:
+  void revoke(Session& session);
   void release();
   void take_effect_times();
   void take_events();

@@ -58,6 +58,8 @@ struct Session {
   protocol::Role role = protocol::Role::kPlay;
   /// The token it has sent; nullopt: the role is that of its transport, or of its user.
   std::optional<access::Token> token;
+  /// Of the tokens and roles by which it got its role; 0: it was not admitted by a `TokenCheck`.
+  std::uint64_t access_version = 0;
   /// Only `hello` with a token is executed: it needs one, its own was revoked, or its user has no
   /// role.
   bool locked = false;

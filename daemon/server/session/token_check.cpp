@@ -28,6 +28,7 @@ void TokenCheck::admit(Session& session) const noexcept {
   const auto role = role_without_token(session);
   session.role = role.value_or(protocol::Role::kObserve);
   session.locked = !role;
+  session.access_version = version_;
 }
 
 std::optional<protocol::RpcError> TokenCheck::log_in(Session& session, std::string_view secret,
@@ -53,11 +54,22 @@ std::optional<protocol::RpcError> TokenCheck::log_in(Session& session, std::stri
   session.role = token->role;
   session.token = *token;
   session.locked = false;
+  session.access_version = version_;
   return std::nullopt;
 }
 
+bool TokenCheck::renew(Session& session) const noexcept {
+  session.access_version = version_;
+  const bool on_unix_socket = session.transport == "unix";
+  if (session.token) return is_valid(session);
+  if (session.locked && !on_unix_socket) return true;
+  const auto role = role_without_token(session);
+  if (on_unix_socket) return role == (session.locked ? std::nullopt : std::optional(session.role));
+  session.role = *role;
+  return true;
+}
+
 bool TokenCheck::is_valid(const Session& session) const noexcept {
-  if (!session.token) return true;
   const access::Token* token = find(session.token->digest);
   return token != nullptr && token->role == session.token->role;
 }

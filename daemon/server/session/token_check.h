@@ -20,13 +20,20 @@ namespace hedgehog::server {
 /// io thread only.
 class TokenCheck {
  public:
-  void set_tokens(access::Tokens tokens) { tokens_ = std::move(tokens); }
+  void set_tokens(access::Tokens tokens) {
+    tokens_ = std::move(tokens);
+    ++version_;
+  }
   /// `own_user`: the daemon's.
   void set_unix_roles(access::UnixRoles roles, std::uint32_t own_user) {
     unix_roles_ = std::move(roles);
     own_user_ = own_user;
+    ++version_;
   }
-  void set_simulated(bool simulated) noexcept { simulated_ = simulated; }
+  void set_simulated(bool simulated) noexcept {
+    simulated_ = simulated;
+    ++version_;
+  }
 
   /// Role of a client without a token. On the Unix socket that of its user, also on the simulator;
   /// nullopt: none. Elsewhere every client may do everything on the simulator, which cannot hurt a
@@ -40,10 +47,17 @@ class TokenCheck {
   /// the back-off of its address. The error does not contain `secret`.
   std::optional<protocol::RpcError> log_in(Session& session, std::string_view secret,
                                            model::Tick now);
-  /// True if the token of `session` is still valid for the same role.
-  bool is_valid(const Session& session) const noexcept;
+  /// True if tokens and roles are those by which `session` got its role, or it was never admitted.
+  bool is_current(const Session& session) const noexcept {
+    return session.access_version == 0 || session.access_version == version_;
+  }
+  /// Gives a `session` without a token the present role of its transport. False: the connection has
+  /// to end, because its token is no longer valid for the same role, or its user has another role.
+  bool renew(Session& session) const noexcept;
 
  private:
+  /// True if the token of `session` is still valid for the same role. REQUIRES: it has one.
+  bool is_valid(const Session& session) const noexcept;
   /// The token with that digest; always compares all of them.
   const access::Token* find(const access::Digest& digest) const noexcept;
 
@@ -51,6 +65,8 @@ class TokenCheck {
   access::UnixRoles unix_roles_;
   std::uint32_t own_user_ = 0;
   bool simulated_ = false;
+  /// Counts the changes of the above.
+  std::uint64_t version_ = 1;
   FailedTokens failed_;
 };
 
