@@ -50,6 +50,13 @@ Result<std::string> text_of(const fs::path& path) {
   return std::string{std::istreambuf_iterator<char>(file), {}};
 }
 
+/// Until the file is closed or the process ends.
+Result<void> lock(int file, const fs::path& path) {
+  if (::flock(file, LOCK_EX | LOCK_NB) == 0) return {};
+  return cannot(EX_TEMPFAIL, path,
+                errno == EWOULDBLOCK ? "another hedgehog-study is writing it" : reason_of(errno));
+}
+
 }  // namespace
 
 std::string utc_now() { return base::rfc3339(base::unix_ms_now()); }
@@ -90,11 +97,12 @@ Result<RecordedRun> read_run(const fs::path& path) {
 Result<Journal> Journal::create(const fs::path& path, const RunStarted& header) {
   const int file = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
   if (file < 0) return cannot(EX_CANTCREAT, path, reason_of(errno));
-  ::flock(file, LOCK_EX | LOCK_NB);
   const Line first{1, utc_now(), header};
-  if (auto written = write_line(file, path, encode(first) + "\n"); !written) {
+  auto begun = lock(file, path);
+  if (begun) begun = write_line(file, path, encode(first) + "\n");
+  if (!begun) {
     ::close(file);
-    return written.error();
+    return begun.error();
   }
   base::sync_folder(path.parent_path().string());
   auto run = RecordedRun::replay({first});
@@ -108,9 +116,9 @@ Result<Journal> Journal::create(const fs::path& path, const RunStarted& header) 
 Result<Journal> Journal::open(const fs::path& path) {
   const int file = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
   if (file < 0) return cannot(EX_NOINPUT, path, reason_of(errno));
-  if (::flock(file, LOCK_EX | LOCK_NB) != 0) {
+  if (auto locked = lock(file, path); !locked) {
     ::close(file);
-    return cannot(EX_TEMPFAIL, path, "another hedgehog-study is writing it");
+    return locked.error();
   }
   auto run = read_run(path);
   const auto text = text_of(path);
