@@ -134,9 +134,23 @@ class Player {
   Client client_;
 };
 
+/// Numbers beyond the range of a double are no value of the protocol.
+bool reads_numbers() {
+  const auto number = [](const char* text) {
+    const auto read = Json::parse(text);
+    return read ? read->number() : -1.0;
+  };
+  return number("1e999") == -1.0 && number("0e999") == 0.0 && number("2.5e-1") == 0.25 &&
+         number("15e1") == 150.0;
+}
+
 }  // namespace
 
 int main() {
+  if (!reads_numbers()) {
+    std::puts("numbers are read wrongly");
+    return 1;
+  }
   const char* const text = std::getenv("HEDGEHOG_CASE");
   const char* const patience = std::getenv("HEDGEHOG_PATIENCE_S");
   const auto one = Json::parse(text != nullptr ? text : "");

@@ -171,7 +171,11 @@ class Parser {
       exponent += down ? -power : power;
     }
     // Dividing by an exact power rounds only once, as required for decimal numbers.
-    value = exponent < 0 ? value / std::pow(10.0, -exponent) : value * std::pow(10.0, exponent);
+    if (exponent < 0)
+      value /= std::pow(10.0, -exponent);
+    else if (value > 0.0)
+      value *= std::pow(10.0, exponent);
+    if (!std::isfinite(value)) return std::nullopt;
     return Json(negative ? -value : value);
   }
 
