@@ -10,11 +10,13 @@ namespace {
 std::string key_of(const LimitField& field) { return "limits." + std::string(field.name); }
 std::string text_of(double number) { return describe(Value::of(number)); }
 
-const LimitField& field_of(double model::Limits::*member) {
-  return *std::find_if(
-      kLimitFields.begin(), kLimitFields.end(),
-      [=](const LimitField& f) { return f.member == member; });
+constexpr std::size_t index_of(double model::Limits::*member) {
+  std::size_t i = 0;
+  while (kLimitFields.at(i).member != member) ++i;
+  return i;
 }
+
+const LimitField& field_of(double model::Limits::*member) { return kLimitFields[index_of(member)]; }
 
 }  // namespace
 
@@ -35,8 +37,8 @@ model::Limits tightened(const model::Limits& ceiling, const LimitOverrides& over
     limits.*field.member = *overrides[i];
   }
   // A lower current_a also lowers the default of continuous_a and felt_a.
-  if (!overrides[1]) limits.continuous_a = std::min(limits.continuous_a, limits.current_a);
-  if (!overrides[2]) limits.felt_a = std::min(limits.felt_a, limits.current_a);
+  for (double model::Limits::*lower : {&model::Limits::continuous_a, &model::Limits::felt_a})
+    if (!overrides[index_of(lower)]) limits.*lower = std::min(limits.*lower, limits.current_a);
   return limits;
 }
 
