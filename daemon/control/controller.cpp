@@ -150,8 +150,8 @@ void Controller::apply_command(const Command& command, EventList& events) noexce
 
 Reason Controller::arming_blocker() const noexcept {
   if (states_.boot_loader_pending()) return Reason::kBootLoader;
-  const Reason arming_blocker = watchdog_.arming_blocker();
-  if (arming_blocker != Reason::kNone) return arming_blocker;
+  const Reason implausible = watchdog_.arming_blocker();
+  if (implausible != Reason::kNone) return implausible;
   // A board's heat latch may be older than this daemon.
   constexpr std::uint16_t kByHeat = device::kFaultOverHeat | device::kFaultHeatBudget;
   const auto board_heat = static_cast<std::uint16_t>(board_.faults & kByHeat);
