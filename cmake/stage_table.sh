@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # stage_table.sh STAGES JSON: what stage.sh, tests/run.sh, tests/vm/test.sh and .ci/run wrote, as a table on stdout and as
-# JSON in a file. The last line counts the tests that ctest ran.
+# JSON in a file. The last line counts the tests that ctest and the emulated
+# machine ran.
 set -eu
 
 [ $# -eq 2 ] || { echo "stage_table.sh STAGES JSON" >&2; exit 64; }
@@ -17,11 +18,13 @@ awk -F '\t' '
   $1 == "whole" { whole = $2 }
   $1 == "repeated" { repeated = repeated "  " $2 "\n" }
   $1 == "late" { late = late "  " $2 "\n" }
+  $1 == "failure" { failures = failures "  " $2 "\n" }
   $1 == "tests" { run += $2; failed += $3; skipped += $4 }
   END {
     printf "%-34s %8s          some side by side\n", "all stages", clock(wall)
     if (whole) printf "%-34s %8s %8.1f\n", "the whole run", clock(whole), cpu / whole
     printf "\nclock tests that were repeated:%s\n", (repeated == "" ? " none" : "\n" repeated)
+    if (failures != "") printf "\nfailed twice:\n%s", failures
     if (late != "") printf "\nnot begun for want of time:\n%s", late
     printf "\n%d passed, %d failed, %d skipped\n", run - failed - skipped, failed, skipped
   }' "$1"

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 # All tests, in two guests one after the other: programs that read hundreds of megabytes of the host get one whose memory no
 # other test has filled. They run real programs on a real clock, as what has the label `clock` does (tests/run.sh): those
-# that fail are run once more, in a guest of their own, and named in the table of stages.
+# that fail are run once more, in a guest of their own, and named in the table of stages, with what they print if they fail
+# again.
 #   test.sh -t SECONDS PROGRAM
 # Exit: 0 all passed, at once or the second time; 64 usage; else a guest's.
 set -u
@@ -15,10 +16,11 @@ log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 
 # guest FILTER: its exit code; those that failed are added to `failed`.
-failed=()
+failed=() ran=0
 guest() {
   "$run" -t "$limit" "$program" --gtest_color=no --gtest_filter="$1" | tee "$log"
   local result=${PIPESTATUS[0]} before=${#failed[@]} one
+  ran=$((ran + $(sed -nE 's/^\[==========\] ([0-9]+) tests? from .* ran\..*/\1/p' "$log" | head -1) + 0))
   [ "$result" -ne 0 ] || return 0
   # A guest that ended early has not run them all.
   grep -q '^\[==========\] .* ran\.' "$log" || exit "$result"
@@ -27,10 +29,23 @@ guest() {
   [ "${#failed[@]}" -gt "$before" ] || exit "$result"
 }
 
+# tests FAILED: how many ran in all, for the table.
+record() { [ -z "${HEDGEHOG_STAGES-}" ] || printf 'tests\t%d\t%d\t0\n' "$ran" "$1" >>"$HEDGEHOG_STAGES"; }
+
 guest "-$large"
 guest "$large"
-[ "${#failed[@]}" -gt 0 ] || exit 0
+if [ "${#failed[@]}" -eq 0 ]; then
+  record 0
+  exit 0
+fi
 [ -z "${HEDGEHOG_STAGES-}" ] || printf 'repeated\tusb %s\n' "${failed[@]}" >>"$HEDGEHOG_STAGES"
 echo "run once more: ${failed[*]}"
 filter=$(IFS=:; echo "${failed[*]}")
-"$run" -t "$limit" "$program" --gtest_color=no --gtest_filter="$filter"
+"$run" -t "$limit" "$program" --gtest_color=no --gtest_filter="$filter" | tee "$log"
+result=${PIPESTATUS[0]}
+record "$(grep -c '^\[  FAILED  \] .*ms)' "$log")"
+[ -z "${HEDGEHOG_STAGES-}" ] || awk '
+  /^\[ RUN / { text = "" }
+  { text = text "failure\t" $0 "\n" }
+  /^\[  FAILED  \] .*ms\)/ { printf "%s", text; text = "" }' "$log" >>"$HEDGEHOG_STAGES"
+exit "$result"
