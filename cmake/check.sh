@@ -39,18 +39,11 @@ files() {
 
 # In batches, which is three times as fast. Headers are judged with whoever includes them. A linter prints its findings
 # on stdout, all at once, only when it has any; its counts go to stderr.
-# Half of the time of a batch with CLI11 is one check, which looks at the bodies of that header: tidy-product spares it
-# the programs that read command lines.
 check_tidy() { # [WITHOUT]
   configure tidy
   # shellcheck disable=SC2016
-  files tidy "${1-}" | spared=${1-} xargs -n 1 -P "$jobs" sh -c \
-    'case $spared$1 in
-       */build/tidy/clients/lib/*) ;;
-       /tests/*/build/tidy/c* | /tests/*/build/tidy/emulator/* | /tests/*/build/tidy/daemon/CMakeFiles/*)
-         set -- "$1" --checks=-performance-unnecessary-value-param ;;
-     esac
-     found=$(clang-tidy -p build/tidy --quiet "$@" 2>/dev/null) || { printf "%s\n" "$found"; exit 1; }' tidy || failed=1
+  files tidy "${1-}" | xargs -n 1 -P "$jobs" sh -c \
+    'found=$(clang-tidy -p build/tidy --quiet "$1" 2>/dev/null) || { printf "%s\n" "$found"; exit 1; }' tidy || failed=1
 }
 
 # Each file by itself, without batches and precompiled headers, by the compiler of what ships: a missing include is found.

@@ -3,11 +3,9 @@
 
 #include <sysexits.h>
 
-#include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "cli/complaint.h"
-#include "cli/reference.h"
+#include "cli/program.h"
 
 namespace hedgehog::daemon {
 namespace {
@@ -24,42 +22,35 @@ constexpr int kFastest = 100;
 std::variant<Options, int> parse_options(int argc, const char* const* argv) {
   Options options;
   config::Overrides& overrides = options.overrides;
-  CLI::App app(kAbout, "hedgehogd");
+  cli::Program app(kAbout, "hedgehogd");
   app.add_option("--config", options.config_file, "read this configuration file")
-      ->type_name("F")
-      ->envname("HEDGEHOG_CONFIG");
+      .type_name("F")
+      .environment("HEDGEHOG_CONFIG");
   app.add_flag("--check-config", options.check_config,
                "check the configuration and exit: 0, or 78 and what is wrong");
   app.add_flag("--print-config", options.print_config, "print every key and its value in effect");
   app.add_option("--replay", options.replay,
                  "replay a recording (a file, or trip-0001); prints JSON lines")
-      ->type_name("F");
+      .type_name("F");
   app.add_flag("--simulate", overrides.simulate, "a simulated ball, overriding the configuration");
   app.add_option("--speed", options.speed,
                  "with --simulate: in lock-step, N times real time, 1 to 100")
-      ->type_name("N")
-      ->check(CLI::Range(1, kFastest));
+      .type_name("N")
+      .range(1, kFastest);
   app.add_option("--listen", overrides.listen,
                  "instead of 127.0.0.1:7586 and [::1]:7586; tls://A:P, and whatever other machines "
                  "can reach: with TLS and tokens; port 0 takes a free one and prints it")
-      ->type_name("A:P")
-      ->take_all()
-      ->expected(1);
+      .type_name("A:P")
+      .repeatable();
   app.add_option("--log-level", overrides.log_level, "debug, info, warning or error")
-      ->type_name("LEVEL")
-      ->envname("HEDGEHOG_LOG_LEVEL");
-  app.set_version_flag("--version", kVersion);
+      .type_name("LEVEL")
+      .environment("HEDGEHOG_LOG_LEVEL");
+  app.set_version(kVersion);
   constexpr int kAdministratorSection = 8;
-  if (const auto code = cli::write_reference(app, {argv + 1, argv + argc}, kAdministratorSection))
-    return *code;
-  try {
-    app.parse(argc, argv);
-    if (options.speed && !overrides.simulate)
-      throw CLI::ValidationError("--speed", "only with --simulate: a real ball keeps real time");
-  } catch (const CLI::Success& e) {
-    return app.exit(e);
-  } catch (const CLI::ParseError& e) {
-    std::cerr << cli::usage_error(app, cli::complaint(app, e)) << "\n";
+  if (const auto code = app.parse_and_print(argc, argv, kAdministratorSection)) return *code;
+  if (options.speed && !overrides.simulate) {
+    std::cerr << app.usage_error("--speed: only with --simulate: a real ball keeps real time")
+              << "\n";
     return EX_USAGE;
   }
   return options;

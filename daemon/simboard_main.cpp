@@ -4,7 +4,6 @@
 
 #include <sysexits.h>
 
-#include <CLI/CLI.hpp>
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
@@ -14,8 +13,7 @@
 #include <utility>
 #include <variant>
 
-#include "cli/complaint.h"
-#include "cli/reference.h"
+#include "cli/program.h"
 #include "daemon/device/simulator/plant_text.h"
 #include "daemon/device/simulator/simulated_board_runner.h"
 #include "daemon/device/socket_transport.h"
@@ -45,54 +43,47 @@ std::variant<Arguments, int> parse_arguments(int argc, const char* const* argv) 
   Arguments arguments;
   std::string front_end = "in_line";
   std::string plant;
-  CLI::App app("hedgehog-simboard: the simulated driver board as a process. hedgehogd starts it.",
-               "hedgehog-simboard");
-  app.set_version_flag("--version", "hedgehog-simboard " HEDGEHOG_VERSION);
+  hedgehog::cli::Program app(
+      "hedgehog-simboard: the simulated driver board as a process. hedgehogd starts it.",
+      "hedgehog-simboard");
+  app.set_version("hedgehog-simboard " HEDGEHOG_VERSION);
   app.add_option("--fd", arguments.fd, "the inherited SOCK_SEQPACKET socket to the host")
-      ->type_name("N")
-      ->check(CLI::NonNegativeNumber.description(""))
-      ->required();
+      .type_name("N")
+      .non_negative()
+      .required();
   app.add_option("--start-temperature", arguments.start_c,
                  "of the ball, degrees Celsius; default: the ambient temperature")
-      ->type_name("C");
+      .type_name("C");
   app.add_option("--ambient", arguments.ambient_c,
                  "temperature of the surroundings, degrees Celsius")
-      ->type_name("C")
-      ->capture_default_str();
-  app.add_option("--seed", arguments.seed, "of all noise")->type_name("N")->capture_default_str();
+      .type_name("C")
+      .show_default();
+  app.add_option("--seed", arguments.seed, "of all noise").type_name("N").show_default();
   app.add_option("--plant", plant,
                  "the ball, as numbers separated by commas; default: the built-in one")
-      ->type_name("P");
+      .type_name("P");
   app.add_option("--front-end", front_end, "the electronics that measure the currents")
-      ->check(CLI::IsMember({"in_line", "driver_cs", "ideal"}))
-      ->capture_default_str();
+      .one_of({"in_line", "driver_cs", "ideal"})
+      .show_default();
   app.add_option("--thermistors", arguments.front_end.thermistors,
                  "1 or 3; 0: three with in_line, one with the others")
-      ->check(CLI::IsMember({0, 1, 3}))
-      ->capture_default_str();
+      .one_of({0, 1, 3})
+      .show_default();
   app.add_option("--parts", arguments.front_end.seed,
                  "seed of the electronics' parts within their tolerances; 0: typical ones")
-      ->type_name("N")
-      ->capture_default_str();
+      .type_name("N")
+      .show_default();
   app.add_flag("--in-step", arguments.in_step,
                "a millisecond for each set-point, for a host that waits for it");
   app.add_option("--trace", arguments.trace,
                  "append a JSON line to this file at each change of mode and at the end")
-      ->type_name("F");
-  if (const auto code =
-          hedgehog::cli::write_reference(app, {argv + 1, argv + argc}, kDaemonSection))
-    return *code;
-  try {
-    app.parse(argc, argv);
-    arguments.front_end.kind = *hedgehog::device::front_end_kind(front_end);
-    if (!plant.empty()) arguments.plant = hedgehog::device::plant_from(plant);
-    if (!plant.empty() && !arguments.plant)
-      throw CLI::ValidationError("--plant", "'" + plant + "' is no list of a ball's numbers");
-  } catch (const CLI::Success& done) {
-    return app.exit(done);
-  } catch (const CLI::ParseError& error) {
-    std::fprintf(stderr, "%s\n",
-                 hedgehog::cli::usage_error(app, hedgehog::cli::complaint(app, error)).c_str());
+      .type_name("F");
+  if (const auto code = app.parse_and_print(argc, argv, kDaemonSection)) return *code;
+  arguments.front_end.kind = *hedgehog::device::front_end_kind(front_end);
+  if (!plant.empty()) arguments.plant = hedgehog::device::plant_from(plant);
+  if (!plant.empty() && !arguments.plant) {
+    const std::string what = "--plant: '" + plant + "' is no list of a ball's numbers";
+    std::fprintf(stderr, "%s\n", app.usage_error(what).c_str());
     return EX_USAGE;
   }
   return arguments;

@@ -2,12 +2,12 @@
 // hedgehog-usbip: the simulated board and sensors as USB devices.
 #include <sysexits.h>
 
-#include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
 #include <exception>
 #include <iostream>
 
+#include "cli/program.h"
 #include "emulator/device_text.h"
 #include "emulator/server.h"
 
@@ -29,7 +29,7 @@ void catch_signals() {
 struct Options {
   std::vector<std::string> devices;
   bool vhci = false;
-  std::string listen;
+  std::string listen = "127.0.0.1:3240";
   std::string control;
 };
 
@@ -73,32 +73,25 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
   Options options;
-  CLI::App app(
+  cli::Program app(
       "hedgehog-usbip serves a simulated driver board and orientation sensors as USB devices,\n"
       "over USB/IP or straight into this machine's vhci-hcd. Commands come on stdin, a line each.",
       "hedgehog-usbip");
   app.add_option("device", options.devices,
                  "KIND[,name=N][,serial=S][,start=C][,ambient=C][,trace=F][,unplugged]; kinds:\n" +
                      emulator::device_kinds())
-      ->required()
-      ->type_name("DEVICE");
-  auto* vhci = app.add_flag("--vhci", options.vhci,
-                            "plug them into this machine (root, module vhci-hcd), no network");
+      .required()
+      .type_name("DEVICE");
+  const auto vhci = app.add_flag("--vhci", options.vhci,
+                                 "plug them into this machine (root, module vhci-hcd), no network");
   app.add_option("--listen", options.listen, "where hosts import them; port 0 takes a free one")
-      ->type_name("A:P")
-      ->default_val("127.0.0.1:3240")
-      ->excludes(vhci);
+      .type_name("A:P")
+      .show_default()
+      .excludes(vhci);
   app.add_option("--control", options.control, "commands from this Unix socket as well")
-      ->type_name("F");
-  app.set_version_flag("--version", "hedgehog-usbip " HEDGEHOG_VERSION);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& e) {
-    return app.exit(e);
-  } catch (const CLI::ParseError& e) {
-    app.exit(e, std::cerr, std::cerr);
-    return EX_USAGE;
-  }
+      .type_name("F");
+  app.set_version("hedgehog-usbip " HEDGEHOG_VERSION);
+  if (const auto code = app.parse_and_print(argc, argv)) return *code;
   catch_signals();
   try {
     return run(options);

@@ -2,14 +2,11 @@
 // The command line of `board flash`.
 #pragma once
 
+#include "cli/program.h"
 #include "clients/ctl/board/flash_verb.h"
-
-namespace CLI {  // NOLINT(readability-identifier-naming): CLI11 calls it so
-class App;
-}
 
 namespace hedgehog::client {
 
-void add_flash_arguments(CLI::App& command, FlashOptions& options);
+void add_flash_arguments(const cli::CommandSpec& command, FlashOptions& options);
 
 }  // namespace hedgehog::client

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "clients/ctl/forecast_arguments.h"
+#include "cli/program.h"
 
 #include <string>
 
@@ -7,10 +8,9 @@ namespace hedgehog::client {
 namespace {
 
 /// CLI11 alone would only report a failed conversion.
-CLI::Validator current() {
+cli::Validator current() {
   return {[](const std::string& text) {
-            double current_a = 0.0;
-            return CLI::detail::lexical_cast(text, current_a)
+            return cli::number_of(text)
                        ? std::string()
                        : "'" + text +
                              "' is no current in ampere; a direction comes after it: "
@@ -21,10 +21,8 @@ CLI::Validator current() {
 
 }  // namespace
 
-void add_forecast_arguments(CLI::App& forecast, ForecastOptions& options) {
-  forecast.add_option("current_a", options.current_a, "ampere")
-      ->check(current())
-      ->capture_default_str();
+void add_forecast_arguments(const cli::CommandSpec& forecast, ForecastOptions& options) {
+  forecast.add_option("current_a", options.current_a, "ampere").check(current()).show_default();
   forecast.add_option("direction", options.direction, "left, 34, 90,20 or 0,1,0.5");
 }
 

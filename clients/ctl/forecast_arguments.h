@@ -2,13 +2,12 @@
 // The arguments of `forecast`.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
+#include "cli/program.h"
 #include "clients/ctl/verbs/look_verbs.h"
 
 namespace hedgehog::client {
 
 /// `options` must outlive `forecast`.
-void add_forecast_arguments(CLI::App& forecast, ForecastOptions& options);
+void add_forecast_arguments(const cli::CommandSpec& forecast, ForecastOptions& options);
 
 }  // namespace hedgehog::client

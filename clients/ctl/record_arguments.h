@@ -2,15 +2,12 @@
 // The options of `hedgehogctl record`.
 #pragma once
 
+#include "cli/program.h"
 #include "clients/ctl/verbs/record_verb.h"
-
-namespace CLI {  // NOLINT(readability-identifier-naming): CLI11 calls it so
-class App;
-}
 
 namespace hedgehog::client {
 
 /// Values are stored in `options`, which must outlive `command`.
-void add_record_arguments(CLI::App& command, RecordOptions& options);
+void add_record_arguments(const cli::CommandSpec& command, RecordOptions& options);
 
 }  // namespace hedgehog::client

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "clients/design/command_line.h"
 
-#include <CLI/CLI.hpp>
-#include <algorithm>
 #include <functional>
 
-#include "cli/complaint.h"
-#include "cli/reference.h"
+#include "cli/program.h"
 #include "clients/design/verbs/verbs.h"
 
 namespace hedgehog::design {
@@ -23,24 +20,21 @@ constexpr const char* kFooter =
 class CommandLine {
  public:
   CommandLine(std::ostream& out, std::ostream& err) : out_(out), err_(err) {
-    app_.require_subcommand(1);
-    app_.set_version_flag("--version", std::string("hedgehog-design " HEDGEHOG_VERSION));
-    app_.footer(kFooter);
+    app_.require_commands(1, 1);
+    app_.set_version(std::string("hedgehog-design " HEDGEHOG_VERSION));
+    app_.set_footer(kFooter);
     add_looking();
     add_computing();
     add_making();
   }
 
-  int run(std::vector<std::string> arguments) {
-    if (const auto code = cli::write_reference(app_, arguments)) return *code;
-    std::reverse(arguments.begin(), arguments.end());
-    try {
-      app_.parse(arguments);
-    } catch (const CLI::Success& done) {
-      return app_.exit(done, out_, err_);
-    } catch (const CLI::ParseError& error) {
-      err_ << cli::usage_error(app_, cli::complaint(app_, error)) << "\n";
-      return kUsage;
+  int run(const std::vector<std::string>& arguments) {
+    if (const auto ended = app_.parse(arguments)) {
+      if (ended->code == kUsage)
+        err_ << ended->text << "\n";
+      else
+        out_ << ended->text;
+      return ended->code;
     }
     const Format format = json_ ? Format::kJson : csv_ ? Format::kCsv : Format::kText;
     const auto done = verb_({out_, err_, format});
@@ -58,138 +52,137 @@ class CommandLine {
   using Verb = std::function<Result<void>(const Screen&)>;
 
   template <class Options>
-  CLI::App* verb(const std::string& name, const std::string& help, Options& options,
-                 Result<void> (*act)(const Options&, const Screen&)) {
-    CLI::App* command = app_.add_subcommand(name, help);
-    command->callback([this, &options, act] {
+  cli::CommandSpec verb(const std::string& name, const std::string& help, Options& options,
+                        Result<void> (*act)(const Options&, const Screen&)) {
+    const cli::CommandSpec command = app_.add_command(name, help);
+    command.on_given([this, &options, act] {
       verb_ = [&options, act](const Screen& screen) { return act(options, screen); };
     });
     return command;
   }
 
-  void add_formats(CLI::App* command) {
-    auto* json = command->add_flag("--json", json_, "the answer as JSON");
-    command->add_flag("--csv", csv_, "the answer as CSV")->excludes(json);
+  void add_formats(const cli::CommandSpec& command) {
+    const auto json = command.add_flag("--json", json_, "the answer as JSON");
+    command.add_flag("--csv", csv_, "the answer as CSV").excludes(json);
   }
 
-  static void add_pictures(CLI::App* command, PictureFiles& files) {
-    command->add_option("--svg", files.svg, "draw a picture into this file (gnuplot)");
-    command->add_option("--png", files.png, "the same as PNG");
+  static void add_pictures(const cli::CommandSpec& command, PictureFiles& files) {
+    command.add_option("--svg", files.svg, "draw a picture into this file (gnuplot)");
+    command.add_option("--png", files.png, "the same as PNG");
   }
 
-  static void add_magnets(CLI::App* command, DesignFlags& flags) {
-    command->add_option("file", flags.file, "a design file, instead of flags");
-    command->add_option("--magnet", flags.magnet, "the pins' magnets, such as 8x10");
-    command->add_option("--sphere", flags.sphere_mm, "radius on which the inner faces are, mm");
-    command->add_option("--remanence", flags.remanence_t, "of all magnets, tesla (N45: 1.37)");
-    command->add_option("--model", flags.model, "exact, hybrid (dipoles from 30° on) or dipole");
-    command->add_option("--accuracy", flags.accuracy, "of each pair's force, 1e-10 to 0.1");
+  static void add_magnets(const cli::CommandSpec& command, DesignFlags& flags) {
+    command.add_option("file", flags.file, "a design file, instead of flags");
+    command.add_option("--magnet", flags.magnet, "the pins' magnets, such as 8x10");
+    command.add_option("--sphere", flags.sphere_mm, "radius on which the inner faces are, mm");
+    command.add_option("--remanence", flags.remanence_t, "of all magnets, tesla (N45: 1.37)");
+    command.add_option("--model", flags.model, "exact, hybrid (dipoles from 30° on) or dipole");
+    command.add_option("--accuracy", flags.accuracy, "of each pair's force, 1e-10 to 0.1");
   }
 
-  static void add_design(CLI::App* command, DesignFlags& flags) {
+  static void add_design(const cli::CommandSpec& command, DesignFlags& flags) {
     add_magnets(command, flags);
-    command->add_option("--array", flags.array,
-                        "D, tI, cD, wD, tkD, GP(m,n); tkD-86: with an opening");
-    command->add_option("--positions", flags.positions, "a CSV (kind,x,y,z) instead of an array");
-    command->add_option("--shield", flags.shield, "the shields' magnets, such as 4x10");
-    command->add_option("--remove-pins", flags.removed_pins, "ids, such as 3,7-9");
-    command->add_option("--remove-shields", flags.removed_shields, "ids, such as 3,7-9");
-    command->add_option("--coil-force", flags.coil_force_n, "what pushes an aimed pin, N");
+    command.add_option("--array", flags.array,
+                       "D, tI, cD, wD, tkD, GP(m,n); tkD-86: with an opening");
+    command.add_option("--positions", flags.positions, "a CSV (kind,x,y,z) instead of an array");
+    command.add_option("--shield", flags.shield, "the shields' magnets, such as 4x10");
+    command.add_option("--remove-pins", flags.removed_pins, "ids, such as 3,7-9");
+    command.add_option("--remove-shields", flags.removed_shields, "ids, such as 3,7-9");
+    command.add_option("--coil-force", flags.coil_force_n, "what pushes an aimed pin, N");
   }
 
   void add_looking() {
-    auto* array =
+    const auto array =
         verb("array", "where the magnets are, how far apart, how heavy", array_, run_array);
     add_design(array, array_.design);
     add_formats(array);
-    array->add_option("--save", array_.save, "write the design into this file");
-    auto* pair = verb("pair", "the force between two magnets, by three models", pair_, run_pair);
+    array.add_option("--save", array_.save, "write the design into this file");
+    const auto pair =
+        verb("pair", "the force between two magnets, by three models", pair_, run_pair);
     add_magnets(pair, pair_.design);
     add_formats(pair);
-    pair->add_option("--other", pair_.other, "the magnet that acts on --magnet, such as 4x10");
-    pair->add_option("--angle", pair_.angle_deg, "between them, seen from the centre, degrees")
-        ->required();
-    pair->add_option("--offset", pair_.offset_mm, "of --magnet, outwards, mm");
+    pair.add_option("--other", pair_.other, "the magnet that acts on --magnet, such as 4x10");
+    pair.add_option("--angle", pair_.angle_deg, "between them, seen from the centre, degrees")
+        .required();
+    pair.add_option("--offset", pair_.offset_mm, "of --magnet, outwards, mm");
   }
 
   void add_computing() {
-    auto* curves =
+    const auto curves =
         verb("curves", "force against offset; alone: thesis Fig. 2.10", curves_, run_curves);
     add_design(curves, curves_.design);
     add_formats(curves);
     add_pictures(curves, curves_.pictures);
-    curves->add_option("--offsets", curves_.offsets, "FIRST..LAST/STEP, mm")->capture_default_str();
-    curves->add_option("--forces", curves_.forces,
-                       "a picture's force axis: FIRST..LAST, N, or own for each panel's");
-    auto* table =
+    curves.add_option("--offsets", curves_.offsets, "FIRST..LAST/STEP, mm").show_default();
+    curves.add_option("--forces", curves_.forces,
+                      "a picture's force axis: FIRST..LAST, N, or own for each panel's");
+    const auto table =
         verb("table", "how far pins move, beside the thesis (Table 2.1)", table_, run_table);
     add_design(table, table_.design);
     add_formats(table);
-    auto* stability = verb("stability", "does every pin rest? names those that do not", stability_,
-                           run_stability);
+    const auto stability = verb("stability", "does every pin rest? names those that do not",
+                                stability_, run_stability);
     add_design(stability, stability_.design);
     add_formats(stability);
-    stability->add_flag("--together", stability_.together, "also with all pins free at once");
-    auto* coil = verb("electromagnet", "force and extension against current; the spread", coil_,
-                      run_electromagnet);
+    stability.add_flag("--together", stability_.together, "also with all pins free at once");
+    const auto coil = verb("electromagnet", "force and extension against current; the spread",
+                           coil_, run_electromagnet);
     add_design(coil, coil_.design);
     add_formats(coil);
     add_pictures(coil, coil_.pictures);
-    coil->add_option("--current", coil_.currents, "FIRST..LAST/STEP, A")->capture_default_str();
-    coil->add_option("--pin", coil_.pin, "the pin that is aimed at");
+    coil.add_option("--current", coil_.currents, "FIRST..LAST/STEP, A").show_default();
+    coil.add_option("--pin", coil_.pin, "the pin that is aimed at");
   }
 
   void add_making() {
-    auto* choose = verb("choose", "search for designs that no other beats", choose_, run_choose);
+    const auto choose =
+        verb("choose", "search for designs that no other beats", choose_, run_choose);
     add_formats(choose);
     add_pictures(choose, choose_.pictures);
-    choose->add_option("--arrays", choose_.arrays, "whole arrays; from 32 to 162 faces by default");
-    choose->add_option("--pins", choose_.pins, "sizes, such as 7..9/0.5x8..12")
-        ->capture_default_str();
-    choose->add_option("--shields", choose_.shields, "sizes, diameters in steps of 0.05")
-        ->capture_default_str();
-    choose->add_option("--spheres", choose_.spheres, "radii, mm, in steps of 0.25")
-        ->capture_default_str();
-    choose->add_option("--coil-force", choose_.coil_forces,
-                       "N; by default that of the thesis' coil at 15 A");
-    choose->add_option("--wall", choose_.wall_mm, "between any two magnets, mm, 0 to 20")
-        ->capture_default_str();
+    choose.add_option("--arrays", choose_.arrays, "whole arrays; from 32 to 162 faces by default");
+    choose.add_option("--pins", choose_.pins, "sizes, such as 7..9/0.5x8..12").show_default();
+    choose.add_option("--shields", choose_.shields, "sizes, diameters in steps of 0.05")
+        .show_default();
+    choose.add_option("--spheres", choose_.spheres, "radii, mm, in steps of 0.25").show_default();
+    choose.add_option("--coil-force", choose_.coil_forces,
+                      "N; by default that of the thesis' coil at 15 A");
+    choose.add_option("--wall", choose_.wall_mm, "between any two magnets, mm, 0 to 20")
+        .show_default();
     choose
-        ->add_option("--margin", choose_.margin_percent,
-                     "how much weaker all shields may be, %, 0 to 50")
-        ->capture_default_str();
+        .add_option("--margin", choose_.margin_percent,
+                    "how much weaker all shields may be, %, 0 to 50")
+        .show_default();
     choose
-        ->add_option("--least-extension", choose_.min_extension_mm,
-                     "of the typical pin, mm, 0 to 1.5")
-        ->capture_default_str();
-    choose->add_option("--threads", choose_.threads, "all cores by default")
-        ->check(CLI::Range(1, 256));
-    choose->add_option("--save", choose_.save, "write the best into this design file");
-    auto* exports = verb("export", "positions, casing to print, device file", export_, run_export);
+        .add_option("--least-extension", choose_.min_extension_mm,
+                    "of the typical pin, mm, 0 to 1.5")
+        .show_default();
+    choose.add_option("--threads", choose_.threads, "all cores by default").range(1, 256);
+    choose.add_option("--save", choose_.save, "write the best into this design file");
+    const auto exports =
+        verb("export", "positions, casing to print, device file", export_, run_export);
     add_design(exports, export_.design);
-    exports->add_option("--csv", export_.csv, "positions as CSV, into a file or here")
-        ->expected(0, 1);
-    exports->add_option("--json", export_.json, "positions as JSON, into a file or here")
-        ->expected(0, 1);
-    exports->add_option("--scad", export_.scad, "the casing as an OpenSCAD model");
-    exports->add_option("--stl", export_.stl, "a folder for upper.stl and lower.stl (openscad)");
-    exports->add_option("--device", export_.device, "a device file for hedgehogd");
-    exports->add_option("--facets", export_.facets, "sides of a cavity, 8 to 64")
-        ->capture_default_str();
-    exports->add_option("--clearance", export_.clearance_mm,
-                        "around each magnet, mm; 0.15, less for walls of 0.2, by default");
-    exports->add_option("--fan", export_.fan_mm,
-                        "opening at the bottom, mm; the widest by default");
-    auto* report =
+    exports.add_option("--csv", export_.csv, "positions as CSV, into a file or here")
+        .optional_value();
+    exports.add_option("--json", export_.json, "positions as JSON, into a file or here")
+        .optional_value();
+    exports.add_option("--scad", export_.scad, "the casing as an OpenSCAD model");
+    exports.add_option("--stl", export_.stl, "a folder for upper.stl and lower.stl (openscad)");
+    exports.add_option("--device", export_.device, "a device file for hedgehogd");
+    exports.add_option("--facets", export_.facets, "sides of a cavity, 8 to 64").show_default();
+    exports.add_option("--clearance", export_.clearance_mm,
+                       "around each magnet, mm; 0.15, less for walls of 0.2, by default");
+    exports.add_option("--fan", export_.fan_mm, "opening at the bottom, mm; the widest by default");
+    const auto report =
         verb("report", "everything about a design on one HTML page", report_, run_report);
     add_design(report, report_.design);
-    report->add_option("--output", report_.output, "the file")->capture_default_str();
+    report.add_option("--output", report_.output, "the file").show_default();
   }
 
   std::ostream& out_;
   std::ostream& err_;
-  CLI::App app_{"The array designer: where magnets go, whether the pins hold, how far they move.",
-                "hedgehog-design"};
+  cli::Program app_{
+      "The array designer: where magnets go, whether the pins hold, how far they move.",
+      "hedgehog-design"};
   Verb verb_;
   bool json_ = false;
   bool csv_ = false;

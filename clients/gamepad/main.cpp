@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
 #include <string>
 
+#include "cli/program.h"
 #include "clients/common/arguments.h"
 #include "clients/common/exit_code.h"
 #include "clients/common/interrupts.h"
@@ -47,39 +47,39 @@ int run(const std::string& path, const BridgeOptions& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{
+  cli::Program app{
       "Makes the ball a gamepad with force feedback that every game knows. SIGUSR1: as it is held "
       "now is the centre of the stick.",
       "hedgehog-gamepad"};
-  app.set_version_flag("--version", std::string("hedgehog-gamepad " HEDGEHOG_VERSION));
+  app.set_version(std::string("hedgehog-gamepad " HEDGEHOG_VERSION));
   BridgeOptions options;
   std::optional<std::string> address;
   std::string device = kUinputPath;
   std::string rumble = "down";
   std::string sdl_rumble = "yes";
   app.add_option("--address", address, "host:port or a socket's path (HEDGEHOG_ADDRESS)");
-  app.add_option("--device", device, "uinput's device file")->capture_default_str();
+  app.add_option("--device", device, "uinput's device file").show_default();
   app.add_option("--rumble-direction", rumble, "where an effect without a direction pushes")
-      ->check(CLI::IsMember({"up", "down", "left", "right", "front", "back"}))
-      ->capture_default_str();
+      .one_of({"up", "down", "left", "right", "front", "back"})
+      .show_default();
   app.add_option("--sdl-rumble", sdl_rumble,
                  "yes: a wave from 0x4000 is SDL's rumble and has no direction; no: it is on the "
                  "right")
-      ->check(CLI::IsMember({"yes", "no"}))
-      ->capture_default_str();
+      .one_of({"yes", "no"})
+      .show_default();
   app.add_option("--full-level", options.translation.full_level,
                  "of a game's strongest force, of the ball's")
-      ->check(CLI::Range(0.2, 1.0))
-      ->capture_default_str();
+      .range(0.2, 1.0)
+      .show_default();
   app.add_option("--full-deg", options.tilt.full_deg, "the tilt that is the end of the stick")
-      ->check(CLI::Range(10.0, 90.0))
-      ->capture_default_str();
+      .range(10.0, 90.0)
+      .show_default();
   app.add_option("--dead-zone-deg", options.tilt.dead_zone_deg, "smaller tilts are the centre")
-      ->check(CLI::Range(0.0, 9.0))
-      ->capture_default_str();
+      .range(0.0, 9.0)
+      .show_default();
   app.add_option("--curve", options.tilt.curve, "1: even, more: finer near the centre")
-      ->check(CLI::Range(0.5, 4.0))
-      ->capture_default_str();
+      .range(0.5, 4.0)
+      .show_default();
   app.add_flag("--once", options.once, "ends with the connection instead of reconnecting");
   if (const auto code = client::parse_arguments(app, argc, argv)) return *code;
   options.translation.sdl_rumble = sdl_rumble == "yes";

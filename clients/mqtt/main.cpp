@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <string>
 #include <vector>
 
+#include "cli/program.h"
 #include "clients/common/arguments.h"
 #include "clients/common/exit_code.h"
 #include "clients/common/interrupts.h"
@@ -38,11 +38,11 @@ int run(const BridgeOptions& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{
+  cli::Program app{
       "Publishes a ball's status, events and telemetry at an MQTT 5 broker, and plays the effects "
       "that its clients ask for.",
       "hedgehog-mqtt"};
-  app.set_version_flag("--version", std::string("hedgehog-mqtt " HEDGEHOG_VERSION));
+  app.set_version(std::string("hedgehog-mqtt " HEDGEHOG_VERSION));
   BridgeOptions options;
   std::optional<std::string> address;
   std::string broker = "127.0.0.1";
@@ -51,9 +51,9 @@ int main(int argc, char** argv) {
   std::string home_assistant = *options.home_assistant;
   app.add_option("--address", address, "host:port or a socket's path (HEDGEHOG_ADDRESS)");
   app.add_option("--token", options.token, "for the daemon, where it asks for one")
-      ->envname("HEDGEHOG_TOKEN");
+      .environment("HEDGEHOG_TOKEN");
   app.add_option("--broker", broker, "host[:port], mqtts://host[:port] or a socket's path")
-      ->capture_default_str();
+      .show_default();
   app.add_option("--user", options.broker.user, "at the broker");
   app.add_option("--password-file", password_file,
                  "whose first line is the password (else HEDGEHOG_MQTT_PASSWORD)");
@@ -61,22 +61,21 @@ int main(int argc, char** argv) {
                  "certificates for mqtts:// instead of the system's");
   app.add_option("--keepalive-s", options.broker.keepalive_s,
                  "a broker that is silent for longer is lost")
-      ->check(CLI::Range(5, 600))
-      ->capture_default_str();
+      .range(5, 600)
+      .show_default();
   app.add_option("--prefix", options.prefix, "what all topics begin with")
-      ->check(check_prefix)
-      ->capture_default_str();
+      .check({check_prefix})
+      .show_default();
   app.add_option("--id", options.id, "of the ball in topics, instead of its serial number");
   app.add_option("--telemetry-hz", options.telemetry_hz, "0: none")
-      ->check(CLI::Range(0.0, 200.0))
-      ->capture_default_str();
-  app.add_option("--fields", fields, "of telemetry, instead of the daemon's choice")
-      ->delimiter(',');
+      .range(0.0, 200.0)
+      .show_default();
+  app.add_option("--fields", fields, "of telemetry, instead of the daemon's choice").delimiter(',');
   app.add_option("--status-s", options.status_s, "how often a status that did not change is sent")
-      ->check(CLI::Range(0.5, 3600.0))
-      ->capture_default_str();
+      .range(0.5, 3600.0)
+      .show_default();
   app.add_option("--home-assistant", home_assistant, "prefix of its discovery; no: none")
-      ->capture_default_str();
+      .show_default();
   if (const auto code = client::parse_arguments(app, argc, argv)) return *code;
   if (home_assistant == "no")
     options.home_assistant.reset();

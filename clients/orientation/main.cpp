@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <string>
 
+#include "cli/program.h"
 #include "clients/common/arguments.h"
 #include "clients/common/exit_code.h"
 #include "clients/common/interrupts.h"
@@ -60,23 +60,22 @@ int run(const std::vector<Address>& addresses, const IndicatorOptions& options, 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Plays an effect towards up while the ball is turned.", "hedgehog-orientation"};
+  cli::Program app{"Plays an effect towards up while the ball is turned.", "hedgehog-orientation"};
   IndicatorOptions options;
   std::optional<std::string> address;
   std::optional<double> seconds;
   bool once = false;
-  app.set_version_flag("--version", std::string("hedgehog-orientation " HEDGEHOG_VERSION));
+  app.set_version(std::string("hedgehog-orientation " HEDGEHOG_VERSION));
   std::string loop = "daemon";
   std::string style = "pulse";
   app.add_option("--loop", loop, "what follows the orientation: client or daemon")
-      ->check(CLI::IsMember({"client", "daemon"}))
-      ->capture_default_str();
+      .one_of({"client", "daemon"})
+      .show_default();
   app.add_option("--style", style, "pulse (felt better) or steady (5 A)")
-      ->check(CLI::IsMember({"pulse", "steady"}))
-      ->capture_default_str();
+      .one_of({"pulse", "steady"})
+      .show_default();
   app.add_option("--address", address, "host:port or a socket's path (HEDGEHOG_ADDRESS)");
-  app.add_option("--seconds", seconds, "ends after this time instead of at Ctrl-C")
-      ->check(CLI::PositiveNumber);
+  app.add_option("--seconds", seconds, "ends after this time instead of at Ctrl-C").positive();
   app.add_flag("--once", once, "ends with the connection instead of reconnecting");
   if (const auto code = parse_arguments(app, argc, argv)) return *code;
   options.loop = loop == "client" ? Loop::kClient : Loop::kDaemon;

@@ -3,7 +3,6 @@
 // telemetry and status, and a subscriber that counts what arrives.
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
@@ -13,6 +12,7 @@
 #include <thread>
 #include <vector>
 
+#include "cli/program.h"
 #include "clients/mqtt/broker.h"
 #include "clients/mqtt/broker_address.h"
 #include "clients/mqtt/topics.h"
@@ -133,23 +133,19 @@ int measure(const BrokerOptions& base, const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Measures what a fleet of balls costs an MQTT broker.", "mqtt_fleet"};
+  cli::Program app{"Measures what a fleet of balls costs an MQTT broker.", "mqtt_fleet"};
   Options options;
   std::string broker = "127.0.0.1";
-  app.add_option("--broker", broker, "host[:port] or a socket's path")->capture_default_str();
+  app.add_option("--broker", broker, "host[:port] or a socket's path").show_default();
   app.add_option("--broker-pid", options.broker_pid, "whose memory and processor time count");
   // libmosquitto waits by select(2), of 1024 descriptors at most; a ball has four.
   app.add_option("--balls", options.balls, "of this process; start several for more")
-      ->check(CLI::Range(1, 250))
-      ->capture_default_str();
-  app.add_option("--seconds", options.seconds)->check(CLI::Range(1, 3600))->capture_default_str();
-  app.add_option("--telemetry-hz", options.telemetry_hz)
-      ->check(CLI::Range(0.1, 200.0))
-      ->capture_default_str();
-  app.add_option("--payload-bytes", options.payload_bytes)
-      ->check(CLI::Range(1, 60'000))
-      ->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
+      .range(1, 250)
+      .show_default();
+  app.add_option("--seconds", options.seconds).range(1, 3600).show_default();
+  app.add_option("--telemetry-hz", options.telemetry_hz).range(0.1, 200.0).show_default();
+  app.add_option("--payload-bytes", options.payload_bytes).range(1, 60'000).show_default();
+  if (const auto code = app.parse_and_print(argc, argv)) return *code;
   BrokerOptions base;
   if (const auto set = set_address(base, broker); !set) {
     std::fprintf(stderr, "fleet: %s\n", set.error().message.c_str());

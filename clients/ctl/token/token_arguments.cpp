@@ -1,40 +1,39 @@
 // SPDX-License-Identifier: MIT
 #include "clients/ctl/token/token_arguments.h"
-
-#include <CLI/CLI.hpp>
+#include "cli/program.h"
 
 namespace hedgehog::client {
 
-void add_token_arguments(CLI::App& token, TokenOptions& options,
+void add_token_arguments(const cli::CommandSpec& token, TokenOptions& options,
                          const std::function<void(TokenVerb)>& chosen) {
   constexpr int kMaxValidDays = 36'500;
-  token.require_subcommand(1);
-  token.fallthrough();
+  token.require_commands(1, 1);
+  token.accept_options_above();
   token.add_option("--state", options.state,
                    "the daemon's state directory; else that of the service, or one's own");
   const auto verb = [&](const char* name, const char* help, TokenVerb run) {
-    CLI::App* command = token.add_subcommand(name, help);
-    command->callback([chosen, run] { chosen(run); });
+    const cli::CommandSpec command = token.add_command(name, help);
+    command.on_given([chosen, run] { chosen(run); });
     return command;
   };
-  CLI::App* add = verb("add", "makes a token and prints it, once", run_token_add);
-  add->add_option("name", options.name, "of the client that gets it")->required();
-  add->add_option("--role", options.role, "observe, play or operate")
-      ->check(CLI::IsMember({"observe", "play", "operate"}))
-      ->capture_default_str();
+  const cli::CommandSpec add = verb("add", "makes a token and prints it, once", run_token_add);
+  add.add_option("name", options.name, "of the client that gets it").required();
+  add.add_option("--role", options.role, "observe, play or operate")
+      .one_of({"observe", "play", "operate"})
+      .show_default();
   verb("list", "names and roles of all tokens", run_token_list);
   verb("revoke", "removes a token; its connections end", run_token_revoke)
-      ->add_option("name", options.name, "as `token list` prints it")
-      ->required();
-  CLI::App* certificate = verb(
+      .add_option("name", options.name, "as `token list` prints it")
+      .required();
+  const cli::CommandSpec certificate = verb(
       "certificate",
       "makes a self-signed certificate for TLS, unless there is one, and prints its fingerprint",
       run_token_certificate);
-  certificate->add_option("--host", options.host, "its name or address; else this machine's name");
-  certificate->add_option("--days", options.days, "how long it is valid")
-      ->check(CLI::Range(1, kMaxValidDays))
-      ->capture_default_str();
-  certificate->add_flag("--replace", options.replace, "a new one, though there is one");
+  certificate.add_option("--host", options.host, "its name or address; else this machine's name");
+  certificate.add_option("--days", options.days, "how long it is valid")
+      .range(1, kMaxValidDays)
+      .show_default();
+  certificate.add_flag("--replace", options.replace, "a new one, though there is one");
 }
 
 }  // namespace hedgehog::client

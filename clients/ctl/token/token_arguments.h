@@ -4,18 +4,15 @@
 
 #include <functional>
 
+#include "cli/program.h"
 #include "clients/ctl/token/token_verb.h"
-
-namespace CLI {  // NOLINT(readability-identifier-naming): CLI11 calls it so
-class App;
-}
 
 namespace hedgehog::client {
 
 using TokenVerb = int (*)(const CommonOptions&, const TokenOptions&);
 
 /// Adds add, list, revoke and certificate to `token`; `chosen` is called with the selected one.
-void add_token_arguments(CLI::App& token, TokenOptions& options,
+void add_token_arguments(const cli::CommandSpec& token, TokenOptions& options,
                          const std::function<void(TokenVerb)>& chosen);
 
 }  // namespace hedgehog::client

@@ -3,7 +3,6 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <csignal>
@@ -14,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/program.h"
 #include "tests/bench/load/results.h"
 #include "tests/bench/load/scenarios.h"
 
@@ -36,13 +36,12 @@ struct Options {
   bool json = false;
 };
 
-void add_options(CLI::App& app, Options& options) {
-  app.add_option("--rounds", options.rounds, "How often everything is measured")
-      ->check(CLI::Range(1, 1000));
-  app.add_option("--seconds", options.seconds, "Of one measurement")->check(CLI::Range(0.01, 60.0));
+void add_options(const hedgehog::cli::CommandSpec& app, Options& options) {
+  app.add_option("--rounds", options.rounds, "How often everything is measured").range(1, 1000);
+  app.add_option("--seconds", options.seconds, "Of one measurement").range(0.01, 60.0);
   app.add_option("--limit", options.limit_s,
                  "No round begins that would end after so many seconds");
-  app.add_option("--subscribers", options.subscribers)->check(CLI::Range(1, 1000));
+  app.add_option("--subscribers", options.subscribers).range(1, 1000);
   app.add_option("--only", options.only, "Only scenarios whose name has this");
   app.add_option("--build", options.build, "Build folder with the daemon");
   app.add_option("--other", options.other, "Compare with the daemon of this build folder");
@@ -125,9 +124,9 @@ std::vector<bench::Figures> measure_rounds(const Options& options) {
 
 int main(int argc, char** argv) {
   Options options;
-  CLI::App app("Measures hedgehogd beside reference programs, in rounds");
+  hedgehog::cli::Program app("Measures hedgehogd beside reference programs, in rounds", "rounds");
   add_options(app, options);
-  CLI11_PARSE(app, argc, argv);
+  if (const auto code = app.parse_and_print(argc, argv)) return *code;
   std::signal(SIGPIPE, SIG_IGN);
   allow_many_sockets();
   const std::vector<bench::Figures> rounds = measure_rounds(options);
