@@ -236,8 +236,7 @@ ForecastStart with_skin(ForecastStart start) {
   return start;
 }
 
-/// Seconds until the plant's estimated skin temperature first reduces the current; -1: not within
-/// an hour.
+/// Seconds until the plant's estimated skin first limits the current; -1: not within an hour.
 double plant_seconds_to_skin(double ambient_c, const Vec3& wanted) {
   const double current_a = norm(wanted);
   Plant plant(PlantParameters{}, ambient_c);

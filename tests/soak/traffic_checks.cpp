@@ -24,7 +24,7 @@ void Traffic::check() {
   for_each_peer([&](Peer& peer) {
     peer.read(true);
     peer.complete_line();
-    // Clients waiting for a web page, or for an end of the connection that they provoked.
+    // Peers that wait for a web page, or for a close that they provoked.
     if (!peer.provoked().empty()) peer.close();
   });
   pump_until([&] { return is_settled(); }, [&] { return text(); });
