@@ -2,9 +2,8 @@
 // The simulator's ball and electronics for an emulated microcontroller: each line on stdin is
 // answered by a line on stdout.
 //
-//   step PWM PWM PWM DIR SLEEP SWITCH FAN   a millisecond with these pin values: compare values,
-//   bit
-//       k of DIR for winding k, 1 for awake and closed. Answer: the converter's values of the three
+//   step PWM PWM PWM DIR SLEEP SWITCH FAN   a millisecond with these pins: compare values, bit k
+//       of DIR for winding k, 1 for awake and closed. Answer: the converter's values of the three
 //       currents, the supply current, the supply, the three thermistors; bits of FLT lines that are
 //       low; the tach's period in us; the true currents in mA; the fan's true duty in thousandths
 //   faults BITS WINDING   as in daemon/device/simulator/simulator_settings.h
