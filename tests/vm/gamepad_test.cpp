@@ -40,8 +40,8 @@ class GamepadNode : public GamepadBench {
     if (HasFatalFailure()) return;
     game_.emplace(node());
   }
-  /// Returns once both of the stick's axes have been reported at or beyond these values, in the
-  /// sense of their sign; zero: exactly.
+  /// True once both of the stick's axes are at or beyond these values, in the sense of their sign;
+  /// zero: exactly.
   bool stick_reaches(int x, int y) {
     const auto reached = [](int value, int goal) {
       if (goal == 0) return value == 0;
