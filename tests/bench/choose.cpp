@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The search for a better ball as `hedgehog-design choose` does it when nothing else is said:
-// 11 767 designs. Budget: a minute, here of processor time in all, because the machine may be
-// shared; the counter says how many designs a second.
+// The search for a better ball as `hedgehog-design choose` does it with default options: 11 767
+// designs. Budget: one minute, measured in processor time because the machine may be shared; the
+// counter reports designs per second.
 #include <benchmark/benchmark.h>
 
 #include <ctime>

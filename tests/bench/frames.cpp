@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a frame to the board and one from it cost the link thread.
+// Cost for the link thread of a frame to the board and of one from it.
 #include <benchmark/benchmark.h>
 
 #include "daemon/device/board_codec.h"

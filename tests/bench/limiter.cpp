@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the limiter costs a tick: cool, derated, and with windings that have not been measured.
+// Cost of the limiter per tick: cool, derated, and with windings that have not been measured.
 #include <benchmark/benchmark.h>
 
 #include "model/limit/thermal_limiter.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What the characterisation of the thesis' tkD array costs on one core: the force curves of all its
-// pins over 31 offsets. Budgets: 20 ms at 0.1 %, 150 ms at a millionth. The naive way, every pin
-// with every other magnet, runs in the same process and prints the ratio.
+// Cost of the characterisation of the thesis' tkD array on one core: the force curves of all its
+// pins over 31 offsets. Budgets: 20 ms at an accuracy of 0.1 %, 150 ms at 1e-6. The direct
+// computation, every pin with every other magnet, runs in the same process and prints the ratio.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ const Arrangement& tkd() {
   return arrangement;
 }
 
-/// Puts the budget beside what was measured. Processor time: the machine may be shared.
+/// Reports the budget with the measurement. Processor time, because the machine may be shared.
 void judge(benchmark::State& state, std::clock_t spent, double budget_ms) {
   const auto runs = std::max<benchmark::IterationCount>(1, state.iterations());
   const double each_ms =
@@ -36,7 +36,7 @@ double accuracy_of(const benchmark::State& state) {
   return std::pow(10.0, -static_cast<double>(state.range(0)));
 }
 
-/// From the positions of the magnets on: classes, curves, rests, minima.
+/// From the positions of the magnets: classes, curves, rests, minima.
 void characterise_tkd(benchmark::State& state) {
   const ForceSettings settings{ForceModel::kExact, accuracy_of(state)};
   const std::clock_t start = std::clock();
@@ -58,14 +58,14 @@ void curves_of_tkd(benchmark::State& state) {
 }
 BENCHMARK(curves_of_tkd)->ArgName("digits")->Arg(3)->Arg(6)->Unit(benchmark::kMillisecond);
 
-/// Every pin with each of its 271 others at every offset, nothing merged; `ratio`: how many times
-/// as long that takes as the curves by classes.
+/// Every pin with each of its 271 others at every offset, nothing merged; `ratio`: duration
+/// relative to the curves by classes.
 void naive_tkd(benchmark::State& state) {
   const ForceSettings settings{ForceModel::kExact, accuracy_of(state)};
   const ArraySizes sizes;
   const auto classes = symmetry_classes(tkd());
   const auto offsets = kThesisGrid.offsets_mm();
-  // Processor time, and more than one run of what is short: the machine may be shared.
+  // Processor time, and several runs of short computations, because the machine may be shared.
   constexpr int kRuns = 10;
   std::clock_t naive = 0;
   std::clock_t by_class = 0;

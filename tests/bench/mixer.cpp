@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What one tick of the mixer costs: nothing playing, and so many gliding circles with a sine, the
-// dearest effect there is. Budget at 64: 8 us.
+// Cost of one tick of the mixer: without effects, and with N gliding circles with a sine, the most
+// expensive effect. Budget at 64: 8 us.
 #include "daemon/control/effects/mixer.h"
 
 #include <benchmark/benchmark.h>

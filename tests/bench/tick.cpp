@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What one tick of control costs on an armed ball that is pushed: reading of the board, watchdog,
-// estimate, mixer, limiter and command, without the simulated ball. A tick has 1000 us. Ten ticks a
-// second also take the filter's measurements: the dearest.
+// Cost of one control tick of an armed ball with an active push: reading of the board, watchdog,
+// estimate, mixer, limiter and command, without the simulated ball. A tick has 1000 us. Ten ticks
+// per second also process the filter's measurements: the most expensive ones.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a request costs before and after it is carried out: from a line to values, and from values
-// to the line that answers.
+// Cost of decoding a request line into values, and of encoding values into the response line.
 #include <benchmark/benchmark.h>
 
 #include <string>
@@ -26,7 +25,7 @@ BENCHMARK_CAPTURE(decode, vibrate_in_slot,
                   R"({"jsonrpc":"2.0","method":"effect.vibrate","params":{"slot":"engine",)"
                   R"("level":0.31,"frequency_hz":72.5,"waveform":"sine","lease_ms":250}})");
 
-/// A ball with four effects.
+/// Status of a ball with four effects.
 Status busy_status() {
   Status status;
   status.time_ns = 273'660'123'456'789;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The runs of a campaign, side by side, with their progress.
+// Runs a campaign in parallel, and reports its progress.
 #pragma once
 
 #include <atomic>
@@ -12,8 +12,8 @@
 
 namespace hedgehog::campaign {
 
-/// Calls `run(i)` for each i below `count` on `jobs` threads, and with each result
-/// `take(i, result)`, one at a time and in no order.
+/// Calls `run(i)` for each i below `count` on `jobs` threads, and `take(i, result)` with each
+/// result, one at a time and in any order.
 template <class Run, class Take>
 void run_each(const char* what, std::uint64_t count, unsigned jobs, const Run& run,
               const Take& take) {

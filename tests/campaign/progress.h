@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A bar on a terminal, ten lines elsewhere.
+// A progress bar on a terminal, ten lines elsewhere.
 #pragma once
 
 #include <unistd.h>

@@ -23,11 +23,11 @@ struct Options {
   std::uint64_t seed = 1;
   unsigned jobs = 2;
   hedgehog::device::FrontEndChoice front_end;
-  /// Each ball's electronics have parts of their own, in the hours of 1 ms too.
+  /// Each ball's electronics have individual part tolerances, also in the hours of 1 ms.
   bool parts = false;
-  /// Of the thermal constants, a share; of the 20 ms hours.
+  /// Tolerance of the thermal constants, as a share; for the 20 ms hours.
   double tolerance = 0.2;
-  /// So many times as hard each ball is to cool: 2 in a closed hand.
+  /// Factor of each ball's thermal resistance to the room: 2 in a closed hand.
   double hand = 1.0;
 };
 

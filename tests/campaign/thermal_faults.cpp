@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Balls that break: the faults made by hand and random ones, in steps of 20 ms. With one thermistor
-// no winding may pass 80 C, nor 75 C for more than 10 s but in one of 1000; with one on each
-// winding or with thermal constants known to 5 % none may pass 75 C. Of those that stop 90 % name
-// what broke. A driven line that should be idle is safe within 30 ms.
+// Balls with faults: manually chosen and random ones, in steps of 20 ms. With one thermistor no
+// winding may exceed 80 C, nor 75 C for more than 10 s except in one of 1000; with one on each
+// winding or with thermal constants known to 5 % none may exceed 75 C. 90 % of the stops name the
+// fault. A driven line that should be idle is safe within 30 ms.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -19,7 +19,7 @@ namespace rig = hedgehog::rig;
 
 struct Options {
   std::uint64_t random = 10'000;
-  /// Every so many of those made by hand.
+  /// Runs every Nth of the manually chosen faults.
   std::uint64_t every = 1;
   std::uint64_t seed = 1;
   unsigned jobs = 2;
@@ -37,7 +37,7 @@ struct Summary {
   int long_above_75 = 0;
   int above_80 = 0;
   int long_driven = 0;
-  /// Of those that hide heat.
+  /// Of the faults that hide heat.
   int hiding_stopped = 0;
   int hiding_named = 0;
   double hottest_c = 0.0;
@@ -64,7 +64,7 @@ void print(const char* what, const Summary& s) {
               s.stopped > 0 ? 100.0 * s.named / s.stopped : 100.0);
 }
 
-/// Runs fault `i` of `count`, given by `fault_of`, and sums up by kind.
+/// Runs `count` faults, given by `fault_of`, and adds them up by kind.
 template <class FaultOf>
 Summary run(const char* what, std::uint64_t count, const Options& options, FaultOf fault_of) {
   std::map<std::string_view, Summary> kinds;
@@ -159,7 +159,7 @@ int main(int argc, char** argv) {
               100.0 * (made.hiding_named + random.hiding_named) / std::max(1, hiding));
   if (!most_named)
     std::puts("NOT met, which is known (tests/thermal-campaigns.md): 90 % of all are named");
-  // The short form guards what has been met; the long one says what has to be.
+  // The short form checks the requirements met so far; the long one checks all.
   if (!options.ci) held = held && most_named;
   std::puts(held ? "held" : "NOT held");
   return held ? 0 : 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where clients look for the daemon.
+// The addresses that clients try for the daemon.
 #include "clients/lib/address.h"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// AHAP as its document describes it, against the timeline that it prescribes. The samples are our
-// own.
+// AHAP import according to its document, against the timeline that it prescribes. The samples are
+// our own.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -201,7 +201,7 @@ TEST(Ahap, ComplaintsNameWhatIsWrong) {
   EXPECT_THAT(import_pattern(R"({"a":1})").error().message, HasSubstr("neither AHAP"));
 }
 
-/// A number of `low`..`high`, often one of the two.
+/// A number within `low`..`high`, often one of the bounds.
 double some(double low, double high) {
   constexpr int kSteps = 1000;
   return low + (high - low) * std::clamp(*rc::gen::inRange(-200, kSteps + 200), 0, kSteps) / kSteps;

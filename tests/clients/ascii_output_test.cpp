@@ -28,7 +28,8 @@ bool is_ascii(const std::string& text) {
       text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; });
 }
 
-/// What a terminal shows with other characters when it has no UTF-8 (`bar`), and pages.
+/// Sources whose non-ASCII characters a terminal without UTF-8 never gets: `bar` replaces its own,
+/// and the HTML report.
 bool is_not_printed(const std::string& path) {
   return path.ends_with("/terminal/bar.cpp") || path.ends_with("/report/html.cpp");
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Balls on the network: the vectors of tests/sdk/mdns.json, and searches on the loopback interface.
+// Search for balls on the network: the vectors of tests/sdk/mdns.json, and searches on the loopback
+// interface.
 #include "clients/lib/discovery/ball_search.h"
 
 #include <gmock/gmock.h>
@@ -126,7 +127,7 @@ TEST(MdnsAddress, IsThatOfTheVectors) {
   }
 }
 
-/// Without `tls`: what is found is connected to with TLS all the same.
+/// Without `tls`: a ball that was found is connected by TLS in any case.
 Address mdns_address(const std::string& name) {
   return {.host = name, .mdns = true, .fingerprint = base::Sha256{}, .token = "secret"};
 }
@@ -169,7 +170,7 @@ TEST_F(BallSearchOnLoopback, FindsNoBallThatDoesNotAnswer) {
 }
 
 TEST_F(BallSearchOnLoopback, GivesABallItsAddress) {
-  // Nobody listens there, which shows where it went.
+  // No listener there: the error contains the address used.
   MdnsResponder responder(mdns_announcement("127.0.0.1", 9), true);
   ask(responder);
   hedgehog::Ball ball({mdns_address("ball-7")});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The client for games, against a daemon that says what each test wants it to.
+// The client for games, against a daemon scripted by each test.
 #include "clients/lib/ball.h"
 
 #include <gmock/gmock.h>
@@ -32,7 +32,8 @@ constexpr const char* kArmedEvent =
 
 BallOptions patient() { return {.name = "test", .patience = kLongPatience}; }
 
-/// A frame loop, until it is so. Whoever runs the test ends one that never gets there.
+/// Runs a frame loop until the condition holds. The test's timeout ends a loop that never gets
+/// there.
 template <class Until>
 void frames(Ball& ball, Until until) {
   do {
@@ -155,7 +156,7 @@ void accept_events(FakePeer& peer) {
   peer.send_line(R"({"jsonrpc":"2.0","id":2,"result":{"types":[]}})");
 }
 
-/// Refuses to renew it, and goes on.
+/// Rejects the renewed subscription, and continues.
 void refuse_events(FakePeer& peer) {
   peer.read();
   peer.send_line(kWelcome);

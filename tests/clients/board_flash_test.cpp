@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `hedgehogctl board flash` against a daemon whose board has another firmware afterwards.
+// `hedgehogctl board flash` against a daemon whose board reports another firmware afterwards.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ namespace {
 using protocol::Id;
 using testing::HasSubstr;
 
-/// Answers one request after the other.
+/// Returns one response after the other.
 class Answers {
  public:
   explicit Answers(FakePeer& peer) : peer_(peer) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The boot loader's volume among what is mounted, and the way of an image into it.
+// Detection of the boot loader's volume among the mounted ones, and writing of an image to it.
 #include "clients/ctl/board/boot_volume.h"
 
 #include <gmock/gmock.h>

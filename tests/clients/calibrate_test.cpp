@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `hedgehogctl calibrate` makes of measurements, and the file it writes.
+// Evaluation of measurements by `hedgehogctl calibrate`, and the file that it writes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -19,7 +19,8 @@
 namespace hedgehog::client {
 namespace {
 
-// A winding with a millisecond's voltages, seen every fifth millisecond, to the milliampere.
+// Samples of a winding with the voltages of each millisecond, every fifth millisecond, rounded to 1
+// mA.
 std::vector<WindingSample> driven(double r, double l, double frequency_hz, double offset_a) {
   std::vector<WindingSample> seen;
   const double keep = std::exp(-r * 1e-3 / l);
@@ -37,7 +38,8 @@ std::vector<WindingSample> driven(double r, double l, double frequency_hz, doubl
 RC_GTEST_PROP(WindingFit, FindsWhatTheWindingIs, ()) {
   const double r = *rc::gen::inRange(20, 200) / 100.0;
   const double l = *rc::gen::inRange(30, 400) / 1e5;
-  RC_PRE(std::exp(-r * 1e-3 / l) > 0.1);  // what is gone within the millisecond tells nothing of L
+  // a current that decays within the millisecond gives no information about L
+  RC_PRE(std::exp(-r * 1e-3 / l) > 0.1);
   const auto found = sine_impedance(driven(r, l, 47.0, 0.05), 47.0);
   RC_ASSERT(found.has_value());
   RC_ASSERT(std::abs(found->resistance_ohm / r - 1.0) < 0.02);
@@ -75,7 +77,7 @@ TEST(Pushed, EachWindingOnAnAxisOfItsOwn) {
   ASSERT_TRUE(sides);
   const auto matrix = coil_matrix(*sides);
   ASSERT_TRUE(matrix);
-  // Column by column: what makes a field to the front, to the left, to the top.
+  // Column by column: the currents for a field to the front, to the left, to the top.
   EXPECT_EQ((*matrix)[0], (model::Vec3{-1, 0, 0}));
   EXPECT_EQ((*matrix)[1], (model::Vec3{0, 0, 1}));
   EXPECT_EQ((*matrix)[2], (model::Vec3{0, 1, 0}));
@@ -116,8 +118,8 @@ TEST(WindingTrouble, IsNamedWithWhatToDo) {
   EXPECT_THAT(winding_trouble(0, kForth, kBack, 0.04), HasSubstr("0.04 ohm"));
 }
 
-/// A ball of which winding x carries 0.3 A from 0.1 s after it is asked to. Every request takes
-/// 0.15 s of its time.
+/// A ball whose winding x carries 0.3 A from 0.1 s after the request. Every request takes 0.15 s of
+/// device time.
 struct FakeBall {
   std::int64_t every_ms = 5;
   std::string state = "armed";
@@ -170,7 +172,7 @@ struct FakeBall {
   }
 };
 
-/// What holding 0.3 A for 0.2 s gives, and the trip that was seen meanwhile.
+/// Result of holding 0.3 A for 0.2 s, and the trip that occurred meanwhile.
 struct Held {
   explicit Held(const FakeBall& ball) : daemon(ball) {
     Session session{Connection::open({daemon.address()}).value(), false, {}};

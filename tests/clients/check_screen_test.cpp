@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a monitoring plug-in reads of `hedgehogctl check`.
+// The output of `hedgehogctl check` for a monitoring plug-in.
 #include "clients/ctl/screen/check_screen.h"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The C++ client against a daemon that says what each test wants it to.
+// The C++ client against a daemon scripted by each test.
 #include "clients/lib/connection.h"
 
 #include <gmock/gmock.h>

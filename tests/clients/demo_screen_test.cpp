@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tour: its frames, and the order of what it plays.
+// The tour: its frames, and the order of its effects.
 #include "clients/ctl/demo/demo_screen.h"
 
 #include <gmock/gmock.h>

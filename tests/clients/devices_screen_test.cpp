@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `hedgehogctl devices`, to the column.
+// The exact output of `hedgehogctl devices`.
 #include "clients/ctl/screen/devices_screen.h"
 
 #include <gmock/gmock.h>

@@ -69,7 +69,7 @@ TEST(AvahiBrowse, IgnoresWhatIsNoService) {
   EXPECT_EQ(parse_avahi_browse("=;e;IPv4;a;t;l;h;192.0.2.1;1;\"serial=7\\").size(), 1u);
 }
 
-/// A bound Unix socket, which nobody serves.
+/// A bound Unix socket without a listener.
 void bind_socket(const std::string& path) {
   std::filesystem::create_directories(std::filesystem::path(path).parent_path());
   const int socket = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);

@@ -43,7 +43,7 @@ std::string help_of(const std::vector<std::string>& words) {
   return help;
 }
 
-/// Something that may be given.
+/// A valid value of the option.
 std::string sample(const EffectOption& option) {
   switch (option.type) {
     case protocol::FieldType::kEnumerator:
@@ -59,7 +59,7 @@ std::string sample(const EffectOption& option) {
   }
 }
 
-/// What the daemon makes of it.
+/// The request as decoded by the daemon.
 protocol::Incoming sent(const PlayOptions& options) {
   const auto params = play_params(options);
   EXPECT_TRUE(params) << params.error().message;
@@ -94,7 +94,7 @@ TEST(EffectOptions, ReachTheDaemonAsTheirType) {
         options.direction = "left";
       if (method == EffectMethod::kPlay && option.parameter != "keyframes")
         options.pattern = "heartbeat";
-      // A hold has a lease, and by this a duration is one too many.
+      // A hold has a lease, which excludes a duration.
       if (method == EffectMethod::kHold && option.parameter == "duration_ms") continue;
       if (option.parameter == "direction" || option.parameter == "rotate_to")
         options.direction = sample(option);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Uploads, plays, updates and erases as a game makes them, on virtual time.
+// Uploads, plays, updates and erases in the order of a game, on virtual time.
 #include "clients/gamepad/effect_player.h"
 
 #include <gmock/gmock.h>
@@ -47,7 +47,7 @@ class Player : public testing::Test {
     for (const auto& request : player_.take_requests()) all.push_back(text(request));
     return all;
   }
-  /// A millisecond at a time, as a loop that is never late.
+  /// Advances in steps of 1 ms, like a loop that is never late.
   void pass(int milliseconds) {
     for (int i = 0; i < milliseconds; ++i) {
       now_ += Milliseconds(1);
@@ -121,7 +121,7 @@ TEST_F(Player, AnUploadOfWhatPlaysReplacesItAndSilenceStopsIt) {
   taken();
   player_.upload(push(0, 0x2000, 1000), now_);
   EXPECT_THAT(taken(), ElementsAre("start ff0 1000")) << "in its slot, without a stop before";
-  // SDL stops a rumble so.
+  // SDL stops a rumble this way.
   player_.upload(push(0, 0, 1000), now_);
   EXPECT_THAT(taken(), ElementsAre("stop ff0"));
   player_.upload(push(0, 0x2000, 1000), now_);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a game's force-feedback effect becomes on the ball.
+// Translation of a game's force-feedback effect into effects of the ball.
 #include "clients/gamepad/effect_translation.h"
 
 #include <gmock/gmock.h>

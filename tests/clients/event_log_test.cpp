@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// When `hedgehogctl events` prints what.
+// Output of `hedgehogctl events` and its timing.
 #include "clients/ctl/events/event_log.h"
 
 #include <gmock/gmock.h>
@@ -12,7 +12,7 @@ using std::chrono::seconds;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// On a clock of its own.
+/// With its own clock.
 class Log : public testing::Test {
  protected:
   std::vector<std::string> overrun(int second, const std::string& clock) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `hedgehogctl events --since ... -f` against a daemon that tells an event twice.
+// `hedgehogctl events --since ... -f` against a daemon that sends an event twice.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ TEST(EventsVerb, WhatTheHistoryHasToldIsNotToldAgain) {
     peer.send_line(protocol::encode_result(
         protocol::Id::number(2), protocol::EventsResult{.state = "armed", .limit_a = 15.0}));
     peer.read();
-    // Between the subscription and the look back.
+    // Arrives between the subscription and the history request.
     peer.send_line(protocol::encode_event(derating_ended(7)));
     const protocol::PastEvent past{.at = "2026-11-20T23:14:07.412Z", .event = derating_ended(7)};
     peer.send_line(protocol::encode_encoded(
@@ -51,7 +51,7 @@ protocol::Event overrun(std::int64_t second) {
   return event;
 }
 
-/// What `hedgehogctl events` prints of an overrun a second, an emergency stop among them.
+/// Output of `hedgehogctl events` for one overrun per second, with an emergency stop among them.
 std::string printed_of_a_busy_machine(bool json) {
   FakeDaemon daemon([](FakePeer& peer) {
     peer.read();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What hedgehogctl returns to the shell is what its help and its README say.
+// The exit codes of hedgehogctl agree with its help and its README.
 #include "clients/ctl/exit_code.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A daemon that says what a test tells it to: one conversation, on a thread of its own.
+// A daemon scripted by a test: one conversation, on its own thread.
 #pragma once
 
 #include <boost/asio.hpp>
@@ -17,10 +17,10 @@
 
 namespace hedgehog::client {
 
-/// What must happen does so within this on a busy machine.
+/// Upper bound for a required event on a busy machine.
 inline constexpr std::chrono::milliseconds kLongPatience{20'000};
 
-/// The client library's response timeout in the test programs that talk to this daemon: set before
+/// The client library's response timeout in the test programs that use this daemon: set before
 /// `main`, as the library reads it once.
 inline const bool kResponseTimeoutSet = ::setenv("HEDGEHOG_PATIENCE_MS", "60000", 1) == 0;
 
@@ -30,7 +30,7 @@ class FakePeer {
   using Socket = boost::asio::generic::stream_protocol::socket;
   explicit FakePeer(Socket socket) : socket_(std::move(socket)) {}
 
-  /// The next line from the client; empty at its end.
+  /// The next line from the client; empty at the end of the stream.
   std::string read() {
     boost::system::error_code error;
     boost::asio::read_until(socket_, buffer_, '\n', error);
@@ -50,7 +50,8 @@ class FakePeer {
   boost::asio::streambuf buffer_;
 };
 
-/// A port where nobody listens, and nobody else can as long as this lives.
+/// A reserved port without a listener; no other program can listen on it during this object's
+/// lifetime.
 class SilentPort {
  public:
   Address address() const { return {.host = "127.0.0.1", .port = socket_.local_endpoint().port()}; }
@@ -61,7 +62,8 @@ class SilentPort {
                                        {boost::asio::ip::address_v4::loopback(), std::uint16_t{0}}};
 };
 
-/// Listens at once; `conversation` runs when a client has come, and then the connection ends.
+/// Listens at once; runs `conversation` when a client has connected, and then closes the
+/// connection.
 class FakeDaemon {
  public:
   using Conversation = std::function<void(FakePeer&)>;
@@ -75,7 +77,7 @@ class FakeDaemon {
   FakeDaemon(const FakeDaemon&) = delete;
   FakeDaemon& operator=(const FakeDaemon&) = delete;
 
-  /// Waits for the end of the conversation; afterwards the test may look at what it wrote down.
+  /// Waits for the end of the conversation; afterwards the test may read what it recorded.
   void finish() {
     if (thread_.joinable()) thread_.join();
   }

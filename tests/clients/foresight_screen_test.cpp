@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `hedgehogctl preview`, `trips` and `events --since` print.
+// Output of `hedgehogctl preview`, `trips` and `events --since`.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdlib.h>
@@ -133,7 +133,7 @@ TEST(HistoryScreen, SaysHowOftenWhatRecursHasComeAndWhenLast) {
               testing::EndsWith("37 times, the last 2026-11-21 at 00:03:01.500"));
 }
 
-// Now is a Saturday's half past two in the night, an hour east of Greenwich.
+// Now is a Saturday, 02:30 local time, UTC+1.
 TEST(SinceArgument, IsADayATimeASpanOrExact) {
   ::setenv("TZ", "CET-1", 1);
   ::tzset();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The samples of a heating run, and the file by which it goes on.
+// The samples of a heating run, and the file from which it resumes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// hjif as its document and the reference software describe it, against the timeline that they
+// hjif import according to its document and the reference software, against the timeline that they
 // prescribe. The samples are our own.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -94,7 +94,7 @@ TEST(Hjif, ReferencesPlayWhatTheLibraryHas) {
   EXPECT_EQ(i.pattern.keyframes.back().t_ms, 150);
 }
 
-/// A key frame that says but its frequency.
+/// A key frame that contains only its frequency.
 std::string only_hz(int position, int hz) {
   return R"({"relative_position":)" + std::to_string(position) + R"(,"frequency_modulation":)" +
          std::to_string(hz) + "}";

@@ -37,7 +37,7 @@ TEST(HomeAssistant, FindsAnEntityForEachRetainedMessageOfOneDevice) {
   EXPECT_GE(ids.size(), 5U);
 }
 
-// value_json.temperature_c.upper, as far as its names go.
+// Checks the names in paths like value_json.temperature_c.upper.
 TEST(HomeAssistant, ShowsFieldsThatTheStatusHas) {
   protocol::Status ball;
   ball.temperature_c.upper = 30.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the tests of the importers ask of an imported pattern.
+// Inspection of an imported pattern in the tests of the importers.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ inline double level_at(const Imported& imported, double t_ms) {
   return model::point_at(frames, t_ms).level;
 }
 
-/// What the daemon says against it; empty: it takes it.
+/// The daemon's error for it; empty: accepted.
 inline std::string complaint(const Imported& imported) {
   protocol::Pattern named = imported.pattern;
   named.name = "imported/sample";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the orientation indicator tells of a daemon's telemetry.
+// Reports of the orientation indicator for a daemon's telemetry.
 #include "clients/orientation/indicator.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ std::string telemetry(const std::string& model_c) {
          model_c + R"(,"coils":[25,25,25],"age_ms":null}}})";
 }
 
-/// The first report of an indicator whose daemon tells this once.
+/// The first report of an indicator whose daemon sends `told` once.
 IndicatorReport report_of(const std::string& told) {
   FakeDaemon daemon([&](FakePeer& peer) {
     int id = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `hedgehogctl latency` prints.
+// Output of `hedgehogctl latency`.
 #include "clients/ctl/verbs/latency_verb.h"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a person names a broker.
+// Parsing of a broker's address.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Messages of a broker's clients as requests, and the responses as messages.
+// Translation of a broker's messages into requests, and of responses into messages.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -53,7 +53,7 @@ TEST(MqttRequest, WithoutAPayloadHasNoParameters) {
   EXPECT_EQ(request->params_json, "{}");
 }
 
-// A button of Home Assistant sends a word.
+// A button of Home Assistant sends plain text.
 TEST(MqttRequest, OfTheEmergencyStopIsOneWhateverItHolds) {
   for (const char* payload : {"", "PRESS", "{", "[1]"}) {
     const auto request =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A recorded path plays back within its bound.
+// A recorded path plays back within its error bound.
 #include "clients/ctl/patterns/path.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 
 using model::Vec3;
 
-/// The angle between the path as it plays and `point`, at the same time.
+/// The angle between the played path and `point`, at the same time.
 double playback_error_deg(const SimplifiedPath& path, const PathPoint& point) {
   std::vector<model::Keyframe> frames;
   for (const protocol::Keyframe& frame : path.keyframes) {

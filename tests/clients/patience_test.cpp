@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How long a client waits for a response, and who may change it.
+// The response timeout of a client, and how it can be set.
 #include "clients/lib/patience.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `hedgehogctl play` takes for a file, and what for the name of a pattern.
+// `hedgehogctl play` distinguishes files and names of patterns.
 #include "clients/ctl/patterns/pattern_file.h"
 #include "clients/ctl/play_options.h"
 #include "tests/temporary_folder.h"
@@ -30,7 +30,7 @@ constexpr const char* kHjif = R"({"version":"2023","timescale":1000,"perceptions
     {"relative_position":0,"amplitude_modulation":1.0},
     {"relative_position":40,"amplitude_modulation":0.0}]}]}]}]}]})";
 
-/// An empty working directory for as long as it lives.
+/// An empty working directory during this object's lifetime.
 class EmptyFolder {
  public:
   EmptyFolder() { std::filesystem::current_path(folder_.path()); }

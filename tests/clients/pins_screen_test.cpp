@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a person sees of `pins --live`, to the column.
+// The exact output of `pins --live`.
 #include "clients/ctl/screen/pins_screen.h"
 
 #include <gmock/gmock.h>
@@ -30,7 +30,7 @@ Ball armed_ball() {
   return ball;
 }
 
-// Whatever flows, by either calibration: each number stands alone and can be read back.
+// For any currents and either calibration: each number is separate and can be read back.
 RC_GTEST_PROP(BallNumbers, StandApartInEightyColumns, ()) {
   const auto part = [] { return *rc::gen::inRange(-150, 151) / 10.0; };
   const model::Vec3 field{part(), part(), part()};
@@ -54,7 +54,7 @@ RC_GTEST_PROP(BallNumbers, StandApartInEightyColumns, ()) {
   }
 }
 
-// Whatever a daemon sends: nothing is written beside the line.
+// For any input from a daemon: nothing is written outside the line.
 RC_GTEST_PROP(BallNumbers, AnyPinsAndAnyNumbersStayInTheirLines, ()) {
   const auto part = [] { return *rc::gen::inRange(-100, 101) / 100.0; };
   protocol::Description description;

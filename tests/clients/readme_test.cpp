@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the README tells people to type is what the daemon understands.
+// The requests in the README are accepted by the daemon's decoder.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -20,7 +20,8 @@ TEST(Readme, ShowsOnlyLinesThatTheDaemonTakes) {
     const auto end = line.rfind("}}");
     if (begin == std::string::npos || end == std::string::npos) continue;
     const auto incoming = protocol::decode_line(line.substr(begin, end + 2 - begin));
-    if (incoming.items.at(0).method == std::nullopt) continue;  // assembled by a program
+    // a template that a program completes
+    if (incoming.items.at(0).method == std::nullopt) continue;
     EXPECT_TRUE(incoming.items.at(0).request.has_value())
         << line << "\n"
         << incoming.items.at(0).request.error().message;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// When `hedgehogctl calibrate` takes a ball for one that is at one temperature.
+// Criterion of `hedgehogctl calibrate` for a ball at a uniform temperature.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -92,7 +92,7 @@ TEST(Drift, AWarmWindingShowsByItsResistanceAlone) {
   second.error.fill(0.003);
   EXPECT_FALSE(drift_of(first, second).any()) << "within the noise of the look";
   second.error.fill(0.0);
-  // The thermometer and all resistances move alike: it only cools.
+  // The thermometer and all resistances change together: the ball only cools.
   const double cooler = 1.0 - 2.0 * model::kCopperPerKelvin;
   second = {140.0, 23.0, {0.45 * cooler, 0.46 * cooler, 0.44 * cooler}};
   EXPECT_FALSE(drift_of(first, second).any());

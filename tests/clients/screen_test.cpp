@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a person sees of the ball, to the column.
+// The exact status output for a person.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

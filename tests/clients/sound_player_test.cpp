@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Slices of a sound are sent by the device time of now, whatever telemetry still waits to be read.
+// Slices of a sound are scheduled by the current device time, even if older telemetry is still
+// unread.
 #include "clients/ctl/verbs/sound_player.h"
 
 #include <gtest/gtest.h>
@@ -22,13 +23,13 @@ using nlohmann::json;
 
 constexpr std::int64_t kNsPerS = 1'000'000'000;
 
-/// A daemon that stands still until it has a number of effects. Then half a minute is over, as for
-/// a program that was stopped (Ctrl-Z), and telemetry of before is still to be read.
+/// A daemon whose time stands still until it has a number of effects. Then it advances by half a
+/// minute, as for a stopped program (Ctrl-Z), while older telemetry is still unread.
 class PausedDaemon {
  public:
   explicit PausedDaemon(std::size_t effects) : effects_(effects) {}
 
-  /// Ends early when there are more effects.
+  /// Ends early when there are more than `effects`.
   void converse(FakePeer& peer) {
     for (std::string line = peer.read(); !line.empty(); line = peer.read()) {
       const json request = json::parse(line);
@@ -76,7 +77,7 @@ class PausedDaemon {
 };
 
 TEST(SoundPlayer, SlicesThatPassedWhileItWasStoppedAreLeftOut) {
-  // Of six half seconds four begin within the two seconds that are sent ahead.
+  // Of six half-second slices, four begin within the two seconds that are sent ahead.
   PausedDaemon paused(4);
   FakeDaemon daemon([&](FakePeer& peer) { paused.converse(peer); });
   const TemporaryFolder folder;

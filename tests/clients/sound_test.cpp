@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Synthesised sounds as effects: clicks become pushes when they come, low tones a vibration on
-// their side.
+// Synthesised sounds as effects: clicks become pulses at their time, low tones a vibration on their
+// side.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which subscriptions the next connection makes again.
+// The subscriptions that are renewed on the next connection.
 #include "clients/lib/subscriptions.h"
 
 #include <gmock/gmock.h>

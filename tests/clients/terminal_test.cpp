@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is written to a terminal for a picture.
+// Escape sequences that draw a frame on a terminal.
 #include "clients/common/terminal.h"
 
 #include <gmock/gmock.h>
@@ -22,7 +22,7 @@ std::string written_for(const std::vector<std::string>& lines) {
   return testing::internal::GetCapturedStdout();
 }
 
-/// The cursor stays in the last column behind such a line, and erasing would begin there.
+/// The cursor stays in the last column after such a line, and erasing would begin there.
 TEST(Terminal, ALineOfTheWholeWidthKeepsItsLastCharacter) {
   const std::string out = written_for({std::string(80, '7')});
   EXPECT_THAT(out, HasSubstr("\033[1;1H\033[K" + std::string(80, '7')));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ball of the thesis as a daemon describes it.
+// The ball of the thesis as described by a daemon.
 #pragma once
 
 #include "model/magnets/ball_geometry.h"

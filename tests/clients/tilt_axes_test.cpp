@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tilting the ball moves a stick.
+// Tilting the ball moves the axes of a stick.
 #include "clients/gamepad/tilt_axes.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 using model::axis_angle;
 using model::Vec3;
 
-/// Up in the frame of a ball that was turned by `angle_deg` about `axis` of the room.
+/// Up in the frame of a ball that was rotated by `angle_deg` about `axis` of the world frame.
 Vec3 up_after(const Vec3& axis, double angle_deg) {
   return rotate(conjugate(axis_angle(axis, angle_deg)), Vec3{0, 0, 1});
 }

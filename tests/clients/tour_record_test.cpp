@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// When the tour may be called a success.
+// Criteria for a successful tour.
 #include "clients/ctl/demo/tour_record.h"
 
 #include <gmock/gmock.h>

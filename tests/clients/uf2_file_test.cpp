@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which UF2 files are for the board, and what is said of the others.
+// Which UF2 files are accepted for the board, and the errors for the others.
 #include "clients/ctl/board/uf2_file.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ std::string refused(std::span<const std::uint8_t> file) {
 }
 std::string refused(const Uf2Sample& sample) { return refused(sample.file()); }
 
-/// Three pages, one word of the second other than it should be.
+/// The error for three pages with one wrong word in the second.
 std::string refused(Uf2Word word, std::uint32_t value) {
   return refused(Uf2Sample::pages(3).put(1, word, value));
 }
@@ -38,7 +38,7 @@ TEST(Uf2File, TakesPagesOfTheFlash) {
 }
 
 TEST(Uf2File, TakesFlagsThatChangeNothing) {
-  // A check sum and tags may stand behind the payload.
+  // A check sum and tags may follow the payload.
   EXPECT_TRUE(read_uf2(Uf2Sample::pages(2).put(1, Uf2Word::kFlags, 0x0000E000).file()));
 }
 

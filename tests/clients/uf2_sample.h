@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// UF2 files by the page, good ones and nearly good ones.
+// Generated UF2 files, valid and slightly invalid ones.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace hedgehog::client {
 
-/// The place of a word in its block.
+/// The index of a word in its block.
 enum class Uf2Word : std::size_t {
   kMagicFirst = 0,
   kMagicSecond = 4,
@@ -24,7 +24,7 @@ enum class Uf2Word : std::size_t {
 
 class Uf2Sample {
  public:
-  /// A page for each address, in this order.
+  /// One page for each address, in this order.
   explicit Uf2Sample(const std::vector<std::uint32_t>& addresses) : file_(512 * addresses.size()) {
     for (std::size_t i = 0; i < addresses.size(); ++i) {
       put(i, Uf2Word::kMagicFirst, 0x0A324655);
@@ -40,7 +40,7 @@ class Uf2Sample {
         file_[512 * i + 32 + k] = static_cast<std::uint8_t>(i + k);
     }
   }
-  /// So many pages from the begin of the flash on.
+  /// `count` pages from the beginning of the flash.
   static Uf2Sample pages(std::uint32_t count) {
     std::vector<std::uint32_t> addresses;
     for (std::uint32_t i = 0; i < count; ++i) addresses.push_back(0x10000000 + 256 * i);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A ball in a person's hand, as its daemon describes it: at 41 °C, and 40 s into 15 A.
+// A ball in a person's hand, as described by its daemon: at 41 °C, after 40 s at 15 A.
 #pragma once
 
 #include <vector>
@@ -50,7 +50,7 @@ inline Ball warm_ball() {
   return ball;
 }
 
-/// 40 s into 15 A.
+/// After 40 s at 15 A.
 inline Ball hot_ball() {
   Ball ball = warm_ball();
   ball.status.temperature_c = {

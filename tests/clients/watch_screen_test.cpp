@@ -93,7 +93,7 @@ TEST(WatchEvents, ASeriesLastsAnHourAtMost) {
   EXPECT_THAT(lines.end()[-2], EndsWith("  overrun  30 ticks skipped"));
 }
 
-/// Whatever else happens, and whatever happened before or since.
+/// Independent of other events, before or after.
 TEST(WatchEvents, ATripAStopAndADeratingAreNotPushedOutByEffects) {
   for (const char* state : {"tripped", "disarmed", "absent"}) {
     WatchScreen screen({});

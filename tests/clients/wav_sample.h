@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Synthesised sounds as the bytes of WAV files: 16 bit, two channels.
+// Synthesised sounds as WAV files: 16 bit, two channels.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ inline void append_little(std::string& bytes, std::uint32_t value, int count) {
   for (int i = 0; i < count; ++i) bytes.push_back(static_cast<char>((value >> (8 * i)) & 0xFFU));
 }
 
-/// `sound` is asked for left and right, -1..1, at each time in seconds.
+/// `sound` is called for left and right, -1..1, at each time in seconds.
 inline std::string wav_of(double seconds,
                           const std::function<std::pair<double, double>(double)>& sound,
                           int rate_hz = kWavRateHz) {
@@ -47,7 +47,7 @@ inline std::string wav_of(double seconds,
   return bytes;
 }
 
-/// 5 ms of 2 kHz that die away.
+/// A decaying tone of 2 kHz, 5 ms long.
 inline double click(double t, double at) {
   const double since = t - at;
   if (since < 0.0 || since > 0.005) return 0.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Listeners that other machines can reach need tokens and a certificate.
+// Listeners reachable from other machines need tokens and a certificate.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

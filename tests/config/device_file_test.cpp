@@ -42,7 +42,7 @@ TEST(DeviceFile, EveryKeyArrives) {
   EXPECT_EQ(d.uncertainty, (model::ThermalUncertainty{0.06, 0.01, 1}));
   EXPECT_EQ(d.limits, (model::Limits{12, 4, 2, 55, 60, 62, 64, 40}));
   EXPECT_EQ(d.usb, (std::vector<model::UsbId>{{0x1209, 1}, {0xcafe, 0x4011}}));
-  // Nobody tightened anything, so the ball's own limits hold.
+  // Without tighter limits in the configuration, the ball's own apply.
   EXPECT_EQ(fake.load()->limits, d.limits);
 
   FakeFiles again = FakeFiles::with_device(print_device(d));
@@ -127,7 +127,7 @@ TEST(DeviceFile, AGeometryThatCannotBeNamesTheKeyThatIsWrong) {
   EXPECT_EQ(key_of_overlap("{\n\"arrangement\": \"GP(4,1)\"}"), ":2: arrangement");
 }
 
-// The check computes the whole array, up to seconds: not again for what is running.
+// The check computes the whole array, up to seconds: it is not repeated for the geometry in use.
 TEST(DeviceFile, AGeometryThatRunsIsNotCheckedAgain) {
   const FakeFiles fake = FakeFiles::with_device("{\"sphere_mm\": 30}");
   ASSERT_THAT(fake.errors(), testing::HasSubstr("overlap by"));
@@ -251,7 +251,7 @@ TEST(DeviceFile, ItsContentIsADifferenceToo) {
   EXPECT_TRUE(different_keys(before, before).empty());
 }
 
-// Overrides a little above and below what the ball bears: what loads is within it.
+// Overrides slightly below and above the ball's limits: every accepted value is within them.
 RC_GTEST_PROP(DeviceFile, ConfigurationNeverLoosens, ()) {
   constexpr int kAbsent = -100;
   std::string members;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Configuration files that exist in memory only.
+// Configuration files in memory.
 #pragma once
 
 #include <map>
@@ -30,28 +30,28 @@ struct FakeFiles {
     return load_config(paths, overrides, reader, running);
   }
 
-  /// With `text` as the configuration file.
+  /// Uses `text` as the configuration file.
   static FakeFiles with(const std::string& text) {
     FakeFiles fake;
     fake.files["/etc/hedgehog/hedgehogd.json"] = text;
     return fake;
   }
 
-  /// With `text` as the device file in use.
+  /// Uses `text` as the device file.
   static FakeFiles with_device(const std::string& text) {
     FakeFiles fake = with(R"({"device": "mine"})");
     fake.files[kDeviceFile] = text;
     return fake;
   }
 
-  /// What is wrong, one a line; "" when nothing is.
+  /// The errors, one a line; "" when there is none.
   std::string errors() const {
     const auto loaded = load();
     return loaded ? "" : to_string(loaded.error());
   }
 };
 
-/// What is wrong with `text` as the device file.
+/// The errors of `text` as the device file.
 inline std::string wrong_device(const std::string& text) {
   return FakeFiles::with_device(text).errors();
 }

@@ -77,7 +77,7 @@ TEST(LoadConfig, TheShippedFilesDocumentEveryKeyAndChangeNothing) {
   EXPECT_EQ(paths_in(shipped("devices.d/hedgehog-86.json")), paths_of(device_keys()));
 }
 
-// Every key of the documented file, each with a value that is not its default.
+// Every key of the documented file, each with a value other than its default.
 constexpr const char* kEverythingElse = R"({
   "backend": "simulator", "device": "mine", "arm_at_start": "never",
   "limits": {"current_a": 12, "continuous_a": 4.5, "felt_a": 2, "derate_from_c": 50,
@@ -173,7 +173,7 @@ TEST(LoadConfig, ListenLeavesAConfiguredHttpListenerAlone) {
   FakeFiles fake = FakeFiles::with(R"({"http": {"listen": "127.0.0.1:8080"}})");
   fake.overrides.listen = {"127.0.0.1:0"};
   EXPECT_EQ(fake.load()->http.listen, (ListenAddress{"127.0.0.1", 8080}));
-  // The defaults file is nobody's choice.
+  // An address in the defaults file is not an explicit setting.
   fake.files[fake.paths.defaults_file] = fake.files[fake.paths.config_file];
   fake.files.erase(fake.paths.config_file);
   EXPECT_EQ(fake.load()->http.listen, (ListenAddress{"127.0.0.1", 0}));
@@ -217,7 +217,7 @@ TEST(LoadConfig, ReadFileTellsMissingFromBroken) {
   EXPECT_EQ(read_file("/dev/zero").problem, "is a device, not a regular file");
 }
 
-// A configuration that is nearly right: known keys with values of any kind.
+// A configuration that is nearly valid: known keys with values of any kind.
 rc::Gen<std::string> any_json(int depth) {
   auto leaf = rc::gen::element<std::string>(
       "null", "true", "-1", "0", "1", "15", "1e300", "0.5", "\"usb\"", "\"\"", "\"/x\"",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a person reads who made a mistake: file, line, key, what is allowed, what was given.
+// Error messages for a person's mistakes: file, line, key, the allowed and the given value.
 #include <gtest/gtest.h>
 
 #include <string>

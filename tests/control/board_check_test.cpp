@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the daemon makes of a board's own limits and of its silence.
+// The daemon's checks of a board's own limits and of its silence.
 #include "daemon/control/checks/board_check.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace hedgehog::control {
 namespace {
 
-// A board whose limits are the wanted ones, changed by this.
+// A board with the expected limits plus these offsets.
 device::BoardTelemetry board_with(double more_a, double more_k) {
   const auto wanted = device::BoardLimits::of(model::Limits{});
   device::BoardTelemetry board;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a check answers to readings that wander, jump, stop and come back, as a row of figures.
+// Results of a check for readings that drift, jump, stop and resume, as a row of figures.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ inline constexpr int kReferenceRows = 24;
 inline constexpr int kReferenceTicks = 600;
 inline constexpr double kReferenceDtS = model::kTickSeconds;
 
-/// A row: what came out of so many ticks.
+/// A row: aggregated results of a number of ticks.
 class Outcomes {
  public:
   void add(Reason reason, Reason blocker = Reason::kNone) {
@@ -46,7 +46,7 @@ class Outcomes {
   }
 
  private:
-  /// So that two ticks that change places show.
+  /// Weighted by time, so that swapped ticks are detected.
   double weight() const { return 1.0 + 0.01 * tick_; }
 
   int tick_ = 0;
@@ -57,7 +57,7 @@ class Outcomes {
   rig::ReferenceRecord::Figures sums_;
 };
 
-/// One of `choices`, for some ticks.
+/// One of `choices`, at random.
 template <class... Choices>
 double one_of(model::RandomStream& random, Choices... choices) {
   const std::array<double, sizeof...(Choices)> all{static_cast<double>(choices)...};

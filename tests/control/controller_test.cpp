@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The controller as a whole: arming, following, telling, never allocating.
+// The whole controller: arming, effects, reports, no allocations.
 #include <gtest/gtest.h>
 
 #include "daemon/device/simulator/simulator_settings.h"
@@ -147,7 +147,7 @@ TEST(Derating, AStrengthBeyondTheConfiguredLimitIsNone) {
   rig::Rig rig;
   rig.run_until_armed();
   rig.start(rig::hold({1, 0, 0}, 15.0));
-  rig.start(rig::hold({0, 1, 0}, 15.0));  // together 21 A: mixed, not hot
+  rig.start(rig::hold({0, 1, 0}, 15.0));  // together 21 A: mixing limits them, not heat
   rig.run(2000);
   EXPECT_FALSE(rig.snapshot().derating);
   EXPECT_EQ(rig.count(EventType::kDeratingStarted), 0);
@@ -200,7 +200,7 @@ TEST(Heading, RecentreTurnsWorldEffects) {
   EXPECT_NEAR(rig.snapshot().yaw_offset_deg, 0.0, 1e-9);
 }
 
-// A driver's own sensor sees no current while its bridge brakes.
+// A driver's own sensor measures no current while its bridge brakes.
 TEST(FanByCurrent, CountsWhatIsExpectedWhereNothingIsMeasured) {
   ControlSettings settings = rig::RigOptions::armed_at_start();
   Controller controller(settings);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The comparison of currents with commands: how long an edge excuses a difference, and how large
-// one may stay.
+// The comparison of currents with commands: how long a difference is tolerated after an edge, and
+// the size of a permitted permanent difference.
 #include "daemon/control/checks/current_check.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace hedgehog::control {
 namespace {
 
-// Of a winding at 40 C, which is what the check reckons with.
+// For a winding at 40 C, the check's assumption.
 const double kOhm = model::resistance_at(model::Ohms(0.45), model::Celsius(40.0)).value;
 
 struct Bench {
@@ -26,7 +26,7 @@ struct Bench {
     reading.skipped = 0;
     return reason;
   }
-  /// As commanded, until everything has settled.
+  /// Follows the command until the current has settled.
   void settle(double current_a) {
     command(current_a);
     double measured_a = reading.current_a.x;
@@ -35,7 +35,7 @@ struct Bench {
       measured_a += (current_a - measured_a) * 0.27;
     }
   }
-  /// The tick in which it trips, and why; 0: not within 200.
+  /// The tick in which it trips, and the reason; 0: not within 200.
   int trips_after(double measured_a, Reason& reason) {
     for (int ms = 1; ms <= 200; ++ms) {
       reason = step(measured_a);
@@ -111,7 +111,7 @@ TEST(CurrentCheck, AGapIsExcusedAsAnEdge) {
   Bench bench;
   bench.settle(5.0);
   bench.reading.skipped = 100;
-  // The board went to sleep 20 ticks into the gap and is woken now.
+  // The board's bridges fell asleep 20 ticks into the gap and are woken now.
   for (int ms = 0; ms < 17; ++ms) ASSERT_EQ(name(bench.step(0.0)), "none") << ms;
   for (int ms = 0; ms < 100; ++ms) ASSERT_EQ(name(bench.step(5.0)), "none") << ms;
 }

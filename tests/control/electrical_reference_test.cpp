@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Checks of the watchdog on readings that wander, jump, stop and come back, tick by tick
-// (`reference/*.tsv`). The other tests say what must be; these, what is: a comparison, a constant
-// or a sign that changes shows, and has to be meant. HEDGEHOG_WRITE_REFERENCE=1 renews the figures.
+// Checks of the watchdog on readings that drift, jump, stop and resume, tick by tick, against
+// `reference/*.tsv`. The other tests specify the required behaviour; these record the actual one,
+// so that a changed comparison, constant or sign is detected and must be intended.
+// HEDGEHOG_WRITE_REFERENCE=1 rewrites the figures.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -91,7 +92,7 @@ TEST(ElectricalReference, Heat) {
       shown_c = std::clamp(shown_c + slope_k, -15.0, 85.0);
       const double ohm = model::resistance_at(model::Ohms(0.45), model::Celsius(shown_c)).value;
       reading.before_a = current_a;
-      // In one row of four vibrations, which change all the time.
+      // Every fourth row is a vibration, whose current changes continuously.
       const double wave = row % 4 == 3 ? std::sin(0.4 * tick) : 1.0;
       for (int coil = 0; coil < model::kCoils; ++coil) {
         const double before_a = current_a[coil];

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kDriven = 1;
 
-/// An observer that is fed by hand: a ball at rest, of which one winding carries 10 A.
+/// An observer with simulated inputs: a ball at rest, of which one winding carries 10 A.
 class Followed {
  public:
   explicit Followed(double celsius) {
@@ -24,7 +24,7 @@ class Followed {
     measurement_.thermistors.valid.fill(true);
   }
 
-  /// A tick in which V/I shows the resistance of `shown_c`.
+  /// A tick in which V/I gives the resistance at `shown_c`.
   Reason tick(double current_a, double shown_c) {
     measurement_.current_before_a[kDriven] = measurement_.current_a[kDriven] = current_a;
     measurement_.voltage_v[kDriven] =
@@ -45,7 +45,7 @@ class Followed {
   EstimateCheck check_;
 };
 
-/// Ticks until something is found, at most 20 s.
+/// Ticks until the check reports a fault, at most 20 s.
 template <class Tick>
 int ticks_until_found(const Tick& tick, Reason& found) {
   int ticks = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// When the orientation is reported as lost and as restored.
+// Reports of lost and restored orientation.
 #include "daemon/control/event_reporter.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 class OrientationEvents : public testing::Test {
  protected:
-  /// `ticks` in which the orientation is `fresh`, one every `stride` milliseconds.
+  /// Runs `ticks` in which the orientation is `fresh`, one every `stride` milliseconds.
   void run(int ticks, bool fresh, model::Tick stride = 1) {
     for (int i = 0; i < ticks; ++i) {
       tick_ += stride;

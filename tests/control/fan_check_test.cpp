@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The fan counts as cooling only by fresh telemetry, driven, and at a speed that it can have.
+// The fan counts as cooling only with fresh telemetry, while driven, and at a plausible speed.
 #include "daemon/control/checks/fan_check.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// effect.play in the control loop: what is asked tick by tick, how it ends, and that a recording of
-// it replays.
+// effect.play in the control loop: the demand of each tick, the end, and the replay of its
+// recording.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 
 using model::Vec3;
 
-/// Up over 40 ms, down over 60, in front; the whole takes 100 ms.
+/// Rises over 40 ms, falls over 60 ms, in front; 100 ms in total.
 constexpr LoadKeyframes kBump{.first = 30,
                               .count = 3,
                               .frames = {{{1, 0, 0, 0, 0, model::Ease::kLinear},

@@ -69,7 +69,7 @@ TEST_F(LatencyMeterTest, ALaterSetPointHasTheEffectToo) {
 TEST_F(LatencyMeterTest, MeasuresEffectsOnlyAndRequestsOnly) {
   ask(7, 100, 200);
   apply(7, SetGain{}, 40, 300);
-  apply(8, StartEffect{}, 40, 300);  // nobody asked for it
+  apply(8, StartEffect{}, 40, 300);  // without a client's request
   meter_.written(written(40, 400), *mailbox_);
   EXPECT_TRUE(measured().empty());
 }

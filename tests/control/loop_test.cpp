@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The threads that turn the controller, through the mailbox as io sees it. Waits for what must
-// happen, never for how long it takes.
+// The threads that run the controller, through the mailbox as the io thread uses it. Waits for
+// required events, never for fixed durations.
 #include "daemon/control/loop/loop.h"
 
 #include <gtest/gtest.h>
@@ -17,11 +17,11 @@
 namespace hedgehog::control {
 namespace {
 
-/// Device time runs up to a hundred times as fast here; nothing shall end by its lease: these are
+/// Device time runs up to a hundred times as fast here; no effect may end by its lease: this is
 /// eleven hours at that pace.
 constexpr std::uint32_t kNeverOver = 4'000'000'000;
 
-/// io's side: a mailbox, and patience.
+/// The io side: a mailbox, and a wait with a timeout.
 class Io {
  public:
   bool wait(const std::function<bool()>& done) {
@@ -62,7 +62,7 @@ TEST(LockstepLoop, PlaysEffectsAndStopsSafely) {
   ASSERT_TRUE(
       io.wait([&] { return io.status.applied_seq == 1 && io.status.board.current_a.x > 4.9; }));
   EXPECT_EQ(io.status.effects[3].effect, 1003u);
-  // It counts whole wakings; the effect may have begun within the first.
+  // It counts completed wake-ups; the effect may have begun within the first.
   EXPECT_TRUE(io.wait([&] { return loop.heartbeat() > 0; }));
   EXPECT_GE(loop.now(), io.status.tick - 100);
   EXPECT_TRUE(loop.stop()) << "the board has confirmed that its bridges sleep";
@@ -102,11 +102,11 @@ TEST(LockstepLoop, AnEmergencyStopWorksWithAFullQueue) {
 TEST(LockstepLoop, NoEndedEventIsLostWhenNobodyReadsThem) {
   Io io;
   LockstepLoop loop(rig::RigOptions::armed_at_start(), *io.mailbox, *io.port, nullptr, {}, 50);
-  // The queue is full before anything has happened.
+  // The queue is full before the loop starts.
   while (io.mailbox->events.push(Event{})) {
   }
   loop.start();
-  // Filled places' effects are started and end; io takes nothing.
+  // Effects in all places are started and end; io reads no events.
   const auto come_to = [&](const std::function<bool(const StatusSnapshot&)>& there) {
     const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
     while (!there(io.mailbox->status.read()) && std::chrono::steady_clock::now() < until)
@@ -138,7 +138,7 @@ TEST(ControlLoop, ReportsAnAbsentBoardAndKeepsTicking) {
 TEST(ControlLoop, CountsEveryTickOfTheGridOnce) {
   Io io;
   ControlLoop loop(ControlSettings{}, *io.mailbox, *io.port, nullptr);
-  // Ticks of the grid that nobody counted: those before the thread began, and never another one.
+  // Ticks of the grid that were not counted: those before the thread began, and no others.
   const auto uncounted = [&] {
     return static_cast<std::uint64_t>(io.status.tick) - io.status.loop.ticks -
            io.status.loop.skipped;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A mixer on a clock: plays effects tick by tick and writes down what was asked and what happened.
+// A mixer on virtual time: plays effects tick by tick and records demands and events.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace hedgehog::control {
 class MixerHarness {
  public:
   MixInputs inputs{.tick = 1000, .playable = true, .orientation_usable = true};
-  /// What the limiter lets through.
+  /// Share of the demand that the limiter passes.
   double passed = 1.0;
   Mixer mixer;
   MixResult last;
@@ -47,7 +47,7 @@ class MixerHarness {
 
   model::Tick now() const { return inputs.tick; }
 
-  /// Takes effect in the tick that `tick` runs next. The place is the effect's number, less one.
+  /// Takes effect in the next tick. The place is the effect's number minus 1.
   EffectId start(const model::EffectSpec& spec, EffectId replaces = 0) {
     const EffectId effect = ++last_effect_;
     mixer.start({.effect = effect,
@@ -83,7 +83,7 @@ class MixerHarness {
     return demands;
   }
 
-  /// The end of `effect`, if it has ended.
+  /// The end event of `effect`, if it has ended.
   std::optional<Event> end_of(EffectId effect) const {
     for (const Event& event : events)
       if (event.type == EventType::kEffectEnded && event.effect == effect) return event;

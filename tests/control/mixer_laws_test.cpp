@@ -42,8 +42,8 @@ EffectSpec any_spec() {
   return spec;
 }
 
-// Whatever clients do, every effect ends once and by itself, is told once as started before that,
-// and leaves nothing asked of the coils.
+// For any client requests, every effect ends once and by itself, is reported once as started before
+// that, and leaves no demand on the coils.
 RC_GTEST_PROP(MixerLaws, EveryEffectEndsOnceAndInTime, ()) {
   MixerHarness h;
   std::map<EffectId, Tick> deadline;
@@ -93,8 +93,8 @@ RC_GTEST_PROP(MixerLaws, EveryEffectEndsOnceAndInTime, ()) {
   for (EffectId effect = 1; effect <= newest; ++effect) RC_ASSERT(ended[effect] == 1);
 }
 
-// A continuous waveform stays continuous whatever frequency, strength or whole effect is sent: from
-// one tick to the next it moves no further than its steepest slope allows.
+// A continuous waveform stays continuous when its frequency, strength or the whole effect changes:
+// the difference between two ticks is at most its maximum slope.
 RC_GTEST_PROP(MixerLaws, UpdatesAndReplacementsNeverJump, ()) {
   MixerHarness h;
   const auto waveform = *rc::gen::element(model::Waveform::kSine, model::Waveform::kTriangle);
@@ -117,7 +117,7 @@ RC_GTEST_PROP(MixerLaws, UpdatesAndReplacementsNeverJump, ()) {
   }
 }
 
-// A smooth circle glides on whatever its speed, sense or ring become at the same angle.
+// A smooth circle stays continuous when its speed, sense or ring changes at the same angle.
 RC_GTEST_PROP(MixerLaws, ACircleNeverJumpsRound, ()) {
   MixerHarness h;
   EffectSpec spec = MixerHarness::hold({1, 0, 0}, 5, 10'000);
@@ -143,7 +143,7 @@ RC_GTEST_PROP(MixerLaws, ACircleNeverJumpsRound, ()) {
   }
 }
 
-// A copy of the mixer goes on exactly as the original: the flight recorder relies on it.
+// A copy of the mixer continues exactly like the original: the flight recorder relies on it.
 RC_GTEST_PROP(MixerLaws, ACopyGoesOnBitForBit, ()) {
   MixerHarness h;
   for (int i = *rc::gen::inRange(1, 20); i > 0; --i) {

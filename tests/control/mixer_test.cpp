@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// When effects begin and how they end: shapes, ends and slots of protocol/README.md.
+// Start and end of effects: shapes, ends and slots of protocol/README.md.
 #include "daemon/control/effects/mixer.h"
 
 #include <gtest/gtest.h>

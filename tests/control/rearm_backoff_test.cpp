@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Arming again through the same trip takes longer each time.
+// Repeated arming after the same trip takes longer each time.
 #include "daemon/control/state/rearm_backoff.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ using model::Tick;
 
 constexpr Reason kWhy = Reason::kSensorFrozen;
 
-/// Armed again `times` times after as many trips for kWhy, the last one at tick 0.
+/// The state after `times` armings after as many trips for kWhy, the last one at tick 0.
 RearmBackoff after(int times) {
   RearmBackoff backoff;
   for (int i = 0; i < times; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A recording replays bit for bit, and only then.
+// A recording replays bit for bit, and a changed one is detected.
 #include "daemon/control/recording/recording.h"
 
 #include <gtest/gtest.h>
@@ -54,7 +54,7 @@ TEST(Replay, GivesTheSameBitsForAtLeastSixSecondsBeforeATrip) {
 TEST(Replay, NoticesOneBit) {
   FlightRecorder recorder;
   auto bytes = recorded_trip(recorder);
-  // In what changed last in the outputs of the last tick.
+  // In the last changed word of the outputs of the last tick.
   const std::size_t at = bytes.size() - sizeof(std::uint32_t) - sizeof(std::uint64_t);
   bytes[at] ^= std::byte{1};
   EXPECT_EQ(replay(bytes, {}).error, ReplayError::kNotARecording) << "damaged";

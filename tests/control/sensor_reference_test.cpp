@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Checks of the watchdog on readings that wander, jump, stop and come back, tick by tick
-// (`reference/*.tsv`). The other tests say what must be; these, what is: a comparison, a constant
-// or a sign that changes shows, and has to be meant. HEDGEHOG_WRITE_REFERENCE=1 renews the figures.
+// Checks of the watchdog on readings that drift, jump, stop and resume, tick by tick, against
+// `reference/*.tsv`. The other tests specify the required behaviour; these record the actual one,
+// so that a changed comparison, constant or sign is detected and must be intended.
+// HEDGEHOG_WRITE_REFERENCE=1 rewrites the figures.
 #include <gtest/gtest.h>
 
 #include <algorithm>

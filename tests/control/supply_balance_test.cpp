@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sum of duty times current against what the supply delivers.
+// The sum of duty times current compared with the current of the supply.
 #include "daemon/control/checks/supply_balance.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ static_assert(std::is_trivially_copyable_v<SupplyBalance>);
 using model::kTickSeconds;
 using model::Vec3;
 
-/// A board whose windings carry currents; each sensor with its gain, noise everywhere.
+/// A board whose windings carry currents; each sensor with a gain error and noise.
 struct SupplyBench {
   SupplyBalance balance;
   model::RandomStream random{7};
@@ -87,8 +87,7 @@ TEST(SupplyBalance, SaysOfAMoveOfVIWhatElseHasMoved) {
             (Disagreement{1, Quantity::kSupplyVoltage, Quantity::kHeatBalance}));
 }
 
-// The supply's current has not followed yet when a step of V/I trips, and while the limiter
-// reduces.
+// When a step of V/I trips, and while the limiter reduces, the supply current has not settled yet.
 TEST(SupplyBalance, NamesTheCurrentTooATenthOfASecondAfterItsGainHasChanged) {
   for (const double gain : {0.8, 0.95, 1.2}) {
     SupplyBench bench;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The watchdog's check of the thermistor: what trips it, after how long, and what does not.
+// The watchdog's check of the thermistor: trip conditions, their delays, and tolerated readings.
 #include "daemon/control/checks/thermistor_check.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kDt = model::kTickSeconds;
 
-/// A thermistor that is read every 10 ms.
+/// A thermistor that is sampled every 10 ms.
 class Sensor {
  public:
   Reason step(double sensor_c, bool converts = true) {
@@ -24,7 +24,7 @@ class Sensor {
     reading.sensor_c = sensor_c;
     return check.step(reading, kDt);
   }
-  /// Ticks until a reason, at most `most`.
+  /// Ticks until the check returns a reason, at most `most`.
   std::pair<Reason, int> until_trip(double sensor_c, int most, bool converts = true) {
     for (int i = 1; i <= most; ++i)
       if (const Reason reason = step(sensor_c, converts); reason != Reason::kNone)
@@ -132,7 +132,7 @@ TEST(ThermistorCheck, ElevenKelvinOffIsNoFaultYet) {
     ASSERT_EQ(sensor.step(51.0 + 0.6 * random.uniform(-1, 1)), Reason::kNone);
 }
 
-/// Real thermistors with lags of 1..3 s on a winding that is driven wildly: never a reason.
+/// Real thermistors with lags of 1..3 s on a winding with a wildly changing load: never a reason.
 TEST(ThermistorCheck, BelievesEveryRealThermistor) {
   for (const double lag : {1.0, 2.0, 3.0}) {
     model::RandomStream random(static_cast<std::uint64_t>(lag * 10));

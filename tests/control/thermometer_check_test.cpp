@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The second thermometer: what it must say to stop the ball, and for how long.
+// The second thermometer: readings that stop the ball, and after what time.
 #include "daemon/control/checks/thermometer_check.h"
 
 #include <gtest/gtest.h>
@@ -115,8 +115,8 @@ TEST(ThermometerCheck, ACoilTenKelvinsFromItsThermistorForFiveSecondsDisagrees) 
   }
 }
 
-// After a step of the thermistor from 25 to 55 C a probe may show what lies between a lag of 1 s
-// and one of 40 s, and 10 K on both sides.
+// After a step of the thermistor from 25 to 55 C a probe's reading may lie between those with a lag
+// of 1 s and of 40 s, extended by 10 K on both sides.
 TEST(ThermometerCheck, AProbeMayLagByOneToFortySeconds) {
   const double after_s = 3.0;
   for (const double lag_s : {1.0, 40.0}) {
@@ -129,7 +129,7 @@ TEST(ThermometerCheck, AProbeMayLagByOneToFortySeconds) {
       probe.step();
     }
     const double out = lag_s == 1.0 ? 1.0 : -1.0;
-    probe.reading.sensor = false;  // where a probe could be stays where it is
+    probe.reading.sensor = false;  // freezes the permitted range
     probe.reading.sample.celsius = lagging_c + out * 9.99;
     probe.step();
     EXPECT_EQ(probe.check.arming_blocker(), Reason::kNone) << lag_s;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A tick, recorder and mailbox included, allocates nothing and takes no lock, whatever is asked.
+// A tick, with recorder and mailbox, allocates nothing and takes no lock, for any request.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -22,7 +22,7 @@ class TickCost : public testing::Test {
 
   void push(const decltype(Command::what)& what) { mailbox_->commands.push({++seq_, what}); }
 
-  /// Every kind of request, at random places and times.
+  /// Every kind of request, with random places and times.
   void ask(model::Tick tick) {
     if (tick % 7 == 0) {
       const auto place = static_cast<std::uint8_t>(random_.bits() % kMaxEffects);

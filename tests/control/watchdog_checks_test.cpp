@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The watchdog's checks of currents, heat, fan and board: what trips them, and what does not.
+// The watchdog's checks of currents, heat, fan and board: trip conditions and tolerated readings.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -37,7 +37,7 @@ TEST(CurrentCheck, FollowsEveryDriveWithLAndROff) {
           double current = 0.0;
           for (int i = 0; i < 5000; ++i) {
             const double phase = std::fmod(i * model::kTickSeconds * hz, 1.0);
-            // From one end to the other, as hard as the supply can.
+            // Full swing at the supply's limit.
             const double commanded = phase < 0.5 ? 12.0 : (phase < 0.6 ? -12.0 : 0.0);
             volts[static_cast<std::size_t>(i % 8)] = std::clamp(commanded, -7.0, 7.0);
             const double applied = volts[static_cast<std::size_t>((i + 8 - delay) % 8)];
@@ -73,8 +73,8 @@ TEST(CurrentCheck, AHalvedMeasurementIsAMismatch) {
   EXPECT_LT(ticks, 60);
 }
 
-// A vibration hides half a measurement from the comparison with what was commanded lately; the
-// duty that was applied in that very millisecond shows it.
+// For a vibration, a halved measurement is within the tolerance for recent commands; it contradicts
+// the duty applied in the same millisecond.
 TEST(CurrentCheck, AHalvedMeasurementOfAVibrationIsAMismatch) {
   CurrentCheck check{model::CoilModel{}};
   CurrentReading reading;
@@ -90,7 +90,7 @@ TEST(CurrentCheck, AHalvedMeasurementOfAVibrationIsAMismatch) {
   EXPECT_EQ(name(reason), "current_mismatch");
 }
 
-// A board that does something else than it is told, and says so truly.
+// A board that deviates from its command, and reports it correctly.
 TEST(CurrentCheck, ADutyThatWasNeverCommandedIsAMismatch) {
   CurrentCheck check{model::CoilModel{}};
   CurrentReading reading;
@@ -109,7 +109,7 @@ TEST(CurrentCheck, ADutyThatWasNeverCommandedIsAMismatch) {
   EXPECT_LT(ticks, 30);
 }
 
-// Frames from before a freeze of the host come first: they are no fault of the board.
+// Frames from before a freeze of the host arrive first: they are no fault of the board.
 TEST(CurrentCheck, OldFramesAfterALongGapAreNoFault) {
   CurrentCheck check{model::CoilModel{}};
   CurrentReading reading;
@@ -128,7 +128,7 @@ TEST(CurrentCheck, OldFramesAfterALongGapAreNoFault) {
   }
 }
 
-// Each frame counts for the time since the last, and no frame alone trips.
+// Each frame counts for the time since the last one, and no single frame trips.
 TEST(CurrentCheck, LostFramesDoNotStopTheClock) {
   CurrentCheck check{model::CoilModel{}};
   CurrentReading reading;
@@ -156,7 +156,7 @@ HeatReading steady(int coil, double current_a, double celsius) {
   return reading;
 }
 
-/// A check that knows the resistance of winding `coil`: it was driven while the ball was at 30 C.
+/// A check with a reference resistance of winding `coil`: it was driven while the ball was at 30 C.
 OverTemperatureCheck referenced(int coil) {
   OverTemperatureCheck check;
   check.start_rested();
@@ -189,7 +189,7 @@ TEST(OverTemperatureCheck, AWindingIsJudgedByWhatFlowsAndNotByMemory) {
   for (int i = 0; i < 20; ++i) ASSERT_EQ(tick(6.0), Reason::kNone);
   ASSERT_TRUE(check.measuring(1));
   for (int i = 0; i < 200; ++i) ASSERT_EQ(tick(0.0), Reason::kNone) << i;
-  // A train of pulses, 8 ms in 80: its 50 ms are those in which something flows.
+  // A pulse train, 8 ms of every 80: only driven milliseconds count for the 50 ms.
   int driven = 0;
   for (int i = 0; i < 3000; ++i) {
     const bool on = i % 80 < 8;

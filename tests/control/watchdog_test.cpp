@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The watchdog as a whole: which fault counts in which state, and which is named first.
+// The whole watchdog: which fault counts in which state, and which one is reported first.
 #include "daemon/control/checks/watchdog.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 namespace hedgehog::control {
 namespace {
 
-/// A healthy board at rest, a frame a tick, unless a test changes it.
+/// A healthy board at rest, one frame per tick, unless a test changes it.
 struct Watched {
   device::BoardTelemetry board;
   device::BoardCommand commanded;
@@ -203,13 +203,13 @@ TEST(Watchdog, FramesThatWereLostCountWithTheNextOneUpToTwentyMilliseconds) {
   ball.step(1);
   ball.step(1);
   ball.fresh = true;
-  // Three milliseconds at once count as a third of the five, then each as one.
+  // Three milliseconds in one frame count as a third of the five, then each as one.
   int frames = 1;
   while (ball.step() == Reason::kNone && frames < 100) ++frames;
   EXPECT_EQ(frames, 4);
 }
 
-// The latch of its board goes away by arming; nothing else is forgiven then.
+// Arming clears the board's latch; no other fault is ignored during it.
 TEST(Watchdog, WhileArmingTheBoardsOwnLatchIsForgivenAndNoOtherFault) {
   Watched latched;
   latched.arming = true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Values as the words of them that changed.
+// Encoding of values as their changed words.
 #include "daemon/control/recording/word_delta.h"
 
 #include <gtest/gtest.h>

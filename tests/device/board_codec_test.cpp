@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bytes of README.md, as they go over the wire.
+// Frames byte by byte, as in README.md.
 #include "daemon/device/board_codec.h"
 
 #include <gtest/gtest.h>
@@ -142,7 +142,8 @@ TEST(BoardCodec, DecodesTelemetryIntoUnits) {
   EXPECT_EQ(telemetry.heat_used, 0.769);
 }
 
-// A board of 1.0 sends nothing in byte 45: it knows a current only while it drives the winding.
+// A board of protocol 1.0 sends nothing in byte 45: it measures a current only while it drives the
+// winding.
 TEST(BoardCodec, ABoardOfTheFirstVersionKnowsLeast) {
   board::TelemetryFrame values;
   values.duty_q15[1] = -100;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Arming is an explicit request; nothing else makes a board drive.
+// Arming requires an explicit request; nothing else makes a board drive.
 #include <gtest/gtest.h>
 
 #include "tests/device/core_bench.h"

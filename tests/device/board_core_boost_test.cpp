@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The boost of a set-point lasts for the millisecond in which it arrived.
+// The boost of a set-point applies in the millisecond in which it arrived only.
 #include <gtest/gtest.h>
 
 #include "tests/device/core_bench.h"
@@ -112,7 +112,7 @@ TEST_F(Boost, DoesNotOutliveALatch) {
   bench.feed();
   bench.step();
   EXPECT_FALSE(bench.drives());
-  // Armed together with a boosted set-point: neither that one nor its boost drives.
+  // Armed together with a boosted set-point: neither that set-point nor its boost drives.
   bench.feed();
   bench.ask_to_arm();
   bench.step();

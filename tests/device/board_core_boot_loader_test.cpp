@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A board goes into its boot loader when it is asked to while its bridges sleep, and not otherwise.
+// A board enters its boot loader only on a request that arrives while its bridges are asleep.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -41,14 +41,14 @@ TEST(BootLoader, IsRefusedByABoardThatDrivesAndDrivesOn) {
   EXPECT_FALSE(bench.core.boot_loader_due());
   EXPECT_TRUE(bench.drives());
   EXPECT_EQ(bench.telemetry().refused, refused + 1);
-  // Nothing is kept of the request.
+  // The request is not stored.
   bench.feeding = false;
   bench.run(200);
   ASSERT_TRUE(bench.latched_by(kDeadMan));
   EXPECT_FALSE(bench.core.boot_loader_due());
 }
 
-// There is no frame that disarms: a host that has done so lets the bridges sleep.
+// There is no frame for disarming: a host that has disarmed puts the bridges to sleep.
 TEST(BootLoader, IsEnteredByAReadyBoardOnceItsBridgesHaveSleptForLong) {
   CoreBench bench;
   bench.arm_and_drive();

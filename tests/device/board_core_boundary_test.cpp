@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a current may be to the milliampere, and for how long to the millisecond.
+// The boundary values of the current limits, exact to 1 mA and 1 ms.
 #include <gtest/gtest.h>
 
 #include "tests/device/core_bench.h"
@@ -7,7 +7,7 @@
 namespace hedgehog::board {
 namespace {
 
-// Limits that leave one rule alone: full duty at 6.5 V drives 18055 mA through 0.36 ohm.
+// Limits under which only one rule can trip: full duty at 6.5 V drives 18055 mA through 0.36 ohm.
 constexpr std::int32_t kDrivenMa = 18'055;
 
 BoardLimits no_other_limits() {
@@ -25,7 +25,7 @@ struct FullDuty : CoreBench {
     run(2);
   }
   void flow(std::int32_t ma) { inputs.current_ma[0] = static_cast<std::int16_t>(ma); }
-  /// Milliseconds until it is latched by this; 0: not within 300.
+  /// Milliseconds until `fault` latches; 0: not within 300.
   int latched_after_ms(Fault fault) {
     for (int ms = 1; ms <= 300; ++ms) {
       run(1);
@@ -47,7 +47,7 @@ TEST(BoardCoreBoundary, WhatWasDrivenMayDieAwayByAFifthEachMillisecondAndNoSlowe
   for (int followed_ms = 0; followed_ms < 60; ++followed_ms) {
     FullDuty bench;
     bench.set_point.duty_q15[0] = 0;
-    bench.run(1);  // the duty of this millisecond counts in the next
+    bench.run(1);  // the duty of this millisecond applies in the next
     std::int32_t drivable_ma = kDrivenMa;
     const auto flow_above = [&](std::int32_t more_ma) {
       drivable_ma -= (drivable_ma + 4) / 5;
@@ -143,7 +143,7 @@ TEST(BoardCoreBoundary, TheFirstMillisecondAfterPowerUpCountsAsOne) {
 
 TEST(BoardCoreBoundary, OfAWindingTheBudgetIsItsOwn) {
   BoardLimits limits = no_other_limits();
-  limits.winding_a2s = 10;  // 100 A^2 s in a second, less what has leaked
+  limits.winding_a2s = 10;  // 100 A^2 s in a second, minus the leak
   FullDuty bench(limits);
   bench.flow(10'000);
   EXPECT_EQ(bench.latched_after_ms(kHeatBudget), 101);
@@ -179,7 +179,8 @@ TEST(BoardCoreBoundary, BothBudgetsTightenByTheShareOfThoseAsBuilt) {
   EXPECT_EQ(bench.core.limits().device_a2s, built.device_a2s / 4);
 }
 
-// -- a current that is driven and not measured ---------------------------------------------------
+// -- a driven current that is not measured
+// -----------------------------------------------------------
 
 struct Blind : FullDuty {
   explicit Blind(std::int16_t duty_q15) {
@@ -187,7 +188,7 @@ struct Blind : FullDuty {
     set_point.duty_q15[0] = 0;
     run(1);
     set_point.duty_q15[0] = duty_q15;
-    run(1);  // the duty of this millisecond counts in the next
+    run(1);  // the duty of this millisecond applies in the next
   }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Only valid set-points feed the dead-man; without one for 100 ms the board is safe and latched.
+// Only valid set-points reset the dead-man; without one for 100 ms the board is safe and latched.
 #include <gtest/gtest.h>
 
 #include "daemon/device/board_core/crc32.h"
@@ -15,7 +15,7 @@ struct DeadMan : testing::Test {
     ASSERT_TRUE(bench.drives());
     bench.feeding = false;
   }
-  // The set-point of `arm_and_drive` was taken in the last step, so its age is 0 now.
+  // The set-point of `arm_and_drive` was accepted in the last step, so its age is 0 now.
 };
 
 TEST_F(DeadMan, NinetyNineMillisecondsOfSilenceAreFine) {
@@ -145,7 +145,7 @@ TEST_F(DeadMan, FramesOfAnotherVersionTypeOrLengthOrWithABrokenCrcDoNotFeed) {
 
 TEST_F(DeadMan, TheSequenceMayWrapAround) {
   for (const std::uint32_t jump :
-       {0x70000000u, 0xE0000000u, 0xFFFFFF00u}) {  // never further than half around
+       {0x70000000u, 0xE0000000u, 0xFFFFFF00u}) {  // each by less than half the range
     bench.sequence = jump - 1;
     bench.feed();
     bench.run(1);

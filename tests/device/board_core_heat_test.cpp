@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The board's I^2 t: never in the way of what the limiter allows, and an end to what it would not.
+// The board's I^2 t: does not restrict what the limiter allows, and ends what exceeds it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kHour = 3'600'000;
 
-// Milliseconds of `current_ma` in each of `windings` until the budget is spent; -1: never in 90
+// Milliseconds of `current_ma` in each of `windings` until the budget is spent; -1: not within 90
 // minutes.
 int lasts_ms(std::int16_t current_ma, int windings) {
   HeatBudget winding(kWindingTauShift);
@@ -64,7 +64,7 @@ TEST(BoardHeat, LatchesTheCoreAndCoolsDownBeforeItCanBeArmed) {
   EXPECT_TRUE(bench.drives());
 }
 
-// Full demand along one, two or three windings, limited by the law alone: what the board sees.
+// Largest used share of a budget at maximum demand along the windings, limited by the law alone.
 double fullest_budget(const model::Vec3& shares, double stronger, double ambient_c) {
   model::PlantParameters parameters;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -103,7 +103,7 @@ TEST(BoardHeat, ToleratesWhatTheLimiterAllowsOnBallsTwentyPercentStronger) {
     EXPECT_LT(fullest_budget(shares, 1.2, 18.0), 0.96);
     EXPECT_LT(fullest_budget(shares, 1.0, 5.0), 1.0);
   }
-  // 1 / 1.3 of the budget is what the nominal ball reaches: the budget is not looser than it says.
+  // The nominal ball reaches 1 / 1.3 of the budget: the budget has its stated margin and no more.
   EXPECT_NEAR(fullest_budget(one, 1.0, 18.0), 1 / 1.3, 0.02);
   EXPECT_NEAR(fullest_budget(three, 1.0, 18.0), 1 / 1.3, 0.02);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Laws that hold for any host: whatever arrives, in whatever order.
+// Properties that hold for any frames in any order.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -49,7 +49,7 @@ struct Play {
       case Act::kOld:
         bench.set_point.sequence = bench.sequence - (what == Act::kOld ? noise % 1000 : 0);
         write_frame(bench.set_point, frame.data());
-        // Nothing was ever sent: then any number is the first, and a valid one.
+        // Before the first set-point any sequence number is valid.
         if (bench.sequence == 0) break;
         bench.core.receive(frame.data(), frame.size());
         break;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The board's own limits: each latches at its own boundary and not a millisecond before.
+// The board's own limits: each latches exactly at its boundary, and not a millisecond earlier.
 #include <gtest/gtest.h>
 
 #include "tests/device/core_bench.h"
@@ -10,7 +10,7 @@ namespace {
 struct Limit : testing::Test {
   CoreBench bench;
   void SetUp() override {
-    // Duties that can drive any current, so that none is unexpected.
+    // Duties that can drive any current, so that none counts as unexpected.
     for (std::int16_t& duty : bench.set_point.duty_q15) duty = INT16_MAX;
     bench.arm_and_drive();
     ASSERT_TRUE(bench.drives());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Several thermistors: each of those that are wired counts, and all are told.
+// Several thermistors: each one that is wired counts, and all are reported.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -12,7 +12,7 @@ namespace {
 CoreBench with_thermistors(std::uint8_t count) {
   CoreBench bench;
   bench.inputs.thermistors = count;
-  // Those that are not wired read open, with values out of range.
+  // Thermistors that are not wired read as open, with values out of range.
   for (int k = count; k < kWindings; ++k) bench.inputs.thermistor[k] = {9000, true, false};
   return bench;
 }
@@ -107,7 +107,7 @@ TEST(BoardCoreThermistors, ConversionsAreCounted) {
   EXPECT_EQ(bench.telemetry().sensor_conversions, 3);
 }
 
-// -- the rest of what a board tells ---------------------------------------------------------------
+// -- other telemetry ------------------------------------------------------------------------------
 
 TEST(BoardCoreTelemetry, PassesOnWhatWasMeasured) {
   CoreBench bench;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// More current than the duties can drive, told by the winding's own sensor or by the supply line.
+// More current than the duties can drive, detected by the winding's own sensor or in the supply
+// line.
 #include <gtest/gtest.h>
 
 #include "tests/device/core_bench.h"
@@ -7,7 +8,7 @@
 namespace hedgehog::board {
 namespace {
 
-// 12 V x duty / 0.36 ohm, what the coldest and weakest winding lets through.
+// 12 V x duty / 0.36 ohm, the resistance of the coldest winding at the lower tolerance.
 int most_ma(std::int16_t duty_q15) {
   return static_cast<int>(12'000.0 * duty_q15 / 32767.0 / 0.36);
 }
@@ -20,7 +21,7 @@ struct Driving : CoreBench {
     arm_and_drive();
     run(50);
   }
-  /// Milliseconds until it is safe; -1: not within 200.
+  /// Milliseconds until the board is safe; -1: not within 200.
   int safe_after_ms() {
     for (int ms = 0; ms < 200; ++ms) {
       if (latched_by(kUnexpectedCurrent)) return ms;
@@ -113,7 +114,7 @@ TEST(UnexpectedCurrent, OfASleepingBridgeOpensTheSupplySwitchByTheSupplyLineToo)
   EXPECT_FALSE(bench.outputs.supply_switch_closed);
 }
 
-// What is not measured dies away as in the brake, and counts as long as it is there.
+// A current that is not measured is assumed to decay as in the brake, and counts until it is 0.
 TEST(UnmeasuredCurrent, CountsAsTheLastOneDyingAway) {
   Driving bench;
   bench.inputs.supply_ma = 0;
@@ -121,7 +122,7 @@ TEST(UnmeasuredCurrent, CountsAsTheLastOneDyingAway) {
   bench.run(20);
   bench.inputs.current_ma[0] = 19'000;
   const int half_ms = 45;
-  // Every second millisecond is unmeasured: 19 A and then 14.25 A would be no 50 ms in a row.
+  // Every second millisecond is unmeasured: 19 A and then 14.25 A would not be 50 ms in a row.
   for (int ms = 0; ms < half_ms; ++ms) {
     bench.inputs.currents_measured = 7;
     bench.run(1);
@@ -130,12 +131,12 @@ TEST(UnmeasuredCurrent, CountsAsTheLastOneDyingAway) {
   bench.inputs.currents_measured = 6;
   bench.inputs.current_ma[0] = 0;
   bench.run(1);
-  // 14.25 A: the count has begun anew, as it has for a measured current below the limit.
+  // 14.25 A: the count has started again, as it does for a measured current below the limit.
   bench.inputs.currents_measured = 7;
   bench.inputs.current_ma[0] = 19'000;
   bench.run(20);
   EXPECT_FALSE(bench.has(kOverCurrent));
-  // A limit of 12 A is passed by the current that dies away, too.
+  // The decaying current also exceeds a limit of 12 A.
   LimitsFrame tight;
   tight.sensor_cc = 7500;
   tight.current_ma = 12'000;
@@ -148,7 +149,7 @@ TEST(UnmeasuredCurrent, CountsAsTheLastOneDyingAway) {
   EXPECT_TRUE(bench.has(kOverCurrent));
 }
 
-// The wire of a driver's own sensor is off: 0 V, far below its zero, is not measured.
+// The wire of a driver's own sensor is disconnected: 0 V, far below its zero, is not a measurement.
 TEST(UnmeasuredCurrent, OfAWindingThatIsDrivenOneWayIsABrokenSensor) {
   Driving bench;
   bench.inputs.currents_measured = 6;

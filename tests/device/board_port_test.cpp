@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From converters and timers to what the rules want to know, and from their answer to the pins.
+// From converters and timers to the inputs of the rules, and from their outputs to the pins.
 #include "daemon/device/board_core/port.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ const Wiring kWiring;
 std::uint16_t adc_of_mv(double mv) {
   return static_cast<std::uint16_t>(std::lround(mv * kWiring.adc_full / kWiring.adc_reference_mv));
 }
-/// The NTC as its data sheet's formula says.
+/// The NTC by the formula of its data sheet.
 std::uint16_t adc_of_ntc(double celsius) {
   const double ohm = 10'000.0 * std::exp(3950.0 * (1.0 / (celsius + 273.15) - 1.0 / 298.15));
   return static_cast<std::uint16_t>(
@@ -85,7 +85,7 @@ TEST(BoardPort, CsHasTheSignOfItsBridgeAndMeasuresNothingWhileItSleeps) {
   EXPECT_EQ(measured(kWiring, raw, asleep).currents_measured, 0);
 }
 
-// The hole of the first version: whatever flowed in a winding that was not driven was thrown away.
+// Protocol 1.0 discarded any current in a winding that was not driven.
 TEST(BoardPort, CsOfABridgeThatIsNotDrivenCountsOnlyWhenItShowsACurrent) {
   RawInputs raw;
   for (auto& adc : raw.current_adc) adc = adc_of_mv(50);
@@ -142,12 +142,12 @@ TEST(BoardPort, EachWindingHasItsOwnScaleAndZero) {
   for (const auto ma : measured(wiring, raw, {}).current_ma) EXPECT_NEAR(ma, 12'000, 17);
 }
 
-// Converted 60, 40 and 20 us early, a current is taken to its millisecond's end.
+// Currents converted 60, 40 and 20 us early are extrapolated to the end of their millisecond.
 TEST(BoardPort, CurrentsAreTakenToTheEndOfTheirMillisecond) {
   const Wiring wiring = reference_wiring();
   BoardInputs last;
   RawInputs raw;
-  // From 2 A on by 10 A a millisecond; the other way; resting.
+  // From 2 A: rising by 10 A a millisecond, falling by as much, constant.
   raw.current_adc[0] = adc_of_mv(1650 + 50 * (2.0 + 9.4));
   raw.current_adc[1] = adc_of_mv(1650 + 50 * (2.0 - 9.6));
   raw.current_adc[2] = adc_of_mv(1650 + 50 * 2.0);
@@ -237,7 +237,7 @@ RC_GTEST_PROP(BoardPortLaws, AnyNumbersStayInRange, ()) {
   RC_ASSERT((in.current_ma[0] == 0) || ((in.current_ma[0] < 0) == pins.reverse[0]));
 }
 
-/// A microcontroller on the bench.
+/// A simulated microcontroller.
 struct FakeMicrocontroller {
   std::deque<std::vector<std::uint8_t>> packets;
   RawInputs raw;
@@ -257,7 +257,7 @@ struct FakeMicrocontroller {
   void send(const std::uint8_t* frame) { sent.assign(frame, frame + kFrameSize); }
 };
 
-// Set-points and an arming in, PWM out; a frame too long, and then silence.
+// Set-points and an arm request in, PWM out; then a frame that is too long, and then silence.
 TEST(BoardMillisecond, DrivesThePinsAndMakesThemSafeInSilence) {
   BoardCore core;
   FakeMicrocontroller board;

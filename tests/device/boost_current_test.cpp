@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a step of the set-point makes flow, when the host goes on and when it is late.
+// The current after a step of the set-point, when the host sends the next one in time and when it
+// is late.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +21,7 @@ struct StepOfCurrent : testing::Test {
   double current() { return both.board().plant().current_a().x; }
   bool awake() { return both.board().core().outputs().awake; }
 
-  // A new set-point that wants `wanted` while `now` flows.
+  // A new set-point that requests `wanted` while `now` flows.
   void renew(double wanted, double now) {
     const std::uint8_t arm_count = command.board.arm_count;
     command.board =
@@ -40,7 +41,7 @@ struct StepOfCurrent : testing::Test {
     }
     ASSERT_TRUE(awake());
   }
-  // The most that flows from one set-point, until the link has made the board safe.
+  // The peak current from one set-point, until the link has made the board safe.
   double peak_of_one(double wanted) {
     renew(wanted, 0.0);
     double peak = 0.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A board core on the bench: healthy measurements unless a test changes them, and a host's end that
+// A board core under test: healthy measurements unless a test changes them, and a host side that
 // numbers its frames.
 #pragma once
 
@@ -16,7 +16,7 @@ struct CoreBench {
   BoardOutputs outputs;
   std::uint32_t sequence = 0;
   std::uint8_t arm_count = 0;
-  /// What feeds the core before each step of `run`.
+  /// True: `run` sends a set-point before each step.
   bool feeding = true;
   SetPointFrame set_point;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A simulated board that measures exactly: for laws of the link and of the windings' physics. Its
+// A simulated board that measures exactly: for tests of the link and of the windings' physics. Its
 // electronics have tests of their own (front_end_test.cpp).
 #pragma once
 

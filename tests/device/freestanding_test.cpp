@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The board core must go into firmware as it is. That it needs no C++ library is checked by its own
-// compile flags (-ffreestanding -nostdinc++ -fno-exceptions -fno-rtti); here: nothing else either.
+// The board core is compiled unchanged into firmware. Its own compile flags (-ffreestanding
+// -nostdinc++ -fno-exceptions -fno-rtti) check that it needs no C++ library; these tests check the
+// rest.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the simulated electronics make of the truth, read back by the firmware's own code.
+// The simulated electronics' readings of the true values, converted by the firmware's own code.
 #include "daemon/device/simulator/front_end.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ struct Spread {
   double sigma = 0.0;
 };
 
-/// A driven, steady ball unless a test changes it.
+/// A driven ball in steady state unless a test changes it.
 struct Electronics {
   FrontEndChoice choice;
   FrontEnd front_end;
@@ -38,7 +38,7 @@ struct Electronics {
     return board::measured(front_end.parameters().wiring, raw, applied);
   }
   bool measured(int coil) { return (read().currents_measured >> coil & 1) != 0; }
-  /// Of 2000 readings of one winding's current, A.
+  /// Statistics of 2000 readings of one winding's current, A.
   Spread current_a(int coil) {
     constexpr int kReadings = 2000;
     double sum = 0.0;
@@ -56,7 +56,7 @@ struct Electronics {
 TEST(FrontEnd, InLineMeasuresBothSignsWhateverTheBridgeDoes) {
   Electronics in_line(FrontEndKind::kInLine);
   in_line.drive(0, 0.5, 12.0);
-  in_line.drive(1, 0.0, -3.0);  // dies away in the brake
+  in_line.drive(1, 0.0, -3.0);  // decays in the brake
   EXPECT_EQ(in_line.read().currents_measured, 7);
   EXPECT_NEAR(in_line.current_a(0).mean, 12.0, 0.005);
   EXPECT_NEAR(in_line.current_a(1).mean, -3.0, 0.005);
@@ -81,7 +81,7 @@ TEST(FrontEnd, DriverCsMeasuresWhileTheBridgeDrivesAndNothingElse) {
   EXPECT_EQ(cs.read().currents_measured, 0);
 }
 
-// The firmware has asked for nothing, the line is stuck all the same.
+// The firmware drives nothing, but the PWM line is stuck.
 TEST(FrontEnd, DriverCsShowsACurrentThatSomebodyElseDrives) {
   Electronics cs(FrontEndKind::kDriverCs);
   cs.drive(1, 0.3, 8.0);
@@ -109,7 +109,7 @@ TEST(FrontEnd, TheSupplyIsReadWithinABitAndWhatTheBridgesDraw) {
     EXPECT_NEAR(in.supply_mv, 11'900, 30);
     EXPECT_TRUE(in.supply_current_measured);
     EXPECT_NEAR(in.supply_ma, 7000, 120);
-    // What goes back into the supply is not shown.
+    // A current back into the supply is not shown.
     electronics.drive(0, -0.5, 12.0);
     EXPECT_NEAR(electronics.read().supply_ma, 0, 120);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The leaky sum of the board's I^2 t, to the bit.
+// The leaky sum of the board's I^2 t, bit-exact.
 #include "daemon/device/board_core/heat_budget.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@ namespace {
 
 // 1 A^2 s in one millisecond.
 constexpr std::uint32_t kUnit = 1'000'000'000u;
-// A sum that leaks nothing worth a bit.
+// A sum whose leak is less than one bit.
 constexpr int kNoLeak = 60;
 
 TEST(BoardHeatBudget, IsSpentWhenItIsReached) {
@@ -31,7 +31,7 @@ TEST(BoardHeatBudget, OnceSpentItIsSoUntilSevenEighths) {
   EXPECT_TRUE(latched.exceeded(4)) << "3.5 is 7/8 of 4";
   HeatBudget less = spent;
   EXPECT_TRUE(less.exceeded(3));
-  less.step(kUnit * 7 / 4 - 1);  // 3.5 and one mA^2 ms less
+  less.step(kUnit * 7 / 4 - 1);  // 3.5 minus one mA^2 ms
   EXPECT_FALSE(less.exceeded(4));
   EXPECT_FALSE(less.exceeded(4)) << "cool again";
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bytes as people write them down.
+// Bytes from hexadecimal text.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Report descriptors in the ways in which orientation sensors spell them.
+// Report descriptors in the variants used by orientation sensors.
 #pragma once
 
 #include <cstdint>

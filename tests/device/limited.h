@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Currents as only the limiter can make them, of a cold ball whose windings are all measured.
+// Currents as only the limiter can create them, for a cold ball with all windings measured.
 #pragma once
 
 #include "model/limit/thermal_limiter.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the link asks a board to arm, and knows a board that has restarted.
+// How the link requests a board to arm, and detects a board that has restarted.
 
 #include "tests/device/link_bench.h"
 
@@ -123,7 +123,7 @@ TEST_F(LinkBench, TakingOverTheBoardsOwnCountIsNoRequest) {
   EXPECT_EQ(arm_request(), std::optional<std::uint8_t>(8));
 }
 
-// -- what rarely goes out -----------------------------------------------------------------------
+// -- frames that are sent rarely ----------------------------------------------------------------
 
 }  // namespace
 }  // namespace hedgehog::device

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A link with a board at its other end that says what a test tells it to.
+// A link with a board whose telemetry is set by the test.
 #pragma once
 
 #include <gtest/gtest.h>

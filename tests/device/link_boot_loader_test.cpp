@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the link asks a board to go into its boot loader, and what the simulated board does then.
+// How the link requests a board to enter its boot loader, and what the simulated board does then.
 #include "daemon/device/simulator/lock_step.h"
 #include "tests/device/exact_board.h"
 #include "tests/device/link_bench.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How often the link thread looks, and what time is to it when it cannot look as often as it
-// should. Nothing here asserts how soon a thread runs; a slower machine changes nothing.
+// How often the link thread polls, and how it counts time when it cannot poll as often as it
+// should. No test asserts how soon a thread runs; a slower machine changes nothing.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -14,7 +14,7 @@
 namespace hedgehog::device {
 namespace {
 
-/// Nobody is there, and it says so or not; counts how often it was asked.
+/// A transport without a board, idle or not; counts the polls.
 class Nobody : public Transport {
  public:
   Nobody(bool idle, std::atomic<int>& looks) : idle_(idle), looks_(looks) {}
@@ -31,7 +31,7 @@ class Nobody : public Transport {
   std::atomic<int>& looks_;
 };
 
-// An idle link looks once in 10 ms and makes up for no look that it missed: that bound is exact,
+// An idle link polls once in 10 ms and never catches up on missed polls: that bound is exact,
 // however late it wakes.
 TEST(LinkThreads, RestWhileNobodyIsThere) {
   using Clock = std::chrono::steady_clock;
@@ -43,8 +43,8 @@ TEST(LinkThreads, RestWhileNobodyIsThere) {
   std::atomic<int> idle_looks{0};
   LinkThread busy(busy_port, std::make_unique<Nobody>(false, busy_looks));
   LinkThread idle(idle_port, std::make_unique<Nobody>(true, idle_looks));
-  // Three times as often as an idle one may. A busy machine may hold it up; in one stretch of many
-  // it does not.
+  // Three times as often as the maximum of an idle link. A busy machine may delay it, but not in
+  // every period.
   const auto looks_often = [&] {
     const Clock::time_point began = Clock::now();
     const int before = busy_looks;
@@ -60,7 +60,7 @@ TEST(LinkThreads, RestWhileNobodyIsThere) {
   EXPECT_LE(looks * kIdlePeriod, Clock::now() - start);
 }
 
-/// A board that talks, behind a transport that takes 30 ms each time.
+/// A board that sends telemetry, behind a transport that takes 30 ms each time.
 class Slow : public Transport {
  public:
   Slow(std::atomic<int>& sent, std::atomic<int>& driving) : sent_(sent), driving_(driving) {}

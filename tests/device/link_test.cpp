@@ -48,7 +48,7 @@ TEST_F(LinkBench, ReportsWhenASetPointWasFirstWritten) {
   EXPECT_EQ(link.report().written_count, command.count);
   EXPECT_EQ(link.report().written_ns, 1000);
   telemetry();
-  step();  // the same again
+  step();  // the same command again
   link.set_written(2000);
   EXPECT_EQ(link.report().written_ns, 1000);
   tick();
@@ -101,7 +101,7 @@ TEST_F(LinkBench, ABoardThatIsSilentForAHundredTicksIsAbsent) {
   EXPECT_FALSE(set_point().enable);
 }
 
-// A link thread that gets a turn at every tenth millisecond only.
+// A link thread that runs in every tenth millisecond only.
 TEST_F(LinkBench, WhatItDidNotStepThroughCounts) {
   link = Link(BoardLimits{60.0, 8.0, 0.5});
   const auto tenth = [&] {

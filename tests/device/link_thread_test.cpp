@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The threads for real: the link thread with a simulated board in it, and a simulated board on a
-// clock of its own behind a socket pair. Nothing here asserts a wall time; whatever is waited for
-// has minutes.
+// Real threads: the link thread with a simulated board in it, and a simulated board with its own
+// clock behind a socket pair. No test asserts a wall time; every wait has minutes.
 #include "daemon/device/link_thread.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +27,7 @@ std::unique_ptr<Transport> wrap(FileDescriptor socket) {
   return std::make_unique<SocketTransport>(std::move(socket));
 }
 
-// Control, once a millisecond, until `done`; false when that did not happen in two minutes.
+// Sends a command once a millisecond until `done`; false when that did not happen in two minutes.
 template <class Done>
 bool drive_until(LinkPort& port, LinkCommand& command, bool driving, Done done) {
   for (int ms = 0; ms < 120'000; ++ms) {
@@ -46,17 +45,19 @@ bool drive_until(LinkPort& port, LinkCommand& command, bool driving, Done done) 
   return false;
 }
 
-// The board's own clock goes on while a starved host does nothing: it has latched by itself.
+// The board's own clock continues while a starved host does nothing: the board has latched by
+// itself.
 bool latched(const LinkReport& report, const LinkCommand& command) {
   return report.telemetry.mode == BoardMode::kLatched &&
          report.telemetry.arm_count == command.board.arm_count;
 }
 
-// An arm request is repeated for 50 ms only: a board that did not run meanwhile has not had it.
+// An arm request is repeated for 50 ms only: a board that did not run meanwhile has not received
+// it.
 constexpr int kArmAgainMs = 2'000;
 
-// Until the board drives; armed anew when a starved machine has let its dead-man end it before, or
-// has lost the request. Two minutes of requests.
+// Waits until the board drives; arms again when, on a starved machine, the dead-man has tripped
+// before or the request was lost. Two minutes of requests.
 bool arm_and_drive(LinkPort& port, LinkCommand& command) {
   for (int attempt = 0; attempt < 60; ++attempt) {
     if (!drive_until(port, command, false, [](const LinkReport& r) { return r.present; }))
@@ -102,7 +103,7 @@ struct Trace {
   std::string path =
       testing::TempDir() + "hedgehog_trace_" + std::to_string(monotonic_ns()) + ".jsonl";
   ~Trace() { std::remove(path.c_str()); }
-  // The last line with this event and, when given, mode.
+  // The last line with this event and, if given, this mode.
   std::string line(const std::string& event, const std::string& mode = {}) const {
     std::string found;
     for (const std::string& one : lines_of(path))
@@ -161,7 +162,7 @@ TEST(LinkThreads, TheBoardGoesSafeByItselfWhenTheHostCloses) {
   const std::atomic<bool> never{false};
   std::thread thread([&] { runner.run(never); });
   std::unique_ptr<Transport> transport = wrap(std::move(host));
-  // A host that drives and then is gone without a word.
+  // A host that drives and then disappears without a frame.
   Link link;
   LinkCommand command;
   int asked_ms = 0;

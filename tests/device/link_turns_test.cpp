@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a board tells in turns, and what the link sends in turns.
+// Values that a board reports in turn, and frames that the link sends in turn.
 #include "daemon/device/board_codec.h"
 #include "tests/device/link_bench.h"
 
@@ -8,7 +8,7 @@ namespace {
 
 struct LinkBenchTurns : LinkBench {
   LinkBenchTurns() { board.thermistors = 3; }
-  // A frame in which it is the turn of thermistor `k`.
+  // A frame that reports thermistor `k`.
   void turn(std::uint8_t k, std::int16_t cc) {
     board.other_thermistor = k;
     board.other_cc = cc;

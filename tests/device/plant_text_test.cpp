@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The simulated ball as a word of hedgehog-simboard's command line.
+// The simulated ball as an argument of hedgehog-simboard.
 #include "daemon/device/simulator/plant_text.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A board behind a socket that keeps step with its host: nothing here depends on how long either
-// of them takes.
+// A board behind a socket in lock-step with its host: nothing here depends on how long either of
+// them takes.
 #include "daemon/device/simulator/process_lock_step.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Link and simulated board together, in virtual time: what reaches the windings.
+// Link and simulated board together, in virtual time: the resulting currents.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -47,7 +47,7 @@ struct Together : testing::Test {
     settings.coil = coil;
     port.simulator.write(settings);
   }
-  // The windings are without current within 5 L/R from now on.
+  // The windings are without current within 5 L/R.
   void expect_zero_soon() {
     run(17);
     EXPECT_LT(current(), 0.1);

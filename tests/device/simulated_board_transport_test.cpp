@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A simulated board computed within its host's thread, on a clock of the test.
+// A simulated board computed in its host's thread, on a clock set by the test.
 #include "daemon/device/simulator/simulated_board_transport.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ class SimulatedBoardWithinTheHost : public testing::Test {
  protected:
   SimulatedBoardWithinTheHost() { read_after(kMs); }
 
-  /// The host sleeps for so long, then reads all that there is. How many packets of telemetry.
+  /// The host sleeps for `ns`, then reads all packets. Returns the number of telemetry packets.
   int read_after(std::int64_t ns) {
     board_clock_ns += ns;
     int telemetry = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Errors that a tester gives the simulated board: what they make of it, and how they get there.
+// Errors injected into the simulated board: their effect, and their transmission.
 #include "daemon/device/simulator/simulator_errors.h"
 
 #include <gtest/gtest.h>
@@ -57,7 +57,7 @@ TEST(SimulatorErrors, EveryKindHasANameAndARangeAroundNothingWrong) {
   EXPECT_FALSE(simulator_error_kind("gremlins"));
 }
 
-// Frames of the list may be lost; it acts when all of it has arrived, and only once.
+// Frames of the list may be lost; the list takes effect once, when all of it has arrived.
 TEST(SimulatorErrors, ArriveFrameByFrame) {
   const SimulatorErrorList list = list_of({{SimulatorErrorKind::kPwmStuck, 1, 0.3, 0.0},
                                            {SimulatorErrorKind::kTachGain, 0, 2.0, 60.0},
@@ -104,7 +104,7 @@ TEST(SimulatorErrors, GoOverTheLinkToTheBoardAndTheTruthComesBack) {
   EXPECT_NEAR(pair.link.truth().coils_c[1], 25.0, 0.01);
   EXPECT_EQ(pair.link.truth().ambient_c, 19.0);
   pair.run(150);
-  // The same once more begins to grow anew.
+  // The same list sent again grows from zero again.
   ++settings.errors.generation;
   pair.link.set_simulator(settings);
   pair.run(20);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Answers of TEMPer sticks, after the layouts of reference: hardware.md section 6.
+// Responses of TEMPer sticks, in the layouts of reference: hardware.md section 6.
 #include "daemon/device/thermometer/temper.h"
 
 #include <gtest/gtest.h>
@@ -79,8 +79,8 @@ RC_GTEST_PROP(TemperLaws, HundredthsComeBack, ()) {
   RC_ASSERT(reading->external_c == raw / 100.0);
 }
 
-// No check sum: a wrong byte gives a temperature that a thermometer can have, or none. What it
-// means is for the watchdog, which wants to see it for seconds.
+// There is no check sum: a wrong byte gives a plausible temperature, or none. The watchdog detects
+// a wrong one, which must last for seconds.
 RC_GTEST_PROP(TemperLaws, AnyBytesGiveAPossibleTemperatureOrNone, (std::vector<Byte> answer)) {
   if (!answer.empty()) answer[0] = 0x80;
   for (const char* firmware : {"TEMPerF1.4", "TEMPer2_V3.9", "TEMPer2_M12_V1.3"}) {

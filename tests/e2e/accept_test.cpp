@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Clients that are gone before they are let in, and a daemon that can let none in.
+// Clients that disconnect before they are accepted, and a daemon that cannot accept any.
 #include <arpa/inet.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -65,7 +65,7 @@ TEST(Accept, ExhaustedDescriptorsAreReportedOnceAndLaterClientsLetIn) {
   RawClient tcp(daemon.port());
   RawClient local(daemon.socket());
   EXPECT_TRUE(daemon.logs("cannot accept clients: "));
-  // Ten attempts later.
+  // Ten accept attempts later.
   EXPECT_TRUE(wait_until([&] {
     return early.call("ping")["time_ns"].get<std::int64_t>() > before_ns + 1'000'000'000;
   }));

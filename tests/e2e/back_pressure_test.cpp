@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A client that sends faster than it reads is read more slowly, not cut.
+// Reading from a client that sends faster than it reads is slowed down; the client is not
+// disconnected.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -11,15 +12,16 @@ namespace hedgehog::e2e {
 namespace {
 
 constexpr int kMany = 1000;
-/// On WebSocket, of smaller answers: 2 MB of them too.
+/// For WebSocket, whose requests here have smaller responses: 2 MB in total as well.
 constexpr int kFrames = 1500;
-/// Its answers are 10 kB; those to `kStatus` come in one frame.
+/// Its response is 10 kB; the one to `kStatus` fits into one frame.
 const std::string kDescribe = R"({"jsonrpc":"2.0","id":7,"method":"device.describe"})";
 const std::string kStatus = R"({"jsonrpc":"2.0","id":7,"method":"device.status"})";
 
 class BackPressure : public Web {
  protected:
-  /// All answers to so many requests that came at once, beside which a game plays on.
+  /// Expects a response to each of `count` requests sent at once, while another client keeps
+  /// playing.
   void expect_answers(const std::function<Json()>& next, int count = kMany) {
     RawClient game(daemon_.port());
     for (int i = 0; i < count; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// hedgehogctl board flash with a real daemon and the simulated board, into a folder that looks like
+// hedgehogctl board flash with a real daemon and the simulated board: into a folder that resembles
 // the boot loader's volume, or by a program called picotool.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ using testing::IsEmpty;
 
 namespace fs = std::filesystem;
 
-/// Without a daemon.
+/// Runs without a daemon.
 struct BoardFlashFile : testing::Test {
   Home home;
   std::string image = Uf2Sample::pages(40).text();
@@ -64,7 +64,7 @@ TEST_F(BoardFlashFile, ABadFileIsRefusedBeforeAnythingIsAsked) {
 }
 
 struct BoardFlashed : BoardFlashFile {
-  // Three seconds in the boot loader are three tenths.
+  // The three seconds in the boot loader take 0.3 s.
   DaemonProcess daemon{home, {"--speed", "10"}};
   RawClient other{daemon.port()};
 
@@ -72,8 +72,8 @@ struct BoardFlashed : BoardFlashFile {
     home.write("RPI-RP2/INFO_UF2.TXT", "UF2 Bootloader v3.0\r\nBoard-ID: RPI-RP2\r\n");
     return home.path("RPI-RP2");
   }
-  /// A program of that name, first on the PATH, which writes down what it was asked for. `before`:
-  /// what else it does.
+  /// A program named picotool, first in PATH, that records its arguments. `before`: shell commands
+  /// that it runs afterwards.
   std::string path_with_picotool(const std::string& before) const {
     home.write("bin/picotool", "#!/bin/sh\necho \"$@\" >>'" + home.path("asked") + "'\n" + before);
     fs::permissions(home.path("bin/picotool"), fs::perms::owner_all);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a test does against a machine that holds up the test, a program or the ball: leases of the
-// ball's time go on meanwhile, and a ball with threads of its own is lost after 100 ms.
+// For tests on a busy machine that delays the test, a program or the ball: leases in the ball's
+// time continue to run, and a ball with threads of its own is lost after 100 ms.
 #pragma once
 
 #include <sys/wait.h>
@@ -15,7 +15,7 @@
 
 namespace hedgehog::e2e {
 
-/// Waits until the ball is armed. It arms itself at the start; one that was lost is armed here.
+/// Waits until the ball is armed. It arms itself at the start; after a loss this arms it.
 inline bool arms(RawClient& owner) {
   return eventually([&] {
     const Json status = owner.call("device.status");
@@ -25,7 +25,8 @@ inline bool arms(RawClient& owner) {
   });
 }
 
-/// Renews the hold that it has started, or starts it, for ten seconds; its admission, or the error.
+/// Starts the hold, or renews the one it started, for ten seconds; returns its admission or the
+/// error.
 inline Json keep_holding(RawClient& client, Json params) {
   params["slot"] = "kept";
   params["lease_ms"] = 10'000;
@@ -50,8 +51,8 @@ inline Ended wait_renewing(Program& program, const std::function<void()>& renew)
   return program.wait();
 }
 
-/// Calls `play` again as long as the lease of its effect ran out. hedgehogctl renews one of a
-/// second twenty times a second, which a busy machine may hold up.
+/// Repeats `play` while it ends because the lease of its effect expired. hedgehogctl renews a lease
+/// of 1 s twenty times a second, which a busy machine may delay.
 inline Ended play_unexpired(const std::function<Ended()>& play) {
   Ended ended;
   eventually([&] {
@@ -66,13 +67,13 @@ inline bool shows_renewing(TerminalProgram& screen, const std::string& text,
                            const std::function<void()>& renew) {
   return eventually([&] {
     renew();
-    screen.shows("");  // reads what was drawn
+    screen.shows("");  // reads the output
     return screen.shown().find(text) != std::string::npos;
   });
 }
 
-/// Types `keys` again and again until `done`. Reads what is drawn meanwhile: a full terminal would
-/// hold the program up.
+/// Types `keys` repeatedly until `done`. Reads the output meanwhile: a full terminal would block
+/// the program.
 inline bool type_until(TerminalProgram& screen, const std::string& keys,
                        const std::function<bool()>& done) {
   return eventually([&] {

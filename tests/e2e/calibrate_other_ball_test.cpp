@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// hedgehogctl calibrate on balls that are not what the daemon believes: what a bring-up meets.
+// hedgehogctl calibrate on balls that differ from the daemon's device file, as in a bring-up.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ struct Ball {
   std::array<double, 3> r25_ohm;
   double inductance_h;
   const char* matrix;
-  /// What a hand feels of windings x, y and z.
+  /// Directions that a hand feels for windings x, y and z.
   const char* pushed;
 };
 
@@ -39,7 +39,7 @@ std::string file_of(const Ball& ball) {
   return json.dump();
 }
 
-/// Where the pins of the simulated ball come out most, while `direction` is driven in `frame`.
+/// Where the pins of the simulated ball extend most while `direction` is driven in `frame`.
 std::string felt(RawClient& hand, const Json& direction, const std::string& frame,
                  double current_a) {
   const Json push{{"direction", direction}, {"frame", frame}, {"current_a", current_a}};
@@ -53,8 +53,8 @@ std::string felt(RawClient& hand, const Json& direction, const std::string& fram
     told = hand.notification("telemetry");
     const Json held = keep_holding(hand, push);
     if (!held.contains("effect")) return held.dump();
-    // By the ball's own clock: what was told before this hold may still wait to be read. It is
-    // another hold when a busy machine has let the lease run out.
+    // In the ball's time: telemetry sent before this hold may still be unread. The hold is a new
+    // one if the lease expired on a busy machine.
     if (held["effect"] != effect) settled_ns = time_ns(hand.call("device.status")) + kSettledNs;
     effect = held["effect"];
   } while (time_ns(told) <= settled_ns && told["state"] == "armed");
@@ -171,7 +171,7 @@ TEST_F(Bringup, APersonIsAskedAgainUntilTheAnswersCanBe) {
     const auto columns = std::count_if(line.begin(), line.end(), [](char c) {
       return c != '\r' && (static_cast<unsigned char>(c) & 0xC0) != 0x80;
     });
-    if (line.starts_with("wrote ")) continue;  // a path is as long as it is
+    if (line.starts_with("wrote ")) continue;  // a path may have any length
     EXPECT_LE(columns, 80) << line;
   }
 }
@@ -212,7 +212,7 @@ TEST_F(Bringup, TheBoardProcessHasTheTrueBallToo) {
   hand.call("telemetry.subscribe", {{"rate_hz", 50}, {"fields", {"current_a"}}});
   double flows_a = 0.0;
   const auto halved = [&] {
-    // A busy machine may lose the ball, and with it the hold.
+    // On a busy machine the ball, and with it the hold, may be lost.
     if (!arms(hand)) return false;
     keep_holding(hand, {{"direction", "left"}, {"current_a", 1.2}});
     flows_a = hand.notification("telemetry")["current_a"][1];

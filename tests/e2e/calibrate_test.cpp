@@ -28,7 +28,7 @@ class Calibrate : public testing::Test {
     home_.configure(R"({"device": "odd"})");
     home_.write("config/hedgehog/devices.d/odd.json", kOddBall);
   }
-  /// `meanwhile` is called again and again.
+  /// `meanwhile` is called repeatedly.
   Ended calibrate(
       const DaemonProcess& daemon, std::vector<std::string> more,
       const std::function<void()>& meanwhile = [] {}) const {
@@ -103,7 +103,7 @@ TEST_F(Calibrate, CtrlCSwitchesTheCoilsOff) {
   watcher.notification("event", "effect_started");
   running.signal(SIGINT);
   EXPECT_EQ(running.wait().exit_code, 130);
-  // The daemon may see the end of the connection a moment later.
+  // The daemon may detect the end of the connection a moment later.
   EXPECT_TRUE(eventually([&] { return watcher.call("device.status")["effects"].empty(); }));
   EXPECT_EQ(home_.read("found.json"), "");
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// hedgehogctl calibrate --thermal against a live daemon: interrupted, gone on with, and, since half
-// an hour is long, ended with samples of a ball that was heated on virtual time.
+// hedgehogctl calibrate --thermal against a live daemon: interrupted, continued, and, since half an
+// hour is too long for a test, completed with samples of a ball that was heated in virtual time.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ class CalibrateThermal : public testing::Test {
   DaemonProcess daemon_{home_, {"--speed", "4"}};
 };
 
-/// The lines of a progress file that has all samples of `ball`.
+/// The lines of a progress file with all samples of `ball`.
 std::string all_samples(const model::PlantParameters& ball) {
   model::HeatedBall heated(ball, {}, 25.0, 1);
   std::string lines;

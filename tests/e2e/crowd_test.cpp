@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// More clients than there are places for.
+// More clients than the limit of connections.
 #include <gtest/gtest.h>
 
 #include <list>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// hedgehogctl as scripts, pipes and monitoring systems meet it.
+// Output of hedgehogctl to scripts, pipes and monitoring systems.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// hedgehogctl as a person and a script meet it: what it prints and what it tells the shell.
+// hedgehogctl used by a person and by a script: its output and its exit codes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ using testing::Not;
 class Ctl : public testing::Test {
  protected:
   std::vector<std::string> variables() const { return {"HEDGEHOG_ADDRESS=" + daemon_.socket()}; }
-  /// `renew` is called again and again.
+  /// `renew` is called repeatedly.
   Ended ctl(
       const std::vector<std::string>& arguments, const std::function<void()>& renew = [] {}) const {
     Program program(home_, hedgehogctl(), arguments, variables());
@@ -39,7 +39,7 @@ class Ctl : public testing::Test {
   void push(double strength_a) {
     keep_holding(other_, {{"direction", "left"}, {"current_a", strength_a}});
   }
-  /// The strongest coil current, either way.
+  /// The largest coil current of either sign.
   double current_a() {
     const Json currents = other_.call("device.status")["current_a"];
     double most = 0.0;
@@ -105,7 +105,7 @@ TEST_F(Ctl, AnEffectThatSomebodyEndsExitsWith1) {
     other_.call("device.arm");
     Program hold(home_, hedgehogctl(), {"hold", "up"}, variables());
     EXPECT_TRUE(hold.says("hold up"));
-    // One that ends before its first tick was delivered to 0 %.
+    // An effect that ends before its first tick counts as delivered to 0 %.
     EXPECT_TRUE(eventually([&] { return current_a() > 4.0 || has_ended(hold); }));
     other_.call("device.emergency_stop");
     return hold.wait();

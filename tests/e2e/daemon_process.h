@@ -33,7 +33,7 @@ class Home {
 };
 
 struct Ended {
-  int exit_code = -1;  // -1: by a signal
+  int exit_code = -1;  // -1: ended by a signal
   std::string out;
   std::string err;
 };
@@ -43,13 +43,13 @@ Ended run_daemon(const Home& home, const std::vector<std::string>& arguments);
 
 class DaemonProcess {
  public:
-  /// kInStep, also of whatever has a --speed: the simulated ball keeps step with control in real
-  /// time, so a busy machine slows all of it down and skips nothing. kFree: threads of their own,
-  /// as with a real ball, and simulator.process. kConfigured: without
+  /// kInStep, also used with any --speed: the simulated ball runs in lock-step with control in real
+  /// time, so a busy machine slows everything down and skips nothing. kFree: threads of their own,
+  /// as with a real ball, and simulator.process. kConfigured: without --simulate.
   /// --simulate.
   enum class Backend { kInStep, kFree, kConfigured };
-  /// Starts hedgehogd on a free port with `more`, and waits until it listens. `variables`:
-  /// NAME=VALUE on top of the home's.
+  /// Starts hedgehogd on a free port with the arguments `more`, and waits until it listens.
+  /// `variables`: NAME=VALUE in addition to the home's.
   explicit DaemonProcess(const Home& home, const std::vector<std::string>& more = {},
                          const std::vector<std::string>& variables = {},
                          Backend backend = Backend::kInStep);
@@ -59,16 +59,16 @@ class DaemonProcess {
   ~DaemonProcess();
 
   int port() const noexcept { return port_; }
-  /// 0 when it serves no HTTP.
+  /// 0 when HTTP is off.
   int http_port() const noexcept { return http_port_; }
   const std::string& socket() const noexcept { return socket_; }
   pid_t pid() const noexcept { return pid_; }
   void signal(int number) const { ::kill(pid_, number); }
-  /// Sends `number` and waits for the end; the exit code, -1 when a signal ended it.
+  /// Sends `number` and waits for the end; returns the exit code, -1 when a signal ended it.
   int stop(int number = SIGTERM);
   /// Everything on stderr so far.
   std::string log() const { return home_.read("log"); }
-  /// Waits until the log has `text`.
+  /// Waits until the log contains `text`.
   bool logs(const std::string& text) const;
 
  private:

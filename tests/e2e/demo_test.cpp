@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tour, on a simulated ball of its own: what it promises in words is what its lines show.
+// The demo on a simulated ball of its own: its output lines match its descriptions.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ using testing::ElementsAre;
 
 class Demo : public testing::Test {
  protected:
-  /// As installed: the daemon beside the program.
+  /// As installed: the daemon in the program's directory.
   Demo() {
     fs::create_directories(home_.path("tmp"));
     fs::create_directories(home_.path("bin"));
@@ -32,12 +32,13 @@ class Demo : public testing::Test {
   }
 
   std::vector<std::string> variables() const { return {"TMPDIR=" + home_.path("tmp")}; }
-  /// What the demo has put among the temporary files.
+  /// What the demo has left among the temporary files.
   std::vector<fs::path> left_behind() const {
     const fs::directory_iterator folder(home_.path("tmp"));
     return {begin(folder), end(folder)};
   }
-  /// How many processes were told of a file in this test's folder: the demo's daemon was.
+  /// How many processes have a file of this test's folder on their command line, as the demo's
+  /// daemon has.
   int processes() const {
     int count = 0;
     for (const auto& entry : fs::directory_iterator("/proc")) {
@@ -61,7 +62,7 @@ std::vector<std::string> captures(const std::string& text, const std::string& pa
   return found;
 }
 
-/// The ampere on the lines that begin with `words`.
+/// The currents in A on the lines that begin with `words`.
 std::vector<double> currents(const std::string& text, const std::string& words) {
   std::vector<double> found;
   for (const std::string& number : captures(text, " s  " + words + R"( +([\d.]+) A)"))

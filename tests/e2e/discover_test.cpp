@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Several daemons on one machine, found by hedgehogctl and served at once.
+// Several daemons on one machine, discovered by hedgehogctl and used at the same time.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,11 +23,11 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-/// hedgehogd and hedgehogd@ball-7, as systemd gives them their folders.
+/// hedgehogd and hedgehogd@ball-7 with the folders that systemd assigns to them.
 class Discover : public testing::Test {
  protected:
   Discover() {
-    // No avahi-browse, unless a test writes one.
+    // No avahi-browse, unless a test creates one.
     std::filesystem::create_directories(home_.path("bin"));
   }
   std::vector<std::string> service(const std::string& instance) const {
@@ -48,9 +48,9 @@ class Discover : public testing::Test {
   }
 
   Home home_;
-  /// Nobody answers there, unless a test does.
+  /// No responder listens there, unless a test starts one.
   std::uint16_t mdns_port_ = 9;
-  // Their output files have the same names: the first has been read when the second starts.
+  // The output files of both have the same names: the first is read before the second starts.
   DaemonProcess single_{home_, {}, service("")};
   Home other_home_;
   DaemonProcess instance_{other_home_, {}, service("ball-7")};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exit codes of the programs: sysexits, and what a shell makes of SIGINT.
+// Exit codes of the programs: sysexits, and a shell's code for SIGINT.
 #pragma once
 
 #include <sysexits.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The gamepad bridge between a gamepad that a test holds and a real daemon.
+// The gamepad bridge between a gamepad controlled by the test and a real daemon.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/eventfd.h>
@@ -26,7 +26,7 @@ namespace {
 using gamepad::DeviceCommand;
 using gamepad::StickPosition;
 
-/// The test is the game, on a thread of its own.
+/// A gamepad whose game is the test, on a thread of its own.
 class FakeGamepad : public gamepad::GamepadDevice {
  public:
   ~FakeGamepad() override { ::close(fd_); }
@@ -36,7 +36,7 @@ class FakeGamepad : public gamepad::GamepadDevice {
     commands_.push_back(command);
     ::eventfd_write(fd_, 1);
   }
-  /// The errno of the newest answer to an upload; -1: none yet.
+  /// The errno of the latest response to an upload; -1: none yet.
   int uploaded() const { return uploaded_; }
   int erased() const { return erased_; }
   bool moved() const { return moved_; }
@@ -136,7 +136,7 @@ TEST_F(Gamepad, OneWithoutAnEndGoesOnUntilItIsErased) {
   EXPECT_EQ(upload(push_right(0)), 0);
   device_.command(gamepad::PlayCommand{0, 1});
   EXPECT_TRUE(flows({0, -1, 0}));
-  // Longer than its lease, which is device time.
+  // Longer than the effect's lease, which is in device time.
   const auto now = [&] { return ball_.call("ping")["time_ns"].get<std::int64_t>(); };
   const auto from = now();
   EXPECT_TRUE(eventually([&] { return now() - from > 1'500'000'000; }));

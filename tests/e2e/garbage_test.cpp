@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whatever arrives on a socket gets its documented answer, and nobody else notices.
+// Any bytes on a socket get their documented response, and other clients are not affected.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -20,7 +20,7 @@ struct ImpatientHome : Home {
   ImpatientHome() { configure(R"({"connections": {"write_timeout_s": 1}})"); }
 };
 
-/// One daemon for all; beside each garbage client a game plays on.
+/// One daemon for all tests; beside each client that sends garbage a game keeps playing.
 class Garbage : public testing::Test {
  protected:
   void SetUp() override {
@@ -36,8 +36,8 @@ class Garbage : public testing::Test {
     EXPECT_EQ(ended["reason"], "stopped");
   }
 
-  /// Renews the lease. Nothing was lost for the game: its effect still plays, and its next answer
-  /// is the right one.
+  /// Renews the game's lease and checks that the game lost nothing: its effect still plays, and its
+  /// next response is the right one.
   void play_on() {
     const Json renewed = game_.call("effect.update", {{"effect", effect_}});
     EXPECT_EQ(renewed["effect"], effect_) << renewed;
@@ -85,7 +85,7 @@ TEST_F(Garbage, WhatIsNoJsonIsAParseError) {
   EXPECT_EQ(code(std::string(30'000, '[')), -32700);
   EXPECT_EQ(code(std::string(30'000, '[') + std::string(30'000, ']')), -32700);
   EXPECT_EQ(code(R"({"jsonrpc":"2.0","id":1,"method":"ping","x":1e999})"), -32700);
-  EXPECT_EQ(code("hello"), -32700);  // not the first line any more
+  EXPECT_EQ(code("hello"), -32700);  // no longer the first line
   EXPECT_EQ(code(R"({"jsonrpc":"2.0","id":7,"method":"ping"})" + std::string(1, '\0') + " garbage"),
             -32700)
       << "a NUL ends no line";
@@ -149,13 +149,13 @@ TEST_F(Garbage, WhoFloodsWithoutReadingIsCutOffAndEndsWithItsEffects) {
              "\n");
   const std::string line = R"({"jsonrpc":"2.0","id":1,"method":"device.describe"})"
                            "\n";
-  // Its lease is renewed for as long as the daemon reads.
+  // The effect's lease is renewed for as long as the daemon reads.
   std::string lines = R"({"jsonrpc":"2.0","method":"effect.update","params":{"slot":"flood"}})"
                       "\n";
   for (int i = 0; i < 100; ++i) lines += line;
   bool open = true;
   for (int i = 0; i < 10'000 && open; ++i) {
-    // Not every time: what is held back costs the daemon nothing, and the game would flood control.
+    // Not every time: held requests cost the daemon nothing, and the game would flood control.
     if (i % 50 == 0) play_on();
     open = flood.send(lines);
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A client that does not take its answers: what it is still obeyed in, and when it has to go.
+// A client that does not read its responses: which requests are still carried out, and when it is
+// disconnected.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -10,7 +11,7 @@
 namespace hedgehog::e2e {
 namespace {
 
-/// Their answers, 10 kB each, are more than what the system buffers for a client.
+/// The responses, 10 kB each, exceed what the system buffers for a client.
 constexpr int kUnread = 1500;
 
 std::string line(const Json& id, const std::string& method, const Json& params = Json::object()) {
@@ -25,7 +26,7 @@ std::string many_requests() {
 
 class HeldBack : public testing::Test {
  protected:
-  /// Nobody is cut for its slowness here.
+  /// No client is disconnected for reading slowly.
   struct PatientHome : Home {
     PatientHome() { configure(R"({"connections": {"write_timeout_s": 600}})"); }
   };
@@ -121,7 +122,7 @@ TEST(ReadSlowly, IsNotCutAsLongAsItTakesSomething) {
   clock.call("telemetry.subscribe", {{"rate_hz", 10}, {"fields", {"state"}}});
   RawClient client(daemon.port(), 16 * 1024);
   client.send(many_requests());
-  // Three times as long, in the time of the ball.
+  // Three times the timeout, in the ball's time.
   for (int i = 0; i < 3 * kTimeoutS * 10; ++i) {
     clock.notification("telemetry");
     ASSERT_TRUE(client.bytes(4096));

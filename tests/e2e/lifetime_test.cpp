@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the daemon starts, listens, reloads, ends, and what it remembers.
+// How the daemon starts, listens, reloads and ends, and which state it persists.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -75,7 +75,7 @@ TEST(Start, MistakesHaveTheirExitCodes) {
   EXPECT_NE(wrong.err.find("hedgehogd.json:2: limits.curent_a"), std::string::npos) << wrong.err;
 }
 
-// Ids that no device has, so that a ball on the developer's table stays where it is.
+// Ids that no device has, so that a ball connected to the developer's machine is not used.
 TEST(Start, WithoutABoardItWaitsForOne) {
   const Home home;
   home.configure(R"({"backend": "usb", "device": "none"})");
@@ -103,7 +103,7 @@ TEST(Start, WithoutABoardItWaitsForOne) {
   EXPECT_TRUE(daemon.logs("no ball is connected"));
 }
 
-/// A daemon that gets SIGTERM while its ball pushes.
+/// Outcome for a daemon that receives SIGTERM while its ball pushes.
 struct Sigterm {
   bool pushed = false;     // until the signal; a busy machine may lose the ball before
   bool coils_off = false;  // confirmed by the board
@@ -175,7 +175,7 @@ TEST(StateStore, AnEmergencyStopOutlivesEvenAKill) {
   {
     DaemonProcess daemon(home, {}, {}, DaemonProcess::Backend::kFree);
     RawClient owner(daemon.port());
-    // Absent while a busy machine has lost the ball.
+    // The field is absent while the ball is lost on a busy machine.
     EXPECT_TRUE(
         eventually([&] { return owner.call("device.emergency_stop")["state"] == "disarmed"; }));
     daemon.stop(SIGKILL);
@@ -215,8 +215,8 @@ TEST(StateStore, ADiskThatRefusesAnEmergencyStopIsToldOfAndKeepsNoOrderlyStop) {
   EXPECT_EQ(home.read("state/hedgehog/state.json"), "");
 }
 
-/// Trips the armed ball of a new daemon by an open sensor and kills the daemon. False if a busy
-/// machine has lost the ball before.
+/// Trips the armed ball of a new daemon by an open sensor and kills the daemon. False if the ball
+/// was lost before on a busy machine.
 bool trips_by_an_open_sensor(const Home& home) {
   DaemonProcess daemon(home, {}, {}, DaemonProcess::Backend::kFree);
   RawClient owner(daemon.port());

@@ -12,7 +12,7 @@
 namespace hedgehog::e2e {
 namespace {
 
-/// What a shell in a terminal of a desktop hands on: the journal of something else.
+/// A desktop terminal's shell passes JOURNAL_STREAM on: the journal stream of another process.
 TEST(Log, AJournalThatReadsAnotherProgramSilencesNothing) {
   const Home home;
   DaemonProcess daemon(home, {}, {"JOURNAL_STREAM=8:12345"});

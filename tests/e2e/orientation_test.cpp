@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// hedgehog-orientation against a ball that is turned: the push stays up in the room, within the
-// pin pitch, and what nobody knows is not shown.
+// hedgehog-orientation against a ball that is turned: the push stays up in the world frame, within
+// the pin pitch, and an unknown orientation is not shown.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ constexpr int kSamples = 30;
 
 Json json_of(const Quaternion& q) { return {{"w", q.w}, {"x", q.x}, {"y", q.y}, {"z", q.z}}; }
 
-/// A ball that others turn, and what flows in it.
+/// A ball that the test turns, and its measured currents.
 class World {
  public:
   explicit World(const DaemonProcess& daemon) : observer_(daemon.port()), hand_(daemon.port()) {
@@ -45,15 +45,16 @@ class World {
   }
   RawClient& hand() { return hand_; }
 
-  /// Takes the next telemetry.
+  /// Waits for the next telemetry.
   void look() { now_ = observer_.notification("telemetry"); }
   double current_a() const { return norm(vector_of(now_["current_a"])); }
-  /// At least `current_a` is measured while the field is on: the measurement is a frame older than
-  /// the field, so at the end of a push it may still flow when nothing is asked any more.
+  /// At least `current_a` is measured while the field is on: the measurement is one frame older
+  /// than the field, so at the end of a push it may be non-zero when no current is requested any
+  /// more.
   bool pushes(double current_a) const {
     return this->current_a() >= current_a && norm(vector_of(now_["field"])) > 0.5;
   }
-  /// How far the field is from up in the room when the ball is turned by `q`, in degrees.
+  /// Angle between the field and up in the world frame when the ball is turned by `q`, in degrees.
   double from_up_deg(const Quaternion& q) const {
     const Vec3 field = vector_of(now_["field"]);
     const double up = rotate(q, field).z / std::max(norm(field), 1e-9);
@@ -80,7 +81,7 @@ const std::vector<Quaternion>& turns() {
 struct Case {
   const char* loop;
   const char* style;
-  double flows_a;  // what a push has at least, in ampere
+  double flows_a;  // minimum current of a push, in ampere
 
   friend void PrintTo(const Case& c, std::ostream* out) { *out << c.loop << ", " << c.style; }
 };
@@ -109,7 +110,7 @@ TEST_P(Indicator, PointsUpInTheRoomHoweverTheBallIsTurned) {
       return world.pushes_up(q, GetParam().flows_a);
     })) << "never up at w "
         << q.w;
-    // And it stays: no sample with a current in it strays as far as the next pin.
+    // The direction stays: no sample with a current deviates by as much as the next pin.
     int pushing = 0;
     ASSERT_TRUE(eventually([&] {
       world.look();
@@ -134,7 +135,7 @@ TEST_P(Indicator, ASilentSensorEndsThePushAndItComesBackWithTheSensor) {
   DaemonProcess daemon(home_);
   World world(daemon);
   const Quaternion q = model::axis_angle({1, 0, 0}, 90);
-  // A ball whose orientation nobody has ever told has no sensor, and the indicator is refused.
+  // A ball that has never received an orientation has no sensor, and the indicator is refused.
   ASSERT_TRUE(eventually([&] {
     world.feed(q);
     return world.hand().call("device.status")["orientation"].is_object();
@@ -148,7 +149,8 @@ TEST_P(Indicator, ASilentSensorEndsThePushAndItComesBackWithTheSensor) {
     });
   };
   ASSERT_TRUE(fed_until_it_pushes_up()) << program.out() << world.hand().call("device.status");
-  // The pulse rests for 425 ms between two pushes; a whole second without current is silence.
+  // The pulse pauses for 425 ms between two pushes; a whole second without current means that it
+  // has stopped.
   int quiet = 0;
   ASSERT_TRUE(eventually([&] {
     world.look();

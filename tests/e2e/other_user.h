@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// This test as another user of the machine, as far as the kernel tells a Unix socket's peer.
+// Runs this test as another user of the machine, as the kernel reports it to a Unix socket's peer.
 #pragma once
 
 #include <grp.h>
@@ -14,13 +14,13 @@
 
 namespace hedgehog::e2e {
 
-/// Users and a group that each Debian has.
+/// Users and a group that every Debian has.
 inline constexpr uid_t kBinUser = 2;
 inline constexpr uid_t kGamesUser = 5;
 inline constexpr uid_t kNobodyUser = 65534;
 inline constexpr gid_t kUsersGroup = 100;
 
-/// While it lives, the effective user and groups of this process are others. REQUIRES: root.
+/// Changes the effective user and groups of this process for its lifetime. REQUIRES: root.
 class OtherUser {
  public:
   explicit OtherUser(uid_t user, const std::vector<gid_t>& groups = {}) {
@@ -36,7 +36,7 @@ class OtherUser {
   }
 };
 
-/// Lets all users reach what is in `home`'s folder of sockets.
+/// Grants all users access to the folder of sockets in `home`.
 inline void open_to_all_users(const Home& home) {
   namespace fs = std::filesystem;
   for (const std::string below : {"", "run", "run/hedgehog"})

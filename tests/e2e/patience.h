@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How long a test waits for what must happen on a busy machine. None of it is ever asserted.
+// How long a test waits for an expected event on a busy machine. No test asserts these times.
 #pragma once
 
 #include <chrono>
@@ -8,7 +8,7 @@
 namespace hedgehog::e2e {
 
 inline constexpr std::chrono::seconds kPatience{60};
-/// For a whole program, or for one message among others that keep coming.
+/// For a whole program, or for one message among others that keep arriving.
 inline constexpr std::chrono::seconds kLongPatience{600};
 
 /// Polls `done` every 5 ms; false when it was not true within `patience`.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Patterns with a real daemon: what flows, how they end, what is kept, and hedgehogctl's verbs.
+// Patterns with a real daemon: the current that flows, how they end, what is stored, and
+// hedgehogctl's commands.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -173,7 +174,7 @@ TEST_F(Patterns, WhatIsImportedLongerThanOneEffectLastsSaysHowItIsPlayed) {
   EXPECT_EQ(put.exit_code, 0);
   EXPECT_THAT(put.err, HasSubstr(too_long));
   EXPECT_EQ(put.out, "imported/long is kept: hedgehogctl play imported/long --loop --for 30.5\n");
-  // What it says is what works: so it plays, and not without.
+  // The printed command works, and the same without its options does not.
   EXPECT_EQ(ctl({"play", "imported/long"}).exit_code, kUsage);
   const Ended played = play_unexpired([&] {
     Program play(home_, hedgehogctl(), {"play", "imported/long", "--loop", "--for", "30.5"},
@@ -183,7 +184,7 @@ TEST_F(Patterns, WhatIsImportedLongerThanOneEffectLastsSaysHowItIsPlayed) {
     return play.wait();
   });
   EXPECT_EQ(played.exit_code, kInterrupted);
-  // As a file it needs no more than its name.
+  // Played from a file, only its name is needed.
   Program file(home_, hedgehogctl(), {"play", home_.path("long.ahap")},
                {"HEDGEHOG_ADDRESS=" + daemon_.socket()});
   EXPECT_TRUE(file.says("play"));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Clients as processes see the daemon: the protocol document's examples, clients that vanish,
-// clients that only pipe, and a daemon that is stopped or killed in front of a board of its own.
+// The daemon used by client processes: the protocol document's examples, clients that disconnect,
+// clients that only pipe, and a daemon that is stopped or killed while it drives a board in a
+// process of its own.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +21,7 @@
 namespace hedgehog::e2e {
 namespace {
 
-/// Replays one block of protocol/README.md; what went wrong, or empty.
+/// Replays one block of protocol/README.md; returns the first difference, or an empty string.
 std::string replay(const protocol::Example& example, RawClient& client) {
   for (const protocol::ExampleLine& line : example.lines) {
     const std::string where = "protocol/README.md:" + std::to_string(line.number) + ": ";
@@ -55,7 +56,7 @@ TEST(Play, TheExamplesOfTheProtocolAreTrue) {
   }
 }
 
-/// Sends a pulse that may finish through a pipe; the reason of its end, or the refusal.
+/// Sends a pulse that may finish through a pipe; returns the reason of its end, or the error.
 Json end_of_a_piped_pulse(const DaemonProcess& daemon, RawClient& watcher) {
   RawClient pipe(daemon.port());
   pipe.send(R"({"jsonrpc":"2.0","id":1,"method":"effect.pulse",)"
@@ -69,7 +70,7 @@ Json end_of_a_piped_pulse(const DaemonProcess& daemon, RawClient& watcher) {
   return watcher.notification("event")["reason"];
 }
 
-/// Starts a long pulse and goes; the reason of its end, or the refusal.
+/// Starts a long pulse and disconnects; returns the reason of its end, or the error.
 Json end_of_a_deserted_pulse(const DaemonProcess& daemon, RawClient& watcher) {
   RawClient other(daemon.port());
   const Json answer = other.call("effect.pulse", {{"direction", "left"}, {"duration_ms", 5000}});
@@ -148,7 +149,7 @@ TEST(Play, MoreClientsThanAllowedAreTurnedAwayWithASentence) {
   fourth.call("ping");
 }
 
-/// What the board of its own wrote down, one object a line; without a line that is being written.
+/// The trace of the board process, one object a line; without a line that is still being written.
 std::vector<Json> trace(const Home& home) {
   std::vector<Json> lines;
   std::istringstream text(home.read("trace"));
@@ -159,7 +160,7 @@ std::vector<Json> trace(const Home& home) {
   return lines;
 }
 
-/// Since it last drove the board has latched, and then its current has died away.
+/// True if the board has latched since it last drove, and its current has then decayed.
 bool is_at_rest(const Home& home) {
   const std::vector<Json> lines = trace(home);
   const auto drove = std::find_if(lines.rbegin(), lines.rend(),
@@ -171,10 +172,10 @@ bool is_at_rest(const Home& home) {
                      [](const Json& line) { return line["event"] == "zero"; });
 }
 
-/// 5 L/R of a winding, and one frame: by then nothing flows.
+/// 5 L/R of a winding, and one frame: after this time no current flows.
 constexpr int kDecayMs = 18;
 
-/// The board's own account of how it became safe.
+/// Checks by the board's own trace how it became safe.
 void expect_safe_after_dead_man(const Home& home) {
   EXPECT_TRUE(eventually([&] { return is_at_rest(home); })) << home.read("trace");
   bool drove = false;
@@ -182,7 +183,7 @@ void expect_safe_after_dead_man(const Home& home) {
   std::optional<int> zero_ms;
   for (const Json& line : trace(home)) {
     drove = drove || line["mode"] == "driving";
-    if (line["mode"] == "driving") {  // armed anew: a starved machine had let it latch before
+    if (line["mode"] == "driving") {  // armed anew: it had latched before on a busy machine
       latched_ms.reset();
       zero_ms.reset();
     }
@@ -190,7 +191,7 @@ void expect_safe_after_dead_man(const Home& home) {
       latched_ms = line["board_ms"].get<int>();
       EXPECT_EQ(line["awake"], false) << line;
       EXPECT_EQ(line["duty"], 0) << line;
-      // 100 ms of its own clock, and one frame.
+      // 100 ms by the board's own clock, and one frame.
       EXPECT_GE(line["set_point_age_ms"].get<int>(), 100) << line;
       EXPECT_LE(line["set_point_age_ms"].get<int>(), 101) << line;
     }
@@ -212,7 +213,7 @@ class OwnBoard : public testing::Test {
     game.call("events.subscribe");
     game.call("telemetry.subscribe", {{"rate_hz", 100}, {"fields", {"current_a"}}});
     Json held;
-    // A busy machine may lose the ball, and with it the hold.
+    // On a busy machine the ball, and with it the hold, may be lost.
     ASSERT_TRUE(eventually([&] {
       if (!arms(game)) return false;
       held = keep_holding(game, {{"direction", "left"}, {"current_a", 10}});
@@ -252,7 +253,8 @@ TEST_F(OwnBoard, IsSafe100MsAfterTheDaemonFreezesAndStaysSoUntilArmed) {
   const Json changed = game.notification("event", "state_changed");
   EXPECT_NE(changed["state"], "armed");
   EXPECT_NE(game.call("hello")["state"], "armed");
-  // Once the board is heard again and its windings are seen to be at rest, it can be armed.
+  // Once the board sends telemetry again and its windings are measured to be at rest, it can be
+  // armed.
   EXPECT_TRUE(eventually([&] { return game.call("device.arm").value("state", "") == "armed"; }));
 }
 

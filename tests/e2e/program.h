@@ -14,13 +14,13 @@
 
 namespace hedgehog::e2e {
 
-/// Looks again and again until `done`, for up to a minute; false when it never was.
+/// Polls `done` for up to a minute; false if it was never true.
 bool eventually(const std::function<bool()>& done);
 
 /// One process, stdin empty. Killed at the end of the test if it still runs.
 class Program {
  public:
-  /// Starts `path`. `variables`: NAME=VALUE on top of the home's; the last of a name counts.
+  /// Starts `path`. `variables`: NAME=VALUE in addition to the home's; the last of a name counts.
   Program(const Home& home, const std::string& path, std::vector<std::string> arguments,
           const std::vector<std::string>& variables = {});
   Program(const Program&) = delete;
@@ -31,9 +31,10 @@ class Program {
   void signal(int number) const { ::kill(pid_, number); }
   std::string out() const { return home_.read(out_); }
   std::string err() const { return home_.read(err_); }
-  /// Waits until stdout has `text`.
+  /// Waits until stdout contains `text`.
   bool says(const std::string& text) const;
-  /// Waits for the end. The exit code is -1 when a signal, or this after ten minutes, ended it.
+  /// Waits for the end. The exit code is -1 when a signal ended it, or this class did after ten
+  /// minutes.
   Ended wait();
 
  private:
@@ -53,15 +54,15 @@ class TerminalProgram {
   ~TerminalProgram();
 
   void type(const std::string& keys) const;
-  /// As a person does who drags the window's corner.
+  /// As when a person drags the window's corner.
   void resize(int columns, int rows) const;
   void signal(int number) const { ::kill(pid_, number); }
-  /// Waits until everything written since the start has `text`.
+  /// Waits until the output since the start contains `text`.
   bool shows(const std::string& text);
   const std::string& shown() const noexcept { return shown_; }
-  /// The terminal echoes what is typed and hands it over line by line, as a shell leaves it.
+  /// The terminal echoes input and delivers it line by line, as a shell leaves it.
   bool is_as_a_shell_leaves_it() const;
-  /// Waits for the end; the exit code, -1 when a signal, or this, ended it.
+  /// Waits for the end; returns the exit code, -1 when a signal or this class ended it.
   int wait();
 
  private:

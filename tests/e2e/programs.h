@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The programs under test: paths in the build folder that the environment's HEDGEHOG_PROGRAMS
-// names, or in this build's where that has no such program but a daemon.
+// The programs under test: paths in the build folder given by the environment variable
+// HEDGEHOG_PROGRAMS, which must contain a daemon; programs missing there are this build's.
 #pragma once
 
 #include <string>
@@ -18,10 +18,10 @@ std::string hedgehog_racer();
 std::string hedgehog_study();
 std::string hedgehog_usbip();
 
-/// The paths of all that cmake/install.cmake installs as programs.
+/// The paths of all programs that cmake/install.cmake installs.
 std::vector<std::string> installed_programs();
 
-/// A --speed that these programs keep up with: `wanted`, or the environment's HEDGEHOG_SPEED_LIMIT.
+/// A --speed that these programs can sustain: `wanted`, or the environment's HEDGEHOG_SPEED_LIMIT.
 int attainable_speed(int wanted);
 
 }  // namespace hedgehog::e2e

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The racing game tells nothing as felt that the daemon does not carry out.
+// The racing game reports nothing as felt that the daemon does not carry out.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -111,8 +111,8 @@ TEST(Racer, ABlowThatNobodyWasAskedToPlayIsCountedAsNotFelt) {
   EXPECT_EQ(feel.summary().pulses, 0);
 }
 
-/// Starts a lap of 100 s, in ten, and takes the ball from it at its first hit. The lap stands still
-/// meanwhile, so that it is not over before.
+/// Runs a lap of 100 s at ten times real time, and takes the ball from it at its first hit. The lap
+/// is stopped meanwhile, so that it does not end before.
 Ended lap_that_loses_the_ball(const Home& home, const std::string& address,
                               const std::function<void()>& take) {
   Program lap(home, hedgehog_racer(),
@@ -124,7 +124,7 @@ Ended lap_that_loses_the_ball(const Home& home, const std::string& address,
   return lap.wait();
 }
 
-/// Every blow of the lap is in its summary, and some were not felt.
+/// The lap's summary counts every hit, some of them as not felt.
 void expect_every_blow_told(const Ended& ended) {
   const Json told = Json::parse(ended.out.substr(ended.out.rfind("{\"type\":\"summary\"")));
   const Json& ball = told["ball"];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The racing game on a real daemon: what hits the car pushes the ball's pins on that side, and a
-// hot ball is spared, not tripped.
+// The racing game on a real daemon: a hit on the car pushes the ball's pins on that side, and a hot
+// ball is derated, not tripped.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -27,8 +27,7 @@ using racer::Race;
 using racer::Vec3;
 using testing::HasSubstr;
 
-/// The next push that telemetry tells, as the sum of its samples; then it waits for the silence
-/// after it.
+/// The next push in telemetry, as the sum of its samples up to the pause after it.
 struct Push {
   Vec3 current_a{};
   double most_a = 0.0;
@@ -50,7 +49,7 @@ RawClient& watching(RawClient& observer) {
   return observer;
 }
 
-/// Drives until something of that kind has happened and was played.
+/// Drives until an event of type `What` has happened and was played.
 template <class What>
 What drive_until(Race& race, Feel& feel, const racer::Controls& controls) {
   for (int step = 0; step < 1200; ++step) {
@@ -176,11 +175,12 @@ Json last_line(const std::string& out) {
   return Json::parse(last);
 }
 
-/// Two minutes on a ball that is so warm at the start; what the summary says of the ball.
+/// Runs two minutes from a ball temperature of `start_c`; returns the summary's part about the
+/// ball.
 Json two_minutes_from(double start_c) {
   const Home home;
   home.configure(R"({"simulator": {"start_temperature_c": )" + std::to_string(start_c) + "}}");
-  // Game and ball keep time each by itself; at this speed a busy machine keeps them together.
+  // Game and ball have separate clocks; at this speed they stay together on a busy machine.
   const std::string speed = std::to_string(attainable_speed(20));
   DaemonProcess daemon(home, {"--speed", speed});
   const Ended lap =

@@ -15,11 +15,11 @@ inline std::vector<client::Address> addresses_of(const DaemonProcess& daemon) {
   return {client::parse_address(daemon.socket()).value()};
 }
 
-/// So many frames, and how long they would take if each waited for the daemon as long as it may.
+/// A number of frames, and their duration if each waited for the daemon up to its timeout of 1 s.
 inline constexpr int kRaceFrames = 1000;
 inline constexpr auto kHadTheyWaited = kRaceFrames * std::chrono::seconds(1);
 
-/// Waits until the daemon is heard and its ball armed: a silent one is asked for nothing.
+/// Waits until the daemon responds and its ball is armed: the game sends no effects before.
 inline bool connects(racer::Feel& feel, double time_s = 0.0) {
   return eventually([&] {
     feel.frame({}, time_s);

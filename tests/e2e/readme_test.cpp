@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the README files tell people to type works, word for word.
+// The commands in the README files work exactly as printed.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ std::vector<std::string> lines_of(const std::string& file) {
   return lines;
 }
 
-/// "…" for what is not shown, in the form that the protocol's examples have.
+/// Replaces omitted members by "…" in the form of the protocol's examples.
 std::string as_example(std::string line) {
   const std::string open = ", …}";
   const auto at = line.find(open);
@@ -66,7 +66,7 @@ TEST(Readme, TheLinesForHedgehogctlRun) {
     text >> program;
     for (std::string word; text >> word;) words.push_back(word);
     const bool typed = line.rfind("    hedgehogctl ", 0) == 0;
-    if (!typed || words.at(0) == "watch")  // watch_test has a terminal for it
+    if (!typed || words.at(0) == "watch")  // watch_test provides a terminal for it
       continue;
     const Ended ended =
         Program(home, hedgehogctl(), words, {"HEDGEHOG_ADDRESS=" + daemon.socket()}).wait();

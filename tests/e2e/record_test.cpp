@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// hedgehogctl record at its edges: a ball at rest, too long, nobody there, files that are in the
-// way.
+// hedgehogctl record in edge cases: a ball at rest, too long a recording, no daemon, existing
+// files.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -57,7 +57,8 @@ TEST_F(Record, EndsByItselfAfterAMinuteOfTheBallsTime) {
     ASSERT_EQ(ended.exit_code, 0) << ended.err;
   }
   EXPECT_EQ(pattern()["keyframes"].back()["t_ms"], 60'000);
-  // The lease is a second of the ball's time: faster, a busy machine does not renew it in time.
+  // The lease is 1 s of the ball's time: at a higher speed a busy machine does not renew it in
+  // time.
   const DaemonProcess daemon(home_, {"--speed", "3"});
   const Ended played = ctl(daemon, {"play", file_, "--current-a", "3"});
   EXPECT_EQ(played.exit_code, 0) << "whole, though one effect lasts 10 s at most: " << played.out;
@@ -122,7 +123,7 @@ TEST_F(Record, AFileInTheWayIsReplacedOnlyByForce) {
 
 TEST_F(Record, WhatCannotBeWrittenIsRefusedBeforeItBegins) {
   const DaemonProcess daemon(home_);
-  // Without --seconds: a recording that began would go on for a minute.
+  // Without --seconds: a recording that started would last a minute.
   const Ended nowhere = ctl(daemon, {"record", home_.path("nowhere/path.json")});
   EXPECT_EQ(nowhere.exit_code, kCannotCreate);
   EXPECT_THAT(nowhere.err, HasSubstr("there is no folder " + home_.path("nowhere")));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A session of protocol 1.0 as it was recorded: what a client of then sends is understood, and what
-// it reads is there.
+// A recorded session of protocol 1.0: the requests of a client of that version are still accepted,
+// and the members that it reads are present.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -17,8 +17,8 @@ std::string kind_of(const Json& value) {
   return value.is_number() ? "number" : std::string(value.type_name());
 }
 
-/// Where `now` lacks something of `then`: a member, an element of the same kind. Values may differ;
-/// what was null may have a value, and what had one may be null.
+/// Fails where `now` lacks a member of `then` or an element of the same kind. Values may differ;
+/// null may have become a value, and a value null.
 void expect_has(const Json& now, const Json& then, const std::string& where) {
   if (now.is_null() || then.is_null()) return;
   ASSERT_EQ(kind_of(now), kind_of(then)) << where;
@@ -27,7 +27,7 @@ void expect_has(const Json& now, const Json& then, const std::string& where) {
       ASSERT_TRUE(now.contains(key)) << where << "." << key << " is gone";
       expect_has(now[key], value, where + "." + key);
     } else if (then.is_array()) {
-      // Of events the first of the same type: which ones come is a matter of time.
+      // Of events, compares the first of the same type: which ones arrive depends on timing.
       const bool typed = value.is_object() && value.contains("type");
       for (const Json& element : now) {
         if (typed && element.value("type", "") != value["type"]) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each program that is installed has a man page and completions, which have what its --help has.
+// Each installed program has a man page and completions with all options of its --help.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/// "--listen" of its help, but for what every program has.
+/// Options such as "--listen" in a program's help, without those that every program has.
 std::set<std::string> options_of(const std::string& help) {
   static const std::regex option(R"((^|[ ,])(--[a-z][a-z-]*))");
   std::set<std::string> found;

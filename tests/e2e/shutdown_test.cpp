@@ -14,7 +14,7 @@ namespace {
 
 TEST(Shutdown, ReadsNoFurtherPartOfAMessage) {
   constexpr int kClients = 12;
-  constexpr int kCycles = 6000;  // of one message of nearly 64 KiB, which never ends
+  constexpr int kCycles = 6000;  // of one message of nearly 64 KiB that never ends
   constexpr int kParts = 10;
   std::string cycle;
   for (int i = 0; i < kParts; ++i) cycle += WebSocketClient::framed(0, " ", false);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sound files played by hedgehogctl on a daemon, and turns of the ball recorded as patterns.
+// Sound files played by hedgehogctl on a daemon, and rotations of the ball recorded as patterns.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -86,7 +86,7 @@ TEST_F(SoundPlay, EndsWithCtrlCAndWithTheProgram) {
     other_.notification("event", "effect_started");
     program.signal(SIGINT);
     EXPECT_EQ(program.wait().exit_code, kInterrupted);
-    // Slices that had ended before the program took the signal are complete.
+    // Slices that ended before the program handled the signal are complete.
     std::string reason;
     do reason = other_.notification("event", "effect_ended")["reason"];
     while (reason == "completed");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What stands in the state directory in place of the daemon's files keeps it neither from starting
-// nor from saying so.
+// Other files or directories at the paths of the daemon's state files: the daemon starts
+// nevertheless and reports them.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 

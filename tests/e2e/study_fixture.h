@@ -46,7 +46,7 @@ class Study : public testing::Test {
         home_, std::vector<std::string>{"--speed", std::to_string(speed)});
   }
   std::vector<std::string> variables() const { return {"HEDGEHOG_ADDRESS=" + address_}; }
-  /// The daemon's socket is in the home's runtime directory, also of the one that comes after it.
+  /// The daemon's socket is in the home's runtime directory, also for a daemon started later.
   void remember_address() { address_ = daemon_->socket(); }
 
   std::unique_ptr<Program> begin(std::vector<std::string> words, const std::string& folder = "th") {
@@ -69,7 +69,7 @@ class Study : public testing::Test {
     const Ended ended = program.wait();
     ASSERT_EQ(ended.exit_code, 0) << ended.err;
   }
-  /// The words that run it with a person, all questions of the check list answered.
+  /// The arguments that run it with a person, and with all questions of the check list answered.
   std::vector<std::string> run_quick() const {
     return {"-C",
             home_.path("th"),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A whole study, rehearsed twice: once in peace, once with runner and daemon killed again and
-// again. Both say the same, trial by trial.
+// A whole study, rehearsed twice: once undisturbed, once with runner and daemon killed repeatedly.
+// Both give the same results, trial by trial.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -25,13 +25,13 @@ struct Form {
   std::string people;
   std::vector<std::string> experiments;
   int kills;
-  int longest_ms;  // from kill to kill
+  int longest_ms;  // between two kills
 };
 
 class Kills : public Study {
  protected:
   /// HEDGEHOG_STUDY_REHEARSAL=short: the thesis' three staircases, ten people, twenty kills, with
-  /// circles of 0.3 s. =whole: with the circles of 5 s that they have. Not said: a tenth of it.
+  /// circles of 0.3 s. =whole: with the real circles of 5 s. Unset: a tenth of it.
   Form form() {
     const char* said = std::getenv("HEDGEHOG_STUDY_REHEARSAL");
     const std::string which = said != nullptr ? said : "";
@@ -41,8 +41,8 @@ class Kills : public Study {
     return {"3", {quick_path(), home_.path("quick-yes-no.json")}, 6, 250};
   }
 
-  /// What each run answered: kind, number and level of every trial that counts, and whether the
-  /// answer was yes or right. Complains about voids that shifted anything.
+  /// The answers of each run: kind, number and level of every trial that counts, and whether the
+  /// answer was yes or right. Fails on voided trials that shifted others.
   std::map<std::string, std::vector<std::string>> answers(const std::string& folder) {
     std::map<std::string, std::vector<std::string>> all;
     for (const auto& file : fs::directory_iterator(home_.path(folder + "/journal"))) {
@@ -123,14 +123,14 @@ TEST_F(Kills, AtAnyMomentChangeNoLevelAndNoAnswer) {
     std::this_thread::sleep_for(
         std::chrono::milliseconds(std::uniform_int_distribution<int>(20, form.longest_ms)(random)));
     if (kill % 2 == 0) {
-      runner = nullptr;  // SIGKILL
+      runner = nullptr;  // ends it by SIGKILL
       runner = begin({"rehearse"}, "shaken");
     } else {
       daemon_->stop(SIGKILL);
       start_daemon();
     }
   }
-  // Where no trial was hit by chance, the daemon goes in the middle of one.
+  // If no kill hit a trial by chance, the daemon is killed during one.
   for (int aimed = 0; aimed < 20 && count_all("shaken", "voided") == 0; ++aimed) {
     ASSERT_TRUE(eventually([&] {
       // A daemon that is killed before the runner has introduced itself ends the runner.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// hedgehog-study with what goes wrong in a lab: each ends with a sentence and an exit code, and no
-// data is taken for other data.
+// hedgehog-study with mistakes that happen in a lab: each ends with an error message and an exit
+// code, and no data is attributed to another run.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -56,7 +56,8 @@ TEST_F(Study, AForecastThatIsRefusedEndsTheRunWithOnePause) {
 TEST_F(Study, WhoAnswersTooLateIsAskedAgainAndIsNotTakenForABallThatDoesNotPlay) {
   start_daemon();
   remember_address();
-  // Simulated people take 350 ms and more: half of all answers are too late, then each.
+  // Simulated people take at least 350 ms: with the first limit half of all answers are late, with
+  // the second all.
   home_.write("hasty.json", quick(R"(, "response_limit_ms": 600)"));
   home_.write("never.json", quick(R"(, "response_limit_ms": 300)"));
   plan("th", "1", home_.path("hasty.json"));
@@ -82,7 +83,7 @@ TEST_F(Study, ARunStaysWithItsBall) {
   {
     const auto running = begin(kRun);
     ASSERT_TRUE(eventually([&] { return count(journal(name), "answered") > 1; }));
-    // While it waits for its ball another one comes.
+    // While it waits for its ball, another ball is connected.
     home_.configure(R"({"device": "other"})");
     home_.write("config/hedgehog/devices.d/other.json", R"({"name": "other-ball"})");
     daemon_->stop(SIGKILL);
@@ -110,7 +111,7 @@ TEST_F(Study, ADamagedJournalIsNoUnfinishedRun) {
   remember_address();
   plan("th", "2", quick_path());
   ASSERT_EQ(study(kRun).exit_code, 0);
-  // Killed before its first line: nothing is missing.
+  // Killed before its first line was written: nothing is missing.
   home_.write("th/journal/P02.quick.1.jsonl", "");
   EXPECT_EQ(study({"status"}).exit_code, 0);
   const Ended analysed = study({"analyse"});
@@ -155,7 +156,7 @@ TEST_F(Study, AnotherExperimentOfTheSameNameIsRefused) {
   EXPECT_EQ(refused.exit_code, 78);
   EXPECT_THAT(refused.err, HasSubstr("give it a name of its own"));
   EXPECT_TRUE(journal("P02.quick.1.jsonl").empty());
-  // The same under another path is no other one.
+  // The same preset under another path is not another experiment.
   EXPECT_EQ(study({"run", quick_path(), "--participant", "P02", "--simulated"}).exit_code, 0);
   std::string preset = quick();
   preset.replace(preset.find("\"quick\""), 7, "\"force-jnd\"");

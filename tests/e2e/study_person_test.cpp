@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// hedgehog-study as people use it: at the terminal, from the README, to the report.
+// hedgehog-study in practice: at the terminal, from the README to the report.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// How often the question was shown.
+/// How many times the question was shown.
 int asked(TerminalProgram& page) {
   const std::string question = "Which one was stronger?";
   page.shows(question);
@@ -24,11 +24,11 @@ int asked(TerminalProgram& page) {
 }
 
 TEST_F(Study, APersonSeesTheQuestionAndNothingElse) {
-  // Slowly: a claim lasts ten seconds of the ball.
+  // Slow, because a claim lasts ten seconds of the ball's time.
   start_daemon(2);
   remember_address();
   plan("th", "1", quick_path());
-  // The page may be there first, and stays from run to run.
+  // The page may start first, and stays open from run to run.
   TerminalProgram page(home_, hedgehog_study(), {"-C", home_.path("th"), "participant"});
   ASSERT_TRUE(page.shows("Please wait."));
   TerminalProgram desk(
@@ -53,7 +53,7 @@ TEST_F(Study, APersonSeesTheQuestionAndNothingElse) {
   desk.type("c");
   ASSERT_TRUE(desk.shows("waiting for the answer"));
   ASSERT_TRUE(page.shows("Which one was stronger?"));
-  // Practice, and then scored trials, answered on the page.
+  // Practice and then scored trials are answered on the page.
   for (int answers = 1; answers <= 4; ++answers) {
     page.type("\033[D");
     ASSERT_TRUE(
@@ -61,8 +61,8 @@ TEST_F(Study, APersonSeesTheQuestionAndNothingElse) {
     ASSERT_TRUE(eventually([&] { return asked(page) == answers + 1; }));
   }
   EXPECT_TRUE(desk.shows("reversals"));
-  // While a note is being typed the run goes on: twenty seconds of the ball's time, two claims'
-  // worth, and an answer in the middle of it.
+  // While a note is being typed the run continues: for twenty seconds of the ball's time, the
+  // duration of two claims, with an answer in between.
   RawClient game(daemon_->port());
   desk.type("n");
   ASSERT_TRUE(desk.shows("note: "));
@@ -106,7 +106,7 @@ TEST_F(Study, APersonSeesTheQuestionAndNothingElse) {
   EXPECT_EQ(page.wait(), 0);
   again.type("q");
   EXPECT_EQ(again.wait(), 75);
-  // What is blind stays so, whether anybody thinks of it or not.
+  // A blind session resumed without --blind stays blind.
   TerminalProgram third(home_, hedgehog_study(), {"-C", home_.path("th"), "resume"}, variables());
   ASSERT_TRUE(third.shows("headphones"));
   third.type("y\ny\n");
@@ -132,8 +132,8 @@ TEST_F(Study, ADaemonThatDiesWhileAPersonThinksSpoilsNothing) {
   ASSERT_TRUE(desk.shows("waiting for the ball"));
   EXPECT_EQ(count(journal(name), "answered"), 1);
   start_daemon(20);
-  // Another start of the daemon may be another ball: nothing is played without the experimenter's
-  // word.
+  // A restarted daemon may have another ball: nothing is played without the experimenter's
+  // confirmation.
   ASSERT_TRUE(desk.shows("started anew"));
   EXPECT_EQ(count(journal(name), "daemon_changed"), 0);
   EXPECT_EQ(count(journal(name), "trial_started"), 1);
@@ -143,7 +143,7 @@ TEST_F(Study, ADaemonThatDiesWhileAPersonThinksSpoilsNothing) {
     return type_until(desk, "\033[D", [&] { return count(journal(name), "answered") >= wanted; });
   };
   ASSERT_TRUE(answers(3));
-  // Once, and not again for what was lost before; the trial that was played stays good.
+  // Once, and not again for the earlier loss; the trial that was played stays valid.
   const auto lines = journal(name);
   EXPECT_EQ(count(lines, "paused"), 2);
   EXPECT_EQ(count(lines, "continued"), 2);
@@ -160,7 +160,7 @@ TEST_F(Study, APersonMayBeSlowRestAndPause) {
   TerminalProgram desk(home_, hedgehog_study(), run_quick(), variables());
   ASSERT_TRUE(desk.shows("c continues"));
   desk.type("c");
-  // Nobody answers: void, and the same level again.
+  // Without an answer: the trial is void, and the level is repeated.
   const std::string name = "P01.quick.1.jsonl";
   ASSERT_TRUE(eventually([&] { return count(journal(name), "trial_started") >= 3; }));
   std::vector<Json> trials;
@@ -171,7 +171,7 @@ TEST_F(Study, APersonMayBeSlowRestAndPause) {
       EXPECT_EQ(line["reason"], "no answer in time");
   EXPECT_EQ(trials[1]["attempt"], 2);
   EXPECT_EQ(trials[1]["level"], trials[0]["level"]);
-  // Practice and one scored trial are answered; then it is time for a rest.
+  // Practice and one scored trial are answered; then a rest is due.
   const auto scored = [&] {
     int answers = 0;
     bool is_scored = false;
@@ -205,7 +205,7 @@ TEST_F(Study, AKeyFromBeforeTheQuestionAnswersNothing) {
   ASSERT_TRUE(page.shows("Your hand"));
   desk.type("c");
   ASSERT_TRUE(page.shows("Feel: the second."));
-  // Both programs are held up, as by a slow disk, until the second circle is over.
+  // Both programs are stopped, as by a slow disk, until the second circle is over.
   desk.signal(SIGSTOP);
   page.signal(SIGSTOP);
   desk.type("\033[D");
@@ -217,7 +217,7 @@ TEST_F(Study, AKeyFromBeforeTheQuestionAnswersNothing) {
   ASSERT_TRUE(desk.shows("waiting for the answer"));
   page.signal(SIGCONT);
   ASSERT_TRUE(page.shows("Which one was stronger?"));
-  // A key that the page did pass on would be written down long before this one.
+  // A key that the page did pass on would be in the journal long before this one.
   page.type("v");
   ASSERT_TRUE(eventually([&] { return hand.call("ping")["time_ns"].get<double>() > from + 13e9; }));
   EXPECT_EQ(count(journal(name), "answered"), 0);

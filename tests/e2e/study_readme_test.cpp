@@ -69,10 +69,10 @@ TEST_F(Study, TheLinesOfItsReadmeRun) {
     std::vector<std::string> words{"-C", folder};
     std::istringstream rest(line.substr(program.size()));
     for (std::string word; rest >> std::quoted(word);) {
-      // Fewer simulated people than the README has: their numbers have tests of their own.
+      // Fewer simulated people than in the README: their numbers are tested elsewhere.
       words.push_back(word == "2000" ? "50" : word);
     }
-    // The rehearsal's folder stands in the study's; a person is replaced, the whole study skipped.
+    // The rehearsal's folder is inside the study's; a person is simulated, the whole study skipped.
     const auto has = [&](const char* word) {
       return std::find(words.begin(), words.end(), word) != words.end();
     };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// hedgehog-study with a real daemon, up to a hundred times as fast: timed by the device, alone with
-// the ball, and nothing lost whatever is killed.
+// hedgehog-study with a real daemon at up to a hundred times real time: timed by the device, with
+// an exclusive claim on the ball, and without data loss whichever process is killed.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -43,7 +43,7 @@ TEST_F(Study, ARunIsTimedByTheDevicesClock) {
       first_offset = offset;
       first_current = line["current_a"];
     } else {
-      // At this speed the command may come late; it never comes early.
+      // At this speed the command may be late; it is never early.
       EXPECT_GE((onset - first_offset) / kMs, 199);
       EXPECT_EQ(std::min(first_current, line["current_a"].get<double>()), 5);
     }
@@ -139,7 +139,7 @@ TEST_F(Study, ABallThatIsUnpluggedVoidsTheTrialAndPausesUntilItIsBack) {
   const std::string name = "P01.quick.1.jsonl";
   RawClient hand(daemon_->port());
   const auto running = begin({"run", "quick", "--participant", "P01", "--simulated"});
-  // In the middle of a trial.
+  // During a trial.
   ASSERT_TRUE(eventually([&] {
     const auto lines = journal(name);
     return count(lines, "answered") > 1 && lines.back()["event"] == "trial_started";
@@ -149,7 +149,7 @@ TEST_F(Study, ABallThatIsUnpluggedVoidsTheTrialAndPausesUntilItIsBack) {
   EXPECT_EQ(hand.call("device.status")["state"], "absent");
   const int answered = count(journal(name), "answered");
   hand.call("sim.set", {{"fault", {{"faults", Json::array()}}}});
-  // As after a plug: disarmed until somebody arms it.
+  // As after plugging in: disarmed until a client arms it.
   ASSERT_TRUE(eventually([&] { return !hand.call("device.arm").contains("code"); }));
   EXPECT_EQ(running->wait().exit_code, 0);
   const auto lines = journal(name);
@@ -164,7 +164,7 @@ TEST_F(Study, ABallThatIsUnpluggedVoidsTheTrialAndPausesUntilItIsBack) {
 TEST_F(Study, AWarmBallIsLeftToCoolBeforeATrialWouldBeReduced) {
   home_.configure(R"({"simulator": {"start_temperature_c": 46}})");
   plan("th", "1", quick_path());
-  // 10 A at the start level; the skin of a ball of 46 °C allows less. In a warm room it does not
+  // 10 A at the start level; at 46 °C the skin limit allows less. In a warm room the ball does not
   // cool before the first trial, however late that is.
   start_daemon(10);
   remember_address();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The units as systemd sees them, and what the daemon tells systemd.
+// The units as systemd parses them, and the daemon's notifications to systemd.
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 #include <sys/un.h>
@@ -41,7 +41,7 @@ Said run(const std::string& command) {
 
 class Unit : public testing::TestWithParam<const char*> {
  protected:
-  /// A copy whose ExecStart is the program that was just built.
+  /// A copy whose ExecStart is the program under test.
   std::string installed() {
     const std::string name = GetParam();
     std::ifstream in(source_folder() + "/systemd/" + name);
@@ -60,7 +60,8 @@ class Unit : public testing::TestWithParam<const char*> {
   Home home_;
 };
 
-// systemd-analyze prints an unknown key and still exits with 0, so any word of it is a failure.
+// systemd-analyze prints a warning for an unknown key and still exits with 0, so any output is a
+// failure.
 TEST_P(Unit, HasNothingThatSystemdDoesNotKnow) {
   const Said said = run("systemd-analyze verify --man=no " + installed());
   EXPECT_EQ(said.text, "");
@@ -82,7 +83,7 @@ INSTANTIATE_TEST_SUITE_P(Systemd, Unit,
                            return name.find('@') == std::string::npos ? "Single" : "Instance";
                          });
 
-/// systemd's end of sd_notify.
+/// systemd's side of sd_notify.
 class NotifySocket {
  public:
   explicit NotifySocket(const std::string& path)
@@ -96,7 +97,7 @@ class NotifySocket {
   }
   ~NotifySocket() { ::close(fd_); }
 
-  /// Waits for a message with `word`.
+  /// Waits for a message that contains `word`.
   std::string wait_for(const std::string& word) {
     for (;;) {
       std::array<char, 4096> buffer{};

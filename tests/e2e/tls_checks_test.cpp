@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What scanners of TLS servers ask, tried by openssl's own client at both ports with TLS: old
+// What scanners of TLS servers check, tried by openssl's own client at both ports with TLS: old
 // protocols, renegotiation, weak ciphers, resumption, early data. Each test prints its commands
-// with their output. Where the daemon rejects, a server of openssl's own that accepts is the
-// control.
+// with their output. Where the daemon rejects, openssl's own server, which accepts, is the control.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -25,7 +24,7 @@ const std::string kOpenssl = "/usr/bin/openssl";
 
 class TlsChecks : public TlsFixture {
  protected:
-  /// Output of openssl's client at `port`; `input`: what its user types, for printf.
+  /// Output of openssl's client at `port`; `input`: its standard input, as a format of printf.
   std::string s_client(int port, const std::string& options, const std::string& input = "") {
     const std::string command = "openssl s_client -connect 127.0.0.1:" + std::to_string(port) +
                                 (options.empty() ? "" : " " + options);
@@ -61,7 +60,7 @@ class PermissiveServer {
 
  private:
   static std::string command(const Home& home) {
-    // It ends with its input, so that comes from a pipe that stays open.
+    // It exits at the end of its input, so its input is a pipe that stays open.
     ::mkfifo(home.path("keyboard").c_str(), 0600);
     return "exec openssl s_server -accept 127.0.0.1:0 -cert " +
            home.path("state/hedgehog/certificate.pem") + " -key " +
@@ -123,7 +122,7 @@ TEST_F(TlsChecks, EarlyDataIsRejectedAndNothingOfItIsCarriedOut) {
                    "-ign_eof", "-sess_out", session});
     ASSERT_TRUE(eventually([&] { return !home_.read("permissive.pem").empty(); })) << first.err();
   }
-  // The first bytes of a recorded connection, once more.
+  // The first bytes of a recorded connection, replayed.
   home_.write("early", R"({"jsonrpc":"2.0","id":1,"method":"hello","params":{"token":")" +
                            operate_ + "\"}}\n" +
                            R"({"jsonrpc":"2.0","method":"device.emergency_stop"})" + "\n");
@@ -141,7 +140,7 @@ TEST_F(TlsChecks, EarlyDataIsRejectedAndNothingOfItIsCarriedOut) {
 TEST_F(TlsChecks, NoSessionCanBeResumed) {
   for (const int port : ports()) {
     const std::string file = "resumable-" + std::to_string(port);
-    // It closes at the x, which is neither a message nor a request of HTTP.
+    // The daemon closes at the x, which is neither a message nor an HTTP request.
     const std::string output = s_client(port, "-ign_eof -sess_out " + home_.path(file), "x\\n\\n");
     EXPECT_THAT(output, HasSubstr("New, TLSv1.3"));
     EXPECT_THAT(output, Not(HasSubstr("New Session Ticket")));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A daemon that also listens with TLS, with the tokens and the certificate that hedgehogctl made.
+// A daemon that also listens with TLS, with the tokens and the certificate created by hedgehogctl.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ class TlsFixture : public testing::Test {
     fingerprint_ = made({"token", "certificate"});
   }
 
-  /// What `hedgehogctl` with `words` prints, without its line end.
+  /// Output of `hedgehogctl` with `words`, without its line end.
   std::string made(const std::vector<std::string>& words) {
     const Ended ended = ctl(words, {});
     EXPECT_EQ(ended.exit_code, 0) << ended.err;
@@ -32,12 +32,12 @@ class TlsFixture : public testing::Test {
     if (words[0] == "token") words.insert(words.end(), {"--state", home_.path("state/hedgehog")});
     return Program(home_, hedgehogctl(), words, variables).wait();
   }
-  /// Of a client that reaches `daemon` by TLS.
+  /// Environment of a client that connects to `daemon` by TLS.
   std::vector<std::string> variables(const std::string& token) const {
     return {"HEDGEHOG_ADDRESS=tls://127.0.0.1:" + std::to_string(port("tls://")),
             "HEDGEHOG_TOKEN=" + token, "HEDGEHOG_FINGERPRINT=" + fingerprint_};
   }
-  /// Where the daemon said that it listens with `scheme`, "tls://" or "https://".
+  /// Port of the daemon's listener with `scheme`, "tls://" or "https://".
   int port(const std::string& scheme) const {
     const std::string line = "listening on " + scheme + "127.0.0.1:";
     const std::string out = home_.read("out");

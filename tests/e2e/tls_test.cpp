@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The daemon from another machine: TLS, tokens, and what strangers can do.
+// The daemon used from another machine: TLS, tokens, and what unauthenticated clients can do.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ class Tls : public TlsFixture {
   const TlsTunnel tunnel_{port("tls://")};
   const TlsTunnel web_{port("https://")};
 
-  /// What openssl's own client prints.
+  /// Output of openssl's own client.
   std::string s_client(const std::string& options, const std::string& input = "") {
     const std::string command = "printf '" + input + "' | openssl s_client -connect 127.0.0.1:" +
                                 std::to_string(port("tls://")) + " " + options + " 2>&1";
@@ -139,7 +139,7 @@ TEST_F(Tls, WhoLogsInKeepsItsPlaceAmongManyWhoDoNot) {
   std::vector<std::unique_ptr<RawClient>> strangers;
   for (int i = 0; i < 20; ++i) {
     strangers.push_back(std::make_unique<RawClient>(tunnel_.port()));
-    // Through the handshake; the daemon may have closed one that is too many.
+    // Completes the handshake; the daemon may have closed a connection above its limit.
     strangers.back()->send("{\"jsonrpc\":\"2.0\",\"id\":1,\"method\":\"ping\"}\n");
     strangers.back()->line();
   }

@@ -33,7 +33,7 @@ struct Pair {
   }
 };
 
-/// What comes from `from` goes to `to`; at its end, `end`.
+/// Copies from `from` to `to`; calls `end` at the end.
 template <class From, class To, class End>
 asio::awaitable<void> copy(std::shared_ptr<Pair> pair, From& from, To& to, End end) {
   std::array<char, 16 * 1024> buffer;

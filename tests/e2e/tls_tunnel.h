@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A port on this machine whose connections are carried to another by TLS, so that clients without
-// TLS speak to a listener with it.
+// A local port whose connections are forwarded by TLS to another port, so that clients without TLS
+// reach a TLS listener.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@ namespace hedgehog::e2e {
 
 class TlsTunnel {
  public:
-  /// To port `to` on 127.0.0.1; certificates are not looked at.
+  /// Forwards to port `to` on 127.0.0.1; certificates are not verified.
   explicit TlsTunnel(int to);
   TlsTunnel(const TlsTunnel&) = delete;
   TlsTunnel& operator=(const TlsTunnel&) = delete;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Roles by the user of the Unix socket: a real daemon, and clients of other users. Only root can be
-// other users.
+// Roles by the user of the Unix socket: a real daemon, and clients of other users. Needs root to
+// change the user.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -102,7 +102,7 @@ TEST_F(LocalUsers, WithoutARoleDriveNoCurrentAndAreToldWhy) {
   EXPECT_EQ(stranger->call("device.emergency_stop")["code"], kNoRole);
   EXPECT_LT(current_a(), 0.1);
   EXPECT_EQ(client_of(0)->call("device.status")["state"], "armed");
-  // The same request of one who may, so that this can fail.
+  // The same request by a user with the role, so that this test can fail.
   const auto player = client_of(kGamesUser, {kUsersGroup});
   ASSERT_TRUE(player->call("effect.pulse", kTenSeconds)["accepted"]);
   EXPECT_TRUE(eventually([&] { return current_a() > 1.0; }));

@@ -71,7 +71,7 @@ TEST_F(Watch, IsDrawnAnewInTheWidthThatTheTerminalGets) {
   EXPECT_EQ(watch_.wait(), 0);
 }
 
-/// However it comes: behind another key, behind the escape sequence of one, before leaving.
+/// A space counts behind another key, behind the escape sequence of one, and before leaving.
 TEST_F(Watch, ASpaceStopsWhateverIsTypedWithIt) {
   ASSERT_TRUE(watch_.shows("SPACE stops"));
   other_.call("events.subscribe", {{"types", {"state_changed"}}});
@@ -105,7 +105,7 @@ TEST_F(Watch, SaysSoWhenTheDaemonGoes) {
 
 TEST(LivePictures, SayThatASilentDaemonsPictureIsOldAndThatAStopHasNoAnswer) {
   Home home;
-  // In lock-step: a ball whose time stands still too has nothing else to complain of afterwards.
+  // In lock-step: the time of the ball stops too, so that it reports no other error afterwards.
   DaemonProcess daemon(home, {"--speed", "1"});
   RawClient other(daemon.port());
   other.call("events.subscribe", {{"types", {"state_changed"}}});

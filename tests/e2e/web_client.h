@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// HTTP and WebSocket written out by hand, so that they can be wrong.
+// HTTP and WebSocket written byte by byte, so that a test can send invalid ones.
 #pragma once
 
 #include <optional>
@@ -14,14 +14,14 @@ struct WebAnswer {
   int status = 0;  // 0: closed without an answer
   std::string head;
   std::string body;
-  /// Of header `name`, in lower case; empty: there is none.
+  /// Value of header `name`, in lower case; empty when it is missing.
   std::string header(std::string_view name) const;
 };
 
 /// One request on a connection of its own. `more`: header lines, each with CRLF.
 WebAnswer web_get(int port, const std::string& target, const std::string& more = "",
                   const std::string& method = "GET");
-/// Whatever `bytes` get.
+/// Sends `bytes`; returns the response.
 WebAnswer web_say(int port, std::string_view bytes);
 
 class WebSocketClient {
@@ -32,13 +32,13 @@ class WebSocketClient {
   static constexpr int kPing = 9;
   static constexpr int kPong = 10;
 
-  /// Says hello; `answer()` tells whether it was let in (101).
+  /// Sends the opening handshake; `answer()` has its response (101: accepted).
   explicit WebSocketClient(int port, const std::string& more = "");
   const WebAnswer& answer() const noexcept { return answer_; }
 
-  /// The bytes of one frame. `last`: of its message.
+  /// The bytes of one frame. `last`: final frame of its message.
   static std::string framed(int opcode, std::string_view payload, bool last);
-  /// Sends one.
+  /// Sends one frame.
   bool frame(int opcode, std::string_view payload, bool last = true);
   bool text(std::string_view message) { return frame(kText, message); }
 
@@ -46,7 +46,7 @@ class WebSocketClient {
     int opcode = 0;
     std::string payload;
   };
-  /// The next one but pings, which are answered. nullopt: the daemon has closed, or told
+  /// The next frame except pings, which are answered. nullopt: the daemon has closed, or has sent
   /// nothing else for minutes.
   std::optional<Frame> next();
   /// Sends a request and returns its result or error; notifications in between are skipped.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A daemon with pages.
+// A daemon that serves pages.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ class Web : public testing::Test {
                 const std::string& method = "GET") {
     return web_get(daemon_.http_port(), target, more, method);
   }
-  /// A line of /metrics that begins with `name`, its value.
+  /// Value of the line of /metrics that begins with `name`.
   double metric(const std::string& name) {
     const std::string text = "\n" + get("/metrics").body;
     const auto at = text.find("\n" + name + " ");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// /ws is the same protocol as TCP, mistakes included.
+// /ws is the same protocol as TCP, errors included.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -71,7 +71,7 @@ TEST_F(WebSocket, AMessageOf64KiBIsServedAndALongerOneIsToldOnce) {
   EXPECT_TRUE(web.json().contains("result"));
   web.text(kPingRequest + std::string(kMaxLine + 1 - kPingRequest.size(), ' '));
   EXPECT_EQ(web.json()["error"]["code"], -32700);
-  // A megabyte, in pieces; nothing of it is kept.
+  // A megabyte in fragments, which is discarded.
   for (int i = 0; i < 64; ++i)
     web.frame(i == 0 ? WebSocketClient::kText : 0, std::string(16 * 1024, 'x'), i == 63);
   EXPECT_EQ(web.json()["error"]["code"], -32700);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Frames that RFC 6455 allows and frames that it does not, section after section; what /ws makes of
-// each. Written from the document.
+// Frames that RFC 6455 allows and frames that it forbids, section by section, and the response of
+// /ws to each. Written from the RFC.
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -18,10 +18,10 @@ using namespace std::string_literals;
 constexpr int kContinuation = 0;
 constexpr int kProtocolError = 1002;
 constexpr int kBadPayload = 1007;
-/// Nothing came but the end of the connection.
+/// The connection ended without a close frame.
 constexpr int kNoCode = -1;
 
-/// As it goes over the wire: `first` is FIN, RSV1 to RSV3 and the opcode. Shorter than 126 bytes.
+/// A frame as sent: `first` is FIN, RSV1 to RSV3 and the opcode. Payload shorter than 126 bytes.
 std::string frame_bytes(int first, std::string_view payload) {
   const std::string mask = "\x21\x43\x65\x07";
   std::string bytes{static_cast<char>(first), static_cast<char>(0x80 | payload.size())};
@@ -37,7 +37,7 @@ std::string code_bytes(int code, const std::string& reason = {}) {
 
 class WebSocketVectors : public Web {
  protected:
-  /// The code of the close frame that is next; 0: it has none.
+  /// The code of the next close frame; 0: it has none.
   static int close_code(WebSocketClient& client) {
     const auto frame = client.next();
     if (!frame) return kNoCode;
@@ -56,7 +56,7 @@ class WebSocketVectors : public Web {
   }
 };
 
-// 5.2: lengths of 7 bits, of 16 and of 64.
+// 5.2: lengths of 7, 16 and 64 bits.
 TEST_F(WebSocketVectors, AMessageMayHaveAnyLength) {
   WebSocketClient client(daemon_.http_port());
   for (const std::size_t size : {125, 126, 127, 128, 65'535, 65'536}) {
@@ -74,7 +74,7 @@ TEST_F(WebSocketVectors, AFrameMayComeByteAfterByte) {
   EXPECT_TRUE(client.json().contains("result"));
 }
 
-// 5.2: reserved bits mean nothing without an extension, and reserved opcodes never.
+// 5.2: reserved bits are invalid without an extension, and reserved opcodes always.
 TEST_F(WebSocketVectors, ReservedBitsAndOpcodesEndTheConnection) {
   for (const int reserved : {0x40, 0x20, 0x10, 0x70}) {
     EXPECT_EQ(code_after(frame_bytes(0x81 | reserved, kPingRequest)), kProtocolError) << reserved;
@@ -84,7 +84,7 @@ TEST_F(WebSocketVectors, ReservedBitsAndOpcodesEndTheConnection) {
     EXPECT_EQ(code_after(frame_bytes(0x80 | opcode, "")), kProtocolError) << opcode;
 }
 
-// 5.4: fragments, and what may be between them.
+// 5.4: fragments, and the frames allowed between them.
 TEST_F(WebSocketVectors, FragmentsFollowEachOtherWithControlFramesBetween) {
   WebSocketClient client(daemon_.http_port());
   for (std::size_t i = 0; i < kPingRequest.size(); ++i) {
@@ -99,7 +99,7 @@ TEST_F(WebSocketVectors, FragmentsFollowEachOtherWithControlFramesBetween) {
       << "another message before the end of the first";
 }
 
-// 5.5: control frames are short and whole.
+// 5.5: control frames are short and not fragmented.
 TEST_F(WebSocketVectors, ControlFramesAreShortAndWhole) {
   WebSocketClient client(daemon_.http_port());
   for (const std::string& payload : {""s, "hello"s, "\x00\xff\xfe\xfd"s, std::string(125, 'x')}) {
@@ -117,7 +117,7 @@ TEST_F(WebSocketVectors, ControlFramesAreShortAndWhole) {
   }
 }
 
-// 8.1: text is UTF-8, wherever it is cut.
+// 8.1: text is UTF-8, at any fragment boundary.
 TEST_F(WebSocketVectors, TextIsUtf8AcrossItsFragments) {
   WebSocketClient client(daemon_.http_port());
   for (const std::string& id : {"κόσμε"s, "\u20ac"s, "\U0010ffff"s, "\ufffe\ufdd0"s, "\x7f"s}) {
@@ -137,7 +137,7 @@ TEST_F(WebSocketVectors, TextIsUtf8AcrossItsFragments) {
   EXPECT_EQ(code_after(frame_bytes(0x01, "\xce") + frame_bytes(0x80, "x")), kBadPayload);
 }
 
-// 5.5.1 and 7.4: a close is answered by one, and has a code that may be sent, or none.
+// 5.5.1 and 7.4: a close is answered by a close; its code, if it has one, is a valid one.
 TEST_F(WebSocketVectors, ACloseIsAnsweredAndItsCodeIsOneThatMayBeSent) {
   for (const int code :
        {1000, 1001, 1002, 1003, 1007, 1008, 1009, 1010, 1011, 3000, 3999, 4000, 4999})

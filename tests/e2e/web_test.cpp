@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// HTTP and WebSocket of a real daemon: who is let in, what is behind which path, and that /ws is
-// the same protocol as TCP, mistakes included.
+// HTTP and WebSocket of a real daemon: access control, the content of each path, and /ws as the
+// same protocol as TCP, errors included.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -96,7 +96,8 @@ TEST_F(Web, ForeignPagesAreRefusedByNameOfTheKey) {
   EXPECT_EQ(metric(R"(hedgehog_connections_rejected_total{device="ball",reason="origin"})"), 11);
 }
 
-// Fetch Metadata (W3C): a page's image, script or link comes without Origin, and says so instead.
+// Fetch Metadata (W3C): a request for an image, script or link has no Origin, but a Sec-Fetch-Site
+// header.
 TEST_F(Web, WhatForeignPagesEmbedIsRefusedWithoutAnOriginToo) {
   const auto fetched = [&](const std::string& path, const std::string& site,
                            const std::string& mode) {
@@ -129,7 +130,7 @@ TEST_F(Web, GarbageAndTooMuchAreRefused) {
   EXPECT_EQ(post.header("allow"), "GET, HEAD");
   EXPECT_EQ(get("/", "Content-Length: 100000\r\n", "POST").status, 413);
   EXPECT_EQ(get("/ws").status, 426);
-  // Half a request, and who sends nothing at all, cost nobody anything.
+  // Half a request, and a client that sends nothing, do not affect other clients.
   RawClient half(port);
   half.send("GET / HT");
   half.half_close();
@@ -159,7 +160,7 @@ TEST_F(Web, MetricsIntegrateWhatHappensBetweenTwoLooks) {
   web.call("events.subscribe", {{"types", {"effect_ended"}}});
   web.call("effect.pulse", {{"direction", "front"}, {"current_a", 10}, {"duration_ms", 200}});
   EXPECT_EQ(web.json()["params"]["reason"], "completed");
-  // 10 A for 0.2 s are 20 A²s, whatever the slopes take.
+  // 10 A for 0.2 s are 20 A²s, plus or minus the slopes.
   EXPECT_TRUE(eventually(
       [&] { return metric(R"(hedgehog_heat_ampere_squared_seconds_total{device="ball"})") > 10; }));
   EXPECT_LT(metric(R"(hedgehog_heat_ampere_squared_seconds_total{device="ball"})"), 25);
@@ -218,7 +219,7 @@ TEST_F(Web, MetricsTellWhatTheProcessUses) {
   EXPECT_GT(metric("process_start_time_seconds"), 1.6e9);
 }
 
-/// Every family has a sentence, not a word.
+/// Every metric family has a description of a whole sentence.
 TEST_F(Web, MetricsAreExplained) {
   std::istringstream text(get("/metrics").body);
   int families = 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A USB host without a kernel: what vhci-hcd would write into the socket, and what comes back.
+// A USB host without a kernel: sends what vhci-hcd would write into the socket, and reads the
+// responses.
 #pragma once
 
 #include <sys/socket.h>
@@ -29,7 +30,7 @@ class FakeHost {
     Bytes data;
   };
 
-  /// The transfer's number; its answer comes by `next`.
+  /// Returns the transfer's number; its response is returned by `next`.
   std::uint32_t submit(bool in, std::uint8_t endpoint, std::uint32_t length, const Bytes& data = {},
                        const std::array<Byte, 8>& setup = {}) {
     Bytes bytes;
@@ -82,7 +83,7 @@ class FakeHost {
     submit(false, endpoint, static_cast<std::uint32_t>(data.size()), data);
     return next().value_or(Done{});
   }
-  /// Asks, lets the device live for up to `patience_ms`, and takes what came.
+  /// Submits a transfer, runs the device for up to `patience_ms`, and returns the response.
   std::optional<Done> read(std::uint8_t endpoint, int patience_ms = 1) {
     submit(true, endpoint, 64);
     for (;; --patience_ms) {

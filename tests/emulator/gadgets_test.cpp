@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The emulated devices as their host sees them, against the daemon's own codecs.
+// The emulated devices as seen by their host, against the daemon's own codecs.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ std::string tell(Gadget& gadget, const std::string& line) {
 
 class Board : public testing::Test {
  protected:
-  /// A set-point and a telemetry frame in each of so many milliseconds.
+  /// Exchanges a set-point and a telemetry frame in each of `milliseconds`.
   device::BoardTelemetry run(int milliseconds, double duty_x) {
     device::BoardTelemetry last;
     for (int i = 0; i < milliseconds; ++i) {
@@ -73,7 +73,7 @@ TEST_F(Board, IsArmedAndDrivenByFramesAndSafeAfterTheyEnd) {
   EXPECT_EQ(driven.mode, device::BoardMode::kDriving);
   EXPECT_NEAR(driven.current_a[0], 0.2 * 12.0 / 0.45, 0.3);
 
-  // The cable is gone; the board lives on by itself.
+  // The cable is unplugged; the board continues by itself.
   for (int i = 0; i < 99 + 20; ++i) board_.step();
   EXPECT_THAT(board_.status(), testing::HasSubstr(R"("mode": "latched")"));
   EXPECT_THAT(board_.status(), testing::HasSubstr(R"("peak_a": 0.0)"));

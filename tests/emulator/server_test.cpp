@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The emulator by its doors: hosts that list and import, whoever gives commands.
+// The emulator's endpoints: hosts that list and import devices, and clients that send commands.
 #include "emulator/server.h"
 
 #include <arpa/inet.h>
@@ -111,7 +111,7 @@ TEST_F(Doors, ImportOneForOneHostAtATime) {
     send(other, import_request(bus_id));
     EXPECT_EQ(receive(other, 4096), refused) << bus_id;
   }
-  // What is asked right behind the import belongs to the device: its serial number.
+  // A request directly after the import is for the device: its serial number.
   Bytes question;
   for (const std::uint32_t word : {1u, 1u, 0u, 1u, 0u, 0u, 255u, 0u, 0u, 0u})
     put_u32(question, word);

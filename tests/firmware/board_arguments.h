@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The options of hedgehog-simboard as the ball of the emulated microcontroller is given them.
+// The options of hedgehog-simboard, as arguments of the emulated microcontroller's ball.
 #pragma once
 
 #include <optional>
@@ -11,11 +11,11 @@ namespace hedgehog::device {
 
 struct BoardArguments {
   SimulatedBoardOptions board;
-  /// The inherited socket to the host; -1: none given.
+  /// The inherited socket to the host; -1: no socket.
   int fd = -1;
 };
 
-/// `words` without the program's name. nullopt: an unknown option, or a value that cannot be.
+/// `words` without the program's name. nullopt: an unknown option, or a value out of range.
 std::optional<BoardArguments> read_board_arguments(std::span<const char* const> words);
 
 }  // namespace hedgehog::device

@@ -30,12 +30,12 @@ for source in daemon/device/board_core/*.cpp; do
 done
 echo "board core for Cortex-M0+, -Os:"
 arm-none-eabi-size -t "$out"/small/*.o | sed "s|$out/small/||"
-# The deepest of the runtime's helpers, 64-bit division (100 bytes as disassembled), pushes less than this.
+# The deepest of the runtime's helpers, 64-bit division (100 bytes in the disassembly), uses less than this.
 awk -v roots='BoardCore7receive BoardCore4step BoardCore15write_telemetry board8measured board8pins_for' \
   -v runtime=112 -f tests/firmware/worst_stack.awk "$out"/small/*.ci
 
 compile tests/firmware/vectors.cpp "$out/vectors.o"
-# Flat registers and addresses are what start-up code is made of.
+# Start-up code needs registers and fixed addresses.
 compile tests/firmware/cortex_main.cpp "$out/cortex_main.o" -Wno-register -Wno-volatile -fno-tree-loop-distribute-patterns
 # shellcheck disable=SC2086
 arm-none-eabi-g++ -mcpu=cortex-m0plus -mthumb -nostdlib -Wl,--gc-sections -Wl,-T,tests/firmware/cortex.ld \

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The vectors on the host and, with the board core of the image, on a Cortex-M0 under qemu: every line must be the same. compare.sh HOST_PROGRAM ELF.
-# Exit: 0 the same and as expected, 1 not, 64 usage, 69 no qemu.
+# The vectors on the host and, with the board core of the image, on a Cortex-M0 under qemu: their output must be equal.
+# compare.sh HOST_PROGRAM ELF. Exit: 0 the same and as expected, 1 different, 64 usage, 69 no qemu.
 set -eu
 
 [ $# -eq 2 ] || { echo "compare.sh HOST_PROGRAM ELF" >&2; exit 64; }

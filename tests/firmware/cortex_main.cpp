@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The vectors on a bare Cortex-M0 under qemu: vector table, start-up, and a way out by semihosting.
-// Paints the stack first, and says at the end on stderr how much of it was used.
+// The vectors on a bare Cortex-M0 under qemu: vector table, start-up, and exit by semihosting.
+// Paints the stack first, and prints on stderr at the end how much of it was used.
 #ifdef __arm__  // so that linters on the host pass it by
 
 #include <stddef.h>
@@ -15,7 +15,7 @@ extern uint32_t stack_bottom[];
 extern uint32_t bss_start[];
 extern uint32_t bss_end[];
 
-// What the compiler calls by itself in freestanding code.
+// Functions that the compiler calls implicitly in freestanding code.
 void* memset(void* to, int value, size_t count) {
   auto* bytes = static_cast<volatile uint8_t*>(to);
   for (size_t i = 0; i < count; ++i) bytes[i] = static_cast<uint8_t>(value);
@@ -53,7 +53,7 @@ size_t length(const char* text) {
   return n;
 }
 
-/// ":tt" opened for writing is stdout, for appending stderr.
+/// ":tt" opened for writing is stdout, opened for appending stderr.
 uint32_t open_console(uint32_t mode) {
   const uint32_t arguments[] = {reinterpret_cast<uint32_t>(":tt"), mode, 3};
   return semihosting(kOpen, arguments);
@@ -93,7 +93,7 @@ void write_number(uint32_t file, uint32_t value) {
 
 void paint_stack() {
   const auto* here = static_cast<const uint32_t*>(__builtin_frame_address(0));
-  // Not what is in use already.
+  // Leaves out the part of the stack that is already in use.
   for (volatile uint32_t* word = stack_bottom; word < here - 16; ++word) *word = kPaint;
 }
 

@@ -1,34 +1,33 @@
 // SPDX-License-Identifier: MIT
-// The simulator's ball and electronics for an emulated microcontroller: lines on stdin, each
-// answered with a line on stdout.
+// The simulator's ball and electronics for an emulated microcontroller: each line on stdin is
+// answered by a line on stdout.
 //
-//   step PWM PWM PWM DIR SLEEP SWITCH FAN   a millisecond on these pins: compare values, bit k of
-//       DIR for winding k, 1 for awake and closed. Answer: the converter's numbers for the three
+//   step PWM PWM PWM DIR SLEEP SWITCH FAN   a millisecond with these pins: compare values, bit k
+//       of DIR for winding k, 1 for awake and closed. Answer: the converter's values of the three
 //       currents, the supply current, the supply, the three thermistors; bits of FLT lines that are
 //       low; the tach's period in us; the true currents in mA; the fan's true duty in thousandths
 //   faults BITS WINDING   as in daemon/device/simulator/simulator_settings.h
 //   error [KIND WINDING VALUE]...
-//       errors of daemon/device/simulator/simulator_error.h, in place of those before
+//       errors of daemon/device/simulator/simulator_error.h, replacing the earlier ones
 //
 //   heat CELSIUS   windings, core and thermistors
 //
 //   core   a new board core
 //
 //   frame CURRENT CURRENT CURRENT SHUNT SUPPLY NTC NTC NTC CONVERTED FLT TACH [PACKET]...
-//       a millisecond of that core: its inputs and the packets in hexadecimal. Answer: its
+//       one millisecond of that core: its inputs and the packets in hexadecimal. Answer: its
 //       telemetry
 //
 //   host MS
-//       with --fd: waits so long for packets of the host, up to a set-point. Answer: "closed", or
-//       "open", 1 when there was a set-point, and the packets for the board in hexadecimal. Those
+//       with --fd: waits up to MS for packets of the host, until a set-point. Answer: "closed", or
+//       "open", 1 if there was a set-point, and the packets for the board in hexadecimal. Packets
 //       for the simulator are applied here
 //
-//   answer MS [PACKET]...   to the host, and the truth of this millisecond, which ends it
+//   answer MS [PACKET]...   sends the packets and the true values of this millisecond, and ends it
 //
-// Arguments are those of hedgehog-simboard (--fd of the host's socket); none: a ball of typical
-// parts.
+// Arguments: those of hedgehog-simboard (--fd: the host's socket); none: a ball of typical parts.
 //
-// Exit: 0 at the end of the input, 64 wrong arguments, 65 a line that is none of these.
+// Exit: 0 at the end of the input, 64 wrong arguments, 65 an unknown line.
 #include <sysexits.h>
 
 #include <algorithm>
@@ -54,7 +53,7 @@ namespace {
 
 constexpr board::Wiring kWiring = firmware::pico_wiring();
 
-/// What the bridges do on these pins.
+/// The outputs of the bridges for these pin values.
 board::BoardOutputs outputs(std::istream& words) {
   std::array<int, board::kWindings> pwm{};
   unsigned direction = 0;
@@ -144,7 +143,7 @@ bool set_world(device::SimulatedBoard& world, const std::string& command, std::i
   return true;
 }
 
-/// The socket of a host in step (daemon/device/simulator/process_lock_step.h).
+/// The socket of a host in lock-step (daemon/device/simulator/process_lock_step.h).
 class Host {
  public:
   Host(int fd, device::SimulatedBoard& world)
@@ -187,7 +186,7 @@ class Host {
  private:
   bool silent() const { return (world_.settings().faults & device::kSimSilent) != 0; }
 
-  /// True for a set-point.
+  /// True if it is a set-point.
   bool take(std::span<const std::uint8_t> packet,
             std::vector<std::vector<std::uint8_t>>& for_board) {
     board::FrameHeader header;

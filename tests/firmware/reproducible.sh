@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The image once more, in another folder: the same bytes. reproducible.sh DIRECTORY FIRMWARE_IMAGE.
-# Exit: 0 the same, 1 not, 64 usage.
+# Builds the image again in another folder and compares the bytes. reproducible.sh DIRECTORY FIRMWARE_IMAGE.
+# Exit: 0 identical, 1 different, 64 usage.
 set -eu
 
 [ $# -eq 2 ] || { echo "reproducible.sh DIRECTORY FIRMWARE_IMAGE" >&2; exit 64; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the firmware's build writes, `hedgehogctl board flash` takes.
+// `hedgehogctl board flash` accepts the files that the firmware's build writes.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

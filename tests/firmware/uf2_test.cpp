@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the boot ROM and its mass storage want of an image.
+// Requirements of the boot ROM and its mass storage on an image.
 #include "firmware/image/uf2.h"
 
 #include <gmock/gmock.h>

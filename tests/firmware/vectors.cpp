@@ -49,10 +49,10 @@ class Noise {
   uint32_t state_;
 };
 
-/// Frames of telemetry that are in the hashes so far.
+/// Number of telemetry frames included in the hashes so far.
 uint32_t frames = 0;
 
-/// A host and a world for one board.
+/// A host and an environment for one board.
 struct Bench {
   BoardCore core;
   BoardInputs inputs;
@@ -91,8 +91,8 @@ struct Bench {
     core.step(inputs);
     uint8_t telemetry[kFrameSize];
     core.write_telemetry(telemetry);
-    // Every byte that the board says, one millisecond chained to the next: the hash so far stands
-    // in for the frame's own check sum, with which the sum over all would be a constant.
+    // All telemetry bytes of the board, one millisecond chained to the next: the hash so far
+    // replaces the frame's own check sum, with which the sum over all would be a constant.
     for (unsigned i = 0; i < 4; ++i)
       telemetry[kFrameSize - 4 + i] = static_cast<uint8_t>(hash >> (8 * i));
     hash = crc32(telemetry, sizeof(telemetry));
@@ -109,7 +109,7 @@ struct Bench {
 struct Result {
   Say say;
   bool good = true;
-  /// Bits of modes and faults that the soups have met.
+  /// Bits of modes and faults that occurred in the random tests.
   uint32_t modes = 0;
   uint32_t seen = 0;
 
@@ -175,7 +175,7 @@ void faults(Result& result) noexcept {
         c.name, bench,
         bench.core.mode() == Mode::kLatched && (bench.core.faults() & c.fault) != 0 && safe);
   }
-  // The I^2 t sums are 64 bits wide: the compiler's runtime divides them.
+  // The I^2 t sums are 64 bits wide: they are divided by the compiler's runtime.
   Bench heat;
   heat.arm();
   heat.set_point.duty_q15[1] = 16'000;
@@ -184,7 +184,8 @@ void faults(Result& result) noexcept {
   result.line("heat budget", heat, (heat.core.faults() & kHeatBudget) != 0);
 }
 
-/// Anything at all, for minutes: measurements from all corners, frames whole, broken, late, cut.
+/// Random input for minutes: measurements from the whole range; frames complete, corrupt, late,
+/// truncated.
 void soup(Result& result, uint32_t seed, int ms) noexcept {
   Noise noise(seed);
   Bench bench;
@@ -270,7 +271,7 @@ bool run_vectors(Say say) noexcept {
   port(result, "port with CS", Wiring{});
   port(result, "port with shunts", reference_wiring());
   for (uint32_t seed = 1; seed <= 8; ++seed) soup(result, seed, 120'000);
-  // Otherwise the soup was too thin to show anything.
+  // Otherwise the random input did not cover enough.
   const bool rich = result.modes == 0xE && result.seen == 0x7FF;
   Line met;
   say(met.text("met: modes ").hex(result.modes, 1).text(" faults ").hex(result.seen, 4).end());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The board core's rules as a deterministic programme whose every line of output must be the same
-// on the host and on a Cortex-M0. Freestanding, like what it tests.
+// The board core's rules as a deterministic programme whose output must be identical, line by line,
+// on the host and on a Cortex-M0. Freestanding, like the core.
 #pragma once
 
 #include <stdint.h>

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
 # The deepest chain of calls, from gcc's -fcallgraph-info=su files (.ci), for each function in `roots`.
-# Assumes no recursion and no calls through pointers; says so when it finds either. Functions of the
-# compiler's runtime have no figure there: `runtime` bytes are counted for each.
+# Assumes no recursion and no calls through pointers, and reports either. Functions of the compiler's runtime
+# have no entry there: `runtime` bytes are counted for each.
 /^node:/ {
   split($0, part, "\"")
   name = part[2]
-  # Other files only know that it exists.
+  # Other files only declare the function.
   if (match(part[4], /[0-9]+ bytes/)) { own[name] = substr(part[4], RSTART) + 0; label[name] = part[4] }
   else if (!(name in own)) { own[name] = runtime; label[name] = part[4] }
   if (part[4] ~ /dynamic/ && part[4] !~ /static/) trouble = trouble " dynamic stack in " name ";"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary packets to the board and to the host's end of the link, with and without a good
-// checksum. Whatever arrives, a board that is not driving keeps its bridges asleep.
+// Arbitrary packets to the board and to the host's end of the link, with and without a valid check
+// sum. For any packets, a board that is not driving keeps its bridges asleep.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace board = hedgehog::board;
 
 constexpr std::size_t kCrcAt = board::kFrameSize - 4;
 
-/// The packet that `said` asks for: a length, and whether its head and checksum are made good.
+/// The packet that `said` describes: a length, and whether its header and check sum are made valid.
 std::span<const std::uint8_t> packet(std::span<const std::uint8_t> said,
                                      std::array<std::uint8_t, 2 * board::kFrameSize>& buffer) {
   const std::uint8_t kind = said[0];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary bytes as a line from a client and as a line from a server. What decodes must come back
-// the same from what it encodes to; what does not must have an error that can be sent.
+// Arbitrary bytes as a line from a client and as a line from a server. A decoded line must be
+// unchanged by encoding and decoding; a rejected one must have an error that can be sent.
 #include <cstdint>
 #include <cstdlib>
 #include <string>
@@ -29,7 +29,7 @@ void check(const Item& item) {
   const Incoming again = decode_line(line);
   require(again.items.size() == 1 && again.items.front().request.has_value());
   require(again.items.front().id == item.id);
-  // Quaternions are normalised while they are read, so it is the second reading that is stable.
+  // Quaternions are normalised when decoded, so the second decoding is the stable one.
   const std::string stable = encode_request(item.id, *again.items.front().request);
   require(stable == encode_request(item.id, *decode_line(stable).items.front().request));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary bytes as a report descriptor (the first byte says how many) and as its reports.
+// Arbitrary bytes as a report descriptor (its length is the first byte) and as its reports.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>

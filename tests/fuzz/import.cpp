@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary text as a pattern of another format: what is imported, the daemon takes.
+// Arbitrary text as a pattern of another format: the daemon accepts every imported pattern.
 #include <cstdlib>
 #include <string_view>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary bytes as answers to a search for balls: what is found is printable, bounded, and asked
-// for in a query that fits a datagram.
+// Arbitrary bytes as responses to the discovery of balls: the results are printable, bounded, and
+// requested in a query that fits into a datagram.
 #include <algorithm>
 #include <cstdlib>
 #include <string>
@@ -20,8 +20,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     return true;
   };
-  // The id of the seeds. A second response has only the end of the first, from where its first byte
-  // points to.
+  // The id used by the seeds. A second response is the end of the first, from the offset in its
+  // first byte.
   mdns::Answers answers(0x1234);
   const std::string_view packet(reinterpret_cast<const char*>(data), size);
   answers.read(packet);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary bytes as calibration and as reports of both pads on both buses, and what they say fed
-// to the filter.
+// Arbitrary bytes as calibration and as reports of both pads on both buses, with the decoded
+// samples passed to the filter.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -18,8 +18,8 @@ void require(bool condition) {
   if (!condition) std::abort();
 }
 
-/// The rest of the input, cut to the length of the report, under its id and, over Bluetooth, with a
-/// CRC that fits, so that the numbers behind it are reached.
+/// The rest of the input, truncated to the length of the report, with its id and, over Bluetooth,
+/// with a valid CRC, so that the decoder behind the CRC is reached.
 std::vector<Byte> report(std::span<const Byte> bytes, Byte id, std::size_t length, int seed) {
   std::vector<Byte> made(length);
   std::copy_n(bytes.begin(), std::min(bytes.size(), length), made.begin());

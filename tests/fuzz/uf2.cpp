@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary bytes as a UF2 file: what is taken stays inside the flash, and says so the second time.
+// Arbitrary bytes as a UF2 file: an accepted image stays inside the flash, and a second reading
+// gives the same result.
 #include <cstdlib>
 
 #include "clients/ctl/board/uf2_file.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a browser's words may bring about: "host\norigin\nmessage" at the doors of the daemon's
-// pages and of the game's, and to the game.
+// Arbitrary input from a browser: "host\norigin\nmessage" to the origin checks of the daemon's and
+// of the game's pages, and to the game.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -33,7 +33,7 @@ bool same_but_for_case(std::string_view a, std::string_view b) {
       });
 }
 
-/// A page may come in only from the place that it was served by.
+/// A page may connect only to the server from which it was loaded.
 bool is_at(std::string_view origin, std::string_view host) {
   constexpr std::string_view kScheme = "http://";
   return origin.size() > kScheme.size() &&

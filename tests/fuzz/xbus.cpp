@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary bytes from an Xsens tracker, in pieces. Whatever becomes a message encodes to bytes
-// that give it back; whatever becomes a sample has numbers that can be.
+// Arbitrary bytes from an Xsens tracker, in pieces. Every decoded message encodes to bytes that
+// decode to it again; every sample has plausible numbers.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -37,7 +37,7 @@ extern "C" int LLVMFuzzerTestOneInput(const Byte* data, std::size_t size) {
     if (const auto sample = decode_mtdata2(message->payload)) check(*sample);
   }
   if (const auto sample = decode_mtdata2(bytes)) check(*sample);
-  // As a tracker in the middle of a talk.
+  // As from a tracker in the middle of a session.
   MtiSession session;
   double now_s = 0.0;
   for (std::size_t at = 0; at < size; at += 32) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What one effect asks for over time: shapes, and `effect.circle`.
+// Output of one effect over time: shapes, and `effect.circle`.
 #include "model/effect/effect.h"
 
 #include <gtest/gtest.h>

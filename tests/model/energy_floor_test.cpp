@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The floor by energy is below every ball of the family and not far below.
+// The energy floor is below the temperature of every ball of the family, but not far below.
 #include "model/estimate/energy_floor.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace hedgehog::model {
 namespace {
 
-/// The winding that is driven with `current_a` for `seconds`, minus its floor.
+/// Temperature of the winding driven with `current_a` for `seconds`, minus its floor.
 double above_floor_k(const PlantParameters& real, double current_a, double seconds,
                      bool thermistors) {
   Plant plant(real, 25.0);

@@ -88,18 +88,18 @@ TEST(Field, FractionsAroundTheAimedPin) {
   for (std::size_t i = 0; i < std::size(wanted); ++i) EXPECT_NEAR(forces[i], wanted[i], 6e-4) << i;
 }
 
-/// How widely a field is felt: never one pin, always an area (thesis section 3.1.3).
+/// Spatial spread of a felt field: never one pin, always an area (thesis section 3.1.3).
 struct FieldSpread {
-  /// Pins with at least 90 % and 50 % of the force that a pin exactly in the field's way gets.
+  /// Pins with at least 90 % and 50 % of the force on a pin exactly in the field's direction.
   int pins_90 = 0;
   int pins_50 = 0;
   /// Pins that are pulled in.
   int pins_inward = 0;
-  /// Pins pushed with more than the threshold asked for.
+  /// Pins whose outward force exceeds `threshold_n`.
   int pins_above = 0;
 };
 
-/// `threshold_n`: what counts as felt, 0.03 N in thesis section 3.1.3. A field of zero has no
+/// `threshold_n`: threshold of perception, 0.03 N in thesis section 3.1.3. A zero field has no
 /// spread.
 FieldSpread spread_of(const PinArray& array, const FieldDemand& field, double slope_n_a,
                       double threshold_n) noexcept {

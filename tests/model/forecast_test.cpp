@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is foretold against what the plant then does.
+// The forecast compared with the subsequent behaviour of the plant.
 #include "model/limit/forecast.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ const Forecaster kNominal{CoilModel{}, ThermalModel{}, Limits{}};
 
 ForecastStart cold() { return {}; }
 
-/// The whole ball at `celsius` in a room of 25 C.
+/// The whole ball at `celsius`, ambient 25 C.
 ForecastStart warm(double celsius) {
   ForecastStart start;
   start.nodes = {{celsius, celsius, celsius}, celsius};
@@ -28,7 +28,7 @@ ForecastStart warm(double celsius) {
   return start;
 }
 
-/// As the limiter's observer sees that ball.
+/// The state of that ball as estimated by the limiter's observer.
 ForecastStart seen(ForecastStart start) {
   ThermalLoop loop(PlantParameters{}, start.ambient_c);
   loop.start_at(start.nodes);
@@ -36,7 +36,7 @@ ForecastStart seen(ForecastStart start) {
   return start;
 }
 
-/// Seconds until the limiter first takes something away in the closed loop; -1: not in 4 h.
+/// Seconds until the limiter first reduces a current in the closed loop; -1: not within 4 h.
 double loop_seconds_to_derating(const ForecastStart& start, const Vec3& wanted) {
   ThermalLoop loop(PlantParameters{}, start.ambient_c);
   loop.start_at(start.nodes);
@@ -229,14 +229,14 @@ RC_GTEST_PROP(Forecast, MoreCurrentOrAWarmerBallIsNeverForetoldLonger, ()) {
   RC_ASSERT(seconds(current, celsius + between(0.1, 5.0)) <= base * 1.02 + 0.1);
 }
 
-/// A skin that limits, on a ball that has been `start` for long.
+/// A limiting skin, on a ball that has long been in the state `start`.
 ForecastStart with_skin(ForecastStart start) {
   start.skin = SkinEstimate(ThermalModel{});
   start.skin_above_k = SkinEstimate::kMinMarginK;
   return start;
 }
 
-/// Seconds until the plant's skin, by the estimate, first allows less; -1: not in an hour.
+/// Seconds until the plant's estimated skin first limits the current; -1: not within an hour.
 double plant_seconds_to_skin(double ambient_c, const Vec3& wanted) {
   const double current_a = norm(wanted);
   Plant plant(PlantParameters{}, ambient_c);

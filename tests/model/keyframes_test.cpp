@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Key frames as protocol/README.md has them.
+// Key frames as specified in protocol/README.md.
 #include "model/effect/keyframes.h"
 
 #include <gtest/gtest.h>

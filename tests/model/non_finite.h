@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The numbers that no measurement is.
+// The non-finite numbers.
 #pragma once
 
 #include <limits>

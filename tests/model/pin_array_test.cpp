@@ -25,7 +25,7 @@ const Goldberg& tkd() {
   return gp;
 }
 
-// What a face sees: sorted angles to its corners and to its neighbours.
+// Neighbourhood of a face: sorted angles to its corners and to its neighbours.
 struct View {
   std::vector<double> corners_deg;
   std::vector<double> neighbours_deg;
@@ -143,7 +143,7 @@ TEST(PinArray, NothingPointsDownWhereTheFanIs) {
   EXPECT_NEAR(down.cosine, 0.79, 0.005);
 }
 
-// A pin keeps its number; clients and studies store them.
+// Pin numbers are stable; clients and studies store them.
 TEST(PinArray, NumbersOfTheSixSides) {
   const PinArray& array = thesis_ball().array;
   EXPECT_EQ(nearest_pin(array, {0, 0, 1}).id, 0);
@@ -181,7 +181,7 @@ RC_GTEST_PROP(PinArray, NoOtherPinIsNearer, (int x, int y, int z)) {
     RC_ASSERT(dot(pin.position, wanted) / norm(wanted) <= found.cosine + 1e-6);
 }
 
-// Thesis section 3.2: 10 pins a second are about 20 cm/s.
+// Thesis section 3.2: 10 pins per second are about 20 cm/s.
 TEST(PinPitch, IsTwoCentimetresOnTheBallOfTheThesisAndFollowsThePins) {
   EXPECT_EQ(pin_pitch_deg(thesis_ball().array), 23.5);
   const auto pitch_of = [](const char* name) {
@@ -191,7 +191,7 @@ TEST(PinPitch, IsTwoCentimetresOnTheBallOfTheThesisAndFollowsThePins) {
     return pin_pitch_deg(ball_pins(geometry).value()->array);
   };
   EXPECT_EQ(pitch_of("tkD"), 23.5);
-  // cD's pins are 31.7 degrees from their nearest, tkD's 19.8.
+  // cD's pins are 31.7 degrees from their nearest neighbour, tkD's 19.8.
   EXPECT_NEAR(pitch_of("cD"), 23.5 * 31.7175 / 19.8178, 0.01);
   EXPECT_NEAR(pitch_of("GP(4,0)"), 20.66, 0.01);
   EXPECT_EQ(pin_pitch_deg({}), kThesisPitchDeg);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The simulated world against the numbers it was chosen for (model/thermal-model.md) and against
-// closed forms.
+// The simulated ball against the reference values of its parameters (model/thermal-model.md) and
+// against closed forms.
 #include "model/thermal/plant.h"
 #include "model/magnets/ball_geometry.h"
 
@@ -43,12 +43,12 @@ TEST(Plant, FifteenAmpereAlongOneCoilReach70InHalfAMinute) {
   EXPECT_NEAR(seconds_to_70({0, 0, -15}), 29.6, 0.5);
 }
 
-// 15 A along a winding push the pins where that winding points, as far as the ball's own slope says
-// (reference: physics.md section 6; the ball of 86 has 0.51 mm in place of 0.52).
+// 15 A along a winding extend the pins in the winding's direction as far as the ball's own slope
+// predicts (reference: physics.md section 6; 0.51 mm on the ball of 86 pins instead of 0.52).
 TEST(Plant, ItsPinsFollowItsTrueCurrents) {
   PlantParameters turned;
   turned.coil_matrix = {{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}};
-  // Of the thesis' simulation, on a pin at its rest.
+  // From the thesis' simulation, for a pin at its rest.
   turned.force_slope_n_a = 0.02533;
   Plant plant(turned, 25.0);
   const auto pins = [&] { return plant.pins(thesis_ball().array, thesis_ball().curves); };

@@ -49,7 +49,7 @@ constexpr double kFileDeviation = 0.03;
 constexpr double kOffsetA = 0.1;
 constexpr RestResistance kFirst{0.44, 0.1};
 
-/// A winding whose first reference is `kFirst`, and whose resistance has fallen since.
+/// A winding whose first reference is `kFirst`, and whose resistance has fallen since then.
 ResistanceFall fallen(double deviations = -2.0) {
   ResistanceFall fall(kFileOhm, kFileDeviation);
   fall.rest();

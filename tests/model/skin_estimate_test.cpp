@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The skin by the core: against the plant, and its law.
+// The skin estimated from the core: against the plant, and its law.
 #include "model/estimate/skin_estimate.h"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,8 @@ RC_GTEST_PROP(ComingCore, IsTheWarmestThatTheCoreGetsWithoutCurrent, ()) {
   const bool fan = *rc::gen::arbitrary<bool>();
   const ThermalModel thermal;
   Plant plant(PlantParameters{}, ambient_c);
-  for (int i = 0; i < 100; ++i) plant.step_thermal({}, fan ? 1.0 : 0.0, kStepS);  // it spins
+  // the fan spins up
+  for (int i = 0; i < 100; ++i) plant.step_thermal({}, fan ? 1.0 : 0.0, kStepS);
   plant.set_heat(heat);
   double warmest_c = core_c;
   for (double t_s = 0.0; t_s < 200.0; t_s += kStepS) {
@@ -132,7 +133,7 @@ TEST(SkinEstimate, GivesTheSameBitsAgain) {
   EXPECT_EQ(std::memcmp(&last[0], &last[1], sizeof(double)), 0);
 }
 
-// With the observer's own estimate of a ball that differs from its file.
+// With the observer's estimate of a ball that differs from its device file.
 TEST(SkinEstimate, IsNotBelowTheSkinOfBallsThatDifferByAFifth) {
   double under_k = -10.0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Observer, limiter and plant in a loop: what daemon/safety.md promises about heat.
+// Observer, limiter and plant in a loop: the thermal guarantees of daemon/safety.md.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -90,7 +90,7 @@ TEST(HeatLoop, SensorNoiseDipsTheLimitByLessThanTwoAmpere) {
   EXPECT_LT(deepest_a, 2.0);
 }
 
-/// The nastiest things to ask for, by number.
+/// The most demanding load profiles, by number.
 class Demand {
  public:
   Demand(int kind, std::uint64_t seed) : kind_(kind), random_(seed) {}
@@ -103,7 +103,7 @@ class Demand {
         return along(0, 15.0);
       case 1:
         return along(static_cast<int>(t_s / 7.0) % kCoils, 15.0);
-      case 2:  // one coil after the other, then a rest in which thermistor and windings part
+      case 2:  // one coil after the other, then a rest in which thermistor and windings diverge
         return std::fmod(t_s, 300.0) > 200.0 ? Vec3{} : along(static_cast<int>(t_s / 20.0) % 3, 15);
       case 3:
         return hottest_c < 60.0 ? along(1, 15.0) : Vec3{};
@@ -156,13 +156,13 @@ TEST(HeatLoop, TheSameAtOneMillisecond) {
   }
 }
 
-/// What a broken thermistor says while the real one would say `real_c`.
+/// The reading of a thermistor with this fault while its true temperature is `real_c`.
 double lie(int fault, double t_s, double real_c, double first_c) {
   switch (fault) {
     case 0:
       return first_c;  // frozen from the start
     case 1:
-      return std::max(10.0, real_c - 0.5 * std::max(0.0, t_s - 60.0));  // comes loose
+      return std::max(10.0, real_c - 0.5 * std::max(0.0, t_s - 60.0));  // detaching
     case 2:
       return t_s > 15.0 ? real_c - 30.0 : real_c;  // jumps down
     case 3:
@@ -172,7 +172,7 @@ double lie(int fault, double t_s, double real_c, double first_c) {
   }
 }
 
-// With nobody watching: the watchdog would have cut the current after half a second.
+// Without the watchdog, which would have cut the current after half a second.
 TEST(HeatLoop, AThermistorThatLiesLowDoesNotBurnAWindingThoughR25IsOffByOnePercent) {
   for (int fault = 0; fault < 5; ++fault) {
     for (std::uint64_t seed = 1; seed <= repetitions(12U); ++seed) {
@@ -208,8 +208,8 @@ TEST(HeatLoop, AThermistorThatJumpsUpIsTreatedAsHot) {
   EXPECT_EQ(loop.driven, Vec3{});
 }
 
-// A restart without saved temperatures: windings at 60 C, the thermistor's at 40 C, and all that
-// is known is the thermistor.
+// A restart without saved temperatures: windings at 60 C, thermistor at 40 C; the thermistor is the
+// only information.
 TEST(HeatLoop, AfterARestartAHotWindingIsFoundBeforeItIsDrivenHard) {
   ThermalLoop loop(PlantParameters{}, 25.0);
   loop.start_at({{40.0, 65.0, 40.0}, 40.0});

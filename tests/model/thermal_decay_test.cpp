@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Cooling without current is exact, and constants that a device file may have are ones that every
-// integration follows: it stays between what surrounds a node, and never turns round.
+// Cooling without current is exact. With all constants that a device file may contain, every
+// integration step is stable: a node stays between its surrounding temperatures, and does not
+// oscillate.
 #include "model/thermal/thermal_decay.h"
 
 #include <gtest/gtest.h>
@@ -20,13 +21,13 @@ namespace {
 constexpr double kRoomC = 20.0;
 constexpr double kRoundingK = 1e-9;
 
-/// Evenly over the orders of magnitude from `min` to `max`.
+/// Uniform over the orders of magnitude from `min` to `max`.
 double draw(double min, double max) {
   const double share = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 10'001)) / 10'000.0;
   return min * std::pow(max / min, share);
 }
 
-/// Any constants that each key of a device file by itself allows.
+/// Any constants within the range of each key of a device file.
 ThermalModel any_model() {
   ThermalModel model;
   for (double& value : model.winding_j_k) value = draw(1, 10'000);
@@ -62,7 +63,7 @@ double coolest_node(const ThermalState& nodes) {
   return std::min({w[0], w[1], w[2], nodes.core_c});
 }
 
-/// `step` of an undriven ball: the hottest node never warms, none falls below the room.
+/// `step` of an undriven ball: the hottest node never warms, none falls below ambient.
 template <class Step>
 void expect_settles(ThermalState nodes, int steps, Step step) {
   for (int i = 0; i < steps; ++i) {
@@ -157,7 +158,7 @@ RC_GTEST_PROP(AcceptedConstants, ThePlantSettlesEvenWhenItIsTenTimesAsLight, ())
   });
 }
 
-// Why they are refused: half the step of the filter and less.
+// Why such constants are rejected: half the filter's step and less.
 RC_GTEST_PROP(RefusedConstants, DivergeInTheSteps, ()) {
   ThermalModel model;
   model.winding_j_k.fill(draw(1, 4));

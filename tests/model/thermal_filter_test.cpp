@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the filter makes of energy, resistance and thermistors, each right or wrong.
+// Estimates of the filter from energy, resistance and thermistors, each correct or wrong.
 #include "model/estimate/thermal_filter.h"
 
 #include <gtest/gtest.h>

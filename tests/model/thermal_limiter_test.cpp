@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The limiter's law (daemon/safety.md), and what the limiter does with a wish.
+// The limiter's law (daemon/safety.md), and its effect on a requested current.
 #include "model/limit/thermal_limiter.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ Vec3 limited(const Vec3& wanted, const ThermalEstimate& estimate) {
   return limiter.limit({wanted}, estimate).a();
 }
 
-/// A number between `low` and `high`, by RapidCheck.
+/// A number between `low` and `high`, from RapidCheck.
 double any_number(double low, double high) {
   return low + (high - low) * *rc::gen::inRange(0, 1'000'001) * 1e-6;
 }

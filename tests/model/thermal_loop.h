@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Plant, observer, limiter and fan rule closed into one loop in virtual time, without board and
-// controller in between: what the heat alone must do.
+// Plant, observer, limiter and fan rule in a closed loop on virtual time, without board and
+// controller: the thermal behaviour alone.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace hedgehog::model {
 
 class ThermalLoop {
  public:
-  /// `known` is what the device file says, `real` is the ball.
+  /// `known`: model of the device file; `real`: parameters of the ball.
   ThermalLoop(const PlantParameters& real, double ambient_c, const CoilModel& known = {})
       : plant(real, ambient_c), known_(known) {
     thermal_.sensor_winding = real.sensor_winding;
@@ -31,7 +31,7 @@ class ThermalLoop {
     observer = ThermalObserver(known_, thermal_, start);
   }
 
-  /// One tick at 1 ms with real voltages and currents. `sensor_c` is what the thermistor says.
+  /// One tick of 1 ms with real voltages and currents. `sensor_c`: the thermistor's reading.
   void tick(const Vec3& wanted_a, double sensor_c, bool sensor_valid = true) {
     const Vec3 before = plant.current_a();
     driven = unlimited ? wanted_a : limiter.limit({wanted_a}, observer.estimate()).a();
@@ -50,7 +50,7 @@ class ThermalLoop {
   }
   void tick(const Vec3& wanted_a) { tick(wanted_a, plant.sensor_c()); }
 
-  /// 20 ms at once: currents follow at once, voltages are resistive.
+  /// A step of 20 ms: currents settle at once, voltages are resistive.
   void coarse_tick(const Vec3& wanted_a, double sensor_c, bool sensor_valid = true) {
     driven = limiter.limit({wanted_a}, observer.estimate(), kCoarseS).a();
     Vec3 squares;
@@ -75,12 +75,12 @@ class ThermalLoop {
  public:
   ThermalObserver observer;
   ThermalLimiter limiter{Limits{}};
-  /// What the limiter let through at the last tick.
+  /// The limiter's output of the last tick.
   Vec3 driven;
   bool unlimited = false;
   bool fan_works = true;
-  /// The hottest any winding ever was, and for how long the worst of raw thermistor and V/I stood
-  /// above 70 C at a stretch.
+  /// The maximum temperature of any winding so far, and the longest time for which the higher of
+  /// raw thermistor and V/I was continuously above 70 C.
   double hottest_ever_c = -273.0;
   double longest_above_trip_s = 0.0;
 
@@ -126,8 +126,9 @@ class ThermalLoop {
   bool fan_on_ = false;
 };
 
-/// A ball and a room from the range that the limiter must bear: every constant within 20 %, sensor
-/// lag 1..3 s, noise 0.15 K. The device file knows the resistances (they are calibrated per coil).
+/// A ball and an ambient temperature from the range that the limiter must tolerate: every constant
+/// within 20 %, sensor lag 1..3 s, noise 0.15 K. The device file contains the exact resistances
+/// (they are calibrated per coil).
 inline PlantParameters random_plant(std::uint64_t seed) {
   RandomStream random(seed);
   const auto scale = [&random](double& value) { value *= random.uniform(0.8, 1.2); };
@@ -146,7 +147,7 @@ inline PlantParameters random_plant(std::uint64_t seed) {
   return p;
 }
 
-/// What the device file of that ball says: its resistances, all else nominal.
+/// The device file of that ball: its resistances, all else nominal.
 inline CoilModel device_file_of(const PlantParameters& p) {
   CoilModel coils;
   coils.r25_ohm = p.r25_ohm;

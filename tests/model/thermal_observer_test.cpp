@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the observer says of windings that nobody can touch, on balls that are not the one in the
-// book.
+// The observer's estimates of windings without a thermistor, on balls that differ from the nominal
+// model.
 #include "model/estimate/thermal_observer.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ ThermalMeasurement quiet(double sensor_c) {
   return m;
 }
 
-/// A ball that is known to be all at `celsius`.
+/// A ball known to have the uniform temperature `celsius`.
 ThermalStart known(double celsius) {
   ThermalStart start;
   start.nodes = {{celsius, celsius, celsius}, celsius};
@@ -45,14 +45,14 @@ ThermalMeasurement carrying(int coil, double current, double celsius, double sen
 TEST(ThermalObserver, FindsAWindingThatBurnsWhileTheThermistorStaysCool) {
   ThermalObserver observer;
   for (int tick = 0; tick < 500; ++tick) observer.step(carrying(2, 5.0, 65.0, 25.0));
-  // Nothing is known of it but V/I and a resistance that may be off by some per cent.
+  // Only V/I is available, with a resistance that may be off by some per cent.
   EXPECT_GT(observer.estimate().upper_c[2], 65.0);
   EXPECT_GT(observer.estimate().hottest_c, 65.0);
   EXPECT_NEAR(observer.estimate().resistance_ohm[2], resistance_at(Ohms(0.45), Celsius(65.0)).value,
               0.001);
 }
 
-// Neither floor believes the filter, nor each other.
+// Neither floor depends on the filter, nor on the other floor.
 TEST(ThermalObserver, TheBoundStandsOnResistanceWhereTheFilterDoesNotUseIt) {
   ThermalObserver observer(CoilModel{}, ThermalModel{}, known(25.0));
   for (int tick = 0; tick < 1000; ++tick) observer.step(carrying(1, 10.0, 25.0, 25.0));
@@ -66,7 +66,7 @@ TEST(ThermalObserver, TheBoundStandsOnResistanceWhereTheFilterDoesNotUseIt) {
 TEST(ThermalObserver, TheBoundStandsOnEnergyWhereResistanceAndThermistorSeeNone) {
   ThermalObserver observer(CoilModel{}, ThermalModel{}, known(25.0));
   for (int tick = 0; tick < 25'000; ++tick) observer.step(carrying(1, 15.0, 25.0, 25.0));
-  // 100 W into 59 J/K, both 20 % in its favour, and some into the core.
+  // 100 W into 59 J/K, with a 20 % tolerance on both, and some heat into the core.
   EXPECT_GT(observer.estimate().upper_c[1], 45.0);
   EXPECT_GT(observer.estimate().hottest_c, 45.0);
 }
@@ -150,7 +150,7 @@ TEST(ThermalObserver, AResistanceThatCannotBeStaysWithinAFactorOfTwo) {
   }
 }
 
-/// A ball of which winding 1 has been found to fall, and that has rested since.
+/// A ball whose winding 1 has been found to have a fallen resistance, and that has rested since.
 class FallenAndRested {
  public:
   FallenAndRested() {
@@ -159,7 +159,7 @@ class FallenAndRested {
     was_certain = fall().certain();
     for (int step = 0; step < 36'000; ++step) observer.step(quiet(25.0), kStepOfRestS);
   }
-  /// 10 A, by whose V/I the winding is cooler than it is estimated.
+  /// 10 A, with a V/I that gives a winding temperature below the estimate.
   void show(double below_k) {
     observer.step(carrying(1, 10.0, observer.filter().winding_c(1) - below_k, 25.0), kStepOfRestS);
   }
@@ -198,7 +198,7 @@ TEST(ThermalObserver, AFallThatIsNotComparedAfterARestCountsAgain) {
   EXPECT_TRUE(ball.fall().certain()) << "warmed by more than what it may be compared after";
 }
 
-// A saved temperature that the thermistor contradicts gives no information about the other
+// A saved temperature that contradicts the thermistor gives no information about the other
 // windings.
 TEST(ThermalObserver, AStartThatIsKnownToAKelvinMakesAReferenceAndNoOther) {
   for (const double deviation_k : {0.3, 5.0}) {
@@ -252,7 +252,7 @@ TEST(ThermalObserver, AtRestWithFiveAmpereCoreAndRoomStayRight) {
 }
 
 /// Ten minutes of random currents on a random ball: the largest error of a winding that has been
-/// driven above 1.5 A for a second, and how far the worst of all was above its bound.
+/// driven above 1.5 A for a second, and the largest excess of any winding over its bound.
 struct Errors {
   double worst_k = 0.0;
   double above_bound_k = -kInfinity;

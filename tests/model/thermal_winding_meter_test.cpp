@@ -13,7 +13,7 @@
 namespace hedgehog::model {
 namespace {
 
-/// Drives winding x of `plant` with `current_at(seconds)` and shows the meter what happens.
+/// Drives winding x of `plant` with `current_at(seconds)` and feeds the measurements to the meter.
 struct Bench {
   Plant plant;
   WindingMeter meter{1.5e-3};

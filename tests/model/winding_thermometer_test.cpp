@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A winding against the resistance that it showed when it was last as warm as its thermometer.
+// A winding compared with the resistance that it had when it was last as warm as its thermometer.
 #include "model/estimate/winding_thermometer.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 static_assert(std::is_trivially_copyable_v<WindingThermometer>);
 
-/// A winding of `r25` ohm that is at `celsius` whatever flows, with a thermometer beside it.
+/// A winding of `r25` ohm held at `celsius` at any current, with a thermometer beside it.
 struct WindingBench {
   WindingThermometer thermometer{CoilModel{}, ThermalModel{}, 0};
   double r25_ohm = 0.45;
@@ -87,7 +87,7 @@ TEST(WindingThermometer, TakesNoReferenceWithoutAThermometerOrFromAWarmWinding) 
   bench.drive(15.0, 0.3);
   const double r25 = bench.thermometer.r25_ohm();
   bench.drive(15.0, 20.0);
-  bench.r25_ohm = 0.40;  // turns are shorted while it is warm
+  bench.r25_ohm = 0.40;  // shorted turns while it is warm
   bench.drive(0.0, 10.0);
   bench.drive(15.0, 1.0);
   EXPECT_EQ(bench.thermometer.r25_ohm(), r25) << "it has not cooled yet";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A broker that lets in who has a password, and only over TLS.
+// A broker that accepts clients only with a password, and only over TLS.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// hedgehog-mqtt between a real daemon and Debian's broker, seen by Debian's clients of it.
+// hedgehog-mqtt between a real daemon and Debian's broker, observed by Debian's MQTT clients.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -81,7 +81,7 @@ TEST_F(MqttBridge, SaysWhyARequestIsRefused) {
   EXPECT_TRUE(eventually([&] { return subscriber.count("0 hedgehog/HH-0042/refused ") == 2; }));
 }
 
-// It would play whenever the bridge comes back.
+// It would play each time the bridge reconnects.
 TEST_F(MqttBridge, DoesNotPlayARetainedRequest) {
   publish(home, broker.socket(), "hedgehog/HH-0042/effect/pulse", R"({"direction": "left"})",
           {"-r"});
@@ -134,7 +134,7 @@ TEST_F(MqttBridge, TellsTheNextBrokerWhatHappenedMeanwhile) {
   start();
   broker.stop();
   call("device.emergency_stop");
-  // It may not come back before somebody listens.
+  // The bridge must not reconnect before the subscriber is connected.
   bridge->signal(SIGSTOP);
   broker.start();
   const Subscriber second(home, broker.socket(), {"#"});
@@ -144,7 +144,7 @@ TEST_F(MqttBridge, TellsTheNextBrokerWhatHappenedMeanwhile) {
   EXPECT_TRUE(second.sees("0 hedgehog/HH-0042/event/state_changed "));
 }
 
-// A broker that neither reads nor answers, as a network that is cut.
+// A broker that neither reads nor responds, as on a disconnected network.
 TEST_F(MqttBridge, KeepsServingTheDaemonWhileTheBrokerHangs) {
   start({"--telemetry-hz", "200"});
   broker.signal(SIGSTOP);
@@ -174,7 +174,7 @@ TEST_F(MqttBridge, SaysThatTheDaemonIsAwayAndThatItIsBack) {
       eventually([&] { return subscriber.count("0 hedgehog/HH-0042/availability online") == 2; }));
 }
 
-// Its socket still takes connections, as the kernel does that.
+// Its socket still accepts connections, as the kernel does that.
 TEST_F(MqttBridge, SaysThatADaemonThatHangsIsAway) {
   more_variables = {"HEDGEHOG_PATIENCE_MS=2000"};
   start({"--status-s", "0.5"});
@@ -185,7 +185,7 @@ TEST_F(MqttBridge, SaysThatADaemonThatHangsIsAway) {
       eventually([&] { return subscriber.count("0 hedgehog/HH-0042/availability online") >= 2; }));
 }
 
-/// Lines of the README that begin with `program`, indented as commands, without their remarks.
+/// Lines of the README that begin with `program`, indented as commands, without their comments.
 std::vector<std::string> commands_of_the_readme(const std::string& program) {
   std::ifstream readme(source_folder() + "/clients/mqtt/README.md");
   std::vector<std::string> found;

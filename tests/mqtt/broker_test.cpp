@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a program makes of messages that it has not fetched yet.
+// Handling of messages that the program has not fetched yet.
 #include "clients/mqtt/broker.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ using mqtt::Broker;
 using mqtt::BrokerConnected;
 using mqtt::Message;
 
-// An emergency stop is neither lost among other requests nor carried out after them.
+// An emergency stop is neither lost among other requests nor executed after them.
 TEST(MqttBroker, HandsOutAnUrgentMessageFirstAlsoWhenThereAreTooMany) {
   const Home home;
   const Mosquitto mosquitto(home);
@@ -43,7 +43,7 @@ TEST(MqttBroker, HandsOutAnUrgentMessageFirstAlsoWhenThereAreTooMany) {
   send("urgent");
   std::uint64_t dropped = 0;
   EXPECT_TRUE(eventually([&] {
-    send("after");  // one that arrives when `urgent` has
+    send("after");  // one that arrives after `urgent`
     return (dropped += broker->take_dropped()) > 44;
   }));
 

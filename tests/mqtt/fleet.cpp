@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a fleet costs a broker: `--balls` connections of hedgehog-mqtt's kind, each with a ball's
-// telemetry and status, and a subscriber that counts what arrives.
+// Load of a broker by a fleet: `--balls` connections like hedgehog-mqtt's, each with a ball's
+// telemetry and status, and a subscriber that counts the messages.
 #include <unistd.h>
 
 #include <chrono>
@@ -31,7 +31,7 @@ struct Options {
   int broker_pid = 0;
 };
 
-/// Of a process: resident memory in MB, and seconds of processor time.
+/// Of a process: resident memory in MB, and processor time in seconds.
 struct Usage {
   double resident_mb = 0.0;
   double processor_s = 0.0;
@@ -56,7 +56,7 @@ Usage usage_of(int pid) {
   return usage;
 }
 
-/// Takes what has come; how many of it were telemetry.
+/// Fetches the received messages; returns the number of telemetry messages.
 std::int64_t drain(Broker& broker) {
   std::int64_t telemetry = 0;
   while (const auto notice = broker.next())
@@ -110,7 +110,7 @@ int measure(const BrokerOptions& base, const Options& options) {
     for (std::size_t i = 0; i < balls.size(); ++i) {
       sent += balls[i]->publish({.topic = topics[i].telemetry(), .payload = payload}) ? 1 : 0;
       received += drain(*counter);
-      // Spread over the interval, as balls that know nothing of each other are.
+      // Spread over the interval, as balls are not synchronised.
       const double at = (round + static_cast<double>(i + 1) / options.balls) / options.telemetry_hz;
       std::this_thread::sleep_until(begun + std::chrono::duration<double>(at));
     }

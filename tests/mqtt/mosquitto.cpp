@@ -17,7 +17,7 @@ constexpr const char* kProbe = "listening";
 }  // namespace
 
 Mosquitto::Mosquitto(const Home& home, std::string more) : home_(home) {
-  // As root it would become a user who may not write here.
+  // Started as root it would switch to a user without write permission here.
   const passwd* user = ::getpwuid(::getuid());
   home_.write("mosquitto.conf", "listener 0 " + socket() + "\npersistence false\n" +
                                     (user != nullptr ? std::string("user ") + user->pw_name : "") +

@@ -36,7 +36,7 @@ class Subscriber {
 
   /// Waits until a line begins with `text`.
   bool sees(const std::string& text) const;
-  /// How many lines begin with `text`.
+  /// The number of lines that begin with `text`.
   int count(const std::string& text) const;
   std::string all() const { return program_.out(); }
 
@@ -44,7 +44,7 @@ class Subscriber {
   Program program_;
 };
 
-/// mosquitto_pub of one message, to its end. `more`: further arguments.
+/// Runs mosquitto_pub for one message, to its end. `more`: further arguments.
 void publish(const Home& home, const std::string& socket, const std::string& topic,
              const std::string& payload, const std::vector<std::string>& more = {});
 

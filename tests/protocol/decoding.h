@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shorthand of the protocol's tests.
+// Helpers of the protocol's tests.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -12,7 +12,7 @@
 
 namespace hedgehog::protocol {
 
-/// A request of that method with these params, as a line with id 1.
+/// A request of `method` with these params, as a line with id 1.
 inline std::string line_of(std::string_view method, std::string_view params) {
   return R"({"jsonrpc":"2.0","id":1,"method":")" + std::string(method) + R"(","params":)" +
          std::string(params) + "}";
@@ -26,7 +26,7 @@ inline Item only(std::string_view line) {
   return incoming.items.at(0);
 }
 
-/// The request in params that must be good.
+/// The request decoded from valid params.
 template <class T>
 T accepted(std::string_view method, std::string_view params) {
   const Item item = only(line_of(method, params));
@@ -37,7 +37,7 @@ T accepted(std::string_view method, std::string_view params) {
   return std::get<T>(*item.request);
 }
 
-/// The error of params that must be refused.
+/// The error for invalid params.
 inline RpcError refused(std::string_view method, std::string_view params) {
   const Item item = only(line_of(method, params));
   if (item.request) {
@@ -47,7 +47,7 @@ inline RpcError refused(std::string_view method, std::string_view params) {
   return item.request.error();
 }
 
-/// The error of a whole line that must be refused, which is to be answered with id null.
+/// The error for an invalid line, whose response has the id null.
 inline RpcError refused_line(std::string_view line) {
   const Item item = only(line);
   if (item.request) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the methods that play accept and refuse (protocol/README.md).
+// Accepted and rejected parameters of the methods that play (protocol/README.md).
 #include "tests/protocol/decoding.h"
 
 namespace hedgehog::protocol {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// JSON-RPC 2.0 around the requests: ids, batches, notifications, and lines that are none.
+// JSON-RPC 2.0 around the requests: ids, batches, notifications, and invalid lines.
 #include "tests/protocol/decoding.h"
 
 namespace hedgehog::protocol {
@@ -30,7 +30,7 @@ TEST(Envelope, IdOfAnotherKindIsAnInvalidRequest) {
 
 TEST(Envelope, WithoutIdNothingIsAnswered) {
   EXPECT_EQ(only(R"({"jsonrpc":"2.0","method":"ping"})").id, std::nullopt);
-  // not even when it is wrong
+  // an invalid notification has no response either
   EXPECT_EQ(only(R"({"jsonrpc":"2.0","method":"no.such"})").id, std::nullopt);
   EXPECT_EQ(only(R"({"jsonrpc":"2.0","method":"ping","params":{"x":1}})").id, std::nullopt);
 }
@@ -90,7 +90,7 @@ TEST(Envelope, NestingIsBoundedHoweverLongTheLine) {
   std::string objects;
   for (int i = 0; i < 10'000; ++i) objects += "{\"a\":";
   EXPECT_EQ(refused_line(objects).code, ErrorCode::kParseError);
-  // a batch of one list: not too deep, but no request
+  // a batch with a list as its item: not too deep, but no request
   EXPECT_EQ(decode_line("[[]]").items.at(0).request.error().code, ErrorCode::kInvalidRequest);
 }
 

@@ -94,7 +94,7 @@ TEST(Client, WhatIsNoAnswerIsAnError) {
   for (const std::string line : {"", "HTTP/1.1 400", "{}", "[1]", R"({"id":1})",
                                  R"({"method":"event","params":{"type":5}})"})
     EXPECT_FALSE(decode_messages(line).has_value()) << line;
-  // an error without its parts is still an error
+  // an error without its members is still an error
   const auto bare = *decode_messages(R"({"id":1,"error":{}})");
   EXPECT_FALSE(std::get<Reply>(bare.at(0)).result.has_value());
 }

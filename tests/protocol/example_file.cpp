@@ -43,7 +43,7 @@ std::string compare_objects(const Json& expected, const Json& actual, const std:
 
 std::string compare_lists(const Json::List& expected, const Json::List& actual,
                           const std::string& path) {
-  // One wildcard behind others stands for all further items; a list of wildcards counts them.
+  // A wildcard after other items matches all further items; a list of wildcards fixes their number.
   const bool open = expected.size() > 1 && is_anything(expected.back()) &&
                     !is_anything(expected[expected.size() - 2]);
   const std::size_t fixed = expected.size() - (open ? 1 : 0);

@@ -13,7 +13,7 @@ namespace hedgehog::protocol {
 
 struct ExampleLine {
   bool sent = false;
-  /// The text behind the arrow.
+  /// The text after the arrow.
   std::string text{};
   /// Line number in the file, for messages.
   int number = 0;
@@ -30,7 +30,7 @@ std::vector<Example> read_examples(std::string_view markdown);
 /// The README of the protocol, read from the source tree.
 std::vector<Example> protocol_examples(const std::string& source_dir);
 
-/// Why `actual` does not match `expected`, with the path of the first difference; empty: it
+/// Why `actual` does not match `expected`, with the path of the first difference; empty if it
 /// matches.
 std::string mismatch(const Json& expected, const Json& actual);
 /// The same for texts; both must be JSON.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Texts that are JSON and texts that are not, by RFC 8259 section after section, with what I-JSON
-// (RFC 7493) narrows; the way of parse_json with each. Written from the two documents.
+// Texts that are JSON and texts that are not, by RFC 8259 section after section, with the
+// restrictions of I-JSON (RFC 7493); the result of parse_json for each. Written from the two
+// documents.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,10 +21,10 @@ bool is_json(std::string_view text) { return parse_json(text, kVectorLevels).has
 
 TEST(JsonVectors, WhatTheGrammarAllowsIsRead) {
   for (const std::string_view text :
-       {// Section 2: any value is a text, white space round every token.
+       {// Section 2: any value is a text, white space around every token.
         "null"sv, "true"sv, "false"sv, "0"sv, "\"\""sv, "[]"sv, "{}"sv, " \t\n\r[ \t\n\r] \t\n\r"sv,
         "{ \"a\" : [ 1 , 2 ] }"sv, "\n{\n}\n"sv,
-        // Section 4: a name may be empty, escaped, long, or like another but for its case.
+        // Section 4: a name may be empty, escaped, long, or differ from another only in its case.
         R"({"":0})"sv, R"({"a":{"a":0}})"sv, R"({"a":1,"A":2})"sv, R"({"\u0000":0})"sv,
         R"({"a\nb":{}})"sv,
         // Section 5.

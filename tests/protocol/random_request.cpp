@@ -96,7 +96,7 @@ void fill_end(EffectParams& p, std::int64_t default_ms) {
         [&] { return coin() && duration <= kMaxFinishMs ? OnClose::kFinish : OnClose::kStop; });
 }
 
-/// Of a start; nullopt: of an update.
+/// For a start; nullopt: for an update.
 EffectParams effect_params(std::optional<model::EffectMethod> method) {
   EffectParams p;
   const bool circle = method == model::EffectMethod::kCircle;

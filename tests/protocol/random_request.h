@@ -14,7 +14,7 @@ namespace hedgehog::protocol {
 Method random_method();
 rc::Gen<Request> random_request();
 
-/// The names of the parameters that decoding knows for `method`.
+/// The names of the parameters that the decoder accepts for `method`.
 std::vector<std::string> parameter_names(Method method);
 
 }  // namespace hedgehog::protocol

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// protocol/README.md against the code, without a daemon: every request decodes as its answer says,
-// every answer obeys its schema, everything there is has its place in the document.
+// protocol/README.md against the code, without a daemon: every request decodes as its response
+// shows, every response obeys its schema, everything that exists is documented.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -64,7 +64,7 @@ TEST_F(Readme, EveryMethodHasAnExampleAndEveryParameterIsNamed) {
     EXPECT_NE(text.find("`" + std::string(key) + "`"), std::string::npos) << key;
 }
 
-/// What an answer must be, by the text of its id.
+/// The required form of a response, by the text of its id.
 void check_answer(const Json& messages, const Json& answer,
                   const std::map<std::string, Item>& asked, int line) {
   const Json* id = answer.find("id");

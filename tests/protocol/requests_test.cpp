@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parameters of every other method.
+// The parameters of all other methods.
 #include "model/magnets/ball_geometry.h"
 #include "protocol/wire/json.h"
 #include "tests/protocol/decoding.h"

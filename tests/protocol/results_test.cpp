@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the daemon writes, byte for byte, and what a client makes of it.
+// The daemon's output, byte for byte, and its decoding by a client.
 #include "protocol/client_codec.h"
 #include "tests/protocol/decoding.h"
 

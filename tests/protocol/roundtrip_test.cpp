@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Laws: what a client encodes the daemon decodes to the same value, and nothing that arrives can
-// do more than be refused with a documented error.
+// Laws: the daemon decodes every encoded request to the same value, and any other input is at most
+// rejected with a documented error.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -45,7 +45,7 @@ void check_answerable(const Incoming& incoming) {
     RC_ASSERT(answer.has_value());
     const Reply& reply = std::get<Reply>(answer->at(0));
     RC_ASSERT(!reply.result.has_value());
-    // As text: a whole double comes back as an integer.
+    // Compared as text: a double with an integral value comes back as an integer.
     RC_ASSERT(encode_error(reply.id, reply.result.error()) == line);
   }
 }
@@ -74,7 +74,7 @@ RC_GTEST_PROP(Laws, ADamagedRequestIsAnswered, ()) {
   check_answerable(decode_line(line));
 }
 
-/// A random JSON value, not too deep.
+/// A random JSON value of limited depth.
 std::string random_json(int depth) {
   switch (*rc::gen::inRange(0, depth > 0 ? 7 : 5)) {
     case 0:

@@ -27,7 +27,7 @@ Json list(std::initializer_list<std::string_view> texts) {
   return {std::move(items)};
 }
 
-/// What a client may rely on in every message; everything else depends on the case.
+/// The members that every message has; all others depend on the case.
 void require_only(Json& schema, std::initializer_list<std::string_view> names) {
   *member(schema, "required") = list(names);
 }
@@ -86,7 +86,7 @@ Json event_schema() {
   require_only(schema, {"type", "time_ns"});
   Json::List names;
   for (const std::string_view name : kEventTypes) names.push_back(text_json(name));
-  // Examples, not an enum: clients must bear types that are not known yet.
+  // Examples, not an enum: clients must accept types that they do not know yet.
   members(*member(*member(schema, "properties"), "type")).emplace_back("examples", Json{names});
   return schema;
 }
@@ -98,7 +98,7 @@ Json history_schema() {
   return schema;
 }
 
-/// What messages.schema.json refers to as its own definitions is among the components of OpenRPC.
+/// The `$defs` of messages.schema.json become components of OpenRPC.
 void refer_to_components(Json& json) {
   constexpr std::string_view kDefinitions = "#/$defs/";
   if (auto* list = std::get_if<Json::List>(&json.value)) {
@@ -114,7 +114,7 @@ void refer_to_components(Json& json) {
   }
 }
 
-/// "telemetry.history" as generators call the type of that method: "TelemetryHistory".
+/// "telemetry.history" as generators name the type of that method: "TelemetryHistory".
 std::string type_name(std::string_view method) {
   std::string name;
   bool begins = true;
@@ -127,7 +127,8 @@ std::string type_name(std::string_view method) {
   return name;
 }
 
-/// The title of a definition, which generators make a type of: none that a method's type has.
+/// The title of a definition, from which generators make a type: differs from the types of all
+/// methods.
 std::string title_of(const std::string& definition) {
   const bool taken = std::any_of(kMethods.begin(), kMethods.end(), [&](const MethodInfo& row) {
     return type_name(row.name) == definition;
@@ -155,7 +156,7 @@ Json errors_of(const MethodInfo& row) {
   return {std::move(errors)};
 }
 
-/// Every definition of messages.schema.json that is no whole message, named for generators.
+/// Every definition of messages.schema.json that is not a whole message, named for generators.
 Json components() {
   const Json messages = messages_schema();
   Json::Object schemas;
@@ -252,7 +253,7 @@ Json openrpc_document() {
       params.push_back(object(
           {{"name", text_json(name)}, {"required", {must}}, {"schema", std::move(described)}}));
     }
-    // The specification's order, in which a generated function takes them.
+    // The specification's order, which is the parameter order of a generated function.
     std::stable_partition(params.begin(), params.end(),
                           [](const Json& param) { return *param.find("required")->as<bool>(); });
     const std::string result = result_name(*method_named(row.name));

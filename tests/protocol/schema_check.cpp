@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reading and printing of schemas: the small part of JSON Schema that ours use.
+// Reading and printing of schemas: the small part of JSON Schema that this protocol uses.
 #include <algorithm>
 
 #include "tests/protocol/child_path.h"

@@ -77,7 +77,7 @@ void SchemaFields::boolean(bool&) { put("type", text_json("boolean")); }
 void SchemaFields::integer(std::int64_t&, const Spec& spec) {
   put("type", text_json(spec.rounded ? "number" : "integer"));
   Spec bounds = spec;
-  // The ends of the C++ types say nothing.
+  // The limits of the C++ types are not limits of the protocol.
   if (std::fabs(bounds.min) > 1e15) bounds.min = -std::numeric_limits<double>::infinity();
   if (std::fabs(bounds.max) > 1e15) bounds.max = std::numeric_limits<double>::infinity();
   if (std::isfinite(bounds.min)) put("minimum", number_json(bounds.min));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Turns the description of a value into a JSON Schema.
+// Generates a JSON Schema from the description of a value.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace hedgehog::protocol {
 
 class SchemaFields final : public Fields {
  public:
-  /// The schema of `value`; what it holds is overwritten.
+  /// The schema of `value`, whose contents are overwritten.
   template <class T>
   static Json of(T value, bool closed) {
     SchemaFields fields(closed);

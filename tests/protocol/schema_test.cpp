@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// protocol/schema/ is what the code says. To renew the files after a change of the protocol:
+// protocol/schema/ agrees with the code. To renew the files after a change of the protocol:
 //   HEDGEHOG_WRITE_SCHEMA=1 build/dev/tests/test_protocol --gtest_filter='Schema.*'
 #include "tests/protocol/schema.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The words of the OpenRPC document.
+// The descriptions of the OpenRPC document.
 #pragma once
 
 #include <string_view>
@@ -8,7 +8,7 @@
 
 namespace hedgehog::protocol {
 
-/// Empty when the name says it all.
+/// Empty when the name is self-explanatory.
 std::string_view meaning_of(std::string_view parameter);
 std::string_view meaning_of(ErrorCode code);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The game's web server: who may come in, what pages may ask, and that none of them can hold it up.
+// The game's web server: access, requests of the pages, and that no page can block it.
 #include "clients/racer/server/server.h"
 
 #include <gmock/gmock.h>

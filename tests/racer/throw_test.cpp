@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is thrown at the car is felt where it hits, and as hard as it hits.
+// An object thrown at the car is felt at the point of impact, with the strength of the impact.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -15,7 +15,7 @@ namespace {
 thread_local std::uint64_t count = 0;
 thread_local std::uint64_t lock_count = 0;
 
-/// The function that one of the same name here stands in front of.
+/// The original function that the one with the same name here replaces.
 template <class Lock>
 auto behind(const char* name) noexcept {
   return reinterpret_cast<int (*)(Lock*)>(dlsym(RTLD_NEXT, name));
@@ -30,7 +30,7 @@ bool can_count_allocations() noexcept { return HEDGEHOG_SANITIZED == 0; }
 }  // namespace hedgehog::rig
 
 #if !HEDGEHOG_SANITIZED
-// glibc's own functions behind the ones that are replaced here; operator new calls malloc.
+// glibc's own implementations of the functions replaced here; operator new calls malloc.
 extern "C" {
 // NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming): the names are glibc's
 void* __libc_malloc(std::size_t size);

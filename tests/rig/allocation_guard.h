@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Counts what this thread allocates, operator new and malloc alike, and the locks it takes. Linking
-// it replaces malloc and the mutex functions.
+// Counts the allocations of this thread, by operator new and malloc alike, and the locks that it
+// takes. Linking it replaces malloc and the mutex functions.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@ namespace hedgehog::rig {
 /// new.
 std::uint64_t allocations() noexcept;
 
-/// Mutexes and reader-writer locks taken by this thread so far, or tried to be.
+/// Mutexes and reader-writer locks that this thread has taken so far, or tried to take.
 std::uint64_t locks() noexcept;
 
-/// True when this build can count both (not under sanitizers, which bring their own malloc).
+/// True when this build can count both (false under sanitizers, which have their own malloc).
 bool can_count_allocations() noexcept;
 
 }  // namespace hedgehog::rig

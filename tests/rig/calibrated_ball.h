@@ -8,8 +8,9 @@
 
 namespace hedgehog::rig {
 
-/// `drawn` after a calibration: a thermometer that is up to 2 K off its windings and off by its
-/// tolerance, and the heating plan, measured with the ball's own electronics. nullopt: refused.
+/// `drawn` after a calibration: with a thermometer that deviates by up to 2 K from its windings
+/// plus its tolerance, and the heating plan, measured by the ball's own electronics. nullopt:
+/// rejected.
 std::optional<ThermalBallOptions> calibrated(const ThermalBallOptions& drawn);
 
 }  // namespace hedgehog::rig

@@ -81,7 +81,8 @@ FaultResult run_thermal_ball(const ThermalFault& fault, const ThermalBallOptions
   return result;
 }
 
-/// It names the thermistor on that winding; the checks of one thermistor are of the sensor's.
+/// True if the stop names the thermistor on that winding; the checks of a single thermistor name
+/// the sensor's winding.
 bool names_thermistor(int coil, const Stop& stop) noexcept {
   if (stop.disagreement.has(Quantity::kThermistor)) return stop.disagreement.coil() == coil;
   return coil == model::ThermalModel{}.sensor_winding &&

@@ -12,7 +12,7 @@ namespace {
 using control::EffectId;
 using model::Tick;
 
-/// 5 L/R, with L 20 % above nominal and two ticks on the way.
+/// 5 L/R, with L 20 % above nominal, and two ticks of delay.
 constexpr Tick kDecay = 23;
 
 struct Client {
@@ -47,7 +47,7 @@ std::uint64_t act(Rig& rig, Client& client, model::RandomStream& random) {
   const EffectId started = rig.start(client.spec, replaces);
   if (started == 0) return 0;
   client.effect = started;
-  // The next request comes about when this one ends, earlier or later.
+  // The next request comes approximately when this effect ends, earlier or later.
   client.next += static_cast<Tick>(random.uniform(0.3, 1.1) *
                                    static_cast<double>(client.spec.duration + client.spec.lease));
   return 1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A simulated ball that is heated by the plan of `calibrate --thermal`, with the electronics'
-// errors, on virtual time.
+// errors, in virtual time.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace hedgehog::model {
 
-/// Readings of one board. The apparent constants of a ball have `gain(i)` of power in them.
+/// Measurement errors of one board. A ball's apparent constants include `power_gain(i)`.
 struct Readings {
   std::array<double, 3> current_gain{1.0, 1.0, 1.0};
   std::array<double, 3> current_offset_a{};
@@ -32,7 +32,7 @@ class HeatedBall {
              std::uint64_t seed)
       : plant_(plant, ambient_c), readings_(readings), noise_(seed) {}
 
-  /// What is measured of one step of the plan; a step of less than half a second has not settled.
+  /// The measurements of one step of the plan; a step of less than half a second has not settled.
   HeatSample step(const HeatingStep& step) {
     constexpr double kTickS = 0.02;
     HeatSample sample;
@@ -68,7 +68,7 @@ class HeatedBall {
     sample.sensor_c = sensor_sum_c / ticks;
     return sample;
   }
-  /// Nothing is recorded meanwhile.
+  /// Cools without recording.
   void rest(double seconds) {
     for (double s = 0.0; s < seconds; s += 0.1) plant_.step_thermal({}, 0.0, 0.1);
     now_s_ += seconds;
@@ -77,7 +77,7 @@ class HeatedBall {
   double hottest_c() const { return hottest_c_; }
 
  private:
-  /// The daemon's law, by a bound that is 2 K up.
+  /// The daemon's fan law, with an upper bound 2 K above the true temperature.
   void follow_fan(double current_a, double dt_s) {
     mean_a_ += (current_a - mean_a_) * dt_s / 30.0;
     const double upper_c = plant_.hottest_winding_c() + 2.0;

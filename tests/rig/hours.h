@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An hour of random requests on a random ball: on the thermal law
-// alone in steps of 20 ms, or on the whole rig in steps of 1 ms.
+// An hour of random requests on a random ball: on the thermal law alone in steps of 20 ms, or on
+// the whole rig in steps of 1 ms.
 #pragma once
 
 #include <cstdint>
@@ -11,31 +11,31 @@
 namespace hedgehog::rig {
 
 struct HourResult {
-  /// Empty: everything held.
+  /// Empty: all limits were kept.
   std::string failure;
   /// Hottest winding of the plant, C, and the share of the hour in which heat reduced effects.
   double hottest_c = 0.0;
-  /// The plant's skin at its warmest, ever and after 10 minutes, C.
+  /// Maximum of the plant's skin temperature, in total and after 10 minutes, C.
   double skin_c = 0.0;
   double held_skin_c = 0.0;
   double derated = 0.0;
   std::uint64_t effects = 0;
-  /// So long was it played, s.
+  /// Duration played, s.
   double seconds = 0.0;
 };
 
-/// A winding may not get hotter than this in any of the hours, C.
+/// Maximum winding temperature in any of the hours, C.
 inline constexpr double kHottestAllowedC = 73.5;
-/// Nor the skin than this, ever and after so many seconds.
+/// Maximum skin temperature, in total and after `kHeldAfterS` seconds.
 inline constexpr double kSkinAllowedC = 48.0;
 inline constexpr double kHeldSkinAllowedC = 43.0;
 inline constexpr double kHeldAfterS = 600.0;
 
-/// The skin of one more step at `now_s`; empty, or what is wrong with it.
+/// Adds the skin temperature at `now_s`; returns an empty string, or which limit it exceeds.
 std::string follow_skin(HourResult& result, double skin_c, double now_s);
 
 /// A ball of the family (thermal_ball.h) in steps of 20 ms. `seconds` of device time; equal seeds
-/// give equal hours. `hand`: so many times as hard it is to cool (2: in a closed hand).
+/// give equal hours. `hand`: factor of the thermal resistance to the room (2: in a closed hand).
 HourResult thermal_hour(std::uint64_t seed, double seconds = 3600.0,
                         const device::FrontEndChoice& front_end = {},
                         double thermal_tolerance = 0.2, double hand = 1.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Random faults, their ranges, and their words.
+// Random faults, their ranges, and their text.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -12,7 +12,7 @@ namespace {
 
 using device::SimulatorErrorKind;
 
-/// What is stuck at less drives less than an idle line may.
+/// A line stuck below this duty drives less than an idle line may.
 constexpr double kMinStuckDuty = 0.1;
 
 bool of_thermistor(SimulatorErrorKind kind) noexcept {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What one to four clients ask of a ball at each moment, for the rig of 20 ms.
+// The currents requested by one to four clients at each moment, for the rig of 20 ms.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace hedgehog::rig {
 
 class RandomPlay {
  public:
-  /// The sum of all peaks, and the largest of their rms over peak.
+  /// The sum of all peaks, and the largest ratio of rms to peak.
   struct Asked {
     model::Vec3 peak_a;
     double rms = 0.0;
@@ -38,7 +38,7 @@ class RandomPlay {
  private:
   struct Player {
     Temper temper;
-    double until_s = 0.0;  // of the effect, or of the pause
+    double until_s = 0.0;  // end of the effect, or of the pause
     bool playing = false;
     model::Vec3 peak_a;
     double rms = 1.0;

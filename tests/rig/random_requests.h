@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What several clients might ask of a ball, at random: short taps, long holds, circles, vibrations,
-// mostly too strong. Each client has a temper: how long its effects are and how long it rests.
+// Random requests of several clients: short taps, long holds, circles, vibrations, mostly too
+// strong. Each client has its own effect lengths and pauses.
 #pragma once
 
 #include <algorithm>
@@ -32,7 +32,7 @@ inline double exponential(model::RandomStream& random, double mean) noexcept {
 }
 
 inline model::Vec3 random_direction(model::RandomStream& random) noexcept {
-  // Often along one winding: the hardest case for it.
+  // Often along one winding: the worst case for that winding.
   model::Vec3 v{random.gaussian(), random.gaussian(), random.gaussian()};
   if (random.uniform(0.0, 1.0) < 0.4) {
     v = {};
@@ -52,7 +52,7 @@ inline model::EffectSpec random_effect(model::RandomStream& random, const Temper
   spec.priority = static_cast<std::uint8_t>(4 + random.bits() % 3);
   switch (spec.method) {
     case EffectMethod::kPulse:
-    case EffectMethod::kPlay:  // drawn nowhere here; it needs key frames
+    case EffectMethod::kPlay:  // never drawn here; it needs key frames
       break;
     case EffectMethod::kCircle:
       spec.trajectory.path = model::Path::kCircle;

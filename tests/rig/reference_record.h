@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Figures of a calculation that has no other source than itself, against a file of the tree: a
-// table of named rows and columns. Every constant of the calculation shows in some of them, so that
+// Results of a calculation without an independent reference, against a file in the repository: a
+// table of named rows and columns. Every constant of the calculation affects some of them, so that
 // none can change unnoticed.
 #pragma once
 
@@ -12,14 +12,14 @@ namespace hedgehog::rig {
 
 class ReferenceRecord {
  public:
-  /// A row's figures by the names of their columns, the same names in each row.
+  /// A row's values by the names of their columns, the same names in each row.
   using Figures = std::vector<std::pair<std::string, double>>;
 
   void add(const std::string& row, const Figures& figures);
 
-  /// Against the table in `path`. Every difference of more than 1e-7 of the figure
-  /// (of 1, where it is smaller), a line each; empty: none. With HEDGEHOG_WRITE_REFERENCE=1 writes
-  /// the table instead.
+  /// Compares with the table in `path`. Every difference of more than 1e-7 of the value (of 1,
+  /// where it is smaller), a line each; empty: none. With HEDGEHOG_WRITE_REFERENCE=1 writes the
+  /// table instead.
   std::string differences(const std::string& path) const;
 
  private:

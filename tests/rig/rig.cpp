@@ -30,7 +30,7 @@ device::SimulatedBoardOptions random_board(model::RandomStream& random) noexcept
 
 namespace {
 
-/// What a board of 1.0 says of the same millisecond.
+/// The telemetry of a board of protocol 1.0 for the same millisecond.
 device::Frame of_first_protocol(const device::Frame& frame) noexcept {
   board::TelemetryFrame values = board::read_telemetry(frame.data());
   values.minor = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The controller, the link and the simulated board in lock-step: one call is one millisecond of all
-// three, as fast as the machine can. Tests and campaigns start effects, break things and read the
-// plant's truth.
+// three, computed as fast as possible. Tests and campaigns start effects, inject faults and read
+// the plant's true state.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ namespace hedgehog::rig {
 struct RigOptions {
   control::ControlSettings control = armed_at_start();
   device::SimulatedBoardOptions board;
-  /// The board sends telemetry of protocol 1.0, which says nothing of what is measured.
+  /// The board sends telemetry of protocol 1.0, which does not report which values are measured.
   bool first_protocol = false;
 
   static control::ControlSettings armed_at_start() noexcept {
@@ -41,11 +41,11 @@ class Rig {
  public:
   explicit Rig(const RigOptions& options = {});
 
-  /// One millisecond; so many; so many seconds.
+  /// One millisecond; `ticks` milliseconds; `seconds`.
   void tick();
   void run(model::Tick ticks);
   void run_s(double seconds) { run(std::llround(seconds * 1000.0)); }
-  /// Ticks until `done()`, at most `most`. False when it did not happen.
+  /// Ticks until `done()`, at most `most` times. False when it did not become true.
   template <class Done>
   bool run_until(Done done, model::Tick most) {
     for (model::Tick i = 0; i < most; ++i) {
@@ -54,14 +54,14 @@ class Rig {
     }
     return done();
   }
-  /// Runs until armed. REQUIRES: nothing speaks against it.
+  /// Runs until armed. REQUIRES: no arming blocker.
   void run_until_armed();
-  /// The control thread sleeps through `ticks`, the rest goes on; the next tick knows it.
+  /// The control thread sleeps for `ticks`, link and board continue; the next tick detects it.
   void skip_control(model::Tick ticks);
-  /// Control and link sleep; only the board's own clock goes on.
+  /// Control and link sleep; only the board's own clock continues.
   void freeze_host(model::Tick ticks);
 
-  /// What clients ask; applied at the next tick.
+  /// Requests of clients; applied at the next tick.
   control::EffectId start(const model::EffectSpec& spec, control::EffectId replaces = 0);
   void update(control::EffectId effect, const model::EffectSpec& spec);
   void stop(control::EffectId effect,
@@ -72,17 +72,17 @@ class Rig {
   }
   void arm() { command(control::Arm{inputs_.emergency_generation}); }
   void emergency_stop() noexcept { ++inputs_.emergency_generation; }
-  /// Breaks (or mends) the simulated hardware now.
+  /// Sets or clears faults of the simulated hardware now.
   void set_faults(std::uint16_t faults, int coil = 0);
   void set_ambient(double ambient_c);
-  /// The next `frames` telemetry frames are lost on the way.
+  /// The next `frames` telemetry frames are lost in transfer.
   void lose_telemetry(int frames) noexcept { lose_ = frames; }
-  /// The next telemetry frame comes a tick late, together with the one after it.
+  /// The next telemetry frame arrives a tick late, together with the one after it.
   void delay_telemetry() noexcept { delay_ = true; }
-  /// Orientation told each tick, with a fresh stamp, while `live`.
+  /// Sets the orientation, renewed each tick with a new time stamp while `live`.
   void orient(const model::Quaternion& device_to_world, bool live = true) noexcept;
 
-  /// The second thermometer says so now.
+  /// Sets the second thermometer's reading.
   void say_thermometer(double celsius) noexcept {
     inputs_.thermometer = {true, celsius, inputs_.tick};
   }
@@ -96,16 +96,16 @@ class Rig {
   const control::StepInputs& last_inputs() const noexcept { return inputs_; }
   control::StatusSnapshot snapshot() const noexcept;
   bool playing(control::EffectId effect) const noexcept;
-  /// |I| in the windings, in truth.
+  /// |I| in the windings, true value.
   double current_a() const noexcept { return norm(board_.plant().current_a()); }
 
-  /// Everything that was told since the start, or since `forget_events`.
+  /// All events since the start, or since `forget_events`.
   const std::vector<control::Event>& events() const noexcept { return log_; }
   void forget_events() noexcept { log_.clear(); }
   int count(control::EventType type) const noexcept;
   const control::Event* last(control::EventType type) const noexcept;
 
-  /// Every tick goes there too, when set.
+  /// Records every tick when set.
   control::FlightRecorder* recorder = nullptr;
 
  private:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether this is a sanitizer's build; g++ and clang say so in different ways. What that shortens.
+// Whether this is a build with a sanitizer, for g++ and clang; and fewer repetitions for such a
+// build.
 #pragma once
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -16,8 +17,8 @@
 
 namespace hedgehog {
 
-/// Of `count` repetitions of the same with other numbers (balls, hours, places) those to make: a
-/// sanitizer, with which each takes ten times as long, sees no more in all than in a tenth of them.
+/// How many of `count` repetitions with other values (balls, hours, slots) to run: with a sanitizer
+/// each takes ten times as long, and a tenth of them finds the same errors.
 template <class Count>
 constexpr Count repetitions(Count count) {
   if (HEDGEHOG_SANITIZED == 0) return count;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The layers as far as heat goes, closed around a ball and its electronics in steps of 20 ms: for
+// The thermal part of all layers, closed around a ball and its electronics in steps of 20 ms: for
 // thousands of hours. Currents follow at once; readings have the electronics' errors. The whole rig
-// (rig.h) is the truth for anything faster.
+// (rig.h) is the reference for anything faster.
 #pragma once
 
 #include <cstdint>
@@ -24,14 +24,14 @@ namespace hedgehog::rig {
 
 struct ThermalBallOptions {
   device::SimulatedBoardOptions board;
-  /// What the daemon knows: its device file.
+  /// The daemon's parameters: its device file.
   model::CoilModel coils;
   model::ThermalModel thermal;
   model::ThermalUncertainty uncertainty;
-  /// It knows the ball to be at one temperature; otherwise it knows nothing.
+  /// The daemon starts with the ball known to be at one temperature; otherwise with an unknown one.
   bool known = true;
-  /// The estimate of its skin limits the current. Without it is as with a probe under a shell that
-  /// insulates well, which is the harder case for the windings.
+  /// The estimated skin temperature limits the current. False: as with a probe under a shell that
+  /// insulates well, which is the worse case for the windings.
   bool skin_limits = false;
   std::uint64_t seed = 1;
 };
@@ -52,10 +52,10 @@ class ThermalBall {
 
   void set_errors(const device::SimulatorErrorList& errors) noexcept { errors_.set(errors); }
   /// One step; `peak_a` is scaled by the limiter, `rms` of that heats. After a stop nothing is
-  /// driven any more.
+  /// driven.
   void step(const model::Vec3& peak_a, double rms = 1.0) noexcept;
 
-  /// Somebody arms it again, whatever stopped it.
+  /// Arms the ball again after any stop.
   void rearm() noexcept { stop_ = {}; }
 
   const Stop& stop() const noexcept { return stop_; }
@@ -65,7 +65,7 @@ class ThermalBall {
   const control::SupplyBalance& supply() const noexcept { return supply_; }
   const control::OverTemperatureCheck& heat() const noexcept { return heat_; }
   double allowed_a() const noexcept { return limiter_.allowed().value; }
-  /// Less flowed than was asked.
+  /// True if the current was less than requested.
   bool reduced() const noexcept { return reduced_; }
   const model::Vec3& current_a() const noexcept { return current_a_; }
 
@@ -101,9 +101,9 @@ class ThermalBall {
 /// "measurements_disagree (winding y: resistance, heat_balance)".
 std::string words(const Stop& stop);
 
-/// A ball drawn from all that are healthy: R25 within 3 %, gains within 2 %, offsets within 0.02 A
+/// A ball drawn from all healthy ones: R25 within 3 %, gains within 2 %, offsets within 0.02 A
 /// (`in_line`) or 0.1 A, supply within 2 %, thermistors within 1 K, thermal constants within
-/// `thermal_tolerance`, which the daemon knows, in a room of 18..32 C.
+/// `thermal_tolerance`, which the daemon is configured with, in a room of 18..32 C.
 ThermalBallOptions family_ball(std::uint64_t seed, const device::FrontEndChoice& front_end,
                                double thermal_tolerance) noexcept;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Balls that break while they are used: the faults of measurement and of the ball itself that no
-// layer may take for a cool winding.
+// Balls that fail in use: faults of the measurements and of the ball itself that no layer may
+// mistake for a cool winding.
 #pragma once
 
 #include <cstdint>
@@ -14,9 +14,9 @@ namespace hedgehog::rig {
 
 struct ThermalFault {
   device::SimulatorError error;
-  /// It begins when the winding is this warm; below the room: at the start.
+  /// The fault starts when the winding reaches this temperature; below ambient: at the start.
   double from_c = -1.0;
-  /// What is asked of the winding all the time, A; or random play instead.
+  /// The current requested for the winding throughout, A; or random play instead.
   int winding = 1;
   double asked_a = 15.0;
   bool play = false;
@@ -24,25 +24,25 @@ struct ThermalFault {
   double minutes = 10.0;
 };
 
-/// The fault on this wiring: with one thermistor only that one can be wrong.
+/// Adapts the fault to this wiring: with one thermistor only that one can be wrong.
 ThermalFault on(ThermalFault fault, const device::FrontEndChoice& front_end) noexcept;
 
-/// Each kind on each winding, in both directions, sudden and growing, cold and warm, at several
-/// currents: made by hand.
+/// Manually chosen faults: each kind on each winding, in both directions, sudden and growing, cold
+/// and warm, at several currents.
 std::vector<ThermalFault> thermal_faults(const device::FrontEndChoice& front_end);
 
-/// The ball that matches its device file, in the fault's room.
+/// A ball that matches its device file, at the fault's ambient temperature.
 ThermalBallOptions matching_ball(const ThermalFault& fault,
                                  const device::FrontEndChoice& front_end) noexcept;
 
-/// A kind and a value of its range, on a ball of the family.
+/// A fault of random kind and value, on a ball of the family.
 struct RandomFault {
   ThermalFault fault;
   ThermalBallOptions ball;
 };
-/// From what random faults are drawn, evenly: each kind, its values, all windings; a third of them
-/// from the start, the others at 5 K above the room to 60 C; half of them growing over 10 s to 15
-/// minutes; 5 to 15 A, or, a third of them, random play.
+/// The ranges from which random faults are drawn, with equal probability: each kind, its values,
+/// all windings; a third of them from the start, the others at 5 K above the room to 60 C; half of
+/// them growing over 10 s to 15 minutes; 5 to 15 A, or, for a third of them, random play.
 struct FaultRange {
   device::SimulatorErrorKind kind;
   double min;
@@ -52,8 +52,8 @@ const std::vector<FaultRange>& fault_ranges();
 RandomFault random_fault(std::uint64_t seed, const device::FrontEndChoice& front_end,
                          double thermal_tolerance);
 
-/// It makes a winding seem cooler than it is, or heats what is measured as before: the dangerous
-/// direction. Those of the other one feign heat.
+/// True if the fault makes a winding seem cooler than it is, or heats it without a change in the
+/// measurements: the dangerous direction. The others simulate heat.
 bool hides_heat(const device::SimulatorError& error) noexcept;
 
 /// "current_gain 1.10 on winding y, growing over 120 s from 45 C, 15 A asked".

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The faults made by hand.
+// The manually chosen faults.
 #include "daemon/device/simulator/front_end.h"
 #include "tests/rig/thermal_fault.h"
 
@@ -23,7 +23,7 @@ class FaultList {
     fault.minutes = minutes;
     faults.push_back(fault);
   }
-  /// Of the winding that is asked.
+  /// The winding in use.
   int winding = 0;
   std::vector<ThermalFault> faults;
 };
@@ -102,7 +102,7 @@ void add_thermal(FaultList& list) {
   }
 }
 
-/// Of the next winding, which should be idle, and of the one that is asked.
+/// Stuck lines of the next winding, which should be idle, and of the one in use.
 void add_stuck_lines(FaultList& list) {
   for (const double duty : {-1.0, -0.3, 0.1, 0.3, 0.5, 1.0}) {
     list.add(SimulatorErrorKind::kPwmStuck, duty, 0, kCold, 5);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The way of a board into its boot loader: never from under a current, never out of an armed ball,
-// and no trip.
+// Transition of a board into its boot loader: never while current flows, never from an armed ball,
+// and without a trip.
 #include "tests/safety/safe.h"
 
 namespace hedgehog::safety {

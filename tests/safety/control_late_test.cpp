@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The control thread is late or stuck, alone or together with the link.
+// The control thread is late or blocked, alone or together with the link.
 #include "daemon/device/simulator/simulator_settings.h"
 #include "tests/safety/safe.h"
 
@@ -18,7 +18,7 @@ TEST(ControlLate, TheLinkIsSafeAfterTwentyMilliseconds) {
   EXPECT_TRUE(asleep(rig));
   rig.skip_control(kDecay);
   EXPECT_LT(rig.current_a(), kZeroA);
-  // It comes back in one step, not in a burst, and says what it missed.
+  // It resumes with one tick, not with a burst, and reports the skipped ticks.
   rig.forget_events();
   rig.tick();
   EXPECT_EQ(rig.last_inputs().skipped, 20u + kDecay);
@@ -29,7 +29,7 @@ TEST(ControlLate, TheLinkIsSafeAfterTwentyMilliseconds) {
   EXPECT_NEAR(rig.current_a(), 5.0, 0.05);
 }
 
-// The link gets a turn at every tenth tick only; what it repeats meanwhile feeds the dead-man.
+// The link runs in every tenth tick only; its repeated set-points reset the dead-man meanwhile.
 TEST(ControlLate, ALinkThatIsLateTooCountsMillisecondsAndNotItsSteps) {
   rig::Rig rig;
   hold_five_ampere(rig);
@@ -46,10 +46,11 @@ TEST(ControlLate, ALinkThatIsLateTooCountsMillisecondsAndNotItsSteps) {
   EXPECT_EQ(rig.link().report().counters.overdue, 1u);
 }
 
-// A control thread that runs at every tenth tick only: what must last so many milliseconds does.
+// A control thread that runs in every tenth tick only: fault durations are still counted in
+// milliseconds.
 TEST(ControlLate, FaultsAreTimedByTheClockAndNotByTheStep) {
   rig::RigOptions options;
-  options.board.start_c = 45.0;  // so that the fan is asked for
+  options.board.start_c = 45.0;  // so that the fan is required
   rig::Rig rig(options);
   rig.run_until_armed();
   rig.set_faults(device::kSimFanStopped);
@@ -73,7 +74,7 @@ TEST(ControlLate, AGapThatTheBoardPlayedThroughIsNoWrongCurrent) {
     rig.freeze_host(gap);  // the board holds the last set-point
     rig.run(200);
     ASSERT_EQ(name(rig.controller().state()), "armed") << gap;
-    rig.skip_control(gap);  // the link makes it safe after 20 ms
+    rig.skip_control(gap);  // the link sends the safe command after 20 ms
     rig.run(200);
     ASSERT_EQ(name(rig.controller().state()), "armed") << gap;
   }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A measurement that goes wrong while a winding is driven hard: found by what contradicts it,
-// before anything gets too warm. On the whole rig, through the firmware's own reading of
-// converters.
+// A measurement fails while a winding is driven hard: detected by contradicting measurements,
+// before any part overheats. On the whole rig, with the firmware's own conversion of raw values.
 #include <tuple>
 
 #include "tests/rig/thermal_ball.h"
@@ -18,7 +17,7 @@ struct Wrong {
   SimulatorErrorKind kind;
   double value;
   double ramp_s;
-  /// It is one of those that are named.
+  /// The quantities reported as the possible cause include this one.
   Quantity named;
 };
 
@@ -33,7 +32,7 @@ class EachWrong : public ::testing::TestWithParam<std::tuple<Wrong, int, int>> {
     options.board.front_end.thermistors = std::get<2>(GetParam());
     rig = std::make_unique<rig::Rig>(options);
   }
-  /// 12 A until `celsius`, then `wrong`, then on until it stops.
+  /// Holds 12 A until `celsius`, then injects `wrong` and continues until the ball stops.
   void drive(double celsius, const Wrong& wrong, int coil) {
     rig->run_until_armed();
     model::Vec3 along;

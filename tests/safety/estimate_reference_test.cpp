@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Estimate, checks and limiter on balls of each electronics that break in each way, figure by
-// figure
-// (`reference/estimates.tsv`). The other tests say what must be; this one, what is: a constant or
-// a sign that changes shows, and has to be meant. HEDGEHOG_WRITE_REFERENCE=1 renews the figures.
+// Estimate, checks and limiter against reference figures (`reference/estimates.tsv`), for each
+// electronics and each kind of failure. The other tests specify the required behaviour; this one
+// records the actual behaviour, so that a changed constant or sign is detected and must be
+// intended. HEDGEHOG_WRITE_REFERENCE=1 rewrites the figures.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -31,7 +31,7 @@ struct Case {
   double start_c = 25.0;
   bool known = true;
   double tolerance = 0.2;
-  /// Where the error begins.
+  /// The step at which the error begins.
   int step = 500;
   std::optional<SimulatorError> second{};
 };
@@ -75,13 +75,13 @@ const std::array kCases{
     Case{"cooling", kThree, error(SimulatorErrorKind::kCoolingGain, 0, 0.3), 50.0},
     Case{"capacity", kOne, error(SimulatorErrorKind::kHeatCapacityGain, 0, 0.7)},
     Case{"tach", kThree, error(SimulatorErrorKind::kTachGain, 0, 0.5), 48.0},
-    // Right after the current has changed, and much later.
+    // Soon after a change of the current, and much later.
     Case{"fall_soon", kThree, error(kResistance, 1, 0.94), 25.0, true, 0.2, 810},
     Case{"fall_soon_one", kOne, error(kResistance, 1, 0.93), 30.0, true, 0.2, 805},
     Case{"fall_late", kThree, error(kResistance, 1, 0.97), 35.0, true, 0.2, 1350},
     Case{"fall_other", kOne, error(kResistance, 1, 0.955), 30.0, true, 0.2, 1270},
     Case{"fall_noisy", kCs, error(kResistance, 1, 0.9), 30.0, true, 0.2, 840},
-    // So slowly that no gate is left.
+    // Too slow for any innovation gate.
     Case{"rises", kThree, error(kResistance, 1, 1.05, 30.0)},
     Case{"rises_one", kOne, error(kResistance, 1, 1.06, 25.0), 40.0},
     Case{"falls", kThree, error(kResistance, 1, 0.95, 30.0)},
@@ -90,11 +90,11 @@ const std::array kCases{
     Case{"reads_low_one", kOne, error(SimulatorErrorKind::kCurrentGain, 1, 0.95, 35.0)},
     Case{"supply_slow", kThree, error(SimulatorErrorKind::kSupplyGain, 0, 1.05, 30.0)},
     Case{"supply_slow_cs", kCs, error(SimulatorErrorKind::kSupplyGain, 0, 1.06, 30.0)},
-    // Another ball than the device file's.
+    // A ball with a resistance that differs from the device file.
     Case{"foreign", kThree, error(kResistance, 1, 0.88), 30.0, false, 0.2, 0},
     Case{"foreign_one", kOne, error(kResistance, 1, 1.12), 30.0, false, 0.2, 0},
     Case{"foreign_known", kOne, error(kResistance, 2, 0.9), 30.0, true, 0.2, 0},
-    // Two at once.
+    // Two errors at once.
     Case{"odd_thermistor", kThree, error(SimulatorErrorKind::kThermistorOffsetK, 1, -1.8, 5.0),
          25.0, true, 0.2, 200, error(kResistance, 1, 0.95, 20.0)},
     Case{"odd_thermistor_one", kOne, error(SimulatorErrorKind::kThermistorOffsetK, 0, 2.5, 5.0),
@@ -102,7 +102,7 @@ const std::array kCases{
     Case{"thermistor_slow", kThree, error(SimulatorErrorKind::kThermistorOffsetK, 2, 5.0, 40.0)},
 };
 
-/// Every winding alone and together, from rest to 15 A, both signs, steady and in pulses.
+/// Each winding alone and all together, from rest to 15 A, both signs, steady and pulsed.
 model::Vec3 asked_at(int step) {
   const int second = step / 50;
   switch (second % 15) {
@@ -142,7 +142,7 @@ ThermalBallOptions options_of(const Case& one, std::uint64_t seed) {
   return options;
 }
 
-/// What the observer, the balance of the supply and the watchdog's own thermometers know now.
+/// Figures of the observer, the supply balance and the watchdog's own thermometers.
 ReferenceRecord::Figures figures_of(const ThermalBall& ball) {
   const model::ThermalObserver& observer = ball.observer();
   const model::ThermalEstimate& estimate = observer.estimate();
@@ -195,7 +195,7 @@ ReferenceRecord::Figures figures_of(const ThermalBall& ball) {
   return all;
 }
 
-/// Sums over the run: what shows for a moment only is in them.
+/// Sums over the run, so that short deviations contribute too.
 class Sums {
  public:
   void add(const ReferenceRecord::Figures& figures) {

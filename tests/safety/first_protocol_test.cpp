@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A board of protocol 1.0 in closed loop: it says nothing of what it measures, so currents count
-// while their winding is driven, there is one thermistor, and no supply current.
+// A board of protocol 1.0 in closed loop: it does not report what it measures, so currents are
+// valid while their winding is driven; one thermistor, no supply current.
 #include "tests/safety/safe.h"
 
 namespace hedgehog::safety {
@@ -24,7 +24,7 @@ class FirstProtocol : public ::testing::Test {
     rig.board().set_errors(errors);
   }
   bool armed() const { return rig.controller().state() == control::State::kArmed; }
-  /// `current_a` along winding `coil` for so long, or until it stops.
+  /// Holds `current_a` along winding `coil` for `seconds`, or until the ball stops.
   void play(int coil, double current_a, int seconds) {
     model::Vec3 along;
     along[coil] = 1.0;

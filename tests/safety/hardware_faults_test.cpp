@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every fault that the simulated board can show, while an effect plays: the safe command within its
-// ticks, zero at the plant after 5 L/R, the named latch, one event.
+// Every fault of the simulated board during an effect: the safe command within the allowed ticks,
+// zero current at the plant after 5 L/R, the named latch, one event.
 #include <algorithm>
 
 #include "daemon/device/simulator/simulator_settings.h"
@@ -14,8 +14,8 @@ using control::Reason;
 struct Fault {
   const char* name;
   std::uint16_t sim;
-  int coil;           // which winding is broken
-  model::Vec3 along;  // which winding plays
+  int coil;           // index of the faulty winding
+  model::Vec3 along;  // direction of the effect
   double current_a;
   Reason reason;
   model::Tick within;  // ticks from the fault to the safe command at the bridge
@@ -23,7 +23,7 @@ struct Fault {
 
 void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
 
-// Where two ticks are added, one is the telemetry's way up and one the command's way down.
+// Two added ticks: one for the telemetry, one for the command.
 const Fault kFaults[] = {
     {"SensorOpen", device::kSimSensorOpen, 0, {1, 0, 0}, 5.0, Reason::kSensorOpen, 25 + 2},
     {"SensorShort", device::kSimSensorShort, 0, {1, 0, 0}, 5.0, Reason::kSensorShort, 25 + 2},
@@ -52,15 +52,16 @@ TEST_P(HardwareFault, IsMadeSafeAndNamed) {
 
   rig.set_faults(fault.sim, fault.coil);
   for (model::Tick left = fault.within; left > 0 && !asleep(rig); left -= 5000) {
-    rig.update(effect, rig::hold(fault.along, fault.current_a));  // a client that holds on
+    rig.update(effect, rig::hold(fault.along, fault.current_a));  // a client that keeps holding
     rig.run_until([&] { return asleep(rig); }, std::min<model::Tick>(left, 5000));
   }
-  // A stuck bridge ignores the sleeping line: the board's supply switch ends it after 20 ms more.
+  // A stuck bridge ignores the sleep line: the board's supply switch cuts it off after another 20
+  // ms.
   if ((fault.sim & device::kSimStuckBridge) != 0) rig.run(25);
   expect_zero(rig, 0);
   expect_tripped(rig, fault.reason);
 
-  // It stays so, whatever is asked, and tells it once.
+  // It stays tripped for any request, and reports it once.
   rig.start(rig::hold(fault.along, fault.current_a));
   rig.run(1500);
   EXPECT_TRUE(asleep(rig));
@@ -89,15 +90,16 @@ TEST_P(HardwareFault, ArmingWorksAgainWhenItIsMendedAndCool) {
   rig.run(400);
   EXPECT_EQ(name(rig.controller().state()), "armed");
   rig.start(rig::hold(fault.along, fault.current_a));
-  rig.run(3000);  // wrong currents had passed for heat; the windings' own V/I mends that
+  // wrong currents were integrated as heat; V/I of the windings corrects the estimate
+  rig.run(3000);
   EXPECT_NEAR(rig.current_a(), fault.current_a, 0.1);
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, HardwareFault, ::testing::ValuesIn(kFaults),
                          [](const auto& fault) { return fault.param.name; });
 
-// A thermistor that drifts away while no winding carries enough to be compared with it: nothing
-// speaks against it until it says what cannot be.
+// A thermistor drifts while no winding carries enough current for a comparison: it is detected only
+// when its reading is out of range.
 TEST(SensorImpossible, BelowMinusTwentyIsMadeSafeAndNamed) {
   rig::Rig rig;
   rig.run_until_armed();
@@ -110,7 +112,7 @@ TEST(SensorImpossible, BelowMinusTwentyIsMadeSafeAndNamed) {
   }
   ASSERT_EQ(name(rig.controller().state()), "armed") << name(rig.controller().reason());
   ASSERT_NEAR(rig.current_a(), 1.0, 0.05);
-  // From 0.15 K of noise above to as much below, then 40 ms of impossible readings.
+  // From 0.15 K of noise above the limit to as much below, then 40 ms of readings out of range.
   ASSERT_TRUE(rig.run_until([&] { return reading_c() < -20.0; }, 2500));
   expect_zero(rig, 1200);
   expect_tripped(rig, Reason::kSensorImplausible);
@@ -131,7 +133,7 @@ TEST(FanFault, NoTachometerForThreeSecondsTrips) {
   expect_zero(rig, 100 + 4);
   expect_tripped(rig, Reason::kFanStopped);
 
-  // Still standing: refused. Mended: it turns, and arming works.
+  // Fan still stopped: arming is rejected. Repaired: it turns, and arming succeeds.
   rig.run(1000);
   EXPECT_EQ(name(rig.snapshot().arming_blocker), "fan_stopped");
   rig.arm();
@@ -147,7 +149,7 @@ TEST(FanFault, NoTachometerForThreeSecondsTrips) {
 TEST(FanFault, KeepsABallFromBeingArmedThatWasNeverArmed) {
   rig::RigOptions options;
   options.control.arm_at_start = false;
-  options.board.start_c = 45.0;  // so that the fan is asked for
+  options.board.start_c = 45.0;  // so that the fan is required
   rig::Rig rig(options);
   rig.set_faults(device::kSimFanStopped);
   rig.run(2900);
@@ -174,7 +176,7 @@ TEST(UnexpectedCurrent, TripsThoughNothingWasEverAsked) {
   expect_tripped(rig, Reason::kUnexpectedCurrent);
   rig.run(25 + kDecay);  // the board opens its supply switch
   EXPECT_LT(rig.current_a(), kZeroA);
-  // While it is stuck the board does not let itself be armed.
+  // While the bridge is stuck, the board rejects arming.
   rig.arm();
   rig.run(400);
   EXPECT_EQ(name(rig.controller().state()), "tripped");

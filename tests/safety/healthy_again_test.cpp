@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A ball that tripped because the resistance of a winding fell is armed again. After a rest its
-// resistance is measured against the thermistor: a healthy ball plays, one that is still broken
-// trips again before its winding has been warmed by what that measurement takes.
+// resistance is compared with the thermistor: a healthy ball plays; a faulty one trips again before
+// its winding has warmed by more than that comparison requires.
 #include <tuple>
 
 #include "tests/rig/thermal_ball.h"
@@ -15,10 +15,10 @@ using device::SimulatorErrorKind;
 constexpr int kY = 1;
 constexpr double kDemandA = 12.0;
 constexpr double kRestS = 720.0;
-/// What a winding may be warmed by until its resistance has been compared, K, and the tolerance of
+/// Maximum warming of a winding before its resistance has been compared, K, times the tolerance of
 /// its capacity.
 constexpr double kComparedK = 3.0 * 1.2;
-/// What a winding is warmed by at least, K, by a ball that plays what is demanded.
+/// Minimum warming of a winding, K, when the demanded current is delivered.
 constexpr double kPlayedK = 20.0;
 
 device::SimulatorErrorList errors_of(const device::SimulatorError& error, std::uint8_t generation) {
@@ -39,7 +39,7 @@ std::ostream& operator<<(std::ostream& out, const Electronics& one) {
 
 using HealthyAgainCase = std::tuple<Electronics, device::SimulatorError>;
 
-/// A ball that has stopped because its resistance fell.
+/// A ball that has tripped because its resistance fell.
 class HealthyAgain : public ::testing::TestWithParam<HealthyAgainCase> {
  protected:
   HealthyAgain() : ball(options()) {
@@ -68,7 +68,7 @@ class HealthyAgain : public ::testing::TestWithParam<HealthyAgainCase> {
   void rest(double seconds) {
     for (double s = 0.0; s < seconds; s += rig::ThermalBall::kStepS) ball.step({});
   }
-  /// Asks for the same as before, at most `seconds`. How warm a winding got, C.
+  /// Repeats the previous demand for at most `seconds`. Returns the maximum winding temperature, C.
   double play(double seconds) {
     double hottest_c = 0.0;
     for (double s = 0.0; s < seconds && !ball.stop().any(); s += rig::ThermalBall::kStepS) {
@@ -127,7 +127,7 @@ INSTANTIATE_TEST_SUITE_P(
                        ::testing::Values(shorted(0, 0.2, 120.0), shorted(1, 0.2, 120.0),
                                          shorted(2, 0.4, 120.0))));
 
-/// The same on the whole rig, through the firmware's own reading of converters.
+/// The same on the whole rig, with the firmware's own conversion of raw values.
 class HealthyAgainOnTheRig : public ::testing::Test {
  protected:
   void SetUp() override {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Too hot: the limiter's law, and the watchdog when the limiter is wrong.
+// Overheating: the limiter's law, and the watchdog when the limiter fails.
 #include <limits>
 
 #include "daemon/device/board_codec.h"
@@ -11,7 +11,8 @@ namespace {
 
 using control::Reason;
 
-/// Holds `current_a` along `axis` until the ball is not armed any more; how hot it was at most.
+/// Holds `current_a` along `axis` until the ball is not armed any more; returns the maximum
+/// temperature.
 double hottest_until_stopped(rig::Rig& rig, const model::Vec3& axis, double current_a,
                              double most_s) {
   double hottest = 0.0;
@@ -27,7 +28,7 @@ double hottest_until_stopped(rig::Rig& rig, const model::Vec3& axis, double curr
   return hottest;
 }
 
-/// The ball is at `celsius`, as it was when it was seen last, in a much hotter room.
+/// The ball is at `celsius`, as saved, in a much hotter environment.
 void start_at(rig::RigOptions& options, double celsius, double ambient_c) {
   options.board.start_c = celsius;
   options.board.ambient_c = ambient_c;
@@ -47,7 +48,7 @@ TEST_P(WithoutLimiter, TheWatchdogTripsAtSeventyByTheWindingsOwnResistance) {
   EXPECT_TRUE(asleep(rig));
   EXPECT_LT(rig.current_a(), kZeroA);
   expect_tripped(rig, Reason::kOverheated);
-  // 2.4 K/s for the 50 ms it must last, and a share of the noise of a real board.
+  // 2.4 K/s during the debounce time of 50 ms, and a share of the noise of a real board.
   EXPECT_GT(hottest, 69.5);
   EXPECT_LT(hottest, 70.75);
 }
@@ -60,7 +61,7 @@ TEST(TooHot, TheRawThermistorTripsWithoutAnyCurrent) {
   options.board.plant.sensor_noise_k = 0.0;
   rig::Rig warm(options);
   warm.run_until_armed();
-  // The converter and the thermistor's curve are right to 0.25 K, the estimate to half a kelvin.
+  // The converter and the thermistor's curve are accurate to 0.25 K, the estimate to 0.5 K.
   ASSERT_TRUE(warm.run_until([&] { return warm.plant().sensor_c() >= 69.0; }, 60'000));
   EXPECT_EQ(name(warm.controller().state()), "armed") << name(warm.controller().reason());
   ASSERT_TRUE(warm.run_until([&] { return warm.plant().sensor_c() >= 70.3; }, 60'000) &&
@@ -79,7 +80,7 @@ TEST(TooHot, ArmingWaitsUntilItIsCool) {
   rig.run(400);
   EXPECT_EQ(name(rig.controller().state()), "tripped");
   EXPECT_EQ(name(rig.snapshot().arming_blocker), "overheated");
-  // below max(45 C, room + 10 K)
+  // below max(45 C, ambient + 10 K)
   ASSERT_TRUE(
       rig.run_until([&] { return rig.snapshot().arming_blocker == Reason::kNone; }, 300'000));
   EXPECT_LT(rig.plant().hottest_winding_c(), 45.5);
@@ -89,7 +90,7 @@ TEST(TooHot, ArmingWaitsUntilItIsCool) {
   EXPECT_EQ(name(rig.controller().state()), "armed");
 }
 
-/// Any single fault of the thermistor, while clients want all they can get.
+/// Any single fault of the thermistor, at full demand.
 class SensorFaultWhileHot : public ::testing::TestWithParam<int> {};
 
 TEST_P(SensorFaultWhileHot, NoWindingPassesSeventyThree) {
@@ -114,7 +115,7 @@ TEST_P(SensorFaultWhileHot, NoWindingPassesSeventyThree) {
 
 INSTANTIATE_TEST_SUITE_P(Each, SensorFaultWhileHot, ::testing::Range(0, 12));
 
-// Everything above the board wrong: no limiter, no watchdog at 70 C.
+// All protection above the board disabled: no limiter, no watchdog at 70 C.
 TEST(BoardsOwnLimits, ThermistorAboveSeventyFive) {
   rig::Rig rig(without_limiter(300.0));
   rig.run_until_armed();
@@ -148,7 +149,7 @@ TEST(BoardsOwnLimits, OverCurrentForFiftyMilliseconds) {
   expect_tripped(rig, Reason::kBoardOverCurrent);
 }
 
-// A daemon with tighter limits was here before; the board keeps to them until its power-up.
+// Limits of an earlier daemon with a tighter configuration: the board keeps them until power-up.
 TEST(BoardsOwnLimits, ThoseOfAnEarlierConfigurationAreKeptTo) {
   rig::Rig rig;
   rig.board().receive(device::encode_limits({67.0, 5.5, 1.0}, 1));
@@ -227,7 +228,8 @@ TEST(Restart, EachNodeStartsAtTheHotterOfSavedAndSensor) {
   EXPECT_NEAR(nodes.core_c, 45.0, 0.2);
 }
 
-// The thermistor sits on winding 0 and is cold; only what was saved knows of winding 1.
+// The thermistor is on winding 0 and is cold; only the saved state contains the temperature of
+// winding 1.
 TEST(Restart, HeatOfAWindingThatNeverMeasuredItselfIsRememberedToo) {
   rig::RigOptions options;
   options.control.start_measured = {};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Heat while control itself is late: what must hold for so many milliseconds, and what is known of
-// the ball, go by the clock and not by the step.
+// Heat while control is late: debounce times and the thermal estimate follow the clock, not the
+// number of steps.
 #include "tests/safety/safe.h"
 
 namespace hedgehog::safety {
@@ -8,7 +8,7 @@ namespace {
 
 using control::Reason;
 
-// Control that comes at every second, tenth, nineteenth tick only; the link holds the set-point.
+// Control runs in every second, tenth or nineteenth tick only; the link holds the set-point.
 class LateAndHot : public ::testing::TestWithParam<int> {};
 
 TEST_P(LateAndHot, TheWatchdogStillTripsAtSeventy) {
@@ -21,13 +21,13 @@ TEST_P(LateAndHot, TheWatchdogStillTripsAtSeventy) {
     rig.tick();
   }
   expect_tripped(rig, Reason::kOverheated);
-  // With few readings the estimate is less certain, and trips a little sooner.
+  // With few readings the estimate is less certain, and trips slightly earlier.
   EXPECT_GT(rig.plant().hottest_winding_c(), 68.5);
   EXPECT_LT(rig.plant().hottest_winding_c(), 70.6);
 }
 
 TEST_P(LateAndHot, WhatIsKnownOfTheBallKeepsUp) {
-  // A law of time: with so few readings the noise of a real board is what is seen.
+  // Tests the timing: with so few readings the noise of a real board would dominate.
   rig::RigOptions options;
   options.board.front_end.kind = device::FrontEndKind::kIdeal;
   rig::Rig rig(options);
@@ -49,7 +49,8 @@ TEST_P(LateAndHot, WhatIsKnownOfTheBallKeepsUp) {
   }
   EXPECT_EQ(name(rig.controller().state()), "armed");
   EXPECT_GT(rig.plant().heat().core_c, 28.0);
-  // A current that is rounded to 1 mA may look 0.02 K off for ever, and the core is learnt by that.
+  // A current rounded to 1 mA may give a permanent error of 0.02 K, from which the core is
+  // estimated.
   EXPECT_LT(worst_core_k, 1.0);
   EXPECT_LT(worst_winding_k, 0.5);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every second telemetry frame is lost, so that no two belong together: what the ball can still
-// judge by a single frame it must.
+// Every second telemetry frame is lost, so that no two are consecutive: every check that needs a
+// single frame still works.
 #include "daemon/device/simulator/simulator_settings.h"
 #include "tests/safety/safe.h"
 
@@ -59,7 +59,8 @@ TEST(EverySecondFrameLost, AThermistorAtSeventyTrips) {
   EXPECT_EQ(name(rig.controller().reason()), "overheated");
 }
 
-// Without two frames in a row no winding is a thermometer, so it is held as after a restart.
+// Without two consecutive frames no winding temperature can be measured by V/I, so the limits are
+// those after a restart.
 TEST(EverySecondFrameLost, ADrivenWindingIsHeldToWhatItBearsForEver) {
   rig::Rig rig;
   rig.run_until_armed();
@@ -94,8 +95,8 @@ void run_with_frames_in_pairs(rig::Rig& rig, model::Tick ticks) {
   }
 }
 
-// Board and host have clocks of their own, so for a while no frame may come in one tick and two in
-// the next. Nothing is lost by that.
+// Board and host have independent clocks, so for a while one tick may have no frame and the next
+// one two. This has no effect.
 TEST(FramesInPairs, TakeNothingFromAPush) {
   rig::Rig rig;
   rig.run_until_armed();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Nothing is known of the ball: its saved state is damaged, or it is another ball.
+// Without a thermal state: the saved state is damaged, or belongs to another ball.
 #include "tests/safety/safe.h"
 
 namespace hedgehog::safety {

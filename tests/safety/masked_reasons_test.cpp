@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A fault that stops only an armed ball hides none that stops every ball, and a board that latched
+// A fault that trips only an armed ball masks none that trips every ball, and a board that latched
 // for heat is not armed before it has cooled down.
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A host that is late never makes more flow than an effect asked for: what a set-point goes on
-// doing until the next one is to hold its current.
+// A late host never causes more current than an effect requests: a set-point that stays applied
+// must hold its current.
 #include <algorithm>
 
 #include "model/random_stream.h"
@@ -100,8 +100,8 @@ TEST(Overdrive, ControlAndLinkPauseAtRandom) {
   vibration.expect_as_asked(static_cast<double>(ran) / 1000.0);
 }
 
-// The defect that this file is about: the voltage that brings the current there within a
-// millisecond, held on, is 26 A a moment later.
+// The defect that this file tests: the voltage that reaches the current within a millisecond gives
+// 26 A if it stays applied.
 TEST(Overdrive, ControlThatStopsRightAfterAStepHoldsWhatWasAsked) {
   for (const double asked_a : {3.0, 8.0, 15.0}) {
     rig::Rig rig;

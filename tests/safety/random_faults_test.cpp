@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Laws over random requests and random faults: whatever happens, no coil is driven once nothing is
-// asked or the ball is not armed, and no winding burns.
+// Laws over random requests and random faults: no coil stays driven without a request or while the
+// ball is not armed, and no winding burns.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -16,9 +16,9 @@
 namespace hedgehog::safety {
 namespace {
 
-/// How long a current may flow that nobody asks for: at worst the cable was pulled, and the board's
-/// dead-man takes 100 ms, its supply switch over a stuck bridge 20 more, and 5 L/R with L 20 %
-/// above nominal. (What a single fault may take is in hardware_faults_test.cpp.)
+/// Maximum duration of a current that no effect requests: in the worst case the cable is unplugged,
+/// and the board's dead-man takes 100 ms, its supply switch over a stuck bridge 20 more, and 5 L/R
+/// with L 20 % above nominal. (For single faults see hardware_faults_test.cpp.)
 constexpr model::Tick kLongest = 100 + 2 + 20 + 21 + 2;
 
 RC_GTEST_PROP(RandomFaults, NeverLeaveACoilDriven, (std::uint64_t seed)) {
@@ -73,22 +73,22 @@ RC_GTEST_PROP(RandomFaults, NeverLeaveACoilDriven, (std::uint64_t seed)) {
     for (std::uint64_t i = random.bits() % 80; i > 0; --i) step();
   }
   rig.set_faults(0);
-  for (model::Tick i = 0; i < 10'200; ++i) step();  // the longest effect runs out
+  for (model::Tick i = 0; i < 10'200; ++i) step();  // the longest effect ends
   RC_ASSERT(rig.controller().effects_empty());
   RC_ASSERT(rig.current_a() < 0.1);
 }
 
-// What the campaign does in bulk.
+// One sample of each kind of hour that the campaign runs in bulk.
 TEST(RandomHours, OneOfEach) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed)
     EXPECT_EQ(rig::thermal_hour(seed).failure, "") << "seed " << seed;
   EXPECT_EQ(rig::full_hour(1, 300.0).failure, "");
 }
 
-// The windings' 5 A are promised for ever on a ball that matches its device file.
+// The windings carry 5 A continuously on a ball that matches its device file.
 class FiveAmpere : public ::testing::TestWithParam<model::Vec3> {};
 
-// A sanitizer sees no more in four hours than in half of one.
+// Under a sanitizer half an hour gives the same coverage as four.
 constexpr int kForEverS = HEDGEHOG_SANITIZED != 0 ? 1800 : 4 * 3600;
 
 TEST_P(FiveAmpere, ForFourHoursIsNeverReducedAndNeverTrips) {
@@ -118,7 +118,7 @@ INSTANTIATE_TEST_SUITE_P(Along, FiveAmpere,
                                            model::Vec3{0, 0, -1}),
                          axis_name);
 
-// Noise of the currents must not add up: nothing but it changes for hours.
+// Noise of the currents must not accumulate over hours in which nothing else changes.
 TEST(SteadyCurrent, LeavesTheEstimateRightForHoursWithEachThermistorAndFrontEnd) {
   struct Case {
     device::FrontEndKind front_end;

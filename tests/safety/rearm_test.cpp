@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Arming again and again through the same trip backs off, and carries no current meanwhile.
+// Repeated arming after the same trip backs off, and no current flows meanwhile.
 #include "daemon/device/simulator/simulator_settings.h"
 #include "tests/safety/safe.h"
 
@@ -8,7 +8,7 @@ namespace {
 
 using control::Reason;
 
-/// Trips by an open sensor, which is mended at once.
+/// Trips by an open sensor, which is repaired at once.
 void trip(rig::Rig& rig) {
   rig.set_faults(device::kSimSensorOpen);
   rig.run(100);

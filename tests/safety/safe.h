@@ -12,7 +12,7 @@ namespace hedgehog::safety {
 inline constexpr model::Tick kDecay = 17;
 inline constexpr double kZeroA = 0.1;
 
-/// A limiter that limits nothing: only the watchdog and the board are left.
+/// Disables the limiter: only the watchdog and the board protect the ball.
 inline rig::RigOptions without_limiter(double trip_c = 70.0) {
   rig::RigOptions options;
   model::Limits& limits = options.control.limits;
@@ -31,7 +31,8 @@ inline void hold_five_ampere(rig::Rig& rig) {
   rig.run(100);
 }
 
-/// The bridges of the simulated board sleep and their duty is 0, on the board's side of the wire.
+/// True if the bridges of the simulated board sleep and their duty is 0, on the board's side of the
+/// wire.
 inline bool asleep(rig::Rig& rig) {
   const board::BoardOutputs& out = rig.board().core().outputs();
   return !out.awake && out.duty_q15[0] == 0 && out.duty_q15[1] == 0 && out.duty_q15[2] == 0;
@@ -47,7 +48,7 @@ inline void expect_zero(rig::Rig& rig, model::Tick within) {
   EXPECT_LT(rig.current_a(), kZeroA);
 }
 
-/// Tripped for `reason`, which is latched and told in one event.
+/// Tripped for `reason`, which is latched and reported in one event.
 inline void expect_tripped(const rig::Rig& rig, control::Reason reason) {
   const control::StatusSnapshot status = rig.snapshot();
   EXPECT_EQ(name(status.state), name(control::State::kTripped));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Somebody falls silent: a client, io, the whole host, the board, the orientation sensor. For
+// One part falls silent: a client, io, the whole host, the board, the orientation sensor. For
 // control and the link see control_late_test.cpp.
 #include "daemon/device/simulator/simulator_settings.h"
 #include "tests/safety/safe.h"
@@ -57,7 +57,7 @@ TEST(EmergencyStop, CoilsOffAtTheNextTickDisarmedAndLatched) {
   rig.start(rig::hold({1, 1, 1}, 15.0));
   rig.run(200);
   rig.emergency_stop();
-  rig.arm();  // an arming of the same tick does not survive it
+  rig.arm();  // an arming request of the same tick is discarded
   rig.tick();
   EXPECT_FALSE(rig.last_command().enable());
   expect_zero(rig, 0);
@@ -92,7 +92,7 @@ TEST(EmergencyStop, OutlivesAnOlderArmingThatStillWaitsInTheQueue) {
   rig.run(50);
   for (int i = 0; i < control::kMaxCommandsPerTick + 6; ++i) rig.command(control::SetGain{1.0});
   rig.arm();
-  rig.emergency_stop();  // seen at the next tick, the arming one later
+  rig.emergency_stop();  // handled at the next tick, the arming request one later
   rig.run(400);
   EXPECT_EQ(name(rig.controller().state()), "disarmed");
   EXPECT_EQ(name(rig.snapshot().latch), "emergency_stop");
@@ -112,7 +112,7 @@ TEST(HostFrozen, TheBoardIsSafeAHundredMillisecondsAfterTheLastSetPoint) {
   rig.freeze_host(kDecay);
   EXPECT_LT(rig.current_a(), kZeroA);
   EXPECT_EQ(rig.board().core().mode(), board::Mode::kLatched);
-  // The host wakes up: set-points alone do not bring the coils back.
+  // The host resumes: set-points alone do not re-enable the coils.
   rig.run(50);
   EXPECT_LT(rig.current_a(), kZeroA);
   expect_tripped(rig, Reason::kBoardDeadMan);
@@ -161,7 +161,7 @@ TEST(BoardSilent, PulledOutWhileDrivingAndPutInAgainItIsNewDisarmedAndHearsOfNoA
   EXPECT_EQ(name(rig.controller().state()), "absent");
   EXPECT_LT(rig.current_a(), kZeroA);
   const std::uint64_t lost = rig.link().report().counters.lost;
-  // It counts its frames, its milliseconds and its armings from the beginning again.
+  // Frame, millisecond and arming counters restart.
   rig.board() = device::SimulatedBoard(device::SimulatedBoardOptions{});
   rig.run(5);
   EXPECT_EQ(name(rig.controller().state()), "disarmed");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The skin of a ball without a thermometer under it: the estimate holds it at 43 C after ten
-// minutes and below 48 C always, in every room and hand, and leaves 5 A to a ball that matches.
+// The skin of a ball without a thermometer under it: with the estimate it is held at 43 C after ten
+// minutes and always below 48 C, at every ambient temperature and in every hand, while a ball that
+// matches its file still gets 5 A.
 #include <algorithm>
 #include <cmath>
 
@@ -16,7 +17,7 @@ using model::Vec3;
 
 constexpr double kOpen = 1.0;
 constexpr double kClosed = 2.0;
-/// Cooled with its fan no better than without.
+/// Cooling with the fan no better than without.
 constexpr double kNoFan = 5.0 / 1.8;
 const Vec3 kOneCoil{0, 1, 0};
 const Vec3 kAllCoils{1, 1, 1};
@@ -81,7 +82,7 @@ TEST(SkinAtFiveAmpere, InAClosedHandIsHeldAtFortyThree) {
   EXPECT_GT(rig.current_a(), 3.0);
 }
 
-/// A ball of the family, closed around in steps of 20 ms.
+/// A ball of the family, in closed loop with steps of 20 ms.
 rig::ThermalBallOptions family(std::uint64_t seed, int thermistors, double hand) {
   device::FrontEndChoice front_end;
   front_end.thermistors = thermistors;
@@ -92,8 +93,8 @@ rig::ThermalBallOptions family(std::uint64_t seed, int thermistors, double hand)
   return options;
 }
 
-// Held by 3 A for 18 minutes and then driven hard, again and again: the heat of the windings comes
-// out when the shell is warm already.
+// 3 A for 18 minutes and then a burst at full demand, repeatedly: the heat of the windings reaches
+// the shell when it is already warm.
 TEST(SkinOfTheFamily, IsHeldWhenABurstFollowsOnWarmth) {
   rig::HourResult all;
   for (std::uint64_t seed = 1; seed <= repetitions(24U); ++seed) {

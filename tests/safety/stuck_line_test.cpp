@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A PWM line that is stuck: its bridge drives whatever is asked, as long as it is awake. On each
-// front end, through the firmware's own reading of converters.
+// A stuck PWM line: its bridge drives regardless of commands while it is awake. On each front end,
+// with the firmware's own conversion of raw values.
 #include <array>
 #include <tuple>
 
@@ -40,7 +40,7 @@ TEST_P(StuckLine, OfAnIdleWindingIsMadeSafeWithinThirtyMilliseconds) {
   expect_tripped(rig, control::Reason::kUnexpectedCurrent);
 }
 
-// The effect ends while another goes on, so that the bridges stay awake.
+// The effect ends while another one continues, so that the bridges stay awake.
 TEST_P(StuckLine, OfAWindingThatShouldBeIdleNowIsMadeSafeWithinThirtyMilliseconds) {
   rig.run_until_armed();
   rig.start(rig::hold({1, 0, 0}, 5.0));
@@ -53,7 +53,7 @@ TEST_P(StuckLine, OfAWindingThatShouldBeIdleNowIsMadeSafeWithinThirtyMillisecond
   EXPECT_EQ(name(rig.controller().state()), "tripped");
 }
 
-// Nothing plays, so the bridges sleep, and the line can drive nothing until they wake.
+// Without effects the bridges sleep, and the line can drive nothing until they wake.
 TEST_P(StuckLine, DrivesNothingWhileTheBridgesSleep) {
   rig.run_until_armed();
   stick(rig, 2, duty);
@@ -65,7 +65,7 @@ TEST_P(StuckLine, DrivesNothingWhileTheBridgesSleep) {
   expect_tripped(rig, control::Reason::kUnexpectedCurrent);
 }
 
-// The line is mended: one arming is enough, whatever the front end measures while bridges sleep.
+// The line is repaired: arming once is enough, whatever the front end measures while bridges sleep.
 TEST_P(StuckLine, CanBeArmedAgainWhenItIsMended) {
   hold_five_ampere(rig);
   stick(rig, 1, duty);
@@ -91,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(FrontEnds, StuckLine,
                                             ::testing::Values(0.1, 0.3, 0.5, 1.0, -0.3)),
                          name_of);
 
-// The board alone, when its host sees none of it.
+// The board alone, without any detection by the host.
 TEST(StuckLineAlone, IsMadeSafeByTheBoard) {
   for (const FrontEndKind kind : {FrontEndKind::kInLine, FrontEndKind::kDriverCs}) {
     rig::Rig rig(with(kind));

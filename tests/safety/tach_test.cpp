@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cooling by the fan follows its tachometer, and that only as far as it can be believed.
+// Cooling by the fan is credited by its tachometer, and only as far as the reading is plausible.
 #include <algorithm>
 #include <vector>
 
@@ -21,7 +21,7 @@ device::SimulatorError tach_gain(double value) {
   return {device::SimulatorErrorKind::kTachGain, 0, value, 0.0};
 }
 
-/// A ball of 45 C, so that the fan runs.
+/// A ball at 45 C, so that the fan runs.
 rig::RigOptions warm() {
   rig::RigOptions options;
   options.board.start_c = 45.0;
@@ -30,7 +30,7 @@ rig::RigOptions warm() {
   return options;
 }
 
-/// What the core is believed to be after a minute, with the tachometer's reading times `gain`.
+/// The core estimate after a minute, with the tachometer's reading multiplied by `gain`.
 double believed_core_c(double gain) {
   rig::Rig rig(warm());
   rig.run_until_armed();
@@ -55,7 +55,7 @@ TEST(Tach, WithoutTelemetryNoFanIsCredited) {
   EXPECT_FALSE(rig.snapshot().fan_cooling);
 }
 
-// 15 A until the fan ought to help, and none does.
+// 15 A until the fan would be needed, but it does not turn.
 TEST(Tach, ThatReadsTwiceAsMuchHidesNoHeat) {
   rig::Rig rig;
   rig.run_until_armed();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The second thermometer: under the skin it reduces from 38 C on, to nothing at 43 C, and trips at
-// 48 C; beside the coil sensor it must agree with it; configured, it may not fall silent.
+// The second thermometer: under the skin it derates from 38 C on, to zero at 43 C, and trips at 48
+// C; beside the coil sensor it must agree with it; once configured, it must not fall silent.
 #include <cmath>
 #include <limits>
 
@@ -13,7 +13,7 @@ namespace {
 using control::Reason;
 using device::ThermometerRole;
 
-/// A ball with a second thermometer that answers twice a second.
+/// A ball with a second thermometer that reports twice per second.
 struct Ball {
   rig::Rig rig;
   double told_c = 25.0;
@@ -28,7 +28,7 @@ struct Ball {
     return made;
   }
 
-  /// `truth` is asked each tick for the temperature that the probe has.
+  /// `truth` returns the probe's temperature and is called each tick.
   template <class Truth>
   void run(model::Tick ticks, Truth truth) {
     for (model::Tick i = 0; i < ticks; ++i) {
@@ -49,7 +49,7 @@ struct Ball {
   bool armed() const { return rig.controller().state() == control::State::kArmed; }
 };
 
-/// The skin of a ball that insulates badly: it follows the core, 70 % of the way from the room,
+/// The skin of a badly insulated ball: it follows the core, at 70 % of the difference to ambient,
 /// with a time constant of a minute.
 struct Skin {
   double celsius = 25.0;
@@ -90,7 +90,7 @@ TEST(Shell, ReducesFromThirtyEightOn) {
   ball.run(1000, 42.8);
   EXPECT_TRUE(ball.rig.snapshot().thermometer_known);
   EXPECT_EQ(ball.rig.snapshot().thermometer_c, 42.8);
-  // What this second of 10 A will still add to the skin is taken off.
+  // The limit accounts for the heat of this second of 10 A that will still reach the skin.
   EXPECT_LT(ball.rig.current_a(), 5.0);
   EXPECT_GT(ball.rig.current_a(), 2.0);
   EXPECT_TRUE(ball.rig.controller().derating());
@@ -112,7 +112,7 @@ TEST(Shell, TripsAtFortyEight) {
   EXPECT_TRUE(ball.armed());
   expect_zero(ball.rig, 20);
   expect_tripped(ball.rig, Reason::kShellHot);
-  // Armed again only when the skin may be held.
+  // Armed again only when the skin is cool enough to be held.
   ball.run(1000, 43.5);
   ball.rig.arm();
   ball.run(400, 43.5);
@@ -138,7 +138,7 @@ TEST(Coil, AgreesWhileDrivenHardWithASlowProbe) {
     ball.arm_at(25.0);
     double probe = 25.0;
     for (int second = 0; second < 400; ++second) {
-      // Half a minute on, half a minute off: the worst for lags.
+      // Half a minute on, half a minute off: the worst case for lags.
       if (second % 60 < 30) ball.rig.start(rig::hold({1, 0, 0}, 15.0, 1001));
       ball.run(1000, [&] {
         const double winding = ball.rig.plant().heat().winding_c[0];
@@ -217,7 +217,7 @@ TEST(NoThermometer, NothingIsExpectedOfIt) {
   EXPECT_EQ(name(rig.controller().state()), "armed");
 }
 
-// A probe is believed over the estimate, either way.
+// A probe overrides the estimate, in both directions.
 TEST(Shell, AProbeOnAShellThatInsulatesWellLeavesMore) {
   Ball ball(ThermometerRole::kShell, 60.0);
   ball.arm_at(30.0);

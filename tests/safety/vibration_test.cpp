@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A vibration gets what it asks for, whatever its frequency: no guard takes its changing currents
-// and voltages for a fault, and what is measured wrong by a little does not show in what flows.
+// A vibration is delivered as requested, at any frequency: no check takes its changing currents and
+// voltages for a fault, and small measurement errors do not change the current.
 #include <cmath>
 #include <tuple>
 
@@ -38,7 +38,7 @@ TEST_P(EachVibration, GetsWhatItAsksWithinFivePercent) {
   }
   EXPECT_EQ(name(rig.controller().state()), "armed") << name(rig.controller().reason());
   const double asked_a = std::sqrt(asked / kTicks);
-  // It swings between nothing and its peak.
+  // It swings between zero and its peak.
   EXPECT_NEAR(asked_a, peak_a * std::sqrt(3.0 / 8.0), 0.02 * peak_a);
   EXPECT_NEAR(std::sqrt(flowed / kTicks), asked_a, 0.05 * asked_a);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A device file whose resistances are not those of the ball: each winding's temperature is told
-// from them, so a wrong one must not let a winding burn before somebody has calibrated it.
+// A device file with resistances that differ from the ball's: each winding's temperature is derived
+// from them, so a wrong one must not let a winding burn before a calibration.
 #include "tests/safety/safe.h"
 
 namespace hedgehog::safety {
@@ -14,7 +14,7 @@ struct Outcome {
   Reason reason = Reason::kNone;
 };
 
-/// Holds `asked_a` in `winding`, which has `share` of the resistance that the file says.
+/// Holds `asked_a` in `winding`, whose resistance is `share` times that of the file.
 Outcome held(int winding, double share, double asked_a, int most_s, double ambient_c = 25.0,
              int thermistors = 3) {
   rig::RigOptions options;
@@ -60,7 +60,7 @@ TEST(WrongFile, TooMuchResistanceLooksLikeHeat) {
       EXPECT_LT(held(1, share, asked_a, 10).seconds, 1.1) << share << " " << asked_a;
 }
 
-// The resistance is measured anew at each cold start, so a file that is a little off costs nothing.
+// The resistance is measured at each cold start, so a small error of the file has no effect.
 TEST(WrongFile, FivePercentMakeNoDifference) {
   for (const int thermistors : {1, 3}) {
     for (const int winding : {0, 1, 2}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which listener is announced on the network, and with which records. With a real Avahi:
-// tests/discovery.
+// Which listener is announced on the network, and with which records. tests/discovery runs a real
+// Avahi.
 #include "daemon/announcement.h"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a client hears that arms the ball too often.
+// The error for a client that arms the ball too often.
 #include <gtest/gtest.h>
 
 #include "tests/server/server_rig.h"

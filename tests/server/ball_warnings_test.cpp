@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the log is told of a ball that is not stopped.
+// Log lines about a ball that has a problem but is not stopped.
 #include "daemon/server/device/ball_warnings.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// device.enter_boot_loader: who may, when, and what others see of it.
+// device.enter_boot_loader: its roles, its preconditions, and the events for other clients.
 #include <gtest/gtest.h>
 
 #include "tests/server/server_rig.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// device.list: who is used, why the others are not, and that io does not wait for it.
+// device.list: which device is used, why the others are not, and that the io thread does not wait
+// for it.
 #include "daemon/device_list.h"
 
 #include <gtest/gtest.h>

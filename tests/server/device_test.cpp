@@ -48,7 +48,7 @@ TEST(Device, TheForecastKnowsCurrentsMethodsAndEffects) {
   const Json five = rig.call(game, "thermal.forecast", {{"current_a", 5}});
   EXPECT_EQ(five["seconds_to_derating"], nullptr);
   EXPECT_GT(five["sustainable_a"].get<double>(), 5.0);
-  // 12 A at 15 % of the time is 4.65 A rms: for ever.
+  // 12 A at a duty of 15 % is 4.65 A rms: sustainable without limit.
   const Json cue{{"direction", "left"},
                  {"current_a", 12},
                  {"frequency_hz", 2},
@@ -162,7 +162,7 @@ TEST(Device, MixAndPriorityAreSaid) {
 TEST(Device, TurningTheBallTurnsWorldEffects) {
   ServerRig rig;
   FakeClient& game = rig.connect();
-  // Turned to the left by 90 degrees: the front looks where left was.
+  // Rotated to the left by 90 degrees: the front points to where left was.
   const double h = std::sqrt(0.5);
   rig.call(game, "sim.set", {{"orientation", {{"w", h}, {"x", 0}, {"y", 0}, {"z", h}}}});
   rig.run(20);
@@ -210,7 +210,7 @@ TEST(Device, TelemetryKeepsItsRateInDeviceTime) {
   rig.run(1000);
   const auto on_event = rig.on_event(game, LineKind::kTelemetry);
   EXPECT_NEAR(static_cast<double>(on_event.size()), 200.0, 1.0);
-  EXPECT_EQ(on_event[0].size(), 2u);  // time_ns and what was asked for
+  EXPECT_EQ(on_event[0].size(), 2u);  // time_ns and the requested field
   EXPECT_TRUE(on_event[0].contains("time_ns"));
   rig.call(game, "telemetry.subscribe", {{"rate_hz", 10}, {"fields", {"pins", "pin"}}});
   rig.call(game, "effect.pulse", {{"direction", "left"}});

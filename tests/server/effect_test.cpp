@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which roles may play what, and the errors of refused requests (protocol/README.md).
+// Which roles may play which effects, and the errors of rejected requests (protocol/README.md).
 #include <gtest/gtest.h>
 
 #include "daemon/server/effects/effect_spec.h"
@@ -15,7 +15,7 @@ Json pulse(const Json& more = Json::object()) {
   return params;
 }
 
-// It compares every pin with every other: once a ball, not once a request.
+// The pitch compares every pin with every other: computed once per ball, not per request.
 TEST(Effects, ACircleHasThePitchThatWasComputedForTheBall) {
   constexpr double kPitchDeg = 31.0;
   const SpecFacts facts{{}, 0.0126, model::thesis_ball().array, kPitchDeg};
@@ -36,7 +36,7 @@ TEST(Effects, AStartIsAdmittedAndPlays) {
   EXPECT_EQ(a["accepted"], true);
   EXPECT_EQ(a["limited_by"], nullptr);
   EXPECT_NEAR(a["current_a"].get<double>(), 9.3, 1e-9);
-  EXPECT_EQ(a["pin"], 34);  // the one on the left
+  EXPECT_EQ(a["pin"], 34);  // the pin on the left
   EXPECT_NEAR(a["force_n"].get<double>(), 9.3 * 0.0126, 0.005);
   rig.run(100);
   EXPECT_NEAR(rig.plant_current_a(), 9.3, 0.3);
@@ -248,7 +248,7 @@ TEST(Effects, OneThatHasEndedByItselfIsNotMixedWithTheNext) {
   ASSERT_TRUE(plays());
   EXPECT_EQ(rig.call(game, "effect.pulse", strong)["limited_by"], "mix");
   rig.run(60);
-  // Control goes on, and the server sees the ticks, but no event yet.
+  // Control continues, and the server sees the ticks, but no event yet.
   rig.call(game, "effect.pulse", strong);
   rig.run_unheard(80);
   EXPECT_EQ(rig.call(game, "effect.pulse", strong)["limited_by"], nullptr);

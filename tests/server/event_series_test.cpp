@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What recurs is kept as one event, and displaces nothing that matters.
+// Recurring events are kept as one series, and displace no important event.
 #include "daemon/server/history/event_series.h"
 
 #include <gtest/gtest.h>
@@ -142,7 +142,7 @@ TEST_F(Series, DisplacesNeitherDeratingNorAnEmergencyStop) {
   EventHistory history(writer(), {});
   history.record(state_changed("disarmed", "emergency_stop"), kStartMs, nullptr);
   history.record({.type = "derating_started", .time_ns = 1}, kStartMs, nullptr);
-  // Each a series of its own.
+  // Each starts a new series.
   for (int i = 1; i <= 6000; ++i) record(history, kStartMs + 2 * kMinuteMs * i);
   const HistoryTexts kept = texts_;
   for (const bool restarted : {false, true}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Events as clients are told of them.
+// Events as they are sent to clients.
 #include "daemon/server/rpc/view/event_view.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Back-off of wrong tokens, on virtual time.
+// Back-off after wrong tokens, in virtual time.
 #include "daemon/server/session/failed_tokens.h"
 
 #include <gtest/gtest.h>
@@ -59,7 +59,7 @@ TEST(FailedTokens, OfMoreAddressesThanFitTheOldestIsForgotten) {
   for (std::size_t i = 0; i < F::kMaxAddresses; ++i)
     fail(failed, std::to_string(i), F::kFree + 1, static_cast<model::Tick>(i));
   const model::Tick now = static_cast<model::Tick>(F::kMaxAddresses);
-  fail(failed, "0", 1, now);  // the newest now
+  fail(failed, "0", 1, now);  // now the newest
   failed.failed("another", now + 1);
   EXPECT_EQ(failed.size(), F::kMaxAddresses);
   EXPECT_GT(failed.remaining("0", now), 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a client hears when something is wrong with the ball: faults, arming, absence, remedies.
+// Responses and events when the ball has a problem: faults, arming, absence, remedies.
 #include <gtest/gtest.h>
 
 #include "daemon/server/device/remedy.h"

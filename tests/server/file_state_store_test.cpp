@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The state file when the disk is slower than the daemon, or refuses.
+// The state file when the disk is slower than the daemon, or fails.
 #include "daemon/server/device/file_state_store.h"
 #include "base/atomic_file.h"
 
@@ -36,7 +36,7 @@ TEST(FileStateStore, TheOrderlyStopIsTheLastThingThatIsWritten) {
     ASSERT_TRUE(disk.post(DiskUse::kSafety, [wait = slow.get_future().share()] { wait.wait(); }));
     FileStateStore keeper(folder.string(), disk, device_view, std::nullopt);
     keeper.persist_gain(0.5);
-    keeper.pump();  // waits behind the slow job
+    keeper.pump();  // queued behind the slow job
     keeper.stopped_cleanly();
     slow.set_value();
   }
@@ -120,7 +120,7 @@ TEST(FileStateStore, R25OfEachStartIsKeptAndCounted) {
   EXPECT_FALSE(device_view.r25(2));
 }
 
-/// A ball at rest, whose state file can be made to refuse.
+/// A ball at rest, with a state file whose writes can be made to fail.
 struct RefusingDisk : testing::Test {
   void SetUp() override {
     snapshot.tick = 1;
@@ -132,7 +132,7 @@ struct RefusingDisk : testing::Test {
     mailbox->status.write(snapshot);
     device_view.refresh();
   }
-  /// Stands in for a full disk: nothing can be written beside the file, and it can be removed.
+  /// Simulates a full disk: no file can be written beside the state file, which can be removed.
   void refuse() const { std::filesystem::create_directory(folder.path("state.json.new")); }
   void allow() const { std::filesystem::remove(folder.path("state.json.new")); }
   static void settle(DiskThread& disk) {

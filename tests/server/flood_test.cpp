@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers and places of effects, and those who want more of them than there are.
+// Ids and slots of effects, and clients that request more of them than there are.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -42,7 +42,7 @@ TEST(Flood, WhoFloodsIsBusyAndOthersAreNot) {
   EXPECT_EQ(rig.device_view->now().applied_seq, rig.device_view->outbox().last_seq());
 }
 
-/// The effects that play, as the status has them.
+/// The active effects in the status.
 Json playing(ServerRig& rig, FakeClient& client) {
   return rig.call(client, "device.status")["effects"];
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who has shown no token is bounded, and keeps nobody out.
+// Connections without a token are limited in number, and keep no other client out.
 #include "daemon/server/net/half_open.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@
 namespace hedgehog::server {
 namespace {
 
-/// One end of a connection; the other one is the stranger's.
+/// One end of a connection; the other end belongs to an unauthenticated client.
 class Stranger {
  public:
   Stranger() { EXPECT_EQ(::socketpair(AF_UNIX, SOCK_STREAM, 0, ends_.data()), 0); }

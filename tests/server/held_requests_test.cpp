@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Requests that wait until their client takes its responses, and what came after them.
+// Requests that are held until their client reads its responses, and requests after them.
 #include <gtest/gtest.h>
 
 #include <string>

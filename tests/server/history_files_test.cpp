@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The event history on a real disk, and times of day as it writes them.
+// The event history on a real disk, and its format of the time of day.
 #include "daemon/server/history/history_files.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 
 class HistoryFiles : public testing::Test {
  protected:
-  /// What became of writing `lines`.
+  /// Writes `lines`; returns the error, or an empty string.
   std::string write(HistoryPart part, const std::string& lines, bool begin_file = false) {
     DiskWorkPtr work;
     {
@@ -54,7 +54,7 @@ TEST_F(HistoryFiles, NothingGrowsOntoALineThatWasCutOff) {
 }
 
 TEST_F(HistoryFiles, AnAppendThatFailsHalfwayLeavesNothingAndTurnsNothingOverTwice) {
-  const std::string much(500'000, 'x');  // more than a log that stdout may be
+  const std::string much(500'000, 'x');  // larger than the limit of a log on stdout
   EXPECT_EQ(write(HistoryPart::kTrips, much + "\n"), "");
   std::signal(SIGXFSZ, SIG_IGN);
   rlimit before{};

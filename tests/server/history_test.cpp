@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// events.history: what is kept, how much of it, and over what.
+// events.history: which events are kept, how many, and across restarts.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -83,7 +83,7 @@ struct Disk {
   HistoryTexts texts;
 };
 
-/// On a disk that is done at once.
+/// Flushes to a disk that completes at once.
 void flush(EventHistory& history) {
   bool all = false;
   for (std::size_t i = 0; i < 20 && !all; ++i) all = history.flush();

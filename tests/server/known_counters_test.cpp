@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The counters that the metrics have from the start.
+// The counters that are present in the metrics from the start.
 #include "daemon/server/rpc/known_counters.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ TEST(KnownCounters, HaveEveryErrorThatAMethodMayAnswerWith) {
   }
 }
 
-/// Each is a series that Prometheus keeps of each ball.
+/// Each is a series that Prometheus stores for each ball.
 TEST(KnownCounters, OfRequestsAreFewerThanFourHundred) {
   EXPECT_LT(known_counters().requests.size(), 400U);
 }

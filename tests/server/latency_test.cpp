@@ -68,7 +68,7 @@ TEST(Latency, QuantilesAreOfTheNewestEffects) {
   EXPECT_NEAR(queued.p99_us, 99, 2);
   EXPECT_EQ(queued.max_us, 100);
   EXPECT_EQ(log.quantiles(LatencyStage::kQueuedToApplied).max_us, 0);
-  // The histogram has all of them.
+  // The histogram includes all of them.
   EXPECT_EQ(log.histogram(LatencyStage::kReceivedToQueued).counts.back(), 1u);
 }
 

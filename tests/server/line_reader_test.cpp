@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kLimit = 64;
 
-/// Every line that comes out, "TOO LONG" for those that are.
+/// Every line read, "TOO LONG" for one above the limit.
 std::vector<std::string> read(const std::vector<std::string>& pieces) {
   LineReader reader(kLimit);
   std::vector<std::string> lines;

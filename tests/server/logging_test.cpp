@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where log lines go: the journal only when it really reads this stderr.
+// The destination of log lines: the journal only when it really reads this stderr.
 #include "daemon/logging.h"
 
 #include <fcntl.h>
@@ -19,7 +19,7 @@ class JournalStream : public testing::Test {
   ~JournalStream() override {
     for (const int fd : pipe_) ::close(fd);
   }
-  /// As systemd writes it of the file that is open as `fd`.
+  /// The value that systemd would set for the file open as `fd`.
   static std::string name_of(int fd) {
     struct stat file {};
     EXPECT_EQ(::fstat(fd, &file), 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A state file that is damaged or of another ball forgets no latch.
+// A state file that is damaged or of another ball clears no latch.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -86,7 +86,7 @@ struct OtherBall : LostState {
     snapshot.board_present = snapshot.sensor_valid = true;
     mailbox->status.write(snapshot);
   }
-  /// What control is asked for when the board says that it is `serial`.
+  /// True if control is requested to forget the ball when the board reports `serial`.
   bool is_forgotten(const std::optional<std::string>& serial) {
     DeviceView device_view(config, *mailbox, *port, 0);
     device_view.set_board_info_source([&] { return BoardInfo{{}, serial, {}}; });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One ball has one set of figures: the designer's verbs, the device file that it writes and what
-// the daemon makes of that must agree on every pin.
+// One ball has one set of values: the designer's commands, its device file, and the daemon's values
+// computed from that file must agree on every pin.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,11 +16,11 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// The protocol has three digits.
+/// The protocol rounds to three digits.
 constexpr double kSameMm = 1.5e-3;
 constexpr double kSameN = 3e-4;
 
-/// Answers of hedgehog-design about the ball that `design` describes.
+/// Output of hedgehog-design for the ball given by the options `design`.
 class Designer {
  public:
   explicit Designer(Words design) : design_(std::move(design)) {}
@@ -107,14 +107,15 @@ INSTANTIATE_TEST_SUITE_P(Designs, OneBall,
                                          Words{"--array", "cD"},
                                          Words{"--array", "tkD-86-5", "--remanence", "1.3"}));
 
-// The slope was measured on a pin at its rest (thesis section 3.1.1), not on the sphere.
+// The slope was measured on a pin at rest (thesis section 3.1.1), not on the sphere.
 TEST(OneBall, OfTheThesisPushesItsTypicalPinWithTheMeasuredForce) {
   const Designer designer({});
   EXPECT_NEAR(designer.device_file().device.force_slope_n_a, 0.0126, 1e-6);
   const Json at_15_a = designer.ask({"electromagnet"})["currents"].back();
   ASSERT_EQ(at_15_a["current_a"], 15.0);
   EXPECT_NEAR(at_15_a["measured"]["force_n"], 0.189, 5e-4);
-  // The pentagon's pin lies on the shell, 0.5 mm nearer: 5 % more force, and below its preload.
+  // The pentagon's pin rests on the shell, 0.5 mm nearer: 5 % more force, which is below its
+  // preload.
   const Json shell = designer.ask({"electromagnet", "--pin", "0"});
   EXPECT_NEAR(shell["currents"].back()["measured"]["force_n"], 0.189 * 1.05, 1e-3);
   EXPECT_EQ(shell["currents"].back()["measured"]["extension_mm"], 0.0);
@@ -143,7 +144,7 @@ TEST(OneBall, IsTheSameInTheTableAsInStability) {
     EXPECT_EQ(rows[i]["rest_mm"], classes[i]["rest_mm"]);
     EXPECT_EQ(rows[i]["extension_mm"], classes[i]["extension_mm"]);
   }
-  // As the thesis counts, through the shell: 0.113 mm for a pin that moves by 0.060.
+  // Counted as in the thesis, through the shell: 0.113 mm for a pin that moves by 0.060.
   EXPECT_NEAR(rows[0]["crossings_mm"], 0.113, 0.002);
   EXPECT_NEAR(rows[0]["extension_mm"], 0.060, 0.002);
 }

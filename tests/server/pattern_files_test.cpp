@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Patterns on a real disk: what a restart finds, and what a slow or failing disk does to others.
+// Patterns on a real disk: those loaded after a restart, and the effects of a slow or failing disk.
 #include "daemon/server/disk/pattern_files.h"
 
 #include <fcntl.h>
@@ -28,7 +28,7 @@ std::vector<std::string> synced;
 
 }  // namespace
 
-/// In place of the C library's: notes what is made safe on disk.
+/// Replaces the C library's: records the files that are synchronised to disk.
 extern "C" int fsync(int fd) {
   std::error_code unknown;
   const auto path = std::filesystem::read_symlink("/proc/self/fd/" + std::to_string(fd), unknown);
@@ -113,7 +113,7 @@ TEST_F(OnDisk, AFolderThatCannotBeReadHidesNoOther) {
   EXPECT_EXIT(
       {
         spdlog::set_default_logger(spdlog::stderr_logger_mt("stderr"));
-        constexpr unsigned kNobody = 65534;  // whom, unlike root, the locks keep out
+        constexpr unsigned kNobody = 65534;  // unlike root, subject to file permissions
         if (geteuid() == 0 && setresuid(kNobody, kNobody, kNobody) != 0) std::_Exit(2);
         std::_Exit(names() == readable ? 0 : 1);
       },
@@ -194,7 +194,7 @@ TEST_F(OnDisk, ADiskFullOfPatternsStillTakesALatchAndATripAndFirst) {
     }
     FileStateStore keeper(state_, disk, device_view, std::nullopt);
     TripRecordings recordings(state_, disk, recorder, 0);
-    for (int i = 0; i < 200; ++i) {  // as many as somebody likes to ask for
+    for (int i = 0; i < 200; ++i) {  // an arbitrary large number of requests
       keeper.persist_latch(control::Reason::kEmergencyStop);
       recordings.tripped();
     }

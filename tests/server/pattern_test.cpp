@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pattern.* in front of the real controller and board, as protocol/README.md has it.
+// pattern.* with the real controller and board, as documented in protocol/README.md.
 #include <gtest/gtest.h>
 
 #include "tests/server/pattern_examples.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A field that is held, and what telemetry has of the pins meanwhile.
+// A constant field, and the pins in its telemetry.
 #pragma once
 
 #include "tests/server/server_rig.h"
 
 namespace hedgehog::server {
 
-/// What telemetry says of the pins now.
+/// The pins in the next telemetry.
 inline Json pins_now(ServerRig& rig, FakeClient& client) {
   rig.call(client, "telemetry.subscribe", {{"rate_hz", 200}, {"fields", {"pins"}}});
   rig.on_event(client, LineKind::kTelemetry);

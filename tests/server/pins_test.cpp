@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The live twin: what telemetry says of every pin, against the reference and against the plant.
+// The pins in telemetry, against the reference and against the plant.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +12,8 @@
 namespace hedgehog::server {
 namespace {
 
-/// A pentagon's five neighbours on top are of the commonest class, far from the removed magnets.
+/// The five neighbours of the topmost pentagon are of the most frequent class, far from the removed
+/// magnets.
 constexpr std::size_t kHexagonPin = 1;
 constexpr std::size_t kPentagonPin = 0;
 
@@ -30,15 +31,15 @@ struct ReferenceExtension {
   double extension_mm;
 };
 
-/// Of the thesis' simulation, on a pin at its rest.
+/// The force slope of the thesis' simulation, on a pin at rest.
 double fea_slope_n_a() {
   return model::coil_force_n(model::fea_electromagnet(), 1.0, model::kThesisPinMagnet, 35.0, 0.0,
                              model::thesis_ball().curves.typical_rest_mm());
 }
 
-// The slope is that of a pin at its rest (thesis section 3.1.1). By that of the thesis' simulation,
-// 0.4 N at 15 A on the sphere, the extensions are those of the reference: physics.md section 6; by
-// the measured one they are farther by what the force falls on the 0.5 mm.
+// The slope is that of a pin at rest (thesis section 3.1.1). With the slope of the thesis'
+// simulation, 0.4 N at 15 A on the sphere, the extensions match the reference: physics.md section
+// 6; with the measured slope they are larger by the decrease of the force over the 0.5 mm.
 TEST(Pins, AnAimedPinIsOutAsFarAsTheReferenceSays) {
   for (const ReferenceExtension& wanted :
        {ReferenceExtension{0.0126, 5.0, 0.063, 0.081},
@@ -72,8 +73,8 @@ TEST(Pins, RestWithoutCurrentAndTheDescriptionSaysWhere) {
   EXPECT_NEAR(described[kHexagonPin]["rest_mm"], 0.50, 0.01);
 }
 
-// Reference: physics.md, "Beyond the thesis": a pentagon's pin lies on the shell, in the whole
-// array with 0.19 N of preload, in this one with 0.21 N. The measured 0.189 N are 5 % more there.
+// Reference: physics.md, "Beyond the thesis": a pentagon's pin rests on the shell, with a preload
+// of 0.19 N in the whole array and 0.21 N in this one. The measured 0.189 N are 5 % more there.
 TEST(Pins, ThoseOnTheShellNeedMoreThanTheirPreload) {
   ServerRig rig;
   FakeClient& game = rig.connect();
@@ -118,7 +119,7 @@ TEST(Pins, AreThoseOfThePlantWhateverWayTheWindingsSit) {
   EXPECT_LT(*std::min_element(real.extension_mm.begin(), real.extension_mm.end()), -0.1);
 }
 
-// A ball of another geometry is its device file alone.
+// A ball of another geometry is defined by its device file alone.
 TEST(Pins, OfAnotherBallAreThoseOfItsDeviceFile) {
   config::Config config;
   config.device.geometry.arrangement = "cD";
@@ -136,14 +137,14 @@ TEST(Pins, OfAnotherBallAreThoseOfItsDeviceFile) {
   ASSERT_EQ(told["force_n"].size(), 41u);
   const auto& forces = told["force_n"];
   EXPECT_EQ(std::max_element(forces.begin(), forces.end()) - forces.begin(), 40);
-  // Ten of its pins stand round the equator where a hedgehog-86 has fifteen.
+  // Ten of its pins are on the equator, where a hedgehog-86 has fifteen.
   const Json circle = rig.call(game, "effect.circle", {{"speed_pins_s", 10}});
   EXPECT_EQ(circle["period_ms"], 1000);
   const Json refused = rig.call(game, "effect.pulse", {{"direction", {{"pin", 41}}}});
   EXPECT_EQ(refused["message"], "direction.pin: 41 is above 40");
 }
 
-// The same with a matrix that the daemon does not know: the pins follow the ball, not the belief.
+// The same with a matrix unknown to the daemon: the pins follow the ball, not the device file.
 TEST(Pins, AreThoseOfTheSimulatedBallWhateverIsBelieved) {
   config::Config config;
   model::DeviceModel ball;
@@ -168,7 +169,7 @@ TEST(Pins, AreThoseOfTheSimulatedBallWhateverIsBelieved) {
   EXPECT_NEAR(*most, 0.02 * 9.0, 0.01);
 }
 
-// The magnets of the simulated ball are its own: with weaker shields its pins come out farther.
+// The simulated ball has its own magnets: with weaker shields its pins extend farther.
 TEST(Pins, AreAmongTheMagnetsOfTheSimulatedBall) {
   const auto extension_mm = [](double shield_mm) {
     config::Config config;
@@ -223,7 +224,7 @@ TEST(Pins, RestWhenTheBoardIsSilent) {
   EXPECT_EQ(pins_now(rig, game)["extension_mm"][34], 0.0);
 }
 
-// 200 Hz of them are less than 300 kB/s.
+// At 200 Hz that is less than 300 kB/s.
 TEST(Pins, AreALineOfLessThan1500Bytes) {
   ServerRig rig;
   FakeClient& game = rig.connect();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// effect.play in front of the real controller and board, as protocol/README.md has it.
+// effect.play with the real controller and board, as documented in protocol/README.md.
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -142,7 +142,7 @@ TEST(Play, AnUpdateLeavesNothingOfThePatternBefore) {
 TEST(Play, APatternIsAdmittedByWhatOfItIsPlayed) {
   ServerRig rig;
   FakeClient& game = rig.connect();
-  // All there is for 9 s, then silence to the 60th.
+  // Full level for 9 s, then silence up to 60 s.
   const Json frames = Json::parse(R"([{"t_ms":0,"level":1},{"t_ms":9000,"level":1,"ease":"step"},
                                       {"t_ms":9001,"level":0},{"t_ms":60000,"level":0}])");
   const Json pulse = rig.call(
@@ -164,7 +164,7 @@ TEST(Play, BothMomentsAreIntegratedNotSampled) {
     k.ease = ease;
     return k;
   };
-  // On for 1 ms in ten, over a second: a comb that equal samples fall through.
+  // On for 1 ms in ten, over a second: a comb that equidistant samples would miss.
   std::vector<protocol::Keyframe> comb;
   for (int i = 0; i < 100; ++i) {
     comb.push_back(frame(10 * i, 1, model::Ease::kStep));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How long control or the disk may take, on a machine that holds up the whole process.
+// The timeout of control or the disk, on a machine that delays the whole process.
 #include "daemon/server/session/polled_time.h"
 
 #include <gtest/gtest.h>

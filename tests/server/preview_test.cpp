@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// effect.preview against what is then played.
+// effect.preview against the effect played afterwards.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ Json preview(ServerRig& rig, FakeClient& client, const std::string& method, cons
   return rig.call(client, "effect.preview", {{"method", method}, {"params", params}});
 }
 
-/// What flows, a sample a millisecond.
+/// The measured currents, a sample a millisecond.
 std::vector<model::Vec3> flowing(ServerRig& rig, model::Tick ticks) {
   std::vector<model::Vec3> currents;
   for (model::Tick i = 0; i < ticks; ++i) {
@@ -27,7 +27,7 @@ std::vector<model::Vec3> flowing(ServerRig& rig, model::Tick ticks) {
   return currents;
 }
 
-/// The largest difference between a timeline of means over `step` and what flowed `lag` later.
+/// The largest difference between a timeline of means over `step` and the currents `lag` later.
 double difference(const Json& timeline, std::size_t step, const std::vector<model::Vec3>& currents,
                   std::size_t lag) {
   double worst = 0.0;
@@ -42,7 +42,8 @@ double difference(const Json& timeline, std::size_t step, const std::vector<mode
   return worst;
 }
 
-/// From the answer to the first current pass a few ticks, which a preview does not have.
+/// From the response to the first current there is a delay of a few ticks, which a preview does not
+/// have.
 constexpr std::size_t kLongestLag = 6;
 
 void expect_as_played(const std::string& method, const Json& params, double within_a) {
@@ -104,7 +105,7 @@ TEST(Preview, SaysWhatHeatWillTakeAndWhatTheOwnerTakes) {
   hot.start_c = 30.0;
   ServerRig rig({}, hot);
   FakeClient& game = rig.connect();
-  // A hot winding in a cool ball: the skin would not allow it otherwise.
+  // A hot winding in a cool ball: otherwise the skin limit would apply.
   for (const int duration_ms : {10'000, 4000}) {
     rig.call(game, "effect.pulse",
              {{"direction", "left"}, {"level", 1}, {"duration_ms", duration_ms}});

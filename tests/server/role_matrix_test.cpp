@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each role with each method of the protocol's table, on a server: carried out, or `forbidden`.
+// Each role with each method of the protocol's table, on a server: accepted, or `forbidden`.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -16,7 +16,7 @@ constexpr int kInvalidParams = -32602;
 constexpr int kUnauthorized = -32003;
 constexpr int kForbidden = -32004;
 
-/// Parameters that decoding accepts, of the methods that require some.
+/// Valid parameters of the methods that require some.
 Json params_of(std::string_view method) {
   static const std::map<std::string_view, Json> kParams{
       {"effect.pulse", {{"direction", "left"}}},
@@ -41,7 +41,7 @@ Json params_of(std::string_view method) {
 
 class RoleMatrix : public testing::Test {
  protected:
-  /// The error code of `method` for a new client of `role`, nullopt: one that is locked; 0: none.
+  /// The error code of `method` for a new client of `role`, nullopt: a locked client; 0: no error.
   int code_of(std::optional<protocol::Role> role, std::string_view method) {
     FakeClient& client = rig_.connect(role.value_or(protocol::Role::kOperate));
     client.session.locked = !role;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The server in front of the real controller, link and simulated board, in lock-step and virtual
-// time: no socket, no thread.
+// The server with the real controller, link and simulated board, in lock-step and virtual time: no
+// socket, no thread.
 #pragma once
 
 #include <deque>
@@ -35,7 +35,7 @@ class FakeMemory final : public StateStore {
   std::uint64_t writes = 0;
 };
 
-/// Of a disk that is done at once.
+/// Work of a disk that completes at once.
 inline DiskWorkPtr done_work(const std::string& problem = {}) {
   auto work = std::make_shared<DiskWork>();
   work->problem = problem;
@@ -63,7 +63,7 @@ class FakeShelf final : public PatternShelf {
   DiskWorkPtr work() const { return done_work(problem); }
 };
 
-/// A client whose socket is a list.
+/// A client whose socket is a list of lines.
 class FakeClient final : public Sink {
  public:
   void send(std::string line, LineKind kind) override { lines.push_back({std::move(line), kind}); }
@@ -85,15 +85,16 @@ class ServerRig {
   FakeClient& connect(protocol::Role role = protocol::Role::kOperate);
   void disconnect(FakeClient& client);
 
-  /// `ticks` milliseconds of everything; the server pumps after each.
+  /// Runs all components for `ticks` milliseconds; the server pumps after each.
   void run(model::Tick ticks);
-  /// The same, but the server only takes the snapshots: events and answers wait.
+  /// The same, but the server only reads the snapshots: events and responses are not processed.
   void run_unheard(model::Tick ticks);
-  /// Sends `method` with `params` and runs until the answer is there; its result, or its error.
+  /// Sends `method` with `params` and runs until the response arrives; returns its result, or its
+  /// error.
   Json call(FakeClient& client, const std::string& method, const Json& params = Json::object());
-  /// The same for a line of any kind; the whole answer.
+  /// The same for a line of any kind; returns the whole response.
   Json say(FakeClient& client, const std::string& line);
-  /// Everything of `kind` that came since the last call.
+  /// All lines of `kind` since the last call.
   std::vector<Json> on_event(FakeClient& client, LineKind kind = LineKind::kEvent);
   double plant_current_a() { return model::norm(world.board().plant().current_a()); }
 
@@ -103,7 +104,7 @@ class ServerRig {
   FakeMemory memory;
   FakeShelf shelf;
   PatternLibrary patterns{shelf, {}};
-  /// What the history's files would have.
+  /// The content of the history's files.
   std::string history_lines;
   EventHistory history{[this](HistoryPart, const std::string& lines, bool) {
                          history_lines += lines;

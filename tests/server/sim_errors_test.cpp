@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Errors that the simulator is told to have: answered, measured, and what a client hears of them.
+// Injected errors of the simulator: responses, measurements, and events for clients.
 #include <gtest/gtest.h>
 
 #include "tests/server/server_rig.h"

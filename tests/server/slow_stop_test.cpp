@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An emergency stop whose latch the disk neither takes nor refuses.
+// An emergency stop while the disk neither completes nor fails writing its latch.
 #include <gtest/gtest.h>
 
 #include "tests/e2e/patience.h"
@@ -13,7 +13,7 @@ TEST(SlowStop, IsAnsweredThoughNobodyKnowsWhetherTheLatchIsOnDisk) {
   FakeClient& owner = rig.connect();
   rig.memory.persisted = Persisted::kPending;
   rig.server->line(owner.session, R"({"jsonrpc":"2.0","id":1,"method":"device.emergency_stop"})");
-  // The bound is in real time, which the ticks of the rig are not.
+  // The timeout is in real time, unlike the ticks of the rig.
   ASSERT_TRUE(e2e::wait_until([&] {
     rig.run(1);
     return !owner.lines.empty();

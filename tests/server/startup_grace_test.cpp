@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How long a starting daemon keeps its doors shut.
+// How long a starting daemon does not accept clients.
 #include "daemon/startup_grace.h"
 
 #include <gtest/gtest.h>

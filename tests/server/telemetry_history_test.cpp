@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// telemetry.history: what was played is in it, bounded, and over a restart.
+// telemetry.history: contains what was played, is bounded, and persists across a restart.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -60,7 +60,7 @@ TEST(TelemetryHistory, ALimitIsNeverAboveTheConfiguredOne) {
   }
 }
 
-/// `count` seconds of samples, of 5 A.
+/// `count` seconds of samples at 5 A.
 struct Filled {
   explicit Filled(model::Tick count) {
     for (model::Tick second = 1; second <= count; ++second) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Telemetry to many: encoded once for all who asked for the same, in slices, and to each in turn.
+// Telemetry to many clients: encoded once per distinct subscription, sent in slices, in turn.
 #include <gtest/gtest.h>
 
 #include <vector>

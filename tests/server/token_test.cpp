@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Roles by token: what hello gives, what a wrong token gives, what a revoked one loses.
+// Roles by token: the role given by hello, the error for a wrong token, the loss of a revoked one.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -105,7 +105,7 @@ TEST_F(Tokens, ARevokedOneEndsItsConnectionsAndTheirEffects) {
   EXPECT_FALSE(other.finished);
   rig_.run(100);
   EXPECT_LT(rig_.plant_current_a(), 0.1);
-  // Until its socket is closed it may still send.
+  // Until its socket is closed it may still send requests.
   player.lines.clear();
   rig_.server->line(
       player.session,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a client is told of the current that heat allows: never more than the configured limit, and
-// why nothing plays when it is nothing.
+// The current that heat allows, as reported to a client: never above the configured limit, and with
+// the reason when it is zero.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -12,7 +12,7 @@
 namespace hedgehog::server {
 namespace {
 
-/// What the control thread shows, without one.
+/// The control thread's status, without the thread.
 class TooHot : public testing::Test {
  protected:
   TooHot() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Roles of the Unix socket's users: what the lists give, what a reload takes away.
+// Roles of the Unix socket's users: granted by the lists, revoked by a reload.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -13,7 +13,7 @@ namespace hedgehog::server {
 namespace {
 
 constexpr int kNoRoleCode = -32003;
-// Users whom nobody is who runs this.
+// Users that never run this test.
 constexpr std::uint32_t kAlice = 4'000'001'001;
 constexpr std::uint32_t kBob = 4'000'001'002;
 const Json kLongPush{{"direction", "left"}, {"duration_ms", 5000}};
@@ -32,7 +32,7 @@ class UnixUsers : public testing::Test {
         {"owner", protocol::Role::kOperate, access::digest_of("owner-secret"), ""}};
     rig_.server->set_access(settings_);
   }
-  /// As the listener lets a user in.
+  /// A client as admitted by the listener for `user`.
   FakeClient& local(std::uint32_t user) {
     FakeClient& client = rig_.connect(protocol::Role::kObserve);
     client.session.transport = "unix";
@@ -40,7 +40,7 @@ class UnixUsers : public testing::Test {
     rig_.server->tokens().admit(client.session);
     return client;
   }
-  /// Its requests reach the server although its connection ends.
+  /// Sends requests that reach the server although the connection is ending.
   void push_late(FakeClient& client) {
     rig_.server->line(
         client.session,

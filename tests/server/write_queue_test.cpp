@@ -32,7 +32,7 @@ TEST(WriteQueue, SendsInOrderWithLineEnds) {
 TEST(WriteQueue, ASlowReaderLosesTelemetryFirst) {
   WriteQueue queue(kMax);
   for (int i = 0; i < 20; ++i) EXPECT_TRUE(queue.push(std::string(99, 't'), LineKind::kTelemetry));
-  EXPECT_EQ(queue.bytes(), 500u);  // half of it
+  EXPECT_EQ(queue.bytes(), 500u);  // half of the limit
   EXPECT_EQ(queue.telemetry_dropped(), 15u);
 }
 

@@ -12,7 +12,7 @@
 namespace hedgehog::soak {
 namespace {
 
-/// So that neighbouring seeds have nothing in common.
+/// So that neighbouring seeds give unrelated sequences.
 constexpr std::uint64_t kStride = 0x9e3779b97f4a7c15;
 
 }  // namespace
@@ -130,7 +130,7 @@ void Actions::leave() {
       peer.reset();
       break;
     default:
-      // On WebSocket it is an end without a close frame; nothing has to be answered then.
+      // On WebSocket it is an end without a close frame; no response is required then.
       if (peer.transport() == Transport::kWebSocket) peer.provoke("half close");
       peer.half_close();
   }

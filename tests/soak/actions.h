@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the clients of a soak do, one random action after the other.
+// The clients' actions of a soak, one random action after the other.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace hedgehog::soak {
 
-/// Configuration of a start, and the current it allows.
+/// Configuration of a start, and its current limit.
 struct Configuration {
   std::string json;
   double current_a = 15.0;
@@ -20,12 +20,12 @@ Configuration random_configuration(Random& random);
 
 class Actions {
  public:
-  /// `random` is also the generator's: each action begins it anew, so that what one action draws
-  /// depends on `seed` and on its number only, not on what the daemon has answered before.
+  /// `random` is also the generator's: it is reseeded at each action, so that an action's draws
+  /// depend only on `seed` and the action's number, not on earlier responses of the daemon.
   Actions(Random& random, RequestGenerator& generator, Traffic& traffic, std::uint64_t seed);
 
   void act();
-  /// From now on nothing arms the ball.
+  /// From now on no action arms the ball.
   void keep_latched() noexcept { arms_ = false; }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bytes that have gone wrong, of a line or of a file.
+// Random corruption of a line or file.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace hedgehog::soak {
 
-/// `text` with some bytes changed, lost, doubled or inserted; NUL and what is not UTF-8 among them.
+/// `text` with some bytes changed, lost, doubled or inserted; these include NUL and invalid UTF-8.
 inline std::string damaged(Random& random, std::string text) {
   const std::size_t times = 1 + random.below(3);
   for (std::size_t i = 0; i < times; ++i) {
@@ -36,7 +36,7 @@ inline std::string damaged(Random& random, std::string text) {
   return text;
 }
 
-/// `text` without line feeds, which would make two lines of it on some transports.
+/// `text` without line feeds, which would split it into two lines on some transports.
 inline std::string one_line(std::string text) {
   for (char& c : text)
     if (c == '\n') c = ' ';

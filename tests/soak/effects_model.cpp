@@ -6,7 +6,7 @@
 namespace hedgehog::soak {
 
 void EffectsModel::admitted(std::uint32_t effect) {
-  // Its end may have been reported before the response was read.
+  // The end may have been reported before the response was read.
   if (!ended_.contains(effect)) open_.insert(effect);
 }
 

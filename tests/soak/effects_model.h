@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which effects have started and ended, from the events of one connection that receives them all.
+// The started and ended effects, from the events of a connection that receives all of them.
 #pragma once
 
 #include <cstddef>
@@ -13,12 +13,12 @@ namespace hedgehog::soak {
 
 class EffectsModel {
  public:
-  /// A response admitted it.
+  /// Called when a response has admitted the effect.
   void admitted(std::uint32_t effect);
-  /// An event, in the order of arrival. Throws Failure on one that cannot be.
+  /// Processes an event, in order of arrival. Throws Failure on an impossible one.
   void event(const protocol::Json& params);
   bool has_ended(std::uint32_t effect) const { return ended_.contains(effect); }
-  /// Those that have been admitted or started and not ended, for a report; empty: none.
+  /// The effects that have been admitted or started and not ended, for a report; empty: none.
   std::string unended() const;
 
  private:

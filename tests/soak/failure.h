@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the daemon did that its documents exclude.
+// Behaviour of the daemon that its documents exclude.
 #pragma once
 
 #include <stdexcept>

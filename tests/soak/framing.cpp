@@ -114,7 +114,7 @@ std::optional<Received> Unframer::next_frame() {
     for (std::size_t i = 0; i < digits; ++i) size = size << 8 | byte(at + i);
     at += digits;
     if (!left(at + size)) return std::nullopt;
-    // A control frame between the parts of a message: it goes first, from between them.
+    // A control frame between the parts of a message is delivered before the message.
     if (kind >= kCloseFrame && opcode != 0) {
       Received control{kind, bytes_.substr(taken_ + at, size)};
       bytes_.erase(taken_ + at - 2 - digits, 2 + digits + size);

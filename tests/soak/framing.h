@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Messages as bytes on a connection, and back: lines, or WebSocket frames after their handshake.
+// Encodes messages as bytes on a connection, and decodes them: lines, or WebSocket frames after
+// their handshake.
 #pragma once
 
 #include <cstdint>
@@ -18,9 +19,9 @@ inline constexpr int kCloseFrame = 8;
 inline constexpr int kPingFrame = 9;
 inline constexpr int kPongFrame = 10;
 
-/// A frame as a client sends it. `last`: of its message; 0 as `opcode`: its continuation.
+/// A frame sent by a client. `last`: the final frame of its message; 0 as `opcode`: a continuation.
 std::string web_frame(int opcode, std::string_view payload, bool last = true);
-/// The request to become a WebSocket.
+/// The request to upgrade to WebSocket.
 std::string web_handshake(int port);
 
 struct Received {
@@ -28,15 +29,16 @@ struct Received {
   std::string payload;
 };
 
-/// Takes messages off the bytes that arrived.
+/// Extracts messages from received bytes.
 class Unframer {
  public:
   explicit Unframer(Transport transport) : transport_(transport) {}
 
   void feed(std::string_view bytes) { bytes_ += bytes; }
-  /// The next whole message; nullopt: not yet. Throws Failure on frames that a server may not send.
+  /// The next complete message; nullopt: none yet. Throws Failure on frames that a server must not
+  /// send.
   std::optional<Received> next();
-  /// The status of the handshake's response; 0 before it, and without one.
+  /// The status of the handshake's response; 0 before it, and on transports without a handshake.
   int status() const noexcept { return status_; }
 
  private:

@@ -11,7 +11,7 @@
 
 namespace hedgehog::soak {
 
-/// protocol/schema/messages.schema.json, from the code.
+/// protocol/schema/messages.schema.json, generated from the code.
 inline const protocol::Json& message_definitions() {
   static const protocol::Json all = protocol::messages_schema();
   return all;
@@ -23,7 +23,7 @@ inline std::string json_string(std::string_view text) {
   return made;
 }
 
-/// The beginning of what may be long.
+/// The beginning of a text that may be long.
 inline std::string shortened(const std::string& text) {
   constexpr std::size_t kShown = 300;
   if (text.size() <= kShown) return text;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The daemon's log, searched without reading all of it again each time.
+// Search in the daemon's log without re-reading all of it each time.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ class LogView {
  public:
   explicit LogView(std::string path) : path_(std::move(path)) {}
 
-  /// Everything so far.
+  /// The whole log so far.
   const std::string& text() {
     std::ifstream file(path_, std::ios::binary);
     file.seekg(static_cast<std::streamoff>(text_.size()));
@@ -29,7 +29,7 @@ class LogView {
       ++found;
     return found;
   }
-  /// One line has both.
+  /// True if one line contains both.
   bool has_line(std::string_view first, std::string_view second) {
     text();
     for (auto at = text_.find(first); at != std::string::npos; at = text_.find(first, at + 1)) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// soak [--seconds N | --rounds N] [--seed N] [--actions N] [--starts N]: rounds with the seeds N,
-// N + 1, ... on the programs of the environment's HEDGEHOG_PROGRAMS. Exit: 1 after a failure.
+// soak [--seconds N | --rounds N] [--seed N] [--actions N] [--starts N]: rounds with the seeds N, N
+// + 1, ... on the programs in the environment variable HEDGEHOG_PROGRAMS. Exit: 1 after a failure.
 #include <sysexits.h>
 
 #include <cstdio>

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t kTranscript = 30;
 bool is_utf8(std::string_view text) {
-  // The writer replaces what is not.
+  // The JSON writer replaces invalid UTF-8.
   const auto replaced = [](std::string_view in) {
     constexpr std::string_view kReplacement = "\xef\xbf\xbd";
     std::size_t count = 0;
@@ -138,7 +138,7 @@ void Peer::send_bytes(std::string_view bytes) {
 
 void Peer::half_close() {
   if (half_closed_ || !is_open()) return;
-  // What is left of a line is forgotten with it.
+  // The rest of a partly sent line is discarded with it.
   rest_.clear();
   record("(half close)");
   half_closed_ = true;
@@ -178,7 +178,7 @@ void Peer::write_some() {
   if (sent > 0)
     out.erase(0, static_cast<std::size_t>(sent));
   else if (errno != EAGAIN && errno != EINTR)
-    out.clear();  // the end is seen when it reads
+    out.clear();  // the end of the connection is detected by the next read
 }
 
 void Peer::read_some(PeerObserver& observer) {

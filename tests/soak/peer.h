@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One client of the daemon that never blocks: it sends, reads or does not, and leaves as it likes.
-// What it sends is known, and so is what it has to receive.
+// One non-blocking client of the daemon: it sends, reads or does not read, and disconnects in
+// several ways. It records what it sent, and so the responses that it must receive.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ struct Endpoints {
 
 class Peer;
 
-/// What is done with messages, once they are known to be right.
+/// Receives the messages once they have been checked.
 class PeerObserver {
  public:
   virtual ~PeerObserver() = default;
@@ -34,34 +34,36 @@ class PeerObserver {
 
 class Peer {
  public:
-  /// Connects. `receive_buffer`: bytes that wait in the system, 0: its default.
+  /// Connects. `receive_buffer`: size of the socket's receive buffer in bytes, 0: the system's
+  /// default.
   Peer(Transport transport, const Endpoints& endpoints, int receive_buffer);
   Peer(const Peer&) = delete;
   Peer& operator=(const Peer&) = delete;
   ~Peer() { close(); }
 
-  /// One message, expecting what it deserves. `fragments`: of its WebSocket frame.
+  /// Sends one message and expects the response that it requires. `fragments`: of its WebSocket
+  /// frame.
   void send(const std::string& message, int fragments = 1);
-  /// The first part of a line; the rest goes before whatever is sent next.
+  /// Sends the first part of a line; the rest precedes whatever is sent next.
   void send_in_parts(const std::string& line, std::size_t first);
-  /// A message of more than 64 KiB.
+  /// Sends a message of more than 64 KiB.
   void send_too_long(std::size_t bytes);
-  /// As they are; nothing is expected.
+  /// Sends raw bytes; no response is expected.
   void send_bytes(std::string_view bytes);
-  /// The rest of a line that was sent in part.
+  /// Sends the rest of a line that was sent in part.
   void complete_line();
 
-  /// Sends no more. The responses are still to come.
+  /// Shuts down the sending side. The responses are still expected.
   void half_close();
   void close();
-  /// So that the daemon's system reports a reset.
+  /// Closes with a TCP reset.
   void reset();
 
-  /// The daemon may close from now on, and `why`.
+  /// From now on the daemon may close the connection, for the reason `why`.
   void provoke(std::string why) { provoked_ = std::move(why); }
   const std::string& provoked() const noexcept { return provoked_; }
 
-  /// Reads and writes what it can.
+  /// Reads and writes without blocking.
   void exchange(bool readable, bool writable, PeerObserver& observer);
   bool wants_to_write() const noexcept {
     return is_open() && !(is_upgrading() ? handshake_ : out_).empty();
@@ -72,7 +74,7 @@ class Peer {
 
   int fd() const noexcept { return fd_; }
   bool is_open() const noexcept { return fd_ >= 0; }
-  /// The daemon has closed, or reset, the connection.
+  /// True if the daemon has closed or reset the connection.
   bool is_closed_by_daemon() const noexcept { return closed_by_daemon_; }
   bool is_half_closed() const noexcept { return half_closed_; }
   bool is_partial() const noexcept { return !rest_.empty(); }
@@ -80,15 +82,15 @@ class Peer {
   std::size_t pending() const noexcept { return answers_.size(); }
   std::size_t unsent_bytes() const noexcept { return out_.size(); }
   bool has_received() const noexcept { return received_; }
-  /// The daemon's number of this connection, once it is known.
+  /// The daemon's number of this connection, once known.
   std::optional<std::int64_t> number() const noexcept { return number_; }
-  /// As the daemon's log names it; empty for a Unix socket.
+  /// The name in the daemon's log; empty for a Unix socket.
   const std::string& address() const noexcept { return address_; }
-  /// For a report: what was sent last, and what is missing.
+  /// For a report: the last message sent, and the missing responses.
   std::string text() const;
 
  private:
-  /// A WebSocket's frames wait for the response to its handshake (RFC 6455, section 4.1).
+  /// A WebSocket's frames are held until the response to its handshake (RFC 6455, section 4.1).
   bool is_upgrading() const noexcept {
     return transport_ == Transport::kWebSocket && unframer_.status() == 0;
   }
@@ -105,8 +107,8 @@ class Peer {
   Unframer unframer_;
   std::string handshake_;
   std::string out_;
-  std::string rest_;  // of a line that was sent in part, without its LF
-  std::string part_;  // of the same line
+  std::string rest_;  // of a partly sent line, without its LF
+  std::string part_;  // the first part of the same line
   PendingAnswers answers_;
   Subscriptions subscriptions_;
   std::optional<std::int64_t> number_;
@@ -115,7 +117,7 @@ class Peer {
   bool reads_ = true;
   bool received_ = false;
   bool half_closed_ = false;
-  bool shut_ = false;  // the system knows of the half close
+  bool shut_ = false;  // the socket has been shut down for sending
   bool closed_by_daemon_ = false;
 };
 

@@ -10,7 +10,7 @@
 namespace hedgehog::soak {
 namespace {
 
-/// Why `message` is not the answer to a request of `method` that may only fail with `error`.
+/// Why `message` is not the response to a request of `method` that may only fail with `error`.
 std::string mismatch(const protocol::Json& message, const std::optional<protocol::Method>& method,
                      const std::optional<int>& error, AnsweredRequest& answered) {
   const protocol::Json* version = message.find("jsonrpc");
@@ -75,7 +75,7 @@ void PendingAnswers::receive_one(const protocol::Json& message, const OnAnswer& 
   if (found == single_.end())
     throw Failure("a response that nobody asked for: " + shortened(message));
   std::string why_not;
-  // Requests of one id (null, mostly) are answered in any order.
+  // Requests of the same id (mostly null) are answered in any order.
   for (auto one = found->second.begin(); one != found->second.end(); ++one) {
     AnsweredRequest answered{one->id, one->method};
     const std::string wrong = mismatch(message, one->method, one->error, answered);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The responses that one connection has still to receive: each request with an id gets one, of its
-// method's schema or with an error that its method lists.
+// The pending responses of one connection: each request with an id gets one, with its method's
+// schema or with an error that its method lists.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@
 
 namespace hedgehog::soak {
 
-/// A response that was expected, with its request's method if there is one.
+/// An expected response that has arrived, with its request's method if there is one.
 struct AnsweredRequest {
   std::string id;
   std::optional<protocol::Method> method;
@@ -28,22 +28,23 @@ class PendingAnswers {
  public:
   using OnAnswer = std::function<void(const AnsweredRequest&)>;
 
-  /// A line was sent; what it is worth is what the protocol's decoder makes of it.
+  /// Registers the expected response to a sent line, as decoded by the protocol's decoder.
   void expect(const protocol::Incoming& incoming);
-  /// A line of more than 64 KiB was sent.
+  /// Registers the response to a line of more than 64 KiB.
   void expect_parse_error();
-  /// A response, or those to a batch, have come. Throws Failure when none or another was expected.
+  /// Matches a response or a batch of responses. Throws Failure when none or another one was
+  /// expected.
   void receive(const protocol::Json& message, const OnAnswer& on_answer);
 
   std::size_t size() const noexcept { return size_; }
-  /// Some of what is missing, for a report.
+  /// Some of the missing responses, for a report.
   std::string text() const;
 
  private:
   struct Expected {
     std::string id;
     std::optional<protocol::Method> method;
-    std::optional<int> error;  // the request can only be refused, with this code
+    std::optional<int> error;  // the request can only be rejected, with this code
   };
   using Batch = std::vector<Expected>;
 

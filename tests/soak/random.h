@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Random decisions, the same for a seed on every machine.
+// Random decisions, identical for a seed on every machine.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 
 namespace hedgehog::soak {
 
-/// The distributions of the standard library differ between its implementations, the engine does
-/// not.
+/// Does not use the distributions of the standard library: they differ between its implementations,
+/// the engine does not.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}

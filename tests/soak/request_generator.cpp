@@ -11,7 +11,7 @@
 namespace hedgehog::soak {
 namespace {
 
-/// At most one of each group is given.
+/// At most one member of each group is given.
 constexpr std::array<std::array<std::string_view, 3>, 5> kExclusive{
     {{"level", "current_a", "force_n"},
      {"duration_ms", "lease_ms", ""},
@@ -19,7 +19,7 @@ constexpr std::array<std::array<std::string_view, 3>, 5> kExclusive{
      {"effect", "slot", ""},
      {"pattern", "keyframes", ""}}};
 
-/// How often each is called; 10 where nothing is listed.
+/// Relative frequency of each method; 10 if not listed.
 int weight(std::string_view method) {
   if (method == "device.emergency_stop" || method == "device.claim" || method == "sim.set" ||
       method == "device.enter_boot_loader" || method == "device.list")
@@ -178,7 +178,7 @@ RequestGenerator::Members RequestGenerator::params(protocol::Method method) {
   if (const protocol::Json* required = schema.find("required"))
     for (const protocol::Json& one : *required->as<protocol::Json::List>())
       must.insert(*one.as<std::string>());
-  // Exactly one says which effect, and what is played.
+  // Exactly one member selects the effect, and exactly one the content to play.
   const bool names_effect = called == "effect.stop" || called == "effect.update";
   if (names_effect) must.insert(random_.percent(70) ? "slot" : "effect");
   if (called == "effect.play") must.insert(random_.percent(70) ? "pattern" : "keyframes");
@@ -193,7 +193,7 @@ RequestGenerator::Members RequestGenerator::params(protocol::Method method) {
   for (const std::string& name : must) exclude_others(name);
   Members made;
   const auto& properties = *schema.find("properties")->as<protocol::Json::Object>();
-  // From anywhere on, so that no member of a group is always the first.
+  // Starts at a random member, so that no member of a group is always the first.
   const std::size_t first = properties.empty() ? 0 : random_.below(properties.size());
   for (std::size_t i = 0; i < properties.size(); ++i) {
     const auto& [name, property] = properties[(first + i) % properties.size()];

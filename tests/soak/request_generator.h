@@ -18,17 +18,18 @@ class RequestGenerator {
  public:
   explicit RequestGenerator(Random& random);
 
-  /// One that obeys the schema, and so mostly the daemon. Every seventh is a notification.
+  /// A request that obeys the schema and is therefore mostly accepted. Every seventh is a
+  /// notification.
   std::string valid();
-  /// One with something wrong in it: a value, a name, a member, the nesting.
+  /// A request with an invalid value, name, member or nesting.
   std::string invalid();
-  /// Of valid and invalid requests and of items that are no requests.
+  /// A batch of valid and invalid requests and of items that are no requests.
   std::string batch();
-  /// `method` with these parameters (a JSON object) and an id of its own.
+  /// `method` with these parameters (a JSON object) and a unique id.
   std::string request(std::string_view method, std::string_view params = "{}");
   std::string notification(std::string_view method, std::string_view params = "{}");
 
-  /// The number of an effect that later requests may name.
+  /// The number of an effect that later requests may refer to.
   void offer_effect(std::uint32_t effect);
 
  private:
@@ -43,14 +44,14 @@ class RequestGenerator {
   std::string list(std::string_view name, const protocol::Json& schema);
   std::string keyframes();
   std::string odd_value();
-  /// Unique: a number, a fraction or a string. In a batch also null: its responses have an order,
-  /// so that each belongs to one request.
+  /// Unique: a number, a fraction or a string. In a batch also null: its responses are in order, so
+  /// that each can be matched to one request.
   std::string id();
   std::string joined(const Members& members);
 
   Random& random_;
   protocol::Json definitions_;
-  std::vector<protocol::Json> schemas_;  // of the parameters, by method
+  std::vector<protocol::Json> schemas_;  // schemas of the parameters, by method
   std::vector<std::uint32_t> effects_;
   std::int64_t last_id_ = 0;
   bool in_batch_ = false;

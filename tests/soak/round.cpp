@@ -17,7 +17,7 @@ std::string tail(const std::string& text) {
   return text.size() <= kShownLog ? text : "..." + text.substr(text.size() - kShownLog);
 }
 
-/// A sanitizer's report, or that of an assertion; empty: none.
+/// The report of a sanitizer or of an assertion; empty: none.
 std::string report_in(const std::string& log) {
   for (const char* report : {"ERROR: AddressSanitizer", "ERROR: LeakSanitizer", "runtime error:",
                              "WARNING: ThreadSanitizer", "terminate called", "Assertion"})
@@ -101,7 +101,7 @@ void Round::check_start(Traffic& traffic) {
   }
   if (inherited_.orderly && hello["reason"] == "state_lost")
     throw Failure("the state is lost, though nothing but the daemon wrote it");
-  // A file of the same place and time is the same one.
+  // A file with the same path and time is the same file.
   const auto left = folder_.incomplete();
   for (const auto& [path, change] : inherited_.incomplete) {
     const auto found = left.find(path);
@@ -126,7 +126,7 @@ void Round::use_full_disk(Traffic& traffic, Actions& actions) {
   act(traffic, actions, size_.actions / 4);
   traffic.check();
   folder_.free();
-  // The next write is tried within a second.
+  // The daemon retries the write within a second.
   traffic.pump_until([&] { return traffic.call("device.emergency_stop").value("on_disk", false); },
                      [] { return std::string("the latch on a disk that has space again"); });
 }
@@ -157,7 +157,7 @@ void Round::end(Traffic& traffic, Actions& actions, End how) {
 }
 
 void Round::stop_and_kill(Traffic& traffic, Actions& actions) {
-  // Nothing that was sent before may still arm it.
+  // No request that was sent earlier may arm it any more.
   traffic.check();
   actions.keep_latched();
   act(traffic, actions, size_.actions / 8);

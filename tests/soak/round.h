@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One round of a soak: a few starts of the daemon on one state directory, each with its clients and
-// an end of some kind. It depends on its seed alone.
+// a random kind of end. It depends on its seed only.
 #pragma once
 
 #include <cstdint>
@@ -17,21 +17,21 @@ namespace hedgehog::soak {
 
 struct RoundSize {
   int starts = 4;
-  int actions = 400;  // a start
+  int actions = 400;  // per start
 };
 
 class Round {
  public:
   Round(std::uint64_t seed, RoundSize size, Summary& summary);
-  /// Throws Failure, with the end of the daemon's log.
+  /// Throws Failure, which contains the end of the daemon's log.
   void run();
 
  private:
   enum class End { kTerminate, kInterrupt, kTerminateBusy, kKill, kKillLatched, kKillFull };
-  /// What a start inherits from the end before it.
+  /// State that a start inherits from the previous end.
   struct Inherited {
-    bool latched = false;  // an emergency stop is on the disk
-    bool orderly = false;  // the state on the disk must be as the daemon left it
+    bool latched = false;  // an emergency stop is persisted
+    bool orderly = false;  // the persisted state must be as the daemon wrote it
     std::map<std::string, std::string> incomplete;
   };
 
@@ -47,8 +47,8 @@ class Round {
   std::uint64_t seed_;
   RoundSize size_;
   Summary& summary_;
-  Random random_;  // of the round
-  Random draws_;   // of the actions
+  Random random_;  // for the round
+  Random draws_;   // for the actions
   RequestGenerator generator_;
   e2e::Home home_;
   StateFolder folder_;

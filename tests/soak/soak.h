@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rounds one after the other.
+// Runs rounds one after the other.
 #pragma once
 
 #include <chrono>
@@ -13,14 +13,14 @@
 namespace hedgehog::soak {
 
 struct SoakOptions {
-  std::uint64_t seed = 1;  // of the first round; each further one has the next
+  std::uint64_t seed = 1;  // seed of the first round; incremented by 1 for each further one
   std::uint64_t rounds = 1;
-  /// No further round begins after it; 0: only `rounds` count.
+  /// No further round begins after this time; 0: only `rounds` counts.
   std::chrono::seconds duration{0};
   RoundSize size{};
 };
 
-/// Empty, or the failure with the seed of its round. `on_round` is called after each.
+/// Empty, or the failure with the seed of its round. `on_round` is called after each round.
 std::string run_soak(const SoakOptions& options, Summary& summary,
                      const std::function<void()>& on_round);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The short form: a few hundred actions with a seed that stays and with the day's.
+// The short form: a few hundred actions with a fixed seed and with the seed of the day.
 #include "tests/soak/soak.h"
 
 #include <gtest/gtest.h>

@@ -43,7 +43,7 @@ bool mount_memory(const std::string& folder) {
   return ::mount("soak", folder.c_str(), "tmpfs", MS_NOSUID | MS_NODEV, "size=512k,mode=0700") == 0;
 }
 
-/// Empty when it is no file: a FIFO would wait for a writer.
+/// Empty when it is not a regular file: opening a FIFO would block until there is a writer.
 std::string contents(const std::string& path) {
   std::error_code ec;
   if (!fs::is_regular_file(fs::symlink_status(path, ec))) return {};
@@ -55,7 +55,7 @@ bool unshare_mounts() {
   return has_own_mounts() && ::mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0;
 }
 
-/// Tried in a child: a process that was refused halfway could not go on.
+/// Tried in a child process, because a partial failure would leave this process unusable.
 bool child_may_mount() {
   const TemporaryFolder place;
   const pid_t child = ::fork();
@@ -86,7 +86,7 @@ StateFolder::~StateFolder() {
 
 void StateFolder::fill() {
   std::ofstream file(folder_ + kFiller, std::ios::binary | std::ios::app);
-  // Down to the last page.
+  // Fills the disk down to the last page.
   const std::string page(4096, 'x');
   while (file.write(page.data(), static_cast<std::streamsize>(page.size())).flush()) {
   }

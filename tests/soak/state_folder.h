@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The daemon's state directory: on a disk of its own that can be filled, with files in it that are
-// damaged or none.
+// The daemon's state directory: on its own disk that can be filled, with files that may be damaged
+// or replaced by non-files.
 #pragma once
 
 #include <map>
@@ -12,13 +12,13 @@
 
 namespace hedgehog::soak {
 
-/// Gives this process file systems of its own, so that it may mount one; it ends with the process.
-/// False: not permitted. Call it once, before anything else.
+/// Gives this process its own mount namespace, so that it may mount a file system; it ends with the
+/// process. False: not permitted. Call it once, before anything else.
 bool may_mount();
 
 class StateFolder {
  public:
-  /// `on_small_disk`: of 512 KiB, in memory. REQUIRES then: may_mount()
+  /// `on_small_disk`: on a disk of 512 KiB, in memory. REQUIRES then: may_mount()
   StateFolder(const e2e::Home& home, bool on_small_disk);
   StateFolder(const StateFolder&) = delete;
   StateFolder& operator=(const StateFolder&) = delete;
@@ -29,14 +29,14 @@ class StateFolder {
   void free();
   bool is_full() const noexcept { return full_; }
 
-  /// Puts something odd in place of a file. True: of the state itself, so that it counts as lost,
-  /// or may do so.
+  /// Replaces a file by an invalid one. True: the state file itself, so that the state is or may be
+  /// lost.
   bool plant(Random& random);
-  /// Takes away what was planted, as far as the daemon has left it.
+  /// Removes the planted files that the daemon has left in place.
   void clear();
   bool has_planted() const noexcept { return !planted_.empty(); }
 
-  /// Incomplete files, with the time of their last change.
+  /// Incomplete files, with their modification times.
   std::map<std::string, std::string> incomplete() const;
   std::string state() const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The notifications that one connection may receive, from its requests and their responses.
+// The notifications that one connection may receive, derived from its requests and their responses.
 #pragma once
 
 #include <cstdint>
@@ -18,13 +18,13 @@ class Subscriptions {
  public:
   void sent(const protocol::Incoming& incoming);
   void answered(const AnsweredRequest& answered);
-  /// Throws Failure when nothing subscribed to it.
+  /// Throws Failure when no subscription covers it.
   void notified(const protocol::Json& message);
 
  private:
-  /// Of telemetry the fields, of events the types; an empty set: all.
+  /// Telemetry: names of the fields; events: the types; an empty set: all.
   struct Stream {
-    /// nullopt: none is subscribed to.
+    /// nullopt: no subscription.
     std::optional<std::set<std::string>> names;
     /// A request without a response of its own may have changed it.
     bool unclear = false;

@@ -12,7 +12,7 @@
 namespace hedgehog::soak {
 namespace {
 
-/// With a millisecond between two of them, more than any wait that the daemon documents.
+/// At one ping per millisecond, more than any timeout that the daemon documents.
 constexpr int kMaxPings = 60'000;
 
 }  // namespace
@@ -120,7 +120,7 @@ std::string Traffic::reason_of_close(const Peer& peer) {
 void Traffic::on_close(Peer& peer) {
   const std::string report = peer.text();
   std::string why = reason_of_close(peer);
-  // What the log says is written at about the same time.
+  // The log line is written at about the same time.
   for (int pings = 0; why.empty() && pings < kMaxPings / 60; ++pings) {
     check_alive();
     control_.call("ping");
@@ -163,7 +163,7 @@ void Traffic::reload(const std::string& configuration, bool is_good, double curr
   ++summary_.reloads;
   pump_until([&] { return log_.count(report) > before; },
              [&] { return "\"" + report + "\" in the log for " + configuration; });
-  // Wider limits wait for the next start.
+  // Wider limits take effect at the next start.
   if (is_good && log_.count(not_taken) == untaken) current_a_ = std::min(current_a_, current_a);
 }
 

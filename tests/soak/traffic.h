@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The clients of one start of the daemon: each in a place of its own, beside one that watches all
+// The clients of one start of the daemon: each in a numbered place, plus one that receives all
 // events and one that pings.
 #pragma once
 
@@ -24,44 +24,44 @@ class Traffic : public PeerObserver {
  public:
   static constexpr std::size_t kPlaces = 10;
 
-  /// `current_a`: what the configuration limits the current to.
+  /// `current_a`: the current limit of the configuration.
   Traffic(e2e::DaemonProcess& daemon, const e2e::Home& home, RequestGenerator& generator,
           Summary& summary, double current_a);
 
-  /// The client of that place; null: none, or it has gone.
+  /// The client in that place; null: none, or its connection has ended.
   Peer* peer(std::size_t place);
-  /// A new client there, whose first request is a hello.
+  /// Connects a new client there, whose first request is a hello.
   Peer& connect(std::size_t place, Transport transport, int receive_buffer);
 
-  /// A client there whose first bytes are no request.
+  /// Connects a client there whose first bytes are no request.
   void connect_foreigner(std::size_t place, Transport transport, const std::string& bytes);
 
-  /// Counts what is sent through it.
+  /// Sends and counts.
   void send(Peer& peer, const std::string& message, int fragments = 1);
 
-  /// Exchanges what can be exchanged at once, or waits up to a millisecond for the first of it.
-  /// True: there was something.
+  /// Exchanges what can be exchanged at once, or waits up to `timeout_ms` for the first of it.
+  /// True: something was exchanged.
   bool pump(int timeout_ms = 0);
   /// Pumps until `done`. Throws Failure with `what` when the daemon has answered so many pings
-  /// meanwhile that it cannot be only slow.
+  /// meanwhile that it cannot merely be slow.
   void pump_until(const std::function<bool()>& done, const std::function<std::string()>& what);
 
-  /// Lets everything come to its end, then checks all that must hold: each response has come,
-  /// connections and effects are those of the clients that are there.
+  /// Waits until nothing is pending, then checks all invariants: each response has arrived, and the
+  /// connections and effects are those of the connected clients.
   void check();
   /// The result of a request of the client that pings.
   e2e::Json call(const std::string& method, const e2e::Json& params = e2e::Json::object());
-  /// SIGHUP with this configuration; waits until the daemon has reported what it did. `current_a`:
-  /// the limit in it.
+  /// Sends SIGHUP with this configuration; waits until the daemon has reported the outcome.
+  /// `current_a`: the limit in it.
   void reload(const std::string& configuration, bool is_good, double current_a);
-  /// The daemon ends now: it may close everything.
+  /// The daemon is about to end: it may close every connection.
   void expect_end() noexcept { ending_ = true; }
 
   void on_answer(Peer& peer, const AnsweredRequest& answered) override;
   void on_notification(Peer& peer, const protocol::Json& message) override;
 
   LogView& log() noexcept { return log_; }
-  /// For a report: the clients, as far as something is pending.
+  /// For a report: the clients with anything pending.
   std::string text() const;
 
  private:

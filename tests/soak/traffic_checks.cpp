@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What must hold when nothing is pending.
+// Invariants that hold when nothing is pending.
 #include <cmath>
 #include <set>
 #include <string>
@@ -24,7 +24,7 @@ void Traffic::check() {
   for_each_peer([&](Peer& peer) {
     peer.read(true);
     peer.complete_line();
-    // Whoever waits for a web page, or for the end that it asked for.
+    // Peers that wait for a web page, or for a close that they provoked.
     if (!peer.provoked().empty()) peer.close();
   });
   pump_until([&] { return is_settled(); }, [&] { return text(); });
@@ -98,7 +98,7 @@ void Traffic::check_slot() {
   const auto number = held["effect"].get<std::uint32_t>();
   effects_.admitted(number);
   const auto is_listed = [&] {
-    // A lease of the ball's time may have expired on a busy machine.
+    // A lease in device time may have expired on a busy machine.
     if (effects_.has_ended(number)) return true;
     for (const e2e::Json& effect : call("device.status")["effects"])
       if (effect["effect"] == number) return effect["slot"] == "check";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who may open what: our sysusers file and udev rules, and the daemon as their user.
+// Access rights of device nodes: our sysusers file and udev rules, and the daemon as their user.
 #include <grp.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -59,7 +59,7 @@ class Access : public Bench {
   static std::vector<std::string> hidraw_nodes(const std::string& ids) {
     std::vector<std::string> nodes;
     for (const auto& entry : fs::directory_iterator("/sys/class/hidraw")) {
-      std::error_code gone;  // a driver may take it away meanwhile
+      std::error_code gone;  // a driver may remove it meanwhile
       const std::string path = fs::canonical(entry.path(), gone).string();
       if (path.find(ids) != std::string::npos)
         nodes.push_back("/dev/" + entry.path().filename().string());

@@ -14,10 +14,11 @@ namespace hedgehog::vm {
 namespace {
 
 constexpr double kQuietMs = 60'000;
-// Every 61 ms: it meets each phase of the waves that games play, whose periods are round numbers.
+// Every 61 ms: this samples all phases of the waves that games play, whose periods are round
+// numbers.
 constexpr double kTelemetryHz = 1000.0 / 61.0;
 constexpr double kStillA = 0.1;
-// Of the angle between field and side.
+// Minimum cosine of the angle between field and side.
 constexpr double kSameSide = 0.99;
 
 }  // namespace
@@ -58,7 +59,7 @@ void BallLog::take_telemetry(const Json& telemetry) {
     PlayedEffect* one = find(playing["effect"].get<std::int64_t>());
     if (one == nullptr) continue;
     one->method = playing["method"];
-    // The field may have been cut in a tick whose current still decays.
+    // The field may already be off in a tick whose current still decays.
     if (current_a_ <= one->peak_a || norm(side_) == 0.0) continue;
     if (current_a_ > kStillA && norm(one->begun_at) == 0.0) one->begun_at = side_;
     one->peak_a = current_a_;

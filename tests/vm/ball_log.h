@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the ball does while a program plays on it, as another client of the daemon sees it.
+// The ball's effects while a program plays on it, as reported to another client of the daemon.
 #pragma once
 
 #include <functional>
@@ -16,36 +16,36 @@ struct PlayedEffect {
   std::int64_t effect = 0;
   std::string slot;
   std::string method;
-  std::string ended;       // the reason; empty: it plays
-  double flowed_ms = 0;    // of device time, when it has ended
-  double peak_a = 0;       // the largest current measured meanwhile, of all windings
-  model::Vec3 side{};      // where the field pointed then
-  model::Vec3 begun_at{};  // where it pointed when a current was measured first
+  std::string ended;       // the reason; empty: it is still playing
+  double flowed_ms = 0;    // in device time, set when it has ended
+  double peak_a = 0;       // largest current measured meanwhile, over all windings
+  model::Vec3 side{};      // direction of the field at that time
+  model::Vec3 begun_at{};  // direction of the field at the first measured current
 };
 
 /// Subscribes to the events of all clients and to telemetry. One thread.
 class BallLog {
  public:
-  /// `socket`: the daemon's.
+  /// `socket`: path of the daemon's socket.
   explicit BallLog(const std::string& socket);
 
-  /// Reads on until `done`; false after a minute without.
+  /// Reads until `done`; false after a minute.
   bool until(const std::function<bool()>& done);
-  /// Reads on until `count` effects have ended since the last `clear`.
+  /// Reads until `count` effects have ended since the last `clear`.
   bool until_ended(std::size_t count);
-  /// Reads on until an effect plays with the field on `side` and at least `current_a`.
+  /// Reads until an effect plays with the field on `side` and at least `current_a`.
   bool until_pushed(const model::Vec3& side, double current_a);
-  /// Reads on until no current flows.
+  /// Reads until no current flows.
   bool until_still();
 
-  /// In the order of their starts; a replacement in the same slot is an effect of its own.
+  /// In the order of their starts; a replacement in the same slot is a separate effect.
   const std::vector<PlayedEffect>& played() const noexcept { return played_; }
   std::size_t ended() const;
   model::Vec3 side() const noexcept { return side_; }
-  /// As last measured.
+  /// The latest measurement.
   double current_a() const noexcept { return current_a_; }
   void clear() { played_.clear(); }
-  /// For a person: a line for each effect.
+  /// Readable text: a line for each effect.
   std::string text() const;
 
  private:

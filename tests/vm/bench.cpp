@@ -43,7 +43,7 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
   return all;
 }
 
-/// False: there is no such user, or this is not root.
+/// False: the user does not exist, or this process is not root.
 bool become(const std::string& user) {
   const passwd* who = ::getpwnam(user.c_str());
   return who != nullptr && ::initgroups(user.c_str(), who->pw_gid) == 0 &&
@@ -236,7 +236,7 @@ void Daemon::arm() {
 }
 
 double Daemon::pulse(const Emulator& emulator, double current_a, int duration_ms) {
-  emulator.status("board");  // forgets the peak so far
+  emulator.status("board");  // resets the peak
   call("events.subscribe");
   const Json admitted =
       call("effect.pulse",

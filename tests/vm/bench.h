@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the tests in the guest stand on: the emulator and the daemon as processes, time as the guest
-// counts it, and the table of figures.
+// Fixture of the tests in the guest: the emulator and the daemon as processes, the guest's clock,
+// and the table of figures.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -23,28 +23,28 @@ using e2e::Home;
 using e2e::Json;
 using e2e::RawClient;
 
-/// CLOCK_MONOTONIC of the guest, which counts instructions: it stands still while the host is busy.
+/// CLOCK_MONOTONIC of the guest, which counts instructions: it stops while the host is busy.
 double now_ms();
-/// Looks every `look_ms` (later on, at least 50 ms) until `done`, for up to so many minutes of the
-/// guest's; false: it never was.
+/// Polls every `look_ms` (later on, at least 50 ms) until `done`, for up to `minutes` of the
+/// guest's time; false: it was never true.
 bool eventually(const std::function<bool()>& done, int look_ms = 4, int minutes = 1);
-/// For what reads large files of the host, whose time in the guest is unpredictable.
+/// For programs that read large files of the host, whose duration in the guest is unpredictable.
 inline constexpr int kManyMinutes = 5;
 void pause_ms(int milliseconds);
-/// What a shell says to it, both streams; REQUIRES that it ends by itself.
+/// The output of a shell command, both streams; REQUIRES that it ends by itself.
 std::string shell(const std::string& command);
 
-/// From now on the programs under test run from a path that every user may walk, wherever the build
-/// is.
+/// From now on the programs under test run from a path that every user can access, wherever the
+/// build is.
 void open_programs_to_everybody();
 
-/// A line of the table that is printed after the last test.
+/// Adds a line to the table that is printed after the last test.
 void figure(const std::string& what, double value, const std::string& unit);
 
-/// A child; killed at the end if it still runs.
+/// A child process; killed at the end if it still runs.
 class Child {
  public:
-  /// `user`: who it runs as; empty: root. Its output goes to the file `log`.
+  /// `user`: the user that runs it; empty: root. Its output goes to the file `log`.
   Child(const std::vector<std::string>& words, const std::vector<std::string>& environment,
         const std::string& log, const std::string& user = "");
   Child(const Child&) = delete;
@@ -53,7 +53,7 @@ class Child {
 
   pid_t pid() const noexcept { return pid_; }
   bool ended();
-  /// Sends `signal` and waits for the end; the exit code, -1 when a signal ended it.
+  /// Sends `signal` and waits for the end; returns the exit code, -1 when a signal ended it.
   int stop(int signal = SIGTERM);
 
  private:
@@ -66,14 +66,14 @@ class Emulator {
   /// `devices`: as on its command line.
   Emulator(const Home& home, std::vector<std::string> devices);
 
-  /// The answer to a command.
+  /// Sends a command; returns the response.
   std::string tell(const std::string& command) const;
-  /// Tells, and expects "ok".
+  /// Sends a command, and expects "ok".
   void ok(const std::string& command) const { EXPECT_EQ(tell(command), "ok") << command; }
   Json status(const std::string& device) const { return Json::parse(tell("status " + device)); }
   /// The norm of the true currents.
   double current_a() const;
-  /// The newest of that event in the board's trace.
+  /// The latest event of that name in the board's trace.
   Json last(const std::string& event) const;
 
  private:
@@ -81,10 +81,10 @@ class Emulator {
   std::unique_ptr<Child> child_;
 };
 
-/// hedgehogd on real devices, and a client on its Unix socket, so of role operate.
+/// hedgehogd on real devices, and a client on its Unix socket, with role operate.
 class Daemon {
  public:
-  /// `variables`: NAME=VALUE on top of the home's.
+  /// `variables`: NAME=VALUE in addition to the home's.
   explicit Daemon(const Home& home, const std::string& user = "",
                   const std::vector<std::string>& variables = {});
 
@@ -99,15 +99,16 @@ class Daemon {
   }
   bool logs(const std::string& text) const;
   std::string log() const { return home_.read("log"); }
-  /// Arms it as a person would: again until it is.
+  /// Arms it as a person would: repeatedly until it is armed.
   void arm();
-  /// A pulse upwards that has to end completed; the largest current that flowed, by the board.
+  /// Plays a pulse upwards that must end as completed; returns the largest current measured by the
+  /// board.
   double pulse(const Emulator& emulator, double current_a, int duration_ms);
 
   int stop(int signal = SIGTERM) { return child_->stop(signal); }
   pid_t pid() const noexcept { return child_->pid(); }
 
-  /// Of the process: open descriptors, KiB that it has written to, CPU time in ms.
+  /// Of the process: open descriptors, private memory in KiB, CPU time in ms.
   int descriptors() const;
   int memory_kib() const;
   double cpu_ms() const;
@@ -118,7 +119,7 @@ class Daemon {
   std::unique_ptr<RawClient> client_;
 };
 
-/// What the emulator can be, in its words.
+/// All devices of the emulator, as on its command line.
 inline const std::vector<std::string> kEveryDevice{"board,unplugged", "mti,unplugged",
                                                    "hid-sensor,unplugged", "dualsense,unplugged",
                                                    "temper,unplugged"};
@@ -127,7 +128,7 @@ inline const std::vector<std::string> kEveryDevice{"board,unplugged", "mti,unplu
 class Bench : public testing::Test {
  protected:
   explicit Bench(std::vector<std::string> devices = {"board,unplugged"});
-  /// The daemon's configuration: the board by USB, and what `more` says.
+  /// Writes the daemon's configuration: the board by USB, and `more`.
   void configure(const Json& more = Json::object()) const;
 
   Home home_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The driver board on a real USB stack: found, driven, pulled, mended.
+// The driver board on a real USB stack: detected, driven, unplugged, recovered.
 #include <algorithm>
 #include <string>
 
@@ -21,7 +21,7 @@ class Board : public Bench {
   Board()
       : Bench({"board,unplugged", "board,name=other,serial=B2,unplugged", "stranger,unplugged"}) {}
 
-  /// A daemon that has the board, armed.
+  /// Starts a daemon with the board, and arms it.
   void begin() {
     configure();
     daemon_.emplace(home_);
@@ -29,14 +29,14 @@ class Board : public Bench {
     ASSERT_TRUE(daemon_->is("disarmed")) << daemon_->status();
     daemon_->arm();
   }
-  /// 15 A flow upwards, for longer than any test.
+  /// Drives 15 A upwards, for longer than any test.
   void drive() {
     const Json admitted = daemon_->call(
         "effect.pulse", {{"direction", "up"}, {"current_a", 15}, {"duration_ms", 10'000}});
     ASSERT_TRUE(admitted.value("accepted", false)) << admitted;
     ASSERT_TRUE(eventually([&] { return emulator_->current_a() > 14.5; }));
   }
-  /// The board made itself safe by its own clock.
+  /// Expects that the board made itself safe by its own clock.
   void expect_dead_man(const std::string& after) {
     ASSERT_TRUE(eventually([&] { return emulator_->status("board")["mode"] == "latched"; }));
     ASSERT_TRUE(eventually([&] { return emulator_->current_a() < 0.1; }));
@@ -49,8 +49,8 @@ class Board : public Bench {
     daemon_->arm();
     EXPECT_THAT(undisturbed_peak_a(5.0), AllOf(Ge(4.8), Le(5.3)));
   }
-  /// The least of a few pulses' peaks: where a set-point comes late, the voltage of an edge lasts
-  /// longer.
+  /// The smallest of a few pulses' peaks: when a set-point arrives late, the voltage of an edge
+  /// lasts longer.
   double undisturbed_peak_a(double current_a) {
     double least_a = daemon_->pulse(*emulator_, current_a, 200);
     for (int further = 4; further > 0 && least_a > 1.04 * current_a; --further)
@@ -80,7 +80,7 @@ TEST_F(Board, IsFoundAndExchangesAThousandFramesASecondAndPlays) {
   EXPECT_TRUE(board["firmware"].is_string()) << board;
   daemon_->arm();
 
-  // The board's counts lie in time between two of the daemon's.
+  // The board's counts are read between two readings of the daemon's.
   const Json first = daemon_->status();
   const Json board_before = emulator_->status("board");
   const Json before = daemon_->status();
@@ -223,7 +223,7 @@ TEST_F(Board, OfAnotherVersionOrKindOrBesideASecondOneIsNamed) {
   EXPECT_GT(emulator_->status("other")["frames_in"], 0);
 }
 
-// What is left are control's beat of a millisecond, the link's of ten, and a look for a board a
+// The remaining load is control's tick of 1 ms, the link's of 10 ms, and a scan for a board once a
 // second.
 TEST_F(Board, LeavesNoBusyLoopBehind) {
   begin();

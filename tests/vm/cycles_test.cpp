@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Three hundred plugs: board, MTi and TEMPer stick, a hundred times each, under one daemon.
+// Three hundred plug cycles: board, MTi and TEMPer stick, a hundred times each, with one daemon.
 #include <algorithm>
 #include <cstdlib>
 
@@ -12,7 +12,7 @@ class Cycles : public Bench {
  protected:
   Cycles() : Bench({"board,unplugged", "mti,unplugged", "temper,unplugged"}) {}
 
-  /// As much as is ever kept, so that remembering one more is no growth.
+  /// Fills the history to its limit, so that another event does not increase memory.
   void fill_history() const {
     constexpr int kKept = 5000;
     constexpr const char* kLine =
@@ -32,7 +32,7 @@ TEST_F(Cycles, LoseNoDescriptorAndNoMemory) {
   constexpr int kWarm = 50;
   configure({{"imu", {{"type", "mti"}}}, {"thermometer", {{"type", "temper"}, {"role", "shell"}}}});
   fill_history();
-  // With one arena, memory that threads share by chance is no growth.
+  // With one arena, chance differences in sharing memory between threads do not count as growth.
   Daemon daemon(home_, "", {"MALLOC_ARENA_MAX=1"});
   int descriptors = 0;
   int memory_kib = 0;
@@ -44,7 +44,7 @@ TEST_F(Cycles, LoseNoDescriptorAndNoMemory) {
     const int asked = number("temper", "asked");
     const double plugged_ms = now_ms();
     for (const char* device : {"plug board", "plug mti", "plug temper"}) emulator_->ok(device);
-    // Seldom, because the emulated processor would mostly read answers.
+    // Seldom, because otherwise the emulated processor would spend most of its time on responses.
     constexpr int kLookMs = 50;
     ASSERT_TRUE(eventually(
         [&] {
@@ -55,7 +55,7 @@ TEST_F(Cycles, LoseNoDescriptorAndNoMemory) {
         << "round " << round << "\n"
         << daemon.log();
     longest_ms = std::max(longest_ms, now_ms() - plugged_ms);
-    // By turns an orderly end and a dead one, and never in the same order.
+    // Alternates between an orderly and an abrupt disconnection, in changing order.
     for (int i = 0; i < 3; ++i) {
       constexpr const char* kNames[] = {"board", "mti", "temper"};
       emulator_->ok(std::string(round % 2 == 0 ? "unplug " : "cut ") + kNames[(round + i) % 3]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who may make a gamepad: our sysusers files and udev rule, and hedgehog-gamepad as its user.
+// Access to uinput: our sysusers files and udev rule, and hedgehog-gamepad as its user.
 #include <grp.h>
 #include <sys/stat.h>
 
@@ -28,7 +28,7 @@ class GamepadAccess : public GamepadBench {
           "/systemd/61-hedgehog-gamepad.rules /run/udev/rules.d/ && udevadm control --reload && "
           "udevadm trigger --action=add --sysname-match=uinput && udevadm settle");
   }
-  /// The user is not of the group that owns the socket of this home.
+  /// The user is not in the group that owns the socket of this home.
   std::string tcp_address() const {
     const std::string listening = "listening on ";
     const std::string log = daemon_->log();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The ball as a gamepad in the guest: a simulated ball, hedgehog-gamepad on uinput, and a log of
-// what the ball does.
+// the ball's effects.
 #pragma once
 
 #include <memory>
@@ -21,7 +21,7 @@ inline constexpr model::Vec3 kLeft{0, 1, 0};
 inline constexpr model::Vec3 kRight{0, -1, 0};
 inline constexpr model::Vec3 kDown{0, 0, -1};
 
-/// Of hedgehog-gamepad.
+/// The name of hedgehog-gamepad's input device.
 inline constexpr const char* kGamepadName = "Hedgehog haptic ball";
 
 class GamepadBench : public testing::Test {
@@ -29,17 +29,17 @@ class GamepadBench : public testing::Test {
   /// The simulated ball is armed.
   GamepadBench();
 
-  /// hedgehog-gamepad as `user`, until its node is there and the daemon knows it.
+  /// Starts hedgehog-gamepad as `user`, and waits until its node exists and the daemon lists it.
   void begin(const std::vector<std::string>& options = {}, const std::string& user = "");
   std::string bridge_log() const { return home_.read("bridge"); }
   bool bridge_logs(const std::string& text) const;
-  /// Of the gamepad; empty when there is none.
+  /// The gamepad's event node; empty when there is none.
   static std::string node() { return event_node(kGamepadName); }
-  /// How the simulated ball is held: device -> world.
+  /// Sets the simulated ball's orientation: device -> world.
   void turn(const model::Quaternion& q);
-  /// NAME=VALUE for programs of Debian's, which find Debian's own interpreters only.
+  /// NAME=VALUE for Debian's programs, which find only Debian's own interpreters.
   std::vector<std::string> debian_environment() const;
-  /// In the test's output: what `program` did to the ball.
+  /// Prints in the test's output which effects `program` played.
   void print(const std::string& program) const;
 
   Home home_;

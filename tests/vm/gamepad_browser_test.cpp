@@ -10,13 +10,13 @@ namespace {
 
 using testing::HasSubstr;
 
-// Of hello.limits.
+// From hello.limits.
 constexpr double kFeltA = 2.1;
 
 class GamepadBrowser : public GamepadBench {
  protected:
   void SetUp() override { begin(); }
-  /// Reads of the ball until the page has printed it.
+  /// Reads from the ball until the page has printed the text.
   bool prints(const std::string& text) {
     const auto is_printed = [&] { return printed().find(text) != std::string::npos; };
     for (int minute = 0; minute < kManyMinutes; ++minute)
@@ -28,8 +28,8 @@ class GamepadBrowser : public GamepadBench {
   std::optional<Child> browser_;
 };
 
-// A page is shown no gamepad before a button is pressed or an axis is moved more than half; the
-// ball has no buttons.
+// A page sees no gamepad before a button is pressed or an axis is moved by more than half; the ball
+// has no buttons.
 // Disabled: in two of six runs Chromium kept the guest's processor busy and never ran the page.
 TEST_F(GamepadBrowser, DISABLED_ChromiumReadsTheTiltAndPlaysDualRumble) {
   shell("udevadm settle");

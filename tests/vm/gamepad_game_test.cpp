@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A game of Debian's, unmodified, that is steered by the ball: Chocolate Doom with Freedoom's first
-// map. It records what it read from the stick in each of its ticks, 35 a second.
+// A Debian game, unmodified, that is steered by the ball: Chocolate Doom with Freedoom's first map.
+// It records the stick's values in each of its ticks, 35 a second.
 #include <algorithm>
 #include <filesystem>
 #include <vector>
@@ -16,13 +16,13 @@ using testing::HasSubstr;
 
 constexpr int kLookMs = 100;
 constexpr int kCloseMs = 500;
-// Four bytes a tick: two hours of playing.
+// Four bytes a tick: two hours of play.
 constexpr const char* kRecordingKiB = "1024";
 
 /// One tick of a game's recording.
 struct Steering {
-  int forward = 0;  // forwards positive
-  int turn = 0;     // to the left positive
+  int forward = 0;  // forward is positive
+  int turn = 0;     // left is positive
 };
 
 std::vector<Steering> steering_of(const std::string& demo) {
@@ -50,7 +50,7 @@ class GamepadGame : public GamepadBench {
  protected:
   void SetUp() override {
     begin();
-    // What the game's own setup writes when a person chooses a gamepad there.
+    // The file that the game's own setup writes when a person selects a gamepad.
     home_.write("player.cfg", "use_joystick 1\nscreenblocks 7\n");
     home_.write(
         "machine.cfg",
@@ -58,7 +58,7 @@ class GamepadGame : public GamepadBench {
             "\"\njoystick_index 0\njoystick_x_axis 0\njoystick_y_axis 1\n"
             "startup_delay 0\nforce_software_renderer 1\nfullscreen 0\naspect_ratio_correct 0\n");
   }
-  /// By which SDL knows the gamepad.
+  /// The id by which SDL identifies the gamepad.
   std::string guid() const {
     const std::string printed = shell(
         "/usr/bin/python3 -c 'import ctypes; sdl = ctypes.CDLL(\"libSDL2-2.0.so.0\"); "
@@ -70,13 +70,13 @@ class GamepadGame : public GamepadBench {
     EXPECT_EQ(printed.size(), 33U) << printed;
     return printed.substr(0, 32);
   }
-  /// Two looks that are the same, with something to be seen.
+  /// True if two pictures are the same and not black.
   static bool is_still(const Screen& screen) {
     const Picture before = screen.picture();
     pause_ms(200);
     return lit_share(before) > 0.4 && changed_share(before, screen.picture()) < 0.02;
   }
-  /// Whether the picture changes when the ball is held like this.
+  /// True if the picture changes when the ball is tilted by `tilt`.
   bool changes_the_view(const Screen& screen, const model::Quaternion& tilt) {
     const Picture before = screen.picture();
     turn(tilt);
@@ -125,7 +125,7 @@ TEST_F(GamepadGame, ChocolateDoomIsSteeredByTilting) {
   };
   tilt(kFront);  // to the right
   tilt(kLeft);   // to the front
-  // It asks whether that was meant; being closed again is its confirmation.
+  // The game asks for confirmation; a second close request confirms.
   std::string problem;
   const auto is_closed = [&] {
     if (!game.ended()) problem = screen.close_windows();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What hedgehog-gamepad adds between a game and the ball. The figures are the guest's; none of them
-// is asserted.
+// Latency that hedgehog-gamepad adds between a game and the ball. The figures are in the guest's
+// time; none of them is asserted.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -21,9 +21,9 @@ class GamepadLatency : public GamepadBench {
     begin();
     if (HasFatalFailure()) return;
     game_.emplace(node());
-    ball_.reset();  // its telemetry would compete for the guest's one processor
+    ball_.reset();  // its telemetry would compete for the guest's only processor
   }
-  /// To the right, without waiting for an answer.
+  /// Tilts to the right, without waiting for a response.
   void tilt(bool tilted) {
     const model::Quaternion q = tilted ? model::axis_angle(kFront, 60) : model::Quaternion{};
     const Json request{{"jsonrpc", "2.0"},
@@ -41,7 +41,7 @@ class GamepadLatency : public GamepadBench {
   std::optional<EventNode> game_;
 };
 
-// The end of the path is the same for both: the daemon's event, written when the tick has run.
+// Both paths end with the same event of the daemon, written when the tick has run.
 TEST_F(GamepadLatency, FromAGamesPlayToTheEffect) {
   RawClient& client = daemon_->client();
   client.call("events.subscribe", {{"scope", "all"}, {"types", {"effect_started"}}});
@@ -70,15 +70,15 @@ TEST_F(GamepadLatency, FromAGamesPlayToTheEffect) {
   report("effect.pulse of a client to effect_started", by_client);
 }
 
-// For comparison, the same orientation in the telemetry of a client that subscribes as the bridge
-// does.
+// For comparison, the same orientation in the telemetry of a client with the bridge's subscription.
 TEST_F(GamepadLatency, FromTiltToTheAxis) {
   RawClient& client = daemon_->client();
   const auto latencies = [&](const std::function<bool()>& is_tilted) {
     std::vector<double> samples;
     for (int i = 0; i < kRepetitions; ++i) {
       const bool tilted = i % 2 == 0;
-      // The daemon publishes every 10 ms: all phases of that, not only the one after a message.
+      // The daemon publishes every 10 ms: this samples all phases of that period, not only the one
+      // after a message.
       pause_ms(i * 7 % 10);
       const double turned = now_ms();
       tilt(tilted);

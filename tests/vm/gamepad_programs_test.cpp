@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Programs of Debian's that know nothing of the ball, unmodified, on the gamepad.
+// Debian programs without support for the ball, unmodified, on the gamepad.
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -14,7 +14,7 @@ using testing::HasSubstr;
 
 const std::string kSdlTests = "/usr/libexec/installed-tests/SDL2/";
 
-/// A program that a test types to; both of its outputs go to the file `log`.
+/// A program with input from the test; both of its outputs go to the file `log`.
 class Typed {
  public:
   Typed(const std::string& command, const std::string& log)
@@ -27,7 +27,7 @@ class Typed {
     std::fputs((line + "\n").c_str(), pipe_);
     std::fflush(pipe_);
   }
-  /// Its exit status as of pclose.
+  /// Its exit status as returned by pclose.
   int end() {
     const int status = pipe_ == nullptr ? 0 : ::pclose(pipe_);
     pipe_ = nullptr;
@@ -47,7 +47,7 @@ class GamepadPrograms : public GamepadBench {
     shell("udevadm settle");
     program_.emplace(words, environment, home_.path("program"));
   }
-  /// Until it has ended.
+  /// Waits until it has ended.
   void wait() {
     EXPECT_TRUE(ball_->until([&] { return program_->ended(); })) << said();
   }
@@ -59,7 +59,7 @@ class GamepadPrograms : public GamepadBench {
 };
 
 // Rows of fftest's list: 0 a sine along x, 1 a constant force from behind to the right, 4 the
-// strong motor, 5 the weak one. Springs and dampers, 2 and 3, are refused.
+// strong motor, 5 the weak one. Springs and dampers, 2 and 3, are rejected.
 TEST_F(GamepadPrograms, Fftest) {
   const model::Vec3 back_right{-0.7071, -0.7071, 0};
   const auto play = [&](const std::string& number, const model::Vec3& side) {
@@ -82,9 +82,9 @@ TEST_F(GamepadPrograms, Fftest) {
   print("fftest");
 }
 
-// What the ball can play of SDL's list, five seconds each, forces by the point of the compass that
-// they come from. Of the list, springs, dampers, friction and inertia are left out by the program,
-// for the gamepad does not offer them.
+// The effects of SDL's list that the ball can play, five seconds each, forces by the compass
+// direction from which they come. The program omits springs, dampers, friction and inertia, because
+// the gamepad does not offer them.
 TEST_F(GamepadPrograms, SdlTesthaptic) {
   const auto azimuth = [](double from_deg) {
     const double rad = -from_deg * 3.14159265 / 180.0;
@@ -108,7 +108,7 @@ TEST_F(GamepadPrograms, SdlTesthaptic) {
     const PlayedEffect& one = effect(i);
     EXPECT_THAT(said(), HasSubstr("effect " + std::to_string(i) + ": " + all[i].text));
     EXPECT_EQ(one.method, all[i].method) << i;
-    // The ramp goes from a negative force to as large a positive one: its peak is on either side.
+    // The ramp goes from a negative force to an equal positive one: its peak may be on either side.
     const bool is_ramp = all[i].text == "Ramp";
     EXPECT_GT(dot(is_ramp ? one.begun_at : one.side, all[i].side), 0.99) << i;
     EXPECT_EQ(one.ended, "completed") << i;

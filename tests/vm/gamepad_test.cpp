@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// hedgehog-gamepad on the kernel's uinput: what a game finds at the event node, and what the ball
-// does.
+// hedgehog-gamepad on the kernel's uinput: the event node as a game uses it, and the ball's
+// effects.
 #include <array>
 #include <cerrno>
 #include <string>
@@ -40,8 +40,8 @@ class GamepadNode : public GamepadBench {
     if (HasFatalFailure()) return;
     game_.emplace(node());
   }
-  /// The values of the stick's axes when both have been reported at or beyond these, in the sense
-  /// of their sign; zero: exactly.
+  /// True once both of the stick's axes are at or beyond these values, in the sense of their sign;
+  /// zero: exactly.
   bool stick_reaches(int x, int y) {
     const auto reached = [](int value, int goal) {
       if (goal == 0) return value == 0;

@@ -1,7 +1,7 @@
 #!/bin/busybox sh
 # SPDX-License-Identifier: MIT
 # shellcheck shell=dash
-# First process of the guest: makes the host's files its root, below a layer of memory that takes what is written.
+# First process of the guest: mounts the host's files as its root, below an overlay in memory for writes.
 /bin/busybox --install -s /bin
 mount -t proc proc /proc
 mount -t sysfs sysfs /sys
@@ -31,9 +31,9 @@ for place in proc sys dev; do mount --move "/$place" "/guest/$place"; done
 if [ -e /guest/run/vm/guest-vm.target ]; then
   mkdir -p /guest/run/systemd/system
   for unit in service target; do cp /guest/run/vm/guest-vm.$unit /guest/run/systemd/system/vm.$unit; done
-  # To systemd this is a container's, which has no kernel command line.
+  # With this file systemd would assume a container, which has no kernel command line.
   rm -f /guest/.dockerenv
-  # Not what empties /tmp, which is the host's, nor what wakes up later.
+  # Masks the unit that empties /tmp, which is the host's, and timers, which run later.
   for unit in systemd-tmpfiles-setup.service timers.target; do ln -s /dev/null "/guest/run/systemd/system/$unit"; done
   exec switch_root /guest /lib/systemd/systemd
 fi

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=bash
-# On the host's files: modules, udev, the command, the end. Sourced by nobody; guest-init starts it as process 1,
-# with run.sh -s systemd as vm.service.
+# Runs in the guest on the host's files: modules, udev, the command, power-off. Never sourced; guest-init starts it as
+# process 1, with run.sh -s systemd as vm.service.
 exec </dev/null >/dev/ttyS0 2>&1
 mkdir -p /lib/modules
 mount --bind "$(</run/vm/kernel)/lib/modules" /lib/modules
@@ -10,10 +10,10 @@ modprobe -a vhci-hcd usbhid hid-generic uinput evdev joydev
 udevadm trigger --action=add --subsystem-match=usb --subsystem-match=hid --subsystem-match=hidraw
 udevadm settle
 
-# The second serial line is the command's output, as it is.
+# The second serial line carries the command's output unchanged.
 stty -F /dev/ttyS1 raw -echo
 setsid bash /run/vm/command </dev/null >/dev/ttyS1 2>&1
 echo $? >/run/vm/exit
-stty -F /dev/ttyS1 raw # returns when everything has left
+stty -F /dev/ttyS1 raw # returns when all output has been sent
 sync
 /run/vm/busybox poweroff -f

@@ -1,10 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Fetches Debian's kernel and keeps of it what the guest needs. kernel.sh prints the folder, which then holds
-#   vmlinux          what qemu boots
+# Fetches Debian's kernel and keeps the files that the guest needs. kernel.sh prints the folder, which then holds
+#   vmlinux          the kernel that qemu boots
 #   lib/modules/...  usb, hid, input, iio, virtio, 9p, overlayfs
 # The package is unpacked, never installed; HEDGEHOG_VM_CACHE (default ~/.cache/hedgehog-vm) keeps it.
-# Exit: 0, 69 it cannot be had.
+# Exit: 0, 69 it is not available.
 set -eu
 
 cache=${HEDGEHOG_VM_CACHE:-${XDG_CACHE_HOME:-$HOME/.cache}/hedgehog-vm}
@@ -12,7 +12,7 @@ cache=${HEDGEHOG_VM_CACHE:-${XDG_CACHE_HOME:-$HOME/.cache}/hedgehog-vm}
 give_up() { echo "kernel.sh: $*" >&2; exit 69; }
 
 newest_package() {
-  # The plain flavour: the one for clouds has neither USB nor 9p.
+  # The standard kernel: the one for clouds has neither USB nor 9p.
   LC_ALL=C apt-cache depends linux-image-amd64 2>/dev/null |
     sed -n 's/^ *Depends: \(linux-image-[^ ]*-amd64\)$/\1/p' | head -n 1
 }
@@ -39,9 +39,9 @@ unpack() { # folder
   set -- "$1" "$1"/boot/vmlinuz-*
   [ -s "$2" ] || give_up "the package has no kernel"
   PATH=$PATH:/sbin:/usr/sbin depmod -b "$1" "$(ls "$1/lib/modules")"
-  # Unpacked once here, a start is two seconds shorter. xz knows where the packed kernel begins by its magic number.
+  # Unpacked once here, which shortens a start by two seconds. The xz data is found in the kernel by its magic number.
   at=$(LC_ALL=C grep -abo "$(printf '\375')7zXZ" "$2" | head -n 1 | cut -d: -f1)
-  [ -z "$at" ] || tail -c "+$((at + 1))" "$2" | xz -dc >"$1/vmlinux" 2>/dev/null || true # behind it comes other data
+  [ -z "$at" ] || tail -c "+$((at + 1))" "$2" | xz -dc >"$1/vmlinux" 2>/dev/null || true # other data follows it
   [ "$(head -c 4 "$1/vmlinux" 2>/dev/null | tail -c 3)" = ELF ] || cp "$2" "$1/vmlinux"
   rm -r "${1:?}/boot"
 }
@@ -53,7 +53,7 @@ if [ ! -s "$cache/ready/vmlinux" ]; then
   fetch "$made"
   unpack "$made"
   chmod 755 "$made"
-  # Somebody else may have been first; theirs is as good.
+  # Another process may have been first; its result is equivalent.
   mv -T "$made" "$cache/ready" 2>/dev/null || [ -s "$cache/ready/vmlinux" ] || give_up "cannot write $cache"
 fi
 echo "$cache/ready"

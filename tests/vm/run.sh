@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Runs a command where Linux has real USB, HID and udev: as root of an emulated machine with Debian's kernel and this
-# machine's files, in the same folder and environment. What it writes stays in the guest, except below DIR.
+# machine's files, in the same folder and environment. Its writes stay in the guest, except those below DIR.
 #   run.sh [-t SECONDS] [-w DIR] [-s] [-v] COMMAND [ARGUMENT...]
-#     -t   give up after so many seconds of this machine (default 300)
+#     -t   timeout in seconds of this machine (default 300)
 #     -w   the guest may write here
 #     -s   systemd is the guest's first process, which starts basic.target and then the command
 #     -v   the guest's kernel log at the end; also whenever the guest fails
-# Exit: the command's; 64 usage, 69 something is missing, 70 the guest ended without a result, 124 out of time.
-# HEDGEHOG_VM_QEMU: more options for qemu. README.md says how it works.
+# Exit: the command's; 64 usage, 69 something is missing, 70 the guest ended without a result, 124 timeout.
+# HEDGEHOG_VM_QEMU: more options for qemu. README.md explains how it works.
 set -euo pipefail
 
 say() { echo "run.sh: $*" >&2; }
@@ -39,7 +39,7 @@ trap 'rm -rf "$work"' EXIT
 talk=$work/talk
 mkdir -p "$talk" "$work/image"/{bin,modules,proc,sys,dev,host,memory,guest}
 
-# The first program of the guest: busybox, the modules that it takes to see this machine's files, guest-init.
+# The initial file system of the guest: busybox, the modules needed to mount this machine's files, guest-init.
 busybox=$(command -v busybox)
 cp "$busybox" "$work/image/bin/busybox"
 cp "$busybox" "$talk/busybox"
@@ -54,7 +54,7 @@ done | sed -n 's/^insmod \([^ ]*\).*/\1/p' | awk '!seen[$0]++'); do
 done
 (cd "$work/image" && find . | cpio -o -H newc --quiet >"$work/initrd")
 
-# What the guest is to do, in a folder that both sides see.
+# The guest's command, in a folder shared by both sides.
 {
   export -p
   printf 'cd %q || exit 70\n' "$PWD"
@@ -66,8 +66,8 @@ printf '%s\n' "$writable" >"$talk/writable"
 cp "$here/guest-main.sh" "$talk/main"
 [ -z "$systemd" ] || cp "$here/guest-vm.service" "$here/guest-vm.target" "$talk"
 
-# One emulated processor whose clock counts its own instructions, 2 ns each: time in the guest knows nothing of how
-# busy this machine is. A plain one: vector instructions, which libc would use, take longer to emulate than to do without.
+# One emulated processor whose clock counts its own instructions, 2 ns each: time in the guest is independent of this
+# machine's load. A basic one: vector instructions, which libc would use, take longer to emulate than the scalar ones.
 # shellcheck disable=SC2054 # the commas are qemu's
 machine=(qemu-system-x86_64 -nodefaults -no-user-config -display none -monitor none -no-reboot
   -machine pc -accel "tcg,thread=single" -icount shift=0,sleep=off -cpu qemu64 -smp 1 -m 768

@@ -16,9 +16,9 @@ constexpr const char* kSocket = "/tmp/.X11-unix/X9";
 constexpr const char* kFrameBuffer = "Xvfb_screen0";
 constexpr std::size_t kPixelBytes = 4;
 constexpr std::size_t kPictureBytes = kPixelBytes * Screen::kWidth * Screen::kHeight;
-// Of a colour's 256 steps.
+// Minimum visible difference, of a colour's 256 steps.
 constexpr int kVisible = 24;
-// One pixel of so many is looked at, in another column of each row.
+// Every seventh pixel is compared, in a different column of each row.
 constexpr std::size_t kSample = 7;
 
 bool is_lit(const Picture& picture, std::size_t at) {
@@ -33,7 +33,7 @@ bool differs(const Picture& one, const Picture& other, std::size_t at) {
   return false;
 }
 
-/// Of the sampled pixels.
+/// Share of the sampled pixels for which `is` holds.
 template <class Is>
 double share(Is is) {
   std::size_t count = 0;
@@ -68,7 +68,7 @@ Screen::Screen(const Home& home)
 std::string Screen::display() { return std::string("DISPLAY=") + kDisplay; }
 
 Picture Screen::picture() const {
-  // XWD: a header and a table of colours, then the pixels to the end of the file.
+  // XWD: a header and a colour table, then the pixels to the end of the file.
   const std::string file = home_.read(kFrameBuffer);
   if (file.size() < kPictureBytes) throw std::runtime_error("Xvfb has no picture");
   return file.substr(file.size() - kPictureBytes);

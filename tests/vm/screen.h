@@ -11,7 +11,7 @@ namespace hedgehog::vm {
 /// The pixels of a screen, row by row, four bytes each.
 using Picture = std::string;
 
-/// The share of pixels that are not black; of a sample of them, as the next.
+/// The share of pixels that are not black; from a sample of them, as in `changed_share`.
 double lit_share(const Picture& picture);
 /// The share of pixels that differ visibly between two pictures of one screen.
 double changed_share(const Picture& before, const Picture& after);
@@ -21,15 +21,15 @@ class Screen {
   static constexpr int kWidth = 320;
   static constexpr int kHeight = 240;
 
-  /// Throws when the server does not start. `home`: where its frame buffer is.
+  /// Throws when the server does not start. `home`: the folder of its frame buffer.
   explicit Screen(const Home& home);
 
   /// NAME=VALUE for its clients.
   static std::string display();
-  /// As of now.
+  /// The current picture.
   Picture picture() const;
-  /// Asks all windows to close, as a person does by a click on their corner. What went wrong;
-  /// empty: nothing did.
+  /// Requests all windows to close, as a person does by a click on their corner. Returns the error,
+  /// or an empty string.
   std::string close_windows() const;
 
  private:

@@ -20,7 +20,7 @@ class Sensors : public Bench {
     emulator_->ok("turn " + device + " " + std::to_string(q.w) + " " + std::to_string(q.x) + " " +
                   std::to_string(q.y) + " " + std::to_string(q.z));
   }
-  /// The daemon says that the ball's up points there, within half a degree.
+  /// True once the daemon reports the ball's up direction as `up`, within half a degree.
   static bool shows_up(Daemon& daemon, const model::Vec3& up) {
     return eventually([&] {
       const Json orientation = daemon.status()["orientation"];
@@ -38,7 +38,7 @@ class Sensors : public Bench {
     });
   }
 
-  /// Reads `device` as imu.type `type`, turns it, pulls it, plugs it in again.
+  /// Reads `device` as imu.type `type`, rotates it, unplugs it, and plugs it in again.
   void expect_followed(const std::string& device, const std::string& type) {
     configure({{"imu", {{"type", type}}}});
     const model::Quaternion left = model::axis_angle({1, 0, 0}, -40.0);

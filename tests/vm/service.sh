@@ -21,7 +21,7 @@ fail() {
 }
 step() { echo "tests/vm: $*"; }
 property() { systemctl show --property "$1" --value "${2-hedgehogd}"; }
-# eventually COMMAND...: the guest's clock jumps while it waits for files of the host, so patience is long.
+# eventually COMMAND...: the guest's clock jumps while it waits for files of the host, so the timeout is long.
 eventually() {
   local until=$((SECONDS + 300))
   while [ "$SECONDS" -lt "$until" ]; do
@@ -41,14 +41,14 @@ are() {
 is() { [ "$(property "$1")" = "$2" ]; }
 logged() { journalctl --no-pager --output cat -u "${2-hedgehogd}" | grep -q "$1"; }
 state_is() { hedgehogctl status --json | grep -q "\"state\":\"$1\""; }
-# Until systemd has started it for the Nth time again, with another process than PID.
+# True when systemd has restarted it N times, and its process is not PID.
 restarted() { is NRestarts "$1" && is ActiveState active && [ "$(property MainPID)" != "$2" ]; }
 
-# Of the host; here services may start.
+# The host's file; services may start in the guest.
 rm -f /usr/sbin/policy-rc.d
 
 step "install: enabled, started, ready"
-# Triggers are other packages' (man-db reads every page), and slow where a processor is emulated.
+# Triggers belong to other packages (man-db reads every page), and are slow on an emulated processor.
 dpkg --no-triggers --force-unsafe-io --install "$packages"/hedgehogd_*.deb "$packages"/hedgehog-tools_*.deb >/tmp/out 2>&1 || { cat /tmp/out; fail "dpkg"; }
 eventually is ActiveState active
 [ "$(systemctl is-enabled hedgehogd)" = enabled ] || fail "it is not enabled"

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# All tests, in two guests one after the other: programs that read hundreds of megabytes of the host get one whose memory no
-# other test has filled. They run real programs on a real clock, as what has the label `clock` does (tests/run.sh): those
-# that fail are run once more, in a guest of their own, and named in the table of stages, with what they print if they fail
-# again.
+# Runs all tests, in two guests one after the other: programs that read hundreds of megabytes of the host get a guest
+# whose memory no other test has filled. The tests run real programs on a real clock, as those with the label `clock`
+# (tests/run.sh): failed ones are repeated once, in a guest of their own, and named in the table of stages, with what they
+# print if they fail again.
 #   test.sh -t SECONDS PROGRAM
 # Exit: 0 all passed, at once or the second time; 64 usage; else a guest's.
 set -u
@@ -15,14 +15,14 @@ large='GamepadBrowser.*:GamepadGame.*'
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 
-# guest FILTER: its exit code; those that failed are added to `failed`.
+# guest FILTER: returns its exit code; adds failed tests to `failed`, and the number of tests to `ran`.
 failed=() ran=0
 guest() {
   "$run" -t "$limit" "$program" --gtest_color=no --gtest_filter="$1" | tee "$log"
   local result=${PIPESTATUS[0]} before=${#failed[@]} one
   ran=$((ran + $(sed -nE 's/^\[==========\] ([0-9]+) tests? from .* ran\..*/\1/p' "$log" | head -1) + 0))
   [ "$result" -ne 0 ] || return 0
-  # A guest that ended early has not run them all.
+  # A guest that ended early has not run all tests.
   grep -q '^\[==========\] .* ran\.' "$log" || exit "$result"
   while read -r one; do failed+=("$one"); done < <(
     sed -nE 's/^\[  FAILED  \] ([[:alnum:]_/]+\.[[:alnum:]_/]+).*/\1/p' "$log" | sort -u)

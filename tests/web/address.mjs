@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An address that stays the test's own while programs behind it come and go, as ssh -L forwards one.
+// A forwarded address that stays the same while the programs behind it stop and start, as with ssh -L.
 import net from "node:net";
 
 export class Address {

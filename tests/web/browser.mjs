@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Debian's Chromium, without a screen, with WebGL in software. Nothing is downloaded.
+// Debian's Chromium, headless, with WebGL in software. Nothing is downloaded.
 import { existsSync } from "node:fs";
 import { createRequire } from "node:module";
 
@@ -12,21 +12,21 @@ const kChromium = process.env.CHROMIUM ?? ["/usr/bin/chromium", "/usr/bin/chromi
 export const kDesktop = { viewport: { width: 1360, height: 860 } };
 export const kPhone = { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, isMobile: true, hasTouch: true };
 
-/** `names`: further rules of Chromium for where an address leads. */
+/** `names`: further host resolver rules of Chromium. */
 export function launch(names = []) {
   return chromium.launch({
     executablePath: kChromium,
     args: ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking",
       "--disable-component-update", "--disable-sync", "--enable-unsafe-swiftshader",
-      // A microphone that beeps, which each page may use.
+      // A fake microphone that beeps, with permission for each page.
       "--use-fake-device-for-media-stream", "--use-fake-ui-for-media-stream", `--host-resolver-rules=${["MAP *.example 127.0.0.1", ...names].join(", ")}`],
   });
 }
 
-/** What went wrong on the pages of a test: their own errors always, the browser's complaints unless they are expected. */
+/** Errors on the pages of a test: uncaught errors always, the browser's console errors unless they are expected. */
 export class Complaints {
   errors = [];
-  /** For a test that kills what the page talks to, or has it refused. */
+  /** For a test that kills the page's server, or has its requests rejected. */
   expected = false;
 
   watch(page) {
@@ -36,7 +36,7 @@ export class Complaints {
     });
   }
 
-  /** Those of the test that ended; the next one begins anew. */
+  /** Returns the errors of the test that ended, and clears the list. */
   take() {
     const { errors } = this;
     this.errors = [];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A real hedgehogd with folders of its own, for the browser to talk to.
+// A real hedgehogd with its own folders, for the browser.
 import { execFileSync, spawn } from "node:child_process";
 import { mkdtempSync, mkdirSync, rmSync, writeFileSync } from "node:fs";
 import net from "node:net";
@@ -11,8 +11,8 @@ const kTools = process.env.HEDGEHOGCTL;
 
 export class Daemon {
   /**
-   * Listens on free ports; a `home` given is that of a daemon before. In lock-step: a busy machine skips no tick.
-   * `before(daemon)`: once its folders are there.
+   * Listens on free ports; `home`: folders of an earlier daemon. In lock-step, so that a busy machine skips no tick.
+   * `before(daemon)` is called once its folders exist.
    */
   static async start({ config = {}, more = [], home = null, speed = 1, before = () => {} } = {}) {
     const daemon = new Daemon();
@@ -43,12 +43,12 @@ export class Daemon {
       XDG_STATE_HOME: `${this.home}/state`, XDG_RUNTIME_DIR: `${this.home}/run` };
   }
 
-  /** What `hedgehogctl token` with `words` prints: a token, or a fingerprint. */
+  /** The output of `hedgehogctl token` with `words`: a token, or a fingerprint. */
   token(...words) {
     return execFileSync(kTools, ["token", ...words, "--state", `${this.home}/state/hedgehog`], { env: this.environment(), encoding: "utf8" }).trim();
   }
 
-  /** One request on a TCP connection of its own; its result, or its error. */
+  /** One request on a new TCP connection; returns its result, or its error. */
   call(method, params = {}) {
     return new Promise((resolve, reject) => {
       const socket = net.connect(this.tcp, "127.0.0.1");
@@ -66,14 +66,14 @@ export class Daemon {
     });
   }
 
-  /** How many effects ended so: an outcome of the protocol, such as "expired". */
+  /** The number of effects with this outcome of the protocol, such as "expired". */
   async ended(outcome) {
     const page = await (await fetch(`${this.url}/metrics`)).text();
     const counts = [...page.matchAll(/effects_total\{[^}]*outcome="(\w+)"[^}]*\} (\d+)/g)];
     return counts.filter(([, name]) => name === outcome).reduce((sum, [, , count]) => sum + Number(count), 0);
   }
 
-  /** `keep`: its folders, for the next one. */
+  /** `keep`: keeps its folders for the next daemon. */
   async end(signal = "SIGTERM", { keep = false } = {}) {
     if (this.process.exitCode !== null || this.process.signalCode !== null) return;
     const ended = new Promise((resolve) => this.process.once("exit", resolve));

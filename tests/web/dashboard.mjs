@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A daemon of its own for each test, and the pages that it serves, open in one browser.
+// A separate daemon for each test, and the pages that it serves, open in one browser.
 import assert from "node:assert/strict";
 import { after, afterEach, before, beforeEach } from "node:test";
 
@@ -30,13 +30,13 @@ export async function startDaemon(options) {
   address?.leadTo(daemon);
 }
 
-/** The pages opened from now on have an address at which the next daemon of this test will be, too. */
+/** Pages opened from now on use an address that the next daemon of this test will have, too. */
 export async function keepAddress() {
   address = await Address.listen();
   address.leadTo(daemon);
 }
 
-/** `prepare(page)`: before anything is loaded. */
+/** `prepare(page)` is called before anything is loaded. */
 export async function open(path = "/", device = kDesktop, prepare = () => {}) {
   page = await (await browser.newContext(device)).newPage();
   page.setDefaultTimeout(kPatience.timeout);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The dashboard in a browser, against a real daemon: what a person sees is what the ball does.
+// The dashboard in a browser, against a real daemon: the page shows the state of the ball.
 import assert from "node:assert/strict";
 import { createServer } from "node:http";
 import { test } from "node:test";
@@ -8,7 +8,7 @@ import { kAxe, kDesktop, kPhone } from "./browser.mjs";
 import { complaints, daemon, keepAddress, open, page, startDaemon, until } from "./dashboard.mjs";
 import { kPatience } from "./patience.mjs";
 
-/** How many colours the canvas shows. */
+/** The number of colours on the canvas. */
 const coloursDrawn = () => page.evaluate(() => {
   const { canvas, renderer, scene, camera } = window.dashboard.ball;
   renderer.render(scene, camera);
@@ -69,7 +69,7 @@ test("keys play, and the kinds of effect have their own sliders", async () => {
   assert.ok(!await page.locator("#speed").isVisible());
   await page.getByText("Circle").click();
   await page.locator("#duration").fill("5");
-  await page.keyboard.press("Escape"); // stop works from a slider too
+  await page.keyboard.press("Escape"); // stop must work while a slider has the focus, too
   await page.waitForSelector("body[data-state=disarmed]", kPatience);
 });
 
@@ -168,7 +168,7 @@ test("axe finds no serious fault, on a desk and on a phone", async () => {
   for (const [path, device] of [["/", kDesktop], ["/", kPhone], ["/orientation.html", kPhone], ["/designer.html", kPhone]]) {
     await page?.context().close();
     await open(path, device);
-    // Read as text: the pages' own policy allows no script from elsewhere.
+    // Loaded as text, because the pages' policy allows no foreign scripts.
     await page.evaluate((await import("node:fs")).readFileSync(kAxe, "utf8"));
     const { violations } = await page.evaluate(() => window.axe.run());
     const serious = violations.filter(({ impact }) => ["serious", "critical"].includes(impact));
@@ -188,7 +188,7 @@ test("a page of another origin, and one under another name, get nothing", async 
     socket.onerror = () => resolve(true);
   }), url);
   assert.equal(await refused(`ws://127.0.0.1:${port}/ws`), false);
-  // Somebody else's pages, which set no policy of their own.
+  // A page of another origin, without a policy.
   const other = createServer((_, answer) => answer.setHeader("content-type", "text/html").end("<p>game</p>"));
   await new Promise((resolve) => other.listen(0, "127.0.0.1", resolve));
   await page.goto(`http://127.0.0.1:${other.address().port}/`);

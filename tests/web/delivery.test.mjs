@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How the pages come to a browser: packed, kept as long as they may be, and in the colours that a person has chosen.
+// Delivery of the pages to a browser: compressed, cached as long as allowed, and in the colours that the user has
+// chosen.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import http from "node:http";
@@ -10,7 +11,7 @@ import { kAxe, kDesktop } from "./browser.mjs";
 import { daemon, open, page } from "./dashboard.mjs";
 import { Racer } from "./racer.mjs";
 
-/** One answer as it comes, nothing unpacked. */
+/** The raw response, without decompression. */
 const get = (url, headers = {}) => new Promise((resolve, reject) => {
   http.get(url, { headers }, (answer) => {
     const parts = [];
@@ -49,11 +50,11 @@ test("the dashboard is sent packed, and what never changes is kept", async () =>
   assert.equal(answer.headers["content-encoding"], "gzip");
 });
 
-/** Of a page and all that it loads, packed. */
+/** Compressed size of a page and all that it loads. */
 async function packedBytes(page) {
   const files = new Set([page]);
   let bytes = 0;
-  // What is added meanwhile is visited too.
+  // Files added during the loop are visited too.
   for (const file of files) {
     const { status, headers, body } = await get(`${daemon.url}/${file}`, { "accept-encoding": "gzip" });
     assert.equal(status, 200, file);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The designer in a browser, against a real daemon: key frames put on the ball are selected, moved, forecast, played,
-// saved and loaded.
+// The designer in a browser, against a real daemon: key frames on the ball are placed, selected, moved, forecast,
+// played, saved and loaded.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -32,10 +32,10 @@ test("clicks on the ball become key frames, which are forecast and played", asyn
 });
 
 const chosen = () => page.locator("#frames tr[aria-current]").evaluateAll((rows) => rows.map((row) => row.rowIndex));
-/** Where a key frame is on the screen. */
+/** The screen position of a key frame. */
 const markAt = (index) => page.evaluate((which) => window.dashboard.path.screen(which), index);
 
-/** Three key frames, from the left to the right of what is seen. */
+/** Three key frames, from the left to the right of the visible side. */
 async function threeFrames() {
   await open("/designer.html");
   for (const [t, x] of [[0, 0.45], [700, 0.5], [1500, 0.55]]) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Recording by demonstration on the designer's ball, against a real daemon: a drag is felt meanwhile and becomes key frames,
-// however it ends.
+// Recording by demonstration on the designer's ball, against a real daemon: the ball plays a drag while it lasts, and
+// it becomes key frames, however it ends.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
@@ -11,7 +11,7 @@ const frames = () => page.evaluate(() => window.dashboard.frames());
 const said = (text) => until((wanted) => document.getElementById("said").textContent.startsWith(wanted), text);
 const felt = async () => (await daemon.call("device.status")).effects.some(({ slot }) => slot === "drag");
 const rests = async () => (await daemon.call("device.status")).effects.length === 0;
-/** From the left (0) to the right (1) of the ball. */
+/** Moves the pointer to a position from the left (0) to the right (1) of the ball. */
 async function to(share) {
   const box = await page.locator("#ball").boundingBox();
   await page.mouse.move(box.x + (0.45 + 0.1 * share) * box.width, box.y + 0.5 * box.height);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What was before the page was opened: the charts are filled from what the daemon kept, over a reload and a restart; and what
-// is beside them: zoom, each winding, the gain, the recordings of trips.
+// Data from before the page was opened: the charts are filled from the daemon's history, over a reload and a restart.
+// Also zoom, each winding, the gain, the recordings of trips.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -9,12 +9,12 @@ import { test } from "node:test";
 import { daemon, open, page, startDaemon, until } from "./dashboard.mjs";
 import { comes, kPatience } from "./patience.mjs";
 
-/** Two seconds of 5 A, and until the daemon has kept them, and another second. */
+/** Plays 5 A for two seconds, waits until the daemon has stored them, and another second. */
 const play = async () => {
   await daemon.call("effect.pulse", { direction: "left", current_a: 5, duration_ms: 2000, on_close: "finish" });
   await comes(async () => (await daemon.call("telemetry.history", { seconds: 60 })).samples?.some(({ current_a: a, age_s: age }) => a > 3 && age > 0.5));
 };
-/** The strongest current that the chart has of before `opened`, device time in seconds; 0: none. */
+/** The maximum current in the chart before `opened`, device time in seconds; 0: none. */
 const strongestBefore = async (opened) => {
   await until(() => window.dashboard?.charts?.()?.time.now > 0);
   return page.evaluate((end) => {
@@ -63,7 +63,7 @@ test("the charts show as far back as is chosen, or what is dragged over", async 
   await page.mouse.down();
   await page.mouse.move(box.x + 0.7 * box.width, box.y + 20, { steps: 4 });
   await page.mouse.up();
-  // All of them, and they stand still.
+  // The whole history, no longer scrolling.
   assert.ok(Math.abs(await shown() - 9) < 1.5, `${await shown()} s`);
   await newest.click();
   assert.ok(Math.abs(await shown() - 30) < 1);

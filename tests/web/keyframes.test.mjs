@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Key frames as the designer edits them; no browser, no daemon.
+// Editing of key frames in the designer; no browser, no daemon.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The dashboard at the widths that people have: nothing sticks out, what matters is on a phone's first screen, and nothing
-// moves under a finger.
+// The dashboard at common screen widths: nothing overflows, the essential parts are on a phone's first screen, and
+// nothing moves under a finger.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
@@ -11,7 +11,7 @@ import { kPatience } from "./patience.mjs";
 const kSmallPhone = { ...kPhone, viewport: { width: 360, height: 640 } };
 const kWidths = [320, 360, 390, 768, 899, 900, 1000, 1100, 1270, 1280, 1600];
 
-/** What sticks out of its card, or of the page. */
+/** Elements that overflow their card or the page. */
 const overflowing = () => page.evaluate(() => {
   const out = [];
   for (const card of document.querySelectorAll("section")) {
@@ -40,7 +40,7 @@ test("nothing sticks out of its card at any width", async () => {
   }
 });
 
-/** Of the screen without scrolling, and nothing else lies over it. */
+/** On the screen without scrolling, and not covered. */
 const onScreen = (selector) => page.evaluate((which) => {
   const element = document.querySelector(which);
   const box = element.getBoundingClientRect();
@@ -58,7 +58,7 @@ for (const [name, device] of [["a phone", kPhone], ["a small phone", kSmallPhone
   });
 }
 
-/** Where everything is that can be pressed. */
+/** The positions of everything that can be pressed. */
 const places = () => page.evaluate(() => Object.fromEntries(
   [...document.querySelectorAll(".pad button, .pad input, #stop, #arm, #simulator button, summary, nav a")].map((control) => {
     const { x, y, width, height } = control.getBoundingClientRect();
@@ -131,7 +131,7 @@ test("no sentence has the name of an error in it", async () => {
   await daemon.end();
   await startDaemon();
   await open();
-  // Refused by the daemon, not by the page: it does not know yet that the ball is disarmed.
+  // Rejected by the daemon, not by the page, which has not been notified yet that the ball is disarmed.
   await page.evaluate(() => {
     const { link } = window.dashboard;
     link.call = (call => (method, params) => (method === "effect.pulse"

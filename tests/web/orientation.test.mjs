@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The orientation page in a browser, against a real daemon: up stays up, and what it says of itself is true.
+// The orientation page in a browser, against a real daemon: up stays up, and the displayed state is correct.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
@@ -27,7 +27,7 @@ const showUp = async () => {
   await page.getByRole("button", { name: "Show up" }).click();
   await until(() => (window.dashboard.ball.arrowDirection()?.[2] ?? 0) > 0.98);
 };
-/** Looks again and again: what the daemon knows has no event for all of it. */
+/** Polls the daemon, which has no event for this. */
 const shows = () => daemon.call("device.status").then(({ effects }) => effects.some(({ slot }) => slot === "up"));
 
 test("a push that somebody ends is not shown as going on, and why it ended is said", async () => {
@@ -69,7 +69,7 @@ test("a push that ended because nobody knew which way is up comes back with the 
   await feed();
   await comes(() => daemon.call("device.status").then(({ orientation }) => orientation));
   await showUp();
-  // Nobody's lease shall be over first.
+  // The lease must not expire first.
   await page.evaluate(() => window.dashboard.link.call("effect.update", { slot: "up", lease_ms: 10_000 }));
   await page.evaluate(() => clearInterval(window.feed));
   await comes(async () => await daemon.ended("orientation_lost") > 0);
@@ -84,14 +84,14 @@ test("a phone's angles are the ball's: top to the front, screen up", async () =>
   const turned = (angles) => page.evaluate((a) => window.dashboard.quaternionOf(...a).toArray(), angles);
   const near = (q, expected) => assert.ok(Math.abs(q.reduce((sum, v, i) => sum + v * expected[i], 0)) > 0.9999, q.join());
   const half = Math.SQRT1_2;
-  // Flat, its top where the world's y is: the ball's front (x) looks along y.
+  // Flat, its top towards the world's y: the ball's front (x) points along y.
   near(await turned([0, 0, 0]), [0, 0, half, half]);
   near(await turned([-90, 0, 0]), [0, 0, 0, 1]);
-  // Stood up (beta 90): the front looks up.
+  // Upright (beta 90): the front points up.
   near(await turned([-90, 90, 0]), [0, -half, 0, half]);
 });
 
-/** The button, and what the browser tells again and again of a phone that is tilted by so much. */
+/** The button, and the orientation events of a phone that is tilted by `beta`. */
 const tiltPhone = async (beta) => {
   await page.getByRole("button", { name: "Turn it with this phone" }).click();
   await page.evaluate((angle) => setInterval(() => dispatchEvent(
@@ -107,7 +107,7 @@ test("a phone whose turning the daemon takes turns the ball", async () => {
 });
 
 test("a phone whose turning the daemon refuses is told why, and the ball is drawn as it is", async () => {
-  // The page takes this ball for a real one; the daemon knows better, and refuses in earnest.
+  // The page takes this ball for a real one; the daemon does not, and rejects the request.
   await open("/orientation.html", kDesktop, (fresh) => fresh.routeWebSocket("**/ws", (socket) => {
     const server = socket.connectToServer();
     server.onMessage((text) => socket.send(text.replace('"simulated":true', '"simulated":false')));

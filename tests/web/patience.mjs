@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// How long a test waits for what it looks for.
+// Timeouts of the tests.
 import assert from "node:assert/strict";
 import { setTimeout } from "node:timers/promises";
 
-/** A busy machine draws a page without a graphics card in seconds. */
+/** Without a graphics card a busy machine takes seconds to draw a page. */
 export const kPatience = { timeout: 120_000 };
 
-/** Ends when `look` gives something, outside the page. */
+/** Waits until `look`, which runs outside the page, returns a value. */
 export async function comes(look) {
   const end = Date.now() + kPatience.timeout;
   while (!await look()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A game of its own for each test, perhaps with a daemon, and its page, open in one browser.
+// A separate game for each test, optionally with a daemon, and its page, open in one browser.
 import assert from "node:assert/strict";
 import { after, afterEach, before } from "node:test";
 
@@ -9,7 +9,7 @@ import { Daemon } from "./daemon.mjs";
 import { kPatience } from "./patience.mjs";
 import { Racer } from "./racer.mjs";
 
-/** Software draws it: few pixels are enough to see that there is a picture. */
+/** Rendered in software: a few pixels are enough to detect a picture. */
 export const kSmall = { viewport: { width: 640, height: 420 } };
 export const complaints = new Complaints();
 export let browser;
@@ -38,13 +38,13 @@ export async function startRacer(options) {
   address?.leadTo(racer);
 }
 
-/** The pages opened from now on have an address at which the next game of this test will be, too. */
+/** Pages opened from now on use an address that the next game of this test will have, too. */
 export async function keepAddress() {
   address = await Address.listen();
   address.leadTo(racer);
 }
 
-/** A page with nothing on it. */
+/** An empty page. */
 export async function openBlank(device = kSmall) {
   page = await (await browser.newContext(device)).newPage();
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// A real hedgehog-racer with its page, for the browser to talk to.
+// A real hedgehog-racer with its page, for the browser.
 import { spawn } from "node:child_process";
 
 const kProgram = process.env.HEDGEHOG_RACER;
 
 export class Racer {
-  /** On a free port. `daemon`: the one that it feels on; none: no ball. */
+  /** On a free port. `daemon`: the daemon of the ball; null: no ball. */
   static async start({ daemon = null, more = [] } = {}) {
     const racer = new Racer();
     const ball = daemon ? ["--address", `127.0.0.1:${daemon.tcp}`] : ["--no-ball"];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The racing game in a browser: what happens in the race is seen on its page and felt on a real daemon's ball.
+// The racing game in a browser: events of the race are shown on its page and played on a real daemon's ball.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -29,7 +29,7 @@ test("the race is drawn by WebGL 2, and the built-in driver's car moves", async 
   }, start);
   assert.ok(await page.isChecked("[value=driver]"));
   assert.match(await page.textContent("#strength"), /^No ball/);
-  // What would be felt is shown all the same, without amperes.
+  // Without a ball the effects are shown, too, without amperes.
   await until(() => /^(Landing|Skidding|Hit): .*, \d+ %$/.test(document.getElementById("felt").textContent));
 });
 
@@ -47,7 +47,7 @@ test("keys drive, let go, pause and put the car back", async () => {
   await page.keyboard.press("p");
   await until(() => window.racer.scene().paused && !document.getElementById("paused").hidden);
   const still = await at();
-  // The game tells how it stands while it is paused too.
+  // The game sends its state while it is paused, too.
   await until(() => (window.scenesSeen ??= new Set()).add(window.racer.scene()).size > 10);
   assert.deepEqual(await at(), still);
   await page.getByRole("button", { name: "Pause" }).click();
@@ -94,11 +94,11 @@ test("a hit is seen on the ring and felt on the ball, and costs of its budget", 
   assert.ok(Math.hypot(mark.cx + 38 * mark.y, mark.cy + 38 * mark.x) < 1, JSON.stringify(mark));
   assert.match(mark.words, /^Hit: .*, \d+ %, \d+\.\d A$/);
   await page.keyboard.up("ArrowLeft");
-  // The daemon has played it, and says for whom.
+  // The daemon has played the effect and counts it for the client.
   const pulsed = async () => /effects_total\{[^}]*"effect\.pulse"[^}]*\} [1-9]/.test(await (await fetch(`${daemon.url}/metrics`)).text());
   await comes(pulsed);
   assert.match(JSON.stringify(await daemon.call("connection.list")), /hedgehog-racer/);
-  // A warm ball has less left to give. A busy machine makes seconds of the daemon's longer.
+  // A warm ball can deliver less. On a busy machine a second of the daemon takes longer.
   const warmth = { direction: "up", current_a: 15, duration_ms: 2000, priority: 9, on_close: "finish" };
   const seconds = async () => (await daemon.call("ping")).time_ns * 1e-9;
   const end = await seconds() + 30;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The page of the racing game at the sizes that people have: clock, laps, what was felt, sound, and nothing over anything.
+// The page of the racing game at common screen sizes: clock, laps, effects, sound, and no overlaps.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
@@ -34,7 +34,7 @@ test("a lap of the built-in driver is nobody's best", async () => {
   assert.match(await page.textContent("#lapdone"), /^Lap 1: \d:\d\d\.\d, by the driver$/);
 });
 
-/** Pairs of panels that lie over each other, and panels that stick out of the screen. */
+/** Pairs of panels that overlap, and panels that overflow the screen. */
 const overlapping = () => page.evaluate(() => {
   const names = [".race", ".chart", ".ball", ".panel", "#keys", "#gone", "[data-hold=left]", "[data-hold=right]", "[data-hold=brake]", "[data-hold=throttle]", "#lapdone"];
   const shown = names.map((name) => [name, document.querySelector(name)])
@@ -91,7 +91,7 @@ test("a blow is drawn at the car, where it was felt", async () => {
   })).jsonValue();
   const apart = Math.hypot(...drawn);
   assert.ok(apart > 0.5 && apart < 4, `${apart} m from the middle of the car`);
-  // The middle of its box lies a little above the car's origin.
+  // The centre of its box is slightly above the car's origin.
   assert.ok(Math.abs(Math.atan2(drawn[1], drawn[0]) - Math.atan2(felt[1], felt[0])) < 0.05, JSON.stringify({ drawn, felt }));
   await page.keyboard.up("ArrowUp");
   await page.keyboard.up("ArrowLeft");
@@ -107,7 +107,7 @@ test("there is no sound until somebody wants it", async () => {
   await button.click();
   assert.equal(await button.getAttribute("aria-pressed"), "true");
   await until(() => window.racer.sound.context.state === "running");
-  // Something is heard.
+  // Sound is audible.
   await page.evaluate(() => {
     const { sound } = window.racer;
     window.heard = sound.context.createAnalyser();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The reports of hedgehog-study and hedgehog-design on a phone: what is wider than the screen scrolls in a box of its own.
+// The reports of hedgehog-study and hedgehog-design on a phone: content wider than the screen scrolls in its own box.
 import assert from "node:assert/strict";
 import { execFile } from "node:child_process";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
@@ -25,7 +25,7 @@ after(async () => {
   rmSync(folder, { recursive: true, force: true });
 });
 
-/** What sticks out of the page `file`, and whether its text is as large as on a desk. */
+/** Elements that overflow the page `file`, and whether its text is as large as on a desktop. */
 async function look(file) {
   const page = await (await browser.newContext(kSmallPhone)).newPage();
   await page.goto(`file://${file}`);

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# run.sh BUILD [shots FOLDER]: the pages of that build in a browser, tested or drawn. BUILD has the programs and,
+# run.sh BUILD [shots FOLDER]: tests the pages of that build in a browser, or takes screenshots. BUILD has the programs and,
 # in share/hedgehog/www and share/hedgehog/racer, the pages.
-# A browser and real programs on the real clock, as what has the label `clock` (tests/run.sh): tests that fail are run once
-# more, alone, and named in the table of stages. Exit: 0 all passed, at once or the second time.
+# A browser and real programs on the real clock, like tests with the label `clock` (tests/run.sh): failed tests are run
+# once more, alone, and named in the table of stages. Exit: 0 all passed, at once or the second time.
 set -euo pipefail
 
 here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
@@ -30,7 +30,7 @@ result=0
 "${run[@]}" "$here"/*.test.mjs | tee "$log" || result=$?
 [ "$result" -ne 0 ] || exit 0
 
-# A file that cannot be read is a test that failed, too; no name of a test selects it.
+# A file that cannot be loaded is a failed test, too, but no test name selects it.
 mapfile -t failed < <(sed -nE 's/^not ok [0-9]+ - //p' "$log")
 [ "${#failed[@]}" -gt 0 ] || exit "$result"
 again=()
@@ -38,7 +38,7 @@ for name in "${failed[@]}"; do
   [[ $name != *.mjs ]] || exit "$result"
   [ -z "${HEDGEHOG_STAGES-}" ] || printf 'repeated\tweb %s\n' "$name" >>"$HEDGEHOG_STAGES"
   echo "run once more: $name"
-  # A name is no regular expression.
+  # Escapes the name for the regular expression.
   again+=(--test-name-pattern="^$(sed 's/[][(){}\\.*^?+|/$]/\\&/g' <<<"$name")\$")
 done
 "${run[@]}" "${again[@]}" "$here"/*.test.mjs

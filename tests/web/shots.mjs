@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures of the pages for a person to look at: shots.mjs FOLDER.
+// Screenshots of the pages: shots.mjs FOLDER.
 import { mkdirSync } from "node:fs";
 
 import { kDesktop, kPhone, launch } from "./browser.mjs";
@@ -38,7 +38,7 @@ for (const [name, device] of [["desktop", kDesktop], ["phone", kPhone]]) {
     await page.mouse.click(box.x + x * box.width, box.y + y * box.height);
   }
   await page.mouse.click(...(await page.evaluate(() => window.dashboard.path.screen(1))));
-  // The currents of all of it, not of what was there before.
+  // Only currents from after the start of this effect.
   await page.waitForFunction(() => {
     const [levels, currents] = ["levels", "currents"].map((id) => document.getElementById(id).points);
     const ends = (points) => points.getItem(points.length - 1).x;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The designer hears: a sound file and a microphone become effects of a real daemon as they sound.
+// Sound input of the designer: a sound file and a microphone become effects of a real daemon as they sound.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
@@ -25,7 +25,7 @@ test("a sound file vibrates where its low tone is and pushes where it clicks", a
   await open("/designer.html");
   assert.equal((await daemon.call("device.status")).effects.length, 0, "off until it is started");
   const click = (t) => (t % 0.5 < 0.005 ? Math.exp((-t % 0.5) / 0.001) * Math.cos(2 * Math.PI * 2000 * (t % 0.5)) : 0);
-  // Longer than a busy machine takes for what follows: a sound that is over has nothing to be ended.
+  // Longer than a busy machine needs for the following steps: a sound that has ended cannot be stopped.
   const buffer = wav(20, (t) => [0.5 * Math.sin(2 * Math.PI * 60 * t), click(t)]);
   await page.locator("#sound").setInputFiles({ name: "s.wav", mimeType: "audio/wav", buffer });
   await comes(async () => (await daemon.call("device.status")).effects.some(({ slot }) => slot === "sound"));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The stop button of the dashboard and of the orientation page: it stops, or says at once and in sight that it did not.
+// The stop button of the dashboard and of the orientation page: it stops, or reports visibly and at once that it did
+// not.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
@@ -33,7 +34,7 @@ test("stop reaches the daemon although the page's own connection hangs", async (
   await page.waitForSelector("body[data-state=disarmed]", kPatience);
 });
 
-/** Of the screen, and nothing else lies over it. */
+/** On the screen, and not covered. */
 const inSight = (selector) => page.evaluate((which) => {
   const box = document.querySelector(which).getBoundingClientRect();
   const over = document.elementFromPoint(box.x + box.width / 2, box.y + box.height / 2);
@@ -92,7 +93,7 @@ test("space belongs to the control that has the focus; escape always stops", asy
   for (const control of ["#strength", "nav a"]) {
     await to(control);
     await page.keyboard.press("Space");
-    // What the daemon is asked after it would have been asked to stop.
+    // A request that the daemon receives after the stop request.
     await page.evaluate(() => window.dashboard.link.call("ping"));
     assert.equal((await daemon.call("device.status")).state, "armed", control);
     await page.keyboard.press("Escape");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the dashboard says about heat: the hottest winding leads, beside the thresholds that are compared with it; what is
-// not known is said to be so.
+// The dashboard's display of heat: the hottest winding first, beside the thresholds that are compared with it; unknown
+// values are marked as unknown.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
@@ -8,7 +8,7 @@ import { kDesktop } from "./browser.mjs";
 import { open, page, until } from "./dashboard.mjs";
 import { kPatience } from "./patience.mjs";
 
-/** Lets `change` rewrite each status that the daemon tells. */
+/** Lets `change` rewrite each status that the daemon sends. */
 const rewriting = (change) => (fresh) => fresh.routeWebSocket("**/ws", (socket) => {
   const server = socket.connectToServer();
   server.onMessage((text) => {

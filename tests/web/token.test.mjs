@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The pages of a daemon that is reached by TLS: nothing is shown and nothing is done before it has a token.
+// The pages of a daemon that is reached by TLS: without a token nothing is shown and nothing is done.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -32,7 +32,7 @@ afterEach(async () => {
   assert.deepEqual(complaints.take(), []);
 });
 
-/** `prepare(page)`: before anything is loaded. */
+/** `prepare(page)` is called before anything is loaded. */
 async function open(path = "/", prepare = () => {}) {
   page = await (await browser.newContext({ ...kDesktop, ignoreHTTPSErrors: true })).newPage();
   page.setDefaultTimeout(kPatience.timeout);

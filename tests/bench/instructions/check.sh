@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 # check.sh PROGRAM [--write]: instructions of each request and tick, counted by callgrind, against instructions.json: more
 # than 2 % off in either direction is an error. --write: writes that file instead. Counts depend on compiler and C
-# library; the check is skipped where these are not those of the file.
-# Exit: 0 as written, or skipped; 1 off; 64 usage; 69 no callgrind.
+# library; the check is skipped where they differ from those in the file.
+# Exit: 0 equal, or skipped; 1 off; 64 usage; 69 no callgrind.
 set -euo pipefail
 
 if [ $# -lt 1 ] || [ ! -x "$1" ]; then
@@ -14,10 +14,10 @@ program=$1
 file=$(dirname -- "${BASH_SOURCE[0]}")/instructions.json
 command -v valgrind >/dev/null || { echo "instructions: valgrind is not installed" >&2; exit 69; }
 
-# A request or tick, and how often it is counted.
+# A request or tick, and the number of repetitions counted.
 counted=(ping:1000 device.status:500 effect.pulse:300 tick:1000 pump:1000)
 
-# Those of the program's own build where it has one.
+# Compiler and library of the program's own build, if it has a build directory.
 cache=$(dirname -- "$program")/../../CMakeCache.txt
 compiler=$(sed -n 's/^CMAKE_CXX_COMPILER:[A-Z]*=//p' "$cache" 2>/dev/null || true)
 versions() {
@@ -25,7 +25,7 @@ versions() {
   ldd --version | sed -n '1s/^[^ ]* */  "libc": "/; 1s/$/",/p'
 }
 
-# count WHAT TIMES: instructions of each. An environment and string functions that all machines have.
+# count WHAT TIMES: instructions of each, with an environment and string functions that all machines have.
 count() {
   env -i PATH="$PATH" GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-AVX,-AVX512F,-AVX512VL,-ERMS,-FSRM,-BMI2 \
     valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect=hedgehog_counted "$program" "$1" "$2" 2>&1 |

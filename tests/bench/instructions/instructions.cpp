@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Carries out one thing again and again inside the process: server, controller, link and simulated
-// board on virtual time, no socket, no thread. `instructions WHAT TIMES`; callgrind counts what
-// `hedgehog_counted` calls (check.sh).
+// Repeats one operation inside the process: server, controller, link and simulated board on virtual
+// time, no socket, no thread. `instructions WHAT TIMES`; callgrind counts what `hedgehog_counted`
+// calls (check.sh).
 #include <cstdlib>
 #include <functional>
 #include <iostream>
@@ -17,7 +17,7 @@ namespace hedgehog::server {
 namespace {
 
 constexpr int kWarmUp = 100;
-/// Ticks until a pulse of 5 ms has ended and its place is free again.
+/// Ticks until a pulse of 5 ms has ended and its slot is free again.
 constexpr int kPulseTicks = 10;
 
 constexpr const char* kPing = R"({"jsonrpc":"2.0","id":1,"method":"ping"})";
@@ -71,7 +71,7 @@ class Counting {
   bool counts_ = false;
 };
 
-/// What can be counted, once.
+/// The operations that can be counted, each executed once.
 const std::map<std::string, std::function<void(Counting&)>>& things() {
   static const std::map<std::string, std::function<void(Counting&)>> kAll{
       {"ping", [](Counting& c) { c.requests(kPing, 0); }},
@@ -92,7 +92,7 @@ int run(const std::string& what, int times) {
     return EXIT_FAILURE;
   }
   Counting counting;
-  // A ball that pushes and a client that watches, which is what ticks and pumps are for.
+  // Ticks and pumps are counted with an active effect and a subscribed client.
   if (what == "tick") counting.send(kHold);
   if (what == "pump") counting.send(kSubscribe);
   for (int i = 0; i < kWarmUp; ++i) found->second(counting);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Two things at once, for load beside what is measured.
+// Runs a load concurrently with a measurement.
 #pragma once
 
 #include <future>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A program that is measured, or that one is measured against.
+// A child process: the measured program or a reference program.
 #pragma once
 
 #include <sys/types.h>
@@ -11,25 +11,25 @@
 
 namespace hedgehog::bench {
 
-/// One process with its stdin and stdout as pipes. Killed at the end. What does not work is a
+/// One process with its stdin and stdout as pipes. Killed by the destructor. Failures throw
 /// std::runtime_error with a sentence.
 class Child {
  public:
-  /// Starts `words`, found in PATH, stderr as it is, with `variables`, NAME=VALUE, on top of this
-  /// environment.
+  /// Starts `words`, found in PATH, with inherited stderr and with `variables`, NAME=VALUE, added
+  /// to this environment.
   explicit Child(std::vector<std::string> words, const std::vector<std::string>& variables = {});
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
   ~Child();
 
-  /// Waits for the next line of stdout that begins with `prefix`; the rest of it.
+  /// Waits for the next line of stdout that begins with `prefix`; returns the rest of it.
   std::string line_after(std::string_view prefix);
-  /// Closes its stdin, and returns what it writes until its end. It must exit with 0.
+  /// Closes its stdin, and returns what it writes until it exits. The exit code must be 0.
   std::string finish();
 
-  /// Processor time so far, s, of all its threads.
+  /// Processor time so far of all its threads, s.
   double cpu_s() const;
-  /// Of its threads with that name, by the scheduler, s.
+  /// Processor time of its threads with that name, from the scheduler, s.
   double cpu_s(std::string_view thread) const;
   double resident_kb() const;
 
@@ -44,7 +44,7 @@ class Child {
   std::string read_;
 };
 
-/// The path of an installed program; empty: there is none of that name.
+/// The path of an installed program; empty if there is none of that name.
 std::string installed(const std::string& program);
 
 }  // namespace hedgehog::bench

@@ -75,7 +75,7 @@ std::string Client::answer(std::string_view request) {
   for (;;) {
     std::string found = line();
     if (!found.starts_with(R"({"jsonrpc":"2.0","method")")) return found;
-    // An echo server's answer is the request itself.
+    // An echo server's response is the request itself.
     if (found.size() + 1 == request.size()) return found;
   }
 }

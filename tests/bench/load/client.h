@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A client that costs as little as possible: a blocking TCP socket with lines.
+// A client with minimal overhead: a blocking TCP socket with lines.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace hedgehog::bench {
 inline constexpr std::string_view kPing = R"({"jsonrpc":"2.0","id":1,"method":"ping"})"
                                           "\n";
 
-/// Movable. A connection that fails or is silent for a minute is a std::runtime_error.
+/// Movable. A connection that fails, or receives nothing for a minute, throws std::runtime_error.
 class Client {
  public:
   /// To 127.0.0.1, with TCP_NODELAY.
@@ -23,9 +23,9 @@ class Client {
   void send(std::string_view bytes);
   /// The next line without its LF.
   std::string line();
-  /// Sends a line, with its LF, and returns the next one that is no notification.
+  /// Sends a line, with its LF, and returns the next line that is not a notification.
   std::string answer(std::string_view request);
-  /// Waits for `bytes` of any kind.
+  /// Waits for `bytes` of any content.
   void skip(std::size_t bytes);
   int descriptor() const noexcept { return fd_; }
 
@@ -36,7 +36,7 @@ class Client {
   std::string read_;
 };
 
-/// Waits until something listens there, at most a minute.
+/// Waits until a listener accepts there, at most a minute.
 Client connect_when_listening(int port);
 /// The body of http://127.0.0.1:port/path.
 std::string http_get(int port, const std::string& path);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Clients that ask one request after another.
+// Clients that send one request after another.
 #pragma once
 
 #include <cstddef>
@@ -12,26 +12,26 @@
 
 namespace hedgehog::bench {
 
-/// One round trip after another: the duration of each, s.
+/// Repeated round trips: the duration of each, s.
 std::vector<double> round_trips(const std::function<void()>& one, double seconds);
 
-/// Many clients, from one thread. Each has `in_flight` requests under way: what is answered is sent
-/// again.
+/// Many clients, from one thread. Each has `in_flight` pending requests: a request whose response
+/// has arrived is sent again.
 class Crowd {
  public:
-  /// Connects, and has the first answer to each.
+  /// Connects, and waits for the first response to each client.
   Crowd(int port, std::size_t clients, std::size_t in_flight, std::string_view request = kPing);
   Crowd(const Crowd&) = delete;
   Crowd& operator=(const Crowd&) = delete;
   ~Crowd();
 
-  /// So many answers came in `seconds`.
+  /// The number of responses received in `seconds`.
   std::size_t run(double seconds);
 
  private:
   std::vector<Client> clients_;
   std::size_t request_bytes_;
-  std::string requests_;  // as many as may be under way
+  std::string requests_;  // `in_flight` requests
   int poll_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A daemon on the simulator, as it is started for one measurement.
+// A daemon on the simulator, started for one measurement.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace hedgehog::bench {
 
-/// On a free port, with a state folder of its own and room for 1024 clients.
+/// On a free port, with its own state folder and a limit of 1024 clients.
 class Daemon {
  public:
   explicit Daemon(const std::string& program);
@@ -23,11 +23,11 @@ class Daemon {
     double p50_us = 0.0;
     double p99_us = 0.0;
   };
-  /// Lateness of the control loop's ticks since the start, as of its last sum, a second ago at
-  /// most.
+  /// Lateness of the control loop's ticks since the start, as of its last aggregation, at most a
+  /// second ago.
   Quantiles lateness() const;
-  /// From reading a request to the board: of the newest effects by `effect.latency`; of a daemon
-  /// that does not have this method, by its histogram.
+  /// From reading a request to the board: the newest effects, by `effect.latency`; for a daemon
+  /// without this method, by its histogram.
   Quantiles request_to_board() const;
   /// A histogram of /metrics since the start, without the prefix of its name.
   DelayHistogram histogram(const std::string& name) const;

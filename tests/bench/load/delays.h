@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Quantiles: of delays that were measured one by one, and of histograms.
+// Quantiles of delays measured one by one, and of histograms.
 #pragma once
 
 #include <string>
@@ -7,23 +7,23 @@
 
 namespace hedgehog::bench {
 
-/// Of all `delays`, which may be in any order; 0 without any. `q` 0..1.
+/// Quantile of `delays`, which may be in any order; 0 if empty. `q` 0..1.
 double quantile(std::vector<double> delays, double q);
 
-/// Of the lines "US COUNT" of a text (cyclictest --histogram), in us: the end of that microsecond,
-/// as the daemon's status has it.
+/// Quantile of the lines "US COUNT" of a text (cyclictest --histogram), in us: the end of that
+/// microsecond, as in the daemon's status.
 double quantile_us(const std::string& counts, double q);
 
-/// Counts by seconds.
+/// A histogram of delays, s.
 class DelayHistogram {
  public:
-  /// `name` of a page of metrics in Prometheus' text form.
+  /// Reads `name` from a page of metrics in Prometheus' text form.
   DelayHistogram(const std::string& page, const std::string& name);
 
-  /// What was counted since `earlier`.
+  /// The counts since `earlier`.
   DelayHistogram since(const DelayHistogram& earlier) const;
 
-  /// Interpolated within a bucket, whose bounds are far apart.
+  /// Interpolated within a bucket, because the bucket bounds are far apart.
   double quantile_us(double q) const;
   double count() const;
   double mean_us() const { return count() > 0.0 ? sum_s_ * 1e6 / count() : 0.0; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What one round has measured.
+// Measurements of one round.
 #pragma once
 
 #include <map>
@@ -7,10 +7,10 @@
 
 namespace hedgehog::bench {
 
-/// By names like "ping echo p50_us": scenario, what was measured, figure.
+/// Keyed by names like "ping echo p50_us": scenario, measured program, figure.
 struct Figures {
   std::map<std::string, double> values;
-  /// Why a figure that is wanted is not there, for those that this machine cannot have.
+  /// Reason for each requested figure that this machine cannot provide.
   std::map<std::string, std::string> left_out;
 
   double& operator[](const std::string& name) { return values[name]; }

@@ -21,13 +21,13 @@
 namespace hedgehog::bench {
 namespace {
 
-/// Effects and clients of the busiest tick that clients may cause.
+/// Effects and clients of the busiest tick that clients can cause.
 constexpr int kEffectsOfClient = 32;
 constexpr int kPlayers = 2;
 
 void wait(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
 
-/// Why cyclictest, which needs a real-time priority, cannot run here; empty: it can.
+/// Why cyclictest, which needs a real-time priority, cannot run here; empty if it can.
 std::string cyclictest_blocker() {
   if (installed("cyclictest").empty()) return "cyclictest is not installed (rt-tests)";
   rlimit priority{};
@@ -37,7 +37,7 @@ std::string cyclictest_blocker() {
   return allowed ? "" : "cyclictest may not run here (ulimit -r)";
 }
 
-/// With the control thread's priority.
+/// Command line of cyclictest with the control thread's priority.
 std::vector<std::string> cyclictest(double seconds) {
   return {"cyclictest",
           "--quiet",
@@ -49,12 +49,12 @@ std::vector<std::string> cyclictest(double seconds) {
           "--loops=" + std::to_string(std::lround(seconds * 1000.0))};
 }
 
-/// The status has the lateness of ticks until so long ago.
+/// The status may omit the ticks of the last so many seconds.
 constexpr double kSumS = 1.1;
-/// The daemon's start under stress.
+/// Duration of the daemon's start under stress.
 constexpr double kStartS = 0.5;
 
-/// The daemon's loop, since it was started, and cyclictest's in the same time.
+/// Adds the lateness of the daemon's loop since its start, and of cyclictest's in the same time.
 void add_lateness(const std::string& scenario, const Daemon& daemon, const Setup& setup,
                   Figures& figures) {
   const std::string blocker = cyclictest_blocker();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Measures the daemon beside reference programs, or beside another revision's, in rounds.
+// Measures the daemon against reference programs, or against another revision, in rounds.
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -50,7 +50,7 @@ void add_options(const hedgehog::cli::CommandSpec& app, Options& options) {
   app.add_flag("--json", options.json, "Print them so, instead of a table");
 }
 
-/// A socket of each subscriber, at both ends.
+/// Each subscriber takes one socket at both ends.
 void allow_many_sockets() {
   rlimit files{};
   ::getrlimit(RLIMIT_NOFILE, &files);
@@ -58,12 +58,12 @@ void allow_many_sockets() {
   ::setrlimit(RLIMIT_NOFILE, &files);
 }
 
-/// Over what was shown before, where somebody looks.
+/// Overwrites the previous progress text, on a terminal only.
 void show_progress(const std::string& text) {
   if (::isatty(STDERR_FILENO) != 0) std::cerr << "\r\033[K" << text << std::flush;
 }
 
-/// A machine that is busy elsewhere may hold a program up for so long that it gives up: once more.
+/// A program may time out on a machine that is busy elsewhere: one retry.
 constexpr int kAttempts = 2;
 
 void measure(const bench::Scenario& scenario, const bench::Setup& setup, bench::Figures& figures) {
@@ -76,7 +76,7 @@ void measure(const bench::Scenario& scenario, const bench::Setup& setup, bench::
   }
 }
 
-/// Other and own in turn, so that both see the same moments of a busy machine.
+/// Runs other and own alternately, so that both are measured under the same load of the machine.
 void compare(const bench::Scenario& scenario, const Options& options, const bench::Setup& setup,
              bench::Figures& figures) {
   bench::Setup own = setup;

@@ -17,9 +17,9 @@
 namespace hedgehog::bench {
 namespace {
 
-/// Ticks of an hour of plant that a quick machine computes in a second.
+/// Ticks of an hour of plant that a fast machine computes in a second.
 constexpr double kPlantTicksS = 200'000.0;
-/// Notifications a second to the C++ client.
+/// Notifications per second to the C++ client.
 constexpr const char* kNotificationsHz = "10000";
 
 void add_memory(const std::string& name, const Child& server, int port, std::size_t connections,
@@ -35,7 +35,7 @@ void add_memory(const std::string& name, const Child& server, int port, std::siz
       (server.resident_kb() - before_kb) / static_cast<double>(connections);
 }
 
-/// The numbers that a program prints, one a line.
+/// The numbers that a program prints, one per line.
 std::vector<double> numbers_of(std::vector<std::string> words) {
   std::istringstream text(Child(std::move(words)).finish());
   std::vector<double> numbers;
@@ -44,7 +44,7 @@ std::vector<double> numbers_of(std::vector<std::string> words) {
   return numbers;
 }
 
-/// An older revision may have no program that measures this.
+/// False if an older revision has no program that measures this.
 bool has(const std::string& program, const std::string& figure, Figures& figures) {
   const bool found = ::access(program.c_str(), X_OK) == 0;
   if (!found) figures.left_out[figure] = "the revision has no such program";

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kTickUs = 1000.0;
 
-/// Milliseconds of device time, which are ticks, from sending a pulse to the tick that begins it.
+/// Device time, in ms (ticks), from sending a pulse to the tick that begins it.
 std::vector<double> pulse_delays(int port, double seconds) {
   Client client(port);
   client.answer(R"({"jsonrpc":"2.0","id":1,"method":"events.subscribe",)"
@@ -31,7 +31,7 @@ std::vector<double> pulse_delays(int port, double seconds) {
   std::vector<double> delays;
   const std::int64_t until = device::monotonic_ns() + std::llround(seconds * 1e9);
   while (device::monotonic_ns() < until || delays.empty()) {
-    // At any time of a tick.
+    // Sends at a random phase of the tick.
     std::this_thread::sleep_for(std::chrono::microseconds(pause_us(random)));
     const std::int64_t sent_ns = device::monotonic_ns();
     client.send(R"({"jsonrpc":"2.0","method":"effect.pulse",)"

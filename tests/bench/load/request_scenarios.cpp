@@ -39,14 +39,14 @@ void ping(const std::string& name, const Child& server, int port, double seconds
       name, server, seconds, [&] { client.answer(kPing); }, figures);
 }
 
-/// The same command with nothing on stderr.
+/// The same command with stderr discarded.
 std::vector<std::string> quiet(std::vector<std::string> words) {
   const std::vector<std::string> shell{"sh", "-c", R"(exec "$0" "$@" 2>/dev/null)"};
   words.insert(words.begin(), shell.begin(), shell.end());
   return words;
 }
 
-/// Empty: the program is not installed.
+/// Empty if the program is not installed.
 std::string program_or_reason(const std::string& program, const std::string& figure,
                               Figures& figures) {
   std::string path = installed(program);
@@ -84,7 +84,7 @@ void ping_mosquitto(const Setup& setup, Figures& figures) {
   add_round_trips("mosquitto", server, setup.seconds, one, figures);
 }
 
-/// Answers a second of the server's processor time.
+/// Responses per second of the server's processor time.
 void load(const std::string& name, const Child& server, int port, std::size_t clients,
           std::size_t in_flight, double seconds, Figures& figures) {
   Crowd crowd(port, clients, in_flight);

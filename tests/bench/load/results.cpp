@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Three digits that count, whatever the size.
+/// Three significant digits.
 std::string number(double value) {
   const double size = std::abs(value);
   if (size >= 100'000) return fmt::format("{:.0f}k", value / 1000.0);

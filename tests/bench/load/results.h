@@ -15,7 +15,7 @@ struct Range {
   double median = 0.0;
   double min = 0.0;
   double max = 0.0;
-  /// nullopt: no values.
+  /// nullopt if there are no values.
   static std::optional<Range> of(std::vector<double> values);
 };
 
@@ -23,14 +23,14 @@ struct Result {
   Row row;
   std::optional<Range> value;
   std::optional<Range> reference;
-  /// Value by reference, of each round that has both.
+  /// Ratio of value to reference, of each round that has both.
   std::optional<Range> ratio;
-  /// nullopt: no goal, or not the figure that it is about.
+  /// nullopt: no goal, or the goal is for another figure.
   std::optional<bool> met;
-  /// Why `value` or `reference` is not there, for those that this machine cannot have.
+  /// Why `value` or `reference` is missing, for those that this machine cannot provide.
   std::string left_out;
 
-  /// A figure that should be there is not.
+  /// True if a figure is missing that this machine can provide.
   bool is_incomplete() const {
     return left_out.empty() && (!value || (!row.reference.empty() && !reference));
   }
@@ -38,9 +38,9 @@ struct Result {
 
 std::vector<Result> results(const std::vector<Row>& rows, const std::vector<Figures>& rounds);
 
-/// As people read it, of lines of 120 columns.
+/// Text table of at most 120 columns.
 std::string table_of(const std::vector<Result>& results);
-/// As programs do: `rounds` is how many there were.
+/// JSON. `rounds` is the number of rounds.
 std::string json_of(const std::vector<Result>& results, std::size_t rounds, double seconds);
 
 }  // namespace hedgehog::bench

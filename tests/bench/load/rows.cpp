@@ -116,7 +116,7 @@ std::vector<Row> reference_rows() {
 std::vector<Row> comparison_rows(const std::string& revision) {
   std::vector<Row> rows;
   for (Row row : reference_rows()) {
-    // "The same" beside another reference, and what needs one.
+    // Skips the rows that only compare a figure with another reference.
     if (row.name.starts_with("the same") && row.name.find("clients") == row.name.npos &&
         row.name.find("stress") == row.name.npos)
       continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rows of the table: which figure is compared with which, and what is aimed at.
+// The rows of the table: which figure is compared with which, and the goal.
 #pragma once
 
 #include <string>
@@ -27,11 +27,11 @@ struct Row {
   Goal goal;
 };
 
-/// Of `make bench`.
+/// The rows of `make bench`.
 std::vector<Row> reference_rows();
 
-/// Of `make bench-compare`: the same figures of another revision, which have `kOther` before their
-/// names, are the references.
+/// The rows of `make bench-compare`: the references are the same figures of another revision,
+/// prefixed with `kOther`.
 inline constexpr const char* kOther = "other ";
 std::vector<Row> comparison_rows(const std::string& revision);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is measured in a round: each starts its programs, loads them and adds its figures. What
-// cannot be measured is a std::runtime_error, what this machine cannot have is left out.
+// The scenarios of a round: each starts its programs, loads them and adds its figures. A failed
+// measurement throws std::runtime_error; what this machine cannot provide is left out.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace hedgehog::bench {
 
 /// Clients of a crowd.
 inline constexpr std::size_t kCrowd = 64;
-/// Share of a measurement for which the same runs before it.
+/// Share of a measurement's duration that runs before it as a warm-up.
 inline constexpr double kWarmUpShare = 0.2;
 
 // Requests (request_scenarios.cpp, pulse_scenario.cpp, subscriber_scenario.cpp).
@@ -44,7 +44,7 @@ struct Scenario {
 };
 const std::vector<Scenario>& scenarios();
 
-/// One after the other; the other way round in odd rounds.
+/// In the given order in even rounds, in reverse order in odd ones.
 void in_turn(int round, std::initializer_list<std::function<void()>> parts);
 
 }  // namespace hedgehog::bench

@@ -8,13 +8,13 @@
 namespace hedgehog::bench {
 
 struct Setup {
-  /// Build folder with what is measured.
+  /// Build folder of the measured programs.
   std::string build;
-  /// The same of the reference programs.
+  /// Build folder of the reference programs.
   std::string reference;
-  /// Without them only the daemon and what belongs to it is measured.
+  /// False: only the daemon and its own programs are measured.
   bool with_references = true;
-  /// Of one measurement.
+  /// Duration of one measurement.
   double seconds = 1.0;
   std::size_t subscribers = 1000;
   /// References are measured first in even rounds, last in odd ones.

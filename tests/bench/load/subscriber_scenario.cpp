@@ -31,7 +31,7 @@ void add_subscribers(const std::string& name, const Child& server, Subscribers& 
   figures["subscribers " + name + " cpu_us"] = 1e6 * spent_s / notifications;
 }
 
-/// Now and then, so that they load nothing: how long each took, s.
+/// Pings at long intervals, so that they add no load: duration of each, s.
 std::vector<double> rare_pings(Client& client, double seconds) {
   std::vector<double> took_s;
   const auto until = Clock::now() + std::chrono::duration<double>(seconds);

@@ -25,7 +25,7 @@ constexpr std::string_view kSubscribe =
     R"("params":{"rate_hz":100,"fields":["state","temperature_c","current_a"]}})"
     "\n";
 
-/// 0: the line is no telemetry.
+/// 0 if the line is no telemetry.
 std::int64_t time_ns_of(std::string_view line) {
   constexpr std::string_view kKey = R"("time_ns":)";
   const std::size_t at = line.find(kKey);

@@ -11,12 +11,12 @@
 
 namespace hedgehog::bench {
 
-/// Three fields, 100 times a second.
+/// Three fields, 100 times per second.
 inline constexpr int kSubscribedHz = 100;
 
 struct Received {
   std::size_t notifications = 0;
-  /// Of those that should have come between others, by their device time.
+  /// Missing notifications between received ones, by their device time.
   std::size_t missing = 0;
   double seconds = 0.0;
 };
@@ -29,13 +29,13 @@ class Subscribers {
   Subscribers& operator=(const Subscribers&) = delete;
   ~Subscribers();
 
-  /// Reads for so long.
+  /// Reads for `seconds`.
   Received run(double seconds);
 
  private:
   struct Subscriber {
     Client client;
-    std::string rest;  // of a line that has not come to its end
+    std::string rest;  // incomplete line
     std::int64_t last_ns = 0;
   };
   void read(Subscriber& from, Received& received);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Processor time, us, that one telemetry notification costs a program: with the C++ client library,
-// each decoded; then with a socket alone, whose bytes are read. `client_cost PORT SECONDS`, of a
-// server that sends as reference_telemetry_sender does.
+// Processor time, us, of one telemetry notification in a program: with the C++ client library, each
+// decoded; then with a plain socket that only reads the bytes. `client_cost PORT SECONDS`, for a
+// server that sends like reference_telemetry_sender.
 #include <arpa/inet.h>
 #include <netinet/in.h>
 #include <sys/socket.h>

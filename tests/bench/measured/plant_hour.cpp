@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Processor time, s, of an hour of virtual time: plant, board, link and control; then the plant
-// alone. `plant_hour TICKS`: computes so many milliseconds of it and scales.
+// alone. `plant_hour TICKS`: computes TICKS milliseconds of it and scales.
 #include <cstdlib>
 #include <ctime>
 #include <iostream>
@@ -13,7 +13,7 @@ namespace {
 using hedgehog::model::Tick;
 
 constexpr Tick kHour = 3'600'000;
-/// Play along a winding, as a game has it: a third of the time.
+/// Effects along a winding as in a game: active a third of the time.
 constexpr Tick kEvery = 450;
 constexpr Tick kPulse = 150;
 

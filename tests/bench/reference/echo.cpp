@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reference server: sends each line back. `--parse`: parses it with nlohmann/json, and answers with
-// what that writes, a response to `ping`. Prints its port.
+// Reference server: sends each line back. `--parse`: parses it with nlohmann/json, and sends the
+// serialised response to `ping`. Prints its port.
 #include <array>
 #include <boost/asio/awaitable.hpp>
 #include <boost/asio/buffer.hpp>
@@ -27,7 +27,7 @@ using boost::system::error_code;
 constexpr std::size_t kReadBytes = 16 * 1024;
 constexpr std::int64_t kAnyTimeNs = 273'660'123'456'789;
 
-/// Appends what `line`, without its LF, is answered with.
+/// Appends the response to `line`, which is given without its LF.
 void answer(std::string_view line, bool parse, std::string& out) {
   if (parse) {
     const nlohmann::json request = nlohmann::json::parse(line);

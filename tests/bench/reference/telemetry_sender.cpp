@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Reference server: a telemetry notification of three fields RATE times a second (1 to 10000), made
-// once and sent from one buffer to each client that has sent something. Answers nothing. Prints its
-// port.
+// Reference server: a telemetry notification of three fields RATE times per second (1 to 10000),
+// serialised once and sent from one buffer to each client that has sent something. Sends no
+// responses. Prints its port.
 #include <array>
 #include <boost/asio/awaitable.hpp>
 #include <boost/asio/buffer.hpp>

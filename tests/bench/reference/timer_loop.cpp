@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Reference loop: sleeps until the next millisecond, 1000 times a second, and does nothing else.
-// Memory locked and scheduled as the control thread is, where the system allows it. At the end of
-// its input it prints what cyclictest --histogram prints: microseconds of lateness, and how often.
+// Reference loop: sleeps until the next millisecond, 1000 times per second, and does nothing else.
+// Memory locked and scheduling as in the control thread, where the system allows it. At the end of
+// its input it prints what cyclictest --histogram prints: microseconds of lateness and their
+// counts.
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -38,7 +39,7 @@ void loop(const std::atomic<bool>& stopping) {
 int main() {
   std::atomic<bool> stopping{false};
   std::thread thread(loop, std::cref(stopping));
-  // All that the loop will ever have; a limit that is too small for it is no reason not to measure.
+  // All memory of the loop; if the lock limit is too small, it is measured without the lock.
   static_cast<void>(mlockall(MCL_CURRENT));
   std::cout << "loops" << std::endl;
   char byte = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An MTi that follows the protocol, and can refuse rates.
+// A simulated MTi that follows the protocol, and can refuse rates.
 #pragma once
 
 #include <algorithm>

@@ -20,7 +20,7 @@ using model::Vec3;
 constexpr double kDegrees = 180.0 / 3.14159265358979323846;
 constexpr double kDt = 1.0 / 250.0;
 
-/// Angle between two rotations; and between their ideas of "up", which is roll and pitch alone.
+/// Angle between two rotations; and between their "up" vectors, which covers roll and pitch alone.
 double angle_deg(const Quaternion& a, const Quaternion& b) {
   const Quaternion d = conjugate(a) * b;
   return 2.0 * std::atan2(std::hypot(d.x, d.y, d.z), std::abs(d.w)) * kDegrees;
@@ -31,8 +31,9 @@ double tilt_deg(const Quaternion& a, const Quaternion& b) {
   return std::atan2(norm(cross(up_a, up_b)), dot(up_a, up_b)) * kDegrees;
 }
 
-/// A consumer MEMS sensor, somewhat worse than the data sheets of pads' ones: bias, its walk, white
-/// noise of the rate and of the acceleration at 250 Hz, and an accelerometer off by 5 mg.
+/// A consumer MEMS sensor, somewhat worse than the data sheets of the pads' sensors: bias, its
+/// random walk, white noise of the rate and of the acceleration at 250 Hz, and an accelerometer
+/// offset of 5 mg.
 struct Mems {
   model::RandomStream random{1};
   Vec3 bias_deg_s;
@@ -50,7 +51,7 @@ struct Mems {
     return {rate_deg_s + bias_deg_s + noise(rate_noise_deg_s),
             up + accel_bias_g + noise(accel_noise_g), kDt};
   }
-  /// Without any of it.
+  /// Without noise, walk and bias.
   static Mems ideal() {
     Mems made;
     made.rate_noise_deg_s = made.walk_deg_s = made.accel_noise_g = 0.0;
@@ -59,7 +60,7 @@ struct Mems {
   }
 };
 
-/// The truth and the filter side by side.
+/// The true orientation and the filter's, side by side.
 struct FusionBench {
   Mems mems;
   Quaternion truth;
@@ -104,7 +105,7 @@ TEST(Fusion, TheFrontBeginsAtAzimuthZero) {
   EXPECT_GT(front.x, 0.9);
 }
 
-// By hand, in half a second and in two, about each axis, there and back.
+// By hand, in 0.5 s and in 2 s, about each axis, in both directions.
 TEST(Fusion, QuarterTurnsWithinTwoDegrees) {
   for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
     for (const double angle : {90.0, -90.0, 180.0}) {
@@ -136,7 +137,8 @@ TEST(Fusion, TenMinutesOfNoiseMoveRollAndPitchByLessThanOneDegree) {
   EXPECT_LT(worst, 1.0);
 }
 
-// A hand that is never still: 20 degrees to and fro about a changing axis, pushes of 0.2 g.
+// A hand that is never still: 20 degrees back and forth about a changing axis, accelerations of 0.2
+// g.
 TEST(Fusion, TenMinutesInTheHandKeepRollAndPitch) {
   FusionBench bench;
   bench.mems.bias_deg_s = {0.3, -0.4, 0.2};
@@ -172,7 +174,7 @@ TEST(Fusion, FindsTheBiasOfRollAndPitchInMotionToo) {
   EXPECT_NEAR(bench.fusion.bias_deg_s().y, -1.0, 0.2);
 }
 
-// Shaken hard for a second, tilt is carried by the gyroscope alone.
+// Shaken hard for a second, tilt is tracked by the gyroscope alone.
 TEST(Fusion, AccelerationThatIsNotGravityIsNotBelieved) {
   FusionBench bench;
   bench.rest(5.0);
@@ -181,7 +183,7 @@ TEST(Fusion, AccelerationThatIsNotGravityIsNotBelieved) {
   EXPECT_LT(bench.tilt_error_deg(), 1.0);
 }
 
-// The tilt anew, out of gravity; heading and bias as they were.
+// The tilt is set again from gravity; heading and bias stay.
 TEST(Fusion, AfterATurnThatNobodySawItIsRightWithinTheSettleTime) {
   for (const double tilt : {0.0, 40.0, 90.0, 150.0, 175.0}) {
     FusionBench bench;
@@ -197,7 +199,7 @@ TEST(Fusion, AfterATurnThatNobodySawItIsRightWithinTheSettleTime) {
       EXPECT_LT(norm(bench.fusion.bias_deg_s() - bench.mems.bias_deg_s), 0.2) << tilt;
     }
     EXPECT_LT(bench.tilt_error_deg(), 1.0) << tilt;
-    // Nearly upside down, the shortest way may be any.
+    // Nearly upside down, the shortest rotation is ambiguous.
     const double heading_too = tilt > 150.0 ? 0.0 : bench.error_deg();
     EXPECT_LT(heading_too, 4.0) << tilt;
   }
@@ -229,7 +231,7 @@ RC_GTEST_PROP(FusionLaws, AnythingGivesARotation, ()) {
   }
 }
 
-// "Its left side looks to the ball's front": seen from the ball, the sensor is turned.
+// "Its left side faces the ball's front": relative to the ball, the sensor is rotated.
 TEST(Mounting, SidesOfTheSensorBecomeTheBalls) {
   constexpr std::array<Side, 6> kSides{Side::kFront, Side::kBack, Side::kLeft,
                                        Side::kRight, Side::kUp,   Side::kDown};
@@ -243,7 +245,7 @@ TEST(Mounting, SidesOfTheSensorBecomeTheBalls) {
       const Vec3 z = mounting->to_ball(normal(up));
       EXPECT_NEAR(x.x, 1.0, 1e-12);
       EXPECT_NEAR(z.z, 1.0, 1e-12);
-      // However the sensor lies, the ball's front is where the sensor's `front` side is.
+      // In any orientation of the sensor, the ball's front is where the sensor's `front` side is.
       const Quaternion sensor = model::axis_angle({0.6, 0, 0.8}, 77.0);
       const Vec3 ball_front = rotate(mounting->ball_to_world(sensor), {1, 0, 0});
       EXPECT_LT(norm(ball_front - rotate(sensor, normal(front))), 1e-12);

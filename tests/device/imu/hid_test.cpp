@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// HID report descriptors and the orientation that they lead to.
+// HID report descriptors and the orientation decoded by them.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -69,7 +69,7 @@ TEST(HidOrientation, ShortsWithAnExponent) {
   const HidOrientation sensor = sensor_of(short_orientation_descriptor());
   EXPECT_EQ(sensor.report_id(), 5);
   const std::vector<Byte> report{5, 2, 4, 0, 0, 0, 0, 0xC3, 0x02, 0xC3, 0x02};
-  // The sensor's y, which is the front here, has been turned from north to west; without a turn it
+  // The sensor's y, which is the front here, is rotated from north to west; without a rotation it
   // would be 90 degrees from the world's x.
   expect_rotation(sensor.decode(report), {0, 0, 1}, 180.0);
   EXPECT_FALSE(sensor.decode(report)->rate_deg_s);
@@ -77,7 +77,7 @@ TEST(HidOrientation, ShortsWithAnExponent) {
   expect_rotation(sensor.decode(still), {0, 0, 1}, 90.0);
 }
 
-// s32, exponent -7, no report ids, angular velocity in radians beside it.
+// s32, exponent -7, no report ids, followed by the angular velocity in radians.
 TEST(HidOrientation, LongsWithAngularVelocityInRadians) {
   const HidOrientation sensor = sensor_of(long_orientation_descriptor());
   EXPECT_EQ(sensor.report_id(), 0);
@@ -89,7 +89,7 @@ TEST(HidOrientation, LongsWithAngularVelocityInRadians) {
   for (const std::int32_t value : {1000, -2000, 3000}) put(value);       // mrad/s
   const auto sample = sensor.decode(report);
   ASSERT_TRUE(sample);
-  // The sensor's x is the ball's right side: its left goes down, its front goes up.
+  // The sensor's x is the ball's right side: its left side goes down, its front goes up.
   EXPECT_NEAR(rotate(sample->quaternion, {1, 0, 0}).z, 1.0, 1e-6);
   ASSERT_TRUE(sample->rate_deg_s);
   EXPECT_NEAR(sample->rate_deg_s->x, -114.59, 0.01);
@@ -110,7 +110,7 @@ TEST(HidOrientation, SwitchesItOnByItsFeatureReport) {
   ASSERT_EQ(report.size(), 7u);
   report[0] = 5;
   sensor.switch_on(report, 0.01);
-  // "all events" and "full power" are the second selectors of lists that begin at 1; 10 ms.
+  // "all events" and "full power" are the second selectors of lists that start at 1; 10 ms.
   EXPECT_THAT(report, ElementsAre(5, 2, 2, 10, 0, 0, 0));
 }
 
@@ -145,7 +145,8 @@ RC_GTEST_PROP(HidLaws, NumbersComeBackFromAnyBits, ()) {
   RC_ASSERT(!read_hid(field, field.count, report));
 }
 
-// A report has no check sum: one wrong byte may turn the ball a little, never break the number.
+// A report has no check sum: one wrong byte may rotate the ball a little, but never yields an
+// invalid number.
 RC_GTEST_PROP(HidLaws, AnyReportGivesARotationOrNothing, (const std::vector<Byte>& noise)) {
   for (const auto& descriptor : {short_orientation_descriptor(), long_orientation_descriptor(),
                                  full_range_orientation_descriptor()}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The talk with an MTi, against one that follows the protocol.
+// The session with an MTi, against a simulated one that follows the protocol.
 #include "daemon/device/imu/mti_session.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reports of the DualSense and the DualShock 4, built byte by byte after hid-playstation.c's
-// layout.
+// Reports of the DualSense and the DualShock 4, built byte by byte in hid-playstation.c's layout.
 #include "daemon/device/imu/sony_pad.h"
 
 #include <gtest/gtest.h>
@@ -92,7 +91,7 @@ TEST_P(Sony, CalibrationGivesDegreesAndG) {
   EXPECT_NEAR(calibration.accel[2].bias, 8.0, 1e-12);
 }
 
-// The maxima were measured with the bias on them, however large: 30 are 1.8 deg/s.
+// The maxima were measured including the bias, whatever its size: 30 are 1.8 deg/s.
 TEST_P(Sony, TheFactoryBiasIsOfTheMaximaNotOfTheReports) {
   auto bytes = calibration_of(v);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -119,7 +118,7 @@ TEST_P(Sony, LyingFlatUpIsUp) {
 }
 
 TEST_P(Sony, AxesAreForwardLeftUp) {
-  // About the pad's own x (to the right): to the left it is negative.
+  // About the pad's own x axis (to the right): about the left axis it is negative.
   const auto pitch = decode_sony(v.pad, report_of(v, {8843, 0, 0}, {0, 0, 0}), calibration);
   EXPECT_NEAR(pitch->rate_deg_s.y, -540.0, 0.1);
   const auto yaw = decode_sony(v.pad, report_of(v, {0, 8820, 0}, {0, 0, 0}), calibration);
@@ -149,7 +148,8 @@ TEST_P(Sony, OtherReportsAreRefused) {
   EXPECT_FALSE(decode_calibration(v.pad, v.bus, {}));
 }
 
-// Bluetooth: detected by the CRC. USB has none, but no byte can leave the range of the sensors.
+// Over Bluetooth a wrong byte is detected by the CRC. USB has no CRC, but no byte can exceed the
+// range of the sensors.
 TEST_P(Sony, OneWrongByteIsDetectedOrHarmless) {
   const auto good = report_of(v, {100, -200, 300}, {8, 8200, 8}, 12345);
   for (std::size_t at = 0; at < good.size(); ++at) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Xsens messages: captures published in public repositories, with the values they decode to
-// (reference: hardware.md section 4.3), and laws.
+// Xsens messages: captures published in public repositories, with their decoded values (reference:
+// hardware.md section 4.3), and properties.
 #include "daemon/device/imu/xbus.h"
 
 #include <gmock/gmock.h>
@@ -105,7 +105,7 @@ TEST(Xbus, CapturesDecodeToTheirValues) {
   expect_near(sample_of(kCaptureE).rate_rad_s, {0.004264, -0.006906, 0.003148}, 1e-6);
 }
 
-// 0.5 and its kin in each format: 12.20, 16.32 (fraction before whole), double.
+// 0.5 and similar values in each format: 12.20, 16.32 (fraction before integer part), double.
 TEST(Xbus, FixedPointAndDoubleAreRead) {
   const auto rate = [](const std::string& hex) {
     return decode_mtdata2(from_hex(hex)).value().rate_rad_s;
@@ -119,7 +119,7 @@ TEST(Xbus, FixedPointAndDoubleAreRead) {
 }
 
 TEST(Xbus, NorthEastDownIsTurnedOverSoThatUpIsUp) {
-  // Level in NED is the half turn about x in a world with z up.
+  // Level in NED is a half turn about x in a world with z up.
   const auto level =
       decode_mtdata2(from_hex("20 14 10 3F 80 00 00 00 00 00 00 00 00 00 00 00 00 00 00"));
   ASSERT_TRUE(level && level->quaternion);
@@ -127,7 +127,7 @@ TEST(Xbus, NorthEastDownIsTurnedOverSoThatUpIsUp) {
 }
 
 TEST(Xbus, WhatCannotBeIsMissing) {
-  // NaN, length off by one, a quaternion of length 2.
+  // NaN, a wrong length, a quaternion of norm 2.
   for (const char* hex :
        {"80 20 0C 7F C0 00 00 00 00 00 00 00 00 00 00", "80 20 0B 00 00 00 00 00 00 00 00 00 00 00",
         "20 10 10 40 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00"}) {
@@ -160,8 +160,8 @@ RC_GTEST_PROP(XbusLaws, EveryMessageComesBackInAnyPieces, ()) {
   RC_ASSERT(parser.skipped() == 0u);
 }
 
-// Every byte of every capture, every wrong value. A sum of eight bits lets one wrong length in 256
-// pass; the list inside must then fail to fit.
+// Every byte of every capture, every wrong value. A sum of eight bits accepts one wrong length in
+// 256; the list inside must then be rejected by its size.
 TEST(Xbus, OneWrongByteNeverGivesAWrongSample) {
   for (const std::string& capture : {kCaptureA, kCaptureB, kCaptureC, kCaptureD, kCaptureE}) {
     const auto good = from_hex(capture);
@@ -201,7 +201,7 @@ RC_GTEST_PROP(XbusLaws, NoiseBetweenMessagesIsSkipped, (const std::vector<Byte>&
 }
 
 TEST(Xbus, APreambleInsideABrokenMessageIsFound) {
-  auto bytes = from_hex("FA FF 36 40 FA");  // cut off in mid-message
+  auto bytes = from_hex("FA FF 36 40 FA");  // cut off within a message
   const auto good = from_hex(kCaptureA);
   for (int i = 0; i < 2; ++i) bytes.insert(bytes.end(), good.begin(), good.end());
   EXPECT_EQ(parse(bytes).size(), 2u);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the daemon finds in /sys, in a tree made like it.
+// Devices that the daemon finds in /sys, in a simulated tree.
 #include "daemon/device/sensors/drivers.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ class FakeSys : public testing::Test {
     std::ofstream(file, std::ios::binary) << text;
   }
 
-  /// A USB device as the kernel shows it: attributes with a newline at their end.
+  /// A USB device as in the kernel's sysfs: attributes with a newline at their end.
   fs::path usb(const std::string& port, const std::string& vendor, const std::string& product,
                int address, const std::string& name = "", const std::string& serial = "") {
     fs::path device = root_ / "devices" / port;
@@ -85,7 +85,8 @@ TEST_F(FakeSys, APadOnUsbAndOneOnBluetooth) {
   EXPECT_EQ(devices[1].serial, "cc:dd");
 }
 
-// hid-sensor-hub of Linux 6.1 leaves no hidraw node; the place on the bus is what is left.
+// hid-sensor-hub of Linux 6.1 creates no hidraw node; the sensor is identified by its place on the
+// bus.
 TEST_F(FakeSys, AnOrientationSensorWithoutANode) {
   const fs::path device = usb("1-1", "1bae", "01ca", 3);
   hid(device / "1-1:1.0", "0003:1BAE:01CA.0001", short_orientation_descriptor(), "Glasses", "", "",
@@ -133,8 +134,8 @@ TEST_F(FakeSys, AnMtiAndARadioStation) {
   EXPECT_EQ(find_sensor(devices, kMtiDriver, "").index, 0u);
 }
 
-// Pulled out between open and read, its files can still be opened but not be read any more. A
-// folder in their place is like that.
+// Of a device unplugged between open and read, files can be opened but not read. A folder in place
+// of the file behaves the same.
 TEST_F(FakeSys, AnAttributeThatCannotBeReadIsLeftOut) {
   const fs::path pulled = usb("1-1", "2639", "0003", 2, "MTi-30");
   fs::create_directory(pulled / "serial");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Devices that exist in memory: ports that a test fills, an opener that hands them out, and where
-// their samples go.
+// Devices in memory: ports filled by a test, an opener that provides them, and the recorded
+// samples.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@ struct FakeHid {
   std::deque<std::vector<Byte>> reports;
   std::map<Byte, std::vector<Byte>> features;
   std::vector<std::vector<Byte>> written;
-  /// Answers to what is written, when set.
+  /// Returns the response to what is written, when set.
   std::function<std::vector<std::vector<Byte>>(const std::vector<Byte>&)> answer;
   int open_ports = 0;
   int opened = 0;
@@ -80,7 +80,7 @@ inline OpenHid FakeHid::opener() {
   };
 }
 
-/// Whatever is written is given to `device`, whose answer is read.
+/// Passes what is written to `device`, and reads its response.
 class FakeBytePort : public BytePort {
  public:
   using Device = std::function<std::vector<Byte>(const std::vector<Byte>&)>;
@@ -105,7 +105,7 @@ class FakeBytePort : public BytePort {
   std::vector<Byte> waiting_;
 };
 
-/// Virtual time, and what was published.
+/// Virtual time, and what was published in it.
 struct Desk {
   model::Tick now = 0;
   std::vector<OrientationSample> samples;

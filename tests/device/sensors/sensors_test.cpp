@@ -30,8 +30,8 @@ TEST(HidSensorImu, IsSwitchedOnAndPublishesWithARateFromItsTurns) {
   EXPECT_THAT(hid.features[5], ElementsAre(5, 2, 2, 10, 0, 0, 0));
 
   desk.now = 1000;
-  hid.reports.push_back({5, 2, 4, 0, 0, 0, 0, 0, 0, 0xE8, 0x03});  // straight
-  hid.reports.push_back({4, 9, 9});                                // something else
+  hid.reports.push_back({5, 2, 4, 0, 0, 0, 0, 0, 0, 0xE8, 0x03});  // level
+  hid.reports.push_back({4, 9, 9});                                // another report
   EXPECT_TRUE(imu.poll(0ms));
   EXPECT_TRUE(imu.poll(0ms));
   desk.now = 1100;
@@ -84,11 +84,11 @@ TEST(MtiImu, ConfiguresAndPublishes) {
   EXPECT_EQ(desk.samples.back().stamp, 990);
 }
 
-/// A TEMPer2 that answers.
+/// A simulated TEMPer2.
 struct FakeTemper : FakeHid {
   std::string firmware = "TEMPer2_V3.9    ";
   std::string temperature = "80 80 0A 8C 4E 20 00 00 80 01 0D DE 4E 20 00 00";
-  int deaf = 0;  // questions that it does not answer at first
+  int deaf = 0;  // number of first requests without a response
 
   FakeTemper() {
     answer = [this](const std::vector<Byte>& out) -> std::vector<std::vector<Byte>> {
@@ -142,7 +142,7 @@ TEST(TemperSensor, AnUnknownFirmwareIsNamed) {
   EXPECT_EQ(stick.open_ports, 0);
 }
 
-/// Dies after so many polls; counts what was done to it.
+/// Fails after a number of polls; counts the calls.
 struct Flaky : Sensor {
   struct Log {
     std::atomic<int> opened{0}, closed{0}, polled{0};
@@ -176,7 +176,7 @@ struct Flaky : Sensor {
   const std::string& name() const override { return label; }
 };
 
-// False when that did not happen in a minute.
+// False when `done` was not true within a minute.
 template <class Done>
 bool eventually(Done done) {
   const auto until = std::chrono::steady_clock::now() + 60s;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A pad of Sony's over a fake port: its own clock, how it is mounted, and what it was turned
-// unseen.
+// A Sony pad over a fake port: its own clock, its mounting, and rotations while it was not
+// connected.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ using namespace std::chrono_literals;
 
 constexpr double kRadians = 3.14159265358979323846 / 180.0;
 
-/// A DualSense on USB that is turned about its up axis, or lies tilted to its side.
+/// A report of a DualSense on USB that rotates about its up axis, or is tilted to its side.
 std::vector<Byte> dualsense_report(std::uint32_t clock, std::int16_t yaw, double tilt_deg = 0.0) {
   std::vector<Byte> bytes(64);
   bytes[0] = 1;
@@ -48,7 +48,7 @@ TEST(SonyImu, TurnsByThePadsOwnClock) {
   EXPECT_NEAR(desk.samples.back().rate_deg_s.z, 90.0, 0.5);
 }
 
-// Unplugged, or silent in a dead spot of the radio, and turned on its back meanwhile.
+// Unplugged, or out of radio range, and turned onto its back meanwhile.
 TEST(SonyImu, WhatItWasTurnedUnseenIsRightWithinTheSettleTime) {
   Desk desk;
   FakeHid pad;
@@ -83,7 +83,7 @@ TEST(SonyImu, WhatItWasTurnedUnseenIsRightWithinTheSettleTime) {
   EXPECT_NEAR(tilt_deg(), 0.0, 1.0) << "heard again";
   EXPECT_LT(norm(imu.fusion().bias_deg_s()), 0.05) << "and nothing of it was taken for bias";
 
-  // By the pad's clock, which comes round, no time at all.
+  // By the pad's clock, which wraps around, no time has passed.
   desk.now += 1000;
   lie_s(Fusion::kSettleS, 175.0);
   EXPECT_NEAR(tilt_deg(), 175.0, 1.0) << "heard again after whole rounds of its clock";
@@ -97,7 +97,7 @@ TEST(SonyImu, AMountingUpsideDownIsTurnedBack) {
   ASSERT_EQ(imu.open(), "");
   for (std::uint32_t i = 0; i < 5; ++i) pad.reports.push_back(dualsense_report(i * 12000, 0));
   while (!pad.reports.empty()) ASSERT_TRUE(imu.poll(0ms));
-  // The pad lies face up, and is built in face down: so the ball stands on its head.
+  // The pad lies face up and is mounted face down: so the ball is upside down.
   EXPECT_NEAR(rotate(desk.samples.back().quaternion, {0, 0, 1}).z, -1.0, 1e-6);
 }
 

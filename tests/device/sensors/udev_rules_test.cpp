@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// systemd/60-hedgehog.rules names the devices that the code knows: no more, no fewer.
+// systemd/60-hedgehog.rules lists exactly the devices supported by the code.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ std::string rules() {
 
 int hex(const std::string& text) { return std::stoi(text, nullptr, 16); }
 
-/// Of lines with ATTR{idVendor} and ATTR{idProduct}.
+/// Ids in lines with ATTR{idVendor} and ATTR{idProduct}.
 Ids usb_ids(const std::string& text) {
   Ids ids;
   const std::regex line(R"re(ATTR\{idVendor\}=="(\w+)", ATTR\{idProduct\}=="([\w|]+)")re");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which board is used, what is said of the others, and what passes.
+// Which board is used, what is reported about the others, and which frames pass.
 #include "daemon/device/usb/board_finder.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ TEST(BoardOnUsb, TheOneThatIsConnectedIsUsedByItsVendorInterface) {
   EXPECT_EQ(bench.finder.usb_info().firmware, "1.02");
   EXPECT_EQ(bench.usb.claimed_interface, 1);
   EXPECT_EQ(bench.received.size(), 1000u);
-  EXPECT_EQ(board.on_event.size(), static_cast<std::size_t>(bench.sent) - 1);  // one under way
+  EXPECT_EQ(board.on_event.size(), static_cast<std::size_t>(bench.sent) - 1);  // one in transfer
   EXPECT_EQ(bench.sent, 1000);
   for (std::uint32_t i = 0; i < 1000; ++i) EXPECT_EQ(bench.received[i], telemetry(i + 1));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The board on USB when something is wrong: pulled out, stalled, silent, failing, again and again.
+// Failures of the board on USB: unplugged, stalled, silent, failing, repeatedly.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -28,7 +28,7 @@ TEST(BoardOnUsb, ABoardThatDoesNotListenFillsThePoolAndNoMore) {
 TEST(BoardOnUsb, PulledOutInTheMiddleOfATransferItIsClosedAndFoundAgain) {
   Bench bench;
   FakeBoard& board = bench.usb.plug_in("7");
-  board.listens = false;  // frames to it are under way
+  board.listens = false;  // frames to it stay in transfer
   bench.run(board, 300);
   board.plugged = false;
   bench.run(static_cast<int>(BoardFinder::kLook.count()) + 2);
@@ -164,7 +164,7 @@ RC_GTEST_PROP(BoardOnUsb, WhateverHappensNothingIsLostOrLeftOpen, ()) {
   RC_ASSERT(bench->finder.usb_info().opened == bench->finder.usb_info().closed);
 }
 
-// The threads for real: the link's tick, the finder's own thread, and cables pulled in between.
+// Real threads: the link's tick, the finder's own thread, and cables unplugged meanwhile.
 TEST(BoardOnUsb, FinderAndLinkOnThreadsOfTheirOwn) {
   auto usb = std::make_unique<FakeUsb>();
   FakeBoard& plugged = usb->plug_in("7");
@@ -184,7 +184,7 @@ TEST(BoardOnUsb, FinderAndLinkOnThreadsOfTheirOwn) {
       ++next;
       (void)transport->send(Frame{});
     }
-    // The finder lends the board a moment before it says so.
+    // The finder provides the board a moment before it reports so.
     for (int ms = 0; ms < 20'000 && !board.usb_info().open; ++ms)
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     EXPECT_EQ(board.usb_info().what, kSeven);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A USB that exists in memory: boards that a test plugs in, pulls out and lets stall. It counts
-// what was opened, closed, and left under way.
+// A USB in memory: boards that a test plugs in, unplugs and stalls. It counts what was opened,
+// closed, and left in transfer.
 #pragma once
 
 #include <algorithm>
@@ -21,15 +21,15 @@ namespace hedgehog::device {
 /// The device: outlives its ports, as a real one does.
 struct FakeBoard {
   UsbDevice device;
-  /// An error of libusb's when somebody opens it.
+  /// The libusb error on opening; 0: none.
   int open_error = 0;
   bool plugged = true;
   bool stalled = false;
   bool clear_halt_works = true;
-  /// False: frames to it stay under way.
+  /// False: frames to it are never completed.
   bool listens = true;
   bool transfers_fail = false;
-  /// What it says next, and what it has heard.
+  /// Packets that it sends next, and those that it has received.
   std::deque<std::vector<std::uint8_t>> packets;
   std::vector<std::vector<std::uint8_t>> on_event;
 
@@ -38,7 +38,7 @@ struct FakeBoard {
   int halts_cleared = 0;
   std::uint64_t begun = 0;
   std::uint64_t ended = 0;
-  /// Transfers that nobody had ended when their port was closed.
+  /// Transfers that were not completed when their port was closed.
   int left_under_way = 0;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finder and link over a USB in memory, in virtual time.
+// Finder and link over a simulated USB, in virtual time.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ inline std::vector<std::uint8_t> telemetry(std::uint32_t sequence, int version =
   return {frame.begin(), frame.end()};
 }
 
-// Finder and link, each at its own pace, on one virtual clock of milliseconds.
+// Finder and link, each with its own period, on one virtual clock in milliseconds.
 struct Bench {
   FakeUsb usb;
   BoardFinder finder;
@@ -59,7 +59,7 @@ struct Bench {
   void run(int ms) {
     for (int i = 0; i < ms; ++i) tick();
   }
-  // With a board that says something every millisecond.
+  // With a board that sends telemetry every millisecond.
   void run(FakeBoard& board, int ms, int version = 1) {
     for (int i = 0; i < ms; ++i) {
       if (board.plugged) board.packets.push_back(telemetry(++sequence, version));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The reference board around an emulated microcontroller: its pins drive the simulator's ball, whose readings come back through a
-// converter at SPI, fault lines and a tach.
+// The reference board around an emulated microcontroller: its pins drive the simulator's ball, whose readings return through a converter on
+// SPI, fault lines and a tach.
 import { Chip } from './chip.mjs';
 import { flashImage } from './elf.mjs';
 import { arm, setPoint, telemetry } from './frames.mjs';
@@ -21,9 +21,9 @@ const kFanTop = 4999;
 
 const kPlantUs = 1000;
 const kLateUs = 1200;
-/** Longer between two conversions: a millisecond of the firmware begins. */
+/** A longer pause between two conversions starts a millisecond of the firmware. */
 const kPauseUs = 300;
-/** MCP3208 at 3.3 V, by interpolation of DS21298E. */
+/** MCP3208 at 3.3 V, interpolated from DS21298E. */
 const kMaxSpiHz = 1.26e6;
 const kDeselectedUs = 0.5;
 
@@ -33,13 +33,13 @@ export class Board {
   constructor(elf = process.env.HEDGEHOG_FIRMWARE_ELF, options = {}) {
     this.plant = new Plant(options.plant);
     this.host = new UsbHost();
-    this.events = []; // what SLP did: { us, awake }
-    this.applied = []; // compare values of winding x: { us, value }, when the PWM period before them has ended
-    this.ticks = []; // when each millisecond of the firmware began, us
-    this.busiestCycles = 0; // of its milliseconds, from one conversion to the next
-    this.shownCurrent = undefined; // what the amplifier of winding x shows instead of its current
-    this.onTick = () => {}; // with the readings that the firmware is about to convert
-    this.onApply = () => {}; // it writes its compare values
+    this.events = []; // changes of SLP: { us, awake }
+    this.applied = []; // compare values of winding x: { us, value }, at the end of the PWM period before them
+    this.ticks = []; // start of each millisecond of the firmware, us
+    this.busiestCycles = 0; // of the firmware's milliseconds, from one conversion to the next
+    this.shownCurrent = undefined; // converter code of winding x's amplifier in place of its current
+    this.onTick = () => {}; // called with the readings that the firmware is about to convert
+    this.onApply = () => {}; // called when the firmware writes its compare values
     this.readings = this.plant.step(kSafePins);
     this.chip = new Chip(flashImage(elf), { ...options, attach: (mcu, chip) => this.attach(mcu, chip) });
   }
@@ -78,7 +78,7 @@ export class Board {
     this.showFaults();
   }
 
-  /** A pin with the board's resistors: not driven is low. */
+  /** A pin with the board's resistors: low when it is not driven. */
   high(pin) {
     const gpio = this.mcu.gpio[pin];
     return gpio.outputEnable && gpio.functionSelect === kSio && gpio.outputValue;
@@ -137,7 +137,7 @@ export class Board {
         this.ticks.push(chip.us);
         if (this.busyBefore !== undefined) this.busiestCycles = Math.max(this.busiestCycles, chip.busyCycles - this.busyBefore);
         this.busyBefore = chip.busyCycles;
-        // The firmware has read the fault lines just before.
+        // The firmware has read the fault lines just before this.
         const faultsLow = this.faultsShown;
         this.stepPlant(kLateUs);
         this.onTick({ ...this.readings, faultsLow });
@@ -155,7 +155,7 @@ export class Board {
     };
   }
 
-  /** DS21298E, figure 6-1; what is not defined there is 1. */
+  /** DS21298E, figure 6-1; undefined bits are 1. */
   converterByte(bytes) {
     if (bytes.length === 1) return 0xff;
     if ((bytes[0] & 0xfe) !== 0x06) this.chip.warnings.push('no single ended conversion');
@@ -167,7 +167,7 @@ export class Board {
   /** Milliamperes of the true current vector. */
   get trueMa() { return Math.hypot(...this.readings.trueMa); }
 
-  /** Once, so many microseconds from now. */
+  /** Calls `what` once, `us` microseconds from now. */
   after(us, what) {
     if (us <= 0) what();
     else this.mcu.clock.createAlarm(what).schedule(us * 1000);
@@ -191,7 +191,7 @@ export class Driver {
     board.host.onFrame = () => {
       if (!this.sending) return;
       board.host.outQueue.push(setPoint(++this.sequence, this.target));
-      // The boost is for one millisecond, as the daemon's.
+      // The boost lasts one millisecond, as the daemon's does.
       if (this.target.boost) this.target = { ...this.target, boost: undefined };
     };
     board.host.onIn = (packet) => { this.last = telemetry(packet); };
@@ -209,7 +209,7 @@ export class Driver {
     this.board.run(10);
   }
 
-  /** Enumerated, armed and driving: a holding duty without a boost takes some ms to its current. */
+  /** Enumerated, armed and driving: a holding duty without a boost takes some ms to reach its current. */
   drive(duty, ms = 60) {
     this.enumerate();
     this.arm();

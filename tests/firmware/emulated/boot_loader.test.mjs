@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The command that reboots into the boot loader: only while the bridges sleep.
+// The command that reboots into the boot loader is accepted only while the bridges are asleep.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { assertDriving, assertNoCurrent, kFiveAmps, withBoard } from './fixture.mjs';

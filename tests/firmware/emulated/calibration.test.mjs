@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// An image with the figures of a board of one's own (bring-up.md, steps 2, 5 and 6): what it reads through electronics with these figures
-// is what flows, and figures that no part has are errors of the compiler. HEDGEHOG_FIRMWARE_CALIBRATION: of the image
-// HEDGEHOG_FIRMWARE_ELF (make firmware-calibrated); otherwise calibration_example.h, for which an image is built here.
+// An image with the calibration values of one board (bring-up.md, steps 2, 5 and 6): its readings through electronics with these values
+// match the currents, and values out of tolerance are compile errors. HEDGEHOG_FIRMWARE_CALIBRATION: of the image HEDGEHOG_FIRMWARE_ELF
+// (make firmware-calibrated); otherwise calibration_example.h, for which an image is built here.
 import assert from 'node:assert/strict';
 import { execFileSync, spawnSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -26,7 +26,7 @@ const kDuty = [0.19, -0.19, 0.15];
 const kMaxErrorMa = 25;
 const kMean = 100;
 
-/** The figures in a calibration header. */
+/** The values in a calibration header. */
 function figures(text) {
   const list = (name) => new RegExp(`${name}(?:\\[\\])? = \\{?([\\d', ]+)`).exec(text)[1].replaceAll("'", '').split(',').map(Number);
   return { zeroUv: list('kCurrentZeroUv'), uvPerA: list('kCurrentUvPerA'), shuntUvPerA: list('kShuntUvPerA')[0] };
@@ -39,7 +39,7 @@ function calibratedImage() {
   return join(folder, 'hedgehog-board.elf');
 }
 
-/** Means of what telemetry says and of what flows in each winding at rest and while it drives, mA, through the electronics of `file`. */
+/** Mean reported and true currents of each winding, at rest and driven, mA, through the electronics of `file`. */
 function readings(elf) {
   const board = new Board(elf);
   try {
@@ -89,7 +89,7 @@ test('without these figures the same electronics are read wrongly', { skip: own 
   }
 });
 
-/** What the compiler says to a calibration: '' when it takes it. */
+/** The compiler's output for a calibration: '' when it is accepted. */
 function compiled(text) {
   const header = join(folder, 'firmware/calibration.h');
   execFileSync('mkdir', ['-p', join(folder, 'firmware')]);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The figures of a board whose parts are near the ends of their tolerances, as its builder would
-// enter them: calibration.test.mjs has electronics with these deviations.
+// The calibration values of a board whose parts are near the ends of their tolerances, as its
+// builder would enter them: calibration.test.mjs simulates electronics with these deviations.
 #pragma once
 
 #include <stdint.h>

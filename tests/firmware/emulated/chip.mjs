@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An RP2040 (rp2040js) with a run loop of its own, booted as its ROM boots it. What rp2040js gets wrong and this board can meet is
-// put right or is an error here: README.md.
+// An RP2040 (rp2040js) with a run loop of its own, booted as by its ROM. Deviations of rp2040js that matter for this board are corrected or
+// reported as errors here: README.md.
 import { createRequire } from 'node:module';
 import { crc32Mpeg2 } from './elf.mjs';
 
@@ -8,13 +8,13 @@ const require = createRequire(`${process.env.HEDGEHOG_NODE_MODULES}/`);
 const { Simulator } = require('rp2040js');
 
 const kNanosPerCycle = 8; // 125 MHz
-const kRomMs = 4; // ROM and crystal, about
-const kBoot2At = 0x20041f00; // the end of SRAM, where the ROM copies the second stage
+const kRomMs = 4; // approximate time of ROM and crystal start-up
+const kBoot2At = 0x20041f00; // end of SRAM, to which the ROM copies the second stage
 const kStackBytes = 4096;
 const kPaint = 0xa5;
 const kHang = [0xfe, 0xe7]; // b .
 
-// The ROM: its table of functions, and two of them.
+// The ROM: its function table, and two of the functions.
 const kRomEnd = 0x4000;
 const kRomTable = 0x7a;
 const kRomLookup = 0x1d;
@@ -47,8 +47,8 @@ export class Chip {
     this.baseNanos = 0;
     this.resets = 0;
     this.warnings = [];
-    this.busyCycles = 0; // since it was made
-    this.visited = new Uint8Array(0x42000 >> 1); // halfwords of SRAM, of which the program's first steps are the only ones elsewhere
+    this.busyCycles = 0; // since construction
+    this.visited = new Uint8Array(0x42000 >> 1); // executed halfwords of SRAM; only the program's first steps run elsewhere
     this.visitedInFlash = new Uint8Array(256);
     this.boot();
   }
@@ -67,9 +67,9 @@ export class Chip {
     this.replaceFlash();
     this.fixCore();
     const watchdog = mcu.peripherals[slot(kWatchdog)];
-    watchdog.tickEnable = false; // rp2040js: as if the firmware had switched it on
+    watchdog.tickEnable = false; // rp2040js: as if the firmware had enabled it
     watchdog.onWatchdogTrigger = () => {
-      watchdog.alarm.enable = false; // else it fires for ever at this instant
+      watchdog.alarm.enable = false; // otherwise it fires repeatedly at this instant
       this.watchdogFired = true;
     };
     mcu.flash.set(this.image);
@@ -78,11 +78,11 @@ export class Chip {
     this.enterSecondStage();
     this.attach(mcu, this);
     clock.tick(kRomMs * 1e6);
-    // The boot loader's own USB is not here: the pins stay as reset leaves them.
+    // The boot loader's own USB is not emulated: the pins stay as after reset.
     if (this.bootLoader) sleepForGood(this.core);
   }
 
-  /** What the ROM does: check, copy, jump. */
+  /** The ROM's steps: check, copy, jump. */
   enterSecondStage() {
     const { mcu, core } = this;
     const stage = mcu.flash.subarray(0, 256);
@@ -95,7 +95,7 @@ export class Chip {
     core.PC = kBoot2At;
   }
 
-  /** RP2040 data sheet 2.8.3: what the firmware may call there. */
+  /** RP2040 data sheet 2.8.3: functions that the firmware may call. */
   runRom(entry) {
     const { core } = this;
     const [first, second] = core.registers;
@@ -112,7 +112,7 @@ export class Chip {
     }
   }
 
-  /** Blocks begin in reset, and whoever touches one there is told. */
+  /** Blocks start in reset, and an access to a block in reset is a warning. */
   holdResets() {
     const { mcu } = this;
     const resets = mcu.peripherals[slot(kResets)];
@@ -126,7 +126,7 @@ export class Chip {
     };
   }
 
-  /** The flash chip behind SSI: plain reading is rp2040js's, the number is here. */
+  /** The flash chip behind SSI: rp2040js provides plain reading, this its unique id. */
   replaceFlash() {
     const { mcu } = this;
     const registers = new Map();
@@ -166,7 +166,7 @@ export class Chip {
     };
   }
 
-  /** Until `us` of absolute time, or until `stop()` says so after a step. */
+  /** Runs until the absolute time `us`, or until `stop()` is true after a step. */
   runUntil(us, stop) {
     for (;;) {
       const { core, clock, visited } = this;
@@ -203,26 +203,26 @@ export class Chip {
 
   run(us, stop) { return this.runUntil(this.us + us, stop); }
 
-  /** A gap of the emulator, or an error of the firmware: neither passes. */
+  /** Limits of the emulator and errors of the firmware are both errors here. */
   checked(result) {
     if (this.warnings.length > 0) throw new Error(`emulator: ${[...new Set(this.warnings)].join('; ')}`);
     return result;
   }
 
-  /** As if the program had lost its way into an endless loop. */
+  /** Simulates a program stuck in an endless loop. */
   hang() {
     this.mcu.sram.set(kHang, 0);
     this.core.PC = 0x20000000;
     this.core.waiting = false;
   }
 
-  /** As the processor enters a HardFault, which rp2040js never does. */
+  /** Enters a HardFault as the processor does and rp2040js never does. */
   fault() {
     this.core.PC = this.mcu.readUint32(this.core.VTOR + 4 * 3) & ~1;
     this.core.waiting = false;
   }
 
-  /** Addresses of the instructions that were executed, the second stage's where it is linked to. */
+  /** Addresses of the executed instructions; the second stage's at its link address. */
   executed() {
     const of = (array, base) => [...array.keys()].filter((i) => array[i]).map((i) => base + 2 * i);
     const sram = of(this.visited, 0x20000000).map((pc) => (pc >= kBoot2At ? pc - kBoot2At + 0x10000000 : pc));

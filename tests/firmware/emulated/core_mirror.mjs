@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The board core of the host's build beside the firmware: it is given the same packets and the same numbers of the converter in the
-// same millisecond, and must give the same frames.
+// The board core of the host's build in parallel with the firmware: it receives the same packets and the same converter values in the same
+// millisecond, and must return the same frames.
 
-/** The firmware measures the tach by itself. */
+/** The firmware measures the tach itself. */
 const kFanRpmAt = 36;
 const kCrcAt = 60;
 
@@ -21,7 +21,7 @@ export class CoreMirror {
     this.complete = false;
     board.plant.ask('core');
     board.host.onTaken = (packet) => this.packets.push(Buffer.from(packet).toString('hex'));
-    // What is taken during the conversions still counts in this millisecond.
+    // A packet received during the conversions still counts in this millisecond.
     board.onTick = (readings) => { this.readings = readings; };
     board.onApply = () => {
       if (this.readings) this.step(this.readings);
@@ -35,7 +35,7 @@ export class CoreMirror {
   }
 
   step(readings) {
-    // firmware/converter: one thermistor in turn.
+    // firmware/converter: one thermistor a millisecond, in turn.
     this.ntc[this.turn] = readings.ntc[this.turn];
     this.turn = (this.turn + 1) % 3;
     const converted = this.turn === 0;

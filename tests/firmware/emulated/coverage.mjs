@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Which source lines of the image the emulated processor has executed. coverage.mjs ELF FOLDER: what the tests left there
-// (HEDGEHOG_FIRMWARE_COVERAGE), by the compiler's line table. Prints each file's share and the lines that nothing executed. Exit: 0,
-// 1 less than kMinPercent.
+// Which source lines of the image the emulated processor has executed. coverage.mjs ELF FOLDER: the tests' output there
+// (HEDGEHOG_FIRMWARE_COVERAGE), by the compiler's line table. Prints each file's share and the lines that were never executed. Exit: 0, 1
+// less than kMinPercent.
 import { execFileSync } from 'node:child_process';
 import { readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 
-/** What the tests reach; only ever raised. */
+/** The coverage of the tests; may only be raised. */
 const kMinPercent = 97.9;
 
 const [elf, folder] = process.argv.slice(2);
@@ -23,7 +23,7 @@ for (const line of table.split('\n')) {
   const row = line.match(/^\S+\s+(\d+)\s+0x([0-9a-f]+)/);
   if (!row || !/^(firmware|daemon\/device\/board_core)\//.test(file)) continue;
   const address = parseInt(row[2], 16);
-  if (address < 0x10000000) continue; // left out by the linker
+  if (address < 0x10000000) continue; // removed by the linker
   if (!files.has(file)) files.set(file, new Map());
   const lines = files.get(file);
   lines.set(Number(row[1]), (lines.get(Number(row[1])) ?? false) || executed.has(address));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// hedgehogd on the emulated board: its own program, in a folder where hedgehog-simboard is simboard.mjs. They keep step, so a busy machine
-// makes both slow and neither late.
+// hedgehogd on the emulated board: the real program, in a folder where hedgehog-simboard is simboard.mjs. They run in lock-step, so a busy
+// machine slows both and delays neither.
 import { execFile, spawn } from 'node:child_process';
 import { once } from 'node:events';
 import { copyFileSync, existsSync, linkSync, mkdirSync, mkdtempSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
@@ -12,10 +12,10 @@ import { Ball } from '../../../clients/js/src/node.js';
 
 const kSimboard = fileURLToPath(new URL('simboard.mjs', import.meta.url));
 const kPollMs = 20;
-/** Of whatever is waited for; what a test asserts is in the ball's time. */
+/** Timeout of every wait in real time; assertions are in the ball's time. */
 const kPatienceMs = 500_000;
 
-/** Waits until `look()` is something. */
+/** Waits until `look()` returns a value; returns it. */
 export async function eventually(what, look) {
   for (const end = Date.now() + kPatienceMs; Date.now() < end; await pause(kPollMs)) {
     const seen = await look();
@@ -36,7 +36,7 @@ function place(program, folder) {
 }
 
 export class DaemonOnBoard {
-  /** `config` on top of the simulator's process, `devices`: name to device file, `speed`: at most so many times real time. */
+  /** `config` in addition to the simulator's process, `devices`: name to device file, `speed`: at most so many times real time. */
   static async start({ config = {}, devices = {}, speed = 10, programs = process.env.HEDGEHOG_PROGRAMS } = {}) {
     const daemon = new DaemonOnBoard();
     daemon.programs = programs;
@@ -68,13 +68,13 @@ export class DaemonOnBoard {
     return daemon;
   }
 
-  /** What the board has done so far (simboard.mjs). */
+  /** The board's events so far (simboard.mjs). */
   trace() {
     if (!existsSync(this.traceFile)) return [];
     return readFileSync(this.traceFile, 'utf8').split('\n').slice(0, -1).map((line) => JSON.parse(line));
   }
 
-  /** One line for the board; its trace of when it was done. */
+  /** Sends one line to the board; returns the trace of its execution. */
   async control(line) {
     const before = this.trace().length;
     writeFileSync(`${this.controlFile}.new`, `${line}\n`);
@@ -90,7 +90,7 @@ export class DaemonOnBoard {
     });
   }
 
-  /** A verb of hedgehogctl: { code, out, err }. */
+  /** Runs a command of hedgehogctl: { code, out, err }. */
   ctl(...words) {
     return new Promise((resolve) => {
       execFile(join(this.programs, 'clients', 'ctl', 'hedgehogctl'), words, { env: this.environment, cwd: this.folder },
@@ -98,7 +98,7 @@ export class DaemonOnBoard {
     });
   }
 
-  /** The board goes on until it has made itself safe; its whole trace. */
+  /** Stops the daemon and waits until the board has made itself safe; returns its whole trace. */
   async stop(signal = 'SIGTERM') {
     if (this.child.exitCode === null && this.child.signalCode === null) {
       const ended = once(this.child, 'exit');

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The real hedgehogd on the image that is flashed: through the public protocol, down to the current in the simulated ball. What is
-// asserted is in the board's own time.
+// The real hedgehogd on the flashed image: through the public protocol, down to the current in the simulated ball. Assertions are in the
+// board's own time.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { DaemonOnBoard, eventually } from './daemon.mjs';
 
-/** From the last set-point at the board to the pin SLP. */
+/** From the last set-point at the board to the edge of the pin SLP. */
 const kDeadManUs = [99e3, 101e3];
 /** 5 L/R of a winding, and a millisecond. */
 const kDecayUs = 19e3;
@@ -33,14 +33,14 @@ async function ended(ball, start) {
 
 const trueCurrent = async (ball) => (await ball.call('sim.truth')).current_a;
 
-/** A hold of several amperes, seen in the windings. */
+/** A hold of several amperes, measured in the windings. */
 async function drive(daemon) {
   await daemon.state('armed');
   await daemon.ball.hold('left', { slot: 'test', current_a: 8, lease_ms: 10_000 });
   await eventually('8 A flow to the left', async () => Math.abs((await trueCurrent(daemon.ball))[1]) > 7.5);
 }
 
-/** The last line of this event, and the one of no current after it. */
+/** The last line of this event, and the next line of event `zero`. */
 function ending(lines, event = 'asleep') {
   const at = lines.findLastIndex((line) => line.event === event);
   assert.ok(at >= 0, event);

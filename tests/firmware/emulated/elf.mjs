@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a flash programmer takes from an ELF file.
+// The content of an ELF file that a flash programmer writes.
 import { readFileSync } from 'node:fs';
 
 const kFlash = 0x10000000;
@@ -21,7 +21,7 @@ export function flashImage(path) {
   return image;
 }
 
-/** CRC-32/MPEG-2, as the boot ROM reckons it over the second stage. */
+/** CRC-32/MPEG-2, as computed by the boot ROM over the second stage. */
 export function crc32Mpeg2(bytes) {
   let crc = 0xffffffff;
   for (const byte of bytes) {

@@ -29,7 +29,7 @@ export function withBoard(body, options) {
   };
 }
 
-/** No current flows in any winding, and none begins to. */
+/** No current flows in any winding, and none starts within 5 ms. */
 export function assertNoCurrent(board) {
   for (let ms = 0; ms < 5; ++ms) {
     assert.ok(board.trueMa < 1, `${board.trueMa} mA flow`);
@@ -44,7 +44,7 @@ export function assertSafePins(board) {
   assert.equal(pins.fan, 4999, 'fan');
 }
 
-/** It drives with more than 4 A, as the tests that stop it expect. */
+/** The board drives more than 4 A, the precondition of the tests that stop it. */
 export function assertDriving(board, driver) {
   assert.equal(driver.last.mode, kMode.driving);
   assert.ok(board.trueMa > 4000, `${board.trueMa} mA`);

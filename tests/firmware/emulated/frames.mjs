@@ -39,7 +39,7 @@ export const limits = (sequence, { sensorCc = 7500, currentMa = 16500, heat = 10
   bytes.writeUInt16LE(heat, 12);
 });
 
-/** "BOOT" is the key. */
+/** The key is "BOOT". */
 export const bootLoader = (sequence, key = 0x544f4f42) => frame(0x04, 0, sequence, (bytes) => void bytes.writeUInt32LE(key, 8));
 
 export const kMode = { safe: 0, ready: 1, driving: 2, latched: 3 };
@@ -50,7 +50,7 @@ export const kFault = {
   sensorShort: 1 << 6, stuckBridge: 1 << 7, supply: 1 << 8, unexpectedCurrent: 1 << 9, currentSense: 1 << 10,
 };
 
-/** Throws on a frame that the host would refuse. */
+/** Throws on a frame that the host would reject. */
 export function telemetry(bytes) {
   const frame = Buffer.from(bytes);
   if (frame.length !== 64 || frame[0] !== 0x48 || frame[1] !== 1 || frame[2] !== 0x81) throw new Error('no telemetry');

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Takes each guard of guards.txt out of the image, one at a time, and asks for a red test. guards.mjs FIRMWARE_IMAGE [--third] [WORD]:
-// only guards whose name or hazard has WORD; with --third every third one, which ones by the day of the month. JOBS: guards at a time.
-// Exit: 0 all seen red, 1 one survived, 64 usage or no such guard, 65 a guard is not where the list says, cannot be built, or a test of
-// it does not end. run.sh has the environment (HEDGEHOG_FIRMWARE_PLANT, HEDGEHOG_NODE_MODULES).
+// Removes each guard of guards.txt from the image, one at a time, and requires a failing test. guards.mjs FIRMWARE_IMAGE [--third] [WORD]:
+// only guards whose name or hazard contains WORD; with --third every third one, selected by the day of the month. JOBS: guards at a time.
+// Exit: 0 all guards had a failing test, 1 one had none, 64 usage or no such guard, 65 a guard is not where the list says, cannot be built,
+// or a test of it does not end. run.sh has the environment (HEDGEHOG_FIRMWARE_PLANT, HEDGEHOG_NODE_MODULES).
 import { cpSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
@@ -27,7 +27,7 @@ function readGuards() {
   return guards;
 }
 
-/** The sources that build.sh needs, with the guard taken out. False: it is not there, or not once. */
+/** Copies the sources that build.sh needs, without the guard. False: its text does not occur exactly once. */
 function copyWithout({ file, cut, put = '' }, folder) {
   for (const path of ['firmware', 'daemon/device/board_core', 'tests/firmware/worst_stack.awk'])
     cpSync(join(top, path), join(folder, path), { recursive: true });
@@ -35,7 +35,7 @@ function copyWithout({ file, cut, put = '' }, folder) {
   const parts = readFileSync(path, 'utf8').split(cut);
   if (parts.length !== 2) return false;
   writeFileSync(path, parts.join(put));
-  // A guard that is gone leaves variables unused.
+  // Without the guard, variables may be unused.
   const build = join(folder, 'firmware/build.sh');
   writeFileSync(build, readFileSync(build, 'utf8').replace(' -Werror ', ' '));
   return true;
@@ -44,7 +44,7 @@ function copyWithout({ file, cut, put = '' }, folder) {
 const kTests = readdirSync(here).filter((name) => name.endsWith('.test.mjs')).map((name) => join(here, name));
 const kTimeoutMs = 120_000;
 
-/** 0, 1 or 65, as the program ends. */
+/** 0, 1 or 65, as the program's exit code. */
 async function judge(guard) {
   const folder = mkdtempSync(join(tmpdir(), 'hedgehog-guard-'));
   try {

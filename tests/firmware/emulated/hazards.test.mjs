@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The hazards of the safety table that the board guards against by itself, each on the image that is flashed, driving the simulator's
-// ball: bridges asleep in time, no current in the ball, and none until it is armed without the hazard. The table is in README.md.
+// The hazards of the safety table that the board itself guards against, each on the flashed image, driving the simulator's ball: bridges
+// asleep in time, no current in the ball, and none until it is armed without the hazard. The table is in README.md.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { assertDriving, assertNoCurrent, assertSafePins, kFiveAmps, withBoard } from './fixture.mjs';
@@ -15,10 +15,10 @@ const kWindings = [0, 1, 2];
 
 const faults = (bits, winding = 0) => ({ board }) => board.plant.ask(`faults ${bits} ${winding}`);
 const error = (kind, winding, value) => ({ board }) => board.plant.ask(`error ${kind} ${winding} ${value}`);
-/** What the converter shows of the amplifier of winding x. */
+/** The converter's value of the amplifier of winding x. */
 const shown = (value) => ({ board }) => { board.shownCurrent = value; };
 
-/** `again`: it goes as the current goes, so the board can be armed. */
+/** `again`: the hazard ends with the current, so the board can be armed. */
 const kHazards = [
   ...kWindings.map((k) => ({ what: `thermistor ${k} open`, begin: faults(kSim.open, k), fault: kFault.sensorOpen, withinMs: 25 })),
   ...kWindings.map((k) => ({ what: `thermistor ${k} shorted`, begin: faults(kSim.short, k), fault: kFault.sensorShort, withinMs: 25 })),
@@ -49,7 +49,7 @@ const kHazards = [
     }, fault: kFault.overCurrent, withinMs: 54, again: true,
   },
   {
-    // 1 % of the budget of a winding are 96 A^2 s; 25 A^2 leave it after about 4 s.
+    // 1 % of the budget of a winding is 96 A^2 s; at 25 A^2 it is used up after about 4 s.
     what: 'the I²t budget is spent', begin: ({ board, driver }) => {
       board.host.outQueue.push(limits(++driver.sequence, { heat: 10 }));
     }, fault: kFault.heatBudget, withinMs: 4500,
@@ -66,7 +66,7 @@ for (const { what, duty = kFiveAmps, begin, fault, withinMs, again = false } of 
     board.run(withinMs + 1, () => board.events.length > 0);
     const tookMs = (board.chip.us - us) / 1000;
     assert.ok(board.events.length > 0 && tookMs <= withinMs, `asleep after ${board.events.length > 0 ? tookMs : 'never'} ms`);
-    board.run(20); // 8 ms from 16.5 A, against the diodes
+    board.run(20); // 8 ms to decay from 16.5 A through the diodes
     assert.equal(driver.last.mode, kMode.latched);
     assert.ok(driver.last.faults & fault, `faults ${driver.last.faults}`);
     assertSafePins(board);
@@ -94,7 +94,7 @@ test('the host’s machine stops, without a frame of the bus: asleep 100 ms +- 1
   board.run(20);
   assertSafePins(board);
   assertNoCurrent(board);
-  // Another machine, which knows nothing of an armed ball.
+  // Another machine, without knowledge of an armed ball.
   board.host.frames = true;
   driver.sending = true;
   driver.enumerate();
@@ -135,7 +135,7 @@ test('enumerated anew by a daemon that has just begun: asleep with its first set
   assert.equal(board.events[0]?.awake, false);
   board.run(15);
   assertNoCurrent(board);
-  // It goes on with numbers of its own, which are older than the last that the board took.
+  // The host continues with its own sequence numbers, which are older than the last one accepted by the board.
   driver.sequence = 0;
   driver.target = { enable: true, duty: kFiveAmps };
   board.run(200);

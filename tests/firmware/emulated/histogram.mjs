@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Latencies as the tests print them.
+// Statistics of latencies for the tests' output.
 
 export const percentile = (values, share) => values.sort((a, b) => a - b)[Math.min(values.length - 1, Math.floor(share * values.length))];
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The closed loop: what changes at the converter's input is in a telemetry frame, the host answers it in its next frame, and the answer is
-// at the PWM. The host is the simplest controller: two duties, by the current of winding x.
+// The closed loop: a change at the converter's input is reported in a telemetry frame, the host responds in its next frame, and the
+// response reaches the PWM. The host is the simplest controller: two duties, selected by the current of winding x.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { withBoard } from './fixture.mjs';
@@ -13,15 +13,15 @@ const kThresholdMa = 200;
 const kDuties = [0.01, 0.02];
 const kCompares = kDuties.map((duty) => Math.floor((6249 * Math.round(duty * 32767)) / 32767));
 const kChanges = 200;
-/** A conversion in each millisecond, 0.35 ms into the host's frame, which is sent by the start of the next (E15); the host's next frame,
- *  from the telemetry on; a set-point to its PWM. */
+/** A conversion in each millisecond, 0.35 ms into the host's frame, which is sent by the start of the next (E15); the host's next frame
+ *  after the telemetry; from a set-point to its PWM. */
 const kMaxUs = { telemetry: 1000 + 750, command: 1000, pwm: 1000 };
 
 test('from a changed current to the PWM that answers it: at most the sum of its three parts', withBoard((board, driver) => {
   driver.drive([kDuties[0], 0, 0], 60);
   board.shownCurrent = kCodes[0];
-  let level = 0; // what the host has seen last
-  let change; // the one that is under way
+  let level = 0; // as in the latest telemetry
+  let change; // the one in progress
   const done = [];
   board.host.onFrame = () => {
     board.host.outQueue.push(setPoint(++driver.sequence, { duty: [kDuties[level], 0, 0] }));
@@ -33,7 +33,7 @@ test('from a changed current to the PWM that answers it: at most the sum of its 
     if (change && level === change.level) change.telemetryUs ??= us;
   };
   for (let i = 1; i <= kChanges; ++i) {
-    // At another place of the millisecond each time.
+    // At a different phase of the millisecond each time.
     board.run(10 + (i % 20) / 20);
     board.applied.length = 0;
     change = { level: i % 2, us: board.chip.us };
@@ -55,6 +55,6 @@ test('from a changed current to the PWM that answers it: at most the sum of its 
     console.log(`to the ${part}: median ${percentile(values, 0.5).toFixed(0)} us, worst ${percentile(values, 1).toFixed(0)} us`);
     assert.ok(percentile(values, 1) <= kMaxUs[part], `${part}: ${percentile(values, 1)} us`);
   }
-  // None is answered before it can be: a conversion, a frame each way, the end of a PWM period.
+  // The response takes at least a conversion, a frame in each direction, and the end of a PWM period.
   assert.ok(Math.min(...all) > 500 && Math.max(...all) <= kMaxUs.telemetry + kMaxUs.command + kMaxUs.pwm);
 }));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A reporter of node:test for programs: a line of JSON for each test that was run: {name, failure}; failure is null, or Node's word for it.
+// A reporter of node:test for programs: one JSON line for each test that was run: {name, failure}; failure is null, or Node's failure type.
 export default async function* outcomes(source) {
   for await (const { type, data } of source) {
     if ((type !== 'test:pass' && type !== 'test:fail') || data.skip !== undefined) continue;

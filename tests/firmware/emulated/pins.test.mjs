@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The pins as the image sets them up, against the netlist of the reference board.
+// The pin configuration of the image, against the netlist of the reference board.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { pinsOn, readBoard, readParts, resistorsOn } from '../../../firmware/board/netlist.mjs';
@@ -20,7 +20,7 @@ const connected = (board) => [...pico.pins].filter(([name, net]) => /^GP\d+$/.te
   const number = Number(name.slice(2));
   return { name, number, net, gpio: board.mcu.gpio[number] };
 });
-/** Of SPI one line comes from the converter. */
+/** SPI has one line that the converter drives. */
 const drives = ({ net, gpio }) => gpio.outputEnable || gpio.functionSelect === 4 || (gpio.functionSelect === 1 && net !== 'SPI_OUT');
 
 test('each output has the drive that the netlist asks for, and reaches the levels of what it drives', withBoard((board, driver) => {
@@ -43,7 +43,7 @@ test('a pull inside the chip never works against a resistor of the board', withB
   driver.enumerate();
   const judged = [];
   for (const { name, net, gpio } of connected(board)) {
-    if (gpio.functionSelect === kNoFunction) continue; // as in reset, which the electrical rules look at
+    if (gpio.functionSelect === kNoFunction) continue; // as in reset, which the electrical rules check
     for (const { other } of resistorsOn(reference, net)) {
       if (other === 'GND' || other === '3V3') judged.push(net);
       assert.ok(!(other === 'GND' && gpio.pullupEnabled), `${name} (${net}) pulls up`);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The simulator's ball and electronics (plant_main.cpp) as a process, a line to and from it at a time.
+// The simulator's ball and electronics (plant_main.cpp) as a process, with one line per request and response.
 import { execFileSync, spawn } from 'node:child_process';
 import { closeSync, mkdtempSync, openSync, readSync, rmSync, writeSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
 export class Plant {
-  /** `words` are its arguments; `socket` is the descriptor of a host, which it gets as 3. */
+  /** `words` are its arguments; `socket` is the descriptor of a host, passed on as descriptor 3. */
   constructor({ words = [], socket = undefined, program = process.env.HEDGEHOG_FIRMWARE_PLANT } = {}) {
-    // Pipes with names, because those of spawn cannot be waited for.
+    // Named pipes, because those of spawn cannot be read synchronously.
     this.folder = mkdtempSync(join(tmpdir(), 'hedgehog-plant-'));
     const [to, from] = ['to', 'from'].map((name) => join(this.folder, name));
     execFileSync('mkfifo', [to, from]);
@@ -33,7 +33,7 @@ export class Plant {
     return this.buffer.toString('latin1', 0, length - 1);
   }
 
-  /** A millisecond on these pins; what the converter shows then, and what is true. */
+  /** One millisecond with these pin values; returns the converter's readings after it and the true values. */
   step({ pwm, direction, awake, closed, fan }) {
     const n = this.ask(`step ${pwm.join(' ')} ${direction} ${awake ? 1 : 0} ${closed ? 1 : 0} ${fan}`).split(' ').map(Number);
     return {
@@ -42,7 +42,7 @@ export class Plant {
     };
   }
 
-  /** Packets of the host, at most up to a set-point, waited for so long; undefined: the host is gone. */
+  /** Packets of the host up to a set-point, waiting at most `patienceMs`; undefined: the host has disconnected. */
   receive(patienceMs) {
     const [state, begun, ...packets] = this.ask(`host ${patienceMs}`).split(' ');
     if (state === 'closed') return undefined;

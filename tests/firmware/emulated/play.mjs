@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Play on the emulated board, as a game would: play.mjs MINUTES [SEED], in the ball's time, with the variables of run.sh. Prints figures
-// once a minute. Exit: 0, 1 something tripped, was lost or was reset, 64 usage.
+// Plays on the emulated board as a game would: play.mjs MINUTES [SEED], in the ball's time, with the variables of run.sh. Prints figures
+// once a minute. Exit: 0, 1 the board tripped, was lost or was reset, 64 usage.
 import { pathToFileURL } from 'node:url';
 import { DaemonOnBoard } from './daemon.mjs';
 
 const kDirections = ['front', 'back', 'left', 'right', 'up', 'down'];
 
-/** Repeatable numbers from 0 to 1 (a linear congruential generator, Numerical Recipes). */
+/** Repeatable pseudo-random numbers from 0 to 1 (a linear congruential generator, Numerical Recipes). */
 function random(seed) {
   let state = seed >>> 0;
   return () => (state = (Math.imul(state, 1664525) + 1013904223) >>> 0) / 2 ** 32;
 }
 
-/** The next effect of the game: short and strong, long and weak, or next to nothing for a while. */
+/** The next effect of the game: short and strong, long and weak, or nearly none for a while. */
 function choose(next) {
   const direction = kDirections[Math.floor(next() * kDirections.length)];
   const kind = next();
@@ -25,7 +25,7 @@ function choose(next) {
   return ['effect.pulse', { direction, current_a: 0.5, duration_ms: Math.round(200 + 1300 * next()) }];
 }
 
-/** Plays for so long; what happened. `report(figures)` comes once a minute of the ball's time. */
+/** Plays for `minutes`; returns the figures. `report(figures)` is called once a minute of the ball's time. */
 export async function play(daemon, minutes, { seed = 1, report = () => {} } = {}) {
   const { ball } = daemon;
   const next = random(seed);

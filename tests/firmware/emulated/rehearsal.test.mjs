@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The steps of the guides (firmware/board/bring-up.md from step 6 on, daemon/device/bringing-up-a-ball.md) with the programs that
-// they name, on the image that is flashed and a ball whose windings and electronics are drawn from within their tolerances: what each
-// command prints, and what flows. HEDGEHOG_FIRMWARE_REHEARSAL=thermal: `calibrate --thermal` too, half an hour of the ball's time.
+// The steps of the guides (firmware/board/bring-up.md from step 6 on, daemon/device/bringing-up-a-ball.md) with the programs that they
+// name, on the flashed image and a ball whose windings and electronics are drawn at random within their tolerances: the output of each
+// command, and the currents. HEDGEHOG_FIRMWARE_REHEARSAL=thermal: also `calibrate --thermal`, half an hour of the ball's time.
 import assert from 'node:assert/strict';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -9,7 +9,7 @@ import { join } from 'node:path';
 import { after, test } from 'node:test';
 import { DaemonOnBoard, eventually } from './daemon.mjs';
 
-const kSeed = 15; // of the electronics' parts
+const kSeed = 15; // for the electronics' parts
 /** Within 3 % of the design. */
 const kDrawn = { name: 'drawn', r25_ohm: [0.459, 0.441, 0.4545], inductance_h: 0.00153 };
 /** Voltage and current are read within 2 % each, the temperature within 1 K (0.4 %). */
@@ -37,7 +37,7 @@ async function withDaemon(daemon, body) {
   }
 }
 
-/** A command that succeeds; what it prints. */
+/** Runs a command that must succeed; returns its output. */
 async function does(daemon, ...words) {
   const { code, out, err } = await daemon.ctl(...words);
   assert.equal(code, 0, `${words.join(' ')}: ${out}${err}`);
@@ -90,7 +90,7 @@ test('with that file it gives its first push', async () => {
       const before = daemon.trace().length;
       await does(daemon, 'pulse', direction, '--current-a', '10', '--duration-ms', '300');
       const line = await eventually('the bridges sleep', () => daemon.trace().slice(before).find(({ event }) => event === 'asleep'));
-      // What is left of this pulse is not the next one's.
+      // The remaining current of this pulse must not count for the next one.
       await eventually('no current', () => daemon.trace().slice(before).some(({ event }) => event === 'zero'));
       line.peak_ma.forEach((ma, i) => assert.ok(i === k ? ma > 9500 && ma < 10_500 : Math.abs(ma) < 300, `${direction}: ${line.peak_ma} mA`));
     }

@@ -3,10 +3,10 @@
 # The image on an emulated RP2040. run.sh ELF PLANT PACKAGES PROGRAMS [WHAT...]: hedgehog-board.elf, the program firmware_plant, a folder
 # for npm's packages, and the build folder of hedgehogd. WHAT:
 #   (nothing)                       all tests, and their coverage
-#   test NAME [PATTERN]             NAME.test.mjs, or those of its tests whose name has PATTERN
+#   test NAME [PATTERN]             NAME.test.mjs, or those of its tests whose name matches PATTERN
 #   guards FIRMWARE_IMAGE [--third] [WORD]  guards.mjs
 #   play MINUTES [SEED]             play.mjs
-# HEDGEHOG_FIRMWARE_TICKS: so many frames are compared with the host's core (3000). Exit: 0 all passed.
+# HEDGEHOG_FIRMWARE_TICKS: number of frames compared with the host's core (3000). Exit: 0 all passed.
 set -eu
 
 [ $# -ge 4 ] || { echo "run.sh ELF PLANT PACKAGES PROGRAMS [test NAME [PATTERN] | guards FIRMWARE_IMAGE [--third] [WORD] | play MINUTES [SEED]]" >&2; exit 64; }
@@ -31,7 +31,7 @@ case ${1-} in
     trap 'rm -f "$counts"' EXIT
     node --test "--test-timeout=$patience_ms" --test-reporter=spec --test-reporter-destination=stdout \
       --test-reporter=tap "--test-reporter-destination=$counts" "--test-name-pattern=${3-.}" "$here/$2.test.mjs"
-    # A pattern that no name has runs nothing, and node calls that a success.
+    # A pattern that matches no name runs nothing, which node reports as a success.
     grep -q '^# pass [1-9]' "$counts" || { echo "run.sh: no test of $2 is named '${3-.}'" >&2; exit 64; }
     exit ;;
   *) echo "run.sh: $1?" >&2; exit 64 ;;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests as programs of their own, and which of them found something: a test that does not end has judged nothing.
+// Runs tests as separate programs, and evaluates which of them failed: a test that does not end gives no result.
 import { spawn } from 'node:child_process';
 import { fileURLToPath } from 'node:url';
 
@@ -8,7 +8,7 @@ const reporter = fileURLToPath(new URL('outcomes.mjs', import.meta.url));
 const kFound = ['testCodeFailure', 'subtestsFailed', 'hookFailed'];
 const literally = (text) => text.replace(/[.*+?^${}()|[\]\\]/g, '\\$&');
 
-/** What a program prints, and its exit code. */
+/** The output of a program, and its exit code. */
 export const run = (program, args, env = {}) => new Promise((done) => {
   const child = spawn(program, args, { env: { ...process.env, ...env } });
   let said = '';
@@ -16,14 +16,15 @@ export const run = (program, args, env = {}) => new Promise((done) => {
   child.on('close', (code) => done({ code, said }));
 });
 
-/** The tests of `files` whose name has `word`. {red: names of those that failed, problem: why that is no judgement; empty: it is one}. */
+/** Runs the tests of `files` whose name contains `word`. {red: names of those that failed, problem: why the run is invalid; empty: it is
+ *  valid}. */
 export async function runTests(files, word, { timeoutMs, env = {} }) {
   // Within another test Node would skip them.
   const ended = await run(process.execPath, ['--test', `--test-reporter=${reporter}`, `--test-timeout=${timeoutMs}`, `--test-name-pattern=${literally(word)}`, ...files],
     { ...env, NODE_TEST_CONTEXT: undefined });
   const outcomes = ended.said.split('\n').filter((line) => line.startsWith('{"name"')).map((line) => JSON.parse(line));
   const ours = outcomes.filter(({ name }) => name.includes(word));
-  // Where a test does not end, Node names its file.
+  // For a test that does not end, Node reports its file.
   const unjudged = outcomes.filter(({ failure }) => failure && !kFound.includes(failure));
   const red = ours.filter(({ failure }) => kFound.includes(failure)).map(({ name }) => name);
   let problem = '';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What counts as a red test when a guard is taken out.
+// What counts as a failing test when a guard is removed.
 import assert from 'node:assert/strict';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';

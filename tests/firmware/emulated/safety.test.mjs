@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The rules of the board (daemon/device/board-rules.md) on the image that is flashed: what is measured is the pins, and the true current
-// of the simulator's ball behind them.
+// The rules of the board (daemon/device/board-rules.md) on the flashed image: the tests measure the pins, and the true current of the
+// simulator's ball behind them.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { assertDriving, assertNoCurrent, assertSafePins, kFiveAmps, withBoard } from './fixture.mjs';
@@ -53,7 +53,7 @@ test('the dead-man acts 100 ms +- 1 ms after the last set-point, at the pins', w
     }
     assertDriving(board, driver);
     driver.sending = false;
-    // One that has been sent may still be on its way.
+    // A set-point that has been sent may still be in transfer.
     let last = lastSent;
     board.host.onOut = (packet, us) => { last = us; };
     board.events.length = 0;
@@ -76,7 +76,7 @@ test('a latched board stays so whatever set-points come, until it is armed anew'
   driver.sending = true;
   board.run(200);
   assert.equal(driver.last.mode, kMode.latched);
-  // The same count again is no arming.
+  // The same count again does not arm.
   board.host.outQueue.push(arm(++driver.sequence, driver.armCount));
   board.run(20);
   assertSafePins(board);
@@ -92,7 +92,7 @@ test('a bridge turns round at the end of a PWM period, together with its new dut
   board.mcu.gpio[3].addListener(() => seen.push(board.pins().pwm[0]));
   for (let turn = 1; turn <= 20; ++turn) {
     driver.target = { enable: true, duty: [turn % 2 === 1 ? -0.05 : 0.19, 0, 0] };
-    board.run(2.05); // at another place of the period each time
+    board.run(2.05); // at a different phase of the period each time
   }
   assert.ok(seen.length >= 18, `${seen.length} turns`);
   seen.forEach((compare, i) => assert.equal(compare, i % 2 === 0 ? 312 : 1187));

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// In the place of hedgehog-simboard: the emulated board behind the socket that hedgehogd hands to its simulated board, in step with it
-// (hedgehogd --simulate --speed N, simulator.process). Takes the arguments of hedgehog-simboard. The host of the USB is the operating
-// system's share: it enumerates, sends what the daemon sends and hands over what the board sends.
+// Replaces hedgehog-simboard by the emulated board, behind the socket that hedgehogd passes to its simulated board, in lock-step with it
+// (hedgehogd --simulate --speed N, simulator.process). Takes the arguments of hedgehog-simboard. The USB host does the operating
+// system's part: it enumerates and forwards packets between daemon and board.
 //
 // --trace F: JSON lines { event, us, since_set_point_us, awake, closed, fan, current_ma, peak_ma } in the board's own time; `peak_ma` is
-// the largest current of each winding since the line before, with its sign. Events: start; awake, asleep (the bridges); reset (by the
-// watchdog); boot_loader (it has entered the ROM's); lost (the host is gone); zero (no current any more, bridges asleep); unplugged, plugged; done (control); exit.
-// HEDGEHOG_BOARD_CONTROL=F: a file whose lines are done, then it is removed: `alone MS` (the board runs on, its host does nothing, as
-// one that is frozen or busy), `unplug MS` (of USB, for so long), `hang` (the program).
+// the largest current of each winding since the previous line, with its sign. Events: start; awake, asleep (the bridges); reset (by the
+// watchdog); boot_loader (it has entered the ROM's); lost (the host has disconnected); zero (no current, bridges asleep); unplugged, plugged; done (control); exit.
+// HEDGEHOG_BOARD_CONTROL=F: a file whose lines are executed, then it is removed: `alone MS` (the board runs on without its host, as
+// when that is frozen or busy), `unplug MS` (of USB, for MS), `hang` (the program).
 import { appendFileSync, closeSync, existsSync, readFileSync, rmSync } from 'node:fs';
 import { Board } from './board.mjs';
 
@@ -59,7 +59,7 @@ class ServedBoard {
     this.peakMa = board.readings.trueMa.map((ma, k) => (Math.abs(ma) > Math.abs(this.peakMa[k]) ? ma : this.peakMa[k]));
     for (const { us, awake } of board.events.splice(0)) {
       this.awake = awake;
-      // As it was at the pin, not at the end of the millisecond.
+      // The time of the pin's edge, not of the end of the millisecond.
       this.note(awake ? 'awake' : 'asleep', { us, since_set_point_us: this.setPointUs === undefined ? null : us - this.setPointUs });
     }
     if (board.chip.resets !== this.resets) {
@@ -92,7 +92,7 @@ class ServedBoard {
     this.host.plug(true);
   }
 
-  /** What a test wants, once it is there as a whole. */
+  /** Executes the lines of a test, once the file is complete. */
   obey() {
     if (!this.control || !existsSync(this.control)) return;
     const lines = readFileSync(this.control, 'utf8').trim().split('\n');
@@ -107,7 +107,7 @@ class ServedBoard {
     rmSync(this.control);
   }
 
-  /** The operating system finds the board when it is plugged in and after its reset. */
+  /** The operating system detects the board when it is plugged in and after its reset. */
   enumerate() {
     if (this.host.configured || !this.host.connected) return;
     this.host.enumerate();
@@ -128,7 +128,7 @@ class ServedBoard {
     }
   }
 
-  /** The process that used the board is gone, the operating system is not. */
+  /** The process that used the board has ended; the operating system still runs. */
   shutDown() {
     this.note('lost');
     this.alone(0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How long it takes, in cycles of the emulated processor, at every phase of the host's frames against the board's millisecond; and
-// that each frame is the one that the board core gives on the host.
+// Execution time in cycles of the emulated processor, at every phase of the host's frames relative to the board's millisecond; and equality
+// of each frame with that of the board core on the host.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { CoreMirror } from './core_mirror.mjs';
@@ -22,8 +22,8 @@ function noise(state) {
   };
 }
 
-/** Set-points with a duty of their own each, so late in each frame as `lateUs()` says. Returns the latencies, us: to the end of the PWM
- *  period from which on the compare value counts, and to the telemetry that shows the set-point. */
+/** Sends set-points with different duties, each delayed in its frame by `lateUs()`. Returns the latencies, us: to the end of the PWM period
+ *  from which on the compare value applies, and to the telemetry that contains the set-point. */
 function measureLatency(board, driver, ms, lateUs) {
   const arrived = new Map();
   const sent = [];
@@ -51,7 +51,7 @@ function measureLatency(board, driver, ms, lateUs) {
   board.run(ms);
   const pwm = [];
   for (const { us, value } of sent) {
-    // Of two that arrive in one millisecond of the board the later counts.
+    // Of two that arrive in one millisecond of the board the later one applies.
     const write = board.applied.find((one) => one.us > us && one.value === value);
     if (write && write.us - us < 2000) pwm.push(write.us - us);
   }
@@ -62,7 +62,7 @@ const kSettlingMs = 250;
 const kHosts = [
   ['whose clock is slow by 0.3 %', 1_003_000, () => 0],
   ['whose clock is fast by 0.3 %', 997_000, () => 0],
-  // Its telemetry would be sent where erratum E15 forbids it.
+  // Its telemetry would be due where erratum E15 forbids it.
   ['that sends in the middle of its frames', 1_000_000, () => 400],
   ['that sends late by up to 0.35 ms', 1_000_300, ((random) => () => random(350))(noise(0x1234567))],
 ];
@@ -86,14 +86,14 @@ test('the millisecond of the board follows the set-points from any phase, and by
   driver.drive([0, 0, 0], 5);
   const worst = [];
   for (let phase = 0; phase < 8; ++phase) {
-    // One frame that is longer moves all that follow.
+    // One longer frame shifts the phase of all that follow.
     board.host.frameNanos = 1_000_000 + 125_000 * (phase + 1);
     board.run(1.5);
     board.host.frameNanos = 1_000_000;
     board.ticks.length = 0;
     measureLatency(board, driver, kSettlingMs, () => 0);
     const periods = board.ticks.slice(1).map((us, i) => us - board.ticks[i]);
-    // What the loop does when it wakes takes a few microseconds.
+    // The loop takes a few microseconds after it wakes.
     assert.ok(Math.min(...periods) > 985 && Math.max(...periods) < 1015, `${Math.min(...periods)}..${Math.max(...periods)}`);
     const mean = periods.slice(0, 50).reduce((sum, one) => sum + one, 0) / 50;
     assert.ok(mean > 994.9 && mean < 1005.1, `${mean}`);
@@ -139,11 +139,11 @@ test('from arming on each set-point is at the PWM within a millisecond, at whate
   const worst = [];
   for (let phase = 0; phase < 8; ++phase) {
     withBoard((board, driver) => {
-      // One frame that is longer moves all that follow.
+      // One longer frame shifts the phase of all that follow.
       board.host.frameNanos = 1_000_000 + 125_000 * (phase + 1);
       board.run(1.5);
       board.host.frameNanos = 1_000_000;
-      // Set-points begin with the enumeration, without `enable`: the daemon's begin seconds before it arms.
+      // Set-points start with the enumeration, without `enable`: the daemon's start seconds before it arms.
       driver.enumerate();
       board.run(5);
       driver.arm();
@@ -153,24 +153,24 @@ test('from arming on each set-point is at the PWM within a millisecond, at whate
     })();
   }
   console.log(`set-point to PWM, worst of the first 100 ms after arming: ${worst.map((us) => us.toFixed(0)).join(', ')} us`);
-  // It has the host's phase already; otherwise some of these would wait up to 1.15 ms.
+  // The board is already synchronised with the host; otherwise some of these would wait up to 1.15 ms.
   assert.ok(Math.max(...worst) < 700);
 });
 
 test('the processor is busy for at most 40 % of each millisecond, and its stack is small', withBoard((board, driver) => {
   driver.drive([0.1, -0.1, 0.1], 20);
-  board.busiestCycles = 0; // start and enumeration are over
+  board.busiestCycles = 0; // excludes start and enumeration
   let sign = 1;
-  // More packets than a bus can carry, and a bridge that reverses in each millisecond.
+  // More packets than a bus can transfer, and a bridge that reverses in each millisecond.
   board.run(300, () => {
     if (board.host.outQueue.length < 3) board.host.outQueue.push(Buffer.alloc(64, 0x48));
     driver.target = { enable: true, duty: [0.1 * (sign = -sign), 0.1 * sign, 0.1] };
   });
   const busy = (what) => `${what}: busy for ${board.busiestCycles} of 125000 cycles (${(board.busiestCycles / 1250).toFixed(1)} %)`;
   console.log(`${busy('worst millisecond')}, stack ${board.chip.stackUsed()} bytes of 4096`);
-  // Less than the conversions alone: it was not measured.
+  // A value below that of the conversions alone would be a measurement error.
   assert.ok(board.busiestCycles > 15_000 && board.busiestCycles <= kMaxCycles, `${board.busiestCycles}`);
-  // Requests of an operating system wait for what is due in the millisecond, and it for none of them.
+  // Requests of an operating system wait for the work due in the millisecond, which is never delayed by them.
   board.ticks.length = 0;
   for (let i = 0; i < 20; ++i) board.host.descriptor(2);
   console.log(busy('worst millisecond with descriptors requested back to back'));

@@ -53,7 +53,7 @@ test('stalls what it does not know, and answers the next request', withBoard((bo
   assert.equal(hex(board.host.control(0x81, 0, 0, 0, 2)), '0000', 'status of the interface');
   assert.equal(hex(board.host.control(0x81, 10, 0, 0, 1)), '00', 'its setting');
   assert.equal(hex(board.host.control(0x82, 0, 0, 0, 2)), '0000', 'status of endpoint 0');
-  // Its endpoints begin anew.
+  // Its endpoints restart.
   assert.equal(hex(board.host.control(0x01, 11, 0, 0, 0)), '');
   board.host.toggle.set(1, 0).set(0x81, 0);
   const { sequence } = driver.last;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A full-speed host in place of rp2040js's, which lets an unread packet complete and hides STALL, toggles, SOF and suspend: tokens
-// against the buffers that the firmware has armed.
+// A full-speed host in place of rp2040js's, which completes transfers of unread packets and hides STALL, toggles, SOF and suspend: tokens
+// are checked against the buffers that the firmware has armed.
 
 const kAvailable = 1 << 10;
 const kStall = 1 << 11;
@@ -13,10 +13,10 @@ const kBusReset = 1 << 19;
 const kSofEvent = 1 << 17;
 const kVbusPin = 24;
 
-// Crystals of host and board differ: the frames drift through the board's milliseconds.
+// Crystals of host and board differ: the frames drift relative to the board's milliseconds.
 const kFrameUs = 1000.3;
 const kRetryUs = 20;
-const kQuietUs = 900; // no transaction is begun so late in a frame
+const kQuietUs = 900; // no transaction starts later in a frame
 const kArmCycles = 12;
 
 export class UsbHost {
@@ -30,7 +30,7 @@ export class UsbHost {
     this.onFrame = () => {};
     this.onIn = () => {};
     this.onOut = () => {};
-    this.onTaken = () => {}; // a bulk packet has left the controller's memory
+    this.onTaken = () => {}; // called when a bulk packet has been read from the controller's memory
     this.busyHub = false;
     this.deaf = false;
     this.counts = { sof: 0, nak: 0, stall: 0, toggle: 0, late: 0, unarmed: 0 };
@@ -61,7 +61,7 @@ export class UsbHost {
     };
     const write = usb.writeUint32.bind(usb);
     usb.writeUint32 = (offset, value) => {
-      if (offset === 0x78) return; // power: nothing to model
+      if (offset === 0x78) return; // power: not modelled
       if (offset === 0x74) this.route(value);
       if (offset === 0x7c || offset === 0x80) this.phy.set(offset, value);
       if (offset === 0x74 || offset === 0x7c || offset === 0x80) return;
@@ -79,7 +79,7 @@ export class UsbHost {
     every(() => kRetryUs * 1000, () => this.bulk());
   }
 
-  /** A chip before B2 behind a busy hub listens after a reset only when it has been shown an idle line (erratum E5). */
+  /** A chip before B2 behind a busy hub responds after a reset only once it has seen an idle line (erratum E5). */
   route(muxing) {
     const pin = this.mcu.gpio[15];
     const pullUp = this.phy.get(0x7c) === 1 << 1 && this.phy.get(0x80) === 1 << 2;
@@ -91,7 +91,7 @@ export class UsbHost {
     }
   }
 
-  /** The datasheet's rule for AVAILABLE, and erratum E15 for what is sent. */
+  /** The data sheet's rule for AVAILABLE, and erratum E15 for packets sent. */
   watchArming() {
     const last = new Map();
     this.usb.DPRAMUpdated = (offset, value) => {
@@ -154,7 +154,7 @@ export class UsbHost {
     return (this.mcu.usbDPRAMView.getUint32(8 * endpoint + (out ? 4 : 0), true) & kEnabled) !== 0;
   }
 
-  /** What a token meets: 'none', 'stall', 'nak', or the buffer control that is armed. */
+  /** The response to a token: 'none', 'stall', 'nak', or the armed buffer control. */
   token(endpoint, out) {
     if (!this.listens() || !this.enabled(endpoint, out)) return 'none';
     const at = 0x80 + 8 * endpoint + (out ? 4 : 0);
@@ -207,7 +207,7 @@ export class UsbHost {
     return 'timeout';
   }
 
-  /** A control transfer: what was read, 'stall', or what went wrong. */
+  /** A control transfer; returns the data read, 'stall', or the error. */
   control(type, request, value = 0, index = 0, length = 0) {
     if (!this.listens()) return 'none';
     this.usb.epStallArm = 0;
@@ -242,7 +242,7 @@ export class UsbHost {
 
   descriptor(type, index = 0, length = 255) { return this.control(0x80, 6, (type << 8) | index, type === 3 && index > 0 ? 0x409 : 0, length); }
 
-  /** As an operating system does it; throws when the device does not follow. */
+  /** Enumerates as an operating system does; throws when the device does not respond correctly. */
   enumerate(address = 7) {
     if (!this.chip.run(200000, () => this.connected)) throw new Error('no device pulls up');
     this.reset();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the identification makes of a ball that was heated and cooled: balls drawn from the
-// family, with the errors of their electronics.
+// The identification on recorded heating and cooling of balls drawn from the family, with the
+// errors of their electronics.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ struct Drawn {
   double ambient_c = 25.0;
 };
 
-/// R25 as it was measured: within 1 %, with the gains in it.
+/// R25 as measured: within 1 %, gain errors included.
 Drawn draw(std::uint64_t seed) {
   RandomStream random(seed);
   Drawn ball;
@@ -56,7 +56,7 @@ struct Deviation {
   double claimed;
 };
 
-/// Every constant against the ball's, by power as the board measures it.
+/// Deviation of every constant from the ball's, with power as the board measures it.
 std::vector<Deviation> deviations(const ThermalFound& found, const Drawn& ball) {
   std::vector<Deviation> all;
   double mean_gain = 0.0;

@@ -224,7 +224,7 @@ TEST(MagnetArray, GapsOfTkd) {
   EXPECT_NEAR(gaps[1].angle_deg, 10.3882, 1e-3);
   EXPECT_EQ(gaps[1].kind_a, MagnetKind::kPin);
   EXPECT_EQ(gaps[1].kind_b, MagnetKind::kShield);
-  // By hand: the pin's inner edge from the shield's side.
+  // Computed by hand: distance of the pin's inner edge from the shield's side.
   const double angle = 10.3882 * 3.14159265358979 / 180.0;
   EXPECT_NEAR(gaps[1].gap_mm, 35.0 * std::sin(angle) - 4.0 * std::cos(angle) - 2.0, 0.01);
 }

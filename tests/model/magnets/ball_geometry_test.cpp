@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A ball as data: any Goldberg array, pins removed anywhere, any front.
+// A ball described by data: any Goldberg array, any removed pins, any front.
 #include "model/magnets/ball_geometry.h"
 
 #include <gmock/gmock.h>
@@ -52,7 +52,8 @@ TEST(BallGeometry, OtherMagnetsOnTheSamePinsMoveThemOtherwise) {
   EXPECT_NE(ball->curves.rest_mm(0), thesis_ball().curves.rest_mm(0));
 }
 
-// Numbered ring by ring from the top, anticlockwise from the front, whatever is missing.
+// Pins are numbered ring by ring from the top, anticlockwise from the front, also with removed
+// pins.
 RC_GTEST_PROP(BallGeometry, AnyArrayWithAnyFrontAndPinsRemovedAnywhere, ()) {
   const auto name = *rc::gen::element<std::string>("cD", "wD", "tkD", "GP(2,2)", "tkD-86");
   BallGeometry geometry = small_magnets(name);
@@ -96,7 +97,7 @@ TEST(BallGeometry, RingsThatAreEmptyHaveNoPins) {
   EXPECT_EQ(ball->array.pins.size(), 37u);
 }
 
-// A pin less, and every pin is a class of its own: 410 000 pairs, but few angles.
+// With one pin removed, every pin is a class of its own: 410 000 pairs, but few distinct angles.
 TEST(BallGeometry, WithoutSymmetryHasTheCurvesThatAreComputedPinByPin) {
   BallGeometry geometry = small_magnets("tkD");
   geometry.removed_pins = {40};

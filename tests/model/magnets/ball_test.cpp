@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The ball of 86 pins: what the holes at its bottom do (thesis section 2.4; reference: physics.md
-// section 4).
+// The ball of 86 pins: the effect of the holes at its bottom (thesis section 2.4; reference:
+// physics.md section 4).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

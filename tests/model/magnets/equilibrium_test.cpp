@@ -81,7 +81,8 @@ TEST(Equilibrium, BadInputHasASentence) {
 // Reference: physics.md section 5.
 TEST(Electromagnet, TwoCalibrations) {
   EXPECT_NEAR(fea_electromagnet().moment_per_ampere, 0.202271, 1e-6);
-  // 0.09557 were the 0.0126 N/A measured on the sphere; they were on a pin some 0.5 mm out.
+  // 0.09557 would follow from the 0.0126 N/A on the sphere, but that was measured on a pin some 0.5
+  // mm out.
   EXPECT_NEAR(measured_electromagnet().moment_per_ampere, 0.10036, 2e-5);
   const auto force = [](const Electromagnet& coil, double current_a) {
     return coil_force_n(coil, current_a, kThesisPinMagnet, 35.0, 0.0, 0.0);
@@ -91,7 +92,7 @@ TEST(Electromagnet, TwoCalibrations) {
   EXPECT_NEAR(rest_mm, 0.486, 0.002);
   EXPECT_NEAR(coil_force_n(measured_electromagnet(), 5.0, kThesisPinMagnet, 35.0, 0.0, rest_mm),
               0.063, 1e-9);
-  // At the rest of the commonest pin, physics.md section 6.
+  // At the rest of the most common pin, physics.md section 6.
   EXPECT_NEAR(coil_force_n(fea_electromagnet(), 15.0, kThesisPinMagnet, 35.0, 0.0, 0.522), 0.380,
               1e-3);
   EXPECT_NEAR(coil_force_n(fea_electromagnet(), 15.0, kThesisPinMagnet, 35.0, 60.0, 0.0), 0.2,

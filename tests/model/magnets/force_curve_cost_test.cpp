@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the classes of pins are for: the force curves of an array in little time.
+// Purpose of the pin classes: the force curves of an array in little time.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,8 +13,8 @@
 namespace hedgehog::model {
 namespace {
 
-// Two of a kind in one run, in processor time, by turns and the least of up to five each: what else
-// the machine does only adds to it. The ratio is some 130.
+// Both computations run alternately in one process; the minimum processor time of up to five runs
+// each is compared, because other load only adds to it. The ratio is about 130.
 TEST(ForceCurve, ByClassesIsManyTimesAsFastAsPinByPin) {
   const ForceSettings settings{ForceModel::kExact, 1e-3};
   const Arrangement& tkd = arrangement("tkD");

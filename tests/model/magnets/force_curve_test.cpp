@@ -109,8 +109,8 @@ TEST(ForceCurve, SelectedValuesOfTkd) {
   }
 }
 
-// Classes, merged angles, mirror plane and shared faces against none of them: the vectors of all
-// 271 others, summed.
+// The computation with classes, merged angles, mirror plane and shared faces against the plain sum
+// of the vectors of all 271 others.
 TEST(ForceCurve, IsTheSumOverAllPairs) {
   const Arrangement& tkd = arrangement("tkD");
   const auto placed = [](const MagnetSite& site, const CylinderMagnet& magnet, double offset_mm,
@@ -169,7 +169,7 @@ TEST(Thesis, TheCommonestPinRestsNear045) {
 }
 
 TEST(Thesis, ShieldsOf3MillimetresHoldNoPinAndOf4Every) {
-  // Least forces of the classes, reference: physics.md section 3.
+  // Minimum forces of the classes, reference: physics.md section 3.
   const std::map<std::string, std::vector<double>> least{
       {"cD", {0.0085, 0.3425}}, {"wD", {0.455, 0.959}}, {"tkD", {0.812, 1.044, 1.184}}};
   for (const auto& [name, minima] : least) {
@@ -183,7 +183,7 @@ TEST(Thesis, ShieldsOf3MillimetresHoldNoPinAndOf4Every) {
   }
 }
 
-// Dipoles alone say the opposite of what is true (reference: physics.md section 3).
+// Dipoles alone give the opposite of the exact result (reference: physics.md section 3).
 TEST(Thesis, DipolesAloneAreQualitativelyWrong) {
   for (const auto& [name, size] :
        {std::pair{"cD", 12}, {"wD", 12}, {"wD", 60}, {"tkD", 12}, {"tkD", 60}, {"tkD", 20}}) {
@@ -197,8 +197,8 @@ TEST(Thesis, DipolesAloneAreQualitativelyWrong) {
   EXPECT_NEAR(extension(dipole).value(), 0.095, 0.002);
 }
 
-// Reference: physics.md section 6; its measured calibration is of a pin on the sphere, here it is
-// of one at its rest, where the thesis measured: 5 % more, from the same curve and the same law.
+// Reference: physics.md section 6. Its measured calibration is for a pin on the sphere; here for a
+// pin at its rest, where the thesis measured: 5 % more, from the same curve and law.
 TEST(Thesis, ExtensionAgainstCurrent) {
   const PinForce force = force_of("tkD", 60);
   const Characterisation character = characterise(force);

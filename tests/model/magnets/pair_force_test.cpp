@@ -35,7 +35,7 @@ TEST(PairForce, ReferencePairs) {
   }
 }
 
-// At its own, coarser accuracy, as asked of it.
+// Computed at the requested, coarser accuracy.
 TEST(PairForce, ReferencePairsAtAMillionthAndAThousandth) {
   for (const ReferencePair& r : kReferencePairs) {
     for (const double accuracy : {1e-3, 1e-6}) {
@@ -48,7 +48,8 @@ TEST(PairForce, ReferencePairsAtAMillionthAndAThousandth) {
   }
 }
 
-// Closed form of two coaxial cylinders (reference: physics.md section 1); distances of the middles.
+// Closed form of two coaxial cylinders (reference: physics.md section 1); distances between
+// centres.
 TEST(PairForce, CoaxialClosedForm) {
   const MagnetPair unequal{{8, 10}, {4, 10}, 35};
   const MagnetPair equal{{8, 10}, {8, 10}, 35};
@@ -69,7 +70,7 @@ TEST(PairForce, HybridIsExactBelow30DegreesAndDipoleBeyond) {
   }
 }
 
-// Reference: physics.md section 1: how far off the dipole model is.
+// Reference: physics.md section 1: the error of the dipole model.
 TEST(PairForce, DipolesAreFarTooStrongNearby) {
   const auto excess = [](const MagnetPair& pair, double angle, double offset) {
     return force_n(pair, angle, offset, ForceModel::kDipole) /
@@ -98,7 +99,7 @@ TEST(PairForce, GapOfThesisMagnets) {
   EXPECT_NEAR(gap_mm(pair, {contact, 0.0, 0.0}), 0.0, 1e-9);
   EXPECT_GT(gap_mm(pair, {contact + 0.1, 0.0, 0.0}), 0.05);
   EXPECT_LT(gap_mm(pair, {contact - 0.1, 0.0, 0.0}), -0.05);
-  // One above the other, 2 mm between them; and the far sides of the sphere.
+  // Coaxial with a gap of 2 mm; and on opposite sides of the sphere.
   EXPECT_NEAR(gap_mm(pair, {0.0, 12.0, 0.0}), 2.0, 1e-9);
   EXPECT_NEAR(gap_mm(pair, {180.0, 0.0, 0.0}), 70.0, 1e-9);
 }
@@ -113,7 +114,8 @@ TEST(CylinderMagnet, OnItsAxis) {
   }
 }
 
-// Its field is that of the charges on its two faces: a plain sum of points, nothing elliptic.
+// Its field is that of the charges on its two faces: a plain sum of points, without elliptic
+// integrals.
 TEST(CylinderMagnet, IsTwoChargedFaces) {
   const CylinderMagnet magnet{8, 10};
   for (const Vec3 point : {Vec3{7, 0, 1}, Vec3{3, 0, 9}, Vec3{4, 0, -12}, Vec3{20, 0, 30}}) {
@@ -173,7 +175,7 @@ struct PairOnSphere {
   PairPlace place;
 };
 
-/// At least 0.1 mm apart.
+/// Gap of at least 0.1 mm.
 PairOnSphere any_pair() {
   const PairOnSphere any{{any_magnet(), any_magnet(), any_between(15, 60)},
                          {any_between(3, *rc::gen::element(40, 180)), any_between(-2.5, 12.5),
@@ -196,7 +198,7 @@ PlacedMagnet other_of(const PairOnSphere& p) {
   return {p.pair.other, {0.0, 0.0, middle}, {0, 0, 1}};
 }
 
-// The other path to the same force: whole disks, another order, no mirror plane.
+// An independent computation of the same force: whole disks, another order, no mirror plane.
 RC_GTEST_PROP(PairForceLaw, TheAccuracyAskedForIsMetAndTheErrorBounds, ()) {
   const PairOnSphere p = any_pair();
   const double accuracy = std::pow(10.0, -any_between(2, 8));
@@ -236,7 +238,7 @@ RC_GTEST_PROP(PairForceLaw, TurnsAndMirrorsWithThePair, ()) {
   const auto moved = [](const PlacedMagnet& m, const auto& map) {
     return PlacedMagnet{m.magnet, map(m.centre_mm), map(m.axis)};
   };
-  // The rule's own orientation is not turned along: what is left is its error.
+  // The rule's own orientation is not rotated with the pair: the difference is its error.
   const Vec3 force = force_between(a, b, DiskRule::kMaxOrder);
   const double scale = 1e-6 * norm(force) + 1e-12;
   const Vec3 after_turn = force_between(moved(a, turned), moved(b, turned), DiskRule::kMaxOrder);
@@ -263,7 +265,7 @@ RC_GTEST_PROP(PairForceLaw, GrowsWithBothRemanences, ()) {
             1e-8 * std::abs(before) + 1e-15);
 }
 
-// What is not dipole falls with the square of the distance.
+// The non-dipole part falls with the square of the distance.
 RC_GTEST_PROP(PairForceLaw, FarPairsTendToDipoles, ()) {
   const MagnetPair near{any_magnet(), any_magnet(), 200.0};
   const double angle = any_between(30, 180);

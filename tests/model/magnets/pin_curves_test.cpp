@@ -20,13 +20,14 @@ namespace {
 constexpr ForceSettings kPinSettings{ForceModel::kExact, 1e-6};
 constexpr double kThesisForceN = 15.0 * kFeaCalibration.force_slope_n_a;
 
-/// Of the thesis' simulation, on the typical pin at its rest.
+/// Slope from the thesis' simulation, for the typical pin at its rest.
 double fea_slope_n_a() {
   return coil_force_n(fea_electromagnet(), 1.0, kThesisPinMagnet, 35.0, 0.0,
                       thesis_ball().curves.typical_rest_mm());
 }
 
-// Looked up and solved for, pin by pin. A pin that rests below the shell starts from the shell.
+// Table lookup against the exact solution, pin by pin. A pin that rests below the shell starts from
+// the shell.
 TEST(PinCurves, AgreeWithTheExactExtension) {
   const PinCurves& curves = thesis_ball().curves;
   ASSERT_EQ(curves.size(), 86u);
@@ -56,7 +57,7 @@ TEST(PinCurves, AgreeWithTheExactExtension) {
 TEST(PinCurves, APentagonsPinLiesOnTheShell) {
   const PinCurves tkd(arrangement("tkD"), {});
   EXPECT_EQ(tkd.rest_mm(0), 0.0);
-  // What the typical pin gets, 0.5 mm farther out, is 5 % less.
+  // The force on the typical pin, 0.5 mm farther out, is 5 % lower.
   for (const double on_it_n : {0.18, 0.19, 0.20}) {
     const double typical_n = on_it_n / tkd.force_at_rest_n(0, 1.0);
     EXPECT_NEAR(typical_n / on_it_n, 1.0 / 1.054, 1e-3);

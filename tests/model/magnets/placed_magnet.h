@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Two cylinders anywhere in space: the whole force vector. Slower than pair_force, which is for
-// magnets that stand on one sphere and knows their mirror plane. Pure; any thread.
+// Force vector between two cylinders anywhere in space. Slower than pair_force, which assumes
+// magnets on one sphere and uses their mirror plane. Pure; any thread.
 #pragma once
 
 #include "model/magnets/pair/cylinder_magnet.h"
@@ -10,9 +10,9 @@ namespace hedgehog::model {
 
 struct PlacedMagnet {
   CylinderMagnet magnet;
-  /// Its middle, mm.
+  /// Its centre, mm.
   Vec3 centre_mm;
-  /// From south to north, length 1.
+  /// From south to north pole, length 1.
   Vec3 axis{0, 0, 1};
 };
 
@@ -20,7 +20,7 @@ struct PlacedMagnet {
 Vec3 field_at(const PlacedMagnet& magnet, const Vec3& point_mm) noexcept;
 
 /// Force of `other` on `subject`, N, charged-cylinder model. `order`: Gauss nodes along a radius,
-/// 1..DiskRule::kMaxOrder; four times as many around. REQUIRES: they do not overlap.
+/// 1..DiskRule::kMaxOrder; four times as many around. REQUIRES: the magnets do not overlap.
 Vec3 force_between(const PlacedMagnet& subject, const PlacedMagnet& other, int order) noexcept;
 
 }  // namespace hedgehog::model
