@@ -114,7 +114,7 @@ boost::system::result<Digest, std::string> fingerprint_of(std::string_view certi
   return digest;
 }
 
-std::string why_not_usable(std::string_view certificate_pem, std::string_view key_pem) {
+std::string pair_problem(std::string_view certificate_pem, std::string_view key_pem) {
   const X509Object certificate = certificate_of(certificate_pem);
   if (!certificate) return "the certificate is not in PEM";
   const Key key(PEM_read_bio_PrivateKey(bio_of(key_pem).get(), nullptr, no_password, nullptr));

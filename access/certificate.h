@@ -23,6 +23,6 @@ Certificate new_certificate(const std::string& name, int days);
 boost::system::result<Digest, std::string> fingerprint_of(std::string_view certificate_pem);
 
 /// Why TLS cannot use them: no certificate, no key, or a key of another certificate. Empty: usable.
-std::string why_not_usable(std::string_view certificate_pem, std::string_view key_pem);
+std::string pair_problem(std::string_view certificate_pem, std::string_view key_pem);
 
 }  // namespace hedgehog::access

@@ -51,7 +51,7 @@ FileText read_to_end(int fd, std::size_t reported_bytes, std::size_t max_bytes) 
 
 }  // namespace
 
-std::string why_not_regular(int fd) {
+std::string file_problem(int fd) {
   struct stat info {};
   if (::fstat(fd, &info) != 0) return std::strerror(errno);
   if (S_ISREG(info.st_mode)) return {};
@@ -63,7 +63,7 @@ FileText read_regular_file(const std::string& path, std::size_t max_bytes) {
   const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
   if (fd < 0) return failed(std::strerror(errno), errno);
   FileText file;
-  file.problem = why_not_regular(fd);
+  file.problem = file_problem(fd);
   struct stat info {};
   if (file.good() && ::fstat(fd, &info) == 0) {
     const auto bytes = static_cast<std::size_t>(std::max<off_t>(0, info.st_size));

@@ -25,6 +25,6 @@ struct FileText {
 FileText read_regular_file(const std::string& path, std::size_t max_bytes);
 
 /// Why the open file `fd` is not a regular file, worded as `FileText::problem`; empty: regular.
-std::string why_not_regular(int fd);
+std::string file_problem(int fd);
 
 }  // namespace hedgehog::base

@@ -86,9 +86,9 @@ bool accepts_gzip(std::string_view accept_encoding) {
 
 }  // namespace
 
-WebFileAnswer web_file_answer(const WebFile& file, std::string_view accept_encoding,
-                              std::string_view if_none_match) {
-  WebFileAnswer answer;
+WebFileResponse web_file_response(const WebFile& file, std::string_view accept_encoding,
+                                  std::string_view if_none_match) {
+  WebFileResponse answer;
   const bool packed = file.gzip != nullptr && accepts_gzip(accept_encoding);
   answer.etag = file.etag;
   if (packed) {

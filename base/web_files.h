@@ -25,7 +25,7 @@ struct WebFile {
 };
 
 /// Response to a request of a file (RFC 9110, 9111).
-struct WebFileAnswer {
+struct WebFileResponse {
   /// nullptr: the browser has this version already (304).
   std::shared_ptr<const std::string> body{};
   /// "gzip", or empty.
@@ -38,8 +38,8 @@ struct WebFileAnswer {
 };
 
 /// `accept_encoding`, `if_none_match`: headers of the request, empty if absent.
-WebFileAnswer web_file_answer(const WebFile& file, std::string_view accept_encoding,
-                              std::string_view if_none_match);
+WebFileResponse web_file_response(const WebFile& file, std::string_view accept_encoding,
+                                  std::string_view if_none_match);
 
 struct WebFiles {
   /// "/index.html" and so on.

@@ -66,7 +66,7 @@ std::string paragraph(const std::string& text) {
 }
 
 /// "look at the ball" of "hedgehogctl: look at the ball. More": for whatis.
-std::string in_short(const Command& program) {
+std::string summary(const Command& program) {
   std::string text = program.help.substr(0, program.help.find_first_of(".\n"));
   for (const std::string& before : {program.name + ": ", program.name + " "})
     if (text.starts_with(before)) text.erase(0, before.size());
@@ -163,7 +163,7 @@ std::string man_page(const Command& program, int section, const std::string& ver
       ".\\\" Made by {} from what it prints as its help.\n"
       ".TH {} {} \"\" \"Hedgehog {}\" \"Hedgehog\"\n.nh\n.SH NAME\n",
       program.name, escaped(upper(program.name)), section, version);
-  page += escaped(program.name) + " \\- " + escaped(in_short(program)) + "\n";
+  page += escaped(program.name) + " \\- " + escaped(summary(program)) + "\n";
   page += ".SH SYNOPSIS\n" + synopsis_of(program, program.name);
   page += ".SH DESCRIPTION\n" + paragraph(program.help);
   page += ".SH OPTIONS\n" + entries_of(program);

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <utility>
 
-#include "cli/complaint.h"
+#include "cli/error_message.h"
 #include "cli/reference.h"
 
 namespace hedgehog::cli {
@@ -58,7 +58,7 @@ std::optional<EarlyExit> Program::parse(const std::vector<std::string>& argument
     std::ostringstream text;
     return EarlyExit{app_->exit(done, text, text), text.str()};
   } catch (const CLI::ParseError& error) {
-    return EarlyExit{EX_USAGE, usage_error(complaint(*app_, error))};
+    return EarlyExit{EX_USAGE, usage_error(error_message(*app_, error))};
   }
   return std::nullopt;
 }

@@ -36,9 +36,9 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kBusyPause{1};
 constexpr std::chrono::milliseconds kIdlePause{10};
-constexpr std::chrono::milliseconds kShutdownPatience{1500};
+constexpr std::chrono::milliseconds kShutdownTimeout{1500};
 /// Time for responses that wait for the disk; control has ended. Previews have a pump per slice.
-constexpr std::chrono::milliseconds kLastAnswers{1000};
+constexpr std::chrono::milliseconds kLastResponses{1000};
 
 }  // namespace
 
@@ -57,7 +57,7 @@ Daemon::Daemon(const Options& options, const config::Paths& paths, const config:
       }()),
       device_view_(config, threads_.mailbox(), threads_.port(), threads_.loop().origin_ns()),
       state_store_(config.state_directory, disk_, device_view_, saved_),
-      devices_(config_, threads_.sensors(), look_),
+      devices_(config_, threads_.sensors(), scan_thread_),
       pattern_files_(config.state_directory, disk_),
       patterns_(pattern_files_, pattern_files_.load()),
       history_(server::history_writer(config.state_directory, disk_),
@@ -70,7 +70,7 @@ Daemon::Daemon(const Options& options, const config::Paths& paths, const config:
           base::unix_ms_now) {
   server_.set_access(config_);
   server_.set_devices(devices_);
-  device_view_.set_board_info_source([this] { return threads_.sensors().board_seen(); });
+  device_view_.set_board_info_source([this] { return threads_.sensors().board_info(); });
   server_.set_recordings(recordings_);
   server_.telemetry().restore(server::load_telemetry(config.state_directory),
                               device_view_.now().tick, base::unix_ms_now());
@@ -78,14 +78,14 @@ Daemon::Daemon(const Options& options, const config::Paths& paths, const config:
 
 int Daemon::run() {
   threads_.loop().start();
-  introduce();
+  log_start();
   asio::co_spawn(io_, pump(), asio::detached);
   asio::co_spawn(io_, handle_signals(), asio::detached);
   io_.run();
   return EX_OK;
 }
 
-void Daemon::introduce() {
+void Daemon::log_start() {
   if (config_.backend == config::Backend::kSimulator) {
     spdlog::warn(
         "hedgehogd {} on the SIMULATOR{}: nothing real moves{}", HEDGEHOG_VERSION,
@@ -154,7 +154,7 @@ asio::awaitable<void> Daemon::handle_signals() {
     if (signal == SIGHUP) {
       reload();
     } else if (!stopping_) {
-      asio::co_spawn(io_, leave(signal == SIGINT ? "interrupted" : "stop"), asio::detached);
+      asio::co_spawn(io_, shut_down(signal == SIGINT ? "interrupted" : "stop"), asio::detached);
     } else if (signal == SIGINT) {
       // The safe command was sent on the first signal.
       std::_Exit(EXIT_FAILURE);
@@ -162,7 +162,7 @@ asio::awaitable<void> Daemon::handle_signals() {
   }
 }
 
-asio::awaitable<void> Daemon::leave(std::string reason) {
+asio::awaitable<void> Daemon::shut_down(std::string reason) {
   stopping_ = true;
   manager_.stopping();
   if (threads_.loop().stop())
@@ -177,17 +177,17 @@ asio::awaitable<void> Daemon::leave(std::string reason) {
   telemetry_file_.write(server_.telemetry(), device_view_.now().tick, base::unix_ms_now());
   asio::steady_timer timer(io_);
   error_code ignored;
-  const auto last_answer = Clock::now() + kLastAnswers;
+  const auto last_response = Clock::now() + kLastResponses;
   model::Tick pumps = 0;
   while (server_.has_pending() &&
-         (pumps++ < server::Preview::kMaxSlices || Clock::now() < last_answer)) {
+         (pumps++ < server::Preview::kMaxSlices || Clock::now() < last_response)) {
     timer.expires_after(kBusyPause);
     co_await timer.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
     server_.pump();
   }
   listener_.close();
   announcement_.reset();
-  const auto until = Clock::now() + kShutdownPatience;
+  const auto until = Clock::now() + kShutdownTimeout;
   while ((!history_.flush() || !listener_.empty()) && Clock::now() < until) {
     timer.expires_after(kIdlePause);
     co_await timer.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
@@ -245,7 +245,7 @@ void Daemon::log_state(const control::Event& event) {
                   ? ""
                   : fmt::format(": {}", control::name(event.reason)),
               remedy ? ". " + *remedy : "");
-  if (event.state == control::State::kArmed && device_view_.board_holds_back())
+  if (event.state == control::State::kArmed && device_view_.is_board_limited())
     spdlog::warn("the board keeps tighter limits than configured: unplug the ball's supply once");
 }
 

@@ -42,11 +42,11 @@ class Daemon {
  private:
   boost::asio::awaitable<void> pump();
   boost::asio::awaitable<void> handle_signals();
-  boost::asio::awaitable<void> leave(std::string reason);
+  boost::asio::awaitable<void> shut_down(std::string reason);
   void reload();
   void on_event(const control::Event& event, const server::Effect* effect);
   void log_state(const control::Event& event);
-  void introduce();
+  void log_start();
   void start_listening();
   std::string status_line() const;
 
@@ -59,7 +59,7 @@ class Daemon {
   server::Listener listener_;
   std::optional<server::SavedState> saved_;
   DeviceThreads threads_;
-  server::DiskThread look_{"look"};
+  server::DiskThread scan_thread_{"look"};
   server::DiskThread disk_;
   server::DeviceView device_view_;
   server::FileStateStore state_store_;

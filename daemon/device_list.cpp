@@ -48,9 +48,9 @@ class BusScan {
                     {},
                     {}};
     if (is_board(usb, facts_.board_ids)) {
-      judge_board(usb, seen);
+      classify_board(usb, seen);
     } else if (driver != nullptr) {
-      judge_sensor(*driver, name, seen);
+      classify_sensor(*driver, name, seen);
     } else if (const SensorLine* line = open_line(seen)) {
       use_for(*line, seen);
     } else {
@@ -77,13 +77,13 @@ class BusScan {
                     {},
                     {},
                     {}};
-    judge_sensor(*driver, device::describe(hid), seen);
+    classify_sensor(*driver, device::describe(hid), seen);
     result_.devices.push_back(std::move(seen));
   }
 
   protocol::DevicesResult finish() {
     for (const SensorLine& line : facts_.lines) {
-      const bool listed = std::any_of(judged_.begin(), judged_.end(),
+      const bool listed = std::any_of(listed_types_.begin(), listed_types_.end(),
                                       [&](const std::string& type) { return type == line.type; });
       if (!line.state.open && !listed) result_.missing.push_back({line.job, line.state.what});
     }
@@ -91,8 +91,8 @@ class BusScan {
   }
 
  private:
-  void judge_board(const device::UsbDevice& usb, SeenDevice& seen) {
-    judged_.emplace_back("usb");
+  void classify_board(const device::UsbDevice& usb, SeenDevice& seen) {
+    listed_types_.emplace_back("usb");
     if (const auto version = device::frame_version(usb)) seen.protocol = std::to_string(*version);
     if (!facts_.board)
       seen.why_not = "the ball is simulated (backend in the configuration)";
@@ -116,18 +116,18 @@ class BusScan {
     return nullptr;
   }
   void use_for(const SensorLine& line, SeenDevice& seen) {
-    judged_.push_back(line.type);
+    listed_types_.push_back(line.type);
     seen.use = line.job;
   }
 
-  void judge_sensor(const SensorDriver& driver, const std::string& name, SeenDevice& seen) {
+  void classify_sensor(const SensorDriver& driver, const std::string& name, SeenDevice& seen) {
     if (seen.name.empty()) seen.name = driver.words;
     if (const SensorLine* line = open_line(seen)) {
       use_for(*line, seen);
       return;
     }
     const std::string type(driver.type);
-    judged_.push_back(type);
+    listed_types_.push_back(type);
     const auto wanted = std::find_if(facts_.lines.begin(), facts_.lines.end(),
                                      [&](const SensorLine& line) { return line.type == type; });
     if (!driver.unusable.empty()) {
@@ -146,7 +146,7 @@ class BusScan {
   const DeviceFacts& facts_;
   protocol::DevicesResult result_;
   /// Types with a listed device.
-  std::vector<std::string> judged_;
+  std::vector<std::string> listed_types_;
 };
 
 }  // namespace
@@ -160,7 +160,7 @@ protocol::DevicesResult seen_devices(const std::vector<device::UsbDevice>& usb,
   return scan.finish();
 }
 
-DeviceList::Ready DeviceList::look() {
+DeviceList::Ready DeviceList::scan() {
   struct Answer {
     std::atomic<bool> there{false};
     protocol::DevicesResult devices;
@@ -172,7 +172,7 @@ DeviceList::Ready DeviceList::look() {
                     config_.imu_fitting.serial,
                     config_.thermometer.serial,
                     sensors_.list()};
-  const bool taken = scan_thread_.post(server::DiskUse::kLook, [answer, facts = std::move(facts)] {
+  const bool taken = scan_thread_.post(server::DiskUse::kScan, [answer, facts = std::move(facts)] {
     answer->devices = seen_devices(device::list_usb(), device::list_hid(), facts);
     answer->there.store(true, std::memory_order_release);
   });

@@ -38,7 +38,7 @@ class DeviceList final : public server::DeviceScanner {
  public:
   DeviceList(const config::Config& config, const Sensors& sensors, server::DiskThread& scan_thread)
       : config_(config), sensors_(sensors), scan_thread_(scan_thread) {}
-  Ready look() override;
+  Ready scan() override;
 
  private:
   const config::Config& config_;

@@ -27,7 +27,7 @@ namespace config = hedgehog::config;
 constexpr rlim_t kLockedBytes = 256u << 20;
 
 /// A page that is fetched from disk, or moved into a huge one, delays a tick.
-void keep_memory_still() {
+void lock_memory() {
   prctl(PR_SET_THP_DISABLE, 1, 0, 0, 0);
   rlimit limit{};
   if (getrlimit(RLIMIT_MEMLOCK, &limit) != 0 ||
@@ -48,7 +48,7 @@ int serve(const hedgehog::daemon::Options& options, const config::Paths& paths,
   std::signal(SIGPIPE, SIG_IGN);
   try {
     make_state_directory(settings.state_directory);
-    if (!options.speed) keep_memory_still();
+    if (!options.speed) lock_memory();
     return hedgehog::daemon::Daemon(options, paths, settings).run();
   } catch (const std::exception& e) {
     spdlog::error("{}", e.what());

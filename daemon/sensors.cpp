@@ -52,7 +52,7 @@ std::optional<device::BoardUsbInfo> Sensors::board() const {
   return board_ != nullptr ? std::optional(board_->usb_info()) : std::nullopt;
 }
 
-server::BoardInfo Sensors::board_seen() const {
+server::BoardInfo Sensors::board_info() const {
   if (board_ == nullptr) return {};
   device::BoardUsbInfo usb_info = board_->usb_info();
   if (usb_info.open || !usb_info.seen) usb_info.what.clear();
@@ -65,11 +65,11 @@ std::vector<std::string> Sensors::messages() {
   if (now - looked_ < kLookEvery) return sentences;
   looked_ = now;
   for (Reader& reader : readers_) {
-    const device::SensorState now_is = state(reader);
+    const device::SensorState current = state(reader);
     const device::SensorState& before = reader.line.state;
-    if (now_is.what == before.what && now_is.opened == before.opened) continue;
-    sentences.push_back(reader.line.job + ": " + now_is.what);
-    reader.line.state = now_is;
+    if (current.what == before.what && current.opened == before.opened) continue;
+    sentences.push_back(reader.line.job + ": " + current.what);
+    reader.line.state = current;
   }
   return sentences;
 }

@@ -38,7 +38,7 @@ class Sensors {
   /// nullopt: simulated.
   std::optional<device::BoardUsbInfo> board() const;
   /// The part of it for clients.
-  server::BoardInfo board_seen() const;
+  server::BoardInfo board_info() const;
 
  private:
   struct Reader {

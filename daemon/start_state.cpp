@@ -25,7 +25,7 @@ StartState start_state(const config::Config& config, const std::optional<server:
   const bool clean = saved && saved->clean_stop;
   s.arm_at_start =
       simulated || (config.arm_at_start == config::ArmAtStart::kAfterCleanStop && clean);
-  if (simulated) s.start_patience = std::numeric_limits<model::Tick>::max();
+  if (simulated) s.start_timeout = std::numeric_limits<model::Tick>::max();
   s.start_reason = saved && !clean && config.arm_at_start == config::ArmAtStart::kAfterCleanStop
                        ? control::Reason::kUncleanStop
                        : control::Reason::kNeverArmed;
@@ -38,7 +38,7 @@ StartState start_state(const config::Config& config, const std::optional<server:
     s.start_measured.fill(true);
     s.start.winding_c.fill(start.simulated_c);
     s.start.core_c = start.simulated_c;
-    s.start_room_c = config.simulator.ambient_c;
+    s.start_ambient_c = config.simulator.ambient_c;
   } else if (saved && saved->heat_known) {
     s.start_known = true;
     s.start_measured = saved->measured;
@@ -48,7 +48,7 @@ StartState start_state(const config::Config& config, const std::optional<server:
     constexpr double kDeviationOfBound = 0.6;
     const double cooled_k = model::hottest_winding(saved->heat) - model::hottest_winding(s.start);
     s.start_deviation_k += kDeviationOfBound * s.uncertainty.thermal * std::max(0.0, cooled_k);
-    s.start_room_c = saved->ambient_c;
+    s.start_ambient_c = saved->ambient_c;
     if (simulated) start.simulated_c = model::hottest_winding(s.start);
   }
   return start;

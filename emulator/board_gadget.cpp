@@ -52,7 +52,7 @@ void BoardGadget::step() {
   ++frames_out_;
 }
 
-void BoardGadget::own_out(std::uint8_t /*endpoint*/, std::span<const Byte> data) {
+void BoardGadget::handle_out(std::uint8_t /*endpoint*/, std::span<const Byte> data) {
   ++frames_in_;
   // A firmware of another version rejects every frame of this one.
   if (version_ == board::kProtocolVersion) board_.receive(data);

@@ -38,7 +38,7 @@ class BoardGadget : public Gadget {
   std::string status() const override;
 
  protected:
-  void own_out(std::uint8_t endpoint, std::span<const Byte> data) override;
+  void handle_out(std::uint8_t endpoint, std::span<const Byte> data) override;
 
  private:
   struct Close {
@@ -61,7 +61,7 @@ class StrangerGadget : public Gadget {
   std::string status() const override { return "{}"; }
 
  protected:
-  void own_out(std::uint8_t /*endpoint*/, std::span<const Byte> /*data*/) override {}
+  void handle_out(std::uint8_t /*endpoint*/, std::span<const Byte> /*data*/) override {}
 };
 
 }  // namespace hedgehog::emulator

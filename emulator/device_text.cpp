@@ -11,14 +11,14 @@
 namespace hedgehog::emulator {
 namespace {
 
-struct Wish {
+struct GadgetSpec {
   std::string serial;
   BoardSettings board;
   bool started = false;
 };
 
 /// Returns an empty string, or the error.
-std::string take(const std::string& part, Wish& wish, MadeDevice& made) {
+std::string take(const std::string& part, GadgetSpec& spec, MadeDevice& made) {
   const std::size_t equals = part.find('=');
   const std::string key = part.substr(0, equals);
   const std::string value = equals == std::string::npos ? "" : part.substr(equals + 1);
@@ -27,28 +27,28 @@ std::string take(const std::string& part, Wish& wish, MadeDevice& made) {
   } else if (key == "name") {
     made.name = value;
   } else if (key == "serial") {
-    wish.serial = value;
+    spec.serial = value;
   } else if (key == "trace") {
-    wish.board.trace = value;
+    spec.board.trace = value;
   } else if (key == "start" || key == "ambient") {
     const auto celsius = number<double>(value);
     if (!celsius || !(std::abs(*celsius) <= 150.0)) return part + ": not a temperature";
-    (key == "start" ? wish.board.board.start_c : wish.board.board.ambient_c) = *celsius;
-    wish.started = wish.started || key == "start";
+    (key == "start" ? spec.board.board.start_c : spec.board.board.ambient_c) = *celsius;
+    spec.started = spec.started || key == "start";
   } else {
     return "unknown: " + part;
   }
   return {};
 }
 
-std::unique_ptr<Gadget> make(const std::string& kind, Wish wish) {
-  const auto serial = [&wish](const char* otherwise) {
-    return wish.serial.empty() ? std::string(otherwise) : wish.serial;
+std::unique_ptr<Gadget> make(const std::string& kind, GadgetSpec spec) {
+  const auto serial = [&spec](const char* otherwise) {
+    return spec.serial.empty() ? std::string(otherwise) : spec.serial;
   };
   if (kind == "board") {
-    wish.board.serial = serial("B1");
-    if (!wish.started) wish.board.board.start_c = wish.board.board.ambient_c;
-    return std::make_unique<BoardGadget>(wish.board);
+    spec.board.serial = serial("B1");
+    if (!spec.started) spec.board.board.start_c = spec.board.board.ambient_c;
+    return std::make_unique<BoardGadget>(spec.board);
   }
   if (kind == "stranger") return std::make_unique<StrangerGadget>(serial("X1"));
   if (kind == "mti") return std::make_unique<MtiGadget>(serial("0368248C"));
@@ -68,12 +68,12 @@ MadeDevice make_device(const std::string& text) {
     return made;
   }
   made.name = parts[0];
-  Wish wish;
+  GadgetSpec spec;
   for (std::size_t i = 1; i < parts.size(); ++i) {
-    made.failure = take(parts[i], wish, made);
+    made.failure = take(parts[i], spec, made);
     if (!made.failure.empty()) return made;
   }
-  made.gadget = make(parts[0], std::move(wish));
+  made.gadget = make(parts[0], std::move(spec));
   if (!made.gadget) made.failure = "no such kind of device; there are: " + device_kinds();
   return made;
 }

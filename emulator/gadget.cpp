@@ -52,8 +52,8 @@ std::optional<std::string> Gadget::command(std::span<const std::string> /*words*
   return std::nullopt;
 }
 
-std::optional<Bytes> Gadget::own_control(const SetupPacket& /*setup*/,
-                                         std::span<const Byte> /*data*/) {
+std::optional<Bytes> Gadget::handle_control(const SetupPacket& /*setup*/,
+                                            std::span<const Byte> /*data*/) {
   return std::nullopt;
 }
 
@@ -72,7 +72,7 @@ bool Gadget::clear_halt(std::uint8_t address) {
   return true;
 }
 
-void Gadget::out(std::uint8_t endpoint, std::span<const Byte> data) { own_out(endpoint, data); }
+void Gadget::out(std::uint8_t endpoint, std::span<const Byte> data) { handle_out(endpoint, data); }
 
 void Gadget::give(std::uint8_t endpoint, Bytes packet) {
   auto& waiting = waiting_[endpoint];
@@ -161,7 +161,7 @@ std::optional<Bytes> Gadget::descriptor(const SetupPacket& setup) const {
 
 std::optional<Bytes> Gadget::control(const SetupPacket& setup, std::span<const Byte> data) {
   constexpr std::uint8_t kNotStandard = 0x60;
-  if ((setup.type & kNotStandard) != 0) return own_control(setup, data);
+  if ((setup.type & kNotStandard) != 0) return handle_control(setup, data);
   switch (setup.request) {
     case kGetDescriptor:
       return descriptor(setup);

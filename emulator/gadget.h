@@ -91,8 +91,8 @@ class Gadget {
   std::uint64_t lost() const noexcept { return lost_; }
 
   /// Class and vendor requests; nullopt: stall.
-  virtual std::optional<Bytes> own_control(const SetupPacket& setup, std::span<const Byte> data);
-  virtual void own_out(std::uint8_t endpoint, std::span<const Byte> data) = 0;
+  virtual std::optional<Bytes> handle_control(const SetupPacket& setup, std::span<const Byte> data);
+  virtual void handle_out(std::uint8_t endpoint, std::span<const Byte> data) = 0;
 
  private:
   Bytes device_descriptor() const;

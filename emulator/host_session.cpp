@@ -84,14 +84,14 @@ void HostSession::control(const HostMessage& message, const Bytes& data) {
 }
 
 void HostSession::unlink(const HostMessage& message) {
-  std::size_t taken_back = 0;
+  std::size_t unlinked = 0;
   for (auto* waiting : {&reads_, &writes_}) {
     for (auto& [endpoint, transfers] : *waiting) {
-      taken_back += std::erase_if(
+      unlinked += std::erase_if(
           transfers, [&](const Transfer& t) { return t.sequence == message.victim; });
     }
   }
-  send(encode_unlinked(message.sequence, taken_back > 0 ? kTransferUnlinked : kTransferDone));
+  send(encode_unlinked(message.sequence, unlinked > 0 ? kTransferUnlinked : kTransferDone));
 }
 
 void HostSession::pump() {

@@ -149,7 +149,7 @@ void MtiGadget::print(XbusId id, std::span<const Byte> payload) {
   }
 }
 
-void MtiGadget::own_out(std::uint8_t /*endpoint*/, std::span<const Byte> data) {
+void MtiGadget::handle_out(std::uint8_t /*endpoint*/, std::span<const Byte> data) {
   parser_.feed(data);
   while (const auto message = parser_.next()) answer(*message);
 }
@@ -225,8 +225,8 @@ void HidSensorGadget::report() {
   give(kReports, std::move(bytes));
 }
 
-std::optional<Bytes> HidSensorGadget::own_control(const SetupPacket& setup,
-                                                  std::span<const Byte> data) {
+std::optional<Bytes> HidSensorGadget::handle_control(const SetupPacket& setup,
+                                                     std::span<const Byte> data) {
   if (setup.type == kHidToHost && setup.request == kHidGetReport)
     return Bytes(feature_.begin(), feature_.end());
   if (setup.type != kHidToDevice) return std::nullopt;
@@ -251,8 +251,8 @@ void PadGadget::report() {
   give(kReports, std::move(bytes));
 }
 
-std::optional<Bytes> PadGadget::own_control(const SetupPacket& setup,
-                                            std::span<const Byte> /*data*/) {
+std::optional<Bytes> PadGadget::handle_control(const SetupPacket& setup,
+                                               std::span<const Byte> /*data*/) {
   constexpr Byte kCalibration = 0x05;
   constexpr Byte kPairing = 0x09;
   constexpr Byte kFirmware = 0x20;

@@ -45,7 +45,7 @@ class MtiGadget : public ImuGadget {
   bool running() const override { return measuring_; }
   int period_ms() const override { return period_ms_; }
   void report() override;
-  void own_out(std::uint8_t endpoint, std::span<const Byte> data) override;
+  void handle_out(std::uint8_t endpoint, std::span<const Byte> data) override;
 
  private:
   void answer(const device::XbusMessage& message);
@@ -69,8 +69,9 @@ class HidSensorGadget : public ImuGadget {
   bool running() const override { return feature_[kReporting] == kAllEvents; }
   int period_ms() const override;
   void report() override;
-  std::optional<Bytes> own_control(const SetupPacket& setup, std::span<const Byte> data) override;
-  void own_out(std::uint8_t /*endpoint*/, std::span<const Byte> /*data*/) override {}
+  std::optional<Bytes> handle_control(const SetupPacket& setup,
+                                      std::span<const Byte> data) override;
+  void handle_out(std::uint8_t /*endpoint*/, std::span<const Byte> /*data*/) override {}
 
  private:
   // Report id, reporting state, power state, interval in ms (u32).
@@ -89,8 +90,9 @@ class PadGadget : public ImuGadget {
   bool running() const override { return true; }
   int period_ms() const override { return 4; }
   void report() override;
-  std::optional<Bytes> own_control(const SetupPacket& setup, std::span<const Byte> data) override;
-  void own_out(std::uint8_t /*endpoint*/, std::span<const Byte> /*data*/) override {}
+  std::optional<Bytes> handle_control(const SetupPacket& setup,
+                                      std::span<const Byte> data) override;
+  void handle_out(std::uint8_t /*endpoint*/, std::span<const Byte> /*data*/) override {}
 
  private:
   std::uint32_t clock_ = 0;  // thirds of a microsecond

@@ -31,7 +31,7 @@ constexpr std::uint64_t kCatchUp = 3;
   throw std::system_error(errno, std::generic_category(), what);
 }
 
-FileDescriptor make_beat() {
+FileDescriptor make_tick_timer() {
   FileDescriptor timer(::timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC | TFD_NONBLOCK));
   const itimerspec each{{0, 1'000'000}, {0, 1'000'000}};
   if (timer.get() < 0 || ::timerfd_settime(timer.get(), 0, &each, nullptr) != 0) fail("timerfd");
@@ -132,12 +132,12 @@ void Server::read(Peer& peer) {
   }
   peer.received.append(chunk.data(), static_cast<std::size_t>(got));
   if (peer.commands)
-    obey(peer);
+    run_commands(peer);
   else
     export_to(peer);
 }
 
-void Server::obey(Peer& peer) {
+void Server::run_commands(Peer& peer) {
   std::size_t end = 0;
   while ((end = peer.received.find('\n')) != std::string::npos) {
     const std::string line = peer.received.substr(0, end);
@@ -165,14 +165,14 @@ void Server::export_to(Peer& peer) {
 }
 
 void Server::run(const volatile std::sig_atomic_t& stop) {
-  const FileDescriptor beat = make_beat();
+  const FileDescriptor tick_timer = make_tick_timer();
   std::vector<pollfd> waited;
   while (stop == 0 && !hub_.over()) {
     waited.clear();
     const auto wait_for = [&waited](int fd, bool capacity = false) {
       waited.push_back({fd, static_cast<short>(capacity ? POLLIN | POLLOUT : POLLIN), 0});
     };
-    wait_for(beat.get());
+    wait_for(tick_timer.get());
     wait_for(imports_.get());
     wait_for(commands_.get());
     for (const Peer& peer : peers_) wait_for(peer.socket.get());
@@ -180,21 +180,21 @@ void Server::run(const volatile std::sig_atomic_t& stop) {
     if (::poll(waited.data(), waited.size(), -1) < 0) continue;
 
     std::size_t next = 0;
-    const auto came = [&] { return waited[next++].revents != 0; };
-    const bool ticked = came();
-    const bool importer = came();
-    const bool commander = came();
-    std::vector<Peer*> talking;
+    const auto is_ready = [&] { return waited[next++].revents != 0; };
+    const bool ticked = is_ready();
+    const bool importer = is_ready();
+    const bool commander = is_ready();
+    std::vector<Peer*> readable;
     for (Peer& peer : peers_)
-      if (came()) talking.push_back(&peer);
+      if (is_ready()) readable.push_back(&peer);
     // Before the tick: data sent by a host in this millisecond is processed in it.
     hub_.each_session([&](HostSession& session) {
-      if (came()) session.ready();
+      if (is_ready()) session.ready();
     });
-    std::uint64_t beats = 0;
-    if (ticked && ::read(beat.get(), &beats, sizeof beats) == sizeof beats)
-      for (beats = std::min(beats, kCatchUp); beats > 0; --beats) hub_.step();
-    for (Peer* peer : talking) read(*peer);
+    std::uint64_t ticks = 0;
+    if (ticked && ::read(tick_timer.get(), &ticks, sizeof ticks) == sizeof ticks)
+      for (ticks = std::min(ticks, kCatchUp); ticks > 0; --ticks) hub_.step();
+    for (Peer* peer : readable) read(*peer);
     if (importer) accept(imports_, false);
     if (commander) accept(commands_, true);
     peers_.remove_if([](const Peer& peer) { return peer.over; });

@@ -39,7 +39,7 @@ class Server {
   };
   void accept(const device::FileDescriptor& listener, bool commands);
   void read(Peer& peer);
-  void obey(Peer& peer);
+  void run_commands(Peer& peer);
   void export_to(Peer& peer);
 
   Hub& hub_;

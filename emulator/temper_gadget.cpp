@@ -39,14 +39,14 @@ TemperGadget::TemperGadget(const std::string& serial)
               {{kHid, 1, 1, {{0x81, false, 8}}, keyboard()},
                {kHid, 0, 0, {{0x82, false, 8}}, thermometer()}}}) {}
 
-std::optional<Bytes> TemperGadget::own_control(const SetupPacket& setup,
-                                               std::span<const Byte> data) {
+std::optional<Bytes> TemperGadget::handle_control(const SetupPacket& setup,
+                                                  std::span<const Byte> data) {
   if (setup.type != kHidToDevice) return std::nullopt;
-  if (setup.request == kHidSetReport && setup.index == 1) own_out(kAnswers, data);
+  if (setup.request == kHidSetReport && setup.index == 1) handle_out(kAnswers, data);
   return Bytes{};
 }
 
-void TemperGadget::own_out(std::uint8_t /*endpoint*/, std::span<const Byte> data) {
+void TemperGadget::handle_out(std::uint8_t /*endpoint*/, std::span<const Byte> data) {
   if (std::equal(data.begin(), data.end(), device::kTemperAskFirmware.begin(),
                  device::kTemperAskFirmware.end())) {
     give(kAnswers, Bytes(kFirmware.begin(), kFirmware.begin() + 8));

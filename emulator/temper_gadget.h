@@ -16,8 +16,9 @@ class TemperGadget : public Gadget {
   std::string status() const override;
 
  protected:
-  std::optional<Bytes> own_control(const SetupPacket& setup, std::span<const Byte> data) override;
-  void own_out(std::uint8_t endpoint, std::span<const Byte> data) override;
+  std::optional<Bytes> handle_control(const SetupPacket& setup,
+                                      std::span<const Byte> data) override;
+  void handle_out(std::uint8_t endpoint, std::span<const Byte> data) override;
 
  private:
   double celsius_ = 25.0;

@@ -17,11 +17,11 @@ using namespace hedgehog;
 
 volatile std::sig_atomic_t stop = 0;
 
-void ask_to_stop(int /*signal*/) { stop = 1; }
+void request_stop(int /*signal*/) { stop = 1; }
 
 void catch_signals() {
   struct sigaction action {};
-  action.sa_handler = ask_to_stop;
+  action.sa_handler = request_stop;
   for (const int signal : {SIGTERM, SIGINT}) sigaction(signal, &action, nullptr);
   (void)std::signal(SIGPIPE, SIG_IGN);
 }

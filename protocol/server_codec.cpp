@@ -232,8 +232,8 @@ std::string encode_error(const Id& id, const RpcError& error) {
   return out;
 }
 
-std::string encode_batch(const std::vector<std::string>& answers) {
-  return answers.empty() ? std::string() : '[' + joined(answers) + ']';
+std::string encode_batch(const std::vector<std::string>& responses) {
+  return responses.empty() ? std::string() : '[' + joined(responses) + ']';
 }
 
 std::string encode_history(const std::vector<std::string>& events, bool more) {

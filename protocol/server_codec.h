@@ -46,7 +46,7 @@ std::string encode_value(const ResultValue& result);
 std::string encode_encoded(const Id& id, std::string_view value);
 std::string encode_error(const Id& id, const RpcError& error);
 /// The responses to a batch as one line; empty if there are none (only notifications).
-std::string encode_batch(const std::vector<std::string>& answers);
+std::string encode_batch(const std::vector<std::string>& responses);
 
 /// Notifications to the client.
 std::string encode_telemetry(const Telemetry& telemetry);

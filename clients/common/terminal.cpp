@@ -96,10 +96,10 @@ void Terminal::draw(const std::vector<std::string>& lines) {
   std::fflush(stdout);
 }
 
-bool Terminal::read_more(std::chrono::milliseconds patience) {
+bool Terminal::read_more(std::chrono::milliseconds timeout) {
   pollfd waiting{STDIN_FILENO, POLLIN, 0};
   char bytes[64];
-  if (poll(&waiting, 1, static_cast<int>(patience.count())) != 1) return false;
+  if (poll(&waiting, 1, static_cast<int>(timeout.count())) != 1) return false;
   const ssize_t count = read(STDIN_FILENO, bytes, sizeof bytes);
   if (count <= 0) return false;
   typed_.append(bytes, static_cast<std::size_t>(count));
@@ -123,8 +123,8 @@ std::string Terminal::typed() {
   return std::exchange(typed_, {});
 }
 
-std::optional<Key> Terminal::key(std::chrono::milliseconds patience) {
-  if (typed_.empty() && !read_more(patience)) return std::nullopt;
+std::optional<Key> Terminal::key(std::chrono::milliseconds timeout) {
+  if (typed_.empty() && !read_more(timeout)) return std::nullopt;
   // One read may return several keys.
   const char first = typed_.front();
   const bool sequence =

@@ -60,14 +60,14 @@ class Terminal {
   /// stdin is not a terminal.
   std::string typed();
   /// A key within `patience`; of escape sequences only the left and right arrows.
-  std::optional<Key> key(std::chrono::milliseconds patience);
+  std::optional<Key> key(std::chrono::milliseconds timeout);
   /// Reads the keys typed so far; their time is the clock's epoch.
   void take_in();
   /// Discards the keys typed so far.
   void forget();
 
  private:
-  bool read_more(std::chrono::milliseconds patience);
+  bool read_more(std::chrono::milliseconds timeout);
 
   std::vector<std::string> shown_;
   TerminalSize size_{};

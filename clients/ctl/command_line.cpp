@@ -84,7 +84,7 @@ class CommandLine {
 
   /// A monitoring plug-in exits with 3 on a usage error.
   int refuse(const std::string& sentence, bool json) const {
-    return app_.is_given("check") ? print_unknown(sentence, json) : complain_of_usage(sentence);
+    return app_.is_given("check") ? print_unknown(sentence, json) : report_usage_error(sentence);
   }
 
   int run_verb_on_all(bool json) {
@@ -95,7 +95,7 @@ class CommandLine {
             json);
     const std::vector<LocalDaemon> daemons = running_daemons();
     if (daemons.empty())
-      return complain({Failure::kNoDaemon, "no daemon runs on this machine", {}});
+      return report_error({Failure::kNoDaemon, "no daemon runs on this machine", {}});
     return run_on_all(daemons, json, [this](const LocalDaemon& daemon) {
       common_.address = "unix:" + daemon.socket;
       return verb_();
@@ -105,7 +105,7 @@ class CommandLine {
   void connected(Verb run) {
     verb_ = [this, run = std::move(run)] {
       auto session = open_session(common_);
-      return session ? run(*session) : static_cast<int>(complain(session.error()));
+      return session ? run(*session) : static_cast<int>(report_error(session.error()));
     };
   }
 

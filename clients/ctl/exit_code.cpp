@@ -107,7 +107,7 @@ ExitCode exit_code_of(const ClientError& error) noexcept {
 
 void report_errors_as_json() noexcept { errors_are_json = true; }
 
-ExitCode complain(const ClientError& error) {
+ExitCode report_error(const ClientError& error) {
   if (errors_are_json) {
     if (error.refusal)
       print_json(ordered_json::parse(protocol::encode_error({}, *error.refusal)).at("error"));
@@ -128,7 +128,7 @@ ExitCode complain(const ClientError& error) {
   return exit_code_of(error);
 }
 
-ExitCode complain_of_usage(const std::string& sentence) {
+ExitCode report_usage_error(const std::string& sentence) {
   if (errors_are_json)
     print_json(name_of(Failure::kBadAddress), sentence);
   else

@@ -20,9 +20,9 @@ void report_errors_as_json() noexcept;
 
 /// Prints "hedgehogctl: <message>", and a remedy if there is one, to stderr. Returns
 /// `exit_code_of`.
-ExitCode complain(const ClientError& error);
+ExitCode report_error(const ClientError& error);
 /// `sentence` includes the program's name and its verb. Returns kUsage.
-ExitCode complain_of_usage(const std::string& sentence);
+ExitCode report_usage_error(const std::string& sentence);
 /// Prints "hedgehogctl: <message>" to stderr; as JSON with `name` as data.name.
 void print_failure(std::string_view name, const std::string& message);
 

@@ -40,8 +40,8 @@ bool is_given(const PlayOptions& options, std::string_view parameter) {
 
 /// A number among the parameters, or `otherwise` if it is not given.
 std::optional<double> number_of(const PlayOptions& options, std::string_view parameter,
-                                double otherwise) {
-  double number = otherwise;
+                                double fallback) {
+  double number = fallback;
   for (const auto& [name, text] : options.params) {
     if (name != parameter) continue;
     const json value = typed(text);

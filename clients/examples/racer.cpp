@@ -19,8 +19,8 @@ namespace {
 /// experiment 2).
 constexpr int kSteps = 8;
 /// Blows of these impulses are the first and the last step; Newton seconds.
-constexpr double kSoftestBlow = 150.0;
-constexpr double kHardestBlow = 8000.0;
+constexpr double kMinHitImpulse = 150.0;
+constexpr double kMaxHitImpulse = 8000.0;
 /// One blow in 0.25 s, unless a harder one comes.
 constexpr double kApartS = 0.25;
 /// Of two effects only the one of higher priority is felt; of the same, both.
@@ -32,8 +32,8 @@ constexpr int kFrames = 180;
 constexpr double kRateHz = 60.0;
 
 int step_of(double impulse_n_s) {
-  const double share = std::log(std::max(impulse_n_s, kSoftestBlow) / kSoftestBlow) /
-                       std::log(kHardestBlow / kSoftestBlow);
+  const double share = std::log(std::max(impulse_n_s, kMinHitImpulse) / kMinHitImpulse) /
+                       std::log(kMaxHitImpulse / kMinHitImpulse);
   return static_cast<int>(std::lround((kSteps - 1) * std::min(share, 1.0)));
 }
 

@@ -16,9 +16,9 @@ using client::Outcome;
 
 constexpr double kTelemetryHz = 100.0;
 // A game's upload is blocked meanwhile; the daemon is on this machine.
-constexpr Milliseconds kConnectPatience{200};
-constexpr Milliseconds kHelloPatience{500};
-constexpr Milliseconds kSendPatience{200};
+constexpr Milliseconds kConnectTimeout{200};
+constexpr Milliseconds kHelloTimeout{500};
+constexpr Milliseconds kSendTimeout{200};
 constexpr Milliseconds kMaxWait{500};
 // Same age limit as of the daemon's world-frame effects.
 constexpr std::int64_t kStaleMs = 100;
@@ -96,14 +96,14 @@ Result<void> Bridge::handle_daemon(TimePoint now) {
 }
 
 Outcome<void> Bridge::connect() {
-  auto opened = client::Connection::open(options_.addresses, kConnectPatience);
+  auto opened = client::Connection::open(options_.addresses, kConnectTimeout);
   if (!opened) return opened.error();
-  const auto hello = opened->hello("hedgehog-gamepad/" HEDGEHOG_VERSION, {}, kHelloPatience);
+  const auto hello = opened->hello("hedgehog-gamepad/" HEDGEHOG_VERSION, {}, kHelloTimeout);
   if (!hello) return hello.error();
   protocol::StatusKeys keys;
   keys.add(protocol::StatusKey::kOrientation);
   const auto telemetry =
-      opened->call(protocol::TelemetrySubscribe{kTelemetryHz, keys}, kHelloPatience);
+      opened->call(protocol::TelemetrySubscribe{kTelemetryHz, keys}, kHelloTimeout);
   if (!telemetry) return telemetry.error();
   connection_.emplace(*std::move(opened));
   backoff_.reset();
@@ -116,7 +116,7 @@ Outcome<void> Bridge::connect() {
 
 Outcome<void> Bridge::exchange() {
   for (const protocol::Request& request : player_.take_requests())
-    if (auto asked = connection_->ask(request, kSendPatience); !asked) return asked.error();
+    if (auto asked = connection_->ask(request, kSendTimeout); !asked) return asked.error();
   for (;;) {
     auto notification = connection_->next(Milliseconds(0));
     if (!notification) return notification.error();

@@ -16,9 +16,9 @@ namespace {
 using namespace hedgehog;
 using namespace hedgehog::gamepad;
 
-volatile std::sig_atomic_t recentre_wanted = 0;
+volatile std::sig_atomic_t recentre_requested = 0;
 
-void note_recentre(int) { recentre_wanted = 1; }
+void note_recentre(int) { recentre_requested = 1; }
 
 void print(const std::string& message) {
   std::fprintf(stderr, "hedgehog-gamepad: %s\n", message.c_str());
@@ -32,8 +32,8 @@ int run(const std::string& path, const BridgeOptions& options) {
   }
   Bridge bridge(**device, options, print);
   const auto done = bridge.run([&] {
-    if (recentre_wanted != 0) {
-      recentre_wanted = 0;
+    if (recentre_requested != 0) {
+      recentre_requested = 0;
       bridge.recentre();
     }
     return client::interrupted();

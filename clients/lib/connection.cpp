@@ -25,7 +25,7 @@ std::string no_daemon_at(const std::vector<std::string>& places) {
   return text;
 }
 
-bool nobody_there(const std::string& reason) {
+bool no_listener(const std::string& reason) {
   return reason == "connection refused" || reason == "no such file or directory";
 }
 
@@ -53,7 +53,7 @@ Outcome<Connection> Connection::open(const std::vector<Address>& addresses, Mill
     auto socket = LineSocket::connect(address, deadline);
     if (socket) return introduced(Connection(*std::move(socket), address), deadline);
     const std::string& why = socket.error().message;
-    places.push_back(to_string(address) + (nobody_there(why) ? "" : " (" + why + ")"));
+    places.push_back(to_string(address) + (no_listener(why) ? "" : " (" + why + ")"));
   }
   return ClientError{Failure::kNoDaemon, no_daemon_at(places), {}};
 }

@@ -90,7 +90,7 @@ struct LineSocket::Impl {
     error = await(deadline, [&](auto done) {
               start_handshake([done](const error_code& failed) { done(failed, 0); });
             }).error;
-    return error ? "TLS: " + reason(error) : tls->why_not_trusted();
+    return error ? "TLS: " + reason(error) : tls->verify_problem();
   }
 
   error_code connect(const Stream::endpoint& endpoint, Clock::time_point deadline) {
@@ -123,7 +123,7 @@ struct LineSocket::Impl {
     return line;
   }
 
-  void forget_taken_lines() {
+  void discard_read_lines() {
     buffer.erase(0, begin);
     scanned -= begin;
     begin = 0;
@@ -203,7 +203,7 @@ Outcome<bool> LineSocket::connected(Clock::time_point deadline) {
     return false;
   }
   std::string why = error ? reason(error) : std::string();
-  if (!error && impl_->tls) why = impl_->tls->why_not_trusted();
+  if (!error && impl_->tls) why = impl_->tls->verify_problem();
   if (why.empty()) {
     error_code ignored;
     if (impl_->address.path.empty())
@@ -239,7 +239,7 @@ int LineSocket::descriptor() const noexcept {
 Outcome<std::optional<std::string>> LineSocket::read(Clock::time_point deadline) {
   for (;;) {
     if (auto line = impl_->take_line()) return line;
-    impl_->forget_taken_lines();
+    impl_->discard_read_lines();
     if (impl_->buffer.size() > kMaxIncomingLine) {
       impl_->close();
       return ClientError{Failure::kProtocol, "the daemon sent a line that does not end", {}};

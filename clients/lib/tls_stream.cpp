@@ -28,7 +28,7 @@ TlsStream::TlsStream(Socket& socket, const Address& address)
   if (!fingerprint_) stream_.set_verify_callback(ssl::host_name_verification(address.host));
 }
 
-std::string TlsStream::why_not_trusted() {
+std::string TlsStream::verify_problem() {
   if (!fingerprint_) return {};
   X509* const certificate = SSL_get1_peer_certificate(stream_.native_handle());
   base::Sha256 digest{};

@@ -29,7 +29,7 @@ class TlsStream {
   }
   /// After the handshake, before anything is sent: why the peer is not the daemon that `address`
   /// means; empty: it is trusted.
-  std::string why_not_trusted();
+  std::string verify_problem();
   boost::asio::ssl::stream<Socket&>& stream() noexcept { return stream_; }
 
  private:

@@ -78,7 +78,7 @@ Result<void> Bridge::handle_daemon() {
   }
   if (done) return {};
   if (const auto code = final_code(done.error())) return Problem(*code, done.error().message);
-  lose(done.error().message);
+  on_lost(done.error().message);
   return {};
 }
 
@@ -124,10 +124,10 @@ Outcome<void> Bridge::introduce(client::Connection& daemon) {
 
 Outcome<void> Bridge::exchange() {
   const TimePoint now = client::Clock::now();
-  if (status_asked_ && now > answer_due_)
+  if (status_request_ && now > response_due_)
     return client::ClientError{client::Failure::kTimeout, "the daemon does not answer", {}};
   if (now >= status_due_)
-    if (auto asked = ask_status(); !asked) return asked;
+    if (auto asked = request_status(); !asked) return asked;
   for (;;) {
     const auto notification = daemon_->next(Milliseconds(0));
     if (!notification) return notification.error();
@@ -137,14 +137,14 @@ Outcome<void> Bridge::exchange() {
   }
 }
 
-Outcome<void> Bridge::ask_status() {
+Outcome<void> Bridge::request_status() {
   status_due_ = client::Clock::now() +
                 std::chrono::ceil<Milliseconds>(std::chrono::duration<double>(options_.status_s));
-  if (status_asked_) return {};
+  if (status_request_) return {};
   const auto asked = daemon_->ask(protocol::DeviceStatus{});
   if (!asked) return asked.error();
-  status_asked_ = *asked;
-  answer_due_ = client::Clock::now() + client::response_timeout();
+  status_request_ = *asked;
+  response_due_ = client::Clock::now() + client::response_timeout();
   return {};
 }
 
@@ -160,20 +160,20 @@ void Bridge::take(const client::Notification& notification) {
 }
 
 void Bridge::take(const protocol::Reply& reply) {
-  if (status_asked_ != reply.id) {
+  if (status_request_ != reply.id) {
     publish_all(pending_.take(topics_, reply));
     return;
   }
-  status_asked_.reset();
+  status_request_.reset();
   if (!reply.result) return;
   status_ = *reply.result;
   retain(topics_.status(), status_);
 }
 
-void Bridge::lose(const std::string& why) {
+void Bridge::on_lost(const std::string& why) {
   const bool was_connected = daemon_.has_value();
   daemon_.reset();
-  status_asked_.reset();
+  status_request_.reset();
   next_attempt_ = client::Clock::now() + backoff_.next();
   report_once(why + (was_connected ? "; reconnecting" : "; waiting for it"));
   if (!was_connected) return;
@@ -239,7 +239,7 @@ void Bridge::request(const Message& message) {
       return;
     }
     refusal = protocol::error(protocol::ErrorCode::kInternalError, asked.error().message);
-    lose(asked.error().message);
+    on_lost(asked.error().message);
   }
   publish_all(response_to(topics_, message, refusal));
 }

@@ -54,10 +54,10 @@ class Bridge {
   /// Identifies the ball; its name is the client's name at the broker.
   client::Outcome<void> introduce(client::Connection& daemon);
   client::Outcome<void> exchange();
-  client::Outcome<void> ask_status();
+  client::Outcome<void> request_status();
   void take(const client::Notification& notification);
   void take(const protocol::Reply& reply);
-  void lose(const std::string& why);
+  void on_lost(const std::string& why);
   Result<void> open_broker();
   void handle_broker();
   /// Publishes all retained messages, after a connection was re-established.
@@ -77,8 +77,8 @@ class Bridge {
   client::Backoff backoff_;
   TimePoint next_attempt_{};
   TimePoint status_due_{};
-  std::optional<protocol::Id> status_asked_;
-  TimePoint answer_due_{};  // of the response to `status_asked_`
+  std::optional<protocol::Id> status_request_;
+  TimePoint response_due_{};  // of the response to `status_request_`
   PendingRequests pending_;
   BallIdentity ball_;
   std::string description_;  // JSON, from the last connection

@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kLoopWait{500};
 /// Time for the last message to reach the broker.
-constexpr std::chrono::seconds kPartingTime{2};
+constexpr std::chrono::seconds kStopTimeout{2};
 constexpr const char* kSystemCertificates = "/etc/ssl/certs";
 
 /// Properties in libmosquitto's format; freed by the destructor.
@@ -101,12 +101,13 @@ struct Broker::Impl {
   void run() {
     int done =
         mosquitto_connect_async(client, options.host.c_str(), options.port, options.keepalive_s);
-    std::optional<client::Clock::time_point> parting;
+    std::optional<client::Clock::time_point> stop_deadline;
     for (;;) {
-      while (done == MOSQ_ERR_SUCCESS && !(parting && client::Clock::now() > *parting)) {
+      while (done == MOSQ_ERR_SUCCESS &&
+             !(stop_deadline && client::Clock::now() > *stop_deadline)) {
         done = mosquitto_loop(client, static_cast<int>(kLoopWait.count()), 1);
         std::unique_lock lock(mutex);
-        if (ending && !parting) parting = client::Clock::now() + kPartingTime;
+        if (ending && !stop_deadline) stop_deadline = client::Clock::now() + kStopTimeout;
       }
       std::unique_lock lock(mutex);
       if (ending) return;
@@ -129,7 +130,7 @@ struct Broker::Impl {
     auto& impl = *static_cast<Impl*>(self);
     {
       const std::lock_guard lock(impl.mutex);
-      impl.on_the_way[0].clear();
+      impl.in_flight[0].clear();
     }
     if (std::exchange(impl.reported, true)) return;
     // Reason codes of the protocol start at 128, lower ones are libmosquitto's own.
@@ -139,7 +140,7 @@ struct Broker::Impl {
   static void on_publish(mosquitto*, void* self, int number, int, const mosquitto_property*) {
     auto& impl = *static_cast<Impl*>(self);
     const std::lock_guard lock(impl.mutex);
-    for (auto& numbers : impl.on_the_way) numbers.erase(number);
+    for (auto& numbers : impl.in_flight) numbers.erase(number);
   }
   static void on_message(mosquitto*, void* self, const mosquitto_message* arrived,
                          const mosquitto_property* properties) {
@@ -178,7 +179,7 @@ struct Broker::Impl {
   std::condition_variable changed;
   bool ending = false;
   std::deque<BrokerNotice> notices;
-  std::array<std::set<int>, 2> on_the_way;  // by QoS: not received by the broker yet
+  std::array<std::set<int>, 2> in_flight;  // by QoS: not received by the broker yet
 };
 
 Result<std::unique_ptr<Broker>> Broker::open(const BrokerOptions& options) {
@@ -238,7 +239,7 @@ bool Broker::publish(const Message& message) {
   describe(properties, impl_->options, message);
   // Held until the number is known: the acknowledgement may arrive earlier.
   const std::lock_guard lock(impl_->mutex);
-  auto& numbers = impl_->on_the_way[static_cast<std::size_t>(qos)];
+  auto& numbers = impl_->in_flight[static_cast<std::size_t>(qos)];
   if (numbers.size() < (qos == 0 ? kMaxUnsent : kMaxKept)) {
     int number = 0;
     const int done = mosquitto_publish_v5(

@@ -16,7 +16,7 @@ constexpr milliseconds kReportEvery{1000};
 constexpr double kFollowHz = 100.0;
 constexpr double kReportHz = 10.0;
 // A daemon that shuts down first ends the effects and then reports the shutdown.
-constexpr milliseconds kShutdownPatience{1000};
+constexpr milliseconds kShutdownTimeout{1000};
 // Same age limit as of the daemon's world-frame effects.
 constexpr std::int64_t kStaleMs = 100;
 
@@ -123,7 +123,7 @@ void Indicator::take(const protocol::Event& event) {
 }
 
 Outcome<void> Indicator::check_ended() const {
-  if (!ended_ || shutting_down_ || Clock::now() - ended_at_ < kShutdownPatience) return {};
+  if (!ended_ || shutting_down_ || Clock::now() - ended_at_ < kShutdownTimeout) return {};
   return ClientError{Failure::kRefused, "somebody ended the push: " + *ended_, {}};
 }
 

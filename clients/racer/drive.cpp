@@ -36,7 +36,7 @@ BallView view_of(const BallReport& ball) {
   view.simulated = ball.simulated;
   view.state = ball.state;
   view.gain = ball.gain;
-  view.reason = ball.trouble;
+  view.reason = ball.problem;
   if (ball.connected) {
     view.temperature_c = ball.temperature_c;
     view.limit_a = ball.limit_a;
@@ -51,7 +51,7 @@ BallView view_of(const BallReport& ball) {
 }
 
 /// Prints changes of the ball's status to the terminal.
-class Talk {
+class StatusLine {
  public:
   void publish(const BallReport& ball) {
     std::string text = sentence(ball);
@@ -73,7 +73,7 @@ class Drive {
         server_(options.page, race_.track()),
         mode_(options.mode.value_or(Mode::kKeyboard)),
         chosen_(options.mode.has_value()),
-        wanted_(!options.addresses.empty()),
+        uses_ball_(!options.addresses.empty()),
         feel_(options.addresses) {}
 
   void run(const std::function<bool()>& interrupted) {
@@ -89,9 +89,9 @@ class Drive {
 
  private:
   void frame();
-  void obey(const Asked& asked);
-  void take_the_wheel(Mode mode);
-  Controls controls(const Asked& asked);
+  void apply(const PageRequests& asked);
+  void set_mode(Mode mode);
+  Controls controls(const PageRequests& asked);
   void publish(bool moved);
   void publish_laps();
   /// Orientation of the ball; nullopt: unknown.
@@ -101,36 +101,36 @@ class Drive {
   Server server_;
   Driver driver_;
   Tilt tilt_;
-  Talk talk_;
+  StatusLine status_line_;
   BestLap best_lap_;
   Mode mode_;
   bool chosen_;           // by the player
   bool centred_ = false;  // the orientation at the takeover by the ball is neutral
-  bool wanted_;           // a ball is used; otherwise the page only shows what would be felt
+  bool uses_ball_;        // a ball is used; otherwise the page only shows what would be felt
   Feel feel_;
   bool paused_ = false;
   int frames_ = 0;
 };
 
-void Drive::take_the_wheel(Mode mode) {
+void Drive::set_mode(Mode mode) {
   mode_ = mode;
   driver_ = {};
   centred_ = false;
 }
 
-void Drive::obey(const Asked& asked) {
+void Drive::apply(const PageRequests& asked) {
   // A player who drives by keyboard keeps control when a ball connects.
   if (asked.keys != Controls{}) chosen_ = true;
   if (asked.mode) {
     chosen_ = true;
-    take_the_wheel(*asked.mode);
+    set_mode(*asked.mode);
   } else if (!chosen_ && held()) {
     chosen_ = true;
-    take_the_wheel(Mode::kBall);
+    set_mode(Mode::kBall);
   }
   if (asked.reset) {
     race_.recover();
-    take_the_wheel(mode_);
+    set_mode(mode_);
   }
   if (asked.pause && *asked.pause != paused_) {
     paused_ = *asked.pause;
@@ -138,7 +138,7 @@ void Drive::obey(const Asked& asked) {
   }
 }
 
-Controls Drive::controls(const Asked& asked) {
+Controls Drive::controls(const PageRequests& asked) {
   if (mode_ == Mode::kDriver) return driver_.drive(race_.scene(), race_.track());
   if (mode_ == Mode::kBall && held() && !centred_) {
     tilt_.recentre(*held());
@@ -148,15 +148,15 @@ Controls Drive::controls(const Asked& asked) {
 }
 
 void Drive::frame() {
-  const Asked asked = server_.take();
-  obey(asked);
+  const PageRequests asked = server_.take();
+  apply(asked);
   if (!paused_) {
     best_lap_.drive(mode_ == Mode::kDriver);
     race_.step(controls(asked));
     publish_laps();
   }
-  feel_.frame(paused_ ? std::vector<Happening>{} : race_.happenings(), race_.scene().time_s);
-  if (wanted_) talk_.publish(feel_.ball());
+  feel_.frame(paused_ ? std::vector<RaceEvent>{} : race_.race_events(), race_.scene().time_s);
+  if (uses_ball_) status_line_.publish(feel_.ball());
   publish(!paused_);
   ++frames_;
 }
@@ -164,7 +164,7 @@ void Drive::frame() {
 void Drive::publish(bool moved) {
   const bool seldom = frames_ % kSeldom == 0;
   server_.publish(race_.scene(), {mode_, paused_, best_lap_.time_s()});
-  if (seldom) server_.publish(wanted_ ? view_of(feel_.ball()) : BallView{});
+  if (seldom) server_.publish(uses_ball_ ? view_of(feel_.ball()) : BallView{});
   if (!moved) return;
   for (const Played& played : feel_.played()) {
     if (lasts(played) && !seldom) continue;
@@ -174,8 +174,8 @@ void Drive::publish(bool moved) {
 }
 
 void Drive::publish_laps() {
-  for (const Happening& happening : race_.happenings()) {
-    if (const auto* lap = std::get_if<LapDone>(&happening)) {
+  for (const RaceEvent& race_event : race_.race_events()) {
+    if (const auto* lap = std::get_if<LapDone>(&race_event)) {
       const bool by_driver = best_lap_.by_driver();
       server_.publish(FinishedLap{lap->lap, lap->time_s, best_lap_.finish(lap->time_s), by_driver});
     }

@@ -14,8 +14,8 @@
 #include "clients/racer/feel/feel.h"
 #include "clients/racer/game/driver.h"
 #include "clients/racer/game/race.h"
-#include "clients/racer/happening_text.h"
 #include "clients/racer/pace.h"
+#include "clients/racer/race_event_text.h"
 
 namespace hedgehog::racer {
 
@@ -33,22 +33,22 @@ struct Count {
   double skid_s = 0.0;
   double tumble_s = 0.0;
 
-  void take(const Happening& happening) {
-    if (std::holds_alternative<Hit>(happening)) ++hits;
-    if (std::holds_alternative<Landing>(happening)) ++landings;
-    if (std::holds_alternative<LapDone>(happening)) ++laps;
-    if (std::holds_alternative<Skid>(happening)) skid_s += Race::kStepS;
-    if (std::holds_alternative<Tumble>(happening)) tumble_s += Race::kStepS;
+  void take(const RaceEvent& race_event) {
+    if (std::holds_alternative<Hit>(race_event)) ++hits;
+    if (std::holds_alternative<Landing>(race_event)) ++landings;
+    if (std::holds_alternative<LapDone>(race_event)) ++laps;
+    if (std::holds_alternative<Skid>(race_event)) skid_s += Race::kStepS;
+    if (std::holds_alternative<Tumble>(race_event)) tumble_s += Race::kStepS;
   }
 };
 
 bool is_ready(const BallReport& ball) {
-  return ball.connected && ball.state == "armed" && ball.trouble.empty();
+  return ball.connected && ball.state == "armed" && ball.problem.empty();
 }
 
 /// Maximum waiting time for a ball that is not ready. If a daemon exists: the response timeout.
 std::chrono::milliseconds max_wait(const BallReport& ball) {
-  const bool may_answer = ball.late || ball.trouble.empty();
+  const bool may_answer = ball.late || ball.problem.empty();
   return may_answer ? std::max(kArrives, client::response_timeout()) : kArrives;
 }
 
@@ -82,12 +82,12 @@ std::optional<std::string> lost(Feel& feel, double time_s) {
 }
 
 /// True if the ball is claimed by another client: nothing was felt and nothing will be.
-bool in_vain(const Feel& feel) {
-  return feel.ball().connected && !feel.ball().trouble.empty() && feel.summary().pulses == 0;
+bool is_claimed(const Feel& feel) {
+  return feel.ball().connected && !feel.ball().problem.empty() && feel.summary().pulses == 0;
 }
 
 /// Waits for the responses to the last blows; a daemon that becomes silent sends none.
-void hear_the_end(Feel& feel, double time_s) {
+void await_responses(Feel& feel, double time_s) {
   const auto until = std::chrono::steady_clock::now() + client::response_timeout();
   while (!feel.answered() && std::chrono::steady_clock::now() < until) {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
@@ -155,40 +155,40 @@ int drive_laps(const LapOptions& options, const std::function<bool()>& interrupt
   }
   Race race(home_track());
   Driver driver;
-  HappeningLog log;
+  RaceEventLog log;
   Count count;
   Pace pace(options.speed);
   const long steps = std::lround(options.seconds / Race::kStepS);
   for (long step = 0; step < steps && !interrupted(); ++step) {
     const Scene& scene = race.step(driver.drive(race.scene(), race.track()));
-    if (feel) feel->frame(race.happenings(), scene.time_s);
-    for (const Happening& happening : race.happenings()) {
-      count.take(happening);
-      if (options.json) std::puts(to_json(happening, scene.time_s).c_str());
+    if (feel) feel->frame(race.race_events(), scene.time_s);
+    for (const RaceEvent& race_event : race.race_events()) {
+      count.take(race_event);
+      if (options.json) std::puts(to_json(race_event, scene.time_s).c_str());
     }
     if (!options.json)
-      for (const std::string& line : log.lines(race.happenings(), scene.time_s))
+      for (const std::string& line : log.lines(race.race_events(), scene.time_s))
         std::puts(line.c_str());
     std::fflush(stdout);
-    if (feel && in_vain(*feel)) {
-      print_reason(feel->ball().trouble);
+    if (feel && is_claimed(*feel)) {
+      print_reason(feel->ball().problem);
       return kUnavailable;
     }
     if (feel) pace.wait();
   }
   count.driven_s = race.scene().time_s;
   count.best_lap_s = race.scene().best_lap_s;
-  std::optional<std::string> why_lost;
-  if (feel && !interrupted()) why_lost = lost(*feel, count.driven_s);
+  std::optional<std::string> lost_reason;
+  if (feel && !interrupted()) lost_reason = lost(*feel, count.driven_s);
   if (feel) {
-    hear_the_end(*feel, count.driven_s);
+    await_responses(*feel, count.driven_s);
     feel->pause();
   }
   options.json ? print_json(count, feel.get()) : print(count, feel.get());
   if (interrupted()) return kInterrupted;
   if (feel && feel->summary().tripped) return kTripped;
-  if (why_lost) print_reason(*why_lost);
-  return why_lost ? kUnavailable : 0;
+  if (lost_reason) print_reason(*lost_reason);
+  return lost_reason ? kUnavailable : 0;
 }
 
 }  // namespace hedgehog::racer

@@ -104,8 +104,8 @@ void SliceReader::add_vibration(Slice& slice) {
                                                           kWindowsPerSlice, windows_.size())));
   if (!felt) slice.vibration.clear();
   const double step_hz = 1000.0 / kSliceMs;
-  const double most_hz = step_hz * std::floor(std::min(kMaxVibrationHz, options_.low_hz) / step_hz);
-  slice.frequency_hz = std::clamp(periods * step_hz, kMinVibrationHz, most_hz);
+  const double max_hz = step_hz * std::floor(std::min(kMaxVibrationHz, options_.low_hz) / step_hz);
+  slice.frequency_hz = std::clamp(periods * step_hz, kMinVibrationHz, max_hz);
 }
 
 }  // namespace hedgehog::sound

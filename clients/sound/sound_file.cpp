@@ -67,7 +67,7 @@ client::Outcome<SoundFile> SoundFile::open(const std::string& path) {
   // Opening must not block on a FIFO without writer.
   const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (fd < 0) return ClientError{Failure::kNoInput, path + ": " + std::strerror(errno), {}};
-  if (const std::string why = base::why_not_regular(fd); !why.empty()) {
+  if (const std::string why = base::file_problem(fd); !why.empty()) {
     ::close(fd);
     return ClientError{Failure::kNoInput, path + ": " + why, {}};
   }

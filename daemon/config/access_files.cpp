@@ -24,19 +24,19 @@ std::optional<TlsAddress> tls_address(const Config& config) {
   return std::nullopt;
 }
 
-void settle_place(std::string& file, const Config& config, std::string_view name) {
+void resolve_path(std::string& file, const Config& config, std::string_view name) {
   if (file.empty()) file = std::filesystem::path(config.state_directory) / name;
 }
 
 }  // namespace
 
-void settle_access(Config& config, const Origins& origins, const std::string& config_file,
-                   const std::function<base::FileText(const std::string&)>& reader,
-                   ConfigErrors& errors) {
+void resolve_access(Config& config, const Origins& origins, const std::string& config_file,
+                    const std::function<base::FileText(const std::string&)>& reader,
+                    ConfigErrors& errors) {
   AccessSettings& access = config.access;
-  settle_place(access.tokens_file, config, access::kTokenFile);
-  settle_place(access.certificate_file, config, access::kCertificateFile);
-  settle_place(access.key_file, config, access::kKeyFile);
+  resolve_path(access.tokens_file, config, access::kTokenFile);
+  resolve_path(access.certificate_file, config, access::kCertificateFile);
+  resolve_path(access.key_file, config, access::kKeyFile);
   const auto tls = tls_address(config);
   const auto refuse = [&](const std::string& missing, const char* remedy) {
     errors.push_back(error_at(origins, tls->key,
@@ -72,7 +72,7 @@ void settle_access(Config& config, const Origins& origins, const std::string& co
        {std::pair{&certificate, &access.certificate_file}, std::pair{&key, &access.key_file}})
     if (!file->good()) errors.push_back({*name, 0, "", file->problem});
   if (!certificate.good() || !key.good()) return;
-  if (std::string why = access::why_not_usable(certificate.text, key.text); !why.empty()) {
+  if (std::string why = access::pair_problem(certificate.text, key.text); !why.empty()) {
     errors.push_back({access.certificate_file, 0, "", why + " (" + access.key_file + ")"});
     return;
   }

@@ -15,8 +15,8 @@ namespace hedgehog::config {
 /// Resolves the paths of the files and reads them: tokens always, certificate and key if an address
 /// has TLS. With TLS a missing file is an error: access could not be restricted. An empty token
 /// file rejects every client and is no error. REQUIRES: `state_directory` is resolved.
-void settle_access(Config& config, const Origins& origins, const std::string& config_file,
-                   const std::function<base::FileText(const std::string&)>& reader,
-                   ConfigErrors& errors);
+void resolve_access(Config& config, const Origins& origins, const std::string& config_file,
+                    const std::function<base::FileText(const std::string&)>& reader,
+                    ConfigErrors& errors);
 
 }  // namespace hedgehog::config

@@ -43,12 +43,12 @@ class Loader {
     if (overrides.log_level) option("--log-level", "log.level", Value::of(*overrides.log_level));
   }
 
-  void settle() {
-    settle_device();
-    settle_sensors(draft_, origins_, paths_.config_file, errors_);
-    settle_places();
+  void resolve() {
+    resolve_device();
+    resolve_sensors(draft_, origins_, paths_.config_file, errors_);
+    resolve_paths();
     check_unix_roles(draft_.config.access.unix_roles, origins_, paths_.config_file, errors_);
-    settle_access(draft_.config, origins_, paths_.config_file, reader_, errors_);
+    resolve_access(draft_.config, origins_, paths_.config_file, reader_, errors_);
   }
 
   boost::system::result<Config, ConfigErrors> finish() {
@@ -91,7 +91,7 @@ class Loader {
     return files;
   }
 
-  void settle_device() {
+  void resolve_device() {
     Config& config = draft_.config;
     const std::size_t before = errors_.size();
     config.device = find_device("device", config.device_file);
@@ -146,7 +146,7 @@ class Loader {
     return {};
   }
 
-  void settle_places() {
+  void resolve_paths() {
     Config& config = draft_.config;
     if (config.state_directory.empty()) config.state_directory = paths_.state_directory;
     if (config.http.pages.empty()) config.http.pages = paths_.pages_directory;
@@ -201,7 +201,7 @@ boost::system::result<Config, ConfigErrors> load_config(const Paths& paths,
   Loader loader(paths, reader, running);
   loader.read_files();
   loader.apply(overrides);
-  loader.settle();
+  loader.resolve();
   return loader.finish();
 }
 

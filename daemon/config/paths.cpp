@@ -24,11 +24,11 @@ void use_own_prefix(Paths& paths, const std::filesystem::path& program) {
   if (program.empty()) return;
   const auto share = program.parent_path().parent_path() / "share/hedgehog";
   paths.pages_directory = share / "www";
-  std::error_code unseen;
-  if (std::filesystem::exists(share / "hedgehogd.json", unseen))
+  std::error_code ignored;
+  if (std::filesystem::exists(share / "hedgehogd.json", ignored))
     paths.defaults_file = share / "hedgehogd.json";
   const std::string devices = share / "devices.d";
-  if (devices != paths.device_directories.front() && std::filesystem::exists(devices, unseen))
+  if (devices != paths.device_directories.front() && std::filesystem::exists(devices, ignored))
     paths.device_directories.insert(paths.device_directories.begin(), devices);
 }
 

@@ -33,11 +33,11 @@ device::BoardCommand Controller::step(const StepInputs& inputs, EventList& event
   const MixResult mix = mixer_.mix(
       {now_, states_.armed(), heading_.fresh(), heading_.device_to_world(), settings_.gain},
       events);
-  const model::CoilCurrents wanted = wanted_currents(mix, settings_.coils);
+  const model::CoilCurrents demand = demanded_currents(mix, settings_.coils);
   const model::LimitedCurrents limited =
-      limit(limiter_, wanted, thermal_as_measured(), skin().bound_c, dt_s);
+      limit(limiter_, demand, thermal_as_measured(), skin().bound_c, dt_s);
   passed_ = gate(limited, states_.armed());
-  account(mix, wanted);
+  account(mix, demand);
   reject_non_finite(dt_s, events);
 
   command_ = drive(passed_, states_.armed() && mix.playing, prediction_.a(), circuit());
@@ -141,8 +141,8 @@ void Controller::apply_command(const Command& command, EventList& events) noexce
       settings_.limits = limits->limits;
       apply_board_limits();
     }
-  } else if (std::holds_alternative<ForgetBall>(command.what)) {
-    forget_ball();
+  } else if (std::holds_alternative<ResetBall>(command.what)) {
+    reset_ball();
   } else if (std::holds_alternative<EnterBootLoader>(command.what)) {
     states_.enter_boot_loader(now_);
   }
@@ -165,15 +165,15 @@ Reason Controller::arming_blocker() const noexcept {
   if (states_.reason() == Reason::kShellHot && watchdog_.thermometer().too_warm_to_arm())
     return Reason::kShellHot;
   const FanCheck& fan = watchdog_.fan();
-  if (fan.stopped() || (states_.reason() == Reason::kFanStopped && fan.standing()))
+  if (fan.stopped() || (states_.reason() == Reason::kFanStopped && fan.stalled()))
     return Reason::kFanStopped;
   return states_.rearm_wait(now_) > 0 ? states_.latch() : Reason::kNone;
 }
 
-void Controller::account(const MixResult& mix, const model::CoilCurrents& wanted) noexcept {
-  demand_a_ = wanted_field(mix, settings_.coils).a;
-  mixer_.account(passed_share(wanted, passed_));
-  derating_.step(mix.any ? std::min(norm(wanted.a), limits_.current_a) : 0.0,
+void Controller::account(const MixResult& mix, const model::CoilCurrents& demand) noexcept {
+  demand_a_ = field_demand(mix, settings_.coils).a;
+  mixer_.account(delivered_share(demand, passed_));
+  derating_.step(mix.any ? std::min(norm(demand.a), limits_.current_a) : 0.0,
                  limiter_.allowed().value, now_);
 }
 

@@ -65,7 +65,7 @@ class Controller {
   Reason check(const StepInputs& inputs, double dt_s) noexcept;
   /// Updates the state from `found`, the clients' requests and the board.
   void arbitrate(Reason found, const StepInputs& inputs, EventList& events) noexcept;
-  void account(const MixResult& mix, const model::CoilCurrents& wanted) noexcept;
+  void account(const MixResult& mix, const model::CoilCurrents& demand) noexcept;
   void reject_non_finite(double dt_s, EventList& events) noexcept;
   std::uint8_t fan_duty(double dt_s) noexcept;
 
@@ -87,7 +87,7 @@ class Controller {
   void update_state(Reason found, bool present, bool fresh) noexcept;
   void apply_requests(const StepInputs& inputs, EventList& events) noexcept;
   void apply_command(const Command& command, EventList& events) noexcept;
-  void forget_ball() noexcept;
+  void reset_ball() noexcept;
   Reason arming_blocker() const noexcept;
   void record_trip(Reason reason) noexcept;
   ReportInputs report_inputs() const noexcept;

@@ -34,7 +34,7 @@ void Controller::start_observer(double sensor_c) noexcept {
     start.nodes.core_c = std::max(settings_.start.core_c, sensor_c);
     start.deviation_k =
         settings_.start_deviation_k + kPerKelvin * std::max(0.0, raised_k - kThermistorK);
-    start.ambient_c = settings_.start_room_c;
+    start.ambient_c = settings_.start_ambient_c;
     start.measured = settings_.start_measured;
   }
   observer_ =
@@ -43,13 +43,13 @@ void Controller::start_observer(double sensor_c) noexcept {
   observing_ = true;
 }
 
-void Controller::forget_ball() noexcept {
+void Controller::reset_ball() noexcept {
   if (states_.armed()) record_trip(Reason::kStateLost);
-  states_.lose_ball(now_);
+  states_.reset_ball(now_);
   settings_.start_known = false;
   settings_.start_measured = {};
   estimate_ = EstimateCheck();
-  watchdog_.forget_windings(settings_.coils, settings_.thermal);
+  watchdog_.reset_windings(settings_.coils, settings_.thermal);
   observing_ = false;
 }
 

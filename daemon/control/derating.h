@@ -11,16 +11,16 @@ namespace hedgehog::control {
 class Derating {
  public:
   /// Ticks without a reduction until the derating ends.
-  static constexpr model::Tick kPatience = 500;
+  static constexpr model::Tick kHoldTicks = 500;
   /// Smaller reductions are not reported.
   static constexpr double kNoticeable = 0.995;
 
   /// The tick's norms: requested (already within the configured limit) and allowed by the limiter.
-  void step(double asked_a, double allowed_a, model::Tick now) noexcept {
-    if (asked_a > 0.0 && allowed_a < kNoticeable * asked_a) {
+  void step(double requested_a, double allowed_a, model::Tick now) noexcept {
+    if (requested_a > 0.0 && allowed_a < kNoticeable * requested_a) {
       reduced_ = now;
       active_ = true;
-    } else if (now - reduced_ > kPatience) {
+    } else if (now - reduced_ > kHoldTicks) {
       active_ = false;
     }
   }

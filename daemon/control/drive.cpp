@@ -5,25 +5,26 @@
 
 namespace hedgehog::control {
 
-model::CoilCurrents wanted_currents(const MixResult& mix, const model::CoilModel& coils) noexcept {
+model::CoilCurrents demanded_currents(const MixResult& mix,
+                                      const model::CoilModel& coils) noexcept {
   return {currents_for(mix.field, coils).a + mix.coil_a};
 }
 
-model::FieldDemand wanted_field(const MixResult& mix, const model::CoilModel& coils) noexcept {
+model::FieldDemand field_demand(const MixResult& mix, const model::CoilModel& coils) noexcept {
   return {mix.field.a + field_of({mix.coil_a}, coils).a};
 }
 
-model::LimitedCurrents limit(model::ThermalLimiter& limiter, const model::CoilCurrents& wanted,
+model::LimitedCurrents limit(model::ThermalLimiter& limiter, const model::CoilCurrents& demand,
                              const model::ThermalEstimate& thermal, double skin_c,
                              double dt_s) noexcept {
   limiter.set_ceiling(model::shell_allowed_current(limiter.limits(), skin_c));
-  return limiter.limit(wanted, thermal, dt_s);
+  return limiter.limit(demand, thermal, dt_s);
 }
 
-double passed_share(const model::CoilCurrents& wanted,
-                    const model::LimitedCurrents& passed) noexcept {
-  const double asked_a = norm(wanted.a);
-  return asked_a > 0.0 ? norm(passed.a()) / asked_a : 1.0;
+double delivered_share(const model::CoilCurrents& demand,
+                       const model::LimitedCurrents& passed) noexcept {
+  const double requested_a = norm(demand.a);
+  return requested_a > 0.0 ? norm(passed.a()) / requested_a : 1.0;
 }
 
 device::BoardCommand drive(const model::LimitedCurrents& passed, bool playing,

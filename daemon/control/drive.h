@@ -12,12 +12,12 @@
 namespace hedgehog::control {
 
 /// Winding currents requested by `mix`, A, and the field they correspond to; not limited.
-model::CoilCurrents wanted_currents(const MixResult& mix, const model::CoilModel& coils) noexcept;
-model::FieldDemand wanted_field(const MixResult& mix, const model::CoilModel& coils) noexcept;
+model::CoilCurrents demanded_currents(const MixResult& mix, const model::CoilModel& coils) noexcept;
+model::FieldDemand field_demand(const MixResult& mix, const model::CoilModel& coils) noexcept;
 
 /// `wanted`, limited by the windings' thermal state `thermal` and by the skin's upper bound
 /// `skin_c`. Call it once every `dt_s`, like `ThermalLimiter::limit`.
-model::LimitedCurrents limit(model::ThermalLimiter& limiter, const model::CoilCurrents& wanted,
+model::LimitedCurrents limit(model::ThermalLimiter& limiter, const model::CoilCurrents& demand,
                              const model::ThermalEstimate& thermal, double skin_c,
                              double dt_s) noexcept;
 
@@ -27,8 +27,8 @@ constexpr model::LimitedCurrents gate(const model::LimitedCurrents& limited, boo
 }
 
 /// The share of `wanted` that was passed, 0..1; 1 when nothing was requested.
-double passed_share(const model::CoilCurrents& wanted,
-                    const model::LimitedCurrents& passed) noexcept;
+double delivered_share(const model::CoilCurrents& demand,
+                       const model::LimitedCurrents& passed) noexcept;
 
 /// The set-point that drives the currents from `now_a` to `passed`. Without a `playing` effect the
 /// bridges sleep: duty 0 alone would brake and keep them awake.

@@ -222,7 +222,7 @@ std::optional<PlantTruth> decode_truth(std::span<const std::uint8_t> packet) noe
   }
   out.core_c = values.core_mc / 1000.0;
   out.skin_c = values.skin_mc / 1000.0;
-  out.ambient_c = values.room_mc / 1000.0;
+  out.ambient_c = values.ambient_mc / 1000.0;
   return out;
 }
 
@@ -236,7 +236,7 @@ Frame encode_truth(const PlantTruth& truth, std::uint32_t sequence) noexcept {
   }
   values.core_mc = rounded<std::int32_t>(1000.0 * truth.core_c);
   values.skin_mc = rounded<std::int32_t>(1000.0 * truth.skin_c);
-  values.room_mc = rounded<std::int32_t>(1000.0 * truth.ambient_c);
+  values.ambient_mc = rounded<std::int32_t>(1000.0 * truth.ambient_c);
   return written(values);
 }
 

@@ -21,7 +21,7 @@ constexpr std::uint32_t kThermistorFrames = 100;
 void Link::receive(std::span<const std::uint8_t> packet) noexcept {
   const DecodedTelemetry decoded = decode_telemetry(packet);
   if (decoded.error == board::FrameError::kNone) {
-    note_telemetry(decoded.telemetry);
+    accept_telemetry(decoded.telemetry);
     return;
   }
   if (const auto truth = decode_truth(packet)) {
@@ -32,16 +32,16 @@ void Link::receive(std::span<const std::uint8_t> packet) noexcept {
   if (decoded.error == board::FrameError::kVersion) ticks_without_telemetry_ = kAbsentTicks;
 }
 
-void Link::note_telemetry(BoardTelemetry telemetry) noexcept {
+void Link::accept_telemetry(BoardTelemetry telemetry) noexcept {
   const BoardTelemetry& last = report_.telemetry;
-  if (telemetry_seen_) {
+  if (telemetry_received_) {
     // After 2^31 frames a restarted board would count as newer by the number alone.
-    const bool gone_back =
+    const bool clock_reset =
         telemetry.board_ms < last.board_ms && telemetry.board_ms - last.board_ms > kLongestGapMs;
-    const bool newer = !gone_back && board::is_newer(telemetry.sequence, last.sequence);
+    const bool newer = !clock_reset && board::is_newer(telemetry.sequence, last.sequence);
     // A board that was absent meanwhile needs neither: it may be another board, or have restarted.
     const bool absent = ticks_without_telemetry_ >= kAbsentTicks;
-    const bool restarted = gone_back || (absent && !newer);
+    const bool restarted = clock_reset || (absent && !newer);
     if (!newer && !restarted) {
       ++report_.counters.errors;
       return;
@@ -56,8 +56,8 @@ void Link::note_telemetry(BoardTelemetry telemetry) noexcept {
       arm_offset_ = static_cast<std::uint8_t>(last.arm_count - telemetry.arm_count);
     }
   }
-  keep_thermistors(telemetry);
-  telemetry_seen_ = true;
+  merge_thermistors(telemetry);
+  telemetry_received_ = true;
   telemetry.arm_count = static_cast<std::uint8_t>(telemetry.arm_count + arm_offset_);
   ticks_without_telemetry_ = 0;
   ++report_.counters.frames_in;
@@ -73,7 +73,7 @@ void Link::note_telemetry(BoardTelemetry telemetry) noexcept {
 }
 
 // The thermistors after the first take turns; one without a reading for long is unknown.
-void Link::keep_thermistors(BoardTelemetry& telemetry) noexcept {
+void Link::merge_thermistors(BoardTelemetry& telemetry) noexcept {
   const bool absent = ticks_without_telemetry_ >= kAbsentTicks;
   for (std::size_t k = 1; k < telemetry.thermistor.size(); ++k) {
     std::uint32_t& age = thermistor_age_[k];
@@ -115,10 +115,10 @@ LinkFrames Link::step(LinkPort& port) noexcept {
 }
 
 LinkFrames Link::step(const LinkCommand& command) noexcept {
-  note_presence();
+  update_presence();
   const BoardCommand chosen = choose(command);
-  note_arm(command.board.arm_count);
-  note_boot_loader(command.board.boot_loader_count);
+  update_arm(command.board.arm_count);
+  update_boot_loader(command.board.boot_loader_count);
 
   LinkFrames frames;
   frames.set_point = encode_set_point(chosen, ++sequence_);
@@ -134,7 +134,7 @@ void Link::set_written(std::int64_t now_ns) noexcept {
   report_.written_ns = now_ns;
 }
 
-void Link::note_presence() noexcept {
+void Link::update_presence() noexcept {
   const bool present = ticks_without_telemetry_ < kAbsentTicks;
   if (present && !report_.present) limits_due_ticks_ = 0;
   if (!present) arm_ticks_left_ = boot_loader_ticks_left_ = 0;
@@ -158,14 +158,14 @@ BoardCommand Link::choose(const LinkCommand& command) noexcept {
   return safe;
 }
 
-void Link::note_arm(std::uint8_t wanted) noexcept {
+void Link::update_arm(std::uint8_t wanted) noexcept {
   if (wanted == requested_arm_) return;
   requested_arm_ = wanted;
   const bool is_request = report_.present && wanted != report_.telemetry.arm_count;
   arm_ticks_left_ = is_request ? kArmTicks : 0;
 }
 
-void Link::note_boot_loader(std::uint8_t wanted) noexcept {
+void Link::update_boot_loader(std::uint8_t wanted) noexcept {
   if (wanted == requested_boot_loader_) return;
   requested_boot_loader_ = wanted;
   boot_loader_ticks_left_ = report_.present ? kBootLoaderTicks : 0;

@@ -71,14 +71,14 @@ class Link {
   const PlantTruth& truth() const noexcept { return truth_; }
 
  private:
-  void note_telemetry(BoardTelemetry telemetry) noexcept;
-  void note_presence() noexcept;
+  void accept_telemetry(BoardTelemetry telemetry) noexcept;
+  void update_presence() noexcept;
   BoardCommand choose(const LinkCommand& command) noexcept;
-  void note_arm(std::uint8_t wanted) noexcept;
-  void note_boot_loader(std::uint8_t wanted) noexcept;
+  void update_arm(std::uint8_t wanted) noexcept;
+  void update_boot_loader(std::uint8_t wanted) noexcept;
   std::optional<Frame> next_other() noexcept;
   Frame next_simulator() noexcept;
-  void keep_thermistors(BoardTelemetry& telemetry) noexcept;
+  void merge_thermistors(BoardTelemetry& telemetry) noexcept;
 
   std::optional<BoardLimits> limits_;
   LinkReport report_;
@@ -87,7 +87,7 @@ class Link {
   int ticks_without_command_ = kOverdueTicks;
   bool overdue_ = true;
   int ticks_without_telemetry_ = kAbsentTicks;
-  bool telemetry_seen_ = false;
+  bool telemetry_received_ = false;
 
   std::uint8_t requested_arm_ = 0;
   int arm_ticks_left_ = 0;

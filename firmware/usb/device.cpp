@@ -97,16 +97,16 @@ void UsbDevice::attach(bool wanted) noexcept {
   attached_ = wanted;
   // 7.1.5 of the specification: a device with a supply of its own pulls up nothing without VBUS.
   reg(kSieControl) = (1u << 29) | (wanted ? kPullUp : 0);
-  forget_bus();
+  reset_bus_state();
 }
 
 void UsbDevice::poll() noexcept {
   attach(vbus_present());
   const uint32_t events = reg(kEvents);
-  take_frame_start(events);
+  handle_frame_start(events);
   if ((events & kResetEvent) != 0) {
     clear_bits(kSieStatus, kStatusReset);
-    forget_bus();
+    reset_bus_state();
     reset_exit_.begin();
   }
   reset_exit_.poll();
@@ -115,12 +115,12 @@ void UsbDevice::poll() noexcept {
     // What would be sent after a resume is too old by then.
     in_waiting_ = false;
   }
-  if ((events & kBufferEvent) != 0) take_buffers();
-  if ((events & kSetupEvent) != 0) take_setup();
+  if ((events & kBufferEvent) != 0) handle_buffers();
+  if ((events & kSetupEvent) != 0) handle_setup();
   arm_in();
 }
 
-void UsbDevice::take_frame_start(uint32_t events) noexcept {
+void UsbDevice::handle_frame_start(uint32_t events) noexcept {
   if ((events & kFrameEvent) != 0) {
     [[maybe_unused]] const uint32_t acknowledged = reg(kFrameNumber);
     frame_start_us_ = polled_us_;
@@ -128,7 +128,7 @@ void UsbDevice::take_frame_start(uint32_t events) noexcept {
   polled_us_ = now_us();
 }
 
-void UsbDevice::forget_bus() noexcept {
+void UsbDevice::reset_bus_state() noexcept {
   reg(kAddress) = 0;
   requests_.reset();
   control_state_ = Control::kIdle;
@@ -138,7 +138,7 @@ void UsbDevice::forget_bus() noexcept {
   reg(kBuffers) = ~0u;
 }
 
-void UsbDevice::take_setup() noexcept {
+void UsbDevice::handle_setup() noexcept {
   clear_bits(kSieStatus, kStatusSetup);
   const volatile uint8_t* bytes = memory(0);
   const auto word = [&](int at) { return static_cast<uint16_t>(bytes[at] | bytes[at + 1] << 8); };
@@ -206,15 +206,15 @@ void UsbDevice::configure(bool configured) noexcept {
   arm_out();
 }
 
-void UsbDevice::take_buffers() noexcept {
+void UsbDevice::handle_buffers() noexcept {
   const uint32_t done = reg(kBuffers);
   reg(kBuffers) = done;
   if ((done & kIn0Done) != 0) continue_control();
   if ((done & kIn1Done) != 0) in_armed_ = false;
-  if ((done & kOut1Done) != 0) take_packet();
+  if ((done & kOut1Done) != 0) handle_packet();
 }
 
-void UsbDevice::take_packet() noexcept {
+void UsbDevice::handle_packet() noexcept {
   if (!out_armed_) return;
   out_armed_ = false;
   const size_t length = reg(kOut1) & kLength;

@@ -30,13 +30,13 @@ class UsbDevice {
 
  private:
   void attach(bool wanted) noexcept;
-  void take_frame_start(uint32_t events) noexcept;
-  void forget_bus() noexcept;
-  void take_setup() noexcept;
+  void handle_frame_start(uint32_t events) noexcept;
+  void reset_bus_state() noexcept;
+  void handle_setup() noexcept;
   void act(const UsbAnswer& answer) noexcept;
   void configure(bool configured) noexcept;
-  void take_buffers() noexcept;
-  void take_packet() noexcept;
+  void handle_buffers() noexcept;
+  void handle_packet() noexcept;
   void continue_control() noexcept;
   void send_control_data() noexcept;
   void arm_out() noexcept;

@@ -28,8 +28,8 @@ EnergyFloor::EnergyFloor(const ThermalModel& thermal, double tolerance, const Th
   ambient_c_ -= kAmbientToleranceK;
   for (double& value : thermal_.winding_j_k) value *= 1.0 + tolerance;
   for (double& value : thermal_.winding_to_core_k_w) value /= 1.0 + tolerance;
-  thermal_.core_to_room_fan_k_w /= 1.0 + tolerance;
-  thermal_.core_to_room_still_k_w /= 1.0 + tolerance;
+  thermal_.core_to_ambient_fan_k_w /= 1.0 + tolerance;
+  thermal_.core_to_ambient_still_k_w /= 1.0 + tolerance;
 }
 
 void EnergyFloor::step(const std::array<double, kCoils>& loss_w, bool fan_running,

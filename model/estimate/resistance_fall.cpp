@@ -36,13 +36,13 @@ void ResistanceFall::follow(const WindingThermometer& winding, double offset_a) 
     rest();
 }
 
-void ResistanceFall::rest() noexcept { set_aside_ += std::exchange(sum_, 0.0); }
+void ResistanceFall::rest() noexcept { suspended_sum_ += std::exchange(sum_, 0.0); }
 
 void ResistanceFall::compare(const RestResistance& now, double offset_a) noexcept {
   const double by_offset = offset_a * std::abs(now.per_ampere - before_.per_ampere);
   const bool same = now.ohm >= (1.0 - tolerance_) * before_.ohm && by_offset <= kSameShare;
-  if (set_aside_ > 0.0 && !same) return resume();
-  set_aside_ = 0.0;
+  if (suspended_sum_ > 0.0 && !same) return resume();
+  suspended_sum_ = 0.0;
   // The reference never decreases: otherwise a fall that begins at rest, or continues by less than
   // the tolerance, would lower its own reference.
   if (by_file_ || now.ohm > before_.ohm) before_ = now;
@@ -50,6 +50,6 @@ void ResistanceFall::compare(const RestResistance& now, double offset_a) noexcep
   by_file_ = false;
 }
 
-void ResistanceFall::resume() noexcept { sum_ += std::exchange(set_aside_, 0.0); }
+void ResistanceFall::resume() noexcept { sum_ += std::exchange(suspended_sum_, 0.0); }
 
 }  // namespace hedgehog::model

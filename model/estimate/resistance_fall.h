@@ -57,7 +57,7 @@ class ResistanceFall {
 
  private:
   double sum_ = 0.0;
-  double set_aside_ = 0.0;
+  double suspended_sum_ = 0.0;
   double margin_k_ = 0.0;
   /// The highest reference so far; before the first, the device file's, which has no offset error.
   RestResistance before_;

@@ -11,9 +11,9 @@ namespace hedgehog::model {
 // a = 1 / (R_room C_core), b = 1 / (R_winding C_core), c = 1 / (R_winding C_winding). For unequal
 // windings the mean is used, and the heat stored in each. Both eigenvalues -p, -q are real and
 // negative, so x rises to one maximum at most, in closed form.
-double coming_core_c(const ThermalModel& thermal, const ThermalState& nodes, double ambient_c,
-                     double to_room_k_w) noexcept {
-  const double a = 1.0 / (to_room_k_w * thermal.core_j_k);
+double forecast_core_c(const ThermalModel& thermal, const ThermalState& nodes, double ambient_c,
+                       double to_ambient_k_w) noexcept {
+  const double a = 1.0 / (to_ambient_k_w * thermal.core_j_k);
   double to_core_w_k = 0.0;
   double winding_j_k = 0.0;
   double above_j = 0.0;
@@ -45,14 +45,15 @@ SkinInputs SkinInputs::of(const ThermalModel& thermal, const ThermalState& nodes
   SkinInputs in;
   in.nodes = nodes;
   in.ambient_c = ambient_c;
-  in.to_room_k_w = fan_running ? thermal.core_to_room_fan_k_w : thermal.core_to_room_still_k_w;
+  in.to_ambient_k_w =
+      fan_running ? thermal.core_to_ambient_fan_k_w : thermal.core_to_ambient_still_k_w;
   return in;
 }
 
 SkinInputs SkinInputs::of(const ThermalModel& thermal, const ThermalFilter& filter,
                           bool fan_running) noexcept {
   SkinInputs in = of(thermal, filter.nodes(), filter.ambient_c(), fan_running);
-  in.to_room_k_w /= filter.cooling();
+  in.to_ambient_k_w /= filter.cooling();
   in.deviation_k = filter.between_deviation_k(kSkinShare);
   return in;
 }
@@ -62,9 +63,9 @@ void SkinEstimate::step(const SkinInputs& in, double dt_s) noexcept {
   if (!started_) following_c_ = goal_c;
   started_ = true;
   following_c_ += (goal_c - following_c_) * -std::expm1(-dt_s / kSkinLagS);
-  const double coming_c =
-      settled_skin_c(coming_core_c(thermal_, in.nodes, in.ambient_c, in.to_room_k_w), in.ambient_c);
-  coming_k_ = std::max(0.0, coming_c - following_c_);
+  const double forecast_c = settled_skin_c(
+      forecast_core_c(thermal_, in.nodes, in.ambient_c, in.to_ambient_k_w), in.ambient_c);
+  forecast_rise_k_ = std::max(0.0, forecast_c - following_c_);
   margin_k_ = std::clamp(kDeviations * in.deviation_k, kMinMarginK, kMaxMarginK);
   bound_c_ = heated_c() + margin_k_;
 }

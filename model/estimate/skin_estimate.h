@@ -16,10 +16,10 @@ inline constexpr double kSkinShare = 0.7;
 inline constexpr double kSkinLagS = 60.0;
 
 /// Maximum core temperature if no current flowed from now on, C: the heat stored in the windings
-/// flows out through the core. Never below the present core temperature. `to_room_k_w`: thermal
+/// flows out through the core. Never below the present core temperature. `to_ambient_k_w`: thermal
 /// resistance from core to ambient (> 0). Exact for three equal windings.
-double coming_core_c(const ThermalModel& thermal, const ThermalState& nodes, double ambient_c,
-                     double to_room_k_w) noexcept;
+double forecast_core_c(const ThermalModel& thermal, const ThermalState& nodes, double ambient_c,
+                       double to_ambient_k_w) noexcept;
 
 /// Steady-state skin temperature at a constant core temperature, C.
 constexpr double settled_skin_c(double core_c, double ambient_c) noexcept {
@@ -31,7 +31,7 @@ struct SkinInputs {
   ThermalState nodes;
   double ambient_c = 25.0;
   /// Thermal resistance from core to ambient now, K/W.
-  double to_room_k_w = 1.8;
+  double to_ambient_k_w = 1.8;
   /// Standard deviation of `settled_skin_c` due to the uncertainty of core and ambient, K.
   double deviation_k = 0.0;
 
@@ -62,9 +62,9 @@ class SkinEstimate {
   /// before the first step; NaN if an input was NaN.
   double celsius() const noexcept { return bound_c_; }
   /// Part of it that is still to come, K (>= 0).
-  double coming_k() const noexcept { return coming_k_; }
+  double forecast_rise_k() const noexcept { return forecast_rise_k_; }
   /// `celsius` without margin, C; and the margin, K.
-  double heated_c() const noexcept { return following_c_ + coming_k_; }
+  double heated_c() const noexcept { return following_c_ + forecast_rise_k_; }
   double margin_k() const noexcept { return margin_k_; }
   /// Present skin temperature by the nodes alone, C.
   double following_c() const noexcept { return following_c_; }
@@ -74,7 +74,7 @@ class SkinEstimate {
   bool started_ = false;
   double following_c_ = 25.0;
   double bound_c_ = std::numeric_limits<double>::infinity();
-  double coming_k_ = 0.0;
+  double forecast_rise_k_ = 0.0;
   double margin_k_ = kMinMarginK;
 };
 

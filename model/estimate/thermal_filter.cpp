@@ -135,7 +135,7 @@ void ThermalFilter::predict(const std::array<double, kCoils>& loss_w, bool fan_r
   }
   x_[kCore] += step[kCoils];
   spread(dt_s);
-  keep_plausible();
+  limit_state();
 }
 
 // Rows of the Jacobian: windings, core, bodies. Columns: all states.
@@ -145,9 +145,9 @@ std::array<double, ThermalFilter::kMoving> ThermalFilter::move(
   std::array<double, kMoving> step{};
   Row& core = jacobian[kCoils];
   const double per_core = dt_s / thermal_.core_j_k;
-  const double to_room_k_w =
-      fan_running ? thermal_.core_to_room_fan_k_w : thermal_.core_to_room_still_k_w;
-  const double cooling_w_k = std::exp(x_[kCooling]) / to_room_k_w;
+  const double to_ambient_k_w =
+      fan_running ? thermal_.core_to_ambient_fan_k_w : thermal_.core_to_ambient_still_k_w;
+  const double cooling_w_k = std::exp(x_[kCooling]) / to_ambient_k_w;
   double into_core_w = cooling_w_k * (x_[kAmbient] - x_[kCore]);
   core[kCore] = 1.0 - per_core * cooling_w_k;
   core[kAmbient] = per_core * cooling_w_k;
@@ -227,13 +227,13 @@ void ThermalFilter::spread(double dt_s) noexcept {
   walk(kCooling, kCoolingWalk);
 }
 
-void ThermalFilter::keep_plausible() noexcept {
-  const auto keep_variance = [&](std::size_t state, double most) noexcept {
-    p_[state][state] = std::min(p_[state][state], square(most));
+void ThermalFilter::limit_state() noexcept {
+  const auto limit_variance = [&](std::size_t state, double max_deviation) noexcept {
+    p_[state][state] = std::min(p_[state][state], square(max_deviation));
   };
   x_[kCooling] = std::clamp(x_[kCooling], kMinCooling, kMaxCooling);
-  keep_variance(kCooling, kMaxCoolingDeviation);
-  keep_variance(kAmbient, kMaxAmbientDeviationK);
+  limit_variance(kCooling, kMaxCoolingDeviation);
+  limit_variance(kAmbient, kMaxAmbientDeviationK);
   for (int coil = 0; coil < kCoils; ++coil) {
     double& lost = x_[at(kLostContact, coil)];
     lost = std::clamp(lost, 0.0, kMaxLostContact);
@@ -259,7 +259,7 @@ Innovation ThermalFilter::measure(const std::array<Term, N>& terms, double diffe
     for (std::size_t j = i; j < kStates; ++j) p_[i][j] -= share * gain[j];
     for (std::size_t j = 0; j < i; ++j) p_[i][j] = p_[j][i];
   }
-  keep_plausible();
+  limit_state();
   return innovation;
 }
 

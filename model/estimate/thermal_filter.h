@@ -119,7 +119,7 @@ class ThermalFilter {
   template <std::size_t N>
   Innovation measure(const std::array<Term, N>& terms, double difference,
                      double deviation) noexcept;
-  void keep_plausible() noexcept;
+  void limit_state() noexcept;
 
   CoilModel coils_;
   ThermalModel thermal_;

@@ -106,8 +106,8 @@ void ThermalObserver::step(const ThermalMeasurement& m, double dt_s) noexcept {
   window_.s += dt_s;
   ++window_.ticks;
   constexpr double kWindowRoundingS = 1e-9;
-  judged_ = window_.s >= kWindowS - kWindowRoundingS;
-  if (judged_) judge(m.fan_running);
+  window_ended_ = window_.s >= kWindowS - kWindowRoundingS;
+  if (window_ended_) end_window(m.fan_running);
   bound();
 }
 
@@ -134,7 +134,7 @@ void ThermalObserver::follow_currents(const ThermalMeasurement& m, double dt_s) 
     thermometer.step(reading, dt_s);
     fall_[i].follow(thermometer, accuracy_.offset_a);
     window_.heat_j[i] += reading.loss_w * dt_s;
-    if (!thermometer.measuring()) window_.measured_throughout[i] = false;
+    if (!thermometer.measuring()) window_.always_measured[i] = false;
     if (m.idle && std::isfinite(m.idle_a[coil])) {
       ++window_.idle_ticks[i];
       window_.idle_a_sum[coil] += m.idle_a[coil];
@@ -178,7 +178,7 @@ void ThermalObserver::follow_thermistors(const ThermistorReadings& thermistors,
   estimate_.sensor_lead_c = sensor_fast_c_ + (kSensorLeadS + kSensorFastS) * slope_k_s;
 }
 
-void ThermalObserver::judge(bool fan_running) noexcept {
+void ThermalObserver::end_window(bool fan_running) noexcept {
   std::array<double, kCoils> loss_w{};
   for (std::size_t i = 0; i < kCoils; ++i) loss_w[i] = window_.heat_j[i] / window_.s;
   filter_.predict(loss_w, fan_running, window_.s);
@@ -189,34 +189,34 @@ void ThermalObserver::judge(bool fan_running) noexcept {
   }
   floor_.step(loss_w, fan_running, mean, window_.s);
   for (int coil = 0; coil < kCoils; ++coil) {
-    judge_winding(coil);
+    correct_winding(coil);
     const auto i = static_cast<std::size_t>(coil);
-    judgement_[i].thermistor_known = mean.valid[i];
-    if (mean.valid[i]) judgement_[i].thermistor = filter_.thermistor(coil, mean.celsius[i]);
+    innovations_[i].thermistor_known = mean.valid[i];
+    if (mean.valid[i]) innovations_[i].thermistor = filter_.thermistor(coil, mean.celsius[i]);
   }
   for (std::size_t i = 0; i < kCoils; ++i) {
     fall_[i].age(window_.s);
-    if (judgement_[i].resistance_known)
-      fall_[i].add(judgement_[i].resistance.deviations, mean.count() == kCoils);
+    if (innovations_[i].resistance_known)
+      fall_[i].add(innovations_[i].resistance.deviations, mean.count() == kCoils);
   }
   window_ = Window{};
 }
 
-void ThermalObserver::judge_winding(int coil) noexcept {
+void ThermalObserver::correct_winding(int coil) noexcept {
   const auto i = static_cast<std::size_t>(coil);
   if (window_.idle_ticks[i] == window_.ticks)
     filter_.idle_current(coil, window_.idle_a_sum[coil] / window_.ticks);
-  Judgement& judgement = judgement_[i];
+  WindowInnovations& innovations = innovations_[i];
   const WindingMeter& meter = thermometer_[i].meter();
   // The derivative is that of the previous window: the same noise in a measurement and in its
   // derivative would bias offset and temperature in opposite directions.
   const double before = std::exchange(per_ampere_[i], meter.per_ampere());
   const bool steady = std::abs(before - meter.per_ampere()) < kSteadyShare * meter.per_ampere();
-  judgement.resistance_known = window_.measured_throughout[i] && meter.resistance_ohm() > 0.0;
-  if (!judgement.resistance_known) return;
+  innovations.resistance_known = window_.always_measured[i] && meter.resistance_ohm() > 0.0;
+  if (!innovations.resistance_known) return;
   const double log_ratio = std::log(meter.resistance_ohm() / coils_.r25_ohm[i]);
   const double noise = std::hypot(meter.noise(), kMeterNoiseA / meter.current_a(), kMeterShare);
-  judgement.resistance =
+  innovations.resistance =
       filter_.resistance(coil, log_ratio, noise, steady ? before : meter.per_ampere());
 }
 

@@ -108,15 +108,15 @@ class ThermalObserver {
   /// The filter, and the innovations of the last window's measurements; `judged`: true in the tick
   /// in which a window ended.
   const ThermalFilter& filter() const noexcept { return filter_; }
-  bool judged() const noexcept { return judged_; }
-  struct Judgement {
+  bool window_ended() const noexcept { return window_ended_; }
+  struct WindowInnovations {
     bool resistance_known = false;
     Innovation resistance;
     bool thermistor_known = false;
     Innovation thermistor;
   };
-  const Judgement& judgement(int coil) const noexcept {
-    return judgement_[static_cast<std::size_t>(coil)];
+  const WindowInnovations& innovations(int coil) const noexcept {
+    return innovations_[static_cast<std::size_t>(coil)];
   }
   const ResistanceFall& fall(int coil) const noexcept {
     return fall_[static_cast<std::size_t>(coil)];
@@ -137,13 +137,13 @@ class ThermalObserver {
     Vec3 idle_a_sum;
     std::array<int, kCoils> thermistor_ticks{};
     std::array<double, kCoils> thermistor_sum{};
-    std::array<bool, kCoils> measured_throughout{true, true, true};
+    std::array<bool, kCoils> always_measured{true, true, true};
   };
 
   void follow_currents(const ThermalMeasurement& measurement, double dt_s) noexcept;
   void follow_thermistors(const ThermistorReadings& thermistors, double dt_s) noexcept;
-  void judge(bool fan_running) noexcept;
-  void judge_winding(int coil) noexcept;
+  void end_window(bool fan_running) noexcept;
+  void correct_winding(int coil) noexcept;
   double margin_k(int coil) const noexcept;
   void bound() noexcept;
   double resistance_ohm(int coil) const noexcept;
@@ -161,11 +161,11 @@ class ThermalObserver {
   std::array<WindingThermometer, kCoils> thermometer_{};
   CurrentAccuracy accuracy_;
   Window window_;
-  std::array<Judgement, kCoils> judgement_{};
+  std::array<WindowInnovations, kCoils> innovations_{};
   std::array<ResistanceFall, kCoils> fall_{};
   /// Decrease of ln R per ampere of current offset in the last window.
   std::array<double, kCoils> per_ampere_{};
-  bool judged_ = false;
+  bool window_ended_ = false;
   double settling_s_ = 0.0;
   /// Mean squares of the winding currents over the last step, A^2; kept while unknown.
   Vec3 mean_square_a2_;

@@ -16,7 +16,7 @@ constexpr double kStartLagShare = 0.7;
 constexpr double kResistanceShare = 0.05;
 constexpr double kOffsetA = 0.1;
 constexpr double kLostContactShare = 0.05;
-constexpr double kRoomK = 5.0;
+constexpr double kAmbientWidthK = 5.0;
 constexpr double kRestedK = 0.3;
 constexpr double kUnknownStartK = 15.0;
 
@@ -67,7 +67,7 @@ Eigen::VectorXd HeatResiduals::prior() const {
   p[parameter::kLostContact] = kLostContactShare;
   for (std::size_t run = 0; run < runs_.size(); ++run) {
     const Eigen::Index own = parameter::kShared + parameter::kOfRun * index(run);
-    p[own + parameter::kAmbient] = kRoomK;
+    p[own + parameter::kAmbient] = kAmbientWidthK;
     const double start_k = runs_[run].began_at_rest ? kRestedK : kUnknownStartK;
     p.segment<4>(own + parameter::kStart).setConstant(start_k);
   }
@@ -81,8 +81,8 @@ ThermalModel HeatResiduals::network(const Eigen::VectorXd& p) const {
     m.winding_to_core_k_w[i] *= std::exp(p[parameter::kConduction + index(i)]);
   }
   m.core_j_k *= std::exp(p[parameter::kCore]);
-  m.core_to_room_fan_k_w *= std::exp(p[parameter::kFan]);
-  m.core_to_room_still_k_w *= std::exp(p[parameter::kStill]);
+  m.core_to_ambient_fan_k_w *= std::exp(p[parameter::kFan]);
+  m.core_to_ambient_still_k_w *= std::exp(p[parameter::kStill]);
   m.sensor_lag_s *= std::exp(p[parameter::kLag]);
   m.sensor_winding = sensor_winding_;
   return m;

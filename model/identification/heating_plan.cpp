@@ -11,8 +11,8 @@ namespace {
 
 /// Probe current in each winding while cooling, with alternating sign so that the offset of a
 /// current sensor is observable.
-constexpr double kLookA = 2.9;
-constexpr double kLookS = 1.5;
+constexpr double kMeasureA = 2.9;
+constexpr double kMeasureS = 1.5;
 constexpr double kBurstA = 15.0;
 constexpr double kBurstS = 8.0;
 constexpr double kHeatA = 7.0;
@@ -33,7 +33,7 @@ class Plan {
   void cool(std::string_view phase, double duration_s, double every_s) {
     for (double s = 0.0; s < duration_s; s += every_s) {
       look(phase);
-      idle(phase, every_s - kLookS);
+      idle(phase, every_s - kMeasureS);
     }
   }
   void heat(std::string_view phase, const Vec3& direction, double current_a, double duration_s) {
@@ -52,8 +52,8 @@ class Plan {
  private:
   void look(std::string_view phase) {
     sign_ = -sign_;
-    const double each_a = std::min(kLookA, max_a_ / 2.0);
-    steps_.push_back({phase, kLookS, sign_ * Vec3{each_a, each_a, each_a}});
+    const double each_a = std::min(kMeasureA, max_a_ / 2.0);
+    steps_.push_back({phase, kMeasureS, sign_ * Vec3{each_a, each_a, each_a}});
   }
   void idle(std::string_view phase, double duration_s) {
     for (double s = 0.0; s < duration_s; s += kStepS)

@@ -103,26 +103,26 @@ ThermalFound found_by(const Solution& solution, const HeatResiduals& residuals) 
   const double wider = std::max(1.0, found.misfit);
   const auto deviation = [&](Index k) { return wider * std::sqrt(covariance(k, k)); };
   double worst = 0.0;
-  const auto known_to = [&](Index k) {
+  const auto deviation_of = [&](Index k) {
     worst = std::max(worst, deviation(k));
     return deviation(k);
   };
   for (std::size_t i = 0; i < kCoils; ++i) {
     const auto k = static_cast<Index>(i);
-    found.deviation.winding_j_k[i] = known_to(parameter::kCapacity + k);
-    found.deviation.winding_to_core_k_w[i] = known_to(parameter::kConduction + k);
+    found.deviation.winding_j_k[i] = deviation_of(parameter::kCapacity + k);
+    found.deviation.winding_to_core_k_w[i] = deviation_of(parameter::kConduction + k);
     found.resistance_gain[i] = std::exp(solution.p[parameter::kResistance + k]);
   }
-  found.deviation.core_j_k = known_to(parameter::kCore);
-  found.deviation.core_to_room_fan_k_w = known_to(parameter::kFan);
-  found.deviation.core_to_room_still_k_w = deviation(parameter::kStill);
+  found.deviation.core_j_k = deviation_of(parameter::kCore);
+  found.deviation.core_to_ambient_fan_k_w = deviation_of(parameter::kFan);
+  found.deviation.core_to_ambient_still_k_w = deviation(parameter::kStill);
   found.deviation.sensor_lag_s = deviation(parameter::kLag);
   const auto within = [](double deviation_share) {
     return std::clamp(kClaimDeviations * deviation_share + kModelShare, kMinUncertainty.thermal,
                       kMaxUncertainty.thermal);
   };
   found.uncertainty = within(worst);
-  found.still_uncertainty = within(found.deviation.core_to_room_still_k_w);
+  found.still_uncertainty = within(found.deviation.core_to_ambient_still_k_w);
   return found;
 }
 

@@ -22,8 +22,8 @@ struct ThermalFound {
     std::array<double, kCoils> winding_j_k{};
     double core_j_k = 0.0;
     std::array<double, kCoils> winding_to_core_k_w{};
-    double core_to_room_fan_k_w = 0.0;
-    double core_to_room_still_k_w = 0.0;
+    double core_to_ambient_fan_k_w = 0.0;
+    double core_to_ambient_still_k_w = 0.0;
     double sensor_lag_s = 0.0;
   } deviation;
   /// Relative tolerance of the constants relevant while a winding is hot: 2.5 standard deviations

@@ -97,7 +97,7 @@ struct Settled {
 /// Steady state with `rms_a`, by the fixed point in closed form; infinity in thermal runaway of the
 /// copper.
 Settled settled(const CoilModel& coils, const ThermalModel& thermal, double ambient_c,
-                double to_room_k_w, const Vec3& rms_a) noexcept {
+                double to_ambient_k_w, const Vec3& rms_a) noexcept {
   // T_i = (core + h_i (1 - 25 a)) / (1 - h_i a) with h_i = R12 R25 I_i^2; the loss follows from T_i
   // - core = R12 P_i, and core = ambient + R2 sum P is linear in the core.
   const double cold = 1.0 - 25.0 * kCopperPerKelvin;
@@ -111,9 +111,9 @@ Settled settled(const CoilModel& coils, const ThermalModel& thermal, double ambi
     constant_w += watt25 * cold / left;
     per_core_w_k += watt25 * kCopperPerKelvin / left;
   }
-  const double left = 1.0 - to_room_k_w * per_core_w_k;
+  const double left = 1.0 - to_ambient_k_w * per_core_w_k;
   if (left <= 0.0) return {};
-  const double core_c = (ambient_c + to_room_k_w * constant_w) / left;
+  const double core_c = (ambient_c + to_ambient_k_w * constant_w) / left;
   double hottest = core_c;
   for (int coil = 0; coil < kCoils; ++coil) {
     const auto i = static_cast<std::size_t>(coil);
@@ -128,11 +128,12 @@ Settled settled(const CoilModel& coils, const ThermalModel& thermal, double ambi
 /// cooler than its steady state, with the windings in steady state at that core.
 bool stays_below(const CoilModel& coils, const ThermalModel& thermal, const ForecastStart& start,
                  const Vec3& rms_a, const Crossing& rise) noexcept {
-  // Covers rounding and unequal windings (coming_core_c).
+  // Covers rounding and unequal windings (forecast_core_c).
   constexpr double kMarginK = 0.5;
   const ThermalState& nodes = start.nodes;
-  const double to_room_k_w = std::max(thermal.core_to_room_fan_k_w, thermal.core_to_room_still_k_w);
-  double core_c = settled(coils, thermal, start.ambient_c, to_room_k_w, rms_a).core_c;
+  const double to_ambient_k_w =
+      std::max(thermal.core_to_ambient_fan_k_w, thermal.core_to_ambient_still_k_w);
+  double core_c = settled(coils, thermal, start.ambient_c, to_ambient_k_w, rms_a).core_c;
   double sum_c = nodes.core_c;
   core_c = std::max(core_c, nodes.core_c);
   std::array<double, kCoils> rise_per_k{};
@@ -160,7 +161,7 @@ Vec3 along(int coil, double current_a) noexcept {
   return v;
 }
 
-std::optional<double> sooner(std::optional<double> a, std::optional<double> b) noexcept {
+std::optional<double> earliest(std::optional<double> a, std::optional<double> b) noexcept {
   if (!a) return b;
   if (!b) return a;
   return std::min(*a, *b);
@@ -180,19 +181,20 @@ Celsius derating_temperature(const Limits& limits, Amps peak) noexcept {
   return Celsius(limits.sustain_c - (limits.sustain_c - limits.derate_from_c) * share);
 }
 
-std::optional<double> Forecaster::seconds_to_derating(const ForecastStart& start,
-                                                      const AskedCurrents& asked) const noexcept {
-  if (!(asked.peak_a > 0.0)) return std::nullopt;
-  const Crossing derating = derating_at(limits_, start, asked.peak_a);
-  if (stays_below(coils_, thermal_, start, asked.rms_a, derating)) return std::nullopt;
-  return time_to(HeatCourse(coils_, thermal_, start, asked.rms_a), derating);
+std::optional<double> Forecaster::seconds_to_derating(
+    const ForecastStart& start, const RequestedCurrents& requested) const noexcept {
+  if (!(requested.peak_a > 0.0)) return std::nullopt;
+  const Crossing derating = derating_at(limits_, start, requested.peak_a);
+  if (stays_below(coils_, thermal_, start, requested.rms_a, derating)) return std::nullopt;
+  return time_to(HeatCourse(coils_, thermal_, start, requested.rms_a), derating);
 }
 
 std::optional<double> Forecaster::burst_s(const ForecastStart& start) const noexcept {
   std::optional<double> worst;
   for (int coil = 0; coil < kCoils; ++coil)
-    worst = sooner(
-        worst, seconds_to_derating(start, AskedCurrents::constant(along(coil, limits_.current_a))));
+    worst = earliest(
+        worst,
+        seconds_to_derating(start, RequestedCurrents::constant(along(coil, limits_.current_a))));
   return worst;
 }
 
@@ -203,22 +205,22 @@ std::optional<double> Forecaster::recovery_s(const ForecastStart& start) const n
 }
 
 double Forecaster::sustainable_a(const ForecastStart& start,
-                                 const AskedCurrents& asked) const noexcept {
-  const double length = norm(asked.rms_a);
-  if (!(asked.peak_a > 0.0) || !(length > 0.0)) {
+                                 const RequestedCurrents& requested) const noexcept {
+  const double length = norm(requested.rms_a);
+  if (!(requested.peak_a > 0.0) || !(length > 0.0)) {
     double worst = limits_.current_a;
     for (int coil = 0; coil < kCoils; ++coil)
-      worst = std::min(worst, sustainable_a(start, AskedCurrents::constant(along(coil, 1.0))));
+      worst = std::min(worst, sustainable_a(start, RequestedCurrents::constant(along(coil, 1.0))));
     return worst;
   }
-  const double to_room_k_w =
-      start.fan_works ? thermal_.core_to_room_fan_k_w : thermal_.core_to_room_still_k_w;
+  const double to_ambient_k_w =
+      start.fan_works ? thermal_.core_to_ambient_fan_k_w : thermal_.core_to_ambient_still_k_w;
   double low = 0.0;
   double high = limits_.current_a;
   for (int halving = 0; halving < 40; ++halving) {
     const double peak = 0.5 * (low + high);
-    const Settled end = settled(coils_, thermal_, start.ambient_c, to_room_k_w,
-                                (peak / asked.peak_a) * asked.rms_a);
+    const Settled end = settled(coils_, thermal_, start.ambient_c, to_ambient_k_w,
+                                (peak / requested.peak_a) * requested.rms_a);
     const Crossing derating = derating_at(limits_, start, peak);
     const double skin_c = settled_skin_c(end.core_c, start.ambient_c) + start.skin_above_k;
     const bool unreduced = end.hottest_c < derating.goal_c && !(skin_c >= derating.skin_goal_c);
@@ -228,33 +230,34 @@ double Forecaster::sustainable_a(const ForecastStart& start,
 }
 
 Forecast Forecaster::under_load(const ForecastStart& start,
-                                const AskedCurrents& asked) const noexcept {
+                                const RequestedCurrents& requested) const noexcept {
   std::array<Crossing, 2> rise;
   rise[0].goal_c = limits_.trip_c;
-  rise[1] = derating_at(limits_, start, asked.peak_a);
-  const bool derates = asked.peak_a > 0.0;
-  await(HeatCourse(coils_, thermal_, start, asked.rms_a), std::span(rise).first(derates ? 2 : 1));
+  rise[1] = derating_at(limits_, start, requested.peak_a);
+  const bool derates = requested.peak_a > 0.0;
+  await(HeatCourse(coils_, thermal_, start, requested.rms_a),
+        std::span(rise).first(derates ? 2 : 1));
   Forecast f;
   f.seconds_to_limit = rise[0].at_s;
   f.seconds_to_derating = rise[1].at_s;
-  f.sustainable_a = sustainable_a(start, asked);
+  f.sustainable_a = sustainable_a(start, requested);
   return f;
 }
 
 Forecast Forecaster::forecast(const ForecastStart& start,
-                              const AskedCurrents& asked) const noexcept {
-  Forecast f = under_load(start, asked);
+                              const RequestedCurrents& requested) const noexcept {
+  Forecast f = under_load(start, requested);
   f.recovery_s = recovery_s(start);
   return f;
 }
 
 Forecast Forecaster::forecast_worst_coil(const ForecastStart& start,
                                          double current_a) const noexcept {
-  Forecast worst = under_load(start, AskedCurrents::constant(along(0, current_a)));
+  Forecast worst = under_load(start, RequestedCurrents::constant(along(0, current_a)));
   for (int coil = 1; coil < kCoils; ++coil) {
-    const Forecast one = under_load(start, AskedCurrents::constant(along(coil, current_a)));
-    worst.seconds_to_derating = sooner(worst.seconds_to_derating, one.seconds_to_derating);
-    worst.seconds_to_limit = sooner(worst.seconds_to_limit, one.seconds_to_limit);
+    const Forecast one = under_load(start, RequestedCurrents::constant(along(coil, current_a)));
+    worst.seconds_to_derating = earliest(worst.seconds_to_derating, one.seconds_to_derating);
+    worst.seconds_to_limit = earliest(worst.seconds_to_limit, one.seconds_to_limit);
     worst.sustainable_a = std::min(worst.sustainable_a, one.sustainable_a);
   }
   worst.recovery_s = recovery_s(start);

@@ -12,12 +12,12 @@
 namespace hedgehog::model {
 
 /// Requested currents: rms current of each winding, and peak norm in the pattern.
-struct AskedCurrents {
+struct RequestedCurrents {
   Vec3 rms_a;
   double peak_a = 0.0;
 
   /// A constant current.
-  static AskedCurrents constant(const Vec3& a) noexcept { return {a, norm(a)}; }
+  static RequestedCurrents constant(const Vec3& a) noexcept { return {a, norm(a)}; }
 };
 
 /// Seconds from now; none: not within 4 h.
@@ -45,22 +45,24 @@ class Forecaster {
 
   /// Full forecast for `asked`. For `asked.peak_a` = 0 there is no derating, and `sustainable_a` is
   /// that of the worst coil.
-  Forecast forecast(const ForecastStart& start, const AskedCurrents& asked) const noexcept;
+  Forecast forecast(const ForecastStart& start, const RequestedCurrents& requested) const noexcept;
   /// `current_a` without a direction: each value for its worst coil.
   Forecast forecast_worst_coil(const ForecastStart& start, double current_a) const noexcept;
 
   /// `headroom_s`: seconds until `asked` is first derated.
   std::optional<double> seconds_to_derating(const ForecastStart& start,
-                                            const AskedCurrents& asked) const noexcept;
+                                            const RequestedCurrents& requested) const noexcept;
   /// `burst_s`: how long the full `Limits::current_a` could flow from now (worst coil). None only
   /// for limits so low that it never ends.
   std::optional<double> burst_s(const ForecastStart& start) const noexcept;
   std::optional<double> recovery_s(const ForecastStart& start) const noexcept;
-  double sustainable_a(const ForecastStart& start, const AskedCurrents& asked) const noexcept;
+  double sustainable_a(const ForecastStart& start,
+                       const RequestedCurrents& requested) const noexcept;
 
  private:
   /// The forecast without the recovery, which depends on `start` alone.
-  Forecast under_load(const ForecastStart& start, const AskedCurrents& asked) const noexcept;
+  Forecast under_load(const ForecastStart& start,
+                      const RequestedCurrents& requested) const noexcept;
 
   CoilModel coils_;
   ThermalModel thermal_;

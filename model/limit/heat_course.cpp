@@ -48,8 +48,9 @@ HeatCourse::HeatCourse(const CoilModel& coils, const ThermalModel& thermal,
     squares_a2_[i] = rms_a[coil] * rms_a[coil];
   }
   // Gershgorin: no eigenvalue of the four nodes is beyond twice the diagonal of its row.
-  const double to_room_k_w = std::min(thermal.core_to_room_fan_k_w, thermal.core_to_room_still_k_w);
-  double core = 1.0 / (to_room_k_w * thermal.core_j_k);
+  const double to_ambient_k_w =
+      std::min(thermal.core_to_ambient_fan_k_w, thermal.core_to_ambient_still_k_w);
+  double core = 1.0 / (to_ambient_k_w * thermal.core_j_k);
   double winding = 0.0;
   for (std::size_t i = 0; i < kCoils; ++i) {
     const double to_core_w_k = 1.0 / thermal.winding_to_core_k_w[i];

@@ -186,10 +186,10 @@ std::optional<Stroke> stroke(const PinForce& force, const Characterisation& char
                              const Push& push, const PinTravel& travel) {
   if (!character.standing_mm) return std::nullopt;
   const double from_mm = *character.standing_mm;
-  const double most_mm = std::max(0.0, travel.highest_mm - from_mm);
+  const double max_mm = std::max(0.0, travel.highest_mm - from_mm);
   const auto moved_mm = extension_under(force, character, {from_mm, -character.preload_n()}, push);
-  if (moved_mm && *moved_mm <= most_mm) return Stroke{*moved_mm, false, false};
-  return Stroke{most_mm, true, !moved_mm};
+  if (moved_mm && *moved_mm <= max_mm) return Stroke{*moved_mm, false, false};
+  return Stroke{max_mm, true, !moved_mm};
 }
 
 }  // namespace hedgehog::model

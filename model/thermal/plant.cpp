@@ -19,8 +19,8 @@ PlantParameters PlantParameters::of(const CoilModel& coils, const ThermalModel& 
   parameters.winding_j_k = thermal.winding_j_k;
   parameters.core_j_k = thermal.core_j_k;
   parameters.winding_to_core_k_w = thermal.winding_to_core_k_w;
-  parameters.core_to_room_fan_k_w = thermal.core_to_room_fan_k_w;
-  parameters.core_to_room_still_k_w = thermal.core_to_room_still_k_w;
+  parameters.core_to_ambient_fan_k_w = thermal.core_to_ambient_fan_k_w;
+  parameters.core_to_ambient_still_k_w = thermal.core_to_ambient_still_k_w;
   parameters.fan_full_rpm = thermal.fan_full_rpm;
   parameters.r25_ohm = coils.r25_ohm;
   parameters.inductance_h = coils.inductance_h;
@@ -111,14 +111,14 @@ void Plant::step_fan(double duty, double dt_s) noexcept {
   fan_speed_ += (goal - fan_speed_) * std::min(1.0, dt_s / parameters_.fan_spin_up_s);
 }
 
-double Plant::to_room_w_k() const noexcept {
-  const double still = 1.0 / parameters_.core_to_room_still_k_w;
-  const double blown = 1.0 / parameters_.core_to_room_fan_k_w;
-  return errors_.cooling_gain * (still + (blown - still) * fan_speed_);
+double Plant::to_ambient_w_k() const noexcept {
+  const double still = 1.0 / parameters_.core_to_ambient_still_k_w;
+  const double forced = 1.0 / parameters_.core_to_ambient_fan_k_w;
+  return errors_.cooling_gain * (still + (forced - still) * fan_speed_);
 }
 
 double Plant::fastest_per_s() const noexcept {
-  double from_core_w_k = to_room_w_k();
+  double from_core_w_k = to_ambient_w_k();
   double fastest = 0.0;
   for (std::size_t i = 0; i < kCoils; ++i) {
     const double to_core_w_k = 1.0 / parameters_.winding_to_core_k_w[i];
@@ -138,9 +138,9 @@ void Plant::step_heat(double dt_s) noexcept {
 }
 
 void Plant::step_nodes(double dt_s) noexcept {
-  const double to_room_w_k = this->to_room_w_k();
+  const double to_ambient_w_k = this->to_ambient_w_k();
   const double step_s = dt_s / errors_.heat_capacity_gain;
-  double into_core_w = to_room_w_k * (ambient_c_ - heat_.core_c);
+  double into_core_w = to_ambient_w_k * (ambient_c_ - heat_.core_c);
   for (std::size_t i = 0; i < kCoils; ++i) {
     const double loss_w =
         resistance_ohm(static_cast<int>(i)) * mean_square_a2_[static_cast<int>(i)];

@@ -21,8 +21,8 @@ struct PlantParameters {
   std::array<double, kCoils> winding_j_k{58.81, 58.81, 58.81};
   double core_j_k = 84.4;
   std::array<double, kCoils> winding_to_core_k_w{1.0, 1.0, 1.0};
-  double core_to_room_fan_k_w = 1.8;  // fan at full speed
-  double core_to_room_still_k_w =
+  double core_to_ambient_fan_k_w = 1.8;  // fan at full speed
+  double core_to_ambient_still_k_w =
       5.0;  // fan stopped; in between the conductance is linear in speed
   std::array<double, kCoils> r25_ohm{0.45, 0.45, 0.45};
   double inductance_h = 1.5e-3;
@@ -130,7 +130,7 @@ class Plant {
   /// Substeps as required by the fastest node.
   void step_heat(double dt_s) noexcept;
   void step_nodes(double dt_s) noexcept;
-  double to_room_w_k() const noexcept;
+  double to_ambient_w_k() const noexcept;
   /// Rate of the fastest node alone, 1/s.
   double fastest_per_s() const noexcept;
   void step_thermistors(double dt_s) noexcept;

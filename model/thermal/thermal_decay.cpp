@@ -9,7 +9,8 @@ namespace hedgehog::model {
 
 NodeTimeConstants node_time_constants(const ThermalModel& model) noexcept {
   NodeTimeConstants time{model.winding_j_k[0] * model.winding_to_core_k_w[0], 0.0};
-  double from_core_w_k = 1.0 / std::min(model.core_to_room_fan_k_w, model.core_to_room_still_k_w);
+  double from_core_w_k =
+      1.0 / std::min(model.core_to_ambient_fan_k_w, model.core_to_ambient_still_k_w);
   for (std::size_t i = 0; i < kCoils; ++i) {
     time.winding_s = std::min(time.winding_s, model.winding_j_k[i] * model.winding_to_core_k_w[i]);
     from_core_w_k += 1.0 / model.winding_to_core_k_w[i];
@@ -31,7 +32,7 @@ ThermalState decayed(const ThermalModel& model, const ThermalState& nodes, doubl
   conductance_w_k.setZero();
   Nodes root_j_k;
   Nodes above_k;
-  conductance_w_k(kCore, kCore) = 1.0 / model.core_to_room_still_k_w;
+  conductance_w_k(kCore, kCore) = 1.0 / model.core_to_ambient_still_k_w;
   root_j_k[kCore] = std::sqrt(model.core_j_k);
   above_k[kCore] = nodes.core_c - ambient_c;
   for (int coil = 0; coil < kCoils; ++coil) {

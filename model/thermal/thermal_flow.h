@@ -21,9 +21,9 @@ struct HeatLoad {
 constexpr ThermalState heating_rates(const ThermalModel& model, const ThermalState& nodes,
                                      const HeatLoad& load) noexcept {
   ThermalState rates;
-  const double to_room_k_w =
-      load.fan_running ? model.core_to_room_fan_k_w : model.core_to_room_still_k_w;
-  double into_core_w = (load.ambient_c - nodes.core_c) / to_room_k_w;
+  const double to_ambient_k_w =
+      load.fan_running ? model.core_to_ambient_fan_k_w : model.core_to_ambient_still_k_w;
+  double into_core_w = (load.ambient_c - nodes.core_c) / to_ambient_k_w;
   for (std::size_t i = 0; i < kCoils; ++i) {
     const double to_core_w = (nodes.winding_c[i] - nodes.core_c) / model.winding_to_core_k_w[i];
     into_core_w += to_core_w;

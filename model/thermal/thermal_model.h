@@ -15,8 +15,8 @@ struct ThermalModel {
   std::array<double, kCoils> winding_j_k{58.81, 58.81, 58.81};
   double core_j_k = 84.4;
   std::array<double, kCoils> winding_to_core_k_w{1.0, 1.0, 1.0};
-  double core_to_room_fan_k_w = 1.8;
-  double core_to_room_still_k_w = 5.0;
+  double core_to_ambient_fan_k_w = 1.8;
+  double core_to_ambient_still_k_w = 5.0;
   /// Winding (0..2) of the thermistor, and its first-order lag, seconds.
   int sensor_winding = 0;
   double sensor_lag_s = 2.0;

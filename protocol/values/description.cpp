@@ -32,8 +32,8 @@ void ThermalDescription::describe(Fields& f) {
   f.required("winding_j_k", winding_j_k);
   f.required("core_j_k", core_j_k);
   f.required("winding_to_core_k_w", winding_to_core_k_w);
-  f.required("core_to_room_fan_k_w", core_to_room_fan_k_w);
-  f.required("core_to_room_still_k_w", core_to_room_still_k_w);
+  f.required("core_to_room_fan_k_w", core_to_ambient_fan_k_w);
+  f.required("core_to_room_still_k_w", core_to_ambient_still_k_w);
   f.required("sensor_winding", sensor_winding);
   f.required("sensor_lag_s", sensor_lag_s);
 }

@@ -49,8 +49,8 @@ struct ThermalDescription {
   std::array<double, 3> winding_j_k{};
   double core_j_k = 0.0;
   std::array<double, 3> winding_to_core_k_w{};
-  double core_to_room_fan_k_w = 0.0;
-  double core_to_room_still_k_w = 0.0;
+  double core_to_ambient_fan_k_w = 0.0;
+  double core_to_ambient_still_k_w = 0.0;
   std::int64_t sensor_winding = 0;  // 0..2
   double sensor_lag_s = 0.0;
   void describe(Fields& f);

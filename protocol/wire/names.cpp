@@ -17,7 +17,7 @@ constexpr std::array<std::string_view, 6> kWaveforms{"constant", "sine",     "sq
 constexpr std::array<std::string_view, 3> kEases{"linear", "step", "smooth"};
 
 /// Names used by other haptics APIs (SDL, evdev, OpenXR, CoreHaptics, W3C).
-constexpr std::array<std::pair<std::string_view, std::string_view>, 11> kElsewhere{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 11> kForeignNames{{
     {"amplitude", "level"},
     {"intensity", "level"},
     {"magnitude", "level"},
@@ -57,8 +57,9 @@ std::optional<Role> role_named(std::string_view text) noexcept {
 }
 
 std::string_view nearest(std::string_view text, Names names) {
-  for (const auto& [theirs, ours] : kElsewhere)
-    if (theirs == text && std::find(names.begin(), names.end(), ours) != names.end()) return ours;
+  for (const auto& [foreign, native] : kForeignNames)
+    if (foreign == text && std::find(names.begin(), names.end(), native) != names.end())
+      return native;
   return base::nearest(text, names);
 }
 

@@ -10,8 +10,8 @@ namespace {
 TEST(Certificate, IsNewEachTimeAndFitsItsKey) {
   const Certificate one = new_certificate("ball-host", 30);
   const Certificate two = new_certificate("192.0.2.7", 30);
-  EXPECT_EQ(why_not_usable(one.certificate_pem, one.key_pem), "");
-  EXPECT_EQ(why_not_usable(two.certificate_pem, two.key_pem), "");
+  EXPECT_EQ(pair_problem(one.certificate_pem, one.key_pem), "");
+  EXPECT_EQ(pair_problem(two.certificate_pem, two.key_pem), "");
   const auto first = fingerprint_of(one.certificate_pem);
   const auto second = fingerprint_of(two.certificate_pem);
   ASSERT_TRUE(first && second);
@@ -21,10 +21,10 @@ TEST(Certificate, IsNewEachTimeAndFitsItsKey) {
 TEST(Certificate, OfAnotherKeyOrNoneIsOfNoUse) {
   const Certificate one = new_certificate("a", 1);
   const Certificate two = new_certificate("a", 1);
-  EXPECT_THAT(why_not_usable(one.certificate_pem, two.key_pem), testing::HasSubstr("another"));
-  EXPECT_THAT(why_not_usable("", one.key_pem), testing::HasSubstr("certificate"));
-  EXPECT_THAT(why_not_usable(one.certificate_pem, ""), testing::HasSubstr("key"));
-  EXPECT_THAT(why_not_usable(one.key_pem, one.key_pem), testing::HasSubstr("certificate"));
+  EXPECT_THAT(pair_problem(one.certificate_pem, two.key_pem), testing::HasSubstr("another"));
+  EXPECT_THAT(pair_problem("", one.key_pem), testing::HasSubstr("certificate"));
+  EXPECT_THAT(pair_problem(one.certificate_pem, ""), testing::HasSubstr("key"));
+  EXPECT_THAT(pair_problem(one.key_pem, one.key_pem), testing::HasSubstr("certificate"));
   EXPECT_FALSE(fingerprint_of(one.key_pem));
 }
 

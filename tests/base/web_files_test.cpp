@@ -36,14 +36,14 @@ TEST_F(WebFilesTest, ThePackedFileIsSentToWhoTakesIt) {
   EXPECT_EQ(files.by_path.size(), 1u) << "a packed file is no page of its own";
   const WebFile& file = *files.find("/main.js");
   for (const char* accepted : {"gzip", "deflate, gzip;q=0.5", "br , gzip ; q=1"}) {
-    const WebFileAnswer answer = web_file_answer(file, accepted, "");
+    const WebFileResponse answer = web_file_response(file, accepted, "");
     EXPECT_EQ(*answer.body, packed()) << accepted;
     EXPECT_EQ(answer.encoding, "gzip");
     EXPECT_EQ(answer.vary, "Accept-Encoding");
     EXPECT_NE(answer.etag, file.etag) << "other bytes, another tag";
   }
   for (const char* accepted : {"", "br", "gzip;q=0", "gzip; q=0.000", "notgzip"}) {
-    const WebFileAnswer answer = web_file_answer(file, accepted, "");
+    const WebFileResponse answer = web_file_response(file, accepted, "");
     EXPECT_EQ(*answer.body, kScript) << accepted;
     EXPECT_EQ(answer.encoding, "");
     EXPECT_EQ(answer.vary, "Accept-Encoding") << "for caches between";
@@ -58,7 +58,7 @@ TEST_F(WebFilesTest, APackedFileOfOtherContentIsNotSent) {
   folder_.write("alone.js.gz", packed());
   const WebFiles files = read();
   for (const char* path : {"/main.js", "/short.js"}) {
-    const WebFileAnswer answer = web_file_answer(*files.find(path), "gzip", "");
+    const WebFileResponse answer = web_file_response(*files.find(path), "gzip", "");
     EXPECT_EQ(answer.encoding, "") << path;
     EXPECT_EQ(answer.vary, "");
   }
@@ -71,14 +71,14 @@ TEST_F(WebFilesTest, WhatABrowserHasIsNotSentAgain) {
   const WebFiles files = read();
   const WebFile& file = *files.find("/main.js");
   for (const char* accepted : {"", "gzip"}) {
-    const std::string tag = web_file_answer(file, accepted, "").etag;
-    EXPECT_EQ(web_file_answer(file, accepted, tag).body, nullptr);
-    EXPECT_EQ(web_file_answer(file, accepted, "\"other\", " + tag).body, nullptr);
-    EXPECT_NE(web_file_answer(file, accepted, "\"other\"").body, nullptr);
+    const std::string tag = web_file_response(file, accepted, "").etag;
+    EXPECT_EQ(web_file_response(file, accepted, tag).body, nullptr);
+    EXPECT_EQ(web_file_response(file, accepted, "\"other\", " + tag).body, nullptr);
+    EXPECT_NE(web_file_response(file, accepted, "\"other\"").body, nullptr);
   }
-  EXPECT_NE(web_file_answer(file, "gzip", file.etag).body, nullptr) << "it has the other bytes";
+  EXPECT_NE(web_file_response(file, "gzip", file.etag).body, nullptr) << "it has the other bytes";
   const WebFile without_tag{"text/plain", file.bytes};
-  EXPECT_NE(web_file_answer(without_tag, "", "\"any\"").body, nullptr);
+  EXPECT_NE(web_file_response(without_tag, "", "\"any\"").body, nullptr);
 }
 
 TEST_F(WebFilesTest, OnlyANameWithAHashIsKeptForGood) {
@@ -86,7 +86,7 @@ TEST_F(WebFilesTest, OnlyANameWithAHashIsKeptForGood) {
     folder_.write(name, kScript);
   const WebFiles files = read();
   const auto kept = [&](const char* path) {
-    return web_file_answer(*files.find(path), "", "").cache_control;
+    return web_file_response(*files.find(path), "", "").cache_control;
   };
   EXPECT_EQ(kept("/chunk-3F2A9C0B.js"), "public, max-age=31536000, immutable");
   for (const char* path : {"/main.js", "/chunk-3f2a9c0b.js", "/-AB.js"})

@@ -234,7 +234,7 @@ RC_GTEST_PROP(AhapLaw, WhatIsImportedIsWhatTheDaemonTakes, ()) {
   for (int n = *rc::gen::inRange(0, 40); n > 0; --n) entries += "," + random_entry();
   const auto imported = import_pattern(ahap(entries));
   RC_ASSERT(imported.has_value());
-  RC_ASSERT(complaint(*imported) == "");
+  RC_ASSERT(error_message(*imported) == "");
 }
 
 }  // namespace

@@ -110,12 +110,12 @@ TEST(WindingTrouble, IsNamedWithWhatToDo) {
   using testing::HasSubstr;
   constexpr std::array<double, 3> kForth{0.3, 0.04, 0.0};
   constexpr std::array<double, 3> kBack{-0.3, 0.04, 0.0};
-  EXPECT_EQ(winding_trouble(0, kForth, kBack, 0.45), "") << "a sensor's constant error is none";
-  EXPECT_THAT(winding_trouble(1, kForth, kBack, 4.0), HasSubstr("winding y: when it is driven"));
-  EXPECT_THAT(winding_trouble(1, kForth, kBack, 4.0), HasSubstr("measured in x; compare"));
-  EXPECT_THAT(winding_trouble(2, {0.001, 0, 0}, {}, std::nullopt), HasSubstr("check its plug"));
-  EXPECT_THAT(winding_trouble(0, kBack, kForth, -0.45), HasSubstr("other way round"));
-  EXPECT_THAT(winding_trouble(0, kForth, kBack, 0.04), HasSubstr("0.04 ohm"));
+  EXPECT_EQ(winding_problem(0, kForth, kBack, 0.45), "") << "a sensor's constant error is none";
+  EXPECT_THAT(winding_problem(1, kForth, kBack, 4.0), HasSubstr("winding y: when it is driven"));
+  EXPECT_THAT(winding_problem(1, kForth, kBack, 4.0), HasSubstr("measured in x; compare"));
+  EXPECT_THAT(winding_problem(2, {0.001, 0, 0}, {}, std::nullopt), HasSubstr("check its plug"));
+  EXPECT_THAT(winding_problem(0, kBack, kForth, -0.45), HasSubstr("other way round"));
+  EXPECT_THAT(winding_problem(0, kForth, kBack, 0.04), HasSubstr("0.04 ohm"));
 }
 
 /// A ball whose winding x carries 0.3 A from 0.1 s after the request. Every request takes 0.15 s of

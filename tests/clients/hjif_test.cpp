@@ -165,7 +165,7 @@ TEST(Hjif, CubicCurvesAreTheEaseSmooth) {
   for (int n = 1; n < 300; ++n) many += "," + key(20 * n, n % 2 == 0 ? 0.1 : 0.9);
   const auto cut = import_pattern(hjif(band("Curve", basis(0, many), "Cubic"))).value();
   EXPECT_THAT(cut.notes, ElementsAre(HasSubstr("more than 256")));
-  EXPECT_EQ(complaint(cut), "");
+  EXPECT_EQ(error_message(cut), "");
 }
 
 TEST(Hjif, WhatComesAfterAMinuteIsLeftOutAndSaid) {
@@ -292,7 +292,7 @@ RC_GTEST_PROP(HjifLaw, WhatIsImportedIsWhatTheDaemonTakes, ()) {
   }
   const auto imported = import_pattern(hjif(bands, R"("gain":0.8)"));
   RC_ASSERT(imported.has_value());
-  RC_ASSERT(complaint(*imported) == "");
+  RC_ASSERT(error_message(*imported) == "");
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ inline double level_at(const Imported& imported, double t_ms) {
 }
 
 /// The daemon's error for it; empty: accepted.
-inline std::string complaint(const Imported& imported) {
+inline std::string error_message(const Imported& imported) {
   protocol::Pattern named = imported.pattern;
   named.name = "imported/sample";
   const auto decoded = protocol::decode_pattern(protocol::encode_pattern(named));

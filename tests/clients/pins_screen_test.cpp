@@ -63,7 +63,7 @@ RC_GTEST_PROP(BallNumbers, AnyPinsAndAnyNumbersStayInTheirLines, ()) {
   const std::vector<double> out(description.pins.size(),
                                 *rc::gen::element(0.0, -9.994, 1e300, -1e300, 0.24));
   const model::PinArray pins = pin_array(description);
-  const BallMapStyle style{.ascii = true, .room_up = model::Vec3{part(), part(), 1}};
+  const BallMapStyle style{.ascii = true, .world_up = model::Vec3{part(), part(), 1}};
   for (const std::string& line : ball_numbers(pins, out, out, style))
     RC_ASSERT(columns(line) <= 79u);
   RC_ASSERT(ball_map(pins, out, style).size() == 10u);
@@ -76,7 +76,7 @@ TEST(BallNumbers, MarkWhatIsUpAndColourWhatIsStrong) {
   forces[0] = 0.19;
   out[80] = -0.094;
   const auto plain = ball_numbers(model::thesis_ball().array, out, forces,
-                                  {.ascii = true, .room_up = model::Vec3{0, 0, 1}});
+                                  {.ascii = true, .world_up = model::Vec3{0, 0, 1}});
   EXPECT_THAT(plain[1], EndsWith(" ^24"));
   EXPECT_THAT(plain[8], HasSubstr(" -9 "));
   const auto coloured = ball_numbers(model::thesis_ball().array, out, forces, {.colour = true});

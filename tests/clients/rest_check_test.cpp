@@ -26,35 +26,35 @@ protocol::TemperatureStatus all_at(double celsius) {
 }
 
 TEST(Rest, IsOneTemperatureWithinTwoKelvin) {
-  EXPECT_FALSE(unrest_of(all_at(25.0), kThermal).any());
+  EXPECT_FALSE(rest_deviation(all_at(25.0), kThermal).any());
   protocol::TemperatureStatus t = all_at(25.0);
   t.coils[1] = 26.9;
-  EXPECT_FALSE(unrest_of(t, kThermal).any());
+  EXPECT_FALSE(rest_deviation(t, kThermal).any());
   t.coils[1] = 27.1;
-  EXPECT_EQ(unrest_of(t, kThermal).what, "winding y is 2.1 K warmer than the thermometer");
+  EXPECT_EQ(rest_deviation(t, kThermal).what, "winding y is 2.1 K warmer than the thermometer");
   t.coils[1] = 22.5;
-  EXPECT_EQ(unrest_of(t, kThermal).what, "winding y is 2.5 K cooler than the thermometer");
+  EXPECT_EQ(rest_deviation(t, kThermal).what, "winding y is 2.5 K cooler than the thermometer");
   t = all_at(25.0);
   t.core = 28.0;
-  EXPECT_EQ(unrest_of(t, kThermal).what, "the core is 3.0 K warmer than the thermometer");
+  EXPECT_EQ(rest_deviation(t, kThermal).what, "the core is 3.0 K warmer than the thermometer");
 }
 
 TEST(Rest, TheEstimateMustBeSureOfItself) {
   protocol::TemperatureStatus t = all_at(25.0);
   t.upper = 28.5;
-  EXPECT_THAT(unrest_of(t, kThermal).what, HasSubstr("has not watched the ball for long"));
-  EXPECT_EQ(unrest_of(t, kThermal).wait_s, 180.0);
+  EXPECT_THAT(rest_deviation(t, kThermal).what, HasSubstr("has not watched the ball for long"));
+  EXPECT_EQ(rest_deviation(t, kThermal).wait_s, 180.0);
   t.upper = t.model = std::nullopt;
-  EXPECT_THAT(unrest_of(t, kThermal).what, HasSubstr("does not know yet"));
+  EXPECT_THAT(rest_deviation(t, kThermal).what, HasSubstr("does not know yet"));
 }
 
 TEST(Rest, ThreeThermistorsMustAgreeButForTheirTolerance) {
   protocol::TemperatureStatus t = all_at(25.0);
   t.sensors = {24.1, 25.0, 25.9};
-  EXPECT_FALSE(unrest_of(t, kThermal).any());
+  EXPECT_FALSE(rest_deviation(t, kThermal).any());
   EXPECT_DOUBLE_EQ(reference_c(t), 25.0);
   t.sensors = {23.5, 25.0, 28.0};
-  EXPECT_EQ(unrest_of(t, kThermal).what, "the thermometers of the windings are 4.5 K apart");
+  EXPECT_EQ(rest_deviation(t, kThermal).what, "the thermometers of the windings are 4.5 K apart");
 }
 
 RC_GTEST_PROP(Rest, HasComeAfterTheWaitThatIsTold, ()) {
@@ -69,7 +69,7 @@ RC_GTEST_PROP(Rest, HasComeAfterTheWaitThatIsTold, ()) {
   plant.set_heat({{core_c, hot_c, core_c}, core_c});
   protocol::TemperatureStatus t = all_at(core_c);
   t.coils[1] = hot_c;
-  const Unrest unrest = unrest_of(t, kThermal);
+  const RestDeviation unrest = rest_deviation(t, kThermal);
   RC_ASSERT(unrest.any());
   RC_ASSERT(unrest.wait_s < 3600.0);
   bool fan = hot_c > 35.0;
@@ -82,8 +82,8 @@ RC_GTEST_PROP(Rest, HasComeAfterTheWaitThatIsTold, ()) {
 }
 
 TEST(Drift, AWarmWindingShowsByItsResistanceAlone) {
-  const WindingLook first{100.0, 25.0, {0.45, 0.46, 0.44}};
-  WindingLook second{140.0, 25.0, {0.45, 0.46, 0.44}};
+  const WindingMeasurement first{100.0, 25.0, {0.45, 0.46, 0.44}};
+  WindingMeasurement second{140.0, 25.0, {0.45, 0.46, 0.44}};
   EXPECT_FALSE(drift_of(first, second).any());
   second.resistance_ohm[1] *= 1.0 - 2.0 * model::kCopperPerKelvin;
   EXPECT_THAT(drift_of(first, second).what,

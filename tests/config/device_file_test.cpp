@@ -34,8 +34,8 @@ TEST(DeviceFile, EveryKeyArrives) {
   EXPECT_EQ(d.thermal.winding_j_k, (std::array<double, 3>{60, 60, 60}));
   EXPECT_EQ(d.thermal.core_j_k, 90);
   EXPECT_EQ(d.thermal.winding_to_core_k_w, (std::array<double, 3>{1.1, 1, 0.9}));
-  EXPECT_EQ(d.thermal.core_to_room_fan_k_w, 1.9);
-  EXPECT_EQ(d.thermal.core_to_room_still_k_w, 5.5);
+  EXPECT_EQ(d.thermal.core_to_ambient_fan_k_w, 1.9);
+  EXPECT_EQ(d.thermal.core_to_ambient_still_k_w, 5.5);
   EXPECT_EQ(d.thermal.sensor_winding, 2);
   EXPECT_EQ(d.thermal.sensor_lag_s, 1.5);
   EXPECT_EQ(d.thermal.fan_full_rpm, 4500);

@@ -56,17 +56,17 @@ TEST(RearmBackoff, FiveMinutesArmedTakeOneOff) {
     for (const Tick until = now + ticks; now < until;) backoff.step(true, ++now);
   };
   const auto count = [&] { return int{backoff.counts()[static_cast<std::size_t>(kWhy)]}; };
-  armed_for(RearmBackoff::kForgiveAfter - 1);
+  armed_for(RearmBackoff::kResetAfter - 1);
   EXPECT_EQ(count(), 5);
   armed_for(1);
   EXPECT_EQ(count(), 4);
-  armed_for(10 * RearmBackoff::kForgiveAfter);
+  armed_for(10 * RearmBackoff::kResetAfter);
   EXPECT_EQ(count(), 0);
 
   backoff = after(4);
   backoff.step(false, now);
   for (int i = 0; i < 10; ++i) {
-    armed_for(RearmBackoff::kForgiveAfter / 2);
+    armed_for(RearmBackoff::kResetAfter / 2);
     backoff.step(false, now);
   }
   EXPECT_EQ(count(), 4) << "each trip begins it anew";

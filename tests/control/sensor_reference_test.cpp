@@ -117,7 +117,7 @@ TEST(SensorReference, Fan) {
                             : Reason::kNone);
       out.add("cooling", check.cooling() ? 1.0 : 0.0);
       out.add("works", check.works() ? 1.0 : 0.0);
-      out.add("standing", check.standing() ? 1.0 : 0.0);
+      out.add("standing", check.stalled() ? 1.0 : 0.0);
     }
     record.add(std::to_string(row), out.figures());
   }

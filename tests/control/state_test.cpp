@@ -163,7 +163,7 @@ TEST(StateMachine, ABoardThatStaysCanBeArmedAfterAWhile) {
   StateMachine states{ControlSettings{}};
   states.board_alive(ready(0), 1);
   states.enter_boot_loader(2);
-  const model::Tick end = 2 + StateMachine::kBootLoaderPatience;
+  const model::Tick end = 2 + StateMachine::kBootLoaderTimeout;
   states.step(ready(0), true, Reason::kNone, end);
   EXPECT_TRUE(states.boot_loader_pending());
   states.step(ready(0), true, Reason::kNone, end + 1);
@@ -175,7 +175,7 @@ TEST(StateMachine, ABoardThatStaysCanBeArmedAfterAWhile) {
 TEST(StateMachine, ABoardThatComesLongAfterTheStartIsAHotPlug) {
   ControlSettings settings;
   settings.arm_at_start = true;
-  for (const model::Tick seen : {model::Tick{1}, settings.start_patience + 1}) {
+  for (const model::Tick seen : {model::Tick{1}, settings.start_timeout + 1}) {
     StateMachine states{settings};
     states.board_gone(Reason::kNoBoard, 0);
     states.board_alive(ready(0), seen);

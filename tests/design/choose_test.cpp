@@ -126,19 +126,19 @@ TEST(Workers, ThrowOnWhatAPieceThrows) {
     ++done;
     if (i == 3) throw std::runtime_error("three");
   };
-  EXPECT_THROW(work_through(20, 2, work, [](std::size_t) {}), std::runtime_error);
+  EXPECT_THROW(parallel_for(20, 2, work, [](std::size_t) {}), std::runtime_error);
   EXPECT_EQ(done, 20);
 }
 
 TEST(Workers, DoEachPieceOnce) {
   std::vector<std::atomic<int>> done(500);
   std::size_t last_told = 0;
-  work_through(
+  parallel_for(
       done.size(), 3, [&](std::size_t i) { ++done[i]; },
       [&](std::size_t so_far) { last_told = so_far; });
   for (const auto& one : done) EXPECT_EQ(one, 1);
   EXPECT_EQ(last_told, done.size());
-  work_through(
+  parallel_for(
       0, 2, [](std::size_t) { FAIL(); }, [](std::size_t) {});
 }
 
@@ -259,21 +259,22 @@ TEST(Choose, SavesADesignThatOtherVerbsRead) {
 }
 
 TEST(Choose, RefusesWhatCannotBeSearched) {
-  const auto complaint = [](std::vector<std::string> words) {
+  const auto error_message = [](std::vector<std::string> words) {
     words.insert(words.begin(), "choose");
     const Answer answer = ask(words);
     EXPECT_EQ(answer.exit_code, kUsage);
     return answer.err;
   };
-  EXPECT_THAT(complaint({"--spheres", "30"}), HasSubstr("inside the electromagnet"));
-  EXPECT_THAT(complaint({"--arrays", "tkd"}), HasSubstr("did you mean 'tkD'?"));
-  EXPECT_THAT(complaint({"--arrays", "tkD-86"}), HasSubstr("whole arrays"));
-  EXPECT_THAT(complaint({"--pins", "8"}), HasSubstr("--pins"));
-  EXPECT_THAT(complaint({"--shields", "5..3x10"}), HasSubstr("ends below where it begins"));
-  EXPECT_THAT(complaint({"--wall", "nan"}), HasSubstr("--wall: must be from 0 to 20"));
-  EXPECT_THAT(complaint({"--margin", "nan"}), HasSubstr("--margin: must be from 0 to 50"));
-  EXPECT_THAT(complaint({"--least-extension", "1.6"}), HasSubstr("must be from 0 to 1.5"));
-  EXPECT_THAT(complaint({"--pins", "5..9/0.01x8..12/0.1"}), HasSubstr("more than five million"));
+  EXPECT_THAT(error_message({"--spheres", "30"}), HasSubstr("inside the electromagnet"));
+  EXPECT_THAT(error_message({"--arrays", "tkd"}), HasSubstr("did you mean 'tkD'?"));
+  EXPECT_THAT(error_message({"--arrays", "tkD-86"}), HasSubstr("whole arrays"));
+  EXPECT_THAT(error_message({"--pins", "8"}), HasSubstr("--pins"));
+  EXPECT_THAT(error_message({"--shields", "5..3x10"}), HasSubstr("ends below where it begins"));
+  EXPECT_THAT(error_message({"--wall", "nan"}), HasSubstr("--wall: must be from 0 to 20"));
+  EXPECT_THAT(error_message({"--margin", "nan"}), HasSubstr("--margin: must be from 0 to 50"));
+  EXPECT_THAT(error_message({"--least-extension", "1.6"}), HasSubstr("must be from 0 to 1.5"));
+  EXPECT_THAT(error_message({"--pins", "5..9/0.01x8..12/0.1"}),
+              HasSubstr("more than five million"));
 }
 
 }  // namespace

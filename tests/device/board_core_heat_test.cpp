@@ -72,7 +72,7 @@ double fullest_budget(const model::Vec3& shares, double stronger, double ambient
     parameters.winding_to_core_k_w[k] /= stronger;
   }
   parameters.core_j_k *= stronger;
-  parameters.core_to_room_fan_k_w /= stronger;
+  parameters.core_to_ambient_fan_k_w /= stronger;
   model::Plant plant(parameters, ambient_c);
   const model::Limits limits;
   HeatBudget winding[3] = {HeatBudget(kWindingTauShift), HeatBudget(kWindingTauShift),

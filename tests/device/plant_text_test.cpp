@@ -14,8 +14,8 @@ TEST(PlantText, EveryNumberArrivesAndNothingElseIsTaken) {
   plant.winding_j_k = {40.1, 50.2, 60.3};
   plant.core_j_k = 70.4;
   plant.winding_to_core_k_w = {0.9, 1.1, 1.2};
-  plant.core_to_room_fan_k_w = 1.7;
-  plant.core_to_room_still_k_w = 4.4;
+  plant.core_to_ambient_fan_k_w = 1.7;
+  plant.core_to_ambient_still_k_w = 4.4;
   plant.r25_ohm = {0.1, 1.0 / 3.0, 0.7};
   plant.inductance_h = 1.7e-3;
   plant.freewheel_v = 0.6;

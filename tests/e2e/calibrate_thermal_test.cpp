@@ -75,7 +75,7 @@ TEST_F(CalibrateThermal, GoesOnAfterAnInterruptionAndWritesWhatItFound) {
 
   model::PlantParameters ball;
   ball.winding_j_k = {50.0, 66.0, 60.0};
-  ball.core_to_room_fan_k_w = 2.0;
+  ball.core_to_ambient_fan_k_w = 2.0;
   ball.sensor_winding = 1;
   home_.write("found.json.progress", begun.substr(0, begun.find('\n') + 1) + all_samples(ball));
   const Ended ended = Program(home_, hedgehogctl(), words(), where()).wait();

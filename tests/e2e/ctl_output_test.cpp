@@ -85,10 +85,10 @@ TEST_F(CtlOutput, WhatWasProbablyMeantIsNamed) {
       {{"play", "--keyframes", "{"}, "keyframes: is not JSON"},
       {{"forecast", "left"}, "'left' is no current in ampere; a direction comes after it"},
   };
-  for (const auto& [words, complaint] : mistakes) {
+  for (const auto& [words, error_message] : mistakes) {
     const Ended ended = ctl(words);
-    EXPECT_EQ(ended.exit_code, kUsage) << complaint;
-    EXPECT_THAT(ended.err, HasSubstr(complaint));
+    EXPECT_EQ(ended.exit_code, kUsage) << error_message;
+    EXPECT_THAT(ended.err, HasSubstr(error_message));
   }
 }
 

@@ -271,10 +271,10 @@ TEST_F(Ctl, MistakesAreUsage) {
       {{"status", "--address", "foo:bar"}, "is no address of a daemon"},
       {{"watch"}, "needs a terminal"},
   };
-  for (const auto& [words, complaint] : mistakes) {
+  for (const auto& [words, error_message] : mistakes) {
     const Ended ended = ctl(words);
-    EXPECT_EQ(ended.exit_code, kUsage) << complaint;
-    EXPECT_THAT(ended.err, HasSubstr(complaint));
+    EXPECT_EQ(ended.exit_code, kUsage) << error_message;
+    EXPECT_THAT(ended.err, HasSubstr(error_message));
     EXPECT_THAT(ended.out, IsEmpty());
   }
 }

@@ -76,7 +76,7 @@ TEST(Racer, ABallThatAnotherClientHasForItselfIsNotToldAsFelt) {
   other.call("device.release");
   EXPECT_TRUE(eventually([&] {
     feel.frame({racer::Skid{0.5}}, 3.0);
-    return feel.ball().trouble.empty() && feel.played().back().on_the_ball;
+    return feel.ball().problem.empty() && feel.played().back().on_the_ball;
   }));
   ASSERT_TRUE(connects(feel, 4.0));
   feel.frame({racer::Hit{{1, 0, 0}, 500.0}}, 4.0);

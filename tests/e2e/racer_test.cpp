@@ -54,10 +54,10 @@ template <class What>
 What drive_until(Race& race, Feel& feel, const racer::Controls& controls) {
   for (int step = 0; step < 1200; ++step) {
     race.step(controls);
-    if (!race.happenings().empty()) EXPECT_TRUE(connects(feel, race.scene().time_s));
-    feel.frame(race.happenings(), race.scene().time_s);
-    for (const racer::Happening& happening : race.happenings())
-      if (const auto* what = std::get_if<What>(&happening)) return *what;
+    if (!race.race_events().empty()) EXPECT_TRUE(connects(feel, race.scene().time_s));
+    feel.frame(race.race_events(), race.scene().time_s);
+    for (const racer::RaceEvent& race_event : race.race_events())
+      if (const auto* what = std::get_if<What>(&race_event)) return *what;
   }
   ADD_FAILURE() << "it never happened";
   return {};
@@ -134,7 +134,7 @@ TEST(Racer, GoesOnWithoutADaemonAndIsFeltAgainWhenItIsBack) {
   EXPECT_EQ(daemon->stop(), 0);
   EXPECT_TRUE(eventually([&] {
     feel.frame({racer::Hit{{1, 0, 0}, 500.0}}, 1.0);
-    return !feel.ball().connected && !feel.ball().trouble.empty();
+    return !feel.ball().connected && !feel.ball().problem.empty();
   }));
   const auto before = std::chrono::steady_clock::now();
   for (int frame = 0; frame < kRaceFrames; ++frame)

@@ -106,7 +106,7 @@ void step_core(board::BoardCore& core, std::istream& words) {
     const std::vector<std::uint8_t> packet = bytes_of(hex);
     core.receive(packet.data(), packet.size());
   }
-  core.step(board::measured(kWiring, raw, core.outputs(), core.measured_last()));
+  core.step(board::measured(kWiring, raw, core.outputs(), core.last_inputs()));
   std::array<std::uint8_t, board::kFrameSize> frame{};
   core.write_telemetry(frame.data());
   print_hex(frame);

@@ -60,7 +60,7 @@ void tell(std::string_view text) {
   if (const auto* keys = std::get_if<racer::KeysHeld>(&message)) {
     hold(is_between(keys->controls.steer, -1, 1) && is_between(keys->controls.throttle, 0, 1) &&
          is_between(keys->controls.brake, 0, 1));
-  } else if (const auto* not_understood = std::get_if<racer::NotUnderstood>(&message)) {
+  } else if (const auto* not_understood = std::get_if<racer::InvalidMessage>(&message)) {
     hold(!not_understood->why.empty() && !racer::refusal_text(not_understood->why).empty());
   }
 }

@@ -21,11 +21,11 @@ static_assert(std::is_trivially_copyable_v<SkinEstimate>);
 
 constexpr double kStepS = 0.1;
 
-SkinInputs inputs_of(const Plant& plant, double to_room_k_w) {
+SkinInputs inputs_of(const Plant& plant, double to_ambient_k_w) {
   SkinInputs in;
   in.nodes = plant.heat();
   in.ambient_c = plant.ambient_c();
-  in.to_room_k_w = to_room_k_w;
+  in.to_ambient_k_w = to_ambient_k_w;
   return in;
 }
 
@@ -52,16 +52,17 @@ RC_GTEST_PROP(ComingCore, IsTheWarmestThatTheCoreGetsWithoutCurrent, ()) {
     plant.step_thermal({}, fan ? 1.0 : 0.0, kStepS);
     warmest_c = std::max(warmest_c, plant.heat().core_c);
   }
-  const double to_room_k_w = fan ? thermal.core_to_room_fan_k_w : thermal.core_to_room_still_k_w;
-  const double coming_c = coming_core_c(thermal, heat, ambient_c, to_room_k_w);
-  RC_ASSERT(coming_c >= core_c);
-  RC_ASSERT(std::abs(coming_c - warmest_c) < 0.05);
+  const double to_ambient_k_w =
+      fan ? thermal.core_to_ambient_fan_k_w : thermal.core_to_ambient_still_k_w;
+  const double forecast_c = forecast_core_c(thermal, heat, ambient_c, to_ambient_k_w);
+  RC_ASSERT(forecast_c >= core_c);
+  RC_ASSERT(std::abs(forecast_c - warmest_c) < 0.05);
 }
 
 TEST(ComingCore, OfABallAtRestIsItsCore) {
-  EXPECT_EQ(coming_core_c({}, {}, 25.0, 1.8), 25.0);
-  EXPECT_EQ(coming_core_c({}, {{40, 40, 40}, 40.0}, 25.0, 1.8), 40.0);
-  EXPECT_EQ(coming_core_c({}, {{40, 40, 40}, 40.0}, 45.0, 1.8), 40.0) << "colder than its room";
+  EXPECT_EQ(forecast_core_c({}, {}, 25.0, 1.8), 25.0);
+  EXPECT_EQ(forecast_core_c({}, {{40, 40, 40}, 40.0}, 25.0, 1.8), 40.0);
+  EXPECT_EQ(forecast_core_c({}, {{40, 40, 40}, 40.0}, 45.0, 1.8), 40.0) << "colder than its room";
 }
 
 RC_GTEST_PROP(SkinEstimate, IsNeverBelowTheSkinOfAPlantThatMatches, ()) {
@@ -86,7 +87,7 @@ TEST(SkinEstimate, OfAColdBallIsTheRoomAndTheLeastMargin) {
   EXPECT_EQ(skin.celsius(), std::numeric_limits<double>::infinity()) << "nothing is known yet";
   skin.step({}, 1e-3);
   EXPECT_NEAR(skin.celsius(), 25.0 + SkinEstimate::kMinMarginK, 1e-9);
-  EXPECT_EQ(skin.coming_k(), 0.0);
+  EXPECT_EQ(skin.forecast_rise_k(), 0.0);
 }
 
 TEST(SkinEstimate, StartsAsWarmAsTheCoreMakesIt) {

@@ -33,8 +33,8 @@ ThermalModel any_model() {
   for (double& value : model.winding_j_k) value = draw(1, 10'000);
   model.core_j_k = draw(1, 10'000);
   for (double& value : model.winding_to_core_k_w) value = draw(0.01, 100);
-  model.core_to_room_fan_k_w = draw(0.01, 100);
-  model.core_to_room_still_k_w = draw(0.01, 100);
+  model.core_to_ambient_fan_k_w = draw(0.01, 100);
+  model.core_to_ambient_still_k_w = draw(0.01, 100);
   model.sensor_lag_s = draw(kMinSensorLagS, 10);
   return model;
 }

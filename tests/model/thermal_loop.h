@@ -137,8 +137,8 @@ inline PlantParameters random_plant(std::uint64_t seed) {
   for (double& value : p.winding_to_core_k_w) scale(value);
   for (double& value : p.r25_ohm) scale(value);
   scale(p.core_j_k);
-  scale(p.core_to_room_fan_k_w);
-  scale(p.core_to_room_still_k_w);
+  scale(p.core_to_ambient_fan_k_w);
+  scale(p.core_to_ambient_still_k_w);
   scale(p.inductance_h);
   p.sensor_winding = static_cast<int>(random.bits() % 3);
   p.sensor_lag_s = random.uniform(1.0, 3.0);

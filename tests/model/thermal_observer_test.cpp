@@ -58,7 +58,7 @@ TEST(ThermalObserver, TheBoundStandsOnResistanceWhereTheFilterDoesNotUseIt) {
   for (int tick = 0; tick < 1000; ++tick) observer.step(carrying(1, 10.0, 25.0, 25.0));
   ASSERT_TRUE(observer.winding(1).referenced());
   for (int tick = 0; tick < 1000; ++tick) observer.step(carrying(1, 10.0, 68.0, 25.0));
-  EXPECT_FALSE(observer.judgement(1).resistance.used);
+  EXPECT_FALSE(observer.innovations(1).resistance.used);
   EXPECT_LT(observer.filter().winding_c(1), 40.0);
   EXPECT_GT(observer.estimate().upper_c[1], 66.0);
 }

@@ -65,8 +65,8 @@ TEST(BallLink, AsksADaemonThatRefusesItAgainAfterLongerAndLongerPauses) {
   const auto give_up = Clock::now() + std::chrono::seconds(20);
   while (came.size() < 4 && Clock::now() < give_up) {
     link.listen();
-    troubles.insert(link.trouble());
-    EXPECT_FALSE(link.hears());
+    troubles.insert(link.problem());
+    EXPECT_FALSE(link.is_receiving());
     boost::system::error_code none;
     tcp::socket game(io);
     acceptor.accept(game, none);
@@ -106,7 +106,7 @@ TEST(BallLink, ReadsABoundedNumberOfMessagesInAFrameAndTheRestInTheNext) {
   }
   std::vector<std::int64_t> expected(kMessages);
   std::iota(expected.begin(), expected.end(), 0);
-  EXPECT_EQ(times, expected) << link.trouble();
+  EXPECT_EQ(times, expected) << link.problem();
   EXPECT_LE(most, 100U);
 }
 

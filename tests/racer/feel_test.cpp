@@ -6,7 +6,7 @@
 #include "clients/racer/feel/gain.h"
 #include "clients/racer/feel/steps.h"
 #include "clients/racer/game/tilt.h"
-#include "clients/racer/happening_text.h"
+#include "clients/racer/race_event_text.h"
 
 namespace hedgehog::racer {
 namespace {
@@ -31,10 +31,10 @@ TEST(Steps, AreToldApartByPeopleAtFullStrengthAndTurnedDown) {
 
 TEST(Steps, CoverTheImpulsesInEqualRatios) {
   EXPECT_EQ(step_of(0.0), 0);
-  EXPECT_EQ(step_of(kSoftestBlow), 0);
-  EXPECT_EQ(step_of(kHardestBlow), kSteps - 1);
+  EXPECT_EQ(step_of(kMinHitImpulse), 0);
+  EXPECT_EQ(step_of(kMaxHitImpulse), kSteps - 1);
   EXPECT_EQ(step_of(1e9), kSteps - 1);
-  EXPECT_EQ(step_of(std::sqrt(kSoftestBlow * kHardestBlow) * 1.01), kSteps / 2);
+  EXPECT_EQ(step_of(std::sqrt(kMinHitImpulse * kMaxHitImpulse) * 1.01), kSteps / 2);
 }
 
 RC_GTEST_PROP(Steps, NeverFallWithAHarderBlow, ()) {
@@ -61,20 +61,20 @@ RC_GTEST_PROP(Steps, AreNeverWeakerForMoreHoweverLittleTheBallMayDo, ()) {
 
 TEST(PulseGate, LetsOneThroughInAQuarterSecondUnlessAHarderComes) {
   PulseGate gate;
-  EXPECT_TRUE(gate.lets_through(3, 10.0));
-  EXPECT_FALSE(gate.lets_through(3, 10.1));
-  EXPECT_TRUE(gate.lets_through(4, 10.1));
-  EXPECT_FALSE(gate.lets_through(3, 10.3));
-  EXPECT_TRUE(gate.lets_through(0, 10.36));
+  EXPECT_TRUE(gate.passes(3, 10.0));
+  EXPECT_FALSE(gate.passes(3, 10.1));
+  EXPECT_TRUE(gate.passes(4, 10.1));
+  EXPECT_FALSE(gate.passes(3, 10.3));
+  EXPECT_TRUE(gate.passes(0, 10.36));
   // A new race begins at 0.
-  EXPECT_TRUE(gate.lets_through(0, 0.0));
+  EXPECT_TRUE(gate.passes(0, 0.0));
 }
 
 RC_GTEST_PROP(PulseGate, NeverFiresFasterThanFourTimesASecondAndTheSteps, ()) {
   PulseGate gate;
   int through = 0;
   for (int frame = 0; frame < 600; ++frame)
-    if (gate.lets_through(*rc::gen::inRange(0, kSteps), frame / 60.0)) ++through;
+    if (gate.passes(*rc::gen::inRange(0, kSteps), frame / 60.0)) ++through;
   RC_ASSERT(through <= 40 + 10 * kSteps);
 }
 
@@ -102,7 +102,7 @@ TEST(GainRule, FollowsTheBurstBeforeTheDaemonHasToReduce) {
   for (int i = 0; i < 100; ++i) gain.take(false, 1.5, 0.1);
   EXPECT_NEAR(gain.now(), 0.85, 1e-9);
   for (int i = 0; i < 100; ++i) gain.take(false, 0.0, 0.1);
-  EXPECT_NEAR(gain.now(), Gain::kNothingInHand, 1e-9);
+  EXPECT_NEAR(gain.now(), Gain::kZeroReserveGain, 1e-9);
 }
 
 TEST(TiltRule, LeftAndRightSteerForwardIsThrottleAndBackIsBrake) {
@@ -156,7 +156,7 @@ TEST(Told, SidesAreNamedByEighths) {
 }
 
 TEST(Told, WhatLastsIsToldWhenItIsOver) {
-  HappeningLog log;
+  RaceEventLog log;
   EXPECT_TRUE(log.lines({Skid{0.3}}, 1.0).empty());
   EXPECT_TRUE(log.lines({Skid{0.6}}, 1.5).empty());
   EXPECT_EQ(log.lines({}, 2.0),

@@ -125,7 +125,7 @@ TEST(Car, ThatIsPutBackStandsOnTheRoadBeforeTheJumpAndWhatIsInTheWay) {
 }
 
 struct Lived {
-  std::vector<std::pair<double, Happening>> happenings;
+  std::vector<std::pair<double, RaceEvent>> race_events;
   Scene end;
   friend bool operator==(const Lived&, const Lived&) = default;
 };
@@ -135,9 +135,9 @@ Lived live(Race& race, double seconds) {
   Driver driver;
   while (race.scene().time_s < seconds) {
     race.step(driver.drive(race.scene(), race.track()));
-    for (const Happening& happening : race.happenings())
-      if (!std::holds_alternative<Reset>(happening))
-        lived.happenings.emplace_back(race.scene().time_s, happening);
+    for (const RaceEvent& race_event : race.race_events())
+      if (!std::holds_alternative<Reset>(race_event))
+        lived.race_events.emplace_back(race.scene().time_s, race_event);
   }
   lived.end = race.scene();
   return lived;
@@ -146,15 +146,15 @@ Lived live(Race& race, double seconds) {
 template <class What>
 std::vector<What> all(const Lived& lived) {
   std::vector<What> found;
-  for (const auto& [time_s, happening] : lived.happenings)
-    if (const auto* what = std::get_if<What>(&happening)) found.push_back(*what);
+  for (const auto& [time_s, race_event] : lived.race_events)
+    if (const auto* what = std::get_if<What>(&race_event)) found.push_back(*what);
   return found;
 }
 
 TEST(TheDriver, LivesTheSameEveryTimeBitForBit) {
   Race race(home_track());
   const Lived first = live(race, 40.0);
-  EXPECT_GT(first.happenings.size(), 100U);
+  EXPECT_GT(first.race_events.size(), 100U);
   Race other(home_track());
   EXPECT_EQ(live(other, 40.0), first);
 }

@@ -54,10 +54,10 @@ class GameServer : public testing::Test {
   void serve() { server_.serve_until(steady_clock::now() + milliseconds{1}); }
   /// Until the pages have said something that `holds`; what was asked by then.
   template <class Holds>
-  Asked asked_until(Holds holds) {
+  PageRequests asked_until(Holds holds) {
     for (;;) {
       serve();
-      const Asked asked = server_.take(kLongAgo);
+      const PageRequests asked = server_.take(kLongAgo);
       if (holds(asked)) return asked;
     }
   }
@@ -167,18 +167,18 @@ TEST_F(GameServer, TheHandThatPressedLastSteersAndLetsGoWhenItLeaves) {
   auto one = page();
   const auto other = page();
   one->text(R"({"type":"keys","steer":1,"throttle":1})");
-  asked_until([](const Asked& asked) { return asked.keys == Controls{1.0, 1.0, 0.0}; });
+  asked_until([](const PageRequests& asked) { return asked.keys == Controls{1.0, 1.0, 0.0}; });
   other->text(R"({"type":"keys"})");  // lets go of what it never held
   other->text(R"({"type":"reset"})");
-  EXPECT_EQ(asked_until([](const Asked& asked) { return asked.reset; }).keys,
+  EXPECT_EQ(asked_until([](const PageRequests& asked) { return asked.reset; }).keys,
             (Controls{1.0, 1.0, 0.0}));
   EXPECT_FALSE(server_.take(kLongAgo).reset);
   other->text(R"({"type":"keys","brake":1})");
-  asked_until([](const Asked& asked) { return asked.keys == Controls{0.0, 0.0, 1.0}; });
+  asked_until([](const PageRequests& asked) { return asked.keys == Controls{0.0, 0.0, 1.0}; });
   one->text(R"({"type":"keys","steer":-1})");
-  asked_until([](const Asked& asked) { return asked.keys == Controls{-1.0, 0.0, 0.0}; });
+  asked_until([](const PageRequests& asked) { return asked.keys == Controls{-1.0, 0.0, 0.0}; });
   one.reset();
-  asked_until([](const Asked& asked) { return asked.keys == Controls{}; });
+  asked_until([](const PageRequests& asked) { return asked.keys == Controls{}; });
   EXPECT_EQ(server_.pages(), 1);
 }
 
@@ -186,19 +186,19 @@ TEST_F(GameServer, AHandThatHoldsDoesNotTakeTheWheelFromTheOneThatPressedLast) {
   const auto one = page();
   const auto other = page();
   one->text(R"({"type":"keys","throttle":1})");
-  asked_until([](const Asked& asked) { return asked.keys.throttle == 1.0; });
+  asked_until([](const PageRequests& asked) { return asked.keys.throttle == 1.0; });
   other->text(R"({"type":"keys","brake":1})");
-  asked_until([](const Asked& asked) { return asked.keys.brake == 1.0; });
+  asked_until([](const PageRequests& asked) { return asked.keys.brake == 1.0; });
   one->text(R"({"type":"keys","throttle":1})");  // still
   one->text(R"({"type":"reset"})");
-  EXPECT_EQ(asked_until([](const Asked& asked) { return asked.reset; }).keys,
+  EXPECT_EQ(asked_until([](const PageRequests& asked) { return asked.reset; }).keys,
             (Controls{0.0, 0.0, 1.0}));
 }
 
 TEST_F(GameServer, AHandThatIsNotHeardHasLetGo) {
   const auto page = this->page();
   page->text(R"({"type":"keys","throttle":1})");
-  asked_until([](const Asked& asked) { return asked.keys.throttle == 1.0; });
+  asked_until([](const PageRequests& asked) { return asked.keys.throttle == 1.0; });
   const auto now = steady_clock::now();
   EXPECT_EQ(server_.take(now + Server::kKeysLease + milliseconds{1}).keys, Controls{});
 }

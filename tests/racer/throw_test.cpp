@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "clients/racer/game/blows.h"
 #include "clients/racer/game/car.h"
+#include "clients/racer/game/impacts.h"
 #include "tests/racer/tracks.h"
 
 namespace hedgehog::racer {
@@ -50,15 +50,15 @@ TEST(Blow, IsToldAgainOnlyWhenTheContactEndedOrItIsMuchHarderOrOnAnotherSide) {
         {.body = Contact::kWalls, .point = surface, .towards = surface, .impulse = impulse}};
   };
   const Vec3 left{0, 1, 0};
-  Blows blows;
-  EXPECT_EQ(blows.take(touch(500, left), 1.0).size(), 1U);
+  Impacts impacts;
+  EXPECT_EQ(impacts.take(touch(500, left), 1.0).size(), 1U);
   for (int step = 1; step < 60; ++step)
-    EXPECT_TRUE(blows.take(touch(400, left), 1.0 + step / 60.0).empty()) << step;
-  EXPECT_EQ(blows.take(touch(1100, left), 2.0).size(), 1U);
-  EXPECT_EQ(blows.take(touch(500, {1, 0, 0}), 2.2).size(), 1U);
-  EXPECT_TRUE(blows.take(touch(500, {1, 0, 0}), 2.4).empty());
-  EXPECT_EQ(blows.take(touch(500, {1, 0, 0}), 2.7).size(), 1U);
-  EXPECT_TRUE(blows.take(touch(Blows::kMinImpulse - 1, {1, 0, 0}), 5.0).empty());
+    EXPECT_TRUE(impacts.take(touch(400, left), 1.0 + step / 60.0).empty()) << step;
+  EXPECT_EQ(impacts.take(touch(1100, left), 2.0).size(), 1U);
+  EXPECT_EQ(impacts.take(touch(500, {1, 0, 0}), 2.2).size(), 1U);
+  EXPECT_TRUE(impacts.take(touch(500, {1, 0, 0}), 2.4).empty());
+  EXPECT_EQ(impacts.take(touch(500, {1, 0, 0}), 2.7).size(), 1U);
+  EXPECT_TRUE(impacts.take(touch(Impacts::kMinImpulse - 1, {1, 0, 0}), 5.0).empty());
 }
 
 TEST(Blow, GrowsWithTheSpeedAndTheMassOfWhatIsThrown) {
@@ -76,7 +76,7 @@ TEST(Blow, ACarThatStandsFeelsNothing) {
   Race race(open_ground());
   for (int i = 0; i < 120; ++i) {
     race.step({});
-    EXPECT_TRUE(race.happenings().empty()) << i;
+    EXPECT_TRUE(race.race_events().empty()) << i;
   }
   EXPECT_NEAR(race.scene().car.position.z, kCarStandsAt, 0.02);
 }

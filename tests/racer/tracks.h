@@ -47,8 +47,8 @@ std::vector<At<What>> drive(Race& race, double seconds, const Controls& controls
   std::vector<At<What>> found;
   for (double end = race.scene().time_s + seconds; race.scene().time_s < end;) {
     race.step(controls);
-    for (const Happening& happening : race.happenings())
-      if (const auto* what = std::get_if<What>(&happening))
+    for (const RaceEvent& race_event : race.race_events())
+      if (const auto* what = std::get_if<What>(&race_event))
         found.push_back({race.scene().time_s, *what});
   }
   return found;

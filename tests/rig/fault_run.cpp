@@ -36,14 +36,14 @@ FaultResult run_stuck_line(const ThermalFault& fault, const ThermalBallOptions& 
   rig.run_until_armed();
   model::Vec3 along;
   along[fault.winding] = 1.0;
-  const auto effect = rig.start(hold(along, fault.asked_a));
+  const auto effect = rig.start(hold(along, fault.requested_a));
   rig.run(kPlayedBefore);
   rig.board().set_errors(errors_of(fault));
   const bool should_be_idle = fault.error.coil != fault.winding;
   FaultResult result;
   bool driven = true;
   for (int tick = 0; tick < kTicks && rig.controller().state() == control::State::kArmed; ++tick) {
-    if (tick % 1000 == 0) rig.update(effect, hold(along, fault.asked_a));
+    if (tick % 1000 == 0) rig.update(effect, hold(along, fault.requested_a));
     rig.tick();
     driven = driven && rig.board().core().outputs().awake;
     if (driven && should_be_idle) result.driven_ms += 1.0;
@@ -59,7 +59,7 @@ FaultResult run_thermal_ball(const ThermalFault& fault, const ThermalBallOptions
   if (broken) ball.set_errors(errors_of(fault));
   RandomPlay play(options.seed);
   model::Vec3 held;
-  held[fault.winding] = fault.asked_a;
+  held[fault.winding] = fault.requested_a;
 
   FaultResult result;
   const auto steps = static_cast<int>(fault.minutes * 60.0 / ThermalBall::kStepS);

@@ -61,11 +61,11 @@ HourResult full_hour(std::uint64_t seed, double seconds, const device::FrontEndC
   RigOptions options;
   options.board = random_board(random);
   options.board.front_end = front_end;
-  options.board.plant.core_to_room_fan_k_w *= hand;
-  options.board.plant.core_to_room_still_k_w *= hand;
+  options.board.plant.core_to_ambient_fan_k_w *= hand;
+  options.board.plant.core_to_ambient_still_k_w *= hand;
   options.control.start.winding_c.fill(options.board.start_c);
   options.control.start.core_c = options.board.start_c;
-  options.control.start_room_c = options.board.ambient_c;
+  options.control.start_ambient_c = options.board.ambient_c;
   Rig rig(options);
   rig.run_until_armed();
   std::vector<Client> clients(1 + random.bits() % 4);

@@ -57,7 +57,7 @@ RandomFault random_fault(std::uint64_t seed, const device::FrontEndChoice& front
   fault.error.value = random.uniform(range.min, range.max);
   fault.winding = static_cast<int>(random.bits() % model::kCoils);
   fault.error.coil = static_cast<std::uint8_t>(fault.winding);
-  fault.asked_a = random.uniform(5.0, 15.0);
+  fault.requested_a = random.uniform(5.0, 15.0);
   fault.play = random.bits() % 3 == 0;
   const double warm_c = random.uniform(fault.ambient_c + 5.0, 60.0);
   fault.from_c = random.bits() % 3 == 0 ? -1.0 : warm_c;
@@ -102,7 +102,7 @@ std::string words(const ThermalFault& fault) {
   std::snprintf(text, sizeof text, "%s %.2f on winding %c, %s from %.0f C, %s %.1f A, room %.0f C",
                 std::string(name(fault.error.kind)).c_str(), fault.error.value,
                 "xyz"[fault.error.coil], fault.error.ramp_s > 0.0 ? "growing" : "sudden",
-                fault.from_c, fault.play ? "random play," : "asked", fault.asked_a,
+                fault.from_c, fault.play ? "random play," : "asked", fault.requested_a,
                 fault.ambient_c);
   return text;
 }

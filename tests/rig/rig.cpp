@@ -17,8 +17,8 @@ device::SimulatedBoardOptions random_board(model::RandomStream& random) noexcept
   for (double& value : plant.winding_j_k) off(value);
   for (double& value : plant.winding_to_core_k_w) off(value);
   off(plant.core_j_k);
-  off(plant.core_to_room_fan_k_w);
-  off(plant.core_to_room_still_k_w);
+  off(plant.core_to_ambient_fan_k_w);
+  off(plant.core_to_ambient_still_k_w);
   off(plant.inductance_h);
   plant.sensor_lag_s = random.uniform(1.0, 3.0);
   plant.sensor_noise_k = 0.15;

@@ -195,8 +195,8 @@ ThermalBallOptions family_ball(std::uint64_t seed, const device::FrontEndChoice&
   for (double& value : plant.winding_j_k) off(value, tolerance);
   for (double& value : plant.winding_to_core_k_w) off(value, tolerance);
   off(plant.core_j_k, tolerance);
-  off(plant.core_to_room_fan_k_w, tolerance);
-  off(plant.core_to_room_still_k_w, tolerance);
+  off(plant.core_to_ambient_fan_k_w, tolerance);
+  off(plant.core_to_ambient_still_k_w, tolerance);
   for (double& value : plant.r25_ohm) off(value, 0.03);
   off(plant.supply_v, 0.02);
   plant.sensor_lag_s = random.uniform(1.0, 3.0);

@@ -18,7 +18,7 @@ struct ThermalFault {
   double from_c = -1.0;
   /// The current requested for the winding throughout, A; or random play instead.
   int winding = 1;
-  double asked_a = 15.0;
+  double requested_a = 15.0;
   bool play = false;
   double ambient_c = 25.0;
   double minutes = 10.0;

@@ -12,13 +12,13 @@ constexpr double kCold = -1.0;
 
 class FaultList {
  public:
-  void add(SimulatorErrorKind kind, double value, double ramp_s, double from_c, double asked_a,
+  void add(SimulatorErrorKind kind, double value, double ramp_s, double from_c, double requested_a,
            double ambient_c = 25.0, double minutes = 10.0) {
     ThermalFault fault;
     fault.error = {kind, static_cast<std::uint8_t>(winding), value, ramp_s};
     fault.from_c = from_c;
     fault.winding = winding;
-    fault.asked_a = asked_a;
+    fault.requested_a = requested_a;
     fault.ambient_c = ambient_c;
     fault.minutes = minutes;
     faults.push_back(fault);

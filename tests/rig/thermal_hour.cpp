@@ -20,8 +20,8 @@ namespace {
 
 HourResult play(ThermalBallOptions options, std::uint64_t seed, double seconds, double hand) {
   options.skin_limits = true;
-  options.board.plant.core_to_room_fan_k_w *= hand;
-  options.board.plant.core_to_room_still_k_w *= hand;
+  options.board.plant.core_to_ambient_fan_k_w *= hand;
+  options.board.plant.core_to_ambient_still_k_w *= hand;
   ThermalBall ball(options);
   RandomPlay play(~seed);
 

@@ -177,8 +177,8 @@ ReferenceRecord::Figures figures_of(const ThermalBall& ball) {
     add("vi_c_", winding.celsius());
     add("vi_noise_k_", measuring ? winding.noise_k() : 0.0);
     add("vi_bias_k_", measuring ? winding.bias_k() : 0.0);
-    add("innovation_", observer.judgement(coil).resistance.deviations);
-    add("thermistor_innovation_", observer.judgement(coil).thermistor.deviations);
+    add("innovation_", observer.innovations(coil).resistance.deviations);
+    add("thermistor_innovation_", observer.innovations(coil).thermistor.deviations);
     add("heat_c_", ball.heat().winding_c(coil));
     add("gain_", ball.supply().gain(coil));
     add("gain_deviation_", ball.supply().gain_deviation(coil));

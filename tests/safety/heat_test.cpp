@@ -34,7 +34,7 @@ void start_at(rig::RigOptions& options, double celsius, double ambient_c) {
   options.board.ambient_c = ambient_c;
   options.control.start.winding_c.fill(celsius);
   options.control.start.core_c = celsius;
-  options.control.start_room_c = ambient_c;
+  options.control.start_ambient_c = ambient_c;
 }
 
 class WithoutLimiter : public ::testing::TestWithParam<int> {};

@@ -59,7 +59,7 @@ TEST(OtherBall, StopsAndNothingIsKnownOfItsHeat) {
   rig.run(3000);
   ASSERT_GT(rig.current_a(), 14.0);
   ASSERT_TRUE(rig.snapshot().thermal.measured[1]);
-  rig.command(control::ForgetBall{});
+  rig.command(control::ResetBall{});
   rig.run(2);
   expect_zero(rig, 3);
   expect_tripped(rig, Reason::kStateLost);
@@ -73,7 +73,7 @@ TEST(OtherBall, ThatIsAlreadyGoneTripsWhenItComesBack) {
   rig.lose_telemetry(200);
   rig.run(150);
   ASSERT_EQ(name(rig.controller().state()), "absent");
-  rig.command(control::ForgetBall{});
+  rig.command(control::ResetBall{});
   rig.run(200);
   EXPECT_EQ(name(rig.controller().state()), "tripped");
   EXPECT_EQ(name(rig.controller().reason()), "state_lost");
@@ -85,7 +85,7 @@ TEST(OtherBall, DoesNotLoosenATrip) {
   options.control.latch = Reason::kSensorFrozen;
   rig::Rig rig(options);
   rig.run(50);
-  rig.command(control::ForgetBall{});
+  rig.command(control::ResetBall{});
   rig.run(50);
   EXPECT_EQ(name(rig.snapshot().latch), "sensor_frozen");
 }

@@ -103,14 +103,14 @@ TEST(Overdrive, ControlAndLinkPauseAtRandom) {
 // The defect that this file tests: the voltage that reaches the current within a millisecond gives
 // 26 A if it stays applied.
 TEST(Overdrive, ControlThatStopsRightAfterAStepHoldsWhatWasAsked) {
-  for (const double asked_a : {3.0, 8.0, 15.0}) {
+  for (const double requested_a : {3.0, 8.0, 15.0}) {
     rig::Rig rig;
     rig.run_until_armed();
-    rig.start(rig::hold({1, 0, 0}, asked_a));
+    rig.start(rig::hold({1, 0, 0}, requested_a));
     rig.tick();
     for (int ms = 0; ms < device::Link::kOverdueTicks; ++ms) {
       rig.skip_control(1);
-      ASSERT_LT(rig.current_a(), 1.02 * asked_a) << ms << " ms late";
+      ASSERT_LT(rig.current_a(), 1.02 * requested_a) << ms << " ms late";
     }
     EXPECT_TRUE(asleep(rig));
   }

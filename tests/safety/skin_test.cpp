@@ -31,11 +31,11 @@ struct Place {
 
 rig::RigOptions ball_in(const Place& place) {
   rig::RigOptions options;
-  options.board.plant.core_to_room_fan_k_w *= place.hand;
-  if (place.hand == kClosed) options.board.plant.core_to_room_still_k_w *= place.hand;
+  options.board.plant.core_to_ambient_fan_k_w *= place.hand;
+  if (place.hand == kClosed) options.board.plant.core_to_ambient_still_k_w *= place.hand;
   options.board.ambient_c = options.board.start_c = place.ambient_c;
   options.control.start.winding_c.fill(place.ambient_c);
-  options.control.start.core_c = options.control.start_room_c = place.ambient_c;
+  options.control.start.core_c = options.control.start_ambient_c = place.ambient_c;
   return options;
 }
 
@@ -88,8 +88,8 @@ rig::ThermalBallOptions family(std::uint64_t seed, int thermistors, double hand)
   front_end.thermistors = thermistors;
   rig::ThermalBallOptions options = rig::family_ball(seed, front_end, 0.2);
   options.skin_limits = true;
-  options.board.plant.core_to_room_fan_k_w *= hand;
-  if (hand == kClosed) options.board.plant.core_to_room_still_k_w *= hand;
+  options.board.plant.core_to_ambient_fan_k_w *= hand;
+  if (hand == kClosed) options.board.plant.core_to_ambient_still_k_w *= hand;
   return options;
 }
 

@@ -37,10 +37,10 @@ TEST_P(EachVibration, GetsWhatItAsksWithinFivePercent) {
     flowed += flowing_a * flowing_a;
   }
   EXPECT_EQ(name(rig.controller().state()), "armed") << name(rig.controller().reason());
-  const double asked_a = std::sqrt(asked / kTicks);
+  const double requested_a = std::sqrt(asked / kTicks);
   // It swings between zero and its peak.
-  EXPECT_NEAR(asked_a, peak_a * std::sqrt(3.0 / 8.0), 0.02 * peak_a);
-  EXPECT_NEAR(std::sqrt(flowed / kTicks), asked_a, 0.05 * asked_a);
+  EXPECT_NEAR(requested_a, peak_a * std::sqrt(3.0 / 8.0), 0.02 * peak_a);
+  EXPECT_NEAR(std::sqrt(flowed / kTicks), requested_a, 0.05 * requested_a);
 }
 
 std::string vibration_name(const ::testing::TestParamInfo<VibrationCase>& info) {

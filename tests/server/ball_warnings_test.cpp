@@ -38,7 +38,7 @@ TEST_F(BallWarning, AFanWhoseSpeedCannotBeIsToldOnceAndWhenItIsWellAgain) {
 }
 
 TEST_F(BallWarning, R25ThatHasMovedSinceAnEarlierStartIsToldOnce) {
-  device_view.set_kept_r25({0.45, 0.45, 0.0});
+  device_view.set_saved_r25({0.45, 0.45, 0.0});
   now.r25_ohm = {0.46, 0.42, 0.0};
   const auto sentences = told();
   ASSERT_EQ(sentences.size(), 1u);
@@ -51,7 +51,7 @@ TEST_F(BallWarning, R25ThatHasMovedSinceAnEarlierStartIsToldOnce) {
 }
 
 TEST_F(BallWarning, R25ThatCreptAwayFromTheDeviceFileIsTold) {
-  device_view.set_kept_r25({0.0, 0.48, 0.48});
+  device_view.set_saved_r25({0.0, 0.48, 0.48});
   now.r25_ohm = {0.0, 0.485, 0.46};
   const auto sentences = told();
   ASSERT_EQ(sentences.size(), 1u);
@@ -64,7 +64,7 @@ TEST(MeasuredR25, IsInTheDescriptionOnceAWindingHasCarriedItsReference) {
   device::SimulatedBoardOptions board;
   board.plant.r25_ohm = {0.45, 0.459, 0.45};
   ServerRig rig({}, board);
-  rig.device_view->set_kept_r25({0.0, 0.45, 0.0});
+  rig.device_view->set_saved_r25({0.0, 0.45, 0.0});
   FakeClient& owner = rig.connect();
   const auto measured = [&] { return rig.call(owner, "device.describe")["coils"]["measured"]; };
   EXPECT_EQ(measured()[1]["r25_ohm"], nullptr);

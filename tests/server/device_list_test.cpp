@@ -97,7 +97,7 @@ TEST(DeviceList, WhatIsMissingAndWhatIsNothingToUs) {
 }
 
 struct SlowLooker : server::DeviceScanner {
-  Ready look() override {
+  Ready scan() override {
     return [this]() -> std::optional<protocol::DevicesResult> {
       if (--pumps > 0) return std::nullopt;
       protocol::DevicesResult found;

@@ -81,11 +81,11 @@ TEST(Faults, TheBoardGuardsTheLimitsOfTheConfiguration) {
   rig.device_view->set_config(config);
   rig.run(5);
   EXPECT_DOUBLE_EQ(rig.device_view->now().board.limit_current_a, 6.6);
-  EXPECT_FALSE(rig.device_view->board_holds_back());
+  EXPECT_FALSE(rig.device_view->is_board_limited());
   config.limits.current_a = 8.0;
   rig.device_view->set_config(config);
   rig.run(5);
-  EXPECT_TRUE(rig.device_view->board_holds_back()) << "until its power-up";
+  EXPECT_TRUE(rig.device_view->is_board_limited()) << "until its power-up";
   ServerRig usual;
   EXPECT_DOUBLE_EQ(usual.device_view->now().board.limit_current_a, 16.5);
   EXPECT_DOUBLE_EQ(usual.device_view->now().board.limit_sensor_c, 75.0);

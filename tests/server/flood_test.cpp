@@ -67,7 +67,7 @@ TEST(Flood, ASlotThatIsFilledFasterThanTheTickHasTheLast) {
   Json last;
   int answers = 0;
   for (const auto& line : game.lines) {
-    if (line.kind != LineKind::kAnswer) continue;
+    if (line.kind != LineKind::kResponse) continue;
     last = Json::parse(line.text);
     answers += last.contains("result");
   }

@@ -17,7 +17,7 @@ TEST(Held, WhatWasSentBeforeAStopStartsNothingAfterIt) {
   ServerRig rig;
   FakeClient& client = rig.connect();
   rig.call(client, "device.emergency_stop");
-  client.session.overtaken = 1;
+  client.session.bypassed = 1;
   const Json left{{"direction", "left"}};
   for (const char* start : {"effect.pulse", "effect.circle", "effect.vibrate", "effect.hold"}) {
     const Json params = std::string(start) == "effect.circle" ? Json::object() : left;
@@ -30,7 +30,7 @@ TEST(Held, WhatWasSentBeforeAStopStartsNothingAfterIt) {
   EXPECT_EQ(arm["message"], "busy: an emergency stop, or the connection's end, came after it");
   EXPECT_EQ(rig.call(client, "device.status")["state"], "disarmed");
   EXPECT_EQ(rig.call(client, "device.emergency_stop")["state"], "disarmed");
-  client.session.overtaken = 0;
+  client.session.bypassed = 0;
   EXPECT_EQ(rig.call(client, "device.arm")["state"], "armed");
 }
 
@@ -41,7 +41,7 @@ TEST(Held, WhoClosesEndsItsEffectsAtOnceAndGetsTheAnswersThatAreHeld) {
   FakeClient& client = rig.connect();
   rig.call(client, "effect.hold", {{"direction", "left"}, {"lease_ms", 9000}});
   rig.call(client, "device.claim");
-  client.session.held = client.session.overtaken = 1;
+  client.session.held = client.session.bypassed = 1;
   rig.server->close(client.session);
   rig.run(3);
   const auto ended = rig.on_event(watcher);
@@ -52,7 +52,7 @@ TEST(Held, WhoClosesEndsItsEffectsAtOnceAndGetsTheAnswersThatAreHeld) {
   EXPECT_FALSE(client.finished);
   EXPECT_TRUE(rig.call(client, "ping").contains("time_ns"));
   EXPECT_EQ(rig.call(client, "device.claim")["code"], -32001);
-  client.session.held = client.session.overtaken = 0;
+  client.session.held = client.session.bypassed = 0;
   rig.server->close(client.session);
   EXPECT_TRUE(client.finished);
 }

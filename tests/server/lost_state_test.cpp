@@ -99,7 +99,7 @@ struct OtherBall : LostState {
     std::array<control::Command, control::kMaxCommandsPerTick> commands;
     const auto taken = mailbox->commands.pop(commands.data(), commands.size());
     EXPECT_LE(taken, 1u) << "asked once";
-    return taken == 1 && std::holds_alternative<control::ForgetBall>(commands[0].what);
+    return taken == 1 && std::holds_alternative<control::ResetBall>(commands[0].what);
   }
 
   config::Config config;

@@ -188,7 +188,7 @@ TEST_F(OnDisk, ADiskFullOfPatternsStillTakesALatchAndATripAndFirst) {
     std::size_t taken = 0;
     while (files.keep("acme/p" + std::to_string(taken), pattern("acme/p")) != nullptr) ++taken;
     EXPECT_EQ(taken, 8u);
-    while (disk.post(DiskUse::kLook, [] {})) {
+    while (disk.post(DiskUse::kScan, [] {})) {
     }
     while (disk.post(DiskUse::kHistory, [] {})) {
     }

@@ -16,7 +16,7 @@ TEST(Patterns, ArePutReadReplacedPlayedAndRemoved) {
                        {"duration_ms", 600},
                        {"keyframes", 3},
                        {"shipped", false}}));
-  EXPECT_EQ(rig.shelf.files.size(), 1u);
+  EXPECT_EQ(rig.storage.files.size(), 1u);
   EXPECT_EQ(rig.call(game, "pattern.get", {{"name", "acme/knock"}})["keyframes"], kLeft);
   Json other = knock();
   other["description"] = "louder";
@@ -24,7 +24,7 @@ TEST(Patterns, ArePutReadReplacedPlayedAndRemoved) {
   EXPECT_EQ(rig.call(game, "pattern.get", {{"name", "acme/knock"}})["description"], "louder");
   EXPECT_EQ(rig.call(game, "effect.play", {{"pattern", "acme/knock"}})["accepted"], true);
   EXPECT_EQ(rig.call(game, "pattern.remove", {{"name", "acme/knock"}}), Json::object());
-  EXPECT_TRUE(rig.shelf.files.empty());
+  EXPECT_TRUE(rig.storage.files.empty());
   EXPECT_EQ(rig.call(game, "pattern.get", {{"name", "acme/knock"}})["code"], -32008);
   rig.run(100);
   EXPECT_GT(rig.plant_current_a(), 2.0) << "what plays is not touched";
@@ -40,7 +40,7 @@ TEST(Patterns, ShippedOnesAndOthersNamesAreRefused) {
   }
   EXPECT_EQ(rig.call(game, "pattern.remove", {{"name", "tick"}})["code"], -32602);
   EXPECT_EQ(rig.call(game, "pattern.remove", {{"name", "acme/tick"}})["code"], -32008);
-  EXPECT_TRUE(rig.shelf.files.empty());
+  EXPECT_TRUE(rig.storage.files.empty());
 }
 
 TEST(Patterns, LookingNeedsObservePuttingNeedsPlay) {
@@ -96,7 +96,7 @@ TEST(Patterns, ABatchWithLongAnswersIsCutShortAndItsClientStays) {
 
 TEST(Patterns, ADiskThatFailsIsSaid) {
   ServerRig rig;
-  rig.shelf.problem = "no space left";
+  rig.storage.problem = "no space left";
   FakeClient& game = rig.connect();
   const Json put = rig.call(game, "pattern.put", knock());
   EXPECT_EQ(put["code"], -32603);
@@ -113,7 +113,7 @@ TEST(Patterns, WhileTheDiskHasNoRoomNothingIsChanged) {
   ServerRig rig;
   FakeClient& game = rig.connect();
   rig.call(game, "pattern.put", knock());
-  rig.shelf.full = true;
+  rig.storage.full = true;
   Json louder = knock();
   louder["description"] = "louder";
   for (const Json& refused :
@@ -124,7 +124,7 @@ TEST(Patterns, WhileTheDiskHasNoRoomNothingIsChanged) {
   }
   EXPECT_FALSE(rig.call(game, "pattern.get", {{"name", "acme/knock"}}).contains("description"));
   EXPECT_EQ(rig.call(game, "pattern.get", {{"name", "acme/other"}})["code"], -32008);
-  rig.shelf.full = false;
+  rig.storage.full = false;
   for (int i = 0; i < 255; ++i) {
     ASSERT_TRUE(rig.call(game, "pattern.put", knock("acme/" + std::to_string(i))).contains("name"))
         << "what was refused has taken no place";

@@ -79,7 +79,7 @@ TEST_F(RoleMatrix, AForbiddenRequestHasNoEffect) {
   rig_.run(100);
   EXPECT_LT(rig_.plant_current_a(), 0.1);
   EXPECT_EQ(rig_.memory.gain, -1.0);
-  EXPECT_TRUE(rig_.shelf.files.empty());
+  EXPECT_TRUE(rig_.storage.files.empty());
 }
 
 }  // namespace

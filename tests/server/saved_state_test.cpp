@@ -146,7 +146,7 @@ TEST(StartState, ALostStateStartsTrippedAndUnknown) {
 TEST(StartState, ASimulatedBallIsNeverPluggedInLate) {
   config::Config config;
   config.backend = config::Backend::kUsb;
-  EXPECT_EQ(daemon::start_state(config, std::nullopt, BootTime{}).settings.start_patience, 10'000);
+  EXPECT_EQ(daemon::start_state(config, std::nullopt, BootTime{}).settings.start_timeout, 10'000);
   config.backend = config::Backend::kSimulator;
   const control::ControlSettings settings =
       daemon::start_state(config, std::nullopt, BootTime{}).settings;

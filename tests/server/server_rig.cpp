@@ -21,7 +21,7 @@ control::ControlSettings armed_settings(const config::Config& config,
   s.start_measured.fill(true);
   s.start.winding_c.fill(board.start_c);
   s.start.core_c = board.start_c;
-  s.start_room_c = board.ambient_c;
+  s.start_ambient_c = board.ambient_c;
   return s;
 }
 
@@ -71,7 +71,7 @@ Json ServerRig::say(FakeClient& client, const std::string& line) {
   server->line(client.session, line);
   for (model::Tick i = 0; i < kPatience; ++i) {
     for (auto it = client.lines.begin(); it != client.lines.end(); ++it) {
-      if (it->kind == LineKind::kAnswer) {
+      if (it->kind == LineKind::kResponse) {
         Json answer = Json::parse(it->text);
         client.lines.erase(it);
         return answer;

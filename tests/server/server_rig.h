@@ -43,7 +43,7 @@ inline DiskWorkPtr done_work(const std::string& problem = {}) {
   return work;
 }
 
-class FakeShelf final : public PatternShelf {
+class FakeShelf final : public PatternStorage {
  public:
   DiskWorkPtr keep(const std::string& name, std::string json) override {
     if (full) return nullptr;
@@ -102,8 +102,8 @@ class ServerRig {
   std::unique_ptr<control::Mailbox> mailbox = std::make_unique<control::Mailbox>();
   std::unique_ptr<device::LinkPort> port = std::make_unique<device::LinkPort>();
   FakeMemory memory;
-  FakeShelf shelf;
-  PatternLibrary patterns{shelf, {}};
+  FakeShelf storage;
+  PatternLibrary patterns{storage, {}};
   /// The content of the history's files.
   std::string history_lines;
   EventHistory history{[this](HistoryPart, const std::string& lines, bool) {

@@ -21,7 +21,7 @@ std::string drain(WriteQueue& queue) {
 
 TEST(WriteQueue, SendsInOrderWithLineEnds) {
   WriteQueue queue(kMax);
-  EXPECT_TRUE(queue.push("a", LineKind::kAnswer));
+  EXPECT_TRUE(queue.push("a", LineKind::kResponse));
   EXPECT_TRUE(queue.push("b", LineKind::kTelemetry));
   EXPECT_TRUE(queue.push("c", LineKind::kEvent));
   EXPECT_EQ(queue.bytes(), 6u);
@@ -53,16 +53,16 @@ TEST(WriteQueue, AnswersAreCountedUntilTheyAreSent) {
   WriteQueue queue(kMax);
   EXPECT_TRUE(queue.push(std::string(99, 't'), LineKind::kTelemetry));
   EXPECT_TRUE(queue.push(std::string(99, 'e'), LineKind::kEvent));
-  EXPECT_EQ(queue.answer_bytes(), 0u);
-  EXPECT_TRUE(queue.push(std::string(99, 'a'), LineKind::kAnswer));
+  EXPECT_EQ(queue.response_bytes(), 0u);
+  EXPECT_TRUE(queue.push(std::string(99, 'a'), LineKind::kResponse));
   queue.take();
-  EXPECT_TRUE(queue.push(std::string(49, 'a'), LineKind::kAnswer));
-  EXPECT_EQ(queue.answer_bytes(), 150u);
+  EXPECT_TRUE(queue.push(std::string(49, 'a'), LineKind::kResponse));
+  EXPECT_EQ(queue.response_bytes(), 150u);
   queue.sent();
-  EXPECT_EQ(queue.answer_bytes(), 50u);
+  EXPECT_EQ(queue.response_bytes(), 50u);
   queue.take_one();
   queue.sent();
-  EXPECT_EQ(queue.answer_bytes(), 0u);
+  EXPECT_EQ(queue.response_bytes(), 0u);
 }
 
 TEST(WriteQueue, WhatIsBeingSentStaysWhereItIs) {

@@ -20,7 +20,7 @@ using testing::HasSubstr;
 struct Answering {
   std::vector<std::string> answers;
   std::vector<std::string> questions{};
-  Ask ask() {
+  Prompt ask() {
     return [this](const std::string& question) -> std::optional<std::string> {
       questions.push_back(question);
       if (questions.size() > answers.size()) return std::nullopt;

@@ -74,7 +74,7 @@ std::string changed(std::string_view from, std::string_view to) {
   return text.replace(at, from.size(), to);
 }
 
-std::string complaint(const std::string& text) {
+std::string error_message(const std::string& text) {
   const auto read = parse_experiment(text, "mine.json");
   EXPECT_FALSE(read.has_value());
   return read ? "" : read.error().message;
@@ -82,28 +82,28 @@ std::string complaint(const std::string& text) {
 
 TEST(ExperimentFile, NamesEachMistakeByLineAndKey) {
   ASSERT_EQ(presets().front().name, "force-jnd");
-  EXPECT_THAT(complaint(changed("\"discard\"", "\"dicard\"")),
+  EXPECT_THAT(error_message(changed("\"discard\"", "\"dicard\"")),
               testing::MatchesRegex("mine.json:[0-9]+: dicard: unknown key"));
-  EXPECT_THAT(complaint(changed("\"task\": \"two_intervals\"", "\"task\": \"three\"")),
+  EXPECT_THAT(error_message(changed("\"task\": \"two_intervals\"", "\"task\": \"three\"")),
               HasSubstr("task: must be one of \"yes_no\", \"two_intervals\", not \"three\""));
-  EXPECT_THAT(complaint(changed("\"ceiling\": 200", "\"ceiling\": 220")),
+  EXPECT_THAT(error_message(changed("\"ceiling\": 200", "\"ceiling\": 220")),
               HasSubstr("ceiling: is 16.0 A"));
-  EXPECT_THAT(complaint(changed("\"current_a\": 5", "\"current_a\": 0")),
+  EXPECT_THAT(error_message(changed("\"current_a\": 5", "\"current_a\": 0")),
               testing::MatchesRegex("mine.json:[0-9]+: current_a: must be above 0.*"));
-  EXPECT_THAT(complaint(changed("\"start\": 100", "\"start\": 0.0001")),
+  EXPECT_THAT(error_message(changed("\"start\": 100", "\"start\": 0.0001")),
               HasSubstr("start: has more than 3 decimals"));
   // Neither the comment that names the key nor a value or a stage that has its name.
-  EXPECT_THAT(complaint("// \"gap_ms\": 1\n{ \"question\": \"gap_ms\", /* \"gap_ms\":\n */\n"
-                        "\"stages\": [{\"gap_ms\": 2}],\n \"gap_ms\" : -1}"),
+  EXPECT_THAT(error_message("// \"gap_ms\": 1\n{ \"question\": \"gap_ms\", /* \"gap_ms\":\n */\n"
+                            "\"stages\": [{\"gap_ms\": 2}],\n \"gap_ms\" : -1}"),
               HasSubstr("mine.json:5: gap_ms: must be a number"));
-  EXPECT_THAT(complaint("{\n\"a\""), HasSubstr("mine.json:2: this is no JSON"));
-  EXPECT_THAT(complaint("{\n\"a\": 1e999}"), HasSubstr("mine.json:2: this is no JSON"));
-  EXPECT_THAT(complaint("{}"), HasSubstr("stages: is missing"));
-  EXPECT_THAT(complaint(changed("\"step_up\": 20", "\"step_up\": -1")),
+  EXPECT_THAT(error_message("{\n\"a\""), HasSubstr("mine.json:2: this is no JSON"));
+  EXPECT_THAT(error_message("{\n\"a\": 1e999}"), HasSubstr("mine.json:2: this is no JSON"));
+  EXPECT_THAT(error_message("{}"), HasSubstr("stages: is missing"));
+  EXPECT_THAT(error_message(changed("\"step_up\": 20", "\"step_up\": -1")),
               HasSubstr("steps must be above 0"));
-  EXPECT_THAT(complaint(changed("\"name\": \"force-jnd\"", "\"name\": \"../x\"")),
+  EXPECT_THAT(error_message(changed("\"name\": \"force-jnd\"", "\"name\": \"../x\"")),
               HasSubstr("name: takes small letters"));
-  EXPECT_THAT(complaint(changed("\"question\": \"", "\"question\": \"a\\n")),
+  EXPECT_THAT(error_message(changed("\"question\": \"", "\"question\": \"a\\n")),
               HasSubstr("question: must be a text of one line"));
   EXPECT_EQ(find_experiment("/tmp").error().exit_code, EX_NOINPUT);
   EXPECT_EQ(find_experiment("nothing").error().exit_code, EX_USAGE);

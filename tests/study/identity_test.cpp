@@ -64,7 +64,7 @@ RecordedRun run_on(const Pin& pin, bool simulated_person) {
 TEST(Resume, AsksAboutWhatNothingShows) {
   int asked = 0;
   std::string answer = "y";
-  const Ask ask = [&](const std::string&) {
+  const Prompt ask = [&](const std::string&) {
     ++asked;
     return std::optional(answer);
   };

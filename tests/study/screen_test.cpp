@@ -79,13 +79,14 @@ TEST(Blind, IsForTheWholeRun) {
 TEST(ExitCode, SaysWhatTheDaemonWants) {
   using client::Failure;
   const auto refused = [](protocol::ErrorCode code) {
-    return complain(client::ClientError{Failure::kRefused, "no", protocol::RpcError{code, "no"}});
+    return report_error(
+        client::ClientError{Failure::kRefused, "no", protocol::RpcError{code, "no"}});
   };
   EXPECT_EQ(refused(protocol::ErrorCode::kForbidden), EX_NOPERM);
   EXPECT_EQ(refused(protocol::ErrorCode::kUnauthorized), EX_NOPERM);
   EXPECT_EQ(refused(protocol::ErrorCode::kClaimed), EX_TEMPFAIL);
   EXPECT_EQ(refused(protocol::ErrorCode::kDeviceAbsent), EX_UNAVAILABLE);
-  EXPECT_EQ(complain(client::ClientError{Failure::kBadAddress, "no", {}}), EX_USAGE);
+  EXPECT_EQ(report_error(client::ClientError{Failure::kBadAddress, "no", {}}), EX_USAGE);
 }
 
 TEST(Ball, IsAskedForNoMoreThanItPlays) {

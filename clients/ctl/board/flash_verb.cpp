@@ -23,7 +23,7 @@ using nlohmann::ordered_json;
 
 /// Larger files are rejected unread: the flash has 2 MiB.
 constexpr std::size_t kMaxFileBytes = 64 * 1024 * 1024;
-constexpr int kLookAgainMs = 200;
+constexpr int kPollMs = 200;
 
 int fail(const Problem& problem) {
   print_failure("failed", problem.message);
@@ -47,7 +47,7 @@ Outcome<Image> read_image(const std::string& path) {
 class Flash {
  public:
   Flash(const FlashOptions& options, bool json)
-      : options_(options), json_(json), patience_(static_cast<int>(1000.0 * options.wait_s)) {}
+      : options_(options), json_(json), timeout_(static_cast<int>(1000.0 * options.wait_s)) {}
 
   Outcome<void> read() {
     auto image = read_image(options_.file);
@@ -63,7 +63,7 @@ class Flash {
 
   int run(Connection& connection) {
     const auto ball = look(connection);
-    if (!ball) return complain(ball.error());
+    if (!ball) return report_error(ball.error());
     if (ball->description.simulated && !json_)
       std::fputs("hedgehogctl: the ball is simulated: the file goes to another board\n", stderr);
     const bool present = ball->status.state != "absent";
@@ -74,7 +74,7 @@ class Flash {
     }
     // A board that this program has not sent to its boot loader will not appear there later.
     const bool sent = present || ball->status.reason == "boot_loader";
-    if (const int code = load(sent ? patience_ : Milliseconds(0)); code != kDone) return code;
+    if (const int code = load(sent ? timeout_ : Milliseconds(0)); code != kDone) return code;
     return wait_for_board(connection, ball->description.board);
   }
 
@@ -99,17 +99,17 @@ class Flash {
       }
     }
     const auto gone = connection.call(protocol::DeviceEnterBootLoader{});
-    if (!gone) return complain(gone.error());
+    if (!gone) return report_error(gone.error());
     print("board", "is in its boot loader");
     return kDone;
   }
 
-  int load(Milliseconds patience) {
+  int load(Milliseconds timeout) {
     ImageLoad load;
     load.file = options_.file;
     load.content = image_.content;
     load.volume = options_.volume;
-    load.patience = patience;
+    load.timeout = timeout;
     const auto loaded = load_image(load);
     if (!loaded) return fail(loaded.error());
     const bool by_volume = !loaded->volume.empty();
@@ -120,17 +120,17 @@ class Flash {
   }
 
   int wait_for_board(Connection& connection, const protocol::BoardDescription& before) {
-    const auto deadline = Clock::now() + patience_;
+    const auto deadline = Clock::now() + timeout_;
     for (;;) {
       const auto now = connection.call(protocol::DeviceDescribe{});
-      if (!now) return complain(now.error());
+      if (!now) return report_error(now.error());
       if (now->board.present) return compare(connection, before, now->board);
       if (interrupted()) return fail({kInterrupted, "interrupted; the board has its new firmware"});
       if (Clock::now() >= deadline) break;
-      ::poll(nullptr, 0, kLookAgainMs);
+      ::poll(nullptr, 0, kPollMs);
     }
     const auto status = connection.call(protocol::DeviceStatus{});
-    if (!status) return complain(status.error());
+    if (!status) return report_error(status.error());
     return fail({kUnavailable, "the daemon does not see the board again. " +
                                    status->remedy.value_or("hedgehogctl devices")});
   }
@@ -138,7 +138,7 @@ class Flash {
   int compare(Connection& connection, const protocol::BoardDescription& before,
               const protocol::BoardDescription& after) {
     const auto status = connection.call(protocol::DeviceStatus{});
-    if (!status) return complain(status.error());
+    if (!status) return report_error(status.error());
     const auto both = [this](const char* name, const std::optional<std::string>& from,
                              const std::optional<std::string>& to) {
       report_[name]["before"] = from ? ordered_json(*from) : ordered_json();
@@ -155,7 +155,7 @@ class Flash {
 
   const FlashOptions& options_;
   bool json_;
-  Milliseconds patience_;
+  Milliseconds timeout_;
   Image image_;
   ordered_json report_;
 };
@@ -164,10 +164,10 @@ class Flash {
 
 int run_board_flash(const CommonOptions& common, const FlashOptions& options) {
   Flash flash(options, common.json);
-  if (const auto good = flash.read(); !good) return complain(good.error());
+  if (const auto good = flash.read(); !good) return report_error(good.error());
   if (!options.check) {
     auto session = open_session(common);
-    if (!session) return complain(session.error());
+    if (!session) return report_error(session.error());
     if (const int code = flash.run(session->connection); code != kDone) return code;
   }
   flash.print_report();

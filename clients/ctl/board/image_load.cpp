@@ -73,7 +73,7 @@ class Loader {
 }  // namespace
 
 Result<LoadedBy> load_image(const ImageLoad& load) {
-  const auto deadline = std::chrono::steady_clock::now() + load.patience;
+  const auto deadline = std::chrono::steady_clock::now() + load.timeout;
   Loader loader(load);
   for (;;) {
     if (auto loaded = loader.try_once()) return *std::move(loaded);

@@ -20,7 +20,7 @@ struct ImageLoad {
   /// Mount point of the volume, now or later; empty: any boot volume, or picotool.
   std::string volume{};
   /// Timeout; 0: only what is available now.
-  std::chrono::milliseconds patience{0};
+  std::chrono::milliseconds timeout{0};
   /// The boot volumes mounted now; replaced in tests.
   std::function<std::vector<std::string>()> volumes = mounted_boot_volumes;
 };

@@ -59,7 +59,7 @@ int calibrate_heat(Session& session, const CalibrateOptions& options, const Push
   if (access(path.c_str(), F_OK) == 0) {
     auto earlier = read_progress(contents_of(path));
     const auto status = session.connection.call(protocol::DeviceStatus{});
-    if (!status) return complain(status.error());
+    if (!status) return report_error(status.error());
     const std::string why =
         earlier ? incompatible(*earlier, before, status->temperature_c) : "it is damaged";
     if (!why.empty()) {
@@ -94,9 +94,10 @@ int run_calibrate(Session& session, const CalibrateOptions& options) {
     print_error(options.out + " is there already; --force replaces it");
     return kCannotCreate;
   }
-  if (auto hello = session.connection.hello("hedgehogctl"); !hello) return complain(hello.error());
+  if (auto hello = session.connection.hello("hedgehogctl"); !hello)
+    return report_error(hello.error());
   const auto before = session.connection.call(protocol::DeviceDescribe{});
-  if (!before) return complain(before.error());
+  if (!before) return report_error(before.error());
   if (options.thermal) return calibrate_heat(session, options, *pushed, *before);
   Calibration found;
   const int code = calibrate_windings(session, options, *pushed, *before, found);

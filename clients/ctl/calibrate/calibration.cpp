@@ -52,7 +52,7 @@ std::string matrix_text(const std::array<model::Vec3, 3>& rows) {
 
 }  // namespace
 
-std::string winding_trouble(int coil, const std::array<double, 3>& forth_a,
+std::string winding_problem(int coil, const std::array<double, 3>& forth_a,
                             const std::array<double, 3>& back_a,
                             std::optional<double> resistance_ohm) {
   std::array<double, 3> carried_a{};
@@ -133,8 +133,8 @@ protocol::ThermalDescription described(const model::ThermalFound& found) {
   return {t.winding_j_k,
           t.core_j_k,
           t.winding_to_core_k_w,
-          t.core_to_room_fan_k_w,
-          t.core_to_room_still_k_w,
+          t.core_to_ambient_fan_k_w,
+          t.core_to_ambient_still_k_w,
           t.sensor_winding,
           std::min(t.sensor_lag_s, kMaxLagS)};
 }
@@ -151,7 +151,7 @@ std::string heat_comment(const std::optional<model::ThermalFound>& found) {
       "  // core {:.1f}; to the room with fan {:.1f}, without {:.1f}, which is not in "
       "\"uncertainty\": a warm ball has its fan on.\n",
       each(d.winding_j_k), each(d.winding_to_core_k_w), 100.0 * d.core_j_k,
-      100.0 * d.core_to_room_fan_k_w, 100.0 * d.core_to_room_still_k_w);
+      100.0 * d.core_to_ambient_fan_k_w, 100.0 * d.core_to_ambient_still_k_w);
 }
 
 std::string heat_text(const Calibration& measured, const protocol::Description& before) {
@@ -176,7 +176,7 @@ std::string heat_text(const Calibration& measured, const protocol::Description& 
   }},
 )",
                      three(t.winding_j_k), t.core_j_k, three(t.winding_to_core_k_w),
-                     t.core_to_room_fan_k_w, t.core_to_room_still_k_w, t.sensor_winding,
+                     t.core_to_ambient_fan_k_w, t.core_to_ambient_still_k_w, t.sensor_winding,
                      t.sensor_lag_s, uncertainty, resistance_uncertainty(measured),
                      before.uncertainty.thermistor_k);
 }

@@ -17,7 +17,7 @@ namespace hedgehog::client {
 /// An error that a device file cannot correct, as a sentence: winding `coil` was driven in both
 /// directions, `forth_a` and `back_a` are the currents measured in all three windings,
 /// `resistance_ohm` the result. "": none.
-std::string winding_trouble(int coil, const std::array<double, 3>& forth_a,
+std::string winding_problem(int coil, const std::array<double, 3>& forth_a,
                             const std::array<double, 3>& back_a,
                             std::optional<double> resistance_ohm);
 

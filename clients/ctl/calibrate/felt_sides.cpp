@@ -39,7 +39,7 @@ Outcome<std::string> side_of(WindingBench& bench, std::size_t winding, double pu
 
 }  // namespace
 
-Outcome<PushedSides> ask_sides(WindingBench& bench, double push_a) {
+Outcome<PushedSides> prompt_sides(WindingBench& bench, double push_a) {
   std::printf(
       "\nNow by hand: hold the ball with its arrow to the front, its cable towards you.\n"
       "Each winding pushes once, %s A. Say where the pins come out most: front, back,\n"
@@ -51,11 +51,11 @@ Outcome<PushedSides> ask_sides(WindingBench& bench, double push_a) {
     auto side = side_of(bench, winding, push_a);
     if (!side) return side.error();
     felt.side[winding] = *std::move(side);
-    const auto rival = same_axis(felt, winding);
+    const auto conflicting = same_axis(felt, winding);
     ++winding;
-    if (!rival) continue;
+    if (!conflicting) continue;
     std::printf("  %c %s and %c %s are on one axis, but each winding has its own. Feel again:\n",
-                kAxisNames[*rival], felt.side[*rival].c_str(), kAxisNames[winding - 1],
+                kAxisNames[*conflicting], felt.side[*conflicting].c_str(), kAxisNames[winding - 1],
                 felt.side[winding - 1].c_str());
     felt = {};
     winding = 0;

@@ -9,6 +9,6 @@ namespace hedgehog::client {
 
 /// Asks on stdout and stdin, push by push, until each winding has an axis of its own. Blocking.
 /// Errors: a push fails, end of input, or Ctrl-C.
-Outcome<PushedSides> ask_sides(WindingBench& bench, double push_a);
+Outcome<PushedSides> prompt_sides(WindingBench& bench, double push_a);
 
 }  // namespace hedgehog::client

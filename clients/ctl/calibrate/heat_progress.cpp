@@ -18,7 +18,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr int kVersion = 1;
-constexpr double kMaxRoomCoolerK = 3.0;
+constexpr double kMaxAmbientFallK = 3.0;
 
 std::string header(const HeatProgress& progress) {
   const Calibration& w = progress.windings;
@@ -123,7 +123,7 @@ std::string incompatible(const HeatProgress& progress, const protocol::Descripti
   if (progress.ball != identity_of(ball))
     return "it was measured on another ball, or with another device file in force";
   const double cooler_k = progress.windings.sensor_c - reference_c(now);
-  if (cooler_k > kMaxRoomCoolerK)
+  if (cooler_k > kMaxAmbientFallK)
     return "the ball is " + fixed(cooler_k, 1) + " K cooler than at its start: the room is another";
   return {};
 }

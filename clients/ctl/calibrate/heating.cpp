@@ -20,7 +20,7 @@
 namespace hedgehog::client {
 namespace {
 
-constexpr double kShowEveryS = 10.0;
+constexpr double kReportPeriodS = 10.0;
 
 /// Progress display of a run.
 class HeatingScreen {
@@ -32,7 +32,7 @@ class HeatingScreen {
     const double sensor_c = sample.sensor_c.value_or(NAN);
     if (json_) {
       if (done_s < next_s_) return;
-      next_s_ = done_s + kShowEveryS;
+      next_s_ = done_s + kReportPeriodS;
       std::puts(nlohmann::json{{"phase", phase},
                                {"done_s", std::round(done_s)},
                                {"total_s", std::round(total_s_)},
@@ -76,7 +76,7 @@ int stopped(const ClientError& error, const HeatProgressFile& file) {
   if (interrupted())
     std::fputs("hedgehogctl calibrate: interrupted; the coils are off. ", stderr);
   else
-    complain(error);
+    report_error(error);
   std::fprintf(stderr, "The same command goes on from what %s has.\n", file.path().c_str());
   return interrupted() ? static_cast<int>(kInterrupted) : exit_code_of(error);
 }
@@ -93,10 +93,10 @@ void print_found(const model::ThermalFound& found) {
           found.deviation.winding_to_core_k_w[i], "K/W");
   }
   value("core", found.thermal.core_j_k, found.deviation.core_j_k, "J/K");
-  value("  to the room, fan", found.thermal.core_to_room_fan_k_w,
-        found.deviation.core_to_room_fan_k_w, "K/W");
-  value("  to the room, no fan", found.thermal.core_to_room_still_k_w,
-        found.deviation.core_to_room_still_k_w, "K/W");
+  value("  to the room, fan", found.thermal.core_to_ambient_fan_k_w,
+        found.deviation.core_to_ambient_fan_k_w, "K/W");
+  value("  to the room, no fan", found.thermal.core_to_ambient_still_k_w,
+        found.deviation.core_to_ambient_still_k_w, "K/W");
   std::printf("  The thermometer sits on winding %c, %s s behind%s.\n",
               "xyz"[found.thermal.sensor_winding], fixed(found.thermal.sensor_lag_s, 1).c_str(),
               found.sensor_certain ? "" : " (not certain)");

@@ -20,11 +20,11 @@ constexpr double kUnsureS = 180.0;
 /// Time constant of the equalization of winding and core in a slow ball, s: R12 C, both 20 % above
 /// typical.
 constexpr double kSlowRestS = 85.0;
-/// Two thirds of the decay of 2 K in a slow ball within `kLooksApartS`; plus the noise of two
+/// Two thirds of the decay of 2 K in a slow ball within `kMinIntervalS`; plus the noise of two
 /// measurements, as a number of standard deviations.
 constexpr double kMaxDriftK = 0.5;
 constexpr double kNoiseDeviations = 2.5;
-constexpr double kCoolRoomC = 20.0;
+constexpr double kCoolAmbientC = 20.0;
 /// Safety factor for a ball slower than by its own constants.
 constexpr double kSlower = 1.3;
 constexpr double kLongestWaitS = 7200.0;
@@ -57,7 +57,7 @@ double rest_after_s(const protocol::TemperatureStatus& t, const protocol::Therma
   model::ThermalState nodes{t.coils, t.core.value_or(reference_c(t))};
   model::HeatLoad load;
   load.ambient_c = std::min(
-      {kCoolRoomC, nodes.core_c, nodes.winding_c[0], nodes.winding_c[1], nodes.winding_c[2]});
+      {kCoolAmbientC, nodes.core_c, nodes.winding_c[0], nodes.winding_c[1], nodes.winding_c[2]});
   load.fan_running = model::hottest_winding(nodes) > model::Fan::kOffBelowC;
   constexpr double kStepS = 0.5;
   double after_s = 0.0;
@@ -76,8 +76,8 @@ model::ThermalModel thermal_model_of(const protocol::ThermalDescription& describ
   thermal.winding_j_k = described.winding_j_k;
   thermal.core_j_k = described.core_j_k;
   thermal.winding_to_core_k_w = described.winding_to_core_k_w;
-  thermal.core_to_room_fan_k_w = described.core_to_room_fan_k_w;
-  thermal.core_to_room_still_k_w = described.core_to_room_still_k_w;
+  thermal.core_to_ambient_fan_k_w = described.core_to_ambient_fan_k_w;
+  thermal.core_to_ambient_still_k_w = described.core_to_ambient_still_k_w;
   thermal.sensor_lag_s = described.sensor_lag_s;
   return thermal;
 }
@@ -92,8 +92,8 @@ std::string minutes_text(double seconds) {
   return std::to_string(minutes) + (minutes == 1 ? " minute" : " minutes");
 }
 
-Unrest unrest_of(const protocol::TemperatureStatus& t,
-                 const protocol::ThermalDescription& thermal) {
+RestDeviation rest_deviation(const protocol::TemperatureStatus& t,
+                             const protocol::ThermalDescription& thermal) {
   if (!t.model || !t.upper)
     return {"the daemon does not know yet how warm the windings are", 20.0, kUnsureS};
   const Apart most = farthest(t);
@@ -109,18 +109,18 @@ Unrest unrest_of(const protocol::TemperatureStatus& t,
               *highest - *lowest, kSlowRestS * std::log(*highest - *lowest)};
     }
   }
-  const double unsure_k = *t.upper - *t.model;
-  if (unsure_k > kMaxUnsureK) {
-    return {"the daemon has not watched the ball for long: a winding may be " + fixed(unsure_k, 0) +
-                " K warmer than it knows",
-            unsure_k, kUnsureS};
+  const double uncertainty_k = *t.upper - *t.model;
+  if (uncertainty_k > kMaxUncertaintyK) {
+    return {"the daemon has not watched the ball for long: a winding may be " +
+                fixed(uncertainty_k, 0) + " K warmer than it knows",
+            uncertainty_k, kUnsureS};
   }
   return {{}, std::abs(most.k), 0.0};
 }
 
-Unrest drift_of(const WindingLook& first, const WindingLook& second) {
+RestDeviation drift_of(const WindingMeasurement& first, const WindingMeasurement& second) {
   const double left = std::exp(-(second.t_s - first.t_s) / kSlowRestS);
-  Unrest worst;
+  RestDeviation worst;
   for (std::size_t i = 0; i < first.resistance_ohm.size(); ++i) {
     const double share = second.resistance_ohm[i] / first.resistance_ohm[i] - 1.0;
     const double warmed_k = share * model::kelvins_per_share(model::Celsius(first.reference_c));

@@ -16,12 +16,12 @@ namespace hedgehog::client {
 inline constexpr double kMaxApartK = 2.0;
 /// Maximum uncertainty of the hottest winding's estimate, K; above it the estimate does not prove
 /// rest. 1.5 times the uncertainty with one thermistor and no other source.
-inline constexpr double kMaxUnsureK = 3.0;
+inline constexpr double kMaxUncertaintyK = 3.0;
 /// Minimum time between the two measurements of the windings, s.
-inline constexpr double kLooksApartS = 40.0;
+inline constexpr double kMinIntervalS = 40.0;
 
 /// Why the ball is not considered at rest.
-struct Unrest {
+struct RestDeviation {
   /// The deviation, as a sentence without full stop; empty: at rest.
   std::string what;
   /// Possible difference between thermometer and a winding, K.
@@ -41,10 +41,11 @@ model::ThermalModel thermal_model_of(const protocol::ThermalDescription& describ
 
 /// From the daemon's estimate and the thermistors; the waiting time from the constants `thermal`,
 /// at an ambient temperature of 20 C or that of a cooler ball. REQUIRES: t.sensor.
-Unrest unrest_of(const protocol::TemperatureStatus& t, const protocol::ThermalDescription& thermal);
+RestDeviation rest_deviation(const protocol::TemperatureStatus& t,
+                             const protocol::ThermalDescription& thermal);
 
 /// One measurement of the windings.
-struct WindingLook {
+struct WindingMeasurement {
   double t_s = 0.0;
   double reference_c = 25.0;
   std::array<double, 3> resistance_ohm{};
@@ -54,7 +55,7 @@ struct WindingLook {
 /// From the windings themselves: one that was warmer than the thermometer at the first measurement
 /// approaches it until the second, and so does its resistance. Independent of the daemon's estimate
 /// and R25; gain errors cancel. Cannot detect that all windings differ alike from the thermometer.
-Unrest drift_of(const WindingLook& first, const WindingLook& second);
+RestDeviation drift_of(const WindingMeasurement& first, const WindingMeasurement& second);
 
 /// "5 minutes", at least one.
 std::string minutes_text(double seconds);

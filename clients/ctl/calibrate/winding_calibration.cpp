@@ -36,7 +36,7 @@ constexpr double kKnown = 0.03;
 /// Above the spread of windings of one kind.
 constexpr double kOdd = 0.25;
 /// Duration of a measurement of each winding in each direction, s.
-constexpr double kLookS = 1.5;
+constexpr double kMeasureS = 1.5;
 /// Relative standard deviations of R25: of a ball measured at rest; of one whose device file was
 /// too inaccurate for two measurements.
 constexpr double kMeasuredShare = 0.01;
@@ -44,7 +44,7 @@ constexpr double kGuessedShare = 0.03;
 
 /// A trip caused by a resistance far from the device file's; any other trip, a refusal or a lost
 /// connection is unrelated to the winding.
-bool blames_resistance(std::string_view reason) {
+bool is_resistance_trip(std::string_view reason) {
   return reason == "current_mismatch" || reason == "sensor_frozen" || reason == "sensor_disagrees";
 }
 
@@ -53,7 +53,7 @@ class Windings {
   Windings(Session& session, const CalibrateOptions& options, PushedSides pushed,
            const protocol::Description& before)
       : bench_(session), options_(options), before_(before), text_(session.json ? stderr : stdout) {
-    asks_ = !session.json && options.pushed.empty() && isatty(STDIN_FILENO) != 0;
+    interactive_ = !session.json && options.pushed.empty() && isatty(STDIN_FILENO) != 0;
     found_.pushed = std::move(pushed);
     found_.name = options.name.empty() ? before.name : options.name;
   }
@@ -65,18 +65,19 @@ class Windings {
     }
     const auto rest = bench_.rest();
     if (!rest) return give_up(rest.error());
-    if (const int code = accept(unrest_of(rest->temperature_c, before_.thermal)); code != kDone)
+    if (const int code = accept(rest_deviation(rest->temperature_c, before_.thermal));
+        code != kDone)
       return code;
     std::fprintf(
         text_, "%s: one winding at a time, never more than %s A.\nCtrl-C switches the coils off.\n",
         before_.name.c_str(),
-        fixed(asks_ ? std::max(options_.current_a, kPushA) : options_.current_a, 1).c_str());
+        fixed(interactive_ ? std::max(options_.current_a, kPushA) : options_.current_a, 1).c_str());
     found_.sensor_c = reference_c(rest->temperature_c);
     for (int coil = 0; coil < 3; ++coil)
       if (const int code = measure(coil); code != kDone) return code;
-    if (const int code = take_look(first_); code != kDone) return code;
-    if (const int code = learn_sides(); code != kDone) return code;
-    if (const int code = look_again(); code != kDone) return code;
+    if (const int code = measure_all(first_); code != kDone) return code;
+    if (const int code = determine_sides(); code != kDone) return code;
+    if (const int code = measure_again(); code != kDone) return code;
     return kDone;
   }
 
@@ -84,7 +85,7 @@ class Windings {
 
  private:
   /// Rejects a ball that is not at one temperature, or stores its possible deviation.
-  int accept(const Unrest& unrest) {
+  int accept(const RestDeviation& unrest) {
     if (!unrest.any()) return kDone;
     const double wrong = 100.0 * model::kCopperPerKelvin * unrest.apart_k;
     const std::string what = "the ball is not at one temperature: " + unrest.what +
@@ -100,7 +101,7 @@ class Windings {
     return kDone;
   }
 
-  static double r25_at(const WindingLook& look, std::size_t i) {
+  static double r25_at(const WindingMeasurement& look, std::size_t i) {
     return look.resistance_ohm[i] / (1.0 + model::kCopperPerKelvin * (look.reference_c - 25.0));
   }
 
@@ -109,13 +110,13 @@ class Windings {
   }
 
   /// Measures all windings once, with a current that is only allowed for known resistances.
-  int take_look(WindingLook& look) {
+  int measure_all(WindingMeasurement& look) {
     if (!all_known()) return kDone;
     for (int coil = 0; coil < 3; ++coil) {
-      const auto seen = steady(coil, kPushA, kLookS);
+      const auto seen = steady(coil, kPushA, kMeasureS);
       if (!seen) return give_up(seen.error());
-      if (const auto trouble = trouble_of(coil, *seen); !trouble.empty())
-        return print_error(trouble);
+      if (const auto problem = problem_of(coil, *seen); !problem.empty())
+        return print_error(problem);
       const auto i = static_cast<std::size_t>(coil);
       look.resistance_ohm[i] = *seen->resistance_ohm;
       look.error[i] = steady_resistance_error(seen->forth.samples, seen->back.samples);
@@ -127,16 +128,16 @@ class Windings {
     return kDone;
   }
 
-  int look_again() {
+  int measure_again() {
     found_.resistance_share = kGuessedShare;
     if (!all_known()) return kDone;
     std::fprintf(text_, "A second look at the windings, %s s after the first.\n",
-                 fixed(kLooksApartS, 0).c_str());
+                 fixed(kMinIntervalS, 0).c_str());
     std::fflush(text_);
-    if (auto waited = bench_.wait_until(first_.t_s + kLooksApartS); !waited)
+    if (auto waited = bench_.wait_until(first_.t_s + kMinIntervalS); !waited)
       return give_up(waited.error());
-    WindingLook second;
-    if (const int code = take_look(second); code != kDone) return code;
+    WindingMeasurement second;
+    if (const int code = measure_all(second); code != kDone) return code;
     if (const int code = accept(drift_of(first_, second)); code != kDone) return code;
     if (found_.unrest.empty()) found_.resistance_share = kMeasuredShare;
     // Measured with more current and time than the first measurement.
@@ -158,18 +159,18 @@ class Windings {
     return Steady{*std::move(forth), *std::move(back), resistance};
   }
 
-  static std::string trouble_of(int coil, const Steady& seen) {
-    return winding_trouble(coil, seen.forth.mean_a, seen.back.mean_a, seen.resistance_ohm);
+  static std::string problem_of(int coil, const Steady& seen) {
+    return winding_problem(coil, seen.forth.mean_a, seen.back.mean_a, seen.resistance_ohm);
   }
 
   int measure(int coil) {
     const auto i = static_cast<std::size_t>(coil);
-    const auto measured_now = steady(coil, kCheckA, kCheckS);
-    if (!measured_now) return give_up_at_first_sight(coil, measured_now.error());
-    if (const auto trouble = trouble_of(coil, *measured_now); !trouble.empty())
-      return print_error(trouble);
-    const double believed_ohm = at_rest(before_.coils.r25_ohm[i]);
-    const double ratio = *measured_now->resistance_ohm / believed_ohm;
+    const auto probe = steady(coil, kCheckA, kCheckS);
+    if (!probe) return fail_probe(coil, probe.error());
+    if (const auto problem = problem_of(coil, *probe); !problem.empty())
+      return print_error(problem);
+    const double expected_ohm = at_rest(before_.coils.r25_ohm[i]);
+    const double ratio = *probe->resistance_ohm / expected_ohm;
     const bool known = std::abs(ratio - 1.0) < kKnown;
     // The daemon computes with its own resistance, so a lower one results in more current.
     const double current_a =
@@ -177,7 +178,7 @@ class Windings {
         std::min(1.0, ratio);
     const auto seen = steady(coil, current_a, kTakeS);
     if (!seen) return give_up(seen.error());
-    if (const auto trouble = trouble_of(coil, *seen); !trouble.empty()) return print_error(trouble);
+    if (const auto problem = problem_of(coil, *seen); !problem.empty()) return print_error(problem);
     const auto sine = bench_.sine(coil, current_a, kFrequencyHz);
     if (!sine) return give_up(sine.error());
     const auto impedance = sine_impedance(sine->samples, kFrequencyHz);
@@ -208,9 +209,9 @@ class Windings {
     return r25_ohm * (1.0 + model::kCopperPerKelvin * (found_.sensor_c - 25.0));
   }
 
-  int give_up_at_first_sight(int coil, const ClientError& error) const {
+  int fail_probe(int coil, const ClientError& error) const {
     const int code = give_up(error);
-    if (interrupted() || !blames_resistance(bench_.tripped().value_or(""))) return code;
+    if (interrupted() || !is_resistance_trip(bench_.tripped().value_or(""))) return code;
     std::ostringstream text;
     text << "winding " << kAxisNames[coil] << " was driven with " << fixed(kCheckA, 1)
          << " A. If all plugs are right it has less than a quarter of the "
@@ -224,8 +225,8 @@ class Windings {
     return std::abs(found_.r25_ohm[winding] / before_.coils.r25_ohm[winding] - 1.0) < kKnown;
   }
 
-  int learn_sides() {
-    if (!asks_) {
+  int determine_sides() {
+    if (!interactive_) {
       if (!coil_matrix(found_.pushed)) {
         std::fputs("The coil matrix stays as it was: nobody said which side each winding pushes.\n",
                    text_);
@@ -240,7 +241,7 @@ class Windings {
           text_);
       return kDone;
     }
-    auto felt = ask_sides(bench_, kPushA);
+    auto felt = prompt_sides(bench_, kPushA);
     if (!felt) return give_up(felt.error());
     found_.pushed = *std::move(felt);
     return kDone;
@@ -250,11 +251,11 @@ class Windings {
   const CalibrateOptions& options_;
   const protocol::Description& before_;
   Calibration found_;
-  WindingLook first_;
+  WindingMeasurement first_;
   /// For users; stderr if stdout is JSON.
   std::FILE* text_;
   /// The user can be asked for the sides, and they are not given yet.
-  bool asks_ = false;
+  bool interactive_ = false;
 };
 
 }  // namespace
@@ -265,7 +266,7 @@ int print_error(const std::string& what) {
 }
 
 int give_up(const ClientError& error) {
-  if (!interrupted()) return complain(error);
+  if (!interrupted()) return report_error(error);
   std::fputs("hedgehogctl calibrate: interrupted; the coils are off, nothing was written\n",
              stderr);
   return kInterrupted;

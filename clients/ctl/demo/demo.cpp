@@ -19,7 +19,7 @@ namespace {
 constexpr double kWarmStartC = 52.0;
 constexpr double kColdAmbientC = 0.0;
 
-bool ask_holder(const Ball& ball) {
+bool confirm_holder(const Ball& ball) {
   std::printf(
       "%s is a real ball. Up to 15 A will flow for some seconds: hold it with both hands.\n"
       "Enter plays the tour, Ctrl-C leaves it. ",
@@ -54,17 +54,17 @@ void print_next() {
 
 int play(Session& session, const DemoOptions& options) {
   auto ball = look(session.connection);
-  if (!ball) return complain(ball.error());
-  if (!ball->status.simulated && !options.confirmed && !ask_holder(*ball)) return kInterrupted;
+  if (!ball) return report_error(ball.error());
+  if (!ball->status.simulated && !options.confirmed && !confirm_holder(*ball)) return kInterrupted;
   TourPlayer player(session.connection, *ball, session.style);
   const auto outcome = player.play();
-  if (!outcome) return complain(outcome.error());
+  if (!outcome) return report_error(outcome.error());
   if (interrupted()) {
     std::fputs("hedgehogctl: interrupted; the coils are off\n", stderr);
     return kInterrupted;
   }
   const auto last = session.connection.call(protocol::DeviceStatus{});
-  if (!last) return complain(last.error());
+  if (!last) return report_error(last.error());
   const std::vector<std::string> failures =
       player.record().failures(*last, player.began_ns(), options.private_daemon);
   for (const std::string& failure : failures) print_failure("failed", "demo: " + failure);
@@ -91,7 +91,7 @@ int run_demo(const CommonOptions& common, const DemoOptions& options) {
   int code = kUnavailable;
   {
     auto session = open_session(chosen);
-    code = session ? play(*session, options) : static_cast<int>(complain(session.error()));
+    code = session ? play(*session, options) : static_cast<int>(report_error(session.error()));
   }
   if (daemon != nullptr && daemon->stop() != 0 && code == kDone) {
     print_failure("failed", "demo: its daemon did not end cleanly");

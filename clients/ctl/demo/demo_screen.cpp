@@ -48,7 +48,7 @@ std::vector<std::string> demo_screen(const Ball& ball, const TourChapter& chapte
   if (chapter.number == 4 && status.orientation) up = status.orientation->up;
   std::vector<std::string> lines{title_line(ball, chapter, style.ascii), ""};
   for (std::string& line : ball_map(pin_array(ball.description), status.pins.force_n,
-                                    {.ascii = style.ascii, .room_up = up}))
+                                    {.ascii = style.ascii, .world_up = up}))
     lines.push_back(std::move(line));
   lines.emplace_back();
   lines.push_back(caption_line(chapter, playing));

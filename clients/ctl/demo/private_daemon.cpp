@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 using std::chrono::milliseconds;
 
-constexpr milliseconds kOneTry{300};
+constexpr milliseconds kAttemptTimeout{300};
 /// On a loaded machine it takes seconds until a program has started, and as long until it responds.
 constexpr milliseconds kMaxStart{60'000};
 constexpr int kCannotRun = 127;
@@ -102,7 +102,8 @@ Outcome<PrivateDaemon> PrivateDaemon::start(double start_temperature_c, double a
   if (daemon.process_ < 0) return cannot_start("no process can be made");
   const auto until = Clock::now() + kMaxStart;
   while (Clock::now() < until) {
-    auto connection = Connection::reopen({Address{.path = daemon.socket_, .host = {}}}, kOneTry);
+    auto connection =
+        Connection::reopen({Address{.path = daemon.socket_, .host = {}}}, kAttemptTimeout);
     if (connection) {
       const auto hello = connection->hello("hedgehogctl", std::nullopt, kMaxStart);
       return hello ? Outcome<PrivateDaemon>(std::move(daemon))

@@ -22,9 +22,9 @@ constexpr std::size_t kPinsShown = 4;
 /// Shorter than the pause between two effects of the tour, 100 ms, so that they never overlap.
 constexpr Milliseconds kMaxLate{50};
 /// A machine may be busy for this long; after a longer silence the ball is considered lost.
-constexpr Milliseconds kMinPatience{10'000};
+constexpr Milliseconds kMinTimeout{10'000};
 
-Milliseconds patience() { return std::max(kMinPatience, response_timeout()); }
+Milliseconds timeout() { return std::max(kMinTimeout, response_timeout()); }
 
 }  // namespace
 
@@ -83,15 +83,15 @@ Outcome<void> TourPlayer::play_chapter(const TourChapter& chapter) {
 }
 
 Outcome<void> TourPlayer::wait_until(Milliseconds at, const TourChapter& chapter) {
-  auto received = take_waiting(chapter);
+  auto received = drain_messages(chapter);
   while (received && !interrupted() && now() < at) {
     auto notification = connection_.next(std::min(at - now(), kPicturePeriod));
     if (!notification) return notification.error();
     if (*notification) {
       take(**notification, chapter);
-      received = take_waiting(chapter);
-    } else if (Clock::now() - received_at_ > patience()) {
-      const auto seconds = std::chrono::duration<double>(patience()).count();
+      received = drain_messages(chapter);
+    } else if (Clock::now() - received_at_ > timeout()) {
+      const auto seconds = std::chrono::duration<double>(timeout()).count();
       return ClientError{
           Failure::kTimeout, "the ball has sent nothing for " + fixed(seconds, 0) + " s", {}};
     }
@@ -99,7 +99,7 @@ Outcome<void> TourPlayer::wait_until(Milliseconds at, const TourChapter& chapter
   return received ? keep_distance(at, chapter) : received;
 }
 
-Outcome<void> TourPlayer::take_waiting(const TourChapter& chapter) {
+Outcome<void> TourPlayer::drain_messages(const TourChapter& chapter) {
   for (;;) {
     auto notification = connection_.next(Milliseconds{0});
     if (!notification) return notification.error();
@@ -109,7 +109,7 @@ Outcome<void> TourPlayer::take_waiting(const TourChapter& chapter) {
 }
 
 Outcome<void> TourPlayer::keep_distance(Milliseconds at, const TourChapter& chapter) {
-  auto received = take_waiting(chapter);
+  auto received = drain_messages(chapter);
   if (const Milliseconds late = now() - at; late > kMaxLate) lost_ += late;
   return received;
 }
@@ -127,7 +127,7 @@ void TourPlayer::take(const Notification& notification, const TourChapter& chapt
 }
 
 Outcome<void> TourPlayer::send(const TourStep& step) {
-  const auto answer = connection_.call_raw(step.method, step.params, patience());
+  const auto answer = connection_.call_raw(step.method, step.params, timeout());
   if (answer) return {};
   if (answer.error().failure != Failure::kRefused) return answer.error();
   record_.refused(step.method + ": " + answer.error().message);

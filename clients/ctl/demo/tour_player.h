@@ -39,7 +39,7 @@ class TourPlayer {
   /// Until `at` after the start: processes notifications and draws.
   Outcome<void> wait_until(Milliseconds at, const TourChapter& chapter);
   /// Processes the notifications received so far.
-  Outcome<void> take_waiting(const TourChapter& chapter);
+  Outcome<void> drain_messages(const TourChapter& chapter);
   /// Delays the rest of the tour if `at` was missed by more than `kMaxLate`: lost time is not
   /// caught up.
   Outcome<void> keep_distance(Milliseconds at, const TourChapter& chapter);

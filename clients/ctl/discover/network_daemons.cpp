@@ -84,7 +84,9 @@ std::optional<DiscoveredBall> daemon_of(std::string_view line) {
   return daemon;
 }
 
-bool is_of_a_link(const DiscoveredBall& daemon) { return daemon.address.host.starts_with("fe80:"); }
+bool is_link_local(const DiscoveredBall& daemon) {
+  return daemon.address.host.starts_with("fe80:");
+}
 
 std::string read_file(const std::string& path) {
   std::ifstream in(path);
@@ -110,11 +112,11 @@ std::vector<DiscoveredBall> parse_avahi_browse(std::string_view output) {
   std::erase_if(
       daemons,
       [&](const DiscoveredBall& one) {
-        return is_of_a_link(one) && std::any_of(
-                                        all.begin(), all.end(),
-                                        [&](const DiscoveredBall& other) {
-                                          return other.name == one.name && !is_of_a_link(other);
-                                        });
+        return is_link_local(one) && std::any_of(
+                                         all.begin(), all.end(),
+                                         [&](const DiscoveredBall& other) {
+                                           return other.name == one.name && !is_link_local(other);
+                                         });
       });
   std::stable_sort(daemons.begin(), daemons.end(),
                    [](const auto& a, const auto& b) { return a.name < b.name; });

@@ -62,7 +62,7 @@ class Children {
 
   /// Until every child has closed its outputs.
   void forward() {
-    bool passed_on = false;
+    bool forwarded = false;
     while (!streams_.empty()) {
       std::vector<pollfd> waiting;
       for (const Stream& stream : streams_) waiting.push_back({stream.descriptor, POLLIN, 0});
@@ -70,8 +70,8 @@ class Children {
       // terminal receive signals themselves.
       constexpr int kSignalCheckMs = 200;
       ::poll(waiting.data(), waiting.size(), kSignalCheckMs);
-      if (interrupted() && !passed_on) {
-        passed_on = true;
+      if (interrupted() && !forwarded) {
+        forwarded = true;
         for (const pid_t pid : pids_) ::kill(pid, SIGTERM);
       }
       for (std::size_t i = streams_.size(); i-- > 0;)

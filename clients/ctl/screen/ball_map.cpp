@@ -86,7 +86,7 @@ const char* triangle(bool ascii) { return ascii ? "^" : "▲"; }
 
 std::vector<std::string> ball_map(const model::PinArray& pins, std::span<const double> force_n,
                                   const BallMapStyle& style) {
-  const int up_pin = pin_towards(pins, style.room_up);
+  const int up_pin = pin_towards(pins, style.world_up);
   std::vector<std::string> lines = unrolled(pins, kMarks, [&](Row& row, int column, int pin) {
     row[static_cast<std::size_t>(column)] =
         pin == up_pin ? triangle(style.ascii) : mark_of(at(force_n, pin), style.ascii);
@@ -101,7 +101,7 @@ std::vector<std::string> ball_map(const model::PinArray& pins, std::span<const d
 std::vector<std::string> ball_numbers(const model::PinArray& pins,
                                       std::span<const double> extension_mm,
                                       std::span<const double> force_n, const BallMapStyle& style) {
-  const int up_pin = pin_towards(pins, style.room_up);
+  const int up_pin = pin_towards(pins, style.world_up);
   std::vector<std::string> lines = unrolled(pins, kNumbers, [&](Row& row, int column, int pin) {
     // Four columns per pin: the triangle, and three digits that end right of the meridian.
     const double extension = std::clamp(at(extension_mm, pin), -kMaxShownMm, kMaxShownMm);

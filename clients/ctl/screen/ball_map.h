@@ -23,7 +23,7 @@ struct BallMapStyle {
   /// `. o O @` instead of `· ∘ ○ ●`.
   bool ascii = false;
   /// Marks the pin nearest to this direction (device frame), the world's up, with a triangle.
-  std::optional<model::Vec3> room_up{};
+  std::optional<model::Vec3> world_up{};
   /// Numbers only: strong pins bold; dim those below the perception threshold or pulled in.
   bool colour = false;
 };

@@ -72,7 +72,7 @@ std::vector<std::string> pins_screen(const Ball& ball, const ScreenStyle& style)
   std::vector<std::string> lines{live_title(status, style)};
   for (std::string& line :
        ball_numbers(pin_array(ball.description), status.pins.extension_mm, status.pins.force_n,
-                    {.ascii = style.ascii, .room_up = up, .colour = style.colour}))
+                    {.ascii = style.ascii, .world_up = up, .colour = style.colour}))
     lines.push_back(std::move(line));
   lines.push_back("    " + left("hundredths of a millimetre out of rest", 46) +
                   count_words(status.pins));

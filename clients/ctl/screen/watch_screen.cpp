@@ -100,7 +100,7 @@ std::vector<std::string> WatchScreen::lines(const Ball& ball) const {
   std::optional<model::Vec3> up;
   if (status.orientation) up = status.orientation->up;
   for (const std::string& line : ball_map(pin_array(ball.description), status.pins.force_n,
-                                          {.ascii = style_.ascii, .room_up = up}))
+                                          {.ascii = style_.ascii, .world_up = up}))
     lines.push_back(margin + line);
   lines.push_back("    " + left(ball_map_legend(style_.ascii), 44) + push_words(status));
   lines.push_back(status.remedy ? "  " + *status.remedy : "");

@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 constexpr mode_t kFolderMode = 0750;
 
 bool is_folder(const std::string& path) {
-  std::error_code unseen;
-  return fs::is_directory(path, unseen);
+  std::error_code ignored;
+  return fs::is_directory(path, ignored);
 }
 
 }  // namespace

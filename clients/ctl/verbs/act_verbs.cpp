@@ -9,7 +9,7 @@ namespace hedgehog::client {
 
 int run_stop(Session& session) {
   const auto text = session.connection.call_text(protocol::DeviceEmergencyStop{});
-  if (!text) return complain(text.error());
+  if (!text) return report_error(text.error());
   if (session.json) {
     std::puts(text->c_str());
     return kDone;
@@ -28,13 +28,13 @@ int run_stop(Session& session) {
 
 int run_arm(Session& session) {
   const auto text = session.connection.call_text(protocol::DeviceArm{});
-  if (!text) return complain(text.error());
+  if (!text) return report_error(text.error());
   if (session.json) {
     std::puts(text->c_str());
     return kDone;
   }
   const auto status = session.connection.call(protocol::DeviceStatus{});
-  if (!status) return complain(status.error());
+  if (!status) return report_error(status.error());
   const std::optional<double>& hottest = status->temperature_c.model;
   std::printf("%s is %s. Hottest winding %s, %s A allowed.\n", status->device.c_str(),
               status->state.c_str(),
@@ -47,11 +47,11 @@ int run_gain(Session& session, std::optional<double> gain) {
   double set = 1.0;
   if (gain) {
     const auto result = session.connection.call(protocol::OutputSetGain{*gain});
-    if (!result) return complain(result.error());
+    if (!result) return report_error(result.error());
     set = result->gain;
   } else {
     const auto description = session.connection.call(protocol::DeviceDescribe{});
-    if (!description) return complain(description.error());
+    if (!description) return report_error(description.error());
     set = description->gain;
   }
   std::printf(session.json ? "{\"gain\":%s}\n" : "gain %s: every effect is scaled by it\n",

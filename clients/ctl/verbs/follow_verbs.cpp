@@ -74,16 +74,17 @@ bool is_among(const protocol::HistoryResult& past, const protocol::Event& event)
 
 int run_watch(Session& session) {
   if (!terminal_traits().picture) {
-    return complain({Failure::kBadAddress,
-                     "watch draws a picture: it needs a terminal of 80 columns and 22 rows"});
+    return report_error({Failure::kBadAddress,
+                         "watch draws a picture: it needs a terminal of 80 columns and 22 rows"});
   }
   auto ball = look(session.connection);
-  if (!ball) return complain(ball.error());
+  if (!ball) return report_error(ball.error());
   const protocol::EventsSubscribe everything{{}, protocol::Scope::kAll};
-  if (auto events = session.connection.call(everything); !events) return complain(events.error());
+  if (auto events = session.connection.call(everything); !events)
+    return report_error(events.error());
   const protocol::TelemetrySubscribe request{kRedrawHz, protocol::kEveryStatusKey};
   if (auto telemetry = session.connection.call(request); !telemetry)
-    return complain(telemetry.error());
+    return report_error(telemetry.error());
   WatchScreen screen(session.style);
   return follow_drawing(session, [&](const Notification& notification) -> std::vector<std::string> {
     if (const auto* telemetry = std::get_if<protocol::TelemetryMessage>(&notification)) {
@@ -98,20 +99,21 @@ int run_watch(Session& session) {
 }
 
 int run_events(Session& session, const EventsOptions& options) {
-  if (auto hello = session.connection.hello("hedgehogctl"); !hello) return complain(hello.error());
+  if (auto hello = session.connection.hello("hedgehogctl"); !hello)
+    return report_error(hello.error());
   const bool only_past = options.since && !options.follow;
   std::optional<protocol::EventsResult> now;
   if (!only_past) {
     // This program has no effects of its own, so all clients' effects are requested.
     const protocol::EventsSubscribe request{options.types, protocol::Scope::kAll};
     auto subscribed = session.connection.call(request);
-    if (!subscribed) return complain(subscribed.error());
+    if (!subscribed) return report_error(subscribed.error());
     now = *std::move(subscribed);
   }
   Outcome<protocol::HistoryResult> past;
   if (options.since) {
     past = print_past(session, options);
-    if (!past) return complain(past.error());
+    if (!past) return report_error(past.error());
   }
   if (!now) return kDone;
   if (!session.json) print_now(*now);
@@ -130,11 +132,12 @@ int run_events(Session& session, const EventsOptions& options) {
 
 int run_telemetry(Session& session, const TelemetryOptions& options) {
   const auto fields = status_fields(options.fields);
-  if (!fields) return complain(fields.error());
+  if (!fields) return report_error(fields.error());
   const protocol::TelemetrySubscribe request{options.rate_hz, *fields};
-  if (auto hello = session.connection.hello("hedgehogctl"); !hello) return complain(hello.error());
+  if (auto hello = session.connection.hello("hedgehogctl"); !hello)
+    return report_error(hello.error());
   if (auto subscribed = session.connection.call(request); !subscribed)
-    return complain(subscribed.error());
+    return report_error(subscribed.error());
   std::int64_t count = 0;
   return follow(session, [&](const Notification& notification) {
     if (const auto* telemetry = std::get_if<protocol::TelemetryMessage>(&notification)) {

@@ -42,13 +42,13 @@ std::vector<std::string> latency_lines(const protocol::LatencyResult& latency) {
 
 int run_latency(Session& session) {
   const auto text = session.connection.call_text(protocol::EffectLatency{});
-  if (!text) return complain(text.error());
+  if (!text) return report_error(text.error());
   if (session.json) {
     std::puts(text->c_str());
     return kDone;
   }
   const auto latency = protocol::decode_result<protocol::LatencyResult>(*text);
-  if (!latency) return complain({Failure::kProtocol, latency.error().message, {}});
+  if (!latency) return report_error({Failure::kProtocol, latency.error().message, {}});
   for (const std::string& line : latency_lines(*latency)) std::puts(line.c_str());
   return kDone;
 }

@@ -28,11 +28,11 @@ constexpr milliseconds kSilent{2000};
 constexpr milliseconds kAnswers{1000};
 
 /// Whether the picture is current, and whether the stop has been acknowledged.
-class Trust {
+class Liveness {
  public:
   using Clock = std::chrono::steady_clock;
 
-  explicit Trust(Connection& connection) : connection_(connection) {}
+  explicit Liveness(Connection& connection) : connection_(connection) {}
 
   void received() { received_at_ = Clock::now(); }
   /// Does not wait for the response, which may be queued behind other messages in the socket.
@@ -57,35 +57,35 @@ class Trust {
 };
 
 /// False: quit.
-bool press(const std::string& keys, Trust& trust) {
+bool press(const std::string& keys, Liveness& liveness) {
   // A space is a stop whatever else is typed; `q` quits only outside of an escape sequence, where
   // it is a key of the number pad.
-  if (keys.find(' ') != std::string::npos) trust.stop();
+  if (keys.find(' ') != std::string::npos) liveness.stop();
   return keys.find('q') == std::string::npos || keys.find('\033') != std::string::npos;
 }
 
-int draw_until_left(Session& session,
+int draw_until_quit(Session& session,
                     const std::function<std::vector<std::string>(const Notification&)>& draw) {
   Terminal terminal;
-  Trust trust(session.connection);
+  Liveness liveness(session.connection);
   std::vector<std::string> lines;
   while (!interrupted()) {
     auto notification = session.connection.next(kKeyPoll);
     if (!notification) return exit_code_of(notification.error());
     if (*notification) {
-      trust.received();
+      liveness.received();
       if (std::vector<std::string> fresh = draw(**notification); !fresh.empty())
         lines = std::move(fresh);
     }
     std::vector<std::string> shown = lines;
-    if (const std::string warning = trust.warning(); !warning.empty()) {
+    if (const std::string warning = liveness.warning(); !warning.empty()) {
       shown.resize(std::max(shown.size(), std::size_t{1}));
       ScreenStyle style = session.style;
       style.columns = live_size().columns;
       shown.front() = warning_title(warning, style);
     }
     terminal.draw(shown);
-    if (!press(terminal.typed(), trust)) return kDone;
+    if (!press(terminal.typed(), liveness)) return kDone;
   }
   return kInterrupted;
 }
@@ -104,7 +104,7 @@ int follow(Session& session, const std::function<bool(const Notification&)>& tak
   while (!interrupted()) {
     idle();
     auto notification = session.connection.next(kEventPoll);
-    if (!notification) return complain(notification.error());
+    if (!notification) return report_error(notification.error());
     if (*notification && !take(**notification)) return kDone;
   }
   return kInterrupted;
@@ -112,7 +112,7 @@ int follow(Session& session, const std::function<bool(const Notification&)>& tak
 
 int follow_drawing(Session& session,
                    const std::function<std::vector<std::string>(const Notification&)>& draw) {
-  const int code = draw_until_left(session, draw);
+  const int code = draw_until_quit(session, draw);
   if (code == kUnavailable) print_failure("closed", "the daemon ended the connection");
   return code;
 }

@@ -47,26 +47,27 @@ int print_check(const Check& check, bool as_json) {
 int run_status(Session& session) {
   if (session.json) {
     const auto text = session.connection.call_text(protocol::DeviceStatus{});
-    if (!text) return complain(text.error());
+    if (!text) return report_error(text.error());
     std::puts(text->c_str());
     return kDone;
   }
   const auto ball = look(session.connection);
-  if (!ball) return complain(ball.error());
+  if (!ball) return report_error(ball.error());
   print(status_screen(*ball, session.style));
   return kDone;
 }
 
 int run_clients(Session& session) {
-  if (auto hello = session.connection.hello("hedgehogctl"); !hello) return complain(hello.error());
+  if (auto hello = session.connection.hello("hedgehogctl"); !hello)
+    return report_error(hello.error());
   const auto text = session.connection.call_text(protocol::ConnectionList{});
-  if (!text) return complain(text.error());
+  if (!text) return report_error(text.error());
   if (session.json) {
     std::puts(text->c_str());
     return kDone;
   }
   const auto list = protocol::decode_result<protocol::ConnectionsResult>(*text);
-  if (!list) return complain({Failure::kProtocol, list.error().message, {}});
+  if (!list) return report_error({Failure::kProtocol, list.error().message, {}});
   const std::size_t name_columns = session.style.cuts ? 20 : std::string::npos;
   std::puts("    #  CLIENT                VIA   UID     PID      ROLE      SINCE         PLAYS");
   for (const protocol::ConnectionInfo& info : list->connections) {
@@ -89,28 +90,28 @@ int run_trips(Session& session) {
   request.trips = true;
   request.limit = protocol::HistoryResult::kMaxEvents;
   const auto text = session.connection.call_text(request);
-  if (!text) return complain(text.error());
+  if (!text) return report_error(text.error());
   if (session.json) {
     std::puts(text->c_str());
     return kDone;
   }
   const auto history = protocol::decode_result<protocol::HistoryResult>(*text);
-  if (!history) return complain({Failure::kProtocol, history.error().message, {}});
+  if (!history) return report_error({Failure::kProtocol, history.error().message, {}});
   print(trips_screen(*history, session.style));
   return kDone;
 }
 
 int run_devices(Session& session) {
   const auto hello = session.connection.hello("hedgehogctl");
-  if (!hello) return complain(hello.error());
+  if (!hello) return report_error(hello.error());
   const auto text = session.connection.call_text(protocol::DeviceList{});
-  if (!text) return complain(text.error());
+  if (!text) return report_error(text.error());
   if (session.json) {
     std::puts(text->c_str());
     return kDone;
   }
   const auto list = protocol::decode_result<protocol::DevicesResult>(*text);
-  if (!list) return complain({Failure::kProtocol, list.error().message, {}});
+  if (!list) return report_error({Failure::kProtocol, list.error().message, {}});
   if (hello->device.simulated) std::printf("  %s is simulated\n", hello->device.name.c_str());
   print(devices_screen(*list, hello->device.name, session.style));
   return kDone;
@@ -120,17 +121,17 @@ int run_forecast(Session& session, const ForecastOptions& options) {
   json params{{"current_a", options.current_a}};
   if (!options.direction.empty()) {
     const auto direction = direction_json(options.direction);
-    if (!direction) return complain(direction.error());
+    if (!direction) return report_error(direction.error());
     params["direction"] = json::parse(*direction);
   }
   const auto text = session.connection.call_raw("thermal.forecast", params.dump());
-  if (!text) return complain(text.error());
+  if (!text) return report_error(text.error());
   if (session.json) {
     std::puts(text->c_str());
     return kDone;
   }
   const auto forecast = protocol::decode_result<protocol::ForecastResult>(*text);
-  if (!forecast) return complain({Failure::kProtocol, forecast.error().message, {}});
+  if (!forecast) return report_error({Failure::kProtocol, forecast.error().message, {}});
   print(forecast_screen(*forecast, options.current_a, options.direction));
   return kDone;
 }

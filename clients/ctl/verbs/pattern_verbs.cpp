@@ -31,7 +31,7 @@ std::string more_to_play(const protocol::Pattern& pattern) {
 
 int put(Session& session, const protocol::Pattern& pattern) {
   const auto answer = session.connection.call_text(protocol::PatternPut{pattern});
-  if (!answer) return complain(answer.error());
+  if (!answer) return report_error(answer.error());
   if (session.json) {
     std::puts(answer->c_str());
     return kDone;
@@ -46,13 +46,13 @@ int put(Session& session, const protocol::Pattern& pattern) {
 
 int run_pattern_list(Session& session) {
   const auto answer = session.connection.call_text(protocol::PatternList{});
-  if (!answer) return complain(answer.error());
+  if (!answer) return report_error(answer.error());
   if (session.json) {
     std::puts(answer->c_str());
     return kDone;
   }
   const auto list = protocol::decode_result<protocol::PatternsResult>(*answer);
-  if (!list) return complain({Failure::kProtocol, list.error().message, {}});
+  if (!list) return report_error({Failure::kProtocol, list.error().message, {}});
   for (const protocol::PatternSummary& p : list->patterns) {
     const std::string head = "  " + left(p.name, kNameColumns) +
                              right(std::to_string(p.duration_ms) + " ms", kTimeColumns) + "  ";
@@ -64,26 +64,26 @@ int run_pattern_list(Session& session) {
 
 int run_pattern_get(Session& session, const std::string& name) {
   const auto answer = session.connection.call(protocol::PatternGet{name});
-  if (!answer) return complain(answer.error());
+  if (!answer) return report_error(answer.error());
   std::puts(pattern_text(answer->pattern).c_str());
   return kDone;
 }
 
 int run_pattern_put(Session& session, const std::string& file) {
   const auto pattern = read_pattern(file);
-  return pattern ? put(session, *pattern) : static_cast<int>(complain(pattern.error()));
+  return pattern ? put(session, *pattern) : static_cast<int>(report_error(pattern.error()));
 }
 
 int run_pattern_remove(Session& session, const std::string& name) {
   const auto answer = session.connection.call_text(protocol::PatternRemove{name});
-  if (!answer) return complain(answer.error());
+  if (!answer) return report_error(answer.error());
   std::puts(session.json ? answer->c_str() : (name + " is gone").c_str());
   return kDone;
 }
 
 int run_pattern_import(const CommonOptions& common, const ImportOptions& options) {
   auto imported = read_foreign_pattern(options.file);
-  if (!imported) return complain(imported.error());
+  if (!imported) return report_error(imported.error());
   if (!options.name.empty()) imported->pattern.name = options.name;
   if (const std::string more = more_to_play(imported->pattern); !more.empty()) {
     imported->notes.push_back("it takes " + seconds(imported->pattern.keyframes.back().t_ms) +
@@ -96,7 +96,8 @@ int run_pattern_import(const CommonOptions& common, const ImportOptions& options
     return kDone;
   }
   auto session = open_session(common);
-  return session ? put(*session, imported->pattern) : static_cast<int>(complain(session.error()));
+  return session ? put(*session, imported->pattern)
+                 : static_cast<int>(report_error(session.error()));
 }
 
 }  // namespace hedgehog::client

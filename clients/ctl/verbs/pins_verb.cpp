@@ -25,7 +25,7 @@ void print_once(const model::PinArray& pins, const Status& status, const ScreenS
   std::optional<model::Vec3> up;
   if (status.orientation) up = status.orientation->up;
   for (const std::string& line :
-       ball_map(pins, status.pins.force_n, {.ascii = style.ascii, .room_up = up}))
+       ball_map(pins, status.pins.force_n, {.ascii = style.ascii, .world_up = up}))
     std::puts(line.c_str());
   const std::string legend = ball_map_legend(style.ascii);
   const std::string line =
@@ -42,9 +42,9 @@ protocol::TelemetrySubscribe subscription(double rate_hz, bool pins_only) {
 
 int draw_pins(Session& session) {
   auto ball = look(session.connection);
-  if (!ball) return complain(ball.error());
+  if (!ball) return report_error(ball.error());
   if (auto subscribed = session.connection.call(subscription(kPinsHz, false)); !subscribed)
-    return complain(subscribed.error());
+    return report_error(subscribed.error());
   return follow_drawing(session, [&](const Notification& notification) {
     const auto* telemetry = std::get_if<protocol::TelemetryMessage>(&notification);
     if (telemetry == nullptr) return std::vector<std::string>{};
@@ -63,12 +63,12 @@ int run_pins(Session& session, const PinsOptions& options) {
   model::PinArray pins;
   if (!options.live && !session.json) {
     auto ball = look(session.connection);
-    if (!ball) return complain(ball.error());
+    if (!ball) return report_error(ball.error());
     pins = pin_array(ball->description);
   }
   const double rate_hz = !options.live ? kSoonHz : session.json ? kPinsHz : kLinesHz;
   if (auto subscribed = session.connection.call(subscription(rate_hz, session.json)); !subscribed)
-    return complain(subscribed.error());
+    return report_error(subscribed.error());
   const std::int64_t wanted = options.live ? options.count : 1;
   std::int64_t count = 0;
   return follow(session, [&](const Notification& notification) {

@@ -30,13 +30,13 @@ constexpr double kRenewalHz = 20.0;
 std::string verb_of(const std::string& method) { return method.substr(method.find('.') + 1); }
 
 /// Waits for the end of `effect`, renewing its lease if it has one; nullopt if interrupted.
-class Stay {
+class EffectWait {
  public:
-  Stay(Session& session, std::uint32_t effect, const PlayOptions& options)
+  EffectWait(Session& session, std::uint32_t effect, const PlayOptions& options)
       : session_(session), effect_(effect), held_(options.held()), hold_s_(options.hold_s) {}
 
   Outcome<std::optional<protocol::EventMessage>> wait() {
-    if (auto asked = ask_for_time(); !asked) return asked.error();
+    if (auto asked = subscribe_time(); !asked) return asked.error();
     while (!interrupted()) {
       auto notification = session_.connection.next(kEndPoll);
       if (!notification) return notification.error();
@@ -44,7 +44,7 @@ class Stay {
       if (const auto* event = std::get_if<protocol::EventMessage>(&**notification)) {
         if (event->event.type == "effect_ended" && event->event.effect == effect_)
           return std::optional(*event);
-      } else if (auto kept = keep_going(std::get<protocol::TelemetryMessage>(**notification));
+      } else if (auto kept = renew_lease(std::get<protocol::TelemetryMessage>(**notification));
                  !kept) {
         return kept.error();
       }
@@ -56,7 +56,7 @@ class Stay {
   bool stopped_in_time() const noexcept { return stopped_; }
 
  private:
-  Outcome<void> ask_for_time() {
+  Outcome<void> subscribe_time() {
     if (!held_) return {};
     protocol::StatusKeys only_time;
     only_time.add(protocol::StatusKey::kTimeNs);
@@ -65,7 +65,7 @@ class Stay {
     return asked ? Outcome<void>() : Outcome<void>(asked.error());
   }
 
-  Outcome<void> keep_going(const protocol::TelemetryMessage& message) {
+  Outcome<void> renew_lease(const protocol::TelemetryMessage& message) {
     const std::int64_t now_ns = message.telemetry.status.time_ns;
     if (!started_) {
       started_ = true;
@@ -133,23 +133,23 @@ Outcome<PlayOptions> with_file_and_end(Session& session, const PlayOptions& give
 
 int run_preview(Session& session, const PlayOptions& given) {
   const auto completed = with_file_and_end(session, given);
-  if (!completed) return complain(completed.error());
+  if (!completed) return report_error(completed.error());
   const PlayOptions& options = *completed;
   const auto params = play_params(options);
-  if (!params) return complain(params.error());
+  if (!params) return report_error(params.error());
   json asked{{"method", options.method}, {"params", json::parse(*params)}};
   if (options.hold_s) {
     asked["params"]["lease_ms"] =
         std::min(1000.0 * *options.hold_s, static_cast<double>(protocol::kMaxLeaseMs));
   }
   const auto answer = session.connection.call_raw("effect.preview", asked.dump());
-  if (!answer) return complain(answer.error());
+  if (!answer) return report_error(answer.error());
   if (session.json) {
     std::puts(answer->c_str());
     return kDone;
   }
   const auto preview = protocol::decode_result<protocol::PreviewResult>(*answer);
-  if (!preview) return complain({Failure::kProtocol, preview.error().message, {}});
+  if (!preview) return report_error({Failure::kProtocol, preview.error().message, {}});
   for (const std::string& line : preview_screen(words_of(options), *preview, session.style.ascii))
     std::puts(line.c_str());
   return kDone;
@@ -157,17 +157,18 @@ int run_preview(Session& session, const PlayOptions& given) {
 
 int run_play(Session& session, const PlayOptions& given) {
   const auto completed = with_file_and_end(session, given);
-  if (!completed) return complain(completed.error());
+  if (!completed) return report_error(completed.error());
   const PlayOptions& options = *completed;
   const auto params = play_params(options);
-  if (!params) return complain(params.error());
-  if (auto hello = session.connection.hello("hedgehogctl"); !hello) return complain(hello.error());
+  if (!params) return report_error(params.error());
+  if (auto hello = session.connection.hello("hedgehogctl"); !hello)
+    return report_error(hello.error());
   if (auto events = session.connection.call(protocol::EventsSubscribe{{"effect_ended"}}); !events)
-    return complain(events.error());
+    return report_error(events.error());
   const auto answer = session.connection.call_raw(options.method, *params);
-  if (!answer) return complain(answer.error());
+  if (!answer) return report_error(answer.error());
   const auto admission = protocol::decode_result<protocol::Admission>(*answer);
-  if (!admission) return complain({Failure::kProtocol, admission.error().message, {}});
+  if (!admission) return report_error({Failure::kProtocol, admission.error().message, {}});
   if (session.json) {
     std::puts(answer->c_str());
     std::fflush(stdout);
@@ -175,22 +176,22 @@ int run_play(Session& session, const PlayOptions& given) {
     print_start(options, *admission);
   }
 
-  Stay stay(session, admission->effect, options);
-  const auto ended = stay.wait();
+  EffectWait effect_wait(session, admission->effect, options);
+  const auto ended = effect_wait.wait();
   if (!ended) {
     if (!session.json) std::puts("");
-    return complain(ended.error());
+    return report_error(ended.error());
   }
   if (!*ended) {
     if (!session.json) std::puts("   interrupted");
     return kInterrupted;
   }
-  const bool complete = (*ended)->event.reason == "completed" || stay.stopped_in_time();
+  const bool complete = (*ended)->event.reason == "completed" || effect_wait.stopped_in_time();
   if (session.json) {
     std::puts((*ended)->json.c_str());
   } else {
     print_end((*ended)->event,
-              stay.stopped_in_time() ? "completed" : (*ended)->event.reason.value_or(""));
+              effect_wait.stopped_in_time() ? "completed" : (*ended)->event.reason.value_or(""));
   }
   return complete ? kDone : kEndedOtherwise;
 }

@@ -145,16 +145,17 @@ int check_before(const RecordOptions& options) {
 
 int run_record(Session& session, const RecordOptions& options) {
   if (const int code = check_before(options); code != kDone) return code;
-  if (auto hello = session.connection.hello("hedgehogctl"); !hello) return complain(hello.error());
+  if (auto hello = session.connection.hello("hedgehogctl"); !hello)
+    return report_error(hello.error());
   const auto pointer = pointer_of(session, options.pointer);
-  if (!pointer) return complain(pointer.error());
+  if (!pointer) return report_error(pointer.error());
   if (!session.json)
     fmt::print(stderr, "Turn the ball{}. Ctrl-C ends the recording.\n",
                options.seconds ? fmt::format(" for {:g} s", *options.seconds) : std::string());
   Recorder recorder(options, *pointer);
   const auto recorded = record(session, recorder);
   if (recorder.points().size() < 2) {
-    if (!recorded) return complain(recorded.error());
+    if (!recorded) return report_error(recorded.error());
     return print_failed(
         "failed", "nothing was recorded: the ball has no orientation sensor, or it was too short",
         kUnavailable);
@@ -169,7 +170,7 @@ int run_record(Session& session, const RecordOptions& options) {
     return print_failed("failed", options.file + ": " + problem, kCannotCreate);
   print_recorded(session, options, path, recorder.lost());
   // What was recorded before a lost connection is kept.
-  return recorded ? static_cast<int>(kDone) : static_cast<int>(complain(recorded.error()));
+  return recorded ? static_cast<int>(kDone) : static_cast<int>(report_error(recorded.error()));
 }
 
 }  // namespace hedgehog::client

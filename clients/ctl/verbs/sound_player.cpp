@@ -18,7 +18,7 @@ using sound::Slice;
 
 constexpr std::int64_t kNsPerMs = 1'000'000;
 constexpr std::int64_t kStartNs = 300 * kNsPerMs;
-constexpr std::int64_t kAheadNs = 2000 * kNsPerMs;
+constexpr std::int64_t kLookaheadNs = 2000 * kNsPerMs;
 constexpr Milliseconds kTimePoll{50};
 constexpr double kTimeHz = 20.0;
 
@@ -59,7 +59,7 @@ Outcome<bool> SoundPlayer::play() {
   std::optional<Slice> slice = sound_.reader.next();
   while (slice || now_ns_ < end_ns_ || !playing_.empty()) {
     if (interrupted()) return false;
-    while (slice && start_ns_ + slice->start_ms * kNsPerMs < now_ns_ + kAheadNs) {
+    while (slice && start_ns_ + slice->start_ms * kNsPerMs < now_ns_ + kLookaheadNs) {
       // The last telemetry is outdated if this program was stopped meanwhile (Ctrl-Z).
       if (auto read = read_clock(); !read) return read.error();
       if (auto sent = send(*slice); !sent) return sent.error();
@@ -153,8 +153,8 @@ Outcome<void> SoundPlayer::send(const Slice& slice) {
 }
 
 Outcome<void> SoundPlayer::follow() {
-  for (Milliseconds patience = kTimePoll;; patience = Milliseconds(0)) {
-    const auto notification = session_.connection.next(patience);
+  for (Milliseconds timeout = kTimePoll;; timeout = Milliseconds(0)) {
+    const auto notification = session_.connection.next(timeout);
     if (!notification) return notification.error();
     if (!*notification) break;
     take(**notification);

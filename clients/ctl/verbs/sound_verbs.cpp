@@ -82,7 +82,7 @@ Outcome<PlayableSound> prepare(Session& session, const PlayOptions& options) {
 }
 
 int refuse_option(const std::string& option) {
-  return complain_of_usage("hedgehogctl: " + option + " does not go with a sound file");
+  return report_usage_error("hedgehogctl: " + option + " does not go with a sound file");
 }
 
 /// The direction of the strongest key frame, for users.
@@ -121,12 +121,12 @@ int run_sound(Session& session, const PlayOptions& options) {
   if (const std::string option = misplaced_option(options); !option.empty())
     return refuse_option(option);
   auto prepared = prepare(session, options);
-  if (!prepared) return complain(prepared.error());
+  if (!prepared) return report_error(prepared.error());
   SoundPlayer player(session, *prepared, options.pattern);
   const auto complete = player.play();
   if (!complete) {
     if (session.style.cuts && !session.json) std::puts("");
-    return complain(complete.error());
+    return report_error(complete.error());
   }
   player.print_end(*complete);
   if (!*complete) return kInterrupted;
@@ -137,7 +137,7 @@ int run_sound_preview(Session& session, const PlayOptions& options) {
   if (const std::string option = misplaced_option(options); !option.empty())
     return refuse_option(option);
   auto prepared = prepare(session, options);
-  if (!prepared) return complain(prepared.error());
+  if (!prepared) return report_error(prepared.error());
   if (!session.json)
     std::puts("  time   pushes   vibration                                      towards");
   while (const auto slice = prepared->reader.next()) {

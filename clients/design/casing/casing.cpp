@@ -112,7 +112,7 @@ Wall thinnest_wall(const Casing& casing, const model::Arrangement& array) {
 
 std::vector<double> notch_places(const Casing& casing) {
   const double r = outer_radius_mm(casing.sphere_mm, casing.pin, casing.shield) - kRoofMm / 2.0;
-  const auto room_at = [&](double degrees) {
+  const auto clearance_at = [&](double degrees) {
     const Vec3 tab{r * std::cos(degrees * model::kRadiansPerDegree),
                    r * std::sin(degrees * model::kRadiansPerDegree), kTabHeightMm / 2.0};
     double clearance = 1e9;
@@ -124,7 +124,7 @@ std::vector<double> notch_places(const Casing& casing) {
   for (const int aimed : {40, 150, 265}) {
     int best = aimed;
     for (int degrees = aimed - 12; degrees <= aimed + 12; ++degrees)
-      if (room_at(degrees) > room_at(best) + 1e-9) best = degrees;
+      if (clearance_at(degrees) > clearance_at(best) + 1e-9) best = degrees;
     places.push_back(best);
   }
   return places;

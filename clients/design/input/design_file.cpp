@@ -109,7 +109,7 @@ Result<Design> load_design(const std::string& path) {
   return design;
 }
 
-Result<void> spare_design(const std::string& path) {
+Result<void> protect_design(const std::string& path) {
   const auto text = read_file(path);
   if (!text || !parse_design(*text, path)) return {};
   return Problem{

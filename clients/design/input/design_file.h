@@ -22,6 +22,6 @@ std::string design_text(const Design& design);
 
 /// An error if `path` is a design file, which must not be overwritten by other output (`--output
 /// best.json` is easily typed for `best.json --output`).
-Result<void> spare_design(const std::string& path);
+Result<void> protect_design(const std::string& path);
 
 }  // namespace hedgehog::design

@@ -20,7 +20,7 @@ std::optional<double> finite_number(std::string_view text) {
   return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
-Problem complaint(const std::string& what, const std::string& reason) {
+Problem error_message(const std::string& what, const std::string& reason) {
   return {kUsage, what + ": " + reason};
 }
 
@@ -48,20 +48,20 @@ Result<std::vector<double>> parse_range(std::string_view text, double step, doub
     last = finite_number(text.substr(from, slash == std::string_view::npos ? slash : slash - from));
     if (slash != std::string_view::npos) {
       const auto typed = finite_number(text.substr(slash + 1));
-      if (!typed || *typed <= 0.0) return complaint(what, quoted(text) + shape);
+      if (!typed || *typed <= 0.0) return error_message(what, quoted(text) + shape);
       step = *typed;
     }
   }
-  if (!first || !last) return complaint(what, quoted(text) + shape);
+  if (!first || !last) return error_message(what, quoted(text) + shape);
   for (const double value : {*first, *last}) {
     if (value < min || value > max) {
-      return complaint(what,
-                       to_text(value) + " is outside " + to_text(min) + " to " + to_text(max));
+      return error_message(what,
+                           to_text(value) + " is outside " + to_text(min) + " to " + to_text(max));
     }
   }
-  if (*last < *first) return complaint(what, quoted(text) + " ends below where it begins");
+  if (*last < *first) return error_message(what, quoted(text) + " ends below where it begins");
   const double count = std::floor((*last - *first) / step + 1e-6) + 1.0;
-  if (count > kMaxSteps) return complaint(what, quoted(text) + " has more than 1000 steps");
+  if (count > kMaxSteps) return error_message(what, quoted(text) + " has more than 1000 steps");
   std::vector<double> values;
   values.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < static_cast<int>(count); ++i) values.push_back(*first + i * step);
@@ -73,11 +73,13 @@ Result<Size> parse_size(std::string_view text, const std::string& what) {
   const auto diameter = parts ? finite_number((*parts)[0]) : std::nullopt;
   const auto height = parts ? finite_number((*parts)[1]) : std::nullopt;
   if (!diameter || !height)
-    return complaint(what, quoted(text) + " is not a magnet: DIAMETERxHEIGHT in mm, such as 8x10");
+    return error_message(what,
+                         quoted(text) + " is not a magnet: DIAMETERxHEIGHT in mm, such as 8x10");
   for (const double mm : {*diameter, *height}) {
     if (mm < kMinMm || mm > kMaxMm) {
-      return complaint(what, quoted(text) + ": " + to_text(mm) +
-                                 " mm is outside 0.1 to 100 mm; magnets are DIAMETERxHEIGHT in mm");
+      return error_message(what,
+                           quoted(text) + ": " + to_text(mm) +
+                               " mm is outside 0.1 to 100 mm; magnets are DIAMETERxHEIGHT in mm");
     }
   }
   return Size{*diameter, *height};
@@ -86,8 +88,8 @@ Result<Size> parse_size(std::string_view text, const std::string& what) {
 Result<std::vector<Size>> parse_sizes(std::string_view text, double step, const std::string& what) {
   const auto parts = halves(text);
   if (!parts) {
-    return complaint(what,
-                     quoted(text) + " is no range of magnets: DIAMETERxHEIGHT, such as 3..5x10");
+    return error_message(
+        what, quoted(text) + " is no range of magnets: DIAMETERxHEIGHT, such as 3..5x10");
   }
   const auto diameters = parse_range((*parts)[0], step, kMinMm, kMaxMm, what);
   if (!diameters) return diameters.error();

@@ -205,7 +205,7 @@ SearchOutcome Search::run(int threads, const Progress& progress) const {
   const std::vector<Job> all = jobs();
   std::vector<Batch> batches(all.size());
   const std::size_t per_force = std::max<std::size_t>(1, space_.coil_forces_n.size());
-  work_through(
+  parallel_for(
       all.size(), threads, [&](std::size_t i) { batches[i] = look(all[i]); },
       [&](std::size_t done) {
         progress(done * space_.size() / std::max<std::size_t>(1, all.size()));
@@ -219,7 +219,7 @@ SearchOutcome Search::run(int threads, const Progress& progress) const {
   outcome.feasible = found.size();
   auto checked = checked_front(std::move(found), [&](const std::vector<Found>& some) {
     std::vector<std::optional<Found>> built(some.size());
-    work_through(
+    parallel_for(
         some.size(), threads, [&](std::size_t k) { built[k] = opened(some[k]); },
         [&](std::size_t) { progress(outcome.looked_at); });
     return built;

@@ -48,8 +48,8 @@ CheckedFront checked_front(std::vector<Found> found, const Check& check) {
   // In this order no design is dominated by a later one, except for ties in the first number.
   std::sort(found.begin(), found.end(),
             [](const Found& a, const Found& b) { return rank(a) < rank(b); });
-  enum class Answer : char { kNotAsked, kStays, kRefused };
-  std::vector<Answer> answers(found.size(), Answer::kNotAsked);
+  enum class Answer : char { kUnchecked, kAccepted, kRefused };
+  std::vector<Answer> answers(found.size(), Answer::kUnchecked);
   CheckedFront checked;
   while (true) {
     const std::vector<std::size_t> front =
@@ -57,7 +57,7 @@ CheckedFront checked_front(std::vector<Found> found, const Check& check) {
     std::vector<std::size_t> asked;
     std::vector<Found> some;
     for (const std::size_t i : front) {
-      if (answers[i] != Answer::kNotAsked) continue;
+      if (answers[i] != Answer::kUnchecked) continue;
       asked.push_back(i);
       some.push_back(found[i]);
     }
@@ -69,7 +69,7 @@ CheckedFront checked_front(std::vector<Found> found, const Check& check) {
     }
     const std::vector<std::optional<Found>> built = check(some);
     for (std::size_t i = 0; i < asked.size(); ++i) {
-      answers[asked[i]] = built[i] ? Answer::kStays : Answer::kRefused;
+      answers[asked[i]] = built[i] ? Answer::kAccepted : Answer::kRefused;
       if (built[i])
         found[asked[i]] = *built[i];
       else

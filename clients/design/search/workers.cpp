@@ -12,7 +12,7 @@
 
 namespace hedgehog::design {
 
-void work_through(std::size_t count, int threads, const std::function<void(std::size_t)>& work,
+void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& work,
                   const std::function<void(std::size_t)>& progress) {
   constexpr std::chrono::milliseconds kBetween{100};
   std::atomic<std::size_t> next{0};

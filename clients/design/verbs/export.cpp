@@ -23,8 +23,8 @@ namespace fs = std::filesystem;
 
 /// An error if `path` is a design file.
 Result<void> write_new(const std::string& path, const std::string& content) {
-  const auto spared = spare_design(path);
-  return spared ? write_file(path, content) : spared.error();
+  const auto protected_path = protect_design(path);
+  return protected_path ? write_file(path, content) : protected_path.error();
 }
 
 /// Writes to the file, or to the screen if that is "-" or empty.
@@ -39,12 +39,12 @@ Result<void> deliver(const std::string& file, const std::string& content, const 
   return {};
 }
 
-Result<Casing> asked_casing(const ExportOptions& options, const Design& design,
-                            const model::Arrangement& array) {
+Result<Casing> requested_casing(const ExportOptions& options, const Design& design,
+                                const model::Arrangement& array) {
   if (options.facets < 8 || options.facets > 64 || options.facets % 4 != 0)
     return Problem{kUsage, "--facets: must be 8 to 64, a multiple of 4"};
-  if (const auto asked_mm = options.clearance_mm;
-      asked_mm && !(*asked_mm >= 0.0 && *asked_mm <= 2.0))
+  if (const auto requested_mm = options.clearance_mm;
+      requested_mm && !(*requested_mm >= 0.0 && *requested_mm <= 2.0))
     return Problem{kUsage, "--clearance: must be from 0 to 2 mm"};
   Casing casing = casing_of(design, array);
   casing.facets = options.facets;
@@ -74,7 +74,7 @@ Result<void> render_halves(const std::string& scad, const std::string& folder,
     return (fs::path(folder) / (std::string(kParts[i]) + ".stl")).string();
   };
   screen.err << "  openscad renders both halves; minutes when --facets is high\n";
-  work_through(
+  parallel_for(
       2, 2, [&](std::size_t i) { rendered[i] = render_stl(scad, kParts[i], file_of(i)); },
       [](std::size_t) {});
   for (std::size_t i = 0; i < 2; ++i) {
@@ -86,7 +86,7 @@ Result<void> render_halves(const std::string& scad, const std::string& folder,
 
 Result<void> write_casing(const ExportOptions& options, const Design& design,
                           const model::Arrangement& array, const Screen& screen) {
-  const auto casing = asked_casing(options, design, array);
+  const auto casing = requested_casing(options, design, array);
   if (!casing) return casing.error();
   const std::string text = openscad_text(
       *casing, {"Casing of a Hedgehog ball in two halves: " + to_text(design),

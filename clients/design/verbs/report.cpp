@@ -160,8 +160,8 @@ Result<void> run_report(const ReportOptions& options, const Screen& screen) {
   if (!study) return study.error();
   const auto page = page_of(*study);
   if (!page) return page.error();
-  const auto spared = spare_design(options.output);
-  if (!spared) return spared.error();
+  const auto protected_path = protect_design(options.output);
+  if (!protected_path) return protected_path.error();
   const auto written = write_file(options.output, *page);
   if (!written) return written.error();
   screen.err << "  " << options.output << "\n";

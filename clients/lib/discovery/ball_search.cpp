@@ -152,8 +152,8 @@ ClientError no_network(const error_code& failure) {
 }
 
 /// Whether each ball requested by name was found; without a name a second ball may still answer.
-bool all_named_are_there(const std::vector<Address>& addresses,
-                         const std::vector<DiscoveredBall>& balls) {
+bool found_all_named(const std::vector<Address>& addresses,
+                     const std::vector<DiscoveredBall>& balls) {
   return std::all_of(
       addresses.begin(), addresses.end(),
       [&](const Address& address) {
@@ -180,7 +180,7 @@ bool needs_search(const std::vector<Address>& addresses) {
 struct BallSearch::Impl {
   explicit Impl(std::vector<Address> given)
       : addresses(std::move(given)), exchange(kSearchTime, [this](const auto& balls) {
-          return all_named_are_there(addresses, balls);
+          return found_all_named(addresses, balls);
         }) {}
 
   Located located() const {

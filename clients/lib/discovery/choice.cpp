@@ -12,8 +12,9 @@ namespace {
 /// Balls listed in an error.
 constexpr std::size_t kMaxListedBalls = 8;
 
-std::vector<DiscoveredBall> those(const std::vector<DiscoveredBall>& balls,
-                                  const std::function<bool(const DiscoveredBall&)>& condition) {
+std::vector<DiscoveredBall> select_balls(
+    const std::vector<DiscoveredBall>& balls,
+    const std::function<bool(const DiscoveredBall&)>& condition) {
   std::vector<DiscoveredBall> some;
   std::copy_if(balls.begin(), balls.end(), std::back_inserter(some), condition);
   return some;
@@ -48,13 +49,13 @@ std::vector<DiscoveredBall> named_balls(std::string_view name,
   const auto by_serial = [&](const DiscoveredBall& ball) {
     return has_tls(ball) && ball.serial == name;
   };
-  auto found = those(balls, by_name);
-  return found.empty() ? those(balls, by_serial) : found;
+  auto found = select_balls(balls, by_name);
+  return found.empty() ? select_balls(balls, by_serial) : found;
 }
 
 Outcome<std::vector<DiscoveredBall>> chosen_ball(std::string_view name,
                                                  const std::vector<DiscoveredBall>& balls) {
-  const auto all = those(balls, has_tls);
+  const auto all = select_balls(balls, has_tls);
   auto meant = name.empty() ? all : named_balls(name, balls);
   if (all.empty()) return not_found("no ball answers on this network (mDNS, 1 s)");
   if (meant.empty()) {

@@ -21,7 +21,7 @@ bool is_instance(const std::string& key) {
 }
 
 template <class Value>
-void keep_first(std::map<std::string, Value>& known, const std::string& key, Value value) {
+void insert_first(std::map<std::string, Value>& known, const std::string& key, Value value) {
   if (known.size() < Answers::kMaxNames) known.emplace(key, std::move(value));
 }
 
@@ -59,18 +59,18 @@ void Answers::keep(Record record) {
     case Kind::kPtr: {
       const std::string instance = key_of(record.target);
       if (key == service_name() && is_instance(instance))
-        keep_first(instances_, instance, std::move(record.target));
+        insert_first(instances_, instance, std::move(record.target));
       break;
     }
     case Kind::kSrv:
-      keep_first(services_, key, {std::move(record.target), record.port});
+      insert_first(services_, key, {std::move(record.target), record.port});
       break;
     case Kind::kTxt:
-      keep_first(texts_, key, std::move(record.entries));
+      insert_first(texts_, key, std::move(record.entries));
       break;
     case Kind::kA:
     case Kind::kAaaa: {
-      keep_first(addresses_, key, {});
+      insert_first(addresses_, key, {});
       const auto known = addresses_.find(key);
       if (known == addresses_.end()) break;
       auto& all = known->second;

@@ -89,10 +89,10 @@ class Ahap {
       values[text(one, "ParameterID")] = number(one, "ParameterValue", 0.0, -1e6, 1e6);
     return values;
   }
-  static double value(const Values& values, const char* name, double otherwise, double low,
+  static double value(const Values& values, const char* name, double fallback, double low,
                       double high) {
     const auto found = values.find(name);
-    return found == values.end() ? otherwise : std::clamp(found->second, low, high);
+    return found == values.end() ? fallback : std::clamp(found->second, low, high);
   }
 
   void take(const ForeignJson& entry) {

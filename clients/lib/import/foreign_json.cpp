@@ -32,9 +32,9 @@ std::optional<double> number(const ForeignJson& json, std::string_view name, dou
                                                    : std::nullopt;
 }
 
-double number(const ForeignJson& json, std::string_view name, double otherwise, double low,
+double number(const ForeignJson& json, std::string_view name, double fallback, double low,
               double high) noexcept {
-  return number(json, name, low, high).value_or(otherwise);
+  return number(json, name, low, high).value_or(fallback);
 }
 
 std::string text(const ForeignJson& json, std::string_view name) {

@@ -24,8 +24,8 @@ double between(const Point& a, const Point& b, double t_ms) noexcept {
 
 /// Marks the inner points of `line[first..last]` that are needed to keep the error below
 /// `tolerance` (Douglas and Peucker 1973, with the distance taken in the level).
-void keep_needed(const std::vector<Point>& line, std::size_t from, std::size_t to, double tolerance,
-                 std::vector<bool>& kept) {
+void simplify(const std::vector<Point>& line, std::size_t from, std::size_t to, double tolerance,
+              std::vector<bool>& kept) {
   std::vector<std::pair<std::size_t, std::size_t>> open{{from, to}};
   while (!open.empty()) {
     const auto [first, last] = open.back();
@@ -56,11 +56,11 @@ std::vector<Point> simplified(const std::vector<Point>& line, double tolerance) 
     if (line[i].smooth) {
       kept[i] = true;
       kept[i + 1] = true;
-      keep_needed(line, from, i, tolerance, kept);
+      simplify(line, from, i, tolerance, kept);
       from = i + 1;
     }
   }
-  keep_needed(line, from, line.size() - 1, tolerance, kept);
+  simplify(line, from, line.size() - 1, tolerance, kept);
   std::vector<Point> left;
   for (std::size_t i = 0; i < line.size(); ++i)
     if (kept[i]) left.push_back(line[i]);
@@ -79,44 +79,46 @@ bool alone(const std::vector<Layer>& layers, const Layer& layer, const Point& a,
 
 /// Times at which the slope of the sum changes, and at which smooth transitions begin.
 struct Times {
-  std::set<double> bends{0.0};
+  std::set<double> breakpoints{0.0};
   std::set<double> smooth;
 };
 
-void add_smooth(const std::vector<Layer>& layers, const Layer& layer, bool may_ease, Times& times) {
+void add_smooth(const std::vector<Layer>& layers, const Layer& layer, bool allow_smooth,
+                Times& times) {
   constexpr int kPieces = 20;  // error of a segment of a smooth transition of height 1: 0.75 / 20^2
   for (std::size_t i = 0; i + 1 < layer.points.size(); ++i) {
     const Point& a = layer.points[i];
     const Point& b = layer.points[i + 1];
     if (!a.smooth || a.t_ms >= std::min(b.t_ms, kLongestMs)) continue;
-    if (may_ease && b.t_ms <= kLongestMs && alone(layers, layer, a, b)) {
+    if (allow_smooth && b.t_ms <= kLongestMs && alone(layers, layer, a, b)) {
       times.smooth.insert(a.t_ms);
       continue;
     }
     const double end_ms = std::min(b.t_ms, kLongestMs);
     for (int piece = 1; piece < kPieces; ++piece)
-      times.bends.insert(a.t_ms + (end_ms - a.t_ms) * piece / kPieces);
+      times.breakpoints.insert(a.t_ms + (end_ms - a.t_ms) * piece / kPieces);
   }
 }
 
-Times times_of(const std::vector<Layer>& layers, bool may_ease) {
+Times times_of(const std::vector<Layer>& layers, bool allow_smooth) {
   Times times;
   for (const Layer& layer : layers) {
     if (layer.points.front().t_ms >= kLongestMs) continue;
-    for (const Point& point : layer.points) times.bends.insert(std::min(point.t_ms, kLongestMs));
-    add_smooth(layers, layer, may_ease, times);
+    for (const Point& point : layer.points)
+      times.breakpoints.insert(std::min(point.t_ms, kLongestMs));
+    add_smooth(layers, layer, allow_smooth, times);
   }
   return times;
 }
 
-std::vector<Point> line_of(const std::vector<Layer>& layers, bool may_ease, bool& clipped) {
+std::vector<Point> line_of(const std::vector<Layer>& layers, bool allow_smooth, bool& clipped) {
   const auto cut = [&](double level) {
     clipped = clipped || level > 1.0 + kExact;
     return std::clamp(level, 0.0, 1.0);
   };
-  const Times times = times_of(layers, may_ease);
+  const Times times = times_of(layers, allow_smooth);
   std::vector<Point> line;
-  for (const double t_ms : times.bends) {
+  for (const double t_ms : times.breakpoints) {
     double before = 0.0;
     double after = 0.0;
     for (const Layer& layer : layers) {

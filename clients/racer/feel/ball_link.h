@@ -39,31 +39,31 @@ class BallLink {
   void notify(const protocol::Request& request);
 
   /// Connected and not silent.
-  bool hears() const;
+  bool is_receiving() const;
   /// Connected and silent, or the last attempt timed out.
   bool is_late() const;
   /// Reason of a missing or silent connection, one sentence; empty during the first attempt.
-  std::string trouble() const;
+  std::string problem() const;
   /// Of this connection: limits and role.
   const protocol::HelloResult& hello() const noexcept { return hello_; }
 
  private:
-  struct Arrival {
+  struct Established {
     client::Connection daemon;
     protocol::HelloResult hello;
   };
-  static client::Outcome<Arrival> arrive(const std::vector<client::Address>& addresses);
-  bool look_for_the_daemon();
-  void lose_the_daemon(const client::ClientError& why);
+  static client::Outcome<Established> arrive(const std::vector<client::Address>& addresses);
+  bool poll_connect();
+  void on_connection_lost(const client::ClientError& why);
 
   std::vector<client::Address> addresses_;
-  std::future<client::Outcome<Arrival>> arriving_;
+  std::future<client::Outcome<Established>> connecting_;
   client::Backoff backoff_;
-  Clock::time_point next_try_{};
+  Clock::time_point next_attempt_{};
   std::optional<client::Connection> daemon_;
   protocol::HelloResult hello_{};
   Clock::time_point received_at_{};
-  std::string trouble_;
+  std::string problem_;
   bool timed_out_ = false;  // of the last attempt
 };
 

@@ -14,7 +14,7 @@ struct BallReport {
   bool simulated = false;
   /// Why nothing is felt, one sentence: not connected, or requests of this game are refused; empty
   /// while the first attempt to connect is in progress.
-  std::string trouble{};
+  std::string problem{};
   /// `connected` is false, but a daemon exists: it is silent, or its response timed out.
   bool late = false;
   std::string state{};    // armed, disarmed, tripped, absent; empty: no daemon
@@ -32,7 +32,7 @@ struct BallReport {
 /// "the ball is armed", "the ball is tripped: let it cool", "another client has the ball for
 /// itself"; empty while the first attempt to connect is in progress.
 inline std::string sentence(const BallReport& ball) {
-  if (!ball.trouble.empty() || !ball.connected) return ball.trouble;
+  if (!ball.problem.empty() || !ball.connected) return ball.problem;
   return "the ball is " + ball.state + (ball.remedy.empty() ? "" : ": " + ball.remedy);
 }
 

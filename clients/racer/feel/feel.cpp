@@ -42,26 +42,26 @@ std::string refusal_of_us(const protocol::RpcError& error) {
 
 }  // namespace
 
-void Feel::frame(const std::vector<Happening>& happenings, double time_s) {
+void Feel::frame(const std::vector<RaceEvent>& race_events, double time_s) {
   time_s_ = time_s;
   played_.clear();
   listen();
-  for (const Happening& happening : happenings)
-    std::visit([this](const auto& what) { play(what); }, happening);
+  for (const RaceEvent& race_event : race_events)
+    std::visit([this](const auto& what) { play(what); }, race_event);
 }
 
 /// On the side of the car that was hit.
-void Feel::play(const Hit& hit) { blow("hit", hit.direction, hit.impulse_n_s, kHitMs); }
+void Feel::play(const Hit& hit) { play_impact("hit", hit.direction, hit.impulse_n_s, kHitMs); }
 
 /// From below.
 void Feel::play(const Landing& landing) {
-  blow("landing", {0, 0, -1}, landing.impulse_n_s, kLandingMs);
+  play_impact("landing", {0, 0, -1}, landing.impulse_n_s, kLandingMs);
 }
 
-void Feel::blow(const char* kind, const model::Vec3& direction, double impulse_n_s,
-                std::int64_t duration_ms) {
+void Feel::play_impact(const char* kind, const model::Vec3& direction, double impulse_n_s,
+                       std::int64_t duration_ms) {
   const int step = step_of(impulse_n_s);
-  if (!gate_.lets_through(step, time_s_)) {
+  if (!gate_.passes(step, time_s_)) {
     ++summary_.left_out;
     return;
   }
@@ -71,7 +71,7 @@ void Feel::blow(const char* kind, const model::Vec3& direction, double impulse_n
   pulse.duration_ms = duration_ms;
   pulse.priority = kBlow;
   if (auto asked = play(kind, direction, {EffectMethod::kPulse, pulse}))
-    blows_.push_back(*std::move(asked));
+    pending_hits_.push_back(*std::move(asked));
   else
     ++summary_.refused;
 }
@@ -128,12 +128,12 @@ void Feel::listen() {
   }
   for (const auto& answer : received.answers) take(answer);
   for (const auto& status : received.statuses) take(status);
-  if (link_.hears()) return;
-  summary_.refused += static_cast<int>(blows_.size());
-  blows_.clear();
+  if (link_.is_receiving()) return;
+  summary_.refused += static_cast<int>(pending_hits_.size());
+  pending_hits_.clear();
   ball_ = {};
   ball_.gain = gain_.now();
-  ball_.trouble = link_.trouble();
+  ball_.problem = link_.problem();
   ball_.late = link_.is_late();
 }
 
@@ -142,9 +142,9 @@ void Feel::take(const protocol::Reply& answer) {
     refused_.clear();
   else if (auto why = refusal_of_us(answer.result.error()); !why.empty())
     refused_ = std::move(why);
-  const auto blow = std::find(blows_.begin(), blows_.end(), answer.id);
-  if (blow == blows_.end()) return;
-  blows_.erase(blow);
+  const auto play_impact = std::find(pending_hits_.begin(), pending_hits_.end(), answer.id);
+  if (play_impact == pending_hits_.end()) return;
+  pending_hits_.erase(play_impact);
   ++(answer.result ? summary_.pulses : summary_.refused);
 }
 
@@ -158,7 +158,7 @@ void Feel::take(const protocol::Status& status) {
 
   ball_.connected = true;
   ball_.late = false;
-  ball_.trouble = refused_;
+  ball_.problem = refused_;
   ball_.simulated = status.simulated;
   ball_.state = status.state;
   ball_.remedy = status.remedy.value_or("");

@@ -12,7 +12,7 @@
 #include "clients/racer/feel/ball_report.h"
 #include "clients/racer/feel/gain.h"
 #include "clients/racer/feel/steps.h"
-#include "clients/racer/game/happening.h"
+#include "clients/racer/game/race_event.h"
 
 namespace hedgehog::racer {
 
@@ -33,7 +33,7 @@ class Feel {
 
   /// Once a frame: plays `happenings`, those of the frame at `time_s`, and processes the ball's
   /// messages.
-  void frame(const std::vector<Happening>& happenings, double time_s);
+  void frame(const std::vector<RaceEvent>& race_events, double time_s);
   /// Ends all effects: for the pause menu. The next frame may play again.
   void pause();
 
@@ -42,7 +42,7 @@ class Feel {
   const BallReport& ball() const noexcept { return ball_; }
   const BallSummary& summary() const noexcept { return summary_; }
   /// Every blow has a response.
-  bool answered() const noexcept { return blows_.empty(); }
+  bool answered() const noexcept { return pending_hits_.empty(); }
 
  private:
   void listen();
@@ -54,8 +54,8 @@ class Feel {
   void play(const Tumble& tumble);
   void play(const LapDone&) {}
   void play(const Reset&) { pause(); }
-  void blow(const char* kind, const model::Vec3& direction, double impulse_n_s,
-            std::int64_t duration_ms);
+  void play_impact(const char* kind, const model::Vec3& direction, double impulse_n_s,
+                   std::int64_t duration_ms);
   /// The id of the request if it was sent.
   std::optional<protocol::Id> play(const char* kind, const model::Vec3& direction,
                                    protocol::EffectStart effect);
@@ -68,8 +68,8 @@ class Feel {
   BallLink link_;
   Gain gain_;
   PulseGate gate_;
-  std::vector<protocol::Id> blows_;  // without a response so far
-  std::string refused_;              // why this game may not play, from the last response
+  std::vector<protocol::Id> pending_hits_;  // without a response so far
+  std::string refused_;                     // why this game may not play, from the last response
   std::vector<Played> played_;
   BallReport ball_;
   BallSummary summary_;

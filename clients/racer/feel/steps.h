@@ -14,13 +14,13 @@ namespace hedgehog::racer {
 
 inline constexpr int kSteps = 8;
 /// Impulses of the first and the last step; Newton seconds.
-inline constexpr double kSoftestBlow = 150.0;
-inline constexpr double kHardestBlow = 8000.0;
+inline constexpr double kMinHitImpulse = 150.0;
+inline constexpr double kMaxHitImpulse = 8000.0;
 
 /// 0..kSteps - 1; logarithmic, because a wall is many times harder than a crate.
 inline int step_of(double impulse_n_s) noexcept {
-  const double share = std::log(std::max(impulse_n_s, kSoftestBlow) / kSoftestBlow) /
-                       std::log(kHardestBlow / kSoftestBlow);
+  const double share = std::log(std::max(impulse_n_s, kMinHitImpulse) / kMinHitImpulse) /
+                       std::log(kMaxHitImpulse / kMinHitImpulse);
   return static_cast<int>(std::lround((kSteps - 1) * std::min(share, 1.0)));
 }
 
@@ -43,7 +43,7 @@ class PulseGate {
  public:
   static constexpr double kApartS = 0.25;
 
-  bool lets_through(int step, double time_s) noexcept {
+  bool passes(int step, double time_s) noexcept {
     const bool soon = step_ >= 0 && time_s >= at_s_ && time_s - at_s_ < kApartS;
     if (soon && step <= step_) return false;
     step_ = step;

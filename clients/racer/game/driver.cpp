@@ -15,7 +15,7 @@ namespace {
 constexpr double kSideways = 11.0;  // m/s^2, maximum lateral acceleration in a bend
 constexpr double kBraking = 7.0;    // m/s^2, assumed deceleration
 constexpr double kMaxSpeed = 18.0;
-constexpr double kPatienceS = 1.0;
+constexpr double kTimeoutS = 1.0;
 constexpr double kReverseS = 1.2;
 
 const Vec3& point(const std::vector<Vec3>& centre, std::size_t i) {
@@ -57,7 +57,7 @@ Controls Driver::drive(const Scene& scene, const Track& track) {
     return {.steer = -steer, .throttle = 0.0, .brake = 1.0};
   }
   stuck_steps_ = std::abs(scene.speed_mps) < 0.7 ? stuck_steps_ + 1 : 0;
-  if (stuck_steps_ > static_cast<int>(kPatienceS / Race::kStepS)) {
+  if (stuck_steps_ > static_cast<int>(kTimeoutS / Race::kStepS)) {
     stuck_steps_ = 0;
     reverse_steps_ = static_cast<int>(kReverseS / Race::kStepS);
   }

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <iterator>
 
-#include "clients/racer/game/blows.h"
 #include "clients/racer/game/car.h"
+#include "clients/racer/game/impacts.h"
 #include "clients/racer/game/laps.h"
 #include "clients/racer/game/world.h"
 #include "model/units.h"
@@ -26,11 +26,11 @@ constexpr double kSkidSmoothing = 0.35;  // weight of the newest step: time cons
 // Hysteresis of turning over, by the tilt of the car's up axis: cosines of 60 and 35 degrees.
 constexpr double kTurnsOver = 0.5;
 constexpr double kUpright = 0.82;
-constexpr double kLiesS = 3.0;
-constexpr double kLiesSlow = 1.5;  // m/s
+constexpr double kOverturnedS = 3.0;
+constexpr double kMaxRestSpeed = 1.5;  // m/s
 // Obstacles are restored in the next lap, unless the car is nearer than this.
-constexpr double kTidyAway = 20.0;  // metres
-constexpr double kLost = 15.0;      // metres beyond the edge of the road
+constexpr double kResetDistanceM = 20.0;  // metres
+constexpr double kLost = 15.0;            // metres beyond the edge of the road
 
 double within(double value, double min, double max) {
   return std::isfinite(value) ? std::clamp(value, min, max) : 0.0;
@@ -56,7 +56,7 @@ struct Race::State {
           flat_pose(here.x, here.y, 0.0, std::atan2(ahead.y, ahead.x) * model::kDegreesPerRadian);
     }
     world->place(pose);
-    flight_s = lies_s = skid = 0.0;
+    flight_s = overturned_s = skid = 0.0;
     skids = tumbles = false;
     look();
   }
@@ -86,9 +86,9 @@ struct Race::State {
   }
 
   void step(const Controls& asked) {
-    happenings.clear();
-    if (reset_asked) happenings.emplace_back(Reset{});
-    reset_asked = false;
+    race_events.clear();
+    if (reset_requested) race_events.emplace_back(Reset{});
+    reset_requested = false;
     scene.controls = {.steer = within(asked.steer, -1, 1),
                       .throttle = within(asked.throttle, 0, 1),
                       .brake = within(asked.brake, 0, 1)};
@@ -104,26 +104,26 @@ struct Race::State {
     }
     scene.time_s += kStepS;
     look();
-    for (const Hit& hit : blows.take(contacts, scene.time_s)) happenings.emplace_back(hit);
-    note_flight(contacts);
-    note_skid();
-    note_tumble(!contacts.empty());
-    note_lap();
+    for (const Hit& hit : impacts.take(contacts, scene.time_s)) race_events.emplace_back(hit);
+    detect_landing(contacts);
+    detect_skid();
+    detect_tumble(!contacts.empty());
+    detect_lap();
   }
 
-  void note_flight(const std::vector<Contact>& contacts) {
+  void detect_landing(const std::vector<Contact>& contacts) {
     const bool grounded =
         !contacts.empty() || std::any_of(scene.wheels.begin(), scene.wheels.end(),
                                          [](const Wheel& wheel) { return wheel.contact; });
     const bool upright = up() > kTurnsOver;
     // The velocity of the previous step, because the springs have begun to absorb it in this one.
     if (grounded && flight_s > kFlightS && upright && kCarMassKg * fall_mps > kMinLanding)
-      happenings.emplace_back(Landing{kCarMassKg * fall_mps});
+      race_events.emplace_back(Landing{kCarMassKg * fall_mps});
     flight_s = grounded ? 0.0 : flight_s + kStepS;
     fall_mps = std::max(0.0, -world->velocity().z);
   }
 
-  void note_skid() {
+  void detect_skid() {
     double sum = 0.0;
     for (const Wheel& wheel : scene.wheels) sum += wheel.skid;
     const Vec3 velocity = world->velocity();
@@ -131,18 +131,18 @@ struct Race::State {
     const double now = speed < kSlowSkid ? 0.0 : sum / 4.0;
     skid += kSkidSmoothing * (now - skid);
     skids = skid > (skids ? kSkidEnds : kSkidBegins);
-    if (skids) happenings.emplace_back(Skid{std::min(skid, 1.0)});
+    if (skids) race_events.emplace_back(Skid{std::min(skid, 1.0)});
   }
 
-  void note_tumble(bool touches) {
+  void detect_tumble(bool touches) {
     tumbles = tumbles ? up() < kUpright : up() < kTurnsOver;
     if (tumbles)
-      happenings.emplace_back(Tumble{rotate(conjugate(scene.car.orientation), {0, 0, -1})});
-    const bool lies = tumbles && touches && norm(world->velocity()) < kLiesSlow;
-    lies_s = lies ? lies_s + kStepS : 0.0;
-    if (lies_s > kLiesS || lost()) {
+      race_events.emplace_back(Tumble{rotate(conjugate(scene.car.orientation), {0, 0, -1})});
+    const bool overturned = tumbles && touches && norm(world->velocity()) < kMaxRestSpeed;
+    overturned_s = overturned ? overturned_s + kStepS : 0.0;
+    if (overturned_s > kOverturnedS || lost()) {
       recover();
-      reset_asked = true;
+      reset_requested = true;
     }
   }
 
@@ -153,16 +153,16 @@ struct Race::State {
     return std::hypot(away.x, away.y) > 0.5 * track.width + kLost || here.z < -5.0;
   }
 
-  void note_lap() {
+  void detect_lap() {
     if (!laps.take(track.centre, scene.car.position)) return;
     const double time_s = scene.time_s - lap_started_s;
-    happenings.emplace_back(LapDone{laps.done(), time_s});
+    race_events.emplace_back(LapDone{laps.done(), time_s});
     scene.last_lap_s = time_s;
     scene.best_lap_s = std::min(time_s, scene.best_lap_s.value_or(time_s));
     lap_started_s = scene.time_s;
     scene.lap = laps.done() + 1;
     scene.lap_time_s = 0.0;
-    world->tidy(kTidyAway);
+    world->reset_objects(kResetDistanceM);
   }
 
   /// Cosine of the car's tilt.
@@ -171,19 +171,19 @@ struct Race::State {
   Track track;
   std::unique_ptr<World> world;
   Scene scene;
-  std::vector<Happening> happenings;
-  Blows blows;
+  std::vector<RaceEvent> race_events;
+  Impacts impacts;
   Laps laps;
   double flight_s = 0.0;
   double fall_mps = 0.0;
   double skid = 0.0;
   bool skids = false;
   bool tumbles = false;
-  double lies_s = 0.0;
+  double overturned_s = 0.0;
   /// The player has begun to drive: until then the lap time stands still.
   bool driven = false;
   double lap_started_s = 0.0;
-  bool reset_asked = false;
+  bool reset_requested = false;
 };
 
 Race::Race(Track track) : state_(std::make_unique<State>(std::move(track))) {}
@@ -196,12 +196,12 @@ const Scene& Race::step(const Controls& controls) {
   return state_->scene;
 }
 const Scene& Race::scene() const noexcept { return state_->scene; }
-const std::vector<Happening>& Race::happenings() const noexcept { return state_->happenings; }
+const std::vector<RaceEvent>& Race::race_events() const noexcept { return state_->race_events; }
 const Track& Race::track() const noexcept { return state_->track; }
 
 void Race::recover() {
   state_->recover();
-  state_->reset_asked = true;
+  state_->reset_requested = true;
 }
 
 }  // namespace hedgehog::racer

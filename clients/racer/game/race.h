@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "clients/racer/game/happening.h"
+#include "clients/racer/game/race_event.h"
 #include "clients/racer/game/scene.h"
 #include "clients/racer/game/track.h"
 
@@ -27,7 +27,7 @@ class Race {
   const Scene& step(const Controls& controls);
   const Scene& scene() const noexcept;
   /// Of the last step.
-  const std::vector<Happening>& happenings() const noexcept;
+  const std::vector<RaceEvent>& race_events() const noexcept;
   const Track& track() const noexcept;
 
   /// Puts the car on its wheels in the middle of the road, at rest, before any obstacle. Reports

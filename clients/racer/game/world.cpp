@@ -196,7 +196,7 @@ void World::place(const Pose& pose) {
   bodies_->vehicle->resetSuspension();
 }
 
-void World::tidy(double away) {
+void World::reset_objects(double away) {
   const btVector3 car = bodies_->chassis->getWorldTransform().getOrigin();
   for (std::size_t i = 0; i < bodies_->movable.size(); ++i) {
     btRigidBody& body = *bodies_->movable[i];

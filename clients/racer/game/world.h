@@ -38,7 +38,7 @@ class World {
   /// Puts the car there, at rest.
   void place(const Pose& pose);
   /// Moves every movable object more than `away` metres from the car back to its start.
-  void tidy(double away);
+  void reset_objects(double away);
 
   Pose car() const;
   Vec3 velocity() const;  // of the car, m/s, world

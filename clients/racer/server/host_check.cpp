@@ -10,7 +10,7 @@ constexpr std::uint16_t kHttpPort = 80;  // omitted by browsers
 
 }  // namespace
 
-bool HostCheck::is_ours(std::string_view host) const {
+bool HostCheck::is_own_host(std::string_view host) const {
   const base::WebHost given = base::parse_web_host(host);
   if (given.is_local()) return true;
   if (given.port ? *given.port != std::to_string(port) : port != kHttpPort) return false;
@@ -19,7 +19,7 @@ bool HostCheck::is_ours(std::string_view host) const {
 }
 
 bool HostCheck::may_connect(std::string_view host, std::optional<std::string_view> origin) const {
-  return is_ours(host) && (!origin || base::is_origin_of(*origin, host));
+  return is_own_host(host) && (!origin || base::is_origin_of(*origin, host));
 }
 
 }  // namespace hedgehog::racer

@@ -19,7 +19,7 @@ struct HostCheck {
   /// True if `Host` is localhost, 127.x.x.x or [::1] with any port, as with ssh -L, or the address
   /// listened on with the bound port. When listening on every address, any IP address is accepted,
   /// since DNS rebinding requires a name.
-  bool is_ours(std::string_view host) const;
+  bool is_own_host(std::string_view host) const;
   /// True if `Origin`, if the browser sends one, is the page served from `host`.
   bool may_connect(std::string_view host, std::optional<std::string_view> origin) const;
 };

@@ -36,7 +36,7 @@ using Tcp = asio::ip::tcp;
 using Request = http::request<http::empty_body>;
 
 constexpr std::uint32_t kMaxHeaderBytes = 8 * 1024;
-constexpr std::chrono::seconds kPatience{15};
+constexpr std::chrono::seconds kTimeout{15};
 constexpr std::chrono::seconds kHandshake{5};
 /// A page that does not respond to pings for this long is closed.
 constexpr std::chrono::seconds kSilence{10};
@@ -49,24 +49,24 @@ constexpr const char* kContentPolicy =
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; "
     "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
-struct Answer {
+struct Response {
   http::status status;
   std::string_view type;
   std::string_view body;
-  base::WebFileAnswer file{.cache_control = "no-store"};
+  base::WebFileResponse file{.cache_control = "no-store"};
 };
 
-Answer sentence(http::status status, std::string_view text) {
+Response sentence(http::status status, std::string_view text) {
   return {status, "text/plain; charset=utf-8", text};
 }
 
-asio::awaitable<bool> send_answer(beast::tcp_stream& stream, const Answer& answer, bool head,
-                                  bool keep_alive) {
+asio::awaitable<bool> send_response(beast::tcp_stream& stream, const Response& answer, bool head,
+                                    bool keep_alive) {
   http::response<http::span_body<const char>> response;
   response.result(answer.status);
   response.set(http::field::server, "hedgehog-racer");
   response.set(http::field::content_type, answer.type);
-  const base::WebFileAnswer& file = answer.file;
+  const base::WebFileResponse& file = answer.file;
   response.set(http::field::cache_control, file.cache_control);
   if (!file.etag.empty()) response.set(http::field::etag, file.etag);
   if (!file.encoding.empty()) response.set(http::field::content_encoding, file.encoding);
@@ -94,8 +94,8 @@ asio::awaitable<bool> send_answer(beast::tcp_stream& stream, const Answer& answe
 
 }  // namespace
 
-struct Hub::Rooms {
-  Rooms(const HubSettings& settings, Callbacks given)
+struct Hub::Impl {
+  Impl(const HubSettings& settings, Callbacks given)
       : callbacks(std::move(given)), files(read_pages(settings.pages)), acceptor(context) {
     listen(settings);
     asio::co_spawn(context, accept(), asio::detached);
@@ -104,14 +104,14 @@ struct Hub::Rooms {
   void listen(const HubSettings& settings);
   asio::awaitable<void> accept();
   asio::awaitable<void> serve(Tcp::socket socket);
-  asio::awaitable<void> talk(beast::tcp_stream stream, Request request);
+  asio::awaitable<void> serve_page(beast::tcp_stream stream, Request request);
   asio::awaitable<void> write(std::shared_ptr<OpenPage> page);
-  Answer answer(const Request& request) const;
+  Response answer(const Request& request) const;
 
   Callbacks callbacks;
   base::WebFiles files;
   HostCheck host_check;
-  std::string greeting;
+  std::string first_message;
   // Before the context, whose destructor destroys the coroutines that own the pages.
   std::set<OpenPage*> pages;
   int connections = 0;
@@ -120,7 +120,7 @@ struct Hub::Rooms {
   Tcp::acceptor acceptor;
 };
 
-void Hub::Rooms::listen(const HubSettings& settings) {
+void Hub::Impl::listen(const HubSettings& settings) {
   const std::string where = settings.address + ":" + std::to_string(settings.port);
   error_code ec;
   const asio::ip::address address = asio::ip::make_address(settings.address, ec);
@@ -137,7 +137,7 @@ void Hub::Rooms::listen(const HubSettings& settings) {
   host_check = {address.to_string(), acceptor.local_endpoint().port()};
 }
 
-asio::awaitable<void> Hub::Rooms::accept() {
+asio::awaitable<void> Hub::Impl::accept() {
   asio::steady_timer pause(context);
   for (;;) {
     error_code ec;
@@ -155,13 +155,13 @@ asio::awaitable<void> Hub::Rooms::accept() {
   }
 }
 
-Answer Hub::Rooms::answer(const Request& request) const {
+Response Hub::Impl::answer(const Request& request) const {
   const std::string_view target = request.target();
   if (request.method() != http::verb::get && request.method() != http::verb::head)
     return sentence(http::status::method_not_allowed, "only GET and HEAD here\n");
   const base::WebFile* file = files.find(std::string(target.substr(0, target.find('?'))));
   if (file != nullptr) {
-    const base::WebFileAnswer sent = base::web_file_answer(
+    const base::WebFileResponse sent = base::web_file_response(
         *file, request[http::field::accept_encoding], request[http::field::if_none_match]);
     if (!sent.body) return {http::status::not_modified, file->type, {}, sent};
     return {http::status::ok, file->type, *sent.body, sent};
@@ -169,7 +169,7 @@ Answer Hub::Rooms::answer(const Request& request) const {
   return sentence(http::status::not_found, "there is no such page\n");
 }
 
-asio::awaitable<void> Hub::Rooms::serve(Tcp::socket socket) {
+asio::awaitable<void> Hub::Impl::serve(Tcp::socket socket) {
   const std::shared_ptr<int> here(&++connections, [](int* number) { --*number; });
   beast::tcp_stream stream(std::move(socket));
   beast::flat_buffer buffer(kMaxHeaderBytes);
@@ -177,14 +177,15 @@ asio::awaitable<void> Hub::Rooms::serve(Tcp::socket socket) {
     http::request_parser<http::empty_body> parser;
     parser.header_limit(kMaxHeaderBytes);
     parser.body_limit(0);
-    stream.expires_after(kPatience);
+    stream.expires_after(kTimeout);
     error_code ec;
     co_await http::async_read(stream, buffer, parser,
                               asio::redirect_error(asio::use_awaitable, ec));
     if (ec) {
-      const bool rude = ec.category() == http::make_error_code(http::error::bad_method).category();
-      if (rude && ec != http::error::end_of_stream) {
-        co_await send_answer(
+      const bool http_failed =
+          ec.category() == http::make_error_code(http::error::bad_method).category();
+      if (http_failed && ec != http::error::end_of_stream) {
+        co_await send_response(
             stream, sentence(http::status::bad_request, "this is no HTTP request for us\n"), false,
             false);
       }
@@ -196,29 +197,29 @@ asio::awaitable<void> Hub::Rooms::serve(Tcp::socket socket) {
     const auto origin = request.find(http::field::origin);
     std::optional<std::string_view> from;
     if (origin != request.end()) from = origin->value();
-    const bool socket_wanted = websocket::is_upgrade(request) && request.target() == "/ws";
-    Answer reply{};
-    if (!host_check.is_ours(host)) {
+    const bool ws_upgrade = websocket::is_upgrade(request) && request.target() == "/ws";
+    Response reply{};
+    if (!host_check.is_own_host(host)) {
       reply = sentence(http::status::misdirected_request,
                        "that is no name of this machine: use http://127.0.0.1 and this port\n");
     } else if (!host_check.may_connect(host, from)) {
       reply = sentence(http::status::forbidden, "pages of other sites may not connect\n");
-    } else if (socket_wanted && pages.size() < static_cast<std::size_t>(kMaxPages)) {
-      co_await talk(std::move(stream), std::move(request));
+    } else if (ws_upgrade && pages.size() < static_cast<std::size_t>(kMaxPages)) {
+      co_await serve_page(std::move(stream), std::move(request));
       co_return;
-    } else if (socket_wanted) {
+    } else if (ws_upgrade) {
       reply = sentence(http::status::service_unavailable, "too many pages are open\n");
     } else {
       reply = answer(request);
     }
-    open = co_await send_answer(stream, reply, request.method() == http::verb::head,
-                                request.keep_alive());
+    open = co_await send_response(stream, reply, request.method() == http::verb::head,
+                                  request.keep_alive());
   }
   error_code ignored;
   stream.socket().shutdown(Tcp::socket::shutdown_send, ignored);
 }
 
-asio::awaitable<void> Hub::Rooms::talk(beast::tcp_stream plain, Request request) {
+asio::awaitable<void> Hub::Impl::serve_page(beast::tcp_stream plain, Request request) {
   plain.expires_never();
   const auto page = std::make_shared<OpenPage>(++last_id, OpenPage::Stream(std::move(plain)));
   page->stream.set_option(websocket::stream_base::timeout{kHandshake, kSilence, true});
@@ -229,7 +230,7 @@ asio::awaitable<void> Hub::Rooms::talk(beast::tcp_stream plain, Request request)
   co_await page->stream.async_accept(request, asio::redirect_error(asio::use_awaitable, ec));
   if (ec) co_return;
   pages.insert(page.get());
-  if (!greeting.empty()) page->queue(greeting);
+  if (!first_message.empty()) page->queue(first_message);
   asio::co_spawn(context, write(page), asio::detached);
   beast::flat_buffer received;
   while (page->open) {
@@ -246,7 +247,7 @@ asio::awaitable<void> Hub::Rooms::talk(beast::tcp_stream plain, Request request)
   callbacks.left(page->id);
 }
 
-asio::awaitable<void> Hub::Rooms::write(std::shared_ptr<OpenPage> page) {
+asio::awaitable<void> Hub::Impl::write(std::shared_ptr<OpenPage> page) {
   while (page->open) {
     error_code ec;
     const std::string text = page->next();
@@ -263,38 +264,38 @@ asio::awaitable<void> Hub::Rooms::write(std::shared_ptr<OpenPage> page) {
 }
 
 Hub::Hub(const HubSettings& settings, Callbacks callbacks)
-    : rooms_(std::make_unique<Rooms>(settings, std::move(callbacks))) {}
+    : impl_(std::make_unique<Impl>(settings, std::move(callbacks))) {}
 
 Hub::~Hub() = default;
 
 void Hub::serve_until(std::chrono::steady_clock::time_point deadline) {
-  rooms_->context.run_until(std::max(deadline, std::chrono::steady_clock::now() + kMinWait));
+  impl_->context.run_until(std::max(deadline, std::chrono::steady_clock::now() + kMinWait));
 }
 
-void Hub::greet_with(std::string text) { rooms_->greeting = std::move(text); }
+void Hub::set_first_message(std::string text) { impl_->first_message = std::move(text); }
 
 void Hub::send(std::string_view text) {
-  for (OpenPage* page : rooms_->pages) page->queue(text);
+  for (OpenPage* page : impl_->pages) page->queue(text);
 }
 
 void Hub::send_latest(std::size_t kind, std::string_view text) {
-  for (OpenPage* page : rooms_->pages) page->replace(kind, text);
+  for (OpenPage* page : impl_->pages) page->replace(kind, text);
 }
 
 void Hub::announce_shutdown(std::string_view text) {
   send(text);
   const auto deadline = std::chrono::steady_clock::now() + kCloseFrame;
   const auto waits = [this] {
-    for (const OpenPage* page : rooms_->pages)
+    for (const OpenPage* page : impl_->pages)
       if (!page->idle()) return true;
     return false;
   };
-  while (waits() && rooms_->context.run_one_until(deadline) != 0) {
+  while (waits() && impl_->context.run_one_until(deadline) != 0) {
   }
 }
 
-int Hub::pages() const noexcept { return static_cast<int>(rooms_->pages.size()); }
+int Hub::pages() const noexcept { return static_cast<int>(impl_->pages.size()); }
 
-std::uint16_t Hub::port() const noexcept { return rooms_->host_check.port; }
+std::uint16_t Hub::port() const noexcept { return impl_->host_check.port; }
 
 }  // namespace hedgehog::racer

@@ -52,7 +52,7 @@ class Hub {
   void serve_until(std::chrono::steady_clock::time_point deadline);
 
   /// Sets the first message to every new page.
-  void greet_with(std::string text);
+  void set_first_message(std::string text);
   /// Sends to every page, in order; if too many are queued for a page its oldest is dropped.
   void send(std::string_view text);
   /// Sends to every page: replaces a queued message of the same `kind` (below kKinds).
@@ -66,8 +66,8 @@ class Hub {
   std::uint16_t port() const noexcept;
 
  private:
-  struct Rooms;
-  std::unique_ptr<Rooms> rooms_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace hedgehog::racer

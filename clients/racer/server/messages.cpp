@@ -69,14 +69,14 @@ PageMessage keys(const Json& message) {
   const Controls controls{number_in(message, "steer", -1.0, why),
                           number_in(message, "throttle", 0.0, why),
                           number_in(message, "brake", 0.0, why)};
-  if (!why.empty()) return NotUnderstood{why};
+  if (!why.empty()) return InvalidMessage{why};
   return KeysHeld{controls};
 }
 
 PageMessage pause(const Json& message) {
   const auto on = message.find("on");
-  if (on == message.end() || !on->is_boolean()) return NotUnderstood{"on must be true or false"};
-  return PauseWanted{on->get<bool>()};
+  if (on == message.end() || !on->is_boolean()) return InvalidMessage{"on must be true or false"};
+  return PauseRequest{on->get<bool>()};
 }
 
 PageMessage mode(const Json& message) {
@@ -84,8 +84,8 @@ PageMessage mode(const Json& message) {
   const auto found = wanted != message.end() && wanted->is_string()
                          ? mode_of(wanted->get_ref<const std::string&>())
                          : std::nullopt;
-  if (!found) return NotUnderstood{"mode must be ball, keyboard or driver"};
-  return ModeWanted{*found};
+  if (!found) return InvalidMessage{"mode must be ball, keyboard or driver"};
+  return ModeRequest{*found};
 }
 
 }  // namespace
@@ -134,7 +134,7 @@ std::string track_text(const Track& track) {
   return text.dump();
 }
 
-std::string scene_text(const Scene& scene, const Stand& stand) {
+std::string scene_text(const Scene& scene, const GameStatus& stand) {
   const Json text = {
       {"type", "scene"},
       {"time_s", rounded(scene.time_s)},
@@ -204,13 +204,13 @@ PageMessage page_message(std::string_view text) {
   const Json message = base::parse_json<Json>(text).value;
   const auto type = message.is_object() ? message.find("type") : message.end();
   if (!message.is_object() || type == message.end() || !type->is_string())
-    return NotUnderstood{"send one JSON object with a type"};
+    return InvalidMessage{"send one JSON object with a type"};
   const std::string& word = type->get_ref<const std::string&>();
   if (word == "keys") return keys(message);
-  if (word == "reset") return ResetWanted{};
+  if (word == "reset") return ResetRequest{};
   if (word == "pause") return pause(message);
   if (word == "mode") return mode(message);
-  return NotUnderstood{"type must be keys, reset, pause or mode"};
+  return InvalidMessage{"type must be keys, reset, pause or mode"};
 }
 
 }  // namespace hedgehog::racer

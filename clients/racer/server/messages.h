@@ -22,7 +22,7 @@ std::string_view name(Mode mode) noexcept;
 std::optional<Mode> mode_of(std::string_view name) noexcept;
 
 /// State of the game besides the scene.
-struct Stand {
+struct GameStatus {
   Mode mode = Mode::kKeyboard;
   bool paused = false;
   std::optional<double> best_lap_s{};  // of the player's own
@@ -59,7 +59,7 @@ struct Felt {
 };
 
 std::string track_text(const Track& track);
-std::string scene_text(const Scene& scene, const Stand& stand);
+std::string scene_text(const Scene& scene, const GameStatus& stand);
 std::string ball_text(const BallView& ball);
 std::string felt_text(const Felt& felt);
 std::string lap_text(const FinishedLap& lap);
@@ -70,18 +70,18 @@ std::string refusal_text(std::string_view why);
 struct KeysHeld {
   Controls controls{};
 };
-struct ResetWanted {};
-struct PauseWanted {
+struct ResetRequest {};
+struct PauseRequest {
   bool on = true;
 };
-struct ModeWanted {
+struct ModeRequest {
   Mode mode = Mode::kKeyboard;
 };
 /// Why a message is invalid, as a sentence.
-struct NotUnderstood {
+struct InvalidMessage {
   std::string why;
 };
-using PageMessage = std::variant<NotUnderstood, KeysHeld, ResetWanted, PauseWanted, ModeWanted>;
+using PageMessage = std::variant<InvalidMessage, KeysHeld, ResetRequest, PauseRequest, ModeRequest>;
 
 /// {"type":"keys","steer":-1..1,"throttle":0..1,"brake":0..1}, {"type":"reset"},
 /// {"type":"pause","on":true}, {"type":"mode","mode":"ball"|"keyboard"|"driver"}.

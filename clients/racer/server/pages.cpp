@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxBytes = 16u << 20;
 
-std::string nothing_here(const std::string& folder) {
+std::string missing_page(const std::string& folder) {
   return "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>Hedgehog racer</title>"
          "<p>The game runs, but its page was not built: there is no index.html in " +
          client::escape_html(folder) +
@@ -28,7 +28,7 @@ base::WebFiles read_pages(const std::string& folder) {
   if (files.find("/") == nullptr) {
     files.by_path = {
         {"/index.html",
-         {"text/html; charset=utf-8", std::make_shared<const std::string>(nothing_here(folder))}}};
+         {"text/html; charset=utf-8", std::make_shared<const std::string>(missing_page(folder))}}};
   }
   return files;
 }

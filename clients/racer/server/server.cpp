@@ -16,10 +16,10 @@ Server::Server(const HubSettings& settings, const Track& track)
     : hub_(settings,
            {[this](Hub::PageId page, std::string_view text) { return received(page, text); },
             [this](Hub::PageId page) { left(page); }}) {
-  hub_.greet_with(track_text(track));
+  hub_.set_first_message(track_text(track));
 }
 
-void Server::publish(const Scene& scene, const Stand& stand) {
+void Server::publish(const Scene& scene, const GameStatus& stand) {
   if (hub_.pages() > 0) hub_.send_latest(kSceneKind, scene_text(scene, stand));
 }
 
@@ -33,10 +33,10 @@ void Server::publish(const Felt& felt) {
 
 void Server::publish(const FinishedLap& lap) { hub_.send(lap_text(lap)); }
 
-Asked Server::take(std::chrono::steady_clock::time_point now) {
-  if (now > keys_end_) asked_.keys = {};
-  const Controls keys = asked_.keys;
-  return std::exchange(asked_, Asked{.keys = keys});
+PageRequests Server::take(std::chrono::steady_clock::time_point now) {
+  if (now > keys_end_) requests_.keys = {};
+  const Controls keys = requests_.keys;
+  return std::exchange(requests_, PageRequests{.keys = keys});
 }
 
 std::string Server::received(Hub::PageId page, std::string_view text) {
@@ -44,17 +44,17 @@ std::string Server::received(Hub::PageId page, std::string_view text) {
   if (const auto* held = std::get_if<KeysHeld>(&message)) {
     const Controls before = std::exchange(held_[page], held->controls);
     const bool pressed = held->controls != before && held->controls != Controls{};
-    if (page != steers_ && !pressed) return {};
-    asked_.keys = held->controls;
-    steers_ = page;
+    if (page != active_page_ && !pressed) return {};
+    requests_.keys = held->controls;
+    active_page_ = page;
     keys_end_ = std::chrono::steady_clock::now() + kKeysLease;
-  } else if (std::holds_alternative<ResetWanted>(message)) {
-    asked_.reset = true;
-  } else if (const auto* pause = std::get_if<PauseWanted>(&message)) {
-    asked_.pause = pause->on;
-  } else if (const auto* wanted = std::get_if<ModeWanted>(&message)) {
-    asked_.mode = wanted->mode;
-  } else if (const auto* broken = std::get_if<NotUnderstood>(&message)) {
+  } else if (std::holds_alternative<ResetRequest>(message)) {
+    requests_.reset = true;
+  } else if (const auto* pause = std::get_if<PauseRequest>(&message)) {
+    requests_.pause = pause->on;
+  } else if (const auto* wanted = std::get_if<ModeRequest>(&message)) {
+    requests_.mode = wanted->mode;
+  } else if (const auto* broken = std::get_if<InvalidMessage>(&message)) {
     return refusal_text(broken->why);
   }
   return {};
@@ -62,9 +62,9 @@ std::string Server::received(Hub::PageId page, std::string_view text) {
 
 void Server::left(Hub::PageId page) {
   held_.erase(page);
-  if (page == steers_) {
-    asked_.keys = {};
-    steers_ = 0;
+  if (page == active_page_) {
+    requests_.keys = {};
+    active_page_ = 0;
   }
 }
 

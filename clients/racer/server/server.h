@@ -4,7 +4,7 @@
 //
 //   Server server({.port = 7585, .pages = default_pages_folder()}, race.track());
 //   for (auto next = steady_clock::now();; next += 16ms) {
-//     const Asked asked = server.take();
+//     const PageRequests asked = server.take();
 //     server.publish(race.step(asked.keys), {});
 //     server.serve_until(next);
 //   }
@@ -22,7 +22,7 @@
 namespace hedgehog::racer {
 
 /// Requests of the pages since the last `take`.
-struct Asked {
+struct PageRequests {
   /// Of the page with the latest key press; neutral if it was closed or silent for kKeysLease.
   Controls keys{};
   bool reset = false;
@@ -43,14 +43,14 @@ class Server {
   void serve_until(std::chrono::steady_clock::time_point deadline) { hub_.serve_until(deadline); }
 
   /// Only the newest is sent: a slow page misses the others.
-  void publish(const Scene& scene, const Stand& stand);
+  void publish(const Scene& scene, const GameStatus& stand);
   void publish(const BallView& ball);
   /// Queued in order.
   void publish(const Felt& felt);
   void publish(const FinishedLap& lap);
   void announce_shutdown(std::string_view reason) { hub_.announce_shutdown(shutdown_text(reason)); }
 
-  Asked take(std::chrono::steady_clock::time_point now = std::chrono::steady_clock::now());
+  PageRequests take(std::chrono::steady_clock::time_point now = std::chrono::steady_clock::now());
   int pages() const noexcept { return hub_.pages(); }
   std::uint16_t port() const noexcept { return hub_.port(); }
 
@@ -58,8 +58,8 @@ class Server {
   std::string received(Hub::PageId page, std::string_view text);
   void left(Hub::PageId page);
 
-  Asked asked_{};
-  Hub::PageId steers_ = 0;
+  PageRequests requests_{};
+  Hub::PageId active_page_ = 0;
   std::map<Hub::PageId, Controls> held_;
   std::chrono::steady_clock::time_point keys_end_{};
   Hub hub_;

@@ -105,7 +105,7 @@ struct DaemonChanged {
 
 /// Events that do not change the state of the staircase: "note", "paused", "continued", "resumed",
 /// "rest", "stopped", "finished", "blind" (from here on).
-inline constexpr const char* kBallIsBack = "the ball is back";  // text of "continued"
+inline constexpr const char* kBallReturned = "the ball is back";  // text of "continued"
 struct Remark {
   std::string kind{};
   std::string text{};

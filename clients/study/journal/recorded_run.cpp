@@ -65,7 +65,7 @@ Result<void> RecordedRun::apply(const Line& line) {
   }
   if (const auto* remark = std::get_if<Remark>(&line.event)) {
     absent_ = absent_ || remark->kind == "resumed" ||
-              (remark->kind == "continued" && remark->text == kBallIsBack);
+              (remark->kind == "continued" && remark->text == kBallReturned);
     remarks_.push_back(line);
     return {};
   }
@@ -87,7 +87,7 @@ Result<void> RecordedRun::apply(const Line& line) {
 }
 
 Result<void> RecordedRun::close(const Answered& event) {
-  const Judged judged = state_.answer(event.answer);
+  const TrialOutcome judged = state_.answer(event.answer);
   const Staircase& staircase = state_.staircase();
   open_->answered = event;
   open_->positive = judged.positive;

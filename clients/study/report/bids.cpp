@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 /// An error if two different texts have the same label, or a text has an empty label.
-std::optional<Problem> mistakable(const std::set<std::string>& texts, const char* prefix) {
+std::optional<Problem> check_labels(const std::set<std::string>& texts, const char* prefix) {
   std::map<std::string, std::string> labelled;
   for (const std::string& text : texts) {
     const auto [place, is_new] = labelled.emplace(bids_label(text), text);
@@ -45,8 +45,8 @@ Result<void> write(const fs::path& file, const std::string& text) {
 }
 
 /// Written under a temporary name first, so that a failure leaves no partial output.
-Result<void> in_one_go(const fs::path& path,
-                       const std::function<Result<void>(const fs::path&)>& make) {
+Result<void> write_atomically(const fs::path& path,
+                              const std::function<Result<void>(const fs::path&)>& make) {
   const fs::path unfinished = path.string() + "." + std::to_string(::getpid()) + ".part";
   std::error_code failed;
   auto made = make(unfinished);
@@ -176,9 +176,9 @@ Result<void> write_bids(const fs::path& folder, const StudyFolder& study,
     people.insert(run.name.participant);
     experiments.insert(run.name.experiment);
   }
-  for (const auto& mistaken : {mistakable(people, "sub-"), mistakable(experiments, "task-")})
-    if (mistaken) return *mistaken;
-  return in_one_go(folder, [&](const fs::path& unfinished) {
+  for (const auto& problem : {check_labels(people, "sub-"), check_labels(experiments, "task-")})
+    if (problem) return *problem;
+  return write_atomically(folder, [&](const fs::path& unfinished) {
     return write_folder(unfinished, study, runs, authors);
   });
 }
@@ -199,7 +199,8 @@ Result<void> write_csv(const fs::path& file, const std::vector<AnalysedRun>& run
     headers.push_back(header);
   }
   const auto put = [](const fs::path& path, const std::string& content) {
-    return in_one_go(path, [&](const fs::path& unfinished) { return write(unfinished, content); });
+    return write_atomically(path,
+                            [&](const fs::path& unfinished) { return write(unfinished, content); });
   };
   if (auto written = put(beside, headers.dump(2) + "\n"); !written) return written;
   auto written = put(file, text);

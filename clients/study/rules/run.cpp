@@ -91,10 +91,10 @@ std::optional<Trial> RunState::next() const {
   return trial;
 }
 
-Judged RunState::answer(Answer answer) {
+TrialOutcome RunState::answer(Answer answer) {
   const std::optional<Trial> trial = next();
   assert(trial && fits(answer, experiment_.task));
-  Judged judged;
+  TrialOutcome judged;
   judged.trial = *trial;
   judged.positive = answer == Answer::kYes ||
                     (answer == Answer::kFirst && trial->interval_of_test == 1) ||

@@ -41,7 +41,7 @@ std::string_view name(Answer answer) noexcept;
 std::optional<Answer> answer_named(std::string_view text) noexcept;
 bool fits(Answer answer, Task task) noexcept;
 
-struct Judged {
+struct TrialOutcome {
   Trial trial{};
   bool positive = false;
   /// Scored trials only.
@@ -64,7 +64,7 @@ class RunState {
   std::optional<Trial> next() const;
   /// The response to the trial returned by `next`. REQUIRES: there is one, and `fits(answer,
   /// task)`.
-  Judged answer(Answer answer);
+  TrialOutcome answer(Answer answer);
   /// Repeats that trial, at the same level with a new interval order.
   void make_void();
 

@@ -13,23 +13,23 @@ bool Tracer::take(char token) {
       (catch_trial && experiment_.task != Task::kYesNo))
     return false;
   if (staircase_.over()) {
-    ++so_far_.unused;
+    ++trace_.unused;
     return true;
   }
-  so_far_.levels.push_back(catch_trial ? 0 : staircase_.level());
+  trace_.levels.push_back(catch_trial ? 0 : staircase_.level());
   if (scored) {
-    so_far_.steps.push_back(staircase_.answer(token == '1'));
+    trace_.steps.push_back(staircase_.answer(token == '1'));
   } else if (catch_trial) {
-    ++so_far_.catches;
-    so_far_.false_alarms += token == 'Y' ? 1 : 0;
+    ++trace_.catches;
+    trace_.false_alarms += token == 'Y' ? 1 : 0;
   } else {
-    ++so_far_.voids;
+    ++trace_.voids;
   }
   return true;
 }
 
 Trace Tracer::result() const {
-  Trace trace = so_far_;
+  Trace trace = trace_;
   const StaircaseState& state = staircase_.state();
   trace.reversals = state.reversals;
   trace.status = staircase_.status();

@@ -42,7 +42,7 @@ class Tracer {
  private:
   Experiment experiment_;
   Staircase staircase_;
-  Trace so_far_;
+  Trace trace_;
 };
 
 /// The trace, or one sentence about the first invalid token.

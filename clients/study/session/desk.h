@@ -50,7 +50,7 @@ class Desk {
 
   virtual void show(const View& view) = 0;
   /// An input within `patience`.
-  virtual Input wait(std::chrono::milliseconds patience) = 0;
+  virtual Input wait(std::chrono::milliseconds timeout) = 0;
   /// Reads the keys typed so far, so that they are not taken as the response to the next question.
   virtual void take_in() {}
   /// No person is present who could continue a paused run.

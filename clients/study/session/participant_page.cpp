@@ -110,7 +110,7 @@ std::optional<char> ParticipantServer::key() {
   return pressed;
 }
 
-void ParticipantServer::forget_keys() {
+void ParticipantServer::clear_keys() {
   char bytes[64];
   for (const int page : pages_) {
     while (::recv(page, bytes, sizeof bytes, 0) > 0) {

@@ -27,7 +27,7 @@ class ParticipantServer {
   /// '<' or '>' if it was pressed on a page.
   std::optional<char> key();
   /// Discards the keys pressed so far.
-  void forget_keys();
+  void clear_keys();
 
  private:
   ParticipantServer() = default;

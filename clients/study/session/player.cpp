@@ -78,9 +78,9 @@ std::optional<std::string> Player::too_much(const Experiment& experiment) const 
   return beyond(experiment, max_a_);
 }
 
-Outcome<Player> Player::open(const std::vector<client::Address>& addresses, Milliseconds patience,
+Outcome<Player> Player::open(const std::vector<client::Address>& addresses, Milliseconds timeout,
                              Milliseconds silence) {
-  auto connection = client::Connection::reopen(addresses, patience);
+  auto connection = client::Connection::reopen(addresses, timeout);
   if (!connection) return connection.error();
   Player player(*std::move(connection), silence);
   if (auto introduced = player.introduce(); !introduced) return introduced.error();

@@ -34,7 +34,7 @@ class Player {
   /// Connects, sends a hello, claims the ball. A daemon that sends nothing for `silence` is
   /// considered lost.
   static client::Outcome<Player> open(const std::vector<client::Address>& addresses,
-                                      client::Milliseconds patience,
+                                      client::Milliseconds timeout,
                                       client::Milliseconds silence = max_silence());
 
   const BallFacts& ball() const noexcept { return pin_.ball; }

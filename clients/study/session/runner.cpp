@@ -44,7 +44,7 @@ Result<RunEnd> Runner::run() {
     if (!early) return early.error();
     if (*early) return **early;
   }
-  if (auto kept = keep_note(); !kept) return kept.error();
+  if (auto kept = record_note(); !kept) return kept.error();
   const Staircase& staircase = journal_.run().state().staircase();
   const std::vector<Level> counted = staircase.counted_reversals();
   const Experiment& experiment = journal_.run().header().experiment;
@@ -63,7 +63,7 @@ Result<Runner::Early> Runner::one_trial() {
     auto early = wait();
     if (!early || *early) return early;
   }
-  void_asked_ = false;
+  void_requested_ = false;
   if (auto written = journal_.append(TrialStarted{trial}); !written) return written.error();
   std::string fault;
   auto early = play(trial, fault);
@@ -77,14 +77,14 @@ Result<Runner::Early> Runner::one_trial() {
   if (auto written = journal_.append(Voided{fault}); !written) return written.error();
   message_ = "void: " + fault;
   if (!lost_.empty()) return reconnect(std::exchange(lost_, {}));
-  return look_at(fault);
+  return handle_void(fault);
 }
 
-Result<Runner::Early> Runner::look_at(const std::string& fault) {
+Result<Runner::Early> Runner::handle_void(const std::string& fault) {
   if (desk_.unattended() && fault == kTimeout) {
     if (++timeouts_in_a_row_ < kTooManyTimeouts) return Early{};
-    why_stuck_ = fault + ", again and again (response_limit_ms is " +
-                 std::to_string(journal_.run().header().experiment.response_limit_ms) + ")";
+    stuck_reason_ = fault + ", again and again (response_limit_ms is " +
+                    std::to_string(journal_.run().header().experiment.response_limit_ms) + ")";
     return Early{RunEnd::kStuck};
   }
   if (++voids_in_a_row_ < kTooManyVoids) return Early{};
@@ -94,7 +94,7 @@ Result<Runner::Early> Runner::look_at(const std::string& fault) {
 }
 
 Runner::Early Runner::stuck(const std::string& why) {
-  why_stuck_ = "the ball does not play (" + why + ")";
+  stuck_reason_ = "the ball does not play (" + why + ")";
   return RunEnd::kStuck;
 }
 
@@ -110,8 +110,8 @@ Result<Runner::Early> Runner::play(const Trial& trial, std::string& fault) {
     if (trial.kind == TrialKind::kCatch) stimulus.current_a = 0.0;
     show(Phase::kInterval, interval);
     const auto played = player_->play(interval, stimulus, experiment.pattern, not_before, [&] {
-      if (auto seen = measured_now(Milliseconds{0}); !seen) problem = seen.error();
-      return problem || void_asked_ || asked_to_stop();
+      if (auto seen = poll_input(Milliseconds{0}); !seen) problem = seen.error();
+      return problem || void_requested_ || stop_requested();
     });
     if (problem) return *problem;
     if (!played) {
@@ -120,9 +120,9 @@ Result<Runner::Early> Runner::play(const Trial& trial, std::string& fault) {
       return Early{};
     }
     if (auto written = journal_.append(*played); !written) return written.error();
-    if (asked_to_stop()) return leave();
-    fault =
-        void_asked_ ? "by the experimenter" : fault_of(*played, experiment.pattern).value_or("");
+    if (stop_requested()) return stop_early();
+    fault = void_requested_ ? "by the experimenter"
+                            : fault_of(*played, experiment.pattern).value_or("");
     if (played->offset_ns) not_before = *played->offset_ns + experiment.pattern.gap_ms * 1'000'000;
   }
   return Early{};
@@ -153,9 +153,9 @@ Result<Runner::Early> Runner::ask(std::string& fault) {
       message_.clear();
       return Early{};
     }
-    if (auto heeded = heed(input); !heeded) return heeded.error();
-    if (asked_to_stop()) return leave();
-    if (void_asked_) {
+    if (auto handled = handle_input(input); !handled) return handled.error();
+    if (stop_requested()) return stop_early();
+    if (void_requested_) {
       fault = "by the experimenter";
       return Early{};
     }

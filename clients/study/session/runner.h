@@ -17,7 +17,7 @@ namespace hedgehog::study {
 enum class RunEnd : std::uint8_t {
   kOver,     // finished, or aborted after the maximum number of trials
   kStopped,  // by the experimenter, or by `stop`: `resume` continues
-  kStuck,    // unattended, and it cannot continue: see `why_stuck`
+  kStuck,    // unattended, and it cannot continue: see `stuck_reason`
 };
 
 /// One thread. A ball that derates, is lost or claimed, and a lost connection pause the run until
@@ -31,7 +31,7 @@ class Runner {
   /// EX_IOERR when the journal cannot be written.
   Result<RunEnd> run();
   /// A sentence without full stop. Empty unless the end was kStuck.
-  const std::string& why_stuck() const noexcept { return why_stuck_; }
+  const std::string& stuck_reason() const noexcept { return stuck_reason_; }
 
  private:
   /// nullopt: continue.
@@ -39,7 +39,7 @@ class Runner {
 
   Result<Early> one_trial();
   /// After a void: too many in a row pause or end the run.
-  Result<Early> look_at(const std::string& fault);
+  Result<Early> handle_void(const std::string& fault);
   Early stuck(const std::string& why);
   Result<Early> play(const Trial& trial, std::string& fault);
   Result<Early> ask(std::string& fault);
@@ -52,29 +52,29 @@ class Runner {
   /// decides.
   Result<Early> accept_start();
   /// Processes input outside of a question.
-  Result<void> measured_now(std::chrono::milliseconds patience);
-  Result<void> heed(const Input& input);
+  Result<void> poll_input(std::chrono::milliseconds timeout);
+  Result<void> handle_input(const Input& input);
   /// Records a note that is unfinished at the end.
-  Result<void> keep_note();
-  Result<Early> leave();
+  Result<void> record_note();
+  Result<Early> stop_early();
   void show(Phase phase, int interval = 0, const std::string& message = {}, bool waits = false);
-  bool asked_to_stop() const { return stop_asked_ || stop_(); }
+  bool stop_requested() const { return stop_requested_ || stop_(); }
 
   Journal& journal_;
   std::optional<Player> player_;
   client::Address address_;
   Desk& desk_;
   std::function<bool()> stop_;
-  bool stop_asked_ = false;
-  bool pause_asked_ = false;
-  bool void_asked_ = false;
-  bool continue_asked_ = false;
+  bool stop_requested_ = false;
+  bool pause_requested_ = false;
+  bool void_requested_ = false;
+  bool continue_requested_ = false;
   /// The last failure of the connection, if it cannot be used any more.
   std::string lost_{};
   int voids_in_a_row_ = 0;
   /// Of an unattended run, in which a response in time is expected eventually.
   int timeouts_in_a_row_ = 0;
-  std::string why_stuck_{};
+  std::string stuck_reason_{};
   std::string message_{};
 };
 

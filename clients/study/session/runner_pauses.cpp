@@ -14,7 +14,7 @@ using std::chrono::steady_clock;
 constexpr Milliseconds kStatusPoll{100};
 constexpr Milliseconds kReconnect{2000};
 // An unattended run limits its waiting time for a daemon or a ball.
-constexpr std::chrono::seconds kUnattendedPatience{120};
+constexpr std::chrono::seconds kUnattendedTimeout{120};
 
 }  // namespace
 
@@ -27,19 +27,19 @@ Result<Runner::Early> Runner::until_ready(const Trial& trial) {
   bool lost_before = false;
   const auto since = steady_clock::now();
   while (true) {
-    if (auto seen = measured_now(Milliseconds{0}); !seen) return seen.error();
-    if (asked_to_stop()) return leave();
-    if (std::exchange(pause_asked_, false)) {
+    if (auto seen = poll_input(Milliseconds{0}); !seen) return seen.error();
+    if (stop_requested()) return stop_early();
+    if (std::exchange(pause_requested_, false)) {
       auto early = pause(Phase::kPaused, "by the experimenter");
       if (!early || *early) return early;
     }
     const auto ready = player_->readiness(journal_.run().header().experiment, trial);
     const bool refused = !ready && ready.error().failure == client::Failure::kRefused;
     if (!ready && !refused) {
-      if (desk_.unattended() && steady_clock::now() - since > kUnattendedPatience)
+      if (desk_.unattended() && steady_clock::now() - since > kUnattendedTimeout)
         return stuck(ready.error().message);
       if (std::exchange(lost_before, true)) {
-        if (auto seen = measured_now(kReconnect); !seen) return seen.error();
+        if (auto seen = poll_input(kReconnect); !seen) return seen.error();
       }
       auto early = reconnect(ready.error().message);
       if (!early || *early) return early;
@@ -60,11 +60,11 @@ Result<Runner::Early> Runner::until_ready(const Trial& trial) {
     }
     show(Phase::kPaused, 0, now.why_not);
     // The request of this trial stays invalid, however long it waits.
-    const bool for_ever = refused && ready.error().refusal &&
-                          ready.error().refusal->code == protocol::ErrorCode::kInvalidParams;
-    if (desk_.unattended() && (for_ever || steady_clock::now() - since > kUnattendedPatience))
+    const bool is_permanent = refused && ready.error().refusal &&
+                              ready.error().refusal->code == protocol::ErrorCode::kInvalidParams;
+    if (desk_.unattended() && (is_permanent || steady_clock::now() - since > kUnattendedTimeout))
       return stuck(now.why_not);
-    if (auto seen = measured_now(kStatusPoll); !seen) return seen.error();
+    if (auto seen = poll_input(kStatusPoll); !seen) return seen.error();
     if (auto kept = player_->keep(Milliseconds{0}); !kept) lost_ = kept.error().message;
   }
 }
@@ -84,16 +84,16 @@ Result<Runner::Early> Runner::pause(Phase phase, const std::string& why) {
   if (auto written = journal_.append(Remark{phase == Phase::kRest ? "rest" : "paused", why});
       !written)
     return written.error();
-  continue_asked_ = false;
-  while (!continue_asked_) {
+  continue_requested_ = false;
+  while (!continue_requested_) {
     show(phase, 0, why + "; c continues", true);
-    if (auto seen = measured_now(kStatusPoll); !seen) return seen.error();
-    if (asked_to_stop()) return leave();
+    if (auto seen = poll_input(kStatusPoll); !seen) return seen.error();
+    if (stop_requested()) return stop_early();
     if (lost_.empty()) {
       if (auto kept = player_->keep(Milliseconds{0}); !kept) lost_ = kept.error().message;
     }
   }
-  pause_asked_ = false;
+  pause_requested_ = false;
   if (auto written = journal_.append(Remark{"continued", ""}); !written) return written.error();
   return lost_.empty() ? Result<Early>(Early{}) : reconnect(std::exchange(lost_, {}));
 }
@@ -120,22 +120,22 @@ Result<Runner::Early> Runner::reconnect(const std::string& why) {
     } else if (again) {
       waiting = "another ball is there: " + again->ball().name;
     }
-    if (auto seen = measured_now(kStatusPoll); !seen) return seen.error();
-    if (asked_to_stop()) return leave();
-    if (desk_.unattended() && steady_clock::now() - since > kUnattendedPatience) return stuck(why);
+    if (auto seen = poll_input(kStatusPoll); !seen) return seen.error();
+    if (stop_requested()) return stop_early();
+    if (desk_.unattended() && steady_clock::now() - since > kUnattendedTimeout) return stuck(why);
   }
-  if (auto written = journal_.append(Remark{"continued", kBallIsBack}); !written)
+  if (auto written = journal_.append(Remark{"continued", kBallReturned}); !written)
     return written.error();
   return Early{};
 }
 
 Result<Runner::Early> Runner::accept_start() {
-  continue_asked_ = desk_.unattended();
-  while (!continue_asked_) {
+  continue_requested_ = desk_.unattended();
+  while (!continue_requested_) {
     show(Phase::kPaused, 0,
          "the daemon was started anew: is it the same ball? c goes on with it, q stops", true);
-    if (auto seen = measured_now(kStatusPoll); !seen) return seen.error();
-    if (asked_to_stop()) return leave();
+    if (auto seen = poll_input(kStatusPoll); !seen) return seen.error();
+    if (stop_requested()) return stop_early();
     if (auto kept = player_->keep(Milliseconds{0}); !kept) {
       lost_ = kept.error().message;
       return Early{};
@@ -146,23 +146,23 @@ Result<Runner::Early> Runner::accept_start() {
   return Early{};
 }
 
-Result<void> Runner::measured_now(std::chrono::milliseconds patience) {
-  return heed(desk_.wait(patience));
+Result<void> Runner::poll_input(std::chrono::milliseconds timeout) {
+  return handle_input(desk_.wait(timeout));
 }
 
-Result<void> Runner::heed(const Input& input) {
+Result<void> Runner::handle_input(const Input& input) {
   switch (input.kind) {
     case Input::Kind::kPause:
-      pause_asked_ = true;
+      pause_requested_ = true;
       break;
     case Input::Kind::kContinue:
-      continue_asked_ = true;
+      continue_requested_ = true;
       break;
     case Input::Kind::kVoid:
-      void_asked_ = true;
+      void_requested_ = true;
       break;
     case Input::Kind::kStop:
-      stop_asked_ = true;
+      stop_requested_ = true;
       break;
     case Input::Kind::kNote:
       return journal_.append(Remark{"note", input.text});
@@ -173,13 +173,13 @@ Result<void> Runner::heed(const Input& input) {
   return {};
 }
 
-Result<void> Runner::keep_note() {
+Result<void> Runner::record_note() {
   const auto note = desk_.unfinished_note();
   return note && !note->empty() ? journal_.append(Remark{"note", *note}) : Result<void>();
 }
 
-Result<Runner::Early> Runner::leave() {
-  if (auto kept = keep_note(); !kept) return kept.error();
+Result<Runner::Early> Runner::stop_early() {
+  if (auto kept = record_note(); !kept) return kept.error();
   if (journal_.run().open()) {
     if (auto written = journal_.append(Voided{"stopped"}); !written) return written.error();
   }

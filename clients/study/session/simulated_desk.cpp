@@ -22,9 +22,9 @@ void SimulatedDesk::show(const View& view) {
   report_(view);
 }
 
-Input SimulatedDesk::wait(std::chrono::milliseconds patience) {
+Input SimulatedDesk::wait(std::chrono::milliseconds timeout) {
   if (view_.phase != Phase::kQuestion || !view_.run->open()) {
-    std::this_thread::sleep_for(patience);
+    std::this_thread::sleep_for(timeout);
     return {};
   }
   const Experiment& experiment = view_.run->header().experiment;

@@ -18,7 +18,7 @@ class SimulatedDesk : public Desk {
                 std::function<void(const View&)> report);
 
   void show(const View& view) override;
-  Input wait(std::chrono::milliseconds patience) override;
+  Input wait(std::chrono::milliseconds timeout) override;
   bool unattended() const override { return true; }
 
  private:

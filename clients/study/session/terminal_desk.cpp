@@ -52,15 +52,15 @@ std::optional<std::string> TerminalDesk::note_key(char key) {
 }
 
 void TerminalDesk::take_in() {
-  if (page_) page_->forget_keys();
+  if (page_) page_->clear_keys();
   terminal_.take_in();
 }
 
-Input TerminalDesk::wait(std::chrono::milliseconds patience) {
+Input TerminalDesk::wait(std::chrono::milliseconds timeout) {
   Input input;
   char key = page_ ? page_->key().value_or('\0') : '\0';
   if (key == '\0') {
-    const auto typed = terminal_.key(patience);
+    const auto typed = terminal_.key(timeout);
     if (typed && note_ && !typed->arrow) {
       if (const auto note = note_key(typed->what)) {
         input.kind = Input::Kind::kNote;

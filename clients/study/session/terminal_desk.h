@@ -19,7 +19,7 @@ class TerminalDesk : public Desk {
   TerminalDesk(std::optional<ParticipantServer> page, bool blind);
 
   void show(const View& view) override;
-  Input wait(std::chrono::milliseconds patience) override;
+  Input wait(std::chrono::milliseconds timeout) override;
   void take_in() override;
   bool unattended() const override { return false; }
   std::optional<std::string> unfinished_note() override;

@@ -11,7 +11,7 @@ namespace hedgehog::study {
 namespace {
 
 /// Repeats the question until confirmed; q gives up.
-bool ticked(bool& given, const std::string& question, const Ask& ask) {
+bool ticked(bool& given, const std::string& question, const Prompt& ask) {
   std::string prompt = question + " [y/n]";
   while (!given) {
     const auto answer = ask(prompt);
@@ -24,7 +24,7 @@ bool ticked(bool& given, const std::string& question, const Ask& ask) {
 }
 
 /// Repeats the question until there is a response, if one is `needed`.
-bool filled(std::string& given, const std::string& question, bool needed, const Ask& ask) {
+bool filled(std::string& given, const std::string& question, bool needed, const Prompt& ask) {
   while (given.empty()) {
     const auto answer = ask(question);
     if (!answer) return false;
@@ -37,7 +37,7 @@ bool filled(std::string& given, const std::string& question, bool needed, const 
 /// Repeats the question until `parse` accepts the response.
 template <class T>
 std::optional<T> parsed(Result<T> (*parse)(std::string_view), const std::string& question,
-                        const Ask& ask) {
+                        const Prompt& ask) {
   std::string prompt = question;
   while (true) {
     const auto answer = ask(prompt);
@@ -53,14 +53,14 @@ Result<std::string> parse_hand(std::string_view text) {
   return Problem{EX_USAGE, "left or right, please"};
 }
 
-bool ready(Checklist& given, const Ask& ask) {
+bool ready(Checklist& given, const Prompt& ask) {
   return ticked(given.headphones, "noise-cancelling headphones on and running?", ask) &&
          ticked(given.hand_on_top, "dominant hand on top of the ball, relaxed?", ask);
 }
 
 }  // namespace
 
-std::optional<std::string> ask_at_terminal(const std::string& question) {
+std::optional<std::string> prompt_terminal(const std::string& question) {
   std::printf("%s ", question.c_str());
   std::fflush(stdout);
   std::string answer;
@@ -68,7 +68,7 @@ std::optional<std::string> ask_at_terminal(const std::string& question) {
   return answer;
 }
 
-std::optional<Checklist> complete(Checklist given, const Ask& ask) {
+std::optional<Checklist> complete(Checklist given, const Prompt& ask) {
   if (!filled(given.experimenter, "experimenter (a code, not a name):", true, ask) ||
       !filled(given.consent, "consent sheet, its reference:", true, ask))
     return std::nullopt;
@@ -90,13 +90,13 @@ std::optional<Checklist> complete(Checklist given, const Ask& ask) {
   return ready(given, ask) ? std::optional(given) : std::nullopt;
 }
 
-std::optional<Checklist> ticked_again(Checklist known, const Ask& ask) {
+std::optional<Checklist> ticked_again(Checklist known, const Prompt& ask) {
   known.headphones = false;
   known.hand_on_top = false;
   return ready(known, ask) ? std::optional(known) : std::nullopt;
 }
 
-std::optional<bool> confirm(const std::string& question, const Ask& ask) {
+std::optional<bool> confirm(const std::string& question, const Prompt& ask) {
   std::string prompt = question + " [y/n]";
   while (true) {
     const auto answer = ask(prompt);

@@ -13,7 +13,7 @@ namespace hedgehog::study {
 namespace {
 
 // Long enough for a restart of the daemon.
-constexpr client::Milliseconds kRehearsalPatience{60'000};
+constexpr client::Milliseconds kRehearsalTimeout{60'000};
 constexpr int kBarWidth = 30;
 
 /// Study and daemon of a rehearsal.
@@ -26,36 +26,38 @@ struct Start {
 /// Starts or resumes one run of a rehearsal. 0: it is over.
 int rehearse_one(const Start& start, const Participant& participant, const Experiment& experiment,
                  const std::function<void(const View&)>& report) {
-  const RunsSoFar runs = runs_so_far(start.study, participant.id, experiment.name);
+  const RunHistory runs = run_history(start.study, participant.id, experiment.name);
   if (runs.over) return 0;
-  auto player = Player::open(start.addresses, kRehearsalPatience);
-  if (!player) return complain(player.error());
-  if (const auto plays = is_played_by(*player, experiment); !plays) return complain(plays.error());
+  auto player = Player::open(start.addresses, kRehearsalTimeout);
+  if (!player) return report_error(player.error());
+  if (const auto plays = check_playable(*player, experiment); !plays)
+    return report_error(plays.error());
   auto journal = runs.last ? Journal::open(runs.last->path)
                            : begin(start.study, participant.id, experiment, runs.next,
                                    player->pin(), {.simulated = true});
-  if (!journal) return complain(journal.error());
+  if (!journal) return report_error(journal.error());
   const RunStarted& header = journal->run().header();
   if (!header.simulated_person) {
-    return study::complain(EX_DATAERR, journal->path().string() +
-                                           " is of a person; rehearse in "
-                                           "a study of its own");
+    return study::report_error(EX_DATAERR, journal->path().string() +
+                                               " is of a person; rehearse in "
+                                               "a study of its own");
   }
-  if (const auto same = goes_on_with(*player, journal->run()); !same) return complain(same.error());
+  if (const auto same = check_same_ball(*player, journal->run()); !same)
+    return report_error(same.error());
   if (const auto meant =
-          confirm_daemon(journal->run(), player->pin(), start.address_given, ask_at_terminal);
+          confirm_daemon(journal->run(), player->pin(), start.address_given, prompt_terminal);
       !meant)
-    return complain(meant.error());
+    return report_error(meant.error());
   if (runs.last) {
     if (auto written = append_resumed(*journal, player->pin()); !written)
-      return complain(written.error());
+      return report_error(written.error());
   }
   SimulatedDesk desk(simulated_person(header.experiment, header.person_seed), header.person_seed,
                      report);
   Runner runner(*journal, *std::move(player), desk, client::interrupted);
   const auto end = runner.run();
-  if (!end) return complain(end.error());
-  return *end == RunEnd::kOver ? 0 : print_end(*journal, *end, runner.why_stuck());
+  if (!end) return report_error(end.error());
+  return *end == RunEnd::kOver ? 0 : print_end(*journal, *end, runner.stuck_reason());
 }
 
 }  // namespace
@@ -63,9 +65,9 @@ int rehearse_one(const Start& start, const Participant& participant, const Exper
 int run_rehearse(const RunOptions& options) {
   client::watch_interrupts();
   const auto study = StudyFolder::find(".");
-  if (!study) return complain(study.error());
+  if (!study) return report_error(study.error());
   const auto addresses = client::daemon_addresses(options.address);
-  if (!addresses) return complain(addresses.error());
+  if (!addresses) return report_error(addresses.error());
   const Start start{*study, *addresses, options.address.has_value()};
   const std::size_t all = study->plan().participants.size() * study->plan().experiments.size();
   std::size_t done = 0;
@@ -73,9 +75,9 @@ int run_rehearse(const RunOptions& options) {
   for (const Participant& participant : study->plan().participants) {
     for (const std::string& name : participant.order) {
       const auto experiment = study->experiment(name);
-      if (!experiment) return complain(experiment.error());
+      if (!experiment) return report_error(experiment.error());
       if (const auto checked = study->is_unmistakable(*experiment); !checked)
-        return complain(checked.error());
+        return report_error(checked.error());
       const auto report = [&](const View& view) {
         if (!bar || view.phase != Phase::kReady) return;
         const double part =

@@ -56,18 +56,18 @@ void print_exclusions(const std::vector<AnalysedRun>& runs) {
 }
 
 /// Simulated results must not be mistaken for a study's.
-void warn_of_programs(const std::vector<AnalysedRun>& runs) {
+void warn_of_simulated(const std::vector<AnalysedRun>& runs) {
   const auto simulated = std::count_if(
       runs.begin(), runs.end(),
       [](const AnalysedRun& run) { return run.run.header().simulated_person; });
-  const auto untouched = std::count_if(runs.begin(), runs.end(), [](const AnalysedRun& run) {
+  const auto simulated_ball = std::count_if(runs.begin(), runs.end(), [](const AnalysedRun& run) {
     return !run.run.header().simulated_person && run.run.header().ball.simulated;
   });
-  if (untouched > 0) {
+  if (simulated_ball > 0) {
     std::fprintf(stderr,
                  "hedgehog-study: %td of %zu runs are of people on a simulated ball: they felt "
                  "nothing\n",
-                 untouched, runs.size());
+                 simulated_ball, runs.size());
   }
   if (simulated > 0) {
     std::fprintf(stderr,
@@ -81,7 +81,7 @@ void warn_of_programs(const std::vector<AnalysedRun>& runs) {
 int print(const std::vector<Problem>& problems) {
   int code = 0;
   for (const Problem& problem : problems) {
-    complain(problem.exit_code, problem.message);
+    report_error(problem.exit_code, problem.message);
     code = problem.exit_code != 0 ? EX_DATAERR : code;
   }
   return code;
@@ -131,14 +131,14 @@ ordered_json as_json(const AnalysedRun& analysed) {
 
 int run_analyse(const AnalyseOptions& options) {
   const auto study = StudyFolder::find(".");
-  if (!study) return complain(study.error().exit_code, study.error().message);
+  if (!study) return report_error(study.error().exit_code, study.error().message);
   const auto exclusions = Exclusions::read(*study);
-  if (!exclusions) return complain(exclusions.error().exit_code, exclusions.error().message);
+  if (!exclusions) return report_error(exclusions.error().exit_code, exclusions.error().message);
   std::vector<Problem> problems;
   const auto runs = collect(*study, *exclusions, problems);
   const int code = print(problems);
-  if (runs.empty()) return complain(EX_NOINPUT, "there is no run yet");
-  warn_of_programs(runs);
+  if (runs.empty()) return report_error(EX_NOINPUT, "there is no run yet");
+  warn_of_simulated(runs);
   const auto groups = groups_of(*study, runs);
   const fs::path out = options.out.empty() ? study->path() / "analysis" : fs::path(options.out);
   std::error_code failed;
@@ -147,7 +147,8 @@ int run_analyse(const AnalyseOptions& options) {
   std::ofstream page(out / "report.html", std::ios::binary);
   page << report_page(*study, runs, groups, out / "figures");
   page.flush();
-  if (!page) return complain(EX_CANTCREAT, (out / "report.html").string() + ": cannot be written");
+  if (!page)
+    return report_error(EX_CANTCREAT, (out / "report.html").string() + ": cannot be written");
   if (options.json) {
     ordered_json all = ordered_json::array();
     for (const AnalysedRun& run : runs) all.push_back(as_json(run));
@@ -158,24 +159,24 @@ int run_analyse(const AnalyseOptions& options) {
     print_exclusions(runs);
     std::printf("%s\n", (out / "report.html").c_str());
   }
-  if (!drawn) return complain(drawn.error().exit_code, drawn.error().message);
+  if (!drawn) return report_error(drawn.error().exit_code, drawn.error().message);
   return code;
 }
 
 int run_export(const ExportOptions& options) {
   const auto study = StudyFolder::find(".");
-  if (!study) return complain(study.error().exit_code, study.error().message);
+  if (!study) return report_error(study.error().exit_code, study.error().message);
   const auto exclusions = Exclusions::read(*study);
-  if (!exclusions) return complain(exclusions.error().exit_code, exclusions.error().message);
+  if (!exclusions) return report_error(exclusions.error().exit_code, exclusions.error().message);
   std::vector<Problem> problems;
   const auto runs = collect(*study, *exclusions, problems);
   const int code = print(problems);
-  if (runs.empty()) return complain(EX_NOINPUT, "there is no run yet");
+  if (runs.empty()) return report_error(EX_NOINPUT, "there is no run yet");
   const bool bids = options.format == "bids";
   const fs::path out =
       options.out.empty() ? study->path() / (bids ? "bids" : "data.csv") : fs::path(options.out);
   const auto written = bids ? write_bids(out, *study, runs, options.authors) : write_csv(out, runs);
-  if (!written) return complain(written.error().exit_code, written.error().message);
+  if (!written) return report_error(written.error().exit_code, written.error().message);
   std::printf("%s: %zu runs\n", out.c_str(), runs.size());
   return code;
 }

@@ -8,9 +8,11 @@
 
 namespace hedgehog::study {
 
-int complain(const Problem& problem) { return study::complain(problem.exit_code, problem.message); }
+int report_error(const Problem& problem) {
+  return study::report_error(problem.exit_code, problem.message);
+}
 
-int complain(const client::ClientError& error) {
+int report_error(const client::ClientError& error) {
   int code = EX_UNAVAILABLE;
   if (error.failure == client::Failure::kBadAddress) {
     code = EX_USAGE;
@@ -27,17 +29,17 @@ int complain(const client::ClientError& error) {
         break;
     }
   }
-  return study::complain(code, error.message);
+  return study::report_error(code, error.message);
 }
 
-int print_end(const Journal& journal, RunEnd end, const std::string& why_stuck) {
+int print_end(const Journal& journal, RunEnd end, const std::string& stuck_reason) {
   const RecordedRun& run = journal.run();
   const bool blind = run.blind();
   const Experiment& experiment = run.header().experiment;
   const Staircase& staircase = run.state().staircase();
   const auto counted = staircase.counted_reversals();
   if (end == RunEnd::kStuck)
-    return study::complain(EX_TEMPFAIL, why_stuck + "; hedgehog-study resume goes on");
+    return study::report_error(EX_TEMPFAIL, stuck_reason + "; hedgehog-study resume goes on");
   if (end == RunEnd::kStopped) {
     if (blind) {
       std::puts("stopped; hedgehog-study resume goes on");
@@ -63,12 +65,12 @@ int print_end(const Journal& journal, RunEnd end, const std::string& why_stuck) 
   return 0;
 }
 
-Result<void> is_played_by(const Player& player, const Experiment& experiment) {
+Result<void> check_playable(const Player& player, const Experiment& experiment) {
   if (const auto too_much = player.too_much(experiment)) return Problem{EX_CONFIG, *too_much};
   return {};
 }
 
-Result<void> goes_on_with(const Player& player, const RecordedRun& run) {
+Result<void> check_same_ball(const Player& player, const RecordedRun& run) {
   if (compare(run.pin(), player.pin()) == Identity::kOther) {
     const auto which = [](const BallFacts& ball) {
       return "\"" + ball.name + "\" (" + ball.model +
@@ -79,10 +81,10 @@ Result<void> goes_on_with(const Player& player, const RecordedRun& run) {
                                   which(player.ball()) +
                                   ": a run stays with its ball, run --again begins another"};
   }
-  return is_played_by(player, run.header().experiment);
+  return check_playable(player, run.header().experiment);
 }
 
-Result<void> confirm_daemon(const RecordedRun& run, const Pin& now, bool given, const Ask& ask) {
+Result<void> confirm_daemon(const RecordedRun& run, const Pin& now, bool given, const Prompt& ask) {
   const Pin& then = run.pin();
   if (compare(then, now) == Identity::kSame || same_serial(then.ball, now.ball)) return {};
   const bool same_address =
@@ -101,7 +103,7 @@ Result<void> confirm_daemon(const RecordedRun& run, const Pin& now, bool given, 
   return Problem{EX_CONFIG, "a run stays with its ball, run --again begins another"};
 }
 
-Result<void> is_still(const Pin& before, const Pin& now) {
+Result<void> check_same_start(const Pin& before, const Pin& now) {
   if (before.daemon == now.daemon && compare(before, now) != Identity::kOther) return {};
   return Problem{EX_TEMPFAIL, "the daemon at " + now.daemon.address +
                                   " was started anew meanwhile; begin again"};
@@ -113,9 +115,9 @@ Result<void> append_resumed(Journal& journal, const Pin& now) {
                                                   : journal.append(DaemonChanged{now.daemon});
 }
 
-RunsSoFar runs_so_far(const StudyFolder& study, const std::string& participant,
-                      const std::string& experiment) {
-  RunsSoFar runs;
+RunHistory run_history(const StudyFolder& study, const std::string& participant,
+                       const std::string& experiment) {
+  RunHistory runs;
   for (const JournalName& name : study.journals()) {
     if (name.participant == participant && name.experiment == experiment) {
       runs.next = name.run + 1;

@@ -14,21 +14,21 @@
 namespace hedgehog::study {
 
 /// Prints the error to stderr; returns the exit code.
-int complain(const Problem& problem);
-int complain(const client::ClientError& error);
+int report_error(const Problem& problem);
+int report_error(const client::ClientError& error);
 
 /// Prints how the run ended and returns the exit code. Prints no results if the run is blind.
-int print_end(const Journal& journal, RunEnd end, const std::string& why_stuck);
+int print_end(const Journal& journal, RunEnd end, const std::string& stuck_reason);
 
 /// The runs of a participant and experiment.
-struct RunsSoFar {
+struct RunHistory {
   /// The last that has begun; a kill may leave a journal without events.
   std::optional<JournalName> last{};
   bool over = false;  // of that run
   int next = 1;       // the first free number
 };
-RunsSoFar runs_so_far(const StudyFolder& study, const std::string& participant,
-                      const std::string& experiment);
+RunHistory run_history(const StudyFolder& study, const std::string& participant,
+                       const std::string& experiment);
 bool is_over(const JournalName& name);
 
 /// As planned. Participants that are not in the plan are allowed; their seed is derived from the
@@ -36,16 +36,16 @@ bool is_over(const JournalName& name);
 Participant participant_of(const StudyFolder& study, const std::string& id);
 
 /// EX_CONFIG if the ball cannot play all of the experiment.
-Result<void> is_played_by(const Player& player, const Experiment& experiment);
+Result<void> check_playable(const Player& player, const Experiment& experiment);
 /// The same, and EX_CONFIG if it is not the ball on which the run was begun.
-Result<void> goes_on_with(const Player& player, const RecordedRun& run);
+Result<void> check_same_ball(const Player& player, const RecordedRun& run);
 /// Whether an unfinished run may continue with another daemon, or another start of it: the same
 /// serial number is sufficient, otherwise the experimenter is asked. For a simulated run the daemon
 /// must be at the run's address, or its address must be `given`. EX_CONFIG: not allowed.
-Result<void> confirm_daemon(const RecordedRun& run, const Pin& now, bool given, const Ask& ask);
+Result<void> confirm_daemon(const RecordedRun& run, const Pin& now, bool given, const Prompt& ask);
 /// EX_TEMPFAIL if another daemon, or another start of it, replaced the first between two
 /// connections.
-Result<void> is_still(const Pin& before, const Pin& now);
+Result<void> check_same_start(const Pin& before, const Pin& now);
 /// Records that the run continues, and with which daemon if it has changed.
 Result<void> append_resumed(Journal& journal, const Pin& now);
 

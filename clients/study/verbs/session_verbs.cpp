@@ -22,24 +22,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr client::Milliseconds kConnectPatience{2000};
+constexpr client::Milliseconds kConnectTimeout{2000};
 // Time to read a message before the screen is cleared.
 constexpr std::chrono::seconds kReading{3};
 constexpr const char* kPage = "participant.sock";
 
-int go_on(const StudyFolder& study, Journal& journal, Player player) {
+int execute_run(const StudyFolder& study, Journal& journal, Player player) {
   const RunStarted& header = journal.run().header();
   Result<RunEnd> end = RunEnd::kStopped;
-  std::string why_stuck;
-  const auto take_place = [&](Desk& desk) {
+  std::string stuck_reason;
+  const auto run_at = [&](Desk& desk) {
     Runner runner(journal, std::move(player), desk, client::interrupted);
     end = runner.run();
-    why_stuck = runner.why_stuck();
+    stuck_reason = runner.stuck_reason();
   };
   if (header.simulated_person) {
     SimulatedDesk desk(simulated_person(header.experiment, header.person_seed), header.person_seed,
                        [](const View&) {});
-    take_place(desk);
+    run_at(desk);
   } else {
     auto page = ParticipantServer::listen(study.path() / kPage);
     if (!page) {
@@ -48,10 +48,10 @@ int go_on(const StudyFolder& study, Journal& journal, Player player) {
       std::this_thread::sleep_for(kReading);
     }
     TerminalDesk desk(page ? std::optional(*std::move(page)) : std::nullopt, journal.run().blind());
-    take_place(desk);
+    run_at(desk);
   }
-  if (!end) return complain(end.error());
-  return print_end(journal, *end, why_stuck);
+  if (!end) return report_error(end.error());
+  return print_end(journal, *end, stuck_reason);
 }
 
 void print_resumed(const Journal& journal) {
@@ -77,59 +77,61 @@ void print_resumed(const Journal& journal) {
 int run_run(const RunOptions& options) {
   client::watch_interrupts();
   const auto study = StudyFolder::find(".");
-  if (!study) return complain(study.error());
+  if (!study) return report_error(study.error());
   const auto experiment = study->experiment(options.experiment);
-  if (!experiment) return complain(experiment.error());
+  if (!experiment) return report_error(experiment.error());
   for (const auto& checked :
        {study->is_unmistakable(*experiment), study->is_unmistakable(options.participant)})
-    if (!checked) return complain(checked.error());
-  const RunsSoFar runs = runs_so_far(*study, options.participant, experiment->name);
+    if (!checked) return report_error(checked.error());
+  const RunHistory runs = run_history(*study, options.participant, experiment->name);
   if (runs.last && !runs.over && !options.again) {
-    return study::complain(EX_TEMPFAIL, runs.last->path.string() +
-                                            " is not finished: hedgehog-study resume goes on with "
-                                            "it, --again begins another");
+    return study::report_error(EX_TEMPFAIL,
+                               runs.last->path.string() +
+                                   " is not finished: hedgehog-study resume goes on with "
+                                   "it, --again begins another");
   }
   if (runs.over && !options.again) {
-    return study::complain(EX_CANTCREAT, options.participant + " has done " + experiment->name +
-                                             "; --again makes another run");
+    return study::report_error(EX_CANTCREAT, options.participant + " has done " + experiment->name +
+                                                 "; --again makes another run");
   }
   if (!options.simulated && !client::is_terminal())
-    return study::complain(EX_USAGE, "a person needs a terminal; --simulated does not");
+    return study::report_error(EX_USAGE, "a person needs a terminal; --simulated does not");
   const auto addresses = client::daemon_addresses(options.address);
-  if (!addresses) return complain(addresses.error());
+  if (!addresses) return report_error(addresses.error());
   auto wanted = *addresses;
   std::optional<Pin> seen;
   std::optional<Checklist> checklist;
   if (!options.simulated) {
     // Checked before any question; the claim would expire during the questions.
-    const auto there = Player::open(*addresses, kConnectPatience);
-    if (!there) return complain(there.error());
-    if (const auto plays = is_played_by(*there, *experiment); !plays)
-      return complain(plays.error());
+    const auto there = Player::open(*addresses, kConnectTimeout);
+    if (!there) return report_error(there.error());
+    if (const auto plays = check_playable(*there, *experiment); !plays)
+      return report_error(plays.error());
     wanted = {there->address()};
     seen = there->pin();
     checklist = complete(options.checklist);
     if (!checklist)
-      return study::complain(EX_TEMPFAIL, "not everything is ready; nothing was begun");
+      return study::report_error(EX_TEMPFAIL, "not everything is ready; nothing was begun");
   }
-  auto player = Player::open(wanted, kConnectPatience);
-  if (!player) return complain(player.error());
-  if (const auto still = is_still(seen.value_or(player->pin()), player->pin()); !still)
-    return complain(still.error());
-  if (const auto plays = is_played_by(*player, *experiment); !plays) return complain(plays.error());
+  auto player = Player::open(wanted, kConnectTimeout);
+  if (!player) return report_error(player.error());
+  if (const auto still = check_same_start(seen.value_or(player->pin()), player->pin()); !still)
+    return report_error(still.error());
+  if (const auto plays = check_playable(*player, *experiment); !plays)
+    return report_error(plays.error());
   auto journal = begin(*study, options.participant, *experiment, runs.next, player->pin(),
                        {options.simulated, options.blind});
-  if (!journal) return complain(journal.error());
+  if (!journal) return report_error(journal.error());
   if (checklist) {
-    if (auto written = journal->append(*checklist); !written) return complain(written.error());
+    if (auto written = journal->append(*checklist); !written) return report_error(written.error());
   }
-  return go_on(*study, *journal, *std::move(player));
+  return execute_run(*study, *journal, *std::move(player));
 }
 
 int run_resume(const RunOptions& options) {
   client::watch_interrupts();
   const auto study = StudyFolder::find(".");
-  if (!study) return complain(study.error());
+  if (!study) return report_error(study.error());
   std::optional<JournalName> chosen;
   for (const JournalName& name : study->journals()) {
     const bool wanted = (options.participant.empty() || name.participant == options.participant) &&
@@ -140,62 +142,63 @@ int run_resume(const RunOptions& options) {
          fs::last_write_time(name.path, failed) > fs::last_write_time(chosen->path, failed)))
       chosen = name;
   }
-  if (!chosen) return study::complain(EX_NOINPUT, "no run is unfinished");
+  if (!chosen) return study::report_error(EX_NOINPUT, "no run is unfinished");
   auto journal = Journal::open(chosen->path);
-  if (!journal) return complain(journal.error());
+  if (!journal) return report_error(journal.error());
   if (!journal->run().header().simulated_person && !client::is_terminal())
-    return study::complain(EX_USAGE, "a person needs a terminal");
+    return study::report_error(EX_USAGE, "a person needs a terminal");
   const auto addresses = client::daemon_addresses(options.address);
-  if (!addresses) return complain(addresses.error());
+  if (!addresses) return report_error(addresses.error());
   auto where = *addresses;
   std::optional<Pin> seen;
   std::optional<Checklist> checklist;
   if (!journal->run().header().simulated_person) {
     {
-      const auto there = Player::open(*addresses, kConnectPatience);
-      if (!there) return complain(there.error());
-      if (const auto same = goes_on_with(*there, journal->run()); !same)
-        return complain(same.error());
+      const auto there = Player::open(*addresses, kConnectTimeout);
+      if (!there) return report_error(there.error());
+      if (const auto same = check_same_ball(*there, journal->run()); !same)
+        return report_error(same.error());
       where = {there->address()};
       seen = there->pin();
     }
-    if (const auto meant = confirm_daemon(journal->run(), *seen, false, ask_at_terminal); !meant)
-      return complain(meant.error());
+    if (const auto meant = confirm_daemon(journal->run(), *seen, false, prompt_terminal); !meant)
+      return report_error(meant.error());
     // The participant may have moved since; a run killed early may not have recorded its check
     // list.
     const auto& known = journal->run().checklist();
     checklist = known ? ticked_again(*known) : complete({});
     if (!checklist)
-      return study::complain(EX_TEMPFAIL, "not everything is ready; the run stays as it is");
+      return study::report_error(EX_TEMPFAIL, "not everything is ready; the run stays as it is");
   }
-  auto player = Player::open(where, kConnectPatience);
-  if (!player) return complain(player.error());
-  if (const auto same = goes_on_with(*player, journal->run()); !same) return complain(same.error());
-  const auto meant = seen ? is_still(*seen, player->pin())
+  auto player = Player::open(where, kConnectTimeout);
+  if (!player) return report_error(player.error());
+  if (const auto same = check_same_ball(*player, journal->run()); !same)
+    return report_error(same.error());
+  const auto meant = seen ? check_same_start(*seen, player->pin())
                           : confirm_daemon(journal->run(), player->pin(),
-                                           options.address.has_value(), ask_at_terminal);
-  if (!meant) return complain(meant.error());
+                                           options.address.has_value(), prompt_terminal);
+  if (!meant) return report_error(meant.error());
   if (options.blind && !journal->run().blind()) {
     if (auto written = journal->append(Remark{"blind", ""}); !written)
-      return complain(written.error());
+      return report_error(written.error());
   }
   print_resumed(*journal);
   if (auto written = append_resumed(*journal, player->pin()); !written)
-    return complain(written.error());
+    return report_error(written.error());
   if (checklist) {
-    if (auto written = journal->append(*checklist); !written) return complain(written.error());
+    if (auto written = journal->append(*checklist); !written) return report_error(written.error());
   }
-  return go_on(*study, *journal, *std::move(player));
+  return execute_run(*study, *journal, *std::move(player));
 }
 
 int run_participant() {
   client::watch_interrupts();
   const auto study = StudyFolder::find(".");
-  if (!study) return complain(study.error());
+  if (!study) return report_error(study.error());
   if (!client::is_terminal())
-    return study::complain(EX_USAGE, "the participant's page needs a terminal");
+    return study::report_error(EX_USAGE, "the participant's page needs a terminal");
   const auto ended = run_participant_page(study->path() / kPage, client::interrupted);
-  return ended ? 0 : complain(ended.error());
+  return ended ? 0 : report_error(ended.error());
 }
 
 }  // namespace hedgehog::study

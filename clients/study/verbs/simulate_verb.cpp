@@ -100,7 +100,7 @@ int run_simulate(const SimulateOptions& options) {
   ordered_json all = ordered_json::array();
   for (const std::string& wanted : names) {
     const auto experiment = find_experiment(wanted);
-    if (!experiment) return complain(experiment.error().exit_code, experiment.error().message);
+    if (!experiment) return report_error(experiment.error().exit_code, experiment.error().message);
     const auto begin = std::chrono::steady_clock::now();
     const auto runs = simulate(
         *experiment, thesis_population(experiment->quantity),

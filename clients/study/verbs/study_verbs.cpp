@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-std::string in_short(const RecordedRun& run) {
+std::string run_summary(const RecordedRun& run) {
   const Experiment& experiment = run.header().experiment;
   const Staircase& staircase = run.state().staircase();
   const auto counted = staircase.counted_reversals();
@@ -57,16 +57,17 @@ int run_plan(const PlanOptions& options) {
   std::vector<std::filesystem::path> files;
   for (const std::string& given : options.experiments) {
     const auto experiment = find_experiment(given);
-    if (!experiment) return complain(experiment.error().exit_code, experiment.error().message);
+    if (!experiment) return report_error(experiment.error().exit_code, experiment.error().message);
     if (const auto checked = is_no_other_preset(*experiment); !checked)
-      return complain(checked.error().exit_code, checked.error().message);
+      return report_error(checked.error().exit_code, checked.error().message);
     for (const std::string& before : names) {
       if (bids_label(before) == bids_label(experiment->name)) {
-        return complain(EX_USAGE, given + ": " + experiment->name +
-                                      (before == experiment->name
-                                           ? " is in the plan already"
-                                           : " would be taken for " + before +
-                                                 " in an export to BIDS: give it another name"));
+        return report_error(
+            EX_USAGE,
+            given + ": " + experiment->name +
+                (before == experiment->name ? " is in the plan already"
+                                            : " would be taken for " + before +
+                                                  " in an export to BIDS: give it another name"));
       }
     }
     names.push_back(experiment->name);
@@ -74,7 +75,7 @@ int run_plan(const PlanOptions& options) {
   }
   const StudyPlan plan = make_plan(options.participants, names, options.seed);
   const auto study = StudyFolder::create(options.folder, plan, files);
-  if (!study) return complain(study.error().exit_code, study.error().message);
+  if (!study) return report_error(study.error().exit_code, study.error().message);
   std::printf("%s/study.json: %d people x %zu experiments, Latin square, seeds drawn\n",
               options.folder.c_str(), options.participants, options.experiments.size());
   for (const Participant& participant : plan.participants) {
@@ -90,9 +91,9 @@ int run_plan(const PlanOptions& options) {
 
 int run_status(bool json) {
   const auto study = StudyFolder::find(".");
-  if (!study) return complain(study.error().exit_code, study.error().message);
+  if (!study) return report_error(study.error().exit_code, study.error().message);
   const auto exclusions = Exclusions::read(*study);
-  if (!exclusions) return complain(exclusions.error().exit_code, exclusions.error().message);
+  if (!exclusions) return report_error(exclusions.error().exit_code, exclusions.error().message);
   ordered_json all = ordered_json::array();
   std::vector<std::pair<JournalName, std::string>> cells;
   int code = 0;
@@ -100,7 +101,7 @@ int run_status(bool json) {
     if (!has_begun(name.path)) continue;  // killed before its first event
     const auto run = read_run(name.path);
     if (!run) {
-      code = complain(run.error().exit_code, run.error().message);
+      code = report_error(run.error().exit_code, run.error().message);
       cells.emplace_back(name, "damaged");
       continue;
     }
@@ -108,7 +109,7 @@ int run_status(bool json) {
     all.push_back(as_json(name, *run));
     all.back()["excluded"] =
         excluded != nullptr ? ordered_json(excluded->reason) : ordered_json(nullptr);
-    cells.emplace_back(name, excluded != nullptr ? "excluded" : in_short(*run));
+    cells.emplace_back(name, excluded != nullptr ? "excluded" : run_summary(*run));
   }
   if (json) {
     std::puts(all.dump().c_str());

@@ -59,17 +59,17 @@ void print_table(const Experiment& experiment, const std::string& responses, con
 
 }  // namespace
 
-int complain(int exit_code, const std::string& message) {
+int report_error(int exit_code, const std::string& message) {
   std::fprintf(stderr, "hedgehog-study: %s\n", message.c_str());
   return exit_code;
 }
 
 int run_trace(const TraceOptions& options) {
   const auto experiment = find_experiment(options.experiment);
-  if (!experiment) return complain(experiment.error().exit_code, experiment.error().message);
+  if (!experiment) return report_error(experiment.error().exit_code, experiment.error().message);
   const auto traced = trace(*experiment, options.responses);
   if (const auto* mistake = std::get_if<std::string>(&traced))
-    return complain(EX_DATAERR, *mistake);
+    return report_error(EX_DATAERR, *mistake);
   const Trace& result = std::get<Trace>(traced);
   if (options.json)
     print_json(*experiment, result);

@@ -15,6 +15,6 @@ struct TraceOptions {
 int run_trace(const TraceOptions& options);
 
 /// Prints "hedgehog-study: <message>" to stderr and returns the code.
-int complain(int exit_code, const std::string& message);
+int report_error(int exit_code, const std::string& message);
 
 }  // namespace hedgehog::study

@@ -139,10 +139,10 @@ std::vector<Key<DeviceModel>> make_device_keys() {
       [](auto& d) -> auto& { return d.thermal.winding_to_core_k_w; }));
   number(
       "thermal.core_to_room_fan_k_w", 0.01, 100,
-      [](auto& d) -> auto& { return d.thermal.core_to_room_fan_k_w; });
+      [](auto& d) -> auto& { return d.thermal.core_to_ambient_fan_k_w; });
   number(
       "thermal.core_to_room_still_k_w", 0.01, 100,
-      [](auto& d) -> auto& { return d.thermal.core_to_room_still_k_w; });
+      [](auto& d) -> auto& { return d.thermal.core_to_ambient_still_k_w; });
   keys.push_back(integer_key<Device>(
       "thermal.sensor_winding", 0, 2, [](auto& d) -> auto& { return d.thermal.sensor_winding; }));
   number(

@@ -65,15 +65,15 @@ void check_order(const model::Limits& limits, const Origins& origins, const std:
     const LimitField& low = field_of(lower);
     const LimitField& high = field_of(upper);
     // Reports the key that is set; if both are, the lower limit.
-    const bool blame_high = !origins.contains(key_of(low)) && origins.contains(key_of(high));
-    const LimitField& blamed = blame_high ? high : low;
-    const LimitField& other = blame_high ? low : high;
-    const std::string relation =
-        may_be_equal ? (blame_high ? "at least " : "at most ") : (blame_high ? "above " : "below ");
-    errors.push_back(error_at(origins, key_of(blamed),
+    const bool report_high = !origins.contains(key_of(low)) && origins.contains(key_of(high));
+    const LimitField& reported = report_high ? high : low;
+    const LimitField& other = report_high ? low : high;
+    const std::string relation = may_be_equal ? (report_high ? "at least " : "at most ")
+                                              : (report_high ? "above " : "below ");
+    errors.push_back(error_at(origins, key_of(reported),
                               "must be " + relation + key_of(other) + " (" +
                                   text_of(limits.*other.member) + "), not " +
-                                  text_of(limits.*blamed.member),
+                                  text_of(limits.*reported.member),
                               file));
   }
 }

@@ -77,8 +77,8 @@ void add_sensor_keys(std::vector<Key<D>>& keys) {
       "thermometer.serial", [](auto& d) -> auto& { return d.config.thermometer.serial; }));
 }
 
-void settle_sensors(Draft& draft, const Origins& origins, const std::string& file,
-                    ConfigErrors& errors) {
+void resolve_sensors(Draft& draft, const Origins& origins, const std::string& file,
+                     ConfigErrors& errors) {
   Config& config = draft.config;
   const auto wrong = [&](const std::string& key, const std::string& why) {
     errors.push_back(error_at(origins, key, why, file));

@@ -13,7 +13,7 @@ namespace hedgehog::config {
 void add_sensor_keys(std::vector<Key<Draft>>& keys);
 
 /// Checks that need the whole configuration: resolves "auto" and detects contradictions.
-void settle_sensors(Draft& draft, const Origins& origins, const std::string& file,
-                    ConfigErrors& errors);
+void resolve_sensors(Draft& draft, const Origins& origins, const std::string& file,
+                     ConfigErrors& errors);
 
 }  // namespace hedgehog::config

@@ -18,7 +18,7 @@ constexpr double kEdgeS = 0.01;
 constexpr double kIdleEdgeS = 0.005;
 // The link sends the safe command after 20 ticks without a set-point; after 100 no current flows.
 constexpr model::Tick kLinkHolds = 19;
-constexpr model::Tick kForgotten = 100;
+constexpr model::Tick kMaxSkippedTicks = 100;
 const double kEdgeKeep = std::exp(-kTickSeconds / kEdgeS);
 const double kIdleKeep = std::exp(-kTickSeconds / kIdleEdgeS);
 
@@ -42,8 +42,8 @@ bool CurrentCheck::pending() const noexcept {
 
 // The tick of a gap in which the board put its bridges to sleep is unknown, so all of it is treated
 // as an edge.
-void CurrentCheck::sleep_through(const CurrentReading& reading) noexcept {
-  const model::Tick ticks = std::min(reading.skipped, kForgotten);
+void CurrentCheck::advance_skipped(const CurrentReading& reading) noexcept {
+  const model::Tick ticks = std::min(reading.skipped, kMaxSkippedTicks);
   for (int coil = 0; coil < model::kCoils; ++coil) {
     Winding& w = windings_[static_cast<std::size_t>(coil)];
     double& commanded = commanded_a_[coil];
@@ -57,7 +57,7 @@ void CurrentCheck::sleep_through(const CurrentReading& reading) noexcept {
   }
 }
 
-Reason CurrentCheck::judge(int coil, const CurrentReading& reading) noexcept {
+Reason CurrentCheck::check(int coil, const CurrentReading& reading) noexcept {
   Winding& w = windings_[static_cast<std::size_t>(coil)];
   const bool known = reading.measured[static_cast<std::size_t>(coil)];
   const bool by_duty = reading.follows && by_duty_known_;
@@ -89,10 +89,10 @@ Reason CurrentCheck::judge(int coil, const CurrentReading& reading) noexcept {
 
 Reason CurrentCheck::step(const CurrentReading& reading) noexcept {
   Reason trip = Reason::kNone;
-  sleep_through(reading);
+  advance_skipped(reading);
   for (int coil = 0; coil < model::kCoils; ++coil) {
     if (reading.fresh) {
-      const Reason found = judge(coil, reading);
+      const Reason found = check(coil, reading);
       if (trip == Reason::kNone || found == Reason::kUnexpectedCurrent) trip = found;
     }
     Winding& w = windings_[static_cast<std::size_t>(coil)];

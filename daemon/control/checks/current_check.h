@@ -57,8 +57,8 @@ class CurrentCheck {
   const model::Vec3& commanded_a() const noexcept { return commanded_a_; }
 
  private:
-  void sleep_through(const CurrentReading& reading) noexcept;
-  Reason judge(int coil, const CurrentReading& reading) noexcept;
+  void advance_skipped(const CurrentReading& reading) noexcept;
+  Reason check(int coil, const CurrentReading& reading) noexcept;
 
   struct Winding {
     FaultDebounce unexpected, mismatch;

@@ -25,26 +25,26 @@ constexpr double kOddThermistorK = 1.2;
 Reason EstimateCheck::step(const model::ThermalObserver& observer, const SupplyBalance& supply,
                            double trip_c, double dt_s) noexcept {
   const bool hot = hot_.step(observer.estimate().likely_c >= trip_c, dt_s, kHotHoldS);
-  const Disagreement found = judge(observer, supply, dt_s);
+  const Disagreement found = check(observer, supply, dt_s);
   if (found.any()) disagreement_ = found;
   if (hot) return Reason::kOverheated;
   return found.any() ? Reason::kMeasurementsDisagree : Reason::kNone;
 }
 
-Disagreement EstimateCheck::judge(const model::ThermalObserver& observer,
+Disagreement EstimateCheck::check(const model::ThermalObserver& observer,
                                   const SupplyBalance& supply, double dt_s) noexcept {
-  unjudged_s_ += dt_s;
-  const bool judged = observer.judged();
-  const double since_s = unjudged_s_;
-  if (judged) unjudged_s_ = 0.0;
+  unchecked_s_ += dt_s;
+  const bool window_ended = observer.window_ended();
+  const double since_s = unchecked_s_;
+  if (window_ended) unchecked_s_ = 0.0;
   Disagreement found;
   for (int coil = 0; coil < model::kCoils; ++coil) {
     Winding& winding = windings_[static_cast<std::size_t>(coil)];
-    Move move = fell(winding, observer.winding(coil), dt_s);
+    Move move = detect_fall(winding, observer.winding(coil), dt_s);
     bool thermistor = false;
-    if (judged) {
-      const Move judged_move = moved(winding, observer, coil, since_s);
-      if (judged_move.share != 0.0) move = judged_move;
+    if (window_ended) {
+      const Move window_move = moved(winding, observer, coil, since_s);
+      if (window_move.share != 0.0) move = window_move;
       thermistor = thermistor_off(winding, observer, coil, since_s);
     }
     if (found.any()) continue;
@@ -59,8 +59,9 @@ Disagreement EstimateCheck::judge(const model::ThermalObserver& observer,
   return observer.settling() ? Disagreement{} : found;
 }
 
-EstimateCheck::Move EstimateCheck::fell(Winding& w, const model::WindingThermometer& thermometer,
-                                        double dt_s) noexcept {
+EstimateCheck::Move EstimateCheck::detect_fall(Winding& w,
+                                               const model::WindingThermometer& thermometer,
+                                               double dt_s) noexcept {
   const bool clear = thermometer.measuring() && thermometer.referenced();
   if (!clear || thermometer.noise_k() > kFallK) {
     w.steady = false;
@@ -86,12 +87,12 @@ EstimateCheck::Move EstimateCheck::fell(Winding& w, const model::WindingThermome
 
 EstimateCheck::Move EstimateCheck::moved(Winding& w, const model::ThermalObserver& observer,
                                          int coil, double dt_s) noexcept {
-  const auto& judgement = observer.judgement(coil);
-  if (!judgement.resistance_known) {
+  const auto& innovations = observer.innovations(coil);
+  if (!innovations.resistance_known) {
     w.gate.step(false, dt_s, kResistanceHoldS);
     return {};
   }
-  const model::Innovation& innovation = judgement.resistance;
+  const model::Innovation& innovation = innovations.resistance;
   const bool gated = w.gate.step(!innovation.used, dt_s, kResistanceHoldS);
   const model::ThermalFilter& filter = observer.filter();
   const double resistance = filter.resistance_drift(coil);
@@ -113,13 +114,13 @@ EstimateCheck::Move EstimateCheck::moved(Winding& w, const model::ThermalObserve
 
 bool EstimateCheck::thermistor_off(Winding& w, const model::ThermalObserver& observer, int coil,
                                    double dt_s) noexcept {
-  const auto& judgement = observer.judgement(coil);
-  if (!judgement.thermistor_known) {
+  const auto& innovations = observer.innovations(coil);
+  if (!innovations.thermistor_known) {
     w.thermistor.step(false, dt_s, kThermistorHoldS);
     return false;
   }
   const bool odd =
-      !judgement.thermistor.used && std::abs(judgement.thermistor.difference) > kThermistorK;
+      !innovations.thermistor.used && std::abs(innovations.thermistor.difference) > kThermistorK;
   const bool gated = w.thermistor.step(odd, dt_s, kThermistorHoldS);
   return gated || std::abs(observer.filter().thermistor_offset_k(coil)) > kThermistorOffsetK;
 }

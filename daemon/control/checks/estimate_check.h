@@ -58,19 +58,20 @@ class EstimateCheck {
     double share = 0.0;
     SupplyBalance::Since since = SupplyBalance::Since::kStart;
   };
-  Move fell(Winding& winding, const model::WindingThermometer& thermometer, double dt_s) noexcept;
+  Move detect_fall(Winding& winding, const model::WindingThermometer& thermometer,
+                   double dt_s) noexcept;
   Move moved(Winding& winding, const model::ThermalObserver& observer, int coil,
              double dt_s) noexcept;
   bool thermistor_off(Winding& winding, const model::ThermalObserver& observer, int coil,
                       double dt_s) noexcept;
 
-  Disagreement judge(const model::ThermalObserver& observer, const SupplyBalance& supply,
+  Disagreement check(const model::ThermalObserver& observer, const SupplyBalance& supply,
                      double dt_s) noexcept;
 
   std::array<Winding, model::kCoils> windings_{};
   FaultDebounce hot_;
   Disagreement disagreement_;
-  double unjudged_s_ = 0.0;
+  double unchecked_s_ = 0.0;
 };
 
 }  // namespace hedgehog::control

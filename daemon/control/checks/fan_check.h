@@ -41,19 +41,19 @@ class FanCheck {
   /// Advances by `dt_s`, with the commanded duty (0..1) and the tachometer reading of fresh
   /// telemetry.
   Reason step(double commanded_duty, double rpm, double dt_s) noexcept {
-    const bool standing = commanded_duty > 0.0 && !(rpm >= kMinRpm);
-    if (!standing) standing_.reset();  // one turn proves that it is not seized
-    due_ = standing_.step(standing, dt_s, kHoldS);
+    const bool stalled = commanded_duty > 0.0 && !(rpm >= kMinRpm);
+    if (!stalled) stalled_.reset();  // one turn proves that it is not seized
+    due_ = stalled_.step(stalled, dt_s, kHoldS);
     return due_ ? Reason::kFanStopped : Reason::kNone;
   }
   /// Advances by `dt_s`; called in every tick.
   void follow(const FanReading& reading, double dt_s) noexcept;
   void reset() noexcept {
-    standing_.reset();
+    stalled_.reset();
     due_ = false;
   }
   /// The fan is driven and did not turn in the last tick.
-  bool standing() const noexcept { return standing_.pending(); }
+  bool stalled() const noexcept { return stalled_.pending(); }
   /// The fan has not turned for 3 s while driven.
   bool stopped() const noexcept { return due_; }
   /// The fan is credited with cooling the core.
@@ -63,7 +63,7 @@ class FanCheck {
 
  private:
   double full_rpm_ = 7200.0;
-  FaultDebounce standing_;
+  FaultDebounce stalled_;
   bool due_ = false;
   double age_s_ = 0.0;
   double cooling_s_ = 0.0;

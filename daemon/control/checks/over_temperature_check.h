@@ -41,7 +41,7 @@ class OverTemperatureCheck {
   static constexpr double kHoldS = 0.05;
   /// While a winding is not measured its hold time decays at this rate, so that the pulses of a
   /// slow train add up.
-  static constexpr double kForgets = 0.05;
+  static constexpr double kDecayShare = 0.05;
   /// A winding is never this much colder than its thermistor, or than 20 C if that is warmer: a
   /// cold environment and a resistance that is 3 % off explain less.
   static constexpr double kTooColdK = 15.0;

@@ -88,12 +88,12 @@ Disagreement SupplyBalance::step(const SupplyReading& reading, double dt_s) noex
   }
   constexpr double kRounding = 1e-9;
   if (window_.s < kWindowS - kRounding) return {};
-  const Disagreement found = window_.readings > 0 ? judge(window_.s) : Disagreement{};
+  const Disagreement found = window_.readings > 0 ? check(window_.s) : Disagreement{};
   window_ = Window{};
   return found;
 }
 
-Disagreement SupplyBalance::judge(double dt_s) noexcept {
+Disagreement SupplyBalance::check(double dt_s) noexcept {
   Row derivative{};
   double sum_a = 0.0;
   for (std::size_t i = 0; i < kCoils; ++i) {
@@ -120,8 +120,8 @@ Disagreement SupplyBalance::judge(double dt_s) noexcept {
   // other with a bias, so the derivative of the previous window is used.
   const Row before = std::exchange(derivative_, derivative);
   if (!odd)
-    learn(alike(before, derivative) ? before : derivative, kCorrelated * systematic, difference_a);
-  learned_s_ += dt_s;
+    update(alike(before, derivative) ? before : derivative, kCorrelated * systematic, difference_a);
+  observed_s_ += dt_s;
   const int candidate = worst();
   const double certain = std::abs(gain(candidate)) - 2.0 * gain_deviation(candidate);
   const bool apart = apart_.step(certain > kGain + (coarse ? kCoarseGain : 0.0), dt_s, kGainHoldS);
@@ -131,7 +131,7 @@ Disagreement SupplyBalance::judge(double dt_s) noexcept {
   return {coil, Quantity::kCurrent, Quantity::kSupplyCurrent};
 }
 
-void SupplyBalance::learn(const Row& derivative, double variance, double difference_a) noexcept {
+void SupplyBalance::update(const Row& derivative, double variance, double difference_a) noexcept {
   Row gain{};
   for (std::size_t i = 0; i < kStates; ++i)
     for (std::size_t j = 0; j < kStates; ++j) gain[i] += p_[i][j] * derivative[j];
@@ -156,32 +156,31 @@ void SupplyBalance::remember(const Row& derivative) noexcept {
       model::open_voltage(window_.supply_v, window_.supply_a) / window_.readings;
   double delivered_a = window_.supply_a / window_.readings;
   const double share = std::min(1.0, kWindowS / kRememberedS);
-  if (lately_supply_v_ == 0.0) lately_supply_v_ = supply_v;
+  if (mean_supply_v_ == 0.0) mean_supply_v_ = supply_v;
   for (std::size_t i = 0; i < kCoils; ++i) delivered_a += derivative[i];
-  lately_missing_a_ += share * (delivered_a - lately_missing_a_);
-  lately_supply_v_ += share * (supply_v - lately_supply_v_);
+  mean_missing_a_ += share * (delivered_a - mean_missing_a_);
+  mean_supply_v_ += share * (supply_v - mean_supply_v_);
   for (std::size_t i = 0; i < kCoils; ++i)
-    lately_part_a_[i] += share * (-derivative[i] - lately_part_a_[i]);
-  if (learned_s_ > kFirstS) return;
+    mean_part_a_[i] += share * (-derivative[i] - mean_part_a_[i]);
+  if (observed_s_ > kFirstS) return;
   first_ = x_;
   for (int coil = 0; coil < kCoils; ++coil)
     first_deviation_[static_cast<std::size_t>(coil)] = gain_deviation(coil);
-  first_supply_v_ = lately_supply_v_;
+  first_supply_v_ = mean_supply_v_;
 }
 
 Disagreement SupplyBalance::moved(int coil, double share, Since since) const noexcept {
   const bool by_file = since == Since::kFile;
   // V/I changes with the measured voltage, and inversely with the current.
-  const double voltage =
-      std::log(lately_supply_v_ / (by_file ? nominal_supply_v_ : first_supply_v_));
+  const double voltage = std::log(mean_supply_v_ / (by_file ? nominal_supply_v_ : first_supply_v_));
   const double of_voltage = std::abs(voltage) > kNoticed ? voltage / share : 0.0;
-  double missing_a = lately_missing_a_;
+  double missing_a = mean_missing_a_;
   if (!by_file) {
     missing_a -= first_[kOffset];
-    for (std::size_t i = 0; i < kCoils; ++i) missing_a += first_[i] * lately_part_a_[i];
+    for (std::size_t i = 0; i < kCoils; ++i) missing_a += first_[i] * mean_part_a_[i];
   }
   const auto i = static_cast<std::size_t>(coil);
-  const double part_a = lately_part_a_[i];
+  const double part_a = mean_part_a_[i];
   const bool clear =
       part_a > kMinPartA && (by_file || first_deviation_[i] < kMinorShare * std::abs(share));
   const double of_current = clear ? missing_a / part_a / share : 0.5;

@@ -70,8 +70,8 @@ class SupplyBalance {
     double supply_v = 0.0;
   };
 
-  Disagreement judge(double dt_s) noexcept;
-  void learn(const Row& derivative, double variance, double difference_a) noexcept;
+  Disagreement check(double dt_s) noexcept;
+  void update(const Row& derivative, double variance, double difference_a) noexcept;
   int worst() const noexcept;
   void remember(const Row& derivative) noexcept;
 
@@ -85,13 +85,13 @@ class SupplyBalance {
 
   // Recent means: supply current beyond the first gains, current by winding, supply voltage; and
   // the first gains and voltage.
-  double learned_s_ = 0.0;
+  double observed_s_ = 0.0;
   Row first_{};
   std::array<double, model::kCoils> first_deviation_{};
   double first_supply_v_ = 0.0;
-  double lately_missing_a_ = 0.0;
-  std::array<double, model::kCoils> lately_part_a_{};
-  double lately_supply_v_ = 0.0;
+  double mean_missing_a_ = 0.0;
+  std::array<double, model::kCoils> mean_part_a_{};
+  double mean_supply_v_ = 0.0;
 };
 
 }  // namespace hedgehog::control

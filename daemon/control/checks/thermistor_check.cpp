@@ -14,19 +14,19 @@ constexpr double kSlowLagS = 3.0;
 constexpr double kPauseS = 2.0;
 constexpr double kRelaxS = 3.0;
 
-void pull(double& value, double goal, double dt_s, double tau_s) noexcept {
+void low_pass(double& value, double goal, double dt_s, double tau_s) noexcept {
   value += (goal - value) * std::min(1.0, dt_s / tau_s);
 }
 
-bool informs(const SensorReading& reading) noexcept {
-  return reading.measuring && reading.winding_error_k <= ThermistorCheck::kUselessK;
+bool is_informative(const SensorReading& reading) noexcept {
+  return reading.measuring && reading.winding_error_k <= ThermistorCheck::kMaxWindingErrorK;
 }
 
 }  // namespace
 
 Reason ThermistorCheck::step(const SensorReading& reading, double dt_s) noexcept {
   still_s_ += dt_s;
-  believed_age_s_ += dt_s;
+  plausible_age_s_ += dt_s;
   if (!reading.fresh) {
     if (still_s_ > kUnusedAfterS) usable_ = false;
     return Reason::kNone;  // lost telemetry is a fault of the link, not of the thermistor
@@ -38,56 +38,56 @@ Reason ThermistorCheck::step(const SensorReading& reading, double dt_s) noexcept
   conversions_ = reading.conversions;
   if (!seen_ && good) {
     seen_ = true;
-    believed_c_ = winding_c_ = quick_c_ = slow_c_ = reading.sensor_c;
+    plausible_c_ = winding_c_ = quick_c_ = slow_c_ = reading.sensor_c;
     moved_sensor_c_ = moved_quick_c_ = moved_slow_c_ = reading.sensor_c;
   }
   const bool jump = good && jumped(reading, reading.since_s);
   if (good) follow_winding(reading, reading.since_s);
-  const bool measuring = informs(reading);
-  const bool stands = good && measuring && frozen(reading);
+  const bool measuring = is_informative(reading);
+  const bool is_frozen = good && measuring && frozen(reading);
   const bool odd =
       good && measuring && disagreement_k(reading.sensor_c) > kDisagreeK + reading.winding_error_k;
 
   Reason trip = Reason::kNone;
   arming_blocker_ = Reason::kNone;
-  const auto judge = [&](FaultDebounce& debounce, bool wrong, double hold_s,
+  const auto check = [&](FaultDebounce& debounce, bool wrong, double hold_s,
                          Reason reason) noexcept {
     const bool due = debounce.step(wrong, reading.since_s, hold_s);
     if (trip == Reason::kNone && due) trip = reason;
     if (arming_blocker_ == Reason::kNone && debounce.pending()) arming_blocker_ = reason;
   };
-  judge(open_, reading.open, kWireHoldS, Reason::kSensorOpen);
-  judge(short_, reading.shorted, kWireHoldS, Reason::kSensorShort);
-  judge(implausible_, impossible, kImplausibleHoldS, Reason::kSensorImplausible);
-  judge(jump_, jump, kJumpHoldS, Reason::kSensorJump);
+  check(open_, reading.open, kWireHoldS, Reason::kSensorOpen);
+  check(short_, reading.shorted, kWireHoldS, Reason::kSensorShort);
+  check(implausible_, impossible, kImplausibleHoldS, Reason::kSensorImplausible);
+  check(jump_, jump, kJumpHoldS, Reason::kSensorJump);
   if (still_s_ >= kStaleAfterS && trip == Reason::kNone) trip = Reason::kSensorStale;
   if (still_s_ > kUnusedAfterS && arming_blocker_ == Reason::kNone)
     arming_blocker_ = Reason::kSensorStale;
-  judge(frozen_, stands, kFrozenHoldS, Reason::kSensorFrozen);
-  judge(disagrees_, odd, kDisagreeHoldS, Reason::kSensorDisagrees);
+  check(frozen_, is_frozen, kFrozenHoldS, Reason::kSensorFrozen);
+  check(disagrees_, odd, kDisagreeHoldS, Reason::kSensorDisagrees);
   usable_ = good && !jump && still_s_ <= kUnusedAfterS;
   return trip;
 }
 
 bool ThermistorCheck::jumped(const SensorReading& reading, double dt_s) noexcept {
-  const double most = kJumpK + kSlewK_s * (believed_age_s_ - dt_s);
-  if (std::abs(reading.sensor_c - believed_c_) > most) return true;
-  believed_c_ = reading.sensor_c;
-  believed_age_s_ = 0.0;
+  const double max_step_k = kJumpK + kSlewK_s * (plausible_age_s_ - dt_s);
+  if (std::abs(reading.sensor_c - plausible_c_) > max_step_k) return true;
+  plausible_c_ = reading.sensor_c;
+  plausible_age_s_ = 0.0;
   return false;
 }
 
 void ThermistorCheck::follow_winding(const SensorReading& reading, double dt_s) noexcept {
-  const bool measuring = informs(reading);
+  const bool measuring = is_informative(reading);
   unmeasured_s_ = measuring ? 0.0 : unmeasured_s_ + dt_s;
   if (measuring) winding_c_ = reading.winding_c;
   if (unmeasured_s_ > kPauseS) {
-    pull(winding_c_, reading.sensor_c, dt_s, kRelaxS);
-    pull(quick_c_, reading.sensor_c, dt_s, kRelaxS);
-    pull(slow_c_, reading.sensor_c, dt_s, kRelaxS);
+    low_pass(winding_c_, reading.sensor_c, dt_s, kRelaxS);
+    low_pass(quick_c_, reading.sensor_c, dt_s, kRelaxS);
+    low_pass(slow_c_, reading.sensor_c, dt_s, kRelaxS);
   } else {
-    pull(quick_c_, winding_c_, dt_s, kQuickLagS);
-    pull(slow_c_, winding_c_, dt_s, kSlowLagS);
+    low_pass(quick_c_, winding_c_, dt_s, kQuickLagS);
+    low_pass(slow_c_, winding_c_, dt_s, kSlowLagS);
   }
   if (unmeasured_s_ > kPauseS || std::abs(reading.sensor_c - moved_sensor_c_) >= kStillK) {
     moved_sensor_c_ = reading.sensor_c;

@@ -24,7 +24,7 @@ struct SensorReading {
   /// The thermistor's own winding by its V/I; only while `measuring`.
   bool measuring = false;
   double winding_c = 25.0;
-  /// Error bound of winding_c, K; not compared beyond kUselessK.
+  /// Error bound of winding_c, K; not compared beyond kMaxWindingErrorK.
   double winding_error_k = 0.0;
   /// The part of it that is constant while the current is, K.
   double winding_bias_k = 0.0;
@@ -60,7 +60,7 @@ class ThermistorCheck {
   static constexpr double kDisagreeHoldS = 0.5;
   /// The error of the winding's V/I is added to both thresholds; no comparison if it is larger than
   /// this.
-  static constexpr double kUselessK = 4.0;
+  static constexpr double kMaxWindingErrorK = 4.0;
 
   /// Advances by `dt_s`. The reason to trip, or kNone.
   Reason step(const SensorReading& reading, double dt_s) noexcept;
@@ -83,9 +83,9 @@ class ThermistorCheck {
   bool usable_ = false;
   Reason arming_blocker_ = Reason::kSensorStale;
   std::uint8_t conversions_ = 0;
-  double still_s_ = 0.0;      // since the last conversion
-  double believed_c_ = 25.0;  // last reading without a jump
-  double believed_age_s_ = 0.0;
+  double still_s_ = 0.0;       // since the last conversion
+  double plausible_c_ = 25.0;  // last reading without a jump
+  double plausible_age_s_ = 0.0;
   // Expected readings of thermistors with the shortest and the longest lag.
   double winding_c_ = 25.0;
   double quick_c_ = 25.0;

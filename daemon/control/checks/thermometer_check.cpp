@@ -20,16 +20,16 @@ Reason ThermometerCheck::step(const ThermometerReading& in, double dt_s) noexcep
     return arming_blocker_;
   }
   celsius_ = c;
-  return role_ == ThermometerRole::kCoil ? judge_coil(in, dt_s) : judge_shell(dt_s);
+  return role_ == ThermometerRole::kCoil ? check_coil(in, dt_s) : check_shell(dt_s);
 }
 
-Reason ThermometerCheck::judge_shell(double dt_s) noexcept {
+Reason ThermometerCheck::check_shell(double dt_s) noexcept {
   const bool hot = celsius_ >= model::kShellTripC;
   arming_blocker_ = hot ? Reason::kShellHot : Reason::kNone;
   return hot_.step(hot, dt_s, kHotHoldS) ? Reason::kShellHot : Reason::kNone;
 }
 
-Reason ThermometerCheck::judge_coil(const ThermometerReading& in, double dt_s) noexcept {
+Reason ThermometerCheck::check_coil(const ThermometerReading& in, double dt_s) noexcept {
   if (in.sensor) {
     if (!following_) quick_c_ = slow_c_ = in.sensor_c;
     following_ = true;

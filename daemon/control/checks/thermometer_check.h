@@ -55,8 +55,8 @@ class ThermometerCheck {
   bool too_warm_to_arm() const noexcept;
 
  private:
-  Reason judge_coil(const ThermometerReading& reading, double dt_s) noexcept;
-  Reason judge_shell(double dt_s) noexcept;
+  Reason check_coil(const ThermometerReading& reading, double dt_s) noexcept;
+  Reason check_shell(double dt_s) noexcept;
 
   device::ThermometerRole role_ = device::ThermometerRole::kNone;
   Reason arming_blocker_ = Reason::kNone;

@@ -12,7 +12,7 @@ using model::kTickSeconds;
 // Validity time of a set-point, and therefore of a response to it.
 constexpr double kLongestStepS = 0.02;
 
-bool obeys(const device::BoardTelemetry& board) noexcept {
+bool is_active(const device::BoardTelemetry& board) noexcept {
   return board.mode == device::BoardMode::kReady || board.mode == device::BoardMode::kDriving;
 }
 
@@ -99,14 +99,14 @@ CurrentReading Watchdog::current_reading(const WatchdogInputs& in, double since_
   reading.current_a = in.pair.after_a();
   reading.measured = in.pair.after_measured();
   reading.applied_v = in.pair.voltage_v();
-  if (in.commanded.enable() && obeys(in.board)) {
+  if (in.commanded.enable() && is_active(in.board)) {
     reading.commanded_v = in.board.supply_v * in.commanded.first_duty();
     reading.held_v = in.board.supply_v * in.commanded.duty();
   }
   return reading;
 }
 
-Disagreement Watchdog::judge_supply(const WatchdogInputs& in, double dt_s) noexcept {
+Disagreement Watchdog::check_supply(const WatchdogInputs& in, double dt_s) noexcept {
   const device::Measured& measured = in.pair.measured();
   SupplyReading reading;
   reading.known = in.pair.electrical() && in.board.supply_current_known && measured[0] &&
@@ -126,9 +126,9 @@ Reason Watchdog::step(const WatchdogInputs& in) noexcept {
   board_.step(in.board_present, in.fresh, board, in.ticks);
   // Telemetry from before a gap is no evidence about the gap.
   const double dt_s = std::min(kTickSeconds * static_cast<double>(in.ticks), kLongestStepS);
-  unread_s_ = std::min(unread_s_ + dt_s, kLongestStepS);
-  const double since_s = unread_s_;
-  if (in.fresh) unread_s_ = 0.0;
+  since_fresh_s_ = std::min(since_fresh_s_ + dt_s, kLongestStepS);
+  const double since_s = since_fresh_s_;
+  if (in.fresh) since_fresh_s_ = 0.0;
 
   thermistors_ = readable(board, sensor_winding_);
   const SensorReading thermistor = sensor_reading(in, since_s);
@@ -137,7 +137,7 @@ Reason Watchdog::step(const WatchdogInputs& in) noexcept {
   thermistors_.valid[own] = !thermistor.open && !thermistor.shorted && thermistors_.valid[own];
   const Reason heat = heat_.step(heat_reading(in, since_s), in.trip_c, dt_s);
   const Reason current = current_.step(current_reading(in, since_s));
-  const Disagreement supply = judge_supply(in, dt_s);
+  const Disagreement supply = check_supply(in, dt_s);
   if (supply.any()) disagreement_ = supply;
   fan_.follow({in.fresh, board.fan_duty, board.fan_rpm}, in.fresh ? since_s : dt_s);
   const Reason fan =

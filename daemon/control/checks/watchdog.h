@@ -48,7 +48,7 @@ class Watchdog {
   void start_rested() noexcept { heat_.start_rested(); }
 
   /// The windings have been replaced by others of the same device file.
-  void forget_windings(const model::CoilModel& coils, const model::ThermalModel& thermal) noexcept {
+  void reset_windings(const model::CoilModel& coils, const model::ThermalModel& thermal) noexcept {
     heat_ = OverTemperatureCheck(coils, thermal);
     supply_ = SupplyBalance(coils.supply_v);
   }
@@ -80,13 +80,13 @@ class Watchdog {
   SensorReading sensor_reading(const WatchdogInputs& in, double since_s) const noexcept;
   HeatReading heat_reading(const WatchdogInputs& in, double since_s) const noexcept;
   CurrentReading current_reading(const WatchdogInputs& in, double since_s) const noexcept;
-  Disagreement judge_supply(const WatchdogInputs& in, double dt_s) noexcept;
+  Disagreement check_supply(const WatchdogInputs& in, double dt_s) noexcept;
 
   int sensor_winding_ = 0;
   model::ThermistorReadings thermistors_;
   SupplyBalance supply_;
   Disagreement disagreement_;
-  double unread_s_ = 0.0;  // since the last telemetry
+  double since_fresh_s_ = 0.0;  // since the last telemetry
   ThermistorCheck sensor_;
   OverTemperatureCheck heat_;
   CurrentCheck current_;

@@ -96,7 +96,7 @@ struct SetLimits {
 
 /// The ball has, or may have, been replaced: its thermal state is unknown, and it stays without
 /// current until a client arms it.
-struct ForgetBall {};
+struct ResetBall {};
 
 /// Sends the board to its boot loader, unless it is armed or being armed.
 struct EnterBootLoader {};
@@ -106,7 +106,7 @@ struct Command {
   /// effect.
   std::uint64_t seq = 0;
   std::variant<StartEffect, UpdateEffect, LoadKeyframes, Arm, Recenter, SetGain, SetLimits,
-               ForgetBall, EnterBootLoader>
+               ResetBall, EnterBootLoader>
       what;
 };
 

@@ -87,7 +87,7 @@ bool EffectPlace::finishes_on_close() const noexcept {
   return spec_.finish_on_close && spec_.duration > 0 && spec_.duration <= Mixer::kLongestFinish;
 }
 
-double EffectPlace::asked_a() const noexcept {
+double EffectPlace::requested_a() const noexcept {
   const double shape = spec_.trajectory.path == Path::kKeyframes ? point_.level : 1.0;
   return spec_.strength_a * spec_.gain * shape * model::level_at(spec_, phase_);
 }

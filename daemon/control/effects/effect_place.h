@@ -42,7 +42,7 @@ class EffectPlace {
 
   /// Current requested by its own shape in this tick, A, 0..15; its direction as a unit vector, in
   /// its own frame.
-  double asked_a() const noexcept;
+  double requested_a() const noexcept;
   model::Vec3 direction() const noexcept;
 
   /// Result of this tick for a playing effect: masked by a higher priority; or output, with

@@ -113,7 +113,7 @@ void Mixer::follow_orientation(const MixInputs& inputs, Tick ticks) noexcept {
     world_fade_ = oriented_before_ ? std::min(1.0, world_fade_ + step) : 1.0;
     oriented_before_ = true;
   } else {
-    lost_for_ = std::min(kOrientationPatience, lost_for_ + ticks);
+    lost_for_ = std::min(kOrientationTimeout, lost_for_ + ticks);
     world_fade_ = std::max(0.0, world_fade_ - step);
   }
   // Rounding: two hundred steps of 1/200 do not sum to exactly 0 or 1.
@@ -131,15 +131,15 @@ int Mixer::advance(const MixInputs& inputs, Tick ticks, EventList& events) noexc
     }
     if (!effect.playing()) return;
     Part& part = parts_[place];
-    part = {effect.asked_a(), 1.0};
+    part = {effect.requested_a(), 1.0};
     if (effect.spec().frame == Frame::kWorld) {
-      if (lost_for_ >= kOrientationPatience) {
+      if (lost_for_ >= kOrientationTimeout) {
         end(place, EndReason::kOrientationLost, inputs.tick, events);
         return;
       }
       part.faded = world_fade_;
       if (world_fade_ == 0.0) {
-        effect.note_delivered(part.asked_a > 0.0 ? 0.0 : 1.0, false);
+        effect.note_delivered(part.requested_a > 0.0 ? 0.0 : 1.0, false);
         return;
       }
     }
@@ -160,9 +160,9 @@ MixResult Mixer::sum(const MixInputs& inputs, int top) noexcept {
     }
     set(received_, place);
     const Part& part = parts_[place];
-    if (part.asked_a <= 0.0) return;
+    if (part.requested_a <= 0.0) return;
     ++sounding_;
-    const Vec3 share = gain_ * part.faded * part.asked_a * effect.direction();
+    const Vec3 share = gain_ * part.faded * part.requested_a * effect.direction();
     switch (effect.spec().frame) {
       case Frame::kDevice:
         result.field.a = result.field.a + share;
@@ -204,7 +204,7 @@ void Mixer::account(double passed) noexcept {
   passed_ = passed;
   each(received_, [&](std::size_t place) {
     const Part& part = parts_[place];
-    const bool sounds = part.asked_a > 0.0;
+    const bool sounds = part.requested_a > 0.0;
     places_[place].note_delivered(sounds ? part.faded * passed : 1.0, sounding_ > (sounds ? 1 : 0));
   });
 }
@@ -215,7 +215,7 @@ void Mixer::fill(std::array<EffectStatus, kEffectPlaces>& status) const noexcept
     const Part& part = parts_[place];
     const bool on_event = has(received_, place);
     status[place] = {places_[place].effect(), on_event, places_[place].remaining(now_),
-                     on_event ? part.asked_a * part.faded * passed_ * gain_ : 0.0};
+                     on_event ? part.requested_a * part.faded * passed_ * gain_ : 0.0};
   });
 }
 

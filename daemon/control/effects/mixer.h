@@ -64,7 +64,7 @@ struct MixResult {
 class Mixer {
  public:
   static constexpr model::Tick kWorldFade = 200;
-  static constexpr model::Tick kOrientationPatience = 2000;
+  static constexpr model::Tick kOrientationTimeout = 2000;
   /// Longest timed effect that may play on after its connection has closed.
   static constexpr model::Tick kLongestFinish = 2000;
 
@@ -105,7 +105,7 @@ class Mixer {
   };
   /// Contribution of an effect in this tick.
   struct Part {
-    double asked_a = 0.0;
+    double requested_a = 0.0;
     double faded = 1.0;  // 0..1, the world fade or 1
   };
 

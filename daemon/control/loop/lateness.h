@@ -24,7 +24,7 @@ class Lateness {
     const auto bucket = std::min<std::size_t>(static_cast<std::size_t>(late_ns / 1000), kLast);
     ++counts_[bucket];
     max_ns_ = std::max(max_ns_, late_ns);
-    if (++total_ < kForgetAt) return;
+    if (++total_ < kHalveAt) return;
     total_ = 0;
     for (std::uint32_t& count : counts_) total_ += (count /= 2);
   }
@@ -38,7 +38,7 @@ class Lateness {
 
  private:
   static constexpr std::size_t kLast = 1023;
-  static constexpr std::uint32_t kForgetAt = 20'000;
+  static constexpr std::uint32_t kHalveAt = 20'000;
 
   double quantile(std::uint32_t rank) const noexcept {
     std::uint32_t sum = 0;

@@ -38,7 +38,7 @@ struct ControlSettings {
   /// A board first detected later than this after the start counts as hot-plugged and is not armed
   /// at its detection. The simulated board counts as present at the start, however slow the
   /// machine.
-  model::Tick start_patience = 10'000;
+  model::Tick start_timeout = 10'000;
   /// The latch saved by the last run; kNone: none.
   Reason latch = Reason::kNone;
   /// Number of re-armings after each trip reason in the last runs.
@@ -54,7 +54,7 @@ struct ControlSettings {
   /// `continuous_a` until their own V/I has been measured.
   std::array<bool, model::kCoils> start_measured{};
   /// Saved ambient temperature, used when `start_known`; NaN or infinite: unknown.
-  double start_room_c = 25.0;
+  double start_ambient_c = 25.0;
 };
 
 static_assert(std::is_trivially_copyable_v<ControlSettings>);

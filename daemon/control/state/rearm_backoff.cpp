@@ -25,7 +25,7 @@ void RearmBackoff::arm(Reason latch, model::Tick now) noexcept {
 
 void RearmBackoff::step(bool armed, model::Tick now) noexcept {
   if (!armed) quiet_since_ = now;
-  if (now - quiet_since_ < kForgiveAfter) return;
+  if (now - quiet_since_ < kResetAfter) return;
   quiet_since_ = now;
   for (std::uint8_t& count : counts_) count = static_cast<std::uint8_t>(std::max(0, count - 1));
 }

@@ -23,7 +23,7 @@ class RearmBackoff {
   static constexpr model::Tick kFirstWait = 10 * model::kTicksPerSecond;
   static constexpr model::Tick kMaxWait = 600 * model::kTicksPerSecond;
   /// Armed time without a trip that decrements each count.
-  static constexpr model::Tick kForgiveAfter = 300 * model::kTicksPerSecond;
+  static constexpr model::Tick kResetAfter = 300 * model::kTicksPerSecond;
 
   RearmBackoff() noexcept = default;
   /// With the counts of the last run; its latch waits from tick 0 on.

@@ -9,7 +9,7 @@ StateMachine::StateMachine(const ControlSettings& settings) noexcept
     : latch_(settings.latch),
       backoff_(settings.rearms),
       start_reason_(settings.start_reason),
-      start_patience_(settings.start_patience),
+      start_timeout_(settings.start_timeout),
       arm_when_sane_(settings.arm_at_start && settings.latch == Reason::kNone) {}
 
 void StateMachine::enter(State state, Reason reason, model::Tick now) noexcept {
@@ -29,7 +29,7 @@ void StateMachine::board_alive(const device::BoardTelemetry& board, model::Tick 
   } else if (latch_ != Reason::kNone) {
     enter(State::kTripped, latch_, now);
   } else {
-    const bool plugged_in = seen_ || now > start_patience_;
+    const bool plugged_in = seen_ || now > start_timeout_;
     if (plugged_in) arm_when_sane_ = false;
     enter(State::kDisarmed, plugged_in ? Reason::kHotPlug : start_reason_, now);
   }
@@ -63,7 +63,7 @@ void StateMachine::emergency_stop(model::Tick now) noexcept {
   if (state_ != State::kAbsent && state_ != State::kTripped) enter(State::kDisarmed, latch_, now);
 }
 
-void StateMachine::lose_ball(model::Tick now) noexcept {
+void StateMachine::reset_ball(model::Tick now) noexcept {
   trip(Reason::kStateLost, now);
   const bool loose = latch_ == Reason::kNone || latch_ == Reason::kEmergencyStop;
   if (loose) latch_ = Reason::kStateLost;
@@ -94,7 +94,7 @@ void StateMachine::enter_boot_loader(model::Tick now) noexcept {
 void StateMachine::step(const device::BoardTelemetry& board, bool fresh, Reason refusal,
                         model::Tick now) noexcept {
   backoff_.step(state_ == State::kArmed, now);
-  if (now - boot_loader_since_ > kBootLoaderPatience) boot_loader_pending_ = false;
+  if (now - boot_loader_since_ > kBootLoaderTimeout) boot_loader_pending_ = false;
   if (arm_when_sane_ && state_ == State::kDisarmed && refusal == Reason::kNone) {
     arm_when_sane_ = false;
     begin_arming(now);
@@ -107,7 +107,7 @@ void StateMachine::step(const device::BoardTelemetry& board, bool fresh, Reason 
     backoff_.arm(latch_, now);
     latch_ = Reason::kNone;
     enter(State::kArmed, Reason::kNone, now);
-  } else if (now - arming_since_ > kArmPatience) {
+  } else if (now - arming_since_ > kArmTimeout) {
     // The board keeps its latch, so the cause persists.
     const Reason why = reason_of_faults(board.faults);
     arming_ = false;

@@ -17,9 +17,9 @@ namespace hedgehog::control {
 class StateMachine {
  public:
   /// Timeout of the board's confirmation.
-  static constexpr model::Tick kArmPatience = 300;
+  static constexpr model::Tick kArmTimeout = 300;
   /// Timeout of a request for the boot loader: by then the board has detached, or will not.
-  static constexpr model::Tick kBootLoaderPatience = 500;
+  static constexpr model::Tick kBootLoaderTimeout = 500;
 
   explicit StateMachine(const ControlSettings& settings) noexcept;
 
@@ -31,7 +31,7 @@ class StateMachine {
   void trip(Reason reason, model::Tick now) noexcept;
   void emergency_stop(model::Tick now) noexcept;
   /// The latched reason is no longer known: trips by kStateLost, also while the board is absent.
-  void lose_ball(model::Tick now) noexcept;
+  void reset_ball(model::Tick now) noexcept;
   /// The board has restarted by itself: handled like a hot-plug.
   void board_restarted(model::Tick now) noexcept;
 
@@ -72,7 +72,7 @@ class StateMachine {
   Reason latch_ = Reason::kNone;
   RearmBackoff backoff_;
   Reason start_reason_ = Reason::kNeverArmed;
-  model::Tick start_patience_ = 0;
+  model::Tick start_timeout_ = 0;
   bool seen_ = false;
   bool arm_when_sane_ = false;
   bool arming_ = false;

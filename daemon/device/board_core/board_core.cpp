@@ -44,15 +44,15 @@ void BoardCore::receive(const uint8_t* bytes, size_t length) noexcept {
       set_point_new_ = true;
       break;
     case FrameType::kArm:
-      arm_asked_ = true;
-      arm_asked_count_ = read_arm(bytes).count;
+      arm_requested_ = true;
+      requested_arm_count_ = read_arm(bytes).count;
       break;
     case FrameType::kLimits:
       tighten(read_limits(bytes));
       break;
     case FrameType::kBootLoader:
       if (read_boot_loader(bytes).key == BootLoaderFrame::kKey)
-        boot_loader_asked_ = true;
+        boot_loader_requested_ = true;
       else
         ++refused_;
       break;
@@ -82,7 +82,7 @@ BoardOutputs BoardCore::step(const BoardInputs& inputs) noexcept {
     thermistors_known_ = true;
   }
   age_set_point();
-  judge(inputs);
+  check_inputs(inputs);
   answer_arm();
   decide();
   answer_boot_loader();
@@ -98,17 +98,17 @@ void BoardCore::age_set_point() noexcept {
   set_point_new_ = false;
 }
 
-void BoardCore::judge(const BoardInputs& inputs) noexcept {
+void BoardCore::check_inputs(const BoardInputs& inputs) noexcept {
   live_ = 0;
   follow_currents(inputs);
-  judge_current();
-  judge_sensor(inputs);
+  check_current();
+  check_sensor(inputs);
   const bool supply_bad =
       inputs.supply_mv < limits_.supply_min_mv || inputs.supply_mv > limits_.supply_max_mv;
   if (supply_.step(supply_bad)) live_ |= kSupply;
   if (bridge_.step(inputs.bridge_faults != 0)) live_ |= kBridge;
   latched_ |= live_;
-  judge_dead_man();
+  check_dead_man();
   if (latched_ != 0) mode_ = Mode::kLatched;
 }
 
@@ -127,7 +127,7 @@ void BoardCore::follow_currents(const BoardInputs& inputs) noexcept {
   }
 }
 
-void BoardCore::judge_current() noexcept {
+void BoardCore::check_current() noexcept {
   uint32_t norm_squared = 0;
   bool budget_spent = false;
   for (int k = 0; k < kWindings; ++k) {
@@ -178,7 +178,7 @@ bool BoardCore::unexpected_current() noexcept {
   return by_winding || by_supply;
 }
 
-void BoardCore::judge_sensor(const BoardInputs& inputs) noexcept {
+void BoardCore::check_sensor(const BoardInputs& inputs) noexcept {
   bool open = false;
   bool shorted = false;
   bool hot = false;
@@ -193,15 +193,15 @@ void BoardCore::judge_sensor(const BoardInputs& inputs) noexcept {
   if (sensor_hot_.step(hot)) live_ |= kOverHeat;
 }
 
-void BoardCore::judge_dead_man() noexcept {
+void BoardCore::check_dead_man() noexcept {
   if (armed() && !fed()) latched_ |= kDeadMan;
 }
 
 void BoardCore::answer_arm() noexcept {
-  const bool asked = arm_asked_ && arm_asked_count_ != arm_count_;
-  arm_asked_ = false;
-  if (!asked) return;
-  arm_count_ = arm_asked_count_;
+  const bool requested = arm_requested_ && requested_arm_count_ != arm_count_;
+  arm_requested_ = false;
+  if (!requested) return;
+  arm_count_ = requested_arm_count_;
   if (armed() || live_ != 0 || !fed()) return;
   latched_ = 0;
   mode_ = Mode::kReady;
@@ -210,9 +210,9 @@ void BoardCore::answer_arm() noexcept {
 }
 
 void BoardCore::answer_boot_loader() noexcept {
-  boot_loader_due_ = asleep_.step(!outputs_.awake) && boot_loader_asked_;
-  if (boot_loader_asked_ && !boot_loader_due_) ++refused_;
-  boot_loader_asked_ = false;
+  boot_loader_due_ = asleep_.step(!outputs_.awake) && boot_loader_requested_;
+  if (boot_loader_requested_ && !boot_loader_due_) ++refused_;
+  boot_loader_requested_ = false;
 }
 
 void BoardCore::decide() noexcept {

@@ -103,18 +103,18 @@ class BoardCore {
   const BoardOutputs& outputs() const noexcept { return outputs_; }
   const BoardLimits& limits() const noexcept { return limits_; }
   /// Inputs of the last `step`; null before the first.
-  const BoardInputs* measured_last() const noexcept { return now_ms_ == 0 ? nullptr : &inputs_; }
+  const BoardInputs* last_inputs() const noexcept { return now_ms_ == 0 ? nullptr : &inputs_; }
 
  private:
   void tighten(const LimitsFrame& frame) noexcept;
   void age_set_point() noexcept;
-  void judge(const BoardInputs& inputs) noexcept;
+  void check_inputs(const BoardInputs& inputs) noexcept;
   void follow_currents(const BoardInputs& inputs) noexcept;
-  void judge_current() noexcept;
+  void check_current() noexcept;
   bool unexpected_current() noexcept;
   bool unmeasured_current() noexcept;
-  void judge_sensor(const BoardInputs& inputs) noexcept;
-  void judge_dead_man() noexcept;
+  void check_sensor(const BoardInputs& inputs) noexcept;
+  void check_dead_man() noexcept;
   void answer_arm() noexcept;
   void answer_boot_loader() noexcept;
   void decide() noexcept;
@@ -140,11 +140,11 @@ class BoardCore {
   bool boosting_ = false;
   uint32_t set_point_age_ms_ = UINT32_MAX;
 
-  bool arm_asked_ = false;
-  uint8_t arm_asked_count_ = 0;
+  bool arm_requested_ = false;
+  uint8_t requested_arm_count_ = 0;
   uint8_t arm_count_ = 0;
 
-  bool boot_loader_asked_ = false;
+  bool boot_loader_requested_ = false;
   bool boot_loader_due_ = false;
   Persistence asleep_{kBootLoaderMs};
 

@@ -12,7 +12,7 @@ constexpr uint8_t kFlagSwitchClosed = 1u << 0;
 constexpr uint8_t kFlagAwake = 1u << 1;
 constexpr uint8_t kFlagInLine = 1u << 2;
 constexpr int kMinorShift = 4;
-constexpr uint8_t kKnowsSupplyCurrent = 1u << 5;
+constexpr uint8_t kHasSupplyCurrent = 1u << 5;
 
 uint16_t get_u16(const uint8_t* at) noexcept {
   return static_cast<uint16_t>(at[0] | (static_cast<uint16_t>(at[1]) << 8));
@@ -139,7 +139,7 @@ SimulatorTruthFrame read_simulator_truth(const uint8_t* frame) noexcept {
   }
   values.core_mc = static_cast<int32_t>(get_u32(frame + 20));
   values.skin_mc = static_cast<int32_t>(get_u32(frame + 24));
-  values.room_mc = static_cast<int32_t>(get_u32(frame + 28));
+  values.ambient_mc = static_cast<int32_t>(get_u32(frame + 28));
   return values;
 }
 
@@ -173,7 +173,7 @@ TelemetryFrame read_telemetry(const uint8_t* frame) noexcept {
   values.currents_in_line = (frame[3] & kFlagInLine) != 0;
   values.minor = static_cast<uint8_t>(frame[3] >> kMinorShift);
   values.thermistors = frame[45] >> 3 & 3u;
-  values.supply_current_measured = (frame[45] & kKnowsSupplyCurrent) != 0;
+  values.supply_current_measured = (frame[45] & kHasSupplyCurrent) != 0;
   values.other_thermistor = static_cast<uint8_t>(frame[45] >> 6);
   values.supply_ma = get_u16(frame + 56);
   values.other_cc = get_i16(frame + 58);
@@ -239,7 +239,7 @@ void write_frame(const SimulatorTruthFrame& values, uint8_t* frame) noexcept {
   }
   put_u32(frame + 20, static_cast<uint32_t>(values.core_mc));
   put_u32(frame + 24, static_cast<uint32_t>(values.skin_mc));
-  put_u32(frame + 28, static_cast<uint32_t>(values.room_mc));
+  put_u32(frame + 28, static_cast<uint32_t>(values.ambient_mc));
   finish(frame);
 }
 
@@ -272,7 +272,7 @@ void write_frame(const TelemetryFrame& values, uint8_t* frame) noexcept {
   put_u16(frame + 54, values.refused);
   frame[45] =
       static_cast<uint8_t>((values.currents_measured & 7u) | (values.thermistors & 3u) << 3 |
-                           (values.supply_current_measured ? kKnowsSupplyCurrent : 0) |
+                           (values.supply_current_measured ? kHasSupplyCurrent : 0) |
                            (values.other_thermistor & 3u) << 6);
   put_u16(frame + 56, values.supply_ma);
   put_i16(frame + 58, values.other_cc);

@@ -101,7 +101,7 @@ struct SimulatorTruthFrame {
   int32_t winding_mc[kWindings] = {};  // thousandths of a degree Celsius
   int32_t core_mc = 0;
   int32_t skin_mc = 0;
-  int32_t room_mc = 0;
+  int32_t ambient_mc = 0;
   int32_t current_ma[kWindings] = {};
 };
 

@@ -154,7 +154,7 @@ void board_millisecond(BoardCore& core, const Wiring& wiring, Port& port) noexce
   }
   RawInputs raw;
   port.measure(raw);
-  const BoardInputs inputs = measured(wiring, raw, core.outputs(), core.measured_last());
+  const BoardInputs inputs = measured(wiring, raw, core.outputs(), core.last_inputs());
   port.apply(pins_for(wiring, core.step(inputs)));
   core.write_telemetry(packet);
   port.send(packet);

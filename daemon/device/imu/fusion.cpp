@@ -32,7 +32,7 @@ Quaternion turned(const Quaternion& q, const Vec3& rate_rad_s, double dt_s) noex
   return normalised(q * Quaternion{std::cos(angle / 2), v.x, v.y, v.z});
 }
 
-bool believable(const MotionSample& s) noexcept {
+bool is_plausible(const MotionSample& s) noexcept {
   return norm(s.rate_deg_s) < kMaxDegS && norm(s.accel_g) < kMaxG && s.dt_s > 0.0 &&
          s.dt_s <= kMaxDtS;
 }
@@ -40,7 +40,7 @@ bool believable(const MotionSample& s) noexcept {
 }  // namespace
 
 void Fusion::restart() noexcept {
-  unseen_ = true;
+  no_sample_ = true;
   age_s_ = 0.0;
   gravity_g_ = {0, 0, 1};
   still_s_ = 0.0;
@@ -79,12 +79,12 @@ Vec3 Fusion::tilt_error() const noexcept {
 }
 
 void Fusion::step(const MotionSample& s) noexcept {
-  if (!believable(s)) return;
-  if (unseen_) {
+  if (!is_plausible(s)) return;
+  if (no_sample_) {
     started_ ? level(s.accel_g) : start(s.accel_g);
     mean_accel_g_ = s.accel_g;
     mean_rate_deg_s_ = s.rate_deg_s;
-    unseen_ = false;
+    no_sample_ = false;
   }
   age_s_ = std::min(age_s_ + s.dt_s, 1e6);
   watch_rest(s);
@@ -107,9 +107,9 @@ void Fusion::step(const MotionSample& s) noexcept {
   }
   // The mean is rotated too, so that a correction is not applied twice.
   const double pull = age_s_ < kSettleS ? kPullAtFirst : kPull;
-  const Quaternion mend = turned({}, pull * tilt_error(), s.dt_s);
-  q_ = normalised(mend * q_);
-  gravity_g_ = rotate(mend, gravity_g_);
+  const Quaternion correction = turned({}, pull * tilt_error(), s.dt_s);
+  q_ = normalised(correction * q_);
+  gravity_g_ = rotate(correction, gravity_g_);
 }
 
 }  // namespace hedgehog::device

@@ -76,7 +76,7 @@ class Fusion {
   model::Vec3 tilt_error() const noexcept;
 
   bool started_ = false;
-  bool unseen_ = true;
+  bool no_sample_ = true;
   double age_s_ = 0.0;
   model::Quaternion q_;
   model::Vec3 rate_deg_s_;

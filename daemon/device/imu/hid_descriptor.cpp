@@ -93,12 +93,12 @@ class Parser {
         return field(Kind::kFeature, value);
       case kCollection:
         collections_.push_back(usages_.empty() ? 0 : usages_.front());
-        forget_locals();
+        clear_locals();
         return collections_.size() <= kDeepest;
       case kEndCollection:
         if (collections_.empty()) return false;
         collections_.pop_back();
-        forget_locals();
+        clear_locals();
         return true;
       case kPush:
         stack_.push_back(now_);
@@ -170,7 +170,7 @@ class Parser {
     return true;
   }
 
-  void forget_locals() {
+  void clear_locals() {
     usages_.clear();
     usage_min_ = 0;
   }
@@ -208,7 +208,7 @@ class Parser {
       made_.fields.push_back(std::move(made));
     }
     offset += static_cast<std::uint32_t>(length);
-    forget_locals();
+    clear_locals();
     return true;
   }
 

@@ -16,7 +16,7 @@ constexpr std::size_t kMaxSamples = 64;
 
 void MtiSession::go(Step step) noexcept {
   step_ = step;
-  asked_s_.reset();
+  requested_s_.reset();
 }
 
 std::vector<Byte> MtiSession::request() const {
@@ -41,8 +41,8 @@ std::vector<Byte> MtiSession::due(double now_s) {
     return encode_xbus(XbusId::kWakeUpAck);
   }
   if (step_ == Step::kMeasuring && now_s - received_s_ > kSilenceS) go(Step::kConfigure);
-  if (step_ == Step::kMeasuring || (asked_s_ && now_s - *asked_s_ < kRepeatS)) return {};
-  asked_s_ = now_s;
+  if (step_ == Step::kMeasuring || (requested_s_ && now_s - *requested_s_ < kRepeatS)) return {};
+  requested_s_ = now_s;
   return request();
 }
 

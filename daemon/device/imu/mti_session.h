@@ -42,7 +42,7 @@ class MtiSession {
   XbusParser parser_;
   std::deque<MtSample> samples_;
   /// Time of the request of this step; nullopt: not yet sent.
-  std::optional<double> asked_s_;
+  std::optional<double> requested_s_;
   double received_s_ = 0.0;
   bool woken_ = false;
   /// Number of rejected output rates.

@@ -55,8 +55,8 @@ constexpr SonyCalibration::Axis kNominalGyro{0.0, kGyroRangeDegS / kRawRange};
 constexpr SonyCalibration::Axis kNominalAccel{0.0, kAccelRangeG / kRawRange};
 
 /// Genuine pads are within a few per cent of nominal; other values are not a calibration.
-SonyCalibration::Axis believable(const SonyCalibration::Axis& axis,
-                                 const SonyCalibration::Axis& nominal) noexcept {
+SonyCalibration::Axis plausible_or(const SonyCalibration::Axis& axis,
+                                   const SonyCalibration::Axis& nominal) noexcept {
   const double ratio = axis.scale / nominal.scale;
   const bool good = ratio > 0.5 && ratio < 2.0 && std::abs(axis.bias) < kRawRange / 4;
   return good ? axis : nominal;
@@ -104,10 +104,10 @@ std::optional<SonyCalibration> decode_calibration(SonyPad pad, SonyBus bus,
     const double gyro_minus = at(pairs ? 9 + 4 * i : 13 + 2 * i) - factory_bias;
     // Reports do not contain that bias: it applies only to the two maxima.
     made.gyro[i] =
-        believable({0.0, speeds / (std::abs(gyro_plus) + std::abs(gyro_minus))}, kNominalGyro);
+        plausible_or({0.0, speeds / (std::abs(gyro_plus) + std::abs(gyro_minus))}, kNominalGyro);
     const double accel_plus = at(23 + 4 * i);
     const double range_2g = accel_plus - at(25 + 4 * i);
-    made.accel[i] = believable({accel_plus - range_2g / 2, 2.0 / range_2g}, kNominalAccel);
+    made.accel[i] = plausible_or({accel_plus - range_2g / 2, 2.0 / range_2g}, kNominalAccel);
   }
   return made;
 }

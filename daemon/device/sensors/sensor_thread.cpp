@@ -39,12 +39,12 @@ bool SensorThread::pause(std::chrono::milliseconds time) {
 }
 
 void SensorThread::run() {
-  auto patience = kFirstPause;
+  auto backoff = kFirstPause;
   do {
     const std::string failure = sensor_->open();
     if (!failure.empty()) {
       note(false, failure);
-      patience = std::min(2 * patience, kLongestPause);
+      backoff = std::min(2 * backoff, kLongestPause);
       continue;
     }
     note(true, sensor_->name());
@@ -54,9 +54,9 @@ void SensorThread::run() {
     note(false, sensor_->name() + ": it went away");
     sensor_->close();
     // Back-off for a device that fails right after opening.
-    const bool lived = std::chrono::steady_clock::now() - since > kLongestPause;
-    patience = lived ? kFirstPause : std::min(2 * patience, kLongestPause);
-  } while (pause(patience));
+    const bool was_stable = std::chrono::steady_clock::now() - since > kLongestPause;
+    backoff = was_stable ? kFirstPause : std::min(2 * backoff, kLongestPause);
+  } while (pause(backoff));
 }
 
 }  // namespace hedgehog::device

@@ -47,7 +47,7 @@ std::string TemperSensor::open() {
       model_ = *model;
       name_ = opened.name + ", " + firmware;
       port_ = std::move(opened.port);
-      asked_.reset();
+      requested_.reset();
       return {};
     }
   }
@@ -56,12 +56,12 @@ std::string TemperSensor::open() {
 }
 
 bool TemperSensor::poll(std::chrono::milliseconds wait) {
-  if (asked_ && sink_.tick() - *asked_ < kEvery) {
+  if (requested_ && sink_.tick() - *requested_ < kEvery) {
     // The stick sends nothing unrequested; reading waits, and detects unplugging.
     TemperReport report{};
     return port_->read(report, wait).has_value();
   }
-  asked_ = sink_.tick();
+  requested_ = sink_.tick();
   const auto answer = ask(*port_, kTemperAskTemperature);
   if (!answer) return false;
   const auto reading = decode_temper(model_, *answer);

@@ -38,7 +38,7 @@ class TemperSensor : public Sensor {
   std::unique_ptr<HidPort> port_;
   std::string name_;
   TemperModel model_;
-  std::optional<model::Tick> asked_;
+  std::optional<model::Tick> requested_;
 };
 
 }  // namespace hedgehog::device

@@ -24,7 +24,7 @@ constexpr double kDriverCsOffsetA = 0.10;
 constexpr double kShuntOffsetA = 0.03;
 constexpr double kThermistorK = 1.0;
 
-double around_one(model::RandomStream& random) noexcept {
+double random_gain(model::RandomStream& random) noexcept {
   return random.uniform(1.0 - kGain, 1.0 + kGain);
 }
 
@@ -33,12 +33,12 @@ void draw_parts(FrontEndParameters& p, std::uint64_t seed) noexcept {
   model::RandomStream random(~seed);
   const double offset_a = p.kind == FrontEndKind::kInLine ? kInLineOffsetA : kDriverCsOffsetA;
   for (std::size_t i = 0; i < kCoils; ++i) {
-    p.current_gain[i] = around_one(random);
+    p.current_gain[i] = random_gain(random);
     p.current_offset_a[i] = random.uniform(-offset_a, offset_a);
     p.thermistor_offset_k[i] = random.uniform(-kThermistorK, kThermistorK);
   }
-  p.supply_gain = around_one(random);
-  p.shunt_gain = around_one(random);
+  p.supply_gain = random_gain(random);
+  p.shunt_gain = random_gain(random);
   p.shunt_offset_a = random.uniform(-kShuntOffsetA, kShuntOffsetA);
 }
 

@@ -17,8 +17,8 @@ void visit(Plant& plant, Each each, Any any) {
   for (auto& value : plant.winding_j_k) each(value);
   each(plant.core_j_k);
   for (auto& value : plant.winding_to_core_k_w) each(value);
-  each(plant.core_to_room_fan_k_w);
-  each(plant.core_to_room_still_k_w);
+  each(plant.core_to_ambient_fan_k_w);
+  each(plant.core_to_ambient_still_k_w);
   for (auto& value : plant.r25_ohm) each(value);
   each(plant.inductance_h);
   each(plant.freewheel_v);

@@ -111,7 +111,7 @@ std::optional<Frame> SimulatedBoard::step() noexcept {
   Frame frame;
   core_.write_telemetry(frame.data());
   if (errors_.step()) act_errors();
-  run_world(outputs);
+  step_plant(outputs);
   if (has(kSimSilent) || boot_loader_ms_ > 0) return std::nullopt;
   return frame;
 }
@@ -119,7 +119,7 @@ std::optional<Frame> SimulatedBoard::step() noexcept {
 const board::RawInputs& SimulatedBoard::step_electronics(
     const board::BoardOutputs& outputs) noexcept {
   if (errors_.step()) act_errors();
-  run_world(outputs);
+  step_plant(outputs);
   convert();
   return raw_;
 }
@@ -157,7 +157,7 @@ Analogue SimulatedBoard::analogue() const noexcept {
 board::BoardInputs SimulatedBoard::measure() noexcept {
   const Analogue now = convert();
   if (built_.kind == FrontEndKind::kIdeal) return measure_exactly(now);
-  return board::measured(built_.wiring, raw_, core_.outputs(), core_.measured_last());
+  return board::measured(built_.wiring, raw_, core_.outputs(), core_.last_inputs());
 }
 
 Analogue SimulatedBoard::convert() noexcept {
@@ -233,7 +233,7 @@ board::BoardInputs SimulatedBoard::measure_exactly(const Analogue& analogue) noe
   return inputs;
 }
 
-void SimulatedBoard::run_world(const board::BoardOutputs& outputs) noexcept {
+void SimulatedBoard::step_plant(const board::BoardOutputs& outputs) noexcept {
   const FrontEndParameters& electronics = front_end_.parameters();
   supply_ms_ = (supply_ms_ + 1) % kRippleMs;
   const double ripple = std::sin(2.0 * std::numbers::pi * supply_ms_ / kRippleMs);

@@ -81,7 +81,7 @@ class SimulatedBoard {
   int broken_thermistor() const noexcept;
   int winding_under(int thermistor) const noexcept;
   void act_errors() noexcept;
-  void run_world(const board::BoardOutputs& outputs) noexcept;
+  void step_plant(const board::BoardOutputs& outputs) noexcept;
   bool has(SimFault fault) const noexcept { return (settings_.faults & fault) != 0; }
   bool touches(SimFault fault, int coil) const noexcept {
     return has(fault) && settings_.coil == coil;

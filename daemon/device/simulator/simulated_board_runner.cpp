@@ -34,8 +34,8 @@ void SimulatedBoardRunner::run(const std::atomic<bool>& stop) noexcept {
 void SimulatedBoardRunner::run_in_step(const SocketTransport& socket) noexcept {
   std::array<std::uint8_t, 2 * board::kFrameSize> packet;
   for (std::uint32_t now_ms = 1; transport_->open();) {
-    constexpr int kForEver = -1;
-    socket.wait(kForEver);
+    constexpr int kNoTimeout = -1;
+    socket.wait(kNoTimeout);
     const std::size_t length = transport_->receive(packet);
     if (length == 0) continue;
     const auto received = std::span(packet).first(length);

@@ -26,16 +26,16 @@ bool SimulatedBoardTransport::send(
 }
 
 std::size_t SimulatedBoardTransport::receive(std::span<std::uint8_t> packet) noexcept {
-  if (taken_ == kept_) run_what_is_due();
-  if (taken_ == kept_) return 0;
-  const Frame& frame = frames_[taken_++];
+  if (delivered_ == queued_) run_due_steps();
+  if (delivered_ == queued_) return 0;
+  const Frame& frame = frames_[delivered_++];
   const std::size_t length = std::min(frame.size(), packet.size());
   std::copy_n(frame.begin(), length, packet.begin());
   return length;
 }
 
-void SimulatedBoardTransport::run_what_is_due() noexcept {
-  kept_ = taken_ = 0;
+void SimulatedBoardTransport::run_due_steps() noexcept {
+  queued_ = delivered_ = 0;
   const std::int64_t late_ns = now_ns_() - next_ns_;
   if (late_ns < 0) return;
   const std::int64_t due = late_ns / kMillisecondNs + 1;
@@ -47,7 +47,7 @@ void SimulatedBoardTransport::run_what_is_due() noexcept {
 }
 
 void SimulatedBoardTransport::keep(const std::optional<Frame>& frame) noexcept {
-  if (frame) frames_[kept_++] = *frame;
+  if (frame) frames_[queued_++] = *frame;
 }
 
 }  // namespace hedgehog::device

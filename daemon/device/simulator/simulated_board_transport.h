@@ -36,15 +36,15 @@ class SimulatedBoardTransport final : public Transport {
   static constexpr std::int64_t kMaxSteps = TickClock::kCatchUp + 1;
   static constexpr std::size_t kFramesAStep = 2;
 
-  void run_what_is_due() noexcept;
+  void run_due_steps() noexcept;
   void keep(const std::optional<Frame>& frame) noexcept;
 
   SimulatedBoard board_;
   Clock now_ns_;
   std::int64_t next_ns_;
   std::array<Frame, kMaxSteps * kFramesAStep> frames_{};
-  std::size_t kept_ = 0;
-  std::size_t taken_ = 0;
+  std::size_t queued_ = 0;
+  std::size_t delivered_ = 0;
 };
 
 }  // namespace hedgehog::device

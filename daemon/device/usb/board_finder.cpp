@@ -9,10 +9,10 @@ namespace {
 
 using Milliseconds = BoardFinder::Milliseconds;
 
-constexpr Milliseconds kCancelPatience{500};
-constexpr Milliseconds kMendPatience{100};
-constexpr Milliseconds kShutdownPatience{50};
-constexpr Milliseconds kStallMemory{10'000};
+constexpr Milliseconds kCancelTimeout{500};
+constexpr Milliseconds kRecoveryTimeout{100};
+constexpr Milliseconds kShutdownTimeout{50};
+constexpr Milliseconds kStallWindow{10'000};
 
 }  // namespace
 
@@ -20,15 +20,15 @@ Milliseconds BoardFinder::step(Milliseconds now) {
   if (exchange_)
     watch(now);
   else if (now >= next_)
-    look(now);
-  return exchange_ ? kLook : std::max(next_ - now, Milliseconds(1));
+    scan(now);
+  return exchange_ ? kCheckPeriod : std::max(next_ - now, Milliseconds(1));
 }
 
-void BoardFinder::look(Milliseconds now) {
+void BoardFinder::scan(Milliseconds now) {
   const std::vector<UsbDevice> devices = bus_.list();
-  const BoardChoice choice = choose_board(devices, wanted_);
+  const BoardChoice choice = choose_board(devices, board_ids_);
   // The back-off restarts for a newly connected board.
-  if (choice.seen && !usb_info_.seen) patience_ = kFirstPause;
+  if (choice.seen && !usb_info_.seen) backoff_ = kFirstPause;
   usb_info_.seen = choice.seen;
   if (!choice.index) {
     fail(choice.failure, kLongestPause, now);
@@ -56,62 +56,62 @@ void BoardFinder::look(Milliseconds now) {
   opened_at_ = now;
   stalls_ = 0;
   exchange_->start();
-  lend(now);
+  hand_to_link(now);
 }
 
-void BoardFinder::lend(Milliseconds now) noexcept {
+void BoardFinder::hand_to_link(Milliseconds now) noexcept {
   received_at_ = now;
-  packets_seen_ = packets_.load(std::memory_order_relaxed);
-  wanted_back_.store(false, std::memory_order_relaxed);
+  last_packets_ = packets_.load(std::memory_order_relaxed);
+  return_requested_.store(false, std::memory_order_relaxed);
   turn_.store(Turn::kLink, std::memory_order_release);
 }
 
 void BoardFinder::watch(Milliseconds now) {
   if (turn_.load(std::memory_order_acquire) == Turn::kFinder) {
-    take_back(now);
+    on_returned(now);
     return;
   }
   const int version = foreign_version_.load(std::memory_order_relaxed);
   usb_info_.open = version == 0;
   usb_info_.what = version == 0 ? name_ : name_ + ": " + foreign_version(version);
   const std::uint32_t packets = packets_.load(std::memory_order_relaxed);
-  if (packets != std::exchange(packets_seen_, packets)) received_at_ = now;
-  if (now - received_at_ >= kSilence) wanted_back_.store(true, std::memory_order_relaxed);
+  if (packets != std::exchange(last_packets_, packets)) received_at_ = now;
+  if (now - received_at_ >= kSilence) return_requested_.store(true, std::memory_order_relaxed);
 }
 
-void BoardFinder::take_back(Milliseconds now) {
-  switch (exchange_->trouble()) {
-    case UsbTrouble::kStalled:
-      stalls_ = now - stalled_at_ < kStallMemory ? stalls_ + 1 : 1;
+void BoardFinder::on_returned(Milliseconds now) {
+  switch (exchange_->fault()) {
+    case UsbFault::kStalled:
+      stalls_ = now - stalled_at_ < kStallWindow ? stalls_ + 1 : 1;
       stalled_at_ = now;
-      if (stalls_ <= kMaxStalls && exchange_->recover(kMendPatience)) {
-        ++usb_info_.mended;
-        lend(now);
+      if (stalls_ <= kMaxStalls && exchange_->recover(kRecoveryTimeout)) {
+        ++usb_info_.recovered;
+        hand_to_link(now);
       } else {
-        lose("it stalls again and again", kLongestPauseAfterFailure, now);
+        close_failed("it stalls again and again", kLongestPauseAfterFailure, now);
       }
       return;
-    case UsbTrouble::kGone:
-      lose("it went away", kLongestPause, now);
+    case UsbFault::kGone:
+      close_failed("it went away", kLongestPause, now);
       return;
-    case UsbTrouble::kFailed:
-      lose("a transfer failed", kLongestPauseAfterFailure, now);
+    case UsbFault::kFailed:
+      close_failed("a transfer failed", kLongestPauseAfterFailure, now);
       return;
-    case UsbTrouble::kNone:
-      lose("it says nothing", kLongestPauseAfterFailure, now);
+    case UsbFault::kNone:
+      close_failed("it says nothing", kLongestPauseAfterFailure, now);
   }
 }
 
-void BoardFinder::lose(const std::string& why, Milliseconds longest, Milliseconds now) {
-  (void)exchange_->cancel_all(kCancelPatience);
+void BoardFinder::close_failed(const std::string& why, Milliseconds longest, Milliseconds now) {
+  (void)exchange_->cancel_all(kCancelTimeout);
   exchange_.reset();
   ++usb_info_.closed;
   // Back-off for a board that fails right after opening.
-  if (now - opened_at_ > kLongestPauseAfterFailure) patience_ = kFirstPause;
+  if (now - opened_at_ > kLongestPauseAfterFailure) backoff_ = kFirstPause;
   fail(name_ + ": " + why, longest, now);
 }
 
-void BoardFinder::forget() {
+void BoardFinder::clear_board() {
   usb_info_.open = false;
   usb_info_.place.reset();
   usb_info_.serial.reset();
@@ -119,20 +119,20 @@ void BoardFinder::forget() {
 }
 
 void BoardFinder::fail(const std::string& why, Milliseconds longest, Milliseconds now) {
-  forget();
+  clear_board();
   usb_info_.what = why;
-  patience_ = std::min(patience_, longest);
-  next_ = now + patience_;
-  patience_ = std::min(2 * patience_, longest);
+  backoff_ = std::min(backoff_, longest);
+  next_ = now + backoff_;
+  backoff_ = std::min(2 * backoff_, longest);
 }
 
 void BoardFinder::close() {
   if (!exchange_) return;
-  exchange_->flush(kShutdownPatience);
-  (void)exchange_->cancel_all(kCancelPatience);
+  exchange_->flush(kShutdownTimeout);
+  (void)exchange_->cancel_all(kCancelTimeout);
   exchange_.reset();
   ++usb_info_.closed;
-  forget();
+  clear_board();
   turn_.store(Turn::kFinder, std::memory_order_relaxed);
 }
 
@@ -145,15 +145,15 @@ std::size_t BoardFinder::receive(std::span<std::uint8_t> packet) noexcept {
   const std::size_t length = exchange_->receive(packet);
   if (length > 0) {
     packets_.store(packets_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
-    note_version(packet.first(length));
+    check_version(packet.first(length));
     return length;
   }
-  if (exchange_->trouble() != UsbTrouble::kNone || wanted_back_.load(std::memory_order_relaxed))
+  if (exchange_->fault() != UsbFault::kNone || return_requested_.load(std::memory_order_relaxed))
     turn_.store(Turn::kFinder, std::memory_order_release);
   return 0;
 }
 
-void BoardFinder::note_version(std::span<const std::uint8_t> packet) noexcept {
+void BoardFinder::check_version(std::span<const std::uint8_t> packet) noexcept {
   // Only the version of an otherwise valid frame is reported.
   if (packet.size() != board::kFrameSize || packet[1] == board::kProtocolVersion) return;
   board::FrameHeader header;

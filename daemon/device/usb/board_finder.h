@@ -33,7 +33,7 @@ struct BoardUsbInfo {
   /// Number of times it was opened, closed, and recovered after a stall.
   std::uint64_t opened = 0;
   std::uint64_t closed = 0;
-  std::uint64_t mended = 0;
+  std::uint64_t recovered = 0;
 };
 
 /// One object, two threads. The exchange belongs to the finder or the link in turns, and only its
@@ -42,7 +42,7 @@ class BoardFinder {
  public:
   using Milliseconds = std::chrono::milliseconds;
   /// Interval of checks of an open board.
-  static constexpr Milliseconds kLook{20};
+  static constexpr Milliseconds kCheckPeriod{20};
   /// Interval of attempts to find a board: the first pause doubles up to the longest. The interval
   /// is longer for a board that cannot be opened, or fails right after.
   static constexpr Milliseconds kFirstPause{250};
@@ -53,7 +53,7 @@ class BoardFinder {
   /// Reopened after more stalls than this in a row, each within 10 s of the previous one.
   static constexpr int kMaxStalls = 5;
 
-  BoardFinder(UsbBus& bus, BoardIds wanted) : bus_(bus), wanted_(std::move(wanted)) {}
+  BoardFinder(UsbBus& bus, BoardIds wanted) : bus_(bus), board_ids_(std::move(wanted)) {}
 
   /// The finder's thread: does the work due at `now`, by a monotonic clock. Returns the time within
   /// which it has to be called again. May wait briefly for the device.
@@ -71,31 +71,31 @@ class BoardFinder {
  private:
   enum class Turn : std::uint8_t { kFinder, kLink };
 
-  void look(Milliseconds now);
+  void scan(Milliseconds now);
   void watch(Milliseconds now);
-  void take_back(Milliseconds now);
-  void lend(Milliseconds now) noexcept;
-  void lose(const std::string& why, Milliseconds longest, Milliseconds now);
+  void on_returned(Milliseconds now);
+  void hand_to_link(Milliseconds now) noexcept;
+  void close_failed(const std::string& why, Milliseconds longest, Milliseconds now);
   /// Clears the information on an open board.
-  void forget();
+  void clear_board();
   void fail(const std::string& why, Milliseconds longest, Milliseconds now);
-  void note_version(std::span<const std::uint8_t> packet) noexcept;
+  void check_version(std::span<const std::uint8_t> packet) noexcept;
 
   UsbBus& bus_;
-  BoardIds wanted_;
+  BoardIds board_ids_;
   BoardUsbInfo usb_info_;
   std::string name_;
   std::unique_ptr<UsbExchange> exchange_;
   Milliseconds next_{0};
-  Milliseconds patience_{kFirstPause};
+  Milliseconds backoff_{kFirstPause};
   Milliseconds opened_at_{0};
   Milliseconds received_at_{0};
   Milliseconds stalled_at_{0};
   int stalls_ = 0;
-  std::uint32_t packets_seen_ = 0;
+  std::uint32_t last_packets_ = 0;
 
   std::atomic<Turn> turn_{Turn::kFinder};
-  std::atomic<bool> wanted_back_{false};
+  std::atomic<bool> return_requested_{false};
   std::atomic<std::uint32_t> packets_{0};
   /// Of frames in another protocol version; 0: none.
   std::atomic<std::uint8_t> foreign_version_{0};

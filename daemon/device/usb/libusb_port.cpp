@@ -36,7 +36,7 @@ class LibusbPort;
 struct Slot {
   LibusbPort* port = nullptr;
   int number = 0;
-  bool under_way = false;
+  bool submitted = false;
   libusb_transfer* transfer = nullptr;
   std::array<std::uint8_t, kSlotBytes> bytes{};
 };
@@ -87,13 +87,13 @@ class LibusbPort : public UsbPort {
   bool submit(int number, std::size_t length) noexcept override {
     Slot& slot = at(number);
     slot.transfer->length = static_cast<int>(number < kReadSlots ? kSlotBytes : length);
-    slot.under_way = libusb_submit_transfer(slot.transfer) == 0;
-    return slot.under_way;
+    slot.submitted = libusb_submit_transfer(slot.transfer) == 0;
+    return slot.submitted;
   }
 
   void cancel(int number) noexcept override {
     Slot& slot = at(number);
-    if (slot.under_way) (void)libusb_cancel_transfer(slot.transfer);
+    if (slot.submitted) (void)libusb_cancel_transfer(slot.transfer);
   }
 
   std::size_t poll(std::span<Completion> into, std::chrono::milliseconds wait) noexcept override {
@@ -119,12 +119,12 @@ class LibusbPort : public UsbPort {
   Slot& at(int slot) noexcept { return (*slots_)[static_cast<std::size_t>(slot)]; }
   bool busy() const noexcept {
     return std::any_of(
-        slots_->begin(), slots_->end(), [](const Slot& s) { return s.under_way; });
+        slots_->begin(), slots_->end(), [](const Slot& s) { return s.submitted; });
   }
 
   static void LIBUSB_CALL ended(libusb_transfer* transfer) {
     Slot& slot = *static_cast<Slot*>(transfer->user_data);
-    slot.under_way = false;
+    slot.submitted = false;
     // A slot ends once before it is submitted again, so there is capacity for each.
     LibusbPort& port = *slot.port;
     if (port.count_ == port.ended_.size()) return;

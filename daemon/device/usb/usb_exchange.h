@@ -16,7 +16,7 @@
 namespace hedgehog::device {
 
 /// Error that stops an exchange.
-enum class UsbTrouble : std::uint8_t { kNone, kStalled, kGone, kFailed };
+enum class UsbFault : std::uint8_t { kNone, kStalled, kGone, kFailed };
 
 /// Used by one thread at a time. `send` and `receive` never wait and allocate nothing (libusb
 /// itself allocates a few bytes for each transfer that it submits); the others are not for the link
@@ -34,14 +34,14 @@ class UsbExchange {
   /// skipped, a longer one is truncated to `packet`.
   std::size_t receive(std::span<std::uint8_t> packet) noexcept;
   /// The first error since `start`.
-  UsbTrouble trouble() const noexcept { return trouble_; }
+  UsbFault fault() const noexcept { return fault_; }
 
   /// Waits for the transfer of sent frames, at most `patience`.
-  void flush(std::chrono::milliseconds patience) noexcept;
+  void flush(std::chrono::milliseconds timeout) noexcept;
   /// Cancels all transfers. False: some did not end within `patience`.
-  bool cancel_all(std::chrono::milliseconds patience) noexcept;
+  bool cancel_all(std::chrono::milliseconds timeout) noexcept;
   /// Clears a stall and starts again. False: close it.
-  bool recover(std::chrono::milliseconds patience) noexcept;
+  bool recover(std::chrono::milliseconds timeout) noexcept;
 
   /// Transfers started and ended so far; equal when none is pending.
   std::uint64_t begun() const noexcept { return begun_; }
@@ -50,9 +50,9 @@ class UsbExchange {
  private:
   void submit(int slot, std::size_t length) noexcept;
   std::size_t poll(std::chrono::milliseconds wait) noexcept;
-  bool wait_for(int first, int last, std::chrono::milliseconds patience) noexcept;
+  bool wait_for(int first, int last, std::chrono::milliseconds timeout) noexcept;
   bool none_of(int first, int last) const noexcept;
-  void note(UsbTrouble trouble) noexcept;
+  void note(UsbFault fault) noexcept;
 
   struct Packet {
     int slot = 0;
@@ -60,12 +60,12 @@ class UsbExchange {
   };
 
   std::unique_ptr<UsbPort> port_;
-  std::array<bool, kSlots> under_way_{};
+  std::array<bool, kSlots> submitted_{};
   /// Read packets not yet returned: at most one per reading slot.
   std::array<Packet, kReadSlots> packets_{};
   std::size_t first_ = 0;
   std::size_t count_ = 0;
-  UsbTrouble trouble_ = UsbTrouble::kNone;
+  UsbFault fault_ = UsbFault::kNone;
   std::uint64_t begun_ = 0;
   std::uint64_t ended_ = 0;
 };

@@ -16,7 +16,7 @@ class DeviceScanner {
   /// Polled until it returns the result.
   using Ready = std::function<std::optional<protocol::DevicesResult>()>;
   /// Starts a scan. Empty: too many are pending.
-  virtual Ready look() = 0;
+  virtual Ready scan() = 0;
 };
 
 }  // namespace hedgehog::server

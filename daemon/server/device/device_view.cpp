@@ -47,13 +47,13 @@ void DeviceView::set_snapshot(const control::StatusSnapshot& latest) {
   const double seconds = static_cast<double>(snapshot_.tick - before) * model::kTickSeconds;
   mean_current_a_ += (model::norm(snapshot_.limited_a) - mean_current_a_) *
                      std::clamp(seconds / model::Fan::kMeanS, 0.0, 1.0);
-  keep_orientation_fresh();
+  renew_orientation();
 }
 
-std::optional<std::uint64_t> DeviceView::ask_gain(ConnectionId owner, double gain) {
+std::optional<std::uint64_t> DeviceView::request_gain(ConnectionId owner, double gain) {
   const auto seq = outbox_.add(owner, control::SetGain{gain});
   if (seq) {
-    asked_gain_ = gain;
+    requested_gain_ = gain;
     gain_seq_ = *seq;
   }
   return seq;
@@ -92,7 +92,7 @@ std::optional<double> DeviceView::cold_burst_s() const noexcept {
   return forecaster_.burst_s(cold);
 }
 
-bool DeviceView::board_holds_back() const noexcept {
+bool DeviceView::is_board_limited() const noexcept {
   return !(control::limits_within(config_.limits, snapshot_.board) == config_.limits);
 }
 
@@ -103,9 +103,9 @@ std::optional<MeasuredR25> DeviceView::r25(int coil) const noexcept {
   if (!(r25.ohm > 0.0)) return std::nullopt;
   r25.file_ohm = config_.device.coils.r25_ohm[i];
   r25.from_file = r25.ohm / r25.file_ohm - 1.0;
-  if (kept_r25_ohm_[i] > 0.0) {
-    r25.kept_ohm = kept_r25_ohm_[i];
-    r25.from_kept = r25.ohm / kept_r25_ohm_[i] - 1.0;
+  if (saved_r25_ohm_[i] > 0.0) {
+    r25.kept_ohm = saved_r25_ohm_[i];
+    r25.from_kept = r25.ohm / saved_r25_ohm_[i] - 1.0;
   }
   return r25;
 }
@@ -120,7 +120,7 @@ double DeviceView::hottest_c() const noexcept {
 
 RemedyFacts DeviceView::remedy_facts() const {
   return {model::rearm_below_c(config_.limits, snapshot_.thermal.ambient_c), simulated(),
-          board().trouble, static_cast<double>(snapshot_.rearm_wait) * model::kTickSeconds,
+          board().problem, static_cast<double>(snapshot_.rearm_wait) * model::kTickSeconds,
           snapshot_.rearms[static_cast<std::size_t>(snapshot_.latch)]};
 }
 
@@ -162,7 +162,7 @@ void DeviceView::set_simulator(const device::SimulatorSettings& settings) {
   link_.simulator.write(settings);
 }
 
-void DeviceView::keep_orientation_fresh() {
+void DeviceView::renew_orientation() {
   if (config_.imu == config::ImuType::kSimulator &&
       snapshot_.tick - orientation_.stamp >= kSimulatedImuPeriod)
     set_orientation(orientation_.quaternion);

@@ -28,7 +28,7 @@ constexpr double kRoundingA = 1e-6;
 /// The driver board as detected on the bus.
 struct BoardInfo {
   /// Reason for which a connected board is not used; empty: none.
-  std::string trouble;
+  std::string problem;
   /// Of the board in use; nullopt: not reported, or no board.
   std::optional<std::string> serial;
   std::optional<std::string> firmware;
@@ -67,7 +67,7 @@ class DeviceView {
   void set_config(const config::Config& config);
   const model::Limits& limits() const noexcept { return config_.limits; }
   /// The board still keeps tighter limits than these, from an earlier configuration.
-  bool board_holds_back() const noexcept;
+  bool is_board_limited() const noexcept;
   bool simulated() const noexcept { return config_.backend == config::Backend::kSimulator; }
   const model::PinArray& array() const noexcept { return pins_->array; }
   /// From pin to pin, degrees (model::pin_pitch_deg).
@@ -106,16 +106,18 @@ class DeviceView {
   std::optional<std::string> remedy_now() const;
 
   /// Requests another comfort gain; its seq, nullopt when the queue is full.
-  std::optional<std::uint64_t> ask_gain(ConnectionId owner, double gain);
+  std::optional<std::uint64_t> request_gain(ConnectionId owner, double gain);
   /// The gain in force, or the requested one until it is applied.
   double gain() const noexcept {
-    return snapshot_.applied_seq < gain_seq_ ? asked_gain_ : snapshot_.gain;
+    return snapshot_.applied_seq < gain_seq_ ? requested_gain_ : snapshot_.gain;
   }
 
   /// R25 of winding `coil`, 0..2, measured in this run; nullopt: not yet.
   std::optional<MeasuredR25> r25(int coil) const noexcept;
   /// Measured before this run, ohm; 0: never.
-  void set_kept_r25(const std::array<double, model::kCoils>& ohm) noexcept { kept_r25_ohm_ = ohm; }
+  void set_saved_r25(const std::array<double, model::kCoils>& ohm) noexcept {
+    saved_r25_ohm_ = ohm;
+  }
 
   Outbox& outbox() noexcept { return outbox_; }
   control::Mailbox& mailbox() noexcept { return mailbox_; }
@@ -133,7 +135,7 @@ class DeviceView {
 
  private:
   void set_snapshot(const control::StatusSnapshot& latest);
-  void keep_orientation_fresh();
+  void renew_orientation();
 
   config::Config config_;
   control::Mailbox& mailbox_;
@@ -148,9 +150,9 @@ class DeviceView {
   device::SimulatorSettings simulator_;
   device::OrientationSample orientation_;
   std::function<BoardInfo()> board_info_source_;
-  std::array<double, model::kCoils> kept_r25_ohm_{};
+  std::array<double, model::kCoils> saved_r25_ohm_{};
   double mean_current_a_ = 0.0;
-  double asked_gain_ = 1.0;
+  double requested_gain_ = 1.0;
   std::uint64_t gain_seq_ = 0;
 };
 

@@ -25,7 +25,7 @@ constexpr double kWarmK = 2.0;
 /// After this time the snapshot contains every latch reported by an event or a request.
 constexpr model::Tick kLatchSeen = 200;
 
-constexpr const char* kAsAfterACrash = "; the next start counts as one after a crash";
+constexpr const char* kCountsAsCrash = "; the next start counts as one after a crash";
 
 bool finite(const model::ThermalState& heat) {
   return std::isfinite(heat.core_c) && std::isfinite(model::hottest_winding(heat));
@@ -55,7 +55,7 @@ class FileStateStore::File {
       orderly_ = ec || !base::sync_folder(std::filesystem::path(path_).parent_path()).empty();
     }
     if (!failed_.exchange(true) || last) {  // one line an episode
-      spdlog::error("{}: the state is not kept{}{}", problem, last ? kAsAfterACrash : "",
+      spdlog::error("{}: the state is not kept{}{}", problem, last ? kCountsAsCrash : "",
                     orderly_ ? ", but for the old file, which must be removed by hand" : "");
     }
   }
@@ -116,19 +116,19 @@ FileStateStore::FileStateStore(const std::string& directory, DiskThread& disk,
   r25_before_ = saved_.r25;
   std::array<double, model::kCoils> kept{};
   for (std::size_t i = 0; i < kept.size(); ++i) kept[i] = saved_.r25[i].ohm;
-  device_view_.set_kept_r25(kept);
+  device_view_.set_saved_r25(kept);
   if (!saved_.ball) saved_.ball = ball_of(device_view.config());
   if (last) file_->write(saved_, false);
   // An incomplete file is useless beside a complete one.
   const std::string path = state_file(directory);
-  std::error_code unseen;
-  if (std::filesystem::is_regular_file(path, unseen)) ::unlink((path + ".new").c_str());
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(path, ignored)) ::unlink((path + ".new").c_str());
 }
 
 SavedState FileStateStore::current() const {
   const control::StatusSnapshot& now = device_view_.now();
   SavedState state = saved_;
-  state.latch = now.latch != control::Reason::kNone ? now.latch : asked_latch_;
+  state.latch = now.latch != control::Reason::kNone ? now.latch : requested_latch_;
   state.clean_stop = stopped_ && state.latch == control::Reason::kNone;
   if (now.tick > 0) state.rearms = now.rearms;
   for (std::size_t i = 0; i < state.r25.size(); ++i)
@@ -152,21 +152,21 @@ bool FileStateStore::r25_changed() const noexcept {
   return false;
 }
 
-void FileStateStore::recognise_ball() {
-  if (!device_view_.now().board_present) recognised_ = false;
-  if (recognised_ || !device_view_.now().board_present) return;
+void FileStateStore::identify_ball() {
+  if (!device_view_.now().board_present) identified_ = false;
+  if (identified_ || !device_view_.now().board_present) return;
   const BallIdentity seen{device_view_.simulated(), device_view_.board().serial.value_or("")};
   if (are_different(*saved_.ball, seen)) {
-    if (!device_view_.outbox().add(0, control::ForgetBall{})) return;
+    if (!device_view_.outbox().add(0, control::ResetBall{})) return;
     device_view_.outbox().commit();
     spdlog::error("another ball: {}, before it was {}{}", seen.serial, saved_.ball->serial,
                   kCountsAsTripped);
     saved_.heat_known = false;
     saved_.r25 = r25_before_ = {};
-    device_view_.set_kept_r25({});
+    device_view_.set_saved_r25({});
     thermistor_seen_ = false;
   }
-  recognised_ = seen.simulated || !seen.serial.empty();
+  identified_ = seen.simulated || !seen.serial.empty();
   if (!seen.serial.empty() && seen.serial != saved_.ball->serial) {
     saved_.ball = seen;
     due_ = true;
@@ -176,11 +176,11 @@ void FileStateStore::recognise_ball() {
 void FileStateStore::pump(std::chrono::steady_clock::time_point time) {
   const control::StatusSnapshot& now = device_view_.now();
   if (now.tick <= 0) return;  // no snapshot of the control thread yet
-  recognise_ball();
+  identify_ball();
   thermistor_seen_ = thermistor_seen_ || (now.board_present && now.sensor_valid);
   due_ = due_ || r25_changed();
-  if (asked_latch_ != control::Reason::kNone && now.tick >= asked_at_ + kLatchSeen) {
-    asked_latch_ = control::Reason::kNone;
+  if (requested_latch_ != control::Reason::kNone && now.tick >= requested_tick_ + kLatchSeen) {
+    requested_latch_ = control::Reason::kNone;
     due_ = true;
   }
   const bool warm =
@@ -194,11 +194,11 @@ void FileStateStore::pump(std::chrono::steady_clock::time_point time) {
 
 void FileStateStore::state_changed(control::State state) noexcept {
   due_ = true;
-  if (state == control::State::kArmed) asked_latch_ = control::Reason::kNone;
+  if (state == control::State::kArmed) requested_latch_ = control::Reason::kNone;
 }
 
-bool FileStateStore::hand_over() {
-  if (!file_->put(saved_, ++handed_over_, stopped_)) return true;
+bool FileStateStore::submit_write() {
+  if (!file_->put(saved_, ++submitted_, stopped_)) return true;
   const bool taken = disk_.post(DiskUse::kSafety, [file = file_] { file->write_next(); });
   if (!taken) file_->drop();
   return taken;
@@ -206,14 +206,15 @@ bool FileStateStore::hand_over() {
 
 void FileStateStore::write() {
   saved_ = current();
-  due_ = !hand_over() || due_;
+  due_ = !submit_write() || due_;
 }
 
 void FileStateStore::stopped_cleanly() {
   stopped_ = true;
   saved_ = current();
   // Queued after pending writes, so that no older state is written after it.
-  if (!hand_over()) spdlog::error("the disk is too slow: the state is not kept{}", kAsAfterACrash);
+  if (!submit_write())
+    spdlog::error("the disk is too slow: the state is not kept{}", kCountsAsCrash);
 }
 
 void FileStateStore::persist_gain(double gain) {
@@ -222,10 +223,10 @@ void FileStateStore::persist_gain(double gain) {
 }
 
 std::uint64_t FileStateStore::persist_latch(control::Reason latch) {
-  asked_latch_ = latch;
-  asked_at_ = device_view_.now().tick;
+  requested_latch_ = latch;
+  requested_tick_ = device_view_.now().tick;
   write();
-  return handed_over_;
+  return submitted_;
 }
 
 Persisted FileStateStore::latch_persisted(std::uint64_t write) const {

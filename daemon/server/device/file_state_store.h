@@ -41,10 +41,10 @@ class FileStateStore final : public StateStore {
   bool r25_changed() const noexcept;
   class File;
   /// Passes `saved_` to the disk thread, replacing a pending state; false: its queue is full.
-  bool hand_over();
+  bool submit_write();
   void write();
   /// Compares the board with the saved one each time that it is detected.
-  void recognise_ball();
+  void identify_ball();
 
   DiskThread& disk_;
   /// Shared with the disk thread.
@@ -55,17 +55,17 @@ class FileStateStore final : public StateStore {
   std::array<R25History, model::kCoils> r25_before_{};
   std::chrono::steady_clock::time_point written_{};
   /// Number of the last state passed to the disk thread.
-  std::uint64_t handed_over_ = 0;
+  std::uint64_t submitted_ = 0;
   bool due_ = false;
   bool was_warm_ = false;
   bool stopped_ = false;
   /// The present board has been compared.
-  bool recognised_ = false;
+  bool identified_ = false;
   /// Seen since the start; before it the temperatures of the last run are the best estimate.
   bool thermistor_seen_ = false;
   /// Requested, not yet contained in a snapshot.
-  control::Reason asked_latch_ = control::Reason::kNone;
-  model::Tick asked_at_ = 0;
+  control::Reason requested_latch_ = control::Reason::kNone;
+  model::Tick requested_tick_ = 0;
 };
 
 }  // namespace hedgehog::server

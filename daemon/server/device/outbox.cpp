@@ -11,8 +11,8 @@ namespace hedgehog::server {
 bool Outbox::has_capacity(ConnectionId owner, std::size_t count) const {
   const auto each = waiting_each_.find(owner);
   const std::size_t own = each == waiting_each_.end() ? 0 : each->second;
-  const bool room_for_all = waiting_ + count <= kMaxWaiting && own + count <= kMaxWaitingEach;
-  return !exceeds_group(count) && (room_for_all || own + count <= kAlwaysEach);
+  const bool shared_capacity = waiting_ + count <= kMaxWaiting && own + count <= kMaxWaitingEach;
+  return !exceeds_group(count) && (shared_capacity || own + count <= kAlwaysEach);
 }
 
 std::optional<std::uint64_t> Outbox::add(ConnectionId owner, const What& what,

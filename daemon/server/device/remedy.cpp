@@ -77,7 +77,7 @@ std::optional<std::string> remedy(control::State state, Reason reason, const Rem
                                "unplug it and "
                                "plug it in again";
     }
-    if (!facts.board_trouble.empty()) return "The board is not used: " + facts.board_trouble;
+    if (!facts.board_problem.empty()) return "The board is not used: " + facts.board_problem;
     return facts.simulated ? "Let the simulated board answer again: sim.set with an empty fault"
                            : "Plug in the ball, or run without one: hedgehogd --simulate";
   }

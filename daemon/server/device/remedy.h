@@ -15,7 +15,7 @@ struct RemedyFacts {
   double rearm_c = 45.0;
   bool simulated = false;
   /// Reason for which a connected board is not used; empty: none connected, or in use.
-  std::string board_trouble{};
+  std::string board_problem{};
   /// Seconds until a tripped ball may be armed again, and how often it was after the same trip.
   double rearm_wait_s = 0.0;
   int rearms = 0;

@@ -19,7 +19,7 @@ namespace hedgehog::server {
 enum class DiskUse : std::uint8_t {
   kSafety,    // state, latch, heat, recordings of trips: before all others
   kHistory,   // the parts of the event history and the telemetry, one job each
-  kLook,      // scans of devices; never on the thread of kSafety
+  kScan,      // scans of devices; never on the thread of kSafety
   kPattern,   // put and remove by clients
   kDownload,  // recordings for web pages
 };

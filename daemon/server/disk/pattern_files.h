@@ -10,7 +10,7 @@
 
 namespace hedgehog::server {
 
-class PatternFiles final : public PatternShelf {
+class PatternFiles final : public PatternStorage {
  public:
   PatternFiles(const std::string& state_directory, DiskThread& disk);
 

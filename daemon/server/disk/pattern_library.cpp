@@ -21,7 +21,7 @@ RpcError read_only(const std::string& name) {
   return e;
 }
 
-RpcError shelf_full() {
+RpcError storage_full() {
   constexpr std::int64_t kRetryMs = 50;
   return protocol::busy("the disk has not written the patterns before it yet; nothing was changed",
                         kRetryMs);
@@ -29,8 +29,8 @@ RpcError shelf_full() {
 
 }  // namespace
 
-PatternLibrary::PatternLibrary(PatternShelf& shelf, std::vector<protocol::Pattern> kept)
-    : shelf_(shelf) {
+PatternLibrary::PatternLibrary(PatternStorage& storage, std::vector<protocol::Pattern> kept)
+    : storage_(storage) {
   for (protocol::Pattern& pattern : shipped_patterns()) {
     std::string name = pattern.name;
     entries_.insert_or_assign(std::move(name), Entry{std::move(pattern), true});
@@ -87,8 +87,8 @@ protocol::Result<DiskWorkPtr> PatternLibrary::put(protocol::Pattern pattern) {
     e.limit = std::int64_t{kMaxPut};
     return e;
   }
-  DiskWorkPtr work = shelf_.keep(name, protocol::encode_pattern(pattern) + '\n');
-  if (work == nullptr) return shelf_full();
+  DiskWorkPtr work = storage_.keep(name, protocol::encode_pattern(pattern) + '\n');
+  if (work == nullptr) return storage_full();
   list_.reset();
   put_ += known ? 0 : 1;
   entries_.insert_or_assign(std::move(name), Entry{std::move(pattern), false});
@@ -99,8 +99,8 @@ protocol::Result<DiskWorkPtr> PatternLibrary::remove(const std::string& name) {
   const Entry* entry = find(name);
   if (entry == nullptr) return protocol::no_such_pattern("name", name, names());
   if (entry->shipped) return read_only(name);
-  DiskWorkPtr work = shelf_.drop(name);
-  if (work == nullptr) return shelf_full();
+  DiskWorkPtr work = storage_.drop(name);
+  if (work == nullptr) return storage_full();
   list_.reset();
   entries_.erase(name);
   --put_;

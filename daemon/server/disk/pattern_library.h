@@ -18,9 +18,9 @@ namespace hedgehog::server {
 
 /// Storage of put patterns. Called on the io thread; writes on the disk thread. nullptr: its queue
 /// is full, nothing will be done.
-class PatternShelf {
+class PatternStorage {
  public:
-  virtual ~PatternShelf() = default;
+  virtual ~PatternStorage() = default;
   virtual DiskWorkPtr keep(const std::string& name, std::string json) = 0;
   virtual DiskWorkPtr drop(const std::string& name) = 0;
 };
@@ -38,7 +38,7 @@ class PatternLibrary {
   };
 
   /// Contains the shipped ones and those `kept` from earlier runs. `shelf` must outlive this.
-  PatternLibrary(PatternShelf& shelf, std::vector<protocol::Pattern> kept);
+  PatternLibrary(PatternStorage& storage, std::vector<protocol::Pattern> kept);
 
   /// nullptr: no such pattern. Valid until the next put or remove.
   const Entry* find(std::string_view name) const noexcept;
@@ -54,7 +54,7 @@ class PatternLibrary {
   protocol::Result<DiskWorkPtr> remove(const std::string& name);
 
  private:
-  PatternShelf& shelf_;
+  PatternStorage& storage_;
   std::map<std::string, Entry, std::less<>> entries_;
   std::size_t put_ = 0;
   /// nullptr: not encoded since the last change.

@@ -32,10 +32,10 @@ model::Vec3 winding_direction(const model::EffectSpec& spec, const KeyframeTrack
 double unmeasured_share(const DeviceView& device_view, const model::Vec3& current_a) {
   double share = 1.0;
   for (int coil = 0; coil < model::kCoils; ++coil) {
-    const double asked_a = std::abs(current_a[coil]);
+    const double requested_a = std::abs(current_a[coil]);
     if (!device_view.now().thermal.measured[static_cast<std::size_t>(coil)] &&
-        asked_a > device_view.limits().continuous_a + kRoundingA)
-      share = std::min(share, device_view.limits().continuous_a / asked_a);
+        requested_a > device_view.limits().continuous_a + kRoundingA)
+      share = std::min(share, device_view.limits().continuous_a / requested_a);
   }
   return share;
 }
@@ -76,17 +76,17 @@ protocol::Admission admission(const DeviceView& device_view, EffectRegistry& eff
     return out;
   }
   const Load own = load_of(spec, track, config.device.coils, now.orientation);
-  const Load asked = others.priority == spec.priority ? others.load + own : own;
+  const Load requested = others.priority == spec.priority ? others.load + own : own;
   double factor = device_view.gain();
   if (factor < 1.0) out.limited_by = "configuration";
-  double flowing_a = asked.peak_a() * factor;
+  double flowing_a = requested.peak_a() * factor;
   if (flowing_a > config.limits.current_a + kRoundingA) {
     out.limited_by = "mix";
     factor *= config.limits.current_a / flowing_a;
     flowing_a = config.limits.current_a;
   }
-  out.headroom_s = device_view.forecaster().seconds_to_derating(device_view.forecast_start(),
-                                                                scaled(asked, factor).asked());
+  out.headroom_s = device_view.forecaster().seconds_to_derating(
+      device_view.forecast_start(), scaled(requested, factor).requested());
   if (flowing_a > now.limit_a + kRoundingA) {
     out.limited_by = "thermal";
     factor *= std::max(0.0, now.limit_a) / flowing_a;
@@ -115,7 +115,7 @@ std::optional<protocol::RpcError> thermal_refusal(const DeviceView& device_view,
   if (!admitted.headroom_s) return std::nullopt;
   const double needed_s =
       static_cast<double>(spec.lease > 0 ? spec.lease : spec.duration) * model::kTickSeconds;
-  const double asked_a = peak_a(spec, track);
+  const double requested_a = peak_a(spec, track);
   const bool now = admitted.limited_by == "thermal";
   if (!now && *admitted.headroom_s >= needed_s) return std::nullopt;
   protocol::RpcError e;
@@ -124,7 +124,7 @@ std::optional<protocol::RpcError> thermal_refusal(const DeviceView& device_view,
   e.limit_a = now ? admitted.current_a : device_view.now().limit_a;
   if (now) {
     e.message = fmt::format("refused_thermal: {:.1f} A asked, {:.1f} A allowed at {:.1f} °C",
-                            asked_a, *e.limit_a, device_view.hottest_c());
+                            requested_a, *e.limit_a, device_view.hottest_c());
     e.field = params.level ? "level" : params.force_n ? "force_n" : "current_a";
     const double per_ampere = params.level     ? 1.0 / current_limit
                               : params.force_n ? device_view.config().device.force_slope_n_a
@@ -133,8 +133,8 @@ std::optional<protocol::RpcError> thermal_refusal(const DeviceView& device_view,
     e.value = spec.strength_a * per_ampere;
   } else {
     e.message = fmt::format(
-        "refused_thermal: {:.1f} A can flow for {:.1f} s from {:.1f} °C, {:.1f} s asked", asked_a,
-        *admitted.headroom_s, device_view.hottest_c(), needed_s);
+        "refused_thermal: {:.1f} A can flow for {:.1f} s from {:.1f} °C, {:.1f} s asked",
+        requested_a, *admitted.headroom_s, device_view.hottest_c(), needed_s);
     e.field = spec.lease > 0 ? "lease_ms" : "duration_ms";
     e.limit = static_cast<std::int64_t>(*admitted.headroom_s * 1000.0);
     e.value = static_cast<std::int64_t>(spec.lease > 0 ? spec.lease : spec.duration);

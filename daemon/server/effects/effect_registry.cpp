@@ -17,10 +17,10 @@ EffectRegistry::Capacity EffectRegistry::capacity(ConnectionId owner,
   int playing = replacing ? -1 : 0;
   int own = playing;
   int own_ending = 0;
-  bool newcomer = true;
+  bool is_new_owner = true;
   for (const Effect& e : places_) {
     used += e.id != 0 ? 1 : 0;
-    newcomer &= e.id == 0 || e.owner != owner;
+    is_new_owner &= e.id == 0 || e.owner != owner;
     own_ending += e.id != 0 && e.ending && e.owner == owner ? 1 : 0;
     playing += addressable(e) ? 1 : 0;
     own += addressable(e) && e.owner == owner ? 1 : 0;
@@ -30,7 +30,7 @@ EffectRegistry::Capacity EffectRegistry::capacity(ConnectionId owner,
   // A client that replaces its effects faster than they can end leaves at least as many places to
   // others as its ending effects hold.
   const int free = control::kEffectPlaces - used;
-  const int others = newcomer ? 0 : own_ending + kReservedForNew;
+  const int others = is_new_owner ? 0 : own_ending + kReservedForNew;
   return own_ending < kMaxEach && free > others ? Capacity::kYes : Capacity::kPlacesFull;
 }
 

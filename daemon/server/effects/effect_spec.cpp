@@ -17,21 +17,21 @@ protocol::Result<double> strength_of(const EffectParams& p, const SpecFacts& f) 
   const bool coil = p.frame == model::Frame::kCoil;
   const double max_a = coil ? f.limits.continuous_a : f.limits.current_a;
   if (p.level) {
-    const double asked_a = *p.level * f.limits.current_a;
-    if (asked_a > max_a)
+    const double requested_a = *p.level * f.limits.current_a;
+    if (requested_a > max_a)
       return protocol::out_of_range("level", max_a / f.limits.current_a, *p.level);
-    return asked_a;
+    return requested_a;
   }
   if (p.force_n) {
-    const double asked_a = *p.force_n / f.force_slope_n_a;
+    const double requested_a = *p.force_n / f.force_slope_n_a;
     // Allows the limit itself, converted to the force reported by `hello` and this error.
-    if (asked_a > max_a * (1.0 + 1e-9))
+    if (requested_a > max_a * (1.0 + 1e-9))
       return protocol::out_of_range("force_n", max_a * f.force_slope_n_a, *p.force_n);
-    return asked_a < max_a ? asked_a : max_a;
+    return requested_a < max_a ? requested_a : max_a;
   }
-  const double asked_a = p.current_a.value_or(f.limits.continuous_a);
-  if (asked_a > max_a) return protocol::out_of_range("current_a", max_a, asked_a);
-  return asked_a;
+  const double requested_a = p.current_a.value_or(f.limits.continuous_a);
+  if (requested_a > max_a) return protocol::out_of_range("current_a", max_a, requested_a);
+  return requested_a;
 }
 
 std::optional<RpcError> not_permitted(const EffectParams& p, const SpecFacts& f) {

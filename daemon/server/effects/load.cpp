@@ -54,18 +54,18 @@ Load load_of_keyframes(const model::EffectSpec& spec, const KeyframeTrack& track
         spec, in_device(spec, model::rotate(spec.trajectory.playback.turn, v), device_to_world),
         coils);
   };
-  const double asked_a = spec.strength_a * spec.gain;
+  const double requested_a = spec.strength_a * spec.gain;
   const double rms = model::rms_fraction(spec);
   const Moments mean = track.mean_over(played_ms(spec, track.length_ms()));
   Load load;
-  load.mean_a = (asked_a * mean_fraction(spec)) * turned(mean.first);
+  load.mean_a = (requested_a * mean_fraction(spec)) * turned(mean.first);
   // Diagonal of T M T' for the linear map T = `turned`.
   const Vec3 x = turned({1, 0, 0});
   const Vec3 y = turned({0, 1, 0});
   const Vec3 z = turned({0, 0, 1});
   for (int coil = 0; coil < model::kCoils; ++coil) {
     const Vec3 row{x[coil], y[coil], z[coil]};
-    const double square = asked_a * asked_a * rms * rms * dot(row, mean.second * row);
+    const double square = requested_a * requested_a * rms * rms * dot(row, mean.second * row);
     load.variance_a2[coil] = square - load.mean_a[coil] * load.mean_a[coil];
   }
   load.varying_a = peak_a(spec, &track);
@@ -74,7 +74,7 @@ Load load_of_keyframes(const model::EffectSpec& spec, const KeyframeTrack& track
 
 }  // namespace
 
-model::AskedCurrents Load::asked() const noexcept {
+model::RequestedCurrents Load::requested() const noexcept {
   const Vec3 square = squares(mean_a) + variance_a2;
   return {{std::sqrt(std::max(0.0, square.x)), std::sqrt(std::max(0.0, square.y)),
            std::sqrt(std::max(0.0, square.z))},

@@ -21,7 +21,7 @@ struct Load {
   double varying_a = 0.0;
 
   double peak_a() const noexcept { return model::norm(steady_a) + varying_a; }
-  model::AskedCurrents asked() const noexcept;
+  model::RequestedCurrents requested() const noexcept;
   friend Load operator+(const Load& a, const Load& b) noexcept;
 };
 

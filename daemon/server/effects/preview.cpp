@@ -148,10 +148,10 @@ void Preview::step() {
 
   w.events.clear();
   const control::MixResult mix = w.mixer.mix({w.tick, true, true, w.orientation, w.gain}, w.events);
-  const model::CoilCurrents wanted = control::wanted_currents(mix, w.coils);
+  const model::CoilCurrents demand = control::demanded_currents(mix, w.coils);
   const model::LimitedCurrents passed =
-      control::limit(w.limiter, wanted, w.estimate, w.next_skin_c(), kTickSeconds);
-  const double share = control::passed_share(wanted, passed);
+      control::limit(w.limiter, demand, w.estimate, w.next_skin_c(), kTickSeconds);
+  const double share = control::delivered_share(demand, passed);
 
   const double supply_v = w.plant.parameters().supply_v;
   const device::BoardCommand command =

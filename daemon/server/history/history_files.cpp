@@ -65,7 +65,7 @@ std::string append(const std::string& path, std::string_view lines, bool begin_f
   const int fd =
       ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC | O_NONBLOCK | O_NOCTTY, 0640);
   if (fd < 0) return path + ": " + std::strerror(errno);
-  if (std::string other = base::why_not_regular(fd); !other.empty()) {
+  if (std::string other = base::file_problem(fd); !other.empty()) {
     ::close(fd);
     return path + ": " + other;
   }

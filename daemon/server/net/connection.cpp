@@ -103,7 +103,7 @@ void Connection::finish() {
 }
 
 void Connection::on_client_close() {
-  session_.overtaken = held_.size();
+  session_.bypassed = held_.size();
   server_.close(session_);
 }
 
@@ -126,7 +126,7 @@ void Connection::on_queued(bool fits, LineKind kind) {
   counters().telemetry_dropped += queue_.take_dropped();
   if (fits) {
     if (!in_turn_) flush();
-    if (kind != LineKind::kAnswer) return;
+    if (kind != LineKind::kResponse) return;
     progress_.cancel();
     // By bytes only: an answer reduces the number of pending responses.
     if (held_back_by_bytes()) work_.cancel();
@@ -161,16 +161,16 @@ void Connection::abort() noexcept {
 
 void Connection::take(std::string_view text) {
   if (aborted_) return;
-  if (!has_to_wait())
-    carry_out(text, received_ns_);
+  if (!must_hold())
+    execute(text, received_ns_);
   else if (Server::has_emergency_stop(text))
-    overtake(text);
+    bypass_held(text);
   else
     hold({std::string(text), false, received_ns_});
 }
 
 void Connection::too_long() {
-  if (has_to_wait())
+  if (must_hold())
     hold({{}, true});
   else if (!aborted_)
     server_.line_too_long(session_);
@@ -199,7 +199,7 @@ asio::awaitable<void> Connection::yield_turn() {
   begin_turn();
 }
 
-bool Connection::has_to_pause() const noexcept {
+bool Connection::must_pause() const noexcept {
   return aborted_ || held_back() || full() || std::chrono::steady_clock::now() > turn_ends_;
 }
 

@@ -63,7 +63,7 @@ class Connection : public Sink, public std::enable_shared_from_this<Connection> 
   /// nothing.
   virtual void close() noexcept = 0;
   /// Bytes written to the socket that the client has not received yet.
-  virtual std::size_t untaken_bytes() noexcept = 0;
+  virtual std::size_t unread_bytes() noexcept = 0;
 
   /// The client sends no more, though its socket may still be open: its effects end.
   void on_client_close();
@@ -75,7 +75,7 @@ class Connection : public Sink, public std::enable_shared_from_this<Connection> 
   void take(std::string_view text);
   void too_long();
   /// To be checked after each message: false while the turn may continue.
-  bool has_to_pause() const noexcept;
+  bool must_pause() const noexcept;
   /// Lets other clients run; waits while no more can be held. False: the client must be
   /// disconnected.
   boost::asio::awaitable<bool> pause();
@@ -97,7 +97,7 @@ class Connection : public Sink, public std::enable_shared_from_this<Connection> 
   boost::asio::awaitable<void> serve_held();
   boost::asio::awaitable<void> serve_until_end();
   void serve_next();
-  void carry_out(std::string_view text, std::int64_t received_ns);
+  void execute(std::string_view text, std::int64_t received_ns);
   boost::asio::awaitable<void> wait_for_reader();
   void begin_turn() noexcept;
   boost::asio::awaitable<void> yield_turn();
@@ -107,15 +107,15 @@ class Connection : public Sink, public std::enable_shared_from_this<Connection> 
   void on_queued(bool fits, LineKind kind);
   void hold(Held line);
   /// Executes `text` before the held requests, which may start nothing afterwards.
-  void overtake(std::string_view text);
-  bool has_to_wait() const noexcept { return !held_.empty() || held_back(); }
+  void bypass_held(std::string_view text);
+  bool must_hold() const noexcept { return !held_.empty() || held_back(); }
   /// Too many responses are unsent or pending.
   bool held_back() const noexcept;
   bool held_back_by_bytes() const noexcept {
-    return queue_.answer_bytes() + session_.open_bytes > allowed_answer_bytes();
+    return queue_.response_bytes() + session_.open_bytes > allowed_response_bytes();
   }
   /// After the last request the client must read all of them.
-  std::size_t allowed_answer_bytes() const noexcept {
+  std::size_t allowed_response_bytes() const noexcept {
     return read_ended_ && held_.empty() ? 0 : held_back_bytes_;
   }
   /// No more requests can be held.

@@ -32,13 +32,13 @@ void Connection::hold(Held line) {
   work_.cancel();
 }
 
-void Connection::overtake(std::string_view text) {
-  session_.overtaken = 0;
-  carry_out(text, received_ns_);
-  session_.overtaken = held_.size();
+void Connection::bypass_held(std::string_view text) {
+  session_.bypassed = 0;
+  execute(text, received_ns_);
+  session_.bypassed = held_.size();
 }
 
-void Connection::carry_out(std::string_view text, std::int64_t received_ns) {
+void Connection::execute(std::string_view text, std::int64_t received_ns) {
   session_.received_ns = received_ns;
   server_.line(session_, text);
 }
@@ -50,9 +50,9 @@ void Connection::serve_next() {
   if (line.too_long)
     server_.line_too_long(session_);
   else
-    carry_out(line.text, line.received_ns);
+    execute(line.text, line.received_ns);
   session_.held = held_.size();
-  if (session_.overtaken > 0) --session_.overtaken;
+  if (session_.bypassed > 0) --session_.bypassed;
   capacity_.cancel();
 }
 
@@ -64,7 +64,7 @@ asio::awaitable<void> Connection::serve_held() {
     abort();
   }
   held_.clear();
-  session_.held = session_.overtaken = 0;
+  session_.held = session_.bypassed = 0;
   served_ = true;
   capacity_.cancel();
 }
@@ -90,10 +90,10 @@ asio::awaitable<void> Connection::serve_until_end() {
 }
 
 asio::awaitable<void> Connection::wait_for_reader() {
-  std::size_t untaken = 0;
+  std::size_t unread = 0;
   const auto restart = [&] {
     sent_part_ = false;
-    untaken = untaken_bytes();
+    unread = unread_bytes();
     progress_.expires_after(write_timeout_);
   };
   restart();
@@ -102,8 +102,8 @@ asio::awaitable<void> Connection::wait_for_reader() {
     co_await progress_.async_wait(asio::redirect_error(asio::use_awaitable, woken));
     if (woken && !sent_part_) continue;
     // The system has its own send buffer, and signals writability only when much of it is free.
-    const bool waits = queue_.answer_bytes() > allowed_answer_bytes();
-    if (!waits || sent_part_ || untaken_bytes() < untaken) {
+    const bool waits = queue_.response_bytes() > allowed_response_bytes();
+    if (!waits || sent_part_ || unread_bytes() < unread) {
       restart();
     } else if (!aborted_) {
       report_not_reading();

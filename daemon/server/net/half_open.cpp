@@ -29,7 +29,7 @@ HalfOpen::Ticket HalfOpen::enter(int descriptor, const std::string& address) {
   const std::string host = FailedTokens::key_of(address);
   make_space(host);
   entries_.push_back(
-      {++last_id_, descriptor, host, false, boost::asio::steady_timer(executor_, patience_)});
+      {++last_id_, descriptor, host, false, boost::asio::steady_timer(executor_, timeout_)});
   const auto entry = std::prev(entries_.end());
   entry->timer.async_wait(
       [weak = weak_from_this(), id = last_id_](const boost::system::error_code& cancelled) {

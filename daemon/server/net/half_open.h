@@ -25,11 +25,11 @@ class HalfOpen : public std::enable_shared_from_this<HalfOpen> {
   static constexpr std::size_t kMax = 32;
   static constexpr std::size_t kMaxOfAddress = 8;
   /// Time until it is disconnected.
-  static constexpr std::chrono::seconds kPatience{10};
+  static constexpr std::chrono::seconds kTimeout{10};
 
   explicit HalfOpen(boost::asio::any_io_executor executor,
-                    std::chrono::milliseconds patience = kPatience)
-      : executor_(std::move(executor)), patience_(patience) {}
+                    std::chrono::milliseconds timeout = kTimeout)
+      : executor_(std::move(executor)), timeout_(timeout) {}
   HalfOpen(const HalfOpen&) = delete;
   HalfOpen& operator=(const HalfOpen&) = delete;
 
@@ -75,7 +75,7 @@ class HalfOpen : public std::enable_shared_from_this<HalfOpen> {
   void disconnect(Entry& entry) noexcept;
 
   boost::asio::any_io_executor executor_;
-  std::chrono::milliseconds patience_;
+  std::chrono::milliseconds timeout_;
   std::list<Entry> entries_;  // oldest first
   std::uint64_t last_id_ = 0;
   std::size_t disconnected_ = 0;

@@ -48,7 +48,7 @@ asio::awaitable<void> BasicLineConnection<Stream>::read() {
     }
     while (const auto line = reader.next()) {
       take_line(*line);
-      if (has_to_pause() && !co_await pause()) co_return;
+      if (must_pause() && !co_await pause()) co_return;
     }
     end_turn();
   }
@@ -118,7 +118,7 @@ void BasicLineConnection<Stream>::close() noexcept {
 }
 
 template <class Stream>
-std::size_t BasicLineConnection<Stream>::untaken_bytes() noexcept {
+std::size_t BasicLineConnection<Stream>::unread_bytes() noexcept {
   return socket_send_queue(stream_.lowest_layer().native_handle());
 }
 

@@ -34,7 +34,7 @@ class BasicLineConnection final : public Connection {
   void send_now(WriteQueue& queue) override;
   boost::asio::awaitable<void> finish_stream() override;
   void close() noexcept override;
-  std::size_t untaken_bytes() noexcept override;
+  std::size_t unread_bytes() noexcept override;
   /// Reads further available data, up to `kReadBytes`.
   void read_more(LineReader& reader);
   void take_line(const LineReader::Line& line);

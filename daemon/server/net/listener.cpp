@@ -54,9 +54,9 @@ std::string text(const Tcp::endpoint& endpoint) {
 /// Reset before it was accepted: there is no client. One that has only closed may have sent a
 /// request before.
 bool is_reset(const Tcp::socket& socket) {
-  error_code gone;
-  socket.remote_endpoint(gone);
-  return gone.failed();
+  error_code ignored;
+  socket.remote_endpoint(ignored);
+  return ignored.failed();
 }
 bool is_reset(const Local::socket&) { return false; }
 
@@ -86,7 +86,7 @@ Listener::Listener(asio::io_context& io, const config::Config& config)
       half_open_(std::make_shared<HalfOpen>(io.get_executor())),
       http_settings_(config.http) {}
 
-Listener::~Listener() { remove_if_ours(unix_path_, unix_inode_); }
+Listener::~Listener() { remove_own_socket(unix_path_, unix_inode_); }
 
 void Listener::open(const config::Config& config) {
   for (const config::ListenAddress& address : config.listen.tcp) {
@@ -125,10 +125,10 @@ void Listener::start(Server& server) {
   server_ = &server;
   const auto line = [this](auto socket) {
     Session session = session_with(socket);
-    let_in(asio::generic::stream_protocol::socket(std::move(socket)), std::move(session));
+    start_session(asio::generic::stream_protocol::socket(std::move(socket)), std::move(session));
   };
   const auto tls_line = [this](Tcp::socket socket) {
-    asio::co_spawn(io_, let_in_tls(std::move(socket)), asio::detached);
+    asio::co_spawn(io_, start_tls_session(std::move(socket)), asio::detached);
   };
   for (TcpListener& listener : tcp_)
     if (listener.tls)
@@ -151,22 +151,22 @@ void Listener::start(Server& server) {
                  accept(http_->acceptor,
                         [this](Tcp::socket socket) {
                           if (http_->tls)
-                            let_in_https(std::move(socket));
+                            start_https(std::move(socket));
                           else
-                            let_in_http(std::move(socket));
+                            start_http(std::move(socket));
                         }),
                  asio::detached);
 }
 
-template <class AnyAcceptor, class LetIn>
-asio::awaitable<void> Listener::accept(AnyAcceptor& acceptor, LetIn let_in) {
+template <class AnyAcceptor, class OnAccept>
+asio::awaitable<void> Listener::accept(AnyAcceptor& acceptor, OnAccept start_session) {
   while (acceptor.is_open()) {
     error_code ec;
     auto socket = co_await acceptor.async_accept(asio::redirect_error(asio::use_awaitable, ec));
     if (!ec && !is_reset(socket)) {
       error_code ignored;
       socket.set_option(asio::socket_base::send_buffer_size(kSendBufferBytes), ignored);
-      let_in(std::move(socket));
+      start_session(std::move(socket));
     } else if (ec && acceptor.is_open()) {
       report_accept_failure(ec);
       asio::steady_timer pause(io_, kAcceptPause);
@@ -177,9 +177,9 @@ asio::awaitable<void> Listener::accept(AnyAcceptor& acceptor, LetIn let_in) {
 
 void Listener::report_accept_failure(const error_code& error) {
   const auto now = std::chrono::steady_clock::now();
-  const bool goes_on = accept_failed_at_ && now - *accept_failed_at_ < kAcceptEpisode;
+  const bool same_episode = accept_failed_at_ && now - *accept_failed_at_ < kAcceptEpisode;
   accept_failed_at_ = now;
-  if (goes_on) return;
+  if (same_episode) return;
   spdlog::warn(
       "cannot accept clients: {}; those that are connected are served, new ones are accepted again "
       "when descriptors are free",
@@ -205,7 +205,7 @@ bool Listener::has_capacity(const Session& session) {
   return false;
 }
 
-void Listener::let_in(asio::generic::stream_protocol::socket socket, Session session) {
+void Listener::start_session(asio::generic::stream_protocol::socket socket, Session session) {
   HalfOpen::Ticket ticket;
   if (session.locked && !closing_) {
     const std::string from = session.peer ? user_text(*session.peer) : session.transport;
@@ -225,7 +225,7 @@ void Listener::let_in(asio::generic::stream_protocol::socket socket, Session ses
   connection->start();
 }
 
-void Listener::let_in_http(Tcp::socket socket) {
+void Listener::start_http(Tcp::socket socket) {
   if (http_clients_ >= kMaxHttpClients) {
     ++server_->counters().rejected["cap"];
     return;
@@ -236,11 +236,11 @@ void Listener::let_in_http(Tcp::socket socket) {
 }
 
 HalfOpen::Ticket Listener::half_open(Tcp::socket& socket) {
-  error_code gone;
-  return half_open_->enter(socket.native_handle(), text(socket.remote_endpoint(gone)));
+  error_code ignored;
+  return half_open_->enter(socket.native_handle(), text(socket.remote_endpoint(ignored)));
 }
 
-asio::awaitable<void> Listener::let_in_tls(Tcp::socket socket) {
+asio::awaitable<void> Listener::start_tls_session(Tcp::socket socket) {
   Session session = session_with(socket);
   session.locked = true;
   TlsStream stream(std::move(socket), *tls_);
@@ -257,7 +257,7 @@ asio::awaitable<void> Listener::let_in_tls(Tcp::socket socket) {
   connection->start();
 }
 
-void Listener::let_in_https(Tcp::socket socket) {
+void Listener::start_https(Tcp::socket socket) {
   HalfOpen::Ticket ticket = half_open(socket);
   asio::co_spawn(io_, serve_https(std::move(socket), *http_endpoint_, tls_, std::move(ticket)),
                  asio::detached);
@@ -286,7 +286,7 @@ void Listener::close() {
   for (TcpListener& listener : tcp_) listener.acceptor.close(ignored);
   if (http_) http_->acceptor.close(ignored);
   if (unix_) unix_->close(ignored);
-  remove_if_ours(unix_path_, unix_inode_);
+  remove_own_socket(unix_path_, unix_inode_);
   for (const auto& weak : connections_)
     if (const auto connection = weak.lock()) connection->finish();
 }

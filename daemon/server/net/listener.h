@@ -53,14 +53,14 @@ class Listener {
   /// nullopt: this machine has no IPv6.
   std::optional<TcpListener> open_tcp(const config::ListenAddress& address, const char* remedy);
   void open_unix(const std::string& path, const access::UnixRoles& roles);
-  template <class AnyAcceptor, class LetIn>
-  boost::asio::awaitable<void> accept(AnyAcceptor& acceptor, LetIn let_in);
+  template <class AnyAcceptor, class OnAccept>
+  boost::asio::awaitable<void> accept(AnyAcceptor& acceptor, OnAccept start_session);
   template <class AnySocket>
   Session session_with(AnySocket& socket, const char* transport = nullptr) const;
-  void let_in(boost::asio::generic::stream_protocol::socket socket, Session session);
-  void let_in_http(boost::asio::ip::tcp::socket socket);
-  boost::asio::awaitable<void> let_in_tls(boost::asio::ip::tcp::socket socket);
-  void let_in_https(boost::asio::ip::tcp::socket socket);
+  void start_session(boost::asio::generic::stream_protocol::socket socket, Session session);
+  void start_http(boost::asio::ip::tcp::socket socket);
+  boost::asio::awaitable<void> start_tls_session(boost::asio::ip::tcp::socket socket);
+  void start_https(boost::asio::ip::tcp::socket socket);
   HalfOpen::Ticket half_open(boost::asio::ip::tcp::socket& socket);
   /// Capacity for one more; false, and counted, when all places are used; false during a shutdown.
   bool has_capacity(const Session& session);

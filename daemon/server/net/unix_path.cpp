@@ -15,7 +15,7 @@
 namespace hedgehog::server {
 namespace {
 
-bool somebody_answers(const std::string& path) {
+bool has_listener(const std::string& path) {
   sockaddr_un address{};
   if (path.size() >= sizeof address.sun_path)
     throw std::runtime_error(path + ": longer than the 107 bytes of a socket's path");
@@ -45,7 +45,7 @@ mode_t unix_mode(const access::UnixRoles& roles) noexcept {
 
 }  // namespace
 
-void make_room_for_socket(const std::string& path) {
+void prepare_socket_path(const std::string& path) {
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   std::error_code ec;
   if (std::filesystem::create_directories(folder, ec)) ::chmod(folder.c_str(), 0750);
@@ -55,8 +55,7 @@ void make_room_for_socket(const std::string& path) {
   if (::lstat(path.c_str(), &s) != 0) return;
   if (!S_ISSOCK(s.st_mode))
     throw std::runtime_error(path + ": something that is not a socket is in the way");
-  if (somebody_answers(path))
-    throw std::runtime_error(path + ": another hedgehogd is running there");
+  if (has_listener(path)) throw std::runtime_error(path + ": another hedgehogd is running there");
   ::unlink(path.c_str());
 }
 
@@ -64,7 +63,7 @@ boost::asio::local::stream_protocol::acceptor open_unix_acceptor(boost::asio::io
                                                                  const std::string& path,
                                                                  const access::UnixRoles& roles) {
   using Socket = boost::asio::local::stream_protocol;
-  make_room_for_socket(path);
+  prepare_socket_path(path);
   const mode_t before = ::umask(0777 & ~unix_mode(roles));  // from its creation on
   Socket::acceptor acceptor(io);
   boost::system::error_code ec;
@@ -74,7 +73,7 @@ boost::asio::local::stream_protocol::acceptor open_unix_acceptor(boost::asio::io
   if (!ec) {
     const std::uint64_t inode = inode_of(path);
     acceptor.listen(boost::asio::socket_base::max_listen_connections, ec);
-    if (ec) remove_if_ours(path, inode);
+    if (ec) remove_own_socket(path, inode);
   }
   if (ec) throw std::runtime_error(path + ": " + ec.message());
   return acceptor;
@@ -90,7 +89,7 @@ std::uint64_t inode_of(const std::string& path) noexcept {
   return ::lstat(path.c_str(), &s) == 0 ? s.st_ino : 0;
 }
 
-void remove_if_ours(const std::string& path, std::uint64_t inode) noexcept {
+void remove_own_socket(const std::string& path, std::uint64_t inode) noexcept {
   if (inode != 0 && inode_of(path) == inode) ::unlink(path.c_str());
 }
 

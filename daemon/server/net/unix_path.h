@@ -14,9 +14,9 @@ namespace hedgehog::server {
 /// Prepares `path` for a socket: creates its folder, requires that it belongs to this user or root,
 /// and removes a socket without a listening server. Throws std::runtime_error if a server is
 /// listening, or if the file is not a socket.
-void make_room_for_socket(const std::string& path);
+void prepare_socket_path(const std::string& path);
 
-/// Listens at `path`, after `make_room_for_socket`. The file has the mode 0660, or 0666 if `roles`
+/// Listens at `path`, after `prepare_socket_path`. The file has the mode 0660, or 0666 if `roles`
 /// decide on access. Throws std::runtime_error with a sentence for display.
 boost::asio::local::stream_protocol::acceptor open_unix_acceptor(boost::asio::io_context& io,
                                                                  const std::string& path,
@@ -30,6 +30,6 @@ bool set_unix_mode(const std::string& path, std::uint64_t inode,
 std::uint64_t inode_of(const std::string& path) noexcept;
 
 /// Removes `path` if it still is the file `inode`: a later daemon may have replaced it.
-void remove_if_ours(const std::string& path, std::uint64_t inode) noexcept;
+void remove_own_socket(const std::string& path, std::uint64_t inode) noexcept;
 
 }  // namespace hedgehog::server

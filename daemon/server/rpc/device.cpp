@@ -10,10 +10,10 @@ namespace hedgehog::server {
 namespace {
 
 /// Clients wait at least 1 s for the response to a stop; half of it is left for the disk.
-constexpr std::chrono::milliseconds kLatchPatience{500};
+constexpr std::chrono::milliseconds kLatchTimeout{500};
 
-/// The board has 300 ticks to confirm an arm request (control::StateMachine::kArmPatience).
-constexpr model::Tick kArmPatience = 400;
+/// The board has 300 ticks to confirm an arm request (control::StateMachine::kArmTimeout).
+constexpr model::Tick kArmTimeout = 400;
 
 protocol::StateResult state_result(const DeviceView& device_view, std::uint64_t seq) {
   const control::StatusSnapshot& now = device_view.now();
@@ -90,8 +90,8 @@ Outcome handle(Call& call, const protocol::DeviceDescribe&) {
   d.thermal = {heat.winding_j_k,
                heat.core_j_k,
                heat.winding_to_core_k_w,
-               heat.core_to_room_fan_k_w,
-               heat.core_to_room_still_k_w,
+               heat.core_to_ambient_fan_k_w,
+               heat.core_to_ambient_still_k_w,
                heat.sensor_winding,
                heat.sensor_lag_s};
   d.uncertainty = {device.uncertainty.thermal, device.uncertainty.resistance,
@@ -108,51 +108,52 @@ Outcome handle(Call& call, const protocol::DeviceDescribe&) {
   d.board.protocol = device_view.board_protocol();
   d.imu.type = config::name(config.imu);
   d.imu.present = device_view.now().orientation_present;
-  return Answer(std::move(d));
+  return Response(std::move(d));
 }
 
 Outcome handle(Call& call, const protocol::DeviceList&) {
   DeviceScanner* devices = call.context.devices;
-  if (devices == nullptr) return Answer(protocol::DevicesResult{});
-  const DeviceScanner::Ready ready = devices->look();
+  if (devices == nullptr) return Response(protocol::DevicesResult{});
+  const DeviceScanner::Ready ready = devices->scan();
   const protocol::RpcError slow = protocol::busy("looking for devices takes too long", 1000);
-  if (!ready) return Answer(slow);
-  return Deferred{[ready, slow](HandlerContext& context, bool give_up) -> std::optional<Answer> {
+  if (!ready) return Response(slow);
+  return Deferred{[ready, slow](HandlerContext& context, bool give_up) -> std::optional<Response> {
     if (auto found = ready()) {
       for (protocol::SeenDevice& device : found->devices)
         if (device.use == "board")
           if (auto version = context.device_view.board_protocol()) device.protocol = *version;
-      return Answer(*std::move(found));
+      return Response(*std::move(found));
     }
-    return give_up ? std::optional<Answer>(slow) : std::nullopt;
+    return give_up ? std::optional<Response>(slow) : std::nullopt;
   }};
 }
 
 Outcome handle(Call& call, const protocol::DeviceStatus&) {
-  return Answer(call.context.status.status(false));
+  return Response(call.context.status.status(false));
 }
 
 Outcome handle(Call& call, const protocol::DeviceArm&) {
   DeviceView& device_view = call.device_view();
   if (device_view.now().state == control::State::kArmed)
-    return Answer(state_result(device_view, device_view.outbox().last_seq()));
-  if (device_view.now().state == control::State::kAbsent) return Answer(*not_playable(device_view));
+    return Response(state_result(device_view, device_view.outbox().last_seq()));
+  if (device_view.now().state == control::State::kAbsent)
+    return Response(*not_playable(device_view));
   const auto seq = device_view.outbox().add(
       call.session.id,
       control::Arm{device_view.mailbox().emergency_generation.load(std::memory_order_acquire)});
-  if (!seq) return Answer(queue_full(device_view.outbox()));
+  if (!seq) return Response(queue_full(device_view.outbox()));
   return Deferred{[seq = *seq, since = model::Tick{-1}](
-                      HandlerContext& context, bool give_up) mutable -> std::optional<Answer> {
+                      HandlerContext& context, bool give_up) mutable -> std::optional<Response> {
     const control::StatusSnapshot& now = context.device_view.now();
     const bool applied = now.applied_seq >= seq;
     if (applied && now.state == control::State::kArmed)
-      return Answer(state_result(context.device_view, seq));
-    if (give_up) return Answer(control_stuck());
+      return Response(state_result(context.device_view, seq));
+    if (give_up) return Response(control_stuck());
     if (!applied) return std::nullopt;
     since = since < 0 ? now.tick : since;
     const bool refused = now.arming_blocker != control::Reason::kNone;
-    if (!refused && now.tick - since < kArmPatience) return std::nullopt;
-    return Answer(arm_refused(context.device_view));
+    if (!refused && now.tick - since < kArmTimeout) return std::nullopt;
+    return Response(arm_refused(context.device_view));
   }};
 }
 
@@ -163,35 +164,35 @@ Outcome handle(Call& call, const protocol::DeviceEmergencyStop&) {
       call.context.state_store.persist_latch(control::Reason::kEmergencyStop);
   if (call.context.stopping &&
       call.context.state_store.latch_persisted(write) != Persisted::kPending)
-    return Answer(stopped(call.context, write));
+    return Response(stopped(call.context, write));
   // The snapshot may be a tick older than the request.
   const model::Tick seen = device_view.now().tick + 2;
-  const auto until = std::chrono::steady_clock::now() + kLatchPatience;
+  const auto until = std::chrono::steady_clock::now() + kLatchTimeout;
   return Deferred{[seen, write, until](HandlerContext& context,
-                                       bool give_up) -> std::optional<Answer> {
+                                       bool give_up) -> std::optional<Response> {
     const control::StatusSnapshot& now = context.device_view.now();
     const bool off = context.stopping || (now.tick >= seen && now.state != control::State::kArmed);
-    if (!off) return give_up ? std::optional<Answer>(control_stuck()) : std::nullopt;
+    if (!off) return give_up ? std::optional<Response>(control_stuck()) : std::nullopt;
     const bool waits = context.state_store.latch_persisted(write) == Persisted::kPending &&
                        std::chrono::steady_clock::now() < until;
-    return waits && !give_up ? std::nullopt : std::optional<Answer>(stopped(context, write));
+    return waits && !give_up ? std::nullopt : std::optional<Response>(stopped(context, write));
   }};
 }
 
 Outcome handle(Call& call, const protocol::DeviceClaim& request) {
   HandlerContext& context = call.context;
   const model::Tick now = call.device_view().now().tick;
-  if (auto refused = claimed(call)) return Answer(std::move(*refused));
+  if (auto refused = claimed(call)) return Response(std::move(*refused));
   context.claim.take(call.session.id, now, request.lease_ms);
   for (Effect* effect : context.effects.playing())
     if (effect->owner != call.session.id)
       request_stop(context, *effect, control::EndReason::kStopped);
-  return Answer(protocol::ClaimResult{request.lease_ms});
+  return Response(protocol::ClaimResult{request.lease_ms});
 }
 
 Outcome handle(Call& call, const protocol::DeviceRelease&) {
   call.context.claim.release(call.session.id);
-  return Answer(protocol::Done{});
+  return Response(protocol::Done{});
 }
 
 }  // namespace hedgehog::server

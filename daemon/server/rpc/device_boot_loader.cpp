@@ -11,7 +11,7 @@ namespace {
 /// First minor version of the board protocol with the boot loader frame.
 constexpr int kBoardMinor = 2;
 /// Ticks until control reports a board in its boot loader as absent.
-constexpr model::Tick kGoneBy = control::StateMachine::kBootLoaderPatience;
+constexpr model::Tick kGoneBy = control::StateMachine::kBootLoaderTimeout;
 
 protocol::RpcError still_armed() {
   return protocol::armed("only a ball that is not armed goes into its boot loader",
@@ -32,26 +32,26 @@ protocol::RpcError no_boot_loader(const DeviceView& device_view) {
 Outcome handle(Call& call, const protocol::DeviceEnterBootLoader&) {
   DeviceView& device_view = call.device_view();
   const control::StatusSnapshot& before = device_view.now();
-  if (before.state == control::State::kArmed) return Answer(still_armed());
-  if (before.state == control::State::kAbsent) return Answer(*not_playable(device_view));
-  if (before.board.protocol_minor < kBoardMinor) return Answer(no_boot_loader(device_view));
+  if (before.state == control::State::kArmed) return Response(still_armed());
+  if (before.state == control::State::kAbsent) return Response(*not_playable(device_view));
+  if (before.board.protocol_minor < kBoardMinor) return Response(no_boot_loader(device_view));
   const auto seq = device_view.outbox().add(call.session.id, control::EnterBootLoader{});
-  if (!seq) return Answer(queue_full(device_view.outbox()));
+  if (!seq) return Response(queue_full(device_view.outbox()));
   return Deferred{[seq = *seq, since = model::Tick{-1}](
-                      HandlerContext& context, bool give_up) mutable -> std::optional<Answer> {
+                      HandlerContext& context, bool give_up) mutable -> std::optional<Response> {
     const control::StatusSnapshot& now = context.device_view.now();
     const bool applied = now.applied_seq >= seq;
     if (applied && now.state == control::State::kAbsent)
-      return Answer(protocol::StateResult{std::string(control::name(now.state)),
-                                          context.device_view.reason_now(),
-                                          context.device_view.remedy_now(), seq});
-    if (give_up) return Answer(control_stuck());
+      return Response(protocol::StateResult{std::string(control::name(now.state)),
+                                            context.device_view.reason_now(),
+                                            context.device_view.remedy_now(), seq});
+    if (give_up) return Response(control_stuck());
     if (!applied) return std::nullopt;
     // An arming was in progress.
-    if (now.state == control::State::kArmed) return Answer(still_armed());
+    if (now.state == control::State::kArmed) return Response(still_armed());
     since = since < 0 ? now.tick : since;
     if (now.tick - since <= kGoneBy) return std::nullopt;
-    return Answer(protocol::busy("the board has not gone into its boot loader", 1000));
+    return Response(protocol::busy("the board has not gone into its boot loader", 1000));
   }};
 }
 

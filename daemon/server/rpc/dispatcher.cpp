@@ -10,9 +10,9 @@
 namespace hedgehog::server {
 namespace {
 
-std::string encoded(const protocol::Id& id, const Answer& answer) {
-  return answer.has_error() ? protocol::encode_error(id, answer.error())
-                            : protocol::encode_result(id, *answer);
+std::string encoded(const protocol::Id& id, const Response& response) {
+  return response.has_error() ? protocol::encode_error(id, response.error())
+                              : protocol::encode_result(id, *response);
 }
 
 /// Name of the results that take io long to compute; nullptr: short.
@@ -44,12 +44,12 @@ protocol::RpcError too_many(const std::string& what) {
   return e;
 }
 
-void count(Counters& counters, std::string_view method, const Answer& answer) {
-  ++counters.requests[{method, answer.has_error() ? static_cast<int>(answer.error().code) : 0}];
-  if (answer.has_error()) {
-    if (answer.error().code == protocol::ErrorCode::kRefusedThermal)
+void count(Counters& counters, std::string_view method, const Response& response) {
+  ++counters.requests[{method, response.has_error() ? static_cast<int>(response.error().code) : 0}];
+  if (response.has_error()) {
+    if (response.error().code == protocol::ErrorCode::kRefusedThermal)
       ++counters.effects[{method, "refused"}];
-  } else if (const auto* admission = std::get_if<protocol::Admission>(&*answer)) {
+  } else if (const auto* admission = std::get_if<protocol::Admission>(&*response)) {
     for (const std::string_view by : {"thermal", "mix", "priority", "configuration"})
       if (admission->limited_by == by) ++counters.limited[by];
   }
@@ -57,21 +57,21 @@ void count(Counters& counters, std::string_view method, const Answer& answer) {
 
 }  // namespace
 
-void Dispatcher::Reply::add(std::string answer) {
-  bytes += answer.size();
-  answers.push_back(std::move(answer));
+void Dispatcher::Reply::add(std::string response) {
+  bytes += response.size();
+  responses.push_back(std::move(response));
 }
 
 std::size_t Dispatcher::Reply::reserve() {
-  answers.emplace_back();
+  responses.emplace_back();
   ++open;
   bytes += kReservedBytes;
-  return answers.size() - 1;
+  return responses.size() - 1;
 }
 
-void Dispatcher::Reply::fill(std::size_t index, std::string answer) {
-  bytes = bytes - kReservedBytes + answer.size();
-  answers[index] = std::move(answer);
+void Dispatcher::Reply::fill(std::size_t index, std::string response) {
+  bytes = bytes - kReservedBytes + response.size();
+  responses[index] = std::move(response);
   --open;
 }
 
@@ -88,7 +88,7 @@ void Dispatcher::line(Session& session, std::string_view text) {
 
 void Dispatcher::line_too_long(Session& session) {
   count(context_.counters, "none", protocol::line_too_long());
-  session.sink->send(protocol::encode_error({}, protocol::line_too_long()), LineKind::kAnswer);
+  session.sink->send(protocol::encode_error({}, protocol::line_too_long()), LineKind::kResponse);
 }
 
 bool Dispatcher::has_emergency_stop(std::string_view line) {
@@ -113,7 +113,7 @@ void Dispatcher::item(Session& session, protocol::Item& item, const std::shared_
     std::optional<protocol::RpcError> why_not;
     if (context_.stopping)
       why_not = protocol::busy("the daemon is stopping", kRestartMs);
-    else if (session.overtaken > 0 && starts_something(*item.request))
+    else if (session.bypassed > 0 && starts_something(*item.request))
       why_not = protocol::busy("an emergency stop, or the connection's end, came after it", 1);
     else if (what != nullptr && ++reply->costly[which] > kMaxCostly)
       why_not = too_many(what);
@@ -127,16 +127,16 @@ void Dispatcher::item(Session& session, protocol::Item& item, const std::shared_
   }
   Call call{context_, session, item.id.has_value()};
   Outcome outcome = carry_out(call, *item.request);
-  const Answer* answer = std::get_if<Answer>(&outcome);
-  if (answer != nullptr) count(context_.counters, method, *answer);
+  const Response* response = std::get_if<Response>(&outcome);
+  if (response != nullptr) count(context_.counters, method, *response);
   if (!item.id) return;
   if (const Encoded* known = std::get_if<Encoded>(&outcome)) {
-    count(context_.counters, method, Answer(protocol::Done{}));
+    count(context_.counters, method, Response(protocol::Done{}));
     reply->add(protocol::encode_encoded(*item.id, *known->result));
     return;
   }
-  if (answer != nullptr) {
-    reply->add(encoded(*item.id, *answer));
+  if (response != nullptr) {
+    reply->add(encoded(*item.id, *response));
     return;
   }
   waiting_.push_back({reply, reply->reserve(), *item.id, method,
@@ -151,11 +151,11 @@ void Dispatcher::poll() {
     const auto session = context_.sessions.find(w.reply->session);
     if (session == context_.sessions.end()) return true;
     w.waited.poll(now);
-    const auto answer = w.deferred.poll(context_, w.waited.elapsed() > kPatience);
-    if (!answer) return false;
-    count(context_.counters, w.method, *answer);
+    const auto response = w.deferred.poll(context_, w.waited.elapsed() > kTimeout);
+    if (!response) return false;
+    count(context_.counters, w.method, *response);
     session->second->open_bytes -= w.reply->open_bytes();
-    w.reply->fill(w.index, encoded(w.id, *answer));
+    w.reply->fill(w.index, encoded(w.id, *response));
     session->second->open_bytes += w.reply->open_bytes();
     send_if_complete(*w.reply);
     return true;
@@ -169,12 +169,12 @@ std::size_t Dispatcher::pending(ConnectionId session) const noexcept {
 }
 
 void Dispatcher::send_if_complete(const Reply& reply) {
-  if (reply.open > 0 || reply.answers.empty()) return;
+  if (reply.open > 0 || reply.responses.empty()) return;
   const auto session = context_.sessions.find(reply.session);
   if (session == context_.sessions.end()) return;
   session->second->sink->send(
-      reply.batch ? protocol::encode_batch(reply.answers) : reply.answers.front(),
-      LineKind::kAnswer);
+      reply.batch ? protocol::encode_batch(reply.responses) : reply.responses.front(),
+      LineKind::kResponse);
 }
 
 }  // namespace hedgehog::server

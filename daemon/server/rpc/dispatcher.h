@@ -21,7 +21,7 @@ namespace hedgehog::server {
 class Dispatcher {
  public:
   /// Maximum time for the control thread to complete a response, measured by `PolledTime`.
-  static constexpr std::chrono::seconds kPatience{2};
+  static constexpr std::chrono::seconds kTimeout{2};
 
   explicit Dispatcher(HandlerContext& context) : context_(context) {}
 
@@ -50,16 +50,16 @@ class Dispatcher {
   struct Reply {
     ConnectionId session = 0;
     bool batch = false;
-    std::vector<std::string> answers;
+    std::vector<std::string> responses;
     /// Size of the responses, with `kReservedBytes` for each pending one.
     std::size_t bytes = 0;
     int open = 0;
     std::map<protocol::Method, int> costly;
 
-    void add(std::string answer);
+    void add(std::string response);
     /// Adds a pending response; returns its index.
     std::size_t reserve();
-    void fill(std::size_t index, std::string answer);
+    void fill(std::size_t index, std::string response);
     std::size_t open_bytes() const noexcept { return open > 0 ? bytes : 0; }
   };
   struct Waiting {

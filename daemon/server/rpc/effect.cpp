@@ -43,7 +43,7 @@ protocol::Result<protocol::Admission> admit(const Call& call, const EffectPlan& 
   const auto& [params, requested_wave, spec, track] = plan;
   if (auto refused = no_orientation(device_view, spec)) return std::move(*refused);
   const bool may_refuse = params.if_limited == protocol::IfLimited::kRefuse;
-  if (!call.answered && !may_refuse) return protocol::Admission{};
+  if (!call.expects_response && !may_refuse) return protocol::Admission{};
   const protocol::Admission admitted =
       admission(device_view, call.context.effects, spec, track.get(), before);
   if (may_refuse) {
@@ -99,11 +99,11 @@ void set_plan(Effect& effect, EffectPlan&& plan) {
   effect.track = std::move(plan.track);
 }
 
-Answer answer_of(protocol::Admission admission, const Effect& effect, std::uint64_t seq) {
+Response response_of(protocol::Admission admission, const Effect& effect, std::uint64_t seq) {
   admission.effect = effect.id;
   admission.slot = effect.slot;
   admission.seq = seq;
-  return Answer(std::move(admission));
+  return Response(std::move(admission));
 }
 
 Effect* addressed(const Call& call, const std::optional<protocol::EffectNumber>& number,
@@ -122,26 +122,26 @@ RpcError not_found(const std::optional<protocol::EffectNumber>& number,
 
 Outcome handle(Call& call, const protocol::EffectStart& request) {
   HandlerContext& context = call.context;
-  if (auto refused = not_playable(call.device_view())) return Answer(std::move(*refused));
-  if (auto refused = claimed(call)) return Answer(std::move(*refused));
+  if (auto refused = not_playable(call.device_view())) return Response(std::move(*refused));
+  if (auto refused = claimed(call)) return Response(std::move(*refused));
   auto plan = plan_start(call.plan_context(), request);
-  if (plan.has_error()) return Answer(plan.error());
+  if (plan.has_error()) return Response(plan.error());
   const std::optional<std::string>& slot = plan->params.slot;
   Effect* before = slot ? context.effects.find(call.session.id, *slot) : nullptr;
   const bool waits = before != nullptr && context.device_view.outbox().holds(before->seq);
   auto full = no_capacity(call, before != nullptr);
-  if (full && !waits) return Answer(std::move(*full));
+  if (full && !waits) return Response(std::move(*full));
   auto admitted = admit(call, *plan, before);
-  if (admitted.has_error()) return Answer(admitted.error());
+  if (admitted.has_error()) return Response(admitted.error());
   if (waits && coalesce(call, *before, *plan)) {
     before->method = request.method;
     set_plan(*before, *std::move(plan));
-    return answer_of(*std::move(admitted), *before, before->seq);
+    return response_of(*std::move(admitted), *before, before->seq);
   }
-  if (full) return Answer(std::move(*full));
+  if (full) return Response(std::move(*full));
   // One start per tick is enough for a slot; later ones with the same key frames amend it.
   const bool in_turn = before != nullptr && same_keyframes(call, *before, *plan);
-  if (auto refused = place_keyframes(call, *plan)) return Answer(std::move(*refused));
+  if (auto refused = place_keyframes(call, *plan)) return Response(std::move(*refused));
 
   Effect& effect = context.effects.add(call.session.id);
   control::StartEffect start{effect.id, effect.place, 0, 0, plan->spec};
@@ -153,7 +153,7 @@ Outcome handle(Call& call, const protocol::EffectStart& request) {
       context.device_view.outbox().add(call.session.id, start, in_turn ? before->seq : 0);
   if (!seq) {
     context.effects.drop(effect);
-    return Answer(queue_full(call.device_view().outbox()));
+    return Response(queue_full(call.device_view().outbox()));
   }
   if (before != nullptr) before->ending = true;
   effect.replacing = before != nullptr;
@@ -162,40 +162,40 @@ Outcome handle(Call& call, const protocol::EffectStart& request) {
   effect.method = request.method;
   set_plan(effect, *std::move(plan));
   effect.seq = *seq;
-  return answer_of(*std::move(admitted), effect, *seq);
+  return response_of(*std::move(admitted), effect, *seq);
 }
 
 Outcome handle(Call& call, const protocol::EffectUpdate& request) {
   Effect* effect = addressed(call, request.effect, request.params.slot);
-  if (effect == nullptr) return Answer(not_found(request.effect, request.params.slot));
-  if (auto refused = claimed(call)) return Answer(std::move(*refused));
+  if (effect == nullptr) return Response(not_found(request.effect, request.params.slot));
+  if (auto refused = claimed(call)) return Response(std::move(*refused));
   const bool onset_moved = request.params.delay_ms || request.params.start_at_ns;
   if (onset_moved && effect->begun) {
-    return Answer(protocol::invalid_params(request.params.delay_ms ? "delay_ms" : "start_at_ns",
-                                           "this effect has begun already"));
+    return Response(protocol::invalid_params(request.params.delay_ms ? "delay_ms" : "start_at_ns",
+                                             "this effect has begun already"));
   }
   auto plan = plan_update(call.plan_context(), *effect, request.params);
-  if (plan.has_error()) return Answer(plan.error());
+  if (plan.has_error()) return Response(plan.error());
   auto admitted = admit(call, *plan, effect);
-  if (admitted.has_error()) return Answer(admitted.error());
+  if (admitted.has_error()) return Response(admitted.error());
   const bool other_frames = plan->track != effect->track;
   if (other_frames) {
-    if (auto refused = place_keyframes(call, *plan)) return Answer(std::move(*refused));
+    if (auto refused = place_keyframes(call, *plan)) return Response(std::move(*refused));
   }
   const auto seq = call.device_view().outbox().add(
       call.session.id, control::UpdateEffect{effect->id, effect->place, plan->spec});
-  if (!seq) return Answer(queue_full(call.device_view().outbox()));
+  if (!seq) return Response(queue_full(call.device_view().outbox()));
   if (other_frames)
     call.context.keyframes.release_after(effect->spec.trajectory.playback.first, *seq);
   set_plan(*effect, *std::move(plan));
-  return answer_of(*std::move(admitted), *effect, *seq);
+  return response_of(*std::move(admitted), *effect, *seq);
 }
 
 Outcome handle(Call& call, const protocol::EffectStop& request) {
   Effect* effect = addressed(call, request.effect, request.slot);
-  if (effect == nullptr) return Answer(not_found(request.effect, request.slot));
+  if (effect == nullptr) return Response(not_found(request.effect, request.slot));
   request_stop(call.context, *effect, control::EndReason::kStopped);
-  return Answer(protocol::StopResult{1, call.device_view().outbox().last_seq()});
+  return Response(protocol::StopResult{1, call.device_view().outbox().last_seq()});
 }
 
 Outcome handle(Call& call, const protocol::EffectStopAll& request) {
@@ -203,14 +203,14 @@ Outcome handle(Call& call, const protocol::EffectStopAll& request) {
   if (all && call.session.role < protocol::Role::kOperate) {
     RpcError e = protocol::forbidden("scope", "all", protocol::Role::kOperate, call.session.role);
     e.value = std::string("all");
-    return Answer(std::move(e));
+    return Response(std::move(e));
   }
   std::int64_t stopped = 0;
   for (Effect* effect : call.context.effects.playing(all ? 0 : call.session.id)) {
     request_stop(call.context, *effect, control::EndReason::kStopped);
     ++stopped;
   }
-  return Answer(protocol::StopResult{stopped, call.device_view().outbox().last_seq()});
+  return Response(protocol::StopResult{stopped, call.device_view().outbox().last_seq()});
 }
 
 }  // namespace hedgehog::server

@@ -11,7 +11,7 @@ Outcome handle(Call& call, const protocol::EffectLatency&) {
     const LatencyLog::Quantiles of_stage = latency.quantiles(stage);
     return protocol::LatencyQuantiles{of_stage.p50_us, of_stage.p99_us, of_stage.max_us};
   };
-  return Answer(protocol::LatencyResult{
+  return Response(protocol::LatencyResult{
       static_cast<std::int64_t>(latency.effects()), quantiles(LatencyStage::kReceivedToQueued),
       quantiles(LatencyStage::kQueuedToApplied), quantiles(LatencyStage::kAppliedToWritten),
       quantiles(LatencyStage::kReceivedToWritten)});

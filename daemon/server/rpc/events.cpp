@@ -13,14 +13,14 @@ Outcome handle(Call& call, const protocol::EventsSubscribe& request) {
   call.session.events = {request.types, request.scope};
   const DeviceView& device_view = call.device_view();
   const control::StatusSnapshot& now = device_view.now();
-  return Answer(protocol::EventsResult{std::string(control::name(now.state)),
-                                       device_view.reason_now(), now.derating,
-                                       device_view.shown_limit_a(now.limit_a)});
+  return Response(protocol::EventsResult{std::string(control::name(now.state)),
+                                         device_view.reason_now(), now.derating,
+                                         device_view.shown_limit_a(now.limit_a)});
 }
 
 Outcome handle(Call& call, const protocol::EventsUnsubscribe&) {
   call.session.events.reset();
-  return Answer(protocol::Done{});
+  return Response(protocol::Done{});
 }
 
 Outcome handle(Call& call, const protocol::EventsHistory& request) {

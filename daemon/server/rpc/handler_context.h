@@ -74,7 +74,7 @@ struct Call {
   HandlerContext& context;
   Session& session;
   /// False for a notification: work only needed for the response may be omitted.
-  bool answered = true;
+  bool expects_response = true;
 
   DeviceView& device_view() const noexcept { return context.device_view; }
   PlanContext plan_context() const noexcept {
@@ -82,12 +82,12 @@ struct Call {
   }
 };
 
-using Answer = protocol::Result<protocol::ResultValue>;
+using Response = protocol::Result<protocol::ResultValue>;
 
 /// A response that depends on future ticks; polled after each until it is complete. `give_up`: the
 /// control thread does not run.
 struct Deferred {
-  std::function<std::optional<Answer>(HandlerContext&, bool give_up)> poll;
+  std::function<std::optional<Response>(HandlerContext&, bool give_up)> poll;
 };
 
 /// A result that is already JSON.
@@ -95,6 +95,6 @@ struct Encoded {
   std::shared_ptr<const std::string> result;
 };
 
-using Outcome = std::variant<Answer, Deferred, Encoded>;
+using Outcome = std::variant<Response, Deferred, Encoded>;
 
 }  // namespace hedgehog::server

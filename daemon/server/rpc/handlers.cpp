@@ -8,9 +8,9 @@ namespace hedgehog::server {
 Outcome carry_out(Call& call, const protocol::Request& request) {
   const protocol::MethodInfo& method = protocol::info(protocol::method_of(request));
   if (call.session.locked && !std::holds_alternative<protocol::Hello>(request))
-    return Answer(token_needed(call.session));
+    return Response(token_needed(call.session));
   if (method.role && call.session.role < *method.role)
-    return Answer(protocol::forbidden("method", method.name, *method.role, call.session.role));
+    return Response(protocol::forbidden("method", method.name, *method.role, call.session.role));
   return std::visit([&](const auto& one) { return handle(call, one); }, request);
 }
 

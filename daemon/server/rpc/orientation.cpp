@@ -24,26 +24,26 @@ Outcome handle(Call& call, const protocol::OrientationSet& request) {
         call.device_view().config().imu == config::ImuType::kSimulator
             ? "orientation.set: the sensor is simulated; turn the ball with sim.set"
             : "orientation.set: needs \"imu\": {\"type\": \"external\"} in the configuration");
-    return Answer(std::move(e));
+    return Response(std::move(e));
   }
   if (context.orientation_feeder == 0) context.orientation_feeder = call.session.id;
   if (context.orientation_feeder != call.session.id) {
-    return Answer(protocol::error(protocol::ErrorCode::kClaimed,
-                                  "claimed: another client feeds the orientation"));
+    return Response(protocol::error(protocol::ErrorCode::kClaimed,
+                                    "claimed: another client feeds the orientation"));
   }
   call.device_view().set_orientation(request.quaternion);
-  return Answer(protocol::Done{});
+  return Response(protocol::Done{});
 }
 
 Outcome handle(Call& call, const protocol::OrientationRecenter& request) {
-  if (!call.device_view().now().orientation_present) return Answer(no_imu("orientation"));
+  if (!call.device_view().now().orientation_present) return Response(no_imu("orientation"));
   const auto seq =
       call.device_view().outbox().add(call.session.id, control::Recenter{request.azimuth_deg});
-  if (!seq) return Answer(queue_full(call.device_view().outbox()));
-  return Deferred{[seq = *seq](HandlerContext& context, bool give_up) -> std::optional<Answer> {
+  if (!seq) return Response(queue_full(call.device_view().outbox()));
+  return Deferred{[seq = *seq](HandlerContext& context, bool give_up) -> std::optional<Response> {
     if (context.device_view.now().applied_seq >= seq)
-      return Answer(protocol::RecenterResult{context.device_view.now().yaw_offset_deg});
-    return give_up ? std::optional<Answer>(control_stuck()) : std::nullopt;
+      return Response(protocol::RecenterResult{context.device_view.now().yaw_offset_deg});
+    return give_up ? std::optional<Response>(control_stuck()) : std::nullopt;
   }};
 }
 

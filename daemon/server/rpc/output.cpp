@@ -5,10 +5,10 @@
 namespace hedgehog::server {
 
 Outcome handle(Call& call, const protocol::OutputSetGain& request) {
-  const auto seq = call.device_view().ask_gain(call.session.id, request.gain);
-  if (!seq) return Answer(queue_full(call.device_view().outbox()));
+  const auto seq = call.device_view().request_gain(call.session.id, request.gain);
+  if (!seq) return Response(queue_full(call.device_view().outbox()));
   call.context.state_store.persist_gain(request.gain);
-  return Answer(protocol::GainResult{request.gain, *seq});
+  return Response(protocol::GainResult{request.gain, *seq});
 }
 
 }  // namespace hedgehog::server

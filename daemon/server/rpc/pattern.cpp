@@ -13,18 +13,19 @@ protocol::RpcError not_kept(const std::string& what) {
 }
 
 /// `answer` once it is on disk. `otherwise`: consequence of a restart before that.
-Deferred when_written(DiskWorkPtr work, std::string otherwise, Answer answer) {
-  return {[work = std::move(work), otherwise = std::move(otherwise), answer = std::move(answer)](
-              HandlerContext&, bool give_up) -> std::optional<Answer> {
+Deferred when_written(DiskWorkPtr work, std::string otherwise, Response response) {
+  return {[work = std::move(work), otherwise = std::move(otherwise),
+           response = std::move(response)](HandlerContext&,
+                                           bool give_up) -> std::optional<Response> {
     if (!work->done.load(std::memory_order_acquire))
-      return give_up ? std::optional(Answer(not_kept("done, but the disk is slow; until it has "
-                                                     "written, a restart would " +
-                                                     otherwise)))
+      return give_up ? std::optional(Response(not_kept("done, but the disk is slow; until it has "
+                                                       "written, a restart would " +
+                                                       otherwise)))
                      : std::nullopt;
     if (!work->problem.empty())
-      return Answer(not_kept("done, but not surely on disk, so a restart may " + otherwise + ": " +
-                             work->problem));
-    return answer;
+      return Response(not_kept("done, but not surely on disk, so a restart may " + otherwise +
+                               ": " + work->problem));
+    return response;
   }};
 }
 
@@ -38,26 +39,26 @@ Outcome handle(Call& call, const protocol::PatternGet& request) {
   const PatternLibrary& patterns = call.context.patterns;
   const PatternLibrary::Entry* entry = patterns.find(request.name);
   if (entry == nullptr)
-    return Answer(protocol::no_such_pattern("name", request.name, patterns.names()));
-  return Answer(protocol::PatternResult{entry->pattern, PatternLibrary::summary(*entry).duration_ms,
-                                        entry->shipped});
+    return Response(protocol::no_such_pattern("name", request.name, patterns.names()));
+  return Response(protocol::PatternResult{
+      entry->pattern, PatternLibrary::summary(*entry).duration_ms, entry->shipped});
 }
 
 Outcome handle(Call& call, const protocol::PatternPut& request) {
   PatternLibrary& patterns = call.context.patterns;
   if (const auto track = make_keyframe_track(request.pattern.keyframes, call.device_view().array());
       track.has_error())
-    return Answer(track.error());
+    return Response(track.error());
   auto work = patterns.put(request.pattern);
-  if (work.has_error()) return Answer(work.error());
+  if (work.has_error()) return Response(work.error());
   return when_written(std::move(*work), "forget it",
-                      Answer(PatternLibrary::summary(*patterns.find(request.pattern.name))));
+                      Response(PatternLibrary::summary(*patterns.find(request.pattern.name))));
 }
 
 Outcome handle(Call& call, const protocol::PatternRemove& request) {
   auto work = call.context.patterns.remove(request.name);
-  if (work.has_error()) return Answer(work.error());
-  return when_written(std::move(*work), "bring it back", Answer(protocol::Done{}));
+  if (work.has_error()) return Response(work.error());
+  return when_written(std::move(*work), "bring it back", Response(protocol::Done{}));
 }
 
 }  // namespace hedgehog::server

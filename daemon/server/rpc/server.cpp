@@ -19,7 +19,7 @@
 namespace hedgehog::server {
 namespace {
 
-bool wants(const EventSubscription& subscription, std::string_view type) {
+bool matches(const EventSubscription& subscription, std::string_view type) {
   return subscription.types.empty() ||
          std::find(subscription.types.begin(), subscription.types.end(), type) !=
              subscription.types.end();
@@ -27,13 +27,13 @@ bool wants(const EventSubscription& subscription, std::string_view type) {
 
 }  // namespace
 
-Server::Server(DeviceView& device_view, StateStore& memory, PatternLibrary& patterns,
+Server::Server(DeviceView& device_view, StateStore& state_store, PatternLibrary& patterns,
                EventHistory& history, EventListener listener, WallClock wall_clock)
     : device_view_(device_view),
       listener_(std::move(listener)),
       wall_clock_(std::move(wall_clock)),
       status_(device_view, effects_),
-      context_{device_view, effects_, keyframes_, patterns, history, claim_, status_, memory},
+      context_{device_view, effects_, keyframes_, patterns, history, claim_, status_, state_store},
       dispatcher_(context_),
       telemetry_(context_) {
   context_.counters = known_counters();
@@ -125,7 +125,7 @@ void Server::pump() {
   dispatcher_.poll();
   release();
   telemetry_.pump();
-  keep_telemetry();
+  record_telemetry();
   context_.history.pump(wall_clock_());
 }
 
@@ -168,7 +168,7 @@ void Server::notify(const control::Event& event, const Effect* effect) {
     std::string line;
     for (const auto& [id, session] : context_.sessions) {
       const bool foreign = of_effect && (effect == nullptr || effect->owner != id);
-      if (!session->events || !wants(*session->events, view->type) ||
+      if (!session->events || !matches(*session->events, view->type) ||
           (foreign && session->events->scope == protocol::Scope::kMine))
         continue;
       if (line.empty()) line = protocol::encode_event(*view);
@@ -177,11 +177,11 @@ void Server::notify(const control::Event& event, const Effect* effect) {
   }
   if (listener_) listener_(event, effect);
   // After the listener, which persists a latch first.
-  if (view) remember(*view, event, effect);
+  if (view) record_event(*view, event, effect);
 }
 
-void Server::remember(const protocol::Event& view, const control::Event& event,
-                      const Effect* effect) {
+void Server::record_event(const protocol::Event& view, const control::Event& event,
+                          const Effect* effect) {
   TripRecordings* recordings = context_.recordings;
   const unsigned recording = recordings != nullptr && event.trip ? recordings->tripped() : 0;
   context_.history.record(view, wall_clock_(), effect, recording);
@@ -202,7 +202,7 @@ std::function<std::shared_ptr<const std::string>()> Server::read_recording(
   };
 }
 
-void Server::keep_telemetry() {
+void Server::record_telemetry() {
   const control::StatusSnapshot& now = device_view_.now();
   context_.telemetry.watch(now);
   if (context_.telemetry.due(now.tick)) context_.telemetry.add(now, status_.status(false));
@@ -217,7 +217,7 @@ void Server::announce_shutdown(std::string reason) {
   context_.history.record(event, wall_clock_(), nullptr);
   const std::string line = protocol::encode_event(event);
   for (const auto& [id, session] : context_.sessions)
-    if (session->events && wants(*session->events, event.type))
+    if (session->events && matches(*session->events, event.type))
       session->sink->send(line, LineKind::kEvent);
 }
 

@@ -32,7 +32,7 @@ class Server {
   /// Milliseconds since 1970, for recorded events.
   using WallClock = std::function<std::int64_t()>;
 
-  Server(DeviceView& device_view, StateStore& memory, PatternLibrary& patterns,
+  Server(DeviceView& device_view, StateStore& state_store, PatternLibrary& patterns,
          EventHistory& history, EventListener listener, WallClock wall_clock);
 
   /// The scanner of device.list; outlives the server.
@@ -106,8 +106,8 @@ class Server {
   void take_effect_times();
   void take_events();
   void notify(const control::Event& event, const Effect* effect);
-  void remember(const protocol::Event& view, const control::Event& event, const Effect* effect);
-  void keep_telemetry();
+  void record_event(const protocol::Event& view, const control::Event& event, const Effect* effect);
+  void record_telemetry();
 
   DeviceView& device_view_;
   EventListener listener_;

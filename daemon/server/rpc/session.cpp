@@ -47,12 +47,12 @@ std::optional<protocol::RpcError> HandlerContext::log_in(Session& session,
 }
 
 Outcome handle(Call& call, const protocol::Hello& request) {
-  if (call.session.ended) return Answer(token_needed(call.session));
+  if (call.session.ended) return Response(token_needed(call.session));
   if (request.token) {
     if (auto refusal = call.context.log_in(call.session, *request.token))
-      return Answer(*std::move(refusal));
+      return Response(*std::move(refusal));
   } else if (call.session.locked) {
-    return Answer(token_needed(call.session));
+    return Response(token_needed(call.session));
   }
   if (!request.client.empty()) call.session.client = request.client;
   const DeviceView& device_view = call.device_view();
@@ -74,11 +74,11 @@ Outcome handle(Call& call, const protocol::Hello& request) {
   result.limits.telemetry_hz = config.telemetry_max_rate_hz;
   result.limits.effects = EffectRegistry::kMaxEach;
   result.limits.line_bytes = protocol::kMaxLineBytes;
-  return Answer(std::move(result));
+  return Response(std::move(result));
 }
 
 Outcome handle(Call& call, const protocol::Ping&) {
-  return Answer(protocol::PingResult{call.device_view().time_ns(call.device_view().now().tick)});
+  return Response(protocol::PingResult{call.device_view().time_ns(call.device_view().now().tick)});
 }
 
 Outcome handle(Call& call, const protocol::ConnectionList&) {
@@ -102,7 +102,7 @@ Outcome handle(Call& call, const protocol::ConnectionList&) {
       info.effects.push_back(context.status.effect(*effect));
     result.connections.push_back(std::move(info));
   }
-  return Answer(std::move(result));
+  return Response(std::move(result));
 }
 
 }  // namespace hedgehog::server

@@ -13,7 +13,7 @@ namespace {
 
 using protocol::RpcError;
 
-RpcError real_ball(const char* method) {
+RpcError not_simulated(const char* method) {
   return protocol::error(protocol::ErrorCode::kUnsupported,
                          std::string(method) + ": this daemon drives a real ball");
 }
@@ -91,32 +91,32 @@ protocol::SimTruthResult truth_result(const device::PlantTruth& truth) {
 
 Outcome handle(Call& call, const protocol::SimSet& request) {
   DeviceView& device_view = call.device_view();
-  if (!device_view.simulated()) return Answer(real_ball("sim.set"));
+  if (!device_view.simulated()) return Response(not_simulated("sim.set"));
   device::SimulatorSettings settings = device_view.simulator();
   settings.ambient_c = request.ambient_c.value_or(settings.ambient_c);
   if (request.fault) {
-    if (auto refused = set_faults(*request.fault, settings)) return Answer(*std::move(refused));
+    if (auto refused = set_faults(*request.fault, settings)) return Response(*std::move(refused));
   }
   if (request.errors) {
-    if (auto refused = set_errors(*request.errors, settings)) return Answer(*std::move(refused));
+    if (auto refused = set_errors(*request.errors, settings)) return Response(*std::move(refused));
   }
   if (request.orientation && device_view.config().imu != config::ImuType::kSimulator) {
-    return Answer(protocol::error(protocol::ErrorCode::kUnsupported,
-                                  "orientation: the sensor is not simulated here"));
+    return Response(protocol::error(protocol::ErrorCode::kUnsupported,
+                                    "orientation: the sensor is not simulated here"));
   }
   if (request.orientation) device_view.set_orientation(*request.orientation);
   if (settings != device_view.simulator()) device_view.set_simulator(settings);
-  return Answer(sim_result(device_view.simulator()));
+  return Response(sim_result(device_view.simulator()));
 }
 
 Outcome handle(Call& call, const protocol::SimTruth&) {
   DeviceView& device_view = call.device_view();
-  if (!device_view.simulated()) return Answer(real_ball("sim.truth"));
-  if (device_view.truth().known) return Answer(truth_result(device_view.truth()));
-  return Deferred{[](HandlerContext& context, bool give_up) -> std::optional<Answer> {
+  if (!device_view.simulated()) return Response(not_simulated("sim.truth"));
+  if (device_view.truth().known) return Response(truth_result(device_view.truth()));
+  return Deferred{[](HandlerContext& context, bool give_up) -> std::optional<Response> {
     const device::PlantTruth& truth = context.device_view.truth();
-    if (truth.known) return Answer(truth_result(truth));
-    return give_up ? std::optional<Answer>(protocol::busy("the simulated board is silent", 1000))
+    if (truth.known) return Response(truth_result(truth));
+    return give_up ? std::optional<Response>(protocol::busy("the simulated board is silent", 1000))
                    : std::nullopt;
   }};
 }

@@ -7,7 +7,7 @@
 namespace hedgehog::server {
 namespace {
 
-Answer forecast_result(const DeviceView& device_view, const model::Forecast& f) {
+Response forecast_result(const DeviceView& device_view, const model::Forecast& f) {
   if (!device_view.temperature_known()) {
     protocol::ForecastResult unknown;
     unknown.seconds_to_derating = 0.0;
@@ -18,13 +18,13 @@ Answer forecast_result(const DeviceView& device_view, const model::Forecast& f) 
                                   f.recovery_s, true};
 }
 
-Answer forecast_of(const DeviceView& device_view, const model::AskedCurrents& asked) {
-  return forecast_result(device_view,
-                         device_view.forecaster().forecast(device_view.forecast_start(), asked));
+Response forecast_of(const DeviceView& device_view, const model::RequestedCurrents& requested) {
+  return forecast_result(
+      device_view, device_view.forecaster().forecast(device_view.forecast_start(), requested));
 }
 
-Answer forecast_current(const DeviceView& device_view, double current_a,
-                        const std::optional<protocol::Direction>& direction) {
+Response forecast_current(const DeviceView& device_view, double current_a,
+                          const std::optional<protocol::Direction>& direction) {
   if (current_a > device_view.limits().current_a)
     return protocol::out_of_range("current_a", device_view.limits().current_a, current_a);
   if (!direction) {
@@ -35,14 +35,14 @@ Answer forecast_current(const DeviceView& device_view, double current_a,
   if (towards.has_error()) return towards.error();
   const model::CoilCurrents currents =
       model::currents_for({current_a * *towards}, device_view.config().device.coils);
-  return forecast_of(device_view, model::AskedCurrents::constant(currents.a));
+  return forecast_of(device_view, model::RequestedCurrents::constant(currents.a));
 }
 
-Answer forecast_spec(const DeviceView& device_view, const model::EffectSpec& spec,
-                     const KeyframeTrack* track) {
+Response forecast_spec(const DeviceView& device_view, const model::EffectSpec& spec,
+                       const KeyframeTrack* track) {
   return forecast_of(device_view, load_of(spec, track, device_view.config().device.coils,
                                           device_view.now().orientation)
-                                      .asked());
+                                      .requested());
 }
 
 }  // namespace
@@ -53,12 +53,12 @@ Outcome handle(Call& call, const protocol::ThermalForecast& request) {
     return forecast_current(device_view, *request.current_a, request.direction);
   if (request.start) {
     const auto plan = plan_start(call.plan_context(), *request.start);
-    return plan.has_error() ? Answer(plan.error())
+    return plan.has_error() ? Response(plan.error())
                             : forecast_spec(device_view, plan->spec, plan->track.get());
   }
   const control::EffectId number = request.effect.value_or(0);
   const Effect* effect = call.context.effects.any(number);
-  return effect == nullptr ? Answer(protocol::no_such_effect(number))
+  return effect == nullptr ? Response(protocol::no_such_effect(number))
                            : forecast_spec(device_view, effect->spec, effect->track.get());
 }
 

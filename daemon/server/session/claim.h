@@ -11,20 +11,20 @@ namespace hedgehog::server {
 class Claim {
  public:
   /// Another client holds it at `now`.
-  bool excludes(ConnectionId who, model::Tick now) const noexcept {
-    return holder(now) != 0 && holder(now) != who;
+  bool excludes(ConnectionId id, model::Tick now) const noexcept {
+    return holder(now) != 0 && holder(now) != id;
   }
   /// 0: none.
   ConnectionId holder(model::Tick now) const noexcept { return now < until_ ? holder_ : 0; }
   model::Tick remaining(model::Tick now) const noexcept { return now < until_ ? until_ - now : 0; }
 
   /// Takes or renews the lease. REQUIRES: !excludes(who, now).
-  void take(ConnectionId who, model::Tick now, model::Tick lease) noexcept {
-    holder_ = who;
+  void take(ConnectionId id, model::Tick now, model::Tick lease) noexcept {
+    holder_ = id;
     until_ = now + lease;
   }
-  void release(ConnectionId who) noexcept {
-    if (holder_ == who) {
+  void release(ConnectionId id) noexcept {
+    if (holder_ == id) {
       holder_ = 0;
       until_ = 0;
     }

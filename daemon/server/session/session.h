@@ -81,7 +81,7 @@ struct Session {
   std::size_t held = 0;
   /// Number of them, from the first, that were sent before an executed emergency stop, or before
   /// the connection closed: they start nothing any more.
-  std::size_t overtaken = 0;
+  std::size_t bypassed = 0;
 };
 
 }  // namespace hedgehog::server

@@ -23,14 +23,14 @@ bool WriteQueue::push(Line line) {
   if (bytes_ + size > max_bytes_) drop_telemetry();
   if (bytes_ + size > max_bytes_) return false;
   bytes_ += size;
-  if (line.kind == LineKind::kAnswer) answer_bytes_ += size;
+  if (line.kind == LineKind::kResponse) response_bytes_ += size;
   lines_.push_back(std::move(line));
   return true;
 }
 
 void WriteQueue::move_next() {
   Line& line = lines_.front();
-  if (line.kind == LineKind::kAnswer) sending_answers_ += line.text.size();
+  if (line.kind == LineKind::kResponse) sending_responses_ += line.text.size();
   if (line.shared && lines_.size() == 1 && sending_.empty())
     sending_shared_ = std::move(line.shared);
   else
@@ -52,11 +52,11 @@ const std::string& WriteQueue::take() {
 
 void WriteQueue::sent() noexcept {
   bytes_ -= sending().size();
-  answer_bytes_ -= sending_answers_;
+  response_bytes_ -= sending_responses_;
   sending_.clear();
   sending_shared_.reset();
   sent_bytes_ = 0;
-  sending_answers_ = 0;
+  sending_responses_ = 0;
 }
 
 void WriteQueue::drop_telemetry() {

@@ -13,7 +13,7 @@
 
 namespace hedgehog::server {
 
-enum class LineKind : std::uint8_t { kAnswer, kEvent, kTelemetry };
+enum class LineKind : std::uint8_t { kResponse, kEvent, kTelemetry };
 
 /// A line of telemetry, including its LF, shared by several clients.
 using SharedLine = std::shared_ptr<const std::string>;
@@ -52,7 +52,7 @@ class WriteQueue {
   /// Size of all lines, including the buffer being sent.
   std::size_t bytes() const noexcept { return bytes_; }
   /// Size of the responses among them.
-  std::size_t answer_bytes() const noexcept { return answer_bytes_; }
+  std::size_t response_bytes() const noexcept { return response_bytes_; }
   std::uint64_t telemetry_dropped() const noexcept { return dropped_; }
   /// Number of lines dropped since the last call.
   std::uint64_t take_dropped() noexcept {
@@ -78,13 +78,13 @@ class WriteQueue {
   std::size_t max_bytes_;
   std::deque<Line> lines_;
   std::size_t bytes_ = 0;
-  std::size_t answer_bytes_ = 0;
+  std::size_t response_bytes_ = 0;
   std::uint64_t dropped_ = 0;
   std::uint64_t taken_dropped_ = 0;
   std::string sending_;
   SharedLine sending_shared_;
   std::size_t sent_bytes_ = 0;
-  std::size_t sending_answers_ = 0;  // bytes
+  std::size_t sending_responses_ = 0;  // bytes
 };
 
 }  // namespace hedgehog::server

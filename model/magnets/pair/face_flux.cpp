@@ -100,8 +100,8 @@ FaceForce FaceFlux::first(double distance_mm, double accuracy) const noexcept {
 }
 
 FaceForce FaceFlux::refined(double distance_mm, const FaceForce& known,
-                            double wanted_n) const noexcept {
-  const double decades = std::log10(known.error_n / wanted_n);
+                            double tolerance_n) const noexcept {
+  const double decades = std::log10(known.error_n / tolerance_n);
   const double more = std::ceil(decades / decades_per_order(rim_ratio(distance_mm)));
   const int order =
       std::min(known.order + std::clamp(static_cast<int>(more), 1, 6), DiskRule::kMaxOrder);
@@ -116,13 +116,13 @@ PairForce settle(const FaceFlux& flux, double bottom_mm, FaceForce& bottom, doub
     const double force_n = top.force_n - bottom.force_n;
     const double error_n = top.error_n + bottom.error_n;
     const double larger_n = std::max(std::abs(top.force_n), std::abs(bottom.force_n));
-    const double wanted_n = accuracy * std::max(std::abs(force_n), kOfOneFace * larger_n);
+    const double tolerance_n = accuracy * std::max(std::abs(force_n), kOfOneFace * larger_n);
     const bool top_is_worse = top.error_n > bottom.error_n;
     FaceForce& worse = top_is_worse ? top : bottom;
-    if (error_n <= wanted_n || worse.order >= DiskRule::kMaxOrder ||
+    if (error_n <= tolerance_n || worse.order >= DiskRule::kMaxOrder ||
         worse.error_n <= 2.0 * kRounding * larger_n)
       return {force_n, error_n};
-    worse = flux.refined(top_is_worse ? top_mm : bottom_mm, worse, 0.5 * wanted_n);
+    worse = flux.refined(top_is_worse ? top_mm : bottom_mm, worse, 0.5 * tolerance_n);
   }
 }
 

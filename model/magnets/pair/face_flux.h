@@ -23,9 +23,9 @@ class FaceFlux {
   /// The face at `distance_mm` from the sphere's centre, with the order expected to suffice for
   /// `accuracy`.
   FaceForce first(double distance_mm, double accuracy) const noexcept;
-  /// The same face with the order expected to reduce the error to `wanted_n`; at least one more
+  /// The same face with the order expected to reduce the error to `tolerance_n`; at least one more
   /// than `known`. REQUIRES: 0 < known.order < DiskRule::kMaxOrder.
-  FaceForce refined(double distance_mm, const FaceForce& known, double wanted_n) const noexcept;
+  FaceForce refined(double distance_mm, const FaceForce& known, double tolerance_n) const noexcept;
 
  private:
   struct Integral {

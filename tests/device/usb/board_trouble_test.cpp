@@ -31,7 +31,7 @@ TEST(BoardOnUsb, PulledOutInTheMiddleOfATransferItIsClosedAndFoundAgain) {
   board.listens = false;  // frames to it stay in transfer
   bench.run(board, 300);
   board.plugged = false;
-  bench.run(static_cast<int>(BoardFinder::kLook.count()) + 2);
+  bench.run(static_cast<int>(BoardFinder::kCheckPeriod.count()) + 2);
   EXPECT_FALSE(bench.finder.usb_info().open);
   EXPECT_FALSE(bench.finder.usb_info().serial);
   EXPECT_EQ(bench.what(), std::string(kSeven) + ": it went away");
@@ -55,10 +55,10 @@ TEST(BoardOnUsb, AStallIsEndedWithoutOpeningItAgain) {
   FakeBoard& board = bench.usb.plug_in("7");
   bench.run(board, 100);
   board.stalled = true;
-  bench.run(board, static_cast<int>(BoardFinder::kLook.count()) + 2);
+  bench.run(board, static_cast<int>(BoardFinder::kCheckPeriod.count()) + 2);
   EXPECT_EQ(board.halts_cleared, 1);
   EXPECT_EQ(board.opened, 1);
-  EXPECT_EQ(bench.finder.usb_info().mended, 1u);
+  EXPECT_EQ(bench.finder.usb_info().recovered, 1u);
   const std::size_t before = bench.received.size();
   bench.run(board, 100);
   EXPECT_GE(bench.received.size(), before + 100);
@@ -86,7 +86,7 @@ TEST(BoardOnUsb, StallsAgainAndAgainLeadToANewOpening) {
     board.stalled = true;
   }
   bench.run(board, 100);
-  EXPECT_EQ(bench.finder.usb_info().mended, static_cast<std::uint64_t>(BoardFinder::kMaxStalls));
+  EXPECT_EQ(bench.finder.usb_info().recovered, static_cast<std::uint64_t>(BoardFinder::kMaxStalls));
   EXPECT_EQ(bench.finder.usb_info().closed, 1u);
 }
 

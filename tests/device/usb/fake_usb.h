@@ -50,7 +50,7 @@ class FakeUsbPort : public UsbPort {
   }
   ~FakeUsbPort() override {
     --board_.open_ports;
-    board_.left_under_way += static_cast<int>(under_way_.size());
+    board_.left_under_way += static_cast<int>(submitted_.size());
   }
 
   std::span<std::uint8_t, kSlotBytes> buffer(int slot) noexcept override {
@@ -58,7 +58,7 @@ class FakeUsbPort : public UsbPort {
   }
   bool submit(int slot, std::size_t length) noexcept override {
     if (!board_.plugged) return false;
-    under_way_.push_back({slot, TransferEnd::kDone, length});
+    submitted_.push_back({slot, TransferEnd::kDone, length});
     ++board_.begun;
     return true;
   }
@@ -66,13 +66,13 @@ class FakeUsbPort : public UsbPort {
 
   std::size_t poll(std::span<Completion> ended, std::chrono::milliseconds) noexcept override {
     std::size_t count = 0;
-    for (std::size_t i = 0; i < under_way_.size() && count < ended.size();) {
-      Completion one = under_way_[i];
+    for (std::size_t i = 0; i < submitted_.size() && count < ended.size();) {
+      Completion one = submitted_[i];
       if (!ends(one)) {
         ++i;
         continue;
       }
-      under_way_.erase(under_way_.begin() + static_cast<std::ptrdiff_t>(i));
+      submitted_.erase(submitted_.begin() + static_cast<std::ptrdiff_t>(i));
       std::erase(cancelled_, one.slot);
       ended[count++] = one;
     }
@@ -113,7 +113,7 @@ class FakeUsbPort : public UsbPort {
 
   FakeBoard& board_;
   std::array<std::array<std::uint8_t, kSlotBytes>, kSlots> bytes_{};
-  std::deque<Completion> under_way_;
+  std::deque<Completion> submitted_;
   std::vector<int> cancelled_;
 };
 

@@ -30,8 +30,8 @@ Drawn draw(std::uint64_t seed) {
   for (double& value : ball.plant.winding_j_k) off(value, 0.2);
   for (double& value : ball.plant.winding_to_core_k_w) off(value, 0.2);
   off(ball.plant.core_j_k, 0.2);
-  off(ball.plant.core_to_room_fan_k_w, 0.2);
-  off(ball.plant.core_to_room_still_k_w, 0.2);
+  off(ball.plant.core_to_ambient_fan_k_w, 0.2);
+  off(ball.plant.core_to_ambient_still_k_w, 0.2);
   for (double& value : ball.plant.r25_ohm) off(value, 0.03);
   for (double& value : ball.readings.current_gain) off(value, 0.02);
   for (double& value : ball.readings.current_offset_a) value = random.uniform(-0.02, 0.02);
@@ -75,11 +75,12 @@ std::vector<Deviation> deviations(const ThermalFound& found, const Drawn& ball) 
                  found.uncertainty});
   all.push_back(
       {"core_to_room_fan_k_w",
-       found.thermal.core_to_room_fan_k_w / ball.plant.core_to_room_fan_k_w * mean_gain - 1,
+       found.thermal.core_to_ambient_fan_k_w / ball.plant.core_to_ambient_fan_k_w * mean_gain - 1,
        found.uncertainty});
   all.push_back(
       {"core_to_room_still_k_w",
-       found.thermal.core_to_room_still_k_w / ball.plant.core_to_room_still_k_w * mean_gain - 1,
+       found.thermal.core_to_ambient_still_k_w / ball.plant.core_to_ambient_still_k_w * mean_gain -
+           1,
        found.still_uncertainty});
   return all;
 }

@@ -30,8 +30,8 @@ using boost::system::error_code;
 
 constexpr std::uint32_t kMaxHeaderBytes = 8 * 1024;
 constexpr std::uint64_t kMaxBodyBytes = 1024;
-constexpr std::chrono::seconds kPatience{30};
-constexpr std::chrono::seconds kDiskPatience{5};
+constexpr std::chrono::seconds kTimeout{30};
+constexpr std::chrono::seconds kDiskTimeout{5};
 constexpr std::chrono::milliseconds kDiskPause{5};
 constexpr const char* kContentPolicy =
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; "
@@ -67,14 +67,14 @@ HttpRequest value_of(const UpgradeRequest& request) {
   return value;
 }
 
-HttpAnswer answer_to(error_code broken) {
+HttpResponse answer_to(error_code broken) {
   if (broken == http::error::header_limit || broken == http::error::buffer_overflow)
     return http_error(431, "at most 8 KiB of headers");
   if (broken == http::error::body_limit) return http_error(413, "no body is needed here");
   return http_error(400, "this is no HTTP request");
 }
 
-void fill(http::fields& fields, const HttpAnswer& answer) {
+void fill(http::fields& fields, const HttpResponse& answer) {
   fields.set(http::field::server, "hedgehogd");
   fields.set(http::field::content_type, answer.type);
   fields.set(http::field::cache_control, answer.cache_control);
@@ -95,7 +95,7 @@ void fill(http::fields& fields, const HttpAnswer& answer) {
 }
 
 /// `head`: without the body.
-asio::awaitable<bool> send(HttpStream& stream, const HttpAnswer& answer, bool head,
+asio::awaitable<bool> send(HttpStream& stream, const HttpResponse& answer, bool head,
                            bool keep_alive) {
   error_code ec;
   if (head || answer.status == 304) {
@@ -118,10 +118,10 @@ asio::awaitable<bool> send(HttpStream& stream, const HttpAnswer& answer, bool he
 }
 
 /// Waits for the disk; an unreadable file or a timeout becomes an error.
-asio::awaitable<void> complete(HttpStream& stream, HttpAnswer& answer) {
+asio::awaitable<void> complete(HttpStream& stream, HttpResponse& answer) {
   const auto pending = std::exchange(answer.pending, nullptr);
   asio::steady_timer pause(stream.get_executor());
-  const auto until = std::chrono::steady_clock::now() + kDiskPatience;
+  const auto until = std::chrono::steady_clock::now() + kDiskTimeout;
   auto body = pending();
   for (; body == nullptr; body = pending()) {
     if (std::chrono::steady_clock::now() > until) {
@@ -154,7 +154,7 @@ asio::awaitable<void> serve(HttpStream given, HttpEndpoint& endpoint,
     http::request_parser<http::string_body> parser;
     parser.header_limit(kMaxHeaderBytes);
     parser.body_limit(kMaxBodyBytes);
-    stream.expires_after(kPatience);
+    stream.expires_after(kTimeout);
     error_code ec;
     co_await http::async_read(stream, buffer, parser,
                               asio::redirect_error(asio::use_awaitable, ec));
@@ -169,7 +169,7 @@ asio::awaitable<void> serve(HttpStream given, HttpEndpoint& endpoint,
     HttpRequest value = value_of(request);
     value.tls = stream.is_tls();
     if (value.tls) value.address = address_of(stream);
-    HttpAnswer answer;
+    HttpResponse answer;
     if (websocket::is_upgrade(request) && value.path() == "/ws") {
       auto refusal = endpoint.site.refusal(value);
       auto session = refusal ? std::nullopt : endpoint.admit(stream.socket(), value.tls);

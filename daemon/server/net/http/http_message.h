@@ -32,7 +32,7 @@ struct HttpRequest {
   std::string path() const { return target.substr(0, target.find('?')); }
 };
 
-struct HttpAnswer {
+struct HttpResponse {
   int status = 200;
   std::string type = "text/plain; charset=utf-8";
   std::shared_ptr<const std::string> body = std::make_shared<std::string>();
@@ -55,7 +55,7 @@ struct HttpAnswer {
 };
 
 /// An error as one sentence for display.
-inline HttpAnswer http_error(int status, const std::string& sentence) {
+inline HttpResponse http_error(int status, const std::string& sentence) {
   return {status, "text/plain; charset=utf-8", std::make_shared<std::string>(sentence + "\n")};
 }
 

@@ -19,7 +19,7 @@ bool is_own_host(std::string_view host);
 
 /// The reason as one sentence, and the `reason` of the metrics.
 struct Refusal {
-  HttpAnswer answer;
+  HttpResponse answer;
   std::string_view reason;
 };
 

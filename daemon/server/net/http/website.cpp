@@ -17,9 +17,9 @@ namespace {
 constexpr std::chrono::seconds kMaxControlSilence{1};
 
 /// `error` as an HTTP response.
-HttpAnswer unauthorized(const protocol::RpcError& error) {
+HttpResponse unauthorized(const protocol::RpcError& error) {
   if (error.code == protocol::ErrorCode::kBusy) return http_error(503, error.message);
-  HttpAnswer answer = http_error(401, error.message);
+  HttpResponse answer = http_error(401, error.message);
   answer.challenge = "Bearer realm=\"hedgehogd\"";
   return answer;
 }
@@ -31,7 +31,7 @@ Website::Website(Server& server, const std::string& pages, std::vector<std::stri
   if (!pages_.problem().empty()) spdlog::warn("{}", pages_.problem());
 }
 
-std::optional<HttpAnswer> Website::refusal(const HttpRequest& request) {
+std::optional<HttpResponse> Website::refusal(const HttpRequest& request) {
   auto refusal = refused(request, allow_origins_);
   if (!refusal) return std::nullopt;
   ++server_.counters().rejected[refusal->reason];
@@ -40,16 +40,16 @@ std::optional<HttpAnswer> Website::refusal(const HttpRequest& request) {
   return std::move(refusal->answer);
 }
 
-HttpAnswer Website::answer(const HttpRequest& request) {
+HttpResponse Website::answer(const HttpRequest& request) {
   if (auto no = refusal(request)) return *std::move(no);
   if (request.method != "GET" && request.method != "HEAD") {
-    HttpAnswer answer = http_error(405, "only GET and HEAD here; the protocol is spoken on /ws");
+    HttpResponse answer = http_error(405, "only GET and HEAD here; the protocol is spoken on /ws");
     answer.allow = "GET, HEAD";
     return answer;
   }
   const std::string path = request.path();
   const bool live = path == "/metrics" || path == "/healthz" || path.starts_with(kRecordingsPath);
-  if (live && !request.tls) return live_answer(path);
+  if (live && !request.tls) return live_response(path);
   if (live) {
     Session session;
     session.transport = "https";
@@ -57,7 +57,7 @@ HttpAnswer Website::answer(const HttpRequest& request) {
     session.locked = true;
     if (auto no = log_in(session, request)) return *std::move(no);
     if (session.locked) return unauthorized(token_needed(session));
-    HttpAnswer answer = live_answer(path);
+    HttpResponse answer = live_response(path);
     answer.authorized = true;
     return answer;
   }
@@ -65,13 +65,13 @@ HttpAnswer Website::answer(const HttpRequest& request) {
   return page(request);
 }
 
-std::optional<HttpAnswer> Website::log_in(Session& session, const HttpRequest& request) {
+std::optional<HttpResponse> Website::log_in(Session& session, const HttpRequest& request) {
   if (!request.token) return std::nullopt;
   const auto error = server_.log_in(session, *request.token);
   return error ? std::optional(unauthorized(*error)) : std::nullopt;
 }
 
-HttpAnswer Website::live_answer(const std::string& path) {
+HttpResponse Website::live_response(const std::string& path) {
   if (path == "/metrics") {
     return {200, "text/plain; version=0.0.4; charset=utf-8",
             std::make_shared<const std::string>(metrics_text(server_))};
@@ -80,15 +80,15 @@ HttpAnswer Website::live_answer(const std::string& path) {
   return recording(path.substr(kRecordingsPath.size()));
 }
 
-HttpAnswer Website::recording(const std::string& name) const {
+HttpResponse Website::recording(const std::string& name) const {
   if (!server_.has_recording(name)) return http_error(404, "there is no such recording");
-  HttpAnswer answer{200, "application/octet-stream"};
+  HttpResponse answer{200, "application/octet-stream"};
   answer.filename = name;
   answer.pending = server_.read_recording(name);
   return answer.pending ? answer : http_error(503, "the disk is slow; ask again");
 }
 
-HttpAnswer Website::health() const {
+HttpResponse Website::health() const {
   const control::StatusSnapshot& now = server_.device_view().now();
   if (server_.control_silent() > kMaxControlSilence)
     return http_error(503, "the control loop stands still");
@@ -98,16 +98,16 @@ HttpAnswer Website::health() const {
   return http_error(200, text);
 }
 
-HttpAnswer Website::page(const HttpRequest& request) const {
+HttpResponse Website::page(const HttpRequest& request) const {
   const base::WebFile* page = pages_.find(request.path());
   if (page == nullptr && request.path() == "/") {
     return http_error(404, "hedgehogd is here, but the dashboard's pages are not: " +
                                pages_.problem() + ". The rest works: /ws, /metrics, /healthz");
   }
   if (page == nullptr) return http_error(404, "there is no such page");
-  base::WebFileAnswer file =
-      base::web_file_answer(*page, request.accept_encoding, request.if_none_match);
-  HttpAnswer answer{file.body ? 200 : 304, std::string(page->type)};
+  base::WebFileResponse file =
+      base::web_file_response(*page, request.accept_encoding, request.if_none_match);
+  HttpResponse answer{file.body ? 200 : 304, std::string(page->type)};
   if (file.body) answer.body = std::move(file.body);
   answer.etag = std::move(file.etag);
   answer.cache_control = file.cache_control;

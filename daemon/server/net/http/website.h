@@ -19,20 +19,20 @@ class Website {
   /// `pages`: the folder.
   Website(Server& server, const std::string& pages, std::vector<std::string> allow_origins);
 
-  HttpAnswer answer(const HttpRequest& request);
+  HttpResponse answer(const HttpRequest& request);
   /// Response to a `request` that is rejected for any path; counted and logged. nullopt: accepted.
-  std::optional<HttpAnswer> refusal(const HttpRequest& request);
+  std::optional<HttpResponse> refusal(const HttpRequest& request);
   /// Gives `session` the role of the request's token. Returns the error, 401 or 503. Without a
   /// token the session is not changed.
-  std::optional<HttpAnswer> log_in(Session& session, const HttpRequest& request);
+  std::optional<HttpResponse> log_in(Session& session, const HttpRequest& request);
 
  private:
   /// Resources that are not static.
-  HttpAnswer live_answer(const std::string& path);
-  HttpAnswer health() const;
-  HttpAnswer page(const HttpRequest& request) const;
+  HttpResponse live_response(const std::string& path);
+  HttpResponse health() const;
+  HttpResponse page(const HttpRequest& request) const;
   /// Recording of a trip, linked by the page that lists it: "/recordings/trip-0017.hhr".
-  HttpAnswer recording(const std::string& name) const;
+  HttpResponse recording(const std::string& name) const;
 
   Server& server_;
   WebPages pages_;

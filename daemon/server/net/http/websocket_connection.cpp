@@ -45,7 +45,7 @@ class WebSocketConnection final : public Connection {
   asio::awaitable<error_code> send_next(WriteQueue& queue) override;
   asio::awaitable<void> finish_stream() override;
   void close() noexcept override;
-  std::size_t untaken_bytes() noexcept override;
+  std::size_t unread_bytes() noexcept override;
   /// Reads one whole message into `buffer_`; one that is too long is discarded. False: the client
   /// has closed, or must be disconnected.
   asio::awaitable<bool> read_message();
@@ -75,7 +75,7 @@ asio::awaitable<bool> WebSocketConnection::read_message() {
       buffer_.clear();
       on_received();
       too_long();
-      const bool stays = !has_to_pause() || co_await pause();
+      const bool stays = !must_pause() || co_await pause();
       end_turn();
       if (!stays) co_return false;
     }
@@ -93,7 +93,7 @@ asio::awaitable<void> WebSocketConnection::read() {
     on_received();
     const asio::const_buffer bytes = buffer_.cdata();
     take({static_cast<const char*>(bytes.data()), bytes.size()});
-    if (has_to_pause() && !co_await pause()) co_return;
+    if (must_pause() && !co_await pause()) co_return;
     end_turn();
   }
 }
@@ -118,7 +118,7 @@ asio::awaitable<error_code> WebSocketConnection::send_next(WriteQueue& queue) {
   co_return ec;
 }
 
-std::size_t WebSocketConnection::untaken_bytes() noexcept {
+std::size_t WebSocketConnection::unread_bytes() noexcept {
   return socket_send_queue(stream_.next_layer().socket().native_handle());
 }
 

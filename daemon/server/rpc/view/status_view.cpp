@@ -99,7 +99,7 @@ void StatusView::refresh_forecast() {
   }
   const model::ForecastStart start = device_view_.forecast_start();
   headroom_s_ = device_view_.forecaster().seconds_to_derating(
-      start, model::AskedCurrents::constant(s.limited_a));
+      start, model::RequestedCurrents::constant(s.limited_a));
   burst_s_ = device_view_.forecaster().burst_s(start);
 }
 

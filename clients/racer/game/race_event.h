@@ -46,6 +46,6 @@ struct Reset {
   friend bool operator==(const Reset&, const Reset&) = default;
 };
 
-using Happening = std::variant<Hit, Landing, Skid, Tumble, LapDone, Reset>;
+using RaceEvent = std::variant<Hit, Landing, Skid, Tumble, LapDone, Reset>;
 
 }  // namespace hedgehog::racer

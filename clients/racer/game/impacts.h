@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "clients/racer/game/happening.h"
+#include "clients/racer/game/race_event.h"
 #include "clients/racer/game/world.h"
 
 namespace hedgehog::racer {
@@ -15,7 +15,7 @@ namespace hedgehog::racer {
 /// half sizes (so a corner is 45 degrees), with the elevation of the contact normal.
 model::Vec3 felt_direction(const Contact& contact) noexcept;
 
-class Blows {
+class Impacts {
  public:
   /// Smaller impulses are ignored: 0.15 m/s of the car.
   static constexpr double kMinImpulse = 120.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "clients/racer/happening_text.h"
+#include "clients/racer/race_event_text.h"
 
 #include <fmt/format.h>
 
@@ -33,9 +33,9 @@ std::string json(const Reset&) { return R"("reset")"; }
 
 }  // namespace
 
-std::string to_json(const Happening& happening, double time_s) {
+std::string to_json(const RaceEvent& race_event, double time_s) {
   return fmt::format(R"({{"time_s":{:.9g},"type":{}}})", time_s,
-                     std::visit([](const auto& what) { return json(what); }, happening));
+                     std::visit([](const auto& what) { return json(what); }, race_event));
 }
 
 std::string side_of(const model::Vec3& direction) {
@@ -47,36 +47,36 @@ std::string side_of(const model::Vec3& direction) {
   return kSides[static_cast<std::size_t>((eighth + 8) % 8)];
 }
 
-std::string HappeningLog::ended(const char* what, const Lasting& lasting, double time_s) {
+std::string RaceEventLog::ended(const char* what, const Lasting& lasting, double time_s) {
   return fmt::format("{:>7.2f} s  {}, {:.1f} s long, up to {:.0f} %", time_s, what,
-                     time_s - lasting.since_s, 100.0 * lasting.most);
+                     time_s - lasting.since_s, 100.0 * lasting.max_amount);
 }
 
-std::vector<std::string> HappeningLog::lines(const std::vector<Happening>& happenings,
+std::vector<std::string> RaceEventLog::lines(const std::vector<RaceEvent>& race_events,
                                              double time_s) {
   std::vector<std::string> lines;
   bool skids = false;
   bool tumbles = false;
-  for (const Happening& happening : happenings) {
-    if (const auto* hit = std::get_if<Hit>(&happening)) {
+  for (const RaceEvent& race_event : race_events) {
+    if (const auto* hit = std::get_if<Hit>(&race_event)) {
       lines.push_back(fmt::format("{:>7.2f} s  hit on the {}, {:.0f} N s", time_s,
                                   side_of(hit->direction), hit->impulse_n_s));
-    } else if (const auto* landing = std::get_if<Landing>(&happening)) {
+    } else if (const auto* landing = std::get_if<Landing>(&race_event)) {
       lines.push_back(fmt::format("{:>7.2f} s  landing, {:.0f} N s", time_s, landing->impulse_n_s));
-    } else if (const auto* lap = std::get_if<LapDone>(&happening)) {
+    } else if (const auto* lap = std::get_if<LapDone>(&race_event)) {
       lines.push_back(fmt::format("{:>7.2f} s  lap {} in {:.2f} s", time_s, lap->lap, lap->time_s));
-    } else if (std::holds_alternative<Reset>(happening)) {
+    } else if (std::holds_alternative<Reset>(race_event)) {
       lines.push_back(fmt::format("{:>7.2f} s  put back on the road", time_s));
-    } else if (const auto* skid = std::get_if<Skid>(&happening)) {
+    } else if (const auto* skid = std::get_if<Skid>(&race_event)) {
       skids = true;
       if (skid_.since_s < 0.0) skid_.since_s = time_s;
-      skid_.most = std::max(skid_.most, skid->amount);
-    } else if (const auto* tumble = std::get_if<Tumble>(&happening)) {
+      skid_.max_amount = std::max(skid_.max_amount, skid->amount);
+    } else if (const auto* tumble = std::get_if<Tumble>(&race_event)) {
       tumbles = true;
       if (tumble_.since_s < 0.0) tumble_.since_s = time_s;
       // Fraction of the angle from its wheels to its roof.
       const double over = std::acos(std::clamp(-tumble->down.z, -1.0, 1.0)) / std::acos(-1.0);
-      tumble_.most = std::max(tumble_.most, over);
+      tumble_.max_amount = std::max(tumble_.max_amount, over);
     }
   }
   if (!skids && skid_.since_s >= 0.0) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/complaint.h"
+#include "cli/error_message.h"
 
 #include <gtest/gtest.h>
 
@@ -11,50 +11,50 @@ namespace hedgehog::cli {
 namespace {
 
 /// What is complained of; "" when it is a command line.
-std::string complaint_of(std::vector<std::string> words) {
+std::string message_of(std::vector<std::string> words) {
   SampleApp sample;
   std::reverse(words.begin(), words.end());
   try {
     sample.app.parse(words);
   } catch (const CLI::ParseError& error) {
-    return usage_error(sample.app, complaint(sample.app, error));
+    return usage_error(sample.app, error_message(sample.app, error));
   }
   return "";
 }
 
-TEST(Complaint, NamesTheVerbThatWasMeant) {
-  EXPECT_EQ(complaint_of({"pusj", "left"}),
+TEST(ErrorMessage, NamesTheVerbThatWasMeant) {
+  EXPECT_EQ(message_of({"pusj", "left"}),
             "sample: there is no verb 'pusj'; did you mean 'push'?; sample --help says more");
-  EXPECT_EQ(complaint_of({"preview", "pusj"}),
+  EXPECT_EQ(message_of({"preview", "pusj"}),
             "sample preview: there is no verb 'pusj'; did you mean 'push'?; sample preview --help "
             "says more");
-  EXPECT_EQ(complaint_of({"lists", "remvoe"}),
+  EXPECT_EQ(message_of({"lists", "remvoe"}),
             "sample lists: there is no verb 'remvoe'; did you mean 'remove'?; sample lists --help "
             "says more")
       << "where none is needed, too";
-  EXPECT_EQ(complaint_of({"lists"}), "");
-  EXPECT_EQ(complaint_of({"frobnicate"}),
+  EXPECT_EQ(message_of({"lists"}), "");
+  EXPECT_EQ(message_of({"frobnicate"}),
             "sample: there is no verb 'frobnicate'; sample --help says more");
 }
 
-TEST(Complaint, NamesTheOptionThatWasMeant) {
+TEST(ErrorMessage, NamesTheOptionThatWasMeant) {
   EXPECT_EQ(
-      complaint_of({"push", "left", "--speeed", "3"}),
+      message_of({"push", "left", "--speeed", "3"}),
       "sample push: '--speeed' is not understood; did you mean '--speed'?; sample push --help "
       "says more");
-  EXPECT_EQ(complaint_of({"push", "left", "--adress=x"}),
+  EXPECT_EQ(message_of({"push", "left", "--adress=x"}),
             "sample push: '--adress=x' is not understood; did you mean '--address'?; sample push "
             "--help says more")
       << "those of the program too";
-  EXPECT_EQ(complaint_of({"push", "left", "--loud"}),
+  EXPECT_EQ(message_of({"push", "left", "--loud"}),
             "sample push: '--loud' is not understood; sample push --help says more");
 }
 
-TEST(Complaint, SaysWhatIsMissing) {
-  EXPECT_EQ(complaint_of({}), "sample: a verb is missing; sample --help says more");
-  EXPECT_EQ(complaint_of({"push"}),
+TEST(ErrorMessage, SaysWhatIsMissing) {
+  EXPECT_EQ(message_of({}), "sample: a verb is missing; sample --help says more");
+  EXPECT_EQ(message_of({"push"}),
             "sample push: --side is required; sample push --help says more");
-  EXPECT_EQ(complaint_of({"push", "left"}), "");
+  EXPECT_EQ(message_of({"push", "left"}), "");
 }
 
 }  // namespace

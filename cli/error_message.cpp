@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/complaint.h"
+#include "cli/error_message.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -59,7 +59,7 @@ std::string no_verb(const CLI::App& app, const std::string& word) {
 
 }  // namespace
 
-std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
+std::string error_message(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<const CLI::App*> given = given_verbs(app);
   const std::string word = extra_word(app);
   const bool lacks_verb = given.back()->get_require_subcommand_min() > 0;

@@ -17,16 +17,16 @@ TEST(HostCheck, KnowsItsOwnNames) {
   const HostCheck host_check{"127.0.0.1", 7585};
   for (const char* ours : {"127.0.0.1:7585", "localhost:7585", "LocalHost:7585", "[::1]:7585",
                            "127.9.9.9:7585", "127.0.0.1:17585", "localhost"})
-    EXPECT_TRUE(host_check.is_ours(ours)) << ours;
+    EXPECT_TRUE(host_check.is_own_host(ours)) << ours;
   for (const char* foreign :
        {"", ":7585", "127.0.0.1:758500", "example.com:7585", "127.0.0.1.example.com:7585",
         "localhost.example:7585", "192.168.1.5:7585", "[::2]:7585", "127.1:7585",
         "localhost:7585:7585", "[localhost]:7585"})
-    EXPECT_FALSE(host_check.is_ours(foreign)) << foreign;
-  EXPECT_TRUE((HostCheck{"192.168.1.5", 80}.is_ours("192.168.1.5")));
-  EXPECT_FALSE((HostCheck{"192.168.1.5", 80}.is_ours("192.168.1.6")));
-  EXPECT_TRUE((HostCheck{"0.0.0.0", 7585}.is_ours("10.0.0.7:7585")));
-  EXPECT_FALSE((HostCheck{"0.0.0.0", 7585}.is_ours("bent.example:7585")));
+    EXPECT_FALSE(host_check.is_own_host(foreign)) << foreign;
+  EXPECT_TRUE((HostCheck{"192.168.1.5", 80}.is_own_host("192.168.1.5")));
+  EXPECT_FALSE((HostCheck{"192.168.1.5", 80}.is_own_host("192.168.1.6")));
+  EXPECT_TRUE((HostCheck{"0.0.0.0", 7585}.is_own_host("10.0.0.7:7585")));
+  EXPECT_FALSE((HostCheck{"0.0.0.0", 7585}.is_own_host("bent.example:7585")));
   // And its own page only.
   EXPECT_TRUE(host_check.may_connect("localhost:7585", std::nullopt));
   EXPECT_TRUE(host_check.may_connect("localhost:7585", "http://localhost:7585"));
@@ -47,10 +47,10 @@ TEST(PageMessages, AreTakenOrRefusedWithASentence) {
   const auto keys =
       std::get<KeysHeld>(page_message(R"({"type":"keys","steer":-0.5,"throttle":1,"brake":0})"));
   EXPECT_EQ(keys.controls, (Controls{-0.5, 1.0, 0.0}));
-  EXPECT_EQ(std::get<ModeWanted>(page_message(R"({"type":"mode","mode":"ball"})")).mode,
+  EXPECT_EQ(std::get<ModeRequest>(page_message(R"({"type":"mode","mode":"ball"})")).mode,
             Mode::kBall);
-  EXPECT_FALSE(std::get<PauseWanted>(page_message(R"({"type":"pause","on":false})")).on);
-  EXPECT_TRUE(std::holds_alternative<ResetWanted>(page_message(R"({"type":"reset"})")));
+  EXPECT_FALSE(std::get<PauseRequest>(page_message(R"({"type":"pause","on":false})")).on);
+  EXPECT_TRUE(std::holds_alternative<ResetRequest>(page_message(R"({"type":"reset"})")));
   for (const char* text :
        {"", "{", "[]", "7", "null", "{}", R"({"type":7})", R"({"type":"fly"})",
         R"({"type":"keys","steer":1.5})", R"({"type":"keys","steer":"left"})",
@@ -58,10 +58,10 @@ TEST(PageMessages, AreTakenOrRefusedWithASentence) {
         R"({"type":"pause"})", R"({"type":"pause","on":1})", R"({"type":"mode"})",
         R"({"type":"mode","mode":"autopilot"})", "{\"type\":\"\xff\"}", "\xff\xfe"}) {
     const PageMessage message = page_message(text);
-    ASSERT_TRUE(std::holds_alternative<NotUnderstood>(message)) << text;
-    EXPECT_FALSE(std::get<NotUnderstood>(message).why.empty());
+    ASSERT_TRUE(std::holds_alternative<InvalidMessage>(message)) << text;
+    EXPECT_FALSE(std::get<InvalidMessage>(message).why.empty());
   }
-  EXPECT_TRUE(std::holds_alternative<NotUnderstood>(
+  EXPECT_TRUE(std::holds_alternative<InvalidMessage>(
       page_message(R"({"type":"reset"})" + std::string(1, '\0') + "garbage")))
       << "a NUL ends no text";
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "clients/racer/game/blows.h"
+#include "clients/racer/game/impacts.h"
 
 #include <cmath>
 
@@ -28,7 +28,7 @@ model::Vec3 felt_direction(const Contact& contact) noexcept {
   return model::unit_or({level * side.x, level * side.y, contact.towards.z}, contact.towards);
 }
 
-std::vector<Hit> Blows::take(const std::vector<Contact>& contacts, double time_s) {
+std::vector<Hit> Impacts::take(const std::vector<Contact>& contacts, double time_s) {
   std::map<int, Contact> merged;
   for (const Contact& contact : contacts) {
     const Vec3 direction = felt_direction(contact);
