@@ -87,8 +87,9 @@ TEST_F(Sample, TakesAnOptionWithoutItsValueAndOneOfTheEnvironment) {
 }
 
 TEST_F(Sample, EndsWithASentenceAfterAMistake) {
-  EXPECT_EQ(end({"--level", "1.5"}),
-            "sample: --level: Value 1.5 not in range 0 to 1; sample --help says more");
+  EXPECT_EQ(
+      end({"--level", "1.5"}),
+      "sample: --level: Value 1.5 not in range 0.000000 to 1.000000; sample --help says more");
   EXPECT_THAT(end({"--count", "0"}), HasSubstr("--count"));
   EXPECT_THAT(end({"--count", "two"}), HasSubstr("--count"));
   EXPECT_THAT(end({"--shape", "saw"}), HasSubstr("--shape: saw not in {sine,square}"));

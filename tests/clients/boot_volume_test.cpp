@@ -119,7 +119,7 @@ TEST_F(BootVolume, TheOneThatIsNamedCountsAlone) {
 TEST_F(BootVolume, IsWaitedFor) {
   int looks = 0;
   ImageLoad later = load({});
-  later.patience = std::chrono::minutes(1);
+  later.timeout = std::chrono::minutes(1);
   later.volumes = [&] {
     return ++looks < 3 ? std::vector<std::string>() : std::vector{volume("pico")};
   };

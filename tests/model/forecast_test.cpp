@@ -17,6 +17,7 @@ namespace hedgehog::model {
 namespace {
 
 const Forecaster kNominal{CoilModel{}, ThermalModel{}, Limits{}};
+constexpr auto constant = &RequestedCurrents::constant;
 
 ForecastStart cold() { return {}; }
 
@@ -51,8 +52,7 @@ TEST(Forecast, AgreesWithThePlantWithin5PercentFromColdAndWarm) {
   for (const double celsius : {25.0, 45.0}) {
     const ForecastStart start = seen(warm(celsius));
     for (const double current : {6.0, 8.0, 10.0, 12.0, 15.0}) {
-      const auto foretold =
-          kNominal.seconds_to_derating(start, RequestedCurrents::constant({0, current, 0}));
+      const auto foretold = kNominal.seconds_to_derating(start, constant({0, current, 0}));
       ASSERT_TRUE(foretold.has_value());
       const double real = loop_seconds_to_derating(start, {0, current, 0});
       EXPECT_NEAR(*foretold, real, 0.05 * real) << current << " A from " << celsius << " C";
@@ -62,10 +62,9 @@ TEST(Forecast, AgreesWithThePlantWithin5PercentFromColdAndWarm) {
 
 TEST(Forecast, AgreesWithThePlantWhereItTakesLong) {
   const ForecastStart start = seen(cold());
-  const double edge = kNominal.sustainable_a(start, RequestedCurrents::constant({0, 0, 1}));
+  const double edge = kNominal.sustainable_a(start, constant({0, 0, 1}));
   for (const double current : {1.03 * edge, 1.1 * edge}) {
-    const auto foretold =
-        kNominal.seconds_to_derating(start, RequestedCurrents::constant({0, 0, current}));
+    const auto foretold = kNominal.seconds_to_derating(start, constant({0, 0, current}));
     ASSERT_TRUE(foretold.has_value());
     EXPECT_GT(*foretold, 300.0);
     const double real = loop_seconds_to_derating(start, {0, 0, current});
@@ -84,7 +83,7 @@ TEST(Forecast, AllAnswersAtOnceAreThoseAskedOneByOne) {
     EXPECT_GT(*worst.recovery_s, 0.0);
     std::optional<double> first;
     for (const Vec3& along : {Vec3{current, 0, 0}, Vec3{0, current, 0}, Vec3{0, 0, current}}) {
-      const RequestedCurrents asked = RequestedCurrents::constant(along);
+      const RequestedCurrents asked = constant(along);
       const Forecast one = kNominal.forecast(start, asked);
       EXPECT_EQ(one.seconds_to_derating, kNominal.seconds_to_derating(start, asked));
       EXPECT_EQ(one.recovery_s, worst.recovery_s);
@@ -108,8 +107,7 @@ RC_GTEST_PROP(Forecast, NeverIsNeverWhetherItIsRunAheadOrNot, ()) {
       *rc::gen::arbitrary<bool>() ? within("skin", 0, 5) : -std::numeric_limits<double>::infinity();
   start.fan_works = *rc::gen::arbitrary<bool>();
   start.mean_current_a = within("mean", 0, 10);
-  const auto asked =
-      RequestedCurrents::constant({within("x", -6, 6), within("y", -6, 6), within("z", -3, 3)});
+  const auto asked = constant({within("x", -6, 6), within("y", -6, 6), within("z", -3, 3)});
   const Forecast run_ahead = kNominal.forecast(start, asked);
   RC_ASSERT(kNominal.seconds_to_derating(start, asked) == run_ahead.seconds_to_derating);
 }
@@ -123,18 +121,18 @@ TEST(Forecast, SecondsToLimitAreThoseOfTheUnlimitedPlant) {
       loop.tick({current, 0, 0});
       real += 1e-3;
     }
-    const Forecast f = kNominal.forecast(cold(), RequestedCurrents::constant({current, 0, 0}));
+    const Forecast f = kNominal.forecast(cold(), constant({current, 0, 0}));
     ASSERT_TRUE(f.seconds_to_limit.has_value());
     EXPECT_NEAR(*f.seconds_to_limit, real, 0.05 * real);
   }
-  const auto at15 = kNominal.forecast(cold(), RequestedCurrents::constant({15, 0, 0}));
+  const auto at15 = kNominal.forecast(cold(), constant({15, 0, 0}));
   EXPECT_NEAR(*at15.seconds_to_limit, 29.6, 0.5);
   EXPECT_NEAR(*at15.seconds_to_derating, 22.0, 1.0);
 }
 
 TEST(Forecast, FiveAmpereFlowForEver) {
   for (const Vec3& wanted : {Vec3{5, 0, 0}, Vec3{0, -5, 0}, Vec3{0, 0, 5}, Vec3{3, 4, 0}}) {
-    const Forecast f = kNominal.forecast(cold(), RequestedCurrents::constant(wanted));
+    const Forecast f = kNominal.forecast(cold(), constant(wanted));
     EXPECT_FALSE(f.seconds_to_derating.has_value());
     EXPECT_FALSE(f.seconds_to_limit.has_value());
     EXPECT_GT(f.sustainable_a, 5.0);
@@ -152,14 +150,12 @@ TEST(Forecast, SustainableIsTheEdge) {
   const Vec3 directions[] = {{1, 0, 0}, {0.6, 0.8, 0}, {0.577, 0.577, -0.577}};
   for (const Vec3& direction : directions) {
     const Vec3 u = unit_or(direction, {1, 0, 0});
-    const double edge = kNominal.sustainable_a(cold(), RequestedCurrents::constant(u));
-    EXPECT_FALSE(kNominal.seconds_to_derating(cold(), RequestedCurrents::constant(0.99 * edge * u))
-                     .has_value());
-    EXPECT_TRUE(kNominal.seconds_to_derating(cold(), RequestedCurrents::constant(1.03 * edge * u))
-                    .has_value());
+    const double edge = kNominal.sustainable_a(cold(), constant(u));
+    EXPECT_FALSE(kNominal.seconds_to_derating(cold(), constant(0.99 * edge * u)).has_value());
+    EXPECT_TRUE(kNominal.seconds_to_derating(cold(), constant(1.03 * edge * u)).has_value());
   }
-  const double one = kNominal.sustainable_a(cold(), RequestedCurrents::constant({1, 0, 0}));
-  const double shared = kNominal.sustainable_a(cold(), RequestedCurrents::constant({1, 1, 1}));
+  const double one = kNominal.sustainable_a(cold(), constant({1, 0, 0}));
+  const double shared = kNominal.sustainable_a(cold(), constant({1, 1, 1}));
   EXPECT_GT(shared, one) << "three windings share the heat";
 }
 
@@ -193,7 +189,7 @@ TEST(Forecast, BurstIsThatOfTheWorstCoil) {
   const Forecaster forecaster(uneven, ThermalModel{}, Limits{});
   const auto burst = forecaster.burst_s(cold());
   ASSERT_TRUE(burst.has_value());
-  EXPECT_EQ(burst, forecaster.seconds_to_derating(cold(), RequestedCurrents::constant({0, 0, 15})));
+  EXPECT_EQ(burst, forecaster.seconds_to_derating(cold(), constant({0, 0, 15})));
   EXPECT_EQ(forecaster.forecast_worst_coil(cold(), 15.0).seconds_to_derating, burst);
   EXPECT_NEAR(*kNominal.burst_s(cold()), 22.5, 0.5);
   ForecastStart hot = warm(40.0);
@@ -204,8 +200,7 @@ TEST(Forecast, BurstIsThatOfTheWorstCoil) {
 TEST(Forecast, ADeadFanShortensEverything) {
   ForecastStart dead = cold();
   dead.fan_works = false;
-  EXPECT_TRUE(
-      kNominal.seconds_to_derating(dead, RequestedCurrents::constant({5, 0, 0})).has_value());
+  EXPECT_TRUE(kNominal.seconds_to_derating(dead, constant({5, 0, 0})).has_value());
   EXPECT_LT(kNominal.forecast_worst_coil(dead, 5.0).sustainable_a, 4.0);
 }
 
@@ -223,8 +218,7 @@ RC_GTEST_PROP(Forecast, MoreCurrentOrAWarmerBallIsNeverForetoldLonger, ()) {
   const double current = between(4.0, 14.0);
   const double celsius = between(18.0, 58.0);
   const auto seconds = [](double a, double c) {
-    return kNominal.seconds_to_derating(warm(c), RequestedCurrents::constant({a, 0, 0}))
-        .value_or(1e9);
+    return kNominal.seconds_to_derating(warm(c), constant({a, 0, 0})).value_or(1e9);
   };
   const double base = seconds(current, celsius);
   RC_ASSERT(seconds(current + between(0.1, 1.0), celsius) <= base);
@@ -266,8 +260,7 @@ TEST(Forecast, KnowsTheSkinWithin5Percent) {
     for (const double current_a : {6.0, 9.0, 15.0}) {
       const double each_a = current_a / std::sqrt(3.0);
       const Vec3 wanted{each_a, -each_a, each_a};
-      const auto foretold =
-          kNominal.seconds_to_derating(start, RequestedCurrents::constant(wanted));
+      const auto foretold = kNominal.seconds_to_derating(start, constant(wanted));
       ASSERT_TRUE(foretold.has_value());
       const double real = plant_seconds_to_skin(ambient_c, wanted);
       EXPECT_NEAR(*foretold, real, 0.05 * real) << current_a << " A at " << ambient_c << " C";
@@ -280,7 +273,7 @@ TEST(Forecast, TheSkinLeavesFiveAmpereForEverOnlyInACoolRoom) {
     ForecastStart start = with_skin(warm(ambient_c));
     start.ambient_c = ambient_c;
     start.skin_above_k = above_k;
-    return kNominal.sustainable_a(start, RequestedCurrents::constant({1, 0, 0}));
+    return kNominal.sustainable_a(start, constant({1, 0, 0}));
   };
   EXPECT_GE(sustained(25.0, SkinEstimate::kMinMarginK), 5.0);
   EXPECT_NEAR(sustained(32.0, SkinEstimate::kMinMarginK), 3.9, 0.2);

@@ -182,9 +182,8 @@ asio::awaitable<void> Hub::Impl::serve(Tcp::socket socket) {
     co_await http::async_read(stream, buffer, parser,
                               asio::redirect_error(asio::use_awaitable, ec));
     if (ec) {
-      const bool http_failed =
-          ec.category() == http::make_error_code(http::error::bad_method).category();
-      if (http_failed && ec != http::error::end_of_stream) {
+      const bool bad = ec.category() == http::make_error_code(http::error::bad_method).category();
+      if (bad && ec != http::error::end_of_stream) {
         co_await send_response(
             stream, sentence(http::status::bad_request, "this is no HTTP request for us\n"), false,
             false);
