@@ -8,6 +8,7 @@ messages of a ball, scrapes by Prometheus' `up`. Exit: 1 a daemon or a bridge en
 import json
 import os
 import pathlib
+import signal
 import subprocess
 import sys
 import tempfile
@@ -137,5 +138,7 @@ def main(folder):
 if __name__ == "__main__":
     if len(sys.argv) != 4:
         sys.exit(__doc__)
+    # So that its programs are ended too.
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
     with tempfile.TemporaryDirectory() as place:
         main(pathlib.Path(place))
