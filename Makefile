@@ -56,6 +56,7 @@ help:
 	@echo 'make firmware-guards  each guard of that image taken out once: a test must go red'
 	@echo 'make reference-board  the electrical rules of the driver board (firmware/board)'
 	@echo 'make bench      the daemon beside reference programs, as one table (also build/bench.json), after benchmarks of its functions'
+	@echo 'make tls-latency  round trips over TLS beside TCP and the Unix socket'
 	@echo 'make bench-compare REV=main  this tree beside another revision, in the same rounds'
 	@echo 'make instructions  instructions of each request and tick, within 2 % of what is written; make instructions-write writes them'
 	@echo 'make stress     all tests ROUNDS=5 times on a busy machine (half an hour a round and more)'
@@ -383,6 +384,10 @@ REV ?= HEAD
 bench-compare: $(CONFIGURED_BENCH) build/.packages-bench build/.packages-stress
 	@$(LOCK_BENCH) $(BUILD_BENCH) --target rounds
 	@tests/bench/compare.sh $(REV) $(ARGS)
+
+.PHONY: tls-latency
+tls-latency: shipped
+	@tests/bench/tls_latency.py build/bench
 
 # Instructions a request and a tick, against tests/bench/instructions/instructions.json.
 .PHONY: instructions instructions-write
