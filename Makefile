@@ -32,6 +32,7 @@ help:
 	@echo 'make test-all   everything: linters, what ships, fault campaigns, pages, USB, sanitizers, fuzzers (40 minutes)'
 	@echo 'make test-install  what ships, installed, and a game compiled against it'
 	@echo 'make deb        Debian packages in build/deb; make test-deb tries them in a fresh Debian (BEFORE=FOLDER: upgraded from those)'
+	@echo 'make deb-arm64  the same for a Raspberry Pi, cross-compiled, in build/deb-arm64; make test-deb-arm64 tries them in an emulated Debian'
 	@echo 'make test-service  the packages under systemd, in an emulated machine'
 	@echo 'make test-release  the release script (cmake/release.sh), in a clone'
 	@echo 'make test-mqtt  the ball at Debian'"'"'s MQTT broker'
@@ -337,6 +338,22 @@ BEFORE ?=
 test-deb: deb
 	@$(STAGE) 'tests reproducible' tests/deb/reproducible.sh $(PACKED) build/deb
 	@$(STAGE) 'tests deb' tests/deb/run.sh build/deb $(BEFORE)
+
+# Packages for arm64, cross-compiled in a fresh Debian below build/, in batches, and tried in a fresh Debian for arm64 in which
+# every program is emulated. Not in make test-all: CI is long enough.
+ARM64_QEMU := build/qemu-aarch64-static
+ARM64_ROOT := build/cross-arm64.tar
+$(ARM64_QEMU): cmake/qemu_arm64.sh
+	@mkdir -p build
+	@cmake/qemu_arm64.sh $@
+$(ARM64_ROOT): cmake/arm64_root.sh cmake/fresh_debian.sh cmake/apt/deb_arm64.txt debian/control $(ARM64_QEMU) build/.packages-deb
+	@$(STAGE) 'root arm64' cmake/arm64_root.sh $(ARM64_QEMU) $@
+.PHONY: deb-arm64 test-deb-arm64
+deb-arm64: $(ARM64_ROOT) pages
+	@JOBS=$(JOBS) $(STAGE) 'build deb arm64' cmake/deb_arm64.sh $(ARM64_ROOT) $(PAGES) build/deb-arm64
+test-deb-arm64: deb-arm64 run-configured
+	@$(BUILD_RUN) --target hedgehogd hedgehogctl hedgehog-design
+	@$(STAGE) 'tests deb arm64' tests/deb/run.sh build/deb-arm64 $(BEFORE)
 
 # The packages under systemd, in the emulated machine: killed, hung, reloaded, stopped, purged.
 .PHONY: test-service

@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# deb.sh BUILD OUT: Debian packages of a finished build (with its pages in BUILD/share/hedgehog) in the folder OUT. The
-# version is that of debian/changelog when a tag of that name is checked out, else that and the commit: +git<count>.<commit>.
-# The same commit and compiler give the same bytes. Exit: 0, else dpkg-buildpackage's.
+# deb.sh BUILD OUT [ARCHITECTURE COMMAND...]: Debian packages of a finished build (with its pages in BUILD/share/hedgehog) in the
+# folder OUT. The version is that of debian/changelog when a tag of that name is checked out, else that and the commit:
+# +git<count>.<commit>. The same commit and compiler give the same bytes. COMMAND runs what packs another ARCHITECTURE's, where
+# its cross compiler is (in_root.sh). Exit: 0, else dpkg-buildpackage's.
 set -euo pipefail
 
-[ $# -eq 2 ] || { echo "deb.sh BUILD OUT" >&2; exit 64; }
+[ $# -eq 2 ] || [ $# -ge 4 ] || { echo "deb.sh BUILD OUT [ARCHITECTURE COMMAND...]" >&2; exit 64; }
 build=$(cd "$1" && pwd)
 mkdir -p "$2"
 out=$(cd "$2" && pwd)
@@ -31,8 +32,8 @@ else
 fi
 
 cd "$source"
-HEDGEHOG_BUILD=$build DEB_BUILD_OPTIONS="noautodbgsym ${DEB_BUILD_OPTIONS-}" dpkg-buildpackage --build=binary \
-  --unsigned-changes --unsigned-buildinfo --no-check-builddeps >"$out/build.log" 2>&1 || { code=$?; tail -40 "$out/build.log"; exit "$code"; }
+"${@:4}" env HEDGEHOG_BUILD="$build" DEB_BUILD_OPTIONS="noautodbgsym ${DEB_BUILD_OPTIONS-}" dpkg-buildpackage --build=binary \
+  ${3:+--host-arch="$3"} --unsigned-changes --unsigned-buildinfo --no-check-builddeps >"$out/build.log" 2>&1 || { code=$?; tail -40 "$out/build.log"; exit "$code"; }
 cd "$out"
 rm -rf "$source"
 for package in *.deb; do printf '%8d kB  %s\n' "$(($(stat -c %s "$package") / 1000))" "$package"; done

@@ -63,6 +63,12 @@ from hedgehog import Ball
 with Ball() as ball:
     ball.pulse("left", level=0.5)
     print("python:", ball.status()["state"])'
+hedgehogctl check || [ $? = 1 ] || fail "check"
+if [ -e /packages/figures.sh ]; then
+  step "figures"
+  cp /etc/hedgehog/hedgehogd.json /packages/settings.json
+  bash /packages/figures.sh >/packages/figures.json || fail "figures.sh"
+fi
 for program in hedgehog-gamepad hedgehog-mqtt hedgehog-orientation hedgehog-study hedgehog-design hedgehog-simboard hedgehog-racer; do quietly "$program" --version; done
 stop
 

@@ -3,6 +3,8 @@
 # run.sh OUT [BEFORE]: the packages of the folder OUT (make deb) as a stranger's machine takes them. lintian, AppStream; then in a
 # fresh Debian, made once in build/debian.tar from this machine's own sources of packages: install, pulse, upgrade, purge
 # (inside.sh). The upgrade comes from the packages of the folder BEFORE; without it from these, with a lower version.
+# Packages for arm64 (make deb-arm64): in a fresh Debian for arm64, build/debian-arm64.tar, all of whose programs run in
+# build/qemu-aarch64-static; what they compute is compared with this machine's programs (same_figures.py), those of build/run.
 # Exit: 0 all is well, 69 a fresh Debian cannot be made here.
 set -euo pipefail
 
@@ -10,7 +12,7 @@ set -euo pipefail
 out=$(cd "$1" && pwd)
 before=${2:+$(cd "$2" && pwd)}
 here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
-base=$here/../../build/debian.tar
+build=$here/../../build
 step() { echo "tests/deb: $*"; }
 
 step "lintian"
@@ -25,22 +27,19 @@ as_root=()
 work=$(mktemp -d)
 trap '"${as_root[@]}" rm -rf "$work"' EXIT
 
-# Settings of apt, a proxy for example, belong to the sources.
-settings=()
-for file in /etc/apt/apt.conf.d/*; do
-  ! grep -qi '^ *acquire' "$file" || settings+=("--aptopt=$file")
-done
+architecture=$(dpkg-deb --field "$out"/hedgehogd_*.deb Architecture)
+base=$build/debian.tar
+emulated=("${as_root[@]}")
+options=()
+if [ "$architecture" != "$(dpkg --print-architecture)" ]; then
+  base=$build/debian-$architecture.tar
+  emulated=("$here/emulated.sh" "$build/qemu-aarch64-static")
+  # The namespace of the emulator has no sysfs of its own.
+  options=(--mode=root --architectures="$architecture" "--skip=check/qemu,chroot/mount/sys")
+fi
 if [ ! -s "$base" ]; then
   step "a fresh Debian"
-  # shellcheck disable=SC1091
-  . /etc/os-release
-  sources=()
-  for file in /etc/apt/sources.list.d/*.sources /etc/apt/sources.list.d/*.list /etc/apt/sources.list; do
-    [ ! -s "$file" ] || sources+=("$file")
-  done
-  "${as_root[@]}" mmdebstrap --quiet --variant=apt --include=systemd,udev "${settings[@]}" "$VERSION_CODENAME" \
-    "$work/base.tar" "${sources[@]}" || exit 69
-  mv "$work/base.tar" "$base"
+  "${emulated[@]}" "$build/../cmake/fresh_debian.sh" "$base" --include=systemd,udev "${options[@]}"
 fi
 
 root=$work/root
@@ -48,6 +47,7 @@ mkdir -p "$root"
 "${as_root[@]}" tar --extract --file "$base" --directory "$root"
 mkdir "$root/packages" "$root/packages/before"
 cp "$out"/*.deb "$here/inside.sh" "$root/packages"
+[ "$base" = "$build/debian.tar" ] || cp "$here/figures.sh" "$root/packages"
 
 # What an upgrade comes from: the same with a lower version, or what is given.
 for package in "$out"/*.deb; do
@@ -71,11 +71,15 @@ fi
 step "install, pulse, upgrade, purge"
 # shellcheck disable=SC2016  # expanded by the inner shell
 # A namespace of its own: what is mounted and started in it ends with it.
-"${as_root[@]}" unshare --mount --pid --ipc --uts --fork --kill-child bash -euc '
+"${emulated[@]}" unshare --mount --pid --ipc --uts --fork --kill-child bash -euc '
   mount -t proc proc "$1/proc"
   mount --rbind /dev "$1/dev"
   mount -t tmpfs tmpfs "$1/run"
   [ ! -e /etc/resolv.conf ] || cp -L /etc/resolv.conf "$1/etc/resolv.conf"
   exec chroot "$1" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive \
     HEDGEHOG_PATIENCE_MS=60000 bash /packages/inside.sh' unshare "$root"
+if [ -e "$root/packages/figures.json" ]; then
+  step "what it computes, beside this machine's"
+  "$here/same_figures.py" "$build/run" "$root/packages/settings.json" "$root/packages/figures.json"
+fi
 step "all is well"
