@@ -8,10 +8,10 @@ set -euo pipefail
 here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
 [ "$(dpkg --print-architecture)" != arm64 ] || { echo "arm64_root.sh: this machine is arm64: make deb" >&2; exit 64; }
 qemu=$(realpath "$1")
-packages=$(sed 's/#.*//' "$here/apt/deb_arm64.txt" | paste -sd,)
+packages=$(sed '/^#/d' "$here/apt/deb_arm64.txt" | paste -sd,)
 
 # shellcheck disable=SC2016  # expanded by mmdebstrap's shell
-"$here/fresh_debian.sh" "$2" --architectures="$(dpkg --print-architecture),arm64" --include="${packages#,}" \
+"$here/fresh_debian.sh" "$2" --architectures="$(dpkg --print-architecture),arm64" --include="$packages" \
   --customize-hook='mkdir -p "$1/tmp/source/debian"' \
   --customize-hook="copy-in '$here/../debian/control' '$here/../debian/changelog' /tmp/source/debian" \
   --customize-hook='chroot "$1" env DEBIAN_FRONTEND=noninteractive apt-get -qq update' \
