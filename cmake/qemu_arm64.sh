@@ -9,5 +9,5 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 (cd "$work" && apt-get -qq -o Acquire::Retries=3 -o APT::Sandbox::User="$(id -un)" download qemu-user-static >&2) ||
   { echo "qemu_arm64.sh: apt-get download qemu-user-static failed; apt-get update?" >&2; exit 69; }
-dpkg-deb --fsys-tarfile "$work"/*.deb | tar -x -C "$work" ./usr/bin/qemu-aarch64-static
+dpkg-deb --fsys-tarfile "$work"/*.deb | tar -xm -C "$work" ./usr/bin/qemu-aarch64-static
 mv "$work/usr/bin/qemu-aarch64-static" "$1"
