@@ -14,9 +14,9 @@ import tempfile
 # preview begins at the ball's temperature, and calibration measures: both have noise that depends on when they began.
 TOLERANCE = {"preview": 0.02, "calibrate": 0.02}
 COMPUTED = 1e-9
-# Of a number that is small beside 1: the scale by which 2 % are a tenth of a winding's 1.5 mH, which two measurements on a busy
-# machine differ by at most.
-SCALE = {".figures.inductance_h": 0.0075}
+# What a deviation is divided by where 1 would hide it: 2 % of this are a fifth of a winding's 1.5 mH, which the thermal model
+# tolerates (model/thermal-model.md). An emulated measurement on a busy machine is a tenth off.
+SCALE = {".figures.inductance_h": 0.015}
 PROGRAMS = ("daemon", "clients/ctl", "clients/design")
 
 
