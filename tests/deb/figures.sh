@@ -16,10 +16,11 @@ for verb in "pulse left" "circle" "vibrate up" "play heartbeat left"; do
   # shellcheck disable=SC2086  # the words of a verb
   line "preview $verb" "$(hedgehogctl preview $verb --json | tr -d '\n')"
 done
-# On a machine without time for it, telemetry is lost and the measurement refused; the next one may have better luck.
-for attempt in 1 2 3; do
+# On a machine without time for it telemetry is lost: the measurement is refused, or the ball is disarmed (hot_plug).
+for attempt in 1 2 3 4 5; do
   ! hedgehogctl calibrate --force --pushed x=front,y=left,z=up --out "$work/found.json" >"$work/out" 2>&1 || break
-  [ "$attempt" -lt 3 ] || { cat "$work/out" >&2; exit 1; }
+  [ "$attempt" -lt 5 ] || { cat "$work/out" >&2; exit 1; }
+  hedgehogctl arm >&2 || true
 done
 # Its comments have a line each.
 line calibrate "$(sed '/^ *\/\//d' "$work/found.json" | tr -d '\n')"
