@@ -103,11 +103,6 @@ OptionSpec OptionSpec::needs(const OptionSpec& other) const {
   return *this;
 }
 
-OptionSpec OptionSpec::hidden() const {
-  option_->group("");
-  return *this;
-}
-
 template <class T>
 OptionSpec CommandSpec::add_option(const std::string& names, T& value,
                                    const std::string& help) const {

@@ -58,8 +58,6 @@ class OptionSpec {
   OptionSpec show_default() const;
   OptionSpec excludes(const OptionSpec& other) const;
   OptionSpec needs(const OptionSpec& other) const;
-  /// Accepted, but not in help texts.
-  OptionSpec hidden() const;
 
  private:
   friend class CommandSpec;

@@ -16,5 +16,6 @@ trap '"${as_root[@]}" rm -rf "$root"' EXIT
 mkdir -p build/arm64/share
 cmake/in_root.sh "$root" cmake --preset arm64 >build/arm64/configure.log || { cat build/arm64/configure.log; exit 1; }
 cmake/in_root.sh "$root" cmake --build --preset arm64 --parallel "${JOBS:-$(nproc)}"
+rm -rf build/arm64/share/hedgehog
 cp -rT "$2" build/arm64/share/hedgehog
 cmake/deb.sh build/arm64 "$3" arm64 "$PWD/cmake/in_root.sh" "$root"

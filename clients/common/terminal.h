@@ -59,7 +59,7 @@ class Terminal {
   /// All bytes typed since the last call, escape sequences included; does not block. Nothing if
   /// stdin is not a terminal.
   std::string typed();
-  /// A key within `patience`; of escape sequences only the left and right arrows.
+  /// A key within `timeout`; of escape sequences only the left and right arrows.
   std::optional<Key> key(std::chrono::milliseconds timeout);
   /// Reads the keys typed so far; their time is the clock's epoch.
   void take_in();

@@ -38,7 +38,7 @@ bool is_given(const PlayOptions& options, std::string_view parameter) {
       [&](const auto& given) { return given.first == parameter; });
 }
 
-/// A number among the parameters, or `otherwise` if it is not given.
+/// A number among the parameters, or `fallback` if it is not given.
 std::optional<double> number_of(const PlayOptions& options, std::string_view parameter,
                                 double fallback) {
   double number = fallback;

@@ -142,7 +142,7 @@ void Controller::apply_command(const Command& command, EventList& events) noexce
       apply_board_limits();
     }
   } else if (std::holds_alternative<ResetBall>(command.what)) {
-    reset_ball();
+    on_ball_replaced();
   } else if (std::holds_alternative<EnterBootLoader>(command.what)) {
     states_.enter_boot_loader(now_);
   }

@@ -87,7 +87,7 @@ class Controller {
   void update_state(Reason found, bool present, bool fresh) noexcept;
   void apply_requests(const StepInputs& inputs, EventList& events) noexcept;
   void apply_command(const Command& command, EventList& events) noexcept;
-  void reset_ball() noexcept;
+  void on_ball_replaced() noexcept;
   Reason arming_blocker() const noexcept;
   void record_trip(Reason reason) noexcept;
   ReportInputs report_inputs() const noexcept;

@@ -43,9 +43,9 @@ void Controller::start_observer(double sensor_c) noexcept {
   observing_ = true;
 }
 
-void Controller::reset_ball() noexcept {
+void Controller::on_ball_replaced() noexcept {
   if (states_.armed()) record_trip(Reason::kStateLost);
-  states_.reset_ball(now_);
+  states_.trip_state_lost(now_);
   settings_.start_known = false;
   settings_.start_measured = {};
   estimate_ = EstimateCheck();

@@ -15,7 +15,7 @@ namespace hedgehog::control {
 model::CoilCurrents demanded_currents(const MixResult& mix, const model::CoilModel& coils) noexcept;
 model::FieldDemand field_demand(const MixResult& mix, const model::CoilModel& coils) noexcept;
 
-/// `wanted`, limited by the windings' thermal state `thermal` and by the skin's upper bound
+/// `demand`, limited by the windings' thermal state `thermal` and by the skin's upper bound
 /// `skin_c`. Call it once every `dt_s`, like `ThermalLimiter::limit`.
 model::LimitedCurrents limit(model::ThermalLimiter& limiter, const model::CoilCurrents& demand,
                              const model::ThermalEstimate& thermal, double skin_c,
@@ -26,7 +26,7 @@ constexpr model::LimitedCurrents gate(const model::LimitedCurrents& limited, boo
   return armed ? limited : model::LimitedCurrents();
 }
 
-/// The share of `wanted` that was passed, 0..1; 1 when nothing was requested.
+/// The share of `demand` that was passed, 0..1; 1 when nothing was requested.
 double delivered_share(const model::CoilCurrents& demand,
                        const model::LimitedCurrents& passed) noexcept;
 

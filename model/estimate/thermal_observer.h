@@ -105,8 +105,8 @@ class ThermalObserver {
   void step(const ThermalMeasurement& measurement, double dt_s = kTickSeconds) noexcept;
   const ThermalEstimate& estimate() const noexcept { return estimate_; }
 
-  /// The filter, and the innovations of the last window's measurements; `judged`: true in the tick
-  /// in which a window ended.
+  /// The filter, and the innovations of the last window's measurements; `window_ended()`: true in
+  /// the tick in which a window ended.
   const ThermalFilter& filter() const noexcept { return filter_; }
   bool window_ended() const noexcept { return window_ended_; }
   struct WindowInnovations {

@@ -43,13 +43,13 @@ class Forecaster {
   Forecaster(const CoilModel& coils, const ThermalModel& thermal, const Limits& limits) noexcept
       : coils_(coils), thermal_(thermal), limits_(limits) {}
 
-  /// Full forecast for `asked`. For `asked.peak_a` = 0 there is no derating, and `sustainable_a` is
-  /// that of the worst coil.
+  /// Full forecast for `requested`. For `requested.peak_a` = 0 there is no derating, and
+  /// `sustainable_a` is that of the worst coil.
   Forecast forecast(const ForecastStart& start, const RequestedCurrents& requested) const noexcept;
   /// `current_a` without a direction: each value for its worst coil.
   Forecast forecast_worst_coil(const ForecastStart& start, double current_a) const noexcept;
 
-  /// `headroom_s`: seconds until `asked` is first derated.
+  /// `headroom_s`: seconds until `requested` is first derated.
   std::optional<double> seconds_to_derating(const ForecastStart& start,
                                             const RequestedCurrents& requested) const noexcept;
   /// `burst_s`: how long the full `Limits::current_a` could flow from now (worst coil). None only

@@ -9,6 +9,7 @@ import hashlib
 import json
 import os
 import pathlib
+import signal
 import socket
 import ssl
 import statistics
@@ -36,9 +37,11 @@ class Daemon:
         added = subprocess.run([*ctl, "add", "latency", "--role", "play", "--json", *state], check=True, capture_output=True, env=env)
         self.token = json.loads(added.stdout)["token"]
         self.fingerprint = self._fingerprint(folder / "state/hedgehog/certificate.pem")
-        self.process = subprocess.Popen([build / "daemon/hedgehogd", "--simulate", "--listen", "127.0.0.1:0", "--listen",
-                                         "tls://127.0.0.1:0"], env=env, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-        self.ports = {}
+        self.command = [build / "daemon/hedgehogd", "--simulate", "--listen", "127.0.0.1:0", "--listen", "tls://127.0.0.1:0"]
+        self.env, self.process, self.ports = env, None, {}
+
+    def start(self):
+        self.process = subprocess.Popen(self.command, env=self.env, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
         for line in self.process.stdout:
             where = line.rsplit(" ", 1)[-1].strip()
             if "listening on" not in line:
@@ -74,8 +77,9 @@ class Daemon:
         return connection
 
     def end(self):
-        self.process.terminate()
-        self.process.wait()
+        if self.process:
+            self.process.terminate()
+            self.process.wait()
 
 
 def exchange(connection, line):
@@ -131,10 +135,13 @@ def print_table(figures, rounds):
 def main():
     if len(sys.argv) not in (2, 3):
         sys.exit(__doc__)
+    # So that the daemon is ended too.
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
     rounds = int(sys.argv[2]) if len(sys.argv) == 3 else 11
     with tempfile.TemporaryDirectory() as folder:
         daemon = Daemon(pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(folder))
         try:
+            daemon.start()
             print_table(measure(daemon, rounds), rounds)
         finally:
             daemon.end()

@@ -20,7 +20,8 @@ if ! unshare --user --map-root-user --mount mount -t binfmt_misc binfmt_misc "$f
 fi
 
 talk=$(mktemp -d)
-trap 'rm -rf "$talk"' EXIT
+# unshare holds off TERM; what runs in its namespace ends with it.
+trap '[ -z "${child-}" ] || kill -KILL "$child" 2>/dev/null; rm -rf "$talk"' EXIT
 mkfifo "$talk/unshared" "$talk/mapped"
 # shellcheck disable=SC2016  # expanded by the inner shell
 unshare --user --mount --pid --ipc --fork --kill-child bash -euc '

@@ -3,7 +3,7 @@
 """fleet.py BUILD DAEMONS SECONDS: simulated daemons of BUILD, each with hedgehog-mqtt, at one mosquitto and one Prometheus.
 
 Prints processor time and memory of each kind of program, and what was lost: telemetry by the device times of consecutive
-messages of a ball, scrapes by Prometheus' `up`. Exit: 1 a daemon or a bridge ended early, or a ball was never heard of.
+messages of a ball, scrapes by Prometheus' `up`. Exit: 143 terminated; 1 a daemon or a bridge ended early, or a ball was never heard of.
 """
 import json
 import os

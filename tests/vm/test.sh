@@ -23,13 +23,13 @@ guest() {
   ran=$((ran + $(sed -nE 's/^\[==========\] ([0-9]+) tests? from .* ran\..*/\1/p' "$log" | head -1) + 0))
   [ "$result" -ne 0 ] || return 0
   # A guest that ended early has not run all tests.
-  grep -q '^\[==========\] .* ran\.' "$log" || exit "$result"
+  grep -q '^\[==========\] .* ran\.' "$log" || { record 1; exit "$result"; }
   while read -r one; do failed+=("$one"); done < <(
     sed -nE 's/^\[  FAILED  \] ([[:alnum:]_/]+\.[[:alnum:]_/]+).*/\1/p' "$log" | sort -u)
-  [ "${#failed[@]}" -gt "$before" ] || exit "$result"
+  [ "${#failed[@]}" -gt "$before" ] || { record 1; exit "$result"; }
 }
 
-# tests FAILED: how many ran in all, for the table.
+# record FAILED: the number of tests, and how many of them failed, for the table.
 record() { [ -z "${HEDGEHOG_STAGES-}" ] || printf 'tests\t%d\t%d\t0\n' "$ran" "$1" >>"$HEDGEHOG_STAGES"; }
 
 guest "-$large"
@@ -43,9 +43,13 @@ echo "run once more: ${failed[*]}"
 filter=$(IFS=:; echo "${failed[*]}")
 "$run" -t "$limit" "$program" --gtest_color=no --gtest_filter="$filter" | tee "$log"
 result=${PIPESTATUS[0]}
-record "$(grep -c '^\[  FAILED  \] .*ms)' "$log")"
-[ -z "${HEDGEHOG_STAGES-}" ] || awk '
+again=$(grep -c '^\[  FAILED  \] .*ms)' "$log")
+# One that crashed has no such line.
+[ "$result" -eq 0 ] || [ "$again" -gt 0 ] || again=1
+record "$again"
+[ -z "${HEDGEHOG_STAGES-}" ] || awk -v code="$result" '
   /^\[ RUN / { text = "" }
   { text = text "failure\t" $0 "\n" }
-  /^\[  FAILED  \] .*ms\)/ { printf "%s", text; text = "" }' "$log" >>"$HEDGEHOG_STAGES"
+  /^\[  FAILED  \] .*ms\)/ { printf "%s", text; text = ""; shown = 1 }
+  END { if (code && !shown) printf "%s", text }' "$log" >>"$HEDGEHOG_STAGES"
 exit "$result"

@@ -22,7 +22,7 @@ bool is_object(const ForeignJson& json) noexcept;
 /// The finite number `name`, clamped to `low`..`high`.
 std::optional<double> number(const ForeignJson& json, std::string_view name, double low,
                              double high) noexcept;
-/// The same; `otherwise` if there is none.
+/// The same; `fallback` if there is none.
 double number(const ForeignJson& json, std::string_view name, double fallback, double low,
               double high) noexcept;
 std::string text(const ForeignJson& json, std::string_view name);

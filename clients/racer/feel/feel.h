@@ -31,13 +31,13 @@ class Feel {
  public:
   explicit Feel(std::vector<client::Address> addresses) : link_(std::move(addresses)) {}
 
-  /// Once a frame: plays `happenings`, those of the frame at `time_s`, and processes the ball's
+  /// Once a frame: plays `race_events`, those of the frame at `time_s`, and processes the ball's
   /// messages.
   void frame(const std::vector<RaceEvent>& race_events, double time_s);
   /// Ends all effects: for the pause menu. The next frame may play again.
   void pause();
 
-  /// Effects of the last frame, in the order of the happenings.
+  /// Effects of the last frame, in the order of the race events.
   const std::vector<Played>& played() const noexcept { return played_; }
   const BallReport& ball() const noexcept { return ball_; }
   const BallSummary& summary() const noexcept { return summary_; }

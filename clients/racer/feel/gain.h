@@ -12,7 +12,7 @@ class Gain {
  public:
   /// Below 40 % the steps of a blow could not be distinguished, see steps.h.
   static constexpr double kMin = 0.4;
-  /// Sufficient burst time at full strength, s: 16 blows; without any the game plays at 70 %.
+  /// Sufficient burst time at full strength, s: 16 impacts; without any the game plays at 70 %.
   static constexpr double kEnoughS = 3.0;
   static constexpr double kZeroReserveGain = 0.7;
   static constexpr double kDownPerS = 0.6;

@@ -15,7 +15,7 @@ constexpr double kApartS = 0.25;
 constexpr double kHarder = 2.0;
 // Or from another side: cos 60 degrees.
 constexpr double kOtherSide = 0.5;
-// Minimum time between blows from one body.
+// Minimum time between impacts from one body.
 constexpr double kRestS = 0.1;
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Contacts merged into blows: one when the car runs into something, none while it scrapes along it,
-// another when it is hit again or much harder.
+// Contacts merged into impacts: one when the car runs into something, none while it scrapes along
+// it, another when it is hit again or much harder.
 #pragma once
 
 #include <map>
@@ -20,8 +20,9 @@ class Impacts {
   /// Smaller impulses are ignored: 0.15 m/s of the car.
   static constexpr double kMinImpulse = 120.0;
 
-  /// The blows of one step of the race, `time_s` after the start; `contacts` are those of its steps
-  /// of the world. Contact of the ground below is no blow: it is a landing; on the roof it is one.
+  /// The impacts of one step of the race, `time_s` after the start; `contacts` are those of its
+  /// steps of the world. Contact of the ground below is no blow: it is a landing; on the roof it is
+  /// one.
   std::vector<Hit> take(const std::vector<Contact>& contacts, double time_s);
 
  private:

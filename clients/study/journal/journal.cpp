@@ -53,8 +53,8 @@ Result<std::string> text_of(const fs::path& path) {
 /// Until the file is closed or the process ends.
 Result<void> lock(int file, const fs::path& path) {
   if (::flock(file, LOCK_EX | LOCK_NB) == 0) return {};
-  return cannot(EX_TEMPFAIL, path,
-                errno == EWOULDBLOCK ? "another hedgehog-study is writing it" : reason_of(errno));
+  if (errno != EWOULDBLOCK) return cannot(EX_IOERR, path, reason_of(errno));
+  return cannot(EX_TEMPFAIL, path, "another hedgehog-study is writing it");
 }
 
 }  // namespace
@@ -101,6 +101,7 @@ Result<Journal> Journal::create(const fs::path& path, const RunStarted& header) 
   auto begun = lock(file, path);
   if (begun) begun = write_line(file, path, encode(first) + "\n");
   if (!begun) {
+    ::unlink(path.c_str());
     ::close(file);
     return begun.error();
   }

@@ -49,7 +49,7 @@ class Desk {
   virtual ~Desk() = default;
 
   virtual void show(const View& view) = 0;
-  /// An input within `patience`.
+  /// An input within `timeout`.
   virtual Input wait(std::chrono::milliseconds timeout) = 0;
   /// Reads the keys typed so far, so that they are not taken as the response to the next question.
   virtual void take_in() {}

@@ -63,7 +63,7 @@ void StateMachine::emergency_stop(model::Tick now) noexcept {
   if (state_ != State::kAbsent && state_ != State::kTripped) enter(State::kDisarmed, latch_, now);
 }
 
-void StateMachine::reset_ball(model::Tick now) noexcept {
+void StateMachine::trip_state_lost(model::Tick now) noexcept {
   trip(Reason::kStateLost, now);
   const bool loose = latch_ == Reason::kNone || latch_ == Reason::kEmergencyStop;
   if (loose) latch_ = Reason::kStateLost;

@@ -31,7 +31,7 @@ class StateMachine {
   void trip(Reason reason, model::Tick now) noexcept;
   void emergency_stop(model::Tick now) noexcept;
   /// The latched reason is no longer known: trips by kStateLost, also while the board is absent.
-  void reset_ball(model::Tick now) noexcept;
+  void trip_state_lost(model::Tick now) noexcept;
   /// The board has restarted by itself: handled like a hot-plug.
   void board_restarted(model::Tick now) noexcept;
 

@@ -36,9 +36,9 @@ class UsbExchange {
   /// The first error since `start`.
   UsbFault fault() const noexcept { return fault_; }
 
-  /// Waits for the transfer of sent frames, at most `patience`.
+  /// Waits for the transfer of sent frames, at most `timeout`.
   void flush(std::chrono::milliseconds timeout) noexcept;
-  /// Cancels all transfers. False: some did not end within `patience`.
+  /// Cancels all transfers. False: some did not end within `timeout`.
   bool cancel_all(std::chrono::milliseconds timeout) noexcept;
   /// Clears a stall and starts again. False: close it.
   bool recover(std::chrono::milliseconds timeout) noexcept;

@@ -37,7 +37,7 @@ class PatternLibrary {
     bool shipped = false;
   };
 
-  /// Contains the shipped ones and those `kept` from earlier runs. `shelf` must outlive this.
+  /// Contains the shipped ones and those `kept` from earlier runs. `storage` must outlive this.
   PatternLibrary(PatternStorage& storage, std::vector<protocol::Pattern> kept);
 
   /// nullptr: no such pattern. Valid until the next put or remove.

@@ -54,9 +54,9 @@ std::string text(const Tcp::endpoint& endpoint) {
 /// Reset before it was accepted: there is no client. One that has only closed may have sent a
 /// request before.
 bool is_reset(const Tcp::socket& socket) {
-  error_code ignored;
-  socket.remote_endpoint(ignored);
-  return ignored.failed();
+  error_code error;
+  socket.remote_endpoint(error);
+  return error.failed();
 }
 bool is_reset(const Local::socket&) { return false; }
 
@@ -159,14 +159,14 @@ void Listener::start(Server& server) {
 }
 
 template <class AnyAcceptor, class OnAccept>
-asio::awaitable<void> Listener::accept(AnyAcceptor& acceptor, OnAccept start_session) {
+asio::awaitable<void> Listener::accept(AnyAcceptor& acceptor, OnAccept on_accept) {
   while (acceptor.is_open()) {
     error_code ec;
     auto socket = co_await acceptor.async_accept(asio::redirect_error(asio::use_awaitable, ec));
     if (!ec && !is_reset(socket)) {
       error_code ignored;
       socket.set_option(asio::socket_base::send_buffer_size(kSendBufferBytes), ignored);
-      start_session(std::move(socket));
+      on_accept(std::move(socket));
     } else if (ec && acceptor.is_open()) {
       report_accept_failure(ec);
       asio::steady_timer pause(io_, kAcceptPause);

@@ -54,7 +54,7 @@ class Listener {
   std::optional<TcpListener> open_tcp(const config::ListenAddress& address, const char* remedy);
   void open_unix(const std::string& path, const access::UnixRoles& roles);
   template <class AnyAcceptor, class OnAccept>
-  boost::asio::awaitable<void> accept(AnyAcceptor& acceptor, OnAccept start_session);
+  boost::asio::awaitable<void> accept(AnyAcceptor& acceptor, OnAccept on_accept);
   template <class AnySocket>
   Session session_with(AnySocket& socket, const char* transport = nullptr) const;
   void start_session(boost::asio::generic::stream_protocol::socket socket, Session session);

@@ -12,7 +12,7 @@ protocol::RpcError not_kept(const std::string& what) {
   return protocol::error(protocol::ErrorCode::kInternalError, "internal_error: " + what);
 }
 
-/// `answer` once it is on disk. `otherwise`: consequence of a restart before that.
+/// `response` once it is on disk. `otherwise`: consequence of a restart before that.
 Deferred when_written(DiskWorkPtr work, std::string otherwise, Response response) {
   return {[work = std::move(work), otherwise = std::move(otherwise),
            response = std::move(response)](HandlerContext&,
