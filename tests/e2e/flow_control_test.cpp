@@ -91,7 +91,7 @@ TEST_F(HeldBack, WhoStopsSendingEndsItsEffectsAtOnceAndGetsItsAnswers) {
   RawClient client(daemon_.port());
   client.send(line("hold", "effect.hold", {{"direction", "left"}, {"lease_ms", 10000}}) +
               many_requests());
-  EXPECT_EQ(watcher_.notification("event")["type"], "effect_started");
+  EXPECT_EQ(watcher_.notification("event", "effect_started")["type"], "effect_started");
   client.half_close();
   EXPECT_EQ(watcher_.notification("event", "effect_ended")["reason"], "disconnected");
   EXPECT_EQ(client.answer()["id"], "hold");

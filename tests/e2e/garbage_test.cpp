@@ -29,7 +29,7 @@ class Garbage : public testing::Test {
   }
   void TearDown() override {
     play_on();
-    EXPECT_EQ(game_.notification("event")["type"], "effect_started");
+    EXPECT_EQ(game_.notification("event", "effect_started")["type"], "effect_started");
     EXPECT_EQ(game_.call("effect.stop", {{"effect", effect_}})["stopped"], 1);
     const Json ended = game_.notification("event");
     EXPECT_EQ(ended["type"], "effect_ended");
