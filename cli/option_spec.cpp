@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <CLI/CLI.hpp>
-#include <utility>
 
 #include "cli/program.h"
 
@@ -109,24 +108,25 @@ OptionSpec CommandSpec::add_option(const std::string& names, T& value,
   return OptionSpec(app_->add_option(names, value, help));
 }
 
-#define HEDGEHOG_CLI_TYPE(T)                                                                     \
-  template OptionSpec CommandSpec::add_option(const std::string&, T&, const std::string&) const; \
-  template OptionSpec CommandSpec::add_option(const std::string&, std::optional<T>&,             \
-                                              const std::string&) const;
-HEDGEHOG_CLI_TYPE(std::string)
-HEDGEHOG_CLI_TYPE(int)
-HEDGEHOG_CLI_TYPE(unsigned)
-HEDGEHOG_CLI_TYPE(std::int64_t)
-HEDGEHOG_CLI_TYPE(std::uint64_t)
-HEDGEHOG_CLI_TYPE(double)
-#undef HEDGEHOG_CLI_TYPE
-template OptionSpec CommandSpec::add_option(const std::string&, std::vector<std::string>&,
-                                            const std::string&) const;
+using Text = const std::string&;
+template OptionSpec CommandSpec::add_option(Text, std::string&, Text) const;
+template OptionSpec CommandSpec::add_option(Text, std::optional<std::string>&, Text) const;
+template OptionSpec CommandSpec::add_option(Text, int&, Text) const;
+template OptionSpec CommandSpec::add_option(Text, std::optional<int>&, Text) const;
+template OptionSpec CommandSpec::add_option(Text, unsigned&, Text) const;
+template OptionSpec CommandSpec::add_option(Text, std::optional<unsigned>&, Text) const;
+template OptionSpec CommandSpec::add_option(Text, std::int64_t&, Text) const;
+template OptionSpec CommandSpec::add_option(Text, std::optional<std::int64_t>&, Text) const;
+template OptionSpec CommandSpec::add_option(Text, std::uint64_t&, Text) const;
+template OptionSpec CommandSpec::add_option(Text, std::optional<std::uint64_t>&, Text) const;
+template OptionSpec CommandSpec::add_option(Text, double&, Text) const;
+template OptionSpec CommandSpec::add_option(Text, std::optional<double>&, Text) const;
+template OptionSpec CommandSpec::add_option(Text, std::vector<std::string>&, Text) const;
 
 OptionSpec CommandSpec::add_option_function(const std::string& names,
-                                            std::function<void(const std::string&)> take,
+                                            const std::function<void(const std::string&)>& take,
                                             const std::string& help) const {
-  return OptionSpec(app_->add_option_function<std::string>(names, std::move(take), help));
+  return OptionSpec(app_->add_option_function<std::string>(names, take, help));
 }
 
 OptionSpec CommandSpec::add_flag(const std::string& names, bool& value,

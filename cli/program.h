@@ -74,7 +74,7 @@ class CommandSpec {
   OptionSpec add_option(const std::string& names, T& value, const std::string& help = "") const;
   /// `take` is called with each value.
   OptionSpec add_option_function(const std::string& names,
-                                 std::function<void(const std::string&)> take,
+                                 const std::function<void(const std::string&)>& take,
                                  const std::string& help) const;
   OptionSpec add_flag(const std::string& names, bool& value, const std::string& help) const;
   /// Without effect: accepted for compatibility and not in help texts.
