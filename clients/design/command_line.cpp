@@ -199,8 +199,9 @@ class CommandLine {
 
 }  // namespace
 
-int run_command_line(std::vector<std::string> arguments, std::ostream& out, std::ostream& err) {
-  return CommandLine(out, err).run(std::move(arguments));
+int run_command_line(const std::vector<std::string>& arguments, std::ostream& out,
+                     std::ostream& err) {
+  return CommandLine(out, err).run(arguments);
 }
 
 }  // namespace hedgehog::design
