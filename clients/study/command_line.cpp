@@ -152,7 +152,7 @@ class CommandLine {
     verb.add_option("experiment", run_.experiment, "a preset or a file").required();
     verb.add_option("--participant", run_.participant, "P01").required().check(plain_name());
     Checklist& list = run_.checklist;
-    verb.add_option("--experimenter", list.experimenter, "a code; what is not said is asked");
+    verb.add_option("--experimenter", list.experimenter, "a code; what is not given is asked for");
     verb.add_option("--consent", list.consent, "reference of the signed sheet");
     verb.add_option("--hand-size", list.hand_size_cm, "tip of the index finger to the wrist, cm")
         .check(accepted(parse_hand_size, "CM"));
@@ -232,7 +232,7 @@ class CommandLine {
 
   void add_levels() {
     const cli::CommandSpec verb =
-        app_.add_command("levels", "how many levels can be told apart, by which formula");
+        app_.add_command("levels", "how many levels can be distinguished, by which formula");
     verb.add_option("--threshold-a", levels_.threshold_a, "least current that is felt")
         .check(finite(0.01, 14.99))
         .show_default();

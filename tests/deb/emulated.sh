@@ -21,7 +21,7 @@ fi
 
 talk=$(mktemp -d)
 # unshare holds off TERM; what runs in its namespace ends with it.
-trap '[ -z "${child-}" ] || kill -KILL "$child" 2>/dev/null; rm -rf "$talk"' EXIT
+trap '[ -z "${child-}" ] || kill -KILL "$child" 2>/dev/null || true; rm -rf "$talk"' EXIT
 mkfifo "$talk/unshared" "$talk/mapped"
 # shellcheck disable=SC2016  # expanded by the inner shell
 unshare --user --mount --pid --ipc --fork --kill-child bash -euc '

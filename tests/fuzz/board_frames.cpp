@@ -17,7 +17,7 @@ namespace board = hedgehog::board;
 
 constexpr std::size_t kCrcAt = board::kFrameSize - 4;
 
-/// The packet that `said` describes: a length, and whether its header and check sum are made valid.
+/// The packet that `said` defines: a length, and whether its header and check sum are made valid.
 std::span<const std::uint8_t> packet(std::span<const std::uint8_t> said,
                                      std::array<std::uint8_t, 2 * board::kFrameSize>& buffer) {
   const std::uint8_t kind = said[0];

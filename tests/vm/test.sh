@@ -13,6 +13,7 @@ limit=$2 program=$3
 run=$(dirname -- "${BASH_SOURCE[0]}")/run.sh
 large='GamepadBrowser.*:GamepadGame.*'
 log=$(mktemp)
+table=${HEDGEHOG_STAGES:-/dev/null}
 trap 'rm -f "$log"' EXIT
 
 # guest FILTER: returns its exit code; adds failed tests to `failed`, and the number of tests to `ran`.
@@ -30,7 +31,7 @@ guest() {
 }
 
 # record FAILED: the number of tests, and how many of them failed, for the table.
-record() { [ -z "${HEDGEHOG_STAGES-}" ] || printf 'tests\t%d\t%d\t0\n' "$ran" "$1" >>"$HEDGEHOG_STAGES"; }
+record() { printf 'tests\t%d\t%d\t0\n' "$ran" "$1" >>"$table"; }
 
 guest "-$large"
 guest "$large"
@@ -38,7 +39,7 @@ if [ "${#failed[@]}" -eq 0 ]; then
   record 0
   exit 0
 fi
-[ -z "${HEDGEHOG_STAGES-}" ] || printf 'repeated\tusb %s\n' "${failed[@]}" >>"$HEDGEHOG_STAGES"
+printf 'repeated\tusb %s\n' "${failed[@]}" >>"$table"
 echo "run once more: ${failed[*]}"
 filter=$(IFS=:; echo "${failed[*]}")
 "$run" -t "$limit" "$program" --gtest_color=no --gtest_filter="$filter" | tee "$log"
@@ -47,9 +48,9 @@ again=$(grep -c '^\[  FAILED  \] .*ms)' "$log")
 # One that crashed has no such line.
 [ "$result" -eq 0 ] || [ "$again" -gt 0 ] || again=1
 record "$again"
-[ -z "${HEDGEHOG_STAGES-}" ] || awk -v code="$result" '
+awk -v code="$result" '
   /^\[ RUN / { text = "" }
   { text = text "failure\t" $0 "\n" }
   /^\[  FAILED  \] .*ms\)/ { printf "%s", text; text = ""; shown = 1 }
-  END { if (code && !shown) printf "%s", text }' "$log" >>"$HEDGEHOG_STAGES"
+  END { if (code && !shown) printf "%s", text }' "$log" >>"$table"
 exit "$result"

@@ -101,7 +101,6 @@ Result<Journal> Journal::create(const fs::path& path, const RunStarted& header) 
   auto begun = lock(file, path);
   if (begun) begun = write_line(file, path, encode(first) + "\n");
   if (!begun) {
-    ::unlink(path.c_str());
     ::close(file);
     return begun.error();
   }
