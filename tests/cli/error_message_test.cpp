@@ -52,8 +52,7 @@ TEST(ErrorMessage, NamesTheOptionThatWasMeant) {
 
 TEST(ErrorMessage, SaysWhatIsMissing) {
   EXPECT_EQ(message_of({}), "sample: a verb is missing; sample --help says more");
-  EXPECT_EQ(message_of({"push"}),
-            "sample push: --side is required; sample push --help says more");
+  EXPECT_EQ(message_of({"push"}), "sample push: --side is required; sample push --help says more");
   EXPECT_EQ(message_of({"push", "left"}), "");
 }
 

@@ -128,7 +128,8 @@ std::string level_table(const std::vector<AnalysedGroup>& groups) {
     }
   }
   std::string page =
-      "<h2>Levels that can be distinguished</h2>\n<p>How many there are depends on the range and on "
+      "<h2>Levels that can be distinguished</h2>\n<p>How many there are depends on the range and "
+      "on "
       "the formula; the thesis names neither for its \"about 10\" of force and \"about 20\" of "
       "speed. A Weber fraction was measured at one reference, upwards only, and usually rises "
       "near the threshold.</p>\n<div class=wide><table><tr><th>range<th>formula<th class=n>steps, "
