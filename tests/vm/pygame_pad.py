@@ -9,7 +9,7 @@ pygame.display.init()
 pygame.joystick.init()
 pad = pygame.joystick.Joystick(0)
 print(pad.get_name(), "axes", pad.get_numaxes(), "buttons", pad.get_numbuttons(), flush=True)
-print("rumble", pad.rumble(0.8, 0.0, 300), flush=True)
+print("rumble", pad.rumble(0.8, 0.0, 2000), flush=True)
 
 
 def is_tilted() -> bool:
