@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which role a user of the Unix socket has.
+// Roles of the users of the Unix socket.
 #include "access/unix_roles.h"
 
 #include <gmock/gmock.h>
@@ -54,7 +54,7 @@ TEST(UnixRoles, AUserWhomTheSystemDoesNotTellHasOnlyWhatEverybodyHas) {
   EXPECT_EQ(role_of({{}, {user(0)}, {group(0)}}, nullptr, kDaemon), std::nullopt);
 }
 
-// Few numbers, so that they meet, and short lists, so that they do not always.
+// A small range, so that some ids match, and short lists, so that not all do.
 rc::Gen<std::uint32_t> some_id() { return rc::gen::inRange<std::uint32_t>(1, 8); }
 
 rc::Gen<Principals> some_principals() {
@@ -75,7 +75,7 @@ rc::Gen<std::vector<std::uint32_t>> some_groups() {
 RC_GTEST_PROP(UnixRoles, TheHighestRoleThatMatchesCounts, ()) {
   const UnixRoles roles{*some_principals(), *some_principals(), *some_principals()};
   const Peer someone = peer(*some_id(), *some_id(), *some_groups());
-  // The matching, written down once more and in another way.
+  // An independent implementation of the matching.
   const auto in = [&](const Principals& list) {
     int matches = 0;
     for (const Principal& one : list) {

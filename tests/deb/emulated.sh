@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# emulated.sh QEMU COMMAND...: the command as root, where the kernel runs programs for arm64 in QEMU (a static
-# qemu-aarch64-static). From Linux 6.7 on in a user namespace with a list of binary formats of its own, so that the machine's
-# list stays as it is; below only if the machine's own list has arm64. Exit: the command's, 69 neither is there.
+# emulated.sh QEMU COMMAND...: runs the command as root, with programs for arm64 in QEMU (a static qemu-aarch64-static). From
+# Linux 6.7 on this is done in a user namespace with its own list of binary formats, so that the machine's list is unchanged; with
+# an older kernel, only if the machine's list contains arm64. Exit: the command's, 69 neither is available.
 set -euo pipefail
 
 [ $# -ge 2 ] || { echo "emulated.sh QEMU COMMAND..." >&2; exit 64; }
@@ -20,7 +20,7 @@ if ! unshare --user --map-root-user --mount mount -t binfmt_misc binfmt_misc "$f
 fi
 
 talk=$(mktemp -d)
-# unshare holds off TERM; what runs in its namespace ends with it.
+# unshare blocks SIGTERM; the processes in its namespace end with it.
 trap '[ -z "${child-}" ] || kill -KILL "$child" 2>/dev/null || true; rm -rf "$talk"' EXIT
 mkfifo "$talk/unshared" "$talk/mapped"
 # shellcheck disable=SC2016  # expanded by the inner shell
@@ -38,7 +38,7 @@ unshare --user --mount --pid --ipc --fork --kill-child bash -euc '
   exec "$@"' bash "$talk" "$qemu" "$formats" "$@" &
 child=$!
 read -r <"$talk/unshared"
-# Every user as it is.
+# Maps every user and group to itself.
 for map in uid_map gid_map; do echo "0 0 4294967295" >"/proc/$child/$map"; done
 echo >"$talk/mapped"
 wait "$child"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# figures.sh: what the programs of PATH compute, as lines of JSON (same_figures.py compares them): the magnets' mechanics, the
-# daemon's previews, and the windings as `calibrate` measures them. REQUIRES: HEDGEHOG_ADDRESS is an armed simulated ball.
+# figures.sh: prints results of the programs in PATH as lines of JSON (same_figures.py compares them): the magnets' mechanics, the
+# daemon's previews, and the windings as measured by `calibrate`. REQUIRES: HEDGEHOG_ADDRESS is an armed simulated ball.
 set -euo pipefail
 
 line() { echo "{\"name\":\"$1\",\"figures\":$2}"; }
@@ -16,11 +16,11 @@ for verb in "pulse left" "circle" "vibrate up" "play heartbeat left"; do
   # shellcheck disable=SC2086  # the words of a verb
   line "preview $verb" "$(hedgehogctl preview $verb --json | tr -d '\n')"
 done
-# On a machine without time for it telemetry is lost: the measurement is refused, or the ball is disarmed (hot_plug).
+# On an overloaded machine telemetry is lost: the measurement is rejected, or the ball is disarmed (hot_plug).
 for attempt in 1 2 3 4 5; do
   ! hedgehogctl calibrate --force --pushed x=front,y=left,z=up --out "$work/found.json" >"$work/out" 2>&1 || break
   [ "$attempt" -lt 5 ] || { cat "$work/out" >&2; exit 1; }
   hedgehogctl arm >&2 || true
 done
-# Its comments have a line each.
+# Without comments, which have lines of their own.
 line calibrate "$(sed '/^ *\/\//d' "$work/found.json" | tr -d '\n')"

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# inside.sh: the packages in /packages in a system that has never seen them; run by run.sh in a fresh root.
+# inside.sh: tests the packages in /packages on a system that never had them; run by run.sh in a fresh root.
 set -euo pipefail
 
 fail() { echo "tests/deb: $*" >&2; exit 1; }
 step() { echo "tests/deb: $*"; }
 quietly() { "$@" >/tmp/out 2>&1 || { cat /tmp/out; fail "$*"; }; }
-# Every file and account that is ours, but for the packages themselves.
+# Prints every file and account of this project, except the packages themselves.
 ours() {
   find / -xdev -path /packages -prune -o -name '*hedgehog*' -print | sort
   getent passwd | grep hedgehog || true
@@ -26,7 +26,7 @@ done
 for user in hedgehog hedgehog-gamepad; do getent passwd "$user" >/dev/null || fail "there is no user $user"; done
 ! systemd-analyze verify hedgehogd.service 2>&1 | grep -i hedgehog || fail "systemd-analyze verify"
 
-# As its unit starts it, without systemd.
+# Starts the daemon as its unit does, without systemd.
 daemon=
 start() {
   install -d -o hedgehog -g hedgehog /run/hedgehog /var/lib/hedgehog

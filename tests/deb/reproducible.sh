@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# reproducible.sh BUILD OUT: packs BUILD again, elsewhere, with another mask, time zone and language: every package has the bytes
-# of that in OUT, which cmake/deb.sh packed from the same tree.
+# reproducible.sh BUILD OUT: packs BUILD again in another folder, with another umask, time zone and locale, and compares every
+# package byte by byte with that in OUT, which cmake/deb.sh packed from the same tree.
 set -euo pipefail
 
 [ $# -eq 2 ] || { echo "reproducible.sh BUILD OUT" >&2; exit 64; }

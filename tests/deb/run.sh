@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# run.sh OUT [BEFORE]: the packages of the folder OUT (make deb) as a stranger's machine takes them. lintian, AppStream; then in a
-# fresh Debian, made once in build/debian.tar from this machine's own sources of packages: install, pulse, upgrade, purge
-# (inside.sh). The upgrade comes from the packages of the folder BEFORE; without it from these, with a lower version.
+# run.sh OUT [BEFORE]: tests the packages of the folder OUT (make deb) as on a user's machine. lintian, AppStream; then in a fresh
+# Debian, created once in build/debian.tar from this machine's package sources: install, pulse, upgrade, purge (inside.sh). The
+# upgrade starts from the packages of the folder BEFORE; without it from those of OUT, with a lower version.
 # Packages for arm64 (make deb-arm64): in a fresh Debian for arm64, build/debian-arm64.tar, all of whose programs run in
-# build/qemu-aarch64-static; what they compute is compared with this machine's programs (same_figures.py), those of build/run.
-# Exit: 0 all is well, 69 a fresh Debian cannot be made here.
+# build/qemu-aarch64-static; their results are compared with those of this machine's programs in build/run (same_figures.py).
+# Exit: 0 passed, 69 a fresh Debian cannot be created here.
 set -euo pipefail
 
 [ $# -eq 1 ] || [ $# -eq 2 ] || { echo "run.sh OUT [BEFORE]" >&2; exit 64; }
@@ -49,7 +49,7 @@ mkdir "$root/packages" "$root/packages/before"
 cp "$out"/*.deb "$here/inside.sh" "$root/packages"
 [ "$base" = "$build/debian.tar" ] || cp "$here/figures.sh" "$root/packages"
 
-# What an upgrade comes from: the same with a lower version, or what is given.
+# The packages before the upgrade: those of BEFORE, or those of OUT with a lower version.
 for package in "$out"/*.deb; do
   [ -z "$before" ] || break
   rm -rf "$work/unpacked"
@@ -70,7 +70,7 @@ fi
 
 step "install, pulse, upgrade, purge"
 # shellcheck disable=SC2016  # expanded by the inner shell
-# A namespace of its own: what is mounted and started in it ends with it.
+# In a separate namespace, with which its mounts and processes end.
 "${emulated[@]}" unshare --mount --pid --ipc --uts --fork --kill-child bash -euc '
   mount -t proc proc "$1/proc"
   mount --rbind /dev "$1/dev"

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""same_figures.py BUILD SETTINGS FILE: whether the programs of BUILD compute what FILE has, which figures.sh wrote on another
-architecture by a daemon with the settings file SETTINGS. Prints the largest deviation of each line. Exit: 0 the same within
+"""same_figures.py BUILD SETTINGS FILE: compares the results of BUILD's programs with those in FILE, which figures.sh wrote on another
+architecture with a daemon that used the settings file SETTINGS. Prints the largest deviation of each line. Exit: 0 the same within
 TOLERANCE, 1 not, 64 usage."""
 import json
 import os
@@ -10,12 +10,12 @@ import subprocess
 import sys
 import tempfile
 
-# Of a number of at least 1, or absolute. Libraries for mathematics of two architectures may round the last bit differently. A
-# preview begins at the ball's temperature, and calibration measures: both have noise that depends on when they began.
+# Relative for a number of at least 1, otherwise absolute. The mathematical libraries of two architectures may round the last bit
+# differently. A preview begins at the ball's temperature, and calibration measures: both have noise that depends on their start time.
 TOLERANCE = {"preview": 0.02, "calibrate": 0.02}
 COMPUTED = 1e-9
-# What a deviation is divided by where 1 would hide it: 2 % of this are a fifth of a winding's 1.5 mH, which the thermal model
-# tolerates (model/thermal-model.md). An emulated measurement on a busy machine is a tenth off.
+# Divisor of a deviation where 1 would hide it: 2 % of this are a fifth of a winding's 1.5 mH, which the thermal model tolerates
+# (model/thermal-model.md). The error of an emulated measurement on a busy machine is a tenth.
 SCALE = {".figures.inductance_h": 0.015}
 PROGRAMS = ("daemon", "clients/ctl", "clients/design")
 
@@ -34,7 +34,7 @@ def deviation(one, other, place=""):
 
 
 def native_figures(build, settings, folder):
-    """The lines of figures.sh by the programs of `build`."""
+    """The output lines of figures.sh with the programs of `build`."""
     path = os.pathsep.join([str(build / part) for part in PROGRAMS] + [os.environ["PATH"]])
     environment = {**os.environ, "PATH": path, "RUNTIME_DIRECTORY": folder, "STATE_DIRECTORY": folder,
                    "HEDGEHOG_ADDRESS": f"{folder}/hedgehogd.sock"}

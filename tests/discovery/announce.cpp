@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// announce NAME PORT SERIAL: announces such a ball until SIGTERM.
+// announce NAME PORT SERIAL: announces a ball with these properties until SIGTERM.
 #include <csignal>
 #include <cstdlib>
 
@@ -10,7 +10,7 @@ int main(int argc, char** argv) {
   sigset_t end;
   sigemptyset(&end);
   sigaddset(&end, SIGTERM);
-  // Before the announcement's thread begins, which inherits it.
+  // Before the announcement starts its thread, which inherits the mask.
   pthread_sigmask(SIG_BLOCK, &end, nullptr);
   const hedgehog::daemon::Announcement announcement(
       {argv[1], static_cast<std::uint16_t>(std::atoi(argv[2])), argv[3], "1.0"});

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# run.sh BUILD: the daemon's announcement, `hedgehogctl discover` and the mdns:// of the client libraries with Debian's Avahi,
-# on a bus and in a network namespace of their own: nothing leaves this machine. Exit: 0 all is well, 69 such a namespace cannot be made here.
+# run.sh BUILD: tests the daemon's announcement, `hedgehogctl discover` and mdns:// in the client libraries with Debian's Avahi,
+# on a separate message bus and in a separate network namespace: no packet leaves this machine. Exit: 0 passed, 69 no such namespace
+# can be created here.
 set -euo pipefail
 
 if [ "${1-}" != --inside ]; then
@@ -10,11 +11,11 @@ if [ "${1-}" != --inside ]; then
   as_root=()
   [ "$(id -u)" -eq 0 ] || as_root=(sudo -n)
   work=$(mktemp -d)
-  # Avahi's own user reads in it.
+  # Avahi's own user must be able to read it.
   chmod 755 "$work"
   trap '"${as_root[@]}" rm -rf "$work"' EXIT
   "${as_root[@]}" unshare --net --mount true || { echo "tests/discovery: no network namespace" >&2; exit 69; }
-  # All that is started there ends with its first process.
+  # All processes in the namespace end with its first one.
   "${as_root[@]}" unshare --net --mount --pid --fork --kill-child --mount-proc "${BASH_SOURCE[0]}" --inside "$build" "$work"
   exit
 fi
@@ -56,7 +57,7 @@ export RUNTIME_DIRECTORY=/run/hedgehog
 
 ctl=$build/clients/ctl/hedgehogctl
 clients=$(cd "$(dirname -- "${BASH_SOURCE[0]}")/../../clients" && pwd)
-# found FILTER: an expression over `network`, the balls found there.
+# found FILTER: evaluates a Python expression with `network`, the discovered balls, and `names`, their names.
 found() {
   { "$ctl" discover --json 2>>"$work/ctl.log" || [ $? = 69 ]; } | python3 -c '
 import json, sys
@@ -120,7 +121,7 @@ STATE_DIRECTORY=$work/state "$build/daemon/hedgehogd" --simulate --listen tls://
 daemon=$!
 eventually found 'len(names) == 1'
 name=$("$ctl" discover --json | python3 -c 'import json, sys; print(json.load(sys.stdin)["network"][0]["name"])')
-# in_python ADDRESS, in_javascript ADDRESS, in_cpp ADDRESS: a pulse.
+# in_python ADDRESS, in_javascript ADDRESS, in_cpp ADDRESS: play a pulse.
 in_python() {
   PYTHONPATH=$clients/python python3 -c 'import sys, hedgehog; hedgehog.Ball(sys.argv[1]).pulse("left", on_close="finish")' "$1"
 }

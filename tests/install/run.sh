@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# run.sh BUILD: installs BUILD into a prefix, moves that, and uses it as a game's developer does. Exit: 0 all is well.
+# run.sh BUILD: installs BUILD into a prefix, moves the prefix, and uses it as a game's developer does. Exit: 0 passed.
 set -euo pipefail
 
 [ $# -eq 1 ] || { echo "run.sh BUILD" >&2; exit 64; }
@@ -47,7 +47,7 @@ for file in bin/hedgehogd bin/hedgehogctl bin/hedgehog-study bin/hedgehog-design
   [ -s "$prefix/$file" ] || fail "$file is not installed"
 done
 
-# Of each program, of the same name.
+# Each program has completions and a man page of the same name.
 for program in "$prefix"/bin/*; do
   name=${program##*/}
   for file in share/bash-completion/completions/"$name" share/zsh/site-functions/_"$name" \
@@ -68,18 +68,18 @@ fi
 step "a daemon of that prefix"
 export XDG_RUNTIME_DIR=$work/run XDG_STATE_HOME=$work/state XDG_CONFIG_HOME=$work/config HOME=$work
 export HEDGEHOG_PATIENCE_MS=60000 LC_ALL=C.UTF-8
-# Where clients look first: before an installed daemon they find this one.
+# The first place that clients search, so that they find this daemon before an installed one.
 export RUNTIME_DIRECTORY=$work/run/hedgehog
 unset HEDGEHOG_ADDRESS STATE_DIRECTORY
 mkdir -p "$work/run" "$work/config/hedgehog"
-# A device that only this prefix has is found.
+# A device that exists only in this prefix.
 cp "$prefix/share/hedgehog/devices.d/hedgehog-86.json" "$prefix/share/hedgehog/devices.d/of-this-prefix.json"
 echo '{"device": "of-this-prefix", "http": {"listen": null}}' >"$work/config/hedgehog/hedgehogd.json"
 mkfifo "$work/listening"
 exec 3<>"$work/listening"
 "$prefix/bin/hedgehogd" --simulate --listen 127.0.0.1:0 >"$work/listening" 2>"$work/daemon.log" &
 daemon=$!
-# A line for each listener, once clients can connect.
+# The daemon prints a line for each listener, once clients can connect.
 read -r -t 120 line <&3 || { cat "$work/daemon.log"; fail "the daemon did not start"; }
 step "$line"
 [ -S "$RUNTIME_DIRECTORY/hedgehogd.sock" ] || fail "the daemon's socket is not where clients look first"
@@ -94,14 +94,14 @@ awk '/^```cpp$/ { on = 1; next } /^```$/ { if (on) exit } on' "$source/clients/l
 lines=$(wc -l <"$work/empty/game.cpp")
 if [ "$lines" -lt 5 ] || [ "$lines" -gt 10 ]; then fail "the first program of clients/lib/README.md has $lines lines"; fi
 
-# felt NAME PROGRAM: what it plays is felt to its end.
+# felt NAME PROGRAM: an effect of the program must end as completed.
 felt() {
   local before after
-  # A machine that was too busy to run the simulated board has lost it meanwhile: found again, it is disarmed.
+  # If the machine was too busy to run the simulated board, the board was lost and, once found again, is disarmed.
   "$ctl" arm >/dev/null
   before=$("$ctl" events --since 1h --types effect_ended --json | grep -c '"reason":"completed"' || true)
   "$2" || fail "$1: the program failed"
-  # It plays on when the program has ended, and the history is written a moment later.
+  # The effect may outlast the program, and the history is written a moment later.
   for _ in $(seq 300); do
     after=$("$ctl" events --since 1h --types effect_ended --json | grep -c '"reason":"completed"' || true)
     [ "$after" -le "$before" ] || break
@@ -136,7 +136,7 @@ felt "quick start" quick_start
 step "a newcomer's way"
 PKG_CONFIG_PATH=$config PYTHONDONTWRITEBYTECODE=1 python3 "$source/tests/sdk/newcomer.py" "$prefix/bin/hedgehogd" C++
 
-# What only programs and tests need is not looked for. CMake itself uses its module PkgConfig for OpenSSL, without pkg-config too.
+# Packages needed only by programs and tests must not be required. CMake uses its module PkgConfig for OpenSSL even without pkg-config.
 without="$(printf ' -DCMAKE_DISABLE_FIND_PACKAGE_%s=ON' CLI11 spdlog GTest rapidcheck benchmark) -DPKG_CONFIG_EXECUTABLE=/bin/false"
 # shellcheck disable=SC2086
 cmake --no-warn-unused-cli -S "$source/tests/install/game" -B "$work/subproject" -G Ninja -DGAME_SOURCE="$work/game.cpp" \

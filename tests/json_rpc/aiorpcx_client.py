@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""aiorpcx_client.py PORT: Debian's aiorpcX with the daemon on that port of the loopback. Exit: 0 answered as it expects."""
+"""aiorpcx_client.py PORT: tests Debian's aiorpcX with the daemon on that loopback port. Exit: 0 the responses are as expected."""
 import asyncio
 import sys
 import unittest
@@ -11,7 +11,7 @@ PULSE = {"direction": "left", "current_a": 5, "duration_ms": 50}
 
 
 class Session(aiorpcx.RPCSession):
-    """Keeps the notifications of the daemon."""
+    """Stores the notifications of the daemon."""
 
     def __init__(self, *args, **kwargs):
         super().__init__(*args, **kwargs)

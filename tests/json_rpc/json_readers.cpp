@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What each reader of JSON makes of a document: a line of stdin is a document in hexadecimal, the
-// line of stdout has an `r` (read) or an `x` (refused) for each reader of kReaders.
+// Outcome of each JSON reader for each document: a line of stdin is a document in hexadecimal, its
+// line of stdout has an `r` (read) or an `x` (rejected) for each reader of kReaders.
 #include <cstddef>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -17,7 +17,7 @@ namespace {
 namespace base = hedgehog::base;
 using Reader = bool (*)(std::string_view);
 
-/// As patterns are read too.
+/// Patterns are read with the same reader.
 bool wire(std::string_view text) {
   constexpr std::size_t kMaxNesting = 32;
   return bool(hedgehog::protocol::parse_json(text, kMaxNesting));
@@ -33,7 +33,7 @@ bool configuration(std::string_view text) {
   return bool(hedgehog::config::parse_json(text, "document"));
 }
 
-/// AHAP or HJIF. None of the documents is, but the sentence about that comes after reading.
+/// AHAP or HJIF. No document is either, but that error is reported only after parsing.
 bool imported_file(std::string_view text) {
   const auto imported = hedgehog::client::import_pattern(text);
   return !imported && imported.error().message.find("neither AHAP") != std::string::npos;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Clients that others wrote for any JSON-RPC server: what they send is answered as they expect it.
+// Third-party clients for any JSON-RPC server: the responses to their requests are as they expect.
 import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
 import net from 'node:net';

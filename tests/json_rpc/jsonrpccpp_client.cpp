@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// jsonrpccpp_client SOCKET: Debian's libjson-rpc-cpp with the daemon on that Unix socket. Exit: 0
-// answered as it expects. In C++14: the library's headers have exception specifications.
+// jsonrpccpp_client SOCKET: tests Debian's libjson-rpc-cpp with the daemon on that Unix socket.
+// Exit: 0 the responses are as expected. In C++14: the library's headers have exception
+// specifications.
 #include <jsonrpccpp/client.h>
 #include <jsonrpccpp/client/connectors/unixdomainsocketclient.h>
 
@@ -19,7 +20,7 @@ void expect(bool good, const std::string& what) {
 
 Json::Value named() { return Json::Value(Json::objectValue); }
 
-/// The connection of a call closes with its answer: the pulse plays on.
+/// Plays on when the library closes the connection, which it does after each response.
 Json::Value pulse() {
   Json::Value params = named();
   params["direction"] = "left";
@@ -56,7 +57,7 @@ void errors(jsonrpc::Client& client) {
   expect(error_of(client, "effect.pulse", by_position) == -32602, "parameters by position");
 }
 
-/// `pulse` plays with a request before and after it, as a notification.
+/// `effect.pulse` is a notification between two requests.
 void batch(jsonrpc::Client& client) {
   jsonrpc::BatchCall requests;
   const int ping = requests.addCall("ping", named());

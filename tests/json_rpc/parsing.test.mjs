@@ -18,7 +18,7 @@ before(async () => { daemon = await Daemon.start(); });
 after(() => daemon.end());
 
 const joined = (...parts) => Buffer.concat(parts.map((part) => Buffer.from(part)));
-/** A line feed at its end would end the message on TCP. */
+/** Without the document's last line feed, which would end the message on TCP. */
 const as_params = ({ name, bytes }) =>
   joined(`{"jsonrpc":"2.0","id":${JSON.stringify(name)},"method":"ping","params":`,
     bytes.at(-1) === kLineFeed ? bytes.subarray(0, -1) : bytes, '}');
@@ -29,7 +29,7 @@ function expect_parse_error(answers, name) {
   assert.equal(answers[0].error?.code, kParseError, `${name}: ${JSON.stringify(answers)}`);
 }
 
-/** A document of the suite is no request, and a list a batch of none; one document has an id. */
+/** No document is a valid request, and an array is a batch of invalid ones; one document has an id. */
 function expect_invalid_request(answers, { name, text }) {
   const value = JSON.parse(text.replace(/^\ufeff/, ''));
   const batch = Array.isArray(value) && value.length > 0;
@@ -49,7 +49,7 @@ function expect_as_params(answers, { name, text }) {
   else assert.equal(answers[0].error?.code, kInvalidParams, name);
 }
 
-/** A string or a number comes back as the same; what may be no id is refused, but read. */
+/** A valid id is returned unchanged; another value is parsed, and rejected as an invalid request. */
 function expect_as_id(answers, value, name) {
   assert.equal(answers.length, 1, name);
   const is_id = typeof value === 'string' || value === null || Math.abs(typeof value === 'number' ? value : NaN) <= kMaxId;
@@ -58,11 +58,11 @@ function expect_as_id(answers, value, name) {
     return;
   }
   assert.ok(answers[0].result.time_ns > 0, name);
-  // -0 is 0.
+  // -0 may be returned as 0.
   assert.ok(answers[0].id === value, `${name}: ${JSON.stringify(value)} became ${JSON.stringify(answers[0].id)}`);
 }
 
-/** A list of one is what stands in it: most documents are lists for the sake of older JSON. */
+/** An array of one element is replaced by it: most documents are arrays for compatibility with older JSON. */
 function as_id({ text }) {
   const value = JSON.parse(text);
   if (!Array.isArray(value) || value.length !== 1) return { value, json: text };
@@ -138,7 +138,7 @@ test('as the first line on TCP it is answered if it begins as a request does; ot
     const { answers, closed } = await wire.exchange(bytes);
     wire.end();
     const first = bytes.find((byte) => byte !== kLineFeed && byte !== 0x0d);
-    // Nothing before the ping.
+    // `undefined`: an empty document, after which the first byte is the ping's `{`.
     const begins_well = first === undefined || first === 0x5b || first === 0x7b;
     assert.equal(closed, begins_well ? null : 'connection', name);
     assert.equal(answers.length > 0, begins_well, name);

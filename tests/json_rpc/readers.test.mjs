@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each document of JSONTestSuite before the readers of JSON files: no program stumbles over what somebody edited.
+// Each document of JSONTestSuite parsed by the readers of JSON files: no program crashes on an edited file.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
@@ -8,19 +8,19 @@ import { text } from 'node:stream/consumers';
 
 import { documents, is_refused } from './json_test_suite.mjs';
 
-/** As json_readers.cpp has them. */
+/** In the order of kReaders in json_readers.cpp. */
 const kReaders = ['wire', 'saved_file', 'written_file', 'configuration', 'imported_file'];
 
-/** Documents that are no JSON but for their comments. */
+/** Documents that are JSON except for their comments. */
 const kCommented = [
   'n_object_trailing_comment', 'n_object_trailing_comment_slash_open', 'n_structure_object_with_comment',
 ];
-/** Documents that are no JSON but for a comma behind a last item. */
+/** Documents that are JSON except for a trailing comma. */
 const kTrailingComma = [
   'n_array_extra_comma', 'n_array_number_and_comma', 'n_object_trailing_comma',
-  'n_object_lone_continuation_byte_in_key_and_trailing_comma', // with U+FFFD, as the package has it
+  'n_object_lone_continuation_byte_in_key_and_trailing_comma', // with U+FFFD, as in the package
 ];
-/** Files of the programs' own and of experimenters may have a name twice, the last counts, and be nested deeply. */
+/** Files written by programs and experimenters may repeat a name, whose last value counts, and be nested deeply. */
 const kBeyondTheWire = ['y_object_duplicated_key', 'y_object_duplicated_key_and_value', 'i_structure_500_nested_arrays'];
 /** The configuration is at most 16 levels deep; its keys are checked later. */
 const kBeyondTheConfiguration = ['i_structure_500_nested_arrays'];

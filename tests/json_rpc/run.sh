@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# run.sh BUILD: hedgehogd of that build with JSON-RPC clients and JSON documents that others wrote. Exit: 0 all passed.
+# run.sh BUILD: tests hedgehogd of that build with third-party JSON-RPC clients and JSON documents. Exit: 0 all passed.
 set -eu
 
 [ $# -eq 1 ] || { echo "run.sh BUILD" >&2; exit 64; }

@@ -7,7 +7,7 @@ import { createInterface } from 'node:readline';
 const packages = createRequire(`${process.env.HEDGEHOG_NODE_MODULES}/`);
 const WebSocket = packages('ws');
 
-/** What came from the daemon, in order: messages, then `{ closed: code }` once the connection has ended. */
+/** Received from the daemon, in order: messages, then `{ closed: code }` once the connection has ended. */
 class Incoming {
   #items = [];
   #waiting = [];
@@ -27,7 +27,7 @@ class Wire {
   incoming = new Incoming();
   #pings = 0;
 
-  /** Sends `document` and a ping; what comes before the ping's answer, or before the end of the connection. */
+  /** Sends `document` and a ping; returns the messages before the ping's response or the end of the connection. */
   async exchange(document) {
     const id = `ping ${++this.#pings}`;
     this.send(document);
@@ -46,7 +46,7 @@ export class TcpWire extends Wire {
   static open(daemon) {
     const wire = new TcpWire();
     wire.socket = net.connect(daemon.tcp, '127.0.0.1');
-    // Bytes that nobody reads any more reset the connection.
+    // Bytes that the daemon no longer reads reset the connection.
     wire.socket.on('error', () => {});
     wire.socket.on('close', () => wire.incoming.add({ closed: 'connection' }));
     createInterface({ input: wire.socket }).on('line', (line) => wire.incoming.add(JSON.parse(line)));

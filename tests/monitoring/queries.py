@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""queries.py FOLDER PROMETHEUS BALL: asks Prometheus what the alert rules and the panels of FOLDER ask, of a ball at rest."""
+"""queries.py FOLDER PROMETHEUS BALL: sends Prometheus the queries of FOLDER's alert rules and panels, for a ball at rest."""
 import json
 import os
 import re
@@ -9,7 +9,7 @@ import urllib.parse
 import urllib.request
 
 PATIENCE_S = float(os.environ.get("HEDGEHOG_PATIENCE_MS", 60000)) / 1000
-# Known only after something has flowed.
+# Not measured until a current has flowed.
 EMPTY_AT_REST = "hedgehog_winding_r25_drift_ratio"
 
 
@@ -36,7 +36,7 @@ def panel_queries(folder):
 
 def main(folder, server, ball):
     until = time.monotonic() + PATIENCE_S
-    # A rate takes two scrapes.
+    # A rate needs two scrapes.
     while not asked(server, f'count_over_time(up{{instance="{ball}"}}[1m]) >= 3'):
         assert time.monotonic() < until, "Prometheus does not scrape the ball"
         time.sleep(0.2)

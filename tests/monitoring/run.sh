@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# run.sh BUILD: config/monitoring against the Prometheus of Debian and a simulated ball of that build. Exit: 0 all is well.
+# run.sh BUILD: tests config/monitoring with Debian's Prometheus and a simulated ball of that build. Exit: 0 passed.
 set -euo pipefail
 
 [ $# -eq 1 ] || { echo "run.sh BUILD" >&2; exit 64; }
@@ -29,7 +29,7 @@ echo '{"http": {"listen": "127.0.0.1:0"}}' >"$work/config/hedgehog/hedgehogd.jso
 mkfifo "$work/lines"
 exec 3<>"$work/lines"
 
-# said PATTERN: the rest of the next line that begins so.
+# said PATTERN: prints the text after PATTERN in the next line that contains it.
 said() {
   local line
   while read -r -t 120 -u 3 line; do

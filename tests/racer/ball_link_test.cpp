@@ -39,7 +39,7 @@ void answer(FakePeer& peer, const json& result) {
 }
 
 /// Answers hello and telemetry.subscribe, sends `count` telemetry messages at once, sets `sent`,
-/// and waits for the end.
+/// and waits until the client disconnects.
 FakeDaemon::Conversation sending_at_once(int count, std::promise<void>& sent) {
   return [count, &sent](FakePeer& peer) {
     answer(peer, json::parse(kHello));
@@ -61,7 +61,7 @@ TEST(BallLink, AsksADaemonThatRefusesItAgainAfterLongerAndLongerPauses) {
   std::vector<Clock::time_point> came;
   std::set<std::string> troubles;
   BallLink link({{.host = "127.0.0.1", .port = acceptor.local_endpoint().port()}});
-  // 0.1 + 0.2 + 0.4 s of pauses.
+  // Back-off of 0.1 + 0.2 + 0.4 s.
   const auto give_up = Clock::now() + std::chrono::seconds(20);
   while (came.size() < 4 && Clock::now() < give_up) {
     link.listen();

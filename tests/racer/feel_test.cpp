@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How blows become strengths, how the ball's heat turns them down, and how tilting it drives.
+// Impacts as effect strengths, reduction of the strengths by the ball's heat, and driving by tilt.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -109,10 +109,10 @@ TEST(TiltRule, LeftAndRightSteerForwardIsThrottleAndBackIsBrake) {
   const Tilt tilt;
   EXPECT_EQ(tilt.controls({}), Controls{});
   EXPECT_EQ(tilt.controls(model::axis_angle({0, 0, 1}, 130)), Controls{});
-  // Turning about x lifts the left side: to the right.
+  // A rotation about x lifts the left side, which steers to the right.
   EXPECT_NEAR(tilt.controls(model::axis_angle({1, 0, 0}, 17)).steer, 0.5, 1e-9);
   EXPECT_NEAR(tilt.controls(model::axis_angle({1, 0, 0}, -17)).steer, -0.5, 1e-9);
-  // About y the front goes down.
+  // A rotation about y lowers the front, which is throttle.
   EXPECT_NEAR(tilt.controls(model::axis_angle({0, 1, 0}, 17)).throttle, 0.5, 1e-9);
   EXPECT_NEAR(tilt.controls(model::axis_angle({0, 1, 0}, -30)).brake, 1.0, 1e-9);
   EXPECT_EQ(tilt.controls(model::axis_angle({0, 1, 0}, -30)).throttle, 0.0);

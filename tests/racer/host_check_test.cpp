@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who may come in, where the game listens, and what it takes from a page.
+// Check of host and origin, the address of the listener, and the messages of a page.
 #include "clients/racer/server/host_check.h"
 
 #include <gmock/gmock.h>
@@ -27,7 +27,7 @@ TEST(HostCheck, KnowsItsOwnNames) {
   EXPECT_FALSE((HostCheck{"192.168.1.5", 80}.is_own_host("192.168.1.6")));
   EXPECT_TRUE((HostCheck{"0.0.0.0", 7585}.is_own_host("10.0.0.7:7585")));
   EXPECT_FALSE((HostCheck{"0.0.0.0", 7585}.is_own_host("bent.example:7585")));
-  // And its own page only.
+  // Only its own page may connect.
   EXPECT_TRUE(host_check.may_connect("localhost:7585", std::nullopt));
   EXPECT_TRUE(host_check.may_connect("localhost:7585", "http://localhost:7585"));
   for (const char* origin : {"http://localhost:7586", "http://127.0.0.1:7585", "null", "",

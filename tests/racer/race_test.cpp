@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The car on the road: it goes where it is steered, slides where the road is slippery, flies, lands
-// and turns over, and does the same every time.
+// The simulated car: steering, skids on a slippery road, jumps, landings and rollovers, always with
+// the same result.
 #include <gtest/gtest.h>
 
 #include <utility>
@@ -19,7 +19,7 @@ TEST(Car, GoesWhereItIsSteered) {
     Race race(open_ground());
     drive<Hit>(race, 3.0, {.steer = steer, .throttle = 0.5});
     EXPECT_GT(race.scene().speed_mps, 4.0);
-    // The left is y.
+    // Positive y is to the left.
     EXPECT_LT(steer * race.scene().car.position.y, -1.0);
   }
 }
@@ -42,7 +42,7 @@ TEST(Car, TakesControlsBeyondTheirRangesAsTheNearestAllowed) {
   EXPECT_EQ(race.scene().controls, Controls{});
 }
 
-/// Accelerates straight on and then rolls into a gentle bend.
+/// Accelerates straight ahead, then coasts into a gentle bend; returns the largest skid.
 double most_skid(const Track& track) {
   Race race(track);
   drive<Skid>(race, 3.0, {.throttle = 1.0});
@@ -72,7 +72,7 @@ TEST(Car, FliesOverARampAndLandsHarderFromAHigherOne) {
   }
 }
 
-/// The wheels of one side go up, and the car over.
+/// A ramp under the wheels of one side, which turns the car over.
 Track corkscrew() {
   Track track = open_ground();
   track.ramps.push_back({flat_pose(25, 0.9, 0, 0), 5, 1.4, 1.6});
@@ -88,7 +88,7 @@ TEST(Car, TurnsOverWithTheGroundGoingRound) {
     EXPECT_NEAR(norm(tumble.down), 1.0, 1e-5);
     farthest = std::max(farthest, angle_deg(tumble.down, {0, 0, -1}));
   }
-  // It sweeps, it does not jump: told in every step, and at most 12 degrees further each time.
+  // The direction sweeps: reported in every step, at most 12 degrees further each time.
   for (std::size_t i = 1; i < tumbles.size() && tumbles[i].time_s < tumbles[0].time_s + 0.5; ++i)
     EXPECT_LT(angle_deg(tumbles[i].what.down, tumbles[i - 1].what.down), 12.0);
   EXPECT_GT(farthest, 85.0);
@@ -185,7 +185,7 @@ TEST(TheDriver, FinishesFourLapsInTwoMinutesAndFeelsEverything) {
 
 TEST(TheDriver, BacksOutOfAWall) {
   Track track = home_track();
-  // Nose to the wall, across the road.
+  // Across the road, with the front to the wall.
   track.start.orientation = model::axis_angle({0, 0, 1}, 90);
   track.start.position.y += 3.0;
   Race race(track);
@@ -202,7 +202,7 @@ TEST(Lap, IsTheWholeWayRoundWithoutShortCuts) {
   for (std::size_t i = 0; i <= centre.size(); ++i) {
     const Vec3& here = centre[i % centre.size()];
     rounds += round.take(centre, here) ? 1 : 0;
-    // Half the way, and then straight over the grass to the other half.
+    // `across` takes a short cut past the second quarter of the track.
     if (i < centre.size() / 4 || i > centre.size() / 2)
       crossings += across.take(centre, here) ? 1 : 0;
   }
@@ -230,7 +230,7 @@ TEST(Lap, IsNotDrivenBackwards) {
   Track track = home_track();
   Race race(track);
   EXPECT_TRUE(drive<LapDone>(race, 6.0, {.brake = 1.0}).empty());
-  // Across the line again.
+  // Crosses the line again, forwards.
   EXPECT_TRUE(drive<LapDone>(race, 4.0, {.throttle = 1.0}).empty());
   EXPECT_EQ(race.scene().lap, 1);
 }

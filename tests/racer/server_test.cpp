@@ -44,7 +44,7 @@ Scene scene_at(double time_s, std::size_t obstacles = 20) {
 
 class GameServer : public testing::Test {
  protected:
-  /// What `work`, in another thread, finds while the server is served here as a game does.
+  /// Result of `work` in another thread, while this one runs the server as a game does.
   template <class Work>
   auto served(Work work) {
     auto result = std::async(std::launch::async, work);
@@ -52,7 +52,7 @@ class GameServer : public testing::Test {
     return result.get();
   }
   void serve() { server_.serve_until(steady_clock::now() + milliseconds{1}); }
-  /// Until the pages have said something that `holds`; what was asked by then.
+  /// Runs the server until `holds` is true of the pages' requests; returns them.
   template <class Holds>
   PageRequests asked_until(Holds holds) {
     for (;;) {
@@ -65,7 +65,7 @@ class GameServer : public testing::Test {
                 const std::string& method = "GET") {
     return served([&] { return e2e::web_get(port(), target, more, method); });
   }
-  /// One that was let in is among the server's pages.
+  /// Connects a page; if it is accepted, waits until the server counts it.
   std::unique_ptr<WebSocketClient> page(const std::string& more = "") {
     const int before = server_.pages();
     auto client = served([&] { return std::make_unique<WebSocketClient>(port(), more); });
@@ -77,7 +77,7 @@ class GameServer : public testing::Test {
   }
   int port() const { return server_.port(); }
 
-  /// Before any lease could be over: the tests that mean time name it.
+  /// No lease has expired at this time; tests of leases use another one.
   static constexpr steady_clock::time_point kLongAgo{};
 
   TemporaryFolder folder_;
@@ -168,7 +168,7 @@ TEST_F(GameServer, TheHandThatPressedLastSteersAndLetsGoWhenItLeaves) {
   const auto other = page();
   one->text(R"({"type":"keys","steer":1,"throttle":1})");
   asked_until([](const PageRequests& asked) { return asked.keys == Controls{1.0, 1.0, 0.0}; });
-  other->text(R"({"type":"keys"})");  // lets go of what it never held
+  other->text(R"({"type":"keys"})");  // releases keys that it never pressed
   other->text(R"({"type":"reset"})");
   EXPECT_EQ(asked_until([](const PageRequests& asked) { return asked.reset; }).keys,
             (Controls{1.0, 1.0, 0.0}));
@@ -189,7 +189,7 @@ TEST_F(GameServer, AHandThatHoldsDoesNotTakeTheWheelFromTheOneThatPressedLast) {
   asked_until([](const PageRequests& asked) { return asked.keys.throttle == 1.0; });
   other->text(R"({"type":"keys","brake":1})");
   asked_until([](const PageRequests& asked) { return asked.keys.brake == 1.0; });
-  one->text(R"({"type":"keys","throttle":1})");  // still
+  one->text(R"({"type":"keys","throttle":1})");  // still pressed
   one->text(R"({"type":"reset"})");
   EXPECT_EQ(asked_until([](const PageRequests& asked) { return asked.reset; }).keys,
             (Controls{0.0, 0.0, 1.0}));
@@ -204,11 +204,11 @@ TEST_F(GameServer, AHandThatIsNotHeardHasLetGo) {
 }
 
 TEST_F(GameServer, APageThatReadsSlowlyLosesFramesAndHoldsNobodyUp) {
-  // Ten times what the kernel holds for a connection.
+  // Ten times the size of the kernel's buffers for a connection.
   constexpr int kFrames = 150;
   const auto slow = page();
   const auto quick = page();
-  // Or until the game has given the page up.
+  // Or until the game has closed the connection.
   const auto frames_until_the_last = [](WebSocketClient& page) {
     for (int frames = 0;; ++frames) {
       const auto frame = page.next();
@@ -216,7 +216,8 @@ TEST_F(GameServer, APageThatReadsSlowlyLosesFramesAndHoldsNobodyUp) {
       if (frame->payload.find(R"("time_s":150.0)") != std::string::npos) return frames;
     }
   };
-  // Each frame goes when the quick page has the one before; the slow one reads nothing meanwhile.
+  // Each frame is sent when the quick page has received the previous one; the slow page reads
+  // nothing meanwhile.
   std::atomic<int> told{0};
   auto reader = std::async(std::launch::async, [&] {
     while (told < kFrames) {
@@ -240,7 +241,7 @@ TEST_F(GameServer, APageThatReadsSlowlyLosesFramesAndHoldsNobodyUp) {
 
 TEST_F(GameServer, HasRoomForSomePagesAndSaysWhenItIsFull) {
   std::vector<std::unique_ptr<WebSocketClient>> pages;
-  // Those that are open are heard meanwhile, as they answer no ping.
+  // The open pages answer no ping, and send messages instead.
   const auto one_more = [&] {
     for (const auto& open : pages) open->text(R"({"type":"keys"})");
     return page();
@@ -258,7 +259,7 @@ TEST_F(GameServer, HasRoomForSomePagesAndSaysWhenItIsFull) {
 TEST_F(GameServer, TakesItsLeaveInWords) {
   const auto page = this->page();
   heard(*page);
-  // Its patience is short; a busy machine may need a second one.
+  // Its timeout is short; on a busy machine a second attempt may be necessary.
   auto last = std::async(std::launch::async, [&] { return page->json(); });
   while (last.wait_for(milliseconds{0}) != std::future_status::ready)
     server_.announce_shutdown("somebody pressed Ctrl-C");

@@ -21,7 +21,7 @@ TEST_P(ThrownAtTheCar, IsFeltOnThatSide) {
   const auto hits = drive<Hit>(race, 2.0, {});
   ASSERT_FALSE(hits.empty());
   EXPECT_LT(angle_deg(hits.front().what.direction, towards(azimuth_deg)), 20.0);
-  // An inelastic blow hands over m1 m2 / (m1 + m2) v at the centre; less where it turns the car.
+  // A central inelastic impact transfers m1 m2 / (m1 + m2) v; one that turns the car, less.
   const double most = 100.0 * kCarMassKg / (100.0 + kCarMassKg) * 12.0;
   EXPECT_GT(hits.front().what.impulse_n_s, 0.3 * most);
   EXPECT_LT(hits.front().what.impulse_n_s, 1.3 * most);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Small tracks, each for one happening, and a car that is driven over them without a clock.
+// Small tracks, each for one kind of event, and a car that drives on them in simulated time.
 #pragma once
 
 #include <algorithm>
@@ -22,10 +22,10 @@ inline double angle_deg(const Vec3& a, const Vec3& b) {
   return std::acos(std::clamp(dot(a, b) / (norm(a) * norm(b)), -1.0, 1.0)) / kDegree;
 }
 
-/// Nothing but ground; the car at the origin looks along x.
+/// Only ground; the car is at the origin and faces along x.
 inline Track open_ground() { return {}; }
 
-/// A heavy ball flies at the middle of the resting car.
+/// A heavy ball flies towards the middle of the car, which is at rest.
 inline Track ball_thrown_from(double azimuth_deg, double mass_kg, double speed_mps) {
   Track track = open_ground();
   const Vec3 from = towards(azimuth_deg);
@@ -41,7 +41,7 @@ struct At {
   What what{};
 };
 
-/// Drives for `seconds`; every happening of that kind.
+/// Drives for `seconds`; returns every event of the type `What`.
 template <class What>
 std::vector<At<What>> drive(Race& race, double seconds, const Controls& controls) {
   std::vector<At<What>> found;

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The cases of conformance.json for libraries that run as programs of their own: a program reads its case from HEDGEHOG_CASE,
-connects to HEDGEHOG_ADDRESS with the patience of HEDGEHOG_PATIENCE_S, prints "passed" and exits with 0."""
+"""Runs the cases of conformance.json on libraries that are tested by separate programs: a program reads its case from HEDGEHOG_CASE,
+connects to HEDGEHOG_ADDRESS with the timeout HEDGEHOG_PATIENCE_S, prints "passed" and exits with 0."""
 
 import json
 import os
@@ -10,14 +10,14 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 CASES = json.loads((HERE / "conformance.json").read_text(encoding="utf-8"))["cases"]
-# A case in which the daemon never answers takes as long as the library's patience.
+# A case in which the daemon never answers lasts as long as the library's timeout.
 SLOW = "a slow response ends the connection, the next call makes a new one"
-# What a script's engine prints of a mistake in it.
+# Printed by a script engine for an error in the script.
 MISTAKE = "SCRIPT ERROR"
 
 
 def failure_of(case, start):
-    """What went wrong; empty: nothing. `start` starts the program in an environment."""
+    """The error; empty: passed. `start` starts the program with an environment."""
     daemon = subprocess.Popen([sys.executable, str(HERE / "fake_daemon.py"), case["name"]],
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     address = "127.0.0.1:" + daemon.stdout.readline().strip()
@@ -35,7 +35,7 @@ def failure_of(case, start):
 
 
 def play_all(sdk, start):
-    """Prints a line a case, "ok" or "not ok", SDK and case. True: all passed."""
+    """Prints a line for each case: "ok" or "not ok", SDK and case. True: all passed."""
     passed = True
     table = os.environ.get("HEDGEHOG_CONFORMANCE_TABLE", os.devnull)
     for case in CASES:

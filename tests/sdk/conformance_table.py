@@ -17,7 +17,7 @@ MARKS = {"ok": "ok", "failed": "FAILED", "": "missing", "apart": "-"}
 def main():
     document = json.loads((pathlib.Path(__file__).parent / "conformance.json").read_text(encoding="utf-8"))
     cases = [case["name"] for case in document["cases"]]
-    # A library whose runner left no line has missed every case.
+    # A library whose runner wrote no line has failed every case.
     outcomes = {library: {} for library in document["libraries"]}
     for line in pathlib.Path(sys.argv[1]).read_text(encoding="utf-8").splitlines():
         library, case, outcome = line.split("\t")

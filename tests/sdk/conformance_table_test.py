@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""When the table of libraries and cases is a failure."""
+"""Conditions under which the table of libraries and cases is a failure."""
 
 import json
 import pathlib

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// conformance.json against the C++ library, with and without a thread: cpp_conformance FOLDER.
+// Runs conformance.json on the C++ library, with and without a thread: cpp_conformance FOLDER.
 // Exit: 0 all cases pass.
 #include <chrono>
 #include <cstdio>
@@ -27,14 +27,14 @@ void expect(bool met, const std::string& what) {
   if (!met) throw std::runtime_error("not so: " + what);
 }
 
-/// Parameters that are not given are none.
+/// The parameters as text, without null members; empty if there are none.
 std::string text_of(json params) {
   for (auto it = params.begin(); it != params.end();)
     it = it->is_null() ? params.erase(it) : std::next(it);
   return params.empty() ? "" : params.dump();
 }
 
-/// The daemon's side of a case, a process of its own.
+/// The daemon's side of a case, as a separate process.
 class FakeDaemon {
  public:
   FakeDaemon(const std::string& folder, const std::string& name)
@@ -59,7 +59,7 @@ class FakeDaemon {
   client::Address address_;
 };
 
-/// The outcome is what the step says.
+/// Checks the outcome against the step; throws when it differs.
 void check(const json& step, const client::Outcome<std::string>& outcome) {
   if (step.contains("failure")) {
     expect(!outcome && outcome.error().failure != Failure::kRefused, "not connected");
@@ -70,7 +70,7 @@ void check(const json& step, const client::Outcome<std::string>& outcome) {
     const json& wanted = step["error"];
     const protocol::RpcError refusal = *outcome.error().refusal;
     expect(static_cast<int>(refusal.code) == wanted["code"], "the code");
-    // This library has the name by the code, also when the daemon gives none.
+    // This library derives the name from the code, even when the daemon sends none.
     expect(wanted["name"] == "" || wanted["name"] == std::string(protocol::name(refusal.code)),
            "the name");
     expect(wanted["message"] == outcome.error().message, "the message");
@@ -90,7 +90,7 @@ protocol::EffectParams effect_params(const json& params) {
   return made;
 }
 
-/// `ended`: what was reported by earlier steps.
+/// `ended`: the ended subscriptions reported so far.
 template <class Library>
 void play(Library& library, const json& step, json& ended) {
   const json params = step.value("params", json::object());
@@ -107,7 +107,7 @@ void play(Library& library, const json& step, json& ended) {
     check(step, library.answer());
   } else if (step.contains("subscriptions_ended")) {
     const json& wanted = step["subscriptions_ended"];
-    // A thread may have read what it has not reported yet.
+    // The library's thread may have read a refusal that it has not reported yet.
     const auto deadline = std::chrono::steady_clock::now() + kPatience;
     do {
       while (const auto refused = library.refused_renewal()) ended.push_back(refused->message);
@@ -149,7 +149,7 @@ void play_case(const std::string& folder, const json& one) {
   expect(daemon.finish(), "what the daemon expects");
 }
 
-/// One line on the terminal, and one for the table of run.sh.
+/// Prints a line on the terminal, and writes one for the table of run.sh.
 template <class Library>
 bool run(const std::string& folder, const json& one) {
   const std::string name = one["name"];

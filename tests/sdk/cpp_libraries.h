@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The C++ library in the three ways in which programs use it, with the same functions.
+// The three ways in which programs use the C++ library, behind the same functions.
 #pragma once
 
 #include <future>
@@ -17,7 +17,7 @@ using client::ClientError;
 using client::Failure;
 using client::Milliseconds;
 
-// Of calls; a case in which the daemon never answers takes so long.
+// Timeout of calls, and the duration of a case in which the daemon never answers.
 inline constexpr Milliseconds kPatience{60'000};
 
 inline client::Outcome<std::string> outcome_of(protocol::Reply reply) {
@@ -25,7 +25,7 @@ inline client::Outcome<std::string> outcome_of(protocol::Reply reply) {
   return ClientError{Failure::kRefused, reply.result.error().message, reply.result.error()};
 }
 
-/// As a program that waits for each response.
+/// A program that waits for each response.
 class Waiting {
  public:
   static constexpr const char* kName = "C++ Ball";
@@ -59,7 +59,7 @@ class Waiting {
   Ball ball_;
 };
 
-/// As a frame loop without a thread: nothing waits, not even for the connection.
+/// A frame loop without a thread: no call blocks, not even to connect.
 class Frames : public Waiting {
  public:
   static constexpr const char* kName = "C++ Ball, frames";
@@ -96,7 +96,7 @@ class Frames : public Waiting {
   }
 };
 
-/// As a game with a thread: the calling thread asks again and again, and waits only for futures.
+/// A game with the library's thread: the calling thread polls, and waits only for futures.
 class Threaded {
  public:
   static constexpr const char* kName = "C++ ThreadedBall";

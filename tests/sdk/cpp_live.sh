@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# cpp_live.sh BUILD: the example of clients/examples against the
-# simulated daemon of that build, and without one. Exit: 0 all is well.
+# cpp_live.sh BUILD: runs the example of clients/examples with the simulated daemon of that build, and without a daemon.
+# Exit: 0 passed.
 set -euo pipefail
 
 [ $# -eq 1 ] || { echo "cpp_live.sh BUILD" >&2; exit 64; }
@@ -17,7 +17,7 @@ trap clean_up EXIT
 fail() { echo "tests/sdk/cpp_live: $*" >&2; exit 1; }
 
 export HOME=$work XDG_CONFIG_HOME=$work XDG_STATE_HOME=$work XDG_RUNTIME_DIR=$work HEDGEHOG_PATIENCE_MS=60000
-# Where clients look first: before an installed daemon they find this one.
+# The first place that clients search, so that they find this daemon before an installed one.
 export RUNTIME_DIRECTORY=$work/hedgehog
 unset HEDGEHOG_ADDRESS STATE_DIRECTORY
 nobody=$(HEDGEHOG_ADDRESS=127.0.0.1:1 "$build/tests/sdk/cpp_racer" 2>&1 >/dev/null) && fail "the example plays on nothing"

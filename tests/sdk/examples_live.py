@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The racer's haptics in Python, JavaScript, C++ and C++ for Unreal against a simulated daemon: examples_live.py HEDGEHOGD PACKED CPP
-UNREAL, the folder of pack.sh, the program of examples/racer.cpp and that of unreal/live.cpp."""
+"""Tests the racer's haptics in Python, JavaScript, C++ and C++ for Unreal with a simulated daemon: examples_live.py HEDGEHOGD PACKED
+CPP UNREAL. PACKED: folder of pack.sh; CPP: program of examples/racer.cpp; UNREAL: program of unreal/live.cpp."""
 
 import os
 import pathlib
@@ -22,14 +22,14 @@ UNREAL = sys.argv.pop(4) if len(sys.argv) > 4 else ""
 CPP = sys.argv.pop(3) if len(sys.argv) > 3 else ""
 PACKED = pathlib.Path(sys.argv.pop(2)) if len(sys.argv) > 2 else pathlib.Path()
 DAEMON = sys.argv.pop(1) if len(sys.argv) > 1 else ""
-# Steps of an eight: 0 is just felt. The crate comes too soon after the wall.
+# Steps 0 (just felt) to 7; -1: no pulse, because the crate follows the wall too soon.
 LAP = ["0.50 s  gear", "1.00 s  gear", "1.67 s  wall: step 6", "1.75 s  crate: step -1", "2.50 s  landing: step 5"]
 PULSES = 4
 
 
 class Examples(unittest.TestCase):
     def check_lap(self, command, **environment):
-        """The lap is printed as it is; engine and skid are felt in their slots, each blow and gear as a pulse."""
+        """The lap is printed as expected; engine and skid play in their slots, each impact and gear change as a pulse."""
         daemon = LiveDaemon(DAEMON)
         self.addCleanup(daemon.stop)
         with hedgehog.Ball(daemon.address, patience_s=LIMIT_S) as watcher:

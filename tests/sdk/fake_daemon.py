@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """The daemon's side of a case of conformance.json: fake_daemon.py NAME [--websocket]. Prints its port; ends when the case has
-been played: exit 0, or 1 with a sentence when a client sent something else than the case expects."""
+been played: exit 0, or 1 with an error message when the client's message is not the one that the case expects."""
 
 import json
 import pathlib
@@ -37,7 +37,7 @@ def check(expected, message):
 
 
 class Lines:
-    """A connection of lines, as on TCP."""
+    """A connection with a message on each line, as on TCP."""
 
     def __init__(self, connection):
         self._stream = connection.makefile("rb")
@@ -55,7 +55,7 @@ def send(connection, data, piece):
 
 
 def play(step, connection, lines, unanswered):
-    """`unanswered`: the ids of earlier requests, by the names that their steps gave them."""
+    """`unanswered`: ids of earlier requests, by the names in their steps."""
     if step == "hello":
         step = {"expect": {"method": "hello"}, "result": HELLO}
     text = lines.readline()
@@ -93,7 +93,7 @@ def main():
             unanswered = {}
             for step in steps:
                 play(step, connection, lines, unanswered)
-            # The client closes, unless the case says that the daemon does.
+            # The client closes the connection, unless in this case the daemon does.
             if not (isinstance(steps[-1], dict) and steps[-1].get("close")):
                 while lines.readline():
                     pass

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""hedgehogd --simulate for the tests of the client libraries, an address that outlives it, and a limit for what a test starts."""
+"""hedgehogd --simulate for the tests of the client libraries, an address that outlives it, and a time limit for processes."""
 
 import hashlib
 import os
@@ -10,12 +10,12 @@ import subprocess
 import tempfile
 import threading
 
-# Far beyond what a busy machine takes: only what hangs is ended.
+# Far more than a busy machine needs, so that only processes that hang are killed.
 LIMIT_S = 240.0
 
 
 def limit(process):
-    """Ends the process when it takes too long, so that whoever reads its output comes to the end. Cancel the timer that is returned."""
+    """Kills the process after LIMIT_S, so that a reader of its output reaches the end. Cancel the returned timer."""
     timer = threading.Timer(LIMIT_S, process.kill)
     timer.daemon = True
     timer.start()
@@ -23,7 +23,7 @@ def limit(process):
 
 
 class LiveDaemon:
-    """Listens once it is made; also with TLS at `tls_address`, with `fingerprint`, for who has `token` (the role play)."""
+    """Listens once constructed; also with TLS at `tls_address`, with `fingerprint`, for clients with `token` (role play)."""
 
     def __init__(self, program):
         self._folder = tempfile.TemporaryDirectory()
@@ -52,7 +52,7 @@ class LiveDaemon:
             raise RuntimeError("the daemon does not listen")
 
     def _make_access(self, state):
-        """A certificate and a token as other tools than hedgehogctl make them; the fingerprint."""
+        """Creates a certificate and a token with tools other than hedgehogctl; returns the fingerprint."""
         os.makedirs(state)
         certificate = os.path.join(state, "certificate.pem")
         subprocess.run(["openssl", "req", "-x509", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:P-256", "-nodes", "-days", "30",
@@ -73,7 +73,7 @@ class LiveDaemon:
 
 
 class ForwardedAddress:
-    """Stays the test's own while daemons behind it come and go, as ssh -L forwards one."""
+    """An address that stays the same while the daemons behind it change, as with ssh -L."""
 
     def __init__(self):
         self._server = socket.create_server(("127.0.0.1", 0))
@@ -83,7 +83,7 @@ class ForwardedAddress:
         self._thread.start()
 
     def lead_to(self, daemon):
-        """New connections go to this daemon; while it does not listen, they are closed."""
+        """Forwards new connections to this daemon; while it does not listen, they are closed."""
         host, _, port = daemon.address.partition(":")
         self._target = (host, int(port))
 

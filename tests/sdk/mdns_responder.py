@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """mdns_responder.py NAME SERIAL ADDRESS PORT ...: announces these balls by multicast DNS on the loopback interface, on a free
-port, which it prints; for clients with HEDGEHOG_MDNS_PORT. Ends with its stdin."""
+port, which it prints; for clients with HEDGEHOG_MDNS_PORT. Ends when its stdin is closed."""
 
 import socket
 import struct
@@ -29,11 +29,11 @@ def _records(name, serial, address, port):
 
 
 class Responder:
-    """Answers from a thread of its own until it is closed."""
+    """Answers queries in a separate thread until close()."""
 
     def __init__(self, balls):
         self._balls = [_records(*ball) for ball in balls]
-        #: Only what is asked for, each record in a response of its own.
+        #: If true, sends only the requested records, each in a separate response.
         self.one_record_each = False
         self.queries = 0
         self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)

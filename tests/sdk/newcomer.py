@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""A newcomer's way from an installed daemon to the first pulse: newcomer.py HEDGEHOGD [LIBRARY...].
+"""Tests the quick starts, from an installed daemon to the first pulse: newcomer.py HEDGEHOGD [LIBRARY...].
 
-Each README's program goes into an empty folder beside the sources, its commands are run word for word, and the table says how
-many there are and how long it took until the daemon began the first effect. Exit: 1 a quick start does not work, or the table
-of clients/README.md has another number of commands.
+Each README's program is written to an empty folder beside the sources, and its commands are run verbatim. The printed table has the
+number of commands and the time until the daemon started the first effect. Exit: 1 a quick start fails, or the table of
+clients/README.md has another number of commands.
 """
 
 import os
@@ -26,14 +26,14 @@ import project  # noqa: E402
 from live_daemon import LIMIT_S, LiveDaemon  # noqa: E402
 
 START = "hedgehogd --simulate &"
-# README, language, file. C++ needs an installed library: tests/install runs it.
+# README, language, file. C++ needs an installed library, therefore tests/install runs it.
 LIBRARIES = {"Python": ("python/README.md", "python", "game.py"), "JavaScript": ("js/README.md", "js", "game.mjs"),
              "C#": ("unity/README.md", "csharp", "game.cs"), "C++": ("lib/README.md", "cpp", "game.cpp"),
              "Godot": ("godot/README.md", "gdscript", "main.gd")}
 
 
 class FirstEffect:
-    """When the daemon began it."""
+    """The time at which the daemon started its first effect."""
 
     def __init__(self, address):
         self._ball = hedgehog.Ball(address, name="observer", patience_s=LIMIT_S)
@@ -54,7 +54,7 @@ class FirstEffect:
 
 
 def take_way(daemon_program, commands, game):
-    """Seconds until the first effect; None: none began."""
+    """Seconds until the first effect; None: no effect started."""
     started = time.monotonic()
     assert commands[0] == START, commands
     daemon = LiveDaemon(daemon_program)
@@ -78,7 +78,7 @@ def take_way(daemon_program, commands, game):
 
 
 def way_of(daemon_program, library):
-    """Commands and seconds."""
+    """The number of commands, and the seconds until the first effect."""
     path, language, file = LIBRARIES[library]
     guide = readme.Readme(path)
     assert guide.names(file), "clients/%s does not name %s" % (path, file)
@@ -86,7 +86,7 @@ def way_of(daemon_program, library):
         os.symlink(ROOT, pathlib.Path(folder) / "hedgehog")
         game = pathlib.Path(folder) / "game"
         if library == "Godot":
-            # What the editor makes: a project with a scene, to whose node the script is attached.
+            # The editor's part: a project with a scene, to whose node the script is attached.
             project.make_project(game, "godot3", guide.program(language))
             subprocess.run(["rm", "-r", str(game / "addons")], check=True)
         else:
@@ -96,7 +96,7 @@ def way_of(daemon_program, library):
 
 
 def documented():
-    """By library, the number of commands in the table of clients/README.md."""
+    """The number of commands in the table of clients/README.md, by library."""
     text = (CLIENTS / "README.md").read_text(encoding="utf-8")
     return {name: int(count) for name, count in re.findall(r"^\| \[([^]]+)\]\([a-z]+/README\.md\) \| (\d+) \|", text, re.M)}
 

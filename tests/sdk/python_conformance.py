@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""conformance.json against the Python library, blocking and asyncio."""
+"""Runs conformance.json on the Python library, blocking and asyncio."""
 
 import asyncio
 import json
@@ -17,7 +17,7 @@ sys.path.insert(0, str(HERE.parent.parent / "clients" / "python"))
 import hedgehog  # noqa: E402
 
 CASES = json.loads((HERE / "conformance.json").read_text(encoding="utf-8"))["cases"]
-# Of calls; a case in which the daemon never answers takes so long.
+# Timeout of calls, and the duration of a case in which the daemon never answers.
 PATIENCE_S = 60.0
 SLOW = "a slow response ends the connection, the next call makes a new one"
 
@@ -38,7 +38,7 @@ def patience_of(case):
 
 
 class Reports:
-    """What the library has reported: how often it is connected again, and which subscriptions have ended."""
+    """The library's reports: number of reconnections, and ended subscriptions."""
 
     def __init__(self):
         self.reconnections = 0
@@ -54,7 +54,7 @@ class Reports:
 
 
 class Blocking(Reports):
-    """A step of a case on Ball."""
+    """Runs a step of a case on Ball."""
 
     def __init__(self, ball=None):
         super().__init__()
@@ -81,13 +81,13 @@ class Blocking(Reports):
 
 
 class Asynchronous(Reports):
-    """A step of a case on AsyncBall."""
+    """Runs a step of a case on AsyncBall."""
 
     async def open(self, address, patience_s):
         self.ball = hedgehog.AsyncBall(address, name="conformance", patience_s=patience_s, on_reconnect=self.again,
                                        on_subscription_ended=self.subscription_ended)
         await self.ball.__aenter__()
-        # What the generators of events and telemetry read from.
+        # A queue like those from which the generators of events and telemetry read.
         self.queue = asyncio.Queue(100)
         self.ball._subscribers.append(self.queue)
 
@@ -99,7 +99,7 @@ class Asynchronous(Reports):
 
     async def ask(self, method, params):
         self.asked = asyncio.ensure_future(self.ball.call(method, **params))
-        # It sends before it waits for the first time.
+        # Runs the task until its first wait, which is after it has sent the request.
         await asyncio.sleep(0)
 
     async def answer(self):
@@ -113,17 +113,17 @@ class Asynchronous(Reports):
 
     async def notification(self):
         received = await asyncio.wait_for(self.queue.get(), PATIENCE_S)
-        # Generators end with a connection; their queue goes on here.
+        # Generators end with their connection; this queue continues with the next one.
         return await self.notification() if isinstance(received, hedgehog.BallError) else received
 
 
 class Conformance(unittest.IsolatedAsyncioTestCase):
     def setUp(self):
-        # Its complaint of slow callbacks is of the processes that a test starts.
+        # Its warnings of slow callbacks are caused by the processes that a test starts.
         logging.getLogger("asyncio").setLevel(logging.ERROR)
 
     async def outcome(self, step, action):
-        """Result of the action, which has to end as the step says."""
+        """Runs the action, whose outcome must be that of the step; returns its result."""
         if "failure" in step:
             with self.assertRaises(hedgehog.NotConnected) as raised:
                 await action()
@@ -170,7 +170,7 @@ class Conformance(unittest.IsolatedAsyncioTestCase):
             self.assertEqual(await library.notification(), (step["notification"], params))
 
     def test_an_iterator_raises_once_its_subscription_has_ended(self):
-        """Of a Ball whose other calls have connected it again meanwhile."""
+        """The Ball has been reconnected by other calls meanwhile."""
         daemon = Daemon({"name": "a subscription that the next daemon refuses has ended, and is reported"})
         self.addCleanup(lambda: self.assertEqual(daemon.finish(), (0, "")))
         with hedgehog.Ball(daemon.address, patience_s=PATIENCE_S) as ball:
@@ -204,7 +204,7 @@ NAMES = {Blocking: "Python Ball", Asynchronous: "Python AsyncBall"}
 
 
 def report(case, library, passed):
-    """For the table of run.sh."""
+    """Writes a line for the table of run.sh."""
     table = os.environ.get("HEDGEHOG_CONFORMANCE_TABLE")
     if table:
         with open(table, "a", encoding="utf-8") as lines:

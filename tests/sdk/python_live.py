@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The Python library and its README against a simulated daemon: python_live.py HEDGEHOGD."""
+"""Tests the Python library and its README with a simulated daemon: python_live.py HEDGEHOGD."""
 
 import asyncio
 import inspect

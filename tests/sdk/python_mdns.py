@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""mdns.json against the Python library, and searches on the loopback interface."""
+"""Runs mdns.json on the Python library, and searches on the loopback interface."""
 
 import asyncio
 import json
@@ -118,7 +118,7 @@ class OnLoopback(unittest.TestCase):
             asyncio.run(connect())
 
     def test_the_ball_that_is_meant_is_connected_to(self):
-        # Nobody listens there, which shows where it went.
+        # No listener on these ports: the error contains the chosen address.
         self.announce(("ball-7", "0007", "127.0.0.1", 9), ("ball-9", "0009", "127.0.0.1", 10))
         with self.assertRaisesRegex(hedgehog.NotConnected, "^the daemon does not run: tls://127.0.0.1:10: Connection refused$"):
             hedgehog.Ball("mdns://0009", fingerprint=FINGERPRINT)

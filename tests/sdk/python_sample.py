@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a game in Python writes, and what a type checker has to refuse: an ignored line that is right is an error, too."""
+"""Correct code of a game, and lines that a type checker must reject: an `ignore` on a correct line is an error, too."""
 
 from typing import List, Optional
 

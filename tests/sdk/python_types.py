@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The types of the Python library and of a program that uses it, by a strict checker, for the oldest Python that it runs with."""
+"""Checks the types of the Python library and of a program that uses it strictly, for the oldest supported Python."""
 
 import pathlib
 import subprocess
@@ -12,7 +12,7 @@ PYTHON = HERE.parent.parent / "clients" / "python"
 
 
 def check(*files):
-    """What the checker says; empty: nothing."""
+    """The output of the type checker; empty: no errors."""
     with tempfile.TemporaryDirectory() as cache:
         ran = subprocess.run(["mypy", "--config-file", str(PYTHON / "pyproject.toml"), "--cache-dir", cache, "--no-error-summary",
                               *map(str, files)], cwd=PYTHON, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The wheel of the Python library, installed into an environment of its own: python_wheel.py HEDGEHOGD FOLDER."""
+"""Tests the wheel of the Python library, installed into a virtual environment: python_wheel.py HEDGEHOGD FOLDER."""
 
 import os
 import pathlib
@@ -31,7 +31,7 @@ class Wheel(unittest.TestCase):
             printed = subprocess.run([python, "game.py"], cwd=empty, check=True, text=True, stdout=subprocess.PIPE,
                                      timeout=live_daemon.LIMIT_S, env=dict(environment, HEDGEHOG_ADDRESS=daemon.address)).stdout
             self.assertGreater(float(printed), 10.0)
-            # A type checker finds its types.
+            # With this file a type checker finds the types.
             found = subprocess.run([python, "-c", "import hedgehog, pathlib; print((pathlib.Path(hedgehog.__file__).parent / 'py.typed').exists())"],
                                    cwd=empty, check=True, text=True, stdout=subprocess.PIPE).stdout
             self.assertEqual(found.strip(), "True")

@@ -13,14 +13,14 @@ class Readme:
         self.text = (CLIENTS / path).read_text(encoding="utf-8")
 
     def program(self, language):
-        """The first block of that language."""
+        """The first code block in that language."""
         return re.search(r"```%s\n(.*?)```" % language, self.text, re.S).group(1)
 
     def commands(self):
-        """The lines of the first block of shell commands, without comments."""
+        """The lines of the first block of shell commands, without their comments."""
         block = re.search(r"```sh\n(.*?)```", self.text, re.S).group(1)
         return [line.partition(" #")[0].strip() for line in block.splitlines()]
 
     def names(self, file):
-        """Whether the text before the first program says how its file is called."""
+        """True if the text before the first program names its file."""
         return "`%s`" % file in self.text.partition("```")[0]

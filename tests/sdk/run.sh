@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# run.sh BUILD: the client libraries against the cases of conformance.json and against hedgehogd of that build; at the
-# end the table of libraries and cases.
+# run.sh BUILD: tests the client libraries with the cases of conformance.json and with hedgehogd of that build; prints
+# the table of libraries and cases at the end.
 set -euo pipefail
 
 [ $# -eq 1 ] || { echo "run.sh BUILD" >&2; exit 64; }
@@ -13,7 +13,7 @@ HEDGEHOG_CONFORMANCE_TABLE=$(mktemp)
 export HEDGEHOG_CONFORMANCE_TABLE
 trap 'rm -f "$HEDGEHOG_CONFORMANCE_TABLE"' EXIT
 export HEDGEHOG_SLOW_NAMES=$build/tests/sdk/slow_names.so
-# What does not end is ended, with all that it has started; each test has a shorter limit of its own.
+# Terminates a command that hangs, with its child processes; each test has a shorter time limit of its own.
 bounded() {
   timeout --kill-after=10 1800 "$@" || {
     local result=$?
@@ -21,7 +21,7 @@ bounded() {
     return "$result"
   }
 }
-# Nothing of a registry is asked for but what the lock files name.
+# No request to a registry except for the packages of the lock files.
 export npm_config_update_notifier=false
 packed=$PWD/../../build/sdk
 ./pack.sh "$packed"
@@ -56,7 +56,7 @@ bounded unreal/run.sh "$daemon"
 # The racer's haptics in each language.
 bounded python3 examples_live.py "$daemon" "$packed" "$build/tests/sdk/cpp_racer" ../../build/unreal/live
 
-# What a newcomer does, what a game ships with, and who passes what.
+# The quick starts, the sizes of the libraries, and the table.
 bounded ./newcomer.py "$daemon"
 ../../cmake/bundle.sh ../../clients/js/src "$packed/client" browser.js
 ../../cmake/compress.sh "$packed/client"

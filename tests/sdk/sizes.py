@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""sizes.py PACKED WWW...: how large the client libraries are that a game takes with it, and the pages that browsers load. PACKED is
-of pack.sh; a page that was not built is left out. Exit: 1 something is missing or empty, or the table of clients/README.md has another
-size.
+"""sizes.py PACKED WWW...: prints the sizes of the client libraries that a game includes, and of the pages that browsers load. PACKED
+is the folder of pack.sh; a page that was not built is omitted. Exit: 1 a file is missing or empty, or the table of clients/README.md has
+another size.
 """
 
 import pathlib
@@ -10,16 +10,16 @@ import re
 import sys
 
 CLIENTS = pathlib.Path(__file__).resolve().parent.parent.parent / "clients"
-# What is not copied into a game.
+# Files that are not copied into a game.
 APART = ("README.md", "generate.py", "__pycache__", "Samples~", "Example")
 
 
-# A library grows now and then: the documented size may be off by so much.
+# Relative tolerance of the documented sizes, because the libraries grow over time.
 TOLERANCE = 0.15
 
 
 def documented(folder):
-    """kB in the table of clients/README.md, by the library's folder; None: it has none."""
+    """Size in kB of the library in `folder` by the table of clients/README.md; None: not documented."""
     table = (CLIENTS / "README.md").read_text(encoding="utf-8")
     found = re.search(r"^\| \[[^]]+\]\(%s/README\.md\) (?:\|[^|]*){2}\| ([0-9.]+)," % folder, table, re.M)
     return float(found.group(1)) if found else None
@@ -35,7 +35,7 @@ def main():
     rows = [("JavaScript: npm's file", "js", list(packed.glob("*.tgz"))), ("Python: wheel", "python", list(packed.glob("*.whl"))),
             ("Unity: package", "unity", files(CLIENTS / "unity")), ("Godot: addon", "godot", files(CLIENTS / "godot" / "addons")),
             ("Unreal: plugin", "unreal", files(CLIENTS / "unreal"))]
-    # A browser asks for the compressed file.
+    # Browsers request the compressed file.
     rows += [("page: " + one.name, None, list(one.rglob("*.gz"))) for one in pages if one.is_dir()]
     print("%-24s %7s %9s" % ("", "files", "kB"))
     well = True

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Preloaded into a game (LD_PRELOAD): a name server that does not answer. getaddrinfo of a name
-// that begins with "slow." waits until the file that HEDGEHOG_NAMES_KNOWN names is there; then its
-// address is 127.0.0.1. One that begins with "unknown." has none.
+// Preloaded into a game (LD_PRELOAD): simulates a name server that does not answer. getaddrinfo of
+// a name that begins with "slow." waits until the file named by HEDGEHOG_NAMES_KNOWN exists, then
+// returns 127.0.0.1. A name that begins with "unknown." has no address.
 #include <dlfcn.h>
 #include <netdb.h>
 #include <unistd.h>
@@ -27,7 +27,7 @@ extern "C" int getaddrinfo(const char* node, const char* service, const addrinfo
   while (known != nullptr && access(known, F_OK) != 0) usleep(1000);
   addrinfo numeric{};
   if (hints != nullptr) numeric = *hints;
-  // A machine without a network has addresses of this kind too.
+  // Exists on a machine without a network too.
   numeric.ai_family = AF_INET;
   numeric.ai_flags = AI_NUMERICHOST;
   return original("127.0.0.1", service, &numeric, result);

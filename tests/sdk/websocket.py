@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The server's side of a WebSocket (RFC 6455) with the two functions that fake_daemon.py needs of a connection: a message a
-line, and bytes of messages sent as text frames. A test's: it trusts the client's frames."""
+"""The server's side of a WebSocket (RFC 6455) with the two functions that fake_daemon.py needs: to read a message as a line, and to
+encode a line as a text frame. For tests only: does not validate the client's frames."""
 
 import base64
 import hashlib
@@ -48,7 +48,7 @@ class WebSocketLines:
 
     @classmethod
     def encode(cls, data):
-        """A line as a text frame; without its end of line, as hedgehogd sends it."""
+        """Encodes a line as a text frame, without its line end, as hedgehogd does."""
         return cls._frame(TEXT, data.rstrip(b"\n"))
 
     @staticmethod

@@ -6,7 +6,7 @@
 
 namespace hedgehog::study {
 
-/// A run of somebody simulated, as a journal would have it.
+/// A complete run of a simulated observer, as replayed from a journal.
 inline RunState answered(const Experiment& e, const Observer& o, std::uint64_t seed) {
   RunState run(e, {seed, seed}, false);
   while (const auto trial = run.next()) {

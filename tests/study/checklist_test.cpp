@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is asked before a run: nothing is taken for what it is not, nothing is asked twice without
-// need.
+// The checklist before a run: invalid answers are rejected, and only those questions are repeated.
 #include "clients/study/verbs/checklist.h"
 
 #include <gmock/gmock.h>
@@ -16,7 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Answers one question after the other, and keeps what was asked.
+/// Gives the answers one after the other, and records the questions.
 struct Answering {
   std::vector<std::string> answers;
   std::vector<std::string> questions{};

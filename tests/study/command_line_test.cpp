@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the command line refuses before anything is done.
+// Arguments that are rejected before any action.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// In an empty folder, where nothing may have come into being afterwards.
+/// Exit code of the program in an empty folder, which must still be empty afterwards.
 int asked(std::vector<const char*> words) {
   const TemporaryFolder empty;
   const fs::path before = fs::current_path();
@@ -31,7 +31,7 @@ TEST(CommandLine, TakesFiniteNumbersWithinTheirRange) {
   for (const char* option : {"--force-percent", "--speed-percent"})
     EXPECT_EQ(asked({"levels", option, "nan"}), EX_USAGE) << option;
   EXPECT_EQ(asked({"levels", "--threshold-a", "2.1"}), 0);
-  // Before it is looked for a study, of which there is none.
+  // Rejected before the search for a study, which would find none (EX_NOINPUT).
   for (const char* wrong : {"nan", "9", "31"}) {
     EXPECT_EQ(asked({"run", "force-jnd", "--participant", "P01", "--hand-size", wrong}), EX_USAGE)
         << wrong;

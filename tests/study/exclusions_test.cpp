@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Runs that are left out for a reason: of means, in report and export, and never in a journal.
+// Excluded runs: omitted from means, marked with the reason in report and export; journals are
+// unchanged.
 #include "clients/study/exclusions.h"
 
 #include <gmock/gmock.h>
@@ -40,7 +41,7 @@ class ExcludedRuns : public testing::Test {
       record(participant, run, 1 + run + (participant == std::string("P02") ? 2 : 0));
   }
 
-  /// `every`: so many right answers between two wrong ones.
+  /// `every`: number of right answers between two wrong ones.
   void record(const std::string& participant, int run, int every) {
     RunStarted header;
     header.participant = participant;
@@ -147,7 +148,7 @@ TEST_F(ExcludedRuns, AreNamedByTheVerbs) {
   EXPECT_EQ(run_exclude({"P01", "force-jnd", 0, "fell asleep"}), 0);
   EXPECT_EQ(run_exclude({"P03", "force-jnd", 0, "nobody"}), EX_NOINPUT);
   EXPECT_EQ(run_exclude({"P01", "force-jnd", 3, "none yet"}), EX_NOINPUT);
-  EXPECT_TRUE(runs()[1].excluded);  // the last
+  EXPECT_TRUE(runs()[1].excluded);  // run 0: the last one
   EXPECT_EQ(run_include({"P01", "force-jnd", 1, ""}), EX_NOINPUT);
   EXPECT_EQ(run_include({"P01", "force-jnd", 2, ""}), 0);
   EXPECT_FALSE(runs()[1].excluded);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Experiment files: the presets say what the thesis says, and mistakes are named by line and key.
+// Experiment files: the presets have the thesis' parameters; errors name line and key.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -62,7 +62,7 @@ TEST(ExperimentFile, ReadsBackWhatItWrites) {
   for (const Preset& preset : presets()) {
     Experiment e = find_experiment(std::string(preset.name)).value();
     EXPECT_EQ(parse_experiment(experiment_text(e), "again").value(), e);
-    e.rule.stages.front() = {3, 2, 4};  // no ratio that the others have
+    e.rule.stages.front() = {3, 2, 4};  // a ratio unlike that of the other stages
     EXPECT_EQ(parse_experiment(experiment_text(e), "again").value(), e);
   }
 }
@@ -92,7 +92,7 @@ TEST(ExperimentFile, NamesEachMistakeByLineAndKey) {
               testing::MatchesRegex("mine.json:[0-9]+: current_a: must be above 0.*"));
   EXPECT_THAT(error_message(changed("\"start\": 100", "\"start\": 0.0001")),
               HasSubstr("start: has more than 3 decimals"));
-  // Neither the comment that names the key nor a value or a stage that has its name.
+  // The line of the key itself, not that of a comment, value or stage with the same name.
   EXPECT_THAT(error_message("// \"gap_ms\": 1\n{ \"question\": \"gap_ms\", /* \"gap_ms\":\n */\n"
                             "\"stages\": [{\"gap_ms\": 2}],\n \"gap_ms\" : -1}"),
               HasSubstr("mine.json:5: gap_ms: must be a number"));

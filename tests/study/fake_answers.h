@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a daemon with a ball answers to the study's requests, by method.
+// A daemon's results for the study's requests, by method.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -7,7 +7,7 @@
 
 namespace hedgehog::study {
 
-/// `start_id` empty: a daemon of before that tells none.
+/// `start_id` empty: an older daemon, which reports none.
 inline nlohmann::json fake_answers(const std::string& start_id = "") {
   auto answers = nlohmann::json::parse(R"({
   "hello": {"server": "hedgehogd", "version": "1", "protocol": "1.0", "connection": 1,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What shows that a daemon has the ball that a run was begun on.
+// Evidence that a daemon has the ball on which a run was begun.
 #include "clients/study/journal/identity.h"
 
 #include <gtest/gtest.h>
@@ -45,9 +45,9 @@ TEST(Identity, IsTheSerialNumberWhereADaemonTellsNoStart) {
   EXPECT_EQ(compare(with(kReal, old), with(kReal, old)), Identity::kSame);
   EXPECT_EQ(compare(kReal, with(kReal, old)), Identity::kSame);
   EXPECT_EQ(compare(kReal, with(kReal, {"127.0.0.1:7586", ""})), Identity::kUnproven);
-  // A journal of before has no address.
+  // An older journal has no address.
   EXPECT_EQ(compare(with(kReal, {}), kReal), Identity::kSame);
-  // Simulators have no serial number, and are many.
+  // Simulators have no serial number, so that they cannot be distinguished.
   EXPECT_EQ(compare(with(kSimulated, old), with(kSimulated, old)), Identity::kUnproven);
   EXPECT_EQ(compare(with(kSimulated, {}), kSimulated), Identity::kUnproven);
   EXPECT_FALSE(same_serial(kSimulated.ball, kSimulated.ball));
@@ -77,7 +77,7 @@ TEST(Resume, AsksAboutWhatNothingShows) {
   answer = "n";
   EXPECT_EQ(confirm_daemon(run_on(kSimulated, false), restarted, false, ask).error().exit_code,
             EX_CONFIG);
-  // A rehearsal goes on after a restart, and elsewhere when it is told to.
+  // A rehearsal continues after a restart, at another address only if that is given.
   const Pin elsewhere = with(kSimulated, {"127.0.0.1:7586", "02"});
   EXPECT_TRUE(confirm_daemon(run_on(kSimulated, true), restarted, false, ask));
   EXPECT_FALSE(confirm_daemon(run_on(kSimulated, true), elsewhere, false, ask));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Nothing is lost: a journal cut at any byte goes on to the same levels, and nothing is
+// Nothing is lost: a journal truncated at any byte continues to the same levels, and nothing is
 // overwritten.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ using testing::HasSubstr;
 
 class Files : public testing::Test {
  protected:
-  /// In memory where there is such a place: each event waits for the disk.
+  /// In memory where possible, because each event waits for the disk.
   static fs::path place() {
     const fs::path memory = "/dev/shm";
     return ::access(memory.c_str(), W_OK) == 0 ? memory : fs::temp_directory_path();
@@ -49,7 +49,7 @@ IntervalPlayed played(int interval) {
       1.0,      1.0,     0,   0,   4.99, 30.5,          model::Quaternion{0.5, -0.5, 0.25, 0.125}};
 }
 
-/// What somebody simulated answers: the same for a trial however often it is asked.
+/// The answer of a simulated observer; always the same for the same trial.
 Answer answer_to(const Trial& trial, const Experiment& e) {
   const Observer o{Curve::kWeibull, e.task == Task::kYesNo ? 2.1 : 20, 3, 0.5, 0.02, 0.6};
   const bool positive = simulated_answer(o, to_value(trial.level, e.decimals()), 7,
@@ -60,8 +60,8 @@ Answer answer_to(const Trial& trial, const Experiment& e) {
 
 using Put = std::function<bool(const Event&)>;
 
-/// Takes the run to its end, or until nothing more can be put; as the program does: an open trial
-/// is void.
+/// Continues the run to its end or until `put` returns false. An open trial becomes void, as in the
+/// program.
 void go_on(const RecordedRun& run, const Put& put) {
   if (run.open() && !put(Voided{"interrupted"})) return;
   while (!run.over()) {
@@ -72,7 +72,7 @@ void go_on(const RecordedRun& run, const Put& put) {
   }
 }
 
-/// To the end, or for so many events.
+/// To the end, or for at most `events` events.
 void go_on(Journal& journal, int events = 1'000'000) {
   go_on(
       journal.run(),
@@ -154,7 +154,7 @@ TEST_F(Files, AJournalTornAtAnyByteOfATrialGoesOnToTheSameLevelsAndKeepsEveryByt
   const std::size_t first = text.find('\n') + 1;
   const std::size_t last_trial = text.rfind('\n', text.rfind("\"trial_started\"")) + 1;
   ASSERT_GT(last_trial, first);
-  // Of the bytes before the last trial some: behind them much has to be played again.
+  // Only some bytes before the last trial, because after them many trials are repeated.
   std::vector<std::size_t> cuts;
   for (std::size_t cut = first; cut < last_trial; cut += 1213) cuts.push_back(cut);
   const std::size_t bytes = text.size() - last_trial;
@@ -255,7 +255,7 @@ TEST_F(Files, AFullDiskIsAnErrorAndLosesNothingThatFollowed) {
     auto journal = Journal::create(path, header("force-jnd")).value();
     go_on(journal, 9);
     due = journal.run().state().next();
-    // The next line does not fit in whole.
+    // The next line fits only in part.
     rlimit before{};
     getrlimit(RLIMIT_FSIZE, &before);
     const rlimit full{fs::file_size(path) + 20, before.rlim_max};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who takes part, in which order, under which name.
+// The plan of a study: participants, their names and the order of their experiments.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -28,7 +28,8 @@ TEST(StudyFolder, IsFoundFromBelowAndNeverMadeTwice) {
   EXPECT_EQ(found.plan().participant("P07")->order, plan.participants[6].order);
   EXPECT_EQ(found.plan().participant("P11"), nullptr);
   EXPECT_EQ(StudyFolder::find(folder).error().exit_code, EX_NOINPUT);
-  // A plan that was killed before it wrote study.json is made again, and leaves nothing else.
+  // If `plan` was killed before it wrote study.json, the next one succeeds and leaves no other
+  // files.
   fs::remove(folder / "thresholds" / "study.json");
   ASSERT_TRUE(StudyFolder::create(folder / "thresholds", plan).has_value());
   EXPECT_EQ(std::distance(fs::directory_iterator(folder / "thresholds"), {}), 2);
@@ -60,7 +61,7 @@ TEST(Plan, EachExperimentStandsInEachPlaceAndBehindEachOtherEquallyOften) {
     std::map<std::pair<int, int>, int> followers;
     const auto rows = latin_square(count);
     EXPECT_EQ(static_cast<int>(rows.size()), count % 2 == 0 || count == 1 ? count : 2 * count);
-    // The first so many people alone make a Latin square too.
+    // The first `count` rows alone are a Latin square too.
     std::set<std::pair<int, int>> first_places;
     for (const auto& row : rows) {
       for (int place = 0; place < count; ++place) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A daemon that does not keep its word does not hang a run.
+// A daemon that ends no circle or sends nothing more does not hang a run.
 #include "clients/study/session/player.h"
 
 #include <gmock/gmock.h>
@@ -19,8 +19,8 @@ using client::FakePeer;
 using nlohmann::json;
 using testing::HasSubstr;
 
-/// Answers everything as a daemon does, and plays no circle to its end. After it has begun one it
-/// tells the time, `tick_ms` later each time it is asked for anything, or (0) nothing any more.
+/// Answers every request as a daemon does, but ends no circle. Each ping is followed by ten
+/// telemetry messages, `tick_ms` apart in device time; 0: by none.
 FakeDaemon::Conversation never_ending(std::int64_t tick_ms) {
   return [tick_ms](FakePeer& peer) {
     const json answers = fake_answers();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A short run, as a journal has it.
+// A short run as recorded in a journal.
 #pragma once
 
 #include <string>
@@ -28,7 +28,7 @@ inline IntervalPlayed good(int interval, double current_a) {
           model::Quaternion{0.5, 0.5, 0.5, -0.5}};
 }
 
-/// Practice, a right answer, a void, a wrong answer.
+/// A practice trial, a right answer, a void trial, a wrong answer.
 inline RecordedRun recorded() {
   RunStarted header;
   header.participant = "P01";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What comes out: rows, files, pages; and which intervals make a trial void.
+// The output of a study: rows, groups, figures and exported files.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -57,7 +57,7 @@ TEST(Rows, AreOneForEachPresentationBlock) {
   EXPECT_EQ(right["t_onset"], "7");
   EXPECT_EQ(right["t_offset_1"], "12");
   EXPECT_EQ(right["t_onset_2"], "13");
-  EXPECT_EQ(right["onset_2"], "6");  // of a run whose first onset was at 7 too
+  EXPECT_EQ(right["onset_2"], "6");  // since the run's first onset, at 7 s too
   EXPECT_EQ(right["time"], "t");
   EXPECT_EQ(right["excluded"], "n/a");
   EXPECT_EQ(right["orientation_w"], "0.5");
@@ -73,12 +73,13 @@ TEST(Rows, AreOneForEachPresentationBlock) {
   EXPECT_EQ(wrong["level_nominal"], "89.024");
 }
 
-/// Right answers to the first interval, begun at these times (UTC) and by these device times.
+/// A trial with the answer "first": UTC of its start and of its interval's end, device time of its
+/// command.
 struct Begun {
   const char* utc;
   const char* played_utc;
   std::int64_t command_ms;
-  /// In between the daemon or the program was away.
+  /// Daemon or program were interrupted before this trial.
   bool resumed = false;
 };
 
@@ -108,7 +109,7 @@ std::vector<std::string> onsets(const std::vector<Begun>& trials) {
 
 TEST(Rows, GoOnByTheWallClockWhereTheDevicesClockBeganAnew) {
   const Begun first{"2026-11-21T10:00:00.000Z", "2026-11-21T10:00:05.500Z", 100'000};
-  // Ten minutes after the first one had ended; its clock says less, or by chance more.
+  // Ten minutes after the end of the first one; the device time is lower, or by chance higher.
   const Begun sooner{"2026-11-21T10:10:05.500Z", "2026-11-21T10:10:11.000Z", 3'000, true};
   Begun later = sooner;
   later.command_ms = 200'000;
@@ -120,11 +121,11 @@ TEST(Rows, GoOnByTheWallClockWhereTheDevicesClockBeganAnew) {
     third.resumed = false;
     EXPECT_THAT(onsets({first, second, third}), testing::ElementsAre("0", "605.5", "625.5"));
   }
-  // A wall clock that was set back meanwhile moves nothing back.
+  // A wall clock that was set back meanwhile moves no onset back.
   Begun back = sooner;
   back.utc = "2026-11-21T08:00:00.000Z";
   EXPECT_THAT(onsets({first, back}), testing::ElementsAre("0", "5.5"));
-  // Nor is anything made up where the time cannot be read.
+  // An unreadable time gives no onset.
   back.utc = "t";
   EXPECT_THAT(onsets({first, back}), testing::ElementsAre("0", "n/a"));
 }
@@ -205,7 +206,7 @@ TEST(Groups, HoldTheSameExperimentAndNoProgramsAmongPeople) {
   ASSERT_EQ(groups.size(), 2U);
   EXPECT_EQ(groups[0].result.count, 2);
   EXPECT_EQ(groups[0].result.mean, 13);
-  // Another rule under the same name: by itself, and there are no people in it.
+  // Another rule under the same name is a separate group, here without people.
   EXPECT_EQ(groups[1].result.count, 1);
   EXPECT_EQ(groups[1].result.mean, 50);
 }
@@ -280,7 +281,7 @@ TEST(Bids, RefusesPeopleAndExperimentsThatWouldBeOne) {
   EXPECT_EQ(nlohmann::json::parse(description)["Authors"],
             nlohmann::json::array({"n/a", "hedgehog-study"}));
   EXPECT_EQ(write_bids(base / "bids", study, {one}).error().exit_code, EX_CANTCREAT);
-  // What fails leaves nothing behind that would be in the way of the next.
+  // A failed export leaves nothing behind that would obstruct the next one.
   EXPECT_FALSE(write_csv(base / "nowhere" / "data.csv", {one}));
   EXPECT_FALSE(write_bids(base / "study.json" / "bids", study, {one}));
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(base), {}), 3);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The staircase, level by level: the published traces as integers, whole, interrupted and resumed.
+// The staircase's levels as integers, against the published traces: uninterrupted and resumed.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What stands around the staircase: practice, catch trials, interval order, voids.
+// A run apart from its staircase: practice, catch trials, interval order, void trials.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -38,7 +38,7 @@ TEST(Run, AVoidRepeatsTheLevelWithANewOrderAndShiftsNothing) {
     reordered += turned ? 1 : 0;
     const Answer said = calm.judgements().size() % 4 == 3 ? Answer::kFirst : right(*trial);
     calm.answer(said);
-    // The same correctness after a void, whatever the order has become.
+    // The same correctness after the void trials, whatever the new interval order.
     const bool was_right = said == right(*trial);
     const Answer same =
         (voided.next()->interval_of_test == 1) == was_right ? Answer::kFirst : Answer::kSecond;
@@ -46,7 +46,7 @@ TEST(Run, AVoidRepeatsTheLevelWithANewOrderAndShiftsNothing) {
     shaken = calm;
     ASSERT_EQ(voided.next(), calm.next());
   }
-  // Three fair coins each: seven of eight have turned by then.
+  // Three random orders for each trial: in 7/8 of the trials at least one differs.
   EXPECT_GT(trials, 20);
   EXPECT_GT(reordered, trials * 2 / 3);
   EXPECT_LT(reordered, trials);
@@ -58,7 +58,7 @@ TEST(Run, CatchTrialsAreOneInSixNeverTheFirstNeverTwoInARowAndMoveNothing) {
   int all = 0;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     RunState run(e, {1, seed}, false);
-    bool last_was_catch = true;  // as the first may be none
+    bool last_was_catch = true;  // because the first must not be one
     while (const auto trial = run.next()) {
       ++all;
       const bool is_catch = trial->kind == TrialKind::kCatch;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A run is pinned to its daemon: with another start of it nothing is played unless the experimenter
-// says so.
+// A run is pinned to one start of its daemon: after a restart nothing is played unless the
+// experimenter confirms it.
 #include "clients/study/session/runner.h"
 
 #include <gmock/gmock.h>
@@ -22,7 +22,7 @@ using client::FakeDaemon;
 using client::FakePeer;
 using nlohmann::json;
 
-/// Answers until somebody asks for `last`, or goes away.
+/// Answers until the client requests `last` or disconnects; counts the requested circles.
 FakeDaemon::Conversation daemon_of(json answers, std::string last, std::atomic<int>& circles) {
   return [=, &circles](FakePeer& peer) {
     for (std::string line = peer.read(); !line.empty(); line = peer.read()) {
@@ -37,8 +37,8 @@ FakeDaemon::Conversation daemon_of(json answers, std::string last, std::atomic<i
   };
 }
 
-/// Says `c` to begin with; when it is asked about another start, `word` at the twentieth look. It
-/// may wait for another message, or for fewer looks at it.
+/// Enters "continue" until the shown message contains `message`, then `word` at the `looks`-th call
+/// of wait().
 class ScriptedDesk : public Desk {
  public:
   explicit ScriptedDesk(Input::Kind word, std::string message = "started anew", int looks = 20)
@@ -75,7 +75,9 @@ class Pinned : public testing::Test {
     header.daemon = player.pin().daemon;
     return Journal::create(folder_.path("run.jsonl"), header).value();
   }
-  /// A run whose daemon dies when it is asked for a circle; `next` comes after it at its address.
+  /// A run whose daemon ends at the first circle; the next daemon at its address answers with
+  /// `next`,
+  /// until `last` is requested.
   RunEnd run(const json& next, const std::string& last, Input::Kind word) {
     client::Address address;
     address.path = socket();
@@ -129,7 +131,7 @@ TEST_F(Pinned, ADaemonThatTellsNoStartIsNotTakenForTheSameSimulator) {
   EXPECT_GE(asked_, 20);
 }
 
-// Its address was one of several at which a daemon is looked for: only the first look is at all.
+// Only the first connection tries all addresses; later ones use the address of the run's daemon.
 TEST_F(Pinned, ARunGoesToNoOtherAddressWhenItsDaemonDies) {
   client::Address address;
   address.path = socket();
@@ -148,7 +150,7 @@ TEST_F(Pinned, ARunGoesToNoOtherAddressWhenItsDaemonDies) {
   EXPECT_EQ(runner.run().value(), RunEnd::kStopped);
   EXPECT_EQ(before_, 1);
   over = true;
-  // Whose conversation would not end by itself.
+  // Ends the other daemon's conversation, which waits for a client.
   (void)client::Connection::open({elsewhere});
   other.finish();
   EXPECT_FALSE(visited);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the two people are told, which intervals make a trial void, and what a ball cannot play.
+// Texts for participant and experimenter, intervals that make a trial void, and experiments beyond
+// a ball's limits.
 #include "clients/study/session/screen.h"
 
 #include <gmock/gmock.h>

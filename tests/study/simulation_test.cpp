@@ -33,7 +33,7 @@ TEST_P(TwoThousandPeople, LieWithinThreeStandardErrorsOfTheReference) {
   const auto runs = simulate(e, thesis_population(e.quantity), {kPeople, 2026, 2, false});
   const SimulationSummary s = summarise(e, runs);
   EXPECT_EQ(s.finished, kPeople);
-  // Two samples of 2 000 are compared: the difference has the root of two standard errors.
+  // The difference of two samples of 2 000 has sqrt(2) times the standard error of one.
   const double root = std::sqrt(2.0 / kPeople);
   EXPECT_NEAR(s.estimate_mean, reference.estimate, 3 * root * s.estimate_sd);
   EXPECT_NEAR(s.trials_mean, reference.trials, 3 * root * s.trials_sd);
@@ -118,7 +118,7 @@ TEST(Analysis, FindsAPersonsThresholdInThreeWays) {
 
 TEST(Analysis, FlagsAThresholdOutsideTheIntervalBesideIt) {
   const Experiment e = find_experiment("speed-jnd").value();
-  // Somebody whose mind is elsewhere in a third of the trials, which the fit does not expect.
+  // An observer with a lapse rate of 30 %, which the fit does not expect.
   const Observer o{Curve::kWeibull, 45.0, 0.6, 0.5, 0.3, 0.6};
   int outside = 0;
   for (std::uint64_t person = 0; person < 60; ++person) {
@@ -186,13 +186,13 @@ TEST(DistinguishableLevels, DependOnFormulaAndRange) {
   EXPECT_NE(remarks.find("2,909 to 1"), std::string::npos) << remarks;
   EXPECT_NE(remarks.find("98 pins/s"), std::string::npos) << remarks;
   EXPECT_NE(remarks.find("may be swapped"), std::string::npos) << remarks;
-  // Nothing to count is no levels, and the most are as many as an int holds.
+  // Invalid ranges have no levels; the maximum is that of an int.
   EXPECT_EQ(count_levels(16, 15, 0.13, Spacing::kWeber, 5).levels, 0);
   EXPECT_EQ(count_levels(5.5, 5, 0.13, Spacing::kConstant, 5).levels, 0);
   EXPECT_EQ(count_levels(0, 15, 0.13, Spacing::kWeber, 5).levels, 0);
   EXPECT_EQ(count_levels(2, 15, 0, Spacing::kConstant, 5).levels, 0);
   EXPECT_GT(count_levels(2.1, 15, 1e-12, Spacing::kWeber, 5).levels, 999'999'999);
-  // Other numbers, other remarks.
+  // The remarks depend on the numbers.
   EXPECT_EQ(level_formulas(2.1, 0.3, 0.49)[2].remark, "");
   EXPECT_EQ(level_remarks(2.1, 0.3, 0.49).size(), 2U);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The fitted curve is the likelihood's maximum, and its interval covers what it says: against a
-// search and people that have nothing to do with either.
+// The fitted curve is the likelihood's maximum, compared with an independent grid search; its
+// interval has the nominal coverage of the thresholds of simulated observers.
 #include "clients/study/rules/fit/weibull_fit.h"
 
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ struct Place {
   double value, threshold, slope;
 };
 
-/// The best of a grid over the whole range and of finer grids around its eight best points.
+/// The maximum on a grid over the whole range and on finer grids around its eight best points.
 double grid_maximum(const Definition& likelihood, double ceiling) {
   const double thresholds[] = {std::log(ceiling / 1000.0), std::log(ceiling)};
   const double slopes[] = {std::log(kMinSlope), std::log(kMaxSlope)};
@@ -113,7 +113,7 @@ TEST_P(EachExperiment, TheFitIsTheMaximumThatAGridFinds) {
     EXPECT_EQ(fit.slope_at_bound, slope < kMinSlope * (1 + 1e-7) || slope > kMaxSlope * (1 - 1e-7));
     slopes_at_bound += fit.slope_at_bound ? 1 : 0;
   }
-  // So few trials leave some slopes open: that is told, and is no matter of every run.
+  // So few trials leave the slope undetermined in some runs, which the fit reports.
   EXPECT_GT(slopes_at_bound, 0);
   EXPECT_LT(slopes_at_bound, static_cast<int>(runs.size()) / 2);
 }
@@ -143,7 +143,7 @@ TEST(Weibull, ToldWhichBoundsTheAnswersLeaveOpen) {
   EXPECT_TRUE(steep.slope_at_bound);
   EXPECT_NEAR(steep.observer.slope, kMaxSlope, 1e-6);
   EXPECT_FALSE(steep.threshold_at_bound);
-  // Nothing is ever felt: the threshold lies at or above the ceiling.
+  // No positive answer: the threshold lies at or above the ceiling.
   const std::vector<Judgement> nothing(30, {5.0, false});
   const WeibullFit numb = fit_weibull(e, nothing, 0.02, 0.02);
   const Interval interval = profile_interval(e, nothing, numb).value();
@@ -151,7 +151,7 @@ TEST(Weibull, ToldWhichBoundsTheAnswersLeaveOpen) {
   EXPECT_NEAR(interval.high, 15.0, 1e-9);
   EXPECT_FALSE(interval.low_is_bound);
   EXPECT_GT(interval.low, 5.0);
-  // Who says yes to everything tells nothing about where it becomes 80 %.
+  // With a guess rate of 90 % no level has 80 % of positive answers.
   EXPECT_FALSE(profile_interval(e, nothing, fit_weibull(e, nothing, 0.9, 0.02)));
 }
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Asks the windows of $DISPLAY to close, as a window manager does when a person clicks on their corner."""
+"""Requests the windows of $DISPLAY to close, as a window manager does when a person clicks on their close button."""
 import ctypes
 
 

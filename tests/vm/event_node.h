@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A game's end of an input device with force feedback (/dev/input/event*).
+// The game's side of an input device with force feedback (/dev/input/event*).
 #pragma once
 
 #include <linux/input.h>

@@ -28,8 +28,8 @@ class Screen {
   static std::string display();
   /// The current picture.
   Picture picture() const;
-  /// Requests all windows to close, as a person does by a click on their corner. Returns the error,
-  /// or an empty string.
+  /// Requests all windows to close, as a person does by a click on their close button. Returns the
+  /// error, or an empty string.
   std::string close_windows() const;
 
  private:

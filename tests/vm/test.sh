@@ -45,7 +45,7 @@ filter=$(IFS=:; echo "${failed[*]}")
 "$run" -t "$limit" "$program" --gtest_color=no --gtest_filter="$filter" | tee "$log"
 result=${PIPESTATUS[0]}
 again=$(grep -c '^\[  FAILED  \] .*ms)' "$log")
-# One that crashed has no such line.
+# A test that crashed prints no such line.
 [ "$result" -eq 0 ] || [ "$again" -gt 0 ] || again=1
 record "$again"
 awk -v code="$result" '

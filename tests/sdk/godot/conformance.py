@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""conformance.json against the Godot addon, in each Godot there is. Prints "ok" or "not ok", SDK and case, a line each."""
+"""Runs conformance.json on the Godot addon, in each available Godot. Prints a line for each case: "ok" or "not ok", SDK, case."""
 
 import pathlib
 import sys

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The Godot addon, its README and its example against a simulated daemon, in each Godot there is: live.py HEDGEHOGD."""
+"""Tests the Godot addon, its README and its example with a simulated daemon, in each available Godot: live.py HEDGEHOGD."""
 
 import os
 import pathlib
@@ -58,7 +58,7 @@ class Live(unittest.TestCase):
         return self.start(engine, text, HEDGEHOG_SCENE=name, HEDGEHOG_ADDRESS=address, **environment)
 
     def wait_for(self, game, text):
-        """The lines until one has it."""
+        """Reads lines until one contains `text`; returns them."""
         lines = []
         for line in game.stdout:
             lines.append(line.rstrip("\n"))
@@ -72,7 +72,7 @@ class Live(unittest.TestCase):
         return list(project.engines())
 
     def started(self, watcher, count):
-        """The first effects of others, by slot."""
+        """The slots of the effects that started, once there are `count` of them."""
         slots = []
         for event in watcher:
             slots.append(event.get("slot"))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""An empty Godot project with the addon, run without a screen: by Debian's godot3-server, and by $GODOT4 where that is set."""
+"""An empty Godot project with the addon, run without a screen: with Debian's godot3-server, and with $GODOT4 if that is set."""
 
 import os
 import pathlib
@@ -23,7 +23,7 @@ SCENE_4 = '''[gd_scene load_steps=2 format=3]
 [node name="Main" type="Node"]
 script = ExtResource("1")
 '''
-# Without a screen nothing else bounds the frames, in Godot 3 and in Godot 4.
+# Without a screen nothing else limits the frame rate. max_fps: Godot 4, force_fps: Godot 3.
 PROJECT = '''config_version=%d
 
 [application]
@@ -39,7 +39,7 @@ settings/fps/force_fps=60
 
 
 def engines():
-    """By name, the command of each Godot there is."""
+    """The command of each available Godot, by name."""
     found = {}
     if shutil.which("godot3-server"):
         found["godot3"] = ["godot3-server"]
@@ -60,7 +60,7 @@ def make_project(folder, engine, main, others=()):
 
 
 def start(folder, engine, environment):
-    """The running project; what it prints can be read."""
+    """Starts the project; its output is in `stdout`."""
     return subprocess.Popen(engines()[engine] + ["--path", str(folder)],
                             env=dict(environment, HOME=str(folder), XDG_DATA_HOME=str(folder)),
                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# run.sh HEDGEHOGD: the addon for Godot against the conformance suite and that daemon, without a screen.
+# run.sh HEDGEHOGD: tests the addon for Godot with the conformance suite and with that daemon, without a screen.
 set -eu
 
 [ $# -eq 1 ] || { echo "run.sh HEDGEHOGD" >&2; exit 64; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every script of the addon by a grammar of GDScript for Godot 4, which Debian 12 has not.
+// Parses every script of the addon with a grammar of GDScript for Godot 4, which Debian 12 does not package.
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import { createRequire } from "node:module";
@@ -15,14 +15,14 @@ parser.setLanguage(packages("tree-sitter-gdscript"));
 const addon = fileURLToPath(new URL("../../../clients/godot", import.meta.url));
 const scripts = fs.readdirSync(addon, { recursive: true }).filter((name) => name.endsWith(".gd"));
 
-/** Lines that the grammar has no place for. */
+/** The numbers of the lines with syntax errors. */
 function mistakes(text) {
   const found = [];
   const visit = (node) => {
     if (node.type === "ERROR" || node.isMissing) found.push(node.startPosition.row + 1);
     node.children.forEach(visit);
   };
-  // Longer texts than 32 KiB are taken in pieces.
+  // The parser accepts texts longer than 32 KiB only in parts.
   visit(parser.parse((at) => text.slice(at, at + 4096)).rootNode);
   return found;
 }

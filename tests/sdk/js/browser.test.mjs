@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// conformance.json against the JavaScript library in a page: Chromium, over WebSocket.
+// Runs conformance.json on the JavaScript library in a page: Chromium, over WebSocket.
 import { after, before } from "node:test";
 import { fileURLToPath } from "node:url";
 import { launch } from "../../web/browser.mjs";
@@ -20,7 +20,7 @@ after(async () => {
   pages.close();
 });
 
-/** As Driver, in a page of its own. */
+/** Like Driver, in a separate page. */
 async function driverInPage() {
   const page = await browser.newPage();
   await page.goto(`${pages.url}/driver.html`);

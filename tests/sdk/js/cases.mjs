@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// conformance.json as tests of one library.
+// Tests of one library by conformance.json.
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
 import fs from "node:fs";
@@ -9,7 +9,7 @@ import { fileURLToPath } from "node:url";
 const here = (name) => fileURLToPath(new URL(name, import.meta.url));
 const { cases } = JSON.parse(fs.readFileSync(here("../conformance.json"), "utf8"));
 const PATIENCE_MS = 60_000;
-// A case in which the daemon never answers takes as long as the library's patience.
+// A case in which the daemon never answers lasts as long as the library's timeout.
 const SLOW = "a slow response ends the connection, the next call makes a new one";
 
 async function fakeDaemon(name, more) {
@@ -21,7 +21,7 @@ async function fakeDaemon(name, more) {
   return { port: String(port).trim(), ended };
 }
 
-/** What came of a step has to be what it says. */
+/** Checks the outcome of a step. */
 function check(step, outcome) {
   if (step.failure) {
     assert.equal(outcome.failure, step.failure, JSON.stringify(outcome));
@@ -38,15 +38,15 @@ function check(step, outcome) {
   }
 }
 
-/** For the table of run.sh. */
+/** Writes a line for the table of run.sh. */
 function report(library, name, outcome) {
   const table = process.env.HEDGEHOG_CONFORMANCE_TABLE;
   if (table) fs.appendFileSync(table, `${library}\t${name}\t${outcome}\n`);
 }
 
 /**
- * A test a case. `driver`: makes a Driver, or what passes its steps on to one. `address`: of a daemon at a port; `more`:
- * arguments of fake_daemon.py.
+ * Adds a test for each case. `driver`: creates a Driver, or an object that forwards its steps to one. `address`: returns the
+ * address of a daemon for a port. `more`: arguments of fake_daemon.py.
  */
 export function addCases(library, driver, address, more = []) {
   for (const one of cases.filter(({ without = [] }) => !without.includes(library))) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// conformance.json against the JavaScript library in Node.js.
+// Runs conformance.json on the JavaScript library in Node.js.
 import * as library from "../../../clients/js/src/node.js";
 import { addCases } from "./cases.mjs";
 import { Driver } from "./driver.mjs";

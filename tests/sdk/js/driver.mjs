@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A step of a case on a Ball, in Node.js or in a page. What comes of it is plain data, so that a browser can hand it over:
+// Runs a step of a case on a Ball, in Node.js or in a page. The outcome is plain data, so that a browser can return it:
 // {value}, {failure, message} or {error: {code, name, message, field}}.
 export class Driver {
   #library;
@@ -38,7 +38,7 @@ export class Driver {
     const ball = this.#ball;
     if (step.call) return ball.call(step.call, step.params);
     if (step.call_again) return this.#again(step.call_again);
-    // The response of what was asked before comes later.
+    // Not awaited: the response is checked in a later step.
     if (step.ask) {
       this.#asked = ball.call(step.ask, step.params);
       return null;

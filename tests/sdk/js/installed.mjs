@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The library as npm ships it: the file that pack.sh has put into HEDGEHOG_PACKED, installed into an empty folder.
+// The library as distributed by npm: the file in HEDGEHOG_PACKED, built by pack.sh, installed into an empty folder.
 import { execFileSync } from "node:child_process";
 import fs from "node:fs";
 import os from "node:os";
@@ -22,7 +22,7 @@ export function installed() {
   return { folder: game, remove: () => fs.rmSync(folder, { recursive: true }) };
 }
 
-/** The first block of that language in the README. */
+/** The first code block in that language in the README. */
 export function example(language) {
   return new RegExp(`\`\`\`${language}\\n([\\s\\S]*?)\`\`\``).exec(fs.readFileSync(path.join(LIBRARY, "README.md"), "utf8"))[1];
 }

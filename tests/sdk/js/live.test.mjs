@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The JavaScript library and its README against the simulated daemon that HEDGEHOGD names.
+// The JavaScript library and its README with a simulated daemon; HEDGEHOGD: its program.
 import assert from "node:assert/strict";
 import { execFileSync, spawn } from "node:child_process";
 import fs from "node:fs";

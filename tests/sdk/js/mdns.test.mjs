@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// mdns.json against the JavaScript library, and searches on the loopback interface.
+// Runs mdns.json on the JavaScript library, and searches on the loopback interface.
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
 import fs from "node:fs";
@@ -22,7 +22,7 @@ after(async () => {
   }
 });
 
-/** Each ball: name, serial number, address, port. */
+/** Announces balls, each as: name, serial number, address, port. */
 async function announce(...balls) {
   const process_ = spawn("python3", [here("../mdns_responder.py"), ...balls.flat().map(String)], { stdio: ["pipe", "pipe", "inherit"] });
   responders.push({ process: process_, ended: new Promise((resolve) => process_.on("close", resolve)) });
@@ -62,7 +62,7 @@ test("a flood is bounded", () => {
     answers.read(Buffer.concat([Buffer.from("123484000000000100000000", "hex"), Buffer.from(SERVICE, "latin1"), numbers, size, instance]));
   }
   assert.ok(answers.query().length <= 1200);
-  // All of them on one host: so many are known.
+  // All on one host, so that all addresses are known; at most 256 balls are kept.
   const host = Buffer.from("\x01h\0", "latin1");
   for (let i = 0; i < 2000; ++i) {
     const instance = Buffer.from(`\x04${String(i).padStart(4, "0")}${SERVICE}`, "latin1");
@@ -112,7 +112,7 @@ test("a search without an answer is an error, and is not repeated at once", asyn
 });
 
 test("the ball that is meant is connected to", async () => {
-  // Nobody listens there, which shows where it went.
+  // No listener on these ports: the error contains the chosen address.
   await announce(["ball-7", "0007", "127.0.0.1", 9], ["ball-9", "0009", "127.0.0.1", 10]);
   const refused = (address, message) => assert.rejects(Ball.connect({ address, fingerprint }), { name: "NotConnected", message });
   await refused("mdns://0009", "the daemon does not run: tls://127.0.0.1:10: Connection refused");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The page of the README, word for word, in Chromium against a simulated daemon.
+// The page of the README, unchanged, in Chromium with a simulated daemon.
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import path from "node:path";
@@ -21,7 +21,7 @@ before(async () => {
   fs.writeFileSync(path.join(game.folder, "index.html"), example("html"));
   pages = await servePages({ "/": game.folder });
   daemon = await Daemon.start({ config: { http: { allow_origins: [pages.url] } } });
-  // The page connects to the daemon's own port; the test's daemon has a free one.
+  // The page connects to the daemon's default port; the test's daemon has a free one.
   browser = await launch([`MAP 127.0.0.1:7587 127.0.0.1:${daemon.port}`]);
 });
 

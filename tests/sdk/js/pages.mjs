@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files of folders over HTTP, on a free port: what a page's modules are loaded from.
+// HTTP server for the files of folders, on a free port, from which a page loads its modules.
 import fs from "node:fs";
 import http from "node:http";
 import path from "node:path";

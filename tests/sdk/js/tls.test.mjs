@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The JavaScript library reaches a daemon elsewhere by TLS, a fingerprint and a token.
+// The JavaScript library with a remote daemon: TLS, fingerprint and token.
 import assert from "node:assert/strict";
 import { execFileSync, spawn } from "node:child_process";
 import crypto from "node:crypto";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The types of the package that npm installs, by the compiler of TypeScript.
+// The types of the package installed by npm, checked by the TypeScript compiler.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import fs from "node:fs";

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# run.sh HEDGEHOGD: clients/unity compiled by Mono and run against conformance.json and the simulated daemon.
-# Exit: 0 all is well.
+# run.sh HEDGEHOGD: compiles clients/unity with Mono, runs conformance.json on it, and tests it with the simulated daemon.
+# Exit: 0 passed.
 set -euo pipefail
 
 [ $# -eq 1 ] || { echo "run.sh HEDGEHOGD" >&2; exit 64; }
@@ -18,8 +18,7 @@ clean_up() {
 trap clean_up EXIT
 
 fail() { echo "tests/sdk/unity: $*" >&2; exit 1; }
-# What does not end is ended: a minute is the patience of the tests.
-# run PROGRAM ARGUMENT...
+# run PROGRAM ARGUMENT...: terminates a program that hangs; the timeout of the tests' calls is a minute.
 run() {
   local program=$1
   shift
@@ -27,11 +26,11 @@ run() {
 }
 
 python3 "$package/generate.py" --check || fail "run clients/unity/generate.py"
-# Ahead-of-time compilers have only the code that they see.
+# Code for ahead-of-time compilers must be complete at compile time.
 forbidden='System\.Reflection|\bdynamic\b|Activator|\.GetType\(|\.Emit|Linq\.Expressions|MakeGeneric|DllImport'
 ! grep -rnE "$forbidden" "$package/Runtime" --include='*.cs' || fail "reflection, generated or native code"
 
-# assembly NAME FOLDER REFERENCE...: a library of a folder.
+# assembly NAME FOLDER REFERENCE...: compiles a folder into a library.
 assembly() {
   local name=$1 folder=$2
   shift 2
@@ -46,7 +45,7 @@ assembly Hedgehog.Editor Editor Hedgehog.Client.dll Hedgehog.Unity.dll UnityStub
 assembly Hedgehog.Samples.Racer Samples~/Racer Hedgehog.Client.dll Hedgehog.Unity.dll UnityStub.dll
 all=(-r:"$work/bin/Hedgehog.Client.dll" -r:"$work/bin/Hedgehog.Unity.dll" -r:"$work/bin/Hedgehog.Editor.dll"
   -r:"$work/bin/Hedgehog.Samples.Racer.dll" -r:"$work/bin/UnityStub.dll")
-# Sees what is internal.
+# Compiled with the library's sources, for access to internal members.
 compile -out:"$work/bin/core_test.exe" "$here/check.cs" "$here/core_test.cs" -recurse:"$package/Runtime/Core/*.cs"
 compile -out:"$work/bin/conformance.exe" "${all[@]}" -r:System.Core.dll "$here/check.cs" "$here/conformance.cs" \
   "$here/libraries.cs" "$here/ended_enumeration.cs"
@@ -56,7 +55,7 @@ run core_test.exe
 run conformance.exe "$here/.."
 
 export HOME=$work XDG_CONFIG_HOME=$work XDG_STATE_HOME=$work XDG_RUNTIME_DIR=$work
-# Where clients look first: before an installed daemon they find this one.
+# The first place that clients search, so that they find this daemon before an installed one.
 export RUNTIME_DIRECTORY=$work/hedgehog
 unset HEDGEHOG_ADDRESS STATE_DIRECTORY
 mkfifo "$work/listening"
@@ -70,7 +69,8 @@ while [ -z "$address" ]; do
 done
 run live.exe "$address"
 
-# The README's first example, ten lines, in an empty folder, by the README's commands; by its address, and by the socket that is found.
+# The README's first example, at most ten lines, in an empty folder, with the README's commands; with the address, and with the
+# socket that the library finds.
 awk '/^```csharp$/ { on = 1; next } /^```$/ { if (on) exit } on' "$package/README.md" >"$work/game.cs"
 lines=$(wc -l <"$work/game.cs")
 if [ "$lines" -lt 5 ] || [ "$lines" -gt 10 ]; then fail "the README's first example has $lines lines"; fi
@@ -82,7 +82,7 @@ for place in "$address" ""; do
   celsius=$(HEDGEHOG_ADDRESS=$place LC_ALL=C mono game.exe)
   awk -v c="$celsius" 'BEGIN { exit !(c > 10 && c < 60) }' || fail "the README's first example prints '$celsius'"
 done
-# Its second example is a script of Unity's.
+# The second example is a script for Unity.
 awk '/^```csharp$/ { ++n; next } /^```$/ { if (n == 2) exit; next } n == 2' "$package/README.md" >Crash.cs
 compile -target:library "${all[@]}" -out:crash.dll Crash.cs
 echo "tests/sdk/unity: all is well"

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# build.sh OUT: the plugin over the stub of the engine, and the test's programs OUT/conformance and OUT/live with it. As Unreal
-# compiles it: without exceptions and RTTI, all sources of the module as one. CXX and CXXFLAGS (-std=c++17) choose another compiler
+# build.sh OUT: builds the plugin on the stub of the engine, and with it the test programs OUT/conformance and OUT/live. Compiled as
+# Unreal does: without exceptions and RTTI, all sources of the module as one. CXX and CXXFLAGS (-std=c++17) select another compiler
 # and standard.
 set -eu
 
@@ -11,7 +11,7 @@ root=$(cd -- "$(dirname -- "$0")/../../.." && pwd)
 module=$root/clients/unreal/Source/HedgehogHaptics
 here=$root/tests/sdk/unreal
 
-# The engine's headers, and those that its header tool writes.
+# The engine's headers, and those that its header tool generates.
 mkdir -p "$out/engine/Modules" "$out/engine/Stats" "$out/engine/Subsystems"
 for header in CoreMinimal Tickable Modules/ModuleManager Stats/Stats Subsystems/GameInstanceSubsystem; do
   echo '#include "tests/sdk/unreal/engine_stub.h"' >"$out/engine/$header.h"
@@ -25,7 +25,7 @@ done
 for source in "$module"/Private/*.cpp "$module"/Private/core/*.cpp; do
   echo "#include \"$source\""
 done >"$out/module.cpp"
-# The quick start, in the class of a game that it is written for.
+# The quick start, a member function of the class AMyCar in live.cpp.
 # shellcheck disable=SC2016  # the backticks are Markdown's
 sed -n '/^```cpp$/,/^```$/p' "$root/clients/unreal/README.md" | sed '1d;/^```$/,$d' >"$out/quick_start.inc"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The plugin's core through the case of conformance.json in HEDGEHOG_CASE, over the plugin's own
-// transport. Prints "passed", or what differs. Exit: 0 passed, 1 not.
+// Runs the case of conformance.json in HEDGEHOG_CASE on the plugin's core with the plugin's own
+// transport. Prints "passed", or the difference. Exit: 0 passed, 1 not.
 #include <cstdio>
 #include <cstdlib>
 #include <deque>
@@ -81,7 +81,7 @@ class Player {
       }
       check(answer.result == step["result"], answer.message);
     } else {
-      // To open is to ask for anything: it waits for the introduction.
+      // The client opens the connection by itself; any request waits until hello is answered.
       const bool open = step["open"].truth();
       judge(step, ask(open ? "ping" : step["call"].text(), params));
     }
@@ -134,7 +134,7 @@ class Player {
   Client client_;
 };
 
-/// Numbers beyond the range of a double are no value of the protocol.
+/// The parser must reject numbers beyond the range of a double, and read others.
 bool reads_numbers() {
   const auto number = [](const char* text) {
     const auto read = Json::parse(text);

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""conformance.json against the Unreal plugin's core: conformance.py PROGRAM. Prints "ok" or "not ok", SDK and case, a line each."""
+"""Runs conformance.json on the Unreal plugin's core: conformance.py PROGRAM. Prints a line for each case: "ok" or "not ok", SDK, case."""
 
 import pathlib
 import subprocess

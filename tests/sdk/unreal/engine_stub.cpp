@@ -59,7 +59,7 @@ void stub_log(const char* category, const TCHAR* format, const TCHAR* a, const T
 
 void FInternetAddr::SetPort(int32 port) {
   const auto value = htons(static_cast<std::uint16_t>(port));
-  // In sockaddr_in and sockaddr_in6 it is at the same place.
+  // The port is at the same offset in sockaddr_in and sockaddr_in6.
   std::memcpy(bytes_.data() + offsetof(sockaddr_in, sin_port), &value, sizeof value);
 }
 
@@ -99,7 +99,7 @@ bool FSocket::Send(const uint8* data, int32 count, int32& sent) {
   return result >= 0;
 }
 
-// Nothing there is a success with nothing read; the end of a stream is a failure.
+// True with `read` 0: no data available; false: end of the stream, or an error.
 bool FSocket::Recv(uint8* data, int32 size, int32& read) {
   const ssize_t result = recv(descriptor_, data, static_cast<std::size_t>(size), 0);
   read = result > 0 ? static_cast<int32>(result) : 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// As much of Unreal's API as the plugin uses, so that it compiles and runs without the engine.
-// Names are the engine's.
+// The part of Unreal's API that the plugin uses, so that it compiles and runs without the engine.
+// The names are those of the engine.
 #pragma once
 
 #include <chrono>
@@ -18,7 +18,7 @@ using int64 = std::int64_t;
 using TCHAR = char16_t;
 #define TEXT(x) u##x
 
-// What Unreal's header tool reads.
+// Markers for Unreal's header tool.
 #define UCLASS(...)
 #define USTRUCT(...)
 #define UENUM(...)
@@ -63,7 +63,7 @@ struct FPlatformTime {
   }
 };
 
-// Delegates; the engine binds UFUNCTIONs where `Bind` takes anything.
+// Delegates; the engine binds only UFUNCTIONs, `bound` any function.
 #define DECLARE_DYNAMIC_DELEGATE_OneParam(Name, Type, Param) \
   struct Name {                                              \
     void ExecuteIfBound(Type value) const {                  \

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The plugin's subsystem against the daemon at HEDGEHOG_ADDRESS: live SCENE. Prints what comes.
+// Runs the plugin's subsystem with the daemon at HEDGEHOG_ADDRESS: live SCENE. Prints what it
+// receives.
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -11,7 +12,7 @@
 
 namespace {
 
-/// As far as the quick start uses it.
+/// The part of a game that the quick start uses.
 struct Game {
   template <class T>
   T* GetSubsystem() {
@@ -111,7 +112,7 @@ void effects(UHedgehogSubsystem& ball) {
   print("measured");
 }
 
-/// A lap of three seconds, a frame in 16 ms.
+/// A lap of three seconds, a frame every 16 ms.
 void racer(UHedgehogSubsystem& ball) {
   FHedgehogCarFeel feel(ball);
   run_until(ball, [&ball] { return ball.IsBallConnected(); });
@@ -158,7 +159,7 @@ int main(int count, char** arguments) {
   } else if (scene == "nobody") {
     print(text(ask(ball, "ping", "").Message));
   } else if (scene == "outage") {
-    // Until it is ended.
+    // Until the process is terminated.
     ball.SubscribeEvents();
     ball.OnConnected.bound.push_back([&ball] { ball.Pulse(FVector(0, -1, 0), FHedgehogEffect()); });
     run_until(ball, [] { return false; });

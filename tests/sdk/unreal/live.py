@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The Unreal plugin and its README against a simulated daemon: live.py HEDGEHOGD PROGRAM, the program of live.cpp."""
+"""Tests the Unreal plugin and its README with a simulated daemon: live.py HEDGEHOGD PROGRAM, the program of live.cpp."""
 
 import os
 import pathlib

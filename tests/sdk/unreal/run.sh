@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# run.sh HEDGEHOGD: the plugin for Unreal against the conformance suite and that daemon, over a stub of the engine.
+# run.sh HEDGEHOGD: tests the plugin for Unreal with the conformance suite and with that daemon, on a stub of the engine.
 set -eu
 
 [ $# -eq 1 ] || { echo "run.sh HEDGEHOGD" >&2; exit 64; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// As much of Unreal's sockets as the plugin uses, over those of this machine; with the results that
-// FSocketBSD has for them.
+// The part of Unreal's sockets that the plugin uses, based on this machine's sockets, with the same
+// results as FSocketBSD.
 #pragma once
 
 #include <cstddef>
@@ -64,7 +64,7 @@ struct FAddressInfoResult {
 class ISocketSubsystem {
  public:
   static ISocketSubsystem* Get(FName name);
-  /// `found` is called on a thread of the engine's.
+  /// `found` is called on one of the engine's threads.
   void GetAddressInfoAsync(std::function<void(FAddressInfoResult)> found, const TCHAR* host,
                            const TCHAR* service, EAddressInfoFlags flags, FName protocol,
                            ESocketType type);
