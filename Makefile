@@ -320,7 +320,7 @@ test-shipped: shipped dev
 faults-ci: shipped
 	@$(STAGE) 'fault campaigns' ctest --preset campaign -j $(JOBS)
 
-# What ships in a prefix of its own, and the C++ program of clients/README.md compiled against it.
+# What ships in a prefix of its own, and the C++ program of clients/cpp.md compiled against it.
 .PHONY: test-install
 test-install: shipped
 	@$(STAGE) 'tests install' tests/install/run.sh build/bench

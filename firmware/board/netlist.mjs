@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reads a board's netlist and the library of its parts; the format stands in README.md beside this file.
+// Reads a board's netlist and the library of its parts; the format stands in netlist.md beside this file.
 import { readFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The program itself: exit codes, what stands on which stream, and every command of its README.
+// The program itself: exit codes, what stands on which stream, and every command of its README and
+// of verbs.md.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -217,14 +218,16 @@ TEST(Program, SearchesShowNoBarIntoFiles) {
   EXPECT_EQ(answer.json().at("looked_at"), 1);
 }
 
-/// The lines of all ``` blocks that begin with the program's name.
+/// The lines of all ``` blocks of the README and of verbs.md that begin with the program's name.
 std::vector<std::string> readme_commands() {
-  std::ifstream readme(source_folder() + "/clients/design/README.md");
   std::vector<std::string> commands;
-  bool fenced = false;
-  for (std::string line; std::getline(readme, line);) {
-    if (line.rfind("```", 0) == 0) fenced = !fenced;
-    if (fenced && line.rfind("hedgehog-design ", 0) == 0) commands.push_back(line);
+  for (const char* page : {"README.md", "verbs.md"}) {
+    std::ifstream text(source_folder() + "/clients/design/" + page);
+    bool fenced = false;
+    for (std::string line; std::getline(text, line);) {
+      if (line.rfind("```", 0) == 0) fenced = !fenced;
+      if (fenced && line.rfind("hedgehog-design ", 0) == 0) commands.push_back(line);
+    }
   }
   return commands;
 }

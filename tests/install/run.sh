@@ -86,8 +86,8 @@ step "$line"
 ctl=$prefix/bin/hedgehogctl
 "$ctl" status >/dev/null
 
-awk '/^```cpp$/ { on = 1; next } /^```$/ { if (on) exit } on' "$source/clients/README.md" >"$work/game.cpp"
-[ -s "$work/game.cpp" ] || fail "clients/README.md has no program in C++"
+awk '/^```cpp$/ { on = 1; next } /^```$/ { if (on) exit } on' "$source/clients/cpp.md" >"$work/game.cpp"
+[ -s "$work/game.cpp" ] || fail "clients/cpp.md has no program in C++"
 # The quick start: ten lines in an empty folder.
 mkdir "$work/empty"
 awk '/^```cpp$/ { on = 1; next } /^```$/ { if (on) exit } on' "$source/clients/lib/README.md" >"$work/empty/game.cpp"

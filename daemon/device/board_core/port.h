@@ -3,7 +3,7 @@
 // NTC and a four-wire fan: converter, timer and pin values. Integer arithmetic, freestanding,
 // tested on the host and on a Cortex-M0: a firmware adds only the register access.
 //
-// Pins, for each of the three drivers (wiring and safety notes: README.md beside this file):
+// Pins, for each of the three drivers (wiring and safety notes: wiring.md beside this file):
 //   PWM  out  one timer channel, 20 kHz or more; low = brake
 //   DIR  out  low = current A -> B, counted as positive here
 //   SLP  out  one for all three, pulled DOWN by a resistor; high = awake

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The hazards of the safety table that the board itself guards against, each on the flashed image, driving the simulator's ball: bridges
-// asleep in time, no current in the ball, and none until it is armed without the hazard. The table is in README.md.
+// asleep in time, no current in the ball, and none until it is armed without the hazard. The table is in safety-table.md.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { assertDriving, assertNoCurrent, assertSafePins, kFiveAmps, withBoard } from './fixture.mjs';
