@@ -29,7 +29,7 @@ std::string file_name(const std::string& path) {
 
 bool has_licence(const SourceFile& file) {
   static constexpr std::string_view kLicence = "SPDX-License-Identifier: MIT";
-  // A script has its interpreter first.
+  // The first line of a script is its interpreter.
   const std::size_t looked_at =
       std::min<std::size_t>(file.lines.size(), is_script(file.path) ? 2 : 1);
   return std::any_of(
@@ -70,7 +70,7 @@ Violations check_machine_paths(const SourceFile& file) {
     for (const std::string& path : kMachinePaths) {
       const std::size_t found = file.lines[i].find(path);
       if (found == std::string::npos) continue;
-      // Only where a path starts: "rules/home/" or "network/" is none.
+      // Only at the start of a path: not within "rules/home/" or "network/".
       const char before = found == 0 ? ' ' : file.lines[i][found - 1];
       const bool starts = std::string_view(" \t\"'`(=:<>,@").find(before) != std::string_view::npos;
       if (starts) {
@@ -156,7 +156,7 @@ Violations check_readmes(const SourceTree& tree) {
     const bool hidden = folder.front() == '.';
     const bool top_level = folder.find('/') == std::string::npos;
     const bool layer = contains(tree.names, folder + "/CMakeLists.txt");
-    // The folders of tests/ are told in tests/README.md.
+    // tests/README.md describes the folders of tests/.
     const bool inside_tests = folder.starts_with("tests/");
     if (hidden || inside_tests || !(top_level || layer)) continue;
     if (!contains(tree.names, folder + "/README.md"))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The lists of guards name lines of the source; they must still be there.
+// Each line that a list of guards quotes must still be in its source file.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -35,7 +35,7 @@ std::string with_line_ends(std::string text) {
   return text;
 }
 
-/// How many guards a list has; each of its lines that are cut out stands in its file once.
+/// Number of guards in a list. Each line to be cut out must occur in its file exactly once.
 int guards_in_place(const SourceTree& tree, const std::string& path) {
   const SourceFile* list = find(tree, path);
   if (list == nullptr) return 0;

@@ -111,7 +111,7 @@ const Layer* layer_of(std::string_view path) {
 
 bool is_cpp(std::string_view path) { return path.ends_with(".h") || path.ends_with(".cpp"); }
 
-// Built in a game's tree by Unreal, whose include folders are the module's.
+// Compiled by Unreal in a game's source tree, with the module's include folders.
 bool is_built_elsewhere(std::string_view path) { return is_inside(path, "clients/unreal"); }
 
 struct Include {
@@ -142,7 +142,8 @@ std::string at(const SourceFile& file, std::size_t index, const std::string& rea
   return file.path + ":" + std::to_string(index + 1) + ": " + reason;
 }
 
-// Programs over the client library do not know each other: "clients/ctl" may include "clients/ctl".
+// Programs that use the client library may not include each other: "clients/ctl" may include
+// "clients/ctl" only.
 std::string_view own_folder(std::string_view path, const Layer& layer) {
   if (layer.folder != "clients") return layer.folder;
   const std::size_t second = path.find('/', layer.folder.size() + 1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The commands of `make run`, `make demo` and `make race`, for which a new user waits, and the
-// deadline of CI's stages.
+// The commands of `make run`, `make demo` and `make race`, which a new user runs first and which
+// must be quick; and the deadline of CI's stages.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -46,7 +46,7 @@ TEST(FirstRun, BuildsOnlyWhatItStarts) {
       << "and that builds all";
 }
 
-/// "clients/dashboard/index.html ..." of "FILE: ..." in make's own list of rules.
+/// The prerequisites of a file, "clients/dashboard/index.html ...", in make's list of rules.
 std::string prerequisites_of(const std::string& file) {
   const std::string rules = commands_of("-p dashboard racer-page");
   const std::string begin = "\n" + file + ": ";

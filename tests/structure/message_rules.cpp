@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What troubleshooting.md quotes, against the string literals of the sources.
+// Compares the messages quoted in troubleshooting.md with the string literals of the sources.
 #include <algorithm>
 #include <string_view>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// tests/mutations: its lists name files and lines of the source; they must be there, and all.
+// The lists of tests/mutations must name all files of the safety code, and only lines that exist.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ const SourceFile* file_named(const SourceTree& tree, const std::string& path) {
   return at == tree.files.end() ? nullptr : &*at;
 }
 
-// The second word of the lines that begin with one of these.
+// The second word of each line whose first word is one of `begins`.
 std::set<std::string> listed(const SourceFile& list, const std::set<std::string>& begins) {
   std::set<std::string> found;
   for (const std::string& line : list.lines) {

@@ -8,26 +8,25 @@
 
 namespace hedgehog::structure {
 
-// Each rule returns what breaks it, as "path:line: reason" (or "path: reason"); empty when all is
-// well.
+// Each rule returns its violations, as "path:line: reason" (or "path: reason"); empty: none.
 using Violations = std::vector<std::string>;
 
-// Where an include may point to: the arrows of the layer picture in README.md.
+// A layer includes only the layers to which the diagram in README.md has an arrow.
 Violations check_layer_includes(const SourceFile& file);
 
-// Which libraries a layer may see: no JSON in any header, no JSON, Asio or spdlog in the control
-// path.
+// Which libraries a layer may include: no JSON in any header, no JSON, Asio or spdlog in the
+// control path.
 Violations check_library_includes(const SourceFile& file);
 
 // Licence line, #pragma once, snake_case name, at most kMaxLines lines.
 inline constexpr std::size_t kMaxLines = 300;
 Violations check_file_shape(const SourceFile& file);
 
-// No path of somebody's machine.
+// No absolute path of a developer's machine.
 Violations check_machine_paths(const SourceFile& file);
 
-// What a source file brings in with `using a::b;` or `namespace b = a;` occurs in it once more.
-// (clang-tidy knows this too, but not of sources in a batch.)
+// A source file uses each name that it declares with `using a::b;` or `namespace b = a;`.
+// (clang-tidy checks this too, but not for sources in a batch.)
 Violations check_using(const SourceFile& file);
 
 // No #include of a source file; batches of the build are not in the tree.
@@ -36,19 +35,19 @@ Violations check_included_sources(const SourceFile& file);
 // Names of the product use the terms of CONTRIBUTING.md.
 Violations check_terms(const SourceFile& file);
 
-// Relative links of a Markdown file lead somewhere.
+// Relative links of a Markdown file lead to existing files or folders.
 Violations check_links(const SourceFile& file, const SourceTree& tree);
 
-// Each message that the first column of a table quotes, `like … this`, is in a source of the
+// Each message that the first column of a table quotes, `like … this`, occurs in a source of the
 // product.
 Violations check_quoted_messages(const SourceFile& file, const SourceTree& tree);
 
-// A folder of the product has at most kMaxSources files in C++, without those of its subfolders:
-// with more it holds two things.
+// A folder of the product has at most kMaxSources files in C++, without those of its subfolders;
+// a larger folder has more than one purpose.
 inline constexpr std::size_t kMaxSources = 24;
 Violations check_folder_sizes(const SourceTree& tree);
 
-// Every top-level folder and every layer says in a README what lives there.
+// Every top-level folder and every layer has a README.
 Violations check_readmes(const SourceTree& tree);
 
 }  // namespace hedgehog::structure

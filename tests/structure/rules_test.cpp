@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rules themselves: each must let good files pass and name the bad ones.
+// Tests of the rules: each must accept valid files and report invalid ones.
 #include "tests/structure/rules.h"
 
 #include <gmock/gmock.h>

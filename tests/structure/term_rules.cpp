@@ -10,7 +10,7 @@
 namespace hedgehog::structure {
 namespace {
 
-/// Words of CONTRIBUTING.md, *Terms*, that no name has, and the one that takes their place.
+/// A word that no name may contain, from CONTRIBUTING.md, *Terms*, and its replacements.
 struct Term {
   std::string_view word;
   std::string_view instead;
