@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The casing by itself: its measures, and whether a surface is closed.
+// The casing: its dimensions, and the check that a surface is closed.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The search: the same answers as the full computation, the same on one thread as on two.
+// The search: its results equal those of the full computation, on one thread and on two.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -72,8 +72,8 @@ TEST(Front, HasNoneThatIsBeatenAndMissesNoneThatIsNot) {
 
 TEST(Front, WhoIsRefusedMakesRoomForWhomItBeats) {
   const Found best = found(86, 0.9, 1000, 98);
-  const Found second = found(86, 0.8, 1100, 99);  // beaten by the best only
-  const Found third = found(86, 0.7, 1200, 100);  // by both
+  const Found second = found(86, 0.8, 1100, 99);  // dominated by `best` only
+  const Found third = found(86, 0.7, 1200, 100);  // dominated by both
   const Found other = found(116, 0.5, 1300, 112);
   std::size_t asked = 0;
   const auto front_without = [&](std::size_t refused_below_mm) {
@@ -104,7 +104,7 @@ TEST(Front, WhoIsRefusedMakesRoomForWhomItBeats) {
   EXPECT_EQ(none.refused, 4U);
 }
 
-// What a check gives back is what stands on the front, in order, and no other beats it.
+// The front contains the designs that the check returns, sorted, and none dominates another.
 TEST(Front, IsOfTheBallsAsTheyWouldBeBuilt) {
   const auto front =
       checked_front({found(86, 0.9, 1000, 100), found(86, 0.8, 900, 102), found(86, 0.7, 800, 104)},
@@ -143,7 +143,7 @@ TEST(Workers, DoEachPieceOnce) {
 }
 
 TEST(Pull, IsTheFullForceBetweenItsNodes) {
-  // Up to where a search goes: 0.3 mm of plastic.
+  // Up to the largest diameter of a search, which leaves 0.3 mm of plastic.
   std::vector<double> diameters;
   for (int i = 0; i <= 22; ++i) diameters.push_back(3.0 + 0.05 * i);
   Design design;
@@ -173,7 +173,7 @@ TEST(Search, FindsTheBallOfTheThesis) {
   EXPECT_EQ(ball.design.array, "tkD-86");
   EXPECT_EQ(ball.pins, 86U);
   EXPECT_EQ(ball.shields, 170U);
-  // As the full computation of the 86 has it (of all 92: 0.522 and 0.589 mm).
+  // Equal to the full computation of the 86 pins (of all 92: 0.522 and 0.589 mm).
   const Study study = Study::of(ball.design).value();
   EXPECT_NEAR(ball.rest_mm, *study.typical().rest_mm(), 1e-6);
   EXPECT_NEAR(ball.extension_mm, *study.typical().extension_mm(), 1e-6);
@@ -185,9 +185,9 @@ TEST(Search, FindsTheBallOfTheThesis) {
   EXPECT_NEAR(ball.outer_diameter_mm, 100, 1e-9);
 }
 
-// Ten thousand designs in a minute are 6 ms each. Against a yardstick in the same run: the full
-// computation of one, some 10 ms; in a search a design takes a tenth of that. In processor time, by
-// turns and the least of up to five each: what else the machine does only adds to it.
+// Ten thousand designs in a minute are 6 ms each. Compared within one run with the full computation
+// of one design, about 10 ms; in a search a design takes a tenth of that. Processor time, measured
+// alternately, the minimum of up to five each: other load on the machine can only increase it.
 TEST(Search, LooksAtADesignInAFractionOfWhatTheFullComputationTakes) {
   SearchSpace space{{"tkD"}, {{8, 10}}, {}, {35.0, 35.5, 36.0, 36.5}, {}};
   for (int i = 0; i <= 40; ++i) space.shields.push_back({3.0 + 0.05 * i, 10.0});
@@ -215,9 +215,9 @@ TEST(Search, DemandsRuleDesignsOut) {
   const SearchSpace thesis{{"tkD"}, {{8, 10}}, {{4, 10}}, {35.0}, {}};
   EXPECT_EQ(front_size(thesis, {.margin = 0.2}), 0U);
   EXPECT_EQ(front_size(thesis, {.min_extension_mm = 0.7}), 0U);
-  EXPECT_EQ(front_size(thesis, {.wall_mm = 0.5}), 0U);  // 0.38 mm are there
+  EXPECT_EQ(front_size(thesis, {.wall_mm = 0.5}), 0U);  // the wall has 0.38 mm
   EXPECT_EQ(front_size(thesis, {.travel_mm = 1.0}), 0U);
-  // 3 mm shields hold nothing; cD's class of 30 is not held against 0.4 N.
+  // 3 mm shields hold no pin; cD's class of 30 is not held against 0.4 N.
   EXPECT_EQ(front_size({{"cD", "wD", "tkD"}, {{8, 10}}, {{3, 10}}, {35.0}, {}}, {.margin = 0.0}),
             0U);
   EXPECT_EQ(front_size({{"cD"}, {{8, 10}}, {{4, 10}}, {35.0}, {}}, {.margin = 0.0}), 0U);
@@ -249,7 +249,7 @@ TEST(Choose, SavesADesignThatOtherVerbsRead) {
   ASSERT_EQ(answer.exit_code, 0) << answer.err;
   EXPECT_THAT(answer.out,
               HasSubstr("tkD-86, 86 pins 8x10, shields 4x10, sphere 35 mm, 0.58 mm, 1.5 kg"));
-  // Not in silence: no printer makes such walls.
+  // The wall is reported, because no printer makes one as thin.
   EXPECT_THAT(answer.out, HasSubstr("its casing has walls of 0.03 mm"));
   EXPECT_EQ(ask({"stability", file, "--json"}).json().at("stable"), true);
   const Answer nothing = ask(

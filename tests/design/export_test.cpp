@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What leaves the designer: casings that a printer takes, device files that the daemon takes,
-// pictures, a report.
+// Output files of the designer: printable casings, device files that the daemon accepts, pictures,
+// a report.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -36,13 +36,13 @@ TEST(Export, HalvesAreClosed) {
     const auto surface = check_stl(folder.read(half)).value();
     EXPECT_EQ(surface.open_edges, 0U) << half;
     EXPECT_GT(surface.triangles, 500U) << half;
-    // Half a shell of 35 and 50 mm, less the cavities.
+    // Half a shell with radii of 35 and 50 mm, minus the cavities.
     const double shell = 2.0 / 3.0 * std::numbers::pi * (125000.0 - 42875.0);
     EXPECT_LT(surface.volume_mm3, shell);
     EXPECT_GT(surface.volume_mm3, 0.7 * shell);
     printed_mm3 += surface.volume_mm3;
   }
-  // What the mass is told of: without tabs and the cables' notch.
+  // The volume from which the mass is computed: without tabs and the notch for the cables.
   Design design;
   design.positions = csv;
   const auto array = arrangement_of(design).value();
@@ -61,7 +61,7 @@ TEST(Export, CavitiesThatRunIntoEachOtherAreRefused) {
   EXPECT_THAT(ball.err, HasSubstr("thinnest wall 0.0"));
   EXPECT_THAT(ball.err, HasSubstr("between pin"));
   EXPECT_THAT(ball.err, HasSubstr("a common nozzle prints lines of 0.4 mm"));
-  // Left out, the clearance leaves a wall.
+  // The default clearance leaves a wall.
   const Answer printable = ask({"export", "--scad", scad});
   EXPECT_THAT(printable.err, HasSubstr("thinnest wall 0.2"));
   EXPECT_THAT(printable.err, HasSubstr("clearance 0.05 mm"));
@@ -105,7 +105,7 @@ TEST(Export, TheDaemonTakesTheDeviceFile) {
   EXPECT_NEAR(files.load()->device.force_slope_n_a, 0.0126, 1e-6);
 }
 
-// What is printed is driven: the daemon finds the magnets where the design has them.
+// The daemon places the magnets where the design, and so the printed casing, has them.
 TEST(Export, TheDaemonTakesTheDeviceFileOfAnyDesign) {
   for (const std::vector<std::string>& flags :
        {std::vector<std::string>{"--array", "wD-66"},
@@ -223,7 +223,7 @@ TEST(Report, IsOneFile) {
   EXPECT_THAT(page, HasSubstr("<svg"));
   EXPECT_THAT(page, Not(HasSubstr("src=")));
   EXPECT_THAT(page, Not(HasSubstr("href=\"http")));
-  // Unstable ones are reported too, without a coil that they could not be held against.
+  // Unstable pins are reported too, without a coil, because nothing holds them against it.
   ASSERT_EQ(ask({"report", "--array", "cD", "--shield", "3x10", "--output", folder.path("u.html")})
                 .exit_code,
             0);

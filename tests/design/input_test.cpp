@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is typed, and what is said about what cannot be meant.
+// Parsing of the input, and the error messages for invalid input.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -55,7 +55,7 @@ TEST(Arrays, AreKnownByName) {
 }
 
 TEST(Arrays, OpenedHereAsInTheModel) {
-  // The one opening that the model has by itself, made here from the whole array.
+  // The one opening that the model defines itself, made here from the whole array.
   for (const auto& [name, shields] :
        {std::pair("GP(3,0)-86", 170UL), std::pair("GP(3,0)-86-5", 175UL),
         std::pair("GP(3,0)-86-20", 160UL)}) {
@@ -121,7 +121,7 @@ TEST(DesignFile, WhatThereIsNotIsTheFilesMistake) {
   }
   EXPECT_EQ(parse_design(R"({"removed_pins": [3, 3]})", "x").value().removed_pins,
             std::vector<int>{3});
-  // What the flags replace may be anything that there is.
+  // A flag may replace any valid value of the file.
   EXPECT_EQ(ask({"array", folder.write("c.json", R"({"array": "cD"})"), "--array", "wD"}).exit_code,
             0);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// hedgehog-design, run within the test, or as a process of its own.
+// hedgehog-design, run within the process of the test.
 #pragma once
 
 #include <filesystem>
@@ -29,7 +29,7 @@ inline Answer ask(const std::vector<std::string>& arguments) {
   return {exit_code, out.str(), err.str()};
 }
 
-/// Seven pins and a few shields, wide apart: a ball that openscad renders in a second.
+/// A few pins and shields, far apart: a ball that openscad renders in a second.
 inline const char* const kSmallBall =
     "kind,x,y,z\npin,0,0,1\npin,1,0,0.2\npin,-1,0,0.2\npin,0,1,-0.3\npin,0,-1,-0.3\n"
     "shield,1,1,1\nshield,-1,1,1\nshield,1,-1,-0.1\nshield,-1,-1,0\n";

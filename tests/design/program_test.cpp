@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The program itself: exit codes, what stands on which stream, and every command of its README and
+// The program: exit codes, the contents of stdout and stderr, and every command of its README and
 // of verbs.md.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ using testing::StartsWith;
 
 const std::string kProgram = build_folder() + "/clients/design/hedgehog-design";
 
-/// A line as a shell runs it, in the folder, with hedgehog-design on the PATH.
+/// Runs a command line in a shell, in the folder, with hedgehog-design on the PATH.
 Answer shell(const TemporaryFolder& folder, const std::string& line) {
   const std::string path = std::filesystem::path(kProgram).parent_path().string();
   folder.write("line.sh", "cd '" + folder.path() + "' || exit 99\nPATH=\"" + path + ":$PATH\"\n" +
@@ -73,7 +73,7 @@ TEST(Program, SaysThatNoTemporaryFileCanBeMade) {
   }
 }
 
-/// Not the one who may write everywhere, for as long as it lasts.
+/// Drops root's permission to write everywhere during its lifetime.
 class AnybodyElse {
  public:
   AnybodyElse() {
@@ -112,7 +112,7 @@ TEST(Program, AFolderThatTakesNoFilesIsNamed) {
            {{"export", "--csv"}, "/p.csv"},
            {{"export", "--device"}, "/ball.json"},
            {{"export", "--scad"}, "/c.scad"},
-           // Before the search, not after it.
+           // Reported before the search, not after it.
            {{"choose", "--save"}, "/best.json"},
            {{"choose", "--png"}, "/front.png"}}) {
     auto whole = words;
@@ -238,7 +238,7 @@ TEST(Readme, EveryCommandRuns) {
   ASSERT_GE(commands.size(), 15U);
   for (const std::string& command : commands) {
     if (command.find("--stl") != std::string::npos) {
-      // The same command, over a ball that openscad renders in a second and not in minutes.
+      // The same command, for a ball that openscad renders in a second and not in minutes.
       EXPECT_THAT(folder.read("best.json"), HasSubstr("\"tkD-86\""))
           << "the search before it saved the ball";
       folder.write("small.csv", kSmallBall);

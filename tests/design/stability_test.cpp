@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the designer says of one ball: gaps, which pins rest, what the coil does to them. Reference
-// values: physics.md sections 3, 4, 5 and 6.
+// Results of the designer for one ball: gaps, which pins rest, the effect of the coil on them.
+// Reference values: physics.md sections 3, 4, 5 and 6.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -127,7 +127,7 @@ TEST(Array, TellsGapsAndOverlaps) {
   EXPECT_LT(casing_g, 350.0);
   EXPECT_NEAR(ball.at("wall_mm"), 0.03, 0.01);
   EXPECT_THAT(ask({"array"}).out, HasSubstr("when printed solid"));
-  // Wenninger's names for the two that the thesis rules out as too sparse.
+  // Wenninger's names for the two arrays that the thesis excludes as too sparse.
   EXPECT_EQ(ask({"array", "--array", "D", "--json"}).json().at("pins"), 12);
   EXPECT_EQ(ask({"array", "--array", "tI", "--json"}).json().at("shields"), 60);
   const Answer overlap = ask({"array", "--array", "tkD", "--magnet", "10x10"});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each verb, asked as on the command line. Reference values: physics.md sections 1, 3, 4 and 6.
+// Each verb, run as on the command line. Reference values: physics.md sections 1, 3, 4 and 6.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -103,7 +103,7 @@ TEST(Curves, AreCalledTheThesisOnesOnThatBallOnly) {
   }
 }
 
-// The numbers at the thesis' axis are -2, 0, 2, 4 and 6 N, in all six panels.
+// The labels of the thesis' axis are -2, 0, 2, 4 and 6 N, in all six panels.
 TEST(Curves, OfTheFigureShareTheAxisOfTheThesisUnlessAsked) {
   const auto count = [](const std::string& script, const std::string& words) {
     std::size_t found = 0;
@@ -127,7 +127,7 @@ TEST(Curves, OfTheFigureShareTheAxisOfTheThesisUnlessAsked) {
   EXPECT_EQ(ask({"curves", "--array", "cD", "--forces", "-2..6"}).exit_code, 0);
 }
 
-// -2 N, the lowest number at the thesis' axis, would cut off the curves of tkD.
+// An axis from -2 N, the lowest label of the thesis' axis, would cut off the curves of tkD.
 TEST(Curves, OfTheFigureAreNotCutOffByItsAxis) {
   double lowest_n = 0.0;
   const model::OffsetGrid grid{-2.5, 12.5, 0.5};
@@ -194,18 +194,18 @@ TEST(Table, StandsBesideTheThesis) {
   EXPECT_NEAR(row("tkD", 20).at("crossings_mm"), 0.656, 0.002);
   EXPECT_NEAR(row("cD", 12).at("crossings_mm"), 0.878, 0.002);
   EXPECT_NEAR(row("wD", 60).at("crossings_mm"), 0.906, 0.002);
-  // The shell is in the way of the first and of the fourth.
+  // The shell shortens the travel of the first and of the fourth.
   EXPECT_NEAR(row("tkD", 12).at("extension_mm"), 0.060, 0.002);
   EXPECT_NEAR(row("tkD", 60).at("extension_mm"), 0.589, 0.002);
   EXPECT_NEAR(row("cD", 12).at("extension_mm"), 0.816, 0.002);
-  // Shown as they come out, with the reason.
+  // Deviating results are shown as computed, with the reason.
   EXPECT_TRUE(row("cD", 30).at("extension_mm").is_null());
   EXPECT_EQ(row("cD", 30).at("reproduced"), false);
   EXPECT_THAT(row("cD", 30).at("reason").get<std::string>(), HasSubstr("0.377 N at most"));
   EXPECT_EQ(row("wD", 60).at("reproduced"), false);
   EXPECT_EQ(row("wD", 12).at("reproduced"), true);
   EXPECT_THAT(ask({"table"}).out, HasSubstr("not reproduced"));
-  // Other magnets have no printed values beside them.
+  // For other magnets the thesis has no values to compare with.
   EXPECT_TRUE(ask({"table", "--array", "cD", "--shield", "4.5x10", "--json"})
                   .json()["rows"][0]["thesis_mm"]
                   .is_null());
