@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files that a state directory may have by mistake: none of them waits, none of them never ends.
+// Files that a state directory may contain by mistake: reading them neither blocks nor continues
+// forever.
 #include "base/regular_file.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files of web pages: packed ones are sent to who takes them, and what never changes is kept.
+// Files of web pages: compressed ones are sent to clients that accept them, and browsers keep those
+// that never change.
 #include "base/web_files.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +16,7 @@ namespace hedgehog::base {
 namespace {
 
 constexpr const char* kScript = "export {};";
-/// The same by gzip.
+/// `kScript`, compressed by gzip.
 constexpr std::array<unsigned char, 30> kPacked{
     0x1f, 0x8b, 0x08, 0x00, 0x00, 0x00, 0x00, 0x00, 0x02, 0xff, 0x4b, 0xad, 0x28, 0xc8, 0x2f,
     0x2a, 0x51, 0xa8, 0xae, 0xb5, 0x06, 0x00, 0xc6, 0x47, 0x25, 0xd7, 0x0a, 0x00, 0x00, 0x00};
