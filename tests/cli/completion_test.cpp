@@ -15,7 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// What is typed behind `sample `, and the words that it gets, separated by commas.
+/// The text typed after `sample `, and the words that `sample` receives, separated by commas.
 using Typed = std::pair<std::string, std::string>;
 
 const std::vector<Typed> kCompleted{
@@ -24,7 +24,7 @@ const std::vector<Typed> kCompleted{
     {"push --shape=sq\t", "push,--shape=square"},
 };
 
-/// The value of an option is no verb, and what follows it may be one.
+/// The value of an option is not a verb; the word after it may be one.
 const std::vector<Typed> kBehindValues{
     {"--address push pre\t", "--address,push,preview"},
     {"--address=push pre\t", "--address=push,preview"},
@@ -67,7 +67,7 @@ class ZshCompletion : public Completion {
                               << "cd '" << path("empty") << "'\n"
                               << "sample() { print -r -- \"takes:${(j:,:)@}:end\" }\n";
   }
-  /// Its completion needs a terminal.
+  /// zsh completes only on a terminal.
   std::string takes(const std::string& line) const {
     std::ofstream(path("type")) << "zmodload zsh/zpty\nzpty z zsh -f -i\nzpty -w z '. "
                                 << path("rc") << "'\nzpty -w z $'sample " << line << "'\n"

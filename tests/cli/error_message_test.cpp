@@ -10,7 +10,7 @@
 namespace hedgehog::cli {
 namespace {
 
-/// What is complained of; "" when it is a command line.
+/// The error message; "" for a valid command line.
 std::string message_of(std::vector<std::string> words) {
   SampleApp sample;
   std::reverse(words.begin(), words.end());

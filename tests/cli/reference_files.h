@@ -17,7 +17,7 @@
 
 namespace hedgehog::cli {
 
-/// What the shell prints, errors too.
+/// The output of the shell, with that on stderr.
 inline std::string shell(const std::string& command) {
   std::FILE* pipe = ::popen(("{ " + command + "; } 2>&1").c_str(), "r");
   std::string out;
@@ -34,7 +34,7 @@ inline bool has(const char* program) {
   return std::system((std::string("command -v ") + program + " >/dev/null").c_str()) == 0;
 }
 
-/// Written into a folder of its own.
+/// The generated files, in a temporary folder.
 class Reference : public testing::Test {
  protected:
   Reference() {

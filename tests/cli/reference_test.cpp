@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The man page of a command line, judged by groff.
+// The man page of a command line, checked by groff.
 #include "cli/reference.h"
 
 #include <gmock/gmock.h>

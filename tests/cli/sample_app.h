@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A command line with everything that the generators have to know.
+// A command line with everything that the generators must support.
 #pragma once
 
 #include <CLI/CLI.hpp>
