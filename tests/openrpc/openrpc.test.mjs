@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a client's author does with openrpc.json: check it, resolve it, judge calls, generate types and a client.
+// What a client's author does with openrpc.json: validate it, resolve it, validate calls, generate types and a client.
 import assert from 'node:assert/strict';
 import { readFile, rm, writeFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
@@ -12,7 +12,7 @@ const { default: Typings } = packages('@open-rpc/typings');
 
 const schema = new URL('../../protocol/schema/', import.meta.url);
 const text = await readFile(new URL('openrpc.json', schema), 'utf8');
-// Resolving changes the document that is given.
+// Resolving modifies its argument.
 const document = () => JSON.parse(text);
 
 test('it is a valid OpenRPC document', () => {
@@ -64,13 +64,13 @@ test('a generator makes types of it in every language that it knows', async () =
   }
 });
 
-/** The client that OpenRPC's generator makes in `folder`, compiled; what the compiler complains of. */
+/** The client that OpenRPC's generator makes in `folder`, compiled, and the errors of the compiler. */
 const madeClient = async (folder) => {
   const ts = packages('typescript');
   await packages('@open-rpc/generator').default(
     { openrpcDocument: document(), outDir: folder, components: [{ type: 'client', language: 'typescript', name: 'hedgehog' }] });
   const file = join(folder, 'client/typescript/src/index.ts');
-  // It writes the names of methods as those of members, where TypeScript has no dot.
+  // The generator uses the names of methods as names of members, in which TypeScript permits no dot.
   await writeFile(file, (await readFile(file, 'utf8')).replace(/^  public (\w+\.\w+):/gm, '  public "$1":'));
   const program = ts.createProgram([file], {
     strict: true, skipLibCheck: true, esModuleInterop: true, target: ts.ScriptTarget.ES2018, module: ts.ModuleKind.CommonJS,
@@ -80,7 +80,7 @@ const madeClient = async (folder) => {
   return { errors: found.map((one) => ts.flattenDiagnosticMessageText(one.messageText, '\n')), module: join(folder, 'built/index.js') };
 };
 
-/** A WebSocket that answers each request with `result`, and the requests that it got. */
+/** A WebSocket that responds to each request with `result`, and the requests that it received. */
 const answering = (result) => new Promise((resolve) => {
   const requests = [];
   const server = new (packages('ws').Server)({ host: '127.0.0.1', port: 0 }, () => resolve({ server, requests }));

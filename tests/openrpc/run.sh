@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# run.sh: protocol/schema/openrpc.json with OpenRPC's own tools. Exit: 0 all passed.
+# run.sh: tests protocol/schema/openrpc.json with OpenRPC's own tools. Exit: 0 all passed.
 set -eu
 
 here=$(cd -- "$(dirname -- "$0")" && pwd)
