@@ -9,8 +9,8 @@
 namespace hedgehog::rig {
 
 /// `drawn` after a calibration: with a thermometer that deviates by up to 2 K from its windings
-/// plus its tolerance, and the heating plan, measured by the ball's own electronics. nullopt:
-/// rejected.
+/// plus its tolerance, and the heating plan, measured by the ball's own electronics. nullopt: the
+/// fit was rejected.
 std::optional<ThermalBallOptions> calibrated(const ThermalBallOptions& drawn);
 
 }  // namespace hedgehog::rig

@@ -17,11 +17,11 @@ struct FaultResult {
 /// Maximum time for which a line that should be idle may be driven.
 inline constexpr double kMaxDrivenMs = 30.0;
 
-/// In steps of 20 ms; a stuck line, which is stopped within milliseconds, on the whole rig.
+/// Runs in steps of 20 ms; a stuck line, which is stopped within milliseconds, on the whole rig.
 FaultResult run_fault(const ThermalFault& fault, const ThermalBallOptions& ball);
 
 /// True if the stop names the fault and, for a fault of one winding, that winding; or a set of
-/// quantities that includes it. A ball that did not stop names nothing.
+/// quantities that includes it. False for a ball that did not stop.
 bool named(const ThermalFault& fault, const Stop& stop) noexcept;
 
 }  // namespace hedgehog::rig

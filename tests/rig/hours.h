@@ -35,7 +35,7 @@ inline constexpr double kHeldAfterS = 600.0;
 std::string follow_skin(HourResult& result, double skin_c, double now_s);
 
 /// A ball of the family (thermal_ball.h) in steps of 20 ms. `seconds` of device time; equal seeds
-/// give equal hours. `hand`: factor of the thermal resistance to the room (2: in a closed hand).
+/// give equal hours. `hand`: factor of the thermal resistance to ambient (2: in a closed hand).
 HourResult thermal_hour(std::uint64_t seed, double seconds = 3600.0,
                         const device::FrontEndChoice& front_end = {},
                         double thermal_tolerance = 0.2, double hand = 1.0);

@@ -34,7 +34,7 @@ struct RigOptions {
 };
 
 /// A ball that differs from its device file by up to 20 % in every capacity, thermal resistance and
-/// inductance, in a room of 18..32 C, with a thermistor that lags 1..3 s and 0.15 K of noise.
+/// inductance, at 18..32 C ambient, with a thermistor that lags 1..3 s and has 0.15 K of noise.
 device::SimulatedBoardOptions random_board(model::RandomStream& random) noexcept;
 
 class Rig {

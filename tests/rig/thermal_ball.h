@@ -103,7 +103,7 @@ std::string words(const Stop& stop);
 
 /// A ball drawn from all healthy ones: R25 within 3 %, gains within 2 %, offsets within 0.02 A
 /// (`in_line`) or 0.1 A, supply within 2 %, thermistors within 1 K, thermal constants within
-/// `thermal_tolerance`, which the daemon is configured with, in a room of 18..32 C.
+/// `thermal_tolerance`, with which the daemon is configured, at 18..32 C ambient.
 ThermalBallOptions family_ball(std::uint64_t seed, const device::FrontEndChoice& front_end,
                                double thermal_tolerance) noexcept;
 

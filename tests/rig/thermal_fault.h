@@ -41,7 +41,7 @@ struct RandomFault {
   ThermalBallOptions ball;
 };
 /// The ranges from which random faults are drawn, with equal probability: each kind, its values,
-/// all windings; a third of them from the start, the others at 5 K above the room to 60 C; half of
+/// all windings; a third of them from the start, the others at 5 K above ambient to 60 C; half of
 /// them growing over 10 s to 15 minutes; 5 to 15 A, or, for a third of them, random play.
 struct FaultRange {
   device::SimulatorErrorKind kind;
