@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The vectors on a bare Cortex-M0 under qemu: vector table, start-up, and exit by semihosting.
 // Paints the stack first, and prints on stderr at the end how much of it was used.
-#ifdef __arm__  // so that linters on the host pass it by
+#ifdef __arm__  // so that linters on the host skip it
 
 #include <stddef.h>
 #include <stdint.h>

@@ -175,7 +175,7 @@ void faults(Result& result) noexcept {
         c.name, bench,
         bench.core.mode() == Mode::kLatched && (bench.core.faults() & c.fault) != 0 && safe);
   }
-  // The I^2 t sums are 64 bits wide: they are divided by the compiler's runtime.
+  // The I^2 t sums are 64 bits wide: the compiler's runtime divides them.
   Bench heat;
   heat.arm();
   heat.set_point.duty_q15[1] = 16'000;

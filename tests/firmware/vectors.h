@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The board core's rules as a deterministic programme whose output must be identical, line by line,
+// The board core's rules as a deterministic program whose output must be identical, line by line,
 // on the host and on a Cortex-M0. Freestanding, like the core.
 #pragma once
 

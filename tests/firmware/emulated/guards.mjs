@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Removes each guard of guards.txt from the image, one at a time, and requires a failing test. guards.mjs FIRMWARE_IMAGE [--third] [WORD]:
 // only guards whose name or hazard contains WORD; with --third every third one, selected by the day of the month. JOBS: guards at a time.
-// Exit: 0 all guards had a failing test, 1 one had none, 64 usage or no such guard, 65 a guard is not where the list says, cannot be built,
+// Exit: 0 all guards had a failing test, 1 one had none, 64 usage or no such guard, 65 a guard is not in the listed file, cannot be built,
 // or a test of it does not end. run.sh has the environment (HEDGEHOG_FIRMWARE_PLANT, HEDGEHOG_NODE_MODULES).
 import { cpSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';

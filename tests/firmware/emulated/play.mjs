@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Plays on the emulated board as a game would: play.mjs MINUTES [SEED], in the ball's time, with the variables of run.sh. Prints figures
+// Plays effects like a game's on the emulated board: play.mjs MINUTES [SEED], in the ball's time, with the variables of run.sh. Prints figures
 // once a minute. Exit: 0, 1 the board tripped, was lost or was reset, 64 usage.
 import { pathToFileURL } from 'node:url';
 import { DaemonOnBoard } from './daemon.mjs';

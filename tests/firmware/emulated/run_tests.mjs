@@ -19,7 +19,7 @@ export const run = (program, args, env = {}) => new Promise((done) => {
 /** Runs the tests of `files` whose name contains `word`. {red: names of those that failed, problem: why the run is invalid; empty: it is
  *  valid}. */
 export async function runTests(files, word, { timeoutMs, env = {} }) {
-  // Within another test Node would skip them.
+  // Inside another test, Node would skip these tests.
   const ended = await run(process.execPath, ['--test', `--test-reporter=${reporter}`, `--test-timeout=${timeoutMs}`, `--test-name-pattern=${literally(word)}`, ...files],
     { ...env, NODE_TEST_CONTEXT: undefined });
   const outcomes = ended.said.split('\n').filter((line) => line.startsWith('{"name"')).map((line) => JSON.parse(line));

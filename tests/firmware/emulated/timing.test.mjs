@@ -12,7 +12,7 @@ const kTicks = Number(process.env.HEDGEHOG_FIRMWARE_TICKS ?? 3000);
 /** 40 % of a millisecond at 125 MHz. */
 const kMaxCycles = 50_000;
 
-/** A host's pseudo-random whole numbers below `below`. */
+/** A host's pseudo-random integers below `below`. */
 function noise(state) {
   return (below) => {
     state ^= state << 13;
