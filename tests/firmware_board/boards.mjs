@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The boards of the project, as they are and with one thing changed.
+// The boards of the project, unchanged and with one change.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -11,7 +11,7 @@ export const kTypes = readParts();
 export const sourceText = (path) => readFileSync(join(kBoardFolder, "../..", path), "utf8");
 const text = (name) => readFileSync(join(kBoardFolder, name), "utf8");
 
-/** The board `name` with `cut` replaced by `put` wherever it stands in its netlist; `more` lines at its end. */
+/** The board `name` with every `cut` in its netlist replaced by `put`, and the lines `more` at its end. */
 export function changed(name, cut, put, more = "") {
   let count = 0;
   const edit = (source) => source.replaceAll(cut, () => {
@@ -24,7 +24,7 @@ export function changed(name, cut, put, more = "") {
 }
 export const asBuilt = (name) => changed(name, "", "");
 
-/** Exactly the rules in `names` are broken by the change, and one of the sentences matches `like`. */
+/** Asserts that the change violates exactly the rules in `names`, and that one of the messages matches `like`. */
 export function breaks(names, like, cut, put, more = "", board = "reference") {
   const found = violations(changed(board, cut, put, more), kTypes);
   assert.deepEqual([...new Set(found.map((one) => one.split(":")[0]))].sort(), [...names].sort(), found.join("\n"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The readings of firmware/board/bring-up.md against the netlist of the reference board.
+// Compares the readings in firmware/board/bring-up.md with the netlist of the reference board.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
@@ -16,7 +16,7 @@ function told(pattern) {
   assert.ok(match, `${pattern} is not in the guide`);
   return match.slice(1).map(Number);
 }
-/** Every value that parts within their tolerances give is within what the guide tells, and not a fifth of it off. */
+/** The guide's range contains every value that parts within their tolerances give, and is within 20 % of the nominal value. */
 function within(value, share, [low, high]) {
   assert.ok(low <= value * (1 - share) && high >= value * (1 + share), `${value} +- ${100 * share} % is not in ${low}..${high}`);
   assert.ok(low > 0.8 * value && high < 1.2 * value, `${low}..${high} is far from ${value}`);

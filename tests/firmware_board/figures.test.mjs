@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The boards against the rest of the project: what the firmware takes them for, what the simulator makes of them, and the
-// files that are made from the netlists.
+// The boards agree with the rest of the project: the constants of the firmware, the errors of the simulator, and the files
+// that are generated from the netlists.
 import assert from "node:assert/strict";
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -17,7 +17,7 @@ import { asBuilt, kTypes, sourceText } from "./boards.mjs";
 const reference = asBuilt("reference");
 const thesis = asBuilt("thesis");
 
-/** The number behind `pattern` in a source; digits may have separators. */
+/** The number that `pattern` captures in a source; digits may have separators. */
 function constant(path, pattern) {
   const match = pattern.exec(sourceText(path));
   assert.ok(match, `${path}: ${pattern}`);
@@ -52,7 +52,7 @@ test("the firmware takes both boards' divider, converter and CS for what they ar
 
 test("the firmware takes each calibration that parts within their tolerances can lead to", () => {
   const limit = (name) => constant("firmware/pico_wiring.h", new RegExp(`${name} = ([\\d']+);`));
-  // What a voltmeter at the amplifier's output and an ammeter see of it, all at their limits.
+  // The deviations that a voltmeter at the amplifier's output and an ammeter measure, all at their limits.
   const seen = (name, kinds) => errorBudget(reference, kTypes).find((one) => one.name === name).list
     .filter(([kind]) => kinds.includes(kind)).reduce((sum, [, value]) => sum + value, 0);
   const { voltsPerUnit } = circuitAt(reference, kTypes, "U7.CH0");
@@ -64,14 +64,14 @@ test("the firmware takes each calibration that parts within their tolerances can
   }
 });
 
-/** [quantity, the simulator's figure, share of the budget that it must be at least]. */
+/** [quantity, the simulator's figure, its minimum as a share of the error budget]. */
 const kLimits = [
   ["current_a gain", /kGain = ([\d.]+);/, 1], ["current_a zero, calibrated", /kInLineOffsetA = ([\d.]+);/, 1],
   ["current_a noise", /in_line \? ([\d.]+) : 0\.10;/, 1], ["supply_a gain", /kGain = ([\d.]+);/, 1],
   ["supply_a zero, calibrated", /kShuntOffsetA = ([\d.]+);/, 1], ["supply_a noise", /shunt_noise_a = ([\d.]+);/, 1],
   ["supply_v gain", /kGain = ([\d.]+);/, 1], ["supply_v noise", /supply_noise_v = ([\d.]+);/, 1],
   ["ntc_a at 75 C", /kThermistorK = ([\d.]+);/, 1],
-  // The microcontroller's own converter is worse than the simulator has it, by its linearity: figures.md.
+  // The microcontroller's own converter is worse than the simulated one, by its linearity: figures.md.
   ["cs_a gain, calibrated", /kGain = ([\d.]+);/, 0.8], ["cs_a zero, calibrated", /kDriverCsOffsetA = ([\d.]+);/, 1],
   ["cs_a noise", /0\.04 : ([\d.]+);/, 0.8],
 ];
@@ -82,7 +82,7 @@ for (const [name, pattern, share] of kLimits)
     const found = errorBudget(board, kTypes).find((one) => one.name === name);
     const simulated = frontEnd(pattern);
     assert.ok(simulated >= share * found.combined, `${simulated} < ${share} * ${found.combined}`);
-    // Nor so much worse that its tests say nothing of this board.
+    // Nor so much worse that tests with the simulator do not apply to this board.
     assert.ok(simulated <= 5 * found.combined, `${simulated} > 5 * ${found.combined}`);
   });
 
@@ -116,7 +116,7 @@ test("the board stands bridges that fall asleep at full current; nothing needs t
     assert.ok(peakV < limitV);
     assert.ok(clampJ < energyJ / 5);
   }
-  // Asleep the current is gone in less than a tenth of the brake's time.
+  // With the bridges asleep the current decays in less than a tenth of the braking time.
   assert.ok(ways.cases[0].seconds < ways.brakeS / 10);
 });
 
@@ -139,7 +139,7 @@ for (const board of [reference, thesis])
     for (const net of board.nets.keys()) assert.ok(words.has(net), `${net} is not in the diagram`);
   });
 
-/** Where the texts of a diagram stand: {text, left, right, top, bottom}; a letter is taken as 0.55 of its size wide. */
+/** The boxes of the texts of a diagram: {text, left, right, top, bottom}; a letter's width is assumed as 0.55 of its size. */
 function textBoxes(svg) {
   return [...svg.matchAll(/<text x="([-\d.]+)" y="([-\d.]+)" font-size="([\d.]+)" text-anchor="(\w+)"[^>]*>(.*?)<\/text>/g)].map(([, x, y, size, anchor, inner]) => {
     const text = inner.replace(/<[^>]*>/g, "");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The electrical rules: both boards keep them, and each rule finds the netlist that breaks it.
+// The electrical rules: both boards comply with them, and each rule detects a netlist that violates it.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
