@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Recording by demonstration on the designer's ball, against a real daemon: the ball plays a drag while it lasts, and
-// it becomes key frames, however it ends.
+// Recording by demonstration on the designer's ball, against a real daemon: the ball plays a drag during the movement,
+// and the drag becomes key frames, regardless of how it ends.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The dashboard at common screen widths: nothing overflows, the essential parts are on a phone's first screen, and
-// nothing moves under a finger.
+// controls keep their positions.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 

@@ -107,7 +107,7 @@ test("a phone whose turning the daemon takes turns the ball", async () => {
 });
 
 test("a phone whose turning the daemon refuses is told why, and the ball is drawn as it is", async () => {
-  // The page takes this ball for a real one; the daemon does not, and rejects the request.
+  // The page receives "simulated": false; the daemon's ball is simulated, so it rejects the request.
   await open("/orientation.html", kDesktop, (fresh) => fresh.routeWebSocket("**/ws", (socket) => {
     const server = socket.connectToServer();
     server.onMessage((text) => socket.send(text.replace('"simulated":true', '"simulated":false')));

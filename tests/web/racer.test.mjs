@@ -78,7 +78,7 @@ test("a hit is seen on the ring and felt on the ball, and costs of its budget", 
   const cool = await meter();
   assert.ok(cool > 80, `${cool} %`);
   assert.match(await page.textContent("#help"), /Turn the simulated ball/);
-  // Full throttle and full lock: into the wall beside the start.
+  // Full throttle and full steering lock: the car hits the wall beside the start.
   await page.getByText("Keys", { exact: true }).click();
   await page.keyboard.down("ArrowUp");
   await page.keyboard.down("ArrowLeft");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sound input of the designer: a sound file and a microphone become effects of a real daemon as they sound.
+// Sound input of the designer: the sound of a file and of a microphone becomes effects of a real daemon while it plays.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
