@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# judge_guard.sh FOLDER: whether the tests miss the guard that remove_guards.sh took out in FOLDER/source. Makes
+# judge_guard.sh FOLDER: checks that tests fail without the guard that remove_guards.sh removed in FOLDER/source. Creates
 # FOLDER/seen_red when each line of FOLDER/red has a failing test.
 set -euo pipefail
 
@@ -22,7 +22,7 @@ give_up() { # sentence log
   exit 1
 }
 
-# A guard that is gone leaves variables unused.
+# Without the guard, variables may be unused.
 objects=()
 while IFS= read -r file; do
   object=$top/$folder/$(basename -- "$file").o
@@ -33,7 +33,7 @@ while IFS= read -r file; do
   objects+=("$object")
 done <"$folder/files"
 
-# link PLACE: that program of the build with the changed objects.
+# link PLACE: links that program of the build with the changed objects.
 link() {
   link_as_built "$1" "$top/$folder/$1" "${objects[@]}" >"$folder/log" 2>&1 || case $? in
     2) give_up "there is no $1" /dev/null ;;
@@ -45,7 +45,7 @@ link() {
 failures_of() { # program filter
   local program=$folder/tests/test_$1 out status=0
   if [ "$1" = e2e ]; then
-    # There the guard is the daemon's.
+    # The end-to-end tests run the daemon, which contains the guard.
     [ -e "$folder/daemon/hedgehogd" ] || link daemon/hedgehogd
     program=$dev/tests/test_e2e
   elif [ ! -e "$program" ]; then
@@ -61,7 +61,7 @@ failures_of() { # program filter
 found='' blind=''
 while read -r program filter; do
   names=$(failures_of "$program" "$filter")
-  # A substitution cannot end the script.
+  # `give_up` in a command substitution does not end this script.
   [ ! -e "$folder/broken" ] || exit 1
   [ -n "$names" ] || blind+=" $program $filter;"
   found+=$names$'\n'

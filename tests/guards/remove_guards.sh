@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Takes each guard of guards.txt out, one at a time, and asks for a red test. Needs `make dev`: only the changed file is
+# Removes each guard of guards.txt, one at a time, and requires a failing test. Needs `make dev`: only the changed file is
 # compiled, and linked into the test programs of that build.
-# remove_guards.sh [--third] [WORD]: only guards whose name or hazard has WORD; with --third every third one, which ones
-# by the day of the month. JOBS: guards at a time. Exit: 0 all seen red, 1 one survived or could not
-# be judged, 64 usage or no such guard, 65 a guard is not where guards.txt says.
+# remove_guards.sh [--third] [WORD]: only guards whose name or hazard contains WORD; with --third every third one, selected
+# by the day of the month. JOBS: guards at a time. Exit: 0 each had a failing test, 1 one had none or could not be
+# checked, 64 usage or no such guard, 65 a guard is not in the file that guards.txt names.
 set -euo pipefail
 
 third=''
@@ -20,7 +20,7 @@ work=build/guards
 rm -rf "$work"
 mkdir -p "$work"
 
-# exchange FILE CUT PUT: literally, once; "\n" in both is a line's end.
+# exchange FILE CUT PUT: replaces the only occurrence of CUT, literally; "\n" in both is an end of line.
 exchange() {
   CUT=${2//\\n/$'\n'} PUT=${3//\\n/$'\n'} awk '
     { text = text $0 "\n" }
@@ -33,7 +33,7 @@ exchange() {
   mv "$1.new" "$1"
 }
 
-# A folder for each guard: its files, changed, in source/; what judge_guard.sh is to know in the others.
+# A folder for each guard: its changed files in source/; the other files are the input of judge_guard.sh.
 hazard='' guard='' file='' cut='' number=0 folder=''
 begin() { # guard
   guard=$1
