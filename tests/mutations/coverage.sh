@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Whether the tests execute every line of the sources that scope.txt calls covered. Needs `make dev`: only those sources are
-# compiled anew, with counters, and linked into the test programs of that build; their judges run once.
-# Exit: 0 every line, 1 not (each is named), 70 a test fails, or a source cannot be compiled so.
+# Checks that the tests execute every line of the sources marked `covered` in scope.txt. Needs `make dev`: only those sources
+# are recompiled, with counters, and linked into the test programs of that build; their tests run once.
+# Exit: 0 every line, 1 not (lists the others), 70 a test fails, or a source does not compile with counters.
 set -euo pipefail
 
 cd "$(dirname -- "${BASH_SOURCE[0]}")/../.."
@@ -33,7 +33,7 @@ done <"$work/covered"
 
 awk -F '\t' 'FILENAME == ARGV[1] { covered[$0]; next } $1 in covered { print $2 }' "$work/covered" "$work/files" | sort -u |
   sed "s|^|$work/judges.|" | xargs cat | sort -u >"$work/judges"
-# An archive: a program takes what it needs of it, and looks there before it looks into the build's.
+# An archive before the build's libraries: the linker takes from it what a program needs.
 ar rcs "$work/covered.a" "${objects[@]}"
 programs=()
 while read -r program; do

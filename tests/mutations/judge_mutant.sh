@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# judge_mutant.sh NUMBER: whether a test goes red with mutant NUMBER of build/mutations/chosen. Appends a line to
-# build/mutations/results: verdict, judge, then the mutant as in `chosen`, by tabs. Verdicts: killed, late (a judge did not
-# end), survived, nonviable (does not compile), left (no time left), broken (could not be judged).
+# judge_mutant.sh NUMBER: checks whether a test fails with mutant NUMBER of build/mutations/chosen. Appends a line to
+# build/mutations/results: verdict, test, then the mutant as in `chosen`, separated by tabs. Verdicts: killed, late (a test
+# did not end), survived, nonviable (does not compile), left (no time left), broken (could not be tested).
 set -euo pipefail
 
 work=build/mutations
@@ -28,7 +28,7 @@ mkdir -p "$folder/$(dirname -- "$file")"
   tail -c "+$((offset + length + 1))" "$file"
 } >"$folder/$file"
 
-# A header is found in the folder before the one of the tree; not inlined, its functions take the place of the tests' own.
+# The mutated header precedes the tree's on the include path; not inlined, its functions replace those of the tests.
 source=$folder/$file
 options=()
 if [ "$compiled" != "$file" ]; then
@@ -45,8 +45,8 @@ while read -r program filter limit_s; do
     link_as_built "tests/test_$program" "$folder/test_$program" "$folder/mutant.o" >"$folder/log" 2>&1 ||
     verdict broken "test_$program does not link"
   status=0
-  # In the folder: what a test writes goes with it.
-  # The shell would name each that ends by a signal.
+  # Runs in the folder, which is removed with the files that a test writes.
+  # Suppresses the shell's message about a test ended by a signal.
   { (cd "$folder" && timeout "$limit_s" "./test_$program" --gtest_filter="$filter" --gtest_brief=1 \
     --gtest_fail_fast) >"$folder/log" 2>&1; } 2>/dev/null || status=$?
   red=$(sed -nE 's/^\[  FAILED  \] ([^ ,]+).*/\1/p' "$folder/log" | head -n 1)

@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Changes one operator, constant or statement of the safety code at a time and asks for a red test. Needs `make dev`.
+# Changes one operator, constant or statement of the safety code at a time and requires a failing test. Needs `make dev`.
 # mutate.sh [--changed [BASE]] [--file TEXT]... [--every N] [--most N] [--seconds S] [--list]
-#   --changed  only lines that differ from BASE (default: where this branch left origin/main, else HEAD~1), and, unless said
+#   --changed  only lines that differ from BASE (default: the merge base with origin/main, else HEAD~1), and, unless given
 #              otherwise, 40 mutants and 180 seconds at most
-#   --file     only files whose path has TEXT; may be repeated
+#   --file     only files whose path contains TEXT; may be repeated
 #   --every    every N-th mutant
-#   --most     N of the mutants, drawn by the commit
-#   --seconds  begins none later than this
-#   --list     only prints them
-# JOBS: mutants at a time. Exit: 0 all killed or explained, 1 one survived or could not be judged, 64 usage, 65 an
-# explanation has lost its line, 70 the tests fail without a mutant, or another mutate.sh runs here.
+#   --most     at most N mutants, drawn at random with the commit as the seed
+#   --seconds  starts no mutant after S seconds
+#   --list     only prints the mutants
+# JOBS: mutants at a time. Exit: 0 all killed or explained, 1 one survived or could not be tested, 64 usage, 65 an
+# explanation quotes a line that does not exist, 70 the tests fail without a mutant, or another mutate.sh runs here.
 set -euo pipefail
 
 usage() {
@@ -55,7 +55,7 @@ else
 fi
 rm -rf "$work"
 mkdir -p "$work"
-# Objects of mutants are not worth a place in the cache.
+# Objects of mutants are used once only, so they are not cached.
 export CCACHE_DISABLE=1 RC_PARAMS=seed=7
 # shellcheck source=tests/mutations/scope.sh
 . tests/mutations/scope.sh
@@ -67,7 +67,7 @@ while IFS=$'\t' read -r file judges compiled; do
     '{ print head "\t" $0 }'
 done <"$work/files" >"$work/all"
 
-# What explained.txt says of them: file, text, mutation, text before ("" is any).
+# The entries of explained.txt: file, text, mutation, text before ("" is any).
 awk '
   /^file / { file = substr($0, 6) }
   /^line / { text = substr($0, 6); before = "" }
@@ -88,7 +88,7 @@ changed_lines() {
       echo "mutations: no commit to compare with; none made" >&2
       return
     }
-    # A branch that has left nothing is compared with its last commit.
+    # A branch without a difference from BASE is compared with its last commit.
     if git diff --quiet "$base"; then base=$(git rev-parse --verify -q HEAD~1) || return 0; fi
   fi
   git diff -U0 "$base" -- | awk '
@@ -135,7 +135,7 @@ if [ -n "$list" ]; then
   exit 0
 fi
 
-# The judges must be green without a mutant; one may take a minute longer with it.
+# The tests must pass without a mutant; with one, each may take a minute longer.
 cut -f 2 "$work/chosen" | sort -u >"$work/used"
 while read -r judges; do
   while read -r program filter; do

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# To be sourced: scope.txt as files. scope_into FOLDER writes
-#   FOLDER/files   file, number of its judges, what is compiled for it; by tabs
+# To be sourced: splits scope.txt into files. scope_into FOLDER writes
+#   FOLDER/files   file, number N of its judges, source that is compiled for it; separated by tabs
 #   FOLDER/covered the files of which every line must be executed
 #   FOLDER/constants  file and the first line of a block that only the compiler evaluates
 #   FOLDER/judges.N  program and filter, a judge a line
