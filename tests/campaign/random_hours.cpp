@@ -27,7 +27,7 @@ struct Options {
   bool parts = false;
   /// Tolerance of the thermal constants, as a share; for the 20 ms hours.
   double tolerance = 0.2;
-  /// Factor of each ball's thermal resistance to the room: 2 in a closed hand.
+  /// Factor of each ball's thermal resistance to ambient: 2 in a closed hand.
   double hand = 1.0;
 };
 
