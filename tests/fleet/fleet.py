@@ -3,7 +3,7 @@
 """fleet.py BUILD DAEMONS SECONDS: simulated daemons of BUILD, each with hedgehog-mqtt, at one mosquitto and one Prometheus.
 
 Prints processor time and memory of each kind of program, and what was lost: telemetry by the device times of consecutive
-messages of a ball, scrapes by Prometheus' `up`. Exit: 143 terminated; 1 a daemon or a bridge ended early, or a ball was never heard of.
+messages of a ball, scrapes by Prometheus' `up`. Exit: 143 terminated; 1 a daemon or a bridge ended early, or a ball sent no telemetry.
 """
 import json
 import os
@@ -33,7 +33,7 @@ class Fleet:
         return process
 
     def daemon(self, number):
-        """The address of its pages; starts it and its bridge."""
+        """Starts a daemon and its bridge; returns the address of the daemon's pages."""
         home = self.folder / f"ball-{number}"
         (home / "config/hedgehog").mkdir(parents=True)
         (home / "run").mkdir()
@@ -138,7 +138,7 @@ def main(folder):
 if __name__ == "__main__":
     if len(sys.argv) != 4:
         sys.exit(__doc__)
-    # So that its programs are ended too.
+    # So that SIGTERM also ends the started programs.
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
     with tempfile.TemporaryDirectory() as place:
         main(pathlib.Path(place))
