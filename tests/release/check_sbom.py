@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""check_sbom.py FILE TREE: FILE is a document of SPDX 2.3 that names every package of TREE's lists."""
+"""check_sbom.py FILE TREE: checks that FILE is a document of SPDX 2.3 with every package of TREE's lists."""
 import json
 import re
 import subprocess
@@ -14,7 +14,7 @@ def expect(condition, what):
         sys.exit(f"tests/release: {what}")
 
 
-# What clauses 6 to 11 of SPDX 2.3 require.
+# The requirements of clauses 6 to 11 of SPDX 2.3.
 expect(document["spdxVersion"] == "SPDX-2.3" and document["dataLicense"] == "CC0-1.0", "version")
 expect(document["SPDXID"] == "SPDXRef-DOCUMENT" and document["name"] == "hedgehog-99.0.0", "document")
 expect(re.fullmatch(r"https://[^#]+-99\.0\.0-[0-9a-f]{40}", document["documentNamespace"]), "namespace")

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# run.sh: cmake/release.sh in a clone of what is committed. Exit: 0 all is well.
+# run.sh: tests cmake/release.sh in a clone of the last commit. Exit: 0 all passed.
 set -euo pipefail
 
 source=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -14,7 +14,7 @@ git clone --quiet --no-tags "$source" "$work/clone"
 cd "$work/clone"
 git checkout --quiet -B release
 begin=$(git rev-parse HEAD)
-# refused SENTENCE COMMAND...: exits with 65, says why and changes nothing.
+# refused SENTENCE COMMAND...: the command must exit with 65, print SENTENCE and change nothing.
 refused() {
   local sentence=$1 code=0
   shift
