@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# compare.sh REV [OPTION...]: this tree's build (preset bench) beside that of another revision, in the same rounds.
+# compare.sh REV [OPTION...]: measures this tree's build (preset bench) and that of another revision in the same rounds.
 # The revision is checked out and built below build/compare; the options are those of tests/bench/load.
 set -euo pipefail
 

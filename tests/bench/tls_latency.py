@@ -55,7 +55,7 @@ def connect(daemon, tls):
 
 
 def timed(act, count):
-    """µs."""
+    """Returns the duration of each of `count` calls, µs."""
     times = []
     for _ in range(count):
         begun = time.perf_counter_ns()
@@ -83,7 +83,7 @@ def print_table(rounds):
 
 
 def main(build, rounds=11):
-    # So that the daemon is ended too.
+    # So that SIGTERM also ends the daemon.
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
     daemon = LiveDaemon(os.path.join(build, "daemon/hedgehogd"))
     try:

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# check.sh PROGRAM [--write]: instructions of each request and tick, counted by callgrind, against instructions.json: more
-# than 2 % off in either direction is an error. --write: writes that file instead. Counts depend on compiler and C
-# library; the check is skipped where they differ from those in the file.
-# Exit: 0 equal, or skipped; 1 off; 64 usage; 69 no callgrind.
+# check.sh PROGRAM [--write]: compares the instructions of each request and tick, counted by callgrind, with
+# instructions.json: a deviation of more than 2 % in either direction is an error. --write: writes that file instead. Counts
+# depend on compiler and C library; the check is skipped where they differ from those in the file.
+# Exit: 0 equal, or skipped; 1 a deviation; 64 usage; 69 no callgrind.
 set -euo pipefail
 
 if [ $# -lt 1 ] || [ ! -x "$1" ]; then
@@ -25,7 +25,8 @@ versions() {
   ldd --version | sed -n '1s/^[^ ]* */  "libc": "/; 1s/$/",/p'
 }
 
-# count WHAT TIMES: instructions of each, with an environment and string functions that all machines have.
+# count WHAT TIMES: prints the instructions of one repetition, with an environment and string functions that all machines
+# have.
 count() {
   env -i PATH="$PATH" GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-AVX,-AVX512F,-AVX512VL,-ERMS,-FSRM,-BMI2 \
     valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect=hedgehog_counted "$program" "$1" "$2" 2>&1 |
