@@ -12,7 +12,7 @@
 namespace hedgehog::soak {
 namespace {
 
-/// So that neighbouring seeds give unrelated sequences.
+/// Makes the sequences of neighbouring seeds unrelated.
 constexpr std::uint64_t kStride = 0x9e3779b97f4a7c15;
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Behaviour of the daemon that its documents exclude.
+// Behaviour of the daemon that contradicts its documentation.
 #pragma once
 
 #include <stdexcept>

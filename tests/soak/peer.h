@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One non-blocking client of the daemon: it sends, reads or does not read, and disconnects in
-// several ways. It records what it sent, and so the responses that it must receive.
+// several ways. It records the sent messages and the responses that they require.
 #pragma once
 
 #include <cstdint>

@@ -18,7 +18,7 @@ class RequestGenerator {
  public:
   explicit RequestGenerator(Random& random);
 
-  /// A request that obeys the schema and is therefore mostly accepted. Every seventh is a
+  /// A request that conforms to the schema and is therefore mostly accepted. Every seventh is a
   /// notification.
   std::string valid();
   /// A request with an invalid value, name, member or nesting.

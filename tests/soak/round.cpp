@@ -157,7 +157,7 @@ void Round::end(Traffic& traffic, Actions& actions, End how) {
 }
 
 void Round::stop_and_kill(Traffic& traffic, Actions& actions) {
-  // No request that was sent earlier may arm it any more.
+  // From here on no request that was sent earlier can arm the ball.
   traffic.check();
   actions.keep_latched();
   act(traffic, actions, size_.actions / 8);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The daemon's state directory: on its own disk that can be filled, with files that may be damaged
-// or replaced by non-files.
+// or replaced by FIFOs, devices and folders.
 #pragma once
 
 #include <map>

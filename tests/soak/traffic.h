@@ -39,17 +39,17 @@ class Traffic : public PeerObserver {
   /// Sends and counts.
   void send(Peer& peer, const std::string& message, int fragments = 1);
 
-  /// Exchanges what can be exchanged at once, or waits up to `timeout_ms` for the first of it.
-  /// True: something was exchanged.
+  /// Reads and writes without blocking; waits up to `timeout_ms` if no connection is ready. True:
+  /// something was exchanged.
   bool pump(int timeout_ms = 0);
-  /// Pumps until `done`. Throws Failure with `what` when the daemon has answered so many pings
-  /// meanwhile that it cannot merely be slow.
+  /// Pumps until `done`. Throws Failure with `what` after so many responses to pings that the
+  /// daemon cannot merely be slow.
   void pump_until(const std::function<bool()>& done, const std::function<std::string()>& what);
 
   /// Waits until nothing is pending, then checks all invariants: each response has arrived, and the
   /// connections and effects are those of the connected clients.
   void check();
-  /// The result of a request of the client that pings.
+  /// Sends a request from the client that pings; returns the result.
   e2e::Json call(const std::string& method, const e2e::Json& params = e2e::Json::object());
   /// Sends SIGHUP with this configuration; waits until the daemon has reported the outcome.
   /// `current_a`: the limit in it.
