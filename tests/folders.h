@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where the sources are, and the build that made this test. Functions, not definitions of every
-// compilation: objects of another checkout's tests are the same, so that a compiler cache has them.
+// The folders of the sources and of this test's build. Functions, not macros defined for every
+// compilation: test objects of all checkouts are then equal, and a compiler cache can share them.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A TCP port for a program that takes no port 0.
+// A TCP port for a program that does not accept port 0.
 #pragma once
 
 #include <arpa/inet.h>
@@ -11,7 +11,7 @@
 
 namespace hedgehog {
 
-/// One of loopback that was free when it was asked for: another program may take it meanwhile.
+/// A loopback port that is free at the time of the call; another program may bind it afterwards.
 /// Throws std::runtime_error.
 inline int free_port() {
   const int fd = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);

@@ -34,11 +34,11 @@ inline std::string mdns_announcement(const std::string& address, std::uint16_t p
          record(host, 1, std::string(bytes.begin(), bytes.end()));
 }
 
-/// Answers each query, at a port of its own, with one response, from a thread of its own.
+/// Responds to each query at its own port with one response, on its own thread.
 class MdnsResponder {
  public:
-  /// `response`: with any id; empty: there is no answer. Of a held responder the answers come after
-  /// `release()`.
+  /// `response`: its id is replaced by the query's; empty: none is sent. A held responder sends its
+  /// responses after `release()`.
   explicit MdnsResponder(std::string response, bool held = false)
       : response_(std::move(response)), is_released_(!held) {
     namespace ip = boost::asio::ip;
@@ -65,7 +65,7 @@ class MdnsResponder {
  private:
   using Udp = boost::asio::ip::udp;
 
-  /// Until an empty datagram.
+  /// Returns at an empty datagram.
   void serve() {
     std::array<char, 1500> query{};
     for (;;) {

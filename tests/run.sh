@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# run.sh PRESET [tests | programs]: the tests of a build, in passes: those on virtual time, then those with the label
-# `clock`, which run real programs and threads on the real clock. Of these, and of no others, one that fails is run once
-# more. The programs of a sanitizer, and of `bench`, are driven by the end-to-end tests of `dev`, which are all `clock`.
+# run.sh PRESET [tests | programs]: runs the tests of a build, in passes: those on virtual time, then those with the label
+# `clock`, which run real programs and threads on the real clock. Only a `clock` test that fails is run once more.
+# The programs of a sanitizer, and of `bench`, are run by the end-to-end tests of `dev`, which are all `clock`.
 # JOBS: cores to use. Exit: 0 all passed, else ctest's.
 set -u
 
@@ -20,23 +20,23 @@ failed=0
 # pass NAME TEST-PRESET CTEST-OPTION...
 pass() {
   local name=$1 code
-  # The end of what a process prints has the number of its tests.
+  # The end of a process's output contains the number of its tests.
   cmake/stage.sh "tests $preset $name" ctest --preset "$2" --test-output-truncation head \
     --output-junit "$results/$name.xml" "${@:3}" | tee "$results/$name.log"
   code=${PIPESTATUS[0]}
   [ -z "${HEDGEHOG_STAGES-}" ] || record "$name" >>"$HEDGEHOG_STAGES"
   [ "$code" -eq 0 ] || failed=$code
 }
-# They wait most of the time.
+# Tests with the label `clock` wait most of the time.
 clock=(--repeat until-pass:2 -j "$((3 * jobs))")
 
-# For the table of stages: how many ran, the time of each program, and who had to run twice.
+# For the table of stages: the number of tests, the time of each program, and the repeated tests.
 record() { # NAME
   awk -v preset="$preset" '
     function attribute(name,   at) {
       return match($0, " " name "=\"[^\"]*\"") ? substr($0, RSTART + length(name) + 3, RLENGTH - length(name) - 4) : ""
     }
-    # A line an attribute, before the first test.
+    # One attribute a line, before the first test.
     split($0, part, "\"") == 3 && part[1] ~ /^\t(tests|failures|skipped)=$/ { total[substr(part[1], 2)] = part[2] }
     /<testcase/ {
       program = attribute("name")
@@ -45,7 +45,7 @@ record() { # NAME
       count[program]++
       in_shard = attribute("name") ~ /\.shard[0-9]+$/
     }
-    # GoogleTest of a process that ran many: "[==========] 66 tests from 9 test suites ran. (12 ms total)".
+    # Output of a process that ran several tests: "[==========] 66 tests from 9 test suites ran. (12 ms total)".
     in_shard && match($0, /\[==========\] [0-9]+ tests? from .* ran\./) {
       split(substr($0, RSTART), part, " ")
       count[program] += part[2] - 1
@@ -59,7 +59,7 @@ record() { # NAME
       close("sort")
       printf "tests\t%d\t%d\t%d\n", total["tests="], total["failures="], total["skipped="]
     }' "$results/$1.xml"
-  # ctest names a test again each time it runs it.
+  # ctest prints the name of a test once for each of its runs.
   sed -nE 's/^ *([0-9]+\/[0-9]+ )?Test +#[0-9]+: ([^ ]+) .*(Passed|\*\*\*).*/\2/p' "$results/$1.log" | sort | uniq -d |
     sed "s/^/repeated\t$preset /"
 }

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# stress.sh [ROUNDS]: all tests, so many times (5), beside `stress-ng --cpu 4 --io 2`. Everything is built first, without
-# that load. Each round ends with its table (build/stress/<round>.json) and goes on to its end when a test fails. A round
+# stress.sh [ROUNDS]: runs all tests ROUNDS times (5) under the load of `stress-ng --cpu 4 --io 2`. Everything is built
+# first, without that load. A round continues after a failed test and ends with its table (build/stress/<round>.json). It
 # takes more than half an hour on 2 cores.
 # Exit: 0 no round had a failure, 1 one had, 64 usage.
 set -u

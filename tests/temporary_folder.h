@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A folder that is gone with the test.
+// A folder that is removed at the end of the test.
 #pragma once
 
 #include <sys/statvfs.h>
@@ -16,7 +16,7 @@
 
 namespace hedgehog {
 
-/// In memory where there is much room, so that no slow disk holds a test up; TMPDIR wins.
+/// In memory if enough is free, so that no slow disk delays a test; TMPDIR has precedence.
 inline std::filesystem::path temporary_place() {
   constexpr std::uintmax_t kAmbient = std::uintmax_t{512} << 20;
   const char* const memory = "/dev/shm";
@@ -29,7 +29,7 @@ inline std::filesystem::path temporary_place() {
 
 class TemporaryFolder {
  public:
-  /// An empty one below `place`. Throws std::system_error.
+  /// Creates an empty folder below `place`. Throws std::system_error.
   explicit TemporaryFolder(const std::filesystem::path& place = temporary_place()) {
     path_ = (place / "hedgehog-test-XXXXXX").string();
     if (::mkdtemp(path_.data()) == nullptr)
@@ -43,14 +43,14 @@ class TemporaryFolder {
   }
 
   const std::string& path() const noexcept { return path_; }
-  /// `below` it.
+  /// The path of `below` in the folder.
   std::string path(const std::string& below) const { return path_ + "/" + below; }
   /// Empty when there is no such file.
   std::string read(const std::string& below) const {
     std::ifstream file(path(below), std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
   }
-  /// Makes the folders on the way. Returns the path.
+  /// Creates missing parent folders. Returns the path.
   std::string write(const std::string& below, const std::string& text) const {
     std::string whole = path(below);
     std::filesystem::create_directories(std::filesystem::path(whole).parent_path());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Owns the precompiled test headers. GoogleTest must come first: RapidCheck's glue looks for it.
+// Owns the precompiled test headers. GoogleTest must come first: RapidCheck's GoogleTest header
+// depends on it.
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
