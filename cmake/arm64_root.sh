@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# arm64_root.sh QEMU OUT.tar: a fresh Debian with the cross compiler of apt/deb_arm64.txt, the Build-Depends of debian/control
-# for arm64, and the emulator QEMU. This machine's own system has no foreign architecture after it. Exit: fresh_debian.sh's.
+# arm64_root.sh QEMU OUT.tar: makes a fresh Debian with the cross compiler of apt/deb_arm64.txt, the Build-Depends of
+# debian/control for arm64, and the emulator QEMU. Adds no foreign architecture to this machine. Exit: fresh_debian.sh's.
 set -euo pipefail
 
 [ $# -eq 2 ] || { echo "arm64_root.sh QEMU OUT.tar" >&2; exit 64; }

@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: MIT
-// The one translation unit that holds Asio's code; everybody else sees declarations only.
+// The one translation unit with Asio's code; all others include its declarations only.
 
 #include <boost/asio/impl/src.hpp>

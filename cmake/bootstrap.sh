@@ -1,14 +1,14 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Installs the packages of the named lists (cmake/apt/<list>.txt; default: build test) that are missing.
-# Touches neither apt nor root when nothing is missing. Exit: 0 all there, 64 usage, 69 could not be had.
+# Uses neither apt nor root when none is missing. Exit: 0 all installed, 64 usage, 69 cannot be installed.
 set -eu
 
 lists=$(dirname -- "$0")/apt
 
 say() { printf '%s\n' "$*" >&2; }
 
-# "libboost-dev>=1.81" -> name and least version, empty when any will do.
+# "libboost-dev>=1.81" -> name and minimum version; empty: any version.
 name_of() { printf '%s\n' "${1%%>=*}"; }
 least_of() { case $1 in *'>='*) printf '%s\n' "${1#*>=}" ;; *) printf '\n' ;; esac; }
 

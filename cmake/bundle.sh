@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# bundle.sh FOLDER OUT ENTRY...: the entries of a page's FOLDER bundled into OUT, emptied before. The packages are the
-# dashboard's, by its lock file, in build/npm/dashboard.
+# bundle.sh FOLDER OUT ENTRY...: bundles the entries of a page's FOLDER into OUT, which is emptied first. The packages are
+# those of the dashboard's lock file, in build/npm/dashboard.
 set -eu
 
 root=$(cd -- "$(dirname -- "$0")/.." && pwd)

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Format, lint and shell checks over the whole tree. Findings are printed.
-# check.sh [format|shell|tidy|alone|tidy-product|alone-third]...; default the first four. tidy-product leaves the tests
-# out; alone-third too, and takes one in three of the other files, by the day of the month.
+# check.sh [format|shell|tidy|alone|tidy-product|alone-third]...; default the first four. tidy-product excludes the tests;
+# alone-third too, and checks one in three of the other files, selected by the day of the month.
 # Exit: 0 clean, 1 not.
 # JOBS: how many linters at once.
 set -u
@@ -21,7 +21,7 @@ check_format() {
 }
 
 check_shell() {
-  # Whatever begins with a shell's name, wherever it lives.
+  # All files that begin with the interpreter line of a shell.
   find . -path ./build -prune -o -path ./.git -prune -o -type f -size -200k -print |
     xargs grep -lE -m1 '^#!.*(/| )(ba)?sh$' | xargs shellcheck || failed=1
 }
@@ -32,13 +32,13 @@ configure() {
   cmake --preset "$1" >"build/$1.log" 2>&1 || { cat "build/$1.log"; exit 1; }
 }
 
-# files PRESET [WITHOUT]: what a preset compiles.
+# files PRESET [WITHOUT]: the sources that a preset compiles, except those that match WITHOUT.
 files() {
   sed -n 's/^ *"file": "\(.*\)",\{0,1\}$/\1/p' "build/$1/compile_commands.json" | grep -v "${2:-^$}" | sort -u
 }
 
-# In batches, which is three times as fast. Headers are judged with whoever includes them. A linter prints its findings
-# on stdout, all at once, only when it has any; its counts go to stderr.
+# In batches, which is three times as fast. Headers are checked with the sources that include them. A linter's findings are
+# printed on stdout, all at once, only if there are any; its counts go to stderr.
 check_tidy() { # [WITHOUT]
   configure tidy
   # shellcheck disable=SC2016
@@ -46,7 +46,8 @@ check_tidy() { # [WITHOUT]
     'found=$(clang-tidy -p build/tidy --quiet "$1" 2>/dev/null) || { printf "%s\n" "$found"; exit 1; }' tidy || failed=1
 }
 
-# Each file by itself, without batches and precompiled headers, by the compiler of what ships: a missing include is found.
+# Compiles each file separately, without batches and precompiled headers, with the compiler of the shipped programs: detects
+# missing includes.
 check_alone() {
   configure alone
   # A command a line; JSON escapes quotes.

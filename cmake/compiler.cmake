@@ -5,10 +5,10 @@ set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 
-# A game that builds the client library as a part of itself decides these.
+# A project that includes the client library in its own build sets these itself.
 if(PROJECT_IS_TOP_LEVEL)
   set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
-  # Spelt out, because libraries and programs must agree for a shared precompiled header.
+  # Set explicitly, because libraries and programs must agree for a shared precompiled header.
   add_compile_options(-fPIE)
   add_link_options(-pie)
 
@@ -16,11 +16,11 @@ if(PROJECT_IS_TOP_LEVEL)
     set(CMAKE_BUILD_TYPE RelWithDebInfo)
   endif()
 
-  # Development builds keep assert(); layers that simulate hours of heat ask for -O2 themselves (layer.cmake).
+  # Development builds keep assert(); layers that simulate hours of heat set -O2 themselves (layer.cmake).
   set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O0 -g1")
   set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
   add_compile_definitions($<$<CONFIG:RelWithDebInfo,Debug>:_GLIBCXX_ASSERTIONS>)
-  # As Debian hardens its own programs. No path of the machine that compiled stays in them.
+  # The hardening of Debian's own programs; no path of the build machine remains in them.
   add_compile_options($<$<CONFIG:Release>:-fstack-protector-strong> "$<$<CONFIG:Release>:-ffile-prefix-map=${CMAKE_SOURCE_DIR}=.>")
   add_compile_definitions($<$<CONFIG:Release>:_FORTIFY_SOURCE=2>)
   add_link_options($<$<CONFIG:Release>:-Wl,-z,relro,-z,now>)
@@ -46,16 +46,16 @@ if(HEDGEHOG_UNITY)
 endif()
 
 add_library(hedgehog_warnings INTERFACE)
-# -Wconversion means less to g++ than to clang; sign changes are left out for both.
+# -Wconversion checks less in g++ than in clang; sign changes are excluded for both.
 if(PROJECT_IS_TOP_LEVEL)
   target_compile_options(hedgehog_warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion
                                                      -Wshadow -Werror)
 endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-  # g++ 12 sees overlaps and overruns in std::string that are none (its bugs 105329, 105651); AddressSanitizer sees the
+  # g++ 12 reports overlaps and overruns in std::string that do not exist (its bugs 105329, 105651); AddressSanitizer detects
   # real ones.
   target_compile_options(hedgehog_warnings INTERFACE -Wno-restrict -Wno-array-bounds -Wno-stringop-overflow)
-  # A source in a batch is an included file for g++, which then takes its anonymous namespace for a header's.
+  # g++ treats a source in a batch as an included file, and its anonymous namespace as that of a header.
   if(HEDGEHOG_UNITY)
     target_compile_options(hedgehog_warnings INTERFACE -Wno-subobject-linkage)
   endif()

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# deb.sh BUILD OUT [ARCHITECTURE COMMAND...]: Debian packages of a finished build (with its pages in BUILD/share/hedgehog) in the
-# folder OUT. The version is that of debian/changelog when a tag of that name is checked out, else that and the commit:
-# +git<count>.<commit>. The same commit and compiler give the same bytes. COMMAND runs what packs another ARCHITECTURE's, where
-# its cross compiler is (in_root.sh). Exit: 0, else dpkg-buildpackage's.
+# deb.sh BUILD OUT [ARCHITECTURE COMMAND...]: makes Debian packages of a finished build (with its pages in BUILD/share/hedgehog)
+# in the folder OUT. The version is that of debian/changelog when a tag of that name is checked out, else that and the commit:
+# +git<count>.<commit>. The same commit and compiler give the same bytes. COMMAND runs dpkg-buildpackage for another
+# ARCHITECTURE where its cross compiler is installed (in_root.sh). Exit: 0, else dpkg-buildpackage's.
 set -euo pipefail
 
 [ $# -eq 2 ] || [ $# -ge 4 ] || { echo "deb.sh BUILD OUT [ARCHITECTURE COMMAND...]" >&2; exit 64; }

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# deb_arm64.sh ROOT.tar PAGES OUT: Debian packages for arm64 in the folder OUT of this checkout, cross-compiled in the root that
-# arm64_root.sh made, into build/arm64; with the pages of the folder PAGES. JOBS: compilers at a time.
+# deb_arm64.sh ROOT.tar PAGES OUT: makes Debian packages for arm64 in the folder OUT of this checkout, cross-compiled in the root
+# of arm64_root.sh, into build/arm64; with the pages of the folder PAGES. JOBS: compilers at a time.
 # Exit: 0, 64 usage, else cmake's or dpkg-buildpackage's.
 set -euo pipefail
 

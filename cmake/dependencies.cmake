@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Everything comes from the distribution (cmake/apt/*.txt). Imported targets are SYSTEM: warnings there do not count.
+# All libraries are packages of the distribution (cmake/apt/*.txt). Imported targets are SYSTEM: their warnings are ignored.
 
 set(THREADS_PREFER_PTHREAD_FLAG ON)
 find_package(Threads REQUIRED)
@@ -14,7 +14,7 @@ if(HEDGEHOG_PROGRAMS)
   find_package(CLI11 REQUIRED)
   find_package(PkgConfig REQUIRED)
   pkg_check_modules(SYSTEMD REQUIRED IMPORTED_TARGET libsystemd)
-  # The core library only: the package's own CMake file wants those of its web server and of curl, too.
+  # The core library only: the package's own CMake file also requires those of its web server and of curl.
   pkg_check_modules(PROMETHEUS REQUIRED IMPORTED_TARGET prometheus-cpp-core)
   pkg_check_modules(LIBUSB REQUIRED IMPORTED_TARGET libusb-1.0>=1.0.24)
   pkg_check_modules(HIDAPI REQUIRED IMPORTED_TARGET hidapi-hidraw)

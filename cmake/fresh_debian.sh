@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# fresh_debian.sh OUT.tar [OPTION...]: the root of a fresh Debian of this machine's release, from this machine's own sources of
-# packages. OPTIONs are mmdebstrap's. Needs root, or sudo without password. Exit: 0, 64 usage, 69 it cannot be made here.
+# fresh_debian.sh OUT.tar [OPTION...]: makes the root of a fresh Debian of this machine's release, from this machine's package
+# sources. OPTIONs are mmdebstrap's. Needs root, or sudo without password. Exit: 0, 64 usage, 69 it cannot be made here.
 set -euo pipefail
 
 [ $# -ge 1 ] || { echo "fresh_debian.sh OUT.tar [OPTION...]" >&2; exit 64; }
@@ -12,7 +12,7 @@ as_root=()
 work=$(mktemp -d)
 trap '"${as_root[@]}" rm -rf "$work"' EXIT
 
-# Settings of apt, a proxy for example, belong to the sources.
+# The package sources may need settings of apt, for example a proxy.
 settings=()
 for file in /etc/apt/apt.conf.d/*; do
   ! grep -qi '^ *acquire' "$file" || settings+=("--aptopt=$file")
@@ -23,7 +23,7 @@ for file in /etc/apt/sources.list.d/*.sources /etc/apt/sources.list.d/*.list /et
 done
 # shellcheck disable=SC1091
 . /etc/os-release
-# Merged from the start, which saves the hundreds of processes that merge it later.
+# /usr is merged from the start, which saves hundreds of processes that would merge it later.
 "${as_root[@]}" mmdebstrap --quiet --variant=apt --hook-dir=/usr/share/mmdebstrap/hooks/merged-usr "${settings[@]}" "$@" "$VERSION_CODENAME" \
   "$work/root.tar" "${sources[@]}" || exit 69
 mv "$work/root.tar" "$out"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# in_root.sh ROOT COMMAND...: the command in the unpacked root ROOT, as this user, with this checkout and the current folder of
-# it at the same paths. What is mounted and started for it ends with it. Exit: the command's.
+# in_root.sh ROOT COMMAND...: runs the command in the unpacked root ROOT, as this user, with this checkout at the same path and
+# in the same current folder. Its mounts and processes end with it. Exit: the command's.
 set -euo pipefail
 
 [ $# -ge 2 ] || { echo "in_root.sh ROOT COMMAND..." >&2; exit 64; }

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# in_time.sh NAME: whether NAME may still begin. With HEDGEHOG_DEADLINE (seconds since 1970) nothing begins after it; what is
-# not begun is named in the table of stages (HEDGEHOG_STAGES). Exit: 0 it may, 1 it is too late.
+# in_time.sh NAME: checks whether the stage NAME may still begin. No stage begins after HEDGEHOG_DEADLINE (seconds since 1970),
+# if set; skipped stages are listed in the table of stages (HEDGEHOG_STAGES). Exit: 0 it may begin, 1 it is too late.
 set -eu
 
 [ $# -eq 1 ] || { echo "in_time.sh NAME" >&2; exit 64; }

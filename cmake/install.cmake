@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# cmake --install BUILD --prefix PREFIX. Programs find what belongs to them from where they stand, so that a prefix may be
-# moved; the units of systemd name it.
+# cmake --install BUILD --prefix PREFIX. Programs find their files relative to their own path, so that a prefix may be moved;
+# systemd's units contain the prefix.
 
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -22,7 +22,7 @@ configure_package_config_file(cmake/HedgehogConfig.cmake.in HedgehogConfig.cmake
 write_basic_package_version_file(HedgehogConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/HedgehogConfig.cmake ${PROJECT_BINARY_DIR}/HedgehogConfigVersion.cmake
         DESTINATION ${package})
-# The prefix of a .pc file is found from where it lies, as that of HedgehogConfig.cmake is.
+# The prefix in a .pc file is relative to its location, as in HedgehogConfig.cmake.
 file(RELATIVE_PATH HEDGEHOG_PREFIX_FROM_PC /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 configure_file(cmake/hedgehog-client.pc.in hedgehog-client.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/hedgehog-client.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
@@ -41,19 +41,19 @@ install(FILES protocol/schema/openrpc.json protocol/schema/messages.schema.json 
 # Pages that npm has bundled into the build, if it has: make dashboard, make racer-page.
 install(DIRECTORY ${PROJECT_BINARY_DIR}/share/hedgehog/ DESTINATION ${data} OPTIONAL)
 
-# What the programs say of themselves (cli/).
+# Man pages and completions, which the programs write themselves (cli/).
 set(share ${PROJECT_BINARY_DIR}/share)
 install(DIRECTORY ${share}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR})
 install(DIRECTORY ${share}/bash-completion ${share}/zsh ${share}/fish DESTINATION ${CMAKE_INSTALL_DATADIR})
 install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES protocol/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME protocol.md)
 
-# systemd and udev look below lib whatever the architecture's own folder is called.
+# systemd and udev read files below lib, not in the architecture's own folder.
 install(FILES systemd/60-hedgehog.rules systemd/61-hedgehog-gamepad.rules DESTINATION lib/udev/rules.d)
 install(FILES systemd/hedgehog.sysusers DESTINATION lib/sysusers.d RENAME hedgehog.conf)
 install(FILES systemd/hedgehogd.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo)
 install(FILES systemd/hedgehog-gamepad.sysusers DESTINATION lib/sysusers.d RENAME hedgehog-gamepad.conf)
-# A unit names the program by its whole path, which is known when the prefix is.
+# A unit contains the absolute path of the program, which is known once the prefix is.
 install(CODE "
   foreach(unit hedgehogd.service hedgehogd@.service hedgehog-gamepad.service hedgehog-mqtt.service)
     file(READ \"${PROJECT_SOURCE_DIR}/systemd/\${unit}\" text)

@@ -32,7 +32,7 @@ endfunction()
 
 # hedgehog_layer(<target> [FAST] [FUZZED] [PCH <owner>] [EXCEPT <file>...] [PUBLIC <target>...] [PRIVATE <target>...])
 #   FAST  optimise development builds too: this layer runs inside simulations
-#   FUZZED  reads foreign bytes: instrumented for the fuzzers
+#   FUZZED  reads untrusted bytes: instrumented for the fuzzers
 #   PCH   reuse the precompiled header of that target
 function(hedgehog_layer target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "FAST;FUZZED" PCH "EXCEPT;PUBLIC;PRIVATE")
@@ -61,9 +61,9 @@ function(hedgehog_layer target)
   endif()
 endfunction()
 
-# hedgehog_program(<name> <main.cpp> [REFERENCE] [PCH <owner>] <target>...): an executable, once its main exists; `programs`
-# is all.
-#   REFERENCE  it writes its man page and completions (cli/), and does so when it is linked
+# hedgehog_program(<name> <main.cpp> [REFERENCE] [PCH <owner>] <target>...): an executable, if its main exists; the target
+# `programs` is all of them.
+#   REFERENCE  it writes its man page and completions (cli/) after it is linked
 if(HEDGEHOG_PROGRAMS)
   add_custom_target(programs)
 endif()
@@ -83,7 +83,7 @@ function(hedgehog_program name main)
   endif()
 endfunction()
 
-# ccache gives a header object back with the time of its first making.
+# ccache returns a header object with the time stamp of its first compilation.
 set(pch_options $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess> "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")
 
 function(hedgehog_reuse_pch target owner)
@@ -93,7 +93,7 @@ function(hedgehog_reuse_pch target owner)
   endif()
 endfunction()
 
-# hedgehog_own_pch(<target> <header>...): a header object, compiled once for all who reuse it.
+# hedgehog_own_pch(<target> <header>...): a header object, compiled once for all targets that reuse it.
 function(hedgehog_own_pch target)
   if(HEDGEHOG_PCH)
     target_precompile_headers(${target} PRIVATE ${ARGN})

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# npm.sh FOLDER TARGET: the packages of FOLDER/package-lock.json in TARGET/node_modules, unless they are there already.
+# npm.sh FOLDER TARGET: installs the packages of FOLDER/package-lock.json in TARGET/node_modules, unless they are there already.
 set -eu
 
 from=$1

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# qemu_arm64.sh OUT: Debian's qemu-aarch64-static, taken out of its package. The package itself, which registers its emulators
+# qemu_arm64.sh OUT: extracts Debian's qemu-aarch64-static from its package. The package itself, which registers its emulators
 # with the kernel, is not installed. Exit: 0, 64 usage, 69 apt does not have it.
 set -euo pipefail
 

@@ -30,7 +30,7 @@ grep -q "^## \[Unreleased\]$" CHANGELOG.md || fail "CHANGELOG.md has no [Unrelea
 notes=$(awk '/^## / { on = $0 == "## [Unreleased]"; next } on' CHANGELOG.md)
 grep -q '^- ' <<<"$notes" || fail "CHANGELOG.md has nothing under [Unreleased]"
 
-# What is needed for the files at the end is asked for before anything is changed.
+# Checks that the bill of materials can be made before anything is changed.
 python3 cmake/sbom.py "$version" none 1970-01-01T00:00:00Z >/dev/null
 
 day=$(date -u +%F)

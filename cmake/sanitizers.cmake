@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
 # HEDGEHOG_SANITIZE=address,undefined or thread; HEDGEHOG_FUZZ adds libFuzzer's instrumentation to the layers that read
-# foreign bytes (hedgehog_layer FUZZED): it makes simulated hours ten times as long.
+# untrusted bytes (hedgehog_layer FUZZED) only: it makes simulated hours take ten times as long.
 
 if(HEDGEHOG_FUZZ)
   if(NOT CMAKE_CXX_COMPILER_ID MATCHES Clang)
     message(FATAL_ERROR "HEDGEHOG_FUZZ needs clang")
   endif()
-  # What -fsanitize=fuzzer-no-link stands for; that itself would be refused beside a precompiled header without it.
+  # The options that -fsanitize=fuzzer-no-link implies; the compiler rejects it with a precompiled header made without it.
   set(HEDGEHOG_FUZZ_COVERAGE
       -fsanitize-coverage=inline-8bit-counters,indirect-calls,trace-cmp,pc-table,stack-depth
       -fno-builtin-memcmp -fno-builtin-bcmp -fno-builtin-strcmp -fno-builtin-strncmp -fno-builtin-strcasecmp

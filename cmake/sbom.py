@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: MIT
 """sbom.py VERSION COMMIT DATE: the software bill of materials of this tree as SPDX 2.3 JSON on stdout.
 
-Packages: this project; what cmake/apt/build.txt names, in the versions installed here (dpkg-query); what the lock file of
-the pages names. DATE is UTC, 2026-11-24T12:00:00Z. The same tree on the same machine gives the same bytes. Exit: 69: a
-Debian package is not installed.
+Packages: this project; those of cmake/apt/build.txt, in the versions installed here (dpkg-query); those of the pages' lock
+file. DATE is UTC, 2026-11-24T12:00:00Z. The same tree on the same machine gives the same bytes. Exit: 69: a Debian package
+is not installed.
 """
 import base64
 import json

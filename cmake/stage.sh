@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# stage.sh NAME COMMAND...: runs the command, with its exit code. With HEDGEHOG_STAGES=FILE a line is appended there:
-# stage, NAME, seconds by the clock, seconds of processor, exit code, by tabs.
+# stage.sh NAME COMMAND...: runs the command, with its exit code. With HEDGEHOG_STAGES=FILE appends a line to that file:
+# stage, NAME, wall-clock seconds, processor seconds, exit code, separated by tabs.
 set -u
 
 [ $# -ge 2 ] || { echo "stage.sh NAME COMMAND..." >&2; exit 64; }

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# stage_table.sh STAGES JSON: what stage.sh, tests/run.sh, tests/vm/test.sh and .ci/run wrote, as a table on stdout and as
-# JSON in a file. The last line counts the tests that ctest and the emulated machine ran.
+# stage_table.sh STAGES JSON: converts the lines of stage.sh, tests/run.sh, tests/vm/test.sh and .ci/run to a table on stdout
+# and to JSON in a file. The last line counts the tests that ctest and the emulated machine ran.
 set -eu
 
 [ $# -eq 2 ] || { echo "stage_table.sh STAGES JSON" >&2; exit 64; }
