@@ -18,12 +18,12 @@ namespace hedgehog {
 
 /// In memory if enough is free, so that no slow disk delays a test; TMPDIR has precedence.
 inline std::filesystem::path temporary_place() {
-  constexpr std::uintmax_t kAmbient = std::uintmax_t{512} << 20;
+  constexpr std::uintmax_t kMinFree = std::uintmax_t{512} << 20;
   const char* const memory = "/dev/shm";
   struct statvfs there {};
   const bool fits = std::getenv("TMPDIR") == nullptr && ::statvfs(memory, &there) == 0 &&
                     (there.f_flag & ST_NOEXEC) == 0 &&
-                    there.f_bavail * there.f_frsize >= kAmbient && ::access(memory, W_OK) == 0;
+                    there.f_bavail * there.f_frsize >= kMinFree && ::access(memory, W_OK) == 0;
   return fits ? std::filesystem::path(memory) : std::filesystem::temp_directory_path();
 }
 
