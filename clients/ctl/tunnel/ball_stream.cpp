@@ -15,7 +15,7 @@
 #include <string_view>
 #include <variant>
 
-#include "clients/lib/connection.h"
+#include "clients/lib/patience.h"
 #include "protocol/client_codec.h"
 
 namespace hedgehog::client {
@@ -88,7 +88,7 @@ asio::awaitable<BallStream::Opened> BallStream::open(const std::vector<Address>&
 }
 
 asio::awaitable<Outcome<void>> BallStream::connect_and_log_in(const Endpoint& endpoint) {
-  deadline_.expires_after(Connection::kConnectTimeout);
+  deadline_.expires_after(response_timeout());
   deadline_.async_wait([self = shared_from_this()](const error_code& cancelled) {
     if (cancelled) return;
     self->timed_out_ = true;

@@ -22,8 +22,9 @@ class BallStream : public std::enable_shared_from_this<BallStream> {
   using Opened = Outcome<std::shared_ptr<BallStream>>;
 
   /// REQUIRES: each address has TLS and is not an mdns:// address (see `locate`).
-  /// Connects to the first of `addresses` that accepts, within 2 s, and sends its token, if it has
-  /// one, in a hello. kNoDaemon: "no daemon answers at A (why)". kRefused: the token is unknown.
+  /// Connects to the first of `addresses` that accepts, within `response_timeout()` each, and sends
+  /// its token, if it has one, in a hello. kNoDaemon: "no daemon answers at A (why)". kRefused: the
+  /// token is unknown.
   static boost::asio::awaitable<Opened> open(const std::vector<Address>& addresses);
 
   BallStream(const boost::asio::any_io_executor& executor, const Address& address);

@@ -9,9 +9,10 @@
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/use_awaitable.hpp>
 #include <boost/asio/write.hpp>
-#include <chrono>
 #include <string_view>
 #include <utility>
+
+#include "clients/lib/patience.h"
 
 namespace hedgehog::client {
 namespace {
@@ -21,7 +22,6 @@ using boost::system::error_code;
 using Tcp = asio::ip::tcp;
 
 constexpr std::size_t kRelayBytes = 16 * 1024;
-constexpr std::chrono::seconds kLastResponses{2};
 
 struct Pair {
   Tcp::socket client;
@@ -57,7 +57,7 @@ asio::awaitable<void> copy_requests(std::shared_ptr<Pair> pair, std::string firs
   if (!ec) co_await copy_bytes(pair->client, pair->ball->stream());
   if (!pair->client.is_open()) co_return;
   pair->ball->end_requests();
-  pair->last_responses.expires_after(kLastResponses);
+  pair->last_responses.expires_after(response_timeout());
   co_await pair->last_responses.async_wait(asio::redirect_error(asio::use_awaitable, ec));
   if (!ec) pair->close();
 }

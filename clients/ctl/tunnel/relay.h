@@ -18,8 +18,8 @@ boost::asio::awaitable<std::string> first_bytes(boost::asio::ip::tcp::socket& cl
 
 /// Sends `first` and what follows from `client` to `ball`, and the responses back, until either end
 /// closes; then closes both. Buffers 16 KiB in each direction, and reads no more until they are
-/// written. A client that closes only its direction receives the last responses, for 2 s at most.
-/// io thread only.
+/// written. A client that closes only its direction receives the last responses, for
+/// `response_timeout()` at most. io thread only.
 boost::asio::awaitable<void> relay(boost::asio::ip::tcp::socket client,
                                    std::shared_ptr<BallStream> ball, std::string first);
 

@@ -69,6 +69,8 @@ while [ -z "$address" ]; do
   address=$(printf '%s\n' "$line" | sed -n 's/^listening on \(127\.0\.0\.1:[0-9]*\)$/\1/p')
 done
 run live.exe "$address"
+# The same behind TLS, which the library does not have.
+PYTHONDONTWRITEBYTECODE=1 timeout 300 python3 "$here/../through_tunnel.py" "$hedgehogd" mono "$work/bin/live.exe"
 
 # The README's first example, ten lines, in an empty folder, by the README's commands; by its address, and by the socket that is found.
 awk '/^```csharp$/ { on = 1; next } /^```$/ { if (on) exit } on' "$package/README.md" >"$work/game.cs"
