@@ -146,7 +146,8 @@ TEST_F(Tunnel, ABallThatAnnouncesItselfIsFoundByItsName) {
   TunnelProcess tunnel(home_, known, {"mdns://ball-7"});
   EXPECT_EQ(ctl({"pulse", "left"}, tunnel.variables()).exit_code, 0);
   EXPECT_THAT(tunnel.program().err(), HasSubstr("mdns://ball-7"));
-  const Ended unknown = Program(home_, hedgehogctl(), {"tunnel", "mdns://another"}, known).wait();
+  const Ended unknown =
+      Program(home_, hedgehogctl(), {"tunnel", "mdns://another", "--port", "0"}, known).wait();
   EXPECT_EQ(unknown.exit_code, kUnavailable);
   EXPECT_THAT(unknown.err, HasSubstr("no ball \"another\" answers on this network"));
 }
