@@ -19,8 +19,10 @@
 #include "clients/ctl/flash_arguments.h"
 #include "clients/ctl/follow_arguments.h"
 #include "clients/ctl/forecast_arguments.h"
+#include "clients/ctl/import_arguments.h"
 #include "clients/ctl/record_arguments.h"
 #include "clients/ctl/token/token_arguments.h"
+#include "clients/ctl/tunnel/tunnel_arguments.h"
 #include "clients/ctl/verbs/act_verbs.h"
 #include "clients/ctl/verbs/latency_verb.h"
 #include "clients/ctl/verbs/look_verbs.h"
@@ -48,8 +50,8 @@ class CommandLine {
     app_.set_footer(
         "Exit: 0 done, 1 the effect ended otherwise than completed, 64 usage, 65 a bad file, 66 no "
         "such file or\npattern, 69 no daemon, no ball or not armed, 70 a fault of hedgehogctl or "
-        "of the daemon, 73 a file\ncannot be written, 75 try later, 76 not understood, 77 the role "
-        "does not suffice, 130 interrupted.");
+        "of the daemon, 73 a file\ncannot be written or a port is in use, 75 try later, 76 not "
+        "understood, 77 the role does\nnot suffice, 130 interrupted.");
     add_looking();
     add_playing(app_, [](Session& session, const PlayOptions& options) {
       return is_sound_file(options.pattern) ? run_sound(session, options)
@@ -88,7 +90,7 @@ class CommandLine {
   }
 
   int run_verb_on_all(bool json) {
-    for (const char* name : {"watch", "record", "calibrate", "board", "demo", "discover"})
+    for (const char* name : {"watch", "record", "calibrate", "board", "demo", "discover", "tunnel"})
       if (app_.is_given(name))
         return refuse(
             app_.usage_error("--all: " + std::string(name) + " works with one daemon at a time"),
@@ -189,11 +191,7 @@ class CommandLine {
     remove.add_option("name", pattern_).required();
     const cli::CommandSpec foreign =
         patterns.add_command("import", "from Apple AHAP or MPEG-I hjif");
-    foreign.add_option("file", import_.file).required();
-    foreign.add_option("--name", import_.name,
-                       "vendor/name; default: imported/ and the file's name");
-    foreign.add_flag("--put", import_.put,
-                     "stores it in the daemon instead of printing it as JSON");
+    add_import_arguments(foreign, import_);
     foreign.on_given([this] { verb_ = [this] { return run_pattern_import(common_, import_); }; });
   }
 
@@ -260,6 +258,10 @@ class CommandLine {
                   "starts a daemon with a simulated ball for it");
     demo.add_flag("--yes", demo_.confirmed, "does not ask before it plays on a real ball");
     demo.on_given([this] { verb_ = [this] { return run_demo(common_, demo_); }; });
+    const cli::CommandSpec tunnel = app_.add_command(
+        "tunnel", "a ball on the network at a port of this machine, for games without TLS");
+    add_tunnel_arguments(tunnel, app_.option("--address"), common_, tunnel_);
+    tunnel.on_given([this] { verb_ = [this] { return run_tunnel(common_, tunnel_); }; });
     const cli::CommandSpec token = app_.add_command(
         "token", "who may reach the daemon from elsewhere: add, list, revoke, certificate");
     add_token_arguments(token, token_, [this](TokenVerb chosen) {
@@ -281,6 +283,7 @@ class CommandLine {
   CalibrateOptions calibrate_;
   FlashOptions flash_;
   TokenOptions token_;
+  TunnelOptions tunnel_;
   std::optional<double> gain_;
   bool all_ = false;
   std::function<int()> verb_;

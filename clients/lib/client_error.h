@@ -3,6 +3,7 @@
 #pragma once
 
 #include <boost/assert/source_location.hpp>
+#include <boost/system/error_code.hpp>
 #include <boost/system/result.hpp>
 #include <cstdint>
 #include <optional>
@@ -30,6 +31,9 @@ struct ClientError {
   /// kRefused: the daemon's error.
   std::optional<protocol::RpcError> refusal{};
 };
+
+/// "connection refused": the message of a socket's error, for use within a sentence.
+std::string reason_of(const boost::system::error_code& error);
 
 /// Makes `Outcome<T>::value()` throw std::runtime_error with the message.
 [[noreturn]] void throw_exception_from_error(const ClientError& error,

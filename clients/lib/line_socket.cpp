@@ -15,16 +15,6 @@ namespace asio = boost::asio;
 using boost::system::error_code;
 using Stream = asio::generic::stream_protocol;
 
-namespace {
-
-std::string reason(const error_code& error) {
-  std::string text = error.message();
-  if (!text.empty() && text[0] >= 'A' && text[0] <= 'Z') text[0] += 'a' - 'A';
-  return text;
-}
-
-}  // namespace
-
 struct LineSocket::Impl {
   asio::io_context io{1};
   Stream::socket socket{io};
@@ -90,7 +80,7 @@ struct LineSocket::Impl {
     error = await(deadline, [&](auto done) {
               start_handshake([done](const error_code& failed) { done(failed, 0); });
             }).error;
-    return error ? "TLS: " + reason(error) : tls->verify_problem();
+    return error ? "TLS: " + reason_of(error) : tls->verify_problem();
   }
 
   error_code connect(const Stream::endpoint& endpoint, Clock::time_point deadline) {
@@ -154,7 +144,7 @@ ClientError ended(const error_code& error) {
   if (error == asio::error::eof || error == asio::error::connection_reset ||
       error == asio::error::broken_pipe || error == asio::ssl::error::stream_truncated)
     return {Failure::kClosed, "the daemon closed the connection", {}};
-  return {Failure::kClosed, "the connection to the daemon is lost: " + reason(error), {}};
+  return {Failure::kClosed, "the connection to the daemon is lost: " + reason_of(error), {}};
 }
 
 }  // namespace
@@ -171,10 +161,10 @@ Outcome<LineSocket> LineSocket::connect(const Address& address, Clock::time_poin
   std::string why;
   for (const auto& endpoint : endpoints_of(address, impl->io, error)) {
     error = impl->connect(endpoint, deadline);
-    why = error ? reason(error) : impl->prepare(deadline);
+    why = error ? reason_of(error) : impl->prepare(deadline);
     if (why.empty()) return LineSocket(std::move(impl));
   }
-  return ClientError{Failure::kNoDaemon, why.empty() ? reason(error) : why, {}};
+  return ClientError{Failure::kNoDaemon, why.empty() ? reason_of(error) : why, {}};
 }
 
 Outcome<LineSocket> LineSocket::start_connect(const Address& address) {
@@ -182,7 +172,7 @@ Outcome<LineSocket> LineSocket::start_connect(const Address& address) {
   impl->address = address;
   error_code error;
   impl->endpoints = endpoints_of(address, impl->io, error);
-  if (impl->endpoints.empty()) return ClientError{Failure::kNoDaemon, reason(error), {}};
+  if (impl->endpoints.empty()) return ClientError{Failure::kNoDaemon, reason_of(error), {}};
   impl->start_attempt();
   return LineSocket(std::move(impl));
 }
@@ -202,7 +192,7 @@ Outcome<bool> LineSocket::connected(Clock::time_point deadline) {
         [impl = impl_.get()](const error_code& failed) { impl->attempt = failed; });
     return false;
   }
-  std::string why = error ? reason(error) : std::string();
+  std::string why = error ? reason_of(error) : std::string();
   if (!error && impl_->tls) why = impl_->tls->verify_problem();
   if (why.empty()) {
     error_code ignored;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // TLS 1.3 to a daemon whose certificate is verified by its fingerprint, or by the authorities that
-// the system trusts. For line_socket.cpp only.
+// the system trusts. For the implementation of sockets only: line_socket.cpp, and the tunnel of
+// hedgehogctl.
 #pragma once
 
 #include <boost/asio/generic/stream_protocol.hpp>
@@ -22,10 +23,11 @@ class TlsStream {
   /// Throws boost::system::system_error when OpenSSL fails.
   TlsStream(Socket& socket, const Address& address);
 
-  /// `done` receives an error_code.
-  template <class Done>
-  void async_handshake(Done done) {
-    stream_.async_handshake(boost::asio::ssl::stream_base::client, std::move(done));
+  /// `token`: a completion token of Asio, for an error_code.
+  template <class Token>
+  auto async_handshake(Token&& token) {
+    return stream_.async_handshake(boost::asio::ssl::stream_base::client,
+                                   std::forward<Token>(token));
   }
   /// After the handshake, before anything is sent: why the peer is not the daemon that `address`
   /// means; empty: it is trusted.

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# run.sh BUILD: tests the daemon's announcement, `hedgehogctl discover` and mdns:// in the client libraries with Debian's Avahi,
+# run.sh BUILD: tests the daemon's announcement, `hedgehogctl discover`, its tunnel and mdns:// in the client libraries with Debian's Avahi,
 # on a separate message bus and in a separate network namespace: no packet leaves this machine. Exit: 0 passed, 69 no such namespace
 # can be created here.
 set -euo pipefail
@@ -152,6 +152,45 @@ for library in python javascript cpp; do
     fail "$library: another fingerprint was spoken to"
   grep -q "another fingerprint" "$work/$library.log" || fail "$library: fingerprint"
 done
-kill "$second" "$daemon"
-wait "$second" "$daemon" || fail "the daemon failed"
+kill "$second"
+wait "$second" || fail "announce failed"
+
+step "on another machine a tunnel finds it for games without token, search and TLS"
+ip netns add game
+ip link set cable netns game
+on_game() { ip netns exec game "$@"; }
+on_game ip link set lo up
+on_game ip address add 192.0.2.8/24 dev cable
+on_game ip link set cable up
+eventually on_game "$ctl" --address "mdns://$name" status
+on_game "$ctl" tunnel "mdns://$name" >"$work/tunnel.out" 2>"$work/tunnel.log" &
+tunnel=$!
+eventually grep -qx HEDGEHOG_ADDRESS=127.0.0.1:7586 "$work/tunnel.out"
+in_game() { on_game env -u HEDGEHOG_TOKEN -u HEDGEHOG_FINGERPRINT HEDGEHOG_ADDRESS=127.0.0.1:7586 "$@"; }
+in_game "$ctl" pulse left || fail "no pulse"
+
+step "a lost network ends the connections of those who only read, and of those who only send"
+in_game "$ctl" telemetry >"$work/telemetry.out" 2>"$work/reader.log" &
+reader=$!
+in_game env PYTHONPATH="$clients/python" python3 -c '
+import time, hedgehog
+ball = hedgehog.Ball()
+while ball.rumble("engine", 0.3, "back"):
+    print("sent", flush=True)
+    time.sleep(0.1)' >"$work/rumble.out" 2>"$work/sender.log" &
+sender=$!
+eventually test -s "$work/telemetry.out"
+eventually test -s "$work/rumble.out"
+ip link set ball down
+ended() { ! kill -0 "$1"; }
+eventually ended "$reader"
+eventually ended "$sender"
+wait "$reader" && fail "the end was not reported" || [ $? = 69 ] || fail "exit of telemetry"
+grep -q "the daemon closed the connection" "$work/reader.log" || fail "reader"
+ip link set ball up
+eventually in_game "$ctl" pulse left
+kill "$tunnel"
+wait "$tunnel" && fail "exit of the tunnel" || [ $? = 130 ] || fail "exit of the tunnel"
+kill "$daemon"
+wait "$daemon" || fail "the daemon failed"
 step "all is well"

@@ -23,12 +23,12 @@ def limit(process):
 
 
 class LiveDaemon:
-    """Listens once constructed; also with TLS at `tls_address`, with `fingerprint`, for clients with `token` (role play)."""
+    """Listens once constructed; also with TLS at `tls_address`, with `fingerprint`, for clients with `token` (of `role`)."""
 
-    def __init__(self, program):
+    def __init__(self, program, role="play"):
         self._folder = tempfile.TemporaryDirectory()
         self.token = "hht_of-a-test"
-        self.fingerprint = self._make_access(os.path.join(self._folder.name, "hedgehog"))
+        self.fingerprint = self._make_access(os.path.join(self._folder.name, "hedgehog"), role)
         environment = dict(os.environ)
         for name in ("HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_RUNTIME_DIR"):
             environment[name] = self._folder.name
@@ -51,7 +51,7 @@ class LiveDaemon:
             self.stop()
             raise RuntimeError("the daemon does not listen")
 
-    def _make_access(self, state):
+    def _make_access(self, state, role):
         """Creates a certificate and a token with tools other than hedgehogctl; returns the fingerprint."""
         os.makedirs(state)
         certificate = os.path.join(state, "certificate.pem")
@@ -59,7 +59,7 @@ class LiveDaemon:
                         "-subj", "/CN=ball-host", "-keyout", os.path.join(state, "key.pem"), "-out", certificate],
                        check=True, stderr=subprocess.DEVNULL)
         with open(os.path.join(state, "tokens"), "w", encoding="ascii") as tokens:
-            tokens.write("arcade play sha256:%s 2026-11-24\n" % hashlib.sha256(self.token.encode("ascii")).hexdigest())
+            tokens.write("arcade %s sha256:%s 2026-11-24\n" % (role, hashlib.sha256(self.token.encode("ascii")).hexdigest()))
         with open(certificate, encoding="ascii") as text:
             return hashlib.sha256(ssl.PEM_cert_to_DER_cert(text.read())).hexdigest()
 
@@ -70,6 +70,31 @@ class LiveDaemon:
         timer.cancel()
         self._process.stdout.close()
         self._folder.cleanup()
+
+
+class Tunnel:
+    """`hedgehogctl tunnel` of the same build to `tls_address` of a LiveDaemon; at `address`, once it is made, no token is needed."""
+
+    def __init__(self, program, daemon, port=0):
+        ctl = os.path.join(os.path.dirname(program), "..", "clients", "ctl", "hedgehogctl")
+        environment = dict(os.environ, HEDGEHOG_TOKEN=daemon.token, HEDGEHOG_FINGERPRINT=daemon.fingerprint)
+        self._process = subprocess.Popen([ctl, "tunnel", daemon.tls_address, "--port", str(port)], env=environment,
+                                         stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        timer = limit(self._process)
+        found = re.match(r"HEDGEHOG_ADDRESS=(127\.0\.0\.1:(\d+))$", self._process.stdout.readline())
+        timer.cancel()
+        if not found:
+            self.stop()
+            raise RuntimeError("the tunnel does not listen")
+        self.address = found.group(1)
+        self.port = int(found.group(2))
+
+    def stop(self):
+        self._process.terminate()
+        timer = limit(self._process)
+        self._process.wait()
+        timer.cancel()
+        self._process.stdout.close()
 
 
 class ForwardedAddress:

@@ -16,7 +16,7 @@ from project import GODOT, HERE
 sys.path[:0] = [str(HERE.parent), str(HERE.parent.parent.parent / "clients" / "python")]
 
 import hedgehog  # noqa: E402
-from live_daemon import LIMIT_S, ForwardedAddress, LiveDaemon, limit  # noqa: E402
+from live_daemon import LIMIT_S, ForwardedAddress, LiveDaemon, Tunnel, limit  # noqa: E402
 
 DAEMON = sys.argv.pop(1) if len(sys.argv) > 1 else ""
 FORMS = {
@@ -130,6 +130,24 @@ class Live(unittest.TestCase):
             self.wait_for(game, "event effect_ended completed")
             self.daemon.stop()
         self.daemon = None
+
+    def test_a_ball_behind_tls_is_played_through_a_tunnel(self):
+        daemon = self.start_daemon()
+        for engine in self.each_engine():
+            tunnel = Tunnel(DAEMON, daemon)
+            try:
+                lines = self.wait_for(self.scene(engine, "effects", tunnel.address), "telemetry ")
+                for expected in ("connected play", "state armed", "stopped 1", "refused refused invalid_params level",
+                                 "event effect_ended completed", "telemetry with limit_a True"):
+                    self.assertIn(expected, lines)
+                game = self.scene(engine, "outage", tunnel.address)
+                self.wait_for(game, "event effect_ended completed")
+                tunnel.stop()
+                self.wait_for(game, "disconnected the connection to the daemon has ended: ")
+                tunnel = Tunnel(DAEMON, daemon, tunnel.port)
+                self.wait_for(game, "event effect_ended completed")
+            finally:
+                tunnel.stop()
 
     def test_no_frame_waits_for_a_name_server(self):
         _, _, port = self.start_daemon().address.partition(":")

@@ -14,7 +14,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent.parent
 sys.path[:0] = [str(ROOT / "tests" / "sdk"), str(ROOT / "clients" / "python")]
 
 import hedgehog  # noqa: E402
-from live_daemon import ForwardedAddress, LiveDaemon, limit  # noqa: E402
+from live_daemon import ForwardedAddress, LiveDaemon, Tunnel, limit  # noqa: E402
 
 PROGRAM = sys.argv.pop(2) if len(sys.argv) > 2 else ""
 DAEMON = sys.argv.pop(1) if len(sys.argv) > 1 else ""
@@ -85,6 +85,23 @@ class Live(unittest.TestCase):
         self.wait_for(game, "disconnected the connection to the daemon has ended: ")
         address.lead_to(self.start_daemon())
         self.wait_for(game, "event effect_ended")
+
+    def test_a_ball_behind_tls_is_played_through_a_tunnel(self):
+        daemon = self.start_daemon()
+        tunnel = Tunnel(DAEMON, daemon)
+        try:
+            lines = self.wait_for(self.start("effects", tunnel.address), "over")
+            for expected in ("connected", "event effect_ended  completed", "refused effect.pulse invalid_params level InvalidParams",
+                             "measured"):
+                self.assertIn(expected, lines)
+            game = self.start("outage", tunnel.address)
+            self.wait_for(game, "event effect_ended")
+            tunnel.stop()
+            self.wait_for(game, "disconnected the connection to the daemon has ended: ")
+            tunnel = Tunnel(DAEMON, daemon, tunnel.port)
+            self.wait_for(game, "event effect_ended")
+        finally:
+            tunnel.stop()
 
     def test_no_frame_waits_for_a_name_server(self):
         _, _, port = self.start_daemon().address.partition(":")

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// A port of 127.0.0.1 whose clients reach a ball on the network: the tunnel verifies the daemon and
+// sends the token, so that games need neither TLS nor a secret.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "clients/common/problem.h"
+#include "clients/lib/address.h"
+#include "clients/lib/client_error.h"
+
+namespace hedgehog::client {
+
+/// One thread; a search for an mdns:// address has a thread of its own. Each client has its own
+/// connection to the ball, made when it sends its first bytes, and ends with it.
+class Tunnel {
+ public:
+  /// Limit of clients; a further one is closed. The daemon has 64 by default.
+  static constexpr int kMaxClients = 32;
+  /// Receives the reason why a client was closed, once until another client reaches the ball. The
+  /// client receives it as an error without an id.
+  using Report = std::function<void(const ClientError&)>;
+
+  /// REQUIRES: each address has TLS, mdns:// included.
+  Tunnel(std::vector<Address> addresses, Report report);
+  Tunnel(const Tunnel&) = delete;
+  Tunnel& operator=(const Tunnel&) = delete;
+  /// Closes all connections. Blocks while a search ends, for `kSearchTime` at most.
+  ~Tunnel();
+
+  /// Listens on that port of 127.0.0.1, 0: any free one; returns it.
+  Result<std::uint16_t> listen(std::uint16_t port);
+  /// REQUIRES: `listen` has returned a port. Serves until SIGINT, SIGTERM or SIGHUP.
+  void run();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace hedgehog::client
