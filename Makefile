@@ -187,6 +187,7 @@ test-monitoring: build/.packages-monitoring $(CONFIGURED_DEV)
 	@$(LOCK_DEV) $(BUILD_DEV) --target hedgehogd
 	@$(STAGE) 'tests monitoring' tests/monitoring/run.sh build/dev
 
+# Part of it in network namespaces (root, or sudo without password).
 test-mqtt: build/.packages-mqtt $(CONFIGURED_DEV)
 	@$(LOCK_DEV) $(BUILD_DEV) --target test_mqtt mqtt_fleet
 	@$(STAGE) 'tests mqtt' tests/mqtt/run.sh build/dev
@@ -333,7 +334,7 @@ deb: build/.packages-deb
 	@$(STAGE) 'build deb' cmake/deb.sh $(PACKED) build/deb
 
 # Installed, used, upgraded and purged in a fresh system below build/; packed a second time, with equal bytes.
-# BEFORE: the folder of the packages that the upgrade comes from, of another commit (make deb there).
+# BEFORE, of test-service too: the folder of the packages that the upgrade comes from, of another commit (make deb there).
 BEFORE ?=
 test-deb: deb
 	@$(STAGE) 'tests reproducible' tests/deb/reproducible.sh $(PACKED) build/deb
@@ -355,10 +356,10 @@ test-deb-arm64: deb-arm64 run-configured
 	@$(BUILD_RUN) --target hedgehogd hedgehogctl hedgehog-design
 	@$(STAGE) 'tests deb arm64' tests/deb/run.sh build/deb-arm64 $(BEFORE)
 
-# The packages under systemd, in the emulated machine: killed, hung, reloaded, stopped, purged.
+# The packages under systemd, in the emulated machine: upgraded, killed, hung, reloaded, stopped, started by udev, purged.
 .PHONY: test-service
 test-service: deb build/.packages-vm
-	@VM_SECONDS=$(VM_SECONDS) $(STAGE) 'tests service' tests/vm/service.sh build/deb
+	@VM_SECONDS=$(VM_SECONDS) $(STAGE) 'tests service' tests/vm/service.sh build/deb $(PACKED)/emulator/hedgehog-usbip $(BEFORE)
 
 # Simulated daemons with an MQTT broker and Prometheus: processor time, memory, what is lost. Not in CI.
 DAEMONS ?= 50

@@ -49,24 +49,7 @@ mkdir "$root/packages" "$root/packages/before"
 cp "$out"/*.deb "$here/inside.sh" "$root/packages"
 [ "$base" = "$build/debian.tar" ] || cp "$here/figures.sh" "$root/packages"
 
-# The packages before the upgrade: those of BEFORE, or those of OUT with a lower version.
-for package in "$out"/*.deb; do
-  [ -z "$before" ] || break
-  rm -rf "$work/unpacked"
-  dpkg-deb --raw-extract "$package" "$work/unpacked"
-  sed -i -E 's/^Version: .*/Version: 0.0.1/; s/(hedgehog[a-z]* \(= )[^)]*/\10.0.1/' "$work/unpacked/DEBIAN/control"
-  dpkg-deb --root-owner-group --build "$work/unpacked" "$root/packages/before" >/dev/null
-done
-
-if [ -n "$before" ]; then
-  cp "$before"/*.deb "$root/packages/before"
-  for package in "$root"/packages/before/*.deb; do
-    name=$(dpkg-deb --field "$package" Package)
-    old=$(dpkg-deb --field "$package" Version)
-    new=$(dpkg-deb --field "$out/$name"_*.deb Version)
-    dpkg --compare-versions "$old" lt "$new" || { echo "tests/deb: $name $old is not older than $new" >&2; exit 1; }
-  done
-fi
+"$here/older.sh" "$root/packages/before" "$before" "$out"/*.deb
 
 step "install, pulse, upgrade, purge"
 # shellcheck disable=SC2016  # expanded by the inner shell

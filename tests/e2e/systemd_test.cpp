@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The units as systemd parses them, and the daemon's notifications to systemd.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 #include <sys/un.h>
@@ -10,6 +11,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <regex>
 #include <string>
 #include <utility>
 
@@ -23,6 +25,7 @@ namespace hedgehog::e2e {
 namespace {
 
 using std::string_literals::operator""s;
+using testing::HasSubstr;
 
 struct Said {
   int exit_code = -1;
@@ -37,6 +40,27 @@ Said run(const std::string& command) {
     said.text.append(buffer.data(), n);
   said.exit_code = WEXITSTATUS(::pclose(pipe));
   return said;
+}
+
+std::string readme() {
+  std::ifstream in(source_folder() + "/systemd/README.md");
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// A score in the README, as systemd-analyze's --threshold: "1.5" is 15. `pattern` has a group for
+/// each digit. Empty: the README has no such sentence.
+std::string documented_threshold(const std::string& pattern) {
+  const std::string text = readme();
+  std::smatch found;
+  return std::regex_search(text, found, std::regex(pattern)) ? found.str(1) + found.str(2) : "";
+}
+
+/// The README's drop-in for clients on other machines.
+std::string documented_drop_in() {
+  const std::string text = readme();
+  std::smatch found;
+  const std::regex block("\\n    (\\[Service\\]\\n)    (IPAddressAllow=.*\\n)");
+  return std::regex_search(text, found, block) ? found.str(1) + found.str(2) : "";
 }
 
 class Unit : public testing::TestWithParam<const char*> {
@@ -69,7 +93,9 @@ TEST_P(Unit, HasNothingThatSystemdDoesNotKnow) {
 }
 
 TEST_P(Unit, IsShutInTight) {
-  const Said said = run("systemd-analyze security --offline=yes --threshold=15 " + installed());
+  const std::string threshold = documented_threshold("a score of (\\d)\\.(\\d) or better");
+  const Said said =
+      run("systemd-analyze security --offline=yes --threshold=" + threshold + " " + installed());
   EXPECT_EQ(said.exit_code, 0) << said.text;
 }
 
@@ -81,6 +107,25 @@ INSTANTIATE_TEST_SUITE_P(Systemd, Unit,
                            if (name.starts_with("hedgehog-gamepad")) return "Gamepad";
                            if (name.starts_with("hedgehog-mqtt")) return "Mqtt";
                            return name.find('@') == std::string::npos ? "Single" : "Instance";
+                         });
+
+class DaemonUnit : public Unit {};
+
+TEST_P(DaemonUnit, IsNearlyAsTightForOtherMachines) {
+  home_.write("units/"s + GetParam() + ".d/override.conf", documented_drop_in());
+  const std::string threshold = documented_threshold("(\\d)\\.(\\d) with the drop-in");
+  const std::string unit = installed();
+  const Said said =
+      run("systemd-analyze security --offline=yes --threshold=" + threshold + " " + unit);
+  EXPECT_EQ(said.exit_code, 0) << said.text;
+  EXPECT_THAT(said.text, HasSubstr("allow list with non-localhost entries"));
+  EXPECT_EQ(run("systemd-analyze verify --man=no " + unit).text, "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Systemd, DaemonUnit,
+                         testing::Values("hedgehogd.service", "hedgehogd@.service"),
+                         [](const auto& unit) {
+                           return unit.param == "hedgehogd.service"s ? "Single" : "Instance";
                          });
 
 /// systemd's side of sd_notify.

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <sstream>
+#include <utility>
 
 namespace hedgehog::e2e {
 
@@ -16,7 +17,8 @@ constexpr const char* kProbe = "listening";
 
 }  // namespace
 
-Mosquitto::Mosquitto(const Home& home, std::string more) : home_(home) {
+Mosquitto::Mosquitto(const Home& home, std::string more, std::vector<std::string> launcher)
+    : home_(home), launcher_(std::move(launcher)) {
   // Started as root it would switch to a user without write permission here.
   const passwd* user = ::getpwuid(::getuid());
   home_.write("mosquitto.conf", "listener 0 " + socket() + "\npersistence false\n" +
@@ -33,8 +35,10 @@ void Mosquitto::stop() {
 
 void Mosquitto::start() {
   std::filesystem::remove(socket());
-  process_ = std::make_unique<Program>(
-      home_, "/usr/sbin/mosquitto", std::vector<std::string>{"-c", home_.path("mosquitto.conf")});
+  std::vector<std::string> words = launcher_;
+  words.insert(words.end(), {"/usr/sbin/mosquitto", "-c", home_.path("mosquitto.conf")});
+  process_ = std::make_unique<Program>(home_, words.front(),
+                                       std::vector<std::string>(words.begin() + 1, words.end()));
   ASSERT_TRUE(eventually([&] { return std::filesystem::exists(socket()); }));
 }
 

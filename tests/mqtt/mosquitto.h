@@ -13,17 +13,22 @@ namespace hedgehog::e2e {
 /// mosquitto on a Unix socket in the test's folder. It keeps nothing on disk.
 class Mosquitto {
  public:
-  /// `more`: lines of its configuration, instead of `allow_anonymous true`.
-  explicit Mosquitto(const Home& home, std::string more = "allow_anonymous true\n");
+  /// `more`: lines of its configuration, instead of `allow_anonymous true`. `launcher`: a command
+  /// that becomes the program given as its further arguments.
+  explicit Mosquitto(const Home& home, std::string more = "allow_anonymous true\n",
+                     std::vector<std::string> launcher = {});
 
   std::string socket() const { return home_.path("broker.sock"); }
   void stop();
   void start();
   pid_t pid() const { return process_->pid(); }
   void signal(int number) const { process_->signal(number); }
+  /// Since its last start.
+  std::string log() const { return process_->err(); }
 
  private:
   const Home& home_;
+  std::vector<std::string> launcher_;
   std::unique_ptr<Program> process_;
 };
 

@@ -1,16 +1,22 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# service.sh PACKAGES: hedgehogd and hedgehog-tools of the folder PACKAGES (make deb) under systemd, in a guest of run.sh -s:
-# installed, started, killed, hung, reloaded, stopped; permissions, journal, several balls; purged. Exit: 0 all is well.
+# service.sh PACKAGES EMULATOR [BEFORE]: hedgehogd and hedgehog-tools of the folder PACKAGES (make deb) under systemd, in a guest of
+# run.sh -s: upgraded from an older version (of the folder BEFORE, or relabelled: tests/deb/older.sh), killed, hung, reloaded,
+# stopped; permissions, journal; several balls, also started by udev when their boards are plugged in (EMULATOR: hedgehog-usbip);
+# purged. Exit: 0 passed.
 set -euo pipefail
 
 here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
 if [ "${1-}" != --inside ]; then
-  [ $# -eq 1 ] || { echo "service.sh PACKAGES" >&2; exit 64; }
-  exec "$here/run.sh" -t "${VM_SECONDS:-1200}" -s "$here/service.sh" --inside "$(cd "$1" && pwd)"
+  [ $# -eq 2 ] || [ $# -eq 3 ] || { echo "service.sh PACKAGES EMULATOR [BEFORE]" >&2; exit 64; }
+  older=$(mktemp -d)
+  trap 'rm -rf "$older"' EXIT
+  "$here/../deb/older.sh" "$older" "${3-}" "$1"/hedgehogd_*.deb "$1"/hedgehog-tools_*.deb
+  "$here/run.sh" -t "${VM_SECONDS:-1200}" -s "$here/service.sh" --inside "$(realpath "$1")" "$(realpath "$2")" "$older"
+  exit
 fi
 
-packages=$2
+packages=$2 usbip=$3 older=$4
 export LC_ALL=C.UTF-8 HEDGEHOG_PATIENCE_MS=60000 DEBIAN_FRONTEND=noninteractive SYSTEMD_PAGER=cat
 unset HEDGEHOG_ADDRESS RUNTIME_DIRECTORY XDG_RUNTIME_DIR
 fail() {
@@ -19,7 +25,10 @@ fail() {
   journalctl --no-pager -n 60 -u 'hedgehogd*' || true
   exit 1
 }
-step() { echo "tests/vm: $*"; }
+step() {
+  echo "tests/vm: $*"
+  begun=@$(date +%s.%6N)
+}
 property() { systemctl show --property "$1" --value "${2-hedgehogd}"; }
 # eventually COMMAND...: the guest's clock jumps while it waits for files of the host, so the timeout is long.
 eventually() {
@@ -38,23 +47,65 @@ are() {
     [ "$(property "${one%%=*}" "$unit")" = "${one#*=}" ] || fail "$unit: not $one but $(property "${one%%=*}" "$unit")"
   done
 }
-is() { [ "$(property "$1")" = "$2" ]; }
-logged() { journalctl --no-pager --output cat -u "${2-hedgehogd}" | grep -q "$1"; }
-state_is() { hedgehogctl status --json | grep -q "\"state\":\"$1\""; }
+is() { [ "$(property "$1" "${3-hedgehogd}")" = "$2" ]; } # PROPERTY VALUE [UNIT]
+# logged TEXT [UNIT]: in this step.
+logged() { journalctl --no-pager --output cat --since "$begun" -u "${2-hedgehogd}" | grep -q "$1"; }
+ctl() { hedgehogctl --address "/run/hedgehog/$1/hedgehogd.sock" "${@:2}"; } # SERIAL VERB...
+has() { ctl "$1" status --json | grep -q "\"$2\":$3[,}]"; }               # SERIAL KEY VALUE, of the status
 # True when systemd has restarted it N times, and its process is not PID.
 restarted() { is NRestarts "$1" && is ActiveState active && [ "$(property MainPID)" != "$2" ]; }
 
 # The host's file; services may start in the guest.
 rm -f /usr/sbin/policy-rc.d
 
-step "install: enabled, started, ready"
-# Triggers belong to other packages (man-db reads every page), and are slow on an emulated processor.
-dpkg --no-triggers --force-unsafe-io --install "$packages"/hedgehogd_*.deb "$packages"/hedgehog-tools_*.deb >/tmp/out 2>&1 || { cat /tmp/out; fail "dpkg"; }
+# Triggers belong to other packages (man-db reads every page), and are slow on an emulated processor. Changed settings are kept.
+install() {
+  dpkg --no-triggers --force-unsafe-io --force-confold --install "$1"/hedgehogd_*.deb "$1"/hedgehog-tools_*.deb >/tmp/out 2>&1 ||
+    { cat /tmp/out; fail "dpkg"; }
+}
+# renewed UNIT PID: active, with another process than PID, which runs the installed file.
+renewed() {
+  local process
+  process=$(property MainPID "$1")
+  are "$1" ActiveState=active NRestarts=0
+  [ "$process" != "$2" ] || fail "$1: its process is still that of the older version"
+  [ "$(readlink "/proc/$process/exe")" = /usr/bin/hedgehogd ] || fail "$1 runs $(readlink "/proc/$process/exe")"
+}
+
+step "install, of an older version: enabled, started, ready"
+install "$older"
 eventually is ActiveState active
 [ "$(systemctl is-enabled hedgehogd)" = enabled ] || fail "it is not enabled"
 are hedgehogd User=hedgehog
 property StatusText | grep -q "^SIMULATOR: armed" || fail "its status is '$(property StatusText)'"
 hedgehogctl pulse left
+
+step "upgrade: the processes of the new version, with settings and state as before"
+echo '{ "limits": { "current_a": 12 } }' >/etc/hedgehog/hedgehogd.json
+echo '{ "listen": { "tcp": ["127.0.0.1:7596"] }, "http": { "listen": "127.0.0.1:7597" }, "limits": { "current_a": 11 } }' >/etc/hedgehog/0007.json
+systemctl start hedgehogd@0007
+ctl 0007 stop
+process=$(property MainPID)
+process_of_0007=$(property MainPID hedgehogd@0007)
+install "$packages"
+[ "$(dpkg-query --show --showformat '${Version}' hedgehogd)" = "$(dpkg-deb --field "$packages"/hedgehogd_*.deb Version)" ] ||
+  fail "the version is $(dpkg-query --show hedgehogd)"
+renewed hedgehogd "$process"
+renewed hedgehogd@0007 "$process_of_0007"
+for unit in hedgehogd hedgehogd@0007; do logged "coils off" "$unit" || fail "$unit did not stop orderly"; done
+[ "$(systemctl is-enabled hedgehogd)" = enabled ] || fail "it is not enabled any more"
+for unit in hedgehog-gamepad hedgehog-mqtt; do
+  [ "$(systemctl is-enabled "$unit")" = disabled ] || fail "$unit is enabled"
+  are "$unit" ActiveState=inactive
+done
+has . state '"armed"' || fail "the ball is not armed any more"
+has . limit_a 12 || fail "hedgehogd has other settings"
+has 0007 limit_a 11 || fail "hedgehogd@0007 has other settings"
+has 0007 reason '"emergency_stop"' || fail "hedgehogd@0007 does not know of the emergency stop any more"
+hedgehogctl pulse left
+ctl 0007 arm
+ctl 0007 pulse left
+systemctl stop hedgehogd@0007
 
 step "permissions of socket, state and settings"
 modes=$(stat --format '%a %U:%G %n' /run/hedgehog /run/hedgehog/hedgehogd.sock /var/lib/hedgehog /etc/hedgehog/hedgehogd.json)
@@ -121,10 +172,56 @@ hedgehogctl --all stop
 [ "$(hedgehogctl --all status --json | grep -c '"state":"disarmed"')" = 2 ] || fail "not both are stopped"
 [ -e /var/lib/hedgehog/0007/state.json ] || fail "hedgehogd@0007 has no state of its own"
 
+# emulator COMMAND...: its answer is `answer`. Not in a subshell, which would not have the coprocess.
+emulator() { echo "$*" >&"${EMULATOR[1]}" && read -r -t 300 -u "${EMULATOR[0]}" answer; }
+plugged() { emulator plug "$1" && [ "$answer" = ok ]; }
+# plays SERIAL NAME: a pulse of 5 A flows through the board NAME.
+plays() {
+  eventually ctl "$1" arm
+  eventually has "$1" state '"armed"'
+  emulator status "$2" || fail "the emulator does not answer" # and resets the peak
+  ctl "$1" pulse left || fail "$1: no pulse"
+  emulator status "$2" || fail "the emulator does not answer"
+  [[ $answer =~ \"peak_a\":\ ([4-9])\. ]] || fail "$1: its board has not carried the current: $answer"
+}
+
+step "boards that are plugged in: udev starts the service of one that has settings"
+systemctl disable --quiet --now hedgehogd
+systemctl stop hedgehogd@0007
+echo '{ "name": "ball-9", "usb_serial": "0009" }' >/etc/hedgehog/devices.d/ball-9.json
+echo '{ "backend": "usb", "device": "ball-9", "listen": { "tcp": ["127.0.0.1:7596"] }, "http": { "listen": "127.0.0.1:7597" } }' >/etc/hedgehog/0009.json
+coproc EMULATOR { exec "$usbip" --vhci board,name=nine,serial=0009,unplugged board,name=ten,serial=0010,unplugged 2>/tmp/emulator; }
+emulator_process=$EMULATOR_PID answer=
+read -r -t 300 -u "${EMULATOR[0]}" answer || true
+[ "$answer" = ready ] || fail "the emulator does not start: $(cat /tmp/emulator)"
+eventually plugged ten
+condition_checked() { [ "$(property ConditionTimestampMonotonic "$1")" != 0 ]; }
+eventually condition_checked hedgehogd@0010
+are hedgehogd@0010 ActiveState=inactive ConditionResult=no Result=success
+[ -z "$(systemctl list-units --plain --no-legend --state=failed 'hedgehogd*')" ] || fail "without settings it failed"
+are hedgehogd@0009 ActiveState=inactive
+eventually plugged nine
+eventually is ActiveState active hedgehogd@0009
+process=$(property MainPID hedgehogd@0009)
+eventually has 0009 state '"disarmed"'
+plays 0009 nine
+
+step "unplugged: its service waits; plugged in again: the same process, disarmed"
+emulator unplug nine || fail "the emulator does not answer"
+eventually has 0009 state '"absent"'
+are hedgehogd@0009 ActiveState=active "MainPID=$process"
+eventually plugged nine
+eventually has 0009 state '"disarmed"'
+plays 0009 nine
+are hedgehogd@0009 ActiveState=active "MainPID=$process" NRestarts=0
+emulator quit || fail "the emulator does not answer"
+wait "$emulator_process" || fail "the emulator: $(cat /tmp/emulator)"
+systemctl enable --quiet --now hedgehogd
+
 step "purged: nothing runs, nothing is left"
-rm /etc/hedgehog/0007.json
+rm /etc/hedgehog/0007.json /etc/hedgehog/0009.json /etc/hedgehog/devices.d/ball-9.json
 dpkg --no-triggers --force-unsafe-io --purge hedgehogd hedgehog-tools >/tmp/out 2>&1 || { cat /tmp/out; fail "dpkg --purge"; }
-are hedgehogd@0007 ActiveState=inactive
+are hedgehogd@0009 ActiveState=inactive
 ! pgrep -x hedgehogd || fail "a daemon runs on"
 left=$(find /etc /var/lib/hedgehog /run/hedgehog /usr/lib/systemd /usr/bin -xdev -name '*hedgehog*' 2>/dev/null | grep -v '^/etc/apt' || true)
 [ -z "$left" ] || fail "left behind: $left"
