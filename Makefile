@@ -54,7 +54,7 @@ help:
 	@echo 'make coverage   every line of board core, limiter and watchdog is executed by the tests'
 	@echo 'make firmware   the reference board'"'"'s image in build/firmware, on an emulated RP2040 with a simulated ball'
 	@echo 'make firmware-play HOURS=1  a game on that emulated board; make firmware-frames FRAMES=1048576 compares it with the host'"'"'s'
-	@echo 'make firmware-rehearsal  a ball brought up on it, calibrate --thermal included (half an hour of its time)'
+	@echo 'make firmware-rehearsal  a ball brought up on it, calibrate --thermal included (half an hour of its time); SEED=N: another ball'
 	@echo 'make firmware-calibrated CALIBRATION=my-board.h  the image for a board of your own, with its measured figures'
 	@echo 'make firmware-guards  each guard of that image taken out once: a test must go red'
 	@echo 'make reference-board  the electrical rules of the driver board (firmware/board)'
@@ -285,7 +285,7 @@ firmware-frames: firmware-built
 # The guides for bringing up board and ball, with half an hour of `calibrate --thermal`.
 .PHONY: firmware-rehearsal
 firmware-rehearsal: firmware-built
-	@HEDGEHOG_FIRMWARE_REHEARSAL=thermal HEDGEHOG_FIRMWARE_TICKS=1000000 $(STAGE) 'firmware rehearsal' $(EMULATED) test rehearsal
+	@HEDGEHOG_FIRMWARE_REHEARSAL=thermal HEDGEHOG_FIRMWARE_SEED=$(SEED) HEDGEHOG_FIRMWARE_TICKS=1000000 $(STAGE) 'firmware rehearsal' $(EMULATED) test rehearsal
 
 # The image for a board whose figures have been measured (firmware/board/bring-up.md, step 6), and what it reads.
 CALIBRATION ?= firmware/calibration.h

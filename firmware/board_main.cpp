@@ -3,6 +3,7 @@
 #include "daemon/device/board_core/board_core.h"
 #include "daemon/device/board_core/port.h"
 #include "firmware/boot_loader.h"
+#include "firmware/brown_out.h"
 #include "firmware/clocks.h"
 #include "firmware/flash_id.h"
 #include "firmware/pico_port.h"
@@ -41,6 +42,7 @@ void wait_for(Tick& tick) noexcept {
 }  // namespace
 
 extern "C" [[noreturn]] void board_main() {
+  start_brown_out_detector();
   start_clocks();
   start_peripherals();
   start_pins();

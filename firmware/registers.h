@@ -23,6 +23,7 @@ inline constexpr uint32_t kSpi0 = 0x4003C000;
 inline constexpr uint32_t kPwm = 0x40050000;
 inline constexpr uint32_t kTimer = 0x40054000;
 inline constexpr uint32_t kWatchdog = 0x40058000;
+inline constexpr uint32_t kVregAndChipReset = 0x40064000;
 inline constexpr uint32_t kUsbMemory = 0x50100000;
 inline constexpr uint32_t kUsb = 0x50110000;
 inline constexpr uint32_t kSio = 0xD0000000;

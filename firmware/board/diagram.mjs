@@ -132,7 +132,7 @@ class Diagram {
     sheet.horizontal(x - 90, y, `F2 ${this.part("F2").value} A`, { stroke: colour("12V") });
     sheet.line([[x - 50, y], [x, y]], { stroke: colour("12V") });
     this.net("12V", x - 96, y + 3, "end");
-    this.net("FAN_12V", x - 23, y - 4);
+    this.net("FAN_12V", x - 26, y - 5);
     this.module("U6", 970, 200, 70, ["IN", "GND"], ["OUT"]);
   }
 
@@ -146,38 +146,38 @@ class Diagram {
     const thick = { width: 3, stroke: "#0b4f8a" };
     const jx = ax + 100;
     sheet.box(jx, ay - 14, 32, by - ay + 28);
-    sheet.text(jx - 30, ay - 20, `${connector} winding`, { bold: true, size: 9 });
+    sheet.text(jx + 32, ay - 20, `${connector} winding`, { bold: true, size: 9, anchor: "end" });
     sheet.text(jx + 4, ay + 3, "1", { size: 9 });
     sheet.text(jx + 4, by + 3, "2", { size: 9 });
     sheet.add(`<path d="M${jx + 18},${ay} ${[0, 1, 2, 3].map((i) => `A6,6 0 0 1 ${jx + 18},${ay + (i + 1) * (by - ay) / 4}`).join(" ")}" fill="none" stroke="#0b4f8a" stroke-width="1.5"/>`);
     sheet.line([[ax, by], [jx, by]], thick);
     this.net(`RET_${letter}`, ax + 50, by + 12);
-    this.net(`DRV_${letter}`, ax + 16, ay - 6);
+    this.net(`DRV_${letter}`, ax + 3, ay - 7, "start");
     if (!this.part(shunt)) {
       sheet.line([[ax, ay], [jx, ay]], thick);
       return;
     }
-    sheet.line([[ax, ay], [ax + 30, ay]], thick);
-    sheet.horizontal(ax + 30, ay, "", { ...thick, solid: true });
-    sheet.text(ax + 50, ay + 16, `${shunt} 1 mOhm`, { size: 9, anchor: "middle" });
-    sheet.line([[ax + 70, ay], [jx, ay]], thick);
-    this.net(`COIL_${letter}`, ax + 84, ay - 6);
+    sheet.line([[ax, ay], [ax + 26, ay]], thick);
+    sheet.horizontal(ax + 26, ay, "", { ...thick, solid: true });
+    sheet.text(ax + 46, ay - 17, `${shunt} ${this.part(shunt).valueText}`, { size: 9, anchor: "middle" });
+    sheet.line([[ax + 66, ay], [jx, ay]], thick);
+    this.net(`COIL_${letter}`, ax + 62, ay - 7, "start");
     const u = this.module(amp, x, y + 158, 74, ["VS", "REF1", "REF2", "GND", "OUT"], ["IN+", "IN-"], { wired: ["IN+", "IN-"] });
-    const sense = (pin, sx, out) => {
+    const sense = (pin, sx, down, out) => {
       const [px, py] = u.at.get(pin);
-      sheet.line([[sx, ay + 5], [sx, ay + 20], [px + out, ay + 20 + (pin === "IN+" ? 0 : 6)], [px + out, py], [px, py]], { stroke: "#555" });
+      sheet.line([[sx, ay + 5], [sx, ay + down], [px + out, ay + down], [px + out, py], [px, py]], { stroke: "#555" });
       this.net(u.part.pins.get(pin), px + 34, py + 3, "start");
     };
-    sense("IN+", ax + 36, 14);
-    sense("IN-", ax + 64, 26);
+    sense("IN+", ax + 32, 20, 14);
+    sense("IN-", ax + 60, 28, 26);
   }
 
   control() {
-    this.module("U1", 258, 530, 112, kPicoLeft, kPicoRight, { numbers: true });
+    this.module("U1", 276, 530, 112, kPicoLeft, kPicoRight, { numbers: true });
     this.module("U7", 800, 580, 84, ["CH0", "CH1", "CH2", "CH3", "CH4", "CH5", "CH6", "CH7"],
       ["VDD", "VREF", "AGND", "CLK", "DOUT", "DIN", "CS", "DGND"]);
     const pins = [...this.part("J5").pins.keys()];
-    this.module("J5", 800, 730, 76, pins, [], { title: `thermistors: ${this.part("J5").note}` });
+    this.module("J5", 800, 730, 76, pins, [], { title: `thermistor${pins.length > 2 ? "s" : ""}: ${this.part("J5").note}` });
   }
 
   draw() {

@@ -7,7 +7,9 @@ import { circuitAt, ntcOhm } from "../../firmware/board/circuits.mjs";
 import { asBuilt, kTypes, sourceText } from "./boards.mjs";
 
 const reference = asBuilt("reference");
+const thesis = asBuilt("thesis");
 const guide = sourceText("firmware/board/bring-up.md");
+const variantB = guide.slice(guide.indexOf("## Variant B"));
 const resistor = (ref) => reference.parts.get(ref);
 
 /** The numbers of the first match of `pattern` in the guide. */
@@ -57,4 +59,49 @@ test("the thermistors' voltages are those of their curve", () => {
     const ohm = ntcOhm(ntc, celsius);
     assert.ok(Math.abs(readings[i] - 3.3 * ohm / (ohm + pullUp.value)) < 0.01, `${readings[i]} V at ${celsius} C`);
   });
+});
+
+/** "RS1–RS3, U2" as references. */
+const expanded = (list) => list.split(", ").flatMap((one) => {
+  const [, letters, from, to = from] = /^([A-Z]+)(\d+)(?:–[A-Z]+(\d+))?$/.exec(one);
+  return Array.from({ length: to - from + 1 }, (_, i) => `${letters}${+from + i}`);
+});
+
+test("variant B is assembled without exactly the parts that its netlist does not have", () => {
+  const missing = [...reference.parts.keys()].filter((ref) => !thesis.parts.has(ref));
+  assert.ok(missing.length > 10);
+  assert.deepEqual(expanded(/Left out: (.*?)\. /.exec(variantB)[1]).sort(), missing.sort());
+});
+
+test("variant B has at ground the inputs that the guide names, and its windings at the bridges", () => {
+  const { pins } = thesis.parts.get("U7");
+  const grounded = [...pins].filter(([name, net]) => name.startsWith("CH") && net === "GND").map(([name]) => name);
+  const list = `${grounded.slice(0, -1).join(", ")} and ${grounded.at(-1)}`;
+  assert.equal(variantB.split(`${list} of U7`).length - 1, 2, list);
+  for (const [winding, driver] of [["J2", "M1"], ["J3", "M2"], ["J4", "M3"]])
+    assert.equal(thesis.parts.get(winding).pins.get("1"), thesis.parts.get(driver).pins.get("OUTA"));
+  assert.equal(thesis.parts.get("J5").pins.size, 2);
+  assert.match(variantB, /J5 has two poles and one thermistor/);
+});
+
+test("CS reads what the driver's figures give, with nothing and with 2.2 ohm at the supply", () => {
+  const { zero, voltsPerUnit } = circuitAt(thesis, kTypes, "U1.GP26");
+  const [volts, amps, ohm] = [/CS_A reads\s+([\d.]+) V/, /V at ([\d.]+) A/, /Put ([\d.]+) Ω/].map((pattern) => Number(pattern.exec(variantB)[1]));
+  assert.ok(Math.abs(amps - 12 / ohm) < 0.01);
+  assert.ok(Math.abs(volts - (zero + voltsPerUnit * amps)) < 0.001);
+  assert.equal(Number(/ADC_C \| about ([\d.]+) V/.exec(variantB)[1]), zero);
+});
+
+test("what the daemon allows with variant B is the thermal model's result", () => {
+  const results = sourceText("model/thermal-model.md");
+  const [, full] = /15 A along a coil from cold \| full for ([\d.]+) s/.exec(results);
+  const [, cs] = /15 A along a coil from cold .*`driver_cs`: ([\d.]+) s/.exec(results);
+  assert.ok(variantB.includes(`15 A from cold last ${cs} s instead of ${full} s`));
+  assert.match(results, /`driver_cs`: 67 °C after seven hours, then a little less than 5 A/);
+  assert.match(variantB, /5 A in a room of 25 °C are reduced a little after seven hours/);
+});
+
+test("the guide says that no image drives variant B, as long as none does", () => {
+  const reads = ["firmware/pico_wiring.h", "firmware/converter.cpp"].some((path) => /kDriverCs|kAdc/.test(sourceText(path)));
+  assert.equal(/No image here drives variant B/.test(variantB), !reads);
 });

@@ -139,11 +139,15 @@ for (const board of [reference, thesis])
     for (const net of board.nets.keys()) assert.ok(words.has(net), `${net} is not in the diagram`);
   });
 
-/** The boxes of the texts of a diagram: {text, left, right, top, bottom}; a letter's width is assumed as 0.55 of its size. */
+/** Approximate width of a text of size 1. */
+const letterWidth = (letter) => (/[ ,.'·:]/.test(letter) ? 0.32 : /[A-Z0-9_]/.test(letter) ? 0.6 : 0.55);
+const widthOf = (text, bold) => (bold ? 1.12 : 1) * [...text].reduce((sum, letter) => sum + letterWidth(letter), 0);
+
+/** The boxes of the texts of a diagram: {text, left, right, top, bottom}. */
 function textBoxes(svg) {
-  return [...svg.matchAll(/<text x="([-\d.]+)" y="([-\d.]+)" font-size="([\d.]+)" text-anchor="(\w+)"[^>]*>(.*?)<\/text>/g)].map(([, x, y, size, anchor, inner]) => {
+  return [...svg.matchAll(/<text x="([-\d.]+)" y="([-\d.]+)" font-size="([\d.]+)" text-anchor="(\w+)"([^>]*)>(.*?)<\/text>/g)].map(([, x, y, size, anchor, more, inner]) => {
     const text = inner.replace(/<[^>]*>/g, "");
-    const width = 0.55 * size * text.length;
+    const width = size * widthOf(text, more.includes("bold"));
     const left = x - { start: 0, middle: width / 2, end: width }[anchor];
     return { text, left, right: left + width, top: y - 0.7 * size, bottom: +y };
   });
@@ -158,6 +162,30 @@ for (const board of [reference, thesis])
       for (const b of boxes.slice(i + 1))
         assert.ok(a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top, `${a.text} and ${b.text}`);
     }
+  });
+
+/** Lines of a diagram and edges of its boxes: {left, right, top, bottom}. The first box is the page. */
+function strokes(svg) {
+  const of = (points) => points.slice(1).map(([x, y], i) => ({
+    left: Math.min(x, points[i][0]), right: Math.max(x, points[i][0]), top: Math.min(y, points[i][1]), bottom: Math.max(y, points[i][1]),
+  }));
+  const lines = [...svg.matchAll(/<polyline points="([^"]*)"/g)].map(([, points]) => points.split(" ").map((point) => point.split(",").map(Number)));
+  const boxes = [...svg.matchAll(/<rect x="([-\d.]+)" y="([-\d.]+)" width="([\d.]+)" height="([\d.]+)"/g)].map((match) => {
+    const [x, y, width, height] = match.slice(1).map(Number);
+    return [[x, y], [x + width, y], [x + width, y + height], [x, y + height], [x, y]];
+  });
+  return [...lines, ...boxes].flatMap(of);
+}
+
+for (const board of [reference, thesis])
+  test(`no line crosses a text of the diagram of the board ${board.name}`, () => {
+    const svg = generated()[`wiring-${board.name}.svg`];
+    const all = strokes(svg);
+    assert.ok(all.length > 150, `${all.length}`);
+    for (const text of textBoxes(svg))
+      for (const one of all)
+        assert.ok(text.right <= one.left || one.right <= text.left || text.bottom <= one.top || one.bottom <= text.top,
+          `${text.text} at ${text.left}, ${text.bottom}: ${JSON.stringify(one)}`);
   });
 
 for (const [name, text] of Object.entries(generated()))

@@ -38,6 +38,8 @@ export class Board {
     this.ticks = []; // start of each millisecond of the firmware, us
     this.busiestCycles = 0; // of the firmware's milliseconds, from one conversion to the next
     this.shownCurrent = undefined; // converter code of winding x's amplifier in place of its current
+    this.converterAnswers = true; // false: its line is low, as by the pull-down of the microcontroller
+    this.slowestPwmUs = 0; // from the start of a millisecond to its compare values
     this.onTick = () => {}; // called with the readings that the firmware is about to convert
     this.onApply = () => {}; // called when the firmware writes its compare values
     this.readings = this.plant.step(kSafePins);
@@ -61,7 +63,10 @@ export class Board {
     const slice = mcu.pwm.channels[0];
     const write = slice.writeRegister.bind(slice);
     slice.writeRegister = (offset, value) => {
-      if (offset === kCompare) this.onApply();
+      if (offset === kCompare) {
+        if (this.ticks.length > 0) this.slowestPwmUs = Math.max(this.slowestPwmUs, chip.us - this.ticks.at(-1));
+        this.onApply();
+      }
       write(offset, value);
     };
     const wrap = slice.updateDoubleBuffered.bind(slice);
@@ -150,7 +155,7 @@ export class Board {
       if (this.high(kSelect) || spi.control0 !== 7 || !spi.enabled || spi.clockFrequency > kMaxSpiHz)
         chip.warnings.push('the converter is not spoken to as its data sheet says');
       bytes.push(value);
-      answer = this.converterByte(bytes);
+      answer = this.converterAnswers ? this.converterByte(bytes) : 0;
       done.schedule((8e9 / spi.clockFrequency) | 0);
     };
   }

@@ -23,6 +23,8 @@ const kRomUsbBoot = 0x2591;
 const kSysInfo = 0x40000000;
 const kResets = 0x4000c000;
 const kWatchdog = 0x40058000;
+const kVregAndChipReset = 0x40064000;
+const kBrownOut = 4;
 const kSsi = 0x18000000;
 const kIoQspi = 0x40018000;
 /** Bits of RESETS. */
@@ -58,19 +60,20 @@ export class Chip {
 
   boot() {
     const { rp2040: mcu, clock } = new Simulator();
-    Object.assign(this, { mcu, clock, core: mcu.core, watchdogFired: false });
+    Object.assign(this, { mcu, clock, core: mcu.core, resetDue: false });
     const warn = (name, text) => this.warnings.push(`${name}: ${text}`);
     mcu.logger = { debug() {}, info() {}, warn, error: warn };
     mcu.onBreak = (code) => warn('core', `bkpt ${code}`);
     mcu.peripherals[slot(kSysInfo)].readUint32 = () => ((this.revision << 28) | 0x2927) >>> 0;
     this.holdResets();
     this.replaceFlash();
+    this.replaceRegulator();
     this.fixCore();
     const watchdog = mcu.peripherals[slot(kWatchdog)];
     watchdog.tickEnable = false; // rp2040js: as if the firmware had enabled it
     watchdog.onWatchdogTrigger = () => {
       watchdog.alarm.enable = false; // otherwise it fires repeatedly at this instant
-      this.watchdogFired = true;
+      this.resetDue = true;
     };
     mcu.flash.set(this.image);
     new DataView(mcu.bootrom.buffer).setUint16(0x14, kRomTable, true);
@@ -105,7 +108,7 @@ export class Chip {
       core.PC = core.LR & ~1;
     } else if (entry === kRomUsbBoot) {
       this.bootLoader = { lamp: first, disabled: second, pinsBefore: this.pinsNow?.() };
-      this.watchdogFired = true;
+      this.resetDue = true;
     } else {
       this.warnings.push(`no function of the ROM at ${entry.toString(16)}`);
       core.PC = core.LR & ~1;
@@ -153,6 +156,21 @@ export class Chip {
     };
   }
 
+  /** Regulator and brown-out detector of the core, with their values in reset (2.10.6). */
+  replaceRegulator() {
+    const values = new Map([[0, 0xb1], [kBrownOut, 0x91]]);
+    const block = this.mcu.peripherals[slot(kVregAndChipReset)];
+    block.readUint32 = (offset) => values.get(offset) ?? 0;
+    block.writeUint32 = (offset, value) => values.set(offset, value);
+    this.brownOut = () => values.get(kBrownOut);
+  }
+
+  /** The core's supply falls to `volts` for a moment: a reset, if the detector's threshold is above that. */
+  sagCore(volts) {
+    const threshold = 0.473 + 0.043 * ((this.brownOut() >> 4) & 15);
+    if (this.brownOut() & 1 && volts < threshold) this.resetDue = true;
+  }
+
   /** An interrupt that is pending while it is masked ends a WFI and enters no handler. */
   fixCore() {
     const { core } = this;
@@ -171,7 +189,7 @@ export class Chip {
     for (;;) {
       const { core, clock, visited } = this;
       const end = us * 1000 - this.baseNanos;
-      while (clock.nanosCounter < end && !this.watchdogFired) {
+      while (clock.nanosCounter < end && !this.resetDue) {
         if (core.waiting) {
           if (core.pendingInterrupts & core.enabledInterrupts) {
             core.waiting = false;
@@ -193,7 +211,7 @@ export class Chip {
         }
         if (stop && stop()) return this.checked(true);
       }
-      if (!this.watchdogFired) return this.checked(false);
+      if (!this.resetDue) return this.checked(false);
       this.baseNanos += clock.nanosCounter;
       this.resetUs = this.baseNanos / 1000;
       ++this.resets;

@@ -29,6 +29,7 @@ const kHazards = [
   { what: 'supply below 6.5 V', begin: faults(kSim.supplyLow), fault: kFault.supply, withinMs: 13 },
   { what: 'supply above 30 V', begin: error(kError.supplyGain, 0, 2.6), fault: kFault.supply, withinMs: 13 },
   { what: 'an amplifier’s line is open', begin: shown(0), fault: kFault.unexpectedCurrent, withinMs: 8, again: true },
+  { what: 'the converter does not answer', begin: ({ board }) => { board.converterAnswers = false; }, fault: kFault.unexpectedCurrent, withinMs: 8 },
   { what: 'an amplifier’s line is at its supply', begin: shown(4095), fault: kFault.unexpectedCurrent, withinMs: 8, again: true },
   { what: 'an amplifier shows zero at 13 A', duty: kThirteenAmps, begin: shown(2048), fault: kFault.unexpectedCurrent, withinMs: 24, again: true },
   {
@@ -158,6 +159,26 @@ test('a thermistor opens under a flood of packets: the rules are kept', withBoar
   assert.ok(board.ticks.length - ticks >= 149, 'every millisecond was kept');
   assertSafePins(board);
   assertNoCurrent(board);
+}));
+
+test('a brown-out of the core, which works only from 0.99 V on: reset at once, no current, none before it is armed', withBoard((board, driver) => {
+  driver.drive(kFiveAmps);
+  board.chip.sagCore(0.98);
+  board.run(5);
+  assertDriving(board, driver);
+  board.chip.sagCore(0.91);
+  board.run(0.1);
+  assert.equal(board.chip.resets, 1);
+  assert.equal(board.pins().awake, false);
+  board.run(20);
+  assertNoCurrent(board);
+  driver.enumerate();
+  board.run(50);
+  assert.equal(driver.last.mode, kMode.safe);
+  assertNoCurrent(board);
+  driver.arm();
+  board.run(60);
+  assertDriving(board, driver);
 }));
 
 test('the converter’s clock stops: a loop that waits for it is reset within 21 ms, and the bridges sleep', withBoard((board, driver) => {

@@ -50,9 +50,9 @@ test('from a changed current to the PWM that answers it: at most the sum of its 
     pwm: done.map(({ commandUs, pwmUs }) => pwmUs - commandUs),
   };
   const all = done.map(({ us, pwmUs }) => pwmUs - us);
-  console.log(`current to PWM, all around the loop: median ${percentile(all, 0.5).toFixed(0)} us, worst ${percentile(all, 1).toFixed(0)} us\n${histogram(all, 100)}`);
+  console.log(`current to PWM, all around the loop: median ${percentile(all, 0.5).toFixed(0)} us, worst ${percentile(all, 1).toFixed(0)} us\n${histogram(all, 200)}`);
   for (const [part, values] of Object.entries(parts)) {
-    console.log(`to the ${part}: median ${percentile(values, 0.5).toFixed(0)} us, worst ${percentile(values, 1).toFixed(0)} us`);
+    console.log(`to the ${part}: median ${percentile(values, 0.5).toFixed(0)} us, worst ${percentile(values, 1).toFixed(0)} us\n${histogram(values, 200)}`);
     assert.ok(percentile(values, 1) <= kMaxUs[part], `${part}: ${percentile(values, 1)} us`);
   }
   // The response takes at least a conversion, a frame in each direction, and the end of a PWM period.

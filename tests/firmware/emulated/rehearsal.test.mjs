@@ -1,19 +1,28 @@
 // SPDX-License-Identifier: MIT
 // The steps of the guides (firmware/board/bring-up.md from step 6 on, daemon/device/bringing-up-a-ball.md) with the programs that they
-// name, on the flashed image and a ball whose windings and electronics are drawn at random within their tolerances: the output of each
-// command, and the currents. HEDGEHOG_FIRMWARE_REHEARSAL=thermal: also `calibrate --thermal`, half an hour of the ball's time.
+// name, on the flashed image and a ball whose windings, heat, room and electronics are drawn at random within their tolerances: the output
+// of each command, the currents, and what `calibrate` finds against the ball's own values. HEDGEHOG_FIRMWARE_REHEARSAL=thermal: also
+// `calibrate --thermal`, half an hour of the ball's time. HEDGEHOG_FIRMWARE_SEED=N: another ball.
 import assert from 'node:assert/strict';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
+import { drawBall } from './ball_family.mjs';
 import { DaemonOnBoard, eventually } from './daemon.mjs';
+import { measureGains } from './gauges.mjs';
 
-const kSeed = 15; // for the electronics' parts
-/** Within 3 % of the design. */
-const kDrawn = { name: 'drawn', r25_ohm: [0.459, 0.441, 0.4545], inductance_h: 0.00153 };
+const kSeed = Number(process.env.HEDGEHOG_FIRMWARE_SEED || 16); // its thermistor is not on the winding that the typical file names
+const { device: kDrawn, ambientC: kAmbientC } = drawBall(kSeed);
+console.log(`seed ${kSeed}: in a room of ${kAmbientC.toFixed(1)} C, ${JSON.stringify(kDrawn)}`);
+/** What the daemon knows before: the typical ball, and where its thermistors are plugged in. */
+const kDelivered = { name: 'delivered', thermal: { sensor_winding: kDrawn.thermal.sensor_winding } };
 /** Voltage and current are read within 2 % each, the temperature within 1 K (0.4 %). */
 const kOhmTolerance = 0.045;
+/** With the gains of both known. */
+const kOhmToleranceAtGains = 0.01;
+/** As stated in the file: 2.5 standard deviations and the model's 2 %; 0.2 is that of an unknown ball. */
+const kMaxUncertainty = 0.08;
 const kThermal = process.env.HEDGEHOG_FIRMWARE_REHEARSAL === 'thermal';
 
 const folder = mkdtempSync(join(tmpdir(), 'hedgehog-rehearsal-'));
@@ -21,8 +30,9 @@ after(() => rmSync(folder, { recursive: true }));
 const found = join(folder, 'ball-7.json');
 
 const start = (devices, device) => DaemonOnBoard.start({
-  devices: { drawn: kDrawn, ...devices }, config: { ...(device && { device }), simulator: { device: 'drawn', seed: kSeed } },
+  devices: { drawn: kDrawn, ...devices }, config: { device, simulator: { device: 'drawn', seed: kSeed, ambient_c: kAmbientC } },
 });
+const readFound = () => JSON.parse(readFileSync(found, 'utf8').replace(/^\s*\/\/.*$/gm, ''));
 
 async function withDaemon(daemon, body) {
   try {
@@ -44,16 +54,43 @@ async function does(daemon, ...words) {
   console.log(`$ hedgehogctl ${words.join(' ')}\n${out}`);
   return out;
 }
+
+/** Each constant that `calibrate --thermal` has found is the ball's within the stated uncertainty. Heat is measured by voltage and current:
+ *  their gains are those of the capacities, and the reciprocals of those of the resistances. */
+function checkThermal({ thermal, uncertainty }, gains) {
+  const own = kDrawn.thermal;
+  const gain = gains.current.map((one) => one * gains.supply);
+  const all = gain.reduce((sum, one) => sum + one, 0) / gain.length;
+  const stillShare = Number(/without ([\d.]+)/.exec(readFileSync(found, 'utf8'))[1]) / 100;
+  const off = {
+    core_j_k: thermal.core_j_k / own.core_j_k / all - 1,
+    core_to_room_fan_k_w: thermal.core_to_room_fan_k_w / own.core_to_room_fan_k_w * all - 1,
+    core_to_room_still_k_w: thermal.core_to_room_still_k_w / own.core_to_room_still_k_w * all - 1,
+  };
+  gain.forEach((one, k) => {
+    off[`winding_j_k ${k}`] = thermal.winding_j_k[k] / own.winding_j_k[k] / one - 1;
+    off[`winding_to_core_k_w ${k}`] = thermal.winding_to_core_k_w[k] / own.winding_to_core_k_w[k] * one - 1;
+  });
+  console.log(`stated uncertainty ${100 * uncertainty.thermal} %; off by`);
+  for (const [name, share] of Object.entries(off)) console.log(`  ${name.padEnd(22)} ${(100 * share).toFixed(1).padStart(5)} %`);
+  assert.ok(uncertainty.thermal <= kMaxUncertainty, `${uncertainty.thermal}`);
+  for (const [name, share] of Object.entries(off)) {
+    const stated = name === 'core_to_room_still_k_w' ? Math.max(0.05, 2.5 * stillShare + 0.02) : uncertainty.thermal;
+    assert.ok(Math.abs(share) <= stated, `${name}: ${share} of ${stated}`);
+  }
+  assert.equal(thermal.sensor_winding, own.sensor_winding, 'the winding that carries the thermistor');
+}
+
 const trueCurrents = async (ball) => (await ball.call('sim.truth')).current_a;
 
 test('a ball that has never been driven is brought up with the commands of the guides, as far as its device file', async () => {
-  await withDaemon(await start(), async (daemon, ball) => {
+  await withDaemon(await start({ delivered: kDelivered }, 'delivered'), async (daemon, ball) => {
     // bring-up.md, step 6
     await daemon.state('armed');
     assert.match(await does(daemon, 'status'), /armed/);
     const { supply_v, temperature_c } = await ball.status();
-    assert.ok(Math.abs(supply_v - 12) < 0.3, `${supply_v} V`);
-    for (const celsius of temperature_c.sensors) assert.ok(Math.abs(celsius - 25) < 1.5, `${temperature_c.sensors}`);
+    assert.ok(Math.abs(supply_v / kDrawn.supply_v - 1) < 0.025, `${supply_v} V`);
+    for (const celsius of temperature_c.sensors) assert.ok(Math.abs(celsius - kAmbientC) < 1.5, `${temperature_c.sensors}`);
     await ball.call('sim.set', { fault: { faults: ['sensor_open'] } });
     await daemon.state('tripped');
     assert.match(await does(daemon, 'status'), /sensor_open/);
@@ -75,16 +112,15 @@ test('a ball that has never been driven is brought up with the commands of the g
     const words = ['calibrate', '--name', 'ball-7', '--pushed', 'x=front,y=left,z=up', '--out', found];
     assert.match(await does(daemon, ...words, ...(kThermal ? ['--thermal'] : [])), /ball-7\.json/);
   });
-  const file = JSON.parse(readFileSync(found, 'utf8').replace(/^\s*\/\/.*$/gm, ''));
+  const file = readFound();
   assert.equal(file.name, 'ball-7');
   kDrawn.r25_ohm.forEach((ohm, k) => assert.ok(Math.abs(file.r25_ohm[k] - ohm) < kOhmTolerance * ohm, `winding ${k}: ${file.r25_ohm[k]} ohm for ${ohm}`));
   assert.ok(Math.abs(file.inductance_h - kDrawn.inductance_h) < 0.1 * kDrawn.inductance_h);
-  if (kThermal) assert.ok(Array.isArray(file.thermal.winding_j_k) || file.thermal.winding_j_k > 0);
 });
 
-test('with that file it gives its first push', async () => {
-  const file = JSON.parse(readFileSync(found, 'utf8').replace(/^\s*\/\/.*$/gm, ''));
-  await withDaemon(await start({ 'ball-7': file }, 'ball-7'), async (daemon) => {
+test('with that file it gives its first push, and its values are those of the ball', async () => {
+  const file = readFound();
+  await withDaemon(await start({ 'ball-7': file }, 'ball-7'), async (daemon, ball) => {
     await daemon.state('armed');
     for (const [direction, k] of [['front', 0], ['left', 1], ['up', 2]]) {
       const before = daemon.trace().length;
@@ -94,6 +130,13 @@ test('with that file it gives its first push', async () => {
       await eventually('no current', () => daemon.trace().slice(before).some(({ event }) => event === 'zero'));
       line.peak_ma.forEach((ma, i) => assert.ok(i === k ? ma > 9500 && ma < 10_500 : Math.abs(ma) < 300, `${direction}: ${line.peak_ma} mA`));
     }
-    assert.equal((await daemon.ball.status()).last_trip, null);
+    const gains = await measureGains(ball, kDrawn.supply_v);
+    file.r25_ohm.forEach((ohm, k) => {
+      const share = ohm / kDrawn.r25_ohm[k] * gains.current[k] / gains.supply - 1;
+      console.log(`winding ${k}: R25 off by ${(100 * share).toFixed(2)} %, gain of its current ${gains.current[k].toFixed(4)}, of the supply ${gains.supply.toFixed(4)}`);
+      assert.ok(Math.abs(share) < kOhmToleranceAtGains, `winding ${k}: ${share}`);
+    });
+    if (kThermal) checkThermal(file, gains);
+    assert.equal((await ball.status()).last_trip, null);
   });
 });

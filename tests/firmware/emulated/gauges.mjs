@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// Gains of the board's readings, as bench instruments measure them: against the true current and voltage of the simulated ball.
+import { eventually } from './daemon.mjs';
+
+const kReadings = 40;
+/** Not a divisor of the supply's ripple (100 Hz). */
+const kRateHz = 30;
+const kCurrentA = 3;
+const kLeaseMs = 20_000;
+/** Directions of positive and negative current in each winding, for a ball with the identity as its coil matrix. */
+const kSides = [['front', 'back'], ['left', 'right'], ['up', 'down']];
+
+const mean = (values) => values.reduce((sum, one) => sum + one, 0) / values.length;
+
+/** Mean of `read(status)` over the next telemetry. */
+async function meanReading(ball, fields, read) {
+  const values = [];
+  for await (const status of ball.telemetry(kRateHz, fields)) {
+    values.push(read(status));
+    if (values.length === kReadings) break;
+  }
+  await ball.call('telemetry.unsubscribe');
+  return mean(values);
+}
+
+/** Read and true current of winding `k` while kCurrentA flow towards `side`, A. */
+async function currents(ball, side, k) {
+  await ball.hold(side, { slot: 'gauges', current_a: kCurrentA, lease_ms: kLeaseMs });
+  const truth = async () => (await ball.call('sim.truth')).current_a[k];
+  const before = await eventually(`${kCurrentA} A flow ${side}`, async () => {
+    const now = await truth();
+    return Math.abs(now) > 0.9 * kCurrentA && Math.abs(now - await truth()) < 0.05 && now;
+  });
+  const read = await meanReading(ball, ['current_a'], ({ current_a }) => current_a[k]);
+  const trueA = (before + await truth()) / 2;
+  await ball.call('effect.stop_all');
+  return { read, trueA };
+}
+
+/** REQUIRES: armed, no current. { supply, current: [x, y, z] }: what is read of 1 V and of 1 A, without the sensors' offsets. */
+export async function measureGains(ball, supplyV) {
+  const supply = await meanReading(ball, ['supply_v'], ({ supply_v }) => supply_v) / supplyV;
+  const current = [];
+  for (const [k, [positive, negative]] of kSides.entries()) {
+    const [up, down] = [await currents(ball, positive, k), await currents(ball, negative, k)];
+    current.push((up.read - down.read) / (up.trueA - down.trueA));
+  }
+  return { supply, current };
+}
