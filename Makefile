@@ -174,7 +174,7 @@ test-web: dashboard racer-page build/.packages-web $(CONFIGURED_DEV)
 # The client libraries of all languages.
 test-sdk: dashboard racer-page $(CONFIGURED_DEV) build/.packages-dashboard build/.packages-web build/.packages-csharp build/.packages-godot \
   build/.packages-python
-	@$(LOCK_DEV) $(BUILD_DEV) --target hedgehogd hedgehogctl cpp_conformance cpp_racer slow_names
+	@$(LOCK_DEV) $(BUILD_DEV) --target hedgehogd hedgehogctl cpp_conformance cpp_racer cpp_session slow_names
 	@$(STAGE) 'tests sdk' tests/sdk/run.sh build/dev
 
 test-openrpc: build/.packages-dashboard

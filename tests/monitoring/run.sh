@@ -43,16 +43,33 @@ said() {
 running+=($!)
 ball=$(said "listening on http://")
 
-echo 'global: { evaluation_interval: 1s }' >"$work/prometheus.yml"
+# start_prometheus NAME [OPTION]...: of the configuration $work/NAME.yml; the next line with "Listening on" has its address.
+start_prometheus() {
+  local name=$1
+  shift
+  promtool check config "$work/$name.yml"
+  prometheus --config.file="$work/$name.yml" --storage.tsdb.path="$work/$name" --web.listen-address=127.0.0.1:0 "$@" \
+    >"$work/$name.log" 2>"$work/lines" &
+  running+=($!)
+}
+
+echo 'global: { evaluation_interval: 1s }' >"$work/second.yml"
+start_prometheus second --web.enable-remote-write-receiver
+second=$(said 'msg="Listening on" address=')
+
+# scrape.yml with its example of remote_write, which is a comment there.
+echo 'global: { evaluation_interval: 1s }' >"$work/first.yml"
 sed -e "s|/usr/share/hedgehog/monitoring|$monitoring|; s|/etc/hedgehog/balls.json|$work/balls.json|; s|scrape_interval: 5s|scrape_interval: 1s|" \
-  "$monitoring/scrape.yml" >>"$work/prometheus.yml"
+  -e "/^#remote_write:/,\$ s/^#//; s|https://metrics.example:9090/|http://$second/|" \
+  -e "s|/etc/prometheus/remote-write.password|$work/password|" "$monitoring/scrape.yml" >>"$work/first.yml"
+grep -q '^remote_write:' "$work/first.yml"
+echo secret >"$work/password"
 sed -e "s|127.0.0.1:7587|$ball|" "$monitoring/balls.json" >"$work/balls.json"
-promtool check config "$work/prometheus.yml"
-prometheus --config.file="$work/prometheus.yml" --storage.tsdb.path="$work/data" --web.listen-address=127.0.0.1:0 \
-  >"$work/prometheus.log" 2>"$work/lines" &
-running+=($!)
+start_prometheus first
 prometheus=$(said 'msg="Listening on" address=')
 
 step "Prometheus at $prometheus, a ball at $ball"
 python3 "$here/queries.py" "$monitoring" "http://$prometheus" "$ball"
+step "remote_write to a Prometheus at $second"
+python3 "$here/remote_write.py" "$monitoring" "http://$prometheus" "http://$second" "$ball"
 step "all is well"

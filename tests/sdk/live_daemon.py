@@ -23,9 +23,12 @@ def limit(process):
 
 
 class LiveDaemon:
-    """Listens once constructed; also with TLS at `tls_address`, with `fingerprint`, for clients with `token` (of `role`)."""
+    """Listens once constructed; also with TLS at `tls_address`, with `fingerprint`, for clients with `token` (of `role`).
 
-    def __init__(self, program, role="play"):
+    `options`: of hedgehogd, besides --simulate.
+    """
+
+    def __init__(self, program, role="play", options=()):
         self._folder = tempfile.TemporaryDirectory()
         self.token = "hht_of-a-test"
         self.fingerprint = self._make_access(os.path.join(self._folder.name, "hedgehog"), role)
@@ -34,8 +37,8 @@ class LiveDaemon:
             environment[name] = self._folder.name
         for name in ("RUNTIME_DIRECTORY", "STATE_DIRECTORY"):
             environment.pop(name, None)
-        self._process = subprocess.Popen([program, "--simulate", "--listen", "tls://127.0.0.1:0", "--listen", "127.0.0.1:0"], env=environment,
-                                         stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        self._process = subprocess.Popen([program, "--simulate", *options, "--listen", "tls://127.0.0.1:0", "--listen", "127.0.0.1:0"],
+                                         env=environment, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
         timer = limit(self._process)
         self.address = ""
         self.tls_address = ""

@@ -47,6 +47,11 @@ bounded unity/run.sh "$daemon"
 bounded "$build/tests/sdk/cpp_conformance" "$PWD"
 bounded ./cpp_live.sh "$build"
 
+# The sessions that tests/e2e/sessions has recordings of, as the libraries are now.
+recorded=$(mktemp -d)
+trap 'rm -rf "$HEDGEHOG_CONFORMANCE_TABLE" "$recorded"' EXIT
+bounded sessions/record.py "$daemon" "$build/tests/sdk/cpp_session" "$recorded"
+
 # Godot.
 bounded godot/run.sh "$daemon"
 

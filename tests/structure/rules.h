@@ -40,7 +40,28 @@ Violations check_links(const SourceFile& file, const SourceTree& tree);
 
 // Each message that the first column of a table quotes, `like … this`, occurs in a source of the
 // product.
-Violations check_quoted_messages(const SourceFile& file, const SourceTree& tree);
+Violations check_quoted_messages(const SourceFile& page, const SourceTree& tree);
+
+// A message without a row, quoted like one, and why it needs none.
+struct Unexplained {
+  std::string quoted;
+  std::string reason;
+};
+
+// What a program prints when something is wrong: the calls, initializers and assignments in the
+// sources of `folder` that begin with one of `openers`, and the page with a row for each.
+struct ProgramMessages {
+  std::string folder;
+  std::vector<std::string> openers;
+  std::string page;
+  std::vector<Unexplained> unexplained;
+};
+
+// Each message of the program has a row; what is listed as unexplained is in a source.
+Violations check_explained_messages(const ProgramMessages& program, const SourceTree& tree);
+
+// Each name of a protocol's error in `errors` has a row.
+Violations check_explained_errors(const SourceFile& errors, const SourceFile& page);
 
 // A folder of the product has at most kMaxSources files in C++, without those of its subfolders;
 // a larger folder has more than one purpose.

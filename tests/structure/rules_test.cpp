@@ -149,6 +149,43 @@ TEST(MessageRule, FindsWhatNoSourceSays) {
               ElementsAre("a.md:3: no source says \"never said\""));
 }
 
+ProgramMessages program_of(std::vector<Unexplained> unexplained) {
+  return {"daemon/", {"warn(", "Problem{"}, "a.md", std::move(unexplained)};
+}
+
+TEST(MessageRule, WantsARowForEachMessage) {
+  SourceTree tree{
+      {{"a.md", {"| message | why |", "| `late: … ticks skipped` | |", "| `busy` | |"}},
+       {"daemon/a.cpp",
+        {"warn(\"{}: late: {} tic\"", "     \"ks skipped\", name(';', '\"'), 1'000);",
+         "return Problem{1, file + \": busy; \" + why};", "warn(\"{}: {}\", file, why);"}}},
+      {},
+      {}};
+  EXPECT_THAT(check_explained_messages(program_of({}), tree),
+              ElementsAre("daemon/a.cpp: no row of a.md explains \": busy; \""));
+  EXPECT_THAT(check_explained_messages(program_of({{": busy; ", "a reason"}}), tree), IsEmpty());
+  tree.files[0].lines.emplace_back("| `…: busy; …` | |");
+  EXPECT_THAT(check_explained_messages(program_of({}), tree), IsEmpty());
+}
+
+TEST(MessageRule, FindsWhatIsListedInVain) {
+  const SourceTree tree{
+      {{"a.md", {"| `all is lost` | |"}}, {"daemon/a.cpp", {"warn(\"all is lost\");"}}}, {}, {}};
+  EXPECT_THAT(check_explained_messages(program_of({{"all is well", "a reason"}}), tree),
+              ElementsAre("daemon/: no source says \"all is well\", which is listed as unexplained",
+                          "daemon/: no message begins with Problem{"));
+}
+
+TEST(MessageRule, WantsARowForEachErrorOfTheProtocol) {
+  const SourceFile errors{"error.cpp",
+                          {"case ErrorCode::kBusy:", "  return \"busy\";",
+                           "case ErrorCode::kArmed:", "  return \"armed\";"}};
+  EXPECT_THAT(check_explained_errors(errors, {"a.md", {"| `busy` | |", "| `not armed` | |"}}),
+              ElementsAre("error.cpp:4: no row of a.md explains armed"));
+  EXPECT_THAT(check_explained_errors({"error.cpp", {}}, {"a.md", {}}),
+              ElementsAre("error.cpp: names no error"));
+}
+
 TEST(ReadmeRule, LooksAtTopLevelFoldersAndLayers) {
   const SourceTree tree{{},
                         {"cmake", "cmake/apt", "daemon", "daemon/device", "tests", "tests/bench"},

@@ -65,10 +65,6 @@ TEST_F(Tree, LinksLeadSomewhere) {
               IsEmpty());
 }
 
-TEST_F(Tree, TroubleshootingQuotesWhatIsSaid) {
-  EXPECT_THAT(check_quoted_messages(file_at("daemon/troubleshooting.md"), tree()), IsEmpty());
-}
-
 /// The lines of the first block of code.
 std::string first_commands(const SourceFile& readme) {
   std::string commands;
