@@ -4,6 +4,7 @@
 
 import json
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -16,11 +17,11 @@ LINES = [(library, case["name"], "ok") for library in DOCUMENT["libraries"] for 
 
 
 class Table(unittest.TestCase):
-    def table(self, lines):
+    def table(self, lines, folder=HERE, *options):
         with tempfile.NamedTemporaryFile("w", encoding="utf-8") as file:
             file.writelines("\t".join(line) + "\n" for line in lines)
             file.flush()
-            return subprocess.run([sys.executable, str(HERE / "conformance_table.py"), file.name],
+            return subprocess.run([sys.executable, str(folder / "conformance_table.py"), file.name, *options],
                                   stdout=subprocess.PIPE, text=True, check=False)
 
     def test_every_library_passes_every_case(self):
@@ -46,6 +47,17 @@ class Table(unittest.TestCase):
         others = [("godot4", case["name"], "ok") for case in DOCUMENT["cases"]]
         self.assertEqual(self.table(LINES + others).returncode, 0)
         self.assertEqual(self.table(LINES + others[1:]).returncode, 1)
+
+    def test_a_page_with_another_table_is_refused_until_it_is_written(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            for file in ("conformance.json", "conformance.md", "conformance_table.py"):
+                shutil.copy(HERE / file, folder)
+            page = folder / "conformance.md"
+            page.write_text(page.read_text(encoding="utf-8").replace("| ok |", "| - |", 1), encoding="utf-8")
+            self.assertEqual(self.table(LINES, folder).returncode, 1)
+            self.assertEqual(self.table(LINES, folder, "--write").returncode, 0)
+            self.assertEqual(page.read_text(encoding="utf-8"), (HERE / "conformance.md").read_text(encoding="utf-8"))
 
 
 if __name__ == "__main__":
