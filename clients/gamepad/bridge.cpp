@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <utility>
 #include <variant>
+
+#include "clients/gamepad/device_command_text.h"
 
 namespace hedgehog::gamepad {
 
@@ -67,14 +70,26 @@ Result<void> Bridge::handle_device(TimePoint now) {
 }
 
 void Bridge::handle(const DeviceCommand& command, TimePoint now) {
-  if (const auto* upload = std::get_if<UploadRequest>(&command))
-    device_.answer_upload(*upload, player_.upload(upload->effect, now));
-  else if (const auto* erase = std::get_if<EraseRequest>(&command))
-    device_.answer_erase(*erase, player_.erase(erase->id, now));
-  else if (const auto* play = std::get_if<PlayCommand>(&command))
+  const int error = carry_out(command, now);
+  if (!options_.trace) return;
+  report_("game: " + to_text(command) +
+          (error == 0 ? "" : std::string(": refused, ") + std::strerror(error)));
+}
+
+int Bridge::carry_out(const DeviceCommand& command, TimePoint now) {
+  int error = 0;
+  if (const auto* upload = std::get_if<UploadRequest>(&command)) {
+    error = player_.upload(upload->effect, now);
+    device_.answer_upload(*upload, error);
+  } else if (const auto* erase = std::get_if<EraseRequest>(&command)) {
+    error = player_.erase(erase->id, now);
+    device_.answer_erase(*erase, error);
+  } else if (const auto* play = std::get_if<PlayCommand>(&command)) {
     player_.play(play->id, play->count, now);
-  else if (const auto* gain = std::get_if<GainCommand>(&command))
+  } else if (const auto* gain = std::get_if<GainCommand>(&command)) {
     player_.set_gain(gain->gain);
+  }
+  return error;
 }
 
 Result<void> Bridge::handle_daemon(TimePoint now) {

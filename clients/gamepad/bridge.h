@@ -18,7 +18,8 @@ struct BridgeOptions {
   std::vector<client::Address> addresses{};
   TranslationOptions translation{};
   TiltOptions tilt{};
-  bool once = false;  // ends with the connection instead of reconnecting
+  bool once = false;   // ends with the connection instead of reconnecting
+  bool trace = false;  // reports every command of the games
 };
 
 /// One thread, which answers a game at once whether or not the daemon is connected. A game's
@@ -41,6 +42,8 @@ class Bridge {
   void wait() const;
   Result<void> handle_device(TimePoint now);
   void handle(const DeviceCommand& command, TimePoint now);
+  /// The errno of the response, 0 for success and for commands without a response.
+  int carry_out(const DeviceCommand& command, TimePoint now);
   /// A lost connection is no error unless `once`.
   Result<void> handle_daemon(TimePoint now);
   client::Outcome<void> connect();

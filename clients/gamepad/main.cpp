@@ -81,6 +81,7 @@ int main(int argc, char** argv) {
       .range(0.5, 4.0)
       .show_default();
   app.add_flag("--once", options.once, "ends with the connection instead of reconnecting");
+  app.add_flag("--trace", options.trace, "prints what games upload, play, erase and set as gain");
   if (const auto code = client::parse_arguments(app, argc, argv)) return *code;
   options.translation.sdl_rumble = sdl_rumble == "yes";
   for (const auto word : {protocol::Word::kUp, protocol::Word::kDown, protocol::Word::kLeft,

@@ -10,6 +10,7 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "clients/gamepad/bridge.h"
 #include "model/quaternion.h"
@@ -89,9 +90,10 @@ class Gamepad : public testing::Test {
                {{"scope", "all"}, {"types", {"effect_started", "effect_ended"}}});
     gamepad::BridgeOptions options;
     options.addresses = {client::parse_address(daemon_.socket()).value()};
+    options.trace = true;
     thread_ = std::thread([this, options] {
       gamepad::Bridge bridge(
-          device_, options, [this](const std::string&) { connected_ = true; });
+          device_, options, [this](const std::string& line) { report(line); });
       (void)bridge.run([this] { return stop_.load(); });
     });
     EXPECT_TRUE(eventually([&] { return connected_.load(); }));
@@ -99,6 +101,17 @@ class Gamepad : public testing::Test {
   ~Gamepad() override {
     stop_ = true;
     thread_.join();
+  }
+  void report(const std::string& line) {
+    const std::lock_guard lock(mutex_);
+    if (line.starts_with("game: "))
+      trace_.push_back(line);
+    else
+      connected_ = true;
+  }
+  std::vector<std::string> trace() const {
+    const std::lock_guard lock(mutex_);
+    return trace_;
   }
   int upload(const ff_effect& effect) {
     device_.command(gamepad::UploadRequest{1, effect});
@@ -119,6 +132,8 @@ class Gamepad : public testing::Test {
   FakeGamepad device_;
   std::atomic<bool> connected_ = false;
   std::atomic<bool> stop_ = false;
+  mutable std::mutex mutex_;
+  std::vector<std::string> trace_;
   std::thread thread_;
 };
 
@@ -150,6 +165,8 @@ TEST_F(Gamepad, ASpringIsRefused) {
   ff_effect spring{};
   spring.type = FF_SPRING;
   EXPECT_EQ(upload(spring), EINVAL);
+  EXPECT_TRUE(eventually([&] { return !trace().empty(); }));
+  EXPECT_EQ(trace().front(), "game: upload 0: type 0x53, endless: refused, Invalid argument");
 }
 
 TEST_F(Gamepad, TiltingTheBallMovesTheStick) {

@@ -2,6 +2,7 @@
 #include "tests/vm/gamepad_bench.h"
 
 #include <cstdio>
+#include <sstream>
 
 #include "tests/e2e/programs.h"
 
@@ -37,8 +38,19 @@ std::vector<std::string> GamepadBench::debian_environment() const {
   return variables;
 }
 
+std::vector<std::string> GamepadBench::game_commands() const {
+  static const std::string kBegin = "hedgehog-gamepad: game: ";
+  std::vector<std::string> commands;
+  std::istringstream log(bridge_log());
+  for (std::string line; std::getline(log, line);)
+    if (line.starts_with(kBegin)) commands.push_back(line.substr(kBegin.size()));
+  return commands;
+}
+
 void GamepadBench::print(const std::string& program) const {
-  std::printf("  %s; the ball:\n%s", program.c_str(), ball_->text().c_str());
+  std::printf("  %s sent:\n", program.c_str());
+  for (const std::string& command : game_commands()) std::printf("    %s\n", command.c_str());
+  std::printf("  the ball:\n%s", ball_->text().c_str());
   std::fflush(stdout);
 }
 

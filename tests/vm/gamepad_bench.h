@@ -39,7 +39,9 @@ class GamepadBench : public testing::Test {
   void turn(const model::Quaternion& q);
   /// NAME=VALUE for Debian's programs, which find only Debian's own interpreters.
   std::vector<std::string> debian_environment() const;
-  /// Prints in the test's output which effects `program` played.
+  /// What the games have uploaded and played, a line each, if the bridge has the option --trace.
+  std::vector<std::string> game_commands() const;
+  /// Prints in the test's output what `program` sent to the gamepad and what the ball did.
   void print(const std::string& program) const;
 
   Home home_;

@@ -15,7 +15,7 @@ constexpr double kFeltA = 2.1;
 
 class GamepadBrowser : public GamepadBench {
  protected:
-  void SetUp() override { begin(); }
+  void SetUp() override { begin({"--trace"}); }
   /// Reads from the ball until the page has printed the text.
   bool prints(const std::string& text) {
     const auto is_printed = [&] { return printed().find(text) != std::string::npos; };

@@ -49,7 +49,7 @@ bool holds(pid_t process, const std::string& file) {
 class GamepadGame : public GamepadBench {
  protected:
   void SetUp() override {
-    begin();
+    begin({"--trace"});
     // The file that the game's own setup writes when a person selects a gamepad.
     home_.write("player.cfg", "use_joystick 1\nscreenblocks 7\n");
     home_.write(
@@ -133,6 +133,7 @@ TEST_F(GamepadGame, ChocolateDoomIsSteeredByTilting) {
   };
   EXPECT_TRUE(eventually(is_closed, kCloseMs, kManyMinutes)) << problem;
   EXPECT_THAT(printed(), HasSubstr("recorded"));
+  EXPECT_THAT(game_commands(), testing::Each(testing::StartsWith("gain "))) << "no effects";
 
   const std::vector<Steering> ticks = steering_of(home_.read("tilt.lmp"));
   ASSERT_FALSE(ticks.empty());

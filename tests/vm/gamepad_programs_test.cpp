@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Debian programs without support for the ball, unmodified, on the gamepad.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include "tests/folders.h"
 #include "tests/vm/gamepad_bench.h"
@@ -10,6 +12,8 @@
 namespace hedgehog::vm {
 namespace {
 
+using testing::Contains;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 
 const std::string kSdlTests = "/usr/libexec/installed-tests/SDL2/";
@@ -40,7 +44,7 @@ class Typed {
 
 class GamepadPrograms : public GamepadBench {
  protected:
-  void SetUp() override { begin(); }
+  void SetUp() override { begin({"--trace"}); }
   void start(const std::vector<std::string>& words) {
     std::vector<std::string> environment = debian_environment();
     environment.emplace_back("SDL_VIDEODRIVER=dummy");
@@ -52,6 +56,12 @@ class GamepadPrograms : public GamepadBench {
     EXPECT_TRUE(ball_->until([&] { return program_->ended(); })) << said();
   }
   std::string said() const { return home_.read("program"); }
+  /// How often the program has started an effect at the event node.
+  std::size_t plays() const {
+    const std::vector<std::string> all = game_commands();
+    return static_cast<std::size_t>(std::count_if(
+        all.begin(), all.end(), [](const auto& one) { return one.starts_with("play "); }));
+  }
   /// The effects of the ball in the order of their starts.
   const PlayedEffect& effect(std::size_t number) const { return ball_->played().at(number); }
 
@@ -80,6 +90,8 @@ TEST_F(GamepadPrograms, Fftest) {
   ASSERT_EQ(ball_->played().size(), 4U) << ball_->text();
   for (const PlayedEffect& one : ball_->played()) EXPECT_EQ(one.ended, "stopped") << ball_->text();
   print("fftest");
+  EXPECT_THAT(game_commands(), Contains(HasSubstr(": sine from 0x4000, ")));
+  EXPECT_THAT(game_commands(), Contains(ContainsRegex(": constant [0-9]+ from 0x6000, attack ")));
 }
 
 // The effects of SDL's list that the ball can play, five seconds each, forces by the compass
@@ -104,6 +116,7 @@ TEST_F(GamepadPrograms, SdlTesthaptic) {
                                   {"Ramp", "effect.play", azimuth(225 - 180)},
                                   {"Left/Right", "effect.vibrate", kDown}};
   ASSERT_EQ(ball_->played().size(), all.size()) << said();
+  EXPECT_EQ(plays(), all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     const PlayedEffect& one = effect(i);
     EXPECT_THAT(said(), HasSubstr("effect " + std::to_string(i) + ": " + all[i].text));
@@ -121,6 +134,7 @@ TEST_F(GamepadPrograms, SdlTestrumble) {
   wait();
   print("testrumble");
   ASSERT_GE(ball_->played().size(), 2U) << said();
+  EXPECT_GE(plays(), ball_->played().size());
   for (const PlayedEffect& one : ball_->played()) {
     EXPECT_EQ(one.method, "effect.vibrate");
     EXPECT_GT(dot(one.side, kDown), 0.99) << "SDL's rumble has no direction";
@@ -136,6 +150,7 @@ TEST_F(GamepadPrograms, Pygame) {
   EXPECT_THAT(said(), HasSubstr(std::string(kGamepadName) + " axes 2 buttons 11\nrumble True\n"));
   EXPECT_THAT(said(), HasSubstr("tilted, rumble True"));
   print("python3-pygame");
+  EXPECT_GE(plays(), 2U);
 }
 
 }  // namespace
