@@ -30,6 +30,16 @@ python3 "$package/generate.py" --check || fail "run clients/unity/generate.py"
 forbidden='System\.Reflection|\bdynamic\b|Activator|\.GetType\(|\.Emit|Linq\.Expressions|MakeGeneric|DllImport'
 ! grep -rnE "$forbidden" "$package/Runtime" --include='*.cs' || fail "reflection, generated or native code"
 
+# The core is a library for .NET Standard 2.0; a newer member and a type of .NET Framework are found.
+"$here/standard.sh" "$package/Runtime/Core" || fail "not .NET Standard 2.0"
+for newer in 'bool New { get { return "ball".Contains('"'b'"'); } }' 'System.AppDomainSetup New;'; do
+  mkdir "$work/newer"
+  echo "class Newer { $newer }" >"$work/newer/newer.cs"
+  ! "$here/standard.sh" "$work/newer" >"$work/newer/found" 2>&1 || fail "standard.sh does not find: $newer"
+  grep -qE 'CS1503|CS1061|AppDomainSetup' "$work/newer/found" || fail "standard.sh fails otherwise: $(cat "$work/newer/found")"
+  rm -r "$work/newer"
+done
+
 # assembly NAME FOLDER REFERENCE...: compiles a folder into a library.
 assembly() {
   local name=$1 folder=$2
