@@ -2,13 +2,17 @@
 # SPDX-License-Identifier: MIT
 """Checks the types of the Python library and of a program that uses it strictly, for the oldest supported Python."""
 
+import ast
 import pathlib
+import re
 import subprocess
 import tempfile
 import unittest
 
 HERE = pathlib.Path(__file__).resolve().parent
 PYTHON = HERE.parent.parent / "clients" / "python"
+EXAMPLE = PYTHON.parent / "examples" / "racer.py"
+OLDEST = (3, 9)
 
 
 def check(*files):
@@ -21,8 +25,7 @@ def check(*files):
 
 class Types(unittest.TestCase):
     def test_the_library_and_programs_are_right_and_mistakes_are_refused(self):
-        example = PYTHON.parent / "examples" / "racer.py"
-        self.assertEqual(check("hedgehog", HERE / "python_sample.py", example), "")
+        self.assertEqual(check("hedgehog", HERE / "python_sample.py", EXAMPLE), "")
 
     def test_what_only_a_newer_python_understands_is_refused(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -31,6 +34,25 @@ class Types(unittest.TestCase):
             self.assertIn("Python 3.10", check(newer))
             newer.write_text("from typing import NotRequired\n", encoding="utf-8")
             self.assertIn("NotRequired", check(newer))
+
+
+class Oldest(unittest.TestCase):
+    """The oldest Python that the library runs with; run.sh runs the library in it where $PYTHON39 is set."""
+
+    def test_the_package_and_the_type_checker_name_it(self):
+        project = (PYTHON / "pyproject.toml").read_text(encoding="utf-8")
+        self.assertEqual(re.findall(r'^(?:requires-python = ">=|python_version = ")(.*)"$', project, re.M), ["%d.%d" % OLDEST] * 2)
+
+    def test_it_parses_the_library_and_the_example(self):
+        sources = list((PYTHON / "hedgehog").glob("*.py")) + [EXAMPLE]
+        self.assertGreater(len(sources), 10)
+        for source in sources:
+            with self.subTest(source.name):
+                ast.parse(source.read_text(encoding="utf-8"), str(source), feature_version=OLDEST)
+
+    def test_it_does_not_parse_what_is_newer(self):
+        with self.assertRaises(SyntaxError):
+            ast.parse("match 1:\n    case _:\n        pass\n", feature_version=OLDEST)
 
 
 if __name__ == "__main__":
