@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes addons/hedgehog/methods.gd from the OpenRPC document.
+"""Writes addons/hedgehog/methods.gd and fields.gd from the OpenRPC document.
 
-generate.py [--check]: with --check nothing is written; exit 1 says that the file is not what the document gives.
+generate.py [--check]: with --check nothing is written; exit 1 says that a file is not what the document gives.
 """
 
 import json
@@ -12,7 +12,7 @@ import textwrap
 
 HERE = pathlib.Path(__file__).resolve().parent
 DOCUMENT = HERE.parent.parent / "protocol" / "schema" / "openrpc.json"
-SCRIPT = HERE / "addons" / "hedgehog" / "methods.gd"
+ADDON = HERE / "addons" / "hedgehog"
 
 HEAD = '''\
 # SPDX-License-Identifier: MIT
@@ -59,6 +59,18 @@ func _with(params: Dictionary, key: String, value) -> Dictionary:
 	all[key] = value
 	return all
 '''
+
+FIELDS_HEAD = '''\
+# SPDX-License-Identifier: MIT
+# Written by generate.py from protocol/schema/openrpc.json.
+# The names of the fields of an event and of a status, with their types; the editor completes them. Telemetry has those fields of the
+# status that were asked for.
+#
+#   status[Ball.Fields.Status.TEMPERATURE_C][Ball.Fields.StatusTemperatureC.MODEL]
+'''
+
+# What `event_received` and `telemetry_received` have.
+MESSAGES = ["Event", "Status"]
 
 # Written by hand in ball.gd.
 OWN = ["hello", "events.subscribe", "events.unsubscribe", "telemetry.subscribe", "telemetry.unsubscribe"]
@@ -144,12 +156,60 @@ def script_text():
     return text + TAIL
 
 
+class Fields:
+    """A class of constants for each shape of object in the messages, in the order in which they are named."""
+
+    def __init__(self):
+        self._by_shape = {}
+        self.texts = []
+
+    def add(self, name, schema):
+        """The class's name."""
+        shape = repr(schema)
+        if shape not in self._by_shape:
+            self._by_shape[shape] = name
+            lines = [self._line(name, key, value, key in schema.get("required", [])) for key, value in schema["properties"].items()]
+            self.texts.append("\n\nclass %s:\n%s" % (name, "".join(lines)))
+        return self._by_shape[shape]
+
+    def _line(self, name, key, schema, required):
+        what = self._what(name + pascal(key), schema) + ("" if required else "; optional")
+        return '\tconst %s = "%s"  ## %s\n' % (key.upper(), key, what)
+
+    def _what(self, name, schema):
+        if "anyOf" in schema:
+            return " or ".join(self._what(name, one) for one in schema["anyOf"])
+        kind = schema["type"]
+        if kind == "object":
+            return self.add(name, schema)
+        if kind == "array":
+            # One of the effects is an effect.
+            items = self._what(name[:-1], schema["items"])
+            several = {"number": "numbers", "text": "texts"}.get(items, items)
+            return "array of %s%s" % ("3 " if schema.get("maxItems") == 3 else "", several)
+        return {"string": "text"}.get(kind, kind)
+
+
+def pascal(words):
+    return "".join(part.capitalize() for part in words.split("_"))
+
+
+def fields_text():
+    schemas = json.loads(DOCUMENT.read_text(encoding="utf-8"))["components"]["schemas"]
+    fields = Fields()
+    for name in MESSAGES:
+        fields.add(name, schemas[name])
+    return FIELDS_HEAD + "".join(fields.texts)
+
+
 def main():
-    text = script_text()
-    if "--check" in sys.argv[1:]:
-        return 0 if SCRIPT.is_file() and SCRIPT.read_text(encoding="utf-8") == text else 1
-    SCRIPT.write_text(text, encoding="utf-8")
-    return 0
+    stale = False
+    for path, text in {ADDON / "methods.gd": script_text(), ADDON / "fields.gd": fields_text()}.items():
+        if "--check" not in sys.argv[1:]:
+            path.write_text(text, encoding="utf-8")
+        elif not path.is_file() or path.read_text(encoding="utf-8") != text:
+            stale = True
+    return 1 if stale else 0
 
 
 if __name__ == "__main__":

@@ -30,6 +30,8 @@ func effects():
 	ball.events(["effect_ended"])
 	var status = ANSWER(ball.status())
 	print("state ", status.result.state)
+	var temperature = status.result[Ball.Fields.Status.TEMPERATURE_C][Ball.Fields.StatusTemperatureC.MODEL]
+	print("fields ", temperature > 10 and status.result[Ball.Fields.Status.LOOP][Ball.Fields.StatusLoop.RATE_HZ] > 100)
 	var left = ANSWER(ball.pulse("left", {"level": 0.5, "duration_ms": 30}))
 	var towards = ANSWER(ball.pulse(Vector3(-1, 0, 0), {"level": 0.5, "duration_ms": 30}))
 	print("same pin ", left.result.pin == towards.result.pin)
@@ -85,7 +87,7 @@ func _on_disconnected(reason):
 
 
 func _on_event(event):
-	print("event ", event.type, " ", event.reason)
+	print("event ", event[Ball.Fields.Event.TYPE], " ", event[Ball.Fields.Event.REASON])
 
 
 func _on_status(status):

@@ -108,7 +108,7 @@ class Live(unittest.TestCase):
         self.start_daemon()
         for engine in self.each_engine():
             lines = self.wait_for(self.scene(engine, "effects", self.daemon.address), "telemetry ")
-            for expected in ("state armed", "same pin True", "stopped 1", "refused refused invalid_params level", "its code True",
+            for expected in ("state armed", "fields True", "same pin True", "stopped 1", "refused refused invalid_params level", "its code True",
                              "infinite keyframes[0].level: is no number", "event effect_ended completed",
                              "telemetry with limit_a True"):
                 self.assertIn(expected, lines)
@@ -184,7 +184,7 @@ class Live(unittest.TestCase):
 
 
 class Generated(unittest.TestCase):
-    def test_methods_are_those_of_the_openrpc_document(self):
+    def test_methods_and_fields_are_those_of_the_openrpc_document(self):
         subprocess.run([sys.executable, str(pathlib.Path(GODOT) / "generate.py"), "--check"], check=True)
 
 

@@ -25,6 +25,7 @@ signal subscription_ended(answer)
 signal notification_received(method, params)
 
 const Address = preload("res://addons/hedgehog/address.gd")
+const Fields = preload("res://addons/hedgehog/fields.gd")
 const Request = preload("res://addons/hedgehog/request.gd")
 const Resolver = preload("res://addons/hedgehog/resolver.gd")
 const Session = preload("res://addons/hedgehog/session.gd")
