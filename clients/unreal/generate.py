@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes the plugin's effects and method names from the OpenRPC document.
+"""Writes the plugin's effects, events, status, errors and method names from the OpenRPC document.
 
 generate.py [--check]: with --check nothing is written; exit 1 says that a file is not what the document gives.
 """
@@ -10,20 +10,18 @@ import pathlib
 import sys
 import textwrap
 
+import generate_messages
+from generate_messages import HEAD, pascal
+
 HERE = pathlib.Path(__file__).resolve().parent
 DOCUMENT = HERE.parent.parent / "protocol" / "schema" / "openrpc.json"
 MODULE = HERE / "Source" / "HedgehogHaptics"
 
-HEAD = "// SPDX-License-Identifier: MIT\n// Written by generate.py from protocol/schema/openrpc.json.\n// clang-format off\n"
 # Methods with a structure of their own; what all share is in FHedgehogEffect.
 STRUCTURES = {"effect.circle": "FHedgehogCircle", "effect.play": "FHedgehogPlay"}
 EFFECTS = ["effect.circle", "effect.hold", "effect.play", "effect.pulse", "effect.vibrate"]
 # What is pointed at is an argument of its own.
 ARGUMENTS = ["direction", "axis", "pattern"]
-
-
-def pascal(words):
-    return "".join(part.capitalize() for part in words.replace(".", "_").split("_"))
 
 
 def is_plain(schema):
@@ -169,7 +167,8 @@ def files():
             MODULE / "Public" / "hedgehog_error.h": error_text(document["components"]["errors"]),
             MODULE / "Private" / "hedgehog_effect_json.h": json_header_text(added),
             MODULE / "Private" / "hedgehog_effect_json.cpp": json_source_text(shared, added),
-            MODULE / "Private" / "core" / "methods.h": methods_text(document)}
+            MODULE / "Private" / "core" / "methods.h": methods_text(document),
+            **generate_messages.files(document, MODULE / "Public", MODULE / "Private")}
 
 
 def main():

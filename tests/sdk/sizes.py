@@ -11,7 +11,7 @@ import sys
 
 CLIENTS = pathlib.Path(__file__).resolve().parent.parent.parent / "clients"
 # Files that are not copied into a game.
-APART = ("README.md", "generate.py", "__pycache__", "Samples~", "Example")
+APART = ("README.md", "source.md", "generate.py", "generate_messages.py", "__pycache__", "Samples~", "Example")
 
 
 # Relative tolerance of the documented sizes, because the libraries grow over time.

@@ -8,6 +8,7 @@
 #include "core/client.h"
 #include "core/methods.h"
 #include "hedgehog_effect_json.h"
+#include "hedgehog_message_json.h"
 #include "socket_transport.h"
 
 DEFINE_LOG_CATEGORY_STATIC(LogHedgehog, Log, All);
@@ -46,23 +47,11 @@ FHedgehogAnswer ToAnswer(const FString& Method, const Answer& Came) {
   return Report;
 }
 
-FHedgehogEvent ToEvent(const Json& Params) {
-  FHedgehogEvent Event;
-  Event.Type = FromUtf8(Params["type"].text());
-  Event.Effect = static_cast<int64>(Params["effect"].number());
-  Event.Slot = FromUtf8(Params["slot"].text());
-  Event.Reason = FromUtf8(Params["reason"].text());
-  Event.Json = FromUtf8(Params.to_text());
-  return Event;
-}
-
-FHedgehogStatus ToStatus(const Json& Params) {
-  FHedgehogStatus Status;
-  Status.State = FromUtf8(Params["state"].text());
-  Status.TemperatureC = static_cast<float>(Params["temperature_c"]["model"].number());
-  Status.LimitA = static_cast<float>(Params["limit_a"].number());
-  Status.Json = FromUtf8(Params.to_text());
-  return Status;
+template <class TMessage>
+TMessage To(const Json& Params) {
+  TMessage Message;
+  Read(Params, Message);
+  return Message;
 }
 
 }  // namespace
@@ -80,8 +69,8 @@ void UHedgehogSubsystem::Initialize(FSubsystemCollectionBase& Collection) {
     OnDisconnected.Broadcast(Sentence);
   };
   Listeners.notification = [this](const std::string& Method, const Json& Params) {
-    if (Method == "event") OnEvent.Broadcast(ToEvent(Params));
-    if (Method == "telemetry") OnStatus.Broadcast(ToStatus(Params));
+    if (Method == "event") OnEvent.Broadcast(To<FHedgehogEvent>(Params));
+    if (Method == "telemetry") OnStatus.Broadcast(To<FHedgehogStatus>(Params));
   };
   Listeners.subscription_ended = [this](const std::string& Method, const Answer& Came) {
     Refuse(Method.c_str(), Came);

@@ -12,8 +12,10 @@
 #include "CoreMinimal.h"
 #include "Subsystems/GameInstanceSubsystem.h"
 #include "Tickable.h"
+#include "hedgehog_answer.h"
 #include "hedgehog_effect.h"
-#include "hedgehog_types.h"
+#include "hedgehog_event.h"
+#include "hedgehog_status.h"
 
 #include "hedgehog_subsystem.generated.h"
 
