@@ -3,7 +3,7 @@
 """Tests the quick starts, from an installed daemon to the first pulse: newcomer.py HEDGEHOGD [LIBRARY...].
 
 Each README's program is written to an empty folder beside the sources, and its commands are run verbatim. The printed table has the
-number of commands and the time until the daemon started the first effect. Exit: 1 a quick start fails, or the table of
+number of commands and the time until the daemon started the first pulse. Exit: 1 a quick start fails, or the table of
 clients/README.md has another number of commands.
 """
 
@@ -19,21 +19,24 @@ import time
 import readme
 from readme import CLIENTS, ROOT
 
-sys.path[:0] = [str(CLIENTS / "python"), str(ROOT / "tests" / "sdk" / "godot")]
+sys.path[:0] = [str(CLIENTS / "python"), str(ROOT / "tests" / "sdk" / "godot"), str(ROOT / "tests" / "sdk" / "unreal")]
 
 import hedgehog  # noqa: E402
 import project  # noqa: E402
+import quick_start  # noqa: E402
 from live_daemon import LIMIT_S, LiveDaemon  # noqa: E402
 
 START = "hedgehogd --simulate &"
-# README, language, file. C++ needs an installed library, therefore tests/install runs it.
-LIBRARIES = {"Python": ("python/README.md", "python", "game.py"), "JavaScript": ("js/README.md", "js", "game.mjs"),
-             "C#": ("unity/README.md", "csharp", "game.cs"), "C++": ("lib/README.md", "cpp", "game.cpp"),
-             "Godot": ("godot/README.md", "gdscript", "main.gd")}
+# README, language, files. C++ needs an installed library, therefore tests/install runs it.
+LIBRARIES = {"Python": ("python/README.md", "python", ["game.py"]), "JavaScript": ("js/README.md", "js", ["game.mjs"]),
+             "C#": ("unity/README.md", "csharp", ["game.cs"]), "C++": ("lib/README.md", "cpp", ["game.cpp"]),
+             "Godot": ("godot/README.md", "gdscript", ["main.gd"]), "Unreal": ("unreal/README.md", "cpp", quick_start.FILES)}
+FROM_CLONE = "the daemon, from a clone"
+NOTES = {"Unreal": "  with the stub of the engine"}
 
 
-class FirstEffect:
-    """The time at which the daemon started its first effect."""
+class FirstPulse:
+    """The time at which the daemon started the first effect without a slot: each program's push."""
 
     def __init__(self, address):
         self._ball = hedgehog.Ball(address, name="observer", patience_s=LIMIT_S)
@@ -43,9 +46,10 @@ class FirstEffect:
         self._thread.start()
 
     def _wait(self):
-        for _ in self._events:
-            self.at = time.monotonic()
-            break
+        for event in self._events:
+            if event.get("slot") is None:
+                self.at = time.monotonic()
+                break
 
     def result(self):
         self._thread.join()
@@ -53,8 +57,15 @@ class FirstEffect:
         return self.at
 
 
-def take_way(daemon_program, commands, game):
-    """Seconds until the first effect; None: no effect started."""
+def start_engine(library, game, environment):
+    """The game in its engine; None: the commands have run it."""
+    if library == "Godot":
+        return project.start(game, "godot3", environment)
+    return quick_start.start(game, environment) if library == "Unreal" else None
+
+
+def take_way(daemon_program, library, commands, game):
+    """Seconds until the first pulse; None: there was none."""
     started = time.monotonic()
     assert commands[0] == START, commands
     daemon = LiveDaemon(daemon_program)
@@ -62,57 +73,55 @@ def take_way(daemon_program, commands, game):
                        npm_config_offline="true", npm_config_audit="false", npm_config_fund="false",
                        npm_config_update_notifier="false")
     try:
-        first = FirstEffect(daemon.address)
+        first = FirstPulse(daemon.address)
         for command in commands[1:]:
             subprocess.run(["bash", "-c", command], cwd=game, env=environment, check=True, timeout=LIMIT_S, stdout=subprocess.DEVNULL)
-        if (game / "project.godot").exists():
-            running = project.start(game, "godot3", environment)
-            at = first.result()
+        running = start_engine(library, game, environment)
+        at = first.result()
+        if running:
             running.kill()
             running.communicate()
-        else:
-            at = first.result()
     finally:
         daemon.stop()
     return at - started if at else None
 
 
 def way_of(daemon_program, library):
-    """The number of commands, and the seconds until the first effect."""
-    path, language, file = LIBRARIES[library]
+    """The number of commands, and the seconds until the first pulse."""
+    path, language, files = LIBRARIES[library]
     guide = readme.Readme(path)
-    assert guide.names(file), "clients/%s does not name %s" % (path, file)
     with tempfile.TemporaryDirectory() as folder:
-        os.symlink(ROOT, pathlib.Path(folder) / "hedgehog")
-        game = pathlib.Path(folder) / "game"
+        game = guide.project(folder, language, files)
         if library == "Godot":
-            # The editor's part: a project with a scene, to whose node the script is attached.
-            project.make_project(game, "godot3", guide.program(language))
-            subprocess.run(["rm", "-r", str(game / "addons")], check=True)
-        else:
-            game.mkdir()
-            (game / file).write_text(guide.program(language), encoding="utf-8")
-        return len(guide.commands()), take_way(daemon_program, guide.commands(), game)
+            # The editor's part: a scene, to whose node the script is attached.
+            project.make_scene(game, "godot3")
+        return len(guide.commands()), take_way(daemon_program, library, guide.commands(), game)
 
 
 def documented():
-    """The number of commands in the table of clients/README.md, by library."""
+    """The number of commands in the table of clients/README.md, by library; and from a clone to the daemon."""
     text = (CLIENTS / "README.md").read_text(encoding="utf-8")
-    return {name: int(count) for name, count in re.findall(r"^\| \[([^]]+)\]\([a-z]+/README\.md\) \| (\d+) \|", text, re.M)}
+    return {name: int(count) for name, count in re.findall(r"^\| \[?([^]|]+?)(?:\]\([a-z]+/README\.md\))? \| (\d+) \|", text, re.M)}
+
+
+def print_row(name, commands, seconds, note):
+    """False: the table of clients/README.md has another number of commands."""
+    known = documented().get(name)
+    if known != commands:
+        note += "  clients/README.md says %s commands" % known
+    print("%-24s %9d %9s%s" % (name, commands, seconds, note), flush=True)
+    return known == commands
 
 
 def main():
     libraries = sys.argv[2:] or [one for one in LIBRARIES if one != "C++"]
-    well = True
-    print("%-12s %9s %9s" % ("", "commands", "seconds"))
+    print("%-24s %9s %9s" % ("", "commands", "seconds"))
+    well = print_row(FROM_CLONE, len(readme.Readme("README.md").commands()), "-", "  measured by clone.py")
     for library in libraries:
         commands, seconds = way_of(sys.argv[1], library)
-        known = documented().get(library)
-        problem = "" if seconds is not None else "  nothing was felt"
-        if known != commands:
-            problem += "  clients/README.md says %s commands" % known
-        print("%-12s %9d %9s%s" % (library, commands, "-" if seconds is None else "%.1f" % seconds, problem), flush=True)
-        well = well and not problem
+        note = NOTES.get(library, "") + ("  nothing was felt" if seconds is None else "")
+        row = print_row(library, commands, "-" if seconds is None else "%.1f" % seconds, note)
+        well = well and row and seconds is not None
     return 0 if well else 1
 
 

@@ -52,11 +52,16 @@ def make_project(folder, engine, main, others=()):
     """A project whose only scene runs the text `main`; `others` are scripts beside it."""
     folder = pathlib.Path(folder)
     shutil.copytree(GODOT / "addons", folder / "addons")
-    (folder / "project.godot").write_text(PROJECT % (4 if engine == "godot3" else 5), encoding="utf-8")
-    (folder / "main.tscn").write_text(SCENE if engine == "godot3" else SCENE_4, encoding="utf-8")
+    make_scene(folder, engine)
     (folder / "main.gd").write_text(main, encoding="utf-8")
     for other in others:
         shutil.copy(other, folder)
+
+
+def make_scene(folder, engine):
+    """A project with one scene, which runs main.gd."""
+    (folder / "project.godot").write_text(PROJECT % (4 if engine == "godot3" else 5), encoding="utf-8")
+    (folder / "main.tscn").write_text(SCENE if engine == "godot3" else SCENE_4, encoding="utf-8")
 
 
 def start(folder, engine, environment):

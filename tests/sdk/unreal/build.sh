@@ -1,43 +1,73 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# build.sh OUT: builds the plugin on the stub of the engine, and with it the test programs OUT/conformance and OUT/live. Compiled as
-# Unreal does: without exceptions and RTTI, all sources of the module as one. CXX and CXXFLAGS (-std=c++17) select another compiler
-# and standard.
+# build.sh OUT [PROJECT]: the plugin over the stub of the engine, and with it the test's programs OUT/conformance, OUT/messages and
+# OUT/live. With PROJECT, a game's folder, the plugin in its Plugins/HedgehogHaptics and the sources in its Source/*, as OUT/game. As
+# Unreal compiles them: without exceptions and RTTI, all sources of a module as one. CXX and CXXFLAGS (-std=c++17) choose another
+# compiler and standard.
 set -eu
 
-[ $# -eq 1 ] || { echo "build.sh OUT" >&2; exit 64; }
+[ $# -eq 1 ] || [ $# -eq 2 ] || { echo "build.sh OUT [PROJECT]" >&2; exit 64; }
 out=$1
+project=${2:-}
 root=$(cd -- "$(dirname -- "$0")/../../.." && pwd)
-module=$root/clients/unreal/Source/HedgehogHaptics
 here=$root/tests/sdk/unreal
+plugin=$root/clients/unreal
+if [ -n "$project" ]; then
+  project=$(cd -- "$project" && pwd)
+  plugin=$project/Plugins/HedgehogHaptics
+fi
+module=$plugin/Source/HedgehogHaptics
 
-# The engine's headers, and those that its header tool generates.
-mkdir -p "$out/engine/Modules" "$out/engine/Stats" "$out/engine/Subsystems"
-for header in CoreMinimal Tickable Modules/ModuleManager Stats/Stats Subsystems/GameInstanceSubsystem; do
-  echo '#include "tests/sdk/unreal/engine_stub.h"' >"$out/engine/$header.h"
-done
-for header in AddressInfoTypes IPAddress SocketSubsystem Sockets; do
-  echo '#include "tests/sdk/unreal/sockets_stub.h"' >"$out/engine/$header.h"
-done
-for header in "$module"/Public/*.h; do
-  : >"$out/engine/$(basename "$header" .h).generated.h"
-done
-for source in "$module"/Private/*.cpp "$module"/Private/core/*.cpp; do
-  echo "#include \"$source\""
-done >"$out/module.cpp"
-# The quick start, a member function of the class AMyCar in live.cpp.
-# shellcheck disable=SC2016  # the backticks are Markdown's
-sed -n '/^```cpp$/,/^```$/p' "$root/clients/unreal/README.md" | sed '1d;/^```$/,$d' >"$out/quick_start.inc"
+# The engine's headers.
+mkdir -p "$out/engine/Engine" "$out/engine/GameFramework" "$out/engine/Modules" "$out/engine/Stats" "$out/engine/Subsystems"
+# headers STUB NAME...
+headers() {
+  stub=$1
+  shift
+  for header in "$@"; do
+    echo "#include \"tests/sdk/unreal/$stub.h\"" >"$out/engine/$header.h"
+  done
+}
+headers engine_stub CoreMinimal Tickable Modules/ModuleManager Stats/Stats Subsystems/GameInstanceSubsystem
+headers game_stub Engine/GameInstance GameFramework/Actor
+headers sockets_stub AddressInfoTypes IPAddress SocketSubsystem Sockets
+
+# one NAME FOLDER...: OUT/NAME.cpp, the sources in the folders; and the headers that the engine's tool writes for theirs.
+one() {
+  name=$1
+  shift
+  : >"$out/$name.cpp"
+  for folder in "$@"; do
+    for source in "$folder"/*.cpp; do
+      [ ! -e "$source" ] || echo "#include \"$source\"" >>"$out/$name.cpp"
+    done
+    for header in "$folder"/*.h; do
+      [ ! -e "$header" ] || : >"$out/engine/$(basename "$header" .h).generated.h"
+    done
+  done
+}
+one module "$module/Public" "$module/Private" "$module/Private/core"
 
 command -v ccache >/dev/null && cache=ccache || cache=
+# compile SOURCE OBJECT OPTION...
 compile() {
+  source=$1 object=$2
+  shift 2
   # shellcheck disable=SC2086  # the flags are words
   $cache "${CXX:-c++}" ${CXXFLAGS:--std=c++17} -fno-exceptions -fno-rtti -Wall -Wextra -Wconversion -Wshadow -Werror \
-    -I"$root" -I"$out" -I"$out/engine" -I"$module/Public" -I"$module/Private" -c "$1" -o "$2"
+    -I"$root" -I"$out/engine" -I"$module/Public" "$@" -c "$source" -o "$object"
 }
-compile "$out/module.cpp" "$out/module.o"
+link() { "${CXX:-c++}" -o "$out/$1" "$out/$1.o" "$out/module.o" "$out/engine_stub.o" -pthread; }
+compile "$out/module.cpp" "$out/module.o" -I"$module/Private"
 compile "$here/engine_stub.cpp" "$out/engine_stub.o"
-for program in conformance live; do
-  compile "$here/$program.cpp" "$out/$program.o"
-  "${CXX:-c++}" -o "$out/$program" "$out/$program.o" "$out/module.o" "$out/engine_stub.o" -pthread
-done
+if [ -z "$project" ]; then
+  for program in conformance live messages; do
+    compile "$here/$program.cpp" "$out/$program.o" -I"$module/Private"
+    link "$program"
+  done
+else
+  one game "$here/game" "$project"/Source/*
+  set -- "$project"/Source/*
+  compile "$out/game.cpp" "$out/game.o" "-I$1"
+  link game
+fi

@@ -48,7 +48,28 @@ class FString {
 
 struct FVector {
   FVector(double x, double y, double z) : X(x), Y(y), Z(z) {}
+  FVector operator-() const { return {-X, -Y, -Z}; }
+  static const FVector ZeroVector;
   double X, Y, Z;
+};
+inline const FVector FVector::ZeroVector{0, 0, 0};
+
+struct FQuat {
+  FQuat(double x, double y, double z, double w) : X(x), Y(y), Z(z), W(w) {}
+  static const FQuat Identity;
+  double X, Y, Z, W;
+};
+inline const FQuat FQuat::Identity{0, 0, 0, 1};
+
+template <class T>
+class TArray {
+ public:
+  void Add(const T& item) { items_.push_back(item); }
+  int32 Num() const { return static_cast<int32>(items_.size()); }
+  const T& operator[](int32 index) const { return items_[static_cast<std::size_t>(index)]; }
+
+ private:
+  std::vector<T> items_;
 };
 
 // The log.

@@ -12,22 +12,6 @@
 
 namespace {
 
-/// The part of a game that the quick start uses.
-struct Game {
-  template <class T>
-  T* GetSubsystem() {
-    return &ball;
-  }
-  UHedgehogSubsystem ball;
-};
-
-struct AMyCar {
-  Game* GetGameInstance() { return &game; }
-  void Tick(float DeltaSeconds);
-  Game& game;
-  bool bWasHit = false;
-};
-
 std::string text(const FString& value) { return stub_utf8(*value); }
 
 void print(const std::string& line) {
@@ -61,7 +45,7 @@ void listen(UHedgehogSubsystem& ball) {
   ball.OnDisconnected.bound.push_back(
       [](const FString& why) { print("disconnected " + text(why)); });
   ball.OnEvent.bound.push_back([](const FHedgehogEvent& event) {
-    print("event " + text(event.Type) + " " + text(event.Slot) + " " + text(event.Reason));
+    print("event " + text(event.TypeName) + " " + text(event.Slot) + " " + text(event.Reason));
   });
   ball.OnRefused.bound.push_back([](const FHedgehogAnswer& answer) {
     print("refused " + text(answer.Method) + " " + text(answer.Name) + " " + text(answer.Field) +
@@ -73,8 +57,10 @@ void effects(UHedgehogSubsystem& ball) {
   int started = 0;
   bool ended = false;
   ball.OnEvent.bound.push_back([&](const FHedgehogEvent& event) {
-    if (text(event.Type) == "effect_started") ++started;
-    if (text(event.Type) == "effect_ended") ended = true;
+    if (event.Type == EHedgehogEventType::EffectStarted) ++started;
+    if (event.Type != EHedgehogEventType::EffectEnded) return;
+    ended = true;
+    if (event.bHasOnsetNs && event.bHasOffsetNs && event.OnsetNs < event.OffsetNs) print("flowed");
   });
   ball.SubscribeEvents();
   FHedgehogEffect effect;
@@ -105,7 +91,9 @@ void effects(UHedgehogSubsystem& ball) {
   print("no object: " + text(ask(ball, "ping", "[1]").Message));
   bool measured = false;
   ball.OnStatus.bound.push_back([&measured](const FHedgehogStatus& now) {
-    measured = text(now.State) == "armed" && now.TemperatureC > 10 && now.LimitA > 1;
+    measured = now.bSimulated && text(now.State) == "armed" && now.TemperatureC.Model > 10 &&
+               now.TemperatureC.Coils.Num() == 3 && now.LimitA > 1 && now.Loop.RateHz > 100 &&
+               now.bHasOrientation && now.Orientation.Up.Z > 0.99;
   });
   ball.SubscribeStatus(100);
   run_until(ball, [&measured] { return measured; });
@@ -142,12 +130,9 @@ void racer(UHedgehogSubsystem& ball) {
 
 }  // namespace
 
-#include <quick_start.inc>
-
 int main(int count, char** arguments) {
   const std::string scene = count == 2 ? arguments[1] : "";
-  Game game;
-  UHedgehogSubsystem& ball = game.ball;
+  UHedgehogSubsystem ball;
   listen(ball);
   FSubsystemCollectionBase collection;
   ball.PatienceS = 60;
@@ -169,13 +154,6 @@ int main(int count, char** arguments) {
     for (int frame = 0; frame < 30; ++frame) ball.Tick(0.016f);
     print(std::string("30 frames, ") + (connected ? "connected" : "not connected"));
     run_until(ball, [&connected] { return connected; });
-  } else if (scene == "quick_start") {
-    AMyCar car{game};
-    car.bWasHit = true;
-    run_until(ball, [&car] {
-      car.Tick(0.016f);
-      return false;
-    });
   } else {
     return 64;
   }

@@ -4,7 +4,6 @@
 
 import os
 import pathlib
-import re
 import subprocess
 import sys
 import tempfile
@@ -14,6 +13,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent.parent
 sys.path[:0] = [str(ROOT / "tests" / "sdk"), str(ROOT / "clients" / "python")]
 
 import hedgehog  # noqa: E402
+import quick_start  # noqa: E402
+import readme  # noqa: E402
 from live_daemon import ForwardedAddress, LiveDaemon, Tunnel, limit  # noqa: E402
 
 PROGRAM = sys.argv.pop(2) if len(sys.argv) > 2 else ""
@@ -48,14 +49,18 @@ class Live(unittest.TestCase):
                 return lines
         self.fail("%r was not printed: %s" % (text, "\n".join(lines)))
 
-    def test_the_first_example_of_the_readme_is_felt(self):
-        readme = (ROOT / "clients" / "unreal" / "README.md").read_text(encoding="utf-8")
-        self.assertLessEqual(len(re.search(r"```cpp\n(.*?)```", readme, re.S).group(1).splitlines()), 10)
+    def test_the_quick_start_of_the_readme_is_felt(self):
+        guide = readme.Readme("unreal/README.md")
         address = self.start_daemon().address
-        with hedgehog.Ball(address, patience_s=60) as watcher:
+        with tempfile.TemporaryDirectory() as folder, hedgehog.Ball(address, patience_s=60) as watcher:
+            project = guide.project(folder, "cpp", quick_start.FILES)
+            for command in guide.commands()[1:]:
+                subprocess.run(["bash", "-c", command], cwd=project, check=True)
             slots = set()
             events = watcher.events(["effect_started"], scope="all", patience_s=60)
-            self.start("quick_start", address)
+            running = quick_start.start(project, dict(os.environ, HEDGEHOG_ADDRESS=address))
+            self.addCleanup(self.stop, running)
+            self.addCleanup(limit(running).cancel)
             for event in events:
                 slots.add(event.get("slot"))
                 if len(slots) == 2:
@@ -67,6 +72,7 @@ class Live(unittest.TestCase):
         lines = self.wait_for(self.start("effects", address), "over")
         self.assertIn("connected", lines)
         self.assertIn("event effect_ended  completed", lines)
+        self.assertIn("flowed", lines)
         playing = next(line for line in lines if line.startswith("playing "))
         for expected in ('"state":"armed"', '"slot":"Größe"', '"method":"effect.circle"', '"method":"effect.play"'):
             self.assertIn(expected, playing)
@@ -128,7 +134,7 @@ class Live(unittest.TestCase):
 
 
 class Generated(unittest.TestCase):
-    def test_effects_and_methods_are_those_of_the_openrpc_document(self):
+    def test_effects_events_status_and_methods_are_those_of_the_openrpc_document(self):
         subprocess.run([sys.executable, str(ROOT / "clients" / "unreal" / "generate.py"), "--check"], check=True)
 
 

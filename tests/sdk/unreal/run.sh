@@ -9,5 +9,6 @@ out=$(cd -- "$here/../../.." && pwd)/build/unreal
 
 export PYTHONDONTWRITEBYTECODE=1
 "$here/build.sh" "$out"
+"$out/messages"
 python3 "$here/conformance.py" "$out/conformance"
 python3 "$here/live.py" "$1" "$out/live"

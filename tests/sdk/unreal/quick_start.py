@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: MIT
+"""The game of the quick start in clients/unreal/README.md: its files, and its program over the stub of the engine."""
+
+import pathlib
+import subprocess
+
+HERE = pathlib.Path(__file__).resolve().parent
+FILES = ("Source/MyGame/my_car.h", "Source/MyGame/my_car.cpp")
+
+
+def start(folder, environment):
+    """Compiles the game in that folder, with the plugin that it has, and starts it; what it prints can be read."""
+    out = folder / "Binaries"
+    subprocess.run(["sh", str(HERE / "build.sh"), str(out), str(folder)], check=True)
+    return subprocess.Popen([str(out / "game")], env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
