@@ -31,6 +31,11 @@ bounded python3 python_mdns.py
 bounded python3 python_live.py "$daemon"
 bounded python3 python_types.py
 bounded python3 python_wheel.py "$daemon" "$packed"
+# The oldest Python that the library runs with; Debian 12 does not have it.
+if [ -n "${PYTHON39:-}" ]; then
+  HEDGEHOG_CONFORMANCE_TABLE='' bounded "$PYTHON39" python_conformance.py
+  bounded "$PYTHON39" python_live.py "$daemon"
+fi
 
 # JavaScript, in Node.js and in the browser of tests/web.
 packages=$PWD/../../build/npm
