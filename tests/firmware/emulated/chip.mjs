@@ -20,6 +20,13 @@ const kRomTable = 0x7a;
 const kRomLookup = 0x1d;
 const kRomUsbBoot = 0x2591;
 
+const kSram = 0x20000000;
+const kUsbMemory = 0x50100000;
+const kUsbBuffers = 0x100;
+const kSpiStatus = 0x0c;
+const kSpiReceived = 1 << 2;
+const kMaxPollingCycles = 12;
+
 const kSysInfo = 0x40000000;
 const kResets = 0x4000c000;
 const kWatchdog = 0x40058000;
@@ -69,6 +76,8 @@ export class Chip {
     this.replaceFlash();
     this.replaceRegulator();
     this.fixCore();
+    this.shortenAccesses();
+    this.watchPolling();
     const watchdog = mcu.peripherals[slot(kWatchdog)];
     watchdog.tickEnable = false; // rp2040js: as if the firmware had enabled it
     watchdog.onWatchdogTrigger = () => {
@@ -184,6 +193,55 @@ export class Chip {
     };
   }
 
+  /** SRAM and the USB packets' buffers without rp2040js's search of the address map, with the same result. */
+  shortenAccesses() {
+    const { core, mcu } = this;
+    const halfwords = new Uint16Array(mcu.sram.buffer, mcu.sram.byteOffset, mcu.sram.length / 2);
+    const words = new Uint32Array(mcu.sram.buffer, mcu.sram.byteOffset, mcu.sram.length / 4);
+    const inSram = (address) => address >>> 0 >= kSram && address >>> 0 < kSram + mcu.sram.length;
+    core.readUint16 = (address) => (inSram(address) ? halfwords[((address >>> 0) - kSram) >>> 1] : mcu.readUint16(address));
+    core.readUint32 = (address) => (inSram(address) && (address & 3) === 0 ? words[((address >>> 0) - kSram) >>> 2] : mcu.readUint32(address));
+    core.writeUint8 = (address, value) => {
+      const offset = (address >>> 0) - kUsbMemory;
+      if (offset >= kUsbBuffers && offset < mcu.usbDPRAM.length) mcu.usbDPRAM[offset] = value;
+      else mcu.writeUint8(address, value);
+    };
+  }
+
+  /** Notes each reading of the converter's status that finds nothing received. */
+  watchPolling() {
+    const spi = this.mcu.spi[0];
+    const read = spi.readUint32.bind(spi);
+    this.polling = false;
+    this.polled = { registers: new Uint32Array(16), flags: 0, cycles: -kMaxPollingCycles };
+    spi.readUint32 = (offset) => {
+      const value = read(offset);
+      if (offset === kSpiStatus && (value & kSpiReceived) === 0) this.polling = true;
+      return value;
+    };
+  }
+
+  /** The program waits for the converter: passes of its loop that begin with equal registers, a few cycles apart, are equal up to the next
+   *  event. They are accounted for at once. */
+  skipPolling(end) {
+    this.polling = false;
+    const { core, clock, polled } = this;
+    const flags = (core.N ? 8 : 0) | (core.Z ? 4 : 0) | (core.C ? 2 : 0) | (core.V ? 1 : 0);
+    const cycles = core.cycles - polled.cycles;
+    if (cycles <= kMaxPollingCycles && flags === polled.flags && core.registers.every((value, k) => value === polled.registers[k])) {
+      const next = Math.min(clock.nextAlarm ? clock.nextAlarm.nanos : end, end);
+      const passes = Math.floor((next - clock.nanosCounter - 1) / (cycles * kNanosPerCycle));
+      if (passes > 0) {
+        clock.nanosCounter += passes * cycles * kNanosPerCycle;
+        core.cycles += passes * cycles;
+        this.busyCycles += passes * cycles;
+      }
+    }
+    polled.flags = flags;
+    polled.cycles = core.cycles;
+    polled.registers.set(core.registers);
+  }
+
   /** Runs until the absolute time `us`, or until `stop()` is true after a step. */
   runUntil(us, stop) {
     for (;;) {
@@ -208,6 +266,7 @@ export class Chip {
           const cycles = core.executeInstruction();
           this.busyCycles += cycles;
           clock.tick(cycles * kNanosPerCycle);
+          if (this.polling) this.skipPolling(end);
         }
         if (stop && stop()) return this.checked(true);
       }

@@ -6,7 +6,7 @@ const kReadings = 40;
 /** Not a divisor of the supply's ripple (100 Hz). */
 const kRateHz = 30;
 const kCurrentA = 3;
-const kLeaseMs = 20_000;
+const kLeaseMs = 10_000;
 /** Directions of positive and negative current in each winding, for a ball with the identity as its coil matrix. */
 const kSides = [['front', 'back'], ['left', 'right'], ['up', 'down']];
 
@@ -23,13 +23,14 @@ async function meanReading(ball, fields, read) {
   return mean(values);
 }
 
-/** Read and true current of winding `k` while kCurrentA flow towards `side`, A. */
-async function currents(ball, side, k) {
+/** Read and true current of winding `k` while kCurrentA flow towards `side`, which is `sign` of it, A. */
+async function currents(ball, side, k, sign) {
   await ball.hold(side, { slot: 'gauges', current_a: kCurrentA, lease_ms: kLeaseMs });
   const truth = async () => (await ball.call('sim.truth')).current_a[k];
   const before = await eventually(`${kCurrentA} A flow ${side}`, async () => {
     const now = await truth();
-    return Math.abs(now) > 0.9 * kCurrentA && Math.abs(now - await truth()) < 0.05 && now;
+    // That of the other side may still flow.
+    return sign * now > 0.9 * kCurrentA && Math.abs(now - await truth()) < 0.05 && now;
   });
   const read = await meanReading(ball, ['current_a'], ({ current_a }) => current_a[k]);
   const trueA = (before + await truth()) / 2;
@@ -42,7 +43,7 @@ export async function measureGains(ball, supplyV) {
   const supply = await meanReading(ball, ['supply_v'], ({ supply_v }) => supply_v) / supplyV;
   const current = [];
   for (const [k, [positive, negative]] of kSides.entries()) {
-    const [up, down] = [await currents(ball, positive, k), await currents(ball, negative, k)];
+    const [up, down] = [await currents(ball, positive, k, 1), await currents(ball, negative, k, -1)];
     current.push((up.read - down.read) / (up.trueA - down.trueA));
   }
   return { supply, current };

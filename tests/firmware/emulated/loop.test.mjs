@@ -16,6 +16,8 @@ const kChanges = 200;
 /** A conversion in each millisecond, 0.35 ms into the host's frame, which is sent by the start of the next (E15); the host's next frame
  *  after the telemetry; from a set-point to its PWM. */
 const kMaxUs = { telemetry: 1000 + 750, command: 1000, pwm: 1000 };
+/** Widths of the bins of their histograms. */
+const kBinsUs = { telemetry: 200, command: 5, pwm: 10 };
 
 test('from a changed current to the PWM that answers it: at most the sum of its three parts', withBoard((board, driver) => {
   driver.drive([kDuties[0], 0, 0], 60);
@@ -52,7 +54,7 @@ test('from a changed current to the PWM that answers it: at most the sum of its 
   const all = done.map(({ us, pwmUs }) => pwmUs - us);
   console.log(`current to PWM, all around the loop: median ${percentile(all, 0.5).toFixed(0)} us, worst ${percentile(all, 1).toFixed(0)} us\n${histogram(all, 200)}`);
   for (const [part, values] of Object.entries(parts)) {
-    console.log(`to the ${part}: median ${percentile(values, 0.5).toFixed(0)} us, worst ${percentile(values, 1).toFixed(0)} us\n${histogram(values, 200)}`);
+    console.log(`to the ${part}: median ${percentile(values, 0.5).toFixed(0)} us, worst ${percentile(values, 1).toFixed(0)} us\n${histogram(values, kBinsUs[part])}`);
     assert.ok(percentile(values, 1) <= kMaxUs[part], `${part}: ${percentile(values, 1)} us`);
   }
   // The response takes at least a conversion, a frame in each direction, and the end of a PWM period.

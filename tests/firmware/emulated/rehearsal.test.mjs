@@ -19,10 +19,12 @@ console.log(`seed ${kSeed}: in a room of ${kAmbientC.toFixed(1)} C, ${JSON.strin
 const kDelivered = { name: 'delivered', thermal: { sensor_winding: kDrawn.thermal.sensor_winding } };
 /** Voltage and current are read within 2 % each, the temperature within 1 K (0.4 %). */
 const kOhmTolerance = 0.045;
-/** With the gains of both known. */
-const kOhmToleranceAtGains = 0.01;
+/** With the gains of both known: as stated in the file, and the thermistors' offset. */
+const kOhmToleranceAtGains = 0.015;
 /** As stated in the file: 2.5 standard deviations and the model's 2 %; 0.2 is that of an unknown ball. */
 const kMaxUncertainty = 0.08;
+const kTemporaryFailure = 75; // EX_TEMPFAIL
+const kMaxInterruptions = 10;
 const kThermal = process.env.HEDGEHOG_FIRMWARE_REHEARSAL === 'thermal';
 
 const folder = mkdtempSync(join(tmpdir(), 'hedgehog-rehearsal-'));
@@ -47,9 +49,14 @@ async function withDaemon(daemon, body) {
   }
 }
 
-/** Runs a command that must succeed; returns its output. */
+/** Runs a command that must succeed; returns its output. On a busy machine telemetry may be lost for a second of the ball's time, which
+ *  interrupts `calibrate --thermal`; as its message says, the same command goes on. */
 async function does(daemon, ...words) {
-  const { code, out, err } = await daemon.ctl(...words);
+  let { code, out, err } = await daemon.ctl(...words);
+  for (let again = 0; code === kTemporaryFailure && /telemetry stopped.*The same command goes on/s.test(err) && again < kMaxInterruptions; ++again) {
+    console.log(`interrupted: ${out}${err}`);
+    ({ code, out, err } = await daemon.ctl(...words));
+  }
   assert.equal(code, 0, `${words.join(' ')}: ${out}${err}`);
   console.log(`$ hedgehogctl ${words.join(' ')}\n${out}`);
   return out;
