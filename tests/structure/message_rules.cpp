@@ -92,9 +92,8 @@ Violations check_explained_messages(const ProgramMessages& program, const Source
 }
 
 Violations check_explained_errors(const SourceFile& errors, const SourceFile& page) {
-  static const std::regex kName(R"(^\s*return "([a-z_]+)";) ");
-      const std::vector<Message>
-          quotes = quoted_messages(page);
+  static const std::regex kName(R"~(^\s*return "([a-z_]+)";)~");
+  const std::vector<Message> quotes = quoted_messages(page);
   Violations violations;
   std::size_t names = 0;
   for (std::size_t i = 1; i < errors.lines.size(); ++i) {
