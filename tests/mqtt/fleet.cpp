@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Load of a broker by a fleet: `--balls` connections like hedgehog-mqtt's, each with a ball's
-// telemetry and status, and a subscriber that counts the messages.
+// telemetry and status, and a subscriber that counts the messages; --qos 1 sends the telemetry as
+// status and events are sent.
 #include <unistd.h>
 
 #include <chrono>
@@ -28,6 +29,7 @@ struct Options {
   int seconds = 10;
   double telemetry_hz = 1.0;
   int payload_bytes = 1000;
+  int qos = 0;
   int broker_pid = 0;
 };
 
@@ -81,7 +83,8 @@ int measure(const BrokerOptions& base, const Options& options) {
   counting.client_id = prefix + "-counter";
   auto counter = Broker::open(counting).value();
   if (!wait_for_connection(*counter)) return EX_UNAVAILABLE;
-  counter->subscribe(prefix + "/#", Delivery::kQos0);
+  const Delivery delivery = options.qos == 0 ? Delivery::kQos0 : Delivery::kQos1;
+  counter->subscribe(prefix + "/#", delivery);
   const std::string payload = "{\"x\":\"" + std::string(options.payload_bytes, 'x') + "\"}";
   std::vector<std::unique_ptr<Broker>> balls;
   std::vector<Topics> topics;
@@ -108,7 +111,9 @@ int measure(const BrokerOptions& base, const Options& options) {
   const auto rounds = static_cast<int>(options.seconds * options.telemetry_hz);
   for (int round = 0; round < rounds; ++round) {
     for (std::size_t i = 0; i < balls.size(); ++i) {
-      sent += balls[i]->publish({.topic = topics[i].telemetry(), .payload = payload}) ? 1 : 0;
+      const Message message{
+          .topic = topics[i].telemetry(), .payload = payload, .delivery = delivery};
+      sent += balls[i]->publish(message) ? 1 : 0;
       received += drain(*counter);
       // Spread over the interval, as balls are not synchronised.
       const double at = (round + static_cast<double>(i + 1) / options.balls) / options.telemetry_hz;
@@ -145,6 +150,9 @@ int main(int argc, char** argv) {
   app.add_option("--seconds", options.seconds).range(1, 3600).show_default();
   app.add_option("--telemetry-hz", options.telemetry_hz).range(0.1, 200.0).show_default();
   app.add_option("--payload-bytes", options.payload_bytes).range(1, 60'000).show_default();
+  app.add_option("--qos", options.qos, "1: as status and events are sent and received")
+      .range(0, 1)
+      .show_default();
   if (const auto code = app.parse_and_print(argc, argv)) return *code;
   BrokerOptions base;
   if (const auto set = set_address(base, broker); !set) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compares the messages quoted in the pages of troubleshooting with the string literals of the
-// sources.
+// The messages that the pages of troubleshooting quote, against those of the sources.
 #include <algorithm>
 #include <regex>
 
@@ -93,7 +92,7 @@ Violations check_explained_messages(const ProgramMessages& program, const Source
 }
 
 Violations check_explained_errors(const SourceFile& errors, const SourceFile& page) {
-  static const std::regex kName(R"re(^\s*return "([a-z_]+)";)re");
+  static const std::regex kName(R"~(^\s*return "([a-z_]+)";)~");
   const std::vector<Message> quotes = quoted_messages(page);
   Violations violations;
   std::size_t names = 0;

@@ -47,6 +47,13 @@ std::string literals_from(const std::string& text, std::size_t begin) {
   return literals;
 }
 
+/// Of an object: with parentheses and with braces.
+std::vector<std::string> spellings(const std::string& opener) {
+  std::vector<std::string> both{opener};
+  if (opener.ends_with('(')) both.push_back(opener.substr(0, opener.size() - 1) + "{");
+  return both;
+}
+
 bool has_word(const std::string& text) {
   const auto is_letter = [](unsigned char c) { return std::isalpha(c) != 0; };
   return std::adjacent_find(text.begin(), text.end(), [&](char a, char b) {
@@ -86,10 +93,12 @@ std::vector<Message> messages_in(const SourceFile& source,
   const std::string text = joined_literals(source);
   std::vector<Message> messages;
   for (const std::string& opener : openers) {
-    for (std::size_t at = text.find(opener); at != std::string::npos;
-         at = text.find(opener, at + 1)) {
-      std::string literals = literals_from(text, at + opener.size());
-      if (has_word(literals)) messages.push_back({source.path, 0, std::move(literals)});
+    for (const std::string& spelling : spellings(opener)) {
+      for (std::size_t at = text.find(spelling); at != std::string::npos;
+           at = text.find(spelling, at + 1)) {
+        std::string literals = literals_from(text, at + spelling.size());
+        if (has_word(literals)) messages.push_back({source.path, 0, std::move(literals)});
+      }
     }
   }
   return messages;

@@ -23,8 +23,8 @@ std::string joined_literals(const SourceFile& file);
 std::vector<Message> quoted_messages(const SourceFile& page);
 
 /// The literals of each call, initializer or assignment that begins with one of `openers`
-/// ("spdlog::warn(", "Problem{", "problem_ = "), with "…" between them. Those without a word are
-/// left out: what is printed there is made elsewhere.
+/// ("spdlog::warn(", "problem_ = "), with "…" between them; "Problem(" stands for "Problem{" too.
+/// Those without a word are left out: what is printed there is made elsewhere.
 std::vector<Message> messages_in(const SourceFile& source, const std::vector<std::string>& openers);
 
 /// "a … b" -> "a ", " b".

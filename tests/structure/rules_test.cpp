@@ -150,7 +150,7 @@ TEST(MessageRule, FindsWhatNoSourceSays) {
 }
 
 ProgramMessages program_of(std::vector<Unexplained> unexplained) {
-  return {"daemon/", {"warn(", "Problem{"}, "a.md", std::move(unexplained)};
+  return {"daemon/", {"warn(", "Problem("}, "a.md", std::move(unexplained)};
 }
 
 TEST(MessageRule, WantsARowForEachMessage) {
@@ -173,7 +173,7 @@ TEST(MessageRule, FindsWhatIsListedInVain) {
       {{"a.md", {"| `all is lost` | |"}}, {"daemon/a.cpp", {"warn(\"all is lost\");"}}}, {}, {}};
   EXPECT_THAT(check_explained_messages(program_of({{"all is well", "a reason"}}), tree),
               ElementsAre("daemon/: no source says \"all is well\", which is listed as unexplained",
-                          "daemon/: no message begins with Problem{"));
+                          "daemon/: no message begins with Problem("));
 }
 
 TEST(MessageRule, WantsARowForEachErrorOfTheProtocol) {
