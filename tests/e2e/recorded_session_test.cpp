@@ -22,7 +22,7 @@ const std::string kSent = "→ ";
 const std::vector<std::string> kSessions{"cpp_1_0", "javascript_1_0", "python_1_0", "raw_1_0"};
 
 /// Lines "→ request", "← response or notification", in the order of the recording.
-std::vector<std::string> lines_of(const std::string& session) {
+std::vector<std::string> session_lines(const std::string& session) {
   std::ifstream file(source_folder() + "/tests/e2e/sessions/" + session + ".txt");
   std::vector<std::string> lines;
   for (std::string line; std::getline(file, line);) lines.push_back(line);
@@ -74,7 +74,7 @@ TEST_P(RecordedSession, IsUnderstoodToday) {
   const Home home;
   DaemonProcess daemon(home);
   RawClient client(daemon.port());
-  const std::vector<std::string> lines = lines_of(GetParam());
+  const std::vector<std::string> lines = session_lines(GetParam());
   std::string method;
   for (const std::string& line : lines) {
     const Json then = message_of(line);
@@ -100,7 +100,7 @@ std::set<std::string> methods_called(const std::string& library) {
   std::set<std::string> called;
   for (const std::string& session : kSessions) {
     if (!session.starts_with(library + "_")) continue;
-    for (const std::string& line : lines_of(session))
+    for (const std::string& line : session_lines(session))
       if (line.starts_with(kSent)) called.insert(message_of(line)["method"]);
   }
   return called;
