@@ -8,17 +8,12 @@ set(documents
     SECURITY.md security.md
     config/README.md configuration.md
     config/monitoring/README.md monitoring.md
-    clients/study/troubleshooting.md study-troubleshooting.md
-    clients/troubleshooting.md client-troubleshooting.md
     daemon/access.md access.md
-    daemon/control/trip-reasons.md trip-reasons.md
     daemon/safety.md safety.md
     daemon/troubleshooting.md troubleshooting.md
     protocol/README.md protocol.md
     systemd/README.md systemd.md
-    systemd/device-access.md device-access.md
-    systemd/operate.md operate.md
-    systemd/several-balls.md several-balls.md)
+    systemd/operate.md operate.md)
 # Files elsewhere in the prefix to which documents link.
 set(data
     config/hedgehogd.json ../../hedgehog/hedgehogd.json
