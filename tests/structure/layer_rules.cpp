@@ -112,7 +112,9 @@ const Layer* layer_of(std::string_view path) {
 bool is_cpp(std::string_view path) { return path.ends_with(".h") || path.ends_with(".cpp"); }
 
 // Compiled by Unreal in a game's source tree, with the module's include folders.
-bool is_built_elsewhere(std::string_view path) { return is_inside(path, "clients/unreal"); }
+bool is_built_elsewhere(std::string_view path) {
+  return is_inside(path, "clients/unreal") || is_inside(path, "tests/sdk/unreal/game");
+}
 
 struct Include {
   std::string header;

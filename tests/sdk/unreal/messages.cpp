@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "core/json.h"
-#include "hedgehog_message_json.h"
+#include "clients/unreal/Source/HedgehogHaptics/Private/core/json.h"
+#include "clients/unreal/Source/HedgehogHaptics/Private/hedgehog_message_json.h"
 
 namespace {
 
