@@ -132,9 +132,16 @@ await ball.pulse("left");
 ball.close();' "$clients/js/src/node.js" "$1"
 }
 in_cpp() { "$ctl" --address "$1" pulse left; }
+# plays COMMAND...: with the ball armed. An overloaded machine loses the simulated board at times; found again, it is disarmed.
+plays() {
+  for _ in 1 2 3 4 5; do
+    ! { env -u HEDGEHOG_TOKEN -u HEDGEHOG_FINGERPRINT "$ctl" arm && "$@"; } || return 0
+  done
+  return 1
+}
 for library in python javascript cpp; do
   for address in mdns:// "mdns://$name"; do
-    "in_$library" "$address" >"$work/$library.log" 2>&1 || fail "$library: $address"
+    plays "in_$library" "$address" >"$work/$library.log" 2>&1 || fail "$library: $address"
   done
   ! "in_$library" mdns://another >"$work/$library.log" 2>&1 || fail "$library: another ball was found"
   grep -qF "no ball \"another\" answers on this network (mDNS, 1 s); there are: \"$name\"" "$work/$library.log" || fail "$library: $name"
@@ -147,7 +154,7 @@ eventually found 'len(names) == 2'
 for library in python javascript cpp; do
   ! "in_$library" mdns:// >"$work/$library.log" 2>&1 || fail "$library: one was chosen"
   grep -q 'several balls answer on this network: .*"ball-9" (serial 0009, tls://192.0.2.7:17591)' "$work/$library.log" || fail "$library"
-  "in_$library" "mdns://$name" >"$work/$library.log" 2>&1 || fail "$library: $name of several"
+  plays "in_$library" "mdns://$name" >"$work/$library.log" 2>&1 || fail "$library: $name of several"
   ! HEDGEHOG_FINGERPRINT=${HEDGEHOG_FINGERPRINT//[0-9]/a} "in_$library" "mdns://$name" >"$work/$library.log" 2>&1 ||
     fail "$library: another fingerprint was spoken to"
   grep -q "another fingerprint" "$work/$library.log" || fail "$library: fingerprint"
@@ -163,11 +170,12 @@ on_game ip link set lo up
 on_game ip address add 192.0.2.8/24 dev cable
 on_game ip link set cable up
 eventually on_game "$ctl" --address "mdns://$name" status
-on_game "$ctl" tunnel "mdns://$name" >"$work/tunnel.out" 2>"$work/tunnel.log" &
+# Not by on_game, a function: the signal below is for the tunnel itself.
+ip netns exec game "$ctl" tunnel "mdns://$name" >"$work/tunnel.out" 2>"$work/tunnel.log" &
 tunnel=$!
 eventually grep -qx HEDGEHOG_ADDRESS=127.0.0.1:7586 "$work/tunnel.out"
 in_game() { on_game env -u HEDGEHOG_TOKEN -u HEDGEHOG_FINGERPRINT HEDGEHOG_ADDRESS=127.0.0.1:7586 "$@"; }
-in_game "$ctl" pulse left || fail "no pulse"
+plays in_game "$ctl" pulse left || fail "no pulse"
 
 step "a lost network ends the connections of those who only read, and of those who only send"
 in_game "$ctl" telemetry >"$work/telemetry.out" 2>"$work/reader.log" &
