@@ -417,12 +417,11 @@ instructions-write: $(CONFIGURED_BENCH) build/.packages-bench
 	@tests/bench/instructions/check.sh $(BENCH)/instructions --write
 
 # What waits most of the time goes on beside what computes; its output comes when it has ended. A stage that fails keeps
-# none of the others from being tried; in CI one that would begin too late is not begun (cmake/in_time.sh).
-each_of = @code=0; for one in $(1); do if cmake/in_time.sh "$$one"; then eval "$(MAKE) $$one" || code=1; fi; done; exit $$code
+# none of the others from being tried; in CI one that would begin too late is not begun.
 .PHONY: waiting computing check-in-ci fuzz-in-ci guards-in-ci firmware-guards-in-ci mutations-in-ci
 waiting:
-	$(call each_of,test-openrpc test-json-rpc test-sdk test-web test-usb 'test-deb test-service PACKED=build/bench' test-install \
-	  test-shipped rehearsal test-bids test-monitoring test-mqtt test-discovery test-release)
+	@cmake/each_target.sh test-openrpc test-json-rpc test-sdk test-web test-usb 'test-deb test-service PACKED=build/bench' \
+	  test-install test-shipped rehearsal test-bids test-monitoring test-mqtt test-discovery test-release
 
 # Whose mutants have all been judged once; the other files of tests/mutations/scope.txt still have survivors.
 MUTATED := board_core.cpp heat_budget.h persistence.h thermal_limiter.cpp link.cpp
@@ -440,7 +439,7 @@ BY_TURNS := check-in-ci fuzz-in-ci asan-programs tsan-programs guards-in-ci firm
 TURN := $(shell expr $$(date +%s) / 86400 % $(words $(BY_TURNS)))
 TODAY := $(wordlist $(shell expr $(TURN) + 1),$(words $(BY_TURNS)),$(BY_TURNS)) $(wordlist 1,$(TURN),$(BY_TURNS))
 computing:
-	$(call each_of,shipped instructions faults-ci asan-tests tsan-tests $(TODAY))
+	@cmake/each_target.sh shipped instructions faults-ci asan-tests tsan-tests $(TODAY)
 
 # What is quick and fails often comes first.
 test-all: $(TEST_DEPS)
