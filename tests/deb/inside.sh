@@ -25,7 +25,7 @@ ours() {
   getent passwd | grep hedgehog || true
   getent group | grep hedgehog || true
 }
-purge() { timed apt-get purge -y 'hedgehog*' libhedgehog-dev python3-hedgehog; }
+purge() { timed apt-get purge -y '*hedgehog*'; }
 
 [ -z "$(ours)" ] || fail "this system has known them"
 quietly apt-get update
