@@ -31,7 +31,7 @@ std::string commands_of(const std::string& target) {
   return out;
 }
 
-TEST(FirstRun, BuildsOnlyWhatItStarts) {
+TEST(FirstRun, BuildsOnlyThePrograms) {
   const std::string build = "cmake --build --preset run";
   const auto expect_only = [&](const std::string& target, const std::string& programs) {
     const std::string commands = commands_of(target);
@@ -55,7 +55,7 @@ std::string prerequisites_of(const std::string& file) {
   return rules.substr(at + begin.size(), rules.find('\n', at + 1) - at - begin.size());
 }
 
-TEST(Pages, AreMadeAgainWhenWhatMakesThemChanges) {
+TEST(Pages, AreRebuiltWhenTheirSourcesChange) {
   for (const std::string page : {"www", "racer"}) {
     const std::string prerequisites =
         prerequisites_of("build/run/share/hedgehog/" + page + "/index.html");
@@ -71,7 +71,7 @@ int in_time(const std::string& deadline) {
   return WEXITSTATUS(std::system(command.c_str()));
 }
 
-TEST(Stages, BeginUntilTheDeadlineAndNotAfterIt) {
+TEST(Stages, BeginOnlyBeforeTheDeadline) {
   constexpr const char* kLongAgo = "1";
   constexpr const char* kFarAway = "99999999999";
   EXPECT_EQ(in_time(""), 0) << "outside of CI there is none";
