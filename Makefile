@@ -32,6 +32,8 @@ help:
 	@echo 'make test-all   everything: linters, what ships, fault campaigns, pages, USB, sanitizers, fuzzers (40 minutes)'
 	@echo 'make test-install  what ships, installed, and a game compiled against it'
 	@echo 'make deb        Debian packages in build/deb; make test-deb tries them in a fresh Debian (BEFORE=FOLDER: upgraded from those)'
+	@echo 'make test-deb-upgrade  upgraded from the packages of the commit before, built for it (REV=COMMIT: of that one)'
+	@echo 'make test-deb-reproducible  compiled again in another folder: equal packages'
 	@echo 'make deb-arm64  the same for a Raspberry Pi, cross-compiled, in build/deb-arm64; make test-deb-arm64 tries them in an emulated Debian'
 	@echo 'make test-service  the packages under systemd, in an emulated machine'
 	@echo 'make test-release  the release script (cmake/release.sh), in a clone'
@@ -340,6 +342,18 @@ test-deb: deb
 	@$(STAGE) 'tests reproducible' tests/deb/reproducible.sh $(PACKED) build/deb
 	@$(STAGE) 'tests deb' tests/deb/run.sh build/deb $(BEFORE)
 
+# Upgraded from the packages of REV, made in a worktree of its own: another build of what ships. Not in CI.
+.PHONY: test-deb-upgrade
+test-deb-upgrade: REV = HEAD~1
+test-deb-upgrade: deb
+	@$(STAGE) 'build deb before' cmake/deb_revision.sh $(REV) $(CURDIR)/build/before $(PACKED)
+	@$(STAGE) 'tests deb upgrade' tests/deb/run.sh build/deb build/before/build/deb
+
+# What is committed, compiled again in another folder: equal bytes. Not in CI.
+.PHONY: test-deb-reproducible
+test-deb-reproducible: deb
+	@$(STAGE) 'tests deb reproducible' tests/deb/compiled_again.sh $(PACKED) build/deb
+
 # Packages for arm64, cross-compiled in a fresh Debian below build/, in batches, and tried in a fresh Debian for arm64 in which
 # every program is emulated. Not in make test-all: CI is long enough.
 ARM64_QEMU := build/qemu-aarch64-static
@@ -417,12 +431,11 @@ instructions-write: $(CONFIGURED_BENCH) build/.packages-bench
 	@tests/bench/instructions/check.sh $(BENCH)/instructions --write
 
 # What waits most of the time goes on beside what computes; its output comes when it has ended. A stage that fails keeps
-# none of the others from being tried; in CI one that would begin too late is not begun (cmake/in_time.sh).
-each_of = @code=0; for one in $(1); do if cmake/in_time.sh "$$one"; then eval "$(MAKE) $$one" || code=1; fi; done; exit $$code
+# none of the others from being tried; in CI one that would begin too late is not begun.
 .PHONY: waiting computing check-in-ci fuzz-in-ci guards-in-ci firmware-guards-in-ci mutations-in-ci
 waiting:
-	$(call each_of,test-openrpc test-json-rpc test-sdk test-web test-usb 'test-deb test-service PACKED=build/bench' test-install \
-	  test-shipped rehearsal test-bids test-monitoring test-mqtt test-discovery test-release)
+	@cmake/each_target.sh test-openrpc test-json-rpc test-sdk test-web test-usb 'test-deb test-service PACKED=build/bench' \
+	  test-install test-shipped rehearsal test-bids test-monitoring test-mqtt test-discovery test-release
 
 # Whose mutants have all been judged once; the other files of tests/mutations/scope.txt still have survivors.
 MUTATED := board_core.cpp heat_budget.h persistence.h thermal_limiter.cpp link.cpp
@@ -440,7 +453,7 @@ BY_TURNS := check-in-ci fuzz-in-ci asan-programs tsan-programs guards-in-ci firm
 TURN := $(shell expr $$(date +%s) / 86400 % $(words $(BY_TURNS)))
 TODAY := $(wordlist $(shell expr $(TURN) + 1),$(words $(BY_TURNS)),$(BY_TURNS)) $(wordlist 1,$(TURN),$(BY_TURNS))
 computing:
-	$(call each_of,shipped instructions faults-ci asan-tests tsan-tests $(TODAY))
+	@cmake/each_target.sh shipped instructions faults-ci asan-tests tsan-tests $(TODAY)
 
 # What is quick and fails often comes first.
 test-all: $(TEST_DEPS)

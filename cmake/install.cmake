@@ -45,12 +45,16 @@ install(DIRECTORY ${PROJECT_BINARY_DIR}/share/hedgehog/ DESTINATION ${data} OPTI
 set(share ${PROJECT_BINARY_DIR}/share)
 install(DIRECTORY ${share}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR})
 install(DIRECTORY ${share}/bash-completion ${share}/zsh ${share}/fish DESTINATION ${CMAKE_INSTALL_DATADIR})
-install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(FILES protocol/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME protocol.md)
+install(FILES CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(CODE "
+  set(HEDGEHOG_SOURCE \"${PROJECT_SOURCE_DIR}\")
+  set(HEDGEHOG_DOCUMENTS \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DOCDIR}\")
+  include(\"${PROJECT_SOURCE_DIR}/cmake/documents.cmake\")")
 
 # systemd and udev read files below lib, not in the architecture's own folder.
 install(FILES systemd/60-hedgehog.rules systemd/61-hedgehog-gamepad.rules DESTINATION lib/udev/rules.d)
 install(FILES systemd/hedgehog.sysusers DESTINATION lib/sysusers.d RENAME hedgehog.conf)
+install(FILES systemd/hedgehog.tmpfiles DESTINATION lib/tmpfiles.d RENAME hedgehog.conf)
 install(FILES systemd/hedgehogd.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo)
 install(FILES systemd/hedgehog-gamepad.sysusers DESTINATION lib/sysusers.d RENAME hedgehog-gamepad.conf)
 # A unit contains the absolute path of the program, which is known once the prefix is.

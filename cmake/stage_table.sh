@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# stage_table.sh STAGES JSON: converts the lines of stage.sh, tests/run.sh, tests/vm/test.sh and .ci/run to a table on stdout
-# and to JSON in a file. The last line counts the tests that ctest and the emulated machine ran.
+# stage_table.sh STAGES JSON: converts the lines of stage.sh, each_target.sh, tests/run.sh, tests/vm/test.sh and .ci/run to a
+# table on stdout and to JSON in a file. The last line counts the tests that ctest and the emulated machine ran.
 set -eu
 
 [ $# -eq 2 ] || { echo "stage_table.sh STAGES JSON" >&2; exit 64; }
@@ -17,6 +17,7 @@ awk -F '\t' '
   $1 == "whole" { whole = $2 }
   $1 == "repeated" { repeated = repeated "  " $2 "\n" }
   $1 == "late" { late = late "  " $2 "\n" }
+  $1 == "red" { red = red "  " $2 "\n" }
   $1 == "failure" { failures = failures "  " $2 "\n" }
   $1 == "tests" { run += $2; failed += $3; skipped += $4 }
   END {
@@ -24,6 +25,7 @@ awk -F '\t' '
     if (whole) printf "%-34s %8s %8.1f\n", "the whole run", clock(whole), cpu / whole
     printf "\nclock tests that were repeated:%s\n", (repeated == "" ? " none" : "\n" repeated)
     if (failures != "") printf "\nfailed twice:\n%s", failures
+    if (red != "") printf "\nfailed targets:\n%s", red
     if (late != "") printf "\nnot begun for want of time:\n%s", late
     printf "\n%d passed, %d failed, %d skipped\n", run - failed - skipped, failed, skipped
   }' "$1"
@@ -40,11 +42,12 @@ awk -F '\t' '
   }
   $1 == "whole" { whole = $2 }
   $1 == "late" { late = late comma[4] "\n    " text($2); comma[4] = "," }
+  $1 == "red" { red = red comma[5] "\n    " text($2); comma[5] = "," }
   $1 == "repeated" { repeated = repeated comma[3] "\n    " text($2); comma[3] = "," }
   $1 == "tests" { run += $2; failed += $3; skipped += $4 }
   END {
     printf "{\n"
     if (whole) printf "  \"whole_s\": %s,\n", whole
-    printf "  \"stages\": [%s\n  ],\n  \"programs\": [%s\n  ],\n  \"repeated\": [%s],\n  \"not_begun\": [%s],\n", stages, programs, repeated, late
+    printf "  \"stages\": [%s\n  ],\n  \"programs\": [%s\n  ],\n  \"repeated\": [%s],\n  \"not_begun\": [%s],\n  \"failed\": [%s],\n", stages, programs, repeated, late, red
     printf "  \"tests\": {\"passed\": %d, \"failed\": %d, \"skipped\": %d}\n}\n", run - failed - skipped, failed, skipped
   }' "$1" >"$2"

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # older.sh FOLDER BEFORE PACKAGE...: writes to FOLDER the packages from which an upgrade to the PACKAGEs (files) starts: those of
-# the same names in the folder BEFORE, all of which must be older; with an empty BEFORE the PACKAGEs themselves as version 0.0.1.
+# the same names in the folder BEFORE, all of which must be older; with an empty BEFORE the PACKAGEs themselves as version 0.0.1, with
+# another text of the settings.
 # Exit: 0, 1 a package of BEFORE is not older or it has none of them, 64 usage.
 set -euo pipefail
 
@@ -9,12 +10,14 @@ set -euo pipefail
 folder=$1 before=$2
 shift 2
 work=$(mktemp -d)
+settings=$work/unpacked/etc/hedgehog/hedgehogd.json
 trap 'rm -rf "$work"' EXIT
 
-# relabel PACKAGE: the same contents; packages of this project that depend on this version depend on 0.0.1.
+# relabel PACKAGE: the same contents but for a comment in the settings; packages of this project that depend on this version depend on 0.0.1.
 relabel() {
   dpkg-deb --raw-extract "$1" "$work/unpacked"
   sed -i -E 's/^Version: .*/Version: 0.0.1/; s/(hedgehog[a-z]* \(= )[^)]*/\10.0.1/' "$work/unpacked/DEBIAN/control"
+  [ ! -e "$settings" ] || echo "// Of version 0.0.1." >>"$settings"
   dpkg-deb --root-owner-group --build "$work/unpacked" "$folder" >/dev/null
   rm -rf "$work/unpacked"
 }

@@ -40,12 +40,13 @@ grep -q "nothing to install: make release" "$work/install.log" || fail "make ins
 for file in bin/hedgehogd bin/hedgehogctl bin/hedgehog-study bin/hedgehog-design bin/hedgehog-gamepad bin/hedgehog-mqtt bin/hedgehog-orientation \
   bin/hedgehog-racer share/hedgehog/hedgehogd.json share/hedgehog/devices.d/hedgehog-86.json \
   share/hedgehog/patterns/heartbeat.json share/hedgehog/study/speed-jnd.json share/hedgehog/schema/openrpc.json \
-  lib/systemd/system/hedgehogd@.service lib/udev/rules.d/60-hedgehog.rules lib/sysusers.d/hedgehog.conf \
+  lib/systemd/system/hedgehogd@.service lib/udev/rules.d/60-hedgehog.rules lib/sysusers.d/hedgehog.conf lib/tmpfiles.d/hedgehog.conf \
   share/man/man8/hedgehogd.8 share/man/man1/hedgehogctl.1 share/bash-completion/completions/hedgehogctl \
   share/zsh/site-functions/_hedgehogd share/fish/vendor_completions.d/hedgehog-study.fish \
-  include/hedgehog/clients/lib/ball.h; do
+  include/hedgehog/clients/lib/ball.h share/doc/hedgehog/operate.md share/doc/hedgehog/troubleshooting.md; do
   [ -s "$prefix/$file" ] || fail "$file is not installed"
 done
+"$source/tests/install/links.sh" "$prefix/share/doc/hedgehog" || fail "the documents' links"
 
 # Each program has completions and a man page of the same name.
 for program in "$prefix"/bin/*; do

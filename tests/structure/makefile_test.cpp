@@ -11,6 +11,7 @@
 #include <string>
 
 #include "tests/folders.h"
+#include "tests/temporary_folder.h"
 
 namespace {
 
@@ -65,18 +66,39 @@ TEST(Pages, AreRebuiltWhenTheirSourcesChange) {
   }
 }
 
-int in_time(const std::string& deadline) {
-  const std::string command = "HEDGEHOG_STAGES= HEDGEHOG_DEADLINE=" + deadline + " " +
-                              hedgehog::source_folder() + "/cmake/in_time.sh test-web 2>/dev/null";
-  return WEXITSTATUS(std::system(command.c_str()));
+/// How cmake/each_target.sh ended, and the file of stages that it wrote.
+struct TargetsMade {
+  int code = 0;
+  std::string stages;
+};
+
+TargetsMade make_each(const std::string& targets, const std::string& deadline) {
+  const hedgehog::TemporaryFolder folder;
+  const std::string stages = folder.path("stages.tsv");
+  const std::string command = "cd " + hedgehog::source_folder() + " && MAKE= HEDGEHOG_STAGES=" +
+                              stages + " HEDGEHOG_DEADLINE=" + deadline +
+                              " cmake/each_target.sh " + targets + " >/dev/null 2>&1";
+  const int code = WEXITSTATUS(std::system(command.c_str()));
+  return {code, folder.read("stages.tsv")};
 }
 
 TEST(Stages, BeginOnlyBeforeTheDeadline) {
   constexpr const char* kLongAgo = "1";
   constexpr const char* kFarAway = "99999999999";
-  EXPECT_EQ(in_time(""), 0) << "outside of CI there is none";
-  EXPECT_EQ(in_time(kFarAway), 0);
-  EXPECT_EQ(in_time(kLongAgo), 1);
+  for (const std::string deadline : {"", kFarAway}) {
+    const TargetsMade made = make_each("help", deadline);
+    EXPECT_EQ(made.code, 0) << deadline;
+    EXPECT_EQ(made.stages, "") << deadline;
+  }
+  const TargetsMade skipped = make_each("no-such-target help", kLongAgo);
+  EXPECT_EQ(skipped.code, 0);
+  EXPECT_EQ(skipped.stages, "late\tno-such-target\nlate\thelp\n");
+}
+
+TEST(Stages, ThatFailAreNamedAndTheOthersMade) {
+  const TargetsMade made = make_each("no-such-target 'help JOBS=1' neither-this", "");
+  EXPECT_EQ(made.code, 1);
+  EXPECT_EQ(made.stages, "red\tno-such-target\nred\tneither-this\n");
 }
 
 }  // namespace

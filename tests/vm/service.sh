@@ -149,7 +149,7 @@ echo '{}' >/etc/hedgehog/hedgehogd.json
 systemctl stop hedgehogd
 are hedgehogd ActiveState=inactive Result=success ExecMainStatus=0
 logged "coils off" || fail "the journal does not say that the coils are off"
-[ ! -e /run/hedgehog ] || fail "/run/hedgehog is left"
+[ -z "$(ls -A /run/hedgehog)" ] || fail "in /run/hedgehog is left: $(ls -A /run/hedgehog)"
 
 step "wrong settings: not started again and again"
 echo '{ "nonsense": 1 }' >/etc/hedgehog/hedgehogd.json
@@ -171,6 +171,8 @@ done
 hedgehogctl --all stop
 [ "$(hedgehogctl --all status --json | grep -c '"state":"disarmed"')" = 2 ] || fail "not both are stopped"
 [ -e /var/lib/hedgehog/0007/state.json ] || fail "hedgehogd@0007 has no state of its own"
+systemctl restart hedgehogd
+[ -S /run/hedgehog/0007/hedgehogd.sock ] || fail "a restart of hedgehogd has removed the socket of hedgehogd@0007"
 
 # emulator COMMAND...: its answer is `answer`. Not in a subshell, which would not have the coprocess.
 emulator() { echo "$*" >&"${EMULATOR[1]}" && read -r -t 300 -u "${EMULATOR[0]}" answer; }
