@@ -9,6 +9,7 @@ ignored=(
   /var/lib/apt /var/lib/dpkg             # apt's and dpkg's state: lists of packages, of files, of diversions
   /var/cache                             # may be removed at any time
   /var/log                               # logs of apt, dpkg and alternatives
+  /run/systemd                           # systemd's, for the packages that bring it along; gone with the next start
   /etc/ld.so.cache                       # ldconfig's, of all libraries
   '/etc/passwd-' '/etc/group-' '/etc/shadow-' '/etc/gshadow-'  # what these files were before their last change
 )
